@@ -1,0 +1,32 @@
+# What Latsch stands on; Debian 12 packages, installed by tools/install_packages.sh.
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(SQLiteCpp REQUIRED)
+find_package(Threads REQUIRED)
+if(LATSCH_TESTS)
+  find_package(GTest REQUIRED)
+endif()
+
+find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
+find_path(UDUNITS2_INCLUDE udunits2.h REQUIRED)
+add_library(udunits2 INTERFACE IMPORTED)
+target_link_libraries(udunits2 INTERFACE ${UDUNITS2_LIBRARY})
+target_include_directories(udunits2 INTERFACE ${UDUNITS2_INCLUDE})
+
+# BLAS and LAPACK of OpenBLAS, the build without threads: a trial is one thread.
+find_library(OPENBLAS_LIBRARY openblas REQUIRED
+             PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/openblas-serial NO_DEFAULT_PATH)
+add_library(lapack_blas INTERFACE IMPORTED)
+target_link_libraries(lapack_blas INTERFACE ${OPENBLAS_LIBRARY})
+
+# Sequential MUMPS with the METIS ordering.
+find_library(DMUMPS_LIBRARY dmumps_seq REQUIRED)
+find_library(METIS_LIBRARY metis REQUIRED)
+find_path(DMUMPS_INCLUDE dmumps_c.h REQUIRED)
+add_library(mumps INTERFACE IMPORTED)
+target_link_libraries(mumps INTERFACE ${DMUMPS_LIBRARY} ${METIS_LIBRARY} lapack_blas)
+target_include_directories(mumps INTERFACE ${DMUMPS_INCLUDE})

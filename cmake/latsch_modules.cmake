@@ -1,0 +1,83 @@
+# One static library a folder of src/: every .cpp in it, with its *_test.cpp files as one test program.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+include(GNUInstallDirs)
+include(GoogleTest)
+
+option(LATSCH_TESTS "Build the tests" ON)
+option(LATSCH_SANITIZE "Address and undefined-behavior sanitizers" OFF)
+
+find_program(LATSCH_CCACHE ccache)
+if(LATSCH_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${LATSCH_CCACHE})
+endif()
+
+add_compile_options(-Wall -Wextra -Wno-psabi -ffp-contract=off)
+if(LATSCH_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
+function(latsch_sources out folder)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  set(${out} ${sources} PARENT_SCOPE)
+endfunction()
+
+function(latsch_tests folder name library)
+  file(GLOB tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*_test.cpp)
+  if(LATSCH_TESTS AND tests)
+    add_executable(${name}_test ${tests})
+    target_link_libraries(${name}_test PRIVATE ${library} GTest::gtest_main)
+    target_compile_definitions(${name}_test PRIVATE LATSCH_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+    gtest_discover_tests(${name}_test TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
+                         PROPERTIES TIMEOUT 600)
+  endif()
+endfunction()
+
+# latsch_module(models/fe_tire LINK ...) makes latsch::fe_tire from src/models/fe_tire.
+function(latsch_module folder)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  get_filename_component(name ${folder} NAME)
+  latsch_sources(sources src/${folder})
+  if(sources)
+    add_library(latsch_${name} STATIC ${sources})
+    set(scope PUBLIC)
+  else()
+    add_library(latsch_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(latsch::${name} ALIAS latsch_${name})
+  target_include_directories(latsch_${name} ${scope}
+    $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/latsch>)
+  target_link_libraries(latsch_${name} ${scope} ${ARG_LINK})
+  set_target_properties(latsch_${name} PROPERTIES EXPORT_NAME ${name})
+  set_property(GLOBAL APPEND PROPERTY LATSCH_LIBRARIES latsch_${name})
+  latsch_tests(src/${folder} ${name} latsch::${name})
+endfunction()
+
+# latsch_program(apps/cli latsch LINK ...) makes bin/latsch from apps/cli.
+function(latsch_program folder program)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  latsch_sources(sources ${folder})
+  if(sources)
+    add_executable(${program} ${sources})
+    target_link_libraries(${program} PRIVATE ${ARG_LINK})
+    target_include_directories(${program} PRIVATE ${CMAKE_SOURCE_DIR}/apps)
+    install(TARGETS ${program})
+  endif()
+endfunction()
+
+# Every folder below that has a CMakeLists.txt.
+function(latsch_subdirectories folder)
+  file(GLOB lists CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*/CMakeLists.txt
+                                    ${CMAKE_SOURCE_DIR}/${folder}/CMakeLists.txt)
+  foreach(list ${lists})
+    get_filename_component(directory ${list} DIRECTORY)
+    add_subdirectory(${directory})
+  endforeach()
+endfunction()

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// HEX8 mesh of a tire: one sector and its rotational copies around the spin axis.
+//
+// Frame: wheel center at the origin, x forward, y along the spin axis (left), z up (ISO 8855). Sector s = 0 starts at the
+// bottom, (0, y, -r); sector s is sector 0 turned by theta = 2 pi s / S so that its plane lies at (r sin theta, y,
+// -r cos theta). Every sector has the same coordinates in its own frame, so one sector is all that is stored, and
+// displacements are kept in sector frames too: an element then looks the same in all of them.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace latsch::fe_tire {
+
+/// A layer of cords inside an element at the parametric thickness position zeta (-1 inner face, +1 outer face).
+struct RebarPlacement {
+  int layer = 0;      // index into Materials::layers
+  double zeta = 0.0;  // [-1, 1]
+};
+
+/// Local axes: xi around the circumference, eta from the +y bead over the crown to the -y bead, zeta outward.
+/// Nodes 0-3 lie on the inner face (zeta = -1), 4-7 on the outer face, both counterclockwise seen from outside
+/// (order of CalculiX' C3D8): (-,-) (+,-) (+,+) (-,+) in (xi, eta).
+struct Element {
+  std::array<int, 8> node;  // < nodes_per_sector: own sector; otherwise node - nodes_per_sector of the next sector
+  int solid = 0;            // index into Materials::solids
+  int region = 0;           // index into Mesh::region_names
+  bool inner = false;       // face zeta = -1 carries the inflation pressure
+  bool tread = false;       // face zeta = +1 may touch the ground
+  std::vector<RebarPlacement> rebars;
+};
+
+struct Mesh {
+  int sectors = 1;                 // S >= 3 rotational copies, or 1: a mesh without symmetry, complete as it is
+  Eigen::Matrix3Xd X;              // [3 x nodes_per_sector] reference positions in the sector frame, m
+  std::vector<Element> elements;   // of one sector
+  std::vector<int> clamped;        // nodes of one sector held by the rim, ascending
+  std::vector<int> sensors;        // nodes of one sector at which mode shapes are compared (outer surface)
+  std::vector<std::string> region_names;
+
+  int nodes_per_sector() const { return static_cast<int>(X.cols()); }
+  int nodes() const { return sectors * nodes_per_sector(); }
+  int element_count() const { return sectors * static_cast<int>(elements.size()); }
+  int free_dofs() const { return 3 * (nodes() - sectors * static_cast<int>(clamped.size())); }
+
+  /// Turns a vector of the next sector's frame into this sector's frame: rotation by 2 pi / S (identity for S = 1).
+  Eigen::Matrix3d sector_rotation() const;
+  /// Frame of sector s: turns a vector of that frame into the wheel frame.
+  Eigen::Matrix3d frame(int sector) const;
+  /// Reference coordinates of an element's nodes in its sector's frame [3 x 8], m.
+  Eigen::Matrix<double, 3, 8> coordinates(const Element& element) const;
+  /// Largest undeformed radius of a tread node, m.
+  double outer_radius() const;
+};
+
+/// Throws InputError naming element and reason for an inverted or degenerate element, an unused node, an index out of range.
+void check(const Mesh& mesh);
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""Checks that every #include follows the architecture: a folder may use itself and what is listed here."""
+import pathlib
+import re
+import sys
+
+BELOW = {
+    "base": [],
+    "numerics": ["base"],
+    "models": ["base", "numerics"],
+    "measurement": ["base", "numerics"],
+    "optimization": ["base", "numerics"],
+    "formats": ["base", "numerics", "models", "measurement", "optimization"],
+    "experiment": ["base", "numerics", "models", "measurement", "formats"],
+    "evaluation": ["base", "numerics", "measurement", "optimization", "formats"],
+    "correlation": ["base", "numerics", "models", "measurement", "optimization", "formats",
+                    "experiment", "evaluation"],
+}
+
+SOURCE = pathlib.Path(__file__).resolve().parent.parent / "src"
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
+
+
+def model_of(path):
+    """src/models/fe_tire/... -> fe_tire: one model does not use another, except the road."""
+    return path.parts[1] if path.parts[0] == "models" and len(path.parts) > 2 else None
+
+
+def faults():
+    for file in sorted([*SOURCE.rglob("*.h"), *SOURCE.rglob("*.cpp")]):
+        here = file.relative_to(SOURCE)
+        for number, line in enumerate(file.read_text().splitlines(), 1):
+            match = INCLUDE.match(line)
+            if not match:
+                continue
+            used = pathlib.Path(match.group(1))
+            layer, target = here.parts[0], used.parts[0]
+            if not (SOURCE / used).is_file():
+                yield f'{here}:{number}: "{used}" is not a file below src/ (write paths from src/)'
+            elif target != layer and target not in BELOW[layer]:
+                yield f"{here}:{number}: {layer} may not use {target} (allowed: {', '.join(BELOW[layer])})"
+            elif layer == target == "models" and model_of(here) != model_of(used) != "road":
+                yield f"{here}:{number}: model {model_of(here)} may not use model {model_of(used)}"
+
+
+if __name__ == "__main__":
+    found = list(faults())
+    print("\n".join(found) or "layers: every #include follows the architecture")
+    sys.exit(1 if found else 0)
