@@ -1,17 +1,103 @@
 // SPDX-License-Identifier: Apache-2.0
 // A tire as its maker describes it: size, contour, thicknesses, cord layers, rubber regions.
+//
+// The section hangs on a reference line, the contour through its wall. Thicknesses are measured
+// from it along its normal, to the inside (toward the inflation gas) and to the outside. A place
+// along the wall is its `position`: arc length from the crown (0) to the bead (1), equal on both
+// sides.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "base/document.h"
+#include "models/fe_tire/contour.h"
 #include "models/fe_tire/hex8.h"
 #include "models/fe_tire/materials.h"
 #include "models/fe_tire/mesh.h"
 
 namespace latsch::fe_tire {
 
-struct TireDescription;  // completed with its fields by the section builder
+/// Thickness over the position along the wall, linear between its points. m.
+struct ThicknessProfile {
+  std::vector<double> position;   // ascending, from 0 to 1
+  std::vector<double> thickness;  // m, > 0
+  double at(double q) const;
+  bool operator==(const ThicknessProfile&) const = default;
+};
+
+/// A stretch of the wall on both sides of the tire, from <= position <= to.
+struct Extent {
+  double from = 0.0, to = 1.0;
+  bool contains(double q) const { return from <= q && q <= to; }
+  bool operator==(const Extent&) const = default;
+};
+
+enum class Side { inside, outside, both };  // of the reference line
+
+struct Rubber {
+  std::string name;
+  Hyperelastic law;
+  double density = 0.0;  // kg/m^3
+};
+
+/// Where one rubber is: every element belongs to exactly one region.
+struct RubberRegion {
+  std::string name;
+  Extent extent;
+  Side side = Side::both;
+  int rubber = 0;  // index into TireDescription::rubbers
+};
+
+/// One ply. `cords` holds the values at the crown.
+struct CordPly {
+  std::string name;
+  Extent extent;
+  double offset = 0.0;  // m from the reference line, positive outward
+  CordLayer cords;
+  /// Built flat on a drum and lifted: the cords then keep cos(angle) / r, and their number around
+  /// the tire stays the same. Otherwise angle and thickness are the same everywhere.
+  bool lifted = false;
+};
+
+enum class CordModel {
+  rebar,    // cords at their own place inside the elements
+  smeared,  // anisotropic St. Venant-Kirchhoff inside the reference line: for comparison
+};
+
+enum class BeadClamp { whole, outside };  // outside: from the reference line outward
+
+/// Everything the mesh depends on.
+struct Section {
+  std::vector<MeridianPoint> contour;  // +y half of the reference line, crown to bead, m
+  ThicknessProfile inside, outside;
+  double tread_to = 0.5;  // position up to which the outer face may touch the ground
+  BeadClamp clamp = BeadClamp::whole;
+  int meridional = 29, rows_inside = 1, rows_outside = 1, sectors = 60;  // elements
+  bool operator==(const Section&) const = default;
+};
+
+struct TireDescription {
+  std::string name;
+  std::string size;       // designation, "225/50R16"
+  double pressure = 0.0;  // Pa, the usual one
+  Section section;
+  std::vector<Rubber> rubbers;
+  std::vector<RubberRegion> regions;
+  std::vector<CordPly> plies;
+  CordModel cord_model = CordModel::rebar;
+  Place place;  // of the file, for complaints
+};
+
+/// HEX8 mesh of the description. `refinement` r splits every element r x r x r with nodes on the
+/// true contour; materials, clamped and tread boundary stay those of the unrefined element.
+/// Throws InputError naming the element where the section folds over.
+Mesh build_mesh(const TireDescription& tire, int refinement = 1);
+
+/// The materials in the numbering of build_mesh; cheap, for every trial.
+Materials build_materials(const TireDescription& tire);
+
+/// Whether both give the same mesh, so that what was prepared for one serves the other.
+bool same_mesh(const TireDescription& a, const TireDescription& b);
 
 }  // namespace latsch::fe_tire

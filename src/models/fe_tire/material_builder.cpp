@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the description of a section to material values, in the numbering of its mesh.
+//
+// The smeared layer, for comparison with programs that have no rebars, is the isotropic law of its
+// rubber plus the cords' stiffness spread over the wall inside the reference line:
+//   D = (K - 2/3 G) I(x)I + 2 G I4 + sum_c (E_c t_c / t_inside) d_c(x)d_c(x)d_c(x)d_c
+#include <array>
+#include <cmath>
+
+#include "models/fe_tire/section_plan.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+/// d (x) d of a direction in Voigt order, for stresses: d^T E d = v . E_voigt.
+Vector6 dyad(const Eigen::Vector3d& d) {
+  Vector6 v;
+  v << d[0] * d[0], d[1] * d[1], d[2] * d[2], d[0] * d[1], d[1] * d[2], d[0] * d[2];
+  return v;
+}
+
+Matrix6 isotropic(double G, double K) {
+  Matrix6 D = Matrix6::Zero();
+  D.topLeftCorner<3, 3>().setConstant(K - 2.0 * G / 3.0);
+  D.topLeftCorner<3, 3>().diagonal().array() += 2.0 * G;
+  D.bottomRightCorner<3, 3>().diagonal().setConstant(G);
+  return D;
+}
+
+/// What a column of the unrefined section is like in its middle.
+struct Column {
+  double r = 0.0;              // m, of the reference line
+  double thickness = 0.0;      // m, inside the reference line
+  Eigen::Vector3d meridional;  // (radial, circumferential, axial), toward the -y bead
+};
+
+Column column_of(const TireDescription& tire, const Contour& line, const SectionPlan& plan, int i) {
+  const auto end = [&](int j) { return 2.0 * j / plan.columns() - 1.0; };
+  const MeridianPoint a = line.tangent(end(i)), b = line.tangent(end(i + 1));
+  const ThicknessProfile& inside = tire.section.inside;
+  Column column;
+  column.r = line.point(plan.middle(i)).r;
+  column.thickness = 0.5 * (inside.at(std::abs(end(i))) + inside.at(std::abs(end(i + 1))));
+  column.meridional = Eigen::Vector3d(a.r + b.r, 0.0, -a.y - b.y).normalized();
+  return column;
+}
+
+/// The cords of a ply at radius r. Lifted from the drum, a cord keeps cos(angle) / r, and the
+/// cords' spacing grows with r sin(angle).
+CordLayer cords_at(const CordPly& ply, double r, double r_crown) {
+  CordLayer cords = ply.cords;
+  if (!ply.lifted) return cords;
+  const double cosine = std::min(1.0, std::cos(cords.angle) * r / r_crown);
+  const double sine = std::sqrt(1.0 - cosine * cosine);
+  if (sine > 0.0) cords.thickness *= std::abs(std::sin(cords.angle)) * r_crown / (r * sine);
+  cords.angle = std::copysign(std::acos(cosine), cords.angle);
+  return cords;
+}
+
+StVenantKirchhoff smear(const Hyperelastic& rubber,
+                        const Column& column,
+                        const std::vector<CordLayer>& cords) {
+  StVenantKirchhoff law{isotropic(2.0 * (rubber.C10 + rubber.C01), rubber.K)};
+  for (const CordLayer& c : cords) {
+    const Eigen::Vector3d d =
+        std::cos(c.angle) * Eigen::Vector3d::UnitY() + std::sin(c.angle) * column.meridional;
+    law.D += c.E_tension * c.thickness / column.thickness * dyad(d) * dyad(d).transpose();
+  }
+  return law;
+}
+
+}  // namespace
+
+Materials build_materials(const TireDescription& tire) {
+  const SectionPlan plan(tire);
+  const Contour line(tire.section.contour);
+  const double r_crown = line.point(0.0).r;
+
+  Materials materials;
+  for (const RubberRegion& region : tire.regions) {
+    const Rubber& rubber = tire.rubbers[region.rubber];
+    materials.solids.push_back({rubber.law, rubber.density});
+  }
+  for (int i = 0; i < plan.columns(); ++i) {
+    const Column column = column_of(tire, line, plan, i);
+    std::vector<CordLayer> cords;
+    for (const auto& here : plan.plies(i))
+      cords.push_back(cords_at(tire.plies[here.ply], column.r, r_crown));
+    if (tire.cord_model == CordModel::rebar) {
+      materials.layers.insert(materials.layers.end(), cords.begin(), cords.end());
+      continue;
+    }
+    const Rubber& rubber = tire.rubbers[tire.regions[plan.region(i, 0)].rubber];
+    double density = rubber.density;
+    for (const CordLayer& c : cords) density += c.density * c.thickness / column.thickness;
+    materials.solids.push_back({smear(rubber.law, column, cords), density});
+  }
+  return materials;
+}
+
+}  // namespace latsch::fe_tire
