@@ -21,7 +21,11 @@ target_include_directories(udunits2 INTERFACE ${UDUNITS2_INCLUDE})
 find_library(OPENBLAS_LIBRARY openblas REQUIRED
              PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/openblas-serial NO_DEFAULT_PATH)
 add_library(lapack_blas INTERFACE IMPORTED)
-target_link_libraries(lapack_blas INTERFACE ${OPENBLAS_LIBRARY})
+# Always a direct dependency of the program and found by its own path: so it comes before whatever the system's
+# alternatives of libblas.so.3 and libopenblas.so.0 point to, for MUMPS too.
+target_link_libraries(lapack_blas INTERFACE
+  -Wl,--push-state,--no-as-needed ${OPENBLAS_LIBRARY} -Wl,--pop-state ${CMAKE_DL_LIBS})
+set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 
 # Sequential MUMPS with the METIS ordering.
 find_library(DMUMPS_LIBRARY dmumps_seq REQUIRED)

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Preconditioned conjugate gradients for A x = b, A symmetric, C positive definite near A.
+// [Nocedal & Wright, Numerical Optimization, 2nd ed., algorithm 5.3 and the curvature test of 7.1]
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+namespace latsch::numerics {
+
+struct CgOutcome {
+  enum class End { converged, iterations_spent, negative_curvature };
+  End end = End::converged;
+  int iterations = 0;     // products with A
+  double residual = 0.0;  // norm of b - A x relative to that of b
+};
+
+class ConjugateGradients {
+ public:
+  using Operator = std::function<void(const Eigen::VectorXd& x, Eigen::VectorXd& y)>;  // y = A x
+  using Preconditioner = std::function<void(Eigen::VectorXd& z)>;  // z <- C^-1 z
+
+  explicit ConjugateGradients(int size);
+
+  /// Starts from x = 0 and stops at |b - A x| <= tolerance |b|. On negative curvature (p' A p <= 0)
+  /// x is the last iterate before it, or the preconditioned gradient C^-1 b in the first iteration:
+  /// a descent direction always.
+  CgOutcome solve(const Operator& A,
+                  const Preconditioner& C,
+                  const Eigen::VectorXd& b,
+                  double tolerance,
+                  int max_iterations,
+                  Eigen::VectorXd& x);
+
+ private:
+  Eigen::VectorXd r_, z_, p_, Ap_;
+};
+
+}  // namespace latsch::numerics

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "numerics/factorization.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "numerics/lattice_testing.h"
+
+namespace latsch::numerics {
+namespace {
+
+Eigen::MatrixXd dense(const SymmetricMatrix& A) {
+  Eigen::MatrixXd D(A.size(), A.size());
+  for (int i = 0; i < A.size(); ++i) {
+    for (int j = 0; j < A.size(); ++j) D(i, j) = A.coefficient(i, j);
+  }
+  return D;
+}
+
+TEST(Factorization, SolvesAsADenseSolverDoes) {
+  const Lattice lattice({5, 3, 4}, 3);
+  const SymmetricPattern pattern(lattice.size(), lattice.elements());
+  SymmetricMatrix A(pattern);
+  lattice.assemble_random(A, 7);
+  Factorization factor(pattern);
+  ASSERT_TRUE(factor.factorize(A).definite());
+  const Eigen::MatrixXd B = Eigen::MatrixXd::Random(A.size(), 9);
+  Eigen::MatrixXd X = B;
+  factor.solve_columns(X);
+  EXPECT_LT((dense(A) * X - B).norm(), 1e-11 * B.norm());
+  Eigen::VectorXd x = B.col(4);
+  factor.solve(x);
+  EXPECT_LT((x - X.col(4)).norm(), 1e-12 * x.norm());
+}
+
+TEST(Factorization, CountsNegativeEigenvalues) {  // Sylvester's law of inertia
+  const Lattice lattice({4, 3, 3}, 3);
+  const SymmetricPattern pattern(lattice.size(), lattice.elements());
+  SymmetricMatrix A(pattern);
+  lattice.assemble_random(A, 3);
+  const Eigen::VectorXd lambda =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense(A)).eigenvalues();
+  Factorization factor(pattern);
+  for (int count : {1, 2, 5, 40}) {
+    SymmetricMatrix shifted = A;
+    shifted.add_to_diagonal(-0.5 * (lambda[count - 1] + lambda[count]));
+    const FactorStatus status = factor.factorize(shifted);
+    EXPECT_EQ(status.outcome, FactorStatus::Outcome::indefinite);
+    EXPECT_EQ(status.negative_pivots, count);
+  }
+}
+
+TEST(Factorization, SaysThatAMatrixIsSingular) {
+  const SymmetricPattern pattern(2, {{0, 1}});
+  SymmetricMatrix A(pattern);
+  const double K[4] = {1, -1, -1, 1};
+  A.add_element(0, K);
+  Factorization factor(pattern);
+  EXPECT_EQ(factor.factorize(A).outcome, FactorStatus::Outcome::singular);
+  EXPECT_FALSE(factor.ready());
+  A.add_to_diagonal(1.0);
+  EXPECT_TRUE(factor.factorize(A).definite());
+}
+
+}  // namespace
+}  // namespace latsch::numerics
