@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "models/fe_tire/reference_tires.h"
 
@@ -16,6 +19,190 @@ TEST(MeshBuilder, TiresAAndBHaveTheElementsAndFreedomsOfThePaper) {
   EXPECT_EQ(a.free_dofs(), 27000);
   EXPECT_EQ(b.element_count(), 3480);
   EXPECT_EQ(b.free_dofs(), 15480);
+}
+
+/// Volume of a trilinear hexahedron: its Jacobian is of second degree in each coordinate, so the
+/// 2 x 2 x 2 Gauss rule is exact.
+double volume(const Eigen::Matrix<double, 3, 8>& X) {
+  static constexpr int kSign[8][3] = {{-1, -1, -1},
+                                      {1, -1, -1},
+                                      {1, 1, -1},
+                                      {-1, 1, -1},
+                                      {-1, -1, 1},
+                                      {1, -1, 1},
+                                      {1, 1, 1},
+                                      {-1, 1, 1}};
+  double sum = 0.0;
+  for (const auto& g : kSign) {
+    const Eigen::Vector3d p = Eigen::Vector3d(g[0], g[1], g[2]) / std::sqrt(3.0);
+    Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
+    for (int a = 0; a < 8; ++a) {
+      const Eigen::Array3d f(
+          1 + kSign[a][0] * p[0], 1 + kSign[a][1] * p[1], 1 + kSign[a][2] * p[2]);
+      const Eigen::RowVector3d dN(
+          kSign[a][0] * f[1] * f[2], kSign[a][1] * f[0] * f[2], kSign[a][2] * f[0] * f[1]);
+      J += X.col(a) * dN / 8.0;
+    }
+    sum += J.determinant();
+  }
+  return sum;
+}
+
+double volume(const Mesh& mesh) {
+  double sum = 0.0;
+  for (const Element& element : mesh.elements) sum += volume(mesh.coordinates(element));
+  return mesh.sectors * sum;
+}
+
+/// The solid the section sweeps, by Green's and Pappus' theorems along the section's outline:
+/// V = 2 pi int r dA = pi | closed int r^2 dy |.
+double swept_volume(const Section& section) {
+  constexpr int kSteps = 20000;
+  const Contour line(section.contour);
+  const auto edge = [&](bool outside) {
+    double sum = 0.0;
+    MeridianPoint last;
+    for (int i = 0; i <= kSteps; ++i) {
+      const double s = 2.0 * i / kSteps - 1.0, q = std::abs(s);
+      const MeridianPoint p =
+          line.offset(s, outside ? section.outside.at(q) : -section.inside.at(q));
+      if (i > 0) sum += (last.r * last.r + last.r * p.r + p.r * p.r) / 3.0 * (last.y - p.y);
+      last = p;
+    }
+    return sum;
+  };
+  const auto bead = [&](double s) {  // straight edge of the section at a bead
+    const double q = std::abs(s);
+    const MeridianPoint a = line.offset(s, -section.inside.at(q)),
+                        b = line.offset(s, section.outside.at(q));
+    return (a.r * a.r + a.r * b.r + b.r * b.r) / 3.0 * (b.y - a.y);
+  };
+  return std::numbers::pi * (edge(true) - edge(false) + bead(1.0) - bead(-1.0));
+}
+
+TEST(MeshBuilder, VolumeOfACylinderIsThatOfItsPolygon) {
+  TireDescription tire = reference_tire_b();
+  tire.section.contour = {{0.0, 0.3}, {0.05, 0.3}, {0.1, 0.3}};
+  tire.section.inside = {{0.0}, {0.006}};
+  tire.section.outside = {{0.0}, {0.009}};
+  const double n = tire.section.sectors, angle = 2.0 * std::numbers::pi / n;
+  const double polygon = 0.5 * n * std::sin(angle) * (0.309 * 0.309 - 0.294 * 0.294) * 0.2;
+  EXPECT_NEAR(volume(build_mesh(tire)), polygon, 1e-12 * polygon);
+  EXPECT_NEAR(swept_volume(tire.section) * std::sin(angle) / angle, polygon, 1e-9 * polygon);
+}
+
+// Nodes lie on the true contour, so the volume approaches that of the swept section with order 2.
+TEST(MeshBuilder, VolumeConvergesToTheSweptSectionWithOrderTwo) {
+  for (TireDescription tire : {reference_tire_a(), reference_tire_b()}) {
+    tire.section.inside = {{0.0}, {5e-3}};  // kinks of the thickness between nodes would add noise
+    tire.section.outside = {{0.0}, {7e-3}};
+    const double exact = swept_volume(tire.section);
+    const double e1 = exact - volume(build_mesh(tire, 1)), e2 = exact - volume(build_mesh(tire, 2)),
+                 e4 = exact - volume(build_mesh(tire, 4));
+    EXPECT_GT(e1, 0.0);  // a chord polygon lies inside
+    EXPECT_NEAR(std::log2(e1 / e2), 2.0, 0.2) << tire.name;
+    EXPECT_NEAR(std::log2(e2 / e4), 2.0, 0.2) << tire.name;
+    EXPECT_LT(e1, 0.02 * exact);
+  }
+}
+
+/// Rubber of the solids and cords of the layers, kg.
+double mass(const Mesh& mesh, const Materials& materials) {
+  double sum = 0.0;
+  for (const Element& element : mesh.elements) {
+    const auto X = mesh.coordinates(element);
+    sum += materials.solids[element.solid].density * volume(X);
+    for (const RebarPlacement& rebar : element.rebars) {
+      const CordLayer& layer = materials.layers[rebar.layer];
+      const double w = 0.5 * (1.0 + rebar.zeta);
+      const Eigen::Matrix<double, 3, 4> M = (1.0 - w) * X.leftCols<4>() + w * X.rightCols<4>();
+      const double area = 0.5 * (M.col(2) - M.col(0)).cross(M.col(3) - M.col(1)).norm();
+      sum += layer.density * layer.thickness * area;
+    }
+  }
+  return mesh.sectors * sum;
+}
+
+TireDescription with_rebars() {
+  TireDescription tire = reference_tire_b();
+  tire.cord_model = CordModel::rebar;
+  const double offsets[] = {-2e-3, -0.8e-3, 0.5e-3, 1.5e-3};
+  for (std::size_t i = 0; i < tire.plies.size(); ++i) {
+    tire.plies[i].offset = offsets[i];
+    tire.plies[i].cords.density = 5000.0;
+  }
+  return tire;
+}
+
+TEST(MeshBuilder, RefinementKeepsTheMassWithinTheGeometricError) {
+  const TireDescription tire = with_rebars();
+  const Materials materials = build_materials(tire);
+  const double m1 = mass(build_mesh(tire, 1), materials), m2 = mass(build_mesh(tire, 2), materials),
+               m3 = mass(build_mesh(tire, 3), materials);
+  EXPECT_NEAR(m1, m3, 0.008 * m3);
+  EXPECT_LT(std::abs(m2 - m3), 0.3 * std::abs(m1 - m3));
+}
+
+// Every ply crosses every element column it covers exactly once, at its own distance from the
+// reference line.
+TEST(MeshBuilder, RefinementKeepsTheCordsAtTheirPlaceInTheWall) {
+  const TireDescription tire = with_rebars();
+  const Contour line(tire.section.contour);
+  for (int r : {1, 2, 3}) {
+    const Mesh mesh = build_mesh(tire, r);
+    const int rows = 2 * r, columns = 29 * r;
+    int found = 0;
+    for (int i = 0; i < columns; ++i) {
+      const double s = (2.0 * i + 1.0) / columns - 1.0;
+      for (int k = 0; k < rows; ++k) {
+        const Element& element = mesh.elements[i * rows + k];
+        for (const RebarPlacement& rebar : element.rebars) {
+          ++found;
+          EXPECT_LE(std::abs(rebar.zeta), 1.0);
+          // Middle of the element's section, between its two columns of nodes in the sector plane.
+          const auto X = mesh.coordinates(element);
+          const double w = 0.5 * (1.0 + rebar.zeta);
+          const Eigen::Vector3d p =
+              0.5 * ((1.0 - w) * (X.col(0) + X.col(3)) + w * (X.col(4) + X.col(7)));
+          double nearest = 1.0;
+          for (const CordPly& ply : tire.plies) {
+            const MeridianPoint q = line.offset(s, ply.offset);
+            nearest = std::min(nearest, std::hypot(p.y() - q.y, -p.z() - q.r));
+          }
+          EXPECT_LT(nearest, 1e-3 / (r * r));  // sag of the chord
+        }
+      }
+    }
+    int expected = 0;
+    for (int i = 0; i < 29; ++i)
+      for (const CordPly& ply : tire.plies)
+        expected += ply.extent.contains(std::abs((2.0 * i + 1.0) / 29 - 1.0)) ? r : 0;
+    EXPECT_EQ(found, expected);
+  }
+}
+
+TEST(MeshBuilder, RefinementKeepsTheClampedAndTreadBoundary) {
+  const TireDescription tire = reference_tire_b();
+  const Mesh mesh = build_mesh(tire, 2);
+  EXPECT_EQ(mesh.sectors, 120);
+  EXPECT_EQ(mesh.clamped.size(), 2u * 3u);  // from the reference line to the outer face, both beads
+  const Mesh coarse = build_mesh(tire);
+  const auto tread_count = [](const Mesh& m) {
+    return std::count_if(
+        m.elements.begin(), m.elements.end(), [](const Element& e) { return e.tread; });
+  };
+  EXPECT_EQ(tread_count(mesh), 2 * tread_count(coarse));
+}
+
+TEST(MeshBuilder, ChangedModuliKeepTheMeshAndAChangedContourDoesNot) {
+  const TireDescription a = reference_tire_b();
+  TireDescription b = a;
+  b.rubbers[0].law.C10 *= 2.0;
+  b.plies[1].cords.E_tension *= 3.0;
+  b.plies[1].cords.angle += 0.1;
+  EXPECT_TRUE(same_mesh(a, b));
+  b.section.contour[3].r += 1e-3;
+  EXPECT_FALSE(same_mesh(a, b));
 }
 
 TEST(Mesh, SectorsAreCountedFromTheBottomTowardTheFront) {

@@ -26,10 +26,10 @@ struct ThicknessProfile {
   bool operator==(const ThicknessProfile&) const = default;
 };
 
-/// A stretch of the wall on both sides of the tire, from <= position <= to.
+/// A stretch of the wall on both sides of the tire, from <= position < to (the bead, 1, included).
 struct Extent {
   double from = 0.0, to = 1.0;
-  bool contains(double q) const { return from <= q && q <= to; }
+  bool contains(double q) const { return from <= q && (q < to || to >= 1.0); }
   bool operator==(const Extent&) const = default;
 };
 
@@ -86,8 +86,12 @@ struct TireDescription {
   std::vector<RubberRegion> regions;
   std::vector<CordPly> plies;
   CordModel cord_model = CordModel::rebar;
+  ElementKind element = ElementKind::solid_shell;
   Place place;  // of the file, for complaints
 };
+
+/// Reads and checks a tire file; throws InputError naming file, line, found and expected.
+TireDescription read_tire(const Node& root);
 
 /// HEX8 mesh of the description. `refinement` r splits every element r x r x r with nodes on the
 /// true contour; materials, clamped and tread boundary stay those of the unrefined element.
