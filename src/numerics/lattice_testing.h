@@ -56,16 +56,27 @@ class Lattice {
   /// Random positive definite element matrices.
   void assemble_random(SymmetricMatrix& A, unsigned seed) const {
     std::mt19937 random(seed);
-    const int n = 8 * per_node_;
-    Eigen::MatrixXd B(n, n);
-    for (int e = 0; e < elements_[0] * elements_[1] * elements_[2]; ++e) {
-      for (double& b : B.reshaped()) b = std::uniform_real_distribution(-1.0, 1.0)(random);
-      const Eigen::MatrixXd K = B * B.transpose() + Eigen::MatrixXd::Identity(n, n);
-      A.add_element(e, K.data());
-    }
+    for (int e = 0; e < element_count(); ++e) A.add_element(e, random_element(random).data());
+  }
+
+  /// The same random positive definite matrix for every element: a ring has double eigenvalues
+  /// then.
+  void assemble_equal(SymmetricMatrix& A, unsigned seed) const {
+    std::mt19937 random(seed);
+    const Eigen::MatrixXd K = random_element(random);
+    for (int e = 0; e < element_count(); ++e) A.add_element(e, K.data());
   }
 
  private:
+  int element_count() const { return elements_[0] * elements_[1] * elements_[2]; }
+
+  Eigen::MatrixXd random_element(std::mt19937& random) const {
+    const int n = 8 * per_node_;
+    Eigen::MatrixXd B(n, n);
+    for (double& b : B.reshaped()) b = std::uniform_real_distribution(-1.0, 1.0)(random);
+    return B * B.transpose() + Eigen::MatrixXd::Identity(n, n);
+  }
+
   int node(int i, int j, int k) const {
     const int wrapped = ring_ ? i % elements_[0] : i;
     return (wrapped * (elements_[1] + 1) + j) * (elements_[2] + 1) + k;

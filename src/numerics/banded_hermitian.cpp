@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "numerics/banded_hermitian.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "numerics/blas_core.h"
+
+extern "C" {
+void zpbtrf_(const char* uplo,
+             const int* n,
+             const int* kd,
+             std::complex<double>* ab,
+             const int* ldab,
+             int* info,
+             std::size_t uplo_length);
+void zpbtrs_(const char* uplo,
+             const int* n,
+             const int* kd,
+             const int* nrhs,
+             const std::complex<double>* ab,
+             const int* ldab,
+             std::complex<double>* b,
+             const int* ldb,
+             int* info,
+             std::size_t uplo_length);
+}
+
+namespace latsch::numerics {
+
+BandedHermitian::BandedHermitian(int size, int bandwidth)
+    : lower_(Eigen::MatrixXcd::Zero(bandwidth + 1, size)) {}
+
+void BandedHermitian::multiply(const Eigen::Ref<const Eigen::MatrixXcd>& X,
+                               Eigen::Ref<Eigen::MatrixXcd> Y) const {
+  const int n = size(), band = bandwidth();
+  for (Eigen::Index k = 0; k < X.cols(); ++k) {
+    const auto x = X.col(k);
+    auto y = Y.col(k);
+    y.setZero();
+    for (int j = 0; j < n; ++j) {
+      const int below = std::min(band, n - 1 - j);
+      const auto column = lower_.col(j).segment(1, below);
+      y[j] += lower_(0, j).real() * x[j] + column.dot(x.segment(j + 1, below));
+      y.segment(j + 1, below) += x[j] * column;
+    }
+  }
+}
+
+bool BandedCholesky::factorize(const BandedHermitian& A) {
+  choose_blas_core();
+  factor_ = A.lower();
+  const int n = A.size(), band = A.bandwidth(), leading = band + 1;
+  int info = 0;
+  zpbtrf_("L", &n, &band, factor_.data(), &leading, &info, 1);
+  assert(info >= 0);
+  return info == 0;
+}
+
+void BandedCholesky::solve(Eigen::Ref<Eigen::MatrixXcd> X) const {
+  const int n = static_cast<int>(factor_.cols()), leading = static_cast<int>(factor_.rows());
+  const int band = leading - 1, columns = static_cast<int>(X.cols()),
+            stride = static_cast<int>(X.outerStride());
+  assert(X.rows() == n);
+  int info = 0;
+  zpbtrs_("L", &n, &band, &columns, factor_.data(), &leading, X.data(), &stride, &info, 1);
+  assert(info == 0);
+}
+
+}  // namespace latsch::numerics

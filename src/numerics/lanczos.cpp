@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+// Why not the textbook recurrence: the basis is small (tens of vectors) beside the factorization,
+// so every new direction is made orthogonal to all others. What remains is the decomposition
+//     Op V = V T + Q B,    Op = (K - sigma M)^-1 M,    V, Q orthonormal in M,
+// with a pool Q of directions not yet multiplied. A step takes from the pool the directions in
+// which the wanted Ritz vectors err most (singular vectors of B S), multiplies them, and puts what
+// is new into the pool. With one start vector this is Lanczos' method, with a good start block it
+// needs few steps, and a thick restart is a rotation of V and B. The residual of the Ritz pair
+// (theta, V s) is |B s|: no vector work to judge convergence.
+#include "numerics/lanczos.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+
+namespace latsch::numerics {
+namespace {
+
+constexpr double kDependent =
+    1e-12;  // a direction this small beside its vector is rounding, not new
+constexpr double kOrthogonal =
+    1e-10;                            // largest overlap left after normalizing; otherwise once more
+constexpr int kSpareDirections = 20;  // basis beyond twice the wanted pairs before a restart
+constexpr int kKeptBeyondWanted = 6;  // Ritz vectors that survive a restart beside the wanted ones
+constexpr int kStepsBetweenChecks =
+    3;  // for narrow blocks: solving the small problem has its price too
+
+/// Numbers in (-1, 1) that depend on the index alone. [Steele, Lea & Flood, SplitMix64, OOPSLA
+/// 2014]
+double scattered(std::uint64_t index) {
+  std::uint64_t z = index * 0x9e3779b97f4a7c15u + 0x9e3779b97f4a7c15u;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  z ^= z >> 31;
+  return static_cast<double>(static_cast<std::int64_t>(z)) * 0x1p-63;
+}
+
+template <class Scalar>
+class Lanczos {
+  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+ public:
+  Lanczos(const EigenProblem<Scalar>& problem, const LanczosSettings& settings)
+      : problem_(problem),
+        settings_(settings),
+        n_(problem.size),
+        wanted_(std::min(settings.count, n_)),
+        capacity_(std::min(n_, 2 * wanted_ + kSpareDirections + settings.block)) {}
+
+  EigenPairs<Scalar> run(const Matrix& start);
+
+ private:
+  void begin(const Matrix& start);
+  Matrix scattered_block(int columns);
+  Matrix new_directions(Matrix W);
+  void refill_pool();
+  void step(int width);
+  void rotate_pool(int width);
+  void solve_small_problem();
+  bool converged() const;
+  void restart();
+  EigenPairs<Scalar> result() const;
+
+  auto basis() { return V_.leftCols(done_ + pool_); }
+  auto mass_basis() { return MV_.leftCols(done_ + pool_); }
+
+  const EigenProblem<Scalar>& problem_;
+  const LanczosSettings& settings_;
+  int n_, wanted_, capacity_;
+  Matrix V_, MV_;  // columns 0..done_-1: V, then the pool Q; and M times them
+  int done_ = 0, pool_ = 0;
+  Matrix T_, B_;           // done_ x done_, pool_ x done_
+  Eigen::VectorXd theta_;  // ascending
+  Matrix S_;
+  std::uint64_t random_index_ = 0;
+  int solves_ = 0;
+};
+
+template <class Scalar>
+typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::scattered_block(int columns) {
+  Matrix X(n_, columns);
+  for (Scalar& x : X.reshaped()) x = Scalar(scattered(random_index_++));
+  return X;
+}
+
+/// Appends to the pool what W brings beyond the basis; returns C with W = (basis part) + (new
+/// directions) C.
+template <class Scalar>
+typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::new_directions(Matrix W) {
+  Matrix C = Matrix::Identity(W.cols(), W.cols());
+  const int before = done_ + pool_;
+  Matrix MW(n_, W.cols());
+  double smallest = 0.0;
+  for (int pass = 0; pass < 4; ++pass) {
+    for (int again = 0; again < (pass == 0 ? 2 : 1); ++again) {
+      const Matrix overlap = MV_.leftCols(before).adjoint() * W;
+      W.noalias() -= V_.leftCols(before) * overlap;
+    }
+    MW.resize(n_, W.cols());
+    problem_.mass(W, MW);
+    const Matrix gram = W.adjoint() * MW;
+    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(gram);
+    const Eigen::VectorXd& square = eigen.eigenvalues();
+    if (pass == 0) smallest = kDependent * kDependent * std::max(square.maxCoeff(), 0.0);
+    int first = 0;
+    while (first < square.size() && !(square[first] > smallest)) ++first;
+    const auto kept = square.size() - first;
+    const Eigen::VectorXd norm = square.tail(kept).cwiseSqrt();
+    const Matrix U = eigen.eigenvectors().rightCols(kept);
+    const Matrix scaled = U * norm.cwiseInverse().template cast<Scalar>().asDiagonal();
+    C = (norm.template cast<Scalar>().asDiagonal() * U.adjoint() * C).eval();
+    W = (W * scaled).eval();
+    MW = (MW * scaled).eval();
+    if (kept == 0) break;
+    const double overlap =
+        before ? (MV_.leftCols(before).adjoint() * W).cwiseAbs().maxCoeff() : 0.0;
+    const double condition = norm.maxCoeff() / norm.minCoeff();
+    if (overlap < kOrthogonal && condition < 1e4) break;
+    smallest = 0.25;  // now normalized: whatever vanishes in the second pass was rounding
+  }
+  const auto needed = before + W.cols();
+  if (V_.cols() < needed) {
+    V_.conservativeResize(n_, needed + 8);
+    MV_.conservativeResize(n_, needed + 8);
+  }
+  V_.middleCols(before, W.cols()) = W;
+  MV_.middleCols(before, W.cols()) = MW;
+  return C;
+}
+
+template <class Scalar>
+void Lanczos<Scalar>::begin(const Matrix& start) {
+  V_.resize(n_, capacity_ + settings_.block);
+  MV_.resize(n_, V_.cols());
+  Matrix X(n_, start.cols() + settings_.block);
+  X.leftCols(start.cols()) = start;
+  X.rightCols(settings_.block) = scattered_block(settings_.block);
+  const Matrix C = new_directions(std::move(X));
+  pool_ = static_cast<int>(C.rows());
+}
+
+/// Turns the pool so that its first columns are the directions in which the wanted Ritz vectors err
+/// most.
+template <class Scalar>
+void Lanczos<Scalar>::rotate_pool(int width) {
+  if (pool_ <= width || done_ == 0) return;
+  solve_small_problem();
+  const int columns = std::min(wanted_, done_);
+  Matrix errors = B_ * S_.rightCols(columns);
+  for (int k = 0; k < columns; ++k) {
+    const double theta = std::abs(theta_[done_ - columns + k]);
+    const double error = errors.col(k).norm();
+    if (error <= settings_.tolerance * theta) {
+      errors.col(k).setZero();
+    } else {
+      errors.col(k) /= theta;
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(errors * errors.adjoint());
+  const Matrix U = eigen.eigenvectors().rowwise().reverse();
+  V_.middleCols(done_, pool_) = (V_.middleCols(done_, pool_) * U).eval();
+  MV_.middleCols(done_, pool_) = (MV_.middleCols(done_, pool_) * U).eval();
+  B_ = (U.adjoint() * B_).eval();
+}
+
+/// Multiplies the first `width` directions of the pool and moves them into V.
+template <class Scalar>
+void Lanczos<Scalar>::step(int width) {
+  Matrix W = MV_.middleCols(done_, width);
+  problem_.solve(W);
+  solves_ += width;
+  const int rest = pool_ - width;
+  const Matrix mass_pool = MV_.middleCols(done_, pool_).adjoint() * W;
+  const Matrix D = 0.5 * (mass_pool.topRows(width) + mass_pool.topRows(width).adjoint());
+  const Matrix C = new_directions(std::move(W));
+  const auto fresh = C.rows();
+
+  Matrix T(done_ + width, done_ + width);
+  T.topLeftCorner(done_, done_) = T_;
+  T.bottomRightCorner(width, width) = D;
+  if (done_ > 0) {
+    T.bottomLeftCorner(width, done_) = B_.topRows(width);
+    T.topRightCorner(done_, width) = B_.topRows(width).adjoint();
+  }
+  Matrix B = Matrix::Zero(rest + fresh, done_ + width);
+  if (done_ > 0) B.topLeftCorner(rest, done_) = B_.bottomRows(rest);
+  B.topRightCorner(rest, width) = mass_pool.bottomRows(rest);
+  B.bottomRightCorner(fresh, width) = C;
+  T_ = std::move(T);
+  B_ = std::move(B);
+  done_ += width;
+  pool_ = static_cast<int>(rest + fresh);
+}
+
+template <class Scalar>
+void Lanczos<Scalar>::solve_small_problem() {
+  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(T_);
+  theta_ = eigen.eigenvalues();
+  S_ = eigen.eigenvectors();
+}
+
+template <class Scalar>
+bool Lanczos<Scalar>::converged() const {
+  if (done_ < wanted_) return false;
+  for (int k = done_ - wanted_; k < done_; ++k) {
+    if (theta_[k] <= 0.0) return false;
+    if (pool_ > 0 && (B_ * S_.col(k)).norm() > settings_.tolerance * theta_[k]) return false;
+  }
+  return true;
+}
+
+/// An invariant subspace is complete but too small: goes on in a direction it does not contain.
+template <class Scalar>
+void Lanczos<Scalar>::refill_pool() {
+  const Matrix C = new_directions(scattered_block(settings_.block));
+  pool_ = static_cast<int>(C.rows());
+  B_ = Matrix::Zero(pool_, done_);
+}
+
+template <class Scalar>
+void Lanczos<Scalar>::restart() {
+  solve_small_problem();
+  const int kept = std::min(done_, wanted_ + kKeptBeyondWanted + settings_.block);
+  const Matrix S = S_.rightCols(kept);
+  const Matrix pool = V_.middleCols(done_, pool_), mass_pool = MV_.middleCols(done_, pool_);
+  V_.leftCols(kept) = (V_.leftCols(done_) * S).eval();
+  MV_.leftCols(kept) = (MV_.leftCols(done_) * S).eval();
+  V_.middleCols(kept, pool_) = pool;
+  MV_.middleCols(kept, pool_) = mass_pool;
+  T_ = theta_.tail(kept).template cast<Scalar>().asDiagonal();
+  B_ = (B_ * S).eval();
+  done_ = kept;
+}
+
+template <class Scalar>
+EigenPairs<Scalar> Lanczos<Scalar>::result() const {
+  EigenPairs<Scalar> pairs;
+  const int count = std::min(wanted_, done_);
+  pairs.values = theta_.tail(count).reverse().cwiseInverse().array() + problem_.shift;
+  pairs.vectors = V_.leftCols(done_) * S_.rightCols(count).rowwise().reverse();
+  pairs.converged = converged();
+  pairs.solves = solves_;
+  return pairs;
+}
+
+template <class Scalar>
+EigenPairs<Scalar> Lanczos<Scalar>::run(const Matrix& start) {
+  begin(start);
+  int since_check = 0;
+  for (int steps = 0; steps < settings_.max_steps; ++steps) {
+    if (pool_ == 0 && done_ + pool_ < n_) refill_pool();
+    if (pool_ == 0) break;
+    const int width = done_ == 0 ? pool_ : std::min(pool_, settings_.block);
+    rotate_pool(width);
+    step(width);
+    ++since_check;
+    if (done_ < wanted_ || (since_check < kStepsBetweenChecks && settings_.block == 1)) continue;
+    since_check = 0;
+    solve_small_problem();
+    if (converged()) break;
+    if (done_ + settings_.block > capacity_ && done_ < n_) restart();
+  }
+  solve_small_problem();
+  return result();
+}
+
+}  // namespace
+
+template <class Scalar>
+EigenPairs<Scalar> lanczos(const EigenProblem<Scalar>& problem,
+                           const LanczosSettings& settings,
+                           const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& start) {
+  assert(start.cols() == 0 || start.rows() == problem.size);
+  assert(settings.block > 0 && settings.count > 0);
+  return Lanczos<Scalar>(problem, settings).run(start);
+}
+
+template EigenPairs<double> lanczos(const EigenProblem<double>&,
+                                    const LanczosSettings&,
+                                    const Eigen::MatrixXd&);
+template EigenPairs<std::complex<double>> lanczos(const EigenProblem<std::complex<double>>&,
+                                                  const LanczosSettings&,
+                                                  const Eigen::MatrixXcd&);
+
+}  // namespace latsch::numerics

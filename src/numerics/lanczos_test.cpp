@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "numerics/lanczos.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "numerics/banded_hermitian.h"
+#include "numerics/factorization.h"
+#include "numerics/lattice_testing.h"
+
+namespace latsch::numerics {
+namespace {
+
+template <class Scalar>
+using Dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+template <class Scalar>
+EigenProblem<Scalar> dense_problem(const Dense<Scalar>& K, const Dense<Scalar>& M, double shift) {
+  const Eigen::PartialPivLU<Dense<Scalar>> factor(K - Scalar(shift) * M);
+  EigenProblem<Scalar> problem;
+  problem.size = static_cast<int>(K.rows());
+  problem.shift = shift;
+  problem.solve = [factor](Eigen::Ref<Dense<Scalar>> X) { X = factor.solve(X).eval(); };
+  problem.mass = [M](const Eigen::Ref<const Dense<Scalar>>& X, Eigen::Ref<Dense<Scalar>> Y) {
+    Y = M * X;
+  };
+  return problem;
+}
+
+template <class Scalar>
+Dense<Scalar> random_positive(int n) {
+  const Dense<Scalar> B = Dense<Scalar>::Random(n, n);
+  return B * B.adjoint() + Dense<Scalar>::Identity(n, n);
+}
+
+/// K with the given eigenvalues with respect to M: K = L Q diag(lambda) Q' L', M = L L'.
+template <class Scalar>
+Dense<Scalar> with_spectrum(const Eigen::VectorXd& lambda, const Dense<Scalar>& M) {
+  const int n = static_cast<int>(M.rows());
+  const Dense<Scalar> L = Eigen::LLT<Dense<Scalar>>(M).matrixL();
+  const Dense<Scalar> Q =
+      Eigen::HouseholderQR<Dense<Scalar>>(Dense<Scalar>::Random(n, n)).householderQ();
+  return L * Q * lambda.cast<Scalar>().asDiagonal() * Q.adjoint() * L.adjoint();
+}
+
+template <class Scalar>
+void expect_pairs(const EigenPairs<Scalar>& pairs,
+                  const Dense<Scalar>& K,
+                  const Dense<Scalar>& M,
+                  const Eigen::VectorXd& expected) {
+  ASSERT_TRUE(pairs.converged);
+  ASSERT_EQ(pairs.values.size(), expected.size());
+  for (int k = 0; k < expected.size(); ++k)
+    EXPECT_NEAR(pairs.values[k], expected[k], 1e-10 * expected[k]) << k;
+  const Dense<Scalar> gram = pairs.vectors.adjoint() * M * pairs.vectors;
+  EXPECT_LT((gram - Dense<Scalar>::Identity(gram.rows(), gram.cols())).norm(), 1e-9);
+  for (int k = 0; k < expected.size(); ++k) {
+    const auto x = pairs.vectors.col(k);
+    EXPECT_LT((K * x - Scalar(pairs.values[k]) * (M * x)).norm(), 1e-5 * (K * x).norm());
+  }
+}
+
+template <class Scalar>
+class LanczosOf : public testing::Test {};
+using Scalars = testing::Types<double, std::complex<double>>;
+TYPED_TEST_SUITE(LanczosOf, Scalars);
+
+TYPED_TEST(LanczosOf, FindsWhatADenseSolverFinds) {
+  using M = Dense<TypeParam>;
+  const M K = random_positive<TypeParam>(120), mass = random_positive<TypeParam>(120);
+  const Eigen::VectorXd all = Eigen::GeneralizedSelfAdjointEigenSolver<M>(K, mass).eigenvalues();
+  for (int block : {1, 2, 5}) {
+    const auto pairs =
+        lanczos(dense_problem<TypeParam>(K, mass, 0.0), {.count = 12, .block = block});
+    expect_pairs<TypeParam>(pairs, K, mass, all.head(12));
+  }
+}
+
+TYPED_TEST(LanczosOf, FindsAllCopiesOfPairs) {
+  Eigen::VectorXd lambda(90);
+  for (int k = 0; k < 90; ++k) lambda[k] = 1.0 + 0.8 * (k / 2);
+  const auto M = random_positive<TypeParam>(90);
+  const auto K = with_spectrum<TypeParam>(lambda, M);
+  const auto pairs = lanczos(dense_problem<TypeParam>(K, M, 0.2), {.count = 20, .block = 2});
+  expect_pairs<TypeParam>(pairs, K, M, lambda.head(20));
+}
+
+TYPED_TEST(LanczosOf, StartsFromANeighborAndStillFindsWhatItLacks) {
+  Eigen::VectorXd lambda(100);
+  for (int k = 0; k < 100; ++k) lambda[k] = std::pow(1.0 + k, 1.5);
+  const auto M = random_positive<TypeParam>(100);
+  const auto K = with_spectrum<TypeParam>(lambda, M);
+  const auto problem = dense_problem<TypeParam>(K, M, 0.0);
+  const auto cold = lanczos(problem, {.count = 10, .block = 2});
+  Dense<TypeParam> start = cold.vectors;
+  start.col(3) = start.col(4);  // a dependent column, and the fourth mode missing altogether
+  start += 1e-4 * start.norm() * Dense<TypeParam>::Random(100, 10);
+  const auto warm = lanczos(problem, {.count = 10, .block = 2}, start);
+  expect_pairs<TypeParam>(warm, K, M, lambda.head(10));
+  const auto exact = lanczos(problem, {.count = 10, .block = 2}, cold.vectors);
+  expect_pairs<TypeParam>(exact, K, M, lambda.head(10));
+  EXPECT_LT(exact.solves, cold.solves / 2);
+}
+
+TYPED_TEST(LanczosOf, EndsWithAllPairsOfASmallProblem) {
+  const auto K = random_positive<TypeParam>(7), M = random_positive<TypeParam>(7);
+  const Eigen::VectorXd all =
+      Eigen::GeneralizedSelfAdjointEigenSolver<Dense<TypeParam>>(K, M).eigenvalues();
+  expect_pairs<TypeParam>(
+      lanczos(dense_problem<TypeParam>(K, M, 0.0), {.count = 9, .block = 3}), K, M, all);
+}
+
+TYPED_TEST(LanczosOf,
+           LeavesAnInvariantSubspace) {  // the start vectors span eigenvectors that are not wanted
+  Eigen::VectorXd lambda = Eigen::VectorXd::LinSpaced(40, 1.0, 40.0);
+  const Dense<TypeParam> M = Dense<TypeParam>::Identity(40, 40);
+  const Dense<TypeParam> K = lambda.cast<TypeParam>().asDiagonal();
+  const Dense<TypeParam> start = M.rightCols(6);
+  expect_pairs<TypeParam>(
+      lanczos(dense_problem<TypeParam>(K, M, 0.0), {.count = 5, .block = 2}, start),
+      K,
+      M,
+      lambda.head(5));
+}
+
+TEST(Lanczos, GivesTheSameBitsTwice) {
+  const Eigen::MatrixXd K = random_positive<double>(60), M = random_positive<double>(60);
+  const auto problem = dense_problem<double>(K, M, 0.0);
+  const auto once = lanczos(problem, {.count = 8}), again = lanczos(problem, {.count = 8});
+  EXPECT_EQ(once.values, again.values);
+  EXPECT_EQ(once.vectors, again.vectors);
+}
+
+TEST(Lanczos, MissesNoneBelowTheLastByInertia) {  // sparse ring: pairs everywhere
+  const Lattice lattice({12, 4, 2}, 3, /*ring=*/true, /*held_ends=*/true);
+  const SymmetricPattern pattern(lattice.size(), lattice.elements());
+  SymmetricMatrix K(pattern), M(pattern);
+  lattice.assemble_equal(K, 5);
+  lattice.assemble_equal(M, 6);
+  Factorization factor(pattern);
+  ASSERT_TRUE(factor.factorize(K).definite());
+  EigenProblem<double> problem;
+  problem.size = K.size();
+  problem.solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_columns(X); };
+  problem.mass = [&](const Eigen::Ref<const Eigen::MatrixXd>& X, Eigen::Ref<Eigen::MatrixXd> Y) {
+    M.multiply(X, Y);
+  };
+  const auto pairs = lanczos(problem, {.count = 20});
+  ASSERT_TRUE(pairs.converged);
+  for (int k : {4, 9, 14, 19}) {
+    SymmetricMatrix shifted = K;
+    shifted.add(-pairs.values[k] * (1.0 + 1e-7), M);
+    int below = 0;
+    for (double value : pairs.values) below += value <= pairs.values[k] * (1.0 + 1e-7);
+    const FactorStatus status = factor.factorize(shifted);
+    EXPECT_GE(status.negative_pivots, below);
+    if (k < 19) {
+      EXPECT_EQ(status.negative_pivots, below);
+    }
+  }
+}
+
+TEST(BandedHermitian, SolvesAndMultipliesAsDense) {
+  const int n = 40, band = 7;
+  BandedHermitian A(n, band);
+  A.lower() = Eigen::MatrixXcd::Random(band + 1, n);
+  for (int j = 0; j < n; ++j) A(j, j) = 20.0;
+  Eigen::MatrixXcd D = Eigen::MatrixXcd::Zero(n, n);
+  for (int j = 0; j < n; ++j) {
+    for (int i = j; i < std::min(n, j + band + 1); ++i) {
+      D(i, j) = A(i, j);
+      D(j, i) = std::conj(A(i, j));
+    }
+  }
+  const Eigen::MatrixXcd X = Eigen::MatrixXcd::Random(n, 3);
+  Eigen::MatrixXcd Y(n, 3);
+  A.multiply(X, Y);
+  EXPECT_LT((Y - D * X).norm(), 1e-13 * Y.norm());
+  BandedCholesky factor;
+  ASSERT_TRUE(factor.factorize(A));
+  factor.solve(Y);
+  EXPECT_LT((Y - X).norm(), 1e-13 * X.norm());
+  for (int j = 0; j < n; ++j) A(j, j) = 1.0;
+  EXPECT_FALSE(factor.factorize(A));
+}
+
+}  // namespace
+}  // namespace latsch::numerics
