@@ -18,8 +18,8 @@ enum class Scale { linear, logarithmic };
 
 struct DesignVariable {
   std::string name;
-  std::vector<std::string> paths;  // numbers of the model that take its value
-  double lower = 0.0;              // SI, as upper and initial
+  std::vector<std::string> paths = {};  // numbers of the model that take its value
+  double lower = 0.0;                   // SI, as upper and initial
   double upper = 1.0;
   double initial = 0.5;
   Scale scale = Scale::linear;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/inline_executor.h"
+
+#include <cassert>
+
+namespace latsch {
+
+InlineExecutor::InlineExecutor(Evaluator evaluator) : evaluator_(std::move(evaluator)) {}
+
+void InlineExecutor::start(const DesignPoint& point) {
+  assert(!waiting_);
+  waiting_ = point;
+}
+
+std::vector<Trial> InlineExecutor::wait(double) {
+  if (!waiting_) return {};
+  const DesignPoint point = *std::exchange(waiting_, std::nullopt);
+  return {{point, evaluate(evaluator_, point)}};
+}
+
+void InlineExecutor::abandon() { waiting_.reset(); }
+
+}  // namespace latsch

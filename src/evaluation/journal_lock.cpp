@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/journal_lock.h"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+#include <string>
+
+#include "base/error.h"
+
+namespace latsch {
+namespace {
+
+/// SQLite's write-ahead log shares memory between readers, which network file systems do not; their
+/// magic numbers are those of statfs(2).
+void refuse_network_file_system(const std::filesystem::path& journal) {
+  struct Kind {
+    unsigned long magic;
+    const char* name;
+  };
+  static constexpr std::array kNetwork{Kind{0x6969, "NFS"},
+                                       Kind{0x517B, "SMB"},
+                                       Kind{0xFF534D42, "CIFS"},
+                                       Kind{0xFE534D42, "SMB2"},
+                                       Kind{0x5346414F, "AFS"},
+                                       Kind{0x01021997, "9P"},
+                                       Kind{0x00C36400, "Ceph"},
+                                       Kind{0x0BD00BD0, "Lustre"},
+                                       Kind{0x47504653, "GPFS"}};
+  struct statfs info {};
+  const std::filesystem::path folder = journal.has_parent_path() ? journal.parent_path() : ".";
+  if (::statfs(folder.c_str(), &info) != 0) return;
+  for (const Kind& kind : kNetwork) {
+    if ((static_cast<unsigned long>(info.f_type) & 0xFFFFFFFFu) != kind.magic) continue;
+    throw InputError({journal.string(), 0},
+                     fmt::format("the folder is on a network file system ({}), where a journal is "
+                                 "not safe; put it on a local disk",
+                                 kind.name));
+  }
+}
+
+std::string read_all(int fd) {
+  std::array<char, 256> buffer{};
+  const ssize_t count = ::pread(fd, buffer.data(), buffer.size(), 0);
+  std::string text(buffer.data(), count > 0 ? count : 0);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+std::string holder_text() {
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  return fmt::format("process {} on {} since {:%Y-%m-%d %H:%M:%S} UTC\n",
+                     ::getpid(),
+                     host.data(),
+                     fmt::gmtime(std::time(nullptr)));
+}
+
+/// Whether `fd` is still the file at that path; a holder removes its lock file when it ends.
+bool is_current(int fd, const std::filesystem::path& file) {
+  struct stat opened {};
+  struct stat present {};
+  return ::fstat(fd, &opened) == 0 && ::stat(file.c_str(), &present) == 0 &&
+         opened.st_ino == present.st_ino && opened.st_dev == present.st_dev;
+}
+
+}  // namespace
+
+JournalLock::JournalLock(const std::filesystem::path& journal) : file_(journal) {
+  refuse_network_file_system(journal);
+  file_ += ".lock";
+  while (true) {
+    fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (fd_ < 0) {
+      throw InputError({journal.string(), 0},
+                       fmt::format("cannot write beside it: {}", std::strerror(errno)));
+    }
+    if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+      const std::string holder = read_all(fd_);
+      ::close(fd_);
+      throw InputError({journal.string(), 0},
+                       fmt::format("is in use by {}; wait until it ends or stop it. Reading it, as "
+                                   "a report does, is possible meanwhile",
+                                   holder.empty() ? "another process" : holder));
+    }
+    if (is_current(fd_, file_)) break;
+    ::close(fd_);
+  }
+  // Without the holder's name, say on a full disk, the lock still holds.
+  const std::string holder = holder_text();
+  if (::ftruncate(fd_, 0) == 0 && ::pwrite(fd_, holder.data(), holder.size(), 0) < 0) errno = 0;
+}
+
+JournalLock::~JournalLock() {
+  ::unlink(file_.c_str());
+  ::close(fd_);
+}
+
+}  // namespace latsch

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/trial.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <exception>
+#include <new>
+
+namespace latsch {
+namespace {
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+Result<Channels> run(const Evaluator& evaluator, const DesignPoint& point) {
+  try {
+    Result<Channels> result = evaluator(point);
+    return result ? finite(std::move(*result)) : std::move(result);
+  } catch (const std::bad_alloc&) {
+    return Failure{"out of memory"};
+  } catch (const std::exception& error) {
+    return Failure{error.what()};
+  } catch (...) {
+    return Failure{"an exception that carries no text"};
+  }
+}
+
+}  // namespace
+
+Outcome evaluate(const Evaluator& evaluator, const DesignPoint& point) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const double cpu_start = cpu_seconds();
+  Outcome outcome{.result = run(evaluator, point)};
+  outcome.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
+  outcome.cpu_time = cpu_seconds() - cpu_start;
+  return outcome;
+}
+
+Result<Channels> finite(Channels channels) {
+  for (const Channel& channel : channels.all()) {
+    for (std::size_t i = 0; i < channel.values.size(); ++i) {
+      if (std::isfinite(channel.values[i])) continue;
+      return Failure{
+          fmt::format("channel \"{}\" is {} at sample {}", channel.name, channel.values[i], i + 1)};
+    }
+  }
+  return channels;
+}
+
+}  // namespace latsch

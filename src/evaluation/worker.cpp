@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/worker.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include "evaluation/encoding.h"
+#include "evaluation/frame.h"
+#include "evaluation/trial.h"
+
+namespace latsch {
+namespace {
+
+bool write_all(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(fd, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    bytes.remove_prefix(count);
+  }
+  return true;
+}
+
+/// nullopt at the end of the stream, or where it is not one of frames.
+std::optional<Frame> read_frame(int fd, FrameReader& reader) {
+  std::array<char, 65536> chunk;
+  while (true) {
+    if (auto frame = reader.next()) return frame;
+    if (reader.broken()) return std::nullopt;
+    const ssize_t count = ::read(fd, chunk.data(), chunk.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return std::nullopt;
+    reader.add({chunk.data(), static_cast<std::size_t>(count)});
+  }
+}
+
+}  // namespace
+
+int serve(const Evaluator& evaluator, int in_fd, int out_fd) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a trial nobody waits for must not go on for hours
+  ::fcntl(in_fd, F_SETFD, FD_CLOEXEC);
+  ::fcntl(out_fd, F_SETFD, FD_CLOEXEC);
+  if (!write_all(out_fd, encode_frame(FrameKind::ready, {}))) return 1;
+  FrameReader reader;
+  while (const auto frame = read_frame(in_fd, reader)) {
+    const auto point = decode_point(frame->bytes);
+    if (frame->kind != FrameKind::point || !point) return 2;
+    const Outcome outcome = evaluate(evaluator, *point);
+    std::fflush(nullptr);
+    if (!write_all(out_fd, encode_frame(FrameKind::outcome, encode(outcome)))) return 1;
+  }
+  return reader.broken() ? 2 : 0;
+}
+
+}  // namespace latsch
