@@ -68,7 +68,7 @@ struct Loaded {
   Eigen::Matrix3Xd anchors;      // stick positions of the contact points (model-internal)
 };
 
-enum class ModeType { torsional, lateral, radial, bending, other };
+enum class ModeType { torsional, lateral, radial, other };
 std::string name(ModeType type);                    // "torsional"
 std::optional<ModeType> mode_type(const std::string& name);
 
@@ -76,9 +76,10 @@ struct Mode {
   double frequency = 0.0;  // Hz
   int n = 0;               // dominating circumferential number
   ModeType type = ModeType::other;
+  int order = 1;           // 1, 2, ... among modes of the same n and type, by frequency
   char phase = ' ';        // of a split pair in the loaded state: 's' symmetric, 'a' antisymmetric in x; ' ' unloaded
   Eigen::Matrix3Xd shape;  // [3 x nodes], sector frames, mass-normalized; unloaded pairs: two orthogonal members
-  std::string label() const;  // "lateral n=1", "radial n=2 a"
+  std::string label() const;  // "lateral n=1", "radial n=2 a", "radial n=3 (2)"
 };
 
 struct SolverSettings {

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace latsch::fe_tire {
+namespace {
+
+// The ground resists sliding before slip as stiffly, by half, as it resists penetration.
+constexpr double kTangentialShare = 0.5;
+
+constexpr double kSqrt13 = 0.57735026918962576;
+
+/// Outward area vector dx/dxi x dx/deta of a four-node face at (xi, eta).
+Eigen::Vector3d area_vector(const Matrix34& x, double xi, double eta) {
+  const Eigen::Vector4d N_xi(-(1 - eta) / 4, (1 - eta) / 4, (1 + eta) / 4, -(1 + eta) / 4);
+  const Eigen::Vector4d N_eta(-(1 - xi) / 4, -(1 + xi) / 4, (1 + xi) / 4, (1 - xi) / 4);
+  return (x * N_xi).cross(Eigen::Vector3d(x * N_eta));
+}
+
+double gauss_xi(int q) { return (q & 1) ? kSqrt13 : -kSqrt13; }
+double gauss_eta(int q) { return (q & 2) ? kSqrt13 : -kSqrt13; }
+
+}  // namespace
+
+GroundContact::GroundContact(const Ring& ring, const Ground& ground) : ring_(ring), ground_(ground) {
+  face_of_element_.assign(ring.elements_per_sector(), -1);
+  for (int e = 0; e < ring.elements_per_sector(); ++e) {
+    const Element& element = ring.mesh().elements[e];
+    if (!element.tread) continue;
+    const Matrix34 X = ring.mesh().coordinates(element).rightCols<4>();
+    Face face{e, {}, {}};
+    for (int q = 0; q < 4; ++q) {
+      const double xi = gauss_xi(q), eta = gauss_eta(q);
+      face.N[q] << (1 - xi) * (1 - eta) / 4, (1 + xi) * (1 - eta) / 4, (1 + xi) * (1 + eta) / 4,
+          (1 - xi) * (1 + eta) / 4;
+      face.dA[q] = area_vector(X, xi, eta).norm();
+    }
+    face_of_element_[e] = static_cast<int>(faces_.size());
+    faces_.push_back(face);
+  }
+  for (int s = 0; s < ring.sectors(); ++s) frames_.push_back(ring.mesh().frame(s));
+  points_.resize(4 * faces_.size() * ring.sectors());
+}
+
+int GroundContact::point_index(int sector, int face, int q) const {
+  return 4 * (sector * static_cast<int>(faces_.size()) + face) + q;
+}
+
+Matrix34 GroundContact::world_face(int sector, int element, const Matrix38& u) const {
+  const Element& e = ring_.mesh().elements[element];
+  return frames_[sector] * (ring_.mesh().coordinates(e) + u).rightCols<4>();
+}
+
+GroundContact::Traction GroundContact::traction(const Eigen::Vector3d& x,
+                                                const Point& point,
+                                                bool stuck) const {
+  Traction result{-ground_.stiffness * (x.z() - height_), Eigen::Vector2d::Zero(),
+                  Eigen::Matrix2d::Zero(), false};  // (C.1)
+  if (ground_.mu == 0.0) return result;
+  const double stiffness = kTangentialShare * ground_.stiffness;
+  if (stuck) {
+    result.dt_dx = stiffness * Eigen::Matrix2d::Identity();
+    result.sticks = true;
+    return result;
+  }
+  if (!point.anchored) return result;
+  const Eigen::Vector2d trial = -stiffness * (x.head<2>() - point.anchor);  // (C.2)
+  const double limit = ground_.mu * result.p, size = trial.norm();
+  result.sticks = size <= limit;
+  if (result.sticks) {
+    result.t = trial;
+    result.dt_dx = stiffness * Eigen::Matrix2d::Identity();
+  } else {
+    const Eigen::Vector2d along = trial / size;
+    result.t = limit * along;  // (C.3)
+    result.dt_dx =
+        stiffness * limit / size * (Eigen::Matrix2d::Identity() - along * along.transpose());
+  }
+  return result;
+}
+
+void GroundContact::add(
+    int sector, int element, const Matrix38& u, bool stuck, Vector24& f, Matrix24* K) const {
+  const int k = face_of_element_[element];
+  if (k < 0) return;
+  const Matrix34 x = world_face(sector, element, u);
+  if (x.row(2).minCoeff() >= height_) return;
+
+  const Eigen::Matrix3d& R = frames_[sector];
+  const Face& face = faces_[k];
+  for (int q = 0; q < 4; ++q) {
+    const Eigen::Vector3d at = x * face.N[q];
+    if (at.z() >= height_) continue;
+    const Traction on = traction(at, points_[point_index(sector, k, q)], stuck);
+    const Eigen::Vector3d force =
+        R.transpose() * Eigen::Vector3d(on.t.x(), on.t.y(), on.p) * face.dA[q];
+    Eigen::Matrix3d C = Eigen::Matrix3d::Zero();
+    if (K) {
+      C.topLeftCorner<2, 2>() = on.dt_dx;
+      C(2, 2) = ground_.stiffness;
+      C = R.transpose() * C * R * face.dA[q];
+    }
+    for (int a = 0; a < 4; ++a) {
+      f.segment<3>(12 + 3 * a) -= face.N[q][a] * force;
+      if (!K) continue;
+      for (int b = 0; b < 4; ++b) {
+        K->block<3, 3>(12 + 3 * a, 12 + 3 * b) += face.N[q][a] * face.N[q][b] * C;
+      }
+    }
+  }
+}
+
+void GroundContact::settle(const Eigen::VectorXd& x) {
+  const double stiffness = kTangentialShare * ground_.stiffness;
+  for (int s = 0; s < ring_.sectors(); ++s) {
+    for (int k = 0; k < static_cast<int>(faces_.size()); ++k) {
+      const Matrix34 face = world_face(s, faces_[k].element, ring_.gather(s, faces_[k].element, x));
+      for (int q = 0; q < 4; ++q) {
+        Point& point = points_[point_index(s, k, q)];
+        const Eigen::Vector3d at = face * faces_[k].N[q];
+        if (at.z() >= height_) {
+          point.anchored = false;
+          continue;
+        }
+        const Traction on = traction(at, point, false);
+        point.anchor = at.head<2>() + on.t / stiffness;
+        point.anchored = true;
+      }
+    }
+  }
+}
+
+ContactPatch GroundContact::patch(const Eigen::VectorXd& x, double* Fz) const {
+  ContactPatch patch;
+  double force = 0.0;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Eigen::Vector2d lowest(kFar, kFar), highest(-kFar, -kFar);
+  for (int s = 0; s < ring_.sectors(); ++s) {
+    for (int k = 0; k < static_cast<int>(faces_.size()); ++k) {
+      const Matrix34 face = world_face(s, faces_[k].element, ring_.gather(s, faces_[k].element, x));
+      for (int q = 0; q < 4; ++q) {
+        const Eigen::Vector3d at = face * faces_[k].N[q];
+        if (at.z() >= height_) continue;
+        const Traction on = traction(at, points_[point_index(s, k, q)], false);
+        const double area = std::abs(area_vector(face, gauss_xi(q), gauss_eta(q)).z());
+        const double stretch = faces_[k].dA[q] / area;  // tractions per current, flat area
+        patch.points.push_back({at.x(), at.y(), on.p * stretch, on.t.x() * stretch,
+                                on.t.y() * stretch, area, on.sticks});
+        patch.area += area;
+        force += on.p * faces_[k].dA[q];
+        lowest = lowest.cwiseMin(at.head<2>());
+        highest = highest.cwiseMax(at.head<2>());
+      }
+    }
+  }
+  if (!patch.points.empty()) {
+    patch.length = highest.x() - lowest.x();
+    patch.width = highest.y() - lowest.y();
+  }
+  if (Fz) *Fz = force;
+  return patch;
+}
+
+}  // namespace latsch::fe_tire

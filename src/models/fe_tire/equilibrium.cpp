@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/equilibrium.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace latsch::fe_tire {
+namespace {
+
+// One factorization costs as much as about this many conjugate-gradient iterations (measured on tires A and B).
+constexpr int kIterationsWorthAFactor = 20;
+// A solve that needed this many is a sign that the next one will be too slow.
+constexpr int kIterationsOfAStaleFactor = 9;
+constexpr int kMaxBacktracks = 10;
+constexpr double kSlopeDecrease = 0.8;  // accepted |d . f(x - s d)| relative to |d . f(x)|
+
+}  // namespace
+
+EquilibriumSolver::EquilibriumSolver(const Ring& ring, const SolverSettings& settings)
+    : ring_(ring),
+      settings_(settings),
+      assembly_(ring),
+      K_(assembly_.pattern()),
+      cg_(ring.unknowns()),
+      f_(ring.unknowns()),
+      d_(ring.unknowns()) {
+  factor_.analyze(assembly_.pattern());
+}
+
+std::optional<Failure> EquilibriumSolver::solve(const Materials& materials,
+                                                RingState& state,
+                                                double pressure,
+                                                const GroundContact* contact,
+                                                const std::string& step) {
+  materials_ = &materials;
+  contact_ = contact;
+  pressure_ = pressure;
+  RingState now = state;
+  if (!assemble(now, true)) return failure(step, "the start is inverted");
+  double previous = f_.norm();
+  for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
+    const double norm = f_.norm();
+    if (norm <= settings_.tolerance * reference_) {
+      state = std::move(now);
+      return std::nullopt;
+    }
+    // Solve only as exactly as Newton's own convergence deserves (Eisenstat and Walker 1996, choice 2).
+    const double ratio = iteration == 0 ? 0.1 : norm / previous;
+    find_direction(std::clamp(0.5 * ratio * ratio, 1e-4, 1e-2));
+    previous = norm;
+    if (!line_search(now)) return failure(step, "no step along Newton's direction reduces it");
+  }
+  return failure(step, fmt::format("not converged in {} iterations", settings_.max_iterations));
+}
+
+bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
+  failed_element_ = -1;
+  ++counts_.assemblies;
+  return assembly_.assemble(*materials_, state, pressure_, contact_, false, f_,
+                            with_tangent ? &K_ : nullptr, &failed_element_);
+}
+
+FactorizationStatus EquilibriumSolver::factorize() {
+  ++counts_.factorizations;
+  has_factor_ = false;
+  return factor_.factorize(K_);
+}
+
+void EquilibriumSolver::renew_factor() {
+  const double largest = K_.largest_diagonal();
+  for (double shift = 1e-5 * largest; factorize() != FactorizationStatus::positive_definite;
+       shift *= 4.0) {
+    K_.add_to_diagonal(shift);
+    ++counts_.shifts;
+  }
+  has_factor_ = true;
+  last_cg_iterations_ = 0;
+}
+
+void EquilibriumSolver::find_direction(double tolerance) {
+  const auto precondition = [this](Eigen::VectorXd& v) {
+    ++counts_.solves;
+    factor_.solve(v);
+  };
+  if (has_factor_ && last_cg_iterations_ <= kIterationsOfAStaleFactor) {
+    const CgOutcome cg = cg_.solve(K_, precondition, f_, d_, tolerance, kIterationsWorthAFactor);
+    counts_.cg_iterations += cg.iterations;
+    last_cg_iterations_ = cg.iterations;
+    if (cg.converged) return;
+  }
+  renew_factor();
+  d_ = f_;
+  precondition(d_);
+}
+
+bool EquilibriumSolver::line_search(RingState& state) {
+  const double norm = f_.norm(), slope = std::abs(d_.dot(f_));
+  double s = 1.0;
+  for (int back = 0; back <= kMaxBacktracks; ++back) {
+    trial_.x = state.x - s * d_;
+    trial_.alpha = state.alpha;
+    // The full step nearly always holds, so its tangent is made at once; shorter ones are tried by forces alone.
+    const bool valid = assemble(trial_, back == 0);
+    if (valid && (f_.norm() < norm || std::abs(d_.dot(f_)) <= kSlopeDecrease * slope)) {
+      if (back > 0) assemble(trial_, true);
+      std::swap(state, trial_);
+      return true;
+    }
+    s *= 0.5;
+  }
+  return false;
+}
+
+std::string EquilibriumSolver::worst_place() const {
+  int element = failed_element_;
+  if (element < 0) {
+    double largest = -1.0;
+    for (int s = 0, global = 0; s < ring_.sectors(); ++s) {
+      for (int e = 0; e < ring_.elements_per_sector(); ++e, ++global) {
+        double here = 0.0;
+        for (int dof : ring_.dofs(s, e)) {
+          if (dof >= 0) here = std::max(here, std::abs(f_[dof]));
+        }
+        if (here > largest) {
+          largest = here;
+          element = global;
+        }
+      }
+    }
+  }
+  const int section_element = element % ring_.elements_per_sector();
+  const Element& e = ring_.mesh().elements[section_element];
+  return fmt::format("element {} (sector {}, section element {}, {})", element + 1,
+                     element / ring_.elements_per_sector(), section_element,
+                     ring_.mesh().region_names.at(e.region));
+}
+
+Failure EquilibriumSolver::failure(const std::string& step, const std::string& what) const {
+  return Failure{fmt::format(
+      "{}: {}; residual {:.3g} N, accepted {:.3g} N, {} at {}", step, what, f_.norm(),
+      settings_.tolerance * reference_, failed_element_ >= 0 ? "inverted" : "largest",
+      worst_place())};
+}
+
+}  // namespace latsch::fe_tire

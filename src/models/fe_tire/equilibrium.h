@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Newton's method on the whole ring with a factor that is allowed to grow stale.
+//
+// A factorization of the tangent costs some twenty solves with it. So one factor serves several Newton iterations and
+// load steps as the preconditioner of conjugate gradients on the current tangent, and is renewed when they slow down:
+//
+//   while |f(x)| > tolerance:
+//     d   <- K(x)^-1 f(x)  by conjugate gradients, preconditioned with a factor of K at an earlier state
+//     x   <- x - s d       with s from a line search on d . f
+//
+// A tangent that is not positive (it happens in predictors) is shifted along its diagonal until it is.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "base/result.h"
+#include "models/fe_tire/ring_assembly.h"
+#include "numerics/conjugate_gradients.h"
+#include "numerics/factorization.h"
+
+namespace latsch::fe_tire {
+
+class EquilibriumSolver {
+ public:
+  EquilibriumSolver(const Ring& ring, const SolverSettings& settings);
+
+  /// Brings `state` into equilibrium under pressure and contact (may be null). A Failure names `step`, the residual and
+  /// the worst element; `state` then is as it was.
+  std::optional<Failure> solve(const Materials& materials,
+                               RingState& state,
+                               double pressure,
+                               const GroundContact* contact,
+                               const std::string& step);
+
+  /// Force norm that `tolerance` is relative to: that of the pressure on the undeformed tire, N.
+  void set_reference(double force) { reference_ = force; }
+  /// The values of the tire changed: the factor is of another matrix (still a preconditioner, but a poor one).
+  void forget_factor() { has_factor_ = false; }
+
+  const RingAssembly& assembly() const { return assembly_; }
+  Factorization& factor() { return factor_; }
+  /// Tangent and residual of the last state solved.
+  SymmetricMatrix& tangent() { return K_; }
+  /// Factorizes the tangent as it is now.
+  FactorizationStatus factorize();
+
+  SolverCounts& counts() { return counts_; }
+
+ private:
+  bool assemble(RingState& state, bool with_tangent);
+  void renew_factor();
+  void find_direction(double tolerance);
+  bool line_search(RingState& state);
+  Failure failure(const std::string& step, const std::string& what) const;
+  std::string worst_place() const;
+
+  const Ring& ring_;
+  SolverSettings settings_;
+  RingAssembly assembly_;
+  SymmetricMatrix K_;
+  Factorization factor_;
+  ConjugateGradients cg_;
+  SolverCounts counts_;
+
+  // The equilibrium being solved.
+  const Materials* materials_ = nullptr;
+  const GroundContact* contact_ = nullptr;
+  double pressure_ = 0.0;
+  double reference_ = 0.0;
+  bool has_factor_ = false;
+  int last_cg_iterations_ = 0;
+  int failed_element_ = -1;
+  Eigen::VectorXd f_, d_;
+  RingState trial_;
+};
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/ring.h"
+
+#include <algorithm>
+
+#include "models/fe_tire/pressure.h"
+
+namespace latsch::fe_tire {
+
+Ring::Ring(Mesh mesh, ElementKind kind) : mesh_(std::move(mesh)), Q_(mesh_.sector_rotation()) {
+  check(mesh_);
+  alphas_ = internal_parameters(kind);
+  const int n = mesh_.nodes_per_sector();
+  first_dof_.assign(n, 0);
+  for (int node : mesh_.clamped) first_dof_[node] = -1;
+  for (int& dof : first_dof_) {
+    if (dof >= 0) dof = 3 * free_nodes_++;
+  }
+  for (const Element& element : mesh_.elements) {
+    shapes_.push_back(make_shape(kind, mesh_.coordinates(element)));
+    std::array<int, 24> dofs;
+    for (int a = 0; a < 8; ++a) {
+      const bool next = element.node[a] >= n;
+      const int first = first_dof_[element.node[a] - (next ? n : 0)];
+      for (int i = 0; i < 3; ++i) {
+        dofs[3 * a + i] = first < 0 ? -1 : first + i + (next ? sector_unknowns() : 0);
+      }
+    }
+    local_dofs_.push_back(dofs);
+  }
+}
+
+std::array<int, 24> Ring::dofs(int sector, int element) const {
+  std::array<int, 24> dofs = local_dofs_[element];
+  for (int& dof : dofs) {
+    if (dof >= 0) dof = (dof + sector * sector_unknowns()) % unknowns();
+  }
+  return dofs;
+}
+
+namespace {
+
+Matrix38 turned(const Element& element, int nodes_per_sector, const Eigen::Matrix3d& Q, Matrix38 u) {
+  for (int a = 0; a < 8; ++a) {
+    if (element.node[a] >= nodes_per_sector) u.col(a) = Q * u.col(a);
+  }
+  return u;
+}
+
+}  // namespace
+
+Matrix38 Ring::gather(int sector, int element, const Eigen::VectorXd& x) const {
+  Matrix38 u;
+  const std::array<int, 24>& local = local_dofs_[element];
+  const int offset = sector * sector_unknowns(), total = unknowns();
+  for (int k = 0; k < 24; ++k) {
+    int dof = local[k] + offset;
+    if (dof >= total) dof -= total;
+    u.data()[k] = local[k] < 0 ? 0.0 : x[dof];
+  }
+  return turned(mesh_.elements[element], mesh_.nodes_per_sector(), Q_, u);
+}
+
+Matrix38 Ring::gather_axisymmetric(int element, const Eigen::VectorXd& x) const {
+  Matrix38 u;
+  const std::array<int, 24>& local = local_dofs_[element];
+  for (int k = 0; k < 24; ++k) {
+    u.data()[k] = local[k] < 0 ? 0.0 : x[local[k] % sector_unknowns()];
+  }
+  return turned(mesh_.elements[element], mesh_.nodes_per_sector(), Q_, u);
+}
+
+void Ring::turn_to_node_frames(int element, Vector24& f, Matrix24* K) const {
+  const Element& e = mesh_.elements[element];
+  const Eigen::Matrix3d Qt = Q_.transpose();
+  for (int a = 0; a < 8; ++a) {
+    if (e.node[a] < mesh_.nodes_per_sector()) continue;
+    f.segment<3>(3 * a) = Qt * f.segment<3>(3 * a).eval();
+    if (!K) continue;
+    for (int b = 0; b < 8; ++b) {
+      K->block<3, 3>(3 * a, 3 * b) = Qt * K->block<3, 3>(3 * a, 3 * b).eval();
+      K->block<3, 3>(3 * b, 3 * a) = K->block<3, 3>(3 * b, 3 * a).eval() * Q_;
+    }
+  }
+}
+
+Eigen::Matrix3Xd Ring::expand(const Eigen::VectorXd& x) const {
+  const int n = mesh_.nodes_per_sector();
+  const int copies = static_cast<int>(x.size()) / sector_unknowns();
+  Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, copies * n);
+  for (int s = 0; s < copies; ++s) {
+    for (int i = 0; i < n; ++i) {
+      if (first_dof_[i] >= 0) u.col(s * n + i) = x.segment<3>(s * sector_unknowns() + first_dof_[i]);
+    }
+  }
+  return u;
+}
+
+Eigen::VectorXd Ring::compress(const Eigen::Matrix3Xd& u) const {
+  const int n = mesh_.nodes_per_sector();
+  const int copies = static_cast<int>(u.cols()) / n;
+  Eigen::VectorXd x(copies * sector_unknowns());
+  for (int s = 0; s < copies; ++s) {
+    for (int i = 0; i < n; ++i) {
+      if (first_dof_[i] >= 0) x.segment<3>(s * sector_unknowns() + first_dof_[i]) = u.col(s * n + i);
+    }
+  }
+  return x;
+}
+
+Eigen::VectorXd Ring::replicate(const Eigen::VectorXd& sector_x) const {
+  return sector_x.replicate(mesh_.sectors, 1);
+}
+
+bool pressurized_element(const Ring& ring,
+                         const Materials& materials,
+                         int element,
+                         const Matrix38& u,
+                         double pressure,
+                         double* alpha,
+                         Vector24& f,
+                         Matrix24* K) {
+  const Element& e = ring.mesh().elements[element];
+  if (!evaluate(ring.shape(element), materials, e, u, alpha, f, K)) return false;
+  if (!e.inner || pressure == 0.0) return true;
+
+  const Matrix34 x = (ring.mesh().coordinates(e) + u).leftCols<4>();
+  Vector12 f_p = Vector12::Zero();
+  Matrix12 K_p = Matrix12::Zero();
+  add_pressure(x, pressure, f_p, K ? &K_p : nullptr);
+  f.head<12>() += f_p;
+  if (K) K->topLeftCorner<12, 12>() += K_p;
+  return true;
+}
+
+}  // namespace latsch::fe_tire

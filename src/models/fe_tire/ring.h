@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole ring: element shapes of one sector, unknowns of all sectors, and the internal forces of an element in place.
+//
+// Unknowns are the displacements of the nodes the rim does not hold, in sector frames, ordered sector, section node,
+// direction. An element sees its own sector's frame: the displacements of the next sector's nodes are turned into it, and
+// the forces on them turned back. All sectors thus share the same 8-node shapes, and where the state is the same in every
+// sector, so is every element matrix: the tangent is block-circulant.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "models/fe_tire/hex8.h"
+#include "models/fe_tire/hex8_shape.h"
+#include "models/fe_tire/mesh.h"
+
+namespace latsch::fe_tire {
+
+class Ring {
+ public:
+  Ring(Mesh mesh, ElementKind kind);
+
+  const Mesh& mesh() const { return mesh_; }
+  const HexShape& shape(int element) const { return shapes_[element]; }
+  int sectors() const { return mesh_.sectors; }
+  int elements_per_sector() const { return static_cast<int>(mesh_.elements.size()); }
+  int alphas_per_element() const { return alphas_; }
+
+  /// Unknowns of one sector and of the ring.
+  int sector_unknowns() const { return 3 * free_nodes_; }
+  int unknowns() const { return mesh_.sectors * sector_unknowns(); }
+
+  /// First unknown of a section node in its sector, -1 where the rim holds it.
+  int sector_dof(int section_node) const { return first_dof_[section_node]; }
+  /// The 24 unknowns of an element of sector 0, counting through sectors 0 and 1; -1: held.
+  const std::array<int, 24>& local_dofs(int element) const { return local_dofs_[element]; }
+  /// The 24 unknowns of an element of any sector in the ring's numbering; -1: held.
+  std::array<int, 24> dofs(int sector, int element) const;
+
+  /// Element displacements [3 x 8] in its sector's frame out of the ring's unknowns x.
+  Matrix38 gather(int sector, int element, const Eigen::VectorXd& x) const;
+  /// The same for a state equal in all sectors, x of one sector.
+  Matrix38 gather_axisymmetric(int element, const Eigen::VectorXd& x) const;
+  /// Turns forces (and stiffness) of the next sector's nodes from the element's frame into their own.
+  void turn_to_node_frames(int element, Vector24& f, Matrix24* K) const;
+
+  /// Displacements of all nodes [3 x nodes], sector frames, zeros where held; and back.
+  Eigen::Matrix3Xd expand(const Eigen::VectorXd& x) const;
+  Eigen::VectorXd compress(const Eigen::Matrix3Xd& u) const;
+  /// The ring's unknowns for a state equal in all sectors.
+  Eigen::VectorXd replicate(const Eigen::VectorXd& sector_x) const;
+
+ private:
+  Mesh mesh_;
+  Eigen::Matrix3d Q_;  // next sector's frame -> own frame
+  int alphas_ = 0;
+  int free_nodes_ = 0;
+  std::vector<int> first_dof_;
+  std::vector<HexShape> shapes_;
+  std::vector<std::array<int, 24>> local_dofs_;
+};
+
+/// Forces f - including the follower pressure on inner faces - and tangent K of one element of displacement u, in its
+/// sector's frame. False as for evaluate().
+bool pressurized_element(const Ring& ring,
+                         const Materials& materials,
+                         int element,
+                         const Matrix38& u,
+                         double pressure,
+                         double* alpha,
+                         Vector24& f,
+                         Matrix24* K);
+
+}  // namespace latsch::fe_tire

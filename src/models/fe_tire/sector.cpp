@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/sector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace latsch::fe_tire {
+
+int sector_band(const Ring& ring) {
+  int band = 0;
+  for (int e = 0; e < ring.elements_per_sector(); ++e) {
+    int lowest = ring.sector_unknowns(), highest = -1;
+    for (int dof : ring.local_dofs(e)) {
+      if (dof < 0) continue;
+      lowest = std::min(lowest, dof % ring.sector_unknowns());
+      highest = std::max(highest, dof % ring.sector_unknowns());
+    }
+    band = std::max(band, highest - lowest);
+  }
+  return band;
+}
+
+SectorBlocks::SectorBlocks(const Ring& ring)
+    : sectors_(ring.sectors()),
+      band_(sector_band(ring)),
+      A_(Eigen::MatrixXd::Zero(2 * band_ + 1, ring.sector_unknowns())),
+      B_(A_) {}
+
+void SectorBlocks::set_zero() {
+  A_.setZero();
+  B_.setZero();
+}
+
+void SectorBlocks::add(const std::array<int, 24>& local_dofs, const Matrix24& K) {
+  const int m = size();
+  for (int q = 0; q < 24; ++q) {
+    if (local_dofs[q] < 0) continue;
+    const bool column_next = local_dofs[q] >= m;
+    const int j = local_dofs[q] - (column_next ? m : 0);
+    for (int p = 0; p < 24; ++p) {
+      if (local_dofs[p] < 0) continue;
+      const bool row_next = local_dofs[p] >= m;
+      const int i = local_dofs[p] - (row_next ? m : 0);
+      if (row_next == column_next) {
+        A_(i - j + band_, j) += K(p, q);
+      } else if (column_next) {
+        B_(i - j + band_, j) += K(p, q);
+      }
+    }
+  }
+}
+
+HermitianBand SectorBlocks::harmonic(int n) const {
+  const double phi = 2.0 * std::numbers::pi * n / sectors_;
+  const std::complex<double> e = std::polar(1.0, phi);
+  HermitianBand K(size(), band_);
+  for (int j = 0; j < size(); ++j) {
+    const int last = std::min(size() - 1, j + band_);
+    for (int i = j; i <= last; ++i) {
+      K(i, j) = A_(i - j + band_, j) + B_(i - j + band_, j) * e + B_(j - i + band_, i) * std::conj(e);
+    }
+  }
+  return K;
+}
+
+bool assemble_sector(const Ring& ring,
+                     const Materials& materials,
+                     const Eigen::VectorXd& x,
+                     double pressure,
+                     Eigen::VectorXd& alpha,
+                     Eigen::VectorXd& f,
+                     SectorBlocks* tangent,
+                     int* worst) {
+  f.setZero(ring.sector_unknowns());
+  if (tangent) tangent->set_zero();
+  Vector24 fe;
+  Matrix24 Ke;
+  for (int e = 0; e < ring.elements_per_sector(); ++e) {
+    double* alpha_e = alpha.data() + e * ring.alphas_per_element();
+    if (!pressurized_element(ring, materials, e, ring.gather_axisymmetric(e, x), pressure, alpha_e, fe,
+                             tangent ? &Ke : nullptr)) {
+      if (worst) *worst = e;
+      return false;
+    }
+    ring.turn_to_node_frames(e, fe, tangent ? &Ke : nullptr);
+    const std::array<int, 24>& dofs = ring.local_dofs(e);
+    for (int k = 0; k < 24; ++k) {
+      if (dofs[k] >= 0) f[dofs[k] % ring.sector_unknowns()] += fe[k];
+    }
+    if (tangent) tangent->add(dofs, Ke);
+  }
+  return true;
+}
+
+Matrix24 mass_in_node_frames(const Ring& ring, const Materials& materials, int element) {
+  const Matrix8 m = mass(ring.shape(element), materials, ring.mesh().elements[element]);
+  Matrix24 M = Matrix24::Zero();
+  for (int a = 0; a < 8; ++a) {
+    for (int b = 0; b < 8; ++b) M.block<3, 3>(3 * a, 3 * b).diagonal().setConstant(m(a, b));
+  }
+  Vector24 unused = Vector24::Zero();
+  ring.turn_to_node_frames(element, unused, &M);
+  return M;
+}
+
+SectorBlocks sector_mass(const Ring& ring, const Materials& materials) {
+  SectorBlocks M(ring);
+  for (int e = 0; e < ring.elements_per_sector(); ++e) {
+    M.add(ring.local_dofs(e), mass_in_node_frames(ring, materials, e));
+  }
+  return M;
+}
+
+}  // namespace latsch::fe_tire
