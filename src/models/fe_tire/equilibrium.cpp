@@ -22,11 +22,10 @@ EquilibriumSolver::EquilibriumSolver(const Ring& ring, const SolverSettings& set
       settings_(settings),
       assembly_(ring),
       K_(assembly_.pattern()),
+      factor_(assembly_.pattern()),
       cg_(ring.unknowns()),
       f_(ring.unknowns()),
-      d_(ring.unknowns()) {
-  factor_.analyze(assembly_.pattern());
-}
+      d_(ring.unknowns()) {}
 
 std::optional<Failure> EquilibriumSolver::solve(const Materials& materials,
                                                 RingState& state,
@@ -61,16 +60,15 @@ bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
                             with_tangent ? &K_ : nullptr, &failed_element_);
 }
 
-FactorizationStatus EquilibriumSolver::factorize() {
+bool EquilibriumSolver::factorize() {
   ++counts_.factorizations;
   has_factor_ = false;
-  return factor_.factorize(K_);
+  return factor_.factorize(K_).definite();
 }
 
 void EquilibriumSolver::renew_factor() {
-  const double largest = K_.largest_diagonal();
-  for (double shift = 1e-5 * largest; factorize() != FactorizationStatus::positive_definite;
-       shift *= 4.0) {
+  const double largest = K_.diagonal().maxCoeff();
+  for (double shift = 1e-5 * largest; !factorize(); shift *= 4.0) {
     K_.add_to_diagonal(shift);
     ++counts_.shifts;
   }
@@ -84,10 +82,14 @@ void EquilibriumSolver::find_direction(double tolerance) {
     factor_.solve(v);
   };
   if (has_factor_ && last_cg_iterations_ <= kIterationsOfAStaleFactor) {
-    const CgOutcome cg = cg_.solve(K_, precondition, f_, d_, tolerance, kIterationsWorthAFactor);
+    const auto multiply = [this](const Eigen::VectorXd& v, Eigen::VectorXd& Kv) {
+      K_.multiply(v.data(), Kv.data());
+    };
+    const numerics::CgOutcome cg =
+        cg_.solve(multiply, precondition, f_, tolerance, kIterationsWorthAFactor, d_);
     counts_.cg_iterations += cg.iterations;
     last_cg_iterations_ = cg.iterations;
-    if (cg.converged) return;
+    if (cg.end == numerics::CgOutcome::End::converged) return;
   }
   renew_factor();
   d_ = f_;

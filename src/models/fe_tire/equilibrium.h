@@ -40,11 +40,11 @@ class EquilibriumSolver {
   void forget_factor() { has_factor_ = false; }
 
   const RingAssembly& assembly() const { return assembly_; }
-  Factorization& factor() { return factor_; }
+  numerics::Factorization& factor() { return factor_; }
   /// Tangent and residual of the last state solved.
-  SymmetricMatrix& tangent() { return K_; }
-  /// Factorizes the tangent as it is now.
-  FactorizationStatus factorize();
+  numerics::SymmetricMatrix& tangent() { return K_; }
+  /// Factorizes the tangent as it is now; false where it is not positive definite.
+  bool factorize();
 
   SolverCounts& counts() { return counts_; }
 
@@ -59,9 +59,9 @@ class EquilibriumSolver {
   const Ring& ring_;
   SolverSettings settings_;
   RingAssembly assembly_;
-  SymmetricMatrix K_;
-  Factorization factor_;
-  ConjugateGradients cg_;
+  numerics::SymmetricMatrix K_;
+  numerics::Factorization factor_;
+  numerics::ConjugateGradients cg_;
   SolverCounts counts_;
 
   // The equilibrium being solved.

@@ -60,12 +60,11 @@ struct LoadPoint {
 };
 
 struct Loaded {
-  double pressure = 0.0;
+  Inflated inflated;
   Ground ground;
   std::vector<LoadPoint> curve;  // one a requested deflection, in the order solved
   Eigen::Matrix3Xd u;            // [3 x nodes], sector frames, m, at the last deflection
   Eigen::VectorXd alpha;
-  Eigen::Matrix3Xd anchors;      // stick positions of the contact points (model-internal)
 };
 
 enum class ModeType { torsional, lateral, radial, other };

@@ -22,16 +22,16 @@ struct SectorState {
 
 /// d = K(0)^-1 f; K(0) is shifted until it is positive where it is not (taut cords under a poor predictor).
 Eigen::VectorXd newton_direction(const SectorBlocks& tangent, const Eigen::VectorXd& f) {
-  HermitianBand K = tangent.harmonic(0);
+  numerics::BandedHermitian K = tangent.harmonic(0);
   double shift = 0.0, largest = 0.0;
   for (int i = 0; i < K.size(); ++i) largest = std::max(largest, K(i, i).real());
-  BandedCholesky cholesky;
+  numerics::BandedCholesky cholesky;
   while (!cholesky.factorize(K)) {
     const double next = shift == 0.0 ? 1e-5 * largest : 4.0 * shift;
     for (int i = 0; i < K.size(); ++i) K(i, i) += next - shift;
     shift = next;
   }
-  Eigen::VectorXcd d = f.cast<std::complex<double>>();
+  Eigen::MatrixXcd d = f.cast<std::complex<double>>();
   cholesky.solve(d);
   return d.real();
 }
@@ -126,6 +126,29 @@ Result<Inflated> inflate_sector(const Ring& ring,
                       reached / 1e5, pressure / 1e5, why)};
     } else {
       step *= 0.5;
+    }
+  }
+  Inflated inflated;
+  inflated.pressure = pressure;
+  inflated.u = ring.expand(state.x);
+  inflated.alpha = state.alpha;
+  measure_growth(ring.mesh(), inflated);
+  return inflated;
+}
+
+Result<Inflated> inflate_ring(EquilibriumSolver& solver,
+                              const Ring& ring,
+                              const Materials& materials,
+                              double pressure,
+                              double reference) {
+  RingState state{Eigen::VectorXd::Zero(ring.unknowns()),
+                  Eigen::VectorXd::Zero(ring.alphas_per_element() * ring.mesh().element_count())};
+  solver.set_reference(reference);
+  solver.forget_factor();
+  for (int k = 1; k <= kFirstSteps; ++k) {
+    const std::string name = fmt::format("inflation to {:.4g} bar", pressure * k / kFirstSteps / 1e5);
+    if (auto failure = solver.solve(materials, state, pressure * k / kFirstSteps, nullptr, name)) {
+      return *failure;
     }
   }
   Inflated inflated;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "models/fe_tire/equilibrium.h"
 #include "models/fe_tire/fe_tire.h"
 #include "models/fe_tire/ring.h"
 
@@ -14,6 +15,13 @@ Result<Inflated> inflate_sector(const Ring& ring,
                                 const Materials& materials,
                                 double pressure,
                                 const SolverSettings& settings);
+
+/// The same on a mesh without symmetry; `reference` is the force norm of the pressure, N.
+Result<Inflated> inflate_ring(EquilibriumSolver& solver,
+                              const Ring& ring,
+                              const Materials& materials,
+                              double pressure,
+                              double reference);
 
 /// Fills growth and radius of an inflated state.
 void measure_growth(const Mesh& mesh, Inflated& inflated);

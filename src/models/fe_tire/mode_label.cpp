@@ -66,15 +66,11 @@ char phase_of(const Mesh& mesh, const Eigen::Matrix3Xd& shape) {
 
 void name_after(const std::vector<Mode>& unloaded,
                 const Eigen::MatrixXd& unloaded_shapes,
-                const SymmetricMatrix& M,
+                const numerics::SymmetricMatrix& M,
                 const Eigen::MatrixXd& shapes,
                 std::vector<Mode>& modes) {
   Eigen::MatrixXd M_unloaded(unloaded_shapes.rows(), unloaded_shapes.cols());
-  Eigen::VectorXd column(unloaded_shapes.rows());
-  for (int j = 0; j < unloaded_shapes.cols(); ++j) {
-    M.multiply(unloaded_shapes.col(j), column);
-    M_unloaded.col(j) = column;
-  }
+  M.multiply(unloaded_shapes, M_unloaded);
   const Eigen::MatrixXd overlap = M_unloaded.transpose() * shapes;
   for (int k = 0; k < static_cast<int>(modes.size()); ++k) {
     std::map<std::tuple<int, ModeType, int>, double> energy;

@@ -26,7 +26,7 @@ void number_orders(std::vector<Mode>& modes);
 /// with their modes).
 void name_after(const std::vector<Mode>& unloaded,
                 const Eigen::MatrixXd& unloaded_shapes,
-                const SymmetricMatrix& M,
+                const numerics::SymmetricMatrix& M,
                 const Eigen::MatrixXd& shapes,
                 std::vector<Mode>& modes);
 

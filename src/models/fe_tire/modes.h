@@ -20,8 +20,8 @@ Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
 
 /// Modes of the whole ring with the tangent K, factorized in `factor`; `start` [unknowns x any] spans a first guess and
 /// may be empty. Shapes come as columns of `shapes`, M-orthonormal.
-Result<std::vector<double>> ring_frequencies(const Factorization& factor,
-                                             const SymmetricMatrix& M,
+Result<std::vector<double>> ring_frequencies(const numerics::Factorization& factor,
+                                             const numerics::SymmetricMatrix& M,
                                              int count,
                                              const Eigen::MatrixXd& start,
                                              Eigen::MatrixXd& shapes);

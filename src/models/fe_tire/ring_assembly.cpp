@@ -29,7 +29,7 @@ bool RingAssembly::assemble(const Materials& materials,
                             const GroundContact* contact,
                             bool stuck,
                             Eigen::VectorXd& f,
-                            SymmetricMatrix* K,
+                            numerics::SymmetricMatrix* K,
                             int* worst) const {
   f.setZero(ring_.unknowns());
   if (K) K->set_zero();
@@ -50,21 +50,21 @@ bool RingAssembly::assemble(const Materials& materials,
       for (int k = 0; k < 24; ++k) {
         if (dofs[k] >= 0) f[dofs[k]] += fe[k];
       }
-      if (K) K->add(global, Ke.data());
+      if (K) K->add_element(global, Ke.data());
     }
   }
   return true;
 }
 
-SymmetricMatrix RingAssembly::mass(const Materials& materials) const {
-  SymmetricMatrix M(pattern_);
+numerics::SymmetricMatrix RingAssembly::mass(const Materials& materials) const {
+  numerics::SymmetricMatrix M(pattern_);
   std::vector<Matrix24> of_sector;
   for (int e = 0; e < ring_.elements_per_sector(); ++e) {
     of_sector.push_back(mass_in_node_frames(ring_, materials, e));
   }
   for (int s = 0, global = 0; s < ring_.sectors(); ++s) {
     for (int e = 0; e < ring_.elements_per_sector(); ++e, ++global) {
-      M.add(global, of_sector[e].data());
+      M.add_element(global, of_sector[e].data());
     }
   }
   return M;

@@ -20,7 +20,7 @@ class RingAssembly {
  public:
   explicit RingAssembly(const Ring& ring);
 
-  const SymmetricPattern& pattern() const { return pattern_; }
+  const numerics::SymmetricPattern& pattern() const { return pattern_; }
 
   /// Forces f(x) = internal - pressure - ground, zero in equilibrium; K = df/dx (symmetric part) where given. Contact
   /// may be null. False where an element fails; `worst` then is sector * elements_per_sector + element.
@@ -30,15 +30,15 @@ class RingAssembly {
                 const GroundContact* contact,
                 bool stuck,
                 Eigen::VectorXd& f,
-                SymmetricMatrix* K,
+                numerics::SymmetricMatrix* K,
                 int* worst) const;
 
   /// Consistent mass matrix, kg.
-  SymmetricMatrix mass(const Materials& materials) const;
+  numerics::SymmetricMatrix mass(const Materials& materials) const;
 
  private:
   const Ring& ring_;
-  SymmetricPattern pattern_;
+  numerics::SymmetricPattern pattern_;
 };
 
 }  // namespace latsch::fe_tire

@@ -52,10 +52,10 @@ void SectorBlocks::add(const std::array<int, 24>& local_dofs, const Matrix24& K)
   }
 }
 
-HermitianBand SectorBlocks::harmonic(int n) const {
+numerics::BandedHermitian SectorBlocks::harmonic(int n) const {
   const double phi = 2.0 * std::numbers::pi * n / sectors_;
   const std::complex<double> e = std::polar(1.0, phi);
-  HermitianBand K(size(), band_);
+  numerics::BandedHermitian K(size(), band_);
   for (int j = 0; j < size(); ++j) {
     const int last = std::min(size() - 1, j + band_);
     for (int i = j; i <= last; ++i) {

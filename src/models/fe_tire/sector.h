@@ -24,7 +24,7 @@ class SectorBlocks {
   /// Adds a 24x24 element matrix in node frames, with the ring's local dofs of that element.
   void add(const std::array<int, 24>& local_dofs, const Matrix24& K);
   /// A + B exp(i phi) + B^T exp(-i phi) for circumferential number n.
-  HermitianBand harmonic(int n) const;
+  numerics::BandedHermitian harmonic(int n) const;
 
   int size() const { return static_cast<int>(A_.cols()); }
   int band() const { return band_; }
