@@ -66,7 +66,11 @@ Eigen::VectorXd unfold(const HarmonicMode& mode, int sectors, bool imaginary) {
   for (int s = 0; s < sectors; ++s) {
     const double angle = 2.0 * std::numbers::pi * mode.n * s / sectors;
     const Eigen::VectorXcd turned = mode.phi * std::polar(scale, angle);
-    x.segment(s * m, m) = imaginary ? turned.imag() : turned.real();
+    if (imaginary) {
+      x.segment(s * m, m) = turned.imag();
+    } else {
+      x.segment(s * m, m) = turned.real();
+    }
   }
   return x;
 }

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/discretization.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "numerics/richardson.h"
+
+namespace latsch {
+
+using fe_tire::FeTire;
+using fe_tire::Inflated;
+using fe_tire::Loaded;
+using fe_tire::Mode;
+
+namespace {
+
+/// Quantities by name on one mesh, in the order they were first seen on the unrefined one.
+using Quantities = std::vector<std::pair<std::string, double>>;
+
+/// Modes under names that are unique: members of a pair that share a label are told apart by their rank.
+void add_modes(const std::vector<Mode>& modes, Quantities& quantities) {
+  std::map<std::string, int> seen;
+  for (const Mode& mode : modes) {
+    const int rank = ++seen[mode.label()];
+    const std::string name = rank == 1 ? mode.label() : fmt::format("{} #{}", mode.label(), rank);
+    quantities.emplace_back(name, mode.frequency);
+  }
+}
+
+Result<Quantities> unloaded_quantities(FeTire& tire, const DiscretizationSettings& settings, int count) {
+  const Result<Inflated> inflated = tire.inflate(settings.pressure);
+  if (!inflated) return inflated.failure();
+  const Result<std::vector<Mode>> modes = tire.modes(*inflated, count);
+  if (!modes) return modes.failure();
+  Quantities quantities = {{"growth", inflated->growth}};
+  add_modes(*modes, quantities);
+  return quantities;
+}
+
+Result<Quantities> loaded_quantities(FeTire& tire, const DiscretizationSettings& settings, int count) {
+  const Result<Inflated> inflated = tire.inflate(settings.pressure);
+  if (!inflated) return inflated.failure();
+  std::vector<double> deflections;
+  for (int k = 1; k <= 5; ++k) deflections.push_back(settings.deflection * k / 5);
+  const Result<Loaded> loaded = tire.load(*inflated, deflections, settings.ground);
+  if (!loaded) return loaded.failure();
+  const Result<std::vector<Mode>> modes = tire.modes(*loaded, count);
+  if (!modes) return modes.failure();
+  Quantities quantities = {
+      {fmt::format("Fz at {:.4g} mm", settings.deflection * 1e3), loaded->curve.back().Fz}};
+  add_modes(*modes, quantities);
+  return quantities;
+}
+
+std::string unit_of(const std::string& name) {
+  return name == "growth" ? "m" : name.starts_with("Fz") ? "N" : "Hz";
+}
+
+/// Rows of the quantities of the first mesh that all meshes have.
+std::vector<DiscretizationRow> rows(const std::vector<int>& refinements,
+                                    const std::vector<Quantities>& meshes) {
+  std::vector<DiscretizationRow> table;
+  for (const auto& [name, first] : meshes.front()) {
+    DiscretizationRow row{name, unit_of(name), {}, 0.0, 0.0};
+    for (const Quantities& mesh : meshes) {
+      const auto same =
+          std::find_if(mesh.begin(), mesh.end(), [&name = name](const auto& quantity) {
+            return quantity.first == name;
+          });
+      if (same != mesh.end()) row.values.push_back(same->second);
+    }
+    if (row.values.size() != meshes.size()) continue;
+    const std::size_t last = meshes.size() - 3;
+    std::array<double, 3> h, v;
+    for (std::size_t i = 0; i < 3; ++i) {
+      h[i] = 1.0 / refinements[last + i];
+      v[i] = row.values[last + i];
+    }
+    const numerics::Extrapolation limit = numerics::extrapolate(h, v);
+    row.converged = limit.value;
+    row.order = limit.observed ? limit.order : 0.0;
+    table.push_back(std::move(row));
+  }
+  return table;
+}
+
+using Measure = Result<Quantities> (*)(FeTire&, const DiscretizationSettings&, int);
+
+Result<std::vector<DiscretizationRow>> refine(
+    const fe_tire::TireDescription& tire,
+    const DiscretizationSettings& settings,
+    const std::vector<int>& refinements,
+    Measure measure,
+    const std::string& what,
+    const std::function<void(const std::string&)>& progress) {
+  std::vector<Quantities> meshes;
+  for (int r : refinements) {
+    fe_tire::SolverSettings solver;
+    solver.element = settings.element;
+    FeTire model(fe_tire::build_mesh(tire, r), fe_tire::build_materials(tire), solver);
+    if (progress) {
+      progress(fmt::format("{}: {} x refined, {} elements, {} unknowns", what, r,
+                           model.mesh().element_count(), model.mesh().free_dofs()));
+    }
+    // The order of neighboring modes may change from mesh to mesh: look a little further on the finer ones.
+    Result<Quantities> quantities =
+        measure(model, settings, r == refinements.front() ? settings.modes : settings.modes + 6);
+    if (!quantities) return quantities.failure();
+    meshes.push_back(std::move(*quantities));
+  }
+  return rows(refinements, meshes);
+}
+
+}  // namespace
+
+Result<DiscretizationStudy> study_discretization(
+    const fe_tire::TireDescription& tire,
+    const DiscretizationSettings& settings,
+    const std::function<void(const std::string&)>& progress) {
+  DiscretizationStudy study;
+  auto unloaded =
+      refine(tire, settings, settings.refinements, unloaded_quantities, "unloaded", progress);
+  if (!unloaded) return unloaded.failure();
+  study.unloaded = std::move(*unloaded);
+  if (settings.deflection <= 0.0) return study;
+  auto loaded =
+      refine(tire, settings, settings.loaded_refinements, loaded_quantities, "loaded", progress);
+  if (!loaded) return loaded.failure();
+  study.loaded = std::move(*loaded);
+  return study;
+}
+
+}  // namespace latsch

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far a mesh is from the converged tire: the same tire and the same boundary on finer meshes, extrapolated.
+//
+// A fit absorbs the error of its mesh into the moduli without a word; this study puts a number on it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "models/fe_tire/fe_tire.h"
+#include "models/fe_tire/tire_description.h"
+
+namespace latsch {
+
+struct DiscretizationSettings {
+  fe_tire::ElementKind element = fe_tire::ElementKind::solid_shell;
+  double pressure = 0.0;              // Pa
+  double deflection = 0.0;            // m; 0: inflation and unloaded modes only
+  fe_tire::Ground ground;
+  int modes = 20;
+  std::vector<int> refinements = {1, 2, 3, 4};      // of inflation and unloaded modes: cheap, one sector
+  std::vector<int> loaded_refinements = {1, 2, 3};  // of the loaded ring; the last three are extrapolated
+};
+
+/// One quantity on all meshes.
+struct DiscretizationRow {
+  std::string name;            // "Fz at 25 mm", "radial n=2"
+  std::string unit;            // SI
+  std::vector<double> values;  // one a refinement
+  double converged = 0.0;      // extrapolated
+  double order = 0.0;          // observed, 0 where the values show none
+  double error() const { return values.front() / converged - 1.0; }  // of the unrefined mesh
+};
+
+struct DiscretizationStudy {
+  std::vector<DiscretizationRow> unloaded;  // growth, then modes by label
+  std::vector<DiscretizationRow> loaded;    // Fz, then modes by label
+};
+
+/// `progress` is told each mesh before it is computed.
+Result<DiscretizationStudy> study_discretization(
+    const fe_tire::TireDescription& tire,
+    const DiscretizationSettings& settings,
+    const std::function<void(const std::string&)>& progress = {});
+
+}  // namespace latsch

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/fe_tire.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "models/fe_tire/contact.h"
+#include "models/fe_tire/reference_tires.h"
+#include "models/fe_tire/ring_assembly.h"
+#include "models/fe_tire/tire_description.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+constexpr double kPressure = 2.6e5;
+
+/// Tire B with few elements, for tests of the method rather than of the tire.
+TireDescription small_tire() {
+  TireDescription tire = reference_tire_b();
+  tire.section.meridional = 13;
+  tire.section.sectors = 24;
+  return tire;
+}
+
+FeTire make(const TireDescription& tire, ElementKind kind = ElementKind::full_integration) {
+  SolverSettings settings;
+  settings.element = kind;
+  return FeTire(build_mesh(tire), build_materials(tire), settings);
+}
+
+TEST(FeTire, HarmonicModesEqualThoseOfTheWholeRing) {
+  FeTire tire = make(small_tire());
+  const auto inflated = tire.inflate(kPressure);
+  ASSERT_TRUE(inflated) << inflated.failure().reason;
+  const auto by_harmonics = tire.modes(*inflated, 20);
+  const auto by_ring = tire.modes_full(*inflated, 20);
+  ASSERT_TRUE(by_harmonics && by_ring);
+  for (int k = 0; k < 20; ++k) {
+    EXPECT_NEAR((*by_harmonics)[k].frequency, (*by_ring)[k].frequency,
+                1e-6 * (*by_ring)[k].frequency)
+        << (*by_harmonics)[k].label();
+  }
+}
+
+TEST(FeTire, HarmonicShapesAreModesOfTheRingsOwnMatrices) {
+  // K phi = omega^2 M phi with K and M assembled sector by sector, on another path than the harmonics.
+  const TireDescription description = small_tire();
+  FeTire tire = make(description);
+  const auto inflated = tire.inflate(kPressure);
+  ASSERT_TRUE(inflated);
+  const auto modes = tire.modes(*inflated, 8);
+  ASSERT_TRUE(modes);
+
+  const Ring ring(build_mesh(description), ElementKind::full_integration);
+  const RingAssembly assembly(ring);
+  RingState state{ring.replicate(ring.compress(inflated->u)), Eigen::VectorXd()};
+  numerics::SymmetricMatrix K(assembly.pattern());
+  Eigen::VectorXd f;
+  ASSERT_TRUE(assembly.assemble(tire.materials(), state, kPressure, nullptr, false, f, &K, nullptr));
+  const numerics::SymmetricMatrix M = assembly.mass(tire.materials());
+  for (const Mode& mode : *modes) {
+    const Eigen::VectorXd phi = ring.compress(mode.shape);
+    Eigen::MatrixXd K_phi(phi.size(), 1), M_phi(phi.size(), 1);
+    K.multiply(phi, K_phi);
+    M.multiply(phi, M_phi);
+    const double omega = 2.0 * M_PI * mode.frequency;
+    EXPECT_NEAR(phi.dot(M_phi.col(0)), 1.0, 1e-9) << mode.label();
+    EXPECT_LT((K_phi - omega * omega * M_phi).norm(), 1e-4 * K_phi.norm()) << mode.label();
+  }
+}
+
+TEST(FeTire, InflatedSectorIsAnEquilibriumOfTheWholeRing) {
+  const TireDescription description = small_tire();
+  FeTire tire = make(description);
+  const auto inflated = tire.inflate(kPressure);
+  ASSERT_TRUE(inflated);
+  const Ring ring(build_mesh(description), ElementKind::full_integration);
+  const RingAssembly assembly(ring);
+  RingState state{ring.replicate(ring.compress(inflated->u)), Eigen::VectorXd()};
+  Eigen::VectorXd residual, pressure_alone;
+  ASSERT_TRUE(assembly.assemble(tire.materials(), state, kPressure, nullptr, false, residual, nullptr,
+                                nullptr));
+  RingState undeformed{Eigen::VectorXd::Zero(ring.unknowns()), Eigen::VectorXd()};
+  ASSERT_TRUE(assembly.assemble(tire.materials(), undeformed, kPressure, nullptr, false,
+                                pressure_alone, nullptr, nullptr));
+  EXPECT_LT(residual.norm(), 1e-9 * pressure_alone.norm());
+}
+
+TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
+  const TireDescription description = small_tire();
+  FeTire tire = make(description);
+  const auto inflated = tire.inflate(kPressure);
+  ASSERT_TRUE(inflated);
+  const Ring ring(build_mesh(description), ElementKind::full_integration);
+  const RingAssembly assembly(ring);
+  GroundContact contact(ring, {2e8, 5.0});  // soft ground and no slip: the kink at first touch is out of the way
+  contact.set_height(-inflated->radius + 0.01);
+  RingState state{ring.replicate(ring.compress(inflated->u)), Eigen::VectorXd()};
+  contact.settle(state.x);
+
+  numerics::SymmetricMatrix K(assembly.pattern());
+  Eigen::VectorXd f, above, below;
+  assembly.assemble(tire.materials(), state, kPressure, &contact, false, f, &K, nullptr);
+  // A smooth direction that keeps every point on its side of the ground. The pressure tangent is symmetrized: exact
+  // for directions that vanish at the free inner edge of the bead, so the test moves the tread alone.
+  Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, ring.mesh().nodes());
+  for (int k = 0; k < u.cols(); ++k) {
+    const Eigen::Vector3d X = ring.mesh().X.col(k % ring.mesh().nodes_per_sector());
+    if (-X.z() > 0.28) u.col(k) = Eigen::Vector3d(std::sin(k), std::cos(3 * k), std::sin(2 * k + 1));
+  }
+  const Eigen::VectorXd d = ring.compress(u);
+  Eigen::MatrixXd Kd(d.size(), 1);
+  K.multiply(d, Kd);
+  const double h = 1e-8;
+  RingState moved = state;
+  moved.x = state.x + h * d;
+  assembly.assemble(tire.materials(), moved, kPressure, &contact, false, above, nullptr, nullptr);
+  moved.x = state.x - h * d;
+  assembly.assemble(tire.materials(), moved, kPressure, &contact, false, below, nullptr, nullptr);
+  const Eigen::VectorXd difference = (above - below) / (2 * h);
+  EXPECT_LT((Kd.col(0) - difference).norm(), 1e-5 * difference.norm());
+}
+
+TEST(FeTire, GroundForceEqualsTheRimReaction) {
+  // Action = reaction: what the ground pushes up with, the rim holds down with. The rim's reaction is the sum of all
+  // internal forces on free nodes' neighbors, that is minus the resultant of ground and pressure on the whole tire.
+  FeTire tire = make(small_tire());
+  const auto inflated = tire.inflate(kPressure);
+  ASSERT_TRUE(inflated);
+  const auto loaded = tire.load(*inflated, {0.005, 0.01}, Ground{});
+  ASSERT_TRUE(loaded) << loaded.failure().reason;
+  double sum = 0.0;
+  for (const ContactPatch::Point& point : loaded->curve.back().patch.points) {
+    sum += point.pressure * point.area;
+  }
+  EXPECT_NEAR(sum, loaded->curve.back().Fz, 1e-9 * sum);
+  EXPECT_GT(loaded->curve[1].Fz, loaded->curve[0].Fz);
+}
+
+TEST(FeTire, FrictionStiffensTheLoadedModesAndHoldsTheTreadBack) {
+  FeTire tire = make(small_tire());
+  const auto inflated = tire.inflate(kPressure);
+  ASSERT_TRUE(inflated);
+  const auto slick = tire.load(*inflated, {0.01, 0.02}, Ground{2e10, 0.0});
+  const auto rough = tire.load(*inflated, {0.01, 0.02}, Ground{2e10, 0.8});
+  ASSERT_TRUE(slick && rough);
+  EXPECT_GT(rough->curve.back().Fz, slick->curve.back().Fz);
+  for (const ContactPatch::Point& point : rough->curve.back().patch.points) {
+    EXPECT_LE(std::hypot(point.shear_x, point.shear_y), 0.8 * point.pressure * (1 + 1e-9));
+  }
+  const auto slick_modes = tire.modes(*slick, 5), rough_modes = tire.modes(*rough, 5);
+  ASSERT_TRUE(slick_modes && rough_modes);
+  EXPECT_GT((*rough_modes)[0].frequency, (*slick_modes)[0].frequency);
+}
+
+TEST(FeTire, SolvingTwiceGivesTheSameBits) {
+  FeTire tire = make(small_tire());
+  const auto inflated = tire.inflate(kPressure);
+  ASSERT_TRUE(inflated);
+  const auto first = tire.load(*inflated, {0.01}, Ground{});
+  ASSERT_TRUE(tire.load(*inflated, {0.004, 0.02}, Ground{}));  // something else in between
+  const auto second = tire.load(*inflated, {0.01}, Ground{});
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->curve[0].Fz, second->curve[0].Fz);
+  EXPECT_EQ(first->u, second->u);
+}
+
+TEST(FeTire, BucklingPressureEndsAsAFailureInWords) {
+  FeTire tire = make(small_tire());
+  const auto sucked = tire.inflate(-5e6);
+  ASSERT_FALSE(sucked);
+  EXPECT_NE(sucked.failure().reason.find("bar"), std::string::npos) << sucked.failure().reason;
+}
+
+TEST(FeTire, TooMuchDeflectionEndsAsAFailureNamingStepResidualAndElement) {
+  FeTire tire = make(small_tire());
+  const auto inflated = tire.inflate(kPressure);
+  ASSERT_TRUE(inflated);
+  const auto crushed = tire.load(*inflated, {0.01, 0.3}, Ground{});
+  ASSERT_FALSE(crushed);
+  EXPECT_NE(crushed.failure().reason.find("load step 2 of 2"), std::string::npos)
+      << crushed.failure().reason;
+  EXPECT_NE(crushed.failure().reason.find("element"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace latsch::fe_tire
