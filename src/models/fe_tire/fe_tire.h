@@ -83,7 +83,7 @@ struct Mode {
 
 struct SolverSettings {
   ElementKind element = ElementKind::solid_shell;
-  double tolerance = 1e-6;     // residual norm relative to the norm of the pressure load
+  double tolerance = 1e-5;     // residual norm relative to the norm of the pressure load
   int max_iterations = 40;     // Newton iterations a load step
 };
 

@@ -18,7 +18,7 @@ struct Path {
 
   /// The state extrapolated along the last step, or as it is where there was none yet in contact.
   Eigen::VectorXd predict(double target) const {
-    if (before <= 0.0 || deflection == before) return x;
+    if (deflection == before) return x;
     return x + (target - deflection) / (deflection - before) * (x - x_before);
   }
   void advance(double target, const Eigen::VectorXd& solved) {
