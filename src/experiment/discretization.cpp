@@ -20,7 +20,8 @@ namespace {
 /// Quantities by name on one mesh, in the order they were first seen on the unrefined one.
 using Quantities = std::vector<std::pair<std::string, double>>;
 
-/// Modes under names that are unique: members of a pair that share a label are told apart by their rank.
+/// Modes under names that are unique: members of a pair that share a label are told apart by their
+/// rank.
 void add_modes(const std::vector<Mode>& modes, Quantities& quantities) {
   std::map<std::string, int> seen;
   for (const Mode& mode : modes) {
@@ -30,7 +31,9 @@ void add_modes(const std::vector<Mode>& modes, Quantities& quantities) {
   }
 }
 
-Result<Quantities> unloaded_quantities(FeTire& tire, const DiscretizationSettings& settings, int count) {
+Result<Quantities> unloaded_quantities(FeTire& tire,
+                                       const DiscretizationSettings& settings,
+                                       int count) {
   const Result<Inflated> inflated = tire.inflate(settings.pressure);
   if (!inflated) return inflated.failure();
   const Result<std::vector<Mode>> modes = tire.modes(*inflated, count);
@@ -40,7 +43,9 @@ Result<Quantities> unloaded_quantities(FeTire& tire, const DiscretizationSetting
   return quantities;
 }
 
-Result<Quantities> loaded_quantities(FeTire& tire, const DiscretizationSettings& settings, int count) {
+Result<Quantities> loaded_quantities(FeTire& tire,
+                                     const DiscretizationSettings& settings,
+                                     int count) {
   const Result<Inflated> inflated = tire.inflate(settings.pressure);
   if (!inflated) return inflated.failure();
   std::vector<double> deflections;
@@ -102,10 +107,14 @@ Result<std::vector<DiscretizationRow>> refine(
     solver.element = settings.element;
     FeTire model(fe_tire::build_mesh(tire, r), fe_tire::build_materials(tire), solver);
     if (progress) {
-      progress(fmt::format("{}: {} x refined, {} elements, {} unknowns", what, r,
-                           model.mesh().element_count(), model.mesh().free_dofs()));
+      progress(fmt::format("{}: {} x refined, {} elements, {} unknowns",
+                           what,
+                           r,
+                           model.mesh().element_count(),
+                           model.mesh().free_dofs()));
     }
-    // The order of neighboring modes may change from mesh to mesh: look a little further on the finer ones.
+    // The order of neighboring modes may change from mesh to mesh: look a little further on the
+    // finer ones.
     Result<Quantities> quantities =
         measure(model, settings, r == refinements.front() ? settings.modes : settings.modes + 6);
     if (!quantities) return quantities.failure();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a mesh is from the converged tire: the same tire and the same boundary on finer meshes, extrapolated.
+// How far a mesh is from the converged tire: the same tire and the same boundary on finer meshes,
+// extrapolated.
 //
-// A fit absorbs the error of its mesh into the moduli without a word; this study puts a number on it.
+// A fit absorbs the error of its mesh into the moduli without a word; this study puts a number on
+// it.
 #pragma once
 
 #include <functional>
@@ -16,12 +18,14 @@ namespace latsch {
 
 struct DiscretizationSettings {
   fe_tire::ElementKind element = fe_tire::ElementKind::solid_shell;
-  double pressure = 0.0;              // Pa
-  double deflection = 0.0;            // m; 0: inflation and unloaded modes only
+  double pressure = 0.0;    // Pa
+  double deflection = 0.0;  // m; 0: inflation and unloaded modes only
   fe_tire::Ground ground;
   int modes = 20;
-  std::vector<int> refinements = {1, 2, 3, 4};      // of inflation and unloaded modes: cheap, one sector
-  std::vector<int> loaded_refinements = {1, 2, 3};  // of the loaded ring; the last three are extrapolated
+  std::vector<int> refinements = {
+      1, 2, 3, 4};  // of inflation and unloaded modes: cheap, one sector
+  std::vector<int> loaded_refinements = {
+      1, 2, 3};  // of the loaded ring; the last three are extrapolated
 };
 
 /// One quantity on all meshes.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Richardson extrapolation: the value at vanishing element size from values at three sizes.
 //   v(h) = v0 + C h^p
-// [Roache, Perspective: a method for uniform reporting of grid refinement studies, J. Fluids Eng. 116 (1994) 405-413]
+// [Roache, Perspective: a method for uniform reporting of grid refinement studies, J. Fluids Eng.
+// 116 (1994) 405-413]
 #pragma once
 
 #include <array>
@@ -14,8 +15,8 @@ struct Extrapolation {
   bool observed = false;
 };
 
-/// h descending, h[0] > h[1] > h[2] > 0. Where the values do not approach a limit monotonically with an order within
-/// [1, 2 assumed_order], the last two are extrapolated with `assumed_order`.
+/// h descending, h[0] > h[1] > h[2] > 0. Where the values do not approach a limit monotonically
+/// with an order within [1, 2 assumed_order], the last two are extrapolated with `assumed_order`.
 Extrapolation extrapolate(const std::array<double, 3>& h,
                           const std::array<double, 3>& v,
                           double assumed_order = 2.0);

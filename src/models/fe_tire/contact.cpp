@@ -26,7 +26,8 @@ double gauss_eta(int q) { return (q & 2) ? kSqrt13 : -kSqrt13; }
 
 }  // namespace
 
-GroundContact::GroundContact(const Ring& ring, const Ground& ground) : ring_(ring), ground_(ground) {
+GroundContact::GroundContact(const Ring& ring, const Ground& ground)
+    : ring_(ring), ground_(ground) {
   face_of_element_.assign(ring.elements_per_sector(), -1);
   for (int e = 0; e < ring.elements_per_sector(); ++e) {
     const Element& element = ring.mesh().elements[e];
@@ -58,8 +59,10 @@ Matrix34 GroundContact::world_face(int sector, int element, const Matrix38& u) c
 GroundContact::Traction GroundContact::traction(const Eigen::Vector3d& x,
                                                 const Point& point,
                                                 bool stuck) const {
-  Traction result{-ground_.stiffness * (x.z() - height_), Eigen::Vector2d::Zero(),
-                  Eigen::Matrix2d::Zero(), false};  // (C.1)
+  Traction result{-ground_.stiffness * (x.z() - height_),
+                  Eigen::Vector2d::Zero(),
+                  Eigen::Matrix2d::Zero(),
+                  false};  // (C.1)
   if (ground_.mu == 0.0) return result;
   const double stiffness = kTangentialShare * ground_.stiffness;
   if (stuck) {
@@ -148,8 +151,13 @@ ContactPatch GroundContact::patch(const Eigen::VectorXd& x, double* Fz) const {
         const Traction on = traction(at, points_[point_index(s, k, q)], false);
         const double area = std::abs(area_vector(face, gauss_xi(q), gauss_eta(q)).z());
         const double stretch = faces_[k].dA[q] / area;  // tractions per current, flat area
-        patch.points.push_back({at.x(), at.y(), on.p * stretch, on.t.x() * stretch,
-                                on.t.y() * stretch, area, on.sticks});
+        patch.points.push_back({at.x(),
+                                at.y(),
+                                on.p * stretch,
+                                on.t.x() * stretch,
+                                on.t.y() * stretch,
+                                area,
+                                on.sticks});
         patch.area += area;
         force += on.p * faces_[k].dA[q];
         lowest = lowest.cwiseMin(at.head<2>());

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid flat ground under the tread: penalty in the normal direction, Coulomb friction in the plane.
+// Rigid flat ground under the tread: penalty in the normal direction, Coulomb friction in the
+// plane.
 //
-// At every Gauss point (2x2) of a tread face, with the height g of the point over the ground and dA its reference area,
-//   normal traction     p = -epsilon g                   where g < 0, otherwise none                     (C.1)
-//   tangential trial    t = -epsilon_t (x_t - a)         from the anchor a the point sticks to           (C.2)
-//   Coulomb             |t| <= mu p; beyond it the point slips: t = mu p t / |t|, a follows              (C.3)
-// Per reference area the normal part has the potential 1/2 epsilon g^2, so its tangent is exact and symmetric; in slip the
-// unsymmetric coupling of t with p is left out of the tangent (not out of the force), which keeps it positive.
-// A point that comes down within a load step is free to slide until the end of that step; there it gets its anchor: the
-// motion before first touch must not load it. Fine steps make that error small.
+// At every Gauss point (2x2) of a tread face, with the height g of the point over the ground and dA
+// its reference area,
+//   normal traction     p = -epsilon g                   where g < 0, otherwise none (C.1)
+//   tangential trial    t = -epsilon_t (x_t - a)         from the anchor a the point sticks to
+//   (C.2) Coulomb             |t| <= mu p; beyond it the point slips: t = mu p t / |t|, a follows
+//   (C.3)
+// Per reference area the normal part has the potential 1/2 epsilon g^2, so its tangent is exact and
+// symmetric; in slip the unsymmetric coupling of t with p is left out of the tangent (not out of
+// the force), which keeps it positive. A point that comes down within a load step is free to slide
+// until the end of that step; there it gets its anchor: the motion before first touch must not load
+// it. Fine steps make that error small.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,8 +32,9 @@ class GroundContact {
   void set_height(double z) { height_ = z; }
   double height() const { return height_; }
 
-  /// Adds forces (internal-force sign: minus what the ground does to the tire) and tangent of a tread element of
-  /// displacement u to f and K, in its sector's frame. All points in contact stick where `stuck`.
+  /// Adds forces (internal-force sign: minus what the ground does to the tire) and tangent of a
+  /// tread element of displacement u to f and K, in its sector's frame. All points in contact stick
+  /// where `stuck`.
   void add(int sector, int element, const Matrix38& u, bool stuck, Vector24& f, Matrix24* K) const;
 
   /// Takes the state x as an equilibrium: anchors follow, new points in contact get theirs.
@@ -49,9 +54,9 @@ class GroundContact {
     bool anchored = false;
   };
   struct Traction {
-    double p;                // normal, Pa per reference area
-    Eigen::Vector2d t;       // tangential
-    Eigen::Matrix2d dt_dx;   // minus the symmetric tangent of t
+    double p;               // normal, Pa per reference area
+    Eigen::Vector2d t;      // tangential
+    Eigen::Matrix2d dt_dx;  // minus the symmetric tangent of t
     bool sticks;
   };
 
@@ -62,8 +67,8 @@ class GroundContact {
   const Ring& ring_;
   Ground ground_;
   double height_ = 0.0;
-  std::vector<Face> faces_;            // tread faces of one sector
-  std::vector<int> face_of_element_;   // -1: no tread face
+  std::vector<Face> faces_;           // tread faces of one sector
+  std::vector<int> face_of_element_;  // -1: no tread face
   std::vector<Eigen::Matrix3d> frames_;
   std::vector<Point> points_;
 };

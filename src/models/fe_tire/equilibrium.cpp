@@ -9,7 +9,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-// One factorization costs as much as about this many conjugate-gradient iterations (measured on tires A and B).
+// One factorization costs as much as about this many conjugate-gradient iterations (measured on
+// tires A and B).
 constexpr int kIterationsWorthAFactor = 20;
 // A solve that needed this many is a sign that the next one will be too slow.
 constexpr int kIterationsOfAStaleFactor = 9;
@@ -45,7 +46,8 @@ std::optional<Failure> EquilibriumSolver::solve(const Materials& materials,
       state = std::move(now);
       return std::nullopt;
     }
-    // Solve only as exactly as Newton's own convergence deserves (Eisenstat and Walker 1996, choice 2).
+    // Solve only as exactly as Newton's own convergence deserves (Eisenstat and Walker 1996, choice
+    // 2).
     const double ratio = iteration == 0 ? 0.1 : norm / previous;
     find_direction(std::clamp(0.5 * ratio * ratio, 1e-4, 1e-2));
     previous = norm;
@@ -57,8 +59,14 @@ std::optional<Failure> EquilibriumSolver::solve(const Materials& materials,
 bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
   failed_element_ = -1;
   ++counts_.assemblies;
-  return assembly_.assemble(*materials_, state, pressure_, contact_, false, f_,
-                            with_tangent ? &K_ : nullptr, &failed_element_);
+  return assembly_.assemble(*materials_,
+                            state,
+                            pressure_,
+                            contact_,
+                            false,
+                            f_,
+                            with_tangent ? &K_ : nullptr,
+                            &failed_element_);
 }
 
 bool EquilibriumSolver::factorize() {
@@ -103,7 +111,8 @@ bool EquilibriumSolver::line_search(RingState& state) {
   for (int back = 0; back <= kMaxBacktracks; ++back) {
     trial_.x = state.x - s * d_;
     trial_.alpha = state.alpha;
-    // The full step nearly always holds, so its tangent is made at once; shorter ones are tried by forces alone.
+    // The full step nearly always holds, so its tangent is made at once; shorter ones are tried by
+    // forces alone.
     const bool valid = assemble(trial_, back == 0);
     if (valid && (f_.norm() < norm || std::abs(d_.dot(f_)) <= kSlopeDecrease * slope)) {
       if (back > 0) assemble(trial_, true);
@@ -134,16 +143,21 @@ std::string EquilibriumSolver::worst_place() const {
   }
   const int section_element = element % ring_.elements_per_sector();
   const Element& e = ring_.mesh().elements[section_element];
-  return fmt::format("element {} (sector {}, section element {}, {})", element + 1,
-                     element / ring_.elements_per_sector(), section_element,
+  return fmt::format("element {} (sector {}, section element {}, {})",
+                     element + 1,
+                     element / ring_.elements_per_sector(),
+                     section_element,
                      ring_.mesh().region_names.at(e.region));
 }
 
 Failure EquilibriumSolver::failure(const std::string& step, const std::string& what) const {
-  return Failure{fmt::format(
-      "{}: {}; residual {:.3g} N, accepted {:.3g} N, {} at {}", step, what, f_.norm(),
-      settings_.tolerance * reference_, failed_element_ >= 0 ? "inverted" : "largest",
-      worst_place())};
+  return Failure{fmt::format("{}: {}; residual {:.3g} N, accepted {:.3g} N, {} at {}",
+                             step,
+                             what,
+                             f_.norm(),
+                             settings_.tolerance * reference_,
+                             failed_element_ >= 0 ? "inverted" : "largest",
+                             worst_place())};
 }
 
 }  // namespace latsch::fe_tire

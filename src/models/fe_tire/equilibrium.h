@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Newton's method on the whole ring with a factor that is allowed to grow stale.
 //
-// A factorization of the tangent costs some twenty solves with it. So one factor serves several Newton iterations and
-// load steps as the preconditioner of conjugate gradients on the current tangent, and is renewed when they slow down:
+// A factorization of the tangent costs some twenty solves with it. So one factor serves several
+// Newton iterations and load steps as the preconditioner of conjugate gradients on the current
+// tangent, and is renewed when they slow down:
 //
 //   while |f(x)| > tolerance:
-//     d   <- K(x)^-1 f(x)  by conjugate gradients, preconditioned with a factor of K at an earlier state
-//     x   <- x - s d       with s from a line search on d . f
+//     d   <- K(x)^-1 f(x)  by conjugate gradients, preconditioned with a factor of K at an earlier
+//     state x   <- x - s d       with s from a line search on d . f
 //
-// A tangent that is not positive (it happens in predictors) is shifted along its diagonal until it is.
+// A tangent that is not positive (it happens in predictors) is shifted along its diagonal until it
+// is.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,8 +28,8 @@ class EquilibriumSolver {
  public:
   EquilibriumSolver(const Ring& ring, const SolverSettings& settings);
 
-  /// Brings `state` into equilibrium under pressure and contact (may be null). A Failure names `step`, the residual and
-  /// the worst element; `state` then is as it was.
+  /// Brings `state` into equilibrium under pressure and contact (may be null). A Failure names
+  /// `step`, the residual and the worst element; `state` then is as it was.
   std::optional<Failure> solve(const Materials& materials,
                                RingState& state,
                                double pressure,
@@ -36,7 +38,8 @@ class EquilibriumSolver {
 
   /// Force norm that `tolerance` is relative to: that of the pressure on the undeformed tire, N.
   void set_reference(double force) { reference_ = force; }
-  /// The values of the tire changed: the factor is of another matrix (still a preconditioner, but a poor one).
+  /// The values of the tire changed: the factor is of another matrix (still a preconditioner, but a
+  /// poor one).
   void forget_factor() { has_factor_ = false; }
 
   const RingAssembly& assembly() const { return assembly_; }

@@ -22,7 +22,10 @@ struct FeTire::Impl {
   std::optional<numerics::SymmetricMatrix> M;  // of the present materials
 
   Impl(Mesh mesh, Materials given, const SolverSettings& s)
-      : ring(std::move(mesh), s.element), materials(std::move(given)), settings(s), solver(ring, s) {}
+      : ring(std::move(mesh), s.element),
+        materials(std::move(given)),
+        settings(s),
+        solver(ring, s) {}
 
   const numerics::SymmetricMatrix& mass_matrix() {
     if (!M) M = solver.assembly().mass(materials);
@@ -31,12 +34,13 @@ struct FeTire::Impl {
 
   /// The inflated state in all sectors.
   RingState replicate(const Inflated& inflated) const {
-    return {ring.replicate(ring.compress(inflated.u)),
-            inflated.alpha.replicate(ring.sectors(), 1)};
+    return {ring.replicate(ring.compress(inflated.u)), inflated.alpha.replicate(ring.sectors(), 1)};
   }
 
   /// Tangent of `state`, factorized; a Failure where the equilibrium is not stable.
-  std::optional<Failure> factorize_at(RingState& state, double pressure, const GroundContact* contact);
+  std::optional<Failure> factorize_at(RingState& state,
+                                      double pressure,
+                                      const GroundContact* contact);
 
   Result<std::vector<Mode>> full_modes(RingState& state,
                                        double pressure,
@@ -54,7 +58,8 @@ double pressure_force(const Ring& ring, const Materials& materials, double press
   std::vector<double> alpha(std::max(1, ring.alphas_per_element()));
   for (int e = 0; e < ring.elements_per_sector(); ++e) {
     std::fill(alpha.begin(), alpha.end(), 0.0);
-    pressurized_element(ring, materials, e, Matrix38::Zero(), pressure, alpha.data(), with, nullptr);
+    pressurized_element(
+        ring, materials, e, Matrix38::Zero(), pressure, alpha.data(), with, nullptr);
     std::fill(alpha.begin(), alpha.end(), 0.0);
     pressurized_element(ring, materials, e, Matrix38::Zero(), 0.0, alpha.data(), without, nullptr);
     Vector24 f = with - without;
@@ -91,7 +96,10 @@ Result<Inflated> FeTire::inflate(double pressure) {
   if (tire.ring.sectors() > 1) {
     return inflate_sector(tire.ring, tire.materials, pressure, tire.settings);
   }
-  return inflate_ring(tire.solver, tire.ring, tire.materials, pressure,
+  return inflate_ring(tire.solver,
+                      tire.ring,
+                      tire.materials,
+                      pressure,
                       pressure_force(tire.ring, tire.materials, pressure));
 }
 
@@ -100,12 +108,13 @@ Result<Loaded> FeTire::load(const Inflated& inflated,
                             const Ground& ground) {
   Impl& tire = *impl_;
   tire.solver.set_reference(pressure_force(tire.ring, tire.materials, inflated.pressure));
-  // Start every load case from the same factor, so that its result does not depend on what was solved before.
+  // Start every load case from the same factor, so that its result does not depend on what was
+  // solved before.
   tire.solver.forget_factor();
   GroundContact contact(tire.ring, ground);
   RingState state = tire.replicate(inflated);
-  Result<std::vector<LoadPoint>> curve = load_steps(tire.solver, tire.materials, inflated,
-                                                    deflections, ground.mu > 0.0, contact, state);
+  Result<std::vector<LoadPoint>> curve = load_steps(
+      tire.solver, tire.materials, inflated, deflections, ground.mu > 0.0, contact, state);
   if (!curve) return curve.failure();
   Loaded loaded;
   loaded.inflated = inflated;
@@ -157,8 +166,8 @@ std::optional<Failure> FeTire::Impl::factorize_at(RingState& state,
                                                   double pressure,
                                                   const GroundContact* contact) {
   Eigen::VectorXd f;
-  solver.assembly().assemble(materials, state, pressure, contact, true, f, &solver.tangent(),
-                             nullptr);
+  solver.assembly().assemble(
+      materials, state, pressure, contact, true, f, &solver.tangent(), nullptr);
   if (solver.factorize()) return std::nullopt;
   return Failure{
       "modes: the equilibrium is not stable (its tangent is not positive definite): the tire "

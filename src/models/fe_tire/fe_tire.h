@@ -6,7 +6,8 @@
 //   auto loaded   = tire.load(*inflated, {0.005, 0.010, 0.025}, ground);
 //   auto modes    = tire.modes(*loaded, 20);
 //
-// The symbolic work (sparsity, ordering) depends on the mesh alone and is done once; set() changes only the values.
+// The symbolic work (sparsity, ordering) depends on the mesh alone and is done once; set() changes
+// only the values.
 #pragma once
 
 #include <Eigen/Core>
@@ -42,10 +43,10 @@ struct ContactPatch {
   double length = 0.0, width = 0.0;  // m, extent along x and y
   double area = 0.0;                 // m^2
   struct Point {
-    double x, y;         // m, wheel frame
-    double pressure;     // Pa
+    double x, y;              // m, wheel frame
+    double pressure;          // Pa
     double shear_x, shear_y;  // Pa, on the tire
-    double area;         // m^2 of this integration point
+    double area;              // m^2 of this integration point
     bool sticks;
   };
   std::vector<Point> points;
@@ -68,23 +69,25 @@ struct Loaded {
 };
 
 enum class ModeType { torsional, lateral, radial, other };
-std::string name(ModeType type);                    // "torsional"
+std::string name(ModeType type);  // "torsional"
 std::optional<ModeType> mode_type(const std::string& name);
 
 struct Mode {
   double frequency = 0.0;  // Hz
   int n = 0;               // dominating circumferential number
   ModeType type = ModeType::other;
-  int order = 1;           // 1, 2, ... among modes of the same n and type, by frequency
-  char phase = ' ';        // of a split pair in the loaded state: 's' symmetric, 'a' antisymmetric in x; ' ' unloaded
-  Eigen::Matrix3Xd shape;  // [3 x nodes], sector frames, mass-normalized; unloaded pairs: two orthogonal members
+  int order = 1;     // 1, 2, ... among modes of the same n and type, by frequency
+  char phase = ' ';  // of a split pair in the loaded state: 's' symmetric, 'a' antisymmetric in x;
+                     // ' ' unloaded
+  Eigen::Matrix3Xd
+      shape;  // [3 x nodes], sector frames, mass-normalized; unloaded pairs: two orthogonal members
   std::string label() const;  // "lateral n=1", "radial n=2 a", "radial n=3 (2)"
 };
 
 struct SolverSettings {
   ElementKind element = ElementKind::solid_shell;
-  double tolerance = 1e-5;     // residual norm relative to the norm of the pressure load
-  int max_iterations = 40;     // Newton iterations a load step
+  double tolerance = 1e-5;  // residual norm relative to the norm of the pressure load
+  int max_iterations = 40;  // Newton iterations a load step
 };
 
 /// What a trial cost: for benchmarks and for the report.
@@ -105,8 +108,11 @@ class FeTire {
   void set(Materials materials);
 
   Result<Inflated> inflate(double pressure);
-  /// Presses the tire on the ground, in the order given; every deflection is an equilibrium (m, from first touch).
-  Result<Loaded> load(const Inflated& inflated, const std::vector<double>& deflections, const Ground& ground);
+  /// Presses the tire on the ground, in the order given; every deflection is an equilibrium (m,
+  /// from first touch).
+  Result<Loaded> load(const Inflated& inflated,
+                      const std::vector<double>& deflections,
+                      const Ground& ground);
 
   /// The lowest `count` modes of the inflated, unloaded tire by circumferential harmonics.
   Result<std::vector<Mode>> modes(const Inflated& inflated, int count);

@@ -37,14 +37,15 @@ TEST(FeTire, HarmonicModesEqualThoseOfTheWholeRing) {
   const auto by_ring = tire.modes_full(*inflated, 20);
   ASSERT_TRUE(by_harmonics && by_ring);
   for (int k = 0; k < 20; ++k) {
-    EXPECT_NEAR((*by_harmonics)[k].frequency, (*by_ring)[k].frequency,
-                1e-6 * (*by_ring)[k].frequency)
+    EXPECT_NEAR(
+        (*by_harmonics)[k].frequency, (*by_ring)[k].frequency, 1e-6 * (*by_ring)[k].frequency)
         << (*by_harmonics)[k].label();
   }
 }
 
 TEST(FeTire, HarmonicShapesAreModesOfTheRingsOwnMatrices) {
-  // K phi = omega^2 M phi with K and M assembled sector by sector, on another path than the harmonics.
+  // K phi = omega^2 M phi with K and M assembled sector by sector, on another path than the
+  // harmonics.
   const TireDescription description = small_tire();
   FeTire tire = make(description);
   const auto inflated = tire.inflate(kPressure);
@@ -57,7 +58,8 @@ TEST(FeTire, HarmonicShapesAreModesOfTheRingsOwnMatrices) {
   RingState state{ring.replicate(ring.compress(inflated->u)), Eigen::VectorXd()};
   numerics::SymmetricMatrix K(assembly.pattern());
   Eigen::VectorXd f;
-  ASSERT_TRUE(assembly.assemble(tire.materials(), state, kPressure, nullptr, false, f, &K, nullptr));
+  ASSERT_TRUE(
+      assembly.assemble(tire.materials(), state, kPressure, nullptr, false, f, &K, nullptr));
   const numerics::SymmetricMatrix M = assembly.mass(tire.materials());
   for (const Mode& mode : *modes) {
     const Eigen::VectorXd phi = ring.compress(mode.shape);
@@ -79,11 +81,11 @@ TEST(FeTire, InflatedSectorIsAnEquilibriumOfTheWholeRing) {
   const RingAssembly assembly(ring);
   RingState state{ring.replicate(ring.compress(inflated->u)), Eigen::VectorXd()};
   Eigen::VectorXd residual, pressure_alone;
-  ASSERT_TRUE(assembly.assemble(tire.materials(), state, kPressure, nullptr, false, residual, nullptr,
-                                nullptr));
+  ASSERT_TRUE(assembly.assemble(
+      tire.materials(), state, kPressure, nullptr, false, residual, nullptr, nullptr));
   RingState undeformed{Eigen::VectorXd::Zero(ring.unknowns()), Eigen::VectorXd()};
-  ASSERT_TRUE(assembly.assemble(tire.materials(), undeformed, kPressure, nullptr, false,
-                                pressure_alone, nullptr, nullptr));
+  ASSERT_TRUE(assembly.assemble(
+      tire.materials(), undeformed, kPressure, nullptr, false, pressure_alone, nullptr, nullptr));
   EXPECT_LT(residual.norm(), 1e-9 * pressure_alone.norm());
 }
 
@@ -94,7 +96,8 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
   ASSERT_TRUE(inflated);
   const Ring ring(build_mesh(description), ElementKind::full_integration);
   const RingAssembly assembly(ring);
-  GroundContact contact(ring, {2e8, 5.0});  // soft ground and no slip: the kink at first touch is out of the way
+  GroundContact contact(
+      ring, {2e8, 5.0});  // soft ground and no slip: the kink at first touch is out of the way
   contact.set_height(-inflated->radius + 0.01);
   RingState state{ring.replicate(ring.compress(inflated->u)), Eigen::VectorXd()};
   contact.settle(state.x);
@@ -102,12 +105,14 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
   numerics::SymmetricMatrix K(assembly.pattern());
   Eigen::VectorXd f, above, below;
   assembly.assemble(tire.materials(), state, kPressure, &contact, false, f, &K, nullptr);
-  // A smooth direction that keeps every point on its side of the ground. The pressure tangent is symmetrized: exact
-  // for directions that vanish at the free inner edge of the bead, so the test moves the tread alone.
+  // A smooth direction that keeps every point on its side of the ground. The pressure tangent is
+  // symmetrized: exact for directions that vanish at the free inner edge of the bead, so the test
+  // moves the tread alone.
   Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, ring.mesh().nodes());
   for (int k = 0; k < u.cols(); ++k) {
     const Eigen::Vector3d X = ring.mesh().X.col(k % ring.mesh().nodes_per_sector());
-    if (-X.z() > 0.28) u.col(k) = Eigen::Vector3d(std::sin(k), std::cos(3 * k), std::sin(2 * k + 1));
+    if (-X.z() > 0.28)
+      u.col(k) = Eigen::Vector3d(std::sin(k), std::cos(3 * k), std::sin(2 * k + 1));
   }
   const Eigen::VectorXd d = ring.compress(u);
   Eigen::MatrixXd Kd(d.size(), 1);
@@ -123,8 +128,9 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
 }
 
 TEST(FeTire, GroundForceEqualsTheRimReaction) {
-  // Action = reaction: what the ground pushes up with, the rim holds down with. The rim's reaction is the sum of all
-  // internal forces on free nodes' neighbors, that is minus the resultant of ground and pressure on the whole tire.
+  // Action = reaction: what the ground pushes up with, the rim holds down with. The rim's reaction
+  // is the sum of all internal forces on free nodes' neighbors, that is minus the resultant of
+  // ground and pressure on the whole tire.
   FeTire tire = make(small_tire());
   const auto inflated = tire.inflate(kPressure);
   ASSERT_TRUE(inflated);

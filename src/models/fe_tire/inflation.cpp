@@ -11,8 +11,9 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kTolerance = 1e-10;  // cheap to reach here, and everything after builds on this state
-constexpr int kFirstSteps = 4;        // cords go taut in the first step, while the tire is still soft
+constexpr double kTolerance =
+    1e-10;                      // cheap to reach here, and everything after builds on this state
+constexpr int kFirstSteps = 4;  // cords go taut in the first step, while the tire is still soft
 constexpr int kMaxHalvings = 6;
 constexpr int kMaxBacktracks = 8;
 
@@ -20,7 +21,8 @@ struct SectorState {
   Eigen::VectorXd x, alpha;
 };
 
-/// d = K(0)^-1 f; K(0) is shifted until it is positive where it is not (taut cords under a poor predictor).
+/// d = K(0)^-1 f; K(0) is shifted until it is positive where it is not (taut cords under a poor
+/// predictor).
 Eigen::VectorXd newton_direction(const SectorBlocks& tangent, const Eigen::VectorXd& f) {
   numerics::BandedHermitian K = tangent.harmonic(0);
   double shift = 0.0, largest = 0.0;
@@ -36,7 +38,8 @@ Eigen::VectorXd newton_direction(const SectorBlocks& tangent, const Eigen::Vecto
   return d.real();
 }
 
-/// One pressure step. True: `state` is the equilibrium. False: `state` is unchanged and `why` says what happened.
+/// One pressure step. True: `state` is the equilibrium. False: `state` is unchanged and `why` says
+/// what happened.
 bool newton(const Ring& ring,
             const Materials& materials,
             double pressure,
@@ -123,7 +126,9 @@ Result<Inflated> inflate_sector(const Ring& ring,
       return Failure{
           fmt::format("inflation stopped at {:.4g} of {:.4g} bar: {}; a wall that buckles or cords "
                       "that carry nothing do this: check pressure, thicknesses and moduli",
-                      reached / 1e5, pressure / 1e5, why)};
+                      reached / 1e5,
+                      pressure / 1e5,
+                      why)};
     } else {
       step *= 0.5;
     }
@@ -146,7 +151,8 @@ Result<Inflated> inflate_ring(EquilibriumSolver& solver,
   solver.set_reference(reference);
   solver.forget_factor();
   for (int k = 1; k <= kFirstSteps; ++k) {
-    const std::string name = fmt::format("inflation to {:.4g} bar", pressure * k / kFirstSteps / 1e5);
+    const std::string name =
+        fmt::format("inflation to {:.4g} bar", pressure * k / kFirstSteps / 1e5);
     if (auto failure = solver.solve(materials, state, pressure * k / kFirstSteps, nullptr, name)) {
       return *failure;
     }

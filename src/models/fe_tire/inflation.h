@@ -9,8 +9,8 @@
 
 namespace latsch::fe_tire {
 
-/// Newton's method on the axisymmetric equilibrium f(x; p) = 0, the pressure raised in steps that halve where a step
-/// does not converge. Failure names pressure, residual and worst element.
+/// Newton's method on the axisymmetric equilibrium f(x; p) = 0, the pressure raised in steps that
+/// halve where a step does not converge. Failure names pressure, residual and worst element.
 Result<Inflated> inflate_sector(const Ring& ring,
                                 const Materials& materials,
                                 double pressure,

@@ -8,7 +8,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kFrictionStep = 2.5e-3;  // m: a point slides freely until the end of the step in which it touches
+constexpr double kFrictionStep =
+    2.5e-3;  // m: a point slides freely until the end of the step in which it touches
 constexpr int kMaxHalvings = 6;
 
 /// Where the tire is and where it was one step before: what a prediction needs.
@@ -56,7 +57,8 @@ std::optional<Failure> go_to(double target,
       return failure;
     } else {
       step *= 0.5;
-      path.before = path.deflection;  // a prediction may have been what failed: start from the state itself
+      path.before =
+          path.deflection;  // a prediction may have been what failed: start from the state itself
     }
   }
   return std::nullopt;
@@ -77,10 +79,12 @@ Result<std::vector<LoadPoint>> load_steps(EquilibriumSolver& solver,
   const double max_step = friction ? kFrictionStep : std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < deflections.size(); ++k) {
     const std::string name = fmt::format("load step {} of {} (deflection {:.4g} mm at {:.4g} bar)",
-                                         k + 1, deflections.size(), deflections[k] * 1e3,
+                                         k + 1,
+                                         deflections.size(),
+                                         deflections[k] * 1e3,
                                          inflated.pressure / 1e5);
-    if (auto failure = go_to(deflections[k], max_step, solver, materials, inflated, name, contact,
-                             state, path)) {
+    if (auto failure = go_to(
+            deflections[k], max_step, solver, materials, inflated, name, contact, state, path)) {
       return *failure;
     }
     LoadPoint point;

@@ -10,9 +10,10 @@
 
 namespace latsch::fe_tire {
 
-/// Equilibria at the deflections given (m, from first touch), each started from a prediction out of the two before it.
-/// `state` begins as the inflated ring and ends as the last equilibrium; `contact` keeps the friction history.
-/// A step that does not converge is halved; the Failure names the deflection where that did not help either.
+/// Equilibria at the deflections given (m, from first touch), each started from a prediction out of
+/// the two before it. `state` begins as the inflated ring and ends as the last equilibrium;
+/// `contact` keeps the friction history. A step that does not converge is halved; the Failure names
+/// the deflection where that did not help either.
 Result<std::vector<LoadPoint>> load_steps(EquilibriumSolver& solver,
                                           const Materials& materials,
                                           const Inflated& inflated,

@@ -11,8 +11,9 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr std::array<const char*, 4> kTypeNames = {"torsional", "lateral", "radial", "other"};
-constexpr double kPairTolerance = 1e-6;  // relative difference of the frequencies of a degenerate pair
-constexpr double kClearPhase = 0.5;      // overlap with the mirror image beyond which a phase is named
+constexpr double kPairTolerance =
+    1e-6;                            // relative difference of the frequencies of a degenerate pair
+constexpr double kClearPhase = 0.5;  // overlap with the mirror image beyond which a phase is named
 
 }  // namespace
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names for mode shapes: circumferential number n, type and, in the loaded tire, symmetry.
 //
-// An unloaded mode has one n; its type is the direction that carries most of the kinetic energy: around the
-// circumference (only with n = 0: torsion, windup), along the spin axis (lateral) or in the wheel plane (radial).
-// A loaded mode is named after the group of unloaded modes that it resembles most: the group whose span holds the
-// largest share of its kinetic energy. Its phase says whether it is symmetric (s) or antisymmetric (a) to the plane
-// through contact and spin axis.
+// An unloaded mode has one n; its type is the direction that carries most of the kinetic energy:
+// around the circumference (only with n = 0: torsion, windup), along the spin axis (lateral) or in
+// the wheel plane (radial). A loaded mode is named after the group of unloaded modes that it
+// resembles most: the group whose span holds the largest share of its kinetic energy. Its phase
+// says whether it is symmetric (s) or antisymmetric (a) to the plane through contact and spin axis.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,14 +16,16 @@
 
 namespace latsch::fe_tire {
 
-/// Type of a mode of circumferential number n by its kinetic energy around, along and across [x, y, z of sector frames].
+/// Type of a mode of circumferential number n by its kinetic energy around, along and across [x, y,
+/// z of sector frames].
 ModeType type_of(int n, const Eigen::Vector3d& kinetic_energy);
 
-/// Numbers modes of the same n and type 1, 2, ...; a degenerate pair shares its number. Modes in ascending order.
+/// Numbers modes of the same n and type 1, 2, ...; a degenerate pair shares its number. Modes in
+/// ascending order.
 void number_orders(std::vector<Mode>& modes);
 
-/// Names loaded modes (columns of `shapes`, M-orthonormal unknowns of the ring) after unloaded ones (`reference`, columns
-/// with their modes).
+/// Names loaded modes (columns of `shapes`, M-orthonormal unknowns of the ring) after unloaded ones
+/// (`reference`, columns with their modes).
 void name_after(const std::vector<Mode>& unloaded,
                 const Eigen::MatrixXd& unloaded_shapes,
                 const numerics::SymmetricMatrix& M,

@@ -14,8 +14,9 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kTolerance = 1e-7;  // of Lanczos' inverted residual; a frequency's error is its square
-constexpr int kPerHarmonic = 6;      // modes of one circumferential number computed at a time
+constexpr double kTolerance =
+    1e-7;                        // of Lanczos' inverted residual; a frequency's error is its square
+constexpr int kPerHarmonic = 6;  // modes of one circumferential number computed at a time
 
 double to_hertz(double omega_squared) {
   return std::sqrt(std::max(0.0, omega_squared)) / (2.0 * std::numbers::pi);
@@ -28,7 +29,8 @@ struct HarmonicMode {
   Eigen::VectorXcd phi;
 };
 
-/// The lowest modes of circumferential number n; false where the harmonic tangent is not positive definite.
+/// The lowest modes of circumferential number n; false where the harmonic tangent is not positive
+/// definite.
 bool solve_harmonic(const SectorBlocks& K,
                     const SectorBlocks& M,
                     int n,
@@ -57,10 +59,12 @@ bool solve_harmonic(const SectorBlocks& K,
 /// Modes of n = 0 and, where S is even, n = S / 2 are single; all others are pairs.
 bool single(int n, int sectors) { return n == 0 || 2 * n == sectors; }
 
-/// Real shape over the ring: the real or the imaginary part of phi exp(i n s 2 pi / S), mass-normalized.
+/// Real shape over the ring: the real or the imaginary part of phi exp(i n s 2 pi / S),
+/// mass-normalized.
 Eigen::VectorXd unfold(const HarmonicMode& mode, int sectors, bool imaginary) {
   const int m = static_cast<int>(mode.phi.size());
-  // phi has unit mass over one sector; a real part summed over all sectors has S / 2 of it, a single mode S.
+  // phi has unit mass over one sector; a real part summed over all sectors has S / 2 of it, a
+  // single mode S.
   const double scale = std::sqrt((single(mode.n, sectors) ? 1.0 : 2.0) / sectors);
   Eigen::VectorXd x(m * sectors);
   for (int s = 0; s < sectors; ++s) {
@@ -82,7 +86,8 @@ Eigen::Vector3d directional_energy(const Eigen::VectorXcd& phi) {
   return energy;
 }
 
-/// A complex vector's phase is arbitrary: turn the largest entry onto the real axis, so that results repeat.
+/// A complex vector's phase is arbitrary: turn the largest entry onto the real axis, so that
+/// results repeat.
 void fix_phase(Eigen::VectorXcd& phi) {
   int largest;
   phi.cwiseAbs2().maxCoeff(&largest);
@@ -98,8 +103,8 @@ Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
   const int S = ring.sectors();
   SectorBlocks K(ring);
   Eigen::VectorXd f, alpha = inflated.alpha;
-  assemble_sector(ring, materials, ring.compress(inflated.u), inflated.pressure, alpha, f, &K,
-                  nullptr);
+  assemble_sector(
+      ring, materials, ring.compress(inflated.u), inflated.pressure, alpha, f, &K, nullptr);
   const SectorBlocks M = sector_mass(ring, materials);
 
   std::vector<HarmonicMode> found;
@@ -110,7 +115,8 @@ Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
       return Failure{fmt::format(
           "modes: the inflated tire is not stable in circumferential number {} at {:.4g} bar: it "
           "buckles; check pressure, thicknesses and moduli",
-          n, inflated.pressure / 1e5)};
+          n,
+          inflated.pressure / 1e5)};
     }
     std::vector<double> all;
     for (const HarmonicMode& mode : found) {
@@ -158,7 +164,9 @@ Result<std::vector<double>> ring_frequencies(const numerics::Factorization& fact
   const auto pairs = numerics::lanczos(problem, settings, start);
   if (!pairs.converged) {
     return Failure{fmt::format("modes: Lanczos found {} of {} modes in {} solves",
-                               pairs.values.size(), count, pairs.solves)};
+                               pairs.values.size(),
+                               count,
+                               pairs.solves)};
   }
   shapes = pairs.vectors;
   std::vector<double> frequencies;

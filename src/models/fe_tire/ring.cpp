@@ -40,7 +40,10 @@ std::array<int, 24> Ring::dofs(int sector, int element) const {
 
 namespace {
 
-Matrix38 turned(const Element& element, int nodes_per_sector, const Eigen::Matrix3d& Q, Matrix38 u) {
+Matrix38 turned(const Element& element,
+                int nodes_per_sector,
+                const Eigen::Matrix3d& Q,
+                Matrix38 u) {
   for (int a = 0; a < 8; ++a) {
     if (element.node[a] >= nodes_per_sector) u.col(a) = Q * u.col(a);
   }
@@ -90,7 +93,8 @@ Eigen::Matrix3Xd Ring::expand(const Eigen::VectorXd& x) const {
   Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, copies * n);
   for (int s = 0; s < copies; ++s) {
     for (int i = 0; i < n; ++i) {
-      if (first_dof_[i] >= 0) u.col(s * n + i) = x.segment<3>(s * sector_unknowns() + first_dof_[i]);
+      if (first_dof_[i] >= 0)
+        u.col(s * n + i) = x.segment<3>(s * sector_unknowns() + first_dof_[i]);
     }
   }
   return u;
@@ -102,7 +106,8 @@ Eigen::VectorXd Ring::compress(const Eigen::Matrix3Xd& u) const {
   Eigen::VectorXd x(copies * sector_unknowns());
   for (int s = 0; s < copies; ++s) {
     for (int i = 0; i < n; ++i) {
-      if (first_dof_[i] >= 0) x.segment<3>(s * sector_unknowns() + first_dof_[i]) = u.col(s * n + i);
+      if (first_dof_[i] >= 0)
+        x.segment<3>(s * sector_unknowns() + first_dof_[i]) = u.col(s * n + i);
     }
   }
   return x;

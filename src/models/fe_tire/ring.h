@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole ring: element shapes of one sector, unknowns of all sectors, and the internal forces of an element in place.
+// The whole ring: element shapes of one sector, unknowns of all sectors, and the internal forces of
+// an element in place.
 //
-// Unknowns are the displacements of the nodes the rim does not hold, in sector frames, ordered sector, section node,
-// direction. An element sees its own sector's frame: the displacements of the next sector's nodes are turned into it, and
-// the forces on them turned back. All sectors thus share the same 8-node shapes, and where the state is the same in every
-// sector, so is every element matrix: the tangent is block-circulant.
+// Unknowns are the displacements of the nodes the rim does not hold, in sector frames, ordered
+// sector, section node, direction. An element sees its own sector's frame: the displacements of the
+// next sector's nodes are turned into it, and the forces on them turned back. All sectors thus
+// share the same 8-node shapes, and where the state is the same in every sector, so is every
+// element matrix: the tangent is block-circulant.
 #pragma once
 
 #include <Eigen/Core>
@@ -41,7 +43,8 @@ class Ring {
   Matrix38 gather(int sector, int element, const Eigen::VectorXd& x) const;
   /// The same for a state equal in all sectors, x of one sector.
   Matrix38 gather_axisymmetric(int element, const Eigen::VectorXd& x) const;
-  /// Turns forces (and stiffness) of the next sector's nodes from the element's frame into their own.
+  /// Turns forces (and stiffness) of the next sector's nodes from the element's frame into their
+  /// own.
   void turn_to_node_frames(int element, Vector24& f, Matrix24* K) const;
 
   /// Displacements of all nodes [3 x nodes], sector frames, zeros where held; and back.
@@ -60,8 +63,8 @@ class Ring {
   std::vector<std::array<int, 24>> local_dofs_;
 };
 
-/// Forces f - including the follower pressure on inner faces - and tangent K of one element of displacement u, in its
-/// sector's frame. False as for evaluate().
+/// Forces f - including the follower pressure on inner faces - and tangent K of one element of
+/// displacement u, in its sector's frame. False as for evaluate().
 bool pressurized_element(const Ring& ring,
                          const Materials& materials,
                          int element,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Residual, tangent and mass of the whole ring; the sparsity and the scatter map are made once a mesh.
+// Residual, tangent and mass of the whole ring; the sparsity and the scatter map are made once a
+// mesh.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,8 +23,9 @@ class RingAssembly {
 
   const numerics::SymmetricPattern& pattern() const { return pattern_; }
 
-  /// Forces f(x) = internal - pressure - ground, zero in equilibrium; K = df/dx (symmetric part) where given. Contact
-  /// may be null. False where an element fails; `worst` then is sector * elements_per_sector + element.
+  /// Forces f(x) = internal - pressure - ground, zero in equilibrium; K = df/dx (symmetric part)
+  /// where given. Contact may be null. False where an element fails; `worst` then is sector *
+  /// elements_per_sector + element.
   bool assemble(const Materials& materials,
                 RingState& state,
                 double pressure,

@@ -59,7 +59,8 @@ numerics::BandedHermitian SectorBlocks::harmonic(int n) const {
   for (int j = 0; j < size(); ++j) {
     const int last = std::min(size() - 1, j + band_);
     for (int i = j; i <= last; ++i) {
-      K(i, j) = A_(i - j + band_, j) + B_(i - j + band_, j) * e + B_(j - i + band_, i) * std::conj(e);
+      K(i, j) =
+          A_(i - j + band_, j) + B_(i - j + band_, j) * e + B_(j - i + band_, i) * std::conj(e);
     }
   }
   return K;
@@ -79,7 +80,13 @@ bool assemble_sector(const Ring& ring,
   Matrix24 Ke;
   for (int e = 0; e < ring.elements_per_sector(); ++e) {
     double* alpha_e = alpha.data() + e * ring.alphas_per_element();
-    if (!pressurized_element(ring, materials, e, ring.gather_axisymmetric(e, x), pressure, alpha_e, fe,
+    if (!pressurized_element(ring,
+                             materials,
+                             e,
+                             ring.gather_axisymmetric(e, x),
+                             pressure,
+                             alpha_e,
+                             fe,
                              tangent ? &Ke : nullptr)) {
       if (worst) *worst = e;
       return false;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// One sector stands for the ring while the state is the same in all sectors (inflated, not yet loaded).
+// One sector stands for the ring while the state is the same in all sectors (inflated, not yet
+// loaded).
 //
 // In sector frames the tangent of the ring is block-circulant: every sector sees
-//   A = K_00 + K_11   (its own nodes, from the elements on both sides),   B = K_01   (toward the next sector),
-// so for displacements u_s = Re(u exp(i n s 2 pi / S)) of circumferential number n it acts as the Hermitian matrix
+//   A = K_00 + K_11   (its own nodes, from the elements on both sides),   B = K_01   (toward the
+//   next sector),
+// so for displacements u_s = Re(u exp(i n s 2 pi / S)) of circumferential number n it acts as the
+// Hermitian matrix
 //   K(n) = A + B exp(i phi) + B^T exp(-i phi),   phi = 2 pi n / S.
-// n = 0 is the axisymmetric tangent that inflation needs; all n together give every mode of the unloaded tire.
+// n = 0 is the axisymmetric tangent that inflation needs; all n together give every mode of the
+// unloaded tire.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +19,8 @@
 
 namespace latsch::fe_tire {
 
-/// The blocks A (symmetric) and B of a block-circulant matrix, banded: entry (i, j) is stored at (i - j + band, j).
+/// The blocks A (symmetric) and B of a block-circulant matrix, banded: entry (i, j) is stored at (i
+/// - j + band, j).
 class SectorBlocks {
  public:
   explicit SectorBlocks(const Ring& ring);
@@ -38,8 +43,9 @@ class SectorBlocks {
 /// Largest distance of two coupled unknowns of a sector, the sectors laid over each other.
 int sector_band(const Ring& ring);
 
-/// Internal forces per sector (pressure included) of the axisymmetric state x [sector unknowns], and, where given, the
-/// blocks of its tangent. False where an element fails; `worst` then names it.
+/// Internal forces per sector (pressure included) of the axisymmetric state x [sector unknowns],
+/// and, where given, the blocks of its tangent. False where an element fails; `worst` then names
+/// it.
 bool assemble_sector(const Ring& ring,
                      const Materials& materials,
                      const Eigen::VectorXd& x,
