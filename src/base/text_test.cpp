@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace latsch {
+namespace {
+
+TEST(Text, EditDistanceCountsASwapOfNeighborsOnce) {
+  EXPECT_EQ(edit_distance("pressure", "pressure"), 0);
+  EXPECT_EQ(edit_distance("presure", "pressure"), 1);
+  EXPECT_EQ(edit_distance("pressuer", "pressure"), 1);
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3);  // [Levenshtein 1966]'s textbook pair
+  EXPECT_EQ(edit_distance("", "abc"), 3);
+}
+
+TEST(Text, SuggestsTheNearestNameAndNoneThatIsUnlike) {
+  EXPECT_EQ(nearest("presure", {"size", "pressure", "name"}), "pressure");
+  EXPECT_EQ(nearest("FZ", {"Fx", "Fz"}), "Fz");
+  EXPECT_EQ(nearest("zzz", {"size", "pressure"}), std::nullopt);
+  EXPECT_EQ(did_you_mean("presure", {"pressure"}), ", did you mean \"pressure\"?");
+  EXPECT_EQ(did_you_mean("zzz", {}), "");
+}
+
+TEST(Text, QuotationsHoldNoControlCharactersAndStayShort) {
+  EXPECT_EQ(in_quotes("a\nb\x1b[2J"), "\"a\\x0ab\\x1b[2J\"");
+  EXPECT_LT(in_quotes(std::string(10000, 'x')).size(), 100u);
+  EXPECT_EQ(list_of({"a", "b", "c"}), "\"a\", \"b\" or \"c\"");
+}
+
+TEST(Text, NumbersComeBackWithTheSameBits) {
+  for (const double value : {0.1, 1.0 / 3.0, 6.02214076e23, 5e-324, -0.0, 1.7976931348623157e308}) {
+    const auto read = parse_number(format_number(value));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(*read, value);
+    EXPECT_EQ(std::signbit(*read), std::signbit(value));
+  }
+  EXPECT_EQ(format_number(0.1), "0.1");
+  EXPECT_EQ(format_number(1.0 / 3.0, 3), "0.333");
+  EXPECT_EQ(parse_number(" +2.5 "), 2.5);
+  EXPECT_FALSE(parse_number("2.5x"));
+  EXPECT_FALSE(parse_number(""));
+  EXPECT_FALSE(parse_number("+-1"));
+}
+
+}  // namespace
+}  // namespace latsch

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/units.h"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <mutex>
+
+#include "base/error.h"
+#include "base/text.h"
+
+namespace latsch {
+namespace {
+
+constexpr std::size_t kLongestUnit = 64;
+constexpr const char* kBase[] = {"m", "kg", "s", "A", "K", "mol", "cd", "rad"};
+
+/// Typed often, but not in the database.
+constexpr struct {
+  const char* name;
+  const char* meaning;
+} kAdditions[] = {
+    {"deg", "arc_degree"}, {"rev", "6.283185307179586 rad"}, {"Nm", "N m"}, {"kph", "km/h"}};
+
+/// How values of a dimension are called and written; the first of a dimension names its SI unit.
+struct KnownDimension {
+  const char *unit, *noun, *example;
+};
+constexpr KnownDimension kKnown[] = {
+    {"1", "a plain number", "0.5"},
+    {"m", "a length", "25 mm"},
+    {"m^2", "an area", "2 mm^2"},
+    {"m^3", "a volume", "10 l"},
+    {"kg", "a mass", "9.8 kg"},
+    {"s", "a time", "0.1 s"},
+    {"Hz", "a frequency", "80 Hz"},
+    {"rad", "an angle", "22 deg"},
+    {"rad/s", "an angular velocity", "600 rpm"},
+    {"m/s", "a velocity", "40 km/h"},
+    {"m/s^2", "an acceleration", "9.81 m/s^2"},
+    {"N", "a force", "4 kN"},
+    {"N m", "a moment", "20 N m"},
+    {"Pa", "a pressure or modulus", "2.6 bar"},
+    {"N/m", "a stiffness", "200 N/mm"},
+    {"N s/m", "a damping", "1500 N s/m"},
+    {"Pa s", "a viscosity", "3 Pa s"},
+    {"kg/m^3", "a density", "1150 kg/m^3"},
+    {"kg m^2", "a moment of inertia", "1 kg m^2"},
+    {"N m/rad", "a torsional stiffness", "300 N m/deg"},
+    {"Pa/m", "a stiffness per area", "0.1 N/mm^3"},
+    {"1/m", "a curvature", "2 1/m"},
+    {"K", "a temperature", "25 degC"},
+    {"W", "a power", "5 kW"},
+};
+
+/// The unit database: read once; UDUNITS-2 keeps state, so one thread at a time.
+class Database {
+ public:
+  struct Entry {
+    Unit::Dimension dimension;
+    double factor, offset;
+  };
+
+  static Database& instance() {
+    static Database database;
+    return database;
+  }
+
+  std::optional<Entry> find(const std::string& text) {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = known_.find(text); known != known_.end()) return known->second;
+    const std::optional<Entry> entry = parse(text);
+    if (entry && known_.size() < kMostRemembered) known_.emplace(text, *entry);
+    return entry;
+  }
+
+ private:
+  static constexpr std::size_t kMostRemembered = 4096;
+  struct FreeUnit {
+    void operator()(ut_unit* unit) const { ut_free(unit); }
+  };
+  struct FreeConverter {
+    void operator()(cv_converter* converter) const { cv_free(converter); }
+  };
+  using UnitPointer = std::unique_ptr<ut_unit, FreeUnit>;
+
+  Database() {
+    ut_set_error_message_handler(ut_ignore);  // it would write to stderr
+    system_ = ut_read_xml(nullptr);
+    if (!system_)
+      throw InputError(
+          "the unit database of UDUNITS-2 cannot be read (UDUNITS2_XML_PATH or the package "
+          "libudunits2-data)");
+    for (const auto& [name, meaning] : kAdditions)
+      ut_map_name_to_unit(name, UT_ASCII, UnitPointer(ut_parse(system_, meaning, UT_ASCII)).get());
+    for (std::size_t i = 0; i < std::size(kBase); ++i)
+      base_[i].reset(ut_parse(system_, kBase[i], UT_ASCII));
+  }
+
+  std::optional<Entry> parse(const std::string& text) const {
+    const UnitPointer unit(ut_parse(system_, text.c_str(), UT_UTF8));
+    if (!unit) return std::nullopt;
+    Entry entry{};
+    if (!find_dimension(unit.get(), entry.dimension)) return std::nullopt;
+    const UnitPointer si = product(entry.dimension);
+    if (!si) return std::nullopt;
+    const std::unique_ptr<cv_converter, FreeConverter> to_si(
+        ut_get_converter(unit.get(), si.get()));
+    if (!to_si) return std::nullopt;
+    entry.offset = cv_convert_double(to_si.get(), 0.0);
+    entry.factor = cv_convert_double(to_si.get(), 1.0) - entry.offset;
+    if (!std::isfinite(entry.offset) || !std::isfinite(entry.factor) || entry.factor == 0.0)
+      return std::nullopt;
+    return entry;
+  }
+
+  /// Fails for logarithmic units (decibel) and for times since a date.
+  bool find_dimension(const ut_unit* unit, Unit::Dimension& dimension) const {
+    struct Visit {
+      const Database* database;
+      Unit::Dimension* dimension;
+    } visit{this, &dimension};
+    static constexpr ut_visitor kVisitor = {
+        [](const ut_unit* basic, void* data) {
+          const Visit& v = *static_cast<Visit*>(data);
+          return v.database->add_power(basic, 1, *v.dimension);
+        },
+        [](const ut_unit*, int count, const ut_unit* const* basics, const int* powers, void* data) {
+          const Visit& v = *static_cast<Visit*>(data);
+          for (int i = 0; i < count; ++i)
+            if (v.database->add_power(basics[i], powers[i], *v.dimension) != UT_SUCCESS)
+              return UT_VISIT_ERROR;
+          return UT_SUCCESS;
+        },
+        [](const ut_unit*, double, const ut_unit* underlying, double, void* data) {
+          const Visit& v = *static_cast<Visit*>(data);
+          return v.database->find_dimension(underlying, *v.dimension) ? UT_SUCCESS : UT_VISIT_ERROR;
+        },
+        [](const ut_unit*, const ut_unit*, double, void*) { return UT_VISIT_ERROR; },
+        [](const ut_unit*, double, const ut_unit*, void*) { return UT_VISIT_ERROR; }};
+    return ut_accept_visitor(unit, &kVisitor, &visit) == UT_SUCCESS;
+  }
+
+  ut_status add_power(const ut_unit* basic, int power, Unit::Dimension& dimension) const {
+    for (std::size_t i = 0; i < base_.size(); ++i) {
+      if (ut_compare(basic, base_[i].get()) != 0) continue;
+      dimension[i] += power;
+      return UT_SUCCESS;
+    }
+    return UT_VISIT_ERROR;
+  }
+
+  UnitPointer product(const Unit::Dimension& dimension) const {
+    UnitPointer result(ut_get_dimensionless_unit_one(system_));
+    for (std::size_t i = 0; i < dimension.size() && result; ++i) {
+      const UnitPointer power(ut_raise(base_[i].get(), dimension[i]));
+      result.reset(power ? ut_multiply(result.get(), power.get()) : nullptr);
+    }
+    return result;
+  }
+
+  std::mutex mutex_;
+  ut_system* system_ = nullptr;  // lives as long as the program
+  std::array<UnitPointer, 8> base_;
+  std::map<std::string, Entry> known_;
+};
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (static_cast<unsigned char>(c) & 0x80);
+}
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Whether digits stand in the unit as exponents only ("mm^2", "m-2") or as the 1 of "1/s": a unit
+/// "3 bar" would make "2.6 3 bar" a quantity.
+bool digits_are_exponents(std::string_view unit) {
+  if (unit == "1") return true;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (!is_digit(unit[i])) continue;
+    if (i == 0 && unit.starts_with("1/")) continue;
+    std::size_t before = i;
+    if (before > 0 && (unit[before - 1] == '-' || unit[before - 1] == '+')) --before;
+    if (before == 0 || !(is_letter(unit[before - 1]) || unit[before - 1] == '^')) return false;
+    std::size_t end = i;
+    while (end < unit.size() && is_digit(unit[end])) ++end;
+    if (end - i > 1) return false;
+    i = end - 1;
+  }
+  return true;
+}
+
+/// "0.0254" for the double nearest to it: decimal factors then are decimal to 64 bits.
+long double as_decimal(double value) {
+  const std::string digits = fmt::format("{}", value);
+  long double decimal = value;
+  std::from_chars(digits.data(), digits.data() + digits.size(), decimal);
+  return decimal;
+}
+
+}  // namespace
+
+std::optional<Unit> Unit::find(std::string_view text) {
+  text = trimmed(text);
+  if (text.empty() || text.size() > kLongestUnit || text.find('\0') != text.npos ||
+      !digits_are_exponents(text))
+    return std::nullopt;
+  const auto entry = Database::instance().find(std::string(text));
+  if (!entry) return std::nullopt;
+  Unit unit;
+  unit.text_ = text;
+  unit.dimension_ = entry->dimension;
+  unit.factor_ = as_decimal(entry->factor);
+  unit.offset_ = as_decimal(entry->offset);
+  return unit;
+}
+
+Unit Unit::of(std::string_view text) {
+  const std::optional<Unit> unit = find(text);
+  assert(unit);
+  if (!unit) throw InputError(unknown_unit(text));
+  return *unit;
+}
+
+double Unit::to_si(long double number) const {
+  return static_cast<double>(number * factor_ + offset_);
+}
+
+double Unit::from_si(double value) const {
+  return static_cast<double>((value - offset_) / factor_);
+}
+
+std::string Unit::exact_number(double value) const {
+  const long double number = (value - offset_) / factor_;
+  std::string digits;
+  for (int precision = 6; precision <= 24; ++precision) {
+    digits = fmt::format("{:.{}g}", number, precision);
+    long double read = 0.0L;
+    std::from_chars(digits.data(), digits.data() + digits.size(), read);
+    if (to_si(read) == value) break;
+  }
+  return digits;
+}
+
+std::optional<NumberAndRest> split_number(std::string_view text) {
+  text = trimmed(text);
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
+  NumberAndRest result;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result.number);
+  if (error != std::errc{}) return std::nullopt;
+  result.digits = text.substr(0, end - text.data());
+  result.rest = trimmed(text.substr(end - text.data()));
+  return result;
+}
+
+std::optional<Quantity> parse_quantity(std::string_view text) {
+  const auto parts = split_number(text);
+  if (!parts) return std::nullopt;
+  const std::optional<Unit> unit = Unit::find(parts->rest);
+  if (!unit) return std::nullopt;
+  return Quantity{std::string(parts->digits), *unit, unit->to_si(parts->number)};
+}
+
+std::string format_quantity(double si, std::string_view unit, int digits) {
+  const std::string number = format_number(Unit::of(unit).from_si(si), digits);
+  return unit == "1" ? number : number + " " + std::string(unit);
+}
+
+std::string si_unit(const Unit::Dimension& dimension) {
+  for (const KnownDimension& known : kKnown)
+    if (Unit::of(known.unit).dimension() == dimension) return known.unit;
+  std::string text;
+  for (std::size_t i = 0; i < dimension.size(); ++i) {
+    if (dimension[i] == 0) continue;
+    if (!text.empty()) text += ' ';
+    text += kBase[i];
+    if (dimension[i] != 1) text += fmt::format("^{}", dimension[i]);
+  }
+  return text;
+}
+
+DimensionWords words_for(const Unit& unit) {
+  for (const KnownDimension& known : kKnown)
+    if (Unit::of(known.unit).same_dimension(unit)) return {known.noun, known.example};
+  const std::string si = si_unit(unit.dimension());
+  return {"a quantity in " + si, "1 " + si};
+}
+
+std::string unknown_unit(std::string_view unit) {
+  static const std::vector<std::string> kUsual = {
+      "mm",  "cm",  "m",    "km",     "in",     "mm^2", "m^2", "kg",  "g",   "t",    "s",
+      "ms",  "min", "h",    "Hz",     "kHz",    "deg",  "rad", "rpm", "m/s", "km/h", "N",
+      "kN",  "lbf", "N m",  "Pa",     "kPa",    "MPa",  "GPa", "bar", "psi", "N/mm", "N/mm^2",
+      "N/m", "K",   "degC", "kg/m^3", "g/cm^3", "mbar", "%",   "1"};
+  return "unknown unit " + in_quotes(unit) + did_you_mean(unit, kUsual);
+}
+
+}  // namespace latsch

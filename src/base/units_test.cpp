@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/units.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <thread>
+
+namespace latsch {
+namespace {
+
+double si(const char* text) {
+  const auto quantity = parse_quantity(text);
+  return quantity ? quantity->si : std::nan("");
+}
+
+// The factors are exact by definition (BIPM, SI brochure; international inch and pound), so the
+// bits of the literals are expected.
+TEST(Units, DecimalUnitsGiveTheBitsOfTheLiteral) {
+  EXPECT_EQ(si("2.6 bar"), 2.6e5);
+  EXPECT_EQ(si("22.3 N/mm^2"), 22.3e6);
+  EXPECT_EQ(si("310 mm"), 0.310);
+  EXPECT_EQ(si("306.5 mm"), 0.3065);
+  EXPECT_EQ(si("1e-3 in"), 2.54e-5);
+  EXPECT_EQ(si("0.246 mm^2"), 0.246e-6);
+  EXPECT_EQ(si("83kPa"), 83e3);
+  EXPECT_EQ(si("1 lbf"), 4.4482216152605);
+  EXPECT_EQ(si("-5 degC"), 268.15);
+  EXPECT_EQ(si("50 %"), 0.5);
+  EXPECT_EQ(si("90 deg"), std::numbers::pi / 2);
+  EXPECT_EQ(si("1 rev"), 2 * std::numbers::pi);
+  EXPECT_EQ(si("5 µm"), 5e-6);
+  EXPECT_EQ(si("36 km/h"), 10.0);
+}
+
+TEST(Units, TextThatIsNoQuantityIsRefused) {
+  for (const char* text : {"",
+                           "bar",
+                           "2.6",
+                           "2.6 barr",
+                           "2.6 3 bar",
+                           "2,6 bar",
+                           "1 dB",
+                           "225/50R16",
+                           "16x7.5-10",
+                           "1 m^99999",
+                           "3 seconds since 1970-01-01",
+                           "5 lg(re 1 mW)",
+                           "0x10 m",
+                           "- 3 mm",
+                           "1 ((((m",
+                           "1 \xff\xfe"})
+    EXPECT_FALSE(parse_quantity(text)) << text;
+}
+
+TEST(Units, AnAngleIsADimensionOfItsOwn) {
+  EXPECT_FALSE(Unit::of("deg").same_dimension(Unit::of("1")));
+  EXPECT_FALSE(Unit::of("rpm").same_dimension(Unit::of("Hz")));
+  EXPECT_TRUE(Unit::of("N/mm^2").same_dimension(Unit::of("bar")));
+  EXPECT_TRUE(Unit::of("Nm").same_dimension(Unit::of("J")));
+}
+
+TEST(Units, DimensionsHaveTheirSiUnitAndWords) {
+  for (const char* unit : {"1", "m", "N", "Pa", "N/m", "rad", "Hz", "kg/m^3", "N m", "rad/s", "K"})
+    EXPECT_EQ(si_unit(Unit::of(unit).dimension()), unit);
+  EXPECT_EQ(si_unit(Unit::of("V").dimension()), "m^2 kg s^-3 A^-1");
+  EXPECT_EQ(words_for(Unit::of("rad")).noun, "an angle");
+  EXPECT_EQ(words_for(Unit::of("rad")).example, "22 deg");
+  EXPECT_EQ(unknown_unit("kpa"), "unknown unit \"kpa\", did you mean \"kPa\"?");
+}
+
+TEST(Units, EveryExampleIsAQuantityOfItsDimension) {
+  for (const char* unit : {"m",
+                           "N",
+                           "Pa",
+                           "N/m",
+                           "rad",
+                           "Hz",
+                           "kg/m^3",
+                           "N m",
+                           "rad/s",
+                           "K",
+                           "W",
+                           "V",
+                           "m^3",
+                           "kg m^2",
+                           "N m/rad",
+                           "Pa/m",
+                           "1/m",
+                           "Pa s",
+                           "N s/m"}) {
+    const auto example = parse_quantity(words_for(Unit::of(unit)).example);
+    ASSERT_TRUE(example) << unit;
+    EXPECT_TRUE(example->unit.same_dimension(Unit::of(unit))) << unit;
+  }
+}
+
+TEST(Units, FormatsForAPerson) {
+  EXPECT_EQ(format_quantity(2.6e5, "bar"), "2.6 bar");
+  EXPECT_EQ(format_quantity(0.1, "1"), "0.1");
+  EXPECT_EQ(format_quantity(std::numbers::pi, "deg", 3), "180 deg");
+}
+
+// Property: whatever bits, whatever unit, the text gives the bits back.
+TEST(Units, EverySiValueHasATextThatGivesItsBitsBack) {
+  std::uint64_t state = 1;
+  for (const char* name : {"bar", "mm", "in", "deg", "N/mm^2", "psi", "GPa", "lbf", "rpm", "1"}) {
+    const Unit unit = Unit::of(name);
+    for (int i = 0; i < 2000; ++i) {
+      state = state * 6364136223846793005u + 1442695040888963407u;
+      const double mantissa = 1.0 + static_cast<double>(state >> 12) * 0x1p-52;
+      const double value =
+          std::ldexp(i % 2 ? mantissa : -mantissa, static_cast<int>(state % 600) - 300);
+      const auto back = parse_quantity(unit.exact_number(value) + " " + name);
+      ASSERT_TRUE(back);
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(back->si), std::bit_cast<std::uint64_t>(value))
+          << name << " " << value;
+    }
+  }
+}
+
+TEST(Units, ShortNumbersStayShort) {
+  EXPECT_EQ(Unit::of("N/mm^2").exact_number(22.3e6), "22.3");
+  EXPECT_EQ(Unit::of("mm").exact_number(0.310), "310");
+  EXPECT_EQ(Unit::of("bar").exact_number(2.6e5), "2.6");
+  EXPECT_EQ(Unit::of("GPa").exact_number(0.0), "0");
+}
+
+TEST(Units, ThreadsMayAskAtOnce) {
+  std::vector<std::thread> threads;
+  std::vector<double> sums(4);
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([&sums, t] {
+      for (int i = 0; i < 500; ++i)
+        sums[t] += Unit::find("mm^" + std::to_string(1 + i % 9))->to_si(1.0L);
+    });
+  for (std::thread& thread : threads) thread.join();
+  for (int t = 1; t < 4; ++t) EXPECT_EQ(sums[t], sums[0]);
+}
+
+}  // namespace
+}  // namespace latsch
