@@ -27,10 +27,11 @@ target_link_libraries(lapack_blas INTERFACE
   -Wl,--push-state,--no-as-needed ${OPENBLAS_LIBRARY} -Wl,--pop-state ${CMAKE_DL_LIBS})
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 
-# Sequential MUMPS with the METIS ordering.
+# Sequential MUMPS, double and single precision, with the METIS ordering.
 find_library(DMUMPS_LIBRARY dmumps_seq REQUIRED)
+find_library(SMUMPS_LIBRARY smumps_seq REQUIRED)
 find_library(METIS_LIBRARY metis REQUIRED)
 find_path(DMUMPS_INCLUDE dmumps_c.h REQUIRED)
 add_library(mumps INTERFACE IMPORTED)
-target_link_libraries(mumps INTERFACE ${DMUMPS_LIBRARY} ${METIS_LIBRARY} lapack_blas)
+target_link_libraries(mumps INTERFACE ${DMUMPS_LIBRARY} ${SMUMPS_LIBRARY} ${METIS_LIBRARY} lapack_blas)
 target_include_directories(mumps INTERFACE ${DMUMPS_INCLUDE})

@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include "numerics/conjugate_gradients.h"
 #include "numerics/lattice_testing.h"
 
 namespace latsch::numerics {
@@ -32,6 +33,33 @@ TEST(Factorization, SolvesAsADenseSolverDoes) {
   Eigen::VectorXd x = B.col(4);
   factor.solve(x);
   EXPECT_LT((x - X.col(4)).norm(), 1e-12 * x.norm());
+}
+
+TEST(Factorization,
+     InSinglePrecisionIsAPreconditioner) {  // float rounds at 6e-8; two iterations square that away
+  const Lattice lattice({6, 4, 3}, 3);
+  const SymmetricPattern pattern(lattice.size(), lattice.elements());
+  SymmetricMatrix A(pattern);
+  lattice.assemble_random(A, 11);
+  Factorization factor(pattern, Precision::single);
+  ASSERT_TRUE(factor.factorize(A).definite());
+  for (double scale : {1.0, 1e-60, 1e60}) {  // beyond the exponents of float
+    const Eigen::VectorXd b = scale * Eigen::VectorXd::Random(A.size());
+    Eigen::VectorXd x = b, residual(A.size());
+    factor.solve(x);
+    A.multiply(x.data(), residual.data());
+    EXPECT_LT((residual - b).norm(), 1e-3 * b.norm());
+    ConjugateGradients cg(A.size());
+    const auto outcome = cg.solve(
+        [&](const Eigen::VectorXd& p, Eigen::VectorXd& Ap) { A.multiply(p.data(), Ap.data()); },
+        [&](Eigen::VectorXd& z) { factor.solve(z); },
+        b,
+        1e-11,
+        10,
+        x);
+    EXPECT_EQ(outcome.end, CgOutcome::End::converged);
+    EXPECT_LE(outcome.iterations, 4);
+  }
 }
 
 TEST(Factorization, CountsNegativeEigenvalues) {  // Sylvester's law of inertia
