@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace latsch::benchmarks {
+namespace {
+
+TEST(BenchmarkTable, FailsWhereOneRowFallsShort) {
+  Table table("example");
+  table.row("first", "0.1 %", "<= 0.2 %", true);
+  EXPECT_EQ(table.exit_code(), 0);
+  table.row("second", "0.3 %", "<= 0.2 %", false);
+  table.row("third", "0.1 %", "<= 0.2 %", true);
+  EXPECT_EQ(table.exit_code(), 1);
+}
+
+TEST(BenchmarkTable, FailsWhereNothingWasMeasured) {
+  Table table("example");
+  table.note("date", "today");
+  EXPECT_EQ(table.exit_code(), 1);
+}
+
+TEST(BenchmarkTable, PrintsOneLineARowWithFourColumns) {
+  testing::internal::CaptureStdout();
+  Table table("example");
+  table.row("contact \xC3\xA4rea", "1 %", "<= 2 %", true);
+  const std::string printed = testing::internal::GetCapturedStdout();
+  EXPECT_NE(printed.find("contact \xC3\xA4rea" + std::string(46, ' ') + " | 1 %"),
+            std::string::npos);
+  EXPECT_EQ(std::count(printed.begin(), printed.end(), '\n'), 3);
+}
+
+}  // namespace
+}  // namespace latsch::benchmarks
