@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Faces and local axes of an eight-node element in the numbering of CalculiX and Abaqus.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+namespace latsch::formats {
+
+using HexNodes = std::array<int, 8>;
+using Hex = Eigen::Matrix<double, 3, 8>;
+
+/// A direction along a local axis of an element: axis 0, 1, 2 and sign.
+struct LocalDirection {
+  int axis = 0;
+  int sign = 1;
+  LocalDirection operator-() const { return {axis, -sign}; }
+  bool operator==(const LocalDirection&) const = default;
+};
+
+/// The outward direction of face 1 to 6.
+LocalDirection face_direction(int face);
+
+/// The four node positions (0 to 7) of the face an outward direction points through.
+std::array<int, 4> face_corners(LocalDirection outward);
+
+/// From the middle of the opposite face to the middle of the face.
+Eigen::Vector3d span(const Hex& X, LocalDirection direction);
+
+/// Least volume spanned by the three edges at a corner; not positive where the element is inverted.
+double smallest_corner_volume(const Hex& X);
+
+/// For each node of an element whose local axes are xi, xi's right-handed partner eta and zeta: its
+/// position in the present numbering. xi and zeta belong to different axes.
+std::array<int, 8> renumbering(LocalDirection xi, LocalDirection zeta);
+
+}  // namespace latsch::formats

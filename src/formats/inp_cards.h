@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The outer form of an .inp file (CalculiX, Abaqus): keyword lines with options, data lines of
+// fields.
+//
+//   *ELEMENT, TYPE=C3D8, ELSET=TIRE      keyword, options
+//   1, 1, 91, 94, 4, ...                 data
+//   ** a comment
+//
+// Keywords, options and set names mean the same in any case and come out in capitals.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+
+namespace latsch::formats {
+
+/// The fields of one data line, blanks stripped.
+struct InpLine {
+  int number = 0;
+  std::vector<std::string> fields;
+};
+
+/// A keyword and the data lines below it.
+struct InpCard {
+  std::string keyword;                         // "SOLID SECTION"
+  std::map<std::string, std::string> options;  // "ELSET" -> "TIRE"; an option without value -> ""
+  std::vector<InpLine> lines;
+  Place place;
+
+  bool has(const std::string& option) const { return options.count(option) > 0; }
+  /// Throws InputError where the option is missing.
+  const std::string& option(const std::string& name) const;
+  std::string option(const std::string& name, const std::string& fallback) const;
+
+  Place at(const InpLine& line) const { return {place.file, line.number}; }
+  /// Field `index` of a line as a finite number or an integer; throws InputError naming the line.
+  double number(const InpLine& line, std::size_t index) const;
+  double number(const InpLine& line, std::size_t index, double fallback) const;
+  int integer(const InpLine& line, std::size_t index) const;
+  const std::string& text(const InpLine& line, std::size_t index) const;
+  /// All numbers of all lines one after the other.
+  std::vector<double> numbers() const;
+};
+
+/// Throws InputError on data before the first keyword, on a line longer than 4,096 characters and
+/// on bytes that are not text.
+std::vector<InpCard> split_cards(std::string_view text, const std::string& file_name);
+
+}  // namespace latsch::formats
