@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/objective.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace latsch::correlation {
+namespace {
+
+/// Mean and maximum of |errors|.
+void summarize_errors(Comparison& comparison) {
+  double sum = 0.0;
+  for (double error : comparison.errors) {
+    sum += std::abs(error);
+    comparison.largest_error = std::max(comparison.largest_error, std::abs(error));
+  }
+  comparison.mean_error = sum / static_cast<double>(comparison.errors.size());
+}
+
+double mean_power(const std::vector<double>& differences, double k) {
+  double sum = 0.0;
+  for (double d : differences) sum += std::pow(std::abs(d), k);
+  return sum / static_cast<double>(differences.size());
+}
+
+double relative(double measured, double simulated) { return (measured - simulated) / measured; }
+
+}  // namespace
+
+Comparison compare_forces(const std::vector<double>& measured,
+                          const std::vector<double>& simulated,
+                          const ObjectiveSettings& settings) {
+  assert(!measured.empty() && measured.size() == simulated.size());
+  Comparison comparison;
+  std::vector<double> differences;
+  for (size_t j = 0; j < measured.size(); ++j) {
+    assert(measured[j] > 0.0);
+    comparison.errors.push_back(relative(measured[j], simulated[j]));  // (2)
+    const double root = std::sqrt(std::max(0.0, simulated[j]));
+    differences.push_back(settings.compared == Compared::root_force
+                              ? relative(std::sqrt(measured[j]), root)
+                              : comparison.errors.back());
+  }
+  comparison.value = mean_power(differences, settings.exponent);
+  summarize_errors(comparison);
+  return comparison;
+}
+
+Comparison compare_modes(const std::vector<ModeRecord>& measured,
+                         const std::vector<ModeRecord>& simulated,
+                         const ObjectiveSettings& settings) {
+  assert(!measured.empty());
+  Comparison comparison;
+  comparison.pairing = pair_modes(measured, simulated, settings.pairing);
+  comparison.errors.assign(measured.size(), settings.missing_mode);
+  for (const ModePair& pair : comparison.pairing.pairs) {
+    comparison.errors[pair.measured] =
+        relative(measured[pair.measured].frequency, simulated[pair.simulated].frequency);  // (1)
+  }
+  comparison.value = mean_power(comparison.errors, settings.exponent);
+  summarize_errors(comparison);
+  return comparison;
+}
+
+double target(const std::vector<Comparison>& comparisons, const std::vector<double>& weights) {
+  assert(comparisons.size() == weights.size());
+  double sum = 0.0, total = 0.0;
+  for (size_t e = 0; e < comparisons.size(); ++e) {
+    sum += weights[e] * comparisons[e].value;
+    total += weights[e];
+  }
+  assert(total > 0.0);
+  return sum / total;
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "correlation/variables.h"
+#include "models/fe_tire/tire_description.h"
+
+namespace latsch::correlation {
+namespace {
+
+constexpr long kMostSteps = 1'000'000;
+constexpr long kMostLevels = 1000;
+constexpr long kMostWorkers = 1024;
+
+DesignSpace read_variables(const Node& root, const Document& model) {
+  std::vector<DesignVariable> variables;
+  for (const Node& table : root.named_tables("variable")) {
+    variables.push_back(read_variable(table, model));
+  }
+  if (variables.empty())
+    root.reject("variable", "is missing, expected at least one [variable.NAME]");
+  return DesignSpace(std::move(variables));
+}
+
+/// The model has to accept every bound of every variable: better said before the first trial than
+/// after a night.
+void check_bounds(const Node& root, const Document& model, const DesignSpace& space) {
+  const auto tables = root.named_tables("variable");
+  const auto accept = [&](int i, const char* key, double value) {
+    DesignPoint point = space.initial();
+    point.values[i] = value;
+    const Document changed = at(model, space, point);
+    try {
+      fe_tire::build_mesh(fe_tire::read_tire(changed.root()));
+    } catch (const InputError& error) {
+      tables[i].reject(key, std::string("is a value the model does not accept: ") + error.what());
+    }
+  };
+  for (int i = 0; i < space.size(); ++i) {
+    accept(i, "initial", space[i].initial);
+    accept(i, "lower", space[i].lower);
+    accept(i, "upper", space[i].upper);
+  }
+}
+
+std::vector<StudyExperiment> read_experiments(const Node& root,
+                                              const std::filesystem::path& folder,
+                                              Measurements measurements) {
+  std::vector<StudyExperiment> experiments;
+  double weights = 0.0;
+  for (const Node& table : root.named_tables("experiment")) {
+    experiments.push_back(read_experiment(table, folder, measurements));
+    if (experiments.back().fitted) weights += experiments.back().objective.weight;
+  }
+  if (!(weights > 0.0)) {
+    root.reject("experiment", "fits nothing, expected an [experiment.NAME] of positive weight");
+  }
+  return experiments;
+}
+
+GssOptions read_gss(const Node& node) {
+  const GssOptions d;
+  const Range share{0.0, 1.0, true};
+  GssOptions options;
+  options.initial_step = node.quantity("initial_step", "1", share, d.initial_step);
+  options.step_tolerance = node.quantity("step_tolerance", "1", share, d.step_tolerance);
+  options.contraction = node.quantity("contraction", "1", share, d.contraction);
+  options.sufficient_decrease =
+      node.quantity("sufficient_decrease", "1", Range::not_negative(), d.sufficient_decrease);
+  return options;
+}
+
+std::vector<int> read_levels(const Node& doe, const DesignSpace& space) {
+  const int all = static_cast<int>(doe.integer("levels", 1, kMostLevels));
+  std::vector<int> levels(space.size(), all);
+  if (const auto table = doe.find_table("levels_of")) {
+    for (int i = 0; i < space.size(); ++i) {
+      levels[i] = static_cast<int>(table->integer(space[i].name, 1, kMostLevels, all));
+    }
+  }
+  return levels;
+}
+
+RunSettings read_run(const Node* node, const std::filesystem::path& file) {
+  RunSettings run;
+  const auto folder = file.parent_path();
+  run.journal = folder / (file.stem().string() + ".journal");
+  if (!node) return run;
+  run.workers = static_cast<int>(node->integer("workers", 1, kMostWorkers, 1));
+  run.timeout = node->quantity("timeout", "s", Range::positive(), run.timeout);
+  run.journal = folder / node->text("journal", run.journal.filename().string());
+  return run;
+}
+
+std::string list(const Eigen::Matrix3Xd& points) {
+  std::string text;
+  for (double x : points.reshaped()) text += fmt::format("{} ", x);
+  return text;
+}
+
+std::string text_of(const experiment::LoadCase& load_case) {
+  const auto* curve = std::get_if<experiment::LoadDeflection>(&load_case.test);
+  if (curve) {
+    return fmt::format("load_deflection pressure {} mu {} penalty {} deflections {} radii {}",
+                       curve->pressure,
+                       curve->ground.mu,
+                       curve->ground.stiffness,
+                       fmt::join(curve->deflections, " "),
+                       fmt::join(curve->loaded_radii, " "));
+  }
+  const auto& modal = std::get<experiment::ModalTest>(load_case.test);
+  return fmt::format("modes pressure {} mu {} penalty {} deflection {} load {} count {} points {}",
+                     modal.pressure,
+                     modal.ground.mu,
+                     modal.ground.stiffness,
+                     modal.deflection.value_or(0.0),
+                     modal.load.value_or(0.0),
+                     modal.count,
+                     list(modal.points));
+}
+
+}  // namespace
+
+Study read_study(const std::filesystem::path& file, Measurements measurements) {
+  const Document document = Document::read(file);
+  const Node root = document.root();
+  const auto folder = file.parent_path();
+  const auto model_file = folder / root.text("model");
+  if (!std::filesystem::exists(model_file)) {
+    root.reject("model", fmt::format("is \"{}\", which does not exist", model_file.string()));
+  }
+  Document model = Document::read(model_file);
+  fe_tire::read_tire(model.root());
+
+  DesignSpace space = read_variables(root, model);
+  check_bounds(root, model, space);
+  Study study{file,
+              root.text("title", file.stem().string()),
+              model_file,
+              std::move(model),
+              std::move(space),
+              read_experiments(root, folder, measurements),
+              {},
+              1000,
+              {},
+              {}};
+  if (const auto optimizer = root.find_table("optimizer")) {
+    optimizer->choice("method", {"gss"}, "gss");
+    study.gss = read_gss(*optimizer);
+    study.max_steps = optimizer->integer("max_steps", 1, kMostSteps, study.max_steps);
+  }
+  if (const auto doe = root.find_table("doe")) study.doe_levels = read_levels(*doe, study.space);
+  const auto run = root.find_table("run");
+  study.run = read_run(run ? &*run : nullptr, file);
+  root.close();
+  return study;
+}
+
+StudyIdentity identity(const Study& study) {
+  std::string varied, cases;
+  for (const DesignVariable& variable : study.space.variables()) {
+    varied += fmt::format("{}: {}\n", variable.name, fmt::join(variable.paths, ", "));
+  }
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (!experiment.fitted) continue;
+    cases += fmt::format("{}: {}\n", experiment.name, text_of(experiment.load_case));
+  }
+  return {{"model", study.model.text()}, {"variables", varied}, {"experiments", cases}};
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// All that reproduces a correlation: a model, what may vary in it, the experiments with their
+// measurements, the optimizer.
+//
+//   title = "Tire B, three moduli"
+//   model = "tire_b.toml"                     # beside this file
+//
+//   [variable.matrix]                         # see variables.h
+//   [experiment.stiffness]                    # see study_experiment.h
+//
+//   [optimizer]
+//   method = "gss"
+//   step_tolerance = 0.001                    # of the range of a variable, as initial_step = 0.2
+//   contraction = 0.5
+//   sufficient_decrease = 0.01
+//   max_steps = 1000                          # outcomes the optimizer may observe
+//
+//   [doe]
+//   levels = 5                                # full factorial: values of every variable
+//   levels_of = {belt = 1}                    # of single variables; 1: keeps its initial value
+//
+//   [run]
+//   workers = 2                               # processes; the result does not depend on it
+//   timeout = "10 min"                        # a trial
+//   journal = "study.journal"                 # beside this file
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/document.h"
+#include "correlation/study_experiment.h"
+#include "evaluation/journal.h"
+#include "optimization/design_space.h"
+#include "optimization/gss.h"
+
+namespace latsch::correlation {
+
+struct RunSettings {
+  int workers = 1;
+  double timeout = 600.0;  // s
+  std::filesystem::path journal;
+};
+
+struct Study {
+  std::filesystem::path file;
+  std::string title;
+  std::filesystem::path model_file;
+  Document model;  // as written; with the variables at a point: at(model, space, point)
+  DesignSpace space;
+  std::vector<StudyExperiment> experiments;  // in the order of the file
+  GssOptions gss;
+  long max_steps = 1000;
+  std::vector<int> doe_levels;  // one a variable, 1: not varied; empty: no [doe]
+  RunSettings run;
+};
+
+/// Throws InputError naming file, line, found and expected: for the study, its model and its
+/// measurements. With Measurements::not_yet, measurement files need not exist: for writing them
+/// from the model.
+Study read_study(const std::filesystem::path& file,
+                 Measurements measurements = Measurements::required);
+
+/// What the channels of a trial depend on, for the journal: model, varied paths, load cases.
+/// Objectives are not part of it: they can be changed and recomputed from stored channels.
+StudyIdentity identity(const Study& study);
+
+}  // namespace latsch::correlation

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/study_experiment.h"
+
+#include <cmath>
+
+#include "correlation/measured_tables.h"
+
+namespace latsch::correlation {
+namespace {
+
+using experiment::LoadDeflection;
+using experiment::ModalTest;
+
+constexpr int kMoreModesThanMeasured = 8;  // so that a swapped neighbor is among them
+constexpr long kMostModes = 200;
+
+ObjectiveSettings read_objective(const Node& table) {
+  ObjectiveSettings settings;
+  settings.weight = table.quantity("weight", "1", Range::not_negative(), settings.weight);
+  settings.exponent = table.quantity("exponent", "1", Range::positive(), settings.exponent);
+  return settings;
+}
+
+fe_tire::Ground read_ground(const Node& table) {
+  fe_tire::Ground ground;
+  ground.mu = table.quantity("friction", "1", Range::between(0.0, 5.0), 0.0);
+  return ground;
+}
+
+/// The measurement file named by `key`; empty where it does not exist and need not.
+std::filesystem::path find_file(const Node& table,
+                                const std::string& key,
+                                const std::filesystem::path& folder,
+                                Measurements measurements) {
+  const auto file = folder / table.text(key);
+  if (std::filesystem::exists(file)) return file;
+  if (measurements == Measurements::not_yet) return {};
+  table.reject(key,
+               "is \"" + table.text(key) +
+                   "\", which does not exist; measure it, or write it from the model itself with "
+                   "latsch export --measurements");
+}
+
+void read_load_deflection(const Node& table,
+                          const std::filesystem::path& folder,
+                          Measurements measurements,
+                          StudyExperiment& experiment) {
+  LoadDeflection test;
+  test.pressure = table.quantity("pressure", "Pa", Range::positive());
+  test.ground = read_ground(table);
+  experiment.objective.compared =
+      table.choice("compare", {"force", "root_force"}, "force") == "force" ? Compared::force
+                                                                           : Compared::root_force;
+  if (table.has("deflections")) {
+    test.deflections = table.quantities("deflections", "m", Range::positive());
+  }
+  const auto file = find_file(table, "measurement", folder, measurements);
+  if (!file.empty()) {
+    MeasuredCurve curve = read_curve(file);
+    test.deflections = std::move(curve.deflections);
+    test.loaded_radii = std::move(curve.loaded_radii);
+    experiment.forces = std::move(curve.forces);
+  } else if (test.deflections.empty()) {
+    table.reject("deflections", "is missing: without a measurement it says where to compute one");
+  }
+  experiment.load_case.test = std::move(test);
+}
+
+void read_state(const Node& table, ModalTest& test) {
+  if (table.has("deflection") && table.has("load")) {
+    table.reject("load", "stands beside deflection, expected one of them");
+  }
+  if (table.has("deflection"))
+    test.deflection = table.quantity("deflection", "m", Range::positive());
+  if (table.has("load")) test.load = table.quantity("load", "N", Range::positive());
+}
+
+void read_modal(const Node& table,
+                const std::filesystem::path& folder,
+                Measurements measurements,
+                StudyExperiment& experiment) {
+  ModalTest test;
+  test.pressure = table.quantity("pressure", "Pa", Range::positive());
+  test.ground = read_ground(table);
+  read_state(table, test);
+  ObjectiveSettings& objective = experiment.objective;
+  objective.missing_mode =
+      table.quantity("missing_mode", "1", Range::not_negative(), objective.missing_mode);
+  objective.pairing.min_likeness =
+      table.quantity("min_mac", "1", {0.0, 1.0, true}, objective.pairing.min_likeness);
+
+  long measured = table.integer("measured_modes", 1, kMostModes, 0);
+  const auto file = find_file(table, "measurement", folder, measurements);
+  if (!file.empty()) {
+    experiment.modes = read_modes(file);
+    measured = static_cast<long>(experiment.modes.size());
+  } else if (measured == 0) {
+    table.reject("measured_modes", "is missing: without a measurement it says how many to compute");
+  }
+  if (table.has("shapes")) {
+    experiment.shapes_file = folder / table.text("shapes");
+    const auto shapes = find_file(table, "shapes", folder, measurements);
+    if (!file.empty() && !shapes.empty()) test.points = read_shapes(shapes, experiment.modes);
+  }
+  experiment.measured_modes = static_cast<int>(measured);
+  test.count =
+      static_cast<int>(table.integer("simulated_modes",
+                                     measured,
+                                     kMostModes,
+                                     std::min(kMostModes, measured + kMoreModesThanMeasured)));
+  experiment.load_case.test = std::move(test);
+}
+
+}  // namespace
+
+StudyExperiment read_experiment(const Node& table,
+                                const std::filesystem::path& folder,
+                                Measurements measurements) {
+  StudyExperiment experiment;
+  experiment.name = table.name();
+  experiment.load_case.name = table.name();
+  experiment.objective = read_objective(table);
+  experiment.fitted = table.choice("use", {"fit", "predict"}, "fit") == "fit";
+  experiment.measurement_file = folder / table.text("measurement");
+  if (table.choice("kind", {"load_deflection", "modes"}) == "modes") {
+    read_modal(table, folder, measurements, experiment);
+  } else {
+    read_load_deflection(table, folder, measurements, experiment);
+  }
+  return experiment;
+}
+
+Comparison compare(const StudyExperiment& experiment, const Channels& channels) {
+  if (experiment.modal()) {
+    return compare_modes(
+        experiment.modes, experiment::mode_records(channels), experiment.objective);
+  }
+  return compare_forces(experiment.forces, channels["force"], experiment.objective);
+}
+
+}  // namespace latsch::correlation

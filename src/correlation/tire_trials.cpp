@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/tire_trials.h"
+
+#include "correlation/variables.h"
+#include "experiment/tire_rig.h"
+
+namespace latsch::correlation {
+
+using fe_tire::FeTire;
+
+TireTrials::TireTrials(const Study& study) : study_(study) {}
+
+FeTire& TireTrials::tire_at(const DesignPoint& point) {
+  const auto description = fe_tire::read_tire(at(study_.model, study_.space, point).root());
+  fe_tire::Materials materials = fe_tire::build_materials(description);
+  if (tire_ && fe_tire::same_mesh(*description_, description)) {
+    tire_->set(std::move(materials));
+  } else {
+    fe_tire::SolverSettings settings;
+    settings.element = description.element;
+    tire_.emplace(fe_tire::build_mesh(description), std::move(materials), settings);
+  }
+  description_ = description;
+  return *tire_;
+}
+
+Result<Channels> TireTrials::run(const DesignPoint& point, bool predicted) {
+  std::vector<const StudyExperiment*> experiments;
+  std::vector<experiment::LoadCase> cases;
+  for (const StudyExperiment& experiment : study_.experiments) {
+    if (!experiment.fitted && !predicted) continue;
+    experiments.push_back(&experiment);
+    cases.push_back(experiment.load_case);
+  }
+  std::vector<Result<Channels>> results;
+  try {
+    results = experiment::run(tire_at(point), cases);
+  } catch (const InputError& error) {  // the bounds were checked one by one, not every combination
+    return Failure{std::string("the model does not accept this point: ") + error.what()};
+  }
+  Channels all;
+  for (size_t e = 0; e < results.size(); ++e) {
+    if (!results[e]) return results[e].failure();
+    for (Channel channel : results[e]->all()) {
+      channel.name = experiments[e]->name + "/" + channel.name;
+      all.add(std::move(channel));
+    }
+  }
+  return all;
+}
+
+Evaluator evaluator(const Study& study) {
+  return [trials = std::make_shared<TireTrials>(study)](const DesignPoint& point) {
+    return trials->run(point);
+  };
+}
+
+Channels channels_of(const StudyExperiment& experiment, const Channels& trial) {
+  const std::string prefix = experiment.name + "/";
+  Channels own;
+  for (Channel channel : trial.all()) {
+    if (!channel.name.starts_with(prefix)) continue;
+    channel.name.erase(0, prefix.size());
+    own.add(std::move(channel));
+  }
+  return own;
+}
+
+Objective objective(const Study& study) {
+  std::vector<StudyExperiment> fitted;
+  std::vector<double> weights;
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (!experiment.fitted) continue;
+    fitted.push_back(experiment);
+    weights.push_back(experiment.objective.weight);
+  }
+  return [fitted, weights](const Channels& channels) -> Result<Score> {
+    std::vector<Comparison> comparisons;
+    Score score;
+    for (const StudyExperiment& experiment : fitted) {
+      comparisons.push_back(compare(experiment, channels_of(experiment, channels)));
+      const auto& errors = comparisons.back().errors;
+      score.residuals.insert(score.residuals.end(), errors.begin(), errors.end());
+    }
+    score.value = target(comparisons, weights);
+    return score;
+  };
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// One trial of a study: set the variables, build the tire, run every experiment on the virtual rig,
+// compare.
+//
+// The channels of a trial are those of all its experiments under "EXPERIMENT/CHANNEL". The
+// finite-element tire and its symbolic work are kept from trial to trial as long as the mesh stays
+// the same; the outcome of a trial does not depend on the trials before it.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "correlation/study.h"
+#include "evaluation/evaluator.h"
+#include "models/fe_tire/fe_tire.h"
+#include "models/fe_tire/tire_description.h"
+
+namespace latsch::correlation {
+
+class TireTrials {
+ public:
+  explicit TireTrials(const Study& study);
+
+  /// All experiments that are fitted; with `predicted` the others too. Values the model does not
+  /// accept are a Failure.
+  Result<Channels> run(const DesignPoint& point, bool predicted = false);
+
+  /// The tire at a point. Throws InputError where the model does not accept it.
+  fe_tire::FeTire& tire_at(const DesignPoint& point);
+
+ private:
+  Study study_;
+  std::optional<fe_tire::TireDescription> description_;  // of tire_
+  std::optional<fe_tire::FeTire> tire_;
+};
+
+/// run() as the evaluation service wants it.
+Evaluator evaluator(const Study& study);
+
+/// The target over the fitted experiments, with the signed errors (1), (2) as residuals.
+Objective objective(const Study& study);
+
+/// The channels of one experiment out of those of a trial, under their own names.
+Channels channels_of(const StudyExperiment& experiment, const Channels& trial);
+
+}  // namespace latsch::correlation
