@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is wrong with the user's data: where it stands, what was found, what was expected.
-// (A bug of ours is an assert; a simulation that does not succeed is a Failure value, see result.h.)
+// (A bug of ours is an assert; a simulation that does not succeed is a Failure value, see
+// result.h.)
 #pragma once
 
 #include <stdexcept>
@@ -17,7 +18,8 @@ struct Place {
   std::string text() const;
 };
 
-/// Thrown for wrong input. what() reads `tire_b.toml:41: belt.angle is "22 N", expected an angle such as "22 deg"`.
+/// Thrown for wrong input. what() reads `tire_b.toml:41: belt.angle is "22 N", expected an angle
+/// such as "22 deg"`.
 class InputError : public std::runtime_error {
  public:
   InputError(const Place& place, const std::string& message);

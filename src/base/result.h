@@ -9,7 +9,8 @@
 
 namespace latsch {
 
-/// Why a simulation gave no result: one sentence naming the step, the residual, the place and a hint.
+/// Why a simulation gave no result: one sentence naming the step, the residual, the place and a
+/// hint.
 struct Failure {
   std::string reason;
 };

@@ -225,7 +225,8 @@ Unit Unit::of(std::string_view text) {
 }
 
 double Unit::to_si(long double number) const {
-  return static_cast<double>(number * factor_ + offset_);
+  const long double si = number * factor_;
+  return static_cast<double>(offset_ == 0.0L ? si : si + offset_);  // -0 + 0 would lose the sign
 }
 
 double Unit::from_si(double value) const {

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/document_node.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/document_number.h"
+#include "base/text.h"
+
+namespace latsch {
+namespace {
+
+using Kind = DocumentValue::Kind;
+
+/// `an angle such as "22 deg"`
+std::string expectation(const Unit& unit) {
+  const DimensionWords words = words_for(unit);
+  if (unit.dimensionless()) return words.noun + " such as " + words.example;
+  return words.noun + " such as " + in_quotes(words.example);
+}
+
+[[noreturn]] void reject_value(const DocumentTree& tree,
+                               const DocumentValue& value,
+                               const std::string& message) {
+  throw InputError({tree.file(), value.line}, value.path + " " + message);
+}
+
+/// Why a value is not a finite number in that dimension.
+std::string fault_of(const DocumentValue& value, const Unit& expected) {
+  const std::string found = "is " + written(value) + ", ";
+  if (value.kind == Kind::number && value.unit.empty() && !expected.dimensionless()) {
+    const DimensionWords words = words_for(expected);
+    return found + "expected " + words.noun + " with its unit, such as " + in_quotes(words.example);
+  }
+  const std::string wanted = found + "expected " + expectation(expected);
+  if (value.kind == Kind::number && !value.unit.empty() && !Unit::find(value.unit))
+    return wanted + " (" + unknown_unit(value.unit) + ")";
+  if (value.kind == Kind::number && value.unit.empty()) return found + "expected a finite number";
+  if (value.kind != Kind::text) return wanted;
+  const auto parts = split_number(value.text);
+  if (!parts || parts->rest.empty()) return wanted;
+  const auto unit = Unit::find(parts->rest);
+  if (!unit) return wanted + " (" + unknown_unit(parts->rest) + ")";
+  return std::isfinite(unit->to_si(parts->number)) ? wanted : found + "expected a finite number";
+}
+
+/// "more than 0 mm", "0 to 1", "at least 3 bar": the range in the unit the value is written in.
+std::string describe(const Range& range, const Unit& unit) {
+  const auto bound = [&](double si) {
+    const std::string number = format_number(unit.from_si(si), 12);
+    return unit.text() == "1" ? number : number + " " + unit.text();
+  };
+  const bool above = std::isfinite(range.lower), below = std::isfinite(range.upper);
+  if (above && below)
+    return (range.lower_excluded ? "more than " + bound(range.lower) + " and at most "
+                                 : bound(range.lower) + " to ") +
+           bound(range.upper);
+  if (below) return "at most " + bound(range.upper);
+  return (range.lower_excluded ? "more than " : "at least ") + bound(range.lower);
+}
+
+bool contains(const Range& range, double value) {
+  return range.lower_excluded ? value > range.lower && value <= range.upper
+                              : value >= range.lower && value <= range.upper;
+}
+
+double read_number(const DocumentTree& tree,
+                   const DocumentValue& value,
+                   const Unit& expected,
+                   const Range& range) {
+  const auto number = number_of(value);
+  if (!number || !number->unit.same_dimension(expected))
+    reject_value(tree, value, fault_of(value, expected));
+  if (!contains(range, number->si))
+    reject_value(
+        tree, value, "is " + written(value) + ", expected " + describe(range, number->unit));
+  return number->si;
+}
+
+}  // namespace
+
+std::string written(const DocumentValue& value) {
+  switch (value.kind) {
+    case Kind::table:
+      return "a table";
+    case Kind::list:
+      return "a list";
+    case Kind::text:
+      return in_quotes(value.text);
+    case Kind::flag:
+      return value.flag ? "true" : "false";
+    case Kind::date:
+      return "a date or time";
+    case Kind::number:
+      return value.unit.empty() ? value.text : in_quotes(value.text + " " + value.unit);
+  }
+  return "";
+}
+
+const DocumentValue* Node::Impl::ask(std::string_view key) const {
+  (*asked)[index].emplace(key);
+  const int child = tree->child(index, key);
+  return child < 0 ? nullptr : &tree->value(child);
+}
+
+bool Node::has(std::string_view key) const { return impl_->ask(key) != nullptr; }
+
+double Node::quantity(std::string_view key, std::string_view unit, Range range) const {
+  const Unit expected = Unit::of(unit);
+  const DocumentValue* value = impl_->ask(key);
+  if (!value) reject(key, "is missing, expected " + expectation(expected));
+  return read_number(*impl_->tree, *value, expected, range);
+}
+
+double Node::quantity(std::string_view key,
+                      std::string_view unit,
+                      Range range,
+                      double fallback) const {
+  return has(key) ? quantity(key, unit, range) : fallback;
+}
+
+std::vector<double> Node::quantities(std::string_view key,
+                                     std::string_view unit,
+                                     Range range) const {
+  const Unit expected = Unit::of(unit);
+  const DocumentValue* list = impl_->ask(key);
+  const std::string wanted = "expected a list of values, each " + expectation(expected);
+  if (!list) reject(key, "is missing, " + wanted);
+  if (list->kind != Kind::list) reject(key, "is " + written(*list) + ", " + wanted);
+  std::vector<double> values;
+  for (const int child : list->children)
+    values.push_back(read_number(*impl_->tree, impl_->tree->value(child), expected, range));
+  return values;
+}
+
+std::vector<std::vector<double>> Node::rows(std::string_view key,
+                                            const std::vector<std::string>& units) const {
+  std::vector<Unit> expected;
+  for (const std::string& unit : units) expected.push_back(Unit::of(unit));
+  const DocumentValue* list = impl_->ask(key);
+  const std::string wanted = fmt::format("expected a list of rows of {} values", units.size());
+  if (!list) reject(key, "is missing, " + wanted);
+  if (list->kind != Kind::list) reject(key, "is " + written(*list) + ", " + wanted);
+  std::vector<std::vector<double>> rows;
+  for (const int child : list->children) {
+    const DocumentValue& row = impl_->tree->value(child);
+    if (row.kind != Kind::list)
+      reject_value(*impl_->tree, row, "is " + written(row) + ", " + wanted);
+    if (row.children.size() != units.size())
+      reject_value(
+          *impl_->tree,
+          row,
+          fmt::format(
+              "has {} values, expected {} in every row", row.children.size(), units.size()));
+    rows.emplace_back();
+    for (std::size_t i = 0; i < units.size(); ++i)
+      rows.back().push_back(
+          read_number(*impl_->tree, impl_->tree->value(row.children[i]), expected[i], {}));
+  }
+  return rows;
+}
+
+long Node::integer(std::string_view key, long lower, long upper) const {
+  const DocumentValue* value = impl_->ask(key);
+  const std::string wanted = fmt::format("expected an integer from {} to {}", lower, upper);
+  if (!value) reject(key, "is missing, " + wanted);
+  if (value->kind == Kind::number && value->integer && value->unit.empty()) {
+    const long found = std::stol(value->text);
+    if (found >= lower && found <= upper) return found;
+  }
+  reject(key, "is " + written(*value) + ", " + wanted);
+}
+
+long Node::integer(std::string_view key, long lower, long upper, long fallback) const {
+  return has(key) ? integer(key, lower, upper) : fallback;
+}
+
+bool Node::flag(std::string_view key, bool fallback) const {
+  const DocumentValue* value = impl_->ask(key);
+  if (!value) return fallback;
+  if (value->kind != Kind::flag) reject(key, "is " + written(*value) + ", expected true or false");
+  return value->flag;
+}
+
+std::string Node::text(std::string_view key) const {
+  const DocumentValue* value = impl_->ask(key);
+  if (!value) reject(key, "is missing, expected a text in quotes");
+  if (value->kind != Kind::text)
+    reject(key, "is " + written(*value) + ", expected a text in quotes");
+  return value->text;
+}
+
+std::string Node::text(std::string_view key, std::string_view fallback) const {
+  return has(key) ? text(key) : std::string(fallback);
+}
+
+std::string Node::choice(std::string_view key, const std::vector<std::string>& allowed) const {
+  const DocumentValue* value = impl_->ask(key);
+  if (!value) reject(key, "is missing, expected " + list_of(allowed));
+  if (value->kind == Kind::text &&
+      std::find(allowed.begin(), allowed.end(), value->text) != allowed.end())
+    return value->text;
+  reject(key,
+         "is " + written(*value) + ", expected " + list_of(allowed) +
+             (value->kind == Kind::text ? did_you_mean(value->text, allowed) : ""));
+}
+
+std::string Node::choice(std::string_view key,
+                         const std::vector<std::string>& allowed,
+                         std::string_view fallback) const {
+  return has(key) ? choice(key, allowed) : std::string(fallback);
+}
+
+std::vector<std::string> Node::texts(std::string_view key) const {
+  const DocumentValue* list = impl_->ask(key);
+  const std::string wanted = "expected a list of texts in quotes";
+  if (!list) reject(key, "is missing, " + wanted);
+  if (list->kind != Kind::list) reject(key, "is " + written(*list) + ", " + wanted);
+  std::vector<std::string> texts;
+  for (const int child : list->children) {
+    const DocumentValue& value = impl_->tree->value(child);
+    if (value.kind != Kind::text)
+      reject_value(*impl_->tree, value, "is " + written(value) + ", expected a text in quotes");
+    texts.push_back(value.text);
+  }
+  return texts;
+}
+
+Node Node::table(std::string_view key) const {
+  if (auto table = find_table(key)) return *table;
+  reject(key,
+         fmt::format("is missing, expected a table [{}]",
+                     path().empty() ? key : path() + "." + std::string(key)));
+}
+
+std::optional<Node> Node::find_table(std::string_view key) const {
+  const DocumentValue* value = impl_->ask(key);
+  if (!value) return std::nullopt;
+  if (value->kind != Kind::table) reject(key, "is " + written(*value) + ", expected a table");
+  return Node(std::make_shared<Impl>(
+      Impl{impl_->tree, impl_->asked, impl_->tree->child(impl_->index, key)}));
+}
+
+std::vector<Node> Node::named_tables(std::string_view key) const {
+  const DocumentValue* parent = impl_->ask(key);
+  std::vector<Node> nodes;
+  if (!parent) return nodes;
+  if (parent->kind != Kind::table && parent->kind != Kind::list)
+    reject(key, "is " + written(*parent) + ", expected tables below it");
+  const int index = impl_->tree->child(impl_->index, key);
+  for (const int child : parent->children) {
+    const DocumentValue& value = impl_->tree->value(child);
+    if (value.kind != Kind::table)
+      reject_value(*impl_->tree, value, "is " + written(value) + ", expected a table");
+    (*impl_->asked)[index].emplace(value.key);
+    nodes.push_back(Node(std::make_shared<Impl>(Impl{impl_->tree, impl_->asked, child})));
+  }
+  return nodes;
+}
+
+const std::string& Node::name() const { return impl_->value().key; }
+
+const std::string& Node::path() const { return impl_->value().path; }
+
+Place Node::place() const { return impl_->tree->place(impl_->index); }
+
+Place Node::place(std::string_view key) const {
+  const int child = impl_->tree->child(impl_->index, key);
+  return impl_->tree->place(child < 0 ? impl_->index : child);
+}
+
+void Node::reject(std::string_view key, const std::string& message) const {
+  const std::string prefix = path().empty() ? "" : path() + ".";
+  throw InputError(place(key), prefix + std::string(key) + " " + message);
+}
+
+void Node::close() const {
+  const auto& known = (*impl_->asked)[impl_->index];
+  for (const int child : impl_->value().children) {
+    const DocumentValue& value = impl_->tree->value(child);
+    if (!known.contains(value.key))
+      throw InputError({impl_->tree->file(), value.line},
+                       "unknown key " + in_quotes(value.path) +
+                           did_you_mean(value.key, {known.begin(), known.end()}));
+    const auto is_table = [&](int i) { return impl_->tree->value(i).kind == Kind::table; };
+    // [[kind]] and [kind.name] hold tables that named_tables() read.
+    const bool list_of_tables =
+        value.kind == Kind::list && !value.children.empty() && is_table(value.children.front());
+    if (is_table(child) || list_of_tables)
+      Node(std::make_shared<Impl>(Impl{impl_->tree, impl_->asked, child})).close();
+  }
+}
+
+}  // namespace latsch

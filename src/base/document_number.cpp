@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/document_number.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace latsch {
+namespace {
+
+/// The unit of a number that is written without one.
+std::optional<Unit> unit_beside(const DocumentValue& value) {
+  return Unit::find(value.unit.empty() ? "1" : value.unit);
+}
+
+}  // namespace
+
+std::optional<DocumentNumber> number_of(const DocumentValue& value) {
+  std::optional<DocumentNumber> number;
+  if (value.kind == DocumentValue::Kind::text && value.unit.empty()) {
+    if (const auto quantity = parse_quantity(value.text))
+      number = DocumentNumber{quantity->unit, quantity->si};
+  } else if (value.kind == DocumentValue::Kind::number) {
+    const auto unit = unit_beside(value);
+    const auto parts = split_number(value.text);
+    if (unit && parts) number = DocumentNumber{*unit, unit->to_si(parts->number)};
+  }
+  if (number && !std::isfinite(number->si)) number.reset();
+  return number;
+}
+
+void set_number(DocumentValue& value, double si) {
+  const auto number = number_of(value);
+  assert(number && std::isfinite(si));
+  std::string digits = number->unit.exact_number(si);
+  if (value.kind == DocumentValue::Kind::text) {
+    const std::string_view old = split_number(value.text)->digits;
+    digits += value.text.substr(old.data() + old.size() - value.text.data());
+  } else {
+    // TOML tells integers from floats: an integer stays one as long as it is written like one.
+    const bool like_integer = digits.find_first_not_of("-0123456789") == digits.npos;
+    value.integer = value.integer && like_integer && digits.size() < 16 && digits != "-0";
+    if (like_integer && !value.integer) digits += ".0";
+  }
+  value.text = digits;
+  value.changed = true;
+}
+
+}  // namespace latsch

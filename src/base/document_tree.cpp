@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/document_tree.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+
+namespace latsch {
+namespace {
+
+constexpr int kDeepest = 16;
+
+/// Rejects deep nesting before the parser meets it: its own limit is generous, and dotted keys have
+/// none. Counts brackets and dots outside of texts and comments; the exact depth is checked later.
+void check_depth_of_source(std::string_view source, const std::string& file) {
+  int line = 1, brackets = 0, dots = 0;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const char c = source[i];
+    if (c == '"' || c == '\'') {
+      const bool multiline = source.substr(i, 3) == std::string(3, c);
+      const std::string_view closing = source.substr(i, multiline ? 3 : 1);
+      for (i += closing.size(); i < source.size() && source.substr(i, closing.size()) != closing;
+           ++i) {
+        if (source[i] == '\n') ++line;
+        if (source[i] == '\n' && !multiline) break;  // not closed: the parser will say so
+        if (source[i] == '\\' && c == '"') ++i;
+      }
+      if (multiline) i += 2;
+    } else if (c == '#') {
+      while (i + 1 < source.size() && source[i + 1] != '\n') ++i;
+    } else if (c == '[' || c == '{') {
+      ++brackets;
+    } else if (c == ']' || c == '}') {
+      brackets = std::max(0, brackets - 1);
+    } else if (c == '.') {
+      ++dots;
+    } else if (c == '\n' || c == '=' || c == ',') {
+      dots = 0;
+      if (c == '\n') ++line;
+    }
+    if (brackets > kDeepest + 2 || dots > kDeepest + 2)
+      throw InputError({file, line}, fmt::format("nested deeper than {} levels", kDeepest));
+  }
+}
+
+/// Byte offsets of positions given as line and column in characters.
+class SourceMap {
+ public:
+  explicit SourceMap(std::string_view source) : source_(source), starts_{0} {
+    for (std::size_t i = 0; i < source.size(); ++i)
+      if (source[i] == '\n') starts_.push_back(i + 1);
+  }
+
+  std::size_t offset(const toml::source_position& position) const {
+    const std::size_t line = std::min<std::size_t>(position.line, starts_.size());
+    std::size_t at = starts_[line == 0 ? 0 : line - 1];
+    for (unsigned column = 1; column < position.column && at < source_.size(); ++column) {
+      ++at;
+      while (at < source_.size() && (static_cast<unsigned char>(source_[at]) & 0xc0) == 0x80) ++at;
+    }
+    return at;
+  }
+
+ private:
+  std::string_view source_;
+  std::vector<std::size_t> starts_;
+};
+
+}  // namespace
+
+/// Copies the parser's tree into values, sorted as in the file.
+class DocumentBuilder {
+ public:
+  explicit DocumentBuilder(DocumentTree& tree) : tree_(tree), map_(tree.source_) {}
+
+  int add(const toml::node& node, const std::string& key, const std::string& path, int depth) {
+    const int line = static_cast<int>(node.source().begin.line);
+    if (depth > kDeepest)
+      throw InputError({tree_.file_, line}, fmt::format("nested deeper than {} levels", kDeepest));
+    const int index = tree_.size();
+    tree_.values_.emplace_back();
+    DocumentValue& value = tree_.values_.back();
+    value.key = key;
+    value.path = path;
+    value.line = line;
+    tree_.by_path_.emplace(path, index);
+    if (const toml::table* table = node.as_table())
+      add_table(*table, index, depth);
+    else if (const toml::array* array = node.as_array())
+      add_list(*array, index, depth);
+    else
+      add_scalar(node, value);
+    return index;
+  }
+
+ private:
+  static std::string joined(const std::string& path, const std::string& key) {
+    return path.empty() ? key : path + "." + key;
+  }
+
+  /// {unit = "mm", values = [...]}
+  static bool is_list_with_unit(const toml::table& table) {
+    return table.size() == 2 && table.get("unit") && table.get("unit")->is_string() &&
+           table.get("values") && table.get("values")->is_array();
+  }
+
+  void add_table(const toml::table& table, int index, int depth) {
+    if (is_list_with_unit(table)) {
+      tree_.values_[index].unit = **table.get("unit")->as_string();
+      return add_list(*table.get("values")->as_array(), index, depth);
+    }
+    struct Entry {
+      toml::source_position position;
+      std::string key;
+      const toml::node* node;
+    };
+    std::vector<Entry> entries;
+    for (const auto& [key, node] : table)
+      entries.push_back({key.source().begin, std::string(key.str()), &node});
+    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+      return std::pair(a.position.line, a.position.column) <
+             std::pair(b.position.line, b.position.column);
+    });
+    const std::string path = tree_.values_[index].path;
+    for (const Entry& entry : entries) {
+      if (entry.key.empty() || entry.key.find('.') != entry.key.npos)
+        throw InputError({tree_.file_, static_cast<int>(entry.position.line)},
+                         "key " + in_quotes(entry.key) + " is empty or contains a dot");
+      const int child = add(*entry.node, entry.key, joined(path, entry.key), depth + 1);
+      tree_.values_[index].children.push_back(child);
+    }
+  }
+
+  void add_list(const toml::array& array, int index, int depth) {
+    tree_.values_[index].kind = DocumentValue::Kind::list;
+    const std::string path = tree_.values_[index].path, unit = tree_.values_[index].unit;
+    for (std::size_t i = 0; i < array.size(); ++i) {
+      const std::string key = std::to_string(i);
+      const int child = add(array[i], key, joined(path, key), depth + 1);
+      tree_.values_[index].children.push_back(child);
+      if (!unit.empty()) inherit_unit(child, unit);
+    }
+  }
+
+  void inherit_unit(int index, const std::string& unit) {
+    DocumentValue& value = tree_.values_[index];
+    value.unit = unit;
+    for (const int child : value.children) inherit_unit(child, unit);
+  }
+
+  void add_scalar(const toml::node& node, DocumentValue& value) {
+    using Kind = DocumentValue::Kind;
+    value.begin = map_.offset(node.source().begin);
+    value.end = map_.offset(node.source().end);
+    value.text = tree_.source_.substr(value.begin, value.end - value.begin);
+    if (const auto* text = node.as_string()) {
+      value.kind = Kind::text;
+      value.text = **text;
+    } else if (const auto* integer = node.as_integer()) {
+      value.kind = Kind::number;
+      value.integer = true;
+      value.text = std::to_string(**integer);  // decimal, also where it was hexadecimal
+    } else if (node.is_floating_point()) {
+      value.kind = Kind::number;
+      std::erase(value.text, '_');
+    } else if (const auto* flag = node.as_boolean()) {
+      value.kind = Kind::flag;
+      value.flag = **flag;
+    } else {
+      value.kind = Kind::date;
+    }
+  }
+
+  DocumentTree& tree_;
+  SourceMap map_;
+};
+
+DocumentTree::DocumentTree(std::string_view source, std::string file) : file_(std::move(file)) {
+  if (source.size() > kLargestFile)
+    throw InputError({file_, 0},
+                     fmt::format("is {} bytes, expected at most {}", source.size(), kLargestFile));
+  if (source.starts_with("\xef\xbb\xbf")) source.remove_prefix(3);  // byte order mark
+  source_ = source;
+  check_depth_of_source(source_, file_);
+  try {
+    const toml::table table = toml::parse(std::string_view(source_), std::string_view(file_));
+    DocumentBuilder(*this).add(table, "", "", 0);
+  } catch (const toml::parse_error& error) {
+    throw InputError({file_, static_cast<int>(error.source().begin.line)},
+                     "not valid TOML: " + std::string(error.description()));
+  }
+}
+
+int DocumentTree::child(int table, std::string_view key) const {
+  for (const int child : values_[table].children)
+    if (values_[child].key == key) return child;
+  return -1;
+}
+
+int DocumentTree::find(std::string_view path) const {
+  const auto found = by_path_.find(path);
+  return found == by_path_.end() ? -1 : found->second;
+}
+
+std::string DocumentTree::text() const {
+  std::vector<const DocumentValue*> changed;
+  for (const DocumentValue& value : values_)
+    if (value.changed) changed.push_back(&value);
+  std::sort(changed.begin(), changed.end(), [](const auto* a, const auto* b) {
+    return a->begin < b->begin;
+  });
+  std::string text;
+  std::size_t copied = 0;
+  for (const DocumentValue* value : changed) {
+    text.append(source_, copied, value->begin - copied);
+    if (value->kind == DocumentValue::Kind::text) {
+      text += '"';
+      for (const char c : value->text) {
+        if (c == '"' || c == '\\') text += '\\';
+        text += c;
+      }
+      text += '"';
+    } else {
+      text += value->text;
+    }
+    copied = value->end;
+  }
+  return text.append(source_, copied);
+}
+
+}  // namespace latsch
