@@ -21,13 +21,28 @@ Eigen::Vector3d area_vector(const Matrix34& x, double xi, double eta) {
   return (x * N_xi).cross(Eigen::Vector3d(x * N_eta));
 }
 
+/// Adds the images under the half turn about the vertical axis.
+void complete_by_symmetry(ContactPatch& patch) {
+  const std::size_t computed = patch.points.size();
+  for (std::size_t k = 0; k < computed; ++k) {
+    ContactPatch::Point image = patch.points[k];
+    image.x = -image.x;
+    image.y = -image.y;
+    image.shear_x = -image.shear_x;
+    image.shear_y = -image.shear_y;
+    patch.points.push_back(image);
+  }
+  patch.area *= 2.0;
+}
+
 double gauss_xi(int q) { return (q & 1) ? kSqrt13 : -kSqrt13; }
 double gauss_eta(int q) { return (q & 2) ? kSqrt13 : -kSqrt13; }
 
 }  // namespace
 
-GroundContact::GroundContact(const Ring& ring, const Ground& ground)
-    : ring_(ring), ground_(ground) {
+GroundContact::GroundContact(const RingUnknowns& unknowns, const Ground& ground)
+    : unknowns_(unknowns), ring_(unknowns.ring()), ground_(ground) {
+  const Ring& ring = ring_;
   face_of_element_.assign(ring.elements_per_sector(), -1);
   for (int e = 0; e < ring.elements_per_sector(); ++e) {
     const Element& element = ring.mesh().elements[e];
@@ -43,8 +58,8 @@ GroundContact::GroundContact(const Ring& ring, const Ground& ground)
     face_of_element_[e] = static_cast<int>(faces_.size());
     faces_.push_back(face);
   }
-  for (int s = 0; s < ring.sectors(); ++s) frames_.push_back(ring.mesh().frame(s));
-  points_.resize(4 * faces_.size() * ring.sectors());
+  for (int s = 0; s < unknowns.sectors(); ++s) frames_.push_back(ring.mesh().frame(s));
+  points_.resize(4 * faces_.size() * unknowns.sectors());
 }
 
 int GroundContact::point_index(int sector, int face, int q) const {
@@ -119,9 +134,10 @@ void GroundContact::add(
 
 void GroundContact::settle(const Eigen::VectorXd& x) {
   const double stiffness = kTangentialShare * ground_.stiffness;
-  for (int s = 0; s < ring_.sectors(); ++s) {
+  for (int s = 0; s < unknowns_.sectors(); ++s) {
     for (int k = 0; k < static_cast<int>(faces_.size()); ++k) {
-      const Matrix34 face = world_face(s, faces_[k].element, ring_.gather(s, faces_[k].element, x));
+      const Matrix34 face =
+          world_face(s, faces_[k].element, unknowns_.gather(s, faces_[k].element, x));
       for (int q = 0; q < 4; ++q) {
         Point& point = points_[point_index(s, k, q)];
         const Eigen::Vector3d at = face * faces_[k].N[q];
@@ -142,9 +158,10 @@ ContactPatch GroundContact::patch(const Eigen::VectorXd& x, double* Fz) const {
   double force = 0.0;
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Eigen::Vector2d lowest(kFar, kFar), highest(-kFar, -kFar);
-  for (int s = 0; s < ring_.sectors(); ++s) {
+  for (int s = 0; s < unknowns_.sectors(); ++s) {
     for (int k = 0; k < static_cast<int>(faces_.size()); ++k) {
-      const Matrix34 face = world_face(s, faces_[k].element, ring_.gather(s, faces_[k].element, x));
+      const Matrix34 face =
+          world_face(s, faces_[k].element, unknowns_.gather(s, faces_[k].element, x));
       for (int q = 0; q < 4; ++q) {
         const Eigen::Vector3d at = face * faces_[k].N[q];
         if (at.z() >= height_) continue;
@@ -160,16 +177,19 @@ ContactPatch GroundContact::patch(const Eigen::VectorXd& x, double* Fz) const {
                                 on.sticks});
         patch.area += area;
         force += on.p * faces_[k].dA[q];
-        lowest = lowest.cwiseMin(at.head<2>());
-        highest = highest.cwiseMax(at.head<2>());
       }
     }
+  }
+  if (unknowns_.multiplicity() > 1.0) complete_by_symmetry(patch);
+  for (const ContactPatch::Point& point : patch.points) {
+    lowest = lowest.cwiseMin(Eigen::Vector2d(point.x, point.y));
+    highest = highest.cwiseMax(Eigen::Vector2d(point.x, point.y));
   }
   if (!patch.points.empty()) {
     patch.length = highest.x() - lowest.x();
     patch.width = highest.y() - lowest.y();
   }
-  if (Fz) *Fz = force;
+  if (Fz) *Fz = force * unknowns_.multiplicity();
   return patch;
 }
 

@@ -20,13 +20,13 @@
 
 #include "models/fe_tire/fe_tire.h"
 #include "models/fe_tire/pressure.h"
-#include "models/fe_tire/ring.h"
+#include "models/fe_tire/ring_unknowns.h"
 
 namespace latsch::fe_tire {
 
 class GroundContact {
  public:
-  GroundContact(const Ring& ring, const Ground& ground);
+  GroundContact(const RingUnknowns& unknowns, const Ground& ground);
 
   /// Height of the ground in the wheel frame, m (negative: below the wheel center).
   void set_height(double z) { height_ = z; }
@@ -40,7 +40,7 @@ class GroundContact {
   /// Takes the state x as an equilibrium: anchors follow, new points in contact get theirs.
   void settle(const Eigen::VectorXd& x);
 
-  /// The contact patch and the vertical force on the tire [N] in state x.
+  /// The contact patch (of the whole ring) and the vertical force on the tire [N] in state x.
   ContactPatch patch(const Eigen::VectorXd& x, double* Fz) const;
 
  private:
@@ -64,6 +64,7 @@ class GroundContact {
   Matrix34 world_face(int sector, int element, const Matrix38& u) const;
   int point_index(int sector, int face, int q) const;
 
+  const RingUnknowns& unknowns_;
   const Ring& ring_;
   Ground ground_;
   double height_ = 0.0;

@@ -19,15 +19,14 @@ constexpr double kSlopeDecrease = 0.8;  // accepted |d . f(x - s d)| relative to
 
 }  // namespace
 
-EquilibriumSolver::EquilibriumSolver(const Ring& ring, const SolverSettings& settings)
-    : ring_(ring),
-      settings_(settings),
-      assembly_(ring),
-      K_(assembly_.pattern()),
-      factor_(assembly_.pattern()),
-      cg_(ring.unknowns()),
-      f_(ring.unknowns()),
-      d_(ring.unknowns()) {}
+EquilibriumSolver::EquilibriumSolver(const RingUnknowns& unknowns, const SolverSettings& settings)
+    : settings_(settings),
+      assembly_(unknowns),
+      K_(*assembly_.pattern()),
+      factor_(*assembly_.pattern(), numerics::Precision::single),
+      cg_(unknowns.size()),
+      f_(unknowns.size()),
+      d_(unknowns.size()) {}
 
 std::optional<Failure> EquilibriumSolver::solve(const Materials& materials,
                                                 RingState& state,
@@ -59,14 +58,8 @@ std::optional<Failure> EquilibriumSolver::solve(const Materials& materials,
 bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
   failed_element_ = -1;
   ++counts_.assemblies;
-  return assembly_.assemble(*materials_,
-                            state,
-                            pressure_,
-                            contact_,
-                            false,
-                            f_,
-                            with_tangent ? &K_ : nullptr,
-                            &failed_element_);
+  return assembly_.assemble(
+      *materials_, state, pressure_, contact_, f_, with_tangent ? &K_ : nullptr, &failed_element_);
 }
 
 bool EquilibriumSolver::factorize() {
@@ -86,23 +79,26 @@ void EquilibriumSolver::renew_factor() {
 }
 
 void EquilibriumSolver::find_direction(double tolerance) {
+  if (has_factor_ && last_cg_iterations_ <= kIterationsOfAStaleFactor && solve_tangent(tolerance)) {
+    return;
+  }
+  renew_factor();
+  solve_tangent(tolerance);  // even where it stops early, what it has is a direction of descent
+}
+
+bool EquilibriumSolver::solve_tangent(double tolerance) {
+  const auto multiply = [this](const Eigen::VectorXd& v, Eigen::VectorXd& Kv) {
+    K_.multiply(v.data(), Kv.data());
+  };
   const auto precondition = [this](Eigen::VectorXd& v) {
     ++counts_.solves;
     factor_.solve(v);
   };
-  if (has_factor_ && last_cg_iterations_ <= kIterationsOfAStaleFactor) {
-    const auto multiply = [this](const Eigen::VectorXd& v, Eigen::VectorXd& Kv) {
-      K_.multiply(v.data(), Kv.data());
-    };
-    const numerics::CgOutcome cg =
-        cg_.solve(multiply, precondition, f_, tolerance, kIterationsWorthAFactor, d_);
-    counts_.cg_iterations += cg.iterations;
-    last_cg_iterations_ = cg.iterations;
-    if (cg.end == numerics::CgOutcome::End::converged) return;
-  }
-  renew_factor();
-  d_ = f_;
-  precondition(d_);
+  const numerics::CgOutcome cg =
+      cg_.solve(multiply, precondition, f_, tolerance, kIterationsWorthAFactor, d_);
+  counts_.cg_iterations += cg.iterations;
+  last_cg_iterations_ = cg.iterations;
+  return cg.end == numerics::CgOutcome::End::converged;
 }
 
 bool EquilibriumSolver::line_search(RingState& state) {
@@ -125,29 +121,29 @@ bool EquilibriumSolver::line_search(RingState& state) {
 }
 
 std::string EquilibriumSolver::worst_place() const {
+  const Ring& ring = assembly_.unknowns().ring();
   int element = failed_element_;
   if (element < 0) {
     double largest = -1.0;
-    for (int s = 0, global = 0; s < ring_.sectors(); ++s) {
-      for (int e = 0; e < ring_.elements_per_sector(); ++e, ++global) {
-        double here = 0.0;
-        for (int dof : ring_.dofs(s, e)) {
-          if (dof >= 0) here = std::max(here, std::abs(f_[dof]));
-        }
-        if (here > largest) {
-          largest = here;
-          element = global;
-        }
+    const std::vector<std::vector<int>> dofs = assembly_.unknowns().connectivity();
+    for (int e = 0; e < static_cast<int>(dofs.size()); ++e) {
+      double here = 0.0;
+      for (int dof : dofs[e]) {
+        if (dof >= 0) here = std::max(here, std::abs(f_[dof]));
+      }
+      if (here > largest) {
+        largest = here;
+        element = e;
       }
     }
   }
-  const int section_element = element % ring_.elements_per_sector();
-  const Element& e = ring_.mesh().elements[section_element];
+  const int section_element = element % ring.elements_per_sector();
+  const Element& e = ring.mesh().elements[section_element];
   return fmt::format("element {} (sector {}, section element {}, {})",
                      element + 1,
-                     element / ring_.elements_per_sector(),
+                     element / ring.elements_per_sector(),
                      section_element,
-                     ring_.mesh().region_names.at(e.region));
+                     ring.mesh().region_names.at(e.region));
 }
 
 Failure EquilibriumSolver::failure(const std::string& step, const std::string& what) const {

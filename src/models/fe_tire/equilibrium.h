@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Newton's method on the whole ring with a factor that is allowed to grow stale.
+// Newton's method on the ring with a factor that is allowed to grow stale.
 //
 // A factorization of the tangent costs some twenty solves with it. So one factor serves several
 // Newton iterations and load steps as the preconditioner of conjugate gradients on the current
@@ -9,8 +9,9 @@
 //     d   <- K(x)^-1 f(x)  by conjugate gradients, preconditioned with a factor of K at an earlier
 //     state x   <- x - s d       with s from a line search on d . f
 //
-// A tangent that is not positive (it happens in predictors) is shifted along its diagonal until it
-// is.
+// Only a preconditioner, the factor is kept in single precision: half the memory traffic, half the
+// time. A tangent that is not positive (it happens in predictors) is shifted along its diagonal
+// until it is.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,7 +27,7 @@ namespace latsch::fe_tire {
 
 class EquilibriumSolver {
  public:
-  EquilibriumSolver(const Ring& ring, const SolverSettings& settings);
+  EquilibriumSolver(const RingUnknowns& unknowns, const SolverSettings& settings);
 
   /// Brings `state` into equilibrium under pressure and contact (may be null). A Failure names
   /// `step`, the residual and the worst element; `state` then is as it was.
@@ -43,23 +44,19 @@ class EquilibriumSolver {
   void forget_factor() { has_factor_ = false; }
 
   const RingAssembly& assembly() const { return assembly_; }
-  numerics::Factorization& factor() { return factor_; }
-  /// Tangent and residual of the last state solved.
-  numerics::SymmetricMatrix& tangent() { return K_; }
-  /// Factorizes the tangent as it is now; false where it is not positive definite.
-  bool factorize();
 
   SolverCounts& counts() { return counts_; }
 
  private:
   bool assemble(RingState& state, bool with_tangent);
   void renew_factor();
+  bool factorize();
   void find_direction(double tolerance);
+  bool solve_tangent(double tolerance);
   bool line_search(RingState& state);
   Failure failure(const std::string& step, const std::string& what) const;
   std::string worst_place() const;
 
-  const Ring& ring_;
   SolverSettings settings_;
   RingAssembly assembly_;
   numerics::SymmetricMatrix K_;

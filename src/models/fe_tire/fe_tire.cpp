@@ -11,65 +11,96 @@
 #include "models/fe_tire/mode_label.h"
 #include "models/fe_tire/modes.h"
 #include "models/fe_tire/ring.h"
+#include "models/fe_tire/ring_unknowns.h"
+#include "models/fe_tire/sector.h"
 
 namespace latsch::fe_tire {
+
+/// All that depends on the mesh and on whether the half turn is a symmetry. Even states carry the
+/// loading; even and odd ones together all loaded modes. Without the symmetry `even` is the whole
+/// ring and `odd` is empty.
+struct Systems {
+  RingUnknowns unknowns;
+  EquilibriumSolver solver;
+  std::optional<RingUnknowns> odd_unknowns;
+  std::optional<RingAssembly> odd;
+  // Of tangents for modes, even and odd ones in turn: they have the same pattern.
+  numerics::SymmetricMatrix tangent;
+  numerics::Factorization factor;
+
+  Systems(const Ring& ring,
+          const SolverSettings& settings,
+          const std::optional<std::vector<int>>& mirror)
+      : unknowns(ring,
+                 mirror ? RingSymmetry::even : RingSymmetry::none,
+                 mirror ? *mirror : std::vector<int>()),
+        solver(unknowns, settings),
+        tangent(*solver.assembly().pattern()),
+        factor(*solver.assembly().pattern()) {
+    if (!mirror) return;
+    odd_unknowns.emplace(ring, RingSymmetry::odd, *mirror);
+    odd.emplace(*odd_unknowns, solver.assembly().pattern());
+  }
+};
 
 struct FeTire::Impl {
   Ring ring;
   Materials materials;
   SolverSettings settings;
-  EquilibriumSolver solver;
-  std::optional<numerics::SymmetricMatrix> M;  // of the present materials
+  bool symmetric = false;
+  std::unique_ptr<Systems> systems;
 
   Impl(Mesh mesh, Materials given, const SolverSettings& s)
-      : ring(std::move(mesh), s.element),
-        materials(std::move(given)),
-        settings(s),
-        solver(ring, s) {}
-
-  const numerics::SymmetricMatrix& mass_matrix() {
-    if (!M) M = solver.assembly().mass(materials);
-    return *M;
+      : ring(std::move(mesh), s.element), materials(std::move(given)), settings(s) {
+    prepare();
   }
 
-  /// The inflated state in all sectors.
+  /// Symbolic work; done again only where new materials make or break the symmetry.
+  void prepare() {
+    const auto mirror = find_mirror(ring.mesh(), materials);
+    if (systems && symmetric == mirror.has_value()) return;
+    symmetric = mirror.has_value();
+    systems = std::make_unique<Systems>(ring, settings, mirror);
+  }
+
+  /// The inflated state in all sectors that are assembled.
   RingState replicate(const Inflated& inflated) const {
-    return {ring.replicate(ring.compress(inflated.u)), inflated.alpha.replicate(ring.sectors(), 1)};
+    const RingUnknowns& unknowns = systems->unknowns;
+    const int S = ring.sectors();
+    return {unknowns.compress(inflated.u.replicate(1, S)),
+            inflated.alpha.replicate(unknowns.sectors(), 1)};
   }
 
-  /// Tangent of `state`, factorized; a Failure where the equilibrium is not stable.
-  std::optional<Failure> factorize_at(RingState& state,
-                                      double pressure,
-                                      const GroundContact* contact);
-
-  Result<std::vector<Mode>> full_modes(RingState& state,
-                                       double pressure,
-                                       const GroundContact* contact,
-                                       int count,
-                                       const std::vector<Mode>& reference);
+  Result<std::vector<Mode>> modes_at(const Eigen::Matrix3Xd& u,
+                                     double pressure,
+                                     const Ground* ground,
+                                     double ground_height,
+                                     int count);
+  Result<std::vector<Mode>> modes_of(const RingAssembly& assembly,
+                                     const Eigen::Matrix3Xd& u,
+                                     double pressure,
+                                     const Ground* ground,
+                                     double ground_height,
+                                     int count);
 };
 
 namespace {
 
 /// Force norm of the pressure on the undeformed tire: what the solver's tolerance is relative to.
 double pressure_force(const Ring& ring, const Materials& materials, double pressure) {
-  Vector24 with, without;
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(ring.sector_unknowns());
-  std::vector<double> alpha(std::max(1, ring.alphas_per_element()));
-  for (int e = 0; e < ring.elements_per_sector(); ++e) {
-    std::fill(alpha.begin(), alpha.end(), 0.0);
-    pressurized_element(
-        ring, materials, e, Matrix38::Zero(), pressure, alpha.data(), with, nullptr);
-    std::fill(alpha.begin(), alpha.end(), 0.0);
-    pressurized_element(ring, materials, e, Matrix38::Zero(), 0.0, alpha.data(), without, nullptr);
-    Vector24 f = with - without;
-    ring.turn_to_node_frames(e, f, nullptr);
-    for (int k = 0; k < 24; ++k) {
-      const int dof = ring.local_dofs(e)[k];
-      if (dof >= 0) force[dof % ring.sector_unknowns()] += f[k];
-    }
-  }
-  return force.norm() * std::sqrt(static_cast<double>(ring.sectors()));
+  Eigen::VectorXd alpha =
+      Eigen::VectorXd::Zero(ring.alphas_per_element() * ring.elements_per_sector());
+  const Eigen::VectorXd x = Eigen::VectorXd::Zero(ring.sector_unknowns());
+  Eigen::VectorXd with, without;
+  assemble_sector(ring, materials, x, pressure, alpha, with, nullptr, nullptr);
+  assemble_sector(ring, materials, x, 0.0, alpha, without, nullptr, nullptr);
+  return (with - without).norm() * std::sqrt(static_cast<double>(ring.sectors()));
+}
+
+Failure unstable() {
+  return Failure{
+      "modes: the equilibrium is not stable (its tangent is not positive definite): the tire "
+      "buckles; check pressure, thicknesses and moduli"};
 }
 
 }  // namespace
@@ -82,13 +113,12 @@ FeTire& FeTire::operator=(FeTire&&) noexcept = default;
 
 const Mesh& FeTire::mesh() const { return impl_->ring.mesh(); }
 const Materials& FeTire::materials() const { return impl_->materials; }
-const SolverCounts& FeTire::counts() const { return impl_->solver.counts(); }
-void FeTire::reset_counts() { impl_->solver.counts() = {}; }
+const SolverCounts& FeTire::counts() const { return impl_->systems->solver.counts(); }
+void FeTire::reset_counts() { impl_->systems->solver.counts() = {}; }
 
 void FeTire::set(Materials materials) {
   impl_->materials = std::move(materials);
-  impl_->M.reset();
-  impl_->solver.forget_factor();
+  impl_->prepare();
 }
 
 Result<Inflated> FeTire::inflate(double pressure) {
@@ -96,8 +126,7 @@ Result<Inflated> FeTire::inflate(double pressure) {
   if (tire.ring.sectors() > 1) {
     return inflate_sector(tire.ring, tire.materials, pressure, tire.settings);
   }
-  return inflate_ring(tire.solver,
-                      tire.ring,
+  return inflate_ring(tire.systems->solver,
                       tire.materials,
                       pressure,
                       pressure_force(tire.ring, tire.materials, pressure));
@@ -107,21 +136,21 @@ Result<Loaded> FeTire::load(const Inflated& inflated,
                             const std::vector<double>& deflections,
                             const Ground& ground) {
   Impl& tire = *impl_;
-  tire.solver.set_reference(pressure_force(tire.ring, tire.materials, inflated.pressure));
-  // Start every load case from the same factor, so that its result does not depend on what was
-  // solved before.
-  tire.solver.forget_factor();
-  GroundContact contact(tire.ring, ground);
+  EquilibriumSolver& solver = tire.systems->solver;
+  solver.set_reference(pressure_force(tire.ring, tire.materials, inflated.pressure));
+  // Start every load case from scratch, so that its result does not depend on what was solved
+  // before.
+  solver.forget_factor();
+  GroundContact contact(tire.systems->unknowns, ground);
   RingState state = tire.replicate(inflated);
-  Result<std::vector<LoadPoint>> curve = load_steps(
-      tire.solver, tire.materials, inflated, deflections, ground.mu > 0.0, contact, state);
+  Result<std::vector<LoadPoint>> curve =
+      load_steps(solver, tire.materials, inflated, deflections, ground.mu > 0.0, contact, state);
   if (!curve) return curve.failure();
   Loaded loaded;
   loaded.inflated = inflated;
   loaded.ground = ground;
   loaded.curve = std::move(*curve);
-  loaded.u = tire.ring.expand(state.x);
-  loaded.alpha = state.alpha;
+  loaded.u = tire.systems->unknowns.expand(state.x);
   return loaded;
 }
 
@@ -134,65 +163,91 @@ Result<std::vector<Mode>> FeTire::modes(const Inflated& inflated, int count) {
 }
 
 Result<std::vector<Mode>> FeTire::modes_full(const Inflated& inflated, int count) {
-  RingState state = impl_->replicate(inflated);
-  return impl_->full_modes(state, inflated.pressure, nullptr, count, {});
+  Impl& tire = *impl_;
+  const RingUnknowns whole(tire.ring, RingSymmetry::none, {});
+  const RingAssembly assembly(whole);
+  RingState state = assembly.zero_state();
+  state.x = whole.compress(inflated.u.replicate(1, tire.ring.sectors()));
+  Eigen::VectorXd f;
+  numerics::SymmetricMatrix K(*assembly.pattern());
+  assembly.assemble(tire.materials, state, inflated.pressure, nullptr, f, &K, nullptr);
+  numerics::Factorization factor(*assembly.pattern());
+  if (!factor.factorize(K).definite()) return unstable();
+  return ring_modes(assembly, factor, assembly.mass(tire.materials), count);
 }
 
 Result<std::vector<Mode>> FeTire::modes(const Loaded& loaded, int count) {
   Impl& tire = *impl_;
-  GroundContact contact(tire.ring, loaded.ground);
-  contact.set_height(-loaded.curve.back().loaded_radius);
-  RingState state{tire.ring.compress(loaded.u), loaded.alpha};
-  std::vector<Mode> reference;
+  Result<std::vector<Mode>> modes = tire.modes_at(loaded.u,
+                                                  loaded.inflated.pressure,
+                                                  &loaded.ground,
+                                                  -loaded.curve.back().loaded_radius,
+                                                  count);
+  if (!modes) return modes;
+  for (Mode& mode : *modes) mode.phase = phase_of(tire.ring.mesh(), mode.shape);
   if (tire.ring.sectors() > 1) {
-    Result<std::vector<Mode>> unloaded =
+    // Half as many again: some of the unloaded modes that the loaded ones resemble lie higher.
+    const auto unloaded =
         harmonic_modes(tire.ring, tire.materials, loaded.inflated, count + count / 2);
     if (!unloaded) return unloaded.failure();
-    reference = std::move(*unloaded);
+    name_after(*unloaded, nodal_masses(tire.ring, tire.materials), *modes);
   }
-  return tire.full_modes(state, loaded.inflated.pressure, &contact, count, reference);
+  return modes;
 }
 
 double FeTire::total_mass() const {
-  const Impl& tire = *impl_;
-  double mass_of_sector = 0.0;
-  for (int e = 0; e < tire.ring.elements_per_sector(); ++e) {
-    mass_of_sector += mass(tire.ring.shape(e), tire.materials, tire.ring.mesh().elements[e]).sum();
-  }
-  return mass_of_sector * tire.ring.sectors();
+  return nodal_masses(impl_->ring, impl_->materials).sum() * impl_->ring.sectors();
 }
 
-std::optional<Failure> FeTire::Impl::factorize_at(RingState& state,
-                                                  double pressure,
-                                                  const GroundContact* contact) {
-  Eigen::VectorXd f;
-  solver.assembly().assemble(
-      materials, state, pressure, contact, true, f, &solver.tangent(), nullptr);
-  if (solver.factorize()) return std::nullopt;
-  return Failure{
-      "modes: the equilibrium is not stable (its tangent is not positive definite): the tire "
-      "buckles; check pressure, thicknesses and moduli"};
+/// Modes of even and odd states together, the lowest `count`. Each kind is asked for somewhat more
+/// than its half; where one may hold more of the lowest than it was asked for, again.
+Result<std::vector<Mode>> FeTire::Impl::modes_at(const Eigen::Matrix3Xd& u,
+                                                 double pressure,
+                                                 const Ground* ground,
+                                                 double ground_height,
+                                                 int count) {
+  const RingAssembly& even = systems->solver.assembly();
+  if (!systems->odd) return modes_of(even, u, pressure, ground, ground_height, count);
+  for (int each = count / 2 + 3;; each = std::min(count, 2 * each)) {
+    auto modes = modes_of(even, u, pressure, ground, ground_height, each);
+    if (!modes) return modes;
+    auto odd = modes_of(*systems->odd, u, pressure, ground, ground_height, each);
+    if (!odd) return odd;
+    const double sure = std::min(modes->back().frequency, odd->back().frequency);
+    modes->insert(modes->end(), odd->begin(), odd->end());
+    std::stable_sort(modes->begin(), modes->end(), [](const Mode& a, const Mode& b) {
+      return a.frequency < b.frequency;
+    });
+    modes->resize(std::min<std::size_t>(modes->size(), count));
+    if (each >= count || modes->back().frequency <= sure) return modes;
+  }
 }
 
-Result<std::vector<Mode>> FeTire::Impl::full_modes(RingState& state,
-                                                   double pressure,
-                                                   const GroundContact* contact,
-                                                   int count,
-                                                   const std::vector<Mode>& reference) {
-  if (auto failure = factorize_at(state, pressure, contact)) return *failure;
-  const Eigen::MatrixXd start = shape_columns(ring, reference);
-  Eigen::MatrixXd shapes;
-  Result<std::vector<double>> frequencies =
-      ring_frequencies(solver.factor(), mass_matrix(), count, start, shapes);
-  if (!frequencies) return frequencies.failure();
-  std::vector<Mode> modes(frequencies->size());
-  for (std::size_t k = 0; k < modes.size(); ++k) {
-    modes[k].frequency = (*frequencies)[k];
-    modes[k].shape = ring.expand(shapes.col(static_cast<int>(k)));
-    modes[k].phase = phase_of(ring.mesh(), modes[k].shape);
+Result<std::vector<Mode>> FeTire::Impl::modes_of(const RingAssembly& assembly,
+                                                 const Eigen::Matrix3Xd& u,
+                                                 double pressure,
+                                                 const Ground* ground,
+                                                 double ground_height,
+                                                 int count) {
+  // The state is even; odd unknowns hold only what may vibrate about it. So elements see the state
+  // of the even numbering, and the tangent is gathered in the numbering asked for.
+  EquilibriumSolver& solver = systems->solver;
+  RingState state = solver.assembly().zero_state();
+  state.x = systems->unknowns.compress(u);
+  std::optional<GroundContact> contact;
+  if (ground) {
+    contact.emplace(systems->unknowns, *ground);
+    contact->set_height(ground_height);
   }
-  if (!reference.empty()) name_after(reference, start, mass_matrix(), shapes, modes);
-  return modes;
+  solver.assembly().assemble_tangent(materials,
+                                     state,
+                                     pressure,
+                                     contact ? &*contact : nullptr,
+                                     assembly.unknowns(),
+                                     systems->tangent);
+  ++solver.counts().factorizations;
+  if (!systems->factor.factorize(systems->tangent).definite()) return unstable();
+  return ring_modes(assembly, systems->factor, assembly.mass(materials), count);
 }
 
 }  // namespace latsch::fe_tire

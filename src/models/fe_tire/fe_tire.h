@@ -65,7 +65,6 @@ struct Loaded {
   Ground ground;
   std::vector<LoadPoint> curve;  // one a requested deflection, in the order solved
   Eigen::Matrix3Xd u;            // [3 x nodes], sector frames, m, at the last deflection
-  Eigen::VectorXd alpha;
 };
 
 enum class ModeType { torsional, lateral, radial, other };

@@ -142,26 +142,23 @@ Result<Inflated> inflate_sector(const Ring& ring,
 }
 
 Result<Inflated> inflate_ring(EquilibriumSolver& solver,
-                              const Ring& ring,
                               const Materials& materials,
                               double pressure,
                               double reference) {
-  RingState state{Eigen::VectorXd::Zero(ring.unknowns()),
-                  Eigen::VectorXd::Zero(ring.alphas_per_element() * ring.mesh().element_count())};
+  const RingUnknowns& unknowns = solver.assembly().unknowns();
+  RingState state = solver.assembly().zero_state();
   solver.set_reference(reference);
   solver.forget_factor();
   for (int k = 1; k <= kFirstSteps; ++k) {
-    const std::string name =
-        fmt::format("inflation to {:.4g} bar", pressure * k / kFirstSteps / 1e5);
-    if (auto failure = solver.solve(materials, state, pressure * k / kFirstSteps, nullptr, name)) {
-      return *failure;
-    }
+    const double p = pressure * k / kFirstSteps;
+    const std::string step = fmt::format("inflation to {:.4g} bar", p / 1e5);
+    if (auto failure = solver.solve(materials, state, p, nullptr, step)) return *failure;
   }
   Inflated inflated;
   inflated.pressure = pressure;
-  inflated.u = ring.expand(state.x);
+  inflated.u = unknowns.expand(state.x);
   inflated.alpha = state.alpha;
-  measure_growth(ring.mesh(), inflated);
+  measure_growth(unknowns.ring().mesh(), inflated);
   return inflated;
 }
 

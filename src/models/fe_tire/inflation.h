@@ -18,7 +18,6 @@ Result<Inflated> inflate_sector(const Ring& ring,
 
 /// The same on a mesh without symmetry; `reference` is the force norm of the pressure, N.
 Result<Inflated> inflate_ring(EquilibriumSolver& solver,
-                              const Ring& ring,
                               const Materials& materials,
                               double pressure,
                               double reference);

@@ -66,25 +66,23 @@ char phase_of(const Mesh& mesh, const Eigen::Matrix3Xd& shape) {
 }
 
 void name_after(const std::vector<Mode>& unloaded,
-                const Eigen::MatrixXd& unloaded_shapes,
-                const numerics::SymmetricMatrix& M,
-                const Eigen::MatrixXd& shapes,
-                std::vector<Mode>& modes) {
-  Eigen::MatrixXd M_unloaded(unloaded_shapes.rows(), unloaded_shapes.cols());
-  M.multiply(unloaded_shapes, M_unloaded);
-  const Eigen::MatrixXd overlap = M_unloaded.transpose() * shapes;
-  for (int k = 0; k < static_cast<int>(modes.size()); ++k) {
+                const Eigen::VectorXd& nodal_mass,
+                std::vector<Mode>& loaded) {
+  for (Mode& mode : loaded) {
     std::map<std::tuple<int, ModeType, int>, double> energy;
     double largest = 0.0;
-    for (int j = 0; j < overlap.rows(); ++j) {
-      const Mode& group = unloaded[j];
+    const Eigen::RowVectorXd mass =
+        nodal_mass.transpose().replicate(1, mode.shape.cols() / nodal_mass.size());
+    for (const Mode& group : unloaded) {
+      const double overlap =
+          mode.shape.cwiseProduct(group.shape).colwise().sum().cwiseProduct(mass).sum();
       double& share = energy[{group.n, group.type, group.order}];
-      share += overlap(j, k) * overlap(j, k);
+      share += overlap * overlap;
       if (share > largest) {
         largest = share;
-        modes[k].n = group.n;
-        modes[k].type = group.type;
-        modes[k].order = group.order;
+        mode.n = group.n;
+        mode.type = group.type;
+        mode.order = group.order;
       }
     }
   }

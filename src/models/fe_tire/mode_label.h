@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "models/fe_tire/fe_tire.h"
-#include "numerics/symmetric_matrix.h"
 
 namespace latsch::fe_tire {
 
@@ -24,13 +23,11 @@ ModeType type_of(int n, const Eigen::Vector3d& kinetic_energy);
 /// ascending order.
 void number_orders(std::vector<Mode>& modes);
 
-/// Names loaded modes (columns of `shapes`, M-orthonormal unknowns of the ring) after unloaded ones
-/// (`reference`, columns with their modes).
+/// Names loaded modes after unloaded ones; kinetic energies by the nodal masses [nodes_per_sector],
+/// kg.
 void name_after(const std::vector<Mode>& unloaded,
-                const Eigen::MatrixXd& unloaded_shapes,
-                const numerics::SymmetricMatrix& M,
-                const Eigen::MatrixXd& shapes,
-                std::vector<Mode>& modes);
+                const Eigen::VectorXd& nodal_mass,
+                std::vector<Mode>& loaded);
 
 /// 's', 'a' or ' ' by the overlap of a shape [3 x nodes] with its mirror image in the plane x = 0.
 char phase_of(const Mesh& mesh, const Eigen::Matrix3Xd& shape);

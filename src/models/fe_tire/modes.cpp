@@ -14,8 +14,10 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kTolerance =
-    1e-7;                        // of Lanczos' inverted residual; a frequency's error is its square
+// Of Lanczos' inverted residual; the relative error of a frequency is its square.
+constexpr double kTolerance = 1e-5;
+// Vectors a step over the ring: solving them together is cheaper, but more of them are needed.
+constexpr int kRingBlock = 4;
 constexpr int kPerHarmonic = 6;  // modes of one circumferential number computed at a time
 
 double to_hertz(double omega_squared) {
@@ -61,22 +63,23 @@ bool single(int n, int sectors) { return n == 0 || 2 * n == sectors; }
 
 /// Real shape over the ring: the real or the imaginary part of phi exp(i n s 2 pi / S),
 /// mass-normalized.
-Eigen::VectorXd unfold(const HarmonicMode& mode, int sectors, bool imaginary) {
-  const int m = static_cast<int>(mode.phi.size());
+Eigen::Matrix3Xd unfold(const Ring& ring, const HarmonicMode& mode, bool imaginary) {
+  const int S = ring.sectors(), n = ring.mesh().nodes_per_sector();
   // phi has unit mass over one sector; a real part summed over all sectors has S / 2 of it, a
   // single mode S.
-  const double scale = std::sqrt((single(mode.n, sectors) ? 1.0 : 2.0) / sectors);
-  Eigen::VectorXd x(m * sectors);
-  for (int s = 0; s < sectors; ++s) {
-    const double angle = 2.0 * std::numbers::pi * mode.n * s / sectors;
-    const Eigen::VectorXcd turned = mode.phi * std::polar(scale, angle);
+  const double scale = std::sqrt((single(mode.n, S) ? 1.0 : 2.0) / S);
+  const Eigen::Matrix3Xd real = ring.expand(mode.phi.real()), imag = ring.expand(mode.phi.imag());
+  Eigen::Matrix3Xd shape(3, S * n);
+  for (int s = 0; s < S; ++s) {
+    const double angle = 2.0 * std::numbers::pi * mode.n * s / S;
+    const double c = scale * std::cos(angle), d = scale * std::sin(angle);
     if (imaginary) {
-      x.segment(s * m, m) = turned.imag();
+      shape.middleCols(s * n, n) = d * real + c * imag;
     } else {
-      x.segment(s * m, m) = turned.real();
+      shape.middleCols(s * n, n) = c * real - d * imag;
     }
   }
-  return x;
+  return shape;
 }
 
 /// Kinetic energy in the three directions of the sector frame, by the magnitudes at the nodes.
@@ -139,7 +142,7 @@ Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
     result.n = mode.n;
     result.type = type_of(mode.n, directional_energy(mode.phi));
     for (int member = 0; member < (single(mode.n, S) ? 1 : 2); ++member) {
-      result.shape = ring.expand(unfold(mode, S, member == 1));
+      result.shape = unfold(ring, mode, member == 1);
       modes.push_back(result);
     }
   }
@@ -147,11 +150,10 @@ Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
   return modes;
 }
 
-Result<std::vector<double>> ring_frequencies(const numerics::Factorization& factor,
-                                             const numerics::SymmetricMatrix& M,
-                                             int count,
-                                             const Eigen::MatrixXd& start,
-                                             Eigen::MatrixXd& shapes) {
+Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
+                                     const numerics::Factorization& factor,
+                                     const numerics::SymmetricMatrix& M,
+                                     int count) {
   numerics::EigenProblem<double> problem;
   problem.size = M.size();
   problem.solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_columns(X); };
@@ -161,25 +163,32 @@ Result<std::vector<double>> ring_frequencies(const numerics::Factorization& fact
   numerics::LanczosSettings settings;
   settings.count = std::min(count, M.size());
   settings.tolerance = kTolerance;
-  const auto pairs = numerics::lanczos(problem, settings, start);
+  settings.block = kRingBlock;
+  const auto pairs = numerics::lanczos(problem, settings);
   if (!pairs.converged) {
     return Failure{fmt::format("modes: Lanczos found {} of {} modes in {} solves",
                                pairs.values.size(),
                                count,
                                pairs.solves)};
   }
-  shapes = pairs.vectors;
-  std::vector<double> frequencies;
-  for (double value : pairs.values) frequencies.push_back(to_hertz(value));
-  return frequencies;
+  const RingUnknowns& unknowns = assembly.unknowns();
+  std::vector<Mode> modes(pairs.values.size());
+  for (int k = 0; k < pairs.values.size(); ++k) {
+    modes[k].frequency = to_hertz(pairs.values[k]);
+    modes[k].shape = unknowns.expand(pairs.vectors.col(k)) / std::sqrt(unknowns.multiplicity());
+  }
+  return modes;
 }
 
-Eigen::MatrixXd shape_columns(const Ring& ring, const std::vector<Mode>& modes) {
-  Eigen::MatrixXd columns(ring.unknowns(), modes.size());
-  for (std::size_t k = 0; k < modes.size(); ++k) {
-    columns.col(static_cast<int>(k)) = ring.compress(modes[k].shape);
+Eigen::VectorXd nodal_masses(const Ring& ring, const Materials& materials) {
+  const int n = ring.mesh().nodes_per_sector();
+  Eigen::VectorXd masses = Eigen::VectorXd::Zero(n);
+  for (int e = 0; e < ring.elements_per_sector(); ++e) {
+    const Element& element = ring.mesh().elements[e];
+    const Matrix8 m = mass(ring.shape(e), materials, element);
+    for (int a = 0; a < 8; ++a) masses[element.node[a] % n] += m.row(a).sum();
   }
-  return columns;
+  return masses;
 }
 
 }  // namespace latsch::fe_tire

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/result.h"
-#include "models/fe_tire/equilibrium.h"
 #include "models/fe_tire/fe_tire.h"
-#include "models/fe_tire/ring.h"
+#include "models/fe_tire/ring_assembly.h"
+#include "numerics/factorization.h"
 
 namespace latsch::fe_tire {
 
@@ -19,15 +19,14 @@ Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
                                          const Inflated& inflated,
                                          int count);
 
-/// Modes of the whole ring with the tangent K, factorized in `factor`; `start` [unknowns x any]
-/// spans a first guess and may be empty. Shapes come as columns of `shapes`, M-orthonormal.
-Result<std::vector<double>> ring_frequencies(const numerics::Factorization& factor,
-                                             const numerics::SymmetricMatrix& M,
-                                             int count,
-                                             const Eigen::MatrixXd& start,
-                                             Eigen::MatrixXd& shapes);
+/// The `count` lowest modes of the states that `assembly` can hold (all, even or odd ones), without
+/// names. `factor` holds the tangent. Shapes are mass-normalized over the whole ring.
+Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
+                                     const numerics::Factorization& factor,
+                                     const numerics::SymmetricMatrix& M,
+                                     int count);
 
-/// Columns of ring unknowns of the shapes of `modes`.
-Eigen::MatrixXd shape_columns(const Ring& ring, const std::vector<Mode>& modes);
+/// Mass of each node of a sector, kg: rows of the mass matrix summed.
+Eigen::VectorXd nodal_masses(const Ring& ring, const Materials& materials);
 
 }  // namespace latsch::fe_tire

@@ -30,38 +30,12 @@ Ring::Ring(Mesh mesh, ElementKind kind) : mesh_(std::move(mesh)), Q_(mesh_.secto
   }
 }
 
-std::array<int, 24> Ring::dofs(int sector, int element) const {
-  std::array<int, 24> dofs = local_dofs_[element];
-  for (int& dof : dofs) {
-    if (dof >= 0) dof = (dof + sector * sector_unknowns()) % unknowns();
-  }
-  return dofs;
-}
-
-namespace {
-
-Matrix38 turned(const Element& element,
-                int nodes_per_sector,
-                const Eigen::Matrix3d& Q,
-                Matrix38 u) {
+Matrix38 Ring::in_element_frame(int element, Matrix38 u) const {
+  const Element& e = mesh_.elements[element];
   for (int a = 0; a < 8; ++a) {
-    if (element.node[a] >= nodes_per_sector) u.col(a) = Q * u.col(a);
+    if (e.node[a] >= mesh_.nodes_per_sector()) u.col(a) = Q_ * u.col(a).eval();
   }
   return u;
-}
-
-}  // namespace
-
-Matrix38 Ring::gather(int sector, int element, const Eigen::VectorXd& x) const {
-  Matrix38 u;
-  const std::array<int, 24>& local = local_dofs_[element];
-  const int offset = sector * sector_unknowns(), total = unknowns();
-  for (int k = 0; k < 24; ++k) {
-    int dof = local[k] + offset;
-    if (dof >= total) dof -= total;
-    u.data()[k] = local[k] < 0 ? 0.0 : x[dof];
-  }
-  return turned(mesh_.elements[element], mesh_.nodes_per_sector(), Q_, u);
 }
 
 Matrix38 Ring::gather_axisymmetric(int element, const Eigen::VectorXd& x) const {
@@ -70,7 +44,7 @@ Matrix38 Ring::gather_axisymmetric(int element, const Eigen::VectorXd& x) const 
   for (int k = 0; k < 24; ++k) {
     u.data()[k] = local[k] < 0 ? 0.0 : x[local[k] % sector_unknowns()];
   }
-  return turned(mesh_.elements[element], mesh_.nodes_per_sector(), Q_, u);
+  return in_element_frame(element, u);
 }
 
 void Ring::turn_to_node_frames(int element, Vector24& f, Matrix24* K) const {
@@ -89,32 +63,19 @@ void Ring::turn_to_node_frames(int element, Vector24& f, Matrix24* K) const {
 
 Eigen::Matrix3Xd Ring::expand(const Eigen::VectorXd& x) const {
   const int n = mesh_.nodes_per_sector();
-  const int copies = static_cast<int>(x.size()) / sector_unknowns();
-  Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, copies * n);
-  for (int s = 0; s < copies; ++s) {
-    for (int i = 0; i < n; ++i) {
-      if (first_dof_[i] >= 0)
-        u.col(s * n + i) = x.segment<3>(s * sector_unknowns() + first_dof_[i]);
-    }
+  Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, n);
+  for (int i = 0; i < n; ++i) {
+    if (first_dof_[i] >= 0) u.col(i) = x.segment<3>(first_dof_[i]);
   }
   return u;
 }
 
 Eigen::VectorXd Ring::compress(const Eigen::Matrix3Xd& u) const {
-  const int n = mesh_.nodes_per_sector();
-  const int copies = static_cast<int>(u.cols()) / n;
-  Eigen::VectorXd x(copies * sector_unknowns());
-  for (int s = 0; s < copies; ++s) {
-    for (int i = 0; i < n; ++i) {
-      if (first_dof_[i] >= 0)
-        x.segment<3>(s * sector_unknowns() + first_dof_[i]) = u.col(s * n + i);
-    }
+  Eigen::VectorXd x(sector_unknowns());
+  for (int i = 0; i < mesh_.nodes_per_sector(); ++i) {
+    if (first_dof_[i] >= 0) x.segment<3>(first_dof_[i]) = u.col(i);
   }
   return x;
-}
-
-Eigen::VectorXd Ring::replicate(const Eigen::VectorXd& sector_x) const {
-  return sector_x.replicate(mesh_.sectors, 1);
 }
 
 bool pressurized_element(const Ring& ring,

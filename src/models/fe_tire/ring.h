@@ -28,30 +28,24 @@ class Ring {
   int elements_per_sector() const { return static_cast<int>(mesh_.elements.size()); }
   int alphas_per_element() const { return alphas_; }
 
-  /// Unknowns of one sector and of the ring.
+  /// Unknowns of one sector.
   int sector_unknowns() const { return 3 * free_nodes_; }
-  int unknowns() const { return mesh_.sectors * sector_unknowns(); }
 
   /// First unknown of a section node in its sector, -1 where the rim holds it.
   int sector_dof(int section_node) const { return first_dof_[section_node]; }
   /// The 24 unknowns of an element of sector 0, counting through sectors 0 and 1; -1: held.
   const std::array<int, 24>& local_dofs(int element) const { return local_dofs_[element]; }
-  /// The 24 unknowns of an element of any sector in the ring's numbering; -1: held.
-  std::array<int, 24> dofs(int sector, int element) const;
-
-  /// Element displacements [3 x 8] in its sector's frame out of the ring's unknowns x.
-  Matrix38 gather(int sector, int element, const Eigen::VectorXd& x) const;
-  /// The same for a state equal in all sectors, x of one sector.
+  /// Displacements given in node frames turned into the element's (its sector's) frame.
+  Matrix38 in_element_frame(int element, Matrix38 u) const;
+  /// Element displacements [3 x 8] of a state equal in all sectors, x of one sector.
   Matrix38 gather_axisymmetric(int element, const Eigen::VectorXd& x) const;
   /// Turns forces (and stiffness) of the next sector's nodes from the element's frame into their
   /// own.
   void turn_to_node_frames(int element, Vector24& f, Matrix24* K) const;
 
-  /// Displacements of all nodes [3 x nodes], sector frames, zeros where held; and back.
+  /// Displacements of a sector's nodes [3 x nodes_per_sector], zeros where held; and back.
   Eigen::Matrix3Xd expand(const Eigen::VectorXd& x) const;
   Eigen::VectorXd compress(const Eigen::Matrix3Xd& u) const;
-  /// The ring's unknowns for a state equal in all sectors.
-  Eigen::VectorXd replicate(const Eigen::VectorXd& sector_x) const;
 
  private:
   Mesh mesh_;

@@ -6,65 +6,99 @@
 namespace latsch::fe_tire {
 namespace {
 
-std::vector<std::vector<int>> connectivity(const Ring& ring) {
-  std::vector<std::vector<int>> dofs;
-  dofs.reserve(ring.mesh().element_count());
-  for (int s = 0; s < ring.sectors(); ++s) {
-    for (int e = 0; e < ring.elements_per_sector(); ++e) {
-      const std::array<int, 24> d = ring.dofs(s, e);
-      dofs.emplace_back(d.begin(), d.end());
-    }
-  }
-  return dofs;
+constexpr double kHeldStiffness =
+    1e6;  // N/m on unknowns that symmetry holds at zero: no force acts on them
+
+/// Diagonal value of unknown `dof`.
+double& diagonal(numerics::SymmetricMatrix& A, int dof) {
+  const int block = A.pattern().block_size();
+  const int start = A.pattern().find(dof / block, dof / block);
+  return A.values()[start + (dof % block) * (block + 1)];
 }
 
 }  // namespace
 
-RingAssembly::RingAssembly(const Ring& ring)
-    : ring_(ring), pattern_(ring.unknowns(), connectivity(ring)) {}
+RingAssembly::RingAssembly(const RingUnknowns& unknowns,
+                           std::shared_ptr<const numerics::SymmetricPattern> pattern)
+    : unknowns_(unknowns), ring_(unknowns.ring()), pattern_(std::move(pattern)) {
+  if (!pattern_) {
+    pattern_ =
+        std::make_shared<numerics::SymmetricPattern>(unknowns.size(), unknowns.connectivity());
+  }
+}
+
+RingState RingAssembly::zero_state() const {
+  return {Eigen::VectorXd::Zero(unknowns_.size()),
+          Eigen::VectorXd::Zero(ring_.alphas_per_element() * ring_.elements_per_sector() *
+                                unknowns_.sectors())};
+}
 
 bool RingAssembly::assemble(const Materials& materials,
                             RingState& state,
                             double pressure,
                             const GroundContact* contact,
-                            bool stuck,
                             Eigen::VectorXd& f,
                             numerics::SymmetricMatrix* K,
                             int* worst) const {
-  f.setZero(ring_.unknowns());
+  f.setZero(unknowns_.size());
+  return sum_elements(materials, state, pressure, contact, false, unknowns_, f, K, worst);
+}
+
+void RingAssembly::assemble_tangent(const Materials& materials,
+                                    RingState& state,
+                                    double pressure,
+                                    const GroundContact* contact,
+                                    const RingUnknowns& vibration,
+                                    numerics::SymmetricMatrix& K) const {
+  Eigen::VectorXd unused = Eigen::VectorXd::Zero(unknowns_.size());
+  sum_elements(materials, state, pressure, contact, true, vibration, unused, &K, nullptr);
+}
+
+bool RingAssembly::sum_elements(const Materials& materials,
+                                RingState& state,
+                                double pressure,
+                                const GroundContact* contact,
+                                bool stuck,
+                                const RingUnknowns& rows,
+                                Eigen::VectorXd& f,
+                                numerics::SymmetricMatrix* K,
+                                int* worst) const {
   if (K) K->set_zero();
   Vector24 fe;
   Matrix24 Ke;
   Matrix24* Ke_wanted = K ? &Ke : nullptr;
-  for (int s = 0, global = 0; s < ring_.sectors(); ++s) {
+  for (int s = 0, global = 0; s < unknowns_.sectors(); ++s) {
     for (int e = 0; e < ring_.elements_per_sector(); ++e, ++global) {
-      const Matrix38 u = ring_.gather(s, e, state.x);
+      const Matrix38 u = unknowns_.gather(s, e, state.x);
       double* alpha = state.alpha.data() + global * ring_.alphas_per_element();
       if (!pressurized_element(ring_, materials, e, u, pressure, alpha, fe, Ke_wanted)) {
         if (worst) *worst = global;
         return false;
       }
       if (contact) contact->add(s, e, u, stuck, fe, Ke_wanted);
-      ring_.turn_to_node_frames(e, fe, Ke_wanted);
-      const std::array<int, 24> dofs = ring_.dofs(s, e);
-      for (int k = 0; k < 24; ++k) {
-        if (dofs[k] >= 0) f[dofs[k]] += fe[k];
-      }
+      rows.scatter(s, e, fe, Ke_wanted, f);
       if (K) K->add_element(global, Ke.data());
     }
+  }
+  if (K) {
+    for (int dof : rows.held()) diagonal(*K, dof) += kHeldStiffness;
   }
   return true;
 }
 
 numerics::SymmetricMatrix RingAssembly::mass(const Materials& materials) const {
-  numerics::SymmetricMatrix M(pattern_);
+  numerics::SymmetricMatrix M(*pattern_);
+  Vector24 no_force = Vector24::Zero();
+  Eigen::VectorXd unused = Eigen::VectorXd::Zero(unknowns_.size());
   std::vector<Matrix24> of_sector;
   for (int e = 0; e < ring_.elements_per_sector(); ++e) {
-    of_sector.push_back(mass_in_node_frames(ring_, materials, e));
+    of_sector.push_back(element_mass(ring_, materials, e));
   }
-  for (int s = 0, global = 0; s < ring_.sectors(); ++s) {
+  for (int s = 0, global = 0; s < unknowns_.sectors(); ++s) {
     for (int e = 0; e < ring_.elements_per_sector(); ++e, ++global) {
-      M.add_element(global, of_sector[e].data());
+      Matrix24 Me = of_sector[e];
+      unknowns_.scatter(s, e, no_force, &Me, unused);
+      M.add_element(global, Me.data());
     }
   }
   return M;

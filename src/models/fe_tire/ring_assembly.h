@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Residual, tangent and mass of the whole ring; the sparsity and the scatter map are made once a
-// mesh.
+// Residual, tangent and mass of the ring (or its half); the sparsity and the scatter map are made
+// once a mesh.
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 
 #include "models/fe_tire/contact.h"
-#include "models/fe_tire/ring.h"
+#include "models/fe_tire/ring_unknowns.h"
 #include "numerics/symmetric_matrix.h"
 
 namespace latsch::fe_tire {
 
-/// Unknowns and enhanced parameters of the whole ring.
+/// Unknowns and enhanced parameters of the sectors assembled.
 struct RingState {
   Eigen::VectorXd x;
   Eigen::VectorXd alpha;
@@ -19,9 +20,14 @@ struct RingState {
 
 class RingAssembly {
  public:
-  explicit RingAssembly(const Ring& ring);
+  /// `pattern`: that of another assembly of the same ring (even and odd states share it), or none.
+  explicit RingAssembly(const RingUnknowns& unknowns,
+                        std::shared_ptr<const numerics::SymmetricPattern> pattern = nullptr);
 
-  const numerics::SymmetricPattern& pattern() const { return pattern_; }
+  const RingUnknowns& unknowns() const { return unknowns_; }
+  const std::shared_ptr<const numerics::SymmetricPattern>& pattern() const { return pattern_; }
+  /// All zero, of the size that assemble() needs.
+  RingState zero_state() const;
 
   /// Forces f(x) = internal - pressure - ground, zero in equilibrium; K = df/dx (symmetric part)
   /// where given. Contact may be null. False where an element fails; `worst` then is sector *
@@ -30,17 +36,36 @@ class RingAssembly {
                 RingState& state,
                 double pressure,
                 const GroundContact* contact,
-                bool stuck,
                 Eigen::VectorXd& f,
                 numerics::SymmetricMatrix* K,
                 int* worst) const;
+
+  /// Tangent at `state` in the numbering `vibration` of the motions about it (even or odd ones),
+  /// all contact sticking.
+  void assemble_tangent(const Materials& materials,
+                        RingState& state,
+                        double pressure,
+                        const GroundContact* contact,
+                        const RingUnknowns& vibration,
+                        numerics::SymmetricMatrix& K) const;
 
   /// Consistent mass matrix, kg.
   numerics::SymmetricMatrix mass(const Materials& materials) const;
 
  private:
+  bool sum_elements(const Materials& materials,
+                    RingState& state,
+                    double pressure,
+                    const GroundContact* contact,
+                    bool stuck,
+                    const RingUnknowns& rows,
+                    Eigen::VectorXd& f,
+                    numerics::SymmetricMatrix* K,
+                    int* worst) const;
+
+  const RingUnknowns& unknowns_;
   const Ring& ring_;
-  numerics::SymmetricPattern pattern_;
+  std::shared_ptr<const numerics::SymmetricPattern> pattern_;
 };
 
 }  // namespace latsch::fe_tire

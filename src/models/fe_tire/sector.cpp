@@ -101,21 +101,22 @@ bool assemble_sector(const Ring& ring,
   return true;
 }
 
-Matrix24 mass_in_node_frames(const Ring& ring, const Materials& materials, int element) {
+Matrix24 element_mass(const Ring& ring, const Materials& materials, int element) {
   const Matrix8 m = mass(ring.shape(element), materials, ring.mesh().elements[element]);
   Matrix24 M = Matrix24::Zero();
   for (int a = 0; a < 8; ++a) {
     for (int b = 0; b < 8; ++b) M.block<3, 3>(3 * a, 3 * b).diagonal().setConstant(m(a, b));
   }
-  Vector24 unused = Vector24::Zero();
-  ring.turn_to_node_frames(element, unused, &M);
   return M;
 }
 
 SectorBlocks sector_mass(const Ring& ring, const Materials& materials) {
   SectorBlocks M(ring);
   for (int e = 0; e < ring.elements_per_sector(); ++e) {
-    M.add(ring.local_dofs(e), mass_in_node_frames(ring, materials, e));
+    Matrix24 Me = element_mass(ring, materials, e);
+    Vector24 no_force = Vector24::Zero();
+    ring.turn_to_node_frames(e, no_force, &Me);
+    M.add(ring.local_dofs(e), Me);
   }
   return M;
 }

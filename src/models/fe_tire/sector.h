@@ -55,8 +55,8 @@ bool assemble_sector(const Ring& ring,
                      SectorBlocks* tangent,
                      int* worst);
 
-/// Mass of one element between its 24 unknowns, in node frames, kg.
-Matrix24 mass_in_node_frames(const Ring& ring, const Materials& materials, int element);
+/// Consistent mass of one element between its 24 displacements, in its sector's frame, kg.
+Matrix24 element_mass(const Ring& ring, const Materials& materials, int element);
 
 /// Blocks of the consistent mass matrix.
 SectorBlocks sector_mass(const Ring& ring, const Materials& materials);
