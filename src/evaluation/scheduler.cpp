@@ -124,7 +124,7 @@ class Scheduler {
   const RunOptions& options_;
   KnownScores known_;
   std::unordered_set<std::string> running_;  // bits of the points
-  Progress progress_;
+  RunProgress progress_;
   double wall_time_ = 0.0;
   Clock::time_point start_ = Clock::now();
 };

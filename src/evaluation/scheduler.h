@@ -18,7 +18,7 @@
 namespace latsch {
 
 /// What a progress bar needs.
-struct Progress {
+struct RunProgress {
   long known = 0;      // of the points wanted so far, those whose outcome is known
   long planned = 0;    // how many it can become: the plan's size or the largest number of steps
   long evaluated = 0;  // trials that ran in this process
@@ -33,7 +33,7 @@ struct Progress {
 struct RunOptions {
   long max_steps = 1000;  // outcomes the optimizer may observe
   int look_ahead = 16;    // points proposed ahead; part of the method, not of the machine
-  std::function<void(const Progress&)>
+  std::function<void(const RunProgress&)>
       on_progress;                       // after every outcome and about ten times a second
   std::function<bool()> stop_requested;  // asked about ten times a second
   double stop_patience = 1.0;            // s that running trials get to end after a stop request
