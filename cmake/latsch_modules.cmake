@@ -55,6 +55,7 @@ function(latsch_module folder)
   target_include_directories(latsch_${name} ${scope}
     $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/latsch>)
   target_link_libraries(latsch_${name} ${scope} ${ARG_LINK})
+  target_compile_features(latsch_${name} ${scope} cxx_std_20)
   set_target_properties(latsch_${name} PROPERTIES EXPORT_NAME ${name})
   set_property(GLOBAL APPEND PROPERTY LATSCH_LIBRARIES latsch_${name})
   latsch_tests(src/${folder} ${name} latsch::${name})
