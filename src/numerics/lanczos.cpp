@@ -15,14 +15,17 @@
 #include <cmath>
 #include <cstdint>
 
+#include "numerics/dense_products.h"
+
 namespace latsch::numerics {
 namespace {
 
 constexpr double kDependent =
     1e-12;  // a direction this small beside its vector is rounding, not new
 constexpr double kOrthogonal =
-    1e-10;                            // largest overlap left after normalizing; otherwise once more
-constexpr int kSpareDirections = 20;  // basis beyond twice the wanted pairs before a restart
+    1e-10;  // largest overlap left after normalizing; otherwise once more
+constexpr double kNearEigenvector = 0.02;  // residual of a start vector that is worth its place
+constexpr int kSpareDirections = 20;       // basis beyond twice the wanted pairs before a restart
 constexpr int kKeptBeyondWanted = 6;  // Ritz vectors that survive a restart beside the wanted ones
 constexpr int kStepsBetweenChecks =
     3;  // for narrow blocks: solving the small problem has its price too
@@ -52,10 +55,16 @@ class Lanczos {
   EigenPairs<Scalar> run(const Matrix& start);
 
  private:
+  static Matrix product(const Eigen::Ref<const Matrix>& A, const Matrix& B) {
+    Matrix C(A.rows(), B.cols());
+    add_product<Scalar>(1.0, A, B, 0.0, C);
+    return C;
+  }
   void begin(const Matrix& start);
   Matrix scattered_block(int columns);
   Matrix new_directions(Matrix W);
-  void refill_pool();
+  void add_to_pool(Matrix X);
+  bool good(const Matrix& start);
   void step(int width);
   void rotate_pool(int width);
   void solve_small_problem();
@@ -94,13 +103,11 @@ typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::new_directions(Matrix W) {
   Matrix MW(n_, W.cols());
   double smallest = 0.0;
   for (int pass = 0; pass < 4; ++pass) {
-    for (int again = 0; again < (pass == 0 ? 2 : 1); ++again) {
-      const Matrix overlap = MV_.leftCols(before).adjoint() * W;
-      W.noalias() -= V_.leftCols(before) * overlap;
-    }
+    const Matrix overlap = overlaps<Scalar>(MV_.leftCols(before), W);
+    add_product<Scalar>(-1.0, V_.leftCols(before), overlap, 1.0, W);
     MW.resize(n_, W.cols());
     problem_.mass(W, MW);
-    const Matrix gram = W.adjoint() * MW;
+    const Matrix gram = overlaps<Scalar>(W, MW);
     const Eigen::SelfAdjointEigenSolver<Matrix> eigen(gram);
     const Eigen::VectorXd& square = eigen.eigenvalues();
     if (pass == 0) smallest = kDependent * kDependent * std::max(square.maxCoeff(), 0.0);
@@ -111,13 +118,13 @@ typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::new_directions(Matrix W) {
     const Matrix U = eigen.eigenvectors().rightCols(kept);
     const Matrix scaled = U * norm.cwiseInverse().template cast<Scalar>().asDiagonal();
     C = (norm.template cast<Scalar>().asDiagonal() * U.adjoint() * C).eval();
-    W = (W * scaled).eval();
-    MW = (MW * scaled).eval();
+    W = product(W, scaled);
+    MW = product(MW, scaled);
     if (kept == 0) break;
-    const double overlap =
-        before ? (MV_.leftCols(before).adjoint() * W).cwiseAbs().maxCoeff() : 0.0;
+    const double left =
+        before ? overlaps<Scalar>(MV_.leftCols(before), W).cwiseAbs().maxCoeff() : 0.0;
     const double condition = norm.maxCoeff() / norm.minCoeff();
-    if (overlap < kOrthogonal && condition < 1e4) break;
+    if (left < kOrthogonal && condition < 1e4) break;
     smallest = 0.25;  // now normalized: whatever vanishes in the second pass was rounding
   }
   const auto needed = before + W.cols();
@@ -130,15 +137,46 @@ typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::new_directions(Matrix W) {
   return C;
 }
 
+/// Adds directions to the pool that no multiplied one has led to: the old residuals have no part in
+/// them.
+template <class Scalar>
+void Lanczos<Scalar>::add_to_pool(Matrix X) {
+  const auto fresh = new_directions(std::move(X)).rows();
+  B_.conservativeResize(pool_ + fresh, done_);
+  B_.bottomRows(fresh).setZero();
+  pool_ += static_cast<int>(fresh);
+}
+
+/// Whether start vectors are near eigenvectors, judged by the first of them. Those of a farther
+/// problem err in as many directions as there are vectors, and chasing all of these costs more than
+/// one Krylov sequence from scratch.
+template <class Scalar>
+bool Lanczos<Scalar>::good(const Matrix& start) {
+  if (start.cols() == 0) return false;
+  add_to_pool(start.leftCols(std::min<Eigen::Index>(start.cols(), settings_.block)));
+  if (pool_ == 0) return false;
+  step(pool_);
+  solve_small_problem();
+  for (int k = 0; k < done_; ++k) {
+    if (theta_[k] <= 0.0 || (B_ * S_.col(k)).norm() > kNearEigenvector * theta_[k]) return false;
+  }
+  return true;
+}
+
 template <class Scalar>
 void Lanczos<Scalar>::begin(const Matrix& start) {
   V_.resize(n_, capacity_ + settings_.block);
   MV_.resize(n_, V_.cols());
-  Matrix X(n_, start.cols() + settings_.block);
-  X.leftCols(start.cols()) = start;
-  X.rightCols(settings_.block) = scattered_block(settings_.block);
-  const Matrix C = new_directions(std::move(X));
-  pool_ = static_cast<int>(C.rows());
+  if (good(start)) {
+    add_to_pool(
+        start);  // what of it is new; then random directions, lest all of it shares a symmetry
+    add_to_pool(scattered_block(settings_.block));
+    step(pool_);
+  } else {
+    done_ = pool_ = 0;
+    T_.resize(0, 0);
+    B_.resize(0, 0);
+  }
 }
 
 /// Turns the pool so that its first columns are the directions in which the wanted Ritz vectors err
@@ -160,8 +198,8 @@ void Lanczos<Scalar>::rotate_pool(int width) {
   }
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(errors * errors.adjoint());
   const Matrix U = eigen.eigenvectors().rowwise().reverse();
-  V_.middleCols(done_, pool_) = (V_.middleCols(done_, pool_) * U).eval();
-  MV_.middleCols(done_, pool_) = (MV_.middleCols(done_, pool_) * U).eval();
+  V_.middleCols(done_, pool_) = product(V_.middleCols(done_, pool_), U);
+  MV_.middleCols(done_, pool_) = product(MV_.middleCols(done_, pool_), U);
   B_ = (U.adjoint() * B_).eval();
 }
 
@@ -172,7 +210,7 @@ void Lanczos<Scalar>::step(int width) {
   problem_.solve(W);
   solves_ += width;
   const int rest = pool_ - width;
-  const Matrix mass_pool = MV_.middleCols(done_, pool_).adjoint() * W;
+  const Matrix mass_pool = overlaps<Scalar>(MV_.middleCols(done_, pool_), W);
   const Matrix D = 0.5 * (mass_pool.topRows(width) + mass_pool.topRows(width).adjoint());
   const Matrix C = new_directions(std::move(W));
   const auto fresh = C.rows();
@@ -211,22 +249,14 @@ bool Lanczos<Scalar>::converged() const {
   return true;
 }
 
-/// An invariant subspace is complete but too small: goes on in a direction it does not contain.
-template <class Scalar>
-void Lanczos<Scalar>::refill_pool() {
-  const Matrix C = new_directions(scattered_block(settings_.block));
-  pool_ = static_cast<int>(C.rows());
-  B_ = Matrix::Zero(pool_, done_);
-}
-
 template <class Scalar>
 void Lanczos<Scalar>::restart() {
   solve_small_problem();
   const int kept = std::min(done_, wanted_ + kKeptBeyondWanted + settings_.block);
   const Matrix S = S_.rightCols(kept);
   const Matrix pool = V_.middleCols(done_, pool_), mass_pool = MV_.middleCols(done_, pool_);
-  V_.leftCols(kept) = (V_.leftCols(done_) * S).eval();
-  MV_.leftCols(kept) = (MV_.leftCols(done_) * S).eval();
+  V_.leftCols(kept) = product(V_.leftCols(done_), S);
+  MV_.leftCols(kept) = product(MV_.leftCols(done_), S);
   V_.middleCols(kept, pool_) = pool;
   MV_.middleCols(kept, pool_) = mass_pool;
   T_ = theta_.tail(kept).template cast<Scalar>().asDiagonal();
@@ -239,7 +269,7 @@ EigenPairs<Scalar> Lanczos<Scalar>::result() const {
   EigenPairs<Scalar> pairs;
   const int count = std::min(wanted_, done_);
   pairs.values = theta_.tail(count).reverse().cwiseInverse().array() + problem_.shift;
-  pairs.vectors = V_.leftCols(done_) * S_.rightCols(count).rowwise().reverse();
+  pairs.vectors = product(V_.leftCols(done_), S_.rightCols(count).rowwise().reverse());
   pairs.converged = converged();
   pairs.solves = solves_;
   return pairs;
@@ -250,9 +280,10 @@ EigenPairs<Scalar> Lanczos<Scalar>::run(const Matrix& start) {
   begin(start);
   int since_check = 0;
   for (int steps = 0; steps < settings_.max_steps; ++steps) {
-    if (pool_ == 0 && done_ + pool_ < n_) refill_pool();
+    // At the start, or where an invariant subspace is complete but too small.
+    if (pool_ == 0 && done_ < n_) add_to_pool(scattered_block(settings_.block));
     if (pool_ == 0) break;
-    const int width = done_ == 0 ? pool_ : std::min(pool_, settings_.block);
+    const int width = std::min(pool_, settings_.block);
     rotate_pool(width);
     step(width);
     ++since_check;
