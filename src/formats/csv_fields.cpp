@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/csv_fields.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/text.h"
+
+namespace latsch::formats {
+
+CsvFields::CsvFields(std::string text, std::string file, std::size_t limit)
+    : file_(std::move(file)), source_(std::make_shared<Source>()) {
+  if (text.size() > limit)
+    throw InputError({file_, 0}, fmt::format("is larger than {} bytes", limit));
+  if (const auto zero = text.find('\0'); zero != text.npos)
+    throw InputError(
+        {file_, 1 + static_cast<int>(std::count(text.begin(), text.begin() + zero, '\n'))},
+        "holds a zero byte, expected a text file in UTF-8");
+  source_->text = std::move(text);
+  text_ = source_->text;
+  if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
+  if (skip_to_row()) separator_ = find_separator();
+}
+
+void CsvFields::skip_line() {
+  at_ = std::min(text_.find('\n', at_), text_.size());
+  if (at_ < text_.size()) {
+    ++at_;
+    ++line_;
+  }
+}
+
+bool CsvFields::skip_to_row() {
+  while (at_ < text_.size()) {
+    const auto end = std::min(text_.find('\n', at_), text_.size());
+    const std::string_view line = trimmed(text_.substr(at_, end - at_));
+    if (!line.empty() && line.front() != '#') return true;
+    skip_line();
+  }
+  return false;
+}
+
+char CsvFields::find_separator() const {
+  bool quoted = false, tab = false;
+  for (std::size_t i = at_; i < text_.size() && (quoted || text_[i] != '\n'); ++i) {
+    if (text_[i] == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (text_[i] == ';') return ';';
+    if (text_[i] == ',') return ',';
+    tab = tab || text_[i] == '\t';
+  }
+  return tab ? '\t' : ',';
+}
+
+std::string_view CsvFields::quoted_field() {
+  const int opened = line_;
+  const std::size_t begin = ++at_;
+  bool doubled = false;
+  for (; at_ < text_.size(); ++at_) {
+    if (text_[at_] == '\n') ++line_;
+    if (text_[at_] != '"') continue;
+    if (text_.substr(at_ + 1, 1) != "\"") break;
+    doubled = true;
+    ++at_;
+  }
+  if (at_ >= text_.size()) throw InputError({file_, opened}, "a quote is opened and never closed");
+  std::string_view field = text_.substr(begin, at_ - begin);
+  ++at_;
+  while (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n') {
+    if (text_[at_] != ' ' && text_[at_] != '\t' && text_[at_] != '\r')
+      throw InputError(
+          {file_, line_},
+          "text follows a closing quote, expected " + in_quotes(std::string(1, separator_)));
+    ++at_;
+  }
+  if (!doubled) return field;
+  std::string& text = source_->unquoted.emplace_back();
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    text += field[i];
+    if (field[i] == '"') ++i;
+  }
+  return text;
+}
+
+std::string_view CsvFields::plain_field() {
+  const std::size_t begin = at_;
+  while (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n') ++at_;
+  return trimmed(text_.substr(begin, at_ - begin));
+}
+
+bool CsvFields::next(Row& row) {
+  row.cells.clear();
+  if (!skip_to_row()) return false;
+  row.line = line_;
+  for (;;) {
+    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+    row.cells.push_back(at_ < text_.size() && text_[at_] == '"' ? quoted_field() : plain_field());
+    if (at_ >= text_.size() || text_[at_] == '\n') break;
+    ++at_;  // the separator
+  }
+  skip_line();
+  return true;
+}
+
+}  // namespace latsch::formats

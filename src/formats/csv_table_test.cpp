@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/csv_table.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+
+namespace latsch::formats {
+namespace {
+
+CsvTable parse(const std::string& text) { return CsvTable::parse(text, "t.csv"); }
+
+std::string complaint(const std::string& text, const std::function<void(const CsvTable&)>& read) {
+  try {
+    read(parse(text));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CsvTable, UnitsInTheHeaderBecomeSi) {
+  const CsvTable table = parse(
+      "# rig 3\n\ndeflection [mm], force [kN], type\n5.0,0.812,lateral\n# more\n10,1.7,\"a, "
+      "\"\"b\"\"\"\n");
+  EXPECT_EQ(table.rows(), 2);
+  EXPECT_EQ(table.numbers("deflection", "m"), (std::vector<double>{0.005, 0.01}));
+  EXPECT_EQ(table.numbers("force", "N"), (std::vector<double>{812.0, 1700.0}));
+  EXPECT_EQ(table.texts("type"), (std::vector<std::string>{"lateral", "a, \"b\""}));
+  EXPECT_EQ(table.place(1).text(), "t.csv:6");
+  EXPECT_TRUE(table.has("type"));
+  EXPECT_FALSE(table.has("Type"));
+}
+
+TEST(CsvTable, UnitsMayStandInASecondRow) {
+  for (const char* text : {"x,F,n\nmm,N,-\n5,812,1\n", "x,F,n\n[mm],[N],\n5,812,1\n"}) {
+    const CsvTable table = parse(text);
+    EXPECT_EQ(table.rows(), 1) << text;
+    EXPECT_EQ(table.numbers("x", "m"), (std::vector<double>{0.005}));
+    EXPECT_EQ(table.integers("n"), (std::vector<int>{1}));
+  }
+  EXPECT_EQ(parse("a,b\n1,2\n").rows(), 1);     // numbers are data
+  EXPECT_EQ(parse("a,b\nx,none\n").rows(), 1);  // words that are no units too
+}
+
+TEST(CsvTable, SpreadsheetsOfOtherCountriesUseSemicolonAndComma) {
+  const CsvTable table = parse("\xef\xbb\xbfx [mm];F [N]\r\n5,5;1.25e3\r\n\"6,5\";-1,5E+3\r\n");
+  EXPECT_EQ(table.numbers("x", "m"), (std::vector<double>{0.0055, 0.0065}));
+  EXPECT_EQ(table.numbers("F", "N"), (std::vector<double>{1250.0, -1500.0}));
+  EXPECT_EQ(parse("x [mm]\tF [N]\n5,5\t7\n").numbers("x", "m"), (std::vector<double>{0.0055}));
+}
+
+TEST(CsvTable, QuotedFieldsMayHoldLineEndsAndTheLastLineNeedsNone) {
+  const CsvTable table = parse("a,b\n\"x\ny\",1\nz,2");
+  EXPECT_EQ(table.texts("a"), (std::vector<std::string>{"x\ny", "z"}));
+  EXPECT_EQ(table.place(1).line, 4);
+}
+
+TEST(CsvTableComplaint, NamesFileLineFoundAndExpected) {
+  const auto force = [](const CsvTable& t) { t.numbers("force", "N"); };
+  EXPECT_EQ(complaint("", force), "t.csv: is empty, expected a line of column names");
+  EXPECT_EQ(complaint("force [N]\n1\nnan\n", force),
+            "t.csv:3: force is \"nan\", expected a finite number");
+  EXPECT_EQ(complaint("force [N],b\n1,2\n,2\n", force),
+            "t.csv:3: force is empty, expected a finite number");
+  EXPECT_EQ(complaint("force [N]\n1\ninf\n", force),
+            "t.csv:3: force is \"inf\", expected a finite number");
+  EXPECT_EQ(complaint("force [N];b\n1.234,5;2\n", force),
+            "t.csv:2: force is \"1.234,5\", expected a finite number");
+  EXPECT_EQ(complaint("force [N],b\n1,2\n1,2,3\n", force),
+            "t.csv:3: has 3 fields, expected 2 as in the header (line 1)");
+  EXPECT_EQ(complaint("force [kNn]\n1\n", force),
+            "t.csv:1: column \"force\" has unknown unit \"kNn\", did you mean \"kN\"?");
+  EXPECT_EQ(complaint("force [bar]\n1\n", force),
+            "t.csv:1: column \"force\" is in \"bar\", expected a force, such as \"force [N]\"");
+  EXPECT_EQ(complaint("force\n1\n", force),
+            "t.csv:1: column \"force\" has no unit, expected a force, such as \"force [N]\"");
+  EXPECT_EQ(complaint("forse [N],b\n1,2\n", force),
+            "t.csv:1: column \"force\" is missing, did you mean \"forse\"? (columns: \"forse\" or "
+            "\"b\")");
+  EXPECT_EQ(complaint("a,a\n1,2\n", force), "t.csv:1: column \"a\" comes twice");
+  EXPECT_EQ(complaint("a,\n1,2\n", force), "t.csv:1: has a column without a name");
+  EXPECT_EQ(complaint("a,b\n\"1,2\n", force), "t.csv:2: a quote is opened and never closed");
+  EXPECT_EQ(complaint("a,b\n\"1\"x,2\n", force),
+            "t.csv:2: text follows a closing quote, expected \",\"");
+  EXPECT_EQ(complaint(std::string("a,b\n1,\0\n", 8), force),
+            "t.csv:2: holds a zero byte, expected a text file in UTF-8");
+  EXPECT_EQ(complaint("n\n1.5\n", [](const CsvTable& t) { t.integers("n"); }),
+            "t.csv:2: n is 1.5, expected an integer");
+  EXPECT_EQ(complaint("forse [N]\n1\n", [](const CsvTable& t) { t.expect_only({"force"}); }),
+            "t.csv:1: unknown column \"forse\", did you mean \"force\"?");
+}
+
+// Property: what is written in any unit is read back bit for bit.
+TEST(CsvTable, WrittenChannelsComeBackBitForBit) {
+  std::uint64_t state = 11;
+  const auto any = [&] {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return std::ldexp(1.0 + static_cast<double>(state >> 12) * 0x1p-52,
+                      static_cast<int>(state % 80) - 40) *
+           (state & 1024 ? 1.0 : -1.0);
+  };
+  Channels channels;
+  Channel x{"x, \"outer\"", "m", {}}, F{"#force [z]", "N", {}}, n{"n", "1", {}};
+  for (int i = 0; i < 500; ++i) {
+    x.values.push_back(any());
+    F.values.push_back(any());
+    n.values.push_back(i);
+  }
+  channels.add(x);
+  channels.add(F);
+  channels.add(n);
+  EXPECT_EQ(parse(csv_text(channels)).channels(), channels);
+  EXPECT_EQ(parse(csv_text(channels, {"in", "lbf", "%"})).channels(), channels);
+}
+
+TEST(CsvTable, WrittenTablesAreReadable) {
+  Channels channels;
+  channels.add({"deflection", "m", {0.005}});
+  channels.add({"force", "N", {812.0}});
+  EXPECT_EQ(csv_text(channels, {"mm", "N"}), "deflection [mm],force [N]\n5,812\n");
+}
+
+}  // namespace
+}  // namespace latsch::formats
