@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Spoiled files: whatever a person, an editor or a network did to a study file, reading it ends in
+// a document or in an InputError, and a document that was read keeps its promises.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <filesystem>
+
+#include "base/document.h"
+#include "base/file.h"
+#include "base/random.h"
+
+namespace latsch {
+namespace {
+
+constexpr std::uint64_t kSeed = 2'600;
+constexpr int kMutations = 20'000;
+
+std::vector<std::string> shipped_tires() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(LATSCH_SOURCE_DIR "/studies/tires"))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<std::string> texts;
+  for (const auto& file : files) texts.push_back(read_text_file(file, 1 << 20));
+  return texts;
+}
+
+/// One change out of those that happen to files, small ones most often.
+void mutate(std::string& text, RandomStream& random) {
+  static const std::vector<std::string> kPieces = {"[",
+                                                   "]",
+                                                   "{",
+                                                   "}",
+                                                   "\"",
+                                                   "'",
+                                                   "\"\"\"",
+                                                   "=",
+                                                   ".",
+                                                   ",",
+                                                   "\n",
+                                                   "\r\n",
+                                                   "#",
+                                                   "\\",
+                                                   "\\u00e4",
+                                                   "nan",
+                                                   "inf",
+                                                   "-inf",
+                                                   "1e999",
+                                                   "-0.0",
+                                                   "0x10",
+                                                   "1_000",
+                                                   "1979-05-27",
+                                                   "true",
+                                                   "unit = \"mm\"",
+                                                   " mm",
+                                                   " degC",
+                                                   " dB",
+                                                   " s since 2000",
+                                                   "^99999999",
+                                                   "((((",
+                                                   std::string(1, '\0'),
+                                                   "\xff",
+                                                   "\xc3",
+                                                   "\xef\xbb\xbf",
+                                                   "[layer.belt_1]",
+                                                   "[[layer]]",
+                                                   "a.b.c.d = 1",
+                                                   "\"2.6 bar\""};
+  const std::size_t at = random.below(text.size() + 1);
+  const std::size_t length = std::min<std::size_t>(random.below(40), text.size() - at);
+  switch (random.below(6)) {
+    case 0:
+      if (at < text.size()) text[at] = static_cast<char>(random.below(256));
+      break;
+    case 1:
+      text.erase(at, length);
+      break;
+    case 2:
+      text.insert(at, kPieces[random.below(kPieces.size())]);
+      break;
+    case 3:
+      text.insert(random.below(text.size() + 1), text.substr(at, length));
+      break;
+    case 4:
+      text.resize(at);
+      break;
+    default:
+      if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << random.below(8)));
+  }
+}
+
+/// Everything a study may do with a file.
+void use(const std::string& text, RandomStream& random) {
+  Document document = Document::parse(text, "spoiled.toml");
+  const Node root = document.root();
+  for (const Node& layer : root.named_tables("layer")) layer.quantity("angle", "rad");
+  if (const auto section = root.find_table("section")) section->rows("contour", {"m", "m"});
+  const std::vector<std::string> paths = document.paths();
+  if (!paths.empty()) {
+    const std::string& path = paths[random.below(paths.size())];
+    const double value = document.get(path) * (0.5 + 1.5 * random.uniform());
+    if (std::isfinite(value)) {
+      document.set(path, value);
+      const Document again = Document::parse(document.text(), "again.toml");
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(again.get(path)),
+                std::bit_cast<std::uint64_t>(document.get(path)))
+          << path << " in\n"
+          << text;
+    }
+  }
+  if (!paths.empty()) {
+    EXPECT_THROW(root.close(), InputError);  // most keys were never asked for
+  }
+}
+
+TEST(DocumentFuzz, TwentyThousandSpoiledTireFilesEndInADocumentOrAnInputError) {
+  const std::vector<std::string> tires = shipped_tires();
+  ASSERT_FALSE(tires.empty());
+  int rejected = 0;
+  for (int i = 0; i < kMutations; ++i) {
+    RandomStream random(kSeed, i);
+    std::string text = tires[random.below(tires.size())];
+    for (std::uint64_t changes = 1 + random.below(4); changes > 0; --changes) mutate(text, random);
+    try {
+      use(text, random);
+      if (HasFatalFailure()) return;
+    } catch (const InputError& error) {
+      ++rejected;
+      ASSERT_NE(std::string(error.what()).find(".toml"), std::string::npos) << error.what();
+    }
+  }
+  // Both ends are met often.
+  EXPECT_GT(rejected, kMutations / 4);
+  EXPECT_LT(rejected, 9 * kMutations / 10);
+}
+
+}  // namespace
+}  // namespace latsch
