@@ -40,8 +40,9 @@ class DeckWriter {
     print("*BOUNDARY\nRIM,1,3\n");
     if (run_.ground) print("GROUND,1,3\n");
     inflation_step();
+    if (run_.modes > 0 && !run_.loaded_modes) frequency_step();
     if (run_.ground) load_step();
-    if (run_.modes > 0) frequency_step();
+    if (run_.modes > 0 && run_.loaded_modes) frequency_step();
   }
 
  private:
@@ -99,6 +100,9 @@ class DeckWriter {
     for (int s = 0; s < mesh_.sectors; ++s)
       for (int i : mesh_.clamped) rim.push_back(node_number(s, i));
     set("*NSET,NSET=RIM", rim);
+    std::vector<int> sensors;
+    for (int i : mesh_.sensors) sensors.push_back(node_number(0, i));
+    set("*NSET,NSET=SENSORS", sensors);
     element_set("INNER", [](int, const Element& e) { return e.inner; });
     for (int solid = 0; solid < static_cast<int>(materials_.solids.size()); ++solid)
       element_set(fmt::format("SOLID{}", solid),
@@ -194,13 +198,15 @@ class DeckWriter {
   void inflation_step() {
     print("*STEP,NLGEOM,INC=100\n*STATIC,SOLVER=SPOOLES\n0.25,1.,1e-5,1.\n");
     print("*DLOAD\nINNER,P1,{:.12g}\n", run_.pressure * kMegapascals);
-    print("*NODE PRINT,NSET=RIM,TOTALS=ONLY\nRF\n*NODE FILE,FREQUENCY=100\nU\n*END STEP\n");
+    if (!mesh_.sensors.empty()) print("*NODE PRINT,NSET=SENSORS\nU\n");
+    print("*NODE FILE,FREQUENCY=100\nU\n*END STEP\n");
   }
 
   void load_step() {
     const double step = 1.0 / run_.load_increments;
     print("*STEP,NLGEOM,INC=200\n*STATIC,SOLVER=SPOOLES\n{:.12g},1.,1e-4,{:.12g}\n", step, step);
     print("*BOUNDARY\nGROUND,2,2,{:.12g}\n", run_.ground->travel * kMillimeters);
+    print("*DLOAD,OP=NEW\nINNER,P1,{:.12g}\n", run_.pressure * kMegapascals);
     print("*NODE PRINT,NSET=GROUND,TOTALS=ONLY\nRF\n*NODE FILE,FREQUENCY=100\nU\n*END STEP\n");
   }
 

@@ -30,6 +30,7 @@ struct CcxRun {
   std::optional<CcxGround> ground;  // none: no load step
   int load_increments = 5;          // of the travel
   int modes = 20;                   // 0: no frequency step
+  bool loaded_modes = true;         // else those of the inflated tire, before the load step
 };
 
 /// Throws InputError where the mesh holds rebars.

@@ -19,11 +19,14 @@ namespace {
 using fe_tire::Element;
 using fe_tire::Mesh;
 
+constexpr int kAllDirections = 7;
+
 class TireReader {
  public:
   TireReader(const InpDeck& deck, const InpUnits& units) : deck_(deck), units_(units) {}
 
   InpTire read() {
+    take_held();
     separate_ground();
     place_frame();
     take_nodes_and_elements();
@@ -38,22 +41,50 @@ class TireReader {
   }
 
  private:
-  /// The ground is every body touched by a master surface.
+  /// Bits of the held directions of every supported node.
+  void take_held() {
+    const auto take = [&](const InpSupport& support) {
+      for (int node : support.nodes) {
+        if (!deck_.nodes.count(node))
+          throw InputError(support.place, fmt::format("node {} is not defined", node));
+        for (int d = support.first; d <= support.last; ++d) held_[node] |= 1 << (d - 1);
+      }
+    };
+    for (const InpSupport& support : deck_.supports) take(support);
+    for (const InpStep& step : deck_.steps)
+      for (const InpSupport& support : step.supports) take(support);
+  }
+
+  /// The ground is every body touched by a master surface; a body of which all nodes are held is
+  /// no part of the tire either.
   void separate_ground() {
     std::map<int, std::vector<int>> elements_at;
     for (const auto& [number, element] : deck_.elements)
       for (int node : element.node) elements_at[node].push_back(number);
-    std::vector<int> open;
+    std::set<int> masters, seen;
     for (const InpContact& contact : deck_.contacts)
       for (const InpFaces& faces : deck_.surfaces.at(contact.master))
-        open.insert(open.end(), faces.elements.begin(), faces.elements.end());
-    while (!open.empty()) {
-      const int number = open.back();
-      open.pop_back();
-      if (!ground_elements_.insert(number).second) continue;
-      for (int node : deck_.elements.at(number).node) {
-        ground_nodes_.insert(node);
-        open.insert(open.end(), elements_at[node].begin(), elements_at[node].end());
+        masters.insert(faces.elements.begin(), faces.elements.end());
+    for (const auto& [first, unused] : deck_.elements) {
+      std::vector<int> open{first}, body;
+      bool is_master = false, is_held = true;
+      while (!open.empty()) {
+        const int number = open.back();
+        open.pop_back();
+        if (!seen.insert(number).second) continue;
+        body.push_back(number);
+        is_master = is_master || masters.count(number);
+        for (int node : deck_.elements.at(number).node) {
+          is_held = is_held && held_[node] == kAllDirections;
+          const std::vector<int>& neighbors = elements_at[node];
+          open.insert(open.end(), neighbors.begin(), neighbors.end());
+        }
+      }
+      if (!is_master && !is_held) continue;
+      for (int number : body) {
+        ground_elements_.insert(number);
+        const auto& nodes = deck_.elements.at(number).node;
+        ground_nodes_.insert(nodes.begin(), nodes.end());
       }
     }
   }
@@ -255,25 +286,20 @@ class TireReader {
   }
 
   void take_supports() {
-    std::map<int, int> held;  // node number -> bits of the directions
-    const auto take = [&](const InpSupport& support) {
-      for (int node : support.nodes) {
-        if (!deck_.nodes.count(node))
-          throw InputError(support.place, fmt::format("node {} is not defined", node));
-        for (int d = support.first; d <= support.last; ++d) held[node] |= 1 << (d - 1);
+    const auto check = [&](const InpSupport& support) {
+      for (int node : support.nodes)
         if (support.value != 0.0 && !ground_nodes_.count(node))
           throw InputError(support.place,
                            fmt::format("node {} of the tire is moved, expected a fixed rim", node));
-      }
     };
-    for (const InpSupport& support : deck_.supports) take(support);
+    for (const InpSupport& support : deck_.supports) check(support);
     for (const InpStep& step : deck_.steps)
-      for (const InpSupport& support : step.supports) take(support);
+      for (const InpSupport& support : step.supports) check(support);
     ring_.held.assign(ring_.X.cols(), 0);
-    for (const auto& [node, directions] : held) {
+    for (const auto& [node, directions] : held_) {
       const auto index = node_index_.find(node);
-      if (index == node_index_.end()) continue;
-      if (directions != 7)
+      if (index == node_index_.end() || directions == 0) continue;
+      if (directions != kAllDirections)
         throw InputError(
             {deck_.file, 0},
             fmt::format("node {} is held in some directions only, expected all three or none",
@@ -281,7 +307,7 @@ class TireReader {
       ring_.held[index->second] = 1;
     }
     for (int node : ground_nodes_)
-      if (held[node] != 7)
+      if (held_[node] != kAllDirections)
         throw InputError(
             {deck_.file, 0},
             fmt::format("node {} of the ground is free, expected a rigid ground", node));
@@ -396,6 +422,7 @@ class TireReader {
   InpTire tire_;
   Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d R_ = Eigen::Matrix3d::Identity();  // from the file's frame to the wheel's
+  std::map<int, int> held_;                          // node number -> bits of the held directions
   std::set<int> ground_elements_, ground_nodes_;
   std::map<int, int> node_index_, element_index_;
   std::vector<int> element_numbers_;

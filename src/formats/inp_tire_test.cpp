@@ -145,6 +145,15 @@ TEST(InpTire, EveryOtherSectorOfAnotherRubberHalvesTheNumberOfSectors) {
   EXPECT_EQ(mesh.elements.size(), 2u * per_sector);
 }
 
+TEST(InpTire, AHeldBodyWithoutContactIsNoPartOfTheTire) {
+  const TireDescription tire = small_tire();
+  InpDeck deck = parse_inp(deck_of(tire), "small.inp");
+  deck.contacts.clear();
+  const InpTire read = tire_from(deck);
+  EXPECT_EQ(read.mesh.element_count(), build_mesh(tire).element_count());
+  EXPECT_FALSE(read.ground);
+}
+
 TEST(InpTire, UnitsAreConvertedAtTheDoor) {
   const TireDescription tire = small_tire();
   const InpTire si = tire_from(parse_inp(deck_of(tire), "small.inp"), {1.0, 1.0, 1.0});
@@ -152,12 +161,12 @@ TEST(InpTire, UnitsAreConvertedAtTheDoor) {
   EXPECT_DOUBLE_EQ(si.pressure, 0.26);
 }
 
-/// The message for a deck in which `from` is replaced by `to`.
+/// The message for a deck in which every `from` is replaced by `to`.
 std::string complaint(const std::string& from, const std::string& to) {
   std::string text = deck_of(small_tire());
-  const auto at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  text.replace(at, from.size(), to);
+  EXPECT_NE(text.find(from), std::string::npos) << from;
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
   try {
     tire_from(parse_inp(text, "bad.inp"));
   } catch (const InputError& error) {

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// Agreement with CalculiX 2.20 on the same decks, and CPU time against it in the same run, one
+// thread.
+//
+// First part: the decks ../shared/data/ccx beside the project, computed by CalculiX, read through
+// our own .inp reader and computed with the comparison elements. Second part: the tires A and B of
+// [Hempel & Oertel 2016], exported by our own writer, computed by both programs now.
+// A whole trial: inflate, 25 mm in five steps, 20 modes of the loaded (B) or unloaded (A) tire.
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "formats/ccx_deck.h"
+#include "formats/ccx_results.h"
+#include "formats/inp_tire.h"
+#include "models/fe_tire/fe_tire.h"
+#include "models/fe_tire/reference_tires.h"
+#include "table.h"
+
+namespace latsch::benchmarks {
+namespace {
+
+using namespace fe_tire;
+
+const std::filesystem::path kDecks = LATSCH_SOURCE_DIR "/../shared/data/ccx";
+constexpr double kTravel = 0.025;  // m
+constexpr int kModes = 20;
+
+double cpu_seconds(int who) {
+  rusage usage{};
+  getrusage(who, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+template <class T>
+T take(Result<T> result) {
+  if (!result) throw std::runtime_error(result.failure().reason);
+  return *std::move(result);
+}
+
+struct Trial {
+  double growth = 0.0;  // m, radial, of the crown
+  double Fz = 0.0;      // N, at the last deflection
+  std::vector<double> frequencies;
+};
+
+/// Ground at `ground_radius` from the wheel center, moved by `travel` in five steps; none where
+/// travel is 0.
+Trial run_trial(FeTire& tire,
+                double pressure,
+                double ground_radius,
+                double travel,
+                bool loaded_modes,
+                double stiffness) {
+  Trial trial;
+  const Inflated inflated = take(tire.inflate(pressure));
+  trial.growth = inflated.growth;
+  std::vector<Mode> modes;
+  if (!loaded_modes) modes = take(tire.modes(inflated, kModes));
+  if (travel > 0.0) {
+    const double from_touch = travel - (ground_radius - inflated.radius);
+    std::vector<double> deflections;
+    for (int i = 1; i <= 5; ++i) deflections.push_back(from_touch * i / 5);
+    const Loaded loaded = take(tire.load(inflated, deflections, Ground{stiffness, 0.0}));
+    trial.Fz = loaded.curve.back().Fz;
+    if (loaded_modes) modes = take(tire.modes(loaded, kModes));
+  }
+  for (const Mode& mode : modes) trial.frequencies.push_back(mode.frequency);
+  return trial;
+}
+
+SolverSettings comparison() {
+  SolverSettings settings;
+  settings.element = ElementKind::full_integration;
+  return settings;
+}
+
+double largest_error(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) return INFINITY;
+  double error = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) error = std::max(error, std::abs(a[i] / b[i] - 1.0));
+  return error;
+}
+
+void compare_row(Table& table, const std::string& what, double error, double reach) {
+  table.row(what,
+            fmt::format("{:.4f} %", 100.0 * error),
+            fmt::format("<= {:.1f} %", 100.0 * reach),
+            error <= reach);
+}
+
+/// The decks that lie beside the project.
+void compare_decks(Table& table) {
+  if (!std::filesystem::exists(kDecks)) {
+    table.note("agreement with the decks", "skipped: no ../shared/data/ccx beside the project");
+    return;
+  }
+  // Crown growth is printed by none of the decks; CalculiX' result file gave 0.833 mm.
+  constexpr double kGrowth = 0.833e-3;
+  for (const bool loaded : {true, false}) {
+    const std::string name = loaded ? "tire_b_loaded" : "tire_b_unloaded";
+    const formats::InpTire deck = formats::read_inp_tire(kDecks / (name + ".inp"));
+    const formats::CcxResults expected = formats::read_ccx_results(kDecks / (name + ".dat"));
+    FeTire tire(deck.mesh, deck.materials, comparison());
+    const formats::InpGround ground = deck.ground.value_or(formats::InpGround{});
+    const Trial trial = run_trial(
+        tire, deck.pressure, ground.radius, loaded ? ground.travel : 0.0, loaded, ground.stiffness);
+    if (loaded) {
+      compare_row(table, name + ": crown growth", std::abs(trial.growth / kGrowth - 1.0), 1e-3);
+      compare_row(table,
+                  name + ": Fz",
+                  std::abs(trial.Fz / expected.total_force.at("NGR").y() - 1.0),
+                  2e-3);
+    }
+    compare_row(table,
+                name + ": 20 modes, largest error",
+                largest_error(trial.frequencies, expected.frequencies),
+                3e-3);
+  }
+}
+
+/// One tire in both programs.
+void race(Table& table,
+          const std::string& name,
+          const TireDescription& description,
+          bool loaded_modes) {
+  const auto folder = std::filesystem::temp_directory_path() / fmt::format("latsch_ccx_{}", name);
+  std::filesystem::create_directories(folder);
+
+  const double start = cpu_seconds(RUSAGE_SELF);
+  const Mesh mesh = build_mesh(description);
+  const Materials materials = build_materials(description);
+  FeTire tire(mesh, materials, comparison());
+  const double prepared = cpu_seconds(RUSAGE_SELF);
+  const double ground_radius = mesh.outer_radius() + 2e-3;  // clear of the inflated tire
+  const Ground ground;
+  const Trial ours =
+      run_trial(tire, description.pressure, ground_radius, kTravel, loaded_modes, ground.stiffness);
+  const double finished = cpu_seconds(RUSAGE_SELF);
+
+  formats::CcxRun run;
+  run.title = description.name;
+  run.pressure = description.pressure;
+  run.ground = formats::CcxGround{ground_radius, kTravel, ground.stiffness, 0.0};
+  run.modes = kModes;
+  run.loaded_modes = loaded_modes;
+  formats::write_ccx_deck(folder / "tire.inp", mesh, materials, run);
+  const double children = cpu_seconds(RUSAGE_CHILDREN);
+  const std::string command = fmt::format(
+      "cd '{}' && OMP_NUM_THREADS=1 CCX_NPROC_EQUATION_SOLVER=1 CCX_NPROC_RESULTS=1 ccx -i tire > "
+      "tire.log 2>&1",
+      folder.string());
+  if (std::system(command.c_str()) != 0) {
+    table.row(name + ": CalculiX", "did not finish", "finish", false);
+    return;
+  }
+  const double theirs = cpu_seconds(RUSAGE_CHILDREN) - children;
+  const formats::CcxResults expected = formats::read_ccx_results(folder / "tire.dat");
+
+  int crown = mesh.sensors[2];
+  const Eigen::Vector3d X = mesh.X.col(crown);
+  (void)X;
+  compare_row(table,
+              name + ": crown growth, both programs now",
+              std::abs(ours.growth * 1e3 / -expected.displacement.at(crown + 1).y() - 1.0),
+              1e-3);
+  compare_row(table,
+              name + ": Fz, both programs now",
+              std::abs(ours.Fz / expected.total_force.at("GROUND").y() - 1.0),
+              2e-3);
+  compare_row(table,
+              name + ": 20 modes, both programs now",
+              largest_error(ours.frequencies, expected.frequencies),
+              3e-3);
+  table.note(name + ": CPU of CalculiX", fmt::format("{:.1f} s", theirs));
+  table.note(name + ": CPU of our trial", fmt::format("{:.2f} s", finished - prepared));
+  table.note(name + ": CPU of our preparation of the mesh",
+             fmt::format("{:.2f} s", prepared - start));
+  const double ratio = theirs / (finished - start);
+  table.row(name + ": CPU ratio, preparation included",
+            fmt::format("{:.1f}", ratio),
+            ">= 7",
+            ratio >= 7.0);
+}
+
+}  // namespace
+
+int run() {
+  Table table("ccx");
+  compare_decks(table);
+  if (std::system("command -v ccx > /dev/null 2>&1") != 0) {
+    table.note("CPU time against CalculiX", "skipped: no ccx on the path");
+  } else {
+    race(table, "tire B", reference_tire_b(), true);
+    race(table, "tire A", reference_tire_a(), false);
+  }
+  return table.exit_code();
+}
+
+}  // namespace latsch::benchmarks
+
+int main() {
+  try {
+    return latsch::benchmarks::run();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "ccx: {}\n", error.what());
+    return 1;
+  }
+}
