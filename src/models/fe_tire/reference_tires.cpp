@@ -6,7 +6,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kMegapascal = 1e6, kMillimeter = 1e-3;
+constexpr double kMegapascal = 1e6;
 constexpr double kCordThickness = 1e-3;  // only modulus times thickness counts when smeared
 
 CordPly ply(const char* name, double to, double stiffness, double angle_deg) {
@@ -36,8 +36,9 @@ TireDescription passenger_tire() {
   return tire;
 }
 
+/// Divided, not multiplied: 310 mm then has the bits of 0.31, as in a tire file.
 std::vector<MeridianPoint> millimeters(std::vector<MeridianPoint> points) {
-  for (MeridianPoint& p : points) p = {p.y * kMillimeter, p.r * kMillimeter};
+  for (MeridianPoint& p : points) p = {p.y / 1e3, p.r / 1e3};
   return points;
 }
 

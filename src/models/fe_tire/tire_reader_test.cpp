@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "models/fe_tire/reference_tires.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+const std::filesystem::path kTires = LATSCH_SOURCE_DIR "/studies/tires";
+
+TireDescription read(const std::string& file) {
+  return read_tire(Document::read(kTires / file).root());
+}
+
+TEST(TireReader, ShippedTiresHaveThePapersElementsAndFreedoms) {
+  const Mesh b = build_mesh(read("passenger_225_50R16.toml"));
+  EXPECT_EQ(b.element_count(), 3480);
+  EXPECT_EQ(b.free_dofs(), 15480);
+  const Mesh a = build_mesh(read("passenger_235_45R20.toml"));
+  EXPECT_EQ(a.element_count(), 7020);
+  EXPECT_EQ(a.free_dofs(), 27000);
+}
+
+TEST(TireReader, EveryShippedTireCanBeRefined) {
+  for (const auto& entry : std::filesystem::directory_iterator(kTires)) {
+    if (entry.path().extension() != ".toml") continue;
+    const TireDescription tire = read(entry.path().filename());
+    for (int refinement : {1, 2, 3}) {
+      const Mesh mesh = build_mesh(tire, refinement);
+      EXPECT_EQ(mesh.sensors.size(), 5u) << entry.path();
+      const int layers = static_cast<int>(build_materials(tire).layers.size());
+      for (const Element& element : mesh.elements)
+        for (const RebarPlacement& rebar : element.rebars) EXPECT_LT(rebar.layer, layers);
+    }
+  }
+}
+
+TEST(TireReader, ComparisonFilesAreTheReferenceTires) {
+  const auto expect_same = [](const TireDescription& read, const TireDescription& reference) {
+    EXPECT_EQ(read.element, ElementKind::full_integration);
+    EXPECT_TRUE(read.section == reference.section);
+    const Mesh x = build_mesh(read), y = build_mesh(reference);
+    EXPECT_TRUE(x.X == y.X);
+    const Materials a = build_materials(read), b = build_materials(reference);
+    for (std::size_t e = 0; e < x.elements.size(); ++e) {
+      const Solid &s = a.solids[x.elements[e].solid], &t = b.solids[y.elements[e].solid];
+      EXPECT_DOUBLE_EQ(s.density, t.density);
+      ASSERT_EQ(s.law.index(), t.law.index());
+      if (const auto* law = std::get_if<StVenantKirchhoff>(&s.law)) {
+        const Matrix6& D = std::get<StVenantKirchhoff>(t.law).D;
+        EXPECT_LT((law->D - D).cwiseAbs().maxCoeff(), 1e-12 * D.maxCoeff());
+      } else {
+        EXPECT_NEAR(std::get<Hyperelastic>(s.law).C10, 1e6, 1e-6);
+        EXPECT_NEAR(std::get<Hyperelastic>(s.law).K, 1e8, 1e-3);
+      }
+    }
+  };
+  expect_same(read("comparison_225_50R16.toml"), reference_tire_b());
+  expect_same(read("comparison_235_45R20.toml"), reference_tire_a());
+}
+
+TEST(TireReader, AVariedModulusKeepsTheMeshAndChangesTheMaterials) {
+  Document document = Document::read(kTires / "passenger_225_50R16.toml");
+  const TireDescription before = read_tire(document.root());
+  document.set("layer.belt_1.young_modulus", 80e9);
+  document.set("rubber.matrix.young_modulus", 22.3e6);
+  const TireDescription after = read_tire(document.root());
+  EXPECT_TRUE(same_mesh(before, after));
+  EXPECT_EQ(after.plies[1].cords.E_tension, 80e9);
+  const Materials materials = build_materials(after);
+  const auto& rubber = std::get<Hyperelastic>(materials.solids[0].law);
+  EXPECT_NEAR(2.0 * rubber.C10, 22.3e6 / (2.0 * (1.0 + 0.49)), 1.0);
+}
+
+TEST(TireReader, LiftedBiasPliesSteepenTowardTheBead) {
+  const TireDescription tire = read("race_16x7.5-10.toml");
+  const Materials materials = build_materials(tire);
+  const CordLayer& bead = materials.layers.front();
+  const CordLayer& crown = materials.layers[materials.layers.size() / 2];
+  EXPECT_NEAR(crown.angle * 180.0 / M_PI, 36.0, 0.2);
+  const double r = 0.5 * (133.0 + 200.0 * 0.68) / 200.0;  // about the radius of the first column
+  EXPECT_NEAR(std::cos(bead.angle), r * std::cos(crown.angle), 0.02);
+  // The same number of cords around: area times spacing r sin(angle) stays.
+  EXPECT_GT(bead.thickness * std::cos(bead.angle), 0.0);
+}
+
+/// The complaint about tire B with one line replaced.
+std::string complaint(const std::string& from, const std::string& to) {
+  std::ifstream file(kTires / "passenger_225_50R16.toml");
+  std::ostringstream stream;
+  stream << file.rdbuf();
+  std::string text = stream.str();
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  text.replace(at, from.size(), to);
+  try {
+    build_mesh(read_tire(Document::parse(text, "tire.toml").root()));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+TEST(TireReader, ComplaintsNameFileLineFoundAndExpected) {
+  const auto says = [](const std::string& text, std::initializer_list<const char*> parts) {
+    EXPECT_EQ(text.rfind("tire.toml:", 0), 0u) << text;
+    for (const char* part : parts) EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  says(complaint("[0.52, \"4 mm\"]", "[0.52, \"-4 mm\"]"), {"thickness_inside", "-4 mm"});
+  says(complaint("angle = \"24 deg\"", "angle = \"24 N\""), {"layer.belt_1.angle", "24 N"});
+  says(complaint("[107, 288], [112, 268], [110, 246]", "[110, 246], [112, 268], [107, 288]"),
+       {"section.contour", "crosses itself"});
+  says(complaint("offset = \"-2 mm\"", "offset = \"-5 mm\""),
+       {"layer.carcass.offset", "outside the wall"});
+  says(complaint("225/50R16\"", "225-50-16\""), {"size", "225-50-16", "225/50R16"});
+  says(complaint("225/50R16\"", "225/50R17\""), {"section.contour", "656"});
+  says(complaint("rubber = \"matrix\"", "rubber = \"matrx\""), {"matrx", "matrix"});
+  says(complaint("pressure =", "presure ="), {"pressure"});
+  says(complaint("spacing =", "spacin ="), {"spacing"});
+  says(complaint("from = 0.74", "from = 0.80"), {"no rubber region covers position"});
+  says(complaint("from = 0.74", "from = 0.60"), {"overlap"});
+  says(complaint("poisson_ratio = 0.49", "poisson_ratio = 0.5"), {"poisson_ratio", "0.5"});
+  says(complaint("meridional = 29", "meridional = 2"), {"mesh.meridional", "2"});
+  says(complaint("[1.0, \"7 mm\"]", "[1.0, \"150 mm\"]"), {"section.contour", "crosses itself"});
+}
+
+}  // namespace
+}  // namespace latsch::fe_tire
