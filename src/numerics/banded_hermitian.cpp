@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "numerics/banded_hermitian.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include "numerics/blas_core.h"
@@ -24,6 +23,18 @@ void zpbtrs_(const char* uplo,
              const int* ldb,
              int* info,
              std::size_t uplo_length);
+void zhbmv_(const char* uplo,
+            const int* n,
+            const int* k,
+            const std::complex<double>* alpha,
+            const std::complex<double>* a,
+            const int* lda,
+            const std::complex<double>* x,
+            const int* incx,
+            const std::complex<double>* beta,
+            std::complex<double>* y,
+            const int* incy,
+            std::size_t uplo_length);
 }
 
 namespace latsch::numerics {
@@ -33,17 +44,22 @@ BandedHermitian::BandedHermitian(int size, int bandwidth)
 
 void BandedHermitian::multiply(const Eigen::Ref<const Eigen::MatrixXcd>& X,
                                Eigen::Ref<Eigen::MatrixXcd> Y) const {
-  const int n = size(), band = bandwidth();
+  choose_blas_core();
+  const int n = size(), band = bandwidth(), leading = band + 1, stride = 1;
+  const Complex one = 1.0, zero = 0.0;
   for (Eigen::Index k = 0; k < X.cols(); ++k) {
-    const auto x = X.col(k);
-    auto y = Y.col(k);
-    y.setZero();
-    for (int j = 0; j < n; ++j) {
-      const int below = std::min(band, n - 1 - j);
-      const auto column = lower_.col(j).segment(1, below);
-      y[j] += lower_(0, j).real() * x[j] + column.dot(x.segment(j + 1, below));
-      y.segment(j + 1, below) += x[j] * column;
-    }
+    zhbmv_("L",
+           &n,
+           &band,
+           &one,
+           lower_.data(),
+           &leading,
+           X.col(k).data(),
+           &stride,
+           &zero,
+           Y.col(k).data(),
+           &stride,
+           1);
   }
 }
 

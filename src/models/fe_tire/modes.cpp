@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "models/fe_tire/mode_label.h"
@@ -18,7 +19,7 @@ namespace {
 constexpr double kTolerance = 1e-5;
 // Vectors a step over the ring: solving them together is cheaper, but more of them are needed.
 constexpr int kRingBlock = 4;
-constexpr int kPerHarmonic = 6;  // modes of one circumferential number computed at a time
+constexpr int kPerHarmonic = 3;  // modes of one circumferential number computed at first
 
 double to_hertz(double omega_squared) {
   return std::sqrt(std::max(0.0, omega_squared)) / (2.0 * std::numbers::pi);
@@ -38,6 +39,7 @@ bool solve_harmonic(const SectorBlocks& K,
                     int n,
                     int count,
                     std::vector<HarmonicMode>& modes) {
+  modes.clear();
   numerics::BandedCholesky cholesky;
   if (!cholesky.factorize(K.harmonic(n))) return false;
   const numerics::BandedHermitian mass = M.harmonic(n);
@@ -97,57 +99,80 @@ void fix_phase(Eigen::VectorXcd& phi) {
   phi *= std::conj(phi[largest]) / std::abs(phi[largest]);
 }
 
-}  // namespace
-
-Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
-                                         const Materials& materials,
-                                         const Inflated& inflated,
-                                         int count) {
-  const int S = ring.sectors();
-  SectorBlocks K(ring);
-  Eigen::VectorXd f, alpha = inflated.alpha;
-  assemble_sector(
-      ring, materials, ring.compress(inflated.u), inflated.pressure, alpha, f, &K, nullptr);
-  const SectorBlocks M = sector_mass(ring, materials);
-
-  std::vector<HarmonicMode> found;
-  int enough = 0;  // successive harmonics that held none of the lowest
-  for (int n = 0; n <= S / 2 && enough < 2; ++n) {
-    const std::size_t first = found.size();
-    if (!solve_harmonic(K, M, n, kPerHarmonic, found)) {
-      return Failure{fmt::format(
-          "modes: the inflated tire is not stable in circumferential number {} at {:.4g} bar: it "
-          "buckles; check pressure, thicknesses and moduli",
-          n,
-          inflated.pressure / 1e5)};
+/// Frequency of the count-th lowest mode among those found, pairs counted twice; infinite where
+/// there are fewer.
+double cutoff(const std::vector<std::vector<HarmonicMode>>& by_n, int sectors, int count) {
+  std::vector<double> all;
+  for (const auto& modes : by_n) {
+    for (const HarmonicMode& mode : modes) {
+      all.insert(all.end(), single(mode.n, sectors) ? 1 : 2, mode.frequency);
     }
-    std::vector<double> all;
-    for (const HarmonicMode& mode : found) {
-      all.insert(all.end(), single(mode.n, S) ? 1 : 2, mode.frequency);
-    }
-    std::sort(all.begin(), all.end());
-    const bool complete = static_cast<int>(all.size()) >= count;
-    enough = complete && found[first].frequency > all[count - 1] ? enough + 1 : 0;
   }
+  if (static_cast<int>(all.size()) < count) return std::numeric_limits<double>::infinity();
+  std::nth_element(all.begin(), all.begin() + count - 1, all.end());
+  return all[count - 1];
+}
+
+/// Shapes and names of the lowest `count` modes.
+std::vector<Mode> named_modes(const Ring& ring, std::vector<HarmonicMode> found, int count) {
   std::stable_sort(found.begin(), found.end(), [](const HarmonicMode& a, const HarmonicMode& b) {
     return a.frequency < b.frequency;
   });
-
   std::vector<Mode> modes;
   for (HarmonicMode& mode : found) {
-    if (static_cast<int>(modes.size()) >= count) break;
     fix_phase(mode.phi);
     Mode result;
     result.frequency = mode.frequency;
     result.n = mode.n;
     result.type = type_of(mode.n, directional_energy(mode.phi));
-    for (int member = 0; member < (single(mode.n, S) ? 1 : 2); ++member) {
+    for (int member = 0; member < (single(mode.n, ring.sectors()) ? 1 : 2); ++member) {
+      if (static_cast<int>(modes.size()) == count) break;
       result.shape = unfold(ring, mode, member == 1);
       modes.push_back(result);
     }
   }
   number_orders(modes);
   return modes;
+}
+
+}  // namespace
+
+Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
+                                         const Materials& materials,
+                                         const Inflated& inflated,
+                                         int count) {
+  SectorBlocks K(ring);
+  Eigen::VectorXd f, alpha = inflated.alpha;
+  assemble_sector(
+      ring, materials, ring.compress(inflated.u), inflated.pressure, alpha, f, &K, nullptr);
+  const SectorBlocks M = sector_mass(ring, materials);
+  const int S = ring.sectors();
+
+  std::vector<std::vector<HarmonicMode>> by_n;
+  const auto solve = [&](int n, int modes) { return solve_harmonic(K, M, n, modes, by_n[n]); };
+  int beyond = 0;  // successive harmonics whose lowest mode lies above all that are wanted
+  for (int n = 0; n <= S / 2 && beyond < 2; ++n) {
+    by_n.emplace_back();
+    if (!solve(n, kPerHarmonic)) {
+      return Failure{fmt::format(
+          "modes: the inflated tire is not stable in circumferential number {} at {:.4g} bar: it "
+          "buckles; check pressure, thicknesses and moduli",
+          n,
+          inflated.pressure / 1e5)};
+    }
+    beyond = by_n[n].front().frequency > cutoff(by_n, S, count) ? beyond + 1 : 0;
+  }
+  // A harmonic of which every mode found is among the lowest may hold more of them.
+  for (int n = 0; n < static_cast<int>(by_n.size()); ++n) {
+    for (int known = kPerHarmonic;
+         known < K.size() && by_n[n].back().frequency < cutoff(by_n, S, count);
+         known *= 2) {
+      solve(n, 2 * known);
+    }
+  }
+  std::vector<HarmonicMode> found;
+  for (const auto& modes : by_n) found.insert(found.end(), modes.begin(), modes.end());
+  return named_modes(ring, std::move(found), count);
 }
 
 Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
