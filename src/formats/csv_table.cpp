@@ -175,6 +175,10 @@ std::vector<std::string> CsvTable::texts(std::string_view column) const {
   return texts;
 }
 
+std::string CsvTable::text(std::string_view column, int row) const {
+  return std::string(cell(index(column), row));
+}
+
 Channels CsvTable::channels() const {
   Channels channels;
   for (const Column& column : columns_) {

@@ -46,6 +46,7 @@ class CsvTable {
   /// Integers without unit.
   std::vector<int> integers(std::string_view column) const;
   std::vector<std::string> texts(std::string_view column) const;
+  std::string text(std::string_view column, int row) const;
 
   /// Every column, each in the SI unit of its dimension; all must be numbers.
   Channels channels() const;

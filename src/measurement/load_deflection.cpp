@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measurement/load_deflection.h"
+
+#include <cmath>
+
+#include "base/text.h"
+
+namespace latsch {
+namespace {
+
+std::string name(Abscissa abscissa) {
+  return abscissa == Abscissa::deflection ? "deflection" : "loaded_radius";
+}
+
+/// Empty where the value is finite and positive (or zero, where that is allowed).
+std::string fault_of(const std::string& what, double value, const char* unit, bool zero_allowed) {
+  if (std::isfinite(value) && (value > 0.0 || (zero_allowed && value == 0.0))) return "";
+  return what + " is " + format_number(value) + " " + unit + ", expected " +
+         (zero_allowed ? "at least 0 " : "more than 0 ") + unit;
+}
+
+}  // namespace
+
+std::optional<MeasurementFault> find_fault(const LoadDeflectionCurve& curve) {
+  const std::size_t points = curve.position.size();
+  if (points == 0) return MeasurementFault{-1, "holds no point, expected at least one"};
+  if (curve.force.size() != points || (!curve.spread.empty() && curve.spread.size() != points))
+    return MeasurementFault{-1, "has columns of unequal length"};
+  for (std::size_t i = 0; i < points; ++i) {
+    const int point = static_cast<int>(i);
+    const std::string position = name(curve.abscissa);
+    for (const std::string& fault :
+         {fault_of(position, curve.position[i], "m", false),
+          fault_of("force", curve.force[i], "N", false),
+          curve.spread.empty() ? "" : fault_of("spread", curve.spread[i], "N", true)})
+      if (!fault.empty()) return MeasurementFault{point, fault};
+    if (i == 0) continue;
+    const bool rising = curve.position[1] > curve.position[0];
+    if (rising ? curve.position[i] <= curve.position[i - 1]
+               : curve.position[i] >= curve.position[i - 1])
+      return MeasurementFault{point,
+                              position + " is " + format_number(curve.position[i]) + " m after " +
+                                  format_number(curve.position[i - 1]) +
+                                  " m, expected values that all rise or all fall"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace latsch

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// A measured load-deflection curve: vertical force over how far the wheel center was lowered, or
+// over its height above the ground. The pressure and the ground belong to the load case, not to the
+// curve.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "measurement/measurement_fault.h"
+
+namespace latsch {
+
+enum class Abscissa {
+  deflection,     // from first touch
+  loaded_radius,  // wheel center to ground
+};
+
+struct LoadDeflectionCurve {
+  Abscissa abscissa = Abscissa::deflection;
+  std::vector<double> position;  // m, deflection or loaded radius
+  std::vector<double> force;     // N, upward on the wheel
+  std::vector<double> spread;    // N, standard deviation of the force; empty: not known
+
+  bool operator==(const LoadDeflectionCurve&) const = default;
+};
+
+/// The first fault: no point, columns of unequal length, numbers that are not finite, positions or
+/// forces that are not positive (errors are relative to the force), a negative spread, positions
+/// that do not all rise or all fall.
+std::optional<MeasurementFault> find_fault(const LoadDeflectionCurve& curve);
+
+}  // namespace latsch
