@@ -10,7 +10,7 @@
 
 #include "base/document.h"
 #include "base/file.h"
-#include "base/random.h"
+#include "base/spoiled_text_testing.h"
 
 namespace latsch {
 namespace {
@@ -28,8 +28,7 @@ std::vector<std::string> shipped_tires() {
   return texts;
 }
 
-/// One change out of those that happen to files, small ones most often.
-void mutate(std::string& text, RandomStream& random) {
+const std::vector<std::string>& pieces() {
   static const std::vector<std::string> kPieces = {"[",
                                                    "]",
                                                    "{",
@@ -69,27 +68,7 @@ void mutate(std::string& text, RandomStream& random) {
                                                    "[[layer]]",
                                                    "a.b.c.d = 1",
                                                    "\"2.6 bar\""};
-  const std::size_t at = random.below(text.size() + 1);
-  const std::size_t length = std::min<std::size_t>(random.below(40), text.size() - at);
-  switch (random.below(6)) {
-    case 0:
-      if (at < text.size()) text[at] = static_cast<char>(random.below(256));
-      break;
-    case 1:
-      text.erase(at, length);
-      break;
-    case 2:
-      text.insert(at, kPieces[random.below(kPieces.size())]);
-      break;
-    case 3:
-      text.insert(random.below(text.size() + 1), text.substr(at, length));
-      break;
-    case 4:
-      text.resize(at);
-      break;
-    default:
-      if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << random.below(8)));
-  }
+  return kPieces;
 }
 
 /// Everything a study may do with a file.
@@ -122,8 +101,7 @@ TEST(DocumentFuzz, TwentyThousandSpoiledTireFilesEndInADocumentOrAnInputError) {
   int rejected = 0;
   for (int i = 0; i < kMutations; ++i) {
     RandomStream random(kSeed, i);
-    std::string text = tires[random.below(tires.size())];
-    for (std::uint64_t changes = 1 + random.below(4); changes > 0; --changes) mutate(text, random);
+    const std::string text = spoiled(tires[random.below(tires.size())], pieces(), random);
     try {
       use(text, random);
       if (HasFatalFailure()) return;
