@@ -21,8 +21,47 @@ Eigen::Vector3d area_vector(const Matrix34& x, double xi, double eta) {
   return (x * N_xi).cross(Eigen::Vector3d(x * N_eta));
 }
 
+Eigen::Vector4d shape_functions(double xi, double eta) {
+  return Eigen::Vector4d((1 - xi) * (1 - eta),
+                         (1 + xi) * (1 - eta),
+                         (1 + xi) * (1 + eta),
+                         (1 - xi) * (1 + eta)) /
+         4.0;
+}
+
+// A footprint is what comes this close to the ground: elements are longer than the patch is sharp,
+// so it is sampled finer than the four points that carry the force.
+constexpr double kTouch = 2e-5;  // m
+constexpr int kSamples = 8;      // along each side of a face
+
+/// Area and extent of the tread that touches the ground.
+struct Footprint {
+  double area = 0.0;
+  Eigen::Vector2d lowest = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d highest = -lowest;
+
+  void add(const Matrix34& face, double ground) {
+    for (int i = 0; i < kSamples * kSamples; ++i) {
+      const double xi = (2.0 * (i % kSamples) + 1.0) / kSamples - 1.0;
+      const double eta = (2.0 * (i / kSamples) + 1.0) / kSamples - 1.0;
+      const Eigen::Vector3d at = face * shape_functions(xi, eta);
+      if (at.z() >= ground + kTouch) continue;
+      area += std::abs(area_vector(face, xi, eta).z()) * 4.0 / (kSamples * kSamples);
+      lowest = lowest.cwiseMin(at.head<2>());
+      highest = highest.cwiseMax(at.head<2>());
+    }
+  }
+  void add_images() {
+    area *= 2.0;
+    const Eigen::Vector2d far = highest.cwiseMax(-lowest);
+    lowest = -far;
+    highest = far;
+  }
+  double extent(int axis) const { return area > 0.0 ? highest[axis] - lowest[axis] : 0.0; }
+};
+
 /// Adds the images under the half turn about the vertical axis.
-void complete_by_symmetry(ContactPatch& patch) {
+void add_images(ContactPatch& patch) {
   const std::size_t computed = patch.points.size();
   for (std::size_t k = 0; k < computed; ++k) {
     ContactPatch::Point image = patch.points[k];
@@ -32,7 +71,6 @@ void complete_by_symmetry(ContactPatch& patch) {
     image.shear_y = -image.shear_y;
     patch.points.push_back(image);
   }
-  patch.area *= 2.0;
 }
 
 double gauss_xi(int q) { return (q & 1) ? kSqrt13 : -kSqrt13; }
@@ -51,8 +89,7 @@ GroundContact::GroundContact(const RingUnknowns& unknowns, const Ground& ground)
     Face face{e, {}, {}};
     for (int q = 0; q < 4; ++q) {
       const double xi = gauss_xi(q), eta = gauss_eta(q);
-      face.N[q] << (1 - xi) * (1 - eta) / 4, (1 + xi) * (1 - eta) / 4, (1 + xi) * (1 + eta) / 4,
-          (1 - xi) * (1 + eta) / 4;
+      face.N[q] = shape_functions(xi, eta);
       face.dA[q] = area_vector(X, xi, eta).norm();
     }
     face_of_element_[e] = static_cast<int>(faces_.size());
@@ -155,13 +192,13 @@ void GroundContact::settle(const Eigen::VectorXd& x) {
 
 ContactPatch GroundContact::patch(const Eigen::VectorXd& x, double* Fz) const {
   ContactPatch patch;
+  Footprint footprint;
   double force = 0.0;
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Eigen::Vector2d lowest(kFar, kFar), highest(-kFar, -kFar);
   for (int s = 0; s < unknowns_.sectors(); ++s) {
     for (int k = 0; k < static_cast<int>(faces_.size()); ++k) {
       const Matrix34 face =
           world_face(s, faces_[k].element, unknowns_.gather(s, faces_[k].element, x));
+      if (face.row(2).minCoeff() < height_ + kTouch) footprint.add(face, height_);
       for (int q = 0; q < 4; ++q) {
         const Eigen::Vector3d at = face * faces_[k].N[q];
         if (at.z() >= height_) continue;
@@ -175,20 +212,17 @@ ContactPatch GroundContact::patch(const Eigen::VectorXd& x, double* Fz) const {
                                 on.t.y() * stretch,
                                 area,
                                 on.sticks});
-        patch.area += area;
         force += on.p * faces_[k].dA[q];
       }
     }
   }
-  if (unknowns_.multiplicity() > 1.0) complete_by_symmetry(patch);
-  for (const ContactPatch::Point& point : patch.points) {
-    lowest = lowest.cwiseMin(Eigen::Vector2d(point.x, point.y));
-    highest = highest.cwiseMax(Eigen::Vector2d(point.x, point.y));
+  if (unknowns_.multiplicity() > 1.0) {
+    add_images(patch);
+    footprint.add_images();
   }
-  if (!patch.points.empty()) {
-    patch.length = highest.x() - lowest.x();
-    patch.width = highest.y() - lowest.y();
-  }
+  patch.area = footprint.area;
+  patch.length = footprint.extent(0);
+  patch.width = footprint.extent(1);
   if (Fz) *Fz = force * unknowns_.multiplicity();
   return patch;
 }
