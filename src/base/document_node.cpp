@@ -34,7 +34,7 @@ std::string fault_of(const DocumentValue& value, const Unit& expected) {
     const DimensionWords words = words_for(expected);
     return found + "expected " + words.noun + " with its unit, such as " + in_quotes(words.example);
   }
-  const std::string wanted = found + "expected " + expectation(expected);
+  std::string wanted = found + "expected " + expectation(expected);
   if (value.kind == Kind::number && !value.unit.empty() && !Unit::find(value.unit))
     return wanted + " (" + unknown_unit(value.unit) + ")";
   if (value.kind == Kind::number && value.unit.empty()) return found + "expected a finite number";
@@ -138,6 +138,7 @@ std::vector<double> Node::quantities(std::string_view key,
 std::vector<std::vector<double>> Node::rows(std::string_view key,
                                             const std::vector<std::string>& units) const {
   std::vector<Unit> expected;
+  expected.reserve(units.size());
   for (const std::string& unit : units) expected.push_back(Unit::of(unit));
   const DocumentValue* list = impl_->ask(key);
   const std::string wanted = fmt::format("expected a list of rows of {} values", units.size());

@@ -151,6 +151,7 @@ std::vector<double> CsvTable::numbers(std::string_view column, std::string_view 
                          in_quotes(std::string(column) + " [" + std::string(unit) + "]"));
   }
   std::vector<double> values;
+  values.reserve(lines_.size());
   for (int row = 0; row < rows(); ++row) values.push_back(number(at, row, *written));
   return values;
 }
@@ -171,6 +172,7 @@ std::vector<int> CsvTable::integers(std::string_view column) const {
 std::vector<std::string> CsvTable::texts(std::string_view column) const {
   const int at = index(column);
   std::vector<std::string> texts;
+  texts.reserve(lines_.size());
   for (int row = 0; row < rows(); ++row) texts.emplace_back(cell(at, row));
   return texts;
 }
