@@ -15,7 +15,7 @@ namespace latsch::formats {
 namespace {
 
 constexpr std::uintmax_t kLargestFile = 256u << 20;
-constexpr std::size_t kLargestSet = 20'000'000;
+constexpr std::size_t kLargestSet = 2'000'000;
 
 bool is_number(const std::string& field) {
   return !field.empty() && (std::isdigit(static_cast<unsigned char>(field[0])) || field[0] == '-');
