@@ -16,7 +16,7 @@ std::optional<Unit> unit_beside(const DocumentValue& value) {
 
 std::optional<DocumentNumber> number_of(const DocumentValue& value) {
   std::optional<DocumentNumber> number;
-  if (value.kind == DocumentValue::Kind::text && value.unit.empty()) {
+  if (value.kind == DocumentValue::Kind::text) {
     if (const auto quantity = parse_quantity(value.text))
       number = DocumentNumber{quantity->unit, quantity->si};
   } else if (value.kind == DocumentValue::Kind::number) {

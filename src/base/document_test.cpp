@@ -62,6 +62,11 @@ TEST(Document, ReadsQuantitiesInSi) {
   EXPECT_EQ(root.table("mesh").integer("sectors", 1, 100), 60);
 }
 
+TEST(Document, AListWithAUnitMayHoldAValueInAnother) {
+  const auto document = Document::parse("a = {unit = \"mm\", values = [5, \"1 cm\"]}", "t");
+  EXPECT_EQ(document.root().quantities("a", "m"), (std::vector<double>{0.005, 0.01}));
+}
+
 TEST(Document, NamedTablesComeInTheOrderOfTheFile) {
   const std::vector<Node> layers = tire().root().named_tables("layer");
   ASSERT_EQ(layers.size(), 2u);

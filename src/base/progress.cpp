@@ -2,6 +2,7 @@
 #include "base/progress.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,11 +15,17 @@ namespace {
 constexpr double kRedraw = 0.1;      // s between two states of the bar
 constexpr double kLineInterval = 5;  // s between two lines in a pipe
 constexpr int kBarWidth = 30;        // characters
+constexpr double kRemembered = 1;    // s; what is done by then came from a journal, not from work
 
 }  // namespace
 
-Progress::Progress(std::ostream& out, bool terminal, Clock clock)
-    : out_(out), terminal_(terminal), clock_(std::move(clock)), start_(clock_()) {}
+Progress::Progress(std::ostream& out, bool terminal, Clock clock, int columns)
+    : out_(out),
+      terminal_(terminal),
+      clock_(std::move(clock)),
+      columns_(static_cast<std::size_t>(std::max(columns, 2))),
+      start_(clock_()),
+      counted_from_(start_) {}
 
 Progress::~Progress() {
   if (width_ > 0) out_ << '\n' << std::flush;
@@ -27,20 +34,27 @@ Progress::~Progress() {
 void Progress::update(long done, long total, const std::string& note) {
   const double now = clock_();
   const bool last = total > 0 && done >= total;
+  if (now - start_ < kRemembered) {
+    counted_from_ = now;
+    counted_done_ = done;
+  }
   if (any_ && !last && now - printed_ < (terminal_ ? kRedraw : kLineInterval)) return;
   any_ = true;
   printed_ = now;
-  const std::string text = line(done, total, note, now - start_);
+  std::string text = line(done, total, note, now);
   if (!terminal_) {
     out_ << text << '\n' << std::flush;
     return;
   }
+  if (text.size() >= columns_) text.resize(columns_ - 1);  // a line that wraps cannot be redrawn
   const std::size_t rest = width_ > text.size() ? width_ - text.size() : 0;
   out_ << '\r' << text << std::string(rest, ' ') << std::flush;
   width_ = text.size();
 }
 
-std::string Progress::line(long done, long total, const std::string& note, double elapsed) const {
+std::string Progress::line(long done, long total, const std::string& note, double now) const {
+  const double elapsed = now - start_;
+  const long counted = done - counted_done_;
   std::string text;
   if (total > 0) {
     const double share =
@@ -52,8 +66,10 @@ std::string Progress::line(long done, long total, const std::string& note, doubl
     text += fmt::format("{}/{} ({:.0f} %)", done, total, 100.0 * share);
     if (done >= total)
       text += ", " + format_duration(elapsed);
-    else if (done > 0)
-      text += ", " + format_duration(elapsed / share - elapsed) + " left";
+    else if (counted > 0)
+      text += fmt::format(", {} left",
+                          format_duration((now - counted_from_) / static_cast<double>(counted) *
+                                          static_cast<double>(total - done)));
   } else {
     text = fmt::format("{} done, {}", done, format_duration(elapsed));
   }
@@ -61,6 +77,13 @@ std::string Progress::line(long done, long total, const std::string& note, doubl
 }
 
 bool is_terminal(int descriptor) { return ::isatty(descriptor) == 1; }
+
+int terminal_columns(int descriptor) {
+  constexpr int kUsual = 80;
+  winsize size{};
+  const bool known = ::ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : kUsual;
+}
 
 std::string format_duration(double seconds) {
   const long whole = std::lround(std::max(0.0, seconds));

@@ -10,10 +10,18 @@
 
 namespace latsch {
 
+/// Whether standard error (or the descriptor given) is a terminal.
+bool is_terminal(int descriptor = 2);
+/// Characters in a line of that terminal; 80 where nobody knows.
+int terminal_columns(int descriptor = 2);
+
 class Progress {
  public:
-  /// `terminal`: whether `out` can redraw a line, see is_terminal().
-  Progress(std::ostream& out, bool terminal, Clock clock = steady_clock());
+  /// `terminal`: whether `out` can redraw a line, see is_terminal(). `columns`: how wide it is.
+  Progress(std::ostream& out,
+           bool terminal,
+           Clock clock = steady_clock(),
+           int columns = terminal_columns());
   /// Ends the line of the bar.
   ~Progress();
   Progress(const Progress&) = delete;
@@ -25,19 +33,19 @@ class Progress {
   void update(long done, long total, const std::string& note = "");
 
  private:
-  std::string line(long done, long total, const std::string& note, double elapsed) const;
+  std::string line(long done, long total, const std::string& note, double now) const;
 
   std::ostream& out_;
   bool terminal_;
   Clock clock_;
+  std::size_t columns_;
   double start_;
+  double counted_from_;    // time and
+  long counted_done_ = 0;  // number from which the speed is counted
   double printed_ = 0.0;   // time of the last print
   std::size_t width_ = 0;  // characters of the bar on the screen
   bool any_ = false;
 };
-
-/// Whether standard error (or the descriptor given) is a terminal.
-bool is_terminal(int descriptor = 2);
 
 /// "7 s", "2:05", "1:02:05".
 std::string format_duration(double seconds);

@@ -24,14 +24,34 @@ TEST(Progress, TerminalsGetABarThatCoversTheOneBefore) {
   std::ostringstream out;
   double time = 0.0;
   {
-    Progress progress(out, true, [&] { return time; });
+    Progress progress(
+        out, true, [&] { return time; }, 100);
     progress.update(1, 2, "a long note");
     time = 10.0;
     progress.update(2, 2);
   }
   EXPECT_EQ(out.str(),
-            "\r[###############...............] 1/2 (50 %), 0 s left, a long note"
-            "\r[##############################] 2/2 (100 %), 10 s                \n");
+            "\r[###############...............] 1/2 (50 %), a long note"
+            "\r[##############################] 2/2 (100 %), 10 s      \n");
+}
+
+TEST(Progress, ABarIsNeverWiderThanTheTerminal) {
+  std::ostringstream out;
+  Progress progress(
+      out, true, [] { return 0.0; }, 20);
+  progress.update(1, 2, "a long note");
+  EXPECT_EQ(out.str(), "\r[###############...");
+}
+
+// 50 of 100 come from a journal at once; from then on 1 a second.
+TEST(Progress, WhatWasKnownAtTheStartSaysNothingAboutTheSpeed) {
+  std::ostringstream out;
+  double time = 0.0;
+  Progress progress(out, false, [&] { return time; });
+  progress.update(50, 100);
+  time = 10.0;
+  progress.update(60, 100);
+  EXPECT_EQ(out.str(), "50/100 (50 %)\n60/100 (60 %), 40 s left\n");
 }
 
 TEST(Progress, AnOpenEndHasNoBar) {
