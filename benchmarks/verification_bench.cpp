@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// The default element on the paper's meshes against refined, extrapolated ones; modes by harmonics
+// against the full solve.
+//
+// Tires A and B as shipped: cords as rebars, the default element. Every mesh is refined in all
+// three directions with nodes on the true contour and the same physical boundary; the last three
+// are extrapolated.
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include "base/document.h"
+#include "experiment/discretization.h"
+#include "models/fe_tire/fe_tire.h"
+#include "models/fe_tire/tire_description.h"
+#include "table.h"
+
+namespace latsch::benchmarks {
+namespace {
+
+using namespace fe_tire;
+
+constexpr double kReach = 0.02;      // of the default element on the paper's meshes
+constexpr double kTravel = 0.025;    // m
+constexpr double kFullRatio = 50.0;  // harmonics against the full eigen-solve
+constexpr int kModes = 20;
+
+TireDescription shipped(const std::string& name) {
+  const auto file = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires" / name;
+  return read_tire(Document::read(file).root());
+}
+
+template <class T>
+T take(Result<T> result) {
+  if (!result) throw std::runtime_error(result.failure().reason);
+  return *std::move(result);
+}
+
+double cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+         1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+}
+
+/// Median CPU seconds of five runs.
+template <class Work>
+double time_of(Work work) {
+  std::vector<double> seconds;
+  for (int i = 0; i < 5; ++i) {
+    const double start = cpu_seconds();
+    work();
+    seconds.push_back(cpu_seconds() - start);
+  }
+  std::nth_element(seconds.begin(), seconds.begin() + 2, seconds.end());
+  return seconds[2];
+}
+
+void compare_modes(const std::string& name, const TireDescription& description, Table& table) {
+  FeTire tire(build_mesh(description), build_materials(description));
+  const Inflated inflated = take(tire.inflate(description.pressure));
+  std::vector<Mode> by_harmonics, by_ring;
+  const double fast = time_of([&] { by_harmonics = take(tire.modes(inflated, kModes)); });
+  const double full = time_of([&] { by_ring = take(tire.modes_full(inflated, kModes)); });
+  double difference = 0.0;
+  for (int k = 0; k < kModes; ++k) {
+    difference =
+        std::max(difference, std::abs(by_harmonics[k].frequency / by_ring[k].frequency - 1.0));
+  }
+  table.row(fmt::format("{}: {} modes by harmonics against the full eigen-solve", name, kModes),
+            fmt::format(
+                "{:.0f} x faster ({:.1f} ms, {:.0f} ms CPU)", full / fast, 1e3 * fast, 1e3 * full),
+            fmt::format(">= {:.0f} x", kFullRatio),
+            full >= kFullRatio * fast);
+  table.row(fmt::format("{}: their frequencies against the full eigen-solve", name),
+            fmt::format("{:.1e}", difference),
+            "<= 1e-6",
+            difference <= 1e-6);
+}
+
+void add_rows(const std::string& name,
+              const std::string& state,
+              const std::vector<DiscretizationRow>& rows,
+              Table& table) {
+  double worst = 0.0, sum = 0.0;
+  std::string where;
+  int modes = 0;
+  for (const DiscretizationRow& row : rows) {
+    if (row.unit != "Hz") {
+      if (row.unit == "N") {
+        table.row(fmt::format("{}: {}", name, row.name),
+                  fmt::format("{:+.2f} % of {:.0f} N", 100 * row.error(), row.converged),
+                  "<= 2 %",
+                  std::abs(row.error()) <= kReach);
+      } else {
+        table.note(fmt::format("{}: {}", name, row.name),
+                   fmt::format("{:+.2f} % of {:.3f} mm", 100 * row.error(), 1e3 * row.converged));
+      }
+      continue;
+    }
+    ++modes;
+    sum += std::abs(row.error());
+    if (std::abs(row.error()) >= std::abs(worst)) {
+      worst = row.error();
+      where = row.name;
+    }
+  }
+  table.row(fmt::format("{}: worst of {} {} modes", name, modes, state),
+            fmt::format("{:+.2f} % ({}), mean {:.2f} %", 100 * worst, where, 100 * sum / modes),
+            "<= 2 %",
+            modes > 0 && std::abs(worst) <= kReach);
+}
+
+void study(const std::string& name, const TireDescription& tire, Table& table) {
+  DiscretizationSettings settings;
+  settings.pressure = tire.pressure;
+  settings.deflection = kTravel;
+  settings.modes = kModes;
+  const DiscretizationStudy result = take(study_discretization(
+      tire, settings, [](const std::string& text) { fmt::print(stderr, "  {}\n", text); }));
+  add_rows(name, "unloaded", result.unloaded, table);
+  add_rows(name, "loaded", result.loaded, table);
+}
+
+int run() {
+  Table table("verification");
+  const TireDescription a = shipped("passenger_235_45R20.toml"),
+                        b = shipped("passenger_225_50R16.toml");
+  compare_modes("tire B", b, table);
+  compare_modes("tire A", a, table);
+  study("tire B", b, table);
+  study("tire A", a, table);
+  return table.exit_code();
+}
+
+}  // namespace
+}  // namespace latsch::benchmarks
+
+int main() { return latsch::benchmarks::run(); }
