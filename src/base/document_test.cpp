@@ -304,6 +304,9 @@ TEST(DocumentLimits, SyntaxSizeAndDepth) {
   EXPECT_EQ(complaint("[" + keys + "]", nothing), deep);
   EXPECT_EQ(complaint("a = " + std::string(15, '[') + std::string(15, ']'), nothing), "");
   EXPECT_NE(complaint("\"a.b\" = 1", nothing), "");
+  std::string flood = "a = [";
+  for (int i = 0; i < 1000000; ++i) flood += "1,";
+  EXPECT_EQ(complaint(flood + "]", nothing), "t.toml:1: holds more than 100000 values");
 }
 
 TEST(DocumentLimits, AMissingFileIsNamed) {

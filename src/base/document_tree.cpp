@@ -12,11 +12,14 @@ namespace latsch {
 namespace {
 
 constexpr int kDeepest = 16;
+constexpr int kMostValues = 100000;
 
-/// Rejects deep nesting before the parser meets it: its own limit is generous, and dotted keys have
-/// none. Counts brackets and dots outside of texts and comments; the exact depth is checked later.
-void check_depth_of_source(std::string_view source, const std::string& file) {
-  int line = 1, brackets = 0, dots = 0;
+/// Rejects deep nesting and floods of values before the parser meets them: its own limit of depth
+/// is generous, dotted keys have none, and a value takes a hundred times the memory of its text.
+/// Counts brackets, dots and separators outside of texts and comments; the exact depth is checked
+/// later.
+void check_size_of_source(std::string_view source, const std::string& file) {
+  int line = 1, brackets = 0, dots = 0, values = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
     const char c = source[i];
     if (c == '"' || c == '\'') {
@@ -33,16 +36,22 @@ void check_depth_of_source(std::string_view source, const std::string& file) {
       while (i + 1 < source.size() && source[i + 1] != '\n') ++i;
     } else if (c == '[' || c == '{') {
       ++brackets;
+      ++values;
     } else if (c == ']' || c == '}') {
       brackets = std::max(0, brackets - 1);
     } else if (c == '.') {
       ++dots;
     } else if (c == '\n' || c == '=' || c == ',') {
       dots = 0;
-      if (c == '\n') ++line;
+      if (c == '\n')
+        ++line;
+      else
+        ++values;
     }
     if (brackets > kDeepest + 2 || dots > kDeepest + 2)
       throw InputError({file, line}, fmt::format("nested deeper than {} levels", kDeepest));
+    if (values > kMostValues)
+      throw InputError({file, line}, fmt::format("holds more than {} values", kMostValues));
   }
 }
 
@@ -184,7 +193,7 @@ DocumentTree::DocumentTree(std::string_view source, std::string file) : file_(st
                      fmt::format("is {} bytes, expected at most {}", source.size(), kLargestFile));
   if (source.starts_with("\xef\xbb\xbf")) source.remove_prefix(3);  // byte order mark
   source_ = source;
-  check_depth_of_source(source_, file_);
+  check_size_of_source(source_, file_);
   try {
     const toml::table table = toml::parse(std::string_view(source_), std::string_view(file_));
     DocumentBuilder(*this).add(table, "", "", 0);

@@ -9,6 +9,11 @@
 #include "base/text.h"
 
 namespace latsch::formats {
+namespace {
+
+constexpr std::size_t kMostFields = 10000;  // in a row
+
+}  // namespace
 
 CsvFields::CsvFields(std::string text, std::string file, std::size_t limit)
     : file_(std::move(file)), source_(std::make_shared<Source>()) {
@@ -97,6 +102,8 @@ bool CsvFields::next(Row& row) {
   for (;;) {
     while (at_ < text_.size() && text_[at_] == ' ') ++at_;
     row.cells.push_back(at_ < text_.size() && text_[at_] == '"' ? quoted_field() : plain_field());
+    if (row.cells.size() > kMostFields)
+      throw InputError({file_, row.line}, fmt::format("has more than {} fields", kMostFields));
     if (at_ >= text_.size() || text_[at_] == '\n') break;
     ++at_;  // the separator
   }

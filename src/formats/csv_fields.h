@@ -29,7 +29,7 @@ class CsvFields {
   /// ';', tab or ',': the first of them that stands outside of quotes in the first row.
   char separator() const { return separator_; }
   /// The next row that is neither empty nor a comment; false at the end. Throws InputError for a
-  /// quote that is not closed or followed by more text.
+  /// quote that is not closed or followed by more text and for more than 10,000 fields.
   bool next(Row& row);
   std::shared_ptr<const Source> source() const { return source_; }
 

@@ -18,7 +18,7 @@ namespace latsch::formats {
 namespace {
 
 constexpr std::size_t kLargestFile = 16u << 20;  // bytes
-constexpr std::size_t kMostColumns = 10000;
+constexpr std::size_t kMostCells = 2000000;
 
 /// "force [N]" -> "force", "N".
 std::pair<std::string_view, std::string_view> split_unit(std::string_view cell) {
@@ -62,6 +62,8 @@ CsvTable CsvTable::parse(std::string text, std::string file_name) {
                                    table.columns_.size(),
                                    table.header_line_));
     if (first && table.take_units(row)) continue;
+    if (table.cells_.size() + row.cells.size() > kMostCells)
+      throw InputError({table.file_, row.line}, fmt::format("more than {} cells", kMostCells));
     table.lines_.push_back(row.line);
     table.cells_.insert(table.cells_.end(), row.cells.begin(), row.cells.end());
   }
@@ -71,8 +73,6 @@ CsvTable CsvTable::parse(std::string text, std::string file_name) {
 
 void CsvTable::read_header(const CsvFields::Row& row) {
   header_line_ = row.line;
-  if (row.cells.size() > kMostColumns)
-    throw InputError(header_place(), fmt::format("has more than {} columns", kMostColumns));
   std::set<std::string_view> names;
   for (const std::string_view cell : row.cells) {
     const auto [name, unit] = split_unit(cell);

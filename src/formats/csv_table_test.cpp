@@ -94,6 +94,15 @@ TEST(CsvTableComplaint, NamesFileLineFoundAndExpected) {
             "t.csv:1: unknown column \"forse\", did you mean \"force\"?");
 }
 
+TEST(CsvTableComplaint, FloodsEndEarly) {
+  const auto nothing = [](const CsvTable&) {};
+  EXPECT_EQ(complaint(std::string(15 << 20, ','), nothing), "t.csv:1: has more than 10000 fields");
+  std::string cells = "a,b\n";
+  for (int i = 0; i < 1000001; ++i) cells += "1,2\n";
+  EXPECT_EQ(complaint(cells, nothing), "t.csv:1000002: more than 2000000 cells");
+  EXPECT_EQ(complaint(std::string(17 << 20, '1'), nothing), "t.csv: is larger than 16777216 bytes");
+}
+
 // Property: what is written in any unit is read back bit for bit.
 TEST(CsvTable, WrittenChannelsComeBackBitForBit) {
   std::uint64_t state = 11;
