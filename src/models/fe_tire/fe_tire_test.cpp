@@ -167,6 +167,23 @@ TEST(FeTire, HalfTheRingGivesWhatTheWholeRingGives) {
   }
 }
 
+TEST(FeTire, CordsKeepTheHalfTurnSymmetryAndALopsidedSectionDoesNot) {
+  TireDescription tire = small_tire();
+  tire.cord_model =
+      CordModel::rebar;  // plies at +- angle: no mirror plane is left, but the half turn is
+  const Materials materials = build_materials(tire);
+  EXPECT_TRUE(find_mirror(build_mesh(tire), materials).has_value());
+
+  Mesh lopsided = build_mesh(tire);
+  lopsided.X(2, 3) -= 1e-4;
+  EXPECT_FALSE(find_mirror(lopsided, materials).has_value());
+  Mesh one_sided_ply = build_mesh(tire);
+  one_sided_ply.elements.front().rebars.clear();
+  EXPECT_FALSE(find_mirror(one_sided_ply, materials).has_value());
+  tire.section.sectors = 25;
+  EXPECT_FALSE(find_mirror(build_mesh(tire), materials).has_value());
+}
+
 TEST(FeTire, GroundForceIsTheContactPressureOverThePatch) {
   FeTire tire = make(small_tire());
   const auto inflated = tire.inflate(kPressure);

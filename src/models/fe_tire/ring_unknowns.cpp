@@ -9,7 +9,7 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr double kSamePlace = 1e-7;  // m: nodes this close are images of each other
-constexpr double kSameValue = 1e-9;  // relative difference of material constants
+constexpr double kSameValue = 1e-9;  // difference of material constants, relative or to one in SI
 
 /// Displacement of a node's image under the half turn, in sector frames.
 const Eigen::Vector3d kTurn(-1.0, -1.0, 1.0);
@@ -41,12 +41,13 @@ Matrix6 turned(const Matrix6& D) {
   return sign.asDiagonal() * D * sign.asDiagonal();
 }
 
+bool same(double a, double b) { return std::abs(a - b) <= kSameValue * (1.0 + std::abs(a)); }
+
 bool same_solid(const Solid& a, const Solid& b) {
-  if (std::abs(a.density - b.density) > kSameValue * a.density) return false;
-  if (a.law.index() != b.law.index()) return false;
+  if (!same(a.density, b.density) || a.law.index() != b.law.index()) return false;
   if (const auto* rubber = std::get_if<Hyperelastic>(&a.law)) {
     const auto& other = std::get<Hyperelastic>(b.law);
-    return rubber->C10 == other.C10 && rubber->C01 == other.C01 && rubber->K == other.K;
+    return same(rubber->C10, other.C10) && same(rubber->C01, other.C01) && same(rubber->K, other.K);
   }
   const Matrix6 &D = std::get<StVenantKirchhoff>(a.law).D,
                 &E = std::get<StVenantKirchhoff>(b.law).D;
@@ -54,15 +55,15 @@ bool same_solid(const Solid& a, const Solid& b) {
 }
 
 bool same_layer(const CordLayer& a, const CordLayer& b) {
-  return a.E_tension == b.E_tension && a.E_compression == b.E_compression &&
-         a.thickness == b.thickness && a.angle == b.angle && a.pretension == b.pretension &&
-         a.density == b.density;
+  return same(a.E_tension, b.E_tension) && same(a.E_compression, b.E_compression) &&
+         same(a.thickness, b.thickness) && same(a.angle, b.angle) &&
+         same(a.pretension, b.pretension) && same(a.density, b.density);
 }
 
 bool same_element(const Element& a, const Element& b, const Materials& materials) {
   if (a.inner != b.inner || a.tread != b.tread || a.rebars.size() != b.rebars.size()) return false;
   for (std::size_t k = 0; k < a.rebars.size(); ++k) {
-    if (a.rebars[k].zeta != b.rebars[k].zeta) return false;
+    if (!same(a.rebars[k].zeta, b.rebars[k].zeta)) return false;
     if (!same_layer(materials.layers[a.rebars[k].layer], materials.layers[b.rebars[k].layer])) {
       return false;
     }
