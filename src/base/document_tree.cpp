@@ -12,7 +12,7 @@ namespace latsch {
 namespace {
 
 constexpr int kDeepest = 16;
-constexpr int kMostValues = 100000;
+constexpr int kMostValues = 50000;
 
 /// Rejects deep nesting and floods of values before the parser meets them: its own limit of depth
 /// is generous, dotted keys have none, and a value takes a hundred times the memory of its text.
@@ -55,7 +55,8 @@ void check_size_of_source(std::string_view source, const std::string& file) {
   }
 }
 
-/// Byte offsets of positions given as line and column in characters.
+/// Byte offsets of positions given as line and column in characters. Values are asked for from left
+/// to right, so it goes on where it stopped: a line may hold thousands of them.
 class SourceMap {
  public:
   explicit SourceMap(std::string_view source) : source_(source), starts_{0} {
@@ -63,19 +64,25 @@ class SourceMap {
       if (source[i] == '\n') starts_.push_back(i + 1);
   }
 
-  std::size_t offset(const toml::source_position& position) const {
-    const std::size_t line = std::min<std::size_t>(position.line, starts_.size());
-    std::size_t at = starts_[line == 0 ? 0 : line - 1];
-    for (unsigned column = 1; column < position.column && at < source_.size(); ++column) {
-      ++at;
-      while (at < source_.size() && (static_cast<unsigned char>(source_[at]) & 0xc0) == 0x80) ++at;
+  std::size_t offset(const toml::source_position& position) {
+    const std::size_t line = std::clamp<std::size_t>(position.line, 1, starts_.size());
+    if (line != line_ || position.column < column_) {
+      line_ = line;
+      column_ = 1;
+      at_ = starts_[line - 1];
     }
-    return at;
+    for (; column_ < position.column && at_ < source_.size(); ++column_) {
+      ++at_;
+      while (at_ < source_.size() && (static_cast<unsigned char>(source_[at_]) & 0xc0) == 0x80)
+        ++at_;
+    }
+    return at_;
   }
 
  private:
   std::string_view source_;
   std::vector<std::size_t> starts_;
+  std::size_t line_ = 0, column_ = 1, at_ = 0;  // where it stopped
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace latsch::formats {
 namespace {
 
 constexpr std::size_t kLargestFile = 16u << 20;  // bytes
-constexpr std::size_t kMostCells = 2000000;
+constexpr std::size_t kMostCells = 1000000;
 
 /// "force [N]" -> "force", "N".
 std::pair<std::string_view, std::string_view> split_unit(std::string_view cell) {

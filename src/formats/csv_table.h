@@ -28,7 +28,7 @@ namespace latsch::formats {
 class CsvTable {
  public:
   /// Throws InputError naming file and line: ragged rows, no header, a name that comes twice, a
-  /// quote that is not closed, more than 16 MB or 2,000,000 cells.
+  /// quote that is not closed, more than 16 MB or 1,000,000 cells.
   static CsvTable read(const std::filesystem::path& file);
   static CsvTable parse(std::string text, std::string file_name);
 
