@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/report/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "correlation/report/comparison_plots.h"
+#include "correlation/report/html_text.h"
+#include "correlation/report/page_style.h"
+#include "correlation/report/surface_plot.h"
+#include "correlation/report/tables.h"
+#include "correlation/report/tire_pictures.h"
+#include "correlation/report/tire_scene.h"
+
+namespace latsch::report {
+namespace {
+
+struct Chapter {
+  std::string id, title, body;
+};
+
+std::string figure(std::string_view heading,
+                   std::string_view quiet,
+                   std::string_view picture,
+                   std::string_view caption) {
+  std::string html = "<figure>";
+  if (!heading.empty()) {
+    html += fmt::format("<b>{}{}</b>",
+                        escape(heading),
+                        quiet.empty() ? "" : fmt::format(" <span>{}</span>", escape(quiet)));
+  }
+  html += picture;
+  if (!caption.empty()) html += fmt::format("<figcaption>{}</figcaption>", escape(caption));
+  return html + "</figure>\n";
+}
+
+std::string with_kind(const std::string& conditions, bool fitted) {
+  return fitted ? conditions : conditions.empty() ? "predicted" : conditions + ", predicted";
+}
+
+std::string forces(const StudyReport& report) {
+  std::string html = "<div class=\"figures\">";
+  for (const ForceCurve& curve : report.forces) {
+    double sum = 0.0;
+    for (size_t k = 0; k < curve.measured.size(); ++k) {
+      sum += std::abs(curve.measured[k] - curve.simulated[k]) / std::abs(curve.measured[k]);
+    }
+    html +=
+        figure(curve.experiment,
+               with_kind(curve.conditions, curve.fitted),
+               force_plot(curve),
+               "Mean |ΔF| = " +
+                   percent(sum / static_cast<double>(std::max<size_t>(1, curve.measured.size()))) +
+                   "; below, ΔF = (measured − simulated) / measured at every point.");
+  }
+  return html + "</div>";
+}
+
+std::string unmatched(std::string_view words, const std::vector<UnmatchedMode>& modes) {
+  if (modes.empty()) return "";
+  std::string list;
+  for (const UnmatchedMode& mode : modes) {
+    list += (list.empty() ? "" : ", ") + mode.label + " (" + fixed(mode.frequency, 1) + " Hz)";
+  }
+  return fmt::format("<p><b>{}:</b> {}.</p>", escape(words), escape(list));
+}
+
+std::string frequencies(const StudyReport& report) {
+  std::string html;
+  for (const ModalComparison& comparison : report.modes) {
+    double sum = 0.0;
+    for (const ModePair& pair : comparison.pairs)
+      sum += std::abs(pair.measured - pair.simulated) / pair.measured;
+    std::string caption = fmt::format(
+        "{} modes paired, mean |Δf| = {}.",
+        comparison.pairs.size(),
+        percent(sum / static_cast<double>(std::max<size_t>(1, comparison.pairs.size()))));
+    const bool initial = std::any_of(comparison.pairs.begin(),
+                                     comparison.pairs.end(),
+                                     [](const ModePair& pair) { return pair.initial.has_value(); });
+    if (initial) caption += " Dashed: at the initial values.";
+    html += figure(comparison.experiment,
+                   with_kind(comparison.conditions, comparison.fitted),
+                   frequency_plot(comparison),
+                   caption);
+    html += unmatched("Measured without a simulated partner", comparison.missing);
+    html += unmatched("Simulated without a measured partner", comparison.extra);
+  }
+  return html;
+}
+
+std::string search(const StudyReport& report) {
+  std::string html;
+  if (report.convergence && !report.convergence->target.empty()) {
+    html += figure("Convergence",
+                   "",
+                   convergence_plot(*report.convergence),
+                   "Target of every trial in the order the optimizer saw them; line: the best so "
+                   "far; crosses: failed.");
+  }
+  return html + run_facts(report);
+}
+
+std::string surfaces(const StudyReport& report) {
+  std::string html = "<div class=\"figures\">";
+  for (const Surface& surface : report.surfaces) {
+    std::string caption = "Dots: trials; rings: minima of the grid, the lowest in orange.";
+    if (!surface.held.empty()) caption += " Held: " + surface.held + ".";
+    html += figure(surface.x_name + " and " + surface.y_name, "", surface_plot(surface), caption);
+  }
+  return html + "</div>";
+}
+
+std::string patch_figure(const fe_tire::Loaded& loaded) {
+  const fe_tire::LoadPoint& point = loaded.curve.back();
+  const std::string picture = patch_picture(point.patch);
+  if (picture.empty()) return "";
+  return figure("Contact patch",
+                fmt::format("{} N at {} mm", fixed(point.Fz, 0), fixed(1e3 * point.deflection, 1)),
+                picture,
+                fmt::format("Length {} mm, width {} mm, area {} cm².",
+                            fixed(1e3 * point.patch.length, 0),
+                            fixed(1e3 * point.patch.width, 0),
+                            fixed(1e4 * point.patch.area, 1)));
+}
+
+std::string loaded_figure(const TirePictures& pictures) {
+  const fe_tire::LoadPoint& point = pictures.loaded->curve.back();
+  double largest = 0.0;
+  for (int k = 0; k < pictures.loaded->u.cols(); ++k) {
+    const Eigen::Vector3d before =
+        pictures.inflated
+            ? Eigen::Vector3d(pictures.inflated->u.col(k % pictures.inflated->u.cols()))
+            : Eigen::Vector3d::Zero();
+    largest = std::max(largest, (pictures.loaded->u.col(k) - before).norm());
+  }
+  return fmt::format(
+      "<figure><b>Loaded tire <span>{} N at {} mm, true to scale</span></b>"
+      "<canvas class=\"tire large\" data-state=\"0\" role=\"img\" aria-label=\"Deformed "
+      "tire\"></canvas>"
+      "<div class=\"bar\">0<i></i>{} mm</div><figcaption>Displacement from the inflated state. "
+      "Drag to turn.</figcaption>"
+      "</figure>\n",
+      fixed(point.Fz, 0),
+      fixed(1e3 * point.deflection, 1),
+      fixed(1e3 * largest, 1));
+}
+
+std::string mode_figures(const TirePictures& pictures) {
+  std::string html = fmt::format(
+      "<h3>Modes <span>{}, amplitude enlarged; the pointer makes them swing</span></h3><div "
+      "class=\"modes\">",
+      pictures.modes_loaded ? "loaded tire" : "unloaded tire");
+  for (int k = 0; k < shown_modes(pictures); ++k) {
+    const fe_tire::Mode& mode = pictures.modes[k];
+    const std::string label = escape(mode.label());
+    html += fmt::format(
+        "<figure><canvas class=\"tire\" data-mode=\"{}\" role=\"img\" aria-label=\"Mode "
+        "{}\"></canvas>"
+        "<figcaption>{} <span>{} Hz</span></figcaption></figure>\n",
+        k,
+        label,
+        label,
+        fixed(mode.frequency, 1));
+  }
+  return html + "</div>";
+}
+
+std::string pictures(const TirePictures& p) {
+  std::string html;
+  if (p.mesh.sectors > 1) {
+    html += figure("Section",
+                   fmt::format("{} elements, {} sectors, {} free unknowns",
+                               p.mesh.element_count(),
+                               p.mesh.sectors,
+                               p.mesh.free_dofs()),
+                   section_picture(p.mesh, p.layers, p.inflated ? &*p.inflated : nullptr),
+                   "As built; dashed: inflated.");
+  }
+  const std::string scene = scene_json(p);
+  const bool loaded = p.loaded && !p.loaded->curve.empty();
+  if (loaded) {
+    if (!scene.empty()) html += loaded_figure(p);
+    html += "<div class=\"figures\">" + patch_figure(*p.loaded);
+    if (p.mesh.sectors > 1 && p.inflated) {
+      html += figure("Section above the contact",
+                     "",
+                     loaded_section_picture(p.mesh, *p.inflated, *p.loaded),
+                     "True to scale; dashed: inflated.");
+    }
+    html += "</div>";
+  }
+  if (!p.modes.empty() && !scene.empty()) html += mode_figures(p);
+  return html + "<noscript><p>The three-dimensional pictures need JavaScript.</p></noscript>" +
+         fmt::format("<script type=\"application/json\" id=\"tire-data\">{}</script>", scene);
+}
+
+std::vector<Chapter> chapters(const StudyReport& report) {
+  std::vector<Chapter> all;
+  const auto add = [&all](const char* id, const char* title, std::string body) {
+    if (!body.empty()) all.push_back({id, title, std::move(body)});
+  };
+  add("variables", "Design variables", report.variables.empty() ? "" : variable_table(report));
+  add("experiments", "Experiments", report.experiments.empty() ? "" : experiment_table(report));
+  add("forces", "Forces", report.forces.empty() ? "" : forces(report));
+  add("frequencies", "Frequencies", report.modes.empty() ? "" : frequencies(report));
+  add("surface", "Target surface", report.surfaces.empty() ? "" : surfaces(report));
+  add("search", "Search", search(report));
+  add("discretization",
+      "Discretization error",
+      report.discretization.empty() ? "" : discretization_table(report));
+  add("tire", "The tire", report.pictures ? pictures(*report.pictures) : "");
+  return all;
+}
+
+std::string header(const StudyReport& report, const std::vector<Chapter>& all) {
+  std::string line;
+  for (const std::string& part : {report.tire, report.study_file, report.date}) {
+    if (!part.empty()) line += (line.empty() ? "" : " · ") + escape(part);
+  }
+  std::string html = fmt::format("<header><h1>{}</h1><p>{}</p><nav>", escape(report.title), line);
+  for (const Chapter& chapter : all)
+    html += fmt::format("<a href=\"#{}\">{}</a>", chapter.id, chapter.title);
+  html += "</nav></header>\n" + key_numbers(report);
+  for (const std::string& remark : report.remarks) html += fmt::format("<p>{}</p>", escape(remark));
+  return html;
+}
+
+}  // namespace
+
+std::string html(const StudyReport& report) {
+  const std::vector<Chapter> all = chapters(report);
+  std::string page = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, "
+      "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n"
+      "</head>\n<body>\n<main>\n",
+      escape(report.title),
+      style_sheet());
+  page += header(report, all);
+  for (const Chapter& chapter : all) {
+    page += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}\n</section>\n",
+                        chapter.id,
+                        chapter.title,
+                        chapter.body);
+  }
+  page += fmt::format("<footer>Latsch{}{}</footer>\n</main>\n",
+                      report.version.empty() ? "" : " " + escape(report.version),
+                      report.model_file.empty() ? "" : " · model " + escape(report.model_file));
+  if (report.pictures) page += fmt::format("<script>{}</script>\n", viewer_script());
+  return page + "</body>\n</html>\n";
+}
+
+}  // namespace latsch::report

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/report/report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <regex>
+#include <set>
+#include <vector>
+
+#include "correlation/report/html_text.h"
+#include "correlation/report/surface_plot.h"
+#include "correlation/report/tables.h"
+#include "correlation/report/tire_scene.h"
+#include "models/fe_tire/reference_tires.h"
+
+namespace latsch::report {
+namespace {
+
+constexpr const char* kHostile = "</script><script>alert(\"1\")</script> & 'x'";
+
+/// Every element that is opened is closed, in order; empty where the page is well-formed.
+std::string fault_in_tags(std::string page) {
+  page = std::regex_replace(page, std::regex("<!DOCTYPE html>"), "");
+  const std::set<std::string> alone = {"meta", "br"};
+  std::vector<std::string> open;
+  for (size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at)) {
+    const size_t end = page.find('>', at);
+    if (end == std::string::npos) return "unclosed < at " + page.substr(at, 40);
+    const std::string tag = page.substr(at + 1, end - at - 1);
+    const bool closing = tag[0] == '/';
+    const size_t from = closing ? 1 : 0;
+    const std::string name = tag.substr(from, tag.find_first_of(" />", from) - from);
+    at = end + 1;
+    if (closing) {
+      if (open.empty() || open.back() != name)
+        return "</" + name + "> closes " + (open.empty() ? "nothing" : open.back());
+      open.pop_back();
+    } else if (tag.back() != '/' && !alone.contains(name)) {
+      if (name == "script" || name == "style") {
+        at = page.find("</" + name + ">", at);
+        if (at == std::string::npos) return "unclosed " + name;
+      }
+      open.push_back(name);
+    }
+  }
+  return open.empty() ? "" : "left open: " + open.back();
+}
+
+TirePictures pictures() {
+  fe_tire::TireDescription tire = fe_tire::reference_tire_b();
+  tire.section.meridional = 9;
+  tire.section.sectors = 12;
+  TirePictures p;
+  p.mesh = fe_tire::build_mesh(tire);
+  p.layers = {{kHostile, 0.4}};
+  const Eigen::Matrix3Xd sector = Eigen::Matrix3Xd::Constant(3, p.mesh.nodes_per_sector(), 1e-3);
+  const Eigen::Matrix3Xd ring = Eigen::Matrix3Xd::Constant(3, p.mesh.nodes(), 2e-3);
+  p.inflated = fe_tire::Inflated{.pressure = 2.6e5, .u = sector, .alpha = {}};
+  fe_tire::Loaded loaded;
+  loaded.u = ring;
+  fe_tire::LoadPoint point{.deflection = 0.025, .loaded_radius = 0.29, .Fz = 4000.0, .patch = {}};
+  point.patch = {.length = 0.1, .width = 0.12, .area = 0.01, .points = {}};
+  for (double x : {-0.03, 0.0, 0.03}) {
+    for (double y : {-0.04, 0.0, 0.04})
+      point.patch.points.push_back({x, y, 3e5, 0.0, 0.0, 1.2e-3, true});
+  }
+  loaded.curve = {point};
+  p.loaded = loaded;
+  fe_tire::Mode mode;
+  mode.frequency = 36.9;
+  mode.n = 1;
+  mode.type = fe_tire::ModeType::lateral;
+  mode.shape = ring;
+  p.modes.assign(15, mode);
+  return p;
+}
+
+StudyReport full_report() {
+  StudyReport r;
+  r.title = std::string("Tire B ") + kHostile;
+  r.study_file = r.model_file = r.tire = kHostile;
+  r.target = 0.003;
+  r.initial_target = 0.14;
+  r.remarks = {kHostile};
+  r.variables = {{kHostile, "N/mm^2", 10e6, 50e6, 5e6, 50e6, true}};
+  r.experiments = {
+      {kHostile, "load-deflection", kHostile, "force", true, 1.0, 2, 0.01, 0.01, 0.02, 0.2}};
+  r.forces = {
+      {kHostile, kHostile, true, false, {0.01, 0.02}, {2000, 4000}, {2010, 3990}, {1500, 3000}}};
+  r.modes = {{kHostile,
+              kHostile,
+              true,
+              {{kHostile, 40.0, 41.0, 36.0, 0.98}},
+              {{kHostile, 50.0}},
+              {{kHostile, 60.0}}}};
+  r.convergence = Convergence{{0.14, std::numeric_limits<double>::quiet_NaN(), 0.01, 0.003}};
+  Surface surface;
+  surface.x_name = surface.y_name = kHostile;
+  surface.x = surface.y = {1.0, 2.0, 3.0};
+  surface.target = Eigen::Matrix3d::Random().cwiseAbs();
+  surface.held = kHostile;
+  surface.found = Eigen::Vector2d(2.0, 2.0);
+  r.surfaces = {surface};
+  r.run = RunFacts{kHostile, kHostile, 4, 1, 2, 12.0, 23.0, {{kHostile, 1}}};
+  r.discretization = {{kHostile, 0.01}};
+  r.pictures = pictures();
+  return r;
+}
+
+TEST(Report, IsWellFormedWithEveryChapter) {
+  const std::string page = html(full_report());
+  EXPECT_EQ(fault_in_tags(page), "");
+  for (const char* id : {"variables",
+                         "experiments",
+                         "forces",
+                         "frequencies",
+                         "surface",
+                         "search",
+                         "discretization",
+                         "tire"}) {
+    EXPECT_NE(page.find(std::string("<section id=\"") + id + "\">"), std::string::npos) << id;
+  }
+  for (const char* words : {"at bound",
+                            "Contact patch",
+                            "Loaded tire",
+                            "Length 100 mm, width 120 mm, area 100.0 cm²"}) {
+    EXPECT_NE(page.find(words), std::string::npos) << words;
+  }
+}
+
+TEST(Report, EmptyStudyIsAPageWithoutChapters) {
+  const std::string page = html(StudyReport{});
+  EXPECT_EQ(fault_in_tags(page), "");
+  EXPECT_EQ(page.find("<section"), std::string::npos);
+}
+
+TEST(Report, LetsNoNameBecomeMarkup) {
+  const std::string page = html(full_report());
+  EXPECT_EQ(page.find("alert(\""), std::string::npos);
+  EXPECT_NE(page.find("&lt;/script&gt;&lt;script&gt;alert(&quot;1&quot;)"), std::string::npos);
+}
+
+TEST(Report, NeedsNothingFromOutside) {
+  const std::string page = html(full_report());
+  for (const char* outside : {"http:", "https:", "url(", "src=", "@import", "file:", "//cdn"}) {
+    EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+  }
+}
+
+TEST(Report, IsTheSameForTheSameStudy) {
+  const StudyReport report = full_report();
+  EXPECT_TRUE(html(report) == html(report));
+}
+
+TEST(Report, FlagsAVariableAtItsBound) {
+  Variable v{"E", "1", 2.0, 9.0, 1.0, 10.0, false};
+  EXPECT_EQ(at_bound(v), AtBound::no);
+  v.found = 10.0;
+  EXPECT_EQ(at_bound(v), AtBound::upper);
+  v.found = 1.001;
+  EXPECT_EQ(at_bound(v), AtBound::lower);
+  v.logarithmic = true;
+  EXPECT_EQ(at_bound(v), AtBound::lower);
+}
+
+TEST(SurfacePlot, FindsEveryMinimumOfTheGrid) {
+  Eigen::MatrixXd t(4, 5);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  t << 3, 3, 3, 3, 1,  //
+      3, 2, 3, 3, 3,   //
+      3, 3, 3, 3, 3,   //
+      nan, 3, 0.5, 0.5, 3;
+  const auto minima = local_minima(t);
+  ASSERT_EQ(minima.size(), 3u);
+  EXPECT_EQ(minima[0].target, 0.5);  // the plateau of two counts once
+  EXPECT_EQ(minima[0].j, 2);
+  EXPECT_EQ(minima[1].target, 1.0);
+  EXPECT_EQ(minima[2].target, 2.0);
+}
+
+TEST(SurfacePlot, DrawsFailedFlatAndSmallGrids) {
+  Surface s;
+  EXPECT_EQ(surface_plot(s), "");
+  s.x = s.y = {1.0, 2.0};
+  s.target = Eigen::Matrix2d::Constant(0.1);
+  EXPECT_EQ(surface_plot(s).find("nan"), std::string::npos);
+  s.target.setConstant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(surface_plot(s).find("nan"), std::string::npos);
+}
+
+TEST(TireScene, Base64IsThatOfTheStandard) {  // RFC 4648, section 10
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
+TEST(HtmlText, NumbersAreReadable) {
+  EXPECT_EQ(significant(22.31456, 4), "22.31");
+  EXPECT_EQ(significant(1987.3, 4), "1987");
+  EXPECT_EQ(significant(0.5, 4), "0.5");
+  EXPECT_EQ(significant(123456.0, 3), "123456");
+  EXPECT_EQ(fixed(-0.001, 2), "0.00");
+  EXPECT_EQ(signed_percent(-0.0123), "−1.23 %");
+  EXPECT_EQ(signed_percent(0.0123), "+1.23 %");
+  EXPECT_EQ(percent(std::numeric_limits<double>::quiet_NaN()), "–");
+  EXPECT_EQ(duration(125.0), "2 min 05 s");
+  EXPECT_EQ(typeset_unit("N/mm^2"), "N/mm²");
+  EXPECT_DOUBLE_EQ(in_unit(22.3e6, "N/mm^2"), 22.3);
+}
+
+}  // namespace
+}  // namespace latsch::report
