@@ -11,6 +11,7 @@
 
 #include "formats/element_axes.h"
 #include "formats/inp_materials.h"
+#include "formats/mesh_surface.h"
 #include "formats/rotational_symmetry.h"
 
 namespace latsch::formats {
@@ -335,7 +336,8 @@ class TireReader {
       element.tread = sector.sectors > 1 ? near(treads, place(e)) : outer_faces_.count(e) > 0;
       mesh.elements.push_back(element);
     }
-    choose_sensors();
+    if (outer_.empty()) mark_tread(mesh);
+    mesh.sensors = choose_sensors(mesh);
     fe_tire::check(mesh);
   }
 
@@ -362,32 +364,6 @@ class TireReader {
     for (auto it = from; it != places.end() && it->first <= p.first + kTolerance; ++it)
       if (std::abs(it->second - p.second) <= kTolerance) return true;
     return false;
-  }
-
-  /// Outer nodes at the crown, at both edges of the tread and at both widest places, of one sector.
-  void choose_sensors() {
-    Mesh& mesh = tire_.mesh;
-    std::set<int> inner, outer, tread;
-    const int n = mesh.nodes_per_sector();
-    for (const Element& element : mesh.elements)
-      for (int a = 0; a < 8; ++a) {
-        (a < 4 ? inner : outer).insert(element.node[a] % n);
-        if (a >= 4 && element.tread) tread.insert(element.node[a] % n);
-      }
-    for (int node : inner) outer.erase(node);
-    if (outer.empty()) return;
-    const auto y = [&](int node) { return mesh.X(1, node); };
-    const auto less = [&](int a, int b) { return y(a) < y(b); };
-    const auto [right, left] = std::minmax_element(outer.begin(), outer.end(), less);
-    mesh.sensors = {*left};
-    if (!tread.empty()) {
-      const auto [low, high] = std::minmax_element(tread.begin(), tread.end(), less);
-      const auto crown = std::min_element(tread.begin(), tread.end(), [&](int a, int b) {
-        return std::abs(y(a)) < std::abs(y(b));
-      });
-      mesh.sensors.insert(mesh.sensors.end(), {*high, *crown, *low});
-    }
-    mesh.sensors.push_back(*right);
   }
 
   void take_ground() {

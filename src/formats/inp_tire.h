@@ -4,7 +4,7 @@
 // The spin axis is that of the cylindrical orientation (z where there is none); the ground lies
 // where the contact's master body is, and that direction becomes down. A mesh made of equal sectors
 // is found out and becomes one sector; a contact surface on part of the circumference is then
-// continued around it.
+// continued around it. Without contact, the outer faces that look outward are the tread.
 #pragma once
 
 #include <optional>

@@ -152,6 +152,10 @@ TEST(InpTire, AHeldBodyWithoutContactIsNoPartOfTheTire) {
   const InpTire read = tire_from(deck);
   EXPECT_EQ(read.mesh.element_count(), build_mesh(tire).element_count());
   EXPECT_FALSE(read.ground);
+  // Without a contact surface the tread is what looks outward: the crown, but not the sidewall.
+  EXPECT_NEAR(read.mesh.outer_radius(), build_mesh(tire).outer_radius(), 1e-9);
+  for (const Element& element : read.mesh.elements)
+    EXPECT_TRUE(!element.tread || -read.mesh.coordinates(element).row(2).mean() > 0.28);
 }
 
 TEST(InpTire, UnitsAreConvertedAtTheDoor) {

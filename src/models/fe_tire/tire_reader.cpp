@@ -135,6 +135,7 @@ RubberRegion read_region(const Node& node, const std::vector<Rubber>& rubbers) {
   const std::string side = node.choice("side", {"both", "inside", "outside"}, "both");
   region.side = side == "both" ? Side::both : side == "inside" ? Side::inside : Side::outside;
   std::vector<std::string> names;
+  names.reserve(rubbers.size());
   for (const Rubber& rubber : rubbers) names.push_back(rubber.name);
   const std::string name = node.choice("rubber", names);
   region.rubber = static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
