@@ -87,7 +87,7 @@ std::vector<int> read_levels(const Node& doe, const DesignSpace& space) {
 RunSettings read_run(const Node* node, const std::filesystem::path& file) {
   RunSettings run;
   const auto folder = file.parent_path();
-  run.journal = folder / (file.stem().string() + ".journal");
+  run.journal = folder / (file.stem().string() + ".latsch");
   if (!node) return run;
   run.workers = static_cast<int>(node->integer("workers", 1, kMostWorkers, 1));
   run.timeout = node->quantity("timeout", "s", Range::positive(), run.timeout);
@@ -128,7 +128,7 @@ Study read_study(const std::filesystem::path& file, Measurements measurements) {
   const Document document = Document::read(file);
   const Node root = document.root();
   const auto folder = file.parent_path();
-  const auto model_file = folder / root.text("model");
+  const auto model_file = (folder / root.text("model")).lexically_normal();
   if (!std::filesystem::exists(model_file)) {
     root.reject("model", fmt::format("is \"{}\", which does not exist", model_file.string()));
   }

@@ -22,7 +22,7 @@
 //   [run]
 //   workers = 2                               # processes; the result does not depend on it
 //   timeout = "10 min"                        # a trial
-//   journal = "study.journal"                 # beside this file
+//   journal = "study.latsch"                 # beside this file
 #pragma once
 
 #include <filesystem>

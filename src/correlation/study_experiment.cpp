@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "correlation/measured_tables.h"
+#include "formats/measurement_file.h"
 
 namespace latsch::correlation {
 namespace {
@@ -56,10 +56,11 @@ void read_load_deflection(const Node& table,
   }
   const auto file = find_file(table, "measurement", folder, measurements);
   if (!file.empty()) {
-    MeasuredCurve curve = read_curve(file);
-    test.deflections = std::move(curve.deflections);
-    test.loaded_radii = std::move(curve.loaded_radii);
-    experiment.forces = std::move(curve.forces);
+    LoadDeflectionCurve curve = formats::read_load_deflection(file);
+    const bool radii = curve.abscissa == Abscissa::loaded_radius;
+    test.deflections = radii ? std::vector<double>{} : curve.position;
+    test.loaded_radii = radii ? curve.position : std::vector<double>{};
+    experiment.forces = std::move(curve.force);
   } else if (test.deflections.empty()) {
     table.reject("deflections", "is missing: without a measurement it says where to compute one");
   }
@@ -89,19 +90,22 @@ void read_modal(const Node& table,
   objective.pairing.min_likeness =
       table.quantity("min_mac", "1", {0.0, 1.0, true}, objective.pairing.min_likeness);
 
+  ModeTable modes;
   long measured = table.integer("measured_modes", 1, kMostModes, 0);
   const auto file = find_file(table, "measurement", folder, measurements);
   if (!file.empty()) {
-    experiment.modes = read_modes(file);
-    measured = static_cast<long>(experiment.modes.size());
+    modes = formats::read_modes(file);
+    measured = static_cast<long>(modes.modes.size());
   } else if (measured == 0) {
     table.reject("measured_modes", "is missing: without a measurement it says how many to compute");
   }
   if (table.has("shapes")) {
     experiment.shapes_file = folder / table.text("shapes");
     const auto shapes = find_file(table, "shapes", folder, measurements);
-    if (!file.empty() && !shapes.empty()) test.points = read_shapes(shapes, experiment.modes);
+    if (!file.empty() && !shapes.empty()) formats::read_shapes(shapes, modes);
   }
+  experiment.modes = experiment::mode_records(modes);
+  test.points = experiment::sensor_points(modes);
   experiment.measured_modes = static_cast<int>(measured);
   test.count =
       static_cast<int>(table.integer("simulated_modes",

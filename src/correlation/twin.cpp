@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "correlation/measured_tables.h"
 #include "experiment/tire_rig.h"
+#include "formats/measurement_file.h"
 #include "models/fe_tire/tire_description.h"
 
 namespace latsch::correlation {
@@ -20,10 +20,17 @@ fe_tire::FeTire tire_of(const Study& study) {
   return {fe_tire::build_mesh(description), fe_tire::build_materials(description), settings};
 }
 
+constexpr const char* kComment =
+    "Not measured: computed by the model itself, latsch export --measurements";
+
 void write_forces(const StudyExperiment& experiment, const Channels& channels) {
   const auto& test = std::get<LoadDeflection>(experiment.load_case.test);
-  write_curve(experiment.measurement_file,
-              {test.deflections, test.loaded_radii, channels["force"]});
+  const bool radii = !test.loaded_radii.empty();
+  LoadDeflectionCurve curve;
+  curve.abscissa = radii ? Abscissa::loaded_radius : Abscissa::deflection;
+  curve.position = radii ? test.loaded_radii : test.deflections;
+  curve.force = channels["force"];
+  formats::write_load_deflection(experiment.measurement_file, curve, kComment);
 }
 
 }  // namespace
@@ -51,9 +58,11 @@ Result<std::vector<std::filesystem::path>> write_twin(const Study& study) {
     }
     auto modes = experiment::mode_records(*results[e]);
     modes.resize(std::min(modes.size(), static_cast<size_t>(experiment.measured_modes)));
-    write_modes(experiment.measurement_file, modes);
+    const ModeTable table =
+        experiment::mode_table(modes, std::get<ModalTest>(cases[e].test).points);
+    formats::write_modes(experiment.measurement_file, table, kComment);
     if (experiment.shapes_file.empty()) continue;
-    write_shapes(experiment.shapes_file, std::get<ModalTest>(cases[e].test).points, modes);
+    formats::write_shapes(experiment.shapes_file, table, kComment);
     written.push_back(experiment.shapes_file);
   }
   return written;

@@ -3,6 +3,8 @@
 
 #include <cassert>
 
+#include "base/units.h"
+
 namespace latsch::correlation {
 namespace {
 
@@ -18,9 +20,9 @@ std::string unit_of(const Node& table,
 }
 
 /// "N/mm^2" of "22.3 N/mm^2".
-std::string written_unit(const std::string& quantity) {
-  const size_t number_end = quantity.find_first_not_of("+-0123456789.eE \t_");
-  return number_end == std::string::npos ? "1" : quantity.substr(number_end);
+std::string written_unit(const std::string& text) {
+  const auto quantity = parse_quantity(text);
+  return quantity ? quantity->unit.text() : "1";
 }
 
 }  // namespace

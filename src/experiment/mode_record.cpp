@@ -4,6 +4,9 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/error.h"
+#include "base/text.h"
+
 namespace latsch::experiment {
 namespace {
 
@@ -59,6 +62,48 @@ std::vector<ModeRecord> mode_records(const Channels& channels) {
     }
   }
   return modes;
+}
+
+std::vector<ModeRecord> mode_records(const ModeTable& table) {
+  std::vector<ModeRecord> modes;
+  for (const MeasuredMode& measured : table.modes) {
+    ModeRecord mode{measured.frequency, measured.n, std::nullopt, measured.phase, {}};
+    if (!measured.type.empty()) {
+      mode.type = fe_tire::mode_type(measured.type);
+      if (!mode.type) {
+        throw InputError("mode type " + in_quotes(measured.type) +
+                         " is unknown, expected torsional, lateral, radial or nothing");
+      }
+    }
+    mode.shape = Eigen::Map<const Eigen::VectorXd>(
+        measured.shape.data(), static_cast<Eigen::Index>(measured.shape.size()));
+    modes.push_back(std::move(mode));
+  }
+  return modes;
+}
+
+Eigen::Matrix3Xd sensor_points(const ModeTable& table) {
+  Eigen::Matrix3Xd points(3, table.points.size());
+  for (size_t i = 0; i < table.points.size(); ++i) {
+    points.col(static_cast<Eigen::Index>(i)) =
+        Eigen::Map<const Eigen::Vector3d>(table.points[i].data());
+  }
+  return points;
+}
+
+ModeTable mode_table(const std::vector<ModeRecord>& modes, const Eigen::Matrix3Xd& points) {
+  ModeTable table;
+  for (const ModeRecord& mode : modes) {
+    MeasuredMode measured{mode.frequency, mode.n, "", mode.phase, {}};
+    const bool named = mode.type && *mode.type != fe_tire::ModeType::other;
+    if (named) measured.type = fe_tire::name(*mode.type);
+    measured.shape.assign(mode.shape.begin(), mode.shape.end());
+    table.modes.push_back(std::move(measured));
+  }
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    table.points.push_back({points(0, i), points(1, i), points(2, i)});
+  }
+  return table;
 }
 
 }  // namespace latsch::experiment

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "measurement/channels.h"
+#include "measurement/mode_table.h"
 #include "models/fe_tire/fe_tire.h"
 
 namespace latsch::experiment {
@@ -30,5 +31,12 @@ struct ModeRecord {
 Channels to_channels(const std::vector<ModeRecord>& modes);
 /// The inverse; asserts that the channels come from a modal run.
 std::vector<ModeRecord> mode_records(const Channels& channels);
+
+/// Modes as measured. Throws InputError for a type this program does not know.
+std::vector<ModeRecord> mode_records(const ModeTable& table);
+/// Sensor points [3 x points], m.
+Eigen::Matrix3Xd sensor_points(const ModeTable& table);
+/// The inverse of both, for a twin.
+ModeTable mode_table(const std::vector<ModeRecord>& modes, const Eigen::Matrix3Xd& points);
 
 }  // namespace latsch::experiment

@@ -199,7 +199,7 @@ std::vector<Result<Channels>> run(FeTire& tire, const std::vector<LoadCase>& cas
 }
 
 Eigen::Matrix3Xd default_points(const fe_tire::Mesh& mesh) {
-  constexpr int kAround = 30, kAcross = 5;
+  constexpr int kAround = 24, kAcross = 3;
   const int sensors = static_cast<int>(mesh.sensors.size());
   const int across = std::min(kAcross, sensors), around = std::min(kAround, mesh.sectors);
   Eigen::Matrix3Xd points(3, across * around);

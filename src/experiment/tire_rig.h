@@ -24,8 +24,8 @@ namespace latsch::experiment {
 /// One result a load case, in their order. A Failure names its experiment.
 std::vector<Result<Channels>> run(fe_tire::FeTire& tire, const std::vector<LoadCase>& cases);
 
-/// Points for shapes where no laboratory prescribes them: up to 5 sensors across the outer surface
-/// at up to 30 places around, [3 x points], m, wheel frame.
+/// Points for shapes where no laboratory prescribes them: up to 3 sensors across the outer surface
+/// at up to 24 places around, [3 x points], m, wheel frame.
 Eigen::Matrix3Xd default_points(const fe_tire::Mesh& mesh);
 
 /// The node (of the whole ring) of the sensor nearest to every point, and how far off it is, m.

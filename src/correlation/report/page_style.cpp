@@ -71,7 +71,7 @@ svg .inflated { stroke: var(--ink); stroke-width: 1; stroke-dasharray: 4 3; } sv
 .modes { display: grid; grid-template-columns: repeat(auto-fill, minmax(236px, 1fr)); gap: 14px; }
 .modes figure { margin: 0; } .modes figcaption { text-align: center; margin: 0; color: var(--ink); }
 .modes figcaption span { color: var(--soft); } canvas { display: block; width: 100%; touch-action: pan-y; cursor: grab; }
-canvas.large { aspect-ratio: 13 / 11; } .modes canvas { aspect-ratio: 1; }
+canvas.large { max-width: 760px; aspect-ratio: 19 / 12; } .modes canvas { aspect-ratio: 1; }
 .bar { display: flex; align-items: center; gap: 10px; font-size: 13px; color: var(--soft); margin: 4px 0; }
 .bar i { flex: 0 0 220px; height: 11px; background: linear-gradient(90deg, #440154, #482475, #414487, #355f8d, #2a788e,
   #21918c, #22a884, #44bf70, #7ad151, #bddf26, #fde725); print-color-adjust: exact; -webkit-print-color-adjust: exact; }
@@ -109,10 +109,8 @@ std::string_view viewer_script() {
   class View {
     constructor(canvas) {
       this.canvas = canvas;
-      const {mode, state, yaw, pitch} = canvas.dataset;
-      this.yaw = yaw === undefined ? 0.72 : Number(yaw);
-      this.pitch = pitch === undefined ? (mode === undefined ? 0.12 : 0.3) : Number(pitch);
-      this.phase = 1;
+      this.yaw = 0.72; this.pitch = canvas.dataset.state === undefined ? 0.3 : 0.12; this.phase = 1;
+      const mode = canvas.dataset.mode, state = canvas.dataset.state;
       if (mode !== undefined) {
         this.points = base;
         this.swing = reals(tire.modes[mode], Int8Array);

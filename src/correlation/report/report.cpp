@@ -137,14 +137,12 @@ std::string loaded_figure(const TirePictures& pictures) {
     largest = std::max(largest, (pictures.loaded->u.col(k) - before).norm());
   }
   return fmt::format(
-      "<figure><b>Loaded tire <span>{} N at {} mm, true to scale</span></b><div class=\"figures\">"
+      "<figure><b>Loaded tire <span>{} N at {} mm, true to scale</span></b>"
       "<canvas class=\"tire large\" data-state=\"0\" role=\"img\" aria-label=\"Deformed "
       "tire\"></canvas>"
-      "<canvas class=\"tire large\" data-state=\"0\" data-yaw=\"0\" data-pitch=\"0.04\" "
-      "role=\"img\" "
-      "aria-label=\"Deformed tire from the side\"></canvas></div>"
-      "<div class=\"bar\">0<i></i>{} mm</div>"
-      "<figcaption>Displacement from the inflated state. Drag to turn.</figcaption></figure>\n",
+      "<div class=\"bar\">0<i></i>{} mm</div><figcaption>Displacement from the inflated state. "
+      "Drag to turn.</figcaption>"
+      "</figure>\n",
       fixed(point.Fz, 0),
       fixed(1e3 * point.deflection, 1),
       fixed(1e3 * largest, 1));

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/best_trial.h"
+
+#include <algorithm>
+
+#include "correlation/tire_trials.h"
+
+namespace latsch::correlation {
+
+std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal) {
+  const Objective target = objective(study);
+  std::vector<RatedTrial> rated;
+  journal.for_each([&](const Trial& trial) {
+    if (!trial.outcome.result) return;
+    const auto score = target(*trial.outcome.result);
+    if (score) rated.push_back({trial.point, score->value});
+  });
+  return rated;
+}
+
+std::optional<RatedTrial> best_trial(const Study& study, const Journal& journal) {
+  const auto rated = rated_trials(study, journal);
+  const auto least = std::min_element(
+      rated.begin(), rated.end(), [](const auto& a, const auto& b) { return a.target < b.target; });
+  if (least == rated.end()) return std::nullopt;
+  return *least;
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// The trial of the least target in a journal, whoever asked for it: optimizer or design of
+// experiments.
+#pragma once
+
+#include <optional>
+
+#include "correlation/study.h"
+#include "evaluation/journal.h"
+
+namespace latsch::correlation {
+
+struct RatedTrial {
+  DesignPoint point;
+  double target = 0.0;
+};
+
+/// Every trial that succeeded with its target, computed anew from the stored channels, in the order
+/// they finished.
+std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal);
+
+/// nullopt where no trial succeeded. Of equals the first.
+std::optional<RatedTrial> best_trial(const Study& study, const Journal& journal);
+
+}  // namespace latsch::correlation

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/study_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "base/units.h"
+#include "correlation/best_trial.h"
+#include "correlation/doe_surface.h"
+#include "correlation/found_tire.h"
+#include "correlation/tire_trials.h"
+#include "evaluation/scheduler.h"
+#include "optimization/gss.h"
+
+namespace latsch::correlation {
+namespace {
+
+using experiment::LoadDeflection;
+using experiment::ModalTest;
+using report::StudyReport;
+
+/// The channels of every experiment, predicted ones included; empty where the point failed.
+struct Simulated {
+  DesignPoint point;
+  std::optional<Channels> channels;
+};
+
+Simulated simulate(TireTrials& trials, const DesignPoint& point) {
+  auto result = trials.run(point, /*predicted=*/true);
+  return {point, result ? std::optional(std::move(*result)) : std::nullopt};
+}
+
+std::string conditions_of(const StudyExperiment& experiment) {
+  const auto text = [](double pressure, const fe_tire::Ground& ground) {
+    return format_quantity(pressure, "bar", 4) +
+           (ground.mu > 0.0 ? fmt::format(", friction {:.3g}", ground.mu) : "");
+  };
+  if (const auto* curve = std::get_if<LoadDeflection>(&experiment.load_case.test)) {
+    return text(curve->pressure, curve->ground);
+  }
+  const auto& modal = std::get<ModalTest>(experiment.load_case.test);
+  std::string state = ", unloaded";
+  if (modal.deflection) state = ", pressed " + format_quantity(*modal.deflection, "mm", 4);
+  if (modal.load) state = ", under " + format_quantity(*modal.load, "N", 5);
+  return text(modal.pressure, modal.ground) + state;
+}
+
+std::string compared_in(const StudyExperiment& experiment) {
+  std::string text = experiment.modal()                                 ? "frequency"
+                     : experiment.objective.compared == Compared::force ? "force"
+                                                                        : "root of force";
+  if (experiment.objective.exponent != 1.0) {
+    text += fmt::format(", exponent {:g}", experiment.objective.exponent);
+  }
+  return text;
+}
+
+report::ExperimentRow experiment_row(const StudyExperiment& experiment,
+                                     const Comparison& found,
+                                     const std::optional<Comparison>& initial) {
+  report::ExperimentRow row;
+  row.name = experiment.name;
+  row.kind = experiment.modal() ? "modes" : "load-deflection";
+  row.conditions = conditions_of(experiment);
+  row.compared = compared_in(experiment);
+  row.fitted = experiment.fitted;
+  row.weight = experiment.objective.weight;
+  row.values = static_cast<int>(found.errors.size());
+  row.value = found.value;
+  row.mean_error = found.mean_error;
+  row.largest_error = found.largest_error;
+  if (initial) row.initial_mean_error = initial->mean_error;
+  return row;
+}
+
+report::ForceCurve force_curve(const StudyExperiment& experiment,
+                               const Channels& found,
+                               const std::optional<Channels>& initial) {
+  const auto& test = std::get<LoadDeflection>(experiment.load_case.test);
+  report::ForceCurve curve;
+  curve.experiment = experiment.name;
+  curve.conditions = conditions_of(experiment);
+  curve.fitted = experiment.fitted;
+  curve.over_loaded_radius = !test.loaded_radii.empty();
+  curve.abscissa = curve.over_loaded_radius ? test.loaded_radii : test.deflections;
+  curve.measured = experiment.forces;
+  curve.simulated = found["force"];
+  if (initial) curve.initial = (*initial)["force"];
+  return curve;
+}
+
+report::ModalComparison modal_comparison(const StudyExperiment& experiment,
+                                         const Channels& found,
+                                         const Comparison& comparison,
+                                         const std::optional<Channels>& initial) {
+  report::ModalComparison modal;
+  modal.experiment = experiment.name;
+  modal.conditions = conditions_of(experiment);
+  modal.fitted = experiment.fitted;
+  const auto simulated = experiment::mode_records(found);
+  std::map<int, double> at_start;  // frequency by measured mode
+  if (initial) {
+    const auto modes = experiment::mode_records(*initial);
+    for (const ModePair& pair : compare(experiment, *initial).pairing.pairs) {
+      at_start[pair.measured] = modes[pair.simulated].frequency;
+    }
+  }
+  const bool shapes = std::get<ModalTest>(experiment.load_case.test).points.cols() > 0;
+  for (const ModePair& pair : comparison.pairing.pairs) {
+    report::ModePair row;
+    row.label = experiment.modes[pair.measured].label();
+    row.measured = experiment.modes[pair.measured].frequency;
+    row.simulated = simulated[pair.simulated].frequency;
+    if (const auto at = at_start.find(pair.measured); at != at_start.end())
+      row.initial = at->second;
+    if (shapes) row.likeness = pair.likeness;
+    modal.pairs.push_back(std::move(row));
+  }
+  for (int i : comparison.pairing.missing) {
+    modal.missing.push_back({experiment.modes[i].label(), experiment.modes[i].frequency});
+  }
+  for (int j : comparison.pairing.extra) {
+    modal.extra.push_back({simulated[j].label(), simulated[j].frequency});
+  }
+  return modal;
+}
+
+void add_experiments(const Study& study,
+                     const Simulated& found,
+                     const Simulated& initial,
+                     StudyReport& page) {
+  for (const StudyExperiment& experiment : study.experiments) {
+    const Channels channels = channels_of(experiment, *found.channels);
+    const Comparison comparison = compare(experiment, channels);
+    std::optional<Channels> start;
+    std::optional<Comparison> start_comparison;
+    if (initial.channels) {
+      start = channels_of(experiment, *initial.channels);
+      start_comparison = compare(experiment, *start);
+    }
+    page.experiments.push_back(experiment_row(experiment, comparison, start_comparison));
+    if (experiment.modal()) {
+      page.modes.push_back(modal_comparison(experiment, channels, comparison, start));
+    } else {
+      page.forces.push_back(force_curve(experiment, channels, start));
+    }
+  }
+}
+
+void add_variables(const Study& study, const DesignPoint& found, StudyReport& page) {
+  for (int i = 0; i < study.space.size(); ++i) {
+    const DesignVariable& variable = study.space[i];
+    page.variables.push_back({variable.name,
+                              variable.unit,
+                              variable.initial,
+                              found.values[i],
+                              variable.lower,
+                              variable.upper,
+                              variable.scale == Scale::logarithmic});
+  }
+}
+
+/// The optimizer's trajectory as far as the journal knows it; none where it was never run.
+void add_convergence(const Study& study, const Journal& journal, StudyReport& page) {
+  Gss gss(study.space, study.gss);
+  const Run run = replay(gss, objective(study), journal, study.max_steps);
+  if (run.steps.empty()) return;
+  report::Convergence convergence;
+  for (const Step& step : run.steps) {
+    convergence.target.push_back(step.outcome ? step.outcome->value
+                                              : std::numeric_limits<double>::quiet_NaN());
+  }
+  page.convergence = std::move(convergence);
+  page.run->method = fmt::format("generating-set search, {} steps", run.steps.size());
+  page.run->ended = run.end == RunEnd::converged   ? "step tolerance reached"
+                    : run.end == RunEnd::max_steps ? "largest number of steps reached"
+                                                   : "not finished";
+}
+
+report::RunFacts run_facts(const Study& study, const Journal& journal) {
+  report::RunFacts facts;
+  facts.method = "design of experiments";
+  facts.workers = study.run.workers;
+  std::map<std::string, int> reasons;
+  double busy = 0.0;  // s, of all workers
+  journal.for_each([&](const Trial& trial) {
+    ++facts.trials;
+    busy += trial.outcome.wall_time;
+    facts.cpu_time += trial.outcome.cpu_time;
+    if (trial.outcome.result) return;
+    ++facts.failures;
+    ++reasons[trial.outcome.result.failure().reason];
+  });
+  facts.wall_time = busy / std::max(1, facts.workers);
+  facts.failure_reasons.assign(reasons.begin(), reasons.end());
+  return facts;
+}
+
+}  // namespace
+
+Result<StudyReport> study_report(const Study& study, const Journal& journal) {
+  const auto best = best_trial(study, journal);
+  if (!best) return Failure{"no trial in " + study.run.journal.string() + " succeeded"};
+
+  TireTrials trials(study);
+  const Simulated initial = simulate(trials, study.space.initial());
+  const Simulated found = simulate(trials, best->point);
+  if (!found.channels) return Failure{"the best trial cannot be repeated with the predictions"};
+
+  StudyReport page;
+  page.title = study.title;
+  page.study_file = study.file.string();
+  page.model_file = study.model_file.string();
+  page.target = best->target;
+  if (initial.channels) page.initial_target = objective(study)(*initial.channels)->value;
+  page.target_definition = "weighted mean over the experiments of mean |relative error|^exponent";
+  add_variables(study, best->point, page);
+  add_experiments(study, found, initial, page);
+  page.run = run_facts(study, journal);
+  add_convergence(study, journal, page);
+  page.surfaces = doe_surfaces(study, rated_trials(study, journal), best->point);
+  add_found_tire(study, best->point, trials, page);
+  return page;
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/study.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "base/file.h"
+#include "correlation/variables.h"
+
+namespace latsch::correlation {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kStudy = R"(model = "tire.toml"
+
+[variable.sidewall]
+paths = ["rubber.upper_sidewall.young_modulus", "rubber.lower_sidewall.young_modulus"]
+lower = "1 N/mm^2"
+upper = "20 N/mm^2"
+initial = "5 N/mm^2"
+scale = "logarithmic"
+
+[variable.angle]
+path = "layer.belt_1.angle"
+lower = "15 deg"
+upper = "35 deg"
+initial = "24 deg"
+
+[experiment.stiffness]
+kind = "load_deflection"
+pressure = "2.4 bar"
+measurement = "stiffness.csv"
+
+[experiment.modes]
+kind = "modes"
+pressure = "35 psi"
+load = "4 kN"
+measurement = "modes.csv"
+use = "predict"
+
+[doe]
+levels = 3
+levels_of = {angle = 5}
+)";
+
+constexpr const char* kStiffness = "deflection [mm], force [N]\n18.2, 3015.5\n32.4, 6031.1\n";
+constexpr const char* kModes = "frequency [Hz], n, type\n50.3, 1, lateral\n54.1, 0, torsional\n";
+
+/// A study in a folder of its own, with one text replaced.
+class StudyFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("latsch_") + info->name());
+    fs::create_directories(folder_);
+    fs::copy_file(LATSCH_SOURCE_DIR "/studies/tires/passenger_205_55R16.toml",
+                  folder_ / "tire.toml",
+                  fs::copy_options::overwrite_existing);
+    write("study.toml", kStudy);
+    write("stiffness.csv", kStiffness);
+    write("modes.csv", kModes);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) {
+    write_text_file(folder_ / name, text);
+  }
+  void replace(const std::string& name, const std::string& from, const std::string& to) {
+    std::string text = read_text_file(folder_ / name);
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    write(name, text.replace(text.find(from), from.size(), to));
+  }
+  Study read() const { return read_study(folder_ / "study.toml"); }
+  /// What the InputError says; "" where there is none.
+  std::string complaint() const {
+    try {
+      read();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  fs::path folder_;
+};
+
+#define EXPECT_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
+
+TEST_F(StudyFile, IsReadInSi) {
+  const Study study = read();
+  ASSERT_EQ(study.space.size(), 2);
+  EXPECT_DOUBLE_EQ(study.space[0].lower, 1e6);
+  EXPECT_EQ(study.space[0].scale, Scale::logarithmic);
+  EXPECT_EQ(study.space[0].unit, "N/mm^2");
+  EXPECT_NEAR(study.space[1].upper, 35.0 * M_PI / 180.0, 1e-15);
+  ASSERT_EQ(study.experiments.size(), 2u);
+  EXPECT_EQ(study.experiments[0].forces, (std::vector<double>{3015.5, 6031.1}));
+  const auto& modes = std::get<experiment::ModalTest>(study.experiments[1].load_case.test);
+  EXPECT_DOUBLE_EQ(*modes.load, 4000.0);
+  EXPECT_NEAR(modes.pressure, 35.0 * 6894.757293168, 1e-4);
+  EXPECT_EQ(modes.count, 2 + 8);
+  EXPECT_FALSE(study.experiments[1].fitted);
+  EXPECT_EQ(study.doe_levels, (std::vector<int>{3, 5}));
+}
+
+TEST_F(StudyFile, AVariableSetsAllItsPaths) {
+  const Study study = read();
+  const Document model = at(study.model, study.space, {{7e6, 0.5}});
+  EXPECT_EQ(model.get("rubber.upper_sidewall.young_modulus"), 7e6);
+  EXPECT_EQ(model.get("rubber.lower_sidewall.young_modulus"), 7e6);
+  EXPECT_EQ(model.get("layer.belt_1.angle"), 0.5);
+  EXPECT_NE(study.model.get("layer.belt_1.angle"), 0.5);
+}
+
+TEST_F(StudyFile, SaysWhichPathWasMeant) {
+  replace("study.toml", "layer.belt_1.angle", "layer.belt_1.angel");
+  EXPECT_SAYS(complaint(), "study.toml:11: variable.angle.path");
+  EXPECT_SAYS(complaint(), "layer.belt_1.angle");
+}
+
+TEST_F(StudyFile, RejectsAnAngleInNewtons) {
+  replace("study.toml", "\"24 deg\"", "\"24 N\"");
+  EXPECT_SAYS(complaint(), "study.toml:14: variable.angle.initial is \"24 N\"");
+  EXPECT_SAYS(complaint(), "deg");
+}
+
+TEST_F(StudyFile, RejectsACordAngleInNewtonsInTheModel) {
+  replace("tire.toml", "angle = \"24 deg\"", "angle = \"24 N\"");
+  EXPECT_SAYS(complaint(), "layer.belt_1.angle is \"24 N\"");
+}
+
+TEST_F(StudyFile, RejectsANegativeThickness) {
+  replace("tire.toml", "[0.0, \"6 mm\"]", "[0.0, \"-6 mm\"]");
+  EXPECT_SAYS(complaint(), "tire.toml");
+  EXPECT_SAYS(complaint(), "thickness");
+}
+
+TEST_F(StudyFile, RejectsAWallThatFoldsOver) {
+  replace("tire.toml", "[67, 303.5], [84, 298]", "[84, 303.5], [67, 304]");
+  EXPECT_SAYS(complaint(), "tire.toml");
+}
+
+TEST_F(StudyFile, RejectsCrossedBounds) {
+  replace("study.toml", "upper = \"35 deg\"", "upper = \"10 deg\"");
+  EXPECT_SAYS(complaint(), "study.toml");
+  EXPECT_SAYS(complaint(), "angle");
+}
+
+TEST_F(StudyFile, RejectsABoundTheModelDoesNotAccept) {
+  replace("study.toml", "upper = \"35 deg\"", "upper = \"120 deg\"");
+  EXPECT_SAYS(complaint(), "variable.angle.upper is a value the model does not accept");
+}
+
+TEST_F(StudyFile, RejectsNumbersOfDifferentKindsInOneVariable) {
+  replace("study.toml", "rubber.lower_sidewall.young_modulus", "layer.belt_1.angle");
+  EXPECT_SAYS(complaint(), "expected numbers of one unit");
+}
+
+TEST_F(StudyFile, RejectsAnUnknownKey) {
+  replace("study.toml", "use = \"predict\"", "usee = \"predict\"");
+  EXPECT_SAYS(complaint(), "usee");
+  EXPECT_SAYS(complaint(), "use");
+}
+
+TEST_F(StudyFile, RejectsAStudyThatFitsNothing) {
+  replace("study.toml",
+          "measurement = \"stiffness.csv\"",
+          "measurement = \"stiffness.csv\"\nweight = 0");
+  EXPECT_SAYS(complaint(), "fits nothing");
+}
+
+TEST_F(StudyFile, RejectsAMeasurementThatDoesNotExist) {
+  replace("study.toml", "stiffness.csv", "stifness.csv");
+  EXPECT_SAYS(complaint(), "study.toml:19: experiment.stiffness.measurement is \"stifness.csv\"");
+  EXPECT_SAYS(complaint(), "latsch export");
+}
+
+TEST_F(StudyFile, RejectsAnEmptyMeasurement) {
+  write("stiffness.csv", "deflection [mm], force [N]\n");
+  EXPECT_SAYS(complaint(), "stiffness.csv");
+}
+
+TEST_F(StudyFile, RejectsANanInAMeasurement) {
+  write("stiffness.csv", "deflection [mm], force [N]\n18.2, nan\n");
+  EXPECT_SAYS(complaint(), "stiffness.csv:2");
+}
+
+TEST_F(StudyFile, RejectsAMeasuredForceOfZero) {
+  write("stiffness.csv", "deflection [mm], force [N]\n1, 0\n");
+  EXPECT_SAYS(complaint(), "stiffness.csv:2");
+}
+
+TEST_F(StudyFile, IdentityChangesWithTheModelButNotWithTheObjective) {
+  const StudyIdentity before = identity(read());
+  replace("study.toml",
+          "measurement = \"stiffness.csv\"",
+          "measurement = \"stiffness.csv\"\nweight = 3");
+  EXPECT_EQ(identity(read()), before);
+  replace("tire.toml", "density = \"7850 kg/m^3\"", "density = \"7800 kg/m^3\"");
+  EXPECT_NE(identity(read()), before);
+}
+
+}  // namespace
+}  // namespace latsch::correlation
