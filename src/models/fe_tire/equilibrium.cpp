@@ -37,7 +37,7 @@ std::optional<Failure> EquilibriumSolver::solve(const Materials& materials,
   contact_ = contact;
   pressure_ = pressure;
   RingState now = state;
-  if (!assemble(now, true)) return failure(step, "the start is inverted");
+  if (!assemble(now, false)) return failure(step, "the start is inverted");
   double previous = f_.norm();
   for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
     const double norm = f_.norm();
@@ -45,9 +45,10 @@ std::optional<Failure> EquilibriumSolver::solve(const Materials& materials,
       state = std::move(now);
       return std::nullopt;
     }
+    assemble(now, true);
+    const double ratio = iteration == 0 ? 0.1 : norm / previous;
     // Solve only as exactly as Newton's own convergence deserves (Eisenstat and Walker 1996, choice
     // 2).
-    const double ratio = iteration == 0 ? 0.1 : norm / previous;
     find_direction(std::clamp(0.5 * ratio * ratio, 1e-4, 1e-2));
     previous = norm;
     if (!line_search(now)) return failure(step, "no step along Newton's direction reduces it");
@@ -57,7 +58,7 @@ std::optional<Failure> EquilibriumSolver::solve(const Materials& materials,
 
 bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
   failed_element_ = -1;
-  ++counts_.assemblies;
+  if (with_tangent) ++counts_.assemblies;
   return assembly_.assemble(
       *materials_, state, pressure_, contact_, f_, with_tangent ? &K_ : nullptr, &failed_element_);
 }
@@ -104,18 +105,14 @@ bool EquilibriumSolver::solve_tangent(double tolerance) {
 bool EquilibriumSolver::line_search(RingState& state) {
   const double norm = f_.norm(), slope = std::abs(d_.dot(f_));
   double s = 1.0;
-  for (int back = 0; back <= kMaxBacktracks; ++back) {
+  for (int back = 0; back <= kMaxBacktracks; ++back, s *= 0.5) {
     trial_.x = state.x - s * d_;
     trial_.alpha = state.alpha;
-    // The full step nearly always holds, so its tangent is made at once; shorter ones are tried by
-    // forces alone.
-    const bool valid = assemble(trial_, back == 0);
+    const bool valid = assemble(trial_, false);
     if (valid && (f_.norm() < norm || std::abs(d_.dot(f_)) <= kSlopeDecrease * slope)) {
-      if (back > 0) assemble(trial_, true);
       std::swap(state, trial_);
       return true;
     }
-    s *= 0.5;
   }
   return false;
 }
