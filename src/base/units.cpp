@@ -7,6 +7,7 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <mutex>
 
@@ -17,6 +18,7 @@ namespace latsch {
 namespace {
 
 constexpr std::size_t kLongestUnit = 64;
+constexpr int kLargestPower = 9;  // of a base unit; what a person writes has one digit
 constexpr const char* kBase[] = {"m", "kg", "s", "A", "K", "mol", "cd", "rad"};
 
 /// Typed often, but not in the database.
@@ -106,6 +108,8 @@ class Database {
     if (!unit) return std::nullopt;
     Entry entry{};
     if (!find_dimension(unit.get(), entry.dimension)) return std::nullopt;
+    for (const int power : entry.dimension)
+      if (std::abs(power) > kLargestPower) return std::nullopt;
     const UnitPointer si = product(entry.dimension);
     if (!si) return std::nullopt;
     const std::unique_ptr<cv_converter, FreeConverter> to_si(

@@ -72,6 +72,19 @@ TEST(Units, DimensionsHaveTheirSiUnitAndWords) {
   EXPECT_EQ(unknown_unit("kpa"), "unknown unit \"kpa\", did you mean \"kPa\"?");
 }
 
+// Powers of two digits were written by si_unit and not read by find.
+TEST(Units, TheSiUnitOfEveryUnitIsAUnitOfItsDimension) {
+  for (const char* text :
+       {"mm^9", "1/m^9", "N^4", "m^9 kg^-9 s^9 A^-9 K^9 mol^-9 cd^9 rad^-9", "acre"}) {
+    const Unit unit = Unit::of(text);
+    const auto si = Unit::find(si_unit(unit.dimension()));
+    ASSERT_TRUE(si) << text;
+    EXPECT_TRUE(si->same_dimension(unit)) << text;
+    EXPECT_EQ(si->to_si(1.0L), 1.0) << text;
+  }
+  EXPECT_FALSE(Unit::find("m^9 m^3"));
+}
+
 TEST(Units, EveryExampleIsAQuantityOfItsDimension) {
   for (const char* unit : {"m",
                            "N",
