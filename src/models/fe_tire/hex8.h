@@ -17,7 +17,7 @@ using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
 enum class ElementKind {
   full_integration,  // 2x2x2 displacement element, CalculiX' C3D8: for comparison, it locks
-  solid_shell,       // the default: assumed and enhanced strains, see hex8.cpp
+  solid_shell,       // the default: assumed and enhanced strains, see hex8_solid_shell.cpp
 };
 
 /// Everything about an element that does not change with the displacement: gradients, weights,
@@ -42,7 +42,8 @@ bool evaluate(const HexShape& shape,
               Vector24& f,
               Matrix24* K);
 
-/// Consistent mass [kg] between nodes, the same in all three directions, rebars included.
+/// Mass [kg] between nodes, the same in all three directions, rebars included; consistent for
+/// full_integration, the average of consistent and lumped along the wall for the solid-shell.
 Matrix8 mass(const HexShape& shape, const Materials& materials, const Element& element);
 
 }  // namespace latsch::fe_tire

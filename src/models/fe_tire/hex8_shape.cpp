@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "models/fe_tire/hex8_solid_shell.h"
+
 namespace latsch::fe_tire {
 
 Vector8 shape_functions(double xi, double eta, double zeta) {
@@ -43,8 +45,12 @@ HexShape make_shape(ElementKind kind, const Matrix38& X) {
     const Eigen::Matrix3d J = X * parent.transpose();  // columns: dX/dxi, dX/deta, dX/dzeta
     const Eigen::Matrix3d R = cylindrical_triad(X * shape_functions(xi, eta, zeta));
     shape.dV[q] = J.determinant();
-    shape.dN[q] = (J.inverse() * R).transpose() * parent;
+    const Matrix38 dN = (J.inverse() * R).transpose() * parent;
+    for (int i = 0; i < 3; ++i) {
+      for (int a = 0; a < 8; ++a) shape.dN[q][i][a] = dN(i, a);
+    }
   }
+  if (kind == ElementKind::solid_shell) shape.solid_shell = make_solid_shell_shape(X);
   return shape;
 }
 

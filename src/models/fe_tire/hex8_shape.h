@@ -10,6 +10,7 @@
 #include <array>
 
 #include "models/fe_tire/hex8.h"
+#include "models/fe_tire/lanes.h"
 
 namespace latsch::fe_tire {
 
@@ -22,13 +23,31 @@ inline constexpr double kZeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
 
 using Vector8 = Eigen::Matrix<double, 8, 1>;
 
+/// Strain operators of the solid-shell, see hex8_solid_shell.cpp for the letters.
+struct SolidShellShape {
+  static constexpr int kStrains = 18;  // E_c (6) and e (12), the generalized strains
+  static constexpr int kEnhanced = 8;  // alpha
+  static constexpr int kColumns = 32;  // strains in columns 0-17, alpha in 24-31, the rest zero
+
+  Lanes b[3];             // 1/m, mean gradients of the shape functions in the triad of the center
+  Lanes gamma[4];         // hourglass vectors: z_m = sum_a x_a gamma_m[a], zero for a constant F
+  double w[6][7];         // 1/m^2, mean of the quadratic terms in z
+  double e0[12];          // m^2, reference values of e
+  Lanes Pt[kColumns][6];  // E[r][point] = sum_j Pt[j][r][point] (E_c, e, alpha)_j
+  Lanes P[48][kColumns / 8];  // the same, rows 8 r + point
+  double volume;              // m^3
+  /// Dyads (Voigt, of stress) of the element's axes meridional 2 and normal 3 in the center's
+  /// triad.
+  Vector6 d22, d33, d23, d13;
+  double length, thickness;  // m, along eta and zeta
+};
+
 struct HexShape {
   ElementKind kind = ElementKind::full_integration;
-  Matrix38 X;  // m
-  std::array<double, 8>
-      dV;  // m^3, volume of a Gauss point; not positive where the element is inverted
-  std::array<Matrix38, 8>
-      dN;  // 1/m, gradients of the shape functions in the triad of the Gauss point
+  Matrix38 X;                   // m
+  std::array<double, 8> dV;     // m^3, volume of a Gauss point; not positive where inverted
+  std::array<Lanes, 3> dN[8];   // 1/m, gradients of the shape functions in the point's triad
+  SolidShellShape solid_shell;  // only filled for that kind
 };
 
 /// Shape functions at a point of the parent cube.

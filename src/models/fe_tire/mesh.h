@@ -29,6 +29,9 @@ struct Element {
   int region = 0;           // index into Mesh::region_names
   bool inner = false;       // face zeta = -1 carries the inflation pressure
   bool tread = false;       // face zeta = +1 may touch the ground
+  /// Elements through the thickness of the layer it belongs to; 0: not a layer of a wall. Composite
+  /// layers correct their transverse shear by it, see layer_stiffness.
+  int layer_rows = 0;
   std::vector<RebarPlacement> rebars;
 };
 

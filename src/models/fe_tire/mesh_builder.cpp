@@ -64,6 +64,7 @@ class MeshBuilder {
     e.solid = plan_.solid(column, row);
     e.region = plan_.region(column, row);
     e.inner = k == 0;
+    e.layer_rows = r_ * (plan_.inside(row) ? section_.rows_inside : section_.rows_outside);
     e.tread = k == rows() - 1 && std::abs(plan_.middle(column)) < section_.tread_to;
     if (tire_.cord_model == CordModel::rebar) e.rebars = rebars(i, k);
     return e;

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eight-node solid-shell for walls of few, thin, very different layers of nearly incompressible
+// rubber and cords. Total Lagrangian; all laws see the Green-Lagrange strain
+//
+//   E = E_c + (A - <A>) (e - H E_c) + (A - <A>) alpha            <.>: mean over the volume      (1)
+//   E_c = (F^T F - 1) / 2 + w z z,   F = sum_a x_a b_a^T,  b_a = <grad N_a>                     (2)
+//   e = x_m . x_n - X_m . X_n,  x = x_0 + x_1 xi + x_2 eta + ... + x_123 xi eta zeta            (3)
+//   z_m = x_m - F X_m                                                                           (4)
+//
+// E_c is the strain of the mean deformation gradient; e are the twelve coefficients of the
+// convected strains in xi, eta, zeta that bending, twisting and tapering need
+// (hex8_solid_shell_modes.h), H E_c their values in a constant strain E_c, and A turns convected
+// strain at a point into Cartesian strain. What is left out is what locks: shear that varies along
+// its own direction (2 E_13 along xi, as in the assumed strains of Dvorkin and Bathe), in-plane
+// shear along xi and eta, and the thickness strain of a curved element's middle. Six and twelve
+// strains hold the 24 - 6 deformations exactly once: there is no hourglass mode and no hourglass
+// stiffness.
+//   Twelve modes with values and slopes zero in a constant strain and <A - <A>> = 0 pass every
+// patch test on any shape [Simo & Hughes 1986]; curved walls then stretch their nodes' thickness a
+// little instead of locking. The mean of the quadratic terms w z z is second order there too; it
+// keeps the tension of an inflated wall acting on the hourglass shapes.
+//   alpha: E_11 along xi, E_22 along eta, E_33 along zeta, xi zeta and eta zeta (Poisson's
+// contraction in bending, in plane and through the thickness) and E_33 along xi, eta, xi eta.
+// Without the last three an element of fixed volume would tie the thickness of neighboring nodes to
+// its own in-plane strain. They are stiffened by the shear modulus, or nodes could move in and out
+// in turn.
+//   alpha solves sum dV P_alpha^T S = 0 by Newton's method, so f is the gradient and K the Hessian
+// of the condensed energy.
+//   [Simo & Rifai 1990, IJNME 29; Klinkel, Gruttmann & Wagner 1999, Comput. Struct. 71; Schwarze &
+// Reese 2009, IJNME 80] for enhanced strain in E and for the Taylor expansion.
+#include "models/fe_tire/hex8_solid_shell.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/fe_tire/hex8_solid_shell_modes.h"
+
+namespace latsch::fe_tire {
+namespace solid_shell {
+
+Eigen::Matrix<double, 7, 8> modal_matrix() {
+  Eigen::Matrix<double, 7, 8> h;
+  for (int a = 0; a < 8; ++a) {
+    const double x = kXi[a], y = kEta[a], z = kZeta[a];
+    h.col(a) << x, y, z, x * y, y * z, x * z, x * y * z;
+  }
+  return 0.125 * h;
+}
+
+}  // namespace solid_shell
+
+namespace {
+
+using solid_shell::kPairs;
+using solid_shell::kSquares;
+
+constexpr int kEnhanced = SolidShellShape::kEnhanced;
+constexpr int kStrains = SolidShellShape::kStrains;
+constexpr int kAlpha = 24;                // first column of alpha
+constexpr double kInnerTolerance = 1e-9;  // strain; what is left of alpha enters f quadratically
+constexpr int kInnerIterations = 15;
+
+constexpr Lanes kModes[7] = {
+    {-.125, .125, .125, -.125, -.125, .125, .125, -.125},
+    {-.125, -.125, .125, .125, -.125, -.125, .125, .125},
+    {-.125, -.125, -.125, -.125, .125, .125, .125, .125},
+    {.125, -.125, .125, -.125, .125, -.125, .125, -.125},
+    {.125, .125, -.125, -.125, -.125, -.125, .125, .125},
+    {.125, -.125, -.125, .125, -.125, .125, .125, -.125},
+    {-.125, .125, -.125, .125, .125, -.125, .125, -.125},
+};
+
+/// Where the element is: F, modal vectors x_m and hourglass vectors z_m.
+struct Kinematics {
+  double F[3][3], x[7][3], z[4][3];
+};
+
+LATSCH_INLINE bool follow(const SolidShellShape& s, const Lanes* x, Kinematics& k) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) k.F[i][j] = sum(x[i] * s.b[j]);
+    for (int m = 0; m < 7; ++m) k.x[m][i] = sum(x[i] * kModes[m]);
+    for (int m = 0; m < 4; ++m) k.z[m][i] = sum(x[i] * s.gamma[m]);
+  }
+  const auto& F = k.F;
+  return s.volume > 0.0 && F[0][0] * (F[1][1] * F[2][2] - F[1][2] * F[2][1]) +
+                                   F[0][1] * (F[1][2] * F[2][0] - F[1][0] * F[2][2]) +
+                                   F[0][2] * (F[1][0] * F[2][1] - F[1][1] * F[2][0]) >
+                               0.0;
+}
+
+LATSCH_INLINE double dot(const double* a, const double* b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// (E_c, e), equations (2) and (3).
+LATSCH_INLINE void generalized_strains(const SolidShellShape& s, const Kinematics& k, double* g) {
+  constexpr int kRow[6] = {0, 1, 2, 0, 1, 0}, kColumn[6] = {0, 1, 2, 1, 2, 2};
+  for (int r = 0; r < 6; ++r) {
+    const int i = kRow[r], j = kColumn[r];
+    const double C = k.F[0][i] * k.F[0][j] + k.F[1][i] * k.F[1][j] + k.F[2][i] * k.F[2][j];
+    g[r] = r < 3 ? 0.5 * (C - 1.0) : C;
+  }
+  for (int p = 0; p < 7; ++p) {
+    const double zz = dot(k.z[kSquares[p][0]], k.z[kSquares[p][1]]);
+    for (int r = 0; r < 6; ++r) g[r] += s.w[r][p] * zz;
+  }
+  for (int e = 0; e < 12; ++e) g[6 + e] = -s.e0[e];
+  for (const auto& [e, m, n] : kPairs) g[6 + e] += dot(k.x[m], k.x[n]);
+}
+
+/// d(E_c, e) = B dx
+LATSCH_INLINE void strain_operator(const SolidShellShape& s, const Kinematics& k, Lanes (*B)[3]) {
+  for (int i = 0; i < 3; ++i) {
+    const double* F = k.F[i];
+    B[0][i] = F[0] * s.b[0];
+    B[1][i] = F[1] * s.b[1];
+    B[2][i] = F[2] * s.b[2];
+    B[3][i] = F[0] * s.b[1] + F[1] * s.b[0];
+    B[4][i] = F[1] * s.b[2] + F[2] * s.b[1];
+    B[5][i] = F[0] * s.b[2] + F[2] * s.b[0];
+    for (int p = 0; p < 7; ++p) {
+      const int m = kSquares[p][0], n = kSquares[p][1];
+      const Lanes dzz = k.z[m][i] * s.gamma[n] + k.z[n][i] * s.gamma[m];
+      for (int r = 0; r < 6; ++r) B[r][i] += s.w[r][p] * dzz;
+    }
+    for (int e = 0; e < 12; ++e) B[6 + e][i] = Lanes{};
+    for (const auto& [e, m, n] : kPairs) {
+      B[6 + e][i] += k.x[m][i] * kModes[n] + k.x[n][i] * kModes[m];
+    }
+  }
+}
+
+/// Second derivative of the generalized strains times their stresses t.
+LATSCH_INLINE void add_stress_stiffness(const SolidShellShape& s,
+                                        const double* t,
+                                        NodalSums& sums) {
+  const Lanes u[3] = {t[0] * s.b[0] + t[3] * s.b[1] + t[5] * s.b[2],
+                      t[3] * s.b[0] + t[1] * s.b[1] + t[4] * s.b[2],
+                      t[5] * s.b[0] + t[4] * s.b[1] + t[2] * s.b[2]};
+  Lanes v[4] = {}, w[7] = {};
+  for (int p = 0; p < 7; ++p) {
+    double c = 0.0;
+    for (int r = 0; r < 6; ++r) c += s.w[r][p] * t[r];
+    v[kSquares[p][0]] += c * s.gamma[kSquares[p][1]];
+    v[kSquares[p][1]] += c * s.gamma[kSquares[p][0]];
+  }
+  for (const auto& [e, m, n] : kPairs) {
+    w[m] += t[6 + e] * kModes[n];
+    w[n] += t[6 + e] * kModes[m];
+  }
+  Lanes H[8];
+  for (int a = 0; a < 8; ++a) {
+    H[a] = s.b[0][a] * u[0] + s.b[1][a] * u[1] + s.b[2][a] * u[2];
+    for (int m = 0; m < 4; ++m) H[a] += s.gamma[m][a] * v[m];
+    for (int m = 0; m < 7; ++m) H[a] += kModes[m][a] * w[m];
+  }
+  add_geometric(H, sums);
+}
+
+/// L D L^T of a symmetric 8x8 matrix in place (unit L below the diagonal); false where a pivot
+/// vanishes. Negative ones occur far from equilibrium, under hydrostatic tension beyond G.
+LATSCH_INLINE bool factorize(double (*A)[kEnhanced]) {
+  for (int j = 0; j < kEnhanced; ++j) {
+    const double diagonal = A[j][j];
+    for (int k = 0; k < j; ++k) {
+      const double l = A[j][k] * A[k][k];
+      for (int i = j; i < kEnhanced; ++i) A[i][j] -= A[i][k] * l;
+    }
+    if (!(std::abs(A[j][j]) > 1e-9 * std::abs(diagonal))) return false;
+    const double inverse = 1.0 / A[j][j];
+    for (int i = j + 1; i < kEnhanced; ++i) A[i][j] *= inverse;
+  }
+  return true;
+}
+
+/// Stresses and tangents at the points (times dV) with alpha in equilibrium to first order.
+struct Inner {
+  Lanes S[6], D[6][6];
+  double A[kEnhanced][kEnhanced];  // factors of the tangent of alpha
+};
+
+/// Newton's method for alpha. On return alpha is in equilibrium, `inner` its last linearization and
+/// inner.S the stress extrapolated to that alpha.
+LATSCH_INLINE bool solve_alpha(const HexShape& shape,
+                               const PointLaw& law,
+                               double relaxation,
+                               const double* g,
+                               double* alpha,
+                               Inner& inner) {
+  const SolidShellShape& s = shape.solid_shell;
+  const Lanes dV = lanes(shape.dV.data());
+  Lanes compatible[6] = {};
+  for (int j = 0; j < kStrains; ++j) {
+    for (int r = 0; r < 6; ++r) compatible[r] += g[j] * s.Pt[j][r];
+  }
+  double relaxed[kEnhanced] = {};
+  for (int j = 5; j < kEnhanced; ++j) relaxed[j] = relaxation * s.volume / (j == 7 ? 9.0 : 3.0);
+  for (int iteration = 0; iteration < kInnerIterations; ++iteration) {
+    Lanes E[6];
+    for (int r = 0; r < 6; ++r) {
+      E[r] = compatible[r];
+      for (int j = 0; j < kEnhanced; ++j) E[r] += alpha[j] * s.Pt[kAlpha + j][r];
+    }
+    if (!stress(law, E, dV, inner.S, inner.D)) return false;
+    Lanes residual = {}, A[kEnhanced] = {};
+    for (int q = 0; q < 8; ++q) {
+      for (int r = 0; r < 6; ++r) {
+        Lanes DP = {};
+        for (int c = 0; c < 6; ++c) DP += inner.D[r][c][q] * s.P[8 * c + q][3];
+        const Lanes P = s.P[8 * r + q][3];
+        residual += inner.S[r][q] * P;
+        for (int j = 0; j < kEnhanced; ++j) A[j] += P[j] * DP;
+      }
+    }
+    double step[kEnhanced];
+    for (int i = 0; i < kEnhanced; ++i) {
+      for (int j = 0; j < kEnhanced; ++j) inner.A[i][j] = A[i][j];
+      inner.A[i][i] += relaxed[i];
+      step[i] = -residual[i] - relaxed[i] * alpha[i];
+    }
+    if (!factorize(inner.A)) return false;
+    for (int i = 1; i < kEnhanced; ++i) {
+      for (int j = 0; j < i; ++j) step[i] -= inner.A[i][j] * step[j];
+    }
+    for (int i = 0; i < kEnhanced; ++i) step[i] /= inner.A[i][i];
+    for (int i = kEnhanced - 2; i >= 0; --i) {
+      for (int j = i + 1; j < kEnhanced; ++j) step[i] -= inner.A[j][i] * step[j];
+    }
+    double largest = 0.0;
+    for (int j = 0; j < kEnhanced; ++j) {
+      alpha[j] += step[j];
+      largest = std::max(largest, std::abs(step[j]));
+    }
+    if (law.rubber != nullptr && !(largest < kInnerTolerance)) continue;
+    for (int r = 0; r < 6; ++r) {
+      Lanes dE = {};
+      for (int j = 0; j < kEnhanced; ++j) dE += step[j] * s.Pt[kAlpha + j][r];
+      for (int c = 0; c < 6; ++c) inner.S[c] += inner.D[c][r] * dE;
+    }
+    return true;
+  }
+  return false;
+}
+
+/// Tangent of the generalized strains with alpha condensed: D - D_a^T A^-1 D_a.
+LATSCH_INLINE void condensed_tangent(const SolidShellShape& s, const Inner& inner, Lanes (*D)[3]) {
+  Lanes DP[48][3], Da[kEnhanced][3] = {};
+  for (int q = 0; q < 8; ++q) {
+    for (int r = 0; r < 6; ++r) {
+      Lanes row[3] = {};
+      for (int c = 0; c < 6; ++c) {
+        const Lanes d = all(inner.D[r][c][q]);
+        for (int k = 0; k < 3; ++k) row[k] += d * s.P[8 * c + q][k];
+      }
+      for (int k = 0; k < 3; ++k) DP[8 * r + q][k] = row[k];
+    }
+  }
+  for (int i = 0; i < kStrains + kEnhanced; ++i) {
+    const int column = i < kStrains ? i : kAlpha + i - kStrains;
+    Lanes row[3] = {};
+    for (int p = 0; p < 48; ++p) {
+      const Lanes b = all(s.P[p][column / 8][column % 8]);
+      for (int k = 0; k < 3; ++k) row[k] += b * DP[p][k];
+    }
+    for (int k = 0; k < 3; ++k) (i < kStrains ? D[i] : Da[i - kStrains])[k] = row[k];
+  }
+  for (int i = 0; i < kEnhanced; ++i) {  // L^-1 D_a
+    for (int j = 0; j < i; ++j) {
+      for (int k = 0; k < 3; ++k) Da[i][k] -= inner.A[i][j] * Da[j][k];
+    }
+    const double inverse = 1.0 / inner.A[i][i];
+    for (int g = 0; g < kStrains; ++g) {
+      const Lanes c = all(inverse * Da[i][g / 8][g % 8]);
+      for (int k = 0; k < 3; ++k) D[g][k] -= c * Da[i][k];
+    }
+  }
+}
+
+LATSCH_CLONES
+bool add(const HexShape& shape,
+         const PointLaw& law,
+         double relaxation,
+         const Lanes* x,
+         double* alpha,
+         bool stiffness,
+         NodalSums& sums) {
+  const SolidShellShape& s = shape.solid_shell;
+  Kinematics k;
+  if (!follow(s, x, k)) return false;
+  double g[kStrains];
+  generalized_strains(s, k, g);
+  Inner inner;
+  if (!solve_alpha(shape, law, relaxation, g, alpha, inner)) return false;
+
+  Lanes t[3] = {};
+  for (int r = 0; r < 6; ++r) {
+    for (int q = 0; q < 8; ++q) {
+      for (int c = 0; c < 3; ++c) t[c] += inner.S[r][q] * s.P[8 * r + q][c];
+    }
+  }
+  double stresses[24];
+  std::memcpy(stresses, t, sizeof stresses);
+  Lanes B[kStrains][3];
+  strain_operator(s, k, B);
+  for (int r = 0; r < kStrains; ++r) {
+    for (int i = 0; i < 3; ++i) sums.f[i] += stresses[r] * B[r][i];
+  }
+  if (!stiffness) return true;
+
+  Lanes D[kStrains][3], DB[kStrains][3];
+  condensed_tangent(s, inner, D);
+  for (int r = 0; r < kStrains; ++r) {
+    for (int i = 0; i < 3; ++i) DB[r][i] = Lanes{};
+    for (int c = 0; c < kStrains; ++c) {
+      const Lanes d = all(D[r][c / 8][c % 8]);
+      for (int i = 0; i < 3; ++i) DB[r][i] += d * B[c][i];
+    }
+  }
+  add_product<kStrains>(B, DB, sums);
+  add_stress_stiffness(s, stresses, sums);
+  return true;
+}
+
+}  // namespace
+
+bool add_solid_shell(const HexShape& shape,
+                     const PointLaw& law,
+                     double relaxation,
+                     const Matrix38& x,
+                     double* alpha,
+                     bool stiffness,
+                     NodalSums& sums) {
+  Lanes by_direction[3];
+  for (int i = 0; i < 3; ++i) {
+    for (int a = 0; a < 8; ++a) by_direction[i][a] = x(i, a);
+  }
+  double start[kEnhanced];
+  std::copy_n(alpha, kEnhanced, start);
+  if (add(shape, law, relaxation, by_direction, alpha, stiffness, sums)) return true;
+  std::fill_n(alpha, kEnhanced, 0.0);  // the old alpha may not suit the new place
+  if (add(shape, law, relaxation, by_direction, alpha, stiffness, sums)) return true;
+  std::copy_n(start, kEnhanced, alpha);
+  return false;
+}
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The solid-shell's modal vectors and which of their products are strains.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace latsch::fe_tire::solid_shell {
+
+/// x = x_0 + x_1 xi + x_2 eta + x_3 zeta + x_12 xi eta + x_23 eta zeta + x_13 xi zeta + x_123 xi
+/// eta zeta
+enum Mode { k1, k2, k3, k12, k23, k13, k123 };
+
+/// Strain e += x_m . x_n - X_m . X_n
+struct Pair {
+  int e;
+  Mode m, n;
+};
+
+/// e_0-2: E_11 along eta, zeta, eta zeta; e_3-5: E_22 along xi, zeta, xi zeta; e_6-8: E_33 along
+/// xi, eta, xi eta; e_9: 2 E_12 along zeta; e_10: 2 E_13 along eta; e_11: 2 E_23 along xi.
+inline constexpr Pair kPairs[] = {{0, k1, k12},
+                                  {1, k1, k13},
+                                  {2, k1, k123},
+                                  {2, k12, k13},
+                                  {3, k2, k12},
+                                  {4, k2, k23},
+                                  {5, k2, k123},
+                                  {5, k12, k23},
+                                  {6, k3, k13},
+                                  {7, k3, k23},
+                                  {8, k3, k123},
+                                  {8, k13, k23},
+                                  {9, k1, k23},
+                                  {9, k13, k2},
+                                  {10, k1, k23},
+                                  {10, k12, k3},
+                                  {11, k2, k13},
+                                  {11, k12, k3}};
+
+/// Products of the hourglass vectors z in E_c, in the order of SolidShellShape::w.
+inline constexpr int kSquares[7][2] = {{0, 0}, {1, 1}, {2, 2}, {3, 3}, {0, 1}, {0, 2}, {2, 1}};
+
+/// x_m = sum_a x_a h_m[a]
+Eigen::Matrix<double, 7, 8> modal_matrix();
+
+}  // namespace latsch::fe_tire::solid_shell
