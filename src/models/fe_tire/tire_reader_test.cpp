@@ -75,16 +75,18 @@ TEST(TireReader, AVariedModulusKeepsTheMeshAndChangesTheMaterials) {
   EXPECT_NEAR(2.0 * rubber.C10, 22.3e6 / (2.0 * (1.0 + 0.49)), 1.0);
 }
 
+// A cord on a drum of radius r_0 at angle a_0, lifted to radius r: cos a = cos a_0 r / r_0, and the
+// number of cords around, 2 pi r sin a / spacing, stays.
 TEST(TireReader, LiftedBiasPliesSteepenTowardTheBead) {
   const TireDescription tire = read("race_16x7.5-10.toml");
-  const Materials materials = build_materials(tire);
-  const CordLayer& bead = materials.layers.front();
-  const CordLayer& crown = materials.layers[materials.layers.size() / 2];
-  EXPECT_NEAR(crown.angle * 180.0 / M_PI, 36.0, 0.2);
-  const double r = 0.5 * (133.0 + 200.0 * 0.68) / 200.0;  // about the radius of the first column
-  EXPECT_NEAR(std::cos(bead.angle), r * std::cos(crown.angle), 0.02);
-  // The same number of cords around: area times spacing r sin(angle) stays.
-  EXPECT_GT(bead.thickness * std::cos(bead.angle), 0.0);
+  const Contour line(tire.section.contour);
+  const CordLayer& crown = tire.plies[0].cords;
+  const CordLayer bead = build_materials(tire).layers.front();  // first column, first ply
+  const double lift = line.point(1.0 / tire.section.meridional - 1.0).r / line.point(0.0).r;
+  EXPECT_NEAR(std::cos(bead.angle), std::cos(crown.angle) * lift, 1e-12);
+  EXPECT_NEAR(
+      lift * std::sin(bead.angle) * bead.thickness, std::sin(crown.angle) * crown.thickness, 1e-12);
+  EXPECT_GT(bead.angle, crown.angle);
 }
 
 /// The complaint about tire B with one line replaced.
