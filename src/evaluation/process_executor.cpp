@@ -18,13 +18,13 @@
 namespace latsch {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Steady = std::chrono::steady_clock;
 
 // A program that ends before it is ready so often in a row is not a worker.
 constexpr int kMostFailedStarts = 3;
 
-Clock::duration seconds(double s) {
-  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s));
+Steady::duration seconds(double s) {
+  return std::chrono::duration_cast<Steady::duration>(std::chrono::duration<double>(s));
 }
 
 /// A place for a worker: the process comes and goes.
@@ -32,7 +32,7 @@ struct Slot {
   std::unique_ptr<WorkerProcess> process;
   bool ready = false;  // the process has said that it listens
   std::optional<DesignPoint> point;
-  Clock::time_point since;  // start of the process until it is ready, then of the trial
+  Steady::time_point since;  // start of the process until it is ready, then of the trial
 };
 
 }  // namespace
@@ -45,13 +45,13 @@ struct ProcessExecutor::Impl {
   void start_process(Slot& slot) {
     slot.process = std::make_unique<WorkerProcess>(options.arguments, options.memory_limit);
     slot.ready = false;
-    slot.since = Clock::now();
+    slot.since = Steady::now();
   }
 
   void send_point(Slot& slot) {
     if (!slot.process || slot.process->ended()) start_process(slot);
     slot.process->send(encode_frame(FrameKind::point, encode(*slot.point)));
-    if (slot.ready) slot.since = Clock::now();
+    if (slot.ready) slot.since = Steady::now();
   }
 
   Trial finish(Slot& slot, Outcome outcome) {
@@ -61,7 +61,7 @@ struct ProcessExecutor::Impl {
 
   /// The trial of a worker that is lost.
   Trial finish_lost(Slot& slot, const std::string& reason) {
-    const double wall_time = std::chrono::duration<double>(Clock::now() - slot.since).count();
+    const double wall_time = std::chrono::duration<double>(Steady::now() - slot.since).count();
     slot.process.reset();
     return finish(slot, {.result = Failure{reason}, .wall_time = wall_time});
   }
@@ -73,7 +73,7 @@ struct ProcessExecutor::Impl {
     while (const auto frame = slot.process->frames().next()) {
       if (frame->kind == FrameKind::ready) {
         slot.ready = true;
-        slot.since = Clock::now();
+        slot.since = Steady::now();
         failed_starts = 0;
         continue;
       }
@@ -118,7 +118,7 @@ struct ProcessExecutor::Impl {
   }
 
   std::optional<Trial> check_time(Slot& slot) {
-    if (Clock::now() < deadline(slot)) return std::nullopt;
+    if (Steady::now() < deadline(slot)) return std::nullopt;
     slot.process->end();
     if (!slot.ready) {
       restart_or_give_up(slot, fmt::format("took more than {} s", options.start_timeout));
@@ -128,20 +128,20 @@ struct ProcessExecutor::Impl {
         slot, fmt::format("took more than the {} s allowed and was killed", options.timeout));
   }
 
-  Clock::time_point deadline(const Slot& slot) const {
+  Steady::time_point deadline(const Slot& slot) const {
     if (!slot.ready) return slot.since + seconds(options.start_timeout);
-    return slot.point ? slot.since + seconds(options.timeout) : Clock::time_point::max();
+    return slot.point ? slot.since + seconds(options.timeout) : Steady::time_point::max();
   }
 
   /// Sleeps until a worker has something to say, a deadline or `until`; false where a signal came.
-  bool sleep(Clock::time_point until) const {
+  bool sleep(Steady::time_point until) const {
     std::vector<pollfd> entries;
     for (const Slot& slot : slots) {
       if (!slot.process) continue;
       for (const int fd : slot.process->descriptors()) entries.push_back({fd, POLLIN, 0});
       until = std::min(until, deadline(slot));
     }
-    const auto rest = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
+    const auto rest = std::chrono::ceil<std::chrono::milliseconds>(until - Steady::now());
     const int milliseconds = static_cast<int>(std::max<long>(rest.count(), 0));
     return ::poll(entries.data(), entries.size(), milliseconds) >= 0;
   }
@@ -181,14 +181,14 @@ void ProcessExecutor::start(const DesignPoint& point) {
 }
 
 std::vector<Trial> ProcessExecutor::wait(double patience) {
-  const Clock::time_point until = Clock::now() + seconds(patience);
+  const Steady::time_point until = Steady::now() + seconds(patience);
   std::vector<Trial> finished;
   while (true) {
     for (Slot& slot : impl_->slots) {
       if (!slot.process) continue;
       if (auto trial = impl_->listen(slot)) finished.push_back(std::move(*trial));
     }
-    if (!finished.empty() || Clock::now() >= until) return finished;
+    if (!finished.empty() || Steady::now() >= until) return finished;
     if (!impl_->sleep(until)) return finished;  // a signal: the caller may want to stop
   }
 }

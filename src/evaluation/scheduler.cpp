@@ -81,12 +81,12 @@ class Scheduler {
   void report() {
     if (!options_.on_progress) return;
     progress_.running = static_cast<int>(running_.size());
-    progress_.elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+    progress_.elapsed = std::chrono::duration<double>(Steady::now() - start_).count();
     options_.on_progress(progress_);
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
+  using Steady = std::chrono::steady_clock;
 
   bool stop_requested() const { return options_.stop_requested && options_.stop_requested(); }
 
@@ -114,8 +114,8 @@ class Scheduler {
 
   /// Running trials get a moment to end; those that do not will be evaluated again on resume.
   void finish_running() {
-    const auto until = Clock::now() + std::chrono::duration<double>(options_.stop_patience);
-    while (!running_.empty() && Clock::now() < until) receive(executor_.wait(kPatience));
+    const auto until = Steady::now() + std::chrono::duration<double>(options_.stop_patience);
+    while (!running_.empty() && Steady::now() < until) receive(executor_.wait(kPatience));
     executor_.abandon();
   }
 
@@ -126,7 +126,7 @@ class Scheduler {
   std::unordered_set<std::string> running_;  // bits of the points
   RunProgress progress_;
   double wall_time_ = 0.0;
-  Clock::time_point start_ = Clock::now();
+  Steady::time_point start_ = Steady::now();
 };
 
 }  // namespace
@@ -145,13 +145,15 @@ Run run_optimizer(Optimizer& optimizer,
                   Journal* journal,
                   const RunOptions& options) {
   Scheduler scheduler(objective, executor, journal, options, options.max_steps);
+  // One worker has no use for speculation.
+  const int points = executor.workers() > 1 ? executor.workers() * options.look_ahead : 1;
   Run run;
   while (!optimizer.converged()) {
     if (std::ssize(run.steps) >= options.max_steps) {
       run.end = RunEnd::max_steps;
       break;
     }
-    const std::vector<DesignPoint> plan = optimizer.propose(options.look_ahead);
+    const std::vector<DesignPoint> plan = optimizer.propose(points);
     const Result<Score>* outcome = scheduler.first_of(plan);
     if (!outcome) return run;
     optimizer.observe(plan.front(), *outcome);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keeps the workers busy with what an optimizer or a sampling plan wants, and the journal complete.
 //
-// Determinism: an optimizer observes outcomes in the order it proposed the points, whoever finished
-// first, and proposes a fixed number of points ahead whatever the number of workers. Points already
-// in the journal are not evaluated again, so that resuming is running the same optimizer once more.
+// Determinism: an optimizer observes the outcome of the first point it proposed and proposes again,
+// whoever finished first; what runs behind that point is speculation that may come true. So neither
+// the number of workers nor their timing nor `look_ahead` reaches the trajectory. Points already in
+// the journal are not evaluated again: resuming is running the same optimizer once more.
 #pragma once
 
 #include <functional>
@@ -32,11 +33,12 @@ struct RunProgress {
 
 struct RunOptions {
   long max_steps = 1000;  // outcomes the optimizer may observe
-  int look_ahead = 16;    // points proposed ahead; part of the method, not of the machine
-  std::function<void(const RunProgress&)>
-      on_progress;                       // after every outcome and about ten times a second
-  std::function<bool()> stop_requested;  // asked about ten times a second
-  double stop_patience = 1.0;            // s that running trials get to end after a stop request
+  int look_ahead = 4;     // points proposed ahead for every worker, where there are several
+  /// Called after every outcome and about ten times a second.
+  std::function<void(const RunProgress&)> on_progress = {};
+  /// Asked about ten times a second; running trials then get `stop_patience` seconds to end.
+  std::function<bool()> stop_requested = {};
+  double stop_patience = 1.0;
 };
 
 enum class RunEnd { converged, max_steps, stopped };

@@ -45,7 +45,7 @@ class SimulatedExecutor : public Executor {
   std::vector<Running> running_;
   double now_ = 0.0;
   double busy_time_ = 0.0;
-  long started_ = 0;
+  long started_ = 0;  // number of the trial in the random stream
 };
 
 }  // namespace latsch

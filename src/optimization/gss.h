@@ -1,7 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generating-set search: polls around the best point along directions that span the space, with a
-// step length of its own for each; a point counts as better only if it gains alpha step^2; a
-// direction that fails contracts its step.
+// Generating-set search with a model step: direct search for target functions with kinks, valleys
+// and points that fail, at some dozens of evaluations for a few variables.
+//
+// In the unit cube, around the best point x with value f and along directions d_i with steps D_i:
+//
+//   poll     x + D_i d_i, cut off at the bounds, longest step first, from the direction of the last
+//            success to its opposite. Better means  f(new) < f - alpha D_i^2  (sufficient
+//            decrease).
+//   success  x moves there; a fresh set of directions starts with that step, a longer one where
+//            success follows success.
+//   failure  D_i is contracted. When all directions failed at one length, the set is turned.
+//   search   after every outcome but its own failure: the least value, within reach of the step, of
+//            a quadratic through the evaluated points nearest to x. It counts by the same rule.
+//   end      when every direction failed with a step below the tolerance.
+//
+// Polling alone makes it converge, for any search step [Kolda, Lewis, Torczon, SIAM Review 45
+// (2003) 385]. Steps for each direction, sufficient decrease and its factor are those of
+// HOPSPACK 2.0 [Plantenga, SAND2009-6265]; turned directions and the model step are what a sum of
+// absolute residuals needs. Such a sum grows from its minimum like a norm, so the model is one of
+// f^2, which a quadratic fits at both sides of the kinks; where values are negative it is one of f.
+//
+// An outcome that is a Failure counts as infinite and stays out of the model. Speculation assumes
+// that the outcomes it waits for bring nothing.
 #pragma once
 
 #include <memory>
@@ -14,16 +34,16 @@ namespace latsch {
 
 /// Lengths are in the unit cube: 1 is the whole range of a variable.
 struct GssOptions {
-  double initial_step = 0.2;
-  double step_tolerance = 1e-3;  // converged when every direction has failed with a step this short
+  double initial_step = 0.1;
+  double step_tolerance = 1e-3;
   double contraction = 0.5;
-  double sufficient_decrease = 0.01;  // alpha in  f(x + step d) < f(x) - alpha step^2
+  double sufficient_decrease = 0.01;  // alpha
 };
 
 class Gss : public Optimizer {
  public:
-  /// Throws InputError for options out of range.
-  Gss(const DesignSpace& space, const GssOptions& options = {});
+  /// Starts at the initial values of the space. Throws InputError for options out of range.
+  explicit Gss(const DesignSpace& space, const GssOptions& options = {});
   ~Gss() override;
 
   std::vector<DesignPoint> propose(int count) const override;

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// kill -9 at random moments: a real process with real workers and a real journal is killed and
+// started again until it ends. Nothing acknowledged may be lost or repeated, and the result must be
+// the same bits as without a kill.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <thread>
+
+#include "base/random.h"
+#include "evaluation/encoding.h"
+#include "evaluation/inline_executor.h"
+#include "evaluation/journal.h"
+#include "evaluation/process_executor.h"
+#include "evaluation/scheduler.h"
+#include "evaluation/scratch_folder_testing.h"
+#include "evaluation/worker.h"
+#include "optimization/gss.h"
+
+namespace latsch {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* kJournalVariable = "LATSCH_CRASH_TEST_JOURNAL";
+const StudyIdentity kStudy{{"model", "two variables"}};
+
+DesignSpace space() {
+  return DesignSpace({{.name = "a", .lower = 0.0, .upper = 1.0, .initial = 0.9},
+                      {.name = "b", .lower = 0.0, .upper = 1.0, .initial = 0.1}});
+}
+
+Result<Channels> model(const DesignPoint& point) {
+  Channels channels;
+  channels.add({"y", "1", point.values});
+  return channels;
+}
+
+Result<Score> target(const Channels& channels) {
+  const std::vector<double>& y = channels["y"];
+  return Score{std::abs(y[0] - 0.3) + std::hypot(y[0] + y[1] - 1.0, 0.1)};
+}
+
+std::vector<std::string> this_program(const std::string& test) {
+  return {std::filesystem::read_symlink("/proc/self/exe").string(),
+          "--gtest_also_run_disabled_tests",
+          "--gtest_filter=" + test};
+}
+
+// The two programs of the test below.
+TEST(CrashTest, DISABLED_Worker) {
+  std::_Exit(serve([](const DesignPoint& point) {
+    std::this_thread::sleep_for(3ms);
+    return model(point);
+  }));
+}
+
+TEST(CrashTest, DISABLED_Study) {
+  const char* file = std::getenv(kJournalVariable);
+  ASSERT_NE(file, nullptr);
+  ProcessExecutor executor({.arguments = this_program("CrashTest.DISABLED_Worker"), .workers = 2});
+  Journal journal = Journal::open(file, kStudy);
+  Gss gss(space());
+  (void)run_optimizer(gss, target, executor, &journal);
+}
+
+pid_t start_study() {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::vector<std::string> arguments = this_program("CrashTest.DISABLED_Study");
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    if (!std::freopen("/dev/null", "w", stdout)) std::_Exit(1);
+    ::execv(argv[0], argv.data());
+    std::_Exit(1);
+  }
+  return child;
+}
+
+/// True where the study ended by itself.
+bool run_for(std::chrono::microseconds time) {
+  const pid_t child = start_study();
+  std::this_thread::sleep_for(time);
+  ::kill(child, SIGKILL);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+TEST(CrashTest, KillAtRandomMomentsLosesAndRepeatsNothing) {
+  InlineExecutor inline_executor(model);
+  Gss reference_gss(space());
+  const auto reference = run_optimizer(reference_gss, target, inline_executor, nullptr);
+
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder / "crash.journal";
+  ::setenv(kJournalVariable, file.c_str(), 1);
+  RandomStream random(3, 0);
+  std::vector<Trial> before;
+  int kills = 0;
+  for (bool ended = false; !ended && kills < 200; kills += !ended) {
+    ended = run_for(std::chrono::microseconds(20'000 + random.below(180'000)));
+    if (!std::filesystem::exists(file)) continue;  // killed before its first act
+    const std::vector<Trial> after = Journal::open(file, kStudy).trials();
+    ASSERT_GE(after.size(), before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      ASSERT_EQ(after[i].point.bits(), before[i].point.bits());
+      ASSERT_EQ(encode(after[i].outcome), encode(before[i].outcome));
+    }
+    before = after;
+  }
+  RecordProperty("kills", kills);
+
+  std::set<std::string> points;
+  for (const Trial& trial : before) EXPECT_TRUE(points.insert(trial.point.bits()).second);
+  Gss gss(space());
+  const auto run = replay(gss, target, Journal::read(file));
+  EXPECT_EQ(run.end, RunEnd::converged);
+  ASSERT_EQ(run.steps.size(), reference.steps.size());
+  for (std::size_t i = 0; i < run.steps.size(); ++i) {
+    EXPECT_EQ(run.steps[i].point.bits(), reference.steps[i].point.bits());
+    EXPECT_EQ(run.steps[i].outcome->value, reference.steps[i].outcome->value);
+  }
+}
+
+}  // namespace
+}  // namespace latsch

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/journal.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.h"
+#include "base/random.h"
+#include "evaluation/encoding.h"
+#include "evaluation/scratch_folder_testing.h"
+
+namespace latsch {
+namespace {
+
+const StudyIdentity kStudy{{"model", "a = 1\nb = 2\n"}, {"variables", "E: layer.E\n"}};
+
+Trial trial(int number) {
+  Channels channels;
+  channels.add({"Fz", "N", {1000.0 + number, -0.0, 1e-310}});
+  channels.add({"f", "Hz", std::vector<double>(20, 0.1 * number)});
+  return {{{1.0 / 3.0, 1.0 * number}}, {channels, 1.5, 1.25, number % 3}};
+}
+
+Trial failed_trial(int number) {
+  Trial failed = trial(number);
+  failed.outcome.result = Failure{"load step 3: no equilibrium, residual 1e3 N"};
+  return failed;
+}
+
+void expect_same(const Trial& a, const Trial& b) {
+  EXPECT_EQ(a.point.bits(), b.point.bits());
+  EXPECT_EQ(encode(a.outcome), encode(b.outcome));
+}
+
+template <class Action>
+std::string complaint(Action&& action) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_contains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+std::string read_bytes(const std::filesystem::path& file) {
+  std::ostringstream bytes;
+  bytes << std::ifstream(file, std::ios::binary).rdbuf();
+  return bytes.str();
+}
+
+void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+TEST(Journal, GivesBackEveryBitOfEveryTrial) {
+  const ScratchFolder folder;
+  {
+    Journal journal = Journal::open(folder / "a.journal", kStudy);
+    journal.append(trial(1));
+    journal.append(failed_trial(2));
+  }
+  Journal journal = Journal::open(folder / "a.journal", kStudy);
+  journal.append(trial(3));
+  const std::vector<Trial> trials = journal.trials();
+  ASSERT_EQ(trials.size(), 3u);
+  EXPECT_EQ(journal.size(), 3);
+  expect_same(trials[0], trial(1));
+  expect_same(trials[1], failed_trial(2));
+  expect_same(trials[2], trial(3));
+  EXPECT_EQ(journal.identity(), kStudy);
+}
+
+TEST(Journal, RefusesAnotherStudyAndSaysWhatDiffers) {
+  const ScratchFolder folder;
+  { Journal::open(folder / "a.journal", kStudy); }
+  const auto open_as = [&](const StudyIdentity& study) {
+    return complaint([&] { Journal::open(folder / "a.journal", study); });
+  };
+  expect_contains(open_as({{"model", "a = 1\nb = 3\n"}, kStudy[1]}),
+                  "\"model\" differs in line 2: the journal has `b = 2`, the study has `b = 3`");
+  expect_contains(open_as({{"model", "a = 1\n"}, kStudy[1]}), "line 2");
+  expect_contains(open_as({kStudy[0]}), "it has \"variables\"");
+  expect_contains(open_as({kStudy[0], kStudy[1], {"rig", ""}}), "it has no \"rig\"");
+}
+
+TEST(Journal, RefusesForeignFilesAndOtherVersions) {
+  const ScratchFolder folder;
+  const auto open = [&](const char* name) {
+    return complaint([&] { Journal::open(folder / name, kStudy); });
+  };
+  write_bytes(folder / "text", "this is a text that is no database at all, and long enough to see");
+  expect_contains(open("text"), "is not a journal");
+  SQLite::Database((folder / "other").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+      .exec("CREATE TABLE t (a)");
+  expect_contains(open("other"), "not a journal");
+  { Journal::open(folder / "newer", kStudy); }
+  SQLite::Database((folder / "newer").string(), SQLite::OPEN_READWRITE)
+      .exec("PRAGMA user_version = 99");
+  expect_contains(open("newer"), "format 99");
+  expect_contains(open("no_such_folder/a"), "cannot write beside it");
+  expect_contains(complaint([&] { Journal::read(folder / "absent"); }), "does not exist");
+}
+
+TEST(Journal, ASecondWriterIsToldWhoHoldsItAndReadersMayComeIn) {
+  const ScratchFolder folder;
+  Journal writer = Journal::open(folder / "a.journal", kStudy);
+  writer.append(trial(1));
+  const std::string text = complaint([&] { Journal::open(folder / "a.journal", kStudy); });
+  expect_contains(text, "in use by process " + std::to_string(::getpid()));
+  const Journal reader = Journal::read(folder / "a.journal");
+  EXPECT_EQ(reader.trials().size(), 1u);
+  writer.append(trial(2));
+  EXPECT_EQ(reader.trials().size(), 2u);
+}
+
+TEST(Journal, LeavesNoLockBehind) {
+  const ScratchFolder folder;
+  { Journal::open(folder / "a.journal", kStudy); }
+  { Journal::open(folder / "a.journal", kStudy); }
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.journal.lock"));
+}
+
+// A file-size limit makes write(2) fail as a full disk does.
+TEST(Journal, OnAFullDiskNothingIsLostAndWritingGoesOnOnceThereIsRoom) {
+  const ScratchFolder folder;
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, SIG_IGN);
+  long written = 0;
+  {
+    Journal journal = Journal::open(folder / "a.journal", kStudy);
+    const rlimit tight{120'000, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &tight);
+    const std::string text = complaint([&] {
+      for (int i = 0; i < 10'000; ++i, ++written) journal.append(trial(i));
+    });
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    expect_contains(text, "the disk is full");
+    expect_contains(text, std::to_string(written) + " trials in it are safe");
+    EXPECT_GT(written, 10);
+    journal.append(trial(static_cast<int>(written++)));
+  }
+  const Journal journal = Journal::read(folder / "a.journal");
+  const std::vector<Trial> trials = journal.trials();
+  ASSERT_EQ(static_cast<long>(trials.size()), written);
+  for (long i = 0; i < written; ++i) expect_same(trials[i], trial(static_cast<int>(i)));
+}
+
+// Reading either gives the trials as they were written or says that the file is damaged.
+void expect_intact_or_detected(const std::filesystem::path& file, int trials, const char* what) {
+  try {
+    const Journal journal = Journal::read(file);
+    const std::vector<Trial> read = journal.trials();
+    ASSERT_EQ(static_cast<int>(read.size()), trials) << what;
+    for (int i = 0; i < trials; ++i) expect_same(read[i], trial(i));
+    EXPECT_EQ(journal.identity(), kStudy) << what;
+  } catch (const JournalError&) {
+  } catch (const InputError&) {
+  }
+}
+
+TEST(Journal, ABitFlipIsDetectedOrChangesNothing) {
+  const ScratchFolder folder;
+  constexpr int kTrials = 40;
+  {
+    Journal journal = Journal::open(folder / "a.journal", kStudy);
+    for (int i = 0; i < kTrials; ++i) journal.append(trial(i));
+  }
+  const std::string whole = read_bytes(folder / "a.journal");
+  RandomStream random(1, 0);
+  for (int flip = 0; flip < 1000; ++flip) {
+    std::string bytes = whole;
+    bytes[random.below(bytes.size())] ^= static_cast<char>(1u << random.below(8));
+    write_bytes(folder / "b.journal", bytes);
+    expect_intact_or_detected(folder / "b.journal", kTrials, "bit flip");
+  }
+}
+
+TEST(Journal, ATruncatedFileOrAZeroedPageIsDetectedOrChangesNothing) {
+  const ScratchFolder folder;
+  constexpr int kTrials = 40;
+  {
+    Journal journal = Journal::open(folder / "a.journal", kStudy);
+    for (int i = 0; i < kTrials; ++i) journal.append(trial(i));
+  }
+  const std::string whole = read_bytes(folder / "a.journal");
+  for (std::size_t at = 0; at < whole.size(); at += 1024) {
+    write_bytes(folder / "b.journal", whole.substr(0, at));
+    expect_intact_or_detected(folder / "b.journal", kTrials, "truncated");
+    std::string zeroed = whole;
+    zeroed.replace(at, std::min<std::size_t>(1024, whole.size() - at), 1024, '\0');
+    zeroed.resize(whole.size());
+    write_bytes(folder / "b.journal", zeroed);
+    expect_intact_or_detected(folder / "b.journal", kTrials, "zeroed");
+  }
+}
+
+TEST(Journal, ADamagedRowIsNamed) {
+  const ScratchFolder folder;
+  {
+    Journal journal = Journal::open(folder / "a.journal", kStudy);
+    for (int i = 0; i < 5; ++i) journal.append(trial(i));
+  }
+  const auto spoil = [&](const char* statement) {
+    std::filesystem::copy_file(folder / "a.journal",
+                               folder / "b.journal",
+                               std::filesystem::copy_options::overwrite_existing);
+    SQLite::Database((folder / "b.journal").string(), SQLite::OPEN_READWRITE).exec(statement);
+    return complaint([&] { Journal::read(folder / "b.journal").trials(); });
+  };
+  expect_contains(spoil("UPDATE trials SET point = zeroblob(24) WHERE number = 3"),
+                  "trial 3 does not agree with its hash");
+  expect_contains(spoil("DELETE FROM trials WHERE number = 2"), "trial 2 is missing");
+  expect_contains(spoil("DELETE FROM trials WHERE number = 5"), "trial 5 is missing or the tally");
+  expect_contains(spoil("UPDATE identity SET text = 'x' WHERE position = 1"), "\"model\"");
+}
+
+TEST(Encoding, RejectsWhatIsNotOneEncodedValue) {
+  const std::string bytes = encode(trial(1).outcome);
+  EXPECT_TRUE(decode_outcome(bytes));
+  EXPECT_FALSE(decode_outcome(bytes + "x"));
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_FALSE(decode_outcome(std::string_view(bytes).substr(0, size)));
+  }
+  EXPECT_FALSE(decode_channels(std::string(8, '\xff')));  // a count of 2^64 - 1
+}
+
+TEST(Encoding, HashIsFnv1a) {
+  // Test vectors of draft-eastlake-fnv, appendix C.
+  EXPECT_EQ(hash(""), 0xcbf29ce484222325u);
+  EXPECT_EQ(hash("a"), 0xaf63dc4c8601ec8cu);
+  EXPECT_EQ(hash("foobar"), 0x85944171f73967e8u);
+}
+
+}  // namespace
+}  // namespace latsch

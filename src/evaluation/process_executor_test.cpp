@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/process_executor.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <thread>
+
+#include "base/error.h"
+#include "evaluation/worker.h"
+
+namespace latsch {
+namespace {
+
+enum Fault {
+  none,
+  segfault,
+  abort_,
+  hang,
+  not_a_number,
+  exception,
+  exit_code,
+  prints_much,
+  garbage_answer,
+  out_of_memory,
+  hanging_child,
+  fails,
+  kFaults
+};
+
+/// The first variable says what goes wrong, the second is squared.
+Result<Channels> faulty(const DesignPoint& point) {
+  const auto fault = static_cast<Fault>(static_cast<int>(point.values[0]));
+  switch (fault) {
+    case segfault:
+      std::raise(SIGSEGV);
+      break;
+    case abort_:
+      std::abort();
+    case hang:
+      while (true) std::this_thread::sleep_for(std::chrono::hours(1));
+    case exception:
+      throw std::runtime_error("element 17 is inverted");
+    case exit_code:
+      std::fputs("cannot go on\n", stderr);
+      std::_Exit(7);
+    case prints_much:
+      for (int i = 0; i < 100'000; ++i) std::puts("a line that a solver prints");
+      break;
+    case garbage_answer:
+      if (::write(kWorkerOutput, "Segmentation fault? No, nonsense.", 33) < 0) std::abort();
+      break;
+    case out_of_memory: {
+      std::vector<std::vector<char>> blocks;
+      while (true) blocks.emplace_back(std::size_t{1} << 28, 'x');
+    }
+    case hanging_child:
+      if (::fork() == 0) ::sleep(1000);
+      std::raise(SIGSEGV);
+      break;
+    case fails:
+      return Failure{"load step 2: no equilibrium"};
+    default:
+      break;
+  }
+  const double x = point.values[1];
+  Channels channels;
+  const bool is_nan = fault == not_a_number;
+  channels.add({"y", "1", {x * x, is_nan ? std::nan("") : 0.0}});
+  return channels;
+}
+
+// Not a test of its own: the program that the tests below start as their worker.
+TEST(Worker, DISABLED_ServesFaultyEvaluator) { std::_Exit(serve(faulty)); }
+
+ProcessOptions worker_options(int workers) {
+  ProcessOptions options;
+  options.arguments = {std::filesystem::read_symlink("/proc/self/exe").string(),
+                       "--gtest_also_run_disabled_tests",
+                       "--gtest_filter=Worker.DISABLED_ServesFaultyEvaluator"};
+  options.workers = workers;
+  options.timeout = 30.0;
+  return options;
+}
+
+Trial run_one(ProcessExecutor& executor, const DesignPoint& point) {
+  executor.start(point);
+  for (int i = 0; i < 1000; ++i) {
+    std::vector<Trial> trials = executor.wait(0.1);
+    if (!trials.empty()) return trials.front();
+  }
+  throw std::runtime_error("no outcome in 100 s");
+}
+
+std::string reason(ProcessExecutor& executor, Fault fault) {
+  const Trial trial = run_one(executor, {{static_cast<double>(fault), 3.0}});
+  EXPECT_FALSE(trial.outcome.result.ok()) << fault;
+  if (trial.outcome.result) return "";
+  // The worker that comes after it does its work.
+  const Trial next = run_one(executor, {{0.0, 4.0}});
+  EXPECT_TRUE(next.outcome.result.ok()) << next.outcome.result.failure().reason;
+  return trial.outcome.result.failure().reason;
+}
+
+void expect_contains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+TEST(ProcessExecutor, GivesBackChannelsAndTimes) {
+  ProcessExecutor executor(worker_options(1));
+  const Trial trial = run_one(executor, {{0.0, 3.0}});
+  ASSERT_TRUE(trial.outcome.result.ok());
+  EXPECT_EQ((*trial.outcome.result)["y"][0], 9.0);
+  EXPECT_EQ(trial.point, (DesignPoint{{0.0, 3.0}}));
+  EXPECT_GE(trial.outcome.wall_time, 0.0);
+}
+
+TEST(ProcessExecutor, EveryFaultIsAFailureWithItsReason) {
+  ProcessOptions options = worker_options(1);
+#if !defined(__SANITIZE_ADDRESS__)  // its shadow needs terabytes of address space
+  options.memory_limit = 1e9;
+#endif
+  ProcessExecutor executor(options);
+  expect_contains(reason(executor, segfault), "killed by signal 11");
+  expect_contains(reason(executor, abort_), "killed by signal 6");
+  expect_contains(reason(executor, not_a_number), "channel \"y\" is nan at sample 2");
+  expect_contains(reason(executor, exception), "element 17 is inverted");
+  const std::string exited = reason(executor, exit_code);
+  expect_contains(exited, "exited with code 7");
+  expect_contains(exited, "it last printed \"cannot go on\"");
+  expect_contains(reason(executor, garbage_answer), "not readable");
+  expect_contains(reason(executor, hanging_child), "killed by signal 11");
+  expect_contains(reason(executor, fails), "load step 2");
+#if !defined(__SANITIZE_ADDRESS__)
+  expect_contains(reason(executor, out_of_memory), "out of memory");
+#endif
+}
+
+TEST(ProcessExecutor, WhatAWorkerPrintsDoesNotDisturbItsAnswer) {
+  ProcessExecutor executor(worker_options(1));
+  const Trial trial = run_one(executor, {{static_cast<double>(prints_much), 3.0}});
+  ASSERT_TRUE(trial.outcome.result.ok());
+  EXPECT_EQ((*trial.outcome.result)["y"][0], 9.0);
+}
+
+TEST(ProcessExecutor, AHangingTrialIsKilledAtMostASecondAfterItsTimeout) {
+  ProcessOptions options = worker_options(1);
+  options.timeout = 0.5;
+  ProcessExecutor executor(options);
+  const Trial trial = run_one(executor, {{static_cast<double>(hang), 3.0}});
+  ASSERT_FALSE(trial.outcome.result.ok());
+  expect_contains(trial.outcome.result.failure().reason, "took more than the 0.5 s allowed");
+  EXPECT_GE(trial.outcome.wall_time, 0.5);
+  EXPECT_LT(trial.outcome.wall_time, 1.5);
+}
+
+TEST(ProcessExecutor, WorkersWorkAtTheSameTime) {
+  ProcessOptions options = worker_options(3);
+  options.timeout = 1.0;
+  ProcessExecutor executor(options);
+  executor.start({{static_cast<double>(hang), 1.0}});
+  executor.start({{0.0, 5.0}});
+  EXPECT_EQ(executor.idle(), 1);
+  std::vector<Trial> trials;
+  while (trials.empty()) trials = executor.wait(0.1);
+  ASSERT_TRUE(trials.front().outcome.result.ok());
+  EXPECT_EQ((*trials.front().outcome.result)["y"][0], 25.0);
+  executor.abandon();
+  EXPECT_EQ(executor.idle(), 3);
+  EXPECT_TRUE(executor.wait(0.05).empty());
+}
+
+TEST(ProcessExecutor, AProgramThatIsNoWorkerIsReportedInWords) {
+  ProcessOptions options = worker_options(1);
+  options.arguments = {"/no/such/program"};
+  EXPECT_THROW(ProcessExecutor(options).start({{0.0, 1.0}}), InputError);
+  options.arguments = {"/bin/sh", "-c", "echo wrong study >&2; exit 2"};
+  ProcessExecutor executor(options);
+  try {
+    run_one(executor, {{0.0, 1.0}});
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    expect_contains(error.what(), "exited with code 2; it last printed \"wrong study\"");
+  }
+  EXPECT_THROW(ProcessExecutor(ProcessOptions{}), InputError);
+}
+
+}  // namespace
+}  // namespace latsch

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Directions of which some point downhill wherever a smooth function is not flat: the n + 1 corners
+// of a regular simplex around the origin, the fewest that will do.
+//
+// A coordinate at a bound has its inward axis instead, and the simplex lies in the others, so that
+// the set conforms to the bounds. The simplex is built on the columns q_i of an orthogonal matrix,
+//   d_0 = -sum q_i / sqrt(n),   d_i = sqrt((n + 1) / n) q_i - (sqrt(n + 1) - 1) / n^1.5 sum q_i,
+// which is the Householder matrix I - 2 v v' of the quasi-random direction number `turn`. Turn by
+// turn the directions become dense, which a target function with kinks needs: there, all directions
+// of one fixed set can point uphill at a point that is no minimum. [Kolda, Lewis, Torczon, SIAM
+// Review 45 (2003) 385; turned sets: Abramson, Audet, Dennis, Le Digabel,
+//  OrthoMADS, SIAM J. Optim. 20 (2009) 948]
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace latsch {
+
+enum class Bound { none, lower, upper };
+
+/// Unit vectors; turn 0 builds on the coordinate axes. `at[i]`: the bound on which coordinate i
+/// lies.
+std::vector<Eigen::VectorXd> generating_set(const std::vector<Bound>& at, int turn);
+
+}  // namespace latsch

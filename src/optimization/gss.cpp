@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/gss.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+#include "optimization/generating_set.h"
+#include "optimization/quadratic_model.h"
+
+namespace latsch {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kReach = 0.8;          // of the step: how far the model is trusted
+constexpr double kNew = 0.05;           // of the step: nearer to a known point, nothing is learned
+constexpr double kClearlyBetter = 0.1;  // of the other model's misfit
+constexpr double kLongestStep = 0.25;   // a quarter of every variable's range
+constexpr double kExpansion = 2.0;      // of the step after more than
+constexpr int kSuccessesToExpand = 4;   // successes in a row
+
+struct Direction {
+  Eigen::VectorXd d;
+  double step;
+};
+
+/// The point the method wants next; `direction` is null for the start and for a model step.
+struct Next {
+  Eigen::VectorXd u;
+  DesignPoint point;
+  int direction = -1;
+};
+
+Eigen::VectorXd to_vector(const std::vector<double>& u) {
+  return Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
+}
+
+void check(const GssOptions& options) {
+  const auto reject = [](const char* name, double found, const char* expected) {
+    throw InputError(fmt::format("GSS: {} is {}, expected {}", name, found, expected));
+  };
+  if (!(options.initial_step > 0.0 && options.initial_step <= 1.0)) {
+    reject("initial step", options.initial_step, "a share of the range, above 0 and up to 1");
+  }
+  if (!(options.step_tolerance > 0.0 && options.step_tolerance < options.initial_step)) {
+    reject("step tolerance", options.step_tolerance, "above 0 and below the initial step");
+  }
+  if (!(options.contraction > 0.0 && options.contraction < 1.0)) {
+    reject("contraction", options.contraction, "between 0 and 1");
+  }
+  if (!(options.sufficient_decrease >= 0.0)) {
+    reject("sufficient decrease", options.sufficient_decrease, "0 or more");
+  }
+}
+
+}  // namespace
+
+struct Gss::State {
+  DesignSpace space;
+  GssOptions options;
+
+  Eigen::VectorXd x;     // the best point, in the unit cube
+  double f = kInfinity;  // its value
+  std::vector<Direction> directions;
+  double length;  // the longest step: the one at which directions are being polled
+  int turn = 0;
+  Eigen::VectorXd last_move;
+  int successes = 0;  // in a row
+
+  std::vector<Sample> samples;                     // finite values
+  std::unordered_map<std::string, double> values;  // of all points, by their bits
+  bool model_is_new = false;  // something was learned since the last model step
+  std::optional<Next> next;   // nullopt: converged
+
+  State(const DesignSpace& s, const GssOptions& o)
+      : space(s), options(o), x(to_vector(s.to_unit(s.initial()))), length(o.initial_step) {
+    last_move = Eigen::VectorXd::Zero(x.size());
+    next = Next{x, space.initial()};
+    start_poll();
+  }
+
+  bool is_better(double value, double step) const {
+    return value < f - options.sufficient_decrease * step * step;
+  }
+
+  /// A fresh set of directions around x, the one nearest to the last success first.
+  void start_poll() {
+    std::vector<Bound> at;
+    for (const double u : x) {
+      at.push_back(u <= 0.0 ? Bound::lower : u >= 1.0 ? Bound::upper : Bound::none);
+    }
+    directions.clear();
+    for (Eigen::VectorXd& d : generating_set(at, turn)) {
+      directions.push_back({std::move(d), length});
+    }
+    std::stable_sort(directions.begin(), directions.end(), [&](const auto& a, const auto& b) {
+      return a.d.dot(last_move) > b.d.dot(last_move);
+    });
+  }
+
+  void move_to(const Eigen::VectorXd& u, double value) {
+    if (++successes > kSuccessesToExpand) {
+      length = std::max(length, std::min(kExpansion * length, kLongestStep));
+    }
+    last_move = f < kInfinity ? Eigen::VectorXd(u - x) : Eigen::VectorXd::Zero(x.size());
+    x = u;
+    f = value;
+    start_poll();
+  }
+
+  void contract(Direction& direction) {
+    direction.step *= options.contraction;
+    const auto failed = [&](const Direction& d) { return d.step < length; };
+    if (!std::all_of(directions.begin(), directions.end(), failed)) return;
+    length *= options.contraction;
+    ++turn;
+    start_poll();
+  }
+
+  /// What the outcome of `tried` means for the search.
+  void take(const Next& tried, double value) {
+    const double step = tried.direction >= 0 ? directions[tried.direction].step : length;
+    if (is_better(value, step)) {
+      move_to(tried.u, value);
+      return;
+    }
+    successes = 0;
+    if (tried.direction >= 0) contract(directions[tried.direction]);
+  }
+
+  Next at(const Eigen::VectorXd& u, int direction) const {
+    const Eigen::VectorXd inside = u.cwiseMax(0.0).cwiseMin(1.0);
+    return {inside, space.from_unit({inside.begin(), inside.end()}), direction};
+  }
+
+  /// Of f, or of f^2 where that is fitted better or as well, as it is around a minimum with kinks.
+  std::optional<QuadraticModel> model(double reach) const {
+    auto of_f = fit_quadratic(samples, x, reach);
+    const auto is_negative = [](const Sample& sample) { return sample.value < 0.0; };
+    if (std::any_of(samples.begin(), samples.end(), is_negative)) return of_f;
+    std::vector<Sample> squares = samples;
+    for (Sample& sample : squares) sample.value *= sample.value;
+    auto of_square = fit_quadratic(squares, x, reach);
+    return of_f && of_f->misfit < kClearlyBetter * of_square->misfit ? of_f : of_square;
+  }
+
+  std::optional<Next> model_step() const {
+    const double reach = kReach * length;
+    const auto m = model(reach);
+    if (!m) return std::nullopt;
+    Next step = at(x + minimize_in_ball(*m, reach), -1);
+    const auto near = [&](const Sample& s) { return (s.u - step.u).norm() < kNew * length; };
+    if (std::any_of(samples.begin(), samples.end(), near)) return std::nullopt;
+    if (values.contains(step.point.bits())) return std::nullopt;
+    return step;
+  }
+
+  /// The direction with the longest step; nullopt where it is below the tolerance.
+  std::optional<Next> poll_step() const {
+    const auto longest =
+        std::max_element(directions.begin(), directions.end(), [](const auto& a, const auto& b) {
+          return a.step < b.step;
+        });
+    if (longest->step < options.step_tolerance) return std::nullopt;
+    return at(x + longest->step * longest->d, static_cast<int>(longest - directions.begin()));
+  }
+
+  /// Finds the next point that is not known yet.
+  void advance() {
+    if (std::exchange(model_is_new, false)) {
+      next = model_step();
+      if (next) return;
+    }
+    while ((next = poll_step())) {
+      if ((next->u - x).norm() < 0.5 * options.step_tolerance) {  // cut off at a bound
+        contract(directions[next->direction]);
+        continue;
+      }
+      const auto known = values.find(next->point.bits());
+      if (known == values.end()) return;
+      take(*next, known->second);
+    }
+  }
+
+  void observe(const DesignPoint& point, double value) {
+    const bool is_next = next && next->point == point;
+    const Next tried = is_next ? *next : at(to_vector(space.to_unit(point)), -1);
+    values.insert_or_assign(point.bits(), value);
+    if (value < kInfinity) {
+      samples.push_back({tried.u, value});
+      model_is_new = true;
+    }
+    take(tried, value);
+    if (is_next || f == value) advance();
+  }
+};
+
+Gss::Gss(const DesignSpace& space, const GssOptions& options) {
+  check(options);
+  state_ = std::make_unique<State>(space, options);
+}
+
+Gss::~Gss() = default;
+
+std::vector<DesignPoint> Gss::propose(int count) const {
+  assert(count >= 1);
+  std::vector<DesignPoint> plan;
+  if (!state_->next) return plan;
+  plan.push_back(state_->next->point);
+  if (count == 1) return plan;
+  State future = *state_;
+  while (std::ssize(plan) < count) {
+    future.observe(plan.back(), kInfinity);
+    if (!future.next) break;
+    plan.push_back(future.next->point);
+  }
+  return plan;
+}
+
+void Gss::observe(const DesignPoint& point, const Result<Score>& outcome) {
+  state_->observe(point, outcome ? outcome->value : kInfinity);
+}
+
+bool Gss::converged() const { return !state_->next; }
+
+}  // namespace latsch
