@@ -84,16 +84,14 @@ void add_product(Scalar alpha,
       "N", "N", &m, &n, &k, &alpha, A.data(), &lda, B.data(), &ldb, &beta, C.data(), &ldc, 1, 1);
 }
 
-#define LATSCH_INSTANTIATE(Scalar)                                                             \
-  template DenseMatrix<Scalar> overlaps<Scalar>(const Eigen::Ref<const DenseMatrix<Scalar>>&,  \
-                                                const Eigen::Ref<const DenseMatrix<Scalar>>&); \
-  template void add_product<Scalar>(Scalar,                                                    \
-                                    const Eigen::Ref<const DenseMatrix<Scalar>>&,              \
-                                    const Eigen::Ref<const DenseMatrix<Scalar>>&,              \
-                                    Scalar,                                                    \
-                                    Eigen::Ref<DenseMatrix<Scalar>>);
-LATSCH_INSTANTIATE(double)
-LATSCH_INSTANTIATE(std::complex<double>)
-#undef LATSCH_INSTANTIATE
+using Complex = std::complex<double>;
+using RealRef = Eigen::Ref<const DenseMatrix<double>>;
+using ComplexRef = Eigen::Ref<const DenseMatrix<Complex>>;
+template DenseMatrix<double> overlaps<double>(const RealRef&, const RealRef&);
+template DenseMatrix<Complex> overlaps<Complex>(const ComplexRef&, const ComplexRef&);
+template void add_product<double>(
+    double, const RealRef&, const RealRef&, double, Eigen::Ref<DenseMatrix<double>>);
+template void add_product<Complex>(
+    Complex, const ComplexRef&, const ComplexRef&, Complex, Eigen::Ref<DenseMatrix<Complex>>);
 
 }  // namespace latsch::numerics

@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "numerics/blas_core.h"
@@ -230,7 +231,9 @@ bool Factorization::ready() const { return impl_->ready; }
 void Factorization::solve(Eigen::Ref<Eigen::VectorXd> x) const {
   impl_->solve(Eigen::Map<Eigen::MatrixXd>(x.data(), x.size(), 1));
 }
-void Factorization::solve_columns(Eigen::Ref<Eigen::MatrixXd> X) const { impl_->solve(X); }
+void Factorization::solve_columns(Eigen::Ref<Eigen::MatrixXd> X) const {
+  impl_->solve(std::move(X));
+}
 double Factorization::flops() const { return impl_->flops(); }
 long long Factorization::entries() const { return impl_->entries(); }
 

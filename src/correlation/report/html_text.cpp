@@ -82,7 +82,7 @@ std::string percent(double ratio, int decimals) {
 }
 
 std::string signed_percent(double ratio, int decimals) {
-  return (ratio > 0.0 ? "+" : "") + percent(ratio, decimals);
+  return fmt::format("{}{}", ratio > 0.0 ? "+" : "", percent(ratio, decimals));
 }
 
 std::string duration(double seconds) {
@@ -104,7 +104,7 @@ std::string typeset_unit(std::string_view unit) {
 }
 
 std::string unit_suffix(std::string_view unit) {
-  return unit.empty() || unit == "1" ? "" : " " + typeset_unit(unit);
+  return unit.empty() || unit == "1" ? "" : fmt::format(" {}", typeset_unit(unit));
 }
 
 double in_unit(double si, std::string_view unit) {

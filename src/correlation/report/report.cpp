@@ -137,12 +137,14 @@ std::string loaded_figure(const TirePictures& pictures) {
     largest = std::max(largest, (pictures.loaded->u.col(k) - before).norm());
   }
   return fmt::format(
-      "<figure><b>Loaded tire <span>{} N at {} mm, true to scale</span></b>"
+      "<figure><b>Loaded tire <span>{} N at {} mm, true to scale</span></b><div class=\"figures\">"
       "<canvas class=\"tire large\" data-state=\"0\" role=\"img\" aria-label=\"Deformed "
       "tire\"></canvas>"
-      "<div class=\"bar\">0<i></i>{} mm</div><figcaption>Displacement from the inflated state. "
-      "Drag to turn.</figcaption>"
-      "</figure>\n",
+      "<canvas class=\"tire large\" data-state=\"0\" data-yaw=\"0\" data-pitch=\"0.04\" "
+      "role=\"img\" "
+      "aria-label=\"Deformed tire from the side\"></canvas></div>"
+      "<div class=\"bar\">0<i></i>{} mm</div>"
+      "<figcaption>Displacement from the inflated state. Drag to turn.</figcaption></figure>\n",
       fixed(point.Fz, 0),
       fixed(1e3 * point.deflection, 1),
       fixed(1e3 * largest, 1));
@@ -246,9 +248,10 @@ std::string html(const StudyReport& report) {
                         chapter.title,
                         chapter.body);
   }
-  page += fmt::format("<footer>Latsch{}{}</footer>\n</main>\n",
-                      report.version.empty() ? "" : " " + escape(report.version),
-                      report.model_file.empty() ? "" : " · model " + escape(report.model_file));
+  page += fmt::format(
+      "<footer>Latsch{}{}</footer>\n</main>\n",
+      report.version.empty() ? "" : fmt::format(" {}", escape(report.version)),
+      report.model_file.empty() ? "" : fmt::format(" · model {}", escape(report.model_file)));
   if (report.pictures) page += fmt::format("<script>{}</script>\n", viewer_script());
   return page + "</body>\n</html>\n";
 }

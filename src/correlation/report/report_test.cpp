@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/report/report.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <regex>
 #include <set>
@@ -163,6 +168,28 @@ TEST(Report, FlagsAVariableAtItsBound) {
   EXPECT_EQ(at_bound(v), AtBound::lower);
   v.logarithmic = true;
   EXPECT_EQ(at_bound(v), AtBound::lower);
+}
+
+TEST(Report, DrawsEveryPictureInABrowser) {
+  if (std::system("chromium --version > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "Chromium is not installed";
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / fmt::format("latsch_report_{}", getpid());
+  fs::create_directory(folder);
+  std::ofstream(folder / "report.html") << html(full_report());
+  const std::string command = fmt::format(
+      "timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
+      "--disable-background-networking --disable-component-update --disable-sync "
+      "--user-data-dir='{0}/profile' "
+      "--dump-dom 'file://{0}/report.html' > '{0}/dom.html' 2> /dev/null",
+      folder.string());
+  const int ended = std::system(command.c_str());
+  std::ifstream file(folder / "dom.html");
+  std::string start(2000, ' ');
+  file.read(start.data(), 2000);
+  fs::remove_all(folder);
+  if (ended != 0) GTEST_SKIP() << "Chromium does not run here";
+  EXPECT_NE(start.find("data-views=\"14\""), std::string::npos);  // loaded tire twice, 12 modes
 }
 
 TEST(SurfacePlot, FindsEveryMinimumOfTheGrid) {

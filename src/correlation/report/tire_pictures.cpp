@@ -33,7 +33,10 @@ struct Window {
   Point corner;  // of the picture, top left
   double scale;
 
-  static Window fit(const Eigen::AlignedBox2d& world, Point corner, double width, double height) {
+  static Window fit(const Eigen::AlignedBox2d& world,
+                    const Point& corner,
+                    double width,
+                    double height) {
     const Eigen::Vector2d size = world.sizes().cwiseMax(1e-9);
     return {world, corner, std::min(width / size.x(), height / size.y())};
   }
@@ -46,7 +49,7 @@ struct Window {
 };
 
 /// "10 mm" drawn to scale.
-void scale_bar(Svg& svg, Point at, double pixels_per_mm) {
+void scale_bar(Svg& svg, const Point& at, double pixels_per_mm) {
   double length = 100.0;
   for (double l : {5.0, 10.0, 20.0, 50.0}) {
     if (l * pixels_per_mm > 50.0) {
@@ -138,6 +141,7 @@ std::string section_picture(const fe_tire::Mesh& mesh,
                             const std::vector<Layer>& layers,
                             const fe_tire::Inflated* inflated) {
   std::vector<Point> nodes, grown;
+  nodes.reserve(mesh.nodes_per_sector());
   Eigen::AlignedBox2d box;
   for (int k = 0; k < mesh.nodes_per_sector(); ++k) {
     nodes.push_back(in_section(mesh.X.col(k)));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tire's surface and its displacements, packed for the page's viewer (viewer.js in
-// page_style.cpp).
+// The tire's surface and its displacements, packed for the page's viewer (viewer_script).
 //
 // Lengths are 16-bit integers times a scale, shapes of modes 8-bit ones, in base64.
 #pragma once
