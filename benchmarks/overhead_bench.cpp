@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an evaluation costs beside the model: in this process, in a worker, with its journal entry
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+
+#include "evaluation/inline_executor.h"
+#include "evaluation/process_executor.h"
+#include "evaluation/scheduler.h"
+#include "evaluation/scratch_folder_testing.h"
+#include "evaluation/worker.h"
+#include "optimization/full_factorial.h"
+#include "optimization/gss.h"
+#include "table.h"
+
+namespace latsch::benchmarks {
+namespace {
+
+// So many channels has a trial of a tire study: forces and frequencies.
+Result<Channels> model(const DesignPoint& point) {
+  Channels channels;
+  channels.add({"stiffness/Fz", "N", std::vector<double>(5, point.values[0])});
+  channels.add({"modes/frequency", "Hz", std::vector<double>(12, point.values[1])});
+  channels.add({"modes/shapes", "1", std::vector<double>(12 * 90, point.values[2])});
+  return channels;
+}
+
+Result<Score> target(const Channels& channels) {
+  const double a = channels["stiffness/Fz"][0] - 0.3;
+  const double b = channels["modes/frequency"][0] - 0.6;
+  const double c = channels["modes/shapes"][0] + a - 0.2;
+  return Score{std::abs(a) + std::abs(a + b) + std::abs(c)};
+}
+
+DesignSpace space() {
+  return DesignSpace({{.name = "a", .initial = 0.9}, {.name = "b", .initial = 0.1}, {.name = "c"}});
+}
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double time_in_process() {
+  constexpr int kRounds = 50;
+  long steps = 0;
+  const double start = now();
+  for (int i = 0; i < kRounds; ++i) {
+    InlineExecutor executor(model);
+    Gss gss(space());
+    steps += std::ssize(run_optimizer(gss, target, executor, nullptr).steps);
+  }
+  return (now() - start) / static_cast<double>(steps);
+}
+
+ProcessOptions workers(int count) {
+  return {.arguments = {std::filesystem::read_symlink("/proc/self/exe").string(), "worker"},
+          .workers = count};
+}
+
+double time_of_a_round_trip() {
+  constexpr int kTrips = 2000;
+  ProcessExecutor executor(workers(1));
+  const auto trip = [&](double x) {
+    executor.start({{x, 0.5, 0.5}});
+    while (executor.wait(1.0).empty()) {
+    }
+  };
+  trip(0.0);
+  const double start = now();
+  for (int i = 0; i < kTrips; ++i) trip(i);
+  return (now() - start) / kTrips;
+}
+
+double time_with_journal() {
+  const ScratchFolder folder;
+  Journal journal = Journal::open(folder / "overhead.latsch", {{"model", "none"}});
+  ProcessExecutor executor(workers(1));
+  const SamplingPlan plan = full_factorial(space(), {10, 10, 5});
+  const double start = now();
+  (void)run_doe(plan, executor, journal);
+  return (now() - start) / static_cast<double>(plan.points.size());
+}
+
+int run() {
+  Table table("overhead");
+  const double in_process = time_in_process();
+  table.row("search and scheduler in this process, an evaluation",
+            fmt::format("{:.1f} us", 1e6 * in_process),
+            "< 50 us",
+            in_process < 50e-6);
+  const double external = time_with_journal();
+  table.row("evaluation in a worker, committed to the journal",
+            fmt::format("{:.2f} ms", 1e3 * external),
+            "< 3 ms",
+            external < 3e-3);
+  table.note("of this, to the worker and back",
+             fmt::format("{:.1f} us", 1e6 * time_of_a_round_trip()));
+  return table.exit_code();
+}
+
+}  // namespace
+}  // namespace latsch::benchmarks
+
+int main(int argc, char** argv) {
+  if (argc > 1 && std::strcmp(argv[1], "worker") == 0) {
+    return latsch::serve(latsch::benchmarks::model);
+  }
+  return latsch::benchmarks::run();
+}
