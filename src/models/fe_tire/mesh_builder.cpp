@@ -84,9 +84,11 @@ class MeshBuilder {
   }
 
   void clamp(Mesh& mesh) const {
-    const int first = section_.clamp == BeadClamp::outside ? r_ * section_.rows_inside : 0;
+    const int reference_line = r_ * section_.rows_inside;
+    const int first = section_.clamp == BeadClamp::outside ? reference_line : 0;
+    const int last = section_.clamp == BeadClamp::inside ? reference_line : rows();
     for (int i : {0, columns()})
-      for (int k = first; k <= rows(); ++k) mesh.clamped.push_back(node(i, k));
+      for (int k = first; k <= last; ++k) mesh.clamped.push_back(node(i, k));
   }
 
   /// Outer nodes at the crown, at both edges of the tread and at both widest places.

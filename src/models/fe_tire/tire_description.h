@@ -65,7 +65,7 @@ enum class CordModel {
   smeared,  // anisotropic St. Venant-Kirchhoff inside the reference line: for comparison
 };
 
-enum class BeadClamp { whole, outside };  // outside: from the reference line outward
+enum class BeadClamp { whole, inside, outside };  // inside, outside: up to the reference line
 
 /// Everything the mesh depends on.
 struct Section {

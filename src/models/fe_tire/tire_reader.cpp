@@ -78,8 +78,10 @@ Section read_section(const Node& node, const Node& mesh) {
   section.inside = read_thickness(node, "thickness_inside");
   section.outside = read_thickness(node, "thickness_outside");
   section.tread_to = node.quantity("tread_to", "1", {0.0, 1.0, true});
-  const std::string clamp = node.choice("clamp", {"whole", "outside"}, "whole");
-  section.clamp = clamp == "whole" ? BeadClamp::whole : BeadClamp::outside;
+  const std::string clamp = node.choice("clamp", {"whole", "inside", "outside"}, "whole");
+  section.clamp = clamp == "whole"    ? BeadClamp::whole
+                  : clamp == "inside" ? BeadClamp::inside
+                                      : BeadClamp::outside;
   section.meridional = static_cast<int>(mesh.integer("meridional", 4, kMostElements));
   section.rows_inside = static_cast<int>(mesh.integer("rows_inside", 1, 20, 1));
   section.rows_outside = static_cast<int>(mesh.integer("rows_outside", 1, 20, 1));
