@@ -91,5 +91,53 @@ TEST(Factorization, SaysThatAMatrixIsSingular) {
   EXPECT_TRUE(factor.factorize(A).definite());
 }
 
+TEST(Factorization,
+     KeepsItsAccuracyBesideAStiffPenalty) {  // contact: one node a million times stiffer
+  const Lattice lattice({6, 4, 3}, 3);
+  auto elements = lattice.elements();
+  elements.push_back({0, 1, 2});
+  const SymmetricPattern pattern(lattice.size(), elements);
+  SymmetricMatrix A(pattern);
+  lattice.assemble_random(A, 4);
+  const double before = A.coefficient(0, 0);
+  const Eigen::Matrix3d penalty = 1e6 * before * Eigen::Matrix3d::Identity();
+  A.add_element(static_cast<int>(elements.size()) - 1, penalty.data());
+  Factorization factor(pattern);
+  ASSERT_TRUE(factor.factorize(A).definite());
+  const Eigen::VectorXd x = Eigen::VectorXd::Random(A.size());
+  Eigen::VectorXd b(A.size());
+  A.multiply(x.data(), b.data());
+  factor.solve(b);
+  EXPECT_LT((b - x).norm(), 1e-9 * x.norm());
+}
+
+TEST(Factorization, LeavesNoFactorOfAMatrixThatIsNotNumbers) {
+  const Lattice lattice({3, 2, 2}, 3);
+  const SymmetricPattern pattern(lattice.size(), lattice.elements());
+  SymmetricMatrix A(pattern);
+  lattice.assemble_random(A, 4);
+  A.values()[17] = std::nan("");
+  for (Precision precision : {Precision::full, Precision::single}) {
+    Factorization factor(pattern, precision);
+    EXPECT_FALSE(factor.factorize(A).usable());
+    EXPECT_FALSE(factor.ready());
+  }
+}
+
+TEST(Factorization, GivesTheSameBitsTwice) {
+  const Lattice lattice({6, 4, 3}, 3);
+  const SymmetricPattern pattern(lattice.size(), lattice.elements());
+  SymmetricMatrix A(pattern);
+  lattice.assemble_random(A, 9);
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(A.size());
+  Eigen::VectorXd once = b, again = b;
+  Factorization first(pattern), second(pattern);
+  ASSERT_TRUE(first.factorize(A).definite() && second.factorize(A).definite());
+  first.solve(once);
+  second.factorize(A);  // a second time in the same object
+  second.solve(again);
+  EXPECT_EQ(once, again);
+}
+
 }  // namespace
 }  // namespace latsch::numerics

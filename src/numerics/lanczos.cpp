@@ -158,7 +158,8 @@ bool Lanczos<Scalar>::good(const Matrix& start) {
   step(pool_);
   solve_small_problem();
   for (int k = 0; k < done_; ++k) {
-    if (theta_[k] <= 0.0 || (B_ * S_.col(k)).norm() > kNearEigenvector * theta_[k]) return false;
+    if (!(theta_[k] > 0.0) || !((B_ * S_.col(k)).norm() <= kNearEigenvector * theta_[k]))
+      return false;
   }
   return true;
 }
@@ -243,8 +244,8 @@ template <class Scalar>
 bool Lanczos<Scalar>::converged() const {
   if (done_ < wanted_) return false;
   for (int k = done_ - wanted_; k < done_; ++k) {
-    if (theta_[k] <= 0.0) return false;
-    if (pool_ > 0 && (B_ * S_.col(k)).norm() > settings_.tolerance * theta_[k]) return false;
+    if (!(theta_[k] > 0.0)) return false;  // also where it is not a number
+    if (pool_ > 0 && !((B_ * S_.col(k)).norm() <= settings_.tolerance * theta_[k])) return false;
   }
   return true;
 }

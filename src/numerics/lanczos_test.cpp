@@ -5,7 +5,6 @@
 
 #include <Eigen/Dense>
 
-#include "numerics/banded_hermitian.h"
 #include "numerics/factorization.h"
 #include "numerics/lattice_testing.h"
 
@@ -161,28 +160,40 @@ TEST(Lanczos, MissesNoneBelowTheLastByInertia) {  // sparse ring: pairs everywhe
   }
 }
 
-TEST(BandedHermitian, SolvesAndMultipliesAsDense) {
-  const int n = 40, band = 7;
-  BandedHermitian A(n, band);
-  A.lower() = Eigen::MatrixXcd::Random(band + 1, n);
-  for (int j = 0; j < n; ++j) A(j, j) = 20.0;
-  Eigen::MatrixXcd D = Eigen::MatrixXcd::Zero(n, n);
-  for (int j = 0; j < n; ++j) {
-    for (int i = j; i < std::min(n, j + band + 1); ++i) {
-      D(i, j) = A(i, j);
-      D(j, i) = std::conj(A(i, j));
+TEST(Lanczos, FindsMoreCopiesThanTheBlockIsWide) {  // rounding brings the third and fourth
+  Eigen::VectorXd lambda(80);
+  for (int k = 0; k < 80; ++k) lambda[k] = 1.0 + 0.5 * (k / 4);
+  const Eigen::MatrixXd M = random_positive<double>(80);
+  const Eigen::MatrixXd K = with_spectrum<double>(lambda, M);
+  const auto pairs =
+      lanczos(dense_problem<double>(K, M, 0.1), {.count = 12, .tolerance = 1e-9, .block = 4});
+  expect_pairs<double>(pairs, K, M, lambda.head(12));
+}
+
+TEST(Lanczos, EndsUnconvergedWhereTheSolutionsAreNotNumbers) {
+  EigenProblem<double> problem;
+  problem.size = 30;
+  problem.solve = [](Eigen::Ref<Eigen::MatrixXd> X) { X.setConstant(std::nan("")); };
+  problem.mass = [](const Eigen::Ref<const Eigen::MatrixXd>& X, Eigen::Ref<Eigen::MatrixXd> Y) {
+    Y = X;
+  };
+  EXPECT_FALSE(lanczos(problem, {.count = 5, .max_steps = 50}).converged);
+}
+
+TEST(Lanczos, EigenvalueErrorGoesWithTheSquareOfTheResidual) {
+  const Eigen::VectorXd lambda = Eigen::VectorXd::LinSpaced(200, 1.0, 200.0);
+  const Eigen::MatrixXd M = random_positive<double>(200);
+  const Eigen::MatrixXd K = with_spectrum<double>(lambda, M);
+  for (double tolerance : {1e-2, 1e-3, 1e-4}) {
+    const auto pairs =
+        lanczos(dense_problem<double>(K, M, 0.0), {.count = 4, .tolerance = tolerance, .block = 1});
+    ASSERT_TRUE(pairs.converged);
+    // |theta error| <= (tolerance theta)^2 / gap; the gap to the next theta is theta / (k + 2) at
+    // least
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_NEAR(pairs.values[k], lambda[k], (k + 2) * tolerance * tolerance * lambda[k] + 1e-12);
     }
   }
-  const Eigen::MatrixXcd X = Eigen::MatrixXcd::Random(n, 3);
-  Eigen::MatrixXcd Y(n, 3);
-  A.multiply(X, Y);
-  EXPECT_LT((Y - D * X).norm(), 1e-13 * Y.norm());
-  BandedCholesky factor;
-  ASSERT_TRUE(factor.factorize(A));
-  factor.solve(Y);
-  EXPECT_LT((Y - X).norm(), 1e-13 * X.norm());
-  for (int j = 0; j < n; ++j) A(j, j) = 1.0;
-  EXPECT_FALSE(factor.factorize(A));
 }
 
 }  // namespace
