@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// The same bits with 1, 2 and 4 workers and after 20 x kill -9 of `latsch run`, nothing lost or
+// repeated
+//
+// A study of a coarse tire is fitted by the program itself: by one, two and four workers without a
+// disturbance, then killed at random moments and resumed until it ends.
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "base/file.h"
+#include "base/random.h"
+#include "correlation/study.h"
+#include "correlation/tire_trials.h"
+#include "evaluation/encoding.h"
+#include "evaluation/scheduler.h"
+#include "evaluation/scratch_folder_testing.h"
+#include "fit_study.h"
+#include "optimization/gss.h"
+#include "table.h"
+
+namespace latsch::benchmarks {
+namespace {
+
+namespace fs = std::filesystem;
+using Seconds = std::chrono::duration<double>;
+
+constexpr int kKills = 20;
+constexpr std::uint64_t kSeed = 1;
+
+// The size of the mesh makes a trial short; what is found is not looked at.
+constexpr const char* kStudy = R"(title = "A coarse tire B, to be killed"
+model = "tire.toml"
+[variable.matrix]
+path = "rubber.matrix.young_modulus"
+lower = "2 N/mm^2"
+upper = "24 N/mm^2"
+initial = "11 N/mm^2"
+scale = "logarithmic"
+[variable.carcass]
+path = "layer.carcass.young_modulus"
+lower = "1 GPa"
+upper = "20 GPa"
+initial = "3 GPa"
+scale = "logarithmic"
+[experiment.stiffness]
+kind = "load_deflection"
+pressure = "2.6 bar"
+measurement = "stiffness.csv"
+deflections = {unit = "mm", values = [5, 10]}
+[optimizer]
+method = "gss"
+step_tolerance = 0.02
+)";
+
+constexpr const char* kMeasurement = "deflection [mm],force [N]\n5,900\n10,2000\n";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::runtime_error("tire B has no line \"" + from + "\"");
+  return text.replace(at, from.size(), to);
+}
+
+fs::path write_study(const fs::path& folder) {
+  std::string tire =
+      read_text_file(fs::path(LATSCH_SOURCE_DIR) / "studies/tires/passenger_225_50R16.toml");
+  tire = replaced(tire, "meridional = 29", "meridional = 13");
+  tire = replaced(tire, "sectors = 60", "sectors = 24");
+  write_text_file(folder / "tire.toml", tire);
+  write_text_file(folder / "stiffness.csv", kMeasurement);
+  write_text_file(folder / "study.toml", kStudy);
+  return folder / "study.toml";
+}
+
+/// latsch VERB STUDY --workers N, its output thrown away.
+pid_t start(const std::string& verb, const fs::path& study, int workers) {
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  const std::string file = program().string();
+  const std::string count = std::to_string(workers);
+  if (!std::freopen("/dev/null", "w", stdout) || !std::freopen("/dev/null", "w", stderr)) _exit(1);
+  ::execl(file.c_str(), "latsch", verb.c_str(), study.c_str(), "--workers", count.c_str(), nullptr);
+  ::_exit(1);
+}
+
+/// Exit code of the program, -1 where a signal ended it.
+int end_of(pid_t child) {
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// False where it had ended before it was killed.
+bool kill_after(pid_t child, Seconds time) {
+  std::this_thread::sleep_for(time);
+  ::kill(child, SIGKILL);
+  return end_of(child) == -1;
+}
+
+std::vector<Trial> trials_of(const correlation::Study& study) {
+  if (!fs::exists(study.run.journal)) return {};
+  return Journal::open(study.run.journal, correlation::identity(study)).trials();
+}
+
+/// The whole trajectory, bit by bit; empty where it did not converge.
+std::string trajectory(const correlation::Study& study) {
+  Gss gss(study.space, study.gss);
+  const Run run =
+      replay(gss, correlation::objective(study), Journal::read(study.run.journal), study.max_steps);
+  if (run.end != RunEnd::converged) return {};
+  std::string bits;
+  for (const Step& step : run.steps) {
+    bits += step.point.bits();
+    bits +=
+        step.outcome ? DesignPoint{{step.outcome->value}}.bits() : step.outcome.failure().reason;
+  }
+  return bits;
+}
+
+std::string undisturbed(int workers) {
+  const ScratchFolder folder;
+  const fs::path file = write_study(folder.path());
+  if (end_of(start("run", file, workers)) != 0) return {};
+  return trajectory(correlation::read_study(file));
+}
+
+struct Killed {
+  int kills = 0;
+  long finished_before_a_kill = 0;
+  long lost = 0;
+  long repeated = 0;
+  bool same_bits = true;
+};
+
+/// How many of the trials before are not, bit by bit, at their place after.
+long count_lost(const std::vector<Trial>& before, const std::vector<Trial>& after) {
+  long lost = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    lost += i >= after.size() || before[i].point.bits() != after[i].point.bits() ||
+            encode(before[i].outcome) != encode(after[i].outcome);
+  }
+  return lost;
+}
+
+long count_repeated(const std::vector<Trial>& trials) {
+  std::set<std::string> points;
+  for (const Trial& trial : trials) points.insert(trial.point.bits());
+  return std::ssize(trials) - std::ssize(points);
+}
+
+/// One study, killed until it ends or `most` kills are reached, then resumed to its end.
+void kill_and_resume(
+    int most, Seconds longest, RandomStream& random, const std::string& reference, Killed& killed) {
+  const ScratchFolder folder;
+  const fs::path file = write_study(folder.path());
+  const correlation::Study study = correlation::read_study(file);
+  std::vector<Trial> before;
+  for (bool ended = false; !ended;) {
+    const bool resuming = fs::exists(study.run.journal);
+    const pid_t child = start(resuming ? "resume" : "run", file, 2);
+    if (killed.kills < most && kill_after(child, random.uniform() * longest)) {
+      ++killed.kills;
+    } else {
+      ended = true;
+      if (killed.kills >= most && end_of(child) != 0) throw std::runtime_error("resume failed");
+    }
+    const std::vector<Trial> after = trials_of(study);
+    killed.finished_before_a_kill += ended ? 0 : std::ssize(after) - std::ssize(before);
+    killed.lost += count_lost(before, after);
+    before = after;
+  }
+  killed.repeated += count_repeated(before);
+  killed.same_bits = killed.same_bits && trajectory(study) == reference;
+}
+
+int run() {
+  Table table("crash");
+  const auto begin = std::chrono::steady_clock::now();
+  const std::string reference = undisturbed(1);
+  const Seconds time = std::chrono::steady_clock::now() - begin;
+  table.row("one worker",
+            fmt::format("{} bytes of trajectory, {:.1f} s", reference.size(), time.count()),
+            "converged",
+            !reference.empty());
+  if (reference.empty()) return table.exit_code();
+  for (const int workers : {2, 4}) {
+    const bool same = undisturbed(workers) == reference;
+    table.row(
+        fmt::format("{} workers", workers), same ? "same bits" : "differs", "same bits", same);
+  }
+  RandomStream random(kSeed, 0);
+  Killed killed;
+  while (killed.kills < kKills) {
+    kill_and_resume(kKills, 4.0 * time / kKills, random, reference, killed);
+  }
+  table.row("kill -9 at random moments",
+            fmt::format("{}", killed.kills),
+            ">= 20",
+            killed.kills >= kKills);
+  table.note("trials finished before a kill", fmt::format("{}", killed.finished_before_a_kill));
+  table.row("finished trials lost", fmt::format("{}", killed.lost), "0", killed.lost == 0);
+  table.row(
+      "finished trials repeated", fmt::format("{}", killed.repeated), "0", killed.repeated == 0);
+  table.row("result after kills and resumes",
+            killed.same_bits ? "same bits" : "differs",
+            "same bits",
+            killed.same_bits);
+  return table.exit_code();
+}
+
+}  // namespace
+}  // namespace latsch::benchmarks
+
+int main() { return latsch::benchmarks::run(); }

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Trials a second of two worker processes against one, on the finite-element tire B
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "correlation/study.h"
+#include "evaluation/process_executor.h"
+#include "evaluation/scheduler.h"
+#include "evaluation/scratch_folder_testing.h"
+#include "fit_study.h"
+#include "optimization/full_factorial.h"
+#include "table.h"
+
+namespace latsch::benchmarks {
+namespace {
+
+constexpr double kReach = 1.8;
+constexpr int kRounds = 2;  // the better of them counts: other programs only ever slow it down
+
+/// Every worker has done one trial, so that reading the study and the symbolic work are behind it.
+void warm_up(Executor& executor, const DesignPoint& point) {
+  const int workers = executor.workers();
+  for (int i = 0; i < workers; ++i) executor.start(point);
+  while (executor.idle() < workers) executor.wait(1.0);
+}
+
+double trials_a_second(const correlation::Study& study, int workers) {
+  const ScratchFolder folder;
+  Journal journal = Journal::open(folder / "workers.latsch", correlation::identity(study));
+  ProcessExecutor executor(
+      {.arguments = {program().string(), "worker", std::filesystem::absolute(study.file).string()},
+       .workers = workers,
+       .timeout = study.run.timeout});
+  const SamplingPlan plan = full_factorial(study.space.tightened(study.space.initial(), 0.2),
+                                           std::vector<int>(study.space.size(), 2));
+  warm_up(executor, study.space.initial());
+  const auto start = std::chrono::steady_clock::now();
+  (void)run_doe(plan, executor, journal);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  return static_cast<double>(plan.points.size()) / time.count();
+}
+
+int run() {
+  Table table("workers");
+  const correlation::Study study = study_of_folder("tire_b_twin");
+  double one = 0.0;
+  double two = 0.0;
+  for (int round = 0; round < kRounds; ++round) {
+    one = std::max(one, trials_a_second(study, 1));
+    two = std::max(two, trials_a_second(study, 2));
+  }
+  table.note("one worker", fmt::format("{:.3f} trials/s", one));
+  table.row("two workers against one",
+            fmt::format("{:.3f} trials/s, {:.2f} x", two, two / one),
+            fmt::format(">= {} x", kReach),
+            two >= kReach * one);
+  table.note("cores of this machine", fmt::format("{}", std::thread::hardware_concurrency()));
+  return table.exit_code();
+}
+
+}  // namespace
+}  // namespace latsch::benchmarks
+
+int main() { return latsch::benchmarks::run(); }
