@@ -30,11 +30,15 @@ struct Direction {
   double step;
 };
 
-/// The point the method wants next; `direction` is null for the start and for a model step.
-struct Next {
+constexpr int kNoDirection = -1;
+
+/// A point whose outcome the method waits for.
+struct Wanted {
   Eigen::VectorXd u;
   DesignPoint point;
-  int direction = -1;
+  double step;                   // for the sufficient decrease
+  int direction = kNoDirection;  // of set number `set`; none for the start and for a model step
+  int set = 0;
 };
 
 Eigen::VectorXd to_vector(const std::vector<double>& u) {
@@ -57,6 +61,7 @@ void check(const GssOptions& options) {
   if (!(options.sufficient_decrease >= 0.0)) {
     reject("sufficient decrease", options.sufficient_decrease, "0 or more");
   }
+  if (options.outstanding < 1) reject("outstanding", options.outstanding, "1 or more");
 }
 
 }  // namespace
@@ -69,20 +74,22 @@ struct Gss::State {
   double f = kInfinity;  // its value
   std::vector<Direction> directions;
   double length;  // the longest step: the one at which directions are being polled
+  int set = 0;    // number of the present set of directions
   int turn = 0;
   Eigen::VectorXd last_move;
   int successes = 0;  // in a row
 
   std::vector<Sample> samples;                     // finite values
   std::unordered_map<std::string, double> values;  // of all points, by their bits
-  bool model_is_new = false;  // something was learned since the last model step
-  std::optional<Next> next;   // nullopt: converged
+  bool model_is_new = false;   // something was learned since the last model step
+  std::vector<Wanted> wanted;  // in the order proposed; empty: converged
 
   State(const DesignSpace& s, const GssOptions& o)
       : space(s), options(o), x(to_vector(s.to_unit(s.initial()))), length(o.initial_step) {
     last_move = Eigen::VectorXd::Zero(x.size());
-    next = Next{x, space.initial()};
     start_poll();
+    wanted.push_back({x, space.initial(), length});
+    fill();
   }
 
   bool is_better(double value, double step) const {
@@ -95,6 +102,7 @@ struct Gss::State {
     for (const double u : x) {
       at.push_back(u <= 0.0 ? Bound::lower : u >= 1.0 ? Bound::upper : Bound::none);
     }
+    ++set;
     directions.clear();
     for (Eigen::VectorXd& d : generating_set(at, turn)) {
       directions.push_back({std::move(d), length});
@@ -124,19 +132,25 @@ struct Gss::State {
   }
 
   /// What the outcome of `tried` means for the search.
-  void take(const Next& tried, double value) {
-    const double step = tried.direction >= 0 ? directions[tried.direction].step : length;
-    if (is_better(value, step)) {
+  void take(const Wanted& tried, double value) {
+    if (is_better(value, tried.step)) {
       move_to(tried.u, value);
-      return;
+    } else if (tried.direction == kNoDirection) {
+      successes = 0;
+    } else if (tried.set == set) {
+      successes = 0;
+      contract(directions[tried.direction]);
     }
-    successes = 0;
-    if (tried.direction >= 0) contract(directions[tried.direction]);
   }
 
-  Next at(const Eigen::VectorXd& u, int direction) const {
+  Wanted at(const Eigen::VectorXd& u, double step) const {
     const Eigen::VectorXd inside = u.cwiseMax(0.0).cwiseMin(1.0);
-    return {inside, space.from_unit({inside.begin(), inside.end()}), direction};
+    return {inside, space.from_unit({inside.begin(), inside.end()}), step};
+  }
+
+  bool is_wanted(const DesignPoint& point) const {
+    return std::any_of(
+        wanted.begin(), wanted.end(), [&](const Wanted& w) { return w.point == point; });
   }
 
   /// Of f, or of f^2 where that is fitted better or as well, as it is around a minimum with kinks.
@@ -150,54 +164,75 @@ struct Gss::State {
     return of_f && of_f->misfit < kClearlyBetter * of_square->misfit ? of_f : of_square;
   }
 
-  std::optional<Next> model_step() const {
+  std::optional<Wanted> model_step() const {
     const double reach = kReach * length;
     const auto m = model(reach);
     if (!m) return std::nullopt;
-    Next step = at(x + minimize_in_ball(*m, reach), -1);
-    const auto near = [&](const Sample& s) { return (s.u - step.u).norm() < kNew * length; };
+    Wanted step = at(x + minimize_in_ball(*m, reach), length);
+    const auto near = [&](const auto& known) { return (known.u - step.u).norm() < kNew * length; };
     if (std::any_of(samples.begin(), samples.end(), near)) return std::nullopt;
+    if (std::any_of(wanted.begin(), wanted.end(), near)) return std::nullopt;
     if (values.contains(step.point.bits())) return std::nullopt;
     return step;
   }
 
-  /// The direction with the longest step; nullopt where it is below the tolerance.
-  std::optional<Next> poll_step() const {
-    const auto longest =
-        std::max_element(directions.begin(), directions.end(), [](const auto& a, const auto& b) {
-          return a.step < b.step;
-        });
-    if (longest->step < options.step_tolerance) return std::nullopt;
-    return at(x + longest->step * longest->d, static_cast<int>(longest - directions.begin()));
+  /// The direction with the longest step that is not being tried; nullopt where there is none or
+  /// its step is below the tolerance.
+  std::optional<Wanted> poll_step() const {
+    int longest = kNoDirection;
+    for (int i = 0; i < std::ssize(directions); ++i) {
+      const auto is_tried = [&](const Wanted& w) { return w.set == set && w.direction == i; };
+      if (std::any_of(wanted.begin(), wanted.end(), is_tried)) continue;
+      if (longest == kNoDirection || directions[i].step > directions[longest].step) longest = i;
+    }
+    if (longest == kNoDirection) return std::nullopt;
+    const Direction& direction = directions[longest];
+    if (direction.step < options.step_tolerance) return std::nullopt;
+    Wanted step = at(x + direction.step * direction.d, direction.step);
+    step.direction = longest;
+    step.set = set;
+    return step;
   }
 
-  /// Finds the next point that is not known yet.
-  void advance() {
+  /// The next point that is neither known nor wanted yet.
+  std::optional<Wanted> next() {
     if (std::exchange(model_is_new, false)) {
-      next = model_step();
-      if (next) return;
+      if (auto step = model_step()) return step;
     }
-    while ((next = poll_step())) {
-      if ((next->u - x).norm() < 0.5 * options.step_tolerance) {  // cut off at a bound
-        contract(directions[next->direction]);
+    while (auto step = poll_step()) {
+      const bool is_cut_off = (step->u - x).norm() < 0.5 * options.step_tolerance;  // at a bound
+      if (is_cut_off || is_wanted(step->point)) {
+        contract(directions[step->direction]);
         continue;
       }
-      const auto known = values.find(next->point.bits());
-      if (known == values.end()) return;
-      take(*next, known->second);
+      const auto known = values.find(step->point.bits());
+      if (known == values.end()) return step;
+      take(*step, known->second);
+    }
+    return std::nullopt;
+  }
+
+  void fill() {
+    while (std::ssize(wanted) < options.outstanding) {
+      auto step = next();
+      if (!step) return;
+      wanted.push_back(std::move(*step));
     }
   }
 
   void observe(const DesignPoint& point, double value) {
-    const bool is_next = next && next->point == point;
-    const Next tried = is_next ? *next : at(to_vector(space.to_unit(point)), -1);
+    const auto found = std::find_if(
+        wanted.begin(), wanted.end(), [&](const Wanted& w) { return w.point == point; });
+    const Wanted tried =
+        found != wanted.end() ? *found : at(to_vector(space.to_unit(point)), length);
+    if (found != wanted.end()) wanted.erase(found);
     values.insert_or_assign(point.bits(), value);
     if (value < kInfinity) {
       samples.push_back({tried.u, value});
       model_is_new = true;
     }
     take(tried, value);
-    if (is_next || f == value) advance();
+    fill();
   }
 };
 
@@ -211,14 +246,16 @@ Gss::~Gss() = default;
 std::vector<DesignPoint> Gss::propose(int count) const {
   assert(count >= 1);
   std::vector<DesignPoint> plan;
-  if (!state_->next) return plan;
-  plan.push_back(state_->next->point);
-  if (count == 1) return plan;
+  for (const Wanted& wanted : state_->wanted) {
+    if (std::ssize(plan) < count) plan.push_back(wanted.point);
+  }
+  if (plan.empty() || std::ssize(plan) == count) return plan;
   State future = *state_;
   while (std::ssize(plan) < count) {
-    future.observe(plan.back(), kInfinity);
-    if (!future.next) break;
-    plan.push_back(future.next->point);
+    future.observe(future.wanted.front().point, kInfinity);
+    if (future.wanted.empty()) break;
+    const DesignPoint& last = future.wanted.back().point;
+    if (std::find(plan.begin(), plan.end(), last) == plan.end()) plan.push_back(last);
   }
   return plan;
 }
@@ -227,6 +264,6 @@ void Gss::observe(const DesignPoint& point, const Result<Score>& outcome) {
   state_->observe(point, outcome ? outcome->value : kInfinity);
 }
 
-bool Gss::converged() const { return !state_->next; }
+bool Gss::converged() const { return state_->wanted.empty(); }
 
 }  // namespace latsch

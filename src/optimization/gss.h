@@ -20,8 +20,10 @@
 // absolute residuals needs. Such a sum grows from its minimum like a norm, so the model is one of
 // f^2, which a quadratic fits at both sides of the kinks; where values are negative it is one of f.
 //
-// An outcome that is a Failure counts as infinite and stays out of the model. Speculation assumes
-// that the outcomes it waits for bring nothing.
+// It is asynchronous: `outstanding` points are under way at any time, whatever the number of
+// workers; each was chosen with the outcomes known then, and each counts when its turn comes, also
+// where x has moved on meanwhile. An outcome that is a Failure counts as infinite and stays out of
+// the model. Speculation assumes that the outcomes it waits for bring nothing.
 #pragma once
 
 #include <memory>
@@ -38,6 +40,10 @@ struct GssOptions {
   double step_tolerance = 1e-3;
   double contraction = 0.5;
   double sufficient_decrease = 0.01;  // alpha
+  /// Points the method decides on before it knows the outcome of the first of them: part of the
+  /// method, so that its trajectory does not depend on the workers. 1 needs the fewest evaluations,
+  /// as many as there are workers the least time.
+  int outstanding = 2;
 };
 
 class Gss : public Optimizer {
