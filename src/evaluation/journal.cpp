@@ -9,7 +9,6 @@
 #include <cassert>
 #include <ctime>
 #include <optional>
-#include <sstream>
 
 #include "base/error.h"
 #include "evaluation/encoding.h"
@@ -68,45 +67,6 @@ std::uint64_t hash_of(const StudyIdentity& identity) {
   std::uint64_t state = kHashStart;
   for (const IdentityPart& part : identity) state = hash_of(part, state);
   return state;
-}
-
-/// "line 12: it has `a`, the study has `b`", for the first line that differs.
-std::string first_difference(const std::string& journal, const std::string& study) {
-  std::istringstream theirs(journal);
-  std::istringstream ours(study);
-  for (int line = 1;; ++line) {
-    std::string a, b;
-    const bool more_a = static_cast<bool>(std::getline(theirs, a));
-    const bool more_b = static_cast<bool>(std::getline(ours, b));
-    if (!more_a && !more_b) return "its line ends";
-    if (a == b && more_a == more_b) continue;
-    return fmt::format("line {}: the journal has `{}`, the study has `{}`",
-                       line,
-                       more_a ? a : "(end)",
-                       more_b ? b : "(end)");
-  }
-}
-
-/// What differs between the study of the journal and the one at hand; nullopt where nothing does.
-std::optional<std::string> difference(const StudyIdentity& journal, const StudyIdentity& study) {
-  const auto find = [](const StudyIdentity& identity, const std::string& name) {
-    for (const IdentityPart& part : identity) {
-      if (part.name == name) return &part;
-    }
-    return static_cast<const IdentityPart*>(nullptr);
-  };
-  for (const IdentityPart& part : study) {
-    const IdentityPart* other = find(journal, part.name);
-    if (!other) return fmt::format("it has no \"{}\"", part.name);
-    if (other->text != part.text) {
-      return fmt::format(
-          "\"{}\" differs in {}", part.name, first_difference(other->text, part.text));
-    }
-  }
-  for (const IdentityPart& part : journal) {
-    if (!find(study, part.name)) return fmt::format("it has \"{}\", the study has not", part.name);
-  }
-  return std::nullopt;
 }
 
 }  // namespace

@@ -13,19 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/study_identity.h"
 #include "evaluation/trial.h"
 
 namespace latsch {
-
-/// One named text that the channels of a trial depend on: the model's file, the load cases, the
-/// paths that vary.
-struct IdentityPart {
-  std::string name;
-  std::string text;
-
-  bool operator==(const IdentityPart&) const = default;
-};
-using StudyIdentity = std::vector<IdentityPart>;
 
 /// The journal cannot be written or is damaged: the disk is full, a row does not agree with its
 /// hash.

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which study a journal belongs to, as texts, so that a difference can be told in words.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace latsch {
+
+/// One named text that the channels of a trial depend on: the model's file, the load cases, the
+/// paths that vary.
+struct IdentityPart {
+  std::string name;
+  std::string text;
+
+  bool operator==(const IdentityPart&) const = default;
+};
+using StudyIdentity = std::vector<IdentityPart>;
+
+/// What differs between the study of a journal and the one at hand, naming the part and the line;
+/// nullopt where nothing does.
+std::optional<std::string> difference(const StudyIdentity& journal, const StudyIdentity& study);
+
+}  // namespace latsch
