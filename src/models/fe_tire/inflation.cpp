@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "models/fe_tire/sector.h"
 
@@ -12,7 +13,9 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr double kTolerance =
-    1e-10;                      // cheap to reach here, and everything after builds on this state
+    1e-10;  // cheap to reach here, and everything after builds on this state
+constexpr double kRoundOff =
+    1e-7;  // below this a residual that no longer falls is round-off of stiff walls
 constexpr int kFirstSteps = 4;  // cords go taut in the first step, while the tire is still soft
 constexpr int kMaxHalvings = 6;
 constexpr int kMaxBacktracks = 8;
@@ -55,11 +58,14 @@ bool newton(const Ring& ring,
     why = fmt::format("section element {} is inverted", worst);
     return false;
   }
+  double last = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < max_iterations; ++iteration) {
-    if (f.norm() <= kTolerance * reference) {
+    const bool stalled = f.norm() <= kRoundOff * reference && f.norm() > 0.5 * last;
+    if (f.norm() <= kTolerance * reference || stalled) {
       state = now;
       return true;
     }
+    last = f.norm();
     const Eigen::VectorXd d = newton_direction(tangent, f);
     const double slope = std::abs(d.dot(f)), norm = f.norm();
     double s = 1.0;
@@ -70,6 +76,10 @@ bool newton(const Ring& ring,
           assemble_sector(ring, materials, trial.x, pressure, trial.alpha, f, &tangent, &worst);
       if (valid && (f.norm() < norm || std::abs(d.dot(f)) < 0.9 * slope)) break;
       if (back == kMaxBacktracks) {
+        if (norm <= kRoundOff * reference) {
+          state = now;
+          return true;
+        }
         why = valid ? fmt::format("residual {:.3g} N a sector does not fall", norm)
                     : fmt::format("section element {} is inverted", worst);
         return false;
