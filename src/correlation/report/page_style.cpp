@@ -140,11 +140,13 @@ canvas { display: block; width: 100%; touch-action: pan-y; cursor: grab; }
 canvas.large { aspect-ratio: 13 / 11; }
 .modes canvas { aspect-ratio: 1; }
 .bar {
-  display: flex; align-items: center; gap: 10px; font-size: 13px; color: var(--soft);
-  margin: 4px 0;
+  display: grid; grid-template-columns: repeat(3, 1fr); width: 260px; font-size: 13px;
+  color: var(--soft); margin: 6px 0;
 }
+.bar span:nth-of-type(2) { text-align: center; }
+.bar span:nth-of-type(3) { text-align: right; }
 .bar i {
-  flex: 0 0 220px; height: 11px;
+  grid-column: 1 / 4; height: 11px;
   background: linear-gradient(90deg, #440154, #482475, #414487, #355f8d, #2a788e, #21918c,
     #22a884, #44bf70, #7ad151, #bddf26, #fde725);
   print-color-adjust: exact; -webkit-print-color-adjust: exact;

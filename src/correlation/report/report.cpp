@@ -143,10 +143,11 @@ std::string loaded_figure(const TirePictures& pictures) {
       "<canvas class=\"tire large\" data-state=\"0\" data-yaw=\"0\" data-pitch=\"0.04\" "
       "role=\"img\" "
       "aria-label=\"Deformed tire from the side\"></canvas></div>"
-      "<div class=\"bar\">0<i></i>{} mm</div>"
+      "<div class=\"bar\"><i></i><span>0</span><span>{} mm</span><span>{} mm</span></div>"
       "<figcaption>Displacement from the inflated state. Drag to turn.</figcaption></figure>\n",
       fixed(point.Fz, 0),
       fixed(1e3 * point.deflection, 1),
+      fixed(0.25e3 * largest, 1),  // colors go with the root: most of the tire hardly moves
       fixed(1e3 * largest, 1));
 }
 

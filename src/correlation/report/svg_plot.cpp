@@ -212,7 +212,7 @@ void draw_frame(Svg& svg,
                 FrameOptions options) {
   const double left = x.first_pixel(), right = x.last_pixel(), bottom = y.first_pixel(),
                top = y.last_pixel();
-  for (const auto& tick : x.ticks()) {
+  for (const auto& tick : x.ticks(options.x_spacing)) {
     const double px = x.at(tick.value);
     svg.line({px, top}, {px, bottom}, "class=\"grid\"");
     if (options.label_x) svg.text({px, bottom + 16}, tick.label, Anchor::middle);

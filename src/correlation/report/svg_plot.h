@@ -86,7 +86,8 @@ class Axis {
 
 struct FrameOptions {
   bool label_x = true;      // false: another frame below carries the numbers
-  double y_spacing = 40.0;  // pixels between ticks, about
+  double x_spacing = 60.0;  // pixels between ticks, about
+  double y_spacing = 40.0;
 };
 
 /// Ticks, grid lines and titles around a rectangle of two axes. Titles name the quantity and the

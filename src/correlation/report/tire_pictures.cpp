@@ -237,7 +237,7 @@ std::string patch_picture(const fe_tire::ContactPatch& patch) {
   const Axis y(box.min().y(), box.max().y(), bottom, window.corner.y());
   const Axis kPa = Axis::around({0.0, highest / 1e3}, bottom, window.corner.y(), true);
   Svg svg(right + 120, bottom + 46, "Contact pressure");
-  draw_frame(svg, x, y, "x, forward [mm]", "y, left [mm]");
+  draw_frame(svg, x, y, "x, forward [mm]", "y, left [mm]", {.x_spacing = 40.0});
   for (size_t i = 0; i < patch.points.size(); ++i) {
     const auto& p = patch.points[i];
     const Eigen::Vector2d size = cells[i].sizes() * window.scale;

@@ -134,7 +134,8 @@ std::string_view viewer_script() {
       const facing = Math.abs(0.35 * nx - 0.6 * ny + 0.72 * nz) / (Math.hypot(nx, ny, nz) || 1);
       const light = 0.7 + 0.3 * facing;
       const value = v.reduce((sum, k) => sum + this.color[k / 3], 0) / 4;
-      const rgb = viridis(value / this.highest).map(c => Math.round(c * light));
+      const part = value / this.highest;
+      const rgb = viridis(this.swing ? part : Math.sqrt(part)).map(c => Math.round(c * light));
       g.fillStyle = "rgb(" + rgb + ")";
       g.strokeStyle = "rgba(0,0,0,0.22)";
       g.beginPath();
