@@ -16,6 +16,7 @@
 #include "base/document.h"
 #include "experiment/discretization.h"
 #include "models/fe_tire/fe_tire.h"
+#include "models/fe_tire/reference_tires.h"
 #include "models/fe_tire/tire_description.h"
 #include "table.h"
 
@@ -132,8 +133,10 @@ int run() {
                         b = shipped("passenger_225_50R16.toml");
   compare_modes("tire B", b, table);
   compare_modes("tire A", a, table);
-  study("tire B", b, table);
-  study("tire A", a, table);
+  study("tire B, smeared", reference_tire_b(), table);
+  study("tire A, smeared", reference_tire_a(), table);
+  study("tire B, rebars", b, table);
+  study("tire A, rebars", a, table);
   return table.exit_code();
 }
 

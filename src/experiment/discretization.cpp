@@ -105,7 +105,7 @@ Result<std::vector<DiscretizationRow>> refine(
   for (int r : refinements) {
     fe_tire::SolverSettings solver;
     solver.element = settings.element;
-    FeTire model(fe_tire::build_mesh(tire, r), fe_tire::build_materials(tire), solver);
+    FeTire model(fe_tire::build_mesh(tire, r), fe_tire::build_materials(tire, r), solver);
     if (progress) {
       progress(fmt::format("{}: {} x refined, {} elements, {} unknowns",
                            what,

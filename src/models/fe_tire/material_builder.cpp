@@ -27,19 +27,19 @@ Matrix6 isotropic(double G, double K) {
   return D;
 }
 
-/// What a column of the unrefined section is like in its middle.
+/// What a column of elements is like in its middle.
 struct Column {
   double r = 0.0;              // m, of the reference line
   double thickness = 0.0;      // m, inside the reference line
   Eigen::Vector3d meridional;  // (radial, circumferential, axial), toward the -y bead
 };
 
-Column column_of(const TireDescription& tire, const Contour& line, const SectionPlan& plan, int i) {
-  const auto end = [&](int j) { return 2.0 * j / plan.columns() - 1.0; };
+Column column_of(const TireDescription& tire, const Contour& line, int i, int columns) {
+  const auto end = [&](int j) { return 2.0 * j / columns - 1.0; };
   const MeridianPoint a = line.tangent(end(i)), b = line.tangent(end(i + 1));
   const ThicknessProfile& inside = tire.section.inside;
   Column column;
-  column.r = line.point(plan.middle(i)).r;
+  column.r = line.point((2.0 * i + 1.0) / columns - 1.0).r;
   column.thickness = 0.5 * (inside.at(std::abs(end(i))) + inside.at(std::abs(end(i + 1))));
   column.meridional = Eigen::Vector3d(a.r + b.r, 0.0, -a.y - b.y).normalized();
   return column;
@@ -71,26 +71,35 @@ StVenantKirchhoff smear(const Hyperelastic& rubber,
 
 }  // namespace
 
-Materials build_materials(const TireDescription& tire) {
+Materials build_materials(const TireDescription& tire, int refinement) {
   const SectionPlan plan(tire);
   const Contour line(tire.section.contour);
   const double r_crown = line.point(0.0).r;
+  const auto cords_of = [&](int column, double r) {
+    std::vector<CordLayer> cords;
+    for (const auto& here : plan.plies(column)) {
+      cords.push_back(cords_at(tire.plies[here.ply], r, r_crown));
+    }
+    return cords;
+  };
 
   Materials materials;
   for (const RubberRegion& region : tire.regions) {
     const Rubber& rubber = tire.rubbers[region.rubber];
     materials.solids.push_back({rubber.law, rubber.density});
   }
-  for (int i = 0; i < plan.columns(); ++i) {
-    const Column column = column_of(tire, line, plan, i);
-    std::vector<CordLayer> cords;
-    for (const auto& here : plan.plies(i))
-      cords.push_back(cords_at(tire.plies[here.ply], column.r, r_crown));
-    if (tire.cord_model == CordModel::rebar) {
+  if (tire.cord_model == CordModel::rebar) {
+    for (int i = 0; i < plan.columns(); ++i) {
+      const auto cords = cords_of(i, column_of(tire, line, i, plan.columns()).r);
       materials.layers.insert(materials.layers.end(), cords.begin(), cords.end());
-      continue;
     }
-    const Rubber& rubber = tire.rubbers[tire.regions[plan.region(i, 0)].rubber];
+    return materials;
+  }
+  // Smeared cords lie along the wall where they are: a refined column has a direction of its own.
+  for (int i = 0; i < refinement * plan.columns(); ++i) {
+    const Column column = column_of(tire, line, i, refinement * plan.columns());
+    const auto cords = cords_of(i / refinement, column.r);
+    const Rubber& rubber = tire.rubbers[tire.regions[plan.region(i / refinement, 0)].rubber];
     double density = rubber.density;
     for (const CordLayer& c : cords) density += c.density * c.thickness / column.thickness;
     materials.solids.push_back({smear(rubber.law, column, cords), density});

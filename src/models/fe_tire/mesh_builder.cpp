@@ -61,7 +61,7 @@ class MeshBuilder {
       e.node[4 * top + 3] = node(i + 1, k + top);
     }
     const int column = i / r_, row = k / r_;
-    e.solid = plan_.solid(column, row);
+    e.solid = plan_.solid(column, row, i);
     e.region = plan_.region(column, row);
     e.inner = k == 0;
     e.layer_rows = r_ * (plan_.inside(row) ? section_.rows_inside : section_.rows_outside);

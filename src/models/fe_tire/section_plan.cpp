@@ -38,8 +38,8 @@ int SectionPlan::region(int column, int row) const {
   return found;
 }
 
-int SectionPlan::solid(int column, int row) const {
-  if (smeared(row)) return static_cast<int>(tire_.regions.size()) + column;
+int SectionPlan::solid(int column, int row, int refined_column) const {
+  if (smeared(row)) return static_cast<int>(tire_.regions.size()) + refined_column;
   return region(column, row);
 }
 

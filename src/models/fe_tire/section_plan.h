@@ -22,8 +22,9 @@ class SectionPlan {
 
   /// Index into TireDescription::regions. Throws InputError where no region or two are.
   int region(int column, int row) const;
-  /// Index into Materials::solids: regions first, then the smeared columns.
-  int solid(int column, int row) const;
+  /// Index into Materials::solids: regions first, then the smeared columns, which are
+  /// `refined_column`s.
+  int solid(int column, int row, int refined_column) const;
   bool smeared(int row) const { return tire_.cord_model == CordModel::smeared && inside(row); }
 
   /// A ply crossing a column, with its index into Materials::layers.

@@ -98,8 +98,8 @@ TireDescription read_tire(const Node& root);
 /// Throws InputError naming the element where the section folds over.
 Mesh build_mesh(const TireDescription& tire, int refinement = 1);
 
-/// The materials in the numbering of build_mesh; cheap, for every trial.
-Materials build_materials(const TireDescription& tire);
+/// The materials in the numbering of build_mesh with the same refinement; cheap, for every trial.
+Materials build_materials(const TireDescription& tire, int refinement = 1);
 
 /// Whether both give the same mesh, so that what was prepared for one serves the other.
 bool same_mesh(const TireDescription& a, const TireDescription& b);
