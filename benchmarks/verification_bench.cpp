@@ -133,7 +133,12 @@ int run() {
                         b = shipped("passenger_225_50R16.toml");
   compare_modes("tire B", b, table);
   compare_modes("tire A", a, table);
-  study("tire B, smeared", reference_tire_b(), table);
+  // The deck of tire B holds the outer half of the bead: its stiff inner half then hangs on an
+  // edge, a singularity that spoils the convergence of any element. Held by the inner half it has
+  // as many unknowns and no such edge.
+  TireDescription b_smeared = reference_tire_b();
+  b_smeared.section.clamp = BeadClamp::inside;
+  study("tire B, smeared", b_smeared, table);
   study("tire A, smeared", reference_tire_a(), table);
   study("tire B, rebars", b, table);
   study("tire A, rebars", a, table);
