@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,6 +19,7 @@ namespace latsch::report {
 namespace {
 
 constexpr int kBands = 14;
+constexpr double kEverything = -1e300;
 constexpr int kFineCells = 40;  // about so many along each side
 constexpr double kLeft = 82, kRight = 492, kTop = 26, kBottom = 376;
 
@@ -61,6 +63,9 @@ class SurfacePlot {
  private:
   void cut_into_quads();
   void fill_bands();
+  double level(int band) const;
+  std::string region_above(double level) const;
+  std::string contour(double level) const;
   void mark_points();
   void mark(const Eigen::Vector2d& si, std::string_view words, bool cross);
   std::string describe(int i, int j) const;
@@ -125,32 +130,70 @@ void SurfacePlot::cut_into_quads() {
   }
 }
 
+double SurfacePlot::level(int band) const {
+  const double part = static_cast<double>(band) / kBands;
+  const double percents = levels_.logarithmic()
+                              ? levels_.lower() * std::pow(levels_.upper() / levels_.lower(), part)
+                              : levels_.lower() + part * (levels_.upper() - levels_.lower());
+  return 0.01 * percents;
+}
+
+/// Everything above the level as one path; whole quads in a row become one rectangle.
+std::string SurfacePlot::region_above(double level) const {
+  std::string region;
+  Eigen::AlignedBox2d run;
+  const auto finish_run = [&] {
+    if (run.isEmpty()) return;
+    region += fmt::format("M{:.1f} {:.1f}h{:.1f}v{:.1f}h{:.1f}z",
+                          run.min().x(),
+                          run.min().y(),
+                          run.sizes().x(),
+                          run.sizes().y(),
+                          -run.sizes().x());
+    run.setEmpty();
+  };
+  for (const auto& quad : quads_) {
+    const auto polygon = part_above(quad, level);
+    if (polygon.size() < 3) continue;
+    const bool whole = std::all_of(
+        quad.begin(), quad.end(), [level](const Corner& c) { return c.value >= level; });
+    if (whole) {
+      const bool joins = !run.isEmpty() && std::abs(run.min().x() - quad[0].at.x()) < 1e-6 &&
+                         std::abs(run.min().y() - quad[0].at.y()) < 1e-6;
+      if (!joins) finish_run();
+      run.extend(quad[0].at);
+      run.extend(quad[2].at);
+      continue;
+    }
+    for (size_t k = 0; k < polygon.size(); ++k) {
+      region += fmt::format("{}{:.1f} {:.1f}", k == 0 ? "M" : "L", polygon[k].x(), polygon[k].y());
+    }
+    region += "z";
+  }
+  finish_run();
+  return region;
+}
+
+std::string SurfacePlot::contour(double level) const {
+  std::string line;
+  for (const auto& quad : quads_) {
+    const auto ends = crossing(quad, level);
+    if (ends.empty()) continue;
+    line += fmt::format(
+        "M{:.1f} {:.1f}L{:.1f} {:.1f}", ends[0].x(), ends[0].y(), ends[1].x(), ends[1].y());
+  }
+  return line;
+}
+
 /// Band over band, each the whole region above its lower level: no gaps between neighbors.
 void SurfacePlot::fill_bands() {
   for (int band = 0; band < kBands; ++band) {
-    const double part = static_cast<double>(band) / kBands;
-    const double level = levels_.logarithmic()
-                             ? levels_.lower() * std::pow(levels_.upper() / levels_.lower(), part)
-                             : levels_.lower() + part * (levels_.upper() - levels_.lower());
-    std::string region, line;
-    for (const auto& quad : quads_) {
-      const auto polygon = part_above(quad, band == 0 ? -1e300 : 0.01 * level);
-      if (polygon.size() < 3) continue;
-      for (size_t k = 0; k < polygon.size(); ++k) {
-        region +=
-            fmt::format("{}{:.1f} {:.1f}", k == 0 ? "M" : "L", polygon[k].x(), polygon[k].y());
-      }
-      region += "Z";
-      const auto ends = crossing(quad, 0.01 * level);
-      if (band > 0 && ends.size() == 2) {
-        line += fmt::format(
-            "M{:.1f} {:.1f}L{:.1f} {:.1f}", ends[0].x(), ends[0].y(), ends[1].x(), ends[1].y());
-      }
-    }
+    const bool lowest = band == 0;
+    const std::string region = region_above(lowest ? kEverything : level(band));
     const std::string color = viridis((band + 0.5) / kBands);
-    if (!region.empty())
-      svg_.path(region, fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.6\"", color));
-    if (!line.empty()) svg_.path(line, "class=\"contour\"");
+    if (region.empty()) continue;
+    svg_.path(region, fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.6\"", color));
+    if (!lowest) svg_.path(contour(level(band)), "class=\"contour\"");
   }
 }
 
