@@ -1,11 +1,10 @@
 # What Latsch stands on; Debian 12 packages, installed by tools/install_packages.sh from these lines:
 # apt: g++ cmake ninja-build python3
-# apt: libfmt-dev libspdlog-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
+# apt: libfmt-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
 # apt: libsqlitecpp-dev libsqlite3-dev libudunits2-dev libopenblas-serial-dev libmumps-seq-dev libmetis-dev
 # Tests and benchmarks compare with these independent programs; the product does not use them:
 # apt: libgtest-dev calculix-ccx python3-scipy python3-numpy
 find_package(fmt REQUIRED)
-find_package(spdlog REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
