@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch check: reads a study, its model and its measurements, and says what it understood.
+#include <fmt/format.h>
+
+#include "cli/tables.h"
+#include "cli/verbs.h"
+#include "correlation/study.h"
+#include "correlation/variables.h"
+#include "experiment/tire_rig.h"
+#include "models/fe_tire/tire_description.h"
+
+namespace latsch::cli {
+namespace {
+
+using correlation::Study;
+using correlation::StudyExperiment;
+
+constexpr double kFarSensor =
+    0.02;  // m between a measured point and the nearest point of the model
+
+std::string what(const experiment::LoadDeflection& test) {
+  const bool radii = !test.loaded_radii.empty();
+  return fmt::format("load-deflection at {:.4g} bar, {} {}{}",
+                     test.pressure / 1e5,
+                     radii ? test.loaded_radii.size() : test.deflections.size(),
+                     radii ? "loaded radii" : "deflections",
+                     test.ground.mu > 0.0 ? fmt::format(", friction {:.3g}", test.ground.mu) : "");
+}
+
+std::string what(const experiment::ModalTest& test) {
+  std::string state = "unloaded";
+  if (test.deflection) state = fmt::format("pressed {:.4g} mm", *test.deflection * 1e3);
+  if (test.load) state = fmt::format("under {:.4g} N", *test.load);
+  return fmt::format("modes at {:.4g} bar, {}, {} lowest simulated, {}",
+                     test.pressure / 1e5,
+                     state,
+                     test.count,
+                     test.points.cols() > 0 ? fmt::format("shapes at {} points", test.points.cols())
+                                            : "no shapes: paired by label");
+}
+
+void print_experiment(const StudyExperiment& experiment, const fe_tire::Mesh& mesh) {
+  const auto& test = experiment.load_case.test;
+  fmt::print("  {:<16} {}; {} values from {}; {}, weight {:g}, exponent {:g}\n",
+             experiment.name,
+             std::visit([](const auto& t) { return what(t); }, test),
+             experiment.modal() ? experiment.modes.size() : experiment.forces.size(),
+             experiment.measurement_file.filename().string(),
+             experiment.fitted ? "fitted" : "predicted",
+             experiment.objective.weight,
+             experiment.objective.exponent);
+  if (const auto* modal = std::get_if<experiment::ModalTest>(&test);
+      modal && modal->points.cols()) {
+    const double distance = experiment::nearest_sensors(mesh, modal->points).largest_distance;
+    if (distance > kFarSensor) {
+      fmt::print("  {:<16} a measured point lies {:.0f} mm from the outer surface of the model\n",
+                 "",
+                 distance * 1e3);
+    }
+  }
+}
+
+void check(const std::string& file) {
+  const Study study = correlation::read_study(file);
+  const Document initial = correlation::at(study.model, study.space, study.space.initial());
+  const auto tire = fe_tire::read_tire(initial.root());
+  const fe_tire::Mesh mesh = fe_tire::build_mesh(tire);
+
+  fmt::print(
+      "{}\n\nModel {}: {}, {}\n  {} HEX8, {} nodes, {} free degrees of freedom, {} sectors\n",
+      study.title,
+      study.model_file.string(),
+      tire.name,
+      tire.size,
+      mesh.element_count(),
+      mesh.nodes(),
+      mesh.free_dofs(),
+      mesh.sectors);
+  fmt::print("\nVariables\n");
+  print_variables(study.space);
+  fmt::print("\nExperiments\n");
+  for (const StudyExperiment& experiment : study.experiments) print_experiment(experiment, mesh);
+  fmt::print(
+      "\nOptimizer gss: initial step {:g}, step tolerance {:g}, at most {} steps\n"
+      "Workers {}, {:g} s a trial at most, journal {}\n"
+      "\nEverything is in order. Next: latsch run {}\n",
+      study.gss.initial_step,
+      study.gss.step_tolerance,
+      study.max_steps,
+      study.run.workers,
+      study.run.timeout,
+      study.run.journal.string(),
+      file);
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int&) {
+  auto* verb = app.add_subcommand(
+      "check", "Reads a study, its model and its measurements, and says what it understood");
+  verb->footer("Example:\n  latsch check studies/tire_b_twin/study.toml");
+  auto file = std::make_shared<std::string>();
+  verb->add_option("study", *file, "Study file (TOML)")->required();
+  verb->callback([file] { check(*file); });
+}
+
+}  // namespace latsch::cli

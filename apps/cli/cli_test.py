@@ -1,0 +1,192 @@
+#!/usr/bin/env python3
+"""The program end to end on a coarse tire: new, export, check, simulate, doe, run, kill, resume, report; and bad input.
+
+    cli_test.py PATH/TO/latsch
+"""
+import pathlib
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+LATSCH = sys.argv.pop(1) if len(sys.argv) > 1 else "latsch"
+
+DONE, FAILED, WRONG_INPUT = 0, 1, 2
+
+
+def edit(file, *replacements):
+    text = file.read_text()
+    for pattern, new in replacements:
+        text, count = re.subn(pattern, new, text)
+        assert count, f"{pattern} is not in {file}"
+    file.write_text(text)
+
+
+class Coarse(unittest.TestCase):
+    """A study that `latsch new` wrote, on a few hundred elements, with measurements from the model itself."""
+
+    template = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.base = pathlib.Path(tempfile.mkdtemp(prefix="latsch_cli_"))
+        folder = cls.base / "template"
+        subprocess.run([LATSCH, "new", folder], check=True, stdout=subprocess.DEVNULL)
+        edit(folder / "tire.toml", ("meridional = .*", "meridional = 14"), ("sectors = .*", "sectors = 16"),
+             ('young_modulus = "4 MPa"', 'young_modulus = "5 MPa"'))  # both sidewalls alike, as the variable has them
+        edit(folder / "study.toml",
+             (r"values = \[5, .*\]}", "values = [6, 12]}"),
+             ("measured_modes = 10", "measured_modes = 6"),
+             ("step_tolerance = .*", "step_tolerance = 0.05"),
+             (r"\[variable.belt\]\n(.+\n)*", ""))
+        for name in ("stiffness.csv", "modes.csv"):
+            (folder / name).unlink()
+        subprocess.run([LATSCH, "export", folder / "study.toml", "--measurements"], check=True,
+                       stdout=subprocess.DEVNULL)
+        edit(folder / "study.toml", ('initial = "5 N/mm.2"', 'initial = "8 N/mm^2"'))
+        cls.template = folder
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.base)
+
+    def setUp(self):
+        self.folder = self.base / self._testMethodName
+        shutil.copytree(self.template, self.folder)
+        self.study = self.folder / "study.toml"
+
+    def latsch(self, *arguments, code=DONE, **options):
+        run = subprocess.run([LATSCH, *arguments], capture_output=True, text=True, timeout=300, **options)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return run.stdout + run.stderr
+
+    def assert_says(self, text, *parts):
+        for part in parts:
+            self.assertIn(part, text)
+
+
+class GoodInput(Coarse):
+    def test_check_says_what_it_understood(self):
+        self.assert_says(self.latsch("check", self.study), "sidewall", "8 N/mm^2", "HEX8", "load-deflection at 2.4 bar",
+                         "2 values from stiffness.csv", "Everything is in order")
+
+    def test_simulate_prints_forces_and_modes(self):
+        text = self.latsch("simulate", self.study, "--set", "sidewall=6 N/mm^2")
+        self.assert_says(text, "6 N/mm^2", "measured N", "measured Hz", "mean |dF|", "mean |df|", "target")
+
+    def test_a_twin_is_perfect_at_the_values_it_was_written_with(self):
+        text = self.latsch("simulate", self.study, "--set", "sidewall=5 N/mm^2")
+        self.assertLess(float(re.search(r"target ([\d.]+) %", text)[1]), 0.001)
+
+    def test_run_ends_with_result_and_report(self):
+        text = self.latsch("run", self.study)
+        self.assert_says(text, "Best of", "target", "sidewall", "Report: ")
+        report = pathlib.Path(re.search(r"Report: (.*)", text)[1])
+        self.assertIn("<html", report.read_text()[:500])
+        self.assert_says(self.latsch("report", self.study), str(report))
+
+    def test_killed_and_resumed_gives_the_same_result(self):
+        whole = self.latsch("run", self.study)
+        (self.folder / "study.latsch").unlink()
+        run = subprocess.Popen([LATSCH, "run", self.study], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(1.5)
+        run.kill()
+        run.wait()
+        resumed = self.latsch("resume", self.study)
+        self.assert_says(resumed, "finished trials are reused")
+        result = re.compile(r"Best of .*?\n\nReport", re.S)
+        self.assertEqual(result.search(whole)[0], result.search(resumed)[0])
+
+    def test_interrupted_says_how_to_go_on(self):
+        run = subprocess.Popen([LATSCH, "run", self.study], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        time.sleep(1.0)
+        run.send_signal(signal.SIGINT)
+        text, _ = run.communicate(timeout=10)
+        self.assertEqual(run.returncode, FAILED)
+        self.assert_says(text, "Interrupted", "latsch resume")
+
+    def test_a_run_reuses_what_a_grid_evaluated(self):
+        self.assert_says(self.latsch("doe", self.study, "--levels", "3"), "of 9 points succeeded", "Report: ")
+        self.assert_says(self.latsch("run", self.study), "9 finished trials are reused")
+
+    def test_export_writes_files_for_other_programs(self):
+        tire, vtu, deck = (self.folder / name for name in ("identified.toml", "tire.vtu", "tire.inp"))
+        self.latsch("export", self.study, "--tire", tire, "--vtu", vtu, "--ccx", deck, "--deflection", "8 mm",
+                    "--modes", "3")
+        self.assert_says(self.latsch("mesh", tire), "HEX8", "kg")
+        self.assertIn("VTKFile", vtu.read_text()[:200])
+        self.assertIn("*NODE", deck.read_text().upper())
+
+    def test_every_verb_has_help_with_an_example(self):
+        for verb in ("new", "check", "mesh", "simulate", "doe", "run", "resume", "report", "export"):
+            self.assert_says(self.latsch(verb, "--help"), "xample", f"latsch {verb}")
+
+
+class BadInput(Coarse):
+    def rejected(self, verb, *parts):
+        text = self.latsch(verb, self.study, code=WRONG_INPUT)
+        self.assert_says(text, *parts)
+
+    def test_negative_thickness(self):
+        edit(self.folder / "tire.toml", (r'\[0.0, "6 mm"\]', '[0.0, "-6 mm"]'))
+        self.rejected("check", "tire.toml", "thickness")
+
+    def test_cord_angle_in_newtons(self):
+        edit(self.folder / "tire.toml", ('angle = "24 deg"', 'angle = "22 N"'))
+        self.rejected("check", "tire.toml", 'layer.belt_1.angle is "22 N"', "deg")
+
+    def test_inverted_mesh(self):
+        edit(self.folder / "tire.toml", (r"\[67, 303.5\], \[84, 298\]", "[84, 303.5], [67, 304]"))
+        self.rejected("check", "tire.toml", "contour")
+
+    def test_path_that_does_not_exist(self):
+        edit(self.study, ("layer.carcass.young_modulus", "layer.carcas.young_modulus"))
+        self.rejected("check", "study.toml", "variable.carcass.path", "layer.carcass.young_modulus")
+
+    def test_empty_measurement(self):
+        (self.folder / "stiffness.csv").write_text("")
+        self.rejected("check", "stiffness.csv")
+
+    def test_nan_in_a_measurement(self):
+        (self.folder / "stiffness.csv").write_text("deflection [mm], force [N]\n6, nan\n")
+        self.rejected("check", "stiffness.csv:2")
+
+    def test_study_that_does_not_exist(self):
+        self.study.unlink()
+        self.rejected("run", "study.toml")
+
+    def test_nothing_to_resume(self):
+        self.rejected("resume", "nothing to resume", "latsch run")
+
+    def test_journal_of_another_study(self):
+        self.latsch("doe", self.study, "--levels", "2")
+        edit(self.folder / "tire.toml", ('angle = "24 deg"', 'angle = "26 deg"'))
+        self.rejected("resume", "study.latsch", "model")
+
+    def test_unknown_variable_on_the_command_line(self):
+        text = self.latsch("simulate", self.study, "--set", "sidewal=5 MPa", code=WRONG_INPUT)
+        self.assert_says(text, "sidewal", "did you mean", "sidewall")
+
+    def test_pressure_that_the_wall_does_not_bear(self):
+        edit(self.study, ('pressure = "2.4 bar"', 'pressure = "900 bar"'))
+        text = self.latsch("simulate", self.study, code=FAILED)
+        self.assert_says(text, "experiment", "900 bar")
+
+    def test_full_disk(self):
+        def small_files():  # every file ends at 40 kB, as on a disk that is full
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (40_000, 40_000))
+
+        text = self.latsch("run", self.study, code=FAILED, preexec_fn=small_files)
+        self.assert_says(text, "study.latsch")
+        resumed = self.latsch("resume", self.study)  # nothing that was finished is lost or spoiled
+        self.assert_says(resumed, "Best of")
+
+
+if __name__ == "__main__":
+    unittest.main()

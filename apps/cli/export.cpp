@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch export: the tire for other programs, the identified tire, and measurements written from
+// the model itself.
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "cli/parsed.h"
+#include "cli/tire_source.h"
+#include "cli/verbs.h"
+#include "correlation/twin.h"
+#include "formats/ccx_deck.h"
+#include "formats/vtu_file.h"
+#include "models/fe_tire/fe_tire.h"
+#include "models/fe_tire/tire_description.h"
+
+namespace latsch::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using fe_tire::TireDescription;
+
+constexpr int kLoadSteps = 5;
+
+struct Options {
+  std::string file, vtu, ccx, tire, pressure, deflection;
+  int modes = 0;
+  bool measurements = false;
+};
+
+struct State {
+  double pressure = 0.0;
+  double deflection = 0.0;  // 0: not on the ground
+};
+
+State state_of(const Options& options, const TireDescription& tire) {
+  State state;
+  state.pressure =
+      options.pressure.empty() ? tire.pressure : parse_option("pressure", options.pressure, "Pa");
+  if (!options.deflection.empty()) {
+    state.deflection = parse_option("deflection", options.deflection, "m");
+  }
+  return state;
+}
+
+/// The value, or the end of the verb with the reason.
+template <class T>
+T required(Result<T> result) {
+  if (!result) throw std::runtime_error(result.failure().reason);
+  return std::move(*result);
+}
+
+void add_modes(std::vector<formats::VtuField>& fields, const std::vector<fe_tire::Mode>& modes) {
+  for (size_t i = 0; i < modes.size(); ++i) {
+    fields.push_back(
+        {fmt::format("mode {} {} {:.2f} Hz", i + 1, modes[i].label(), modes[i].frequency),
+         modes[i].shape});
+  }
+}
+
+void write_vtu(const Options& options, const TireDescription& tire) {
+  const State state = state_of(options, tire);
+  fe_tire::SolverSettings settings;
+  settings.element = tire.element;
+  fe_tire::FeTire model(fe_tire::build_mesh(tire), fe_tire::build_materials(tire), settings);
+  const auto inflated = required(model.inflate(state.pressure));
+  std::vector<formats::VtuField> fields = {{"inflation", inflated.u}};
+  if (state.deflection == 0.0) {
+    if (options.modes > 0) add_modes(fields, required(model.modes(inflated, options.modes)));
+  } else {
+    std::vector<double> steps;
+    for (int i = 1; i <= kLoadSteps; ++i) steps.push_back(state.deflection * i / kLoadSteps);
+    const auto loaded = required(model.load(inflated, steps, fe_tire::Ground{}));
+    fields.push_back({"displacement", loaded.u});
+    if (options.modes > 0) add_modes(fields, required(model.modes(loaded, options.modes)));
+    const fs::path patch = fs::path(options.vtu).replace_extension(".patch.vtu");
+    formats::write_patch_vtu(patch, loaded.curve.back());
+    fmt::print("wrote {}\n", patch.string());
+  }
+  formats::write_tire_vtu(options.vtu, model.mesh(), fields);
+  fmt::print("wrote {}\n", options.vtu);
+}
+
+void write_ccx(const Options& options, TireDescription tire) {
+  const State state = state_of(options, tire);
+  if (tire.cord_model == fe_tire::CordModel::rebar) {
+    fmt::print("CalculiX has no rebars: the deck carries the cords smeared over their elements\n");
+    tire.cord_model = fe_tire::CordModel::smeared;
+  }
+  const auto mesh = fe_tire::build_mesh(tire);
+  const auto materials = fe_tire::build_materials(tire);
+  formats::CcxRun run;
+  run.title = tire.name;
+  run.pressure = state.pressure;
+  if (options.modes > 0) run.modes = options.modes;
+  if (state.deflection > 0.0) {
+    fe_tire::SolverSettings settings;
+    settings.element = fe_tire::ElementKind::full_integration;
+    const auto inflated =
+        required(fe_tire::FeTire(mesh, materials, settings).inflate(state.pressure));
+    run.ground = formats::CcxGround{inflated.radius, state.deflection};
+  }
+  formats::write_ccx_deck(fs::path(options.ccx), mesh, materials, run);
+  fmt::print("wrote {}; run it with: ccx {}\n",
+             options.ccx,
+             fs::path(options.ccx).replace_extension().string());
+}
+
+void write_tire_file(const Options& options, const Document& model) {
+  std::ofstream out(options.tire, std::ios::binary);
+  out << model.text();
+  out.close();
+  if (!out) throw InputError(Place{options.tire, 0}, "cannot be written");
+  fmt::print("wrote {}\n", options.tire);
+}
+
+void write_measurements(const std::string& file) {
+  const auto study = correlation::read_study(file, correlation::Measurements::not_yet);
+  for (const auto& path : required(correlation::write_twin(study))) {
+    fmt::print("wrote {}\n", path.string());
+  }
+}
+
+void export_files(const Options& options) {
+  if (options.measurements) return write_measurements(options.file);
+  if (options.vtu.empty() && options.ccx.empty() && options.tire.empty()) {
+    throw InputError("export: say what to write: --vtu, --ccx, --tire or --measurements");
+  }
+  const Document model = tire_source(options.file);
+  const TireDescription tire = fe_tire::read_tire(model.root());
+  if (!options.vtu.empty()) write_vtu(options, tire);
+  if (!options.ccx.empty()) write_ccx(options, tire);
+  if (!options.tire.empty()) write_tire_file(options, model);
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, int&) {
+  auto* verb = app.add_subcommand(
+      "export",
+      "Writes the tire for ParaView or CalculiX, the identified tire, or a twin's measurements");
+  verb->footer(
+      "A study file stands for its best point so far, or for the initial values where nothing has "
+      "run.\n\n"
+      "Examples:\n"
+      "  latsch export studies/tires/passenger_225_50R16.toml --vtu tire.vtu --deflection \"25 "
+      "mm\" --modes 6\n"
+      "  latsch export studies/tires/passenger_225_50R16.toml --ccx tire.inp --deflection \"25 "
+      "mm\"\n"
+      "  latsch export studies/tire_b_twin/study.toml --tire identified.toml\n"
+      "  latsch export studies/tire_b_twin/study.toml --measurements\n"
+      "      what the laboratory would have measured on the model as its file describes it");
+  auto options = std::make_shared<Options>();
+  verb->add_option("file", options->file, "Tire file or study file (TOML)")->required();
+  verb->add_option("--vtu", options->vtu, "ParaView file to write");
+  verb->add_option("--ccx", options->ccx, "CalculiX deck to write");
+  verb->add_option("--tire", options->tire, "Tire file to write, with the identified values");
+  verb->add_option("--pressure", options->pressure, "Inflation, the tire's own unless given");
+  verb->add_option("--deflection", options->deflection, "Presses the tire on the ground");
+  verb->add_option("--modes", options->modes, "Lowest modes")->check(CLI::Range(0, 200));
+  verb->add_flag("--measurements",
+                 options->measurements,
+                 "Write the study's measurement files from the model itself: a twin");
+  verb->callback([=] { export_files(*options); });
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ctrl-C and SIGTERM: the first asks the run to stop, the second ends the program at once.
+#pragma once
+
+namespace latsch::cli {
+
+/// From now on signals are caught.
+void catch_interrupts();
+/// Whether one has come.
+bool interrupted();
+
+}  // namespace latsch::cli

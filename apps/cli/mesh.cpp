@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch mesh: what the finite-element mesh of a tire looks like, and how far it is from the
+// converged tire.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "base/units.h"
+#include "cli/parsed.h"
+#include "cli/tire_source.h"
+#include "cli/verbs.h"
+#include "experiment/discretization.h"
+#include "formats/vtu_file.h"
+#include "models/fe_tire/fe_tire.h"
+#include "models/fe_tire/tire_description.h"
+
+namespace latsch::cli {
+namespace {
+
+using fe_tire::TireDescription;
+
+struct Options {
+  std::string file, vtu, deflection;
+  int refinement = 1;
+  int modes = 20;
+  bool convergence = false;
+};
+
+void print_counts(const TireDescription& tire, const fe_tire::Mesh& mesh, double mass) {
+  std::map<int, int> elements_of_region;
+  size_t rebars = 0;
+  for (const fe_tire::Element& element : mesh.elements) {
+    elements_of_region[element.region] += mesh.sectors;
+    rebars += element.rebars.size() * static_cast<size_t>(mesh.sectors);
+  }
+  const auto line = [](const std::string& what, const std::string& value) {
+    fmt::print("  {:<28} {}\n", what, value);
+  };
+  fmt::print("{}, {}\n", tire.name, tire.size);
+  line("elements (HEX8)", std::to_string(mesh.element_count()));
+  line("sectors", std::to_string(mesh.sectors));
+  line("nodes", std::to_string(mesh.nodes()));
+  line("free degrees of freedom", std::to_string(mesh.free_dofs()));
+  line("cord layers in elements", std::to_string(rebars));
+  line("outer radius, not inflated", format_quantity(mesh.outer_radius(), "mm", 5));
+  line("mass, bead to bead", format_quantity(mass, "kg", 4));
+  for (const auto& [region, count] : elements_of_region) {
+    line("elements of " + mesh.region_names[region], std::to_string(count));
+  }
+}
+
+void print_rows(const std::string& title, const std::vector<DiscretizationRow>& rows) {
+  if (rows.empty()) return;
+  fmt::print("\n{:<24}", title);
+  for (size_t i = 0; i < rows.front().values.size(); ++i) {
+    fmt::print(" {:>10}", fmt::format("mesh {}", i + 1));
+  }
+  fmt::print(" {:>11} {:>6} {:>14}\n", "converged", "order", "error of mesh 1");
+  for (const DiscretizationRow& row : rows) {
+    fmt::print("{:<24}", fmt::format("{} [{}]", row.name, row.unit));
+    for (double value : row.values) fmt::print(" {:>10.5g}", value);
+    fmt::print(" {:>11.5g} {:>6.2f} {:>13.2f} %\n", row.converged, row.order, 100.0 * row.error());
+  }
+}
+
+int print_convergence(const TireDescription& tire, const Options& options) {
+  DiscretizationSettings settings;
+  settings.element = tire.element;
+  settings.pressure = tire.pressure;
+  settings.modes = options.modes;
+  if (!options.deflection.empty()) {
+    settings.deflection = parse_option("deflection", options.deflection, "m");
+  }
+  const auto study = study_discretization(
+      tire, settings, [](const std::string& mesh) { fmt::print(stderr, "{}\n", mesh); });
+  if (!study) {
+    fmt::print(stderr, "latsch: {}\n", study.failure().reason);
+    return kFailed;
+  }
+  print_rows("Inflated", study->unloaded);
+  print_rows("On the ground", study->loaded);
+  return kDone;
+}
+
+int mesh(const Options& options) {
+  const TireDescription tire = fe_tire::read_tire(tire_source(options.file).root());
+  const fe_tire::Mesh mesh = fe_tire::build_mesh(tire, options.refinement);
+  fe_tire::check(mesh);
+  print_counts(tire, mesh, fe_tire::FeTire(mesh, fe_tire::build_materials(tire)).total_mass());
+  if (!options.vtu.empty()) {
+    formats::write_tire_vtu(std::filesystem::path(options.vtu), mesh, {});
+    fmt::print("wrote {}\n", options.vtu);
+  }
+  return options.convergence ? print_convergence(tire, options) : kDone;
+}
+
+}  // namespace
+
+void add_mesh(CLI::App& app, int& exit_code) {
+  auto* verb =
+      app.add_subcommand("mesh", "Meshes a tire: counts, mass, how far it is from converged");
+  verb->footer(
+      "Examples:\n"
+      "  latsch mesh studies/tires/passenger_225_50R16.toml --vtu mesh.vtu\n"
+      "  latsch mesh studies/tires/passenger_225_50R16.toml --convergence --deflection \"25 mm\"\n"
+      "      the same tire on finer meshes, extrapolated: the error a fit would hide in the "
+      "moduli");
+  auto options = std::make_shared<Options>();
+  verb->add_option("file", options->file, "Tire file or study file (TOML)")->required();
+  verb->add_option("--refinement", options->refinement, "Splits every element so often each way")
+      ->check(CLI::Range(1, 8));
+  verb->add_option("--vtu", options->vtu, "ParaView file to write");
+  verb->add_flag("--convergence", options->convergence, "Compares with refined meshes");
+  verb->add_option(
+      "--deflection", options->deflection, "Also pressed on the ground, for --convergence");
+  verb->add_option("--modes", options->modes, "Modes to compare, for --convergence")
+      ->check(CLI::Range(1, 100));
+  verb->callback([=, &exit_code] { exit_code = mesh(*options); });
+}
+
+}  // namespace latsch::cli

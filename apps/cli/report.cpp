@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch report: what the journal knows, as one HTML file.
+#include "cli/trials.h"
+#include "cli/verbs.h"
+
+namespace latsch::cli {
+namespace {
+
+int report(const std::string& file) {
+  const auto study = correlation::read_study(file);
+  return write_report(study, Journal::read(study.run.journal));
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, int& exit_code) {
+  auto* verb = app.add_subcommand("report", "Writes one self-contained HTML file beside the study");
+  verb->footer("Example:\n  latsch report studies/tire_b_twin/study.toml");
+  auto file = std::make_shared<std::string>();
+  verb->add_option("study", *file, "Study file (TOML)")->required();
+  verb->callback([=, &exit_code] { exit_code = report(*file); });
+}
+
+}  // namespace latsch::cli

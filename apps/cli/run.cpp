@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch run, latsch resume: the optimizer over the worker processes. To resume is to run the same
+// optimizer again on the journal it left.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/interrupt.h"
+#include "cli/tables.h"
+#include "cli/trials.h"
+#include "cli/verbs.h"
+#include "correlation/tire_trials.h"
+#include "optimization/gss.h"
+
+namespace latsch::cli {
+namespace {
+
+using correlation::Study;
+
+void print_result(const Study& study, const Run& run, const Journal& journal) {
+  const Step& best = *run.best();
+  fmt::print("\n{} trials in {}\n\nBest of {} steps: target {:.4f} %\n",
+             journal.size(),
+             study.run.journal.string(),
+             run.steps.size(),
+             best.outcome->value * 100.0);
+  print_point(study.space, best.point);
+}
+
+int fit(const std::string& file, int workers, bool resuming) {
+  Study study = correlation::read_study(file);
+  if (workers > 0) study.run.workers = workers;
+  if (resuming && !std::filesystem::exists(study.run.journal)) {
+    throw InputError(study.run.journal.string() +
+                     " does not exist: there is nothing to resume; start with latsch run");
+  }
+  Journal journal = Journal::open(study.run.journal, correlation::identity(study));
+  if (journal.size() > 0) fmt::print("{} finished trials are reused\n", journal.size());
+
+  catch_interrupts();
+  ProcessExecutor executor(worker_processes(study));
+  Gss gss(study.space, study.gss);
+  const Run run = run_optimizer(gss,
+                                correlation::objective(study),
+                                executor,
+                                &journal,
+                                run_options(study, /*length_known=*/false));
+  if (run.end == RunEnd::stopped) {
+    fmt::print(
+        "Interrupted; {} trials are safe. Go on with: latsch resume {}\n", journal.size(), file);
+    return kFailed;
+  }
+  if (!run.best()) {
+    fmt::print(stderr,
+               "latsch: no trial succeeded; the first failed because: {}\n",
+               run.steps.front().outcome.failure().reason);
+    return kFailed;
+  }
+  print_result(study, run, journal);
+  return write_report(study, journal);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit_code) {
+  for (const bool resuming : {false, true}) {
+    auto* verb = app.add_subcommand(
+        resuming ? "resume" : "run",
+        resuming ? "Goes on with an interrupted run; the result is the same to the last bit"
+                 : "Fits the variables to the measurements");
+    verb->footer(fmt::format("Example:\n  latsch {} studies/tire_b_twin/study.toml --workers 2",
+                             resuming ? "resume" : "run"));
+    auto file = std::make_shared<std::string>();
+    auto workers = std::make_shared<int>(0);
+    verb->add_option("study", *file, "Study file (TOML)")->required();
+    verb->add_option("--workers", *workers, "Worker processes, instead of the study's")
+        ->check(CLI::Range(1, 1024));
+    verb->callback([=, &exit_code] { exit_code = fit(*file, *workers, resuming); });
+  }
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch simulate: one trial, every experiment beside its measurement.
+#include <fmt/format.h>
+
+#include "cli/parsed.h"
+#include "cli/tables.h"
+#include "cli/verbs.h"
+#include "correlation/tire_trials.h"
+
+namespace latsch::cli {
+namespace {
+
+using correlation::Study;
+
+int simulate(const std::string& file, const std::vector<std::string>& assignments) {
+  const Study study = correlation::read_study(file);
+  DesignPoint point = study.space.initial();
+  for (const std::string& assignment : assignments) set_variable(study.space, assignment, point);
+  fmt::print("{}\n\n", study.title);
+  print_point(study.space, point);
+
+  const auto channels = correlation::TireTrials(study).run(point, /*predicted=*/true);
+  if (!channels) {
+    fmt::print(stderr, "latsch: {}\n", channels.failure().reason);
+    return kFailed;
+  }
+  for (const auto& experiment : study.experiments) {
+    print_comparison(experiment, channels_of(experiment, *channels));
+  }
+  fmt::print("\ntarget {:.4f} %\n", correlation::objective(study)(*channels)->value * 100.0);
+  return kDone;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, int& exit_code) {
+  auto* verb = app.add_subcommand("simulate", "One trial: forces and modes beside the measurement");
+  verb->footer(
+      "Examples:\n  latsch simulate studies/tire_b_twin/study.toml\n"
+      "  latsch simulate studies/tire_b_twin/study.toml --set \"matrix=12 N/mm^2\" --set \"belt=5 "
+      "GPa\"");
+  auto file = std::make_shared<std::string>();
+  auto assignments = std::make_shared<std::vector<std::string>>();
+  verb->add_option("study", *file, "Study file (TOML)")->required();
+  verb->add_option(
+      "--set", *assignments, "NAME=VALUE of a variable, others at their initial values");
+  verb->callback([=, &exit_code] { exit_code = simulate(*file, *assignments); });
+}
+
+}  // namespace latsch::cli

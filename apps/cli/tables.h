@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What several verbs print: values of variables with their units, measured beside simulated.
+#pragma once
+
+#include <string>
+
+#include "correlation/objective.h"
+#include "correlation/study_experiment.h"
+#include "optimization/design_space.h"
+
+namespace latsch::cli {
+
+/// A value (SI) in the unit of its variable: "22.3 N/mm^2".
+std::string shown(const DesignVariable& variable, double value);
+
+/// Name, bounds, initial value, scale, paths.
+void print_variables(const DesignSpace& space);
+
+/// Name and value of every variable.
+void print_point(const DesignSpace& space, const DesignPoint& point);
+
+/// Measured, simulated, error of every force or mode, then mean and largest error.
+void print_comparison(const correlation::StudyExperiment& experiment, const Channels& channels);
+
+}  // namespace latsch::cli

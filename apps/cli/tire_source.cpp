@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/tire_source.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "correlation/best_trial.h"
+#include "correlation/study.h"
+#include "correlation/variables.h"
+
+namespace latsch::cli {
+
+Document tire_source(const std::string& file) {
+  Document document = Document::read(file);
+  if (!document.root().has("model")) return document;
+  const auto study = correlation::read_study(file);
+  DesignPoint point = study.space.initial();
+  if (std::filesystem::exists(study.run.journal)) {
+    const auto best = correlation::best_trial(study, Journal::read(study.run.journal));
+    if (best) point = best->point;
+    fmt::print("{} at {}\n", study.title, best ? "its best point" : "its initial values");
+  }
+  return correlation::at(study.model, study.space, point);
+}
+
+}  // namespace latsch::cli

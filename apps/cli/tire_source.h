@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a verb gets a tire from: a tire file, or a study at its best point.
+#pragma once
+
+#include <string>
+
+#include "base/document.h"
+
+namespace latsch::cli {
+
+/// A tire file as it is; of a study its model at the best point of the journal, or at the initial
+/// values.
+Document tire_source(const std::string& file);
+
+}  // namespace latsch::cli

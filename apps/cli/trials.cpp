@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/trials.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "base/file.h"
+#include "base/progress.h"
+#include "cli/interrupt.h"
+#include "cli/verbs.h"
+#include "correlation/study_report.h"
+
+namespace latsch::cli {
+
+ProcessOptions worker_processes(const correlation::Study& study) {
+  ProcessOptions options;
+  options.arguments = {std::filesystem::read_symlink("/proc/self/exe").string(),
+                       "worker",
+                       std::filesystem::absolute(study.file).string()};
+  options.workers = study.run.workers;
+  options.timeout = study.run.timeout;
+  return options;
+}
+
+RunOptions run_options(const correlation::Study& study, bool length_known) {
+  RunOptions options;
+  options.max_steps = study.max_steps;
+  options.stop_requested = interrupted;
+  auto bar = std::make_shared<Progress>(std::cerr, is_terminal());
+  options.on_progress = [bar, length_known](const RunProgress& progress) {
+    std::string note;
+    if (progress.best) note = fmt::format("best target {:.3f} %, ", *progress.best * 100.0);
+    note += fmt::format("{} failed", progress.failed);
+    bar->update(progress.known, length_known ? progress.planned : 0, note);
+  };
+  return options;
+}
+
+int write_report(const correlation::Study& study, const Journal& journal) {
+  const auto page = correlation::study_report(study, journal);
+  if (!page) {
+    fmt::print(stderr, "latsch: {}\n", page.failure().reason);
+    return kFailed;
+  }
+  const auto file = std::filesystem::path(study.run.journal).replace_extension(".html");
+  write_text_file(file, report::html(*page));
+  fmt::print("\nReport: {}\n", file.string());
+  return kDone;
+}
+
+}  // namespace latsch::cli

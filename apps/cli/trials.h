@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What run, resume and doe share: the worker processes of a study, its progress on the terminal,
+// its report.
+#pragma once
+
+#include "correlation/study.h"
+#include "evaluation/journal.h"
+#include "evaluation/process_executor.h"
+#include "evaluation/scheduler.h"
+
+namespace latsch::cli {
+
+/// This program as `latsch worker STUDY`.
+ProcessOptions worker_processes(const correlation::Study& study);
+
+/// Progress on standard error and an end when interrupted. An ETA needs to know how many points
+/// there will be: a design of experiments does, an optimizer does not.
+RunOptions run_options(const correlation::Study& study, bool length_known);
+
+/// Writes the report beside the study and names it; returns the exit code.
+int write_report(const correlation::Study& study, const Journal& journal);
+
+}  // namespace latsch::cli

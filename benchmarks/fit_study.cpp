@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit_study.h"
+
+#include <unistd.h>
+
+#include <chrono>
+
+#include "correlation/tire_trials.h"
+#include "evaluation/process_executor.h"
+#include "optimization/gss.h"
+
+namespace latsch::benchmarks {
+
+namespace fs = std::filesystem;
+
+correlation::Study study_of_folder(const std::string& name) {
+  return correlation::read_study(fs::path(LATSCH_SOURCE_DIR) / "studies" / name / "study.toml");
+}
+
+fs::path program() { return fs::read_symlink("/proc/self/exe").parent_path() / "latsch"; }
+
+Fit fit(const correlation::Study& study, int workers) {
+  const fs::path file =
+      fs::temp_directory_path() / ("latsch_fit_" + std::to_string(getpid()) + ".journal");
+  fs::remove(file);
+  Fit fit;
+  {
+    Journal journal = Journal::open(file, correlation::identity(study));
+    ProcessOptions options;
+    options.arguments = {program().string(), "worker", study.file.string()};
+    options.workers = workers;
+    options.timeout = study.run.timeout;
+    ProcessExecutor executor(options);
+    Gss gss(study.space, study.gss);
+    RunOptions run;
+    run.max_steps = study.max_steps;
+    const auto start = std::chrono::steady_clock::now();
+    fit.run = run_optimizer(gss, correlation::objective(study), executor, &journal, run);
+    fit.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    fit.trials = journal.size();
+    journal.for_each([&](const Trial& trial) { fit.cpu_time += trial.outcome.cpu_time; });
+  }
+  for (const char* suffix : {"", "-wal", "-shm", ".lock"}) fs::remove(file.string() + suffix);
+  return fit;
+}
+
+}  // namespace latsch::benchmarks

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fits a study of studies/ from the beginning, in worker processes of the program, with a journal
+// of its own.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "correlation/study.h"
+#include "evaluation/scheduler.h"
+
+namespace latsch::benchmarks {
+
+struct Fit {
+  Run run;
+  long trials = 0;
+  double wall_time = 0.0;  // s
+  double cpu_time = 0.0;   // s, of all trials
+};
+
+/// studies/NAME/study.toml
+correlation::Study study_of_folder(const std::string& name);
+
+/// The program `latsch` has to stand beside the benchmark.
+Fit fit(const correlation::Study& study, int workers);
+
+/// bin/latsch
+std::filesystem::path program();
+
+}  // namespace latsch::benchmarks

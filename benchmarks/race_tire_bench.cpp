@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Measured race tire: fitted to the loaded radius at 83 kPa, predicted at 69 and 97 kPa
+#include <fmt/format.h>
+
+#include "correlation/tire_trials.h"
+#include "fit_study.h"
+#include "table.h"
+
+int main() {
+  using namespace latsch;
+  constexpr double kPublishedFit = 0.02;  // mean force error of both fits of [Hempel & Oertel 2016]
+  benchmarks::Table table("race_tire");
+  const correlation::Study study = benchmarks::study_of_folder("race_tire");
+  const benchmarks::Fit fit = benchmarks::fit(study, 2);
+  const Step* best = fit.run.best();
+  if (!best) {
+    table.row("fit", "no trial succeeded", "a result", false);
+    return table.exit_code();
+  }
+  const auto channels = correlation::TireTrials(study).run(best->point, /*predicted=*/true);
+  if (!channels) {
+    table.row("prediction", channels.failure().reason, "a result", false);
+    return table.exit_code();
+  }
+  for (const auto& experiment : study.experiments) {
+    const auto comparison = compare(experiment, channels_of(experiment, *channels));
+    const std::string errors = fmt::format("mean {:.2f} %, largest {:.2f} %",
+                                           100 * comparison.mean_error,
+                                           100 * comparison.largest_error);
+    const std::string what =
+        fmt::format("force at the measured loaded radius, {}", experiment.name);
+    if (experiment.fitted) {
+      table.row(what + ", fitted", errors, "mean <= 2 %", comparison.mean_error <= kPublishedFit);
+    } else {
+      table.note(what + ", predicted", errors);
+    }
+  }
+  table.note("trials", fmt::format("{}", fit.trials));
+  table.note("wall time, 2 workers", fmt::format("{:.1f} s", fit.wall_time));
+  return table.exit_code();
+}
