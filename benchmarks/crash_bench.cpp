@@ -11,6 +11,8 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -133,11 +135,23 @@ std::string undisturbed(int workers) {
   return trajectory(correlation::read_study(file));
 }
 
+/// Processes that have the folder in their command line: workers that outlived their master.
+int count_processes_of(const fs::path& folder) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    std::ifstream file(entry.path() / "cmdline", std::ios::binary);
+    const std::string line{std::istreambuf_iterator<char>(file), {}};
+    count += line.find(folder.string()) != std::string::npos;
+  }
+  return count;
+}
+
 struct Killed {
   int kills = 0;
   long finished_before_a_kill = 0;
   long lost = 0;
   long repeated = 0;
+  int left_running = 0;
   bool same_bits = true;
 };
 
@@ -173,6 +187,8 @@ void kill_and_resume(
       ended = true;
       if (killed.kills >= most && end_of(child) != 0) throw std::runtime_error("resume failed");
     }
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));  // for the system to end them
+    killed.left_running += count_processes_of(folder.path());
     const std::vector<Trial> after = trials_of(study);
     killed.finished_before_a_kill += ended ? 0 : std::ssize(after) - std::ssize(before);
     killed.lost += count_lost(before, after);
@@ -187,10 +203,7 @@ int run() {
   const auto begin = std::chrono::steady_clock::now();
   const std::string reference = undisturbed(1);
   const Seconds time = std::chrono::steady_clock::now() - begin;
-  table.row("one worker",
-            fmt::format("{} bytes of trajectory, {:.1f} s", reference.size(), time.count()),
-            "converged",
-            !reference.empty());
+  table.row("one worker", fmt::format("{:.1f} s", time.count()), "converged", !reference.empty());
   if (reference.empty()) return table.exit_code();
   for (const int workers : {2, 4}) {
     const bool same = undisturbed(workers) == reference;
@@ -210,6 +223,10 @@ int run() {
   table.row("finished trials lost", fmt::format("{}", killed.lost), "0", killed.lost == 0);
   table.row(
       "finished trials repeated", fmt::format("{}", killed.repeated), "0", killed.repeated == 0);
+  table.row("workers left running",
+            fmt::format("{}", killed.left_running),
+            "0",
+            killed.left_running == 0);
   table.row("result after kills and resumes",
             killed.same_bits ? "same bits" : "differs",
             "same bits",
