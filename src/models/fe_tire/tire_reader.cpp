@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A tire file: the tables [mesh], [section], [rubber.*], [region.*] and [layer.*], see
-// docs/fe_tire.md.
+// docs/fe_tire_section.md.
 #include <fmt/format.h>
 
 #include <cmath>
