@@ -5,6 +5,7 @@
 
 #include "correlation/variables.h"
 #include "experiment/deflection_for_load.h"
+#include "models/fe_tire/section_plan.h"
 
 namespace latsch::correlation {
 namespace {
@@ -70,6 +71,19 @@ void add_load(fe_tire::FeTire& tire, const LoadDeflection& test, report::TirePic
   if (pictures.loaded) pictures.inflated = std::move(*inflated);
 }
 
+/// The ply of every cord layer of the mesh, with its angle at the crown.
+std::vector<report::Layer> cord_layers(const fe_tire::TireDescription& description) {
+  const fe_tire::SectionPlan plan(description);
+  std::vector<report::Layer> layers(plan.layers());
+  for (int column = 0; column < plan.columns(); ++column) {
+    for (const auto& here : plan.plies(column)) {
+      const fe_tire::CordPly& ply = description.plies[here.ply];
+      layers[here.layer] = {ply.name, ply.cords.angle};
+    }
+  }
+  return layers;
+}
+
 }  // namespace
 
 void add_found_tire(const Study& study,
@@ -81,7 +95,7 @@ void add_found_tire(const Study& study,
   fe_tire::FeTire& tire = trials.tire_at(point);
   report::TirePictures pictures;
   pictures.mesh = tire.mesh();
-  for (const auto& ply : description.plies) pictures.layers.push_back({ply.name, ply.cords.angle});
+  pictures.layers = cord_layers(description);
   for (const StudyExperiment& experiment : study.experiments) {
     const auto* modal = std::get_if<ModalTest>(&experiment.load_case.test);
     if (modal && pictures.modes.empty()) add_modes(tire, *modal, pictures);

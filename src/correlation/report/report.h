@@ -103,9 +103,10 @@ struct DiscretizationError {
   double error = 0.0;    // of the mesh used, relative
 };
 
+/// A cord layer of the mesh; layers of one name are one ply.
 struct Layer {
   std::string name;
-  double angle = 0.0;  // rad, from the circumference
+  double angle = 0.0;  // rad, from the circumference, where the ply crosses the crown
 };
 
 /// What the pictures show: the tire at the found point.

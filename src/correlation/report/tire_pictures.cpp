@@ -77,15 +77,40 @@ std::array<Point, 2> cord_line(const fe_tire::Mesh& mesh,
   return ends;
 }
 
-void section_legend(Svg& svg,
-                    const fe_tire::Mesh& mesh,
-                    const std::vector<Layer>& layers,
-                    bool inflated,
-                    Point at) {
+/// Plies in the order in which they appear, and the ply of every cord layer; -1: not in the mesh or
+/// without a name.
+struct Plies {
+  std::vector<Layer> plies;
+  std::vector<int> of_layer;
+  int at(int layer) const {
+    return layer < static_cast<int>(of_layer.size()) ? of_layer[layer] : -1;
+  }
+};
+
+Plies plies_of(const fe_tire::Mesh& mesh, const std::vector<Layer>& layers) {
   std::set<int> used;
   for (const fe_tire::Element& element : mesh.elements) {
     for (const fe_tire::RebarPlacement& rebar : element.rebars) used.insert(rebar.layer);
   }
+  Plies found{{}, std::vector<int>(layers.size(), -1)};
+  for (int layer = 0; layer < static_cast<int>(layers.size()); ++layer) {
+    if (!used.contains(layer)) continue;
+    const auto same = std::find_if(found.plies.begin(), found.plies.end(), [&](const Layer& ply) {
+      return ply.name == layers[layer].name;
+    });
+    found.of_layer[layer] = static_cast<int>(same - found.plies.begin());
+    if (same == found.plies.end()) found.plies.push_back(layers[layer]);
+  }
+  return found;
+}
+
+std::string cord_color(int ply) {
+  return ply < 0 ? "class=\"cord ink\""
+                 : fmt::format("stroke=\"{}\" class=\"cord\"", category(ply));
+}
+
+void section_legend(
+    Svg& svg, const fe_tire::Mesh& mesh, const Plies& plies, bool inflated, Point at) {
   for (size_t r = 0; r < mesh.region_names.size(); ++r) {
     svg.rectangle(
         at - Point(0, 10),
@@ -95,14 +120,11 @@ void section_legend(Svg& svg,
     svg.text(at + Point(21, 0), mesh.region_names[r], Anchor::start, "label");
     at.y() += 20;
   }
-  for (size_t l = 0; l < layers.size(); ++l) {
-    if (!used.contains(static_cast<int>(l))) continue;
-    svg.line(at + Point(0, -4),
-             at + Point(14, -4),
-             fmt::format("stroke=\"{}\" class=\"cord\"", category(static_cast<int>(l))));
+  for (size_t p = 0; p < plies.plies.size(); ++p) {
+    const Layer& ply = plies.plies[p];
+    svg.line(at + Point(0, -4), at + Point(14, -4), cord_color(static_cast<int>(p)));
     svg.text(at + Point(21, 0),
-             fmt::format(
-                 "{}, {}°", layers[l].name, fixed(layers[l].angle * 180.0 / std::numbers::pi, 0)),
+             fmt::format("{}, {}°", ply.name, fixed(ply.angle * 180.0 / std::numbers::pi, 0)),
              Anchor::start,
              "label");
     at.y() += 20;
@@ -151,6 +173,7 @@ std::string section_picture(const fe_tire::Mesh& mesh,
       box.extend(grown.back());
     }
   }
+  const Plies plies = plies_of(mesh, layers);
   const Window window = Window::fit(box, {14, 14}, 560, 330);
   Svg svg(780, window.height() + 62, "Section of the tire");
   for (const fe_tire::Element& element : mesh.elements) {
@@ -164,8 +187,7 @@ std::string section_picture(const fe_tire::Mesh& mesh,
   for (const fe_tire::Element& element : mesh.elements) {
     for (const fe_tire::RebarPlacement& rebar : element.rebars) {
       const auto [a, b] = cord_line(mesh, element, rebar.zeta);
-      svg.line(
-          window(a), window(b), fmt::format("stroke=\"{}\" class=\"cord\"", category(rebar.layer)));
+      svg.line(window(a), window(b), cord_color(plies.at(rebar.layer)));
     }
   }
   if (inflated) {  // edges of the outer faces, every element by itself: their order does not matter
@@ -180,7 +202,7 @@ std::string section_picture(const fe_tire::Mesh& mesh,
   for (int k : mesh.clamped)
     svg.circle(window(nodes[k]), 2.2, "class=\"clamped\"", "held by the rim");
   section_legend(
-      svg, mesh, layers, inflated != nullptr, {window.corner.x() + window.width() + 34, 30});
+      svg, mesh, plies, inflated != nullptr, {window.corner.x() + window.width() + 34, 30});
   scale_bar(svg, {window.corner.x(), window.height() + 46}, window.scale);
   svg.text({window.corner.x() + window.width(), window.height() + 46},
            "dots: held by the rim",
@@ -240,7 +262,8 @@ std::string patch_picture(const fe_tire::ContactPatch& patch) {
   draw_frame(svg, x, y, "x, forward [mm]", "y, left [mm]", {.x_spacing = 40.0});
   for (size_t i = 0; i < patch.points.size(); ++i) {
     const auto& p = patch.points[i];
-    const Eigen::Vector2d size = cells[i].sizes() * window.scale;
+    // a little larger than it is, so that no gaps are left between whole pixels
+    const Eigen::Vector2d size = (cells[i].sizes() * window.scale).array() + 0.7;
     svg.rectangle(window({cells[i].min().x(), cells[i].max().y()}),
                   size.x(),
                   size.y(),
