@@ -105,12 +105,30 @@ const DocumentValue* Node::Impl::ask(std::string_view key) const {
   return child < 0 ? nullptr : &tree->value(child);
 }
 
+void Node::Impl::reject_missing(std::string_view key, const std::string& expected) const {
+  // Most missing keys are misspelled ones. Two letters: not "inside" for "outside".
+  constexpr int kMisspelling = 2;
+  constexpr std::size_t kShortest = 4;
+  for (const int child : value().children) {
+    const DocumentValue& other = tree->value(child);
+    if (!(*asked)[index].contains(other.key) && key.size() >= kShortest &&
+        edit_distance(key, other.key.substr(0, 2 * key.size())) <= kMisspelling)
+      throw InputError(
+          tree->place(child),
+          "unknown key " + in_quotes(other.path) + ", did you mean " + in_quotes(key) + "?");
+  }
+  const std::string& path = value().path;
+  throw InputError(
+      tree->place(index),
+      (path.empty() ? "" : path + ".") + std::string(key) + " is missing, " + expected);
+}
+
 bool Node::has(std::string_view key) const { return impl_->ask(key) != nullptr; }
 
 double Node::quantity(std::string_view key, std::string_view unit, Range range) const {
   const Unit expected = Unit::of(unit);
   const DocumentValue* value = impl_->ask(key);
-  if (!value) reject(key, "is missing, expected " + expectation(expected));
+  if (!value) impl_->reject_missing(key, "expected " + expectation(expected));
   return read_number(*impl_->tree, *value, expected, range);
 }
 
@@ -127,7 +145,7 @@ std::vector<double> Node::quantities(std::string_view key,
   const Unit expected = Unit::of(unit);
   const DocumentValue* list = impl_->ask(key);
   const std::string wanted = "expected a list of values, each " + expectation(expected);
-  if (!list) reject(key, "is missing, " + wanted);
+  if (!list) impl_->reject_missing(key, wanted);
   if (list->kind != Kind::list) reject(key, "is " + written(*list) + ", " + wanted);
   std::vector<double> values;
   for (const int child : list->children)
@@ -142,7 +160,7 @@ std::vector<std::vector<double>> Node::rows(std::string_view key,
   for (const std::string& unit : units) expected.push_back(Unit::of(unit));
   const DocumentValue* list = impl_->ask(key);
   const std::string wanted = fmt::format("expected a list of rows of {} values", units.size());
-  if (!list) reject(key, "is missing, " + wanted);
+  if (!list) impl_->reject_missing(key, wanted);
   if (list->kind != Kind::list) reject(key, "is " + written(*list) + ", " + wanted);
   std::vector<std::vector<double>> rows;
   for (const int child : list->children) {
@@ -166,7 +184,7 @@ std::vector<std::vector<double>> Node::rows(std::string_view key,
 long Node::integer(std::string_view key, long lower, long upper) const {
   const DocumentValue* value = impl_->ask(key);
   const std::string wanted = fmt::format("expected an integer from {} to {}", lower, upper);
-  if (!value) reject(key, "is missing, " + wanted);
+  if (!value) impl_->reject_missing(key, wanted);
   if (value->kind == Kind::number && value->integer && value->unit.empty()) {
     const long found = std::stol(value->text);
     if (found >= lower && found <= upper) return found;
@@ -187,7 +205,7 @@ bool Node::flag(std::string_view key, bool fallback) const {
 
 std::string Node::text(std::string_view key) const {
   const DocumentValue* value = impl_->ask(key);
-  if (!value) reject(key, "is missing, expected a text in quotes");
+  if (!value) impl_->reject_missing(key, "expected a text in quotes");
   if (value->kind != Kind::text)
     reject(key, "is " + written(*value) + ", expected a text in quotes");
   return value->text;
@@ -199,7 +217,7 @@ std::string Node::text(std::string_view key, std::string_view fallback) const {
 
 std::string Node::choice(std::string_view key, const std::vector<std::string>& allowed) const {
   const DocumentValue* value = impl_->ask(key);
-  if (!value) reject(key, "is missing, expected " + list_of(allowed));
+  if (!value) impl_->reject_missing(key, "expected " + list_of(allowed));
   if (value->kind == Kind::text &&
       std::find(allowed.begin(), allowed.end(), value->text) != allowed.end())
     return value->text;
@@ -217,7 +235,7 @@ std::string Node::choice(std::string_view key,
 std::vector<std::string> Node::texts(std::string_view key) const {
   const DocumentValue* list = impl_->ask(key);
   const std::string wanted = "expected a list of texts in quotes";
-  if (!list) reject(key, "is missing, " + wanted);
+  if (!list) impl_->reject_missing(key, wanted);
   if (list->kind != Kind::list) reject(key, "is " + written(*list) + ", " + wanted);
   std::vector<std::string> texts;
   for (const int child : list->children) {
@@ -231,9 +249,8 @@ std::vector<std::string> Node::texts(std::string_view key) const {
 
 Node Node::table(std::string_view key) const {
   if (auto table = find_table(key)) return *table;
-  reject(key,
-         fmt::format("is missing, expected a table [{}]",
-                     path().empty() ? key : path() + "." + std::string(key)));
+  const std::string prefix = path().empty() ? "" : path() + ".";
+  impl_->reject_missing(key, "expected a table [" + prefix + std::string(key) + "]");
 }
 
 std::optional<Node> Node::find_table(std::string_view key) const {

@@ -23,6 +23,8 @@ struct Node::Impl {
   const DocumentValue& value() const { return tree->value(index); }
   /// The value of that key, which now counts as asked for; nullptr where the file has none.
   const DocumentValue* ask(std::string_view key) const;
+  /// InputError for a key that is not there, at the one that was probably meant to be it.
+  [[noreturn]] void reject_missing(std::string_view key, const std::string& expected) const;
 };
 
 /// As in the file, for messages: `"22 N"`, `2.6`, `a table`.

@@ -215,6 +215,19 @@ TEST(DocumentComplaint, NamesPlaceFoundAndExpected) {
   EXPECT_EQ(complaint("", angle), "t.toml:1: belt is missing, expected a table [belt]");
 }
 
+TEST(DocumentComplaint, AMissingKeyIsSoughtAmongTheMisspelled) {
+  const auto read = [](const Node& root) {
+    root.quantity("thickness_inside", "m");
+    root.quantity("thickness_outside", "m");
+  };
+  EXPECT_EQ(complaint("\nthicknes_inside = \"2 mm\"", read),
+            "t.toml:2: unknown key \"thicknes_inside\", did you mean \"thickness_inside\"?");
+  EXPECT_EQ(complaint("\nthickness_outside = \"2 mm\"", read),
+            "t.toml:1: thickness_inside is missing, expected a length such as \"25 mm\"");
+  EXPECT_EQ(complaint("[msh]\nn = 1", [](const Node& root) { root.table("mesh"); }),
+            "t.toml:1: unknown key \"msh\", did you mean \"mesh\"?");
+}
+
 TEST(DocumentComplaint, APressureNeedsItsUnitAndARange) {
   const auto pressure = [](const Node& root) {
     root.quantity("pressure", "Pa", Range::between(1e4, 1e6));
