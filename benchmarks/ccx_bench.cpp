@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Agreement with CalculiX 2.20 on the same decks, and CPU time against it in the same run, one
-// thread.
+// Agreement with CalculiX 2.20 on the same decks; CPU time against it, one thread
 //
 // First part: the decks ../shared/data/ccx beside the project, computed by CalculiX, read through
 // our own .inp reader and computed with the comparison elements. Second part: the tires A and B of

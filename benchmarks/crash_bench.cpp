@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same bits with 1, 2 and 4 workers and after 20 x kill -9 of `latsch run`, nothing lost or
-// repeated
+// The same bits with 1, 2, 4 workers and after 20 x kill -9; no trial lost or repeated
 //
 // A study of a coarse tire is fitted by the program itself: by one, two and four workers without a
 // disturbance, then killed at random moments and resumed until it ends.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The default element on the paper's meshes against refined, extrapolated ones; modes by harmonics
-// against the full solve.
+// Default element against extrapolated meshes; modes by harmonics against the full solve
 //
 // Tires A and B as shipped: cords as rebars, the default element. Every mesh is refined in all
 // three directions with nodes on the true contour and the same physical boundary; the last three
