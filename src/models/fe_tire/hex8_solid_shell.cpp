@@ -18,7 +18,9 @@
 //   Twelve modes with values and slopes zero in a constant strain and <A - <A>> = 0 pass every
 // patch test on any shape [Simo & Hughes 1986]; curved walls then stretch their nodes' thickness a
 // little instead of locking. The mean of the quadratic terms w z z is second order there too; it
-// keeps the tension of an inflated wall acting on the hourglass shapes.
+// keeps the tension of an inflated wall acting on the hourglass shapes. The thickness strain has no
+// such term: leaning edges count as bending here, without shear, and a wall that bends keeps its
+// thickness. With it, compression by the ground would buckle long elements in turn.
 //   alpha: E_11 along xi, E_22 along eta, E_33 along zeta, xi zeta and eta zeta (Poisson's
 // contraction in bending, in plane and through the thickness) and E_33 along xi, eta, xi eta.
 // Without the last three an element of fixed volume would tie the thickness of neighboring nodes to

@@ -57,13 +57,13 @@ Vector6 unit_strain(const Eigen::Vector3d& m, const Eigen::Vector3d& n) {
   return v;
 }
 
-/// Mean over the parent cube of the convected strain's terms quadratic in z; columns 12.12, 23.23,
-/// 13.13, 123.123, 12.23, 12.13, 13.23.
+/// Mean over the parent cube of the convected strain's terms quadratic in z, those of E_33 left
+/// out; columns 12.12, 23.23, 13.13, 123.123, 12.23, 12.13, 13.23.
 Eigen::Matrix<double, 6, 7> mean_of_squares() {
   const double t = 1.0 / 3.0;
   Eigen::Matrix<double, 6, 7> W = Eigen::Matrix<double, 6, 7>::Zero();
-  W(0, 0) = W(1, 0) = W(1, 1) = W(2, 1) = W(0, 2) = W(2, 2) = 0.5 * t;
-  W(0, 3) = W(1, 3) = W(2, 3) = 0.5 * t * t;
+  W(0, 0) = W(1, 0) = W(1, 1) = W(0, 2) = 0.5 * t;
+  W(0, 3) = W(1, 3) = 0.5 * t * t;
   W(5, 4) = W(4, 5) = W(3, 6) = t;
   return W;
 }
