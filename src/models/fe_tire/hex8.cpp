@@ -19,24 +19,27 @@ constexpr double kMassPoint = 0.81649658092772603273;
 
 void set(PointLaw& law, const Matrix6& D) { Matrix6::Map(&law.D[0][0]) = D; }
 
-bool add_solid(const HexShape& shape,
-               const Solid& solid,
-               int layer_rows,
-               const Matrix38& x,
-               double* alpha,
-               bool stiffness,
-               NodalSums& sums) {
+bool add_solid_and_cords(const HexShape& shape,
+                         const Solid& solid,
+                         int layer_rows,
+                         const Matrix38& x,
+                         Cords& cords,
+                         double* alpha,
+                         bool stiffness,
+                         NodalSums& sums) {
   PointLaw law;
   law.rubber = std::get_if<Hyperelastic>(&solid.law);
   const auto* linear = std::get_if<StVenantKirchhoff>(&solid.law);
   if (linear) set(law, linear->D);
   if (shape.kind == ElementKind::full_integration) {
+    stretch(cords, nullptr);
+    add_cords(cords, stiffness, sums, nullptr);
     return add_full_integration(shape, law, x, stiffness, sums);
   }
   if (linear) set(law, layer_stiffness(linear->D, shape.solid_shell, layer_rows));
   const double shear_modulus = linear ? linear->D.diagonal().tail<3>().minCoeff()
                                       : 2.0 * (law.rubber->C10 + law.rubber->C01);
-  return add_solid_shell(shape, law, shear_modulus, x, alpha, stiffness, sums);
+  return add_solid_shell(shape, law, shear_modulus, x, cords, alpha, stiffness, sums);
 }
 
 }  // namespace
@@ -57,8 +60,9 @@ bool evaluate(const HexShape& shape,
   NodalSums sums;
   sums.set_zero(stiffness);
   const Solid& solid = materials.solids[element.solid];
-  if (!add_solid(shape, solid, element.layer_rows, x, alpha, stiffness, sums)) return false;
-  add_rebars(shape, materials, element, x, stiffness, sums);
+  Cords cords(shape, materials, element, x);
+  if (!add_solid_and_cords(shape, solid, element.layer_rows, x, cords, alpha, stiffness, sums))
+    return false;
   sums.write(f, K);
   return true;
 }

@@ -11,38 +11,28 @@
 // with X_12 = s_1 X_1 + s_2 X_2 in the undeformed plane: nothing in a constant strain, and
 // nothing in the mean over the layer's area, so that patch tests hold.
 // All of it is e = (sum W_mn y_m . y_n - 1) / 2 with y = (x_1, x_2, x_12).
+// Crossed plies of angle +-a want E_22 = -cot(a)^2 E_11 (six times, at 24 degrees). Where E_11
+// varies along eta the displacements cannot follow; the solid's enhanced strains can, so cords see
+// them,
+//   e += a1^2 L_1^2 (xi - <xi>) alpha_0 + a2^2 L_2^2 (eta - <eta>) alpha_1 (3)
+// and take part in the equilibrium of alpha.
 // The rubber the cords displace is not subtracted (its modulus is 1e-3 of theirs). No bending, no
 // slip.
 #include "models/fe_tire/hex8_rebar.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <cmath>
 
+#include "base/error.h"
 #include "models/fe_tire/cord_law.h"
 
 namespace latsch::fe_tire {
 namespace {
 
 constexpr double kXi4[4] = {-1, 1, 1, -1}, kEta4[4] = {-1, -1, 1, 1};
-
-/// The bilinear surface zeta = const of an element.
-struct Sheet {
-  Lanes n[3];         // y_m = sum_a x_a n_m[a]
-  Eigen::Matrix3d Y;  // columns X_1, X_2, X_12
-};
-
-Sheet sheet(const Matrix38& X, double zeta) {
-  Sheet s;
-  s.Y.setZero();
-  for (int a = 0; a < 8; ++a) {
-    const double h = 0.125 * (1.0 + kZeta[a] * zeta);
-    s.n[0][a] = h * kXi[a];
-    s.n[1][a] = h * kEta[a];
-    s.n[2][a] = h * kXi[a] * kEta[a];
-    for (int m = 0; m < 3; ++m) s.Y.col(m) += s.n[m][a] * X.col(a);
-  }
-  return s;
-}
 
 /// Components of the unit vector along the cord, and the area element.
 struct Direction {
@@ -56,103 +46,160 @@ Direction direction(const Eigen::Matrix3d& Y, double xi, double eta, double angl
   return {(std::cos(angle) - a2 * along) / length, a2, dA};
 }
 
-struct Point {
-  Eigen::Matrix3d W;
-  double dA;
-};
+/// n_m of the surface zeta = const; returns Y, columns X_1, X_2, X_12.
+Eigen::Matrix3d set_surface(const Matrix38& X, double zeta, Lanes* n) {
+  Eigen::Matrix3d Y = Eigen::Matrix3d::Zero();
+  for (int a = 0; a < 8; ++a) {
+    const double h = 0.125 * (1.0 + kZeta[a] * zeta);
+    n[0][a] = h * kXi[a];
+    n[1][a] = h * kEta[a];
+    n[2][a] = h * kXi[a] * kEta[a];
+    for (int m = 0; m < 3; ++m) Y.col(m) += n[m][a] * X.col(a);
+  }
+  return Y;
+}
 
-/// W_mn at the four points, equations (1) and, where asked for, (2).
-std::array<Point, 4> points(const Eigen::Matrix3d& Y, double angle, bool assumed) {
-  std::array<Point, 4> points;
-  double area = 0.0, xi_mean = 0.0, eta_mean = 0.0;
+/// Equation (1): W, dA (in dV) at the four points. Returns the mean of (xi, eta) over the area.
+Eigen::Vector2d set_points(const Eigen::Matrix3d& Y, double angle, CordPoint* points) {
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  double area = 0.0;
   for (int q = 0; q < 4; ++q) {
     const double xi = kGauss * kXi4[q], eta = kGauss * kEta4[q];
     const Direction d = direction(Y, xi, eta, angle);
-    const Eigen::Vector3d v(d.a1, d.a2, d.a1 * eta + d.a2 * xi);
-    points[q] = {v * v.transpose(), d.dA};
+    const double v[3] = {d.a1, d.a2, d.a1 * eta + d.a2 * xi};
+    for (int m = 0; m < 3; ++m) {
+      for (int n = 0; n < 3; ++n) points[q].W[m][n] = v[m] * v[n];
+    }
+    points[q].p[0] = points[q].p[1] = 0.0;
+    points[q].dV = d.dA;
     area += d.dA;
-    xi_mean += d.dA * xi;
-    eta_mean += d.dA * eta;
+    mean += d.dA * Eigen::Vector2d(xi, eta);
   }
-  if (!assumed) return points;
-  const Direction center = direction(Y, 0.0, 0.0, angle);
-  const double c = center.a1 * center.a2;
-  const double m11 = Y.col(0).squaredNorm(), m22 = Y.col(1).squaredNorm(),
-               m12 = Y.col(0).dot(Y.col(1));
-  const double b1 = Y.col(0).dot(Y.col(2)), b2 = Y.col(1).dot(Y.col(2)),
-               det = m11 * m22 - m12 * m12;
-  const double s1 = (m22 * b1 - m12 * b2) / det, s2 = (m11 * b2 - m12 * b1) / det;
-  for (int q = 0; q < 4; ++q) {
-    const double p = c * (kGauss * kXi4[q] - xi_mean / area);
-    const double r = c * (kGauss * kEta4[q] - eta_mean / area);
-    Eigen::Matrix3d parasitic;
-    parasitic << -2.0 * p * s1, -p * s2 - r * s1, p, -p * s2 - r * s1, -2.0 * r * s2, r, p, r, 0.0;
-    points[q].W -= parasitic;
-  }
-  return points;
+  return mean / area;
 }
 
-/// A layer's force (y_m's) and stiffness (y_m's, y_n's) summed over its points.
-struct LayerSums {
-  double f[3][3] = {};        // [m][i]
-  double K[3][3][3][3] = {};  // [m][i][n][j]
-};
+/// Equations (2) and (3).
+void assume(const Eigen::Matrix3d& Y,
+            double angle,
+            const Eigen::Vector2d& mean,
+            const SolidShellShape& shape,
+            CordPoint* points) {
+  const Direction center = direction(Y, 0.0, 0.0, angle);
+  const Eigen::Matrix2d metric = Y.leftCols<2>().transpose() * Y.leftCols<2>();
+  const Eigen::Vector2d s = metric.inverse() * Y.leftCols<2>().transpose() * Y.col(2);
+  for (int q = 0; q < 4; ++q) {
+    const double xi = kGauss * kXi4[q] - mean[0], eta = kGauss * kEta4[q] - mean[1];
+    const double p = center.a1 * center.a2 * xi, r = center.a1 * center.a2 * eta;
+    auto& W = points[q].W;
+    W[0][0] += 2.0 * p * s[0];
+    W[1][1] += 2.0 * r * s[1];
+    W[0][1] += p * s[1] + r * s[0];
+    W[1][0] += p * s[1] + r * s[0];
+    W[0][2] -= p;
+    W[2][0] -= p;
+    W[1][2] -= r;
+    W[2][1] -= r;
+    points[q].p[0] = center.a1 * center.a1 * shape.L2[0] * xi;
+    points[q].p[1] = center.a2 * center.a2 * shape.L2[1] * eta;
+  }
+}
 
-LayerSums sum_points(const std::array<Point, 4>& points,
-                     const CordLayer& layer,
-                     const Eigen::Matrix3d& y) {
-  LayerSums sums;
-  const Eigen::Matrix3d metric = y.transpose() * y;
-  for (const Point& point : points) {
-    const CordStress cord = stress(layer, 0.5 * (point.W.cwiseProduct(metric).sum() - 1.0));
-    const double dV = layer.thickness * point.dA;
-    const Eigen::Matrix3d b = y * point.W;  // column m: de / dy_m
+LATSCH_CLONES
+void add(const CordSheet& sheet, bool stiffness, NodalSums& sums, Lanes (*coupling)[3]) {
+  double f[3][3] = {}, K[3][3][3][3] = {}, c[2][3][3] = {};  // [m][i], [m][i][n][j], [alpha][m][i]
+  for (const CordPoint& point : sheet.points) {
+    double b[3][3];  // de / dy_m, [m][i]
     for (int m = 0; m < 3; ++m) {
       for (int i = 0; i < 3; ++i) {
-        sums.f[m][i] += dV * cord.S * b(i, m);
+        b[m][i] = sheet.y[i][0] * point.W[0][m] + sheet.y[i][1] * point.W[1][m] +
+                  sheet.y[i][2] * point.W[2][m];
+        f[m][i] += point.dV * point.S * b[m][i];
+      }
+    }
+    if (!stiffness) continue;
+    const double k = point.dV * point.tangent;
+    for (int m = 0; m < 3; ++m) {
+      for (int i = 0; i < 3; ++i) {
+        for (int l = 0; l < 2; ++l) c[l][m][i] += k * point.p[l] * b[m][i];
         for (int n = 0; n < 3; ++n) {
-          for (int j = 0; j < 3; ++j) sums.K[m][i][n][j] += dV * cord.tangent * b(i, m) * b(j, n);
-          sums.K[m][i][n][i] += dV * cord.S * point.W(m, n);
+          for (int j = i; j < 3; ++j) K[m][i][n][j] += k * b[m][i] * b[n][j];
+          K[m][i][n][i] += point.dV * point.S * point.W[m][n];
         }
       }
     }
   }
-  return sums;
-}
-
-LATSCH_CLONES
-void add_to_nodes(const LayerSums& layer, const Lanes* n, bool stiffness, NodalSums& sums) {
+  const Lanes* n = sheet.n;
   for (int i = 0; i < 3; ++i) {
-    for (int m = 0; m < 3; ++m) sums.f[i] += layer.f[m][i] * n[m];
-    for (int j = i; stiffness && j < 3; ++j) {
+    for (int m = 0; m < 3; ++m) sums.f[i] += f[m][i] * n[m];
+    if (!stiffness) continue;
+    for (int l = 0; coupling != nullptr && l < 2; ++l) {
+      for (int m = 0; m < 3; ++m) coupling[l][i] += c[l][m][i] * n[m];
+    }
+    for (int j = i; j < 3; ++j) {
       Lanes t[3] = {};
       for (int m = 0; m < 3; ++m) {
-        for (int k = 0; k < 3; ++k) t[m] += layer.K[m][i][k][j] * n[k];
+        for (int k = 0; k < 3; ++k) t[m] += K[m][i][k][j] * n[k];
       }
-      for (int a = 0; a < 8; ++a)
+      for (int a = 0; a < 8; ++a) {
         sums.K[8 * i + a][j] += n[0][a] * t[0] + n[1][a] * t[1] + n[2][a] * t[2];
+      }
     }
   }
 }
 
 }  // namespace
 
-void add_rebars(const HexShape& shape,
-                const Materials& materials,
-                const Element& element,
-                const Matrix38& x,
-                bool stiffness,
-                NodalSums& sums) {
+Cords::Cords(const HexShape& shape,
+             const Materials& materials,
+             const Element& element,
+             const Matrix38& x) {
+  if (element.rebars.size() > kLayers) {
+    throw InputError(
+        fmt::format("mesh: an element holds {} cord layers, expected at most {}; use more "
+                    "rows of elements through the wall",
+                    element.rebars.size(),
+                    kLayers));
+  }
   for (const RebarPlacement& rebar : element.rebars) {
-    const CordLayer& layer = materials.layers[rebar.layer];
-    const Sheet surface = sheet(shape.X, rebar.zeta);
+    CordSheet& sheet = sheets[count++];
+    sheet.layer = &materials.layers[rebar.layer];
+    const Eigen::Matrix3d Y = set_surface(shape.X, rebar.zeta, sheet.n);
+    const Eigen::Vector2d mean = set_points(Y, sheet.layer->angle, sheet.points);
+    if (shape.kind == ElementKind::solid_shell) {
+      assume(Y, sheet.layer->angle, mean, shape.solid_shell, sheet.points);
+    }
     Eigen::Matrix3d y = Eigen::Matrix3d::Zero();
     for (int a = 0; a < 8; ++a) {
-      for (int m = 0; m < 3; ++m) y.col(m) += surface.n[m][a] * x.col(a);
+      for (int m = 0; m < 3; ++m) y.col(m) += sheet.n[m][a] * x.col(a);
     }
-    const auto at = points(surface.Y, layer.angle, shape.kind == ElementKind::solid_shell);
-    add_to_nodes(sum_points(at, layer, y), surface.n, stiffness, sums);
+    const Eigen::Matrix3d yy = y.transpose() * y;
+    for (int i = 0; i < 3; ++i) {
+      for (int m = 0; m < 3; ++m) sheet.y[i][m] = y(i, m);
+    }
+    for (CordPoint& point : sheet.points) {
+      double square = 0.0;
+      for (int m = 0; m < 3; ++m) {
+        for (int n = 0; n < 3; ++n) square += point.W[m][n] * yy(m, n);
+      }
+      point.e = 0.5 * (square - 1.0);
+      point.dV *= sheet.layer->thickness;
+    }
   }
+}
+
+void stretch(Cords& cords, const double* alpha) {
+  for (int k = 0; k < cords.count; ++k) {
+    for (CordPoint& point : cords.sheets[k].points) {
+      const double enhanced = alpha ? point.p[0] * alpha[0] + point.p[1] * alpha[1] : 0.0;
+      const CordStress cord = stress(*cords.sheets[k].layer, point.e + enhanced);
+      point.S = cord.S;
+      point.tangent = cord.tangent;
+    }
+  }
+}
+
+void add_cords(const Cords& cords, bool stiffness, NodalSums& sums, Lanes (*coupling)[3]) {
+  for (int k = 0; k < cords.count; ++k) add(cords.sheets[k], stiffness, sums, coupling);
 }
 
 Matrix8 rebar_mass(const Matrix38& X,
@@ -162,9 +209,10 @@ Matrix8 rebar_mass(const Matrix38& X,
   Matrix8 M = Matrix8::Zero();
   for (const RebarPlacement& rebar : element.rebars) {
     const CordLayer& layer = materials.layers[rebar.layer];
-    const Sheet surface = sheet(X, rebar.zeta);
+    Lanes n[3];
+    const Eigen::Matrix3d Y = set_surface(X, rebar.zeta, n);
     for (int q = 0; q < 4; ++q) {
-      const double dA = direction(surface.Y, kGauss * kXi4[q], kGauss * kEta4[q], 0.0).dA;
+      const double dA = direction(Y, kGauss * kXi4[q], kGauss * kEta4[q], 0.0).dA;
       const Vector8 N = shape_functions(point * kXi4[q], point * kEta4[q], rebar.zeta);
       M.noalias() += layer.density * layer.thickness * dA * N * N.transpose();
     }

@@ -36,6 +36,7 @@ struct SolidShellShape {
   Lanes Pt[kColumns][6];  // E[r][point] = sum_j Pt[j][r][point] (E_c, e, alpha)_j
   Lanes P[48][kColumns / 8];  // the same, rows 8 r + point
   double volume;              // m^3
+  double L2[2];               // m^2, |X_1|^2 and |X_2|^2
   /// Dyads (Voigt, of stress) of the element's axes meridional 2 and normal 3 in the center's
   /// triad.
   Vector6 d22, d33, d23, d13;

@@ -175,6 +175,13 @@ LATSCH_INLINE bool factorize(double (*A)[kEnhanced]) {
   return true;
 }
 
+template <class Function>
+LATSCH_INLINE void for_cords(Cords& cords, const Function& function) {
+  for (int k = 0; k < cords.count; ++k) {
+    for (CordPoint& point : cords.sheets[k].points) function(point);
+  }
+}
+
 /// Stresses and tangents at the points (times dV) with alpha in equilibrium to first order.
 struct Inner {
   Lanes S[6], D[6][6];
@@ -187,6 +194,7 @@ LATSCH_INLINE bool solve_alpha(const HexShape& shape,
                                const PointLaw& law,
                                double relaxation,
                                const double* g,
+                               Cords& cords,
                                double* alpha,
                                Inner& inner) {
   const SolidShellShape& s = shape.solid_shell;
@@ -220,6 +228,13 @@ LATSCH_INLINE bool solve_alpha(const HexShape& shape,
       inner.A[i][i] += relaxed[i];
       step[i] = -residual[i] - relaxed[i] * alpha[i];
     }
+    stretch(cords, alpha);
+    for_cords(cords, [&](const CordPoint& cord) {
+      for (int i = 0; i < 2; ++i) {
+        step[i] -= cord.dV * cord.S * cord.p[i];
+        for (int j = 0; j < 2; ++j) inner.A[i][j] += cord.dV * cord.tangent * cord.p[i] * cord.p[j];
+      }
+    });
     if (!factorize(inner.A)) return false;
     for (int i = 1; i < kEnhanced; ++i) {
       for (int j = 0; j < i; ++j) step[i] -= inner.A[i][j] * step[j];
@@ -233,20 +248,27 @@ LATSCH_INLINE bool solve_alpha(const HexShape& shape,
       alpha[j] += step[j];
       largest = std::max(largest, std::abs(step[j]));
     }
-    if (law.rubber != nullptr && !(largest < kInnerTolerance)) continue;
+    const bool linear = law.rubber == nullptr && cords.count == 0;
+    if (!linear && !(largest < kInnerTolerance)) continue;
     for (int r = 0; r < 6; ++r) {
       Lanes dE = {};
       for (int j = 0; j < kEnhanced; ++j) dE += step[j] * s.Pt[kAlpha + j][r];
       for (int c = 0; c < 6; ++c) inner.S[c] += inner.D[c][r] * dE;
     }
+    for_cords(cords, [&](CordPoint& cord) {
+      cord.S += cord.tangent * (cord.p[0] * step[0] + cord.p[1] * step[1]);
+    });
     return true;
   }
   return false;
 }
 
-/// Tangent of the generalized strains with alpha condensed: D - D_a^T A^-1 D_a.
-LATSCH_INLINE void condensed_tangent(const SolidShellShape& s, const Inner& inner, Lanes (*D)[3]) {
-  Lanes DP[48][3], Da[kEnhanced][3] = {};
+/// Tangents of the generalized strains, D, and between alpha and them, Da.
+LATSCH_INLINE void tangents(const SolidShellShape& s,
+                            const Inner& inner,
+                            Lanes (*D)[3],
+                            Lanes (*Da)[3]) {
+  Lanes DP[48][3];
   for (int q = 0; q < 8; ++q) {
     for (int r = 0; r < 6; ++r) {
       Lanes row[3] = {};
@@ -266,16 +288,31 @@ LATSCH_INLINE void condensed_tangent(const SolidShellShape& s, const Inner& inne
     }
     for (int k = 0; k < 3; ++k) (i < kStrains ? D[i] : Da[i - kStrains])[k] = row[k];
   }
-  for (int i = 0; i < kEnhanced; ++i) {  // L^-1 D_a
-    for (int j = 0; j < i; ++j) {
-      for (int k = 0; k < 3; ++k) Da[i][k] -= inner.A[i][j] * Da[j][k];
-    }
-    const double inverse = 1.0 / inner.A[i][i];
-    for (int g = 0; g < kStrains; ++g) {
-      const Lanes c = all(inverse * Da[i][g / 8][g % 8]);
-      for (int k = 0; k < 3; ++k) D[g][k] -= c * Da[i][k];
+}
+
+/// rows x B, `rows` being tangents of generalized strains.
+template <int count>
+LATSCH_INLINE void times_B(const Lanes (*rows)[3], const Lanes (*B)[3], Lanes (*product)[3]) {
+  for (int r = 0; r < count; ++r) {
+    for (int i = 0; i < 3; ++i) product[r][i] = Lanes{};
+    for (int c = 0; c < kStrains; ++c) {
+      const Lanes d = all(rows[r][c / 8][c % 8]);
+      for (int i = 0; i < 3; ++i) product[r][i] += d * B[c][i];
     }
   }
+}
+
+/// K -= K_a^T A^-1 K_a
+LATSCH_INLINE void condense(const Inner& inner, Lanes (*Ka)[3], NodalSums& sums) {
+  Lanes scaled[kEnhanced][3];
+  for (int i = 0; i < kEnhanced; ++i) {  // L^-1 K_a
+    const double inverse = -1.0 / inner.A[i][i];
+    for (int c = 0; c < 3; ++c) {
+      for (int j = 0; j < i; ++j) Ka[i][c] -= inner.A[i][j] * Ka[j][c];
+      scaled[i][c] = inverse * Ka[i][c];
+    }
+  }
+  add_product<kEnhanced>(Ka, scaled, sums);
 }
 
 LATSCH_CLONES
@@ -283,6 +320,7 @@ bool add(const HexShape& shape,
          const PointLaw& law,
          double relaxation,
          const Lanes* x,
+         Cords& cords,
          double* alpha,
          bool stiffness,
          NodalSums& sums) {
@@ -292,7 +330,7 @@ bool add(const HexShape& shape,
   double g[kStrains];
   generalized_strains(s, k, g);
   Inner inner;
-  if (!solve_alpha(shape, law, relaxation, g, alpha, inner)) return false;
+  if (!solve_alpha(shape, law, relaxation, g, cords, alpha, inner)) return false;
 
   Lanes t[3] = {};
   for (int r = 0; r < 6; ++r) {
@@ -307,18 +345,17 @@ bool add(const HexShape& shape,
   for (int r = 0; r < kStrains; ++r) {
     for (int i = 0; i < 3; ++i) sums.f[i] += stresses[r] * B[r][i];
   }
-  if (!stiffness) return true;
-
-  Lanes D[kStrains][3], DB[kStrains][3];
-  condensed_tangent(s, inner, D);
-  for (int r = 0; r < kStrains; ++r) {
-    for (int i = 0; i < 3; ++i) DB[r][i] = Lanes{};
-    for (int c = 0; c < kStrains; ++c) {
-      const Lanes d = all(D[r][c / 8][c % 8]);
-      for (int i = 0; i < 3; ++i) DB[r][i] += d * B[c][i];
-    }
+  if (!stiffness) {
+    add_cords(cords, false, sums, nullptr);
+    return true;
   }
+  Lanes D[kStrains][3], DB[kStrains][3], Da[kEnhanced][3], Ka[kEnhanced][3];
+  tangents(s, inner, D, Da);
+  times_B<kStrains>(D, B, DB);
+  times_B<kEnhanced>(Da, B, Ka);
+  add_cords(cords, true, sums, Ka);
   add_product<kStrains>(B, DB, sums);
+  condense(inner, Ka, sums);
   add_stress_stiffness(s, stresses, sums);
   return true;
 }
@@ -329,6 +366,7 @@ bool add_solid_shell(const HexShape& shape,
                      const PointLaw& law,
                      double relaxation,
                      const Matrix38& x,
+                     Cords& cords,
                      double* alpha,
                      bool stiffness,
                      NodalSums& sums) {
@@ -338,9 +376,9 @@ bool add_solid_shell(const HexShape& shape,
   }
   double start[kEnhanced];
   std::copy_n(alpha, kEnhanced, start);
-  if (add(shape, law, relaxation, by_direction, alpha, stiffness, sums)) return true;
+  if (add(shape, law, relaxation, by_direction, cords, alpha, stiffness, sums)) return true;
   std::fill_n(alpha, kEnhanced, 0.0);  // the old alpha may not suit the new place
-  if (add(shape, law, relaxation, by_direction, alpha, stiffness, sums)) return true;
+  if (add(shape, law, relaxation, by_direction, cords, alpha, stiffness, sums)) return true;
   std::copy_n(start, kEnhanced, alpha);
   return false;
 }

@@ -89,6 +89,9 @@ SolidShellShape make_solid_shell_shape(const Matrix38& X) {
   const Eigen::Matrix<double, 3, 7> G = R.transpose() * X * h.transpose();
   const Eigen::Vector3d L2 = G.leftCols<3>().colwise().squaredNorm();
 
+  s.L2[0] = L2[0];
+  s.L2[1] = L2[1];
+
   ModeOperator A[8], mean = ModeOperator::Zero();
   Matrix38 b = Matrix38::Zero();
   double dV[8];
