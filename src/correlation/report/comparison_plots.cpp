@@ -72,7 +72,8 @@ void draw_errors(Svg& svg,
 }  // namespace
 
 std::string force_plot(const ForceCurve& curve) {
-  const std::vector<double> abscissa = scaled(curve.abscissa, kMillimeter);
+  std::vector<double> abscissa = scaled(curve.abscissa, kMillimeter);
+  abscissa.resize(std::min({abscissa.size(), curve.measured.size(), curve.simulated.size()}));
   const auto measured = scaled(curve.measured, kKilonewton),
              simulated = scaled(curve.simulated, kKilonewton),
              initial = scaled(curve.initial, kKilonewton);

@@ -87,7 +87,8 @@ std::string signed_percent(double ratio, int decimals) {
 
 std::string duration(double seconds) {
   if (!std::isfinite(seconds)) return kNothing;
-  if (seconds < 10.0) return fmt::format("{:.1f} s", seconds);
+  if (seconds < 10.0 || seconds > 1e8)
+    return fmt::format("{} s", seconds < 10.0 ? fixed(seconds, 1) : significant(seconds, 3));
   const long s = std::lround(seconds);
   if (s < 60) return fmt::format("{} s", s);
   if (s < 3600) return fmt::format("{} min {:02} s", s / 60, s % 60);

@@ -40,20 +40,22 @@ std::string with_kind(const std::string& conditions, bool fitted) {
   return fitted ? conditions : conditions.empty() ? "predicted" : conditions + ", predicted";
 }
 
+/// Mean of |1 - simulated / measured|.
+double mean_error(const std::vector<double>& measured, const std::vector<double>& simulated) {
+  const size_t count = std::min(measured.size(), simulated.size());
+  double sum = 0.0;
+  for (size_t k = 0; k < count; ++k) sum += std::abs((measured[k] - simulated[k]) / measured[k]);
+  return sum / static_cast<double>(std::max<size_t>(1, count));
+}
+
 std::string forces(const StudyReport& report) {
   std::string html = "<div class=\"figures\">";
   for (const ForceCurve& curve : report.forces) {
-    double sum = 0.0;
-    for (size_t k = 0; k < curve.measured.size(); ++k) {
-      sum += std::abs(curve.measured[k] - curve.simulated[k]) / std::abs(curve.measured[k]);
-    }
-    html +=
-        figure(curve.experiment,
-               with_kind(curve.conditions, curve.fitted),
-               force_plot(curve),
-               "Mean |ΔF| = " +
-                   percent(sum / static_cast<double>(std::max<size_t>(1, curve.measured.size()))) +
-                   "; below, ΔF = (measured − simulated) / measured at every point.");
+    html += figure(curve.experiment,
+                   with_kind(curve.conditions, curve.fitted),
+                   force_plot(curve),
+                   "Mean |ΔF| = " + percent(mean_error(curve.measured, curve.simulated)) +
+                       "; below, ΔF = (measured − simulated) / measured at every point.");
   }
   return html + "</div>";
 }
@@ -70,13 +72,14 @@ std::string unmatched(std::string_view words, const std::vector<UnmatchedMode>& 
 std::string frequencies(const StudyReport& report) {
   std::string html;
   for (const ModalComparison& comparison : report.modes) {
-    double sum = 0.0;
-    for (const ModePair& pair : comparison.pairs)
-      sum += std::abs(pair.measured - pair.simulated) / pair.measured;
-    std::string caption = fmt::format(
-        "{} modes paired, mean |Δf| = {}.",
-        comparison.pairs.size(),
-        percent(sum / static_cast<double>(std::max<size_t>(1, comparison.pairs.size()))));
+    std::vector<double> measured, simulated;
+    for (const ModePair& pair : comparison.pairs) {
+      measured.push_back(pair.measured);
+      simulated.push_back(pair.simulated);
+    }
+    std::string caption = fmt::format("{} modes paired, mean |Δf| = {}.",
+                                      comparison.pairs.size(),
+                                      percent(mean_error(measured, simulated)));
     const bool initial = std::any_of(comparison.pairs.begin(),
                                      comparison.pairs.end(),
                                      [](const ModePair& pair) { return pair.initial.has_value(); });

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <random>
 #include <regex>
 #include <set>
 #include <vector>
@@ -168,6 +169,48 @@ TEST(Report, FlagsAVariableAtItsBound) {
   EXPECT_EQ(at_bound(v), AtBound::lower);
   v.logarithmic = true;
   EXPECT_EQ(at_bound(v), AtBound::lower);
+}
+
+TEST(Report, IsDrawnFromAnyNumbers) {  // what a failed or odd trial may leave behind
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  const std::vector<double> odd = {0.0, -0.0, nan, inf, -inf, 1e-300, 1e300, -5.0, 3.0};
+  std::mt19937 random(1);
+  const auto any = [&] { return odd[random() % odd.size()]; };
+  const auto some = [&] {
+    std::vector<double> values(random() % 5);
+    for (double& v : values) v = any();
+    return values;
+  };
+  for (int trial = 0; trial < 300; ++trial) {
+    StudyReport r;
+    r.target = any();
+    r.variables = {{"v", "mm", any(), any(), any(), any(), trial % 2 == 0}};
+    r.experiments = {{"e", "k", "c", "force", true, any(), 3, any(), any(), any(), any()}};
+    r.forces = {{"e", "c", true, trial % 3 == 0, some(), some(), some(), some()}};
+    r.modes = {
+        {"m", "c", true, {{"a", any(), any(), any(), any()}, {"b", any(), any(), {}, {}}}, {}, {}}};
+    r.convergence = Convergence{some()};
+    Surface surface;
+    surface.x_name = "x";
+    surface.y_name = "y";
+    surface.x_logarithmic = trial % 2 == 0;
+    surface.x = {1.0, 2.0, 4.0};
+    surface.y = {-1.0, 0.0};
+    surface.target.resize(3, 2);
+    for (double& t : surface.target.reshaped()) t = any();
+    surface.initial = Eigen::Vector2d(any(), any());
+    r.surfaces = {surface};
+    r.run = RunFacts{"m", "e", 0, 0, 1, any(), any(), {}};
+    r.discretization = {{"q", any()}};
+    const std::string page = html(r);
+    EXPECT_EQ(fault_in_tags(page), "");
+    for (const char* bad :
+         {"=\"nan", "=\"inf", "=\"-inf", " nan", "nan,", ",nan", "inf,", ",inf"}) {
+      ASSERT_EQ(page.find(bad), std::string::npos)
+          << bad << " in trial " << trial << ": " << page.substr(page.find(bad) - 60, 120);
+    }
+    ASSERT_LT(page.size(), 1'000'000u);
+  }
 }
 
 TEST(Report, DrawsEveryPictureInABrowser) {

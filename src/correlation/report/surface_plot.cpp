@@ -100,7 +100,7 @@ SurfacePlot::SurfacePlot(const Surface& s)
   if (!(low < high)) high = low + 1e-6;
   // The valley is what matters: colors go with the logarithm where the target spans more than a
   // factor of 5.
-  const bool logarithmic = low > 0.0 && high > 5.0 * low;
+  const bool logarithmic = low > 1e-9 * high && high > 5.0 * low;
   levels_ = Axis(100.0 * low, 100.0 * high, kBottom, kTop, logarithmic);
 }
 

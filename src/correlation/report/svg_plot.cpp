@@ -13,15 +13,23 @@
 namespace latsch::report {
 namespace {
 
+constexpr double kSmallestShown = 1e-9;  // of the largest value on a logarithmic axis
+
 std::string pixel(double value) {
   std::string text = fmt::format("{:.1f}", value);
   if (text.ends_with(".0")) text.resize(text.size() - 2);
   return text == "-0" ? "0" : text;
 }
 
+/// Not a number, infinite or far outside any picture: what a failed trial may leave behind is not
+/// drawn.
+bool drawable(const Point& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() < 1e5; }
+
 std::string pixels(const std::vector<Point>& points) {
   std::string text;
-  for (const Point& p : points) text += pixel(p.x()) + "," + pixel(p.y()) + " ";
+  for (const Point& p : points) {
+    if (drawable(p)) text += pixel(p.x()) + "," + pixel(p.y()) + " ";
+  }
   if (!text.empty()) text.pop_back();
   return text;
 }
@@ -50,6 +58,7 @@ void Svg::close(std::string_view name, std::string_view tip) {
 }
 
 void Svg::line(Point a, Point b, std::string_view attributes) {
+  if (!drawable(a) || !drawable(b)) return;
   body_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>",
                        pixel(a.x()),
                        pixel(a.y()),
@@ -71,6 +80,7 @@ void Svg::polygon(const std::vector<Point>& points,
 
 void Svg::rectangle(
     Point corner, double width, double height, std::string_view attributes, std::string_view tip) {
+  if (!drawable(corner) || !drawable({width, height})) return;
   body_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {}",
                        pixel(corner.x()),
                        pixel(corner.y()),
@@ -81,6 +91,7 @@ void Svg::rectangle(
 }
 
 void Svg::circle(Point center, double radius, std::string_view attributes, std::string_view tip) {
+  if (!drawable(center)) return;
   body_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}",
                        pixel(center.x()),
                        pixel(center.y()),
@@ -94,6 +105,7 @@ void Svg::path(std::string_view data, std::string_view attributes) {
 }
 
 void Svg::text(Point at, std::string_view words, Anchor anchor, std::string_view css_class) {
+  if (!drawable(at)) return;
   const char* side = anchor == Anchor::start    ? "start"
                      : anchor == Anchor::middle ? "middle"
                                                 : "end";
@@ -160,6 +172,7 @@ Axis Axis::logarithmic_around(const std::vector<double>& values,
     high = std::max(high, v);
   }
   if (!(low <= high)) low = 0.1, high = 1.0;
+  low = std::max(low, kSmallestShown * high);
   const auto down = [](double v) {
     const double power = std::pow(10.0, std::floor(std::log10(v) + 1e-9));
     return v >= 5.0 * power ? 5.0 * power : v >= 2.0 * power ? 2.0 * power : power;

@@ -46,7 +46,8 @@ std::optional<double> mean_error(const StudyReport& report, bool forces) {
 /// dot.
 std::string track(const Variable& v) {
   const auto left = [&](double value) {
-    return 100.0 * std::clamp(share_of_range(v, value), 0.0, 1.0);
+    const double share = share_of_range(v, value);
+    return std::isfinite(share) ? 100.0 * std::clamp(share, 0.0, 1.0) : 0.0;
   };
   return fmt::format(
       "<span class=\"track\"><s style=\"left:{:.1f}%\"></s><u style=\"left:{:.1f}%\"></u></span>",

@@ -64,6 +64,21 @@ void scale_bar(Svg& svg, const Point& at, double pixels_per_mm) {
   svg.text(0.5 * (at + end) + Point(0, -7), significant(length, 3) + " mm", Anchor::middle);
 }
 
+/// Every element of a sector by its region's color; nodes: where they are in the section.
+void draw_elements(Svg& svg,
+                   const fe_tire::Mesh& mesh,
+                   const std::vector<Point>& nodes,
+                   const Window& window) {
+  std::vector<Point> corners(kSectionNodes.size());
+  for (const fe_tire::Element& element : mesh.elements) {
+    for (size_t k = 0; k < corners.size(); ++k)
+      corners[k] = window(nodes[element.node[kSectionNodes[k]]]);
+    svg.polygon(corners,
+                fmt::format("fill=\"{}\" class=\"element\"", muted_category(element.region)),
+                mesh.region_names.empty() ? "" : mesh.region_names.at(element.region));
+  }
+}
+
 /// The cord's ends where its layer leaves the element, at parametric thickness zeta.
 std::array<Point, 2> cord_line(const fe_tire::Mesh& mesh,
                                const fe_tire::Element& element,
@@ -176,14 +191,7 @@ std::string section_picture(const fe_tire::Mesh& mesh,
   const Plies plies = plies_of(mesh, layers);
   const Window window = Window::fit(box, {14, 14}, 560, 330);
   Svg svg(780, window.height() + 62, "Section of the tire");
-  for (const fe_tire::Element& element : mesh.elements) {
-    std::vector<Point> corners;
-    for (int a : kSectionNodes)
-      corners.push_back(window(nodes[element.node[a] % mesh.nodes_per_sector()]));
-    svg.polygon(corners,
-                fmt::format("fill=\"{}\" class=\"element\"", muted_category(element.region)),
-                mesh.region_names.empty() ? "" : mesh.region_names.at(element.region));
-  }
+  draw_elements(svg, mesh, nodes, window);
   for (const fe_tire::Element& element : mesh.elements) {
     for (const fe_tire::RebarPlacement& rebar : element.rebars) {
       const auto [a, b] = cord_line(mesh, element, rebar.zeta);
@@ -226,12 +234,7 @@ std::string loaded_section_picture(const fe_tire::Mesh& mesh,
   }
   const Window window = Window::fit(box, {14, 14}, 472, 330);
   Svg svg(500, window.height() + 50, "Section of the loaded tire above the contact");
-  for (const fe_tire::Element& element : mesh.elements) {
-    std::vector<Point> corners;
-    for (int a : kSectionNodes) corners.push_back(window(after[element.node[a]]));
-    svg.polygon(corners,
-                fmt::format("fill=\"{}\" class=\"element\"", muted_category(element.region)));
-  }
+  draw_elements(svg, mesh, after, window);
   for (const fe_tire::Element& element : mesh.elements) {
     svg.line(
         window(before[element.node[4]]), window(before[element.node[7]]), "class=\"inflated\"");
