@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "correlation/variables.h"
 #include "models/fe_tire/tire_description.h"
@@ -122,6 +123,17 @@ std::string text_of(const experiment::LoadCase& load_case) {
                      list(modal.points));
 }
 
+/// Without empty lines and lines that are comments: a note in a tire file leaves the journal valid.
+std::string without_notes(const std::string& text) {
+  std::istringstream lines(text);
+  std::string kept;
+  for (std::string line; std::getline(lines, line);) {
+    const auto first = line.find_first_not_of(" \t\r");
+    if (first != std::string::npos && line[first] != '#') kept += line + '\n';
+  }
+  return kept;
+}
+
 }  // namespace
 
 Study read_study(const std::filesystem::path& file, Measurements measurements) {
@@ -168,7 +180,8 @@ StudyIdentity identity(const Study& study) {
     if (!experiment.fitted) continue;
     cases += fmt::format("{}: {}\n", experiment.name, text_of(experiment.load_case));
   }
-  return {{"model", study.model.text()}, {"variables", varied}, {"experiments", cases}};
+  return {
+      {"model", without_notes(study.model.text())}, {"variables", varied}, {"experiments", cases}};
 }
 
 }  // namespace latsch::correlation
