@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <stdexcept>
 
 #include "correlation/tire_trials.h"
+#include "correlation/twin.h"
 #include "evaluation/process_executor.h"
 #include "optimization/gss.h"
 
@@ -15,6 +17,19 @@ namespace fs = std::filesystem;
 
 correlation::Study study_of_folder(const std::string& name) {
   return correlation::read_study(fs::path(LATSCH_SOURCE_DIR) / "studies" / name / "study.toml");
+}
+
+correlation::Study fresh_twin(const std::string& name) {
+  const fs::path studies = fs::path(LATSCH_SOURCE_DIR) / "studies";
+  const fs::path copy = fs::temp_directory_path() / ("latsch_twin_" + std::to_string(getpid()));
+  fs::create_directories(copy);
+  fs::copy(studies / "tires", copy / "tires");
+  fs::copy(studies / name, copy / name);
+  const fs::path file = copy / name / "study.toml";
+  const auto written =
+      correlation::write_twin(correlation::read_study(file, correlation::Measurements::not_yet));
+  if (!written) throw std::runtime_error(written.failure().reason);
+  return correlation::read_study(file);
 }
 
 fs::path program() { return fs::read_symlink("/proc/self/exe").parent_path() / "latsch"; }

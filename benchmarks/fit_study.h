@@ -21,6 +21,10 @@ struct Fit {
 /// studies/NAME/study.toml
 correlation::Study study_of_folder(const std::string& name);
 
+/// The same study in a temporary folder, its measurements written anew from the model itself as it
+/// is now.
+correlation::Study fresh_twin(const std::string& name);
+
 /// The program `latsch` has to stand beside the benchmark.
 Fit fit(const correlation::Study& study, int workers);
 

@@ -11,7 +11,7 @@
 int main() {
   using namespace latsch;
   benchmarks::Table table("twin");
-  const correlation::Study study = benchmarks::study_of_folder("tire_b_twin");
+  const correlation::Study study = benchmarks::fresh_twin("tire_b_twin");
   const benchmarks::Fit fit = benchmarks::fit(study, 2);
   const Step* best = fit.run.best();
   if (!best) {
