@@ -36,7 +36,7 @@ struct Solid {
 };
 
 /// Parallel cords seen as a membrane that carries stress along the cords only.
-///   S = E_c e + (E_t - E_c) softplus(e),  e = (lambda^2 - 1) / 2 on the full stretch lambda  (+ pretension S0)
+///   S = S0 + E_c e + (E_t - E_c) m(e),  e = (lambda^2 - 1) / 2 on the full stretch lambda; m: cord_law.h
 struct CordLayer {
   double E_tension = 0.0;      // Pa, of the cord
   double E_compression = 0.0;  // Pa
