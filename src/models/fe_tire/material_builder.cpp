@@ -35,11 +35,12 @@ struct Column {
 };
 
 Column column_of(const TireDescription& tire, const Contour& line, int i, int columns) {
-  const auto end = [&](int j) { return 2.0 * j / columns - 1.0; };
+  const double refined = double(columns) / tire.section.meridional;
+  const auto end = [&](int j) { return tire.section.station(j / refined); };
   const MeridianPoint a = line.tangent(end(i)), b = line.tangent(end(i + 1));
   const ThicknessProfile& inside = tire.section.inside;
   Column column;
-  column.r = line.point((2.0 * i + 1.0) / columns - 1.0).r;
+  column.r = line.point(0.5 * (end(i) + end(i + 1))).r;
   column.thickness = 0.5 * (inside.at(std::abs(end(i))) + inside.at(std::abs(end(i + 1))));
   column.meridional = Eigen::Vector3d(a.r + b.r, 0.0, -a.y - b.y).normalized();
   return column;

@@ -31,7 +31,7 @@ class MeshBuilder {
  private:
   int columns() const { return r_ * plan_.columns(); }
   int rows() const { return r_ * plan_.rows(); }
-  double s(double i) const { return 2.0 * i / columns() - 1.0; }
+  double s(double i) const { return section_.station(i / r_); }
   int node(int i, int k) const { return i * (rows() + 1) + k; }
 
   /// Distance of the face below row k from the reference line at s, positive outward.
@@ -94,7 +94,11 @@ class MeshBuilder {
   /// Outer nodes at the crown, at both edges of the tread and at both widest places.
   void choose_sensors(Mesh& mesh) const {
     const auto nearest = [&](double target) {
-      return node(static_cast<int>(std::lround((target + 1.0) * columns() / 2.0)), rows());
+      int found = 0;
+      for (int i = 1; i <= columns(); ++i) {
+        if (std::abs(s(i) - target) < std::abs(s(found) - target)) found = i;
+      }
+      return node(found, rows());
     };
     int left = node(0, rows()), right = left;
     for (int i = 0; i <= columns(); ++i) {

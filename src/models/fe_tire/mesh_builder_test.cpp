@@ -236,5 +236,23 @@ TEST(Mesh, AnInvertedElementIsNamedWithItsPlace) {
   }
 }
 
+// Relative lengths 2 at the crown and 1/2 at the bead: the columns there have that ratio to 10 %
+// (they see the mean of the profile over their own length), and refining keeps the coarse nodes.
+TEST(MeshBuilder, SpacingShortensTheElementsWhereAsked) {
+  TireDescription tire = reference_tire_b();
+  tire.section.spacing = {{0.0, 1.0}, {2.0, 0.5}};
+  const Section& section = tire.section;
+  const double at_bead = section.station(1) - section.station(0);
+  const double at_crown = section.station(15) - section.station(14);
+  EXPECT_NEAR(at_crown / at_bead, 4.0, 0.4);
+  EXPECT_EQ(section.station(0), -1.0);
+  EXPECT_EQ(section.station(29), 1.0);
+  const Mesh coarse = build_mesh(tire), fine = build_mesh(tire, 2);
+  const int rows = 3, fine_rows = 5;
+  for (int i = 0; i <= 29; ++i) {
+    EXPECT_LT((coarse.X.col(i * rows) - fine.X.col(2 * i * fine_rows)).norm(), 1e-12) << i;
+  }
+}
+
 }  // namespace
 }  // namespace latsch::fe_tire

@@ -18,7 +18,9 @@ class SectionPlan {
   int rows() const { return tire_.section.rows_inside + tire_.section.rows_outside; }
   bool inside(int row) const { return row < tire_.section.rows_inside; }
   /// s in [-1, 1] of the column's middle; |s| is its position along the wall.
-  double middle(int column) const { return (2.0 * column + 1.0) / columns() - 1.0; }
+  double middle(int column) const {
+    return 0.5 * (tire_.section.station(column) + tire_.section.station(column + 1));
+  }
 
   /// Index into TireDescription::regions. Throws InputError where no region or two are.
   int region(int column, int row) const;

@@ -65,6 +65,15 @@ enum class CordModel {
   smeared,  // anisotropic St. Venant-Kirchhoff inside the reference line: for comparison
 };
 
+/// Relative meridional length of the elements over the position along the wall, linear between its
+/// points; none: all the same. Short elements belong where the wall bends in a short distance: at
+/// the bead and on both sides of a belt's edge.
+struct SpacingProfile {
+  std::vector<double> position;  // ascending, from 0 to 1
+  std::vector<double> length;    // > 0
+  bool operator==(const SpacingProfile&) const = default;
+};
+
 enum class BeadClamp { whole, inside, outside };  // inside, outside: up to the reference line
 
 /// Everything the mesh depends on.
@@ -74,6 +83,10 @@ struct Section {
   double tread_to = 0.5;  // position up to which the outer face may touch the ground
   BeadClamp clamp = BeadClamp::whole;
   int meridional = 29, rows_inside = 1, rows_outside = 1, sectors = 60;  // elements
+  SpacingProfile spacing;
+  /// s in [-1, 1], |s| the position, of the end of column `column` (0 to meridional, fractions
+  /// too).
+  double station(double column) const;
   bool operator==(const Section&) const = default;
 };
 

@@ -48,6 +48,27 @@ ThicknessProfile read_thickness(const Node& section, const char* key) {
   return profile;
 }
 
+SpacingProfile read_spacing(const Node& mesh) {
+  SpacingProfile spacing;
+  if (!mesh.has("spacing")) return spacing;
+  for (const std::vector<double>& row : mesh.rows("spacing", {"1", "1"})) {
+    const double last = spacing.position.empty() ? -1.0 : spacing.position.back();
+    if (row[0] <= last || row[0] > 1.0 || !(row[1] > 0.0) || row[1] > 100.0)
+      mesh.reject(
+          "spacing",
+          fmt::format("has the row [{}, {}], expected ascending positions from 0 (crown) to "
+                      "1 (bead) and relative lengths above 0 and up to 100",
+                      row[0],
+                      row[1]));
+    spacing.position.push_back(row[0]);
+    spacing.length.push_back(row[1]);
+  }
+  if (spacing.position.size() < 2 || spacing.position.front() != 0.0 ||
+      spacing.position.back() != 1.0)
+    mesh.reject("spacing", "must have a row at position 0 (crown) and one at 1 (bead)");
+  return spacing;
+}
+
 std::vector<MeridianPoint> read_contour(const Node& section) {
   std::vector<MeridianPoint> points;
   for (const std::vector<double>& row : section.rows("contour", {"m", "m"})) {
@@ -85,6 +106,7 @@ Section read_section(const Node& node, const Node& mesh) {
   section.meridional = static_cast<int>(mesh.integer("meridional", 4, kMostElements));
   section.rows_inside = static_cast<int>(mesh.integer("rows_inside", 1, 20, 1));
   section.rows_outside = static_cast<int>(mesh.integer("rows_outside", 1, 20, 1));
+  section.spacing = read_spacing(mesh);
   section.sectors = static_cast<int>(mesh.integer("sectors", 8, kMostElements));
   if (const std::string conflict = wall_conflict(section); !conflict.empty())
     node.reject("contour", conflict);
