@@ -4,10 +4,13 @@
 //
 // Law: the operator (K - sigma M)^-1 M is self-adjoint in the M-inner product; its largest
 // eigenvalues theta give lambda = sigma + 1 / theta. A block of start vectors finds multiplicities
-// up to the block size in one sweep; locking and restart with fresh directions find the copies that
-// rounding alone would have to bring. [Wu & Simon, Thick-restart Lanczos method for large symmetric
-// eigenvalue problems, SIAM J. Matrix Anal. Appl. 22 (2000)] [Grimes, Lewis & Simon, A shifted
-// block Lanczos algorithm ..., SIAM J. Matrix Anal. Appl. 15 (1994)]
+// up to the block size; further copies come by rounding alone, so choose the block no smaller, and
+// count negative pivots (Factorization) where none may be missed.
+// [Wu & Simon, Thick-restart Lanczos method for large symmetric eigenvalue problems,
+//  SIAM J. Matrix Anal. Appl. 22 (2000)]
+// [Grimes, Lewis & Simon, A shifted block Lanczos algorithm for solving sparse symmetric
+// generalized
+//  eigenproblems, SIAM J. Matrix Anal. Appl. 15 (1994)]
 #pragma once
 
 #include <Eigen/Core>
@@ -27,11 +30,14 @@ struct EigenProblem {
 };
 
 struct LanczosSettings {
-  int count = 20;           // eigenpairs wanted
-  double tolerance = 1e-8;  // residual of the inverted problem relative to theta: relative error of
-                            // lambda is its square
-  int block = 2;            // vectors a step: 2 finds both members of a pair; 1 for simple spectra
-  int max_steps = 600;      // block steps in all
+  int count = 20;  // eigenpairs wanted
+  /// Residual of the inverted problem relative to theta; theta errs by its square over the relative
+  /// gap to the next one.
+  double tolerance = 1e-8;
+  /// Vectors a step: 1 for simple spectra, 2 finds both members of a pair; with a sparse factor 3
+  /// to 5 are fastest, because right-hand sides are cheaper together.
+  int block = 2;
+  int max_steps = 600;  // block steps in all
 };
 
 template <class Scalar>
@@ -43,8 +49,8 @@ struct EigenPairs {
 };
 
 /// The eigenvalues nearest above the shift. start: approximate eigenvectors from a neighboring
-/// problem (any number of columns, also none): good ones save most of the steps, bad ones harm
-/// nothing. Deterministic.
+/// problem (any number of columns, the lowest first, also none): good ones save most of the steps,
+/// bad ones are recognized and left. Deterministic.
 template <class Scalar>
 EigenPairs<Scalar> lanczos(const EigenProblem<Scalar>& problem,
                            const LanczosSettings& settings,
