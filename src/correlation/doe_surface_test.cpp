@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/doe_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "optimization/full_factorial.h"
+
+namespace latsch::correlation {
+namespace {
+
+/// Three variables; the trials are made up.
+Study study() {
+  DesignVariable a{"a", {"a"}, 0.0, 4.0, 1.0};
+  DesignVariable b{"b", {"b"}, 1.0, 100.0, 10.0, Scale::logarithmic};
+  DesignVariable c{"c", {"c"}, -1.0, 1.0, 0.0};
+  return {"study.toml",
+          "made up",
+          "tire.toml",
+          Document::parse("a = 1", "tire.toml"),
+          DesignSpace({a, b, c}),
+          {},
+          {},
+          100,
+          {},
+          {}};
+}
+
+/// Least at a = 2, b = 10, c = 1.
+double target_at(const DesignPoint& p) {
+  return std::abs(p.values[0] - 2.0) + std::abs(std::log10(p.values[1]) - 1.0) + 1.0 - p.values[2];
+}
+
+std::vector<RatedTrial> grid(const Study& study, const std::vector<int>& levels) {
+  std::vector<RatedTrial> trials;
+  for (const DesignPoint& point : full_factorial(study.space, levels).points) {
+    trials.push_back({point, target_at(point)});
+  }
+  return trials;
+}
+
+const DesignPoint kFound{{2.1, 11.0, 0.9}};
+
+TEST(DoeSurfaces, OneForEveryPairThroughTheBestPointOfTheGrid) {
+  const Study s = study();
+  const auto surfaces = doe_surfaces(s, grid(s, {3, 3, 3}), kFound);
+  ASSERT_EQ(surfaces.size(), 3u);
+  const report::Surface& ab = surfaces[0];
+  EXPECT_EQ(ab.x, (std::vector<double>{0.0, 2.0, 4.0}));
+  EXPECT_NEAR(ab.y[1], 10.0, 1e-12);  // geometric mean of a logarithmic variable
+  EXPECT_EQ(ab.held, "c = 1");
+  EXPECT_NEAR(ab.target(1, 1), 0.0, 1e-12);
+  EXPECT_NEAR(ab.target(2, 1), 2.0, 1e-12);
+  EXPECT_EQ(*ab.found, Eigen::Vector2d(2.1, 11.0));
+}
+
+TEST(DoeSurfaces, AFailedTrialIsAHole) {
+  const Study s = study();
+  auto trials = grid(s, {3, 3, 3});
+  std::erase_if(trials, [](const RatedTrial& t) {
+    return t.point.values == std::vector<double>{0.0, 1.0, 1.0};
+  });
+  const auto surfaces = doe_surfaces(s, trials, kFound);
+  ASSERT_EQ(surfaces.size(), 3u);
+  EXPECT_TRUE(std::isnan(surfaces[0].target(0, 0)));
+}
+
+TEST(DoeSurfaces, AVariableThatWasNotVariedHasNone) {
+  Study s = study();
+  s.doe_levels = {5, 4, 1};
+  const auto surfaces = doe_surfaces(s, grid(s, s.doe_levels), kFound);
+  ASSERT_EQ(surfaces.size(), 1u);
+  EXPECT_EQ(surfaces[0].x.size(), 5u);
+  EXPECT_EQ(surfaces[0].y.size(), 4u);
+}
+
+TEST(DoeSurfaces, NoneWithoutAGrid) {
+  const Study s = study();
+  auto trials = grid(s, {3, 3, 3});
+  trials.resize(14);  // half of it
+  EXPECT_TRUE(doe_surfaces(s, trials, kFound).empty());
+}
+
+}  // namespace
+}  // namespace latsch::correlation
