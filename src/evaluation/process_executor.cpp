@@ -22,6 +22,9 @@ using Steady = std::chrono::steady_clock;
 
 // A program that ends before it is ready so often in a row is not a worker.
 constexpr int kMostFailedStarts = 3;
+// A trial whose worker is stopped from outside says nothing about its point, unless it happens
+// again: where a point needs too much memory, the system kills every worker that tries it.
+constexpr int kMostRepeats = 2;
 
 Steady::duration seconds(double s) {
   return std::chrono::duration_cast<Steady::duration>(std::chrono::duration<double>(s));
@@ -32,6 +35,7 @@ struct Slot {
   std::unique_ptr<WorkerProcess> process;
   bool ready = false;  // the process has said that it listens
   std::optional<DesignPoint> point;
+  int repeats = 0;           // of this trial
   Steady::time_point since;  // start of the process until it is ready, then of the trial
 };
 
@@ -99,8 +103,13 @@ struct ProcessExecutor::Impl {
       restart_or_give_up(slot, how);
       return std::nullopt;
     }
+    const bool may_repeat = slot.process->was_stopped_from_outside();
     slot.process.reset();
     if (!slot.point) return std::nullopt;
+    if (may_repeat && slot.repeats++ < kMostRepeats) {
+      send_point(slot);
+      return std::nullopt;
+    }
     return finish_lost(slot, "the worker " + how);
   }
 
@@ -177,6 +186,7 @@ void ProcessExecutor::start(const DesignPoint& point) {
       impl_->slots.begin(), impl_->slots.end(), [](const Slot& s) { return !s.point; });
   assert(slot != impl_->slots.end());
   slot->point = point;
+  slot->repeats = 0;
   impl_->send_point(*slot);
 }
 

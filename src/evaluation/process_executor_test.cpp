@@ -10,14 +10,18 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <thread>
 
 #include "base/error.h"
+#include "evaluation/scratch_folder_testing.h"
 #include "evaluation/worker.h"
 
 namespace latsch {
 namespace {
+
+constexpr const char* kOnceVariable = "LATSCH_TEST_FILE";
 
 enum Fault {
   none,
@@ -32,7 +36,8 @@ enum Fault {
   out_of_memory,
   hanging_child,
   fails,
-  kFaults
+  stopped_once,
+  stopped_always
 };
 
 /// The first variable says what goes wrong, the second is squared.
@@ -64,6 +69,12 @@ Result<Channels> faulty(const DesignPoint& point) {
     case hanging_child:
       if (::fork() == 0) ::sleep(1000);
       std::raise(SIGSEGV);
+      break;
+    case stopped_once:
+      if (std::filesystem::remove(std::getenv(kOnceVariable))) std::raise(SIGTERM);
+      break;
+    case stopped_always:
+      std::raise(SIGTERM);
       break;
     case fails:
       return Failure{"load step 2: no equilibrium"};
@@ -141,6 +152,17 @@ TEST(ProcessExecutor, EveryFaultIsAFailureWithItsReason) {
 #if !defined(__SANITIZE_ADDRESS__)
   expect_contains(reason(executor, out_of_memory), "out of memory");
 #endif
+}
+
+TEST(ProcessExecutor, ATrialWhoseWorkerIsStoppedFromOutsideIsRepeated) {
+  const ScratchFolder folder;
+  std::ofstream(folder / "once") << "x";
+  ::setenv(kOnceVariable, (folder / "once").c_str(), 1);
+  ProcessExecutor executor(worker_options(1));
+  const Trial trial = run_one(executor, {{static_cast<double>(stopped_once), 3.0}});
+  ASSERT_TRUE(trial.outcome.result.ok()) << trial.outcome.result.failure().reason;
+  EXPECT_FALSE(std::filesystem::exists(folder / "once"));
+  expect_contains(reason(executor, stopped_always), "killed by signal 15");
 }
 
 TEST(ProcessExecutor, WhatAWorkerPrintsDoesNotDisturbItsAnswer) {

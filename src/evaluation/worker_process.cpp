@@ -191,13 +191,18 @@ std::string WorkerProcess::end() {
   // The group is killed while its leader is not yet waited for: its number cannot be taken by
   // others.
   ::kill(-pid_, SIGKILL);
-  int status = 0;
-  while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  while (::waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {
   }
   pid_ = -1;
   take_printed();
   const std::string line = last_line(last_printed_);
-  return describe(status) + (line.empty() ? "" : fmt::format("; it last printed \"{}\"", line));
+  return describe(status_) + (line.empty() ? "" : fmt::format("; it last printed \"{}\"", line));
+}
+
+bool WorkerProcess::was_stopped_from_outside() const {
+  if (!WIFSIGNALED(status_)) return false;
+  const int signal = WTERMSIG(status_);
+  return signal == SIGTERM || signal == SIGKILL || signal == SIGINT || signal == SIGHUP;
 }
 
 std::vector<int> WorkerProcess::descriptors() const {

@@ -48,6 +48,10 @@ class WorkerProcess {
   /// 11 (Segmentation fault)", with the last line it printed.
   std::string end();
 
+  /// After end(): a signal sent by somebody else (a person, the system short of memory, a shutdown)
+  /// rather than by a fault of its own.
+  bool was_stopped_from_outside() const;
+
   /// To poll(2) on: readable when there is something to receive or the worker ended.
   std::vector<int> descriptors() const;
 
@@ -55,6 +59,7 @@ class WorkerProcess {
   void take_printed();
 
   pid_t pid_ = -1;
+  int status_ = 0;  // of waitpid(2)
   Descriptor socket_;
   Descriptor printed_;  // its stdout and stderr
   Descriptor process_;  // readable once it has ended
