@@ -22,15 +22,15 @@ constexpr double kReach = 0.8;          // of the step: how far the model is tru
 constexpr double kNew = 0.05;           // of the step: nearer to a known point, nothing is learned
 constexpr double kClearlyBetter = 0.1;  // of the other model's misfit
 constexpr double kLongestStep = 0.25;   // a quarter of every variable's range
-constexpr double kExpansion = 2.0;      // of the step after more than
-constexpr int kSuccessesToExpand = 4;   // successes in a row
+constexpr double kExpansion = 2.0;      // of the step after more than so many successes in a row:
+constexpr int kSuccessesToExpand = 4;
+
+constexpr int kNoDirection = -1;
 
 struct Direction {
   Eigen::VectorXd d;
   double step;
 };
-
-constexpr int kNoDirection = -1;
 
 /// A point whose outcome the method waits for.
 struct Wanted {
@@ -161,7 +161,8 @@ struct Gss::State {
     std::vector<Sample> squares = samples;
     for (Sample& sample : squares) sample.value *= sample.value;
     auto of_square = fit_quadratic(squares, x, reach);
-    return of_f && of_f->misfit < kClearlyBetter * of_square->misfit ? of_f : of_square;
+    if (!of_f || !of_square) return of_f ? of_f : of_square;
+    return of_f->misfit < kClearlyBetter * of_square->misfit ? of_f : of_square;
   }
 
   std::optional<Wanted> model_step() const {
