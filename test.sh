@@ -5,4 +5,4 @@ cd "$(dirname "$0")"
 tools/install_packages.sh
 cmake --preset release
 cmake --build --preset release
-exec ctest --preset release --parallel "$(nproc)" "$@"
+exec ctest --preset release "$@"

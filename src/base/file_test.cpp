@@ -14,7 +14,7 @@ namespace {
 
 class File : public testing::Test {
  protected:
-  File() : folder_(testing::TempDir() + "latsch_file_test") {
+  File() : folder_(testing::TempDir() + "latsch_file_test_" + std::to_string(getpid())) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
