@@ -3,11 +3,13 @@
 
     cli_test.py PATH/TO/latsch
 """
+import contextlib
 import pathlib
 import re
 import resource
 import shutil
 import signal
+import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -25,6 +27,15 @@ def edit(file, *replacements):
         text, count = re.subn(pattern, new, text)
         assert count, f"{pattern} is not in {file}"
     file.write_text(text)
+
+
+def trials_of(journal):
+    """Trials a journal holds, read beside the run that writes it; 0 while there is none."""
+    try:
+        with contextlib.closing(sqlite3.connect(f"file:{journal}?mode=ro", uri=True)) as rows:
+            return rows.execute("select count(*) from trials").fetchone()[0]
+    except sqlite3.OperationalError:
+        return 0
 
 
 class Coarse(unittest.TestCase):
@@ -93,22 +104,34 @@ class GoodInput(Coarse):
     def test_killed_and_resumed_gives_the_same_result(self):
         whole = self.latsch("run", self.study)
         (self.folder / "study.latsch").unlink()
-        run = subprocess.Popen([LATSCH, "run", self.study], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        time.sleep(1.5)
-        run.kill()
-        run.wait()
+        with self.running_with_trials(3) as run:
+            run.kill()
         resumed = self.latsch("resume", self.study)
         self.assert_says(resumed, "finished trials are reused")
         result = re.compile(r"Best of .*?\n\nReport", re.S)
         self.assertEqual(result.search(whole)[0], result.search(resumed)[0])
 
     def test_interrupted_says_how_to_go_on(self):
-        run = subprocess.Popen([LATSCH, "run", self.study], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        time.sleep(1.0)
-        run.send_signal(signal.SIGINT)
-        text, _ = run.communicate(timeout=10)
+        edit(self.study, ("step_tolerance = .*", "step_tolerance = 1e-9"))
+        with self.running_with_trials(3) as run:
+            run.send_signal(signal.SIGINT)
+            text, _ = run.communicate(timeout=30)
         self.assertEqual(run.returncode, FAILED)
         self.assert_says(text, "Interrupted", "latsch resume")
+
+    @contextlib.contextmanager
+    def running_with_trials(self, finished):
+        """A `latsch run` under way, entered once its journal holds as many trials."""
+        journal = self.folder / "study.latsch"
+        run = subprocess.Popen([LATSCH, "run", self.study], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        try:
+            while trials_of(journal) < finished:
+                self.assertIsNone(run.poll(), "the run ended before it was stopped")
+                time.sleep(0.01)
+            yield run
+        finally:
+            run.kill()
+            run.communicate()
 
     def test_a_run_reuses_what_a_grid_evaluated(self):
         self.assert_says(self.latsch("doe", self.study, "--levels", "3"), "of 9 points succeeded", "Report: ")
