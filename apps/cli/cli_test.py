@@ -137,6 +137,11 @@ class GoodInput(Coarse):
         self.assert_says(self.latsch("doe", self.study, "--levels", "3"), "of 9 points succeeded", "Report: ")
         self.assert_says(self.latsch("run", self.study), "9 finished trials are reused")
 
+    def test_morris_prints_its_sensitivities_and_resumes(self):
+        edit(self.study, (r'design = "full_factorial".*\nlevels = .*', 'design = "morris"\npoints = 6'))
+        self.assert_says(self.latsch("doe", self.study), "Morris trajectories", "mu*", "sigma", "carcass")
+        self.assert_says(self.latsch("doe", self.study), "Morris trajectories, 6 points; 6 finished trials")
+
     def test_export_writes_files_for_other_programs(self):
         tire, vtu, deck = (self.folder / name for name in ("identified.toml", "tire.vtu", "tire.inp"))
         self.latsch("export", self.study, "--tire", tire, "--vtu", vtu, "--ccx", deck, "--deflection", "8 mm",

@@ -1,64 +1,97 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch doe: a full factorial design over the worker processes, all channels kept in the journal.
+// latsch doe: a design of experiments over the worker processes, all channels kept in the journal.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "cli/interrupt.h"
 #include "cli/tables.h"
 #include "cli/trials.h"
 #include "cli/verbs.h"
-#include "correlation/tire_trials.h"
-#include "optimization/full_factorial.h"
+#include "correlation/best_trial.h"
 
 namespace latsch::cli {
 namespace {
 
+using correlation::DesignKind;
+using correlation::RatedTrial;
 using correlation::Study;
+using correlation::StudyDesign;
 
 constexpr size_t kShownPoints = 5;
 
-std::vector<int> levels_of(const Study& study, int levels) {
-  if (levels > 0) return std::vector<int>(study.space.size(), levels);
-  if (study.doe_levels.empty()) {
-    throw InputError(study.file.string() +
-                     " has no [doe]; add levels = {NAME = 5, ...}, or say --levels 5");
-  }
-  return study.doe_levels;
+/// The study's design, or a grid of so many levels of every variable.
+StudyDesign design_of(const Study& study, int levels) {
+  if (levels > 0) return {.levels = std::vector<int>(study.space.size(), levels)};
+  if (study.doe) return *study.doe;
+  throw InputError(study.file.string() +
+                   " has no [doe]; add one with levels = 5, or say "
+                   "--levels 5");
 }
 
-struct Rated {
-  DesignPoint point;
-  double target;
-};
+using Targets = std::map<std::string, double>;  // by the bits of the point, where it succeeded
+
+Targets targets_of(const Study& study, const Journal& journal) {
+  Targets targets;
+  for (const RatedTrial& trial : correlation::rated_trials(study, journal)) {
+    targets.emplace(trial.point.bits(), trial.target);
+  }
+  return targets;
+}
 
 /// The points of the plan that gave a target, least first.
-std::vector<Rated> rated(const Study& study, const SamplingPlan& plan, const Journal& journal) {
-  const Objective target = correlation::objective(study);
-  std::map<std::string, Result<Score>> scores;
-  journal.for_each([&](const Trial& trial) {
-    if (trial.outcome.result) {
-      scores.emplace(trial.point.bits(), target(*trial.outcome.result));
-    }
-  });
-  std::vector<Rated> points;
+std::vector<RatedTrial> rated(const SamplingPlan& plan, const Targets& targets) {
+  std::vector<RatedTrial> points;
   for (const DesignPoint& point : plan.points) {
-    const auto score = scores.find(point.bits());
-    if (score != scores.end() && score->second) points.push_back({point, score->second->value});
+    const auto target = targets.find(point.bits());
+    if (target != targets.end()) points.push_back({point, target->second});
   }
-  std::stable_sort(points.begin(), points.end(), [](const Rated& a, const Rated& b) {
+  std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
     return a.target < b.target;
   });
   return points;
 }
 
+void print_sensitivities(const Study& study, const StudyDesign& design, const Targets& targets) {
+  const MorrisDesign trajectories = correlation::morris_design(design, study.space);
+  std::vector<std::vector<std::optional<double>>> values;
+  for (const auto& trajectory : trajectories.trajectories) {
+    values.emplace_back();
+    for (const DesignPoint& point : trajectory) {
+      const auto target = targets.find(point.bits());
+      values.back().push_back(target != targets.end() ? std::optional(target->second)
+                                                      : std::nullopt);
+    }
+  }
+  fmt::print(
+      "\nMorris' elementary effects: change of the target over a variable's whole range, "
+      "in points of %\n  {:<16} {:>10} {:>10} {:>10} {:>8}\n",
+      "variable",
+      "mu*",
+      "mu",
+      "sigma",
+      "effects");
+  const auto effects = elementary_effects(study.space, trajectories, values);
+  for (int i = 0; i < study.space.size(); ++i) {
+    fmt::print("  {:<16} {:10.3f} {:10.3f} {:10.3f} {:8}\n",
+               study.space[i].name,
+               100.0 * effects[i].mu_star,
+               100.0 * effects[i].mu,
+               100.0 * effects[i].sigma,
+               effects[i].effects);
+  }
+}
+
 int doe(const std::string& file, int levels, int workers) {
   Study study = correlation::read_study(file);
   if (workers > 0) study.run.workers = workers;
-  const SamplingPlan plan = full_factorial(study.space, levels_of(study, levels));
+  const StudyDesign design = design_of(study, levels);
+  const SamplingPlan plan = correlation::plan(design, study.space);
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
-  fmt::print("{} points, {} finished trials in {}\n",
+  fmt::print("{}, {} points; {} finished trials in {}\n",
+             design.name(),
              plan.points.size(),
              journal.size(),
              study.run.journal.string());
@@ -70,13 +103,15 @@ int doe(const std::string& file, int levels, int workers) {
     fmt::print("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
     return kFailed;
   }
-  const auto points = rated(study, plan, journal);
+  const Targets targets = targets_of(study, journal);
+  const auto points = rated(plan, targets);
   fmt::print("\n{} of {} points succeeded; the best:\n", points.size(), plan.points.size());
   if (points.empty()) return kFailed;
   for (size_t i = 0; i < std::min(kShownPoints, points.size()); ++i) {
     fmt::print("target {:.4f} %\n", points[i].target * 100.0);
     print_point(study.space, points[i].point);
   }
+  if (design.kind == DesignKind::morris) print_sensitivities(study, design, targets);
   return write_report(study, journal);
 }
 
@@ -84,15 +119,18 @@ int doe(const std::string& file, int levels, int workers) {
 
 void add_doe(CLI::App& app, int& exit_code) {
   auto* verb = app.add_subcommand(
-      "doe", "Evaluates a full factorial grid: sees local minima, chooses where to start");
+      "doe", "Evaluates a design of experiments: sees local minima, chooses where to start");
   verb->footer(
       "Example:\n  latsch doe studies/tire_b_twin/study.toml --levels 5 --workers 2\n\n"
-      "A later `latsch run` of the same study reuses what the grid evaluated.");
+      "[doe] in the study names the design: full_factorial, latin_hypercube, sobol or morris.\n"
+      "A later `latsch run` of the same study reuses what the design evaluated.");
   auto file = std::make_shared<std::string>();
   auto levels = std::make_shared<int>(0);
   auto workers = std::make_shared<int>(0);
   verb->add_option("study", *file, "Study file (TOML)")->required();
-  verb->add_option("--levels", *levels, "Values of every variable, instead of the study's [doe]")
+  verb->add_option("--levels",
+                   *levels,
+                   "A grid of so many values of every variable, instead of the study's [doe]")
       ->check(CLI::Range(2, 1000));
   verb->add_option("--workers", *workers, "Worker processes, instead of the study's")
       ->check(CLI::Range(1, 1024));

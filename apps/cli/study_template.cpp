@@ -88,8 +88,9 @@ method = "gss"                      # generating-set search; lengths are shares 
 initial_step = 0.2
 step_tolerance = 0.005
 
-[doe]                               # for `latsch doe`: values of each variable
-levels = 5
+[doe]                               # for `latsch doe`
+design = "full_factorial"           # or "latin_hypercube", "sobol", "morris", with points = 40
+levels = 5                          # values of each variable
 
 [run]
 workers = 2                         # the result does not depend on it

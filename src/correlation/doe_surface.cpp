@@ -54,7 +54,9 @@ std::optional<Grid> grid_with(const Study& study,
 /// The study's own [doe], or the finest grid of equal levels (`latsch doe --levels`).
 std::optional<Grid> find_grid(const Study& study, const Targets& targets) {
   std::optional<Grid> found;
-  if (!study.doe_levels.empty()) found = grid_with(study, study.doe_levels, targets);
+  if (study.doe && study.doe->kind == DesignKind::full_factorial) {
+    found = grid_with(study, study.doe->levels, targets);
+  }
   for (int n = kMostLevels; n >= 3 && !found; --n) {
     found = grid_with(study, std::vector<int>(study.space.size(), n), targets);
   }

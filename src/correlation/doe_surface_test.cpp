@@ -68,8 +68,8 @@ TEST(DoeSurfaces, AFailedTrialIsAHole) {
 
 TEST(DoeSurfaces, AVariableThatWasNotVariedHasNone) {
   Study s = study();
-  s.doe_levels = {5, 4, 1};
-  const auto surfaces = doe_surfaces(s, grid(s, s.doe_levels), kFound);
+  s.doe = StudyDesign{.levels = {5, 4, 1}};
+  const auto surfaces = doe_surfaces(s, grid(s, s.doe->levels), kFound);
   ASSERT_EQ(surfaces.size(), 1u);
   EXPECT_EQ(surfaces[0].x.size(), 5u);
   EXPECT_EQ(surfaces[0].y.size(), 4u);

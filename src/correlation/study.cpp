@@ -13,7 +13,6 @@ namespace latsch::correlation {
 namespace {
 
 constexpr long kMostSteps = 1'000'000;
-constexpr long kMostLevels = 1000;
 constexpr long kMostWorkers = 1024;
 
 DesignSpace read_variables(const Node& root, const Document& model) {
@@ -72,17 +71,6 @@ GssOptions read_gss(const Node& node) {
   options.sufficient_decrease =
       node.quantity("sufficient_decrease", "1", Range::not_negative(), d.sufficient_decrease);
   return options;
-}
-
-std::vector<int> read_levels(const Node& doe, const DesignSpace& space) {
-  const int all = static_cast<int>(doe.integer("levels", 1, kMostLevels));
-  std::vector<int> levels(space.size(), all);
-  if (const auto table = doe.find_table("levels_of")) {
-    for (int i = 0; i < space.size(); ++i) {
-      levels[i] = static_cast<int>(table->integer(space[i].name, 1, kMostLevels, all));
-    }
-  }
-  return levels;
 }
 
 RunSettings read_run(const Node* node, const std::filesystem::path& file) {
@@ -157,14 +145,14 @@ Study read_study(const std::filesystem::path& file, Measurements measurements) {
               read_experiments(root, folder, measurements),
               {},
               1000,
-              {},
+              std::nullopt,
               {}};
   if (const auto optimizer = root.find_table("optimizer")) {
     optimizer->choice("method", {"gss"}, "gss");
     study.gss = read_gss(*optimizer);
     study.max_steps = optimizer->integer("max_steps", 1, kMostSteps, study.max_steps);
   }
-  if (const auto doe = root.find_table("doe")) study.doe_levels = read_levels(*doe, study.space);
+  if (const auto doe = root.find_table("doe")) study.doe = read_design(*doe, study.space);
   const auto run = root.find_table("run");
   study.run = read_run(run ? &*run : nullptr, file);
   root.close();

@@ -15,9 +15,7 @@
 //   sufficient_decrease = 0.01
 //   max_steps = 1000                          # outcomes the optimizer may observe
 //
-//   [doe]
-//   levels = 5                                # full factorial: values of every variable
-//   levels_of = {belt = 1}                    # of single variables; 1: keeps its initial value
+//   [doe]                                     # see study_design.h
 //
 //   [run]
 //   workers = 2                               # processes; the result does not depend on it
@@ -26,10 +24,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/document.h"
+#include "correlation/study_design.h"
 #include "correlation/study_experiment.h"
 #include "evaluation/journal.h"
 #include "optimization/design_space.h"
@@ -52,7 +52,7 @@ struct Study {
   std::vector<StudyExperiment> experiments;  // in the order of the file
   GssOptions gss;
   long max_steps = 1000;
-  std::vector<int> doe_levels;  // one a variable, 1: not varied; empty: no [doe]
+  std::optional<StudyDesign> doe;
   RunSettings run;
 };
 

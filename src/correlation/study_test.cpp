@@ -102,7 +102,7 @@ TEST_F(StudyFile, IsReadInSi) {
   EXPECT_NEAR(modes.pressure, 35.0 * 6894.757293168, 1e-4);
   EXPECT_EQ(modes.count, 2 + 8);
   EXPECT_FALSE(study.experiments[1].fitted);
-  EXPECT_EQ(study.doe_levels, (std::vector<int>{3, 5}));
+  EXPECT_EQ(study.doe->levels, (std::vector<int>{3, 5}));
 }
 
 TEST_F(StudyFile, AVariableSetsAllItsPaths) {
@@ -190,6 +190,25 @@ TEST_F(StudyFile, RejectsANanInAMeasurement) {
 TEST_F(StudyFile, RejectsAMeasuredForceOfZero) {
   write("stiffness.csv", "deflection [mm], force [N]\n1, 0\n");
   EXPECT_SAYS(complaint(), "stiffness.csv:2");
+}
+
+TEST_F(StudyFile, NamesItsDesign) {
+  replace("study.toml", "levels = 3\nlevels_of = {angle = 5}", "design = \"morris\"\npoints = 30");
+  const Study study = read();
+  EXPECT_EQ(study.doe->kind, DesignKind::morris);
+  EXPECT_EQ(morris_design(*study.doe, study.space).trajectories.size(), 10u);
+  replace("study.toml", "\"morris\"\npoints = 30", "\"sobol\"\npoints = 16\nseed = 3");
+  EXPECT_EQ(plan(*read().doe, study.space).points.size(), 16u);
+}
+
+TEST_F(StudyFile, RejectsKeysOfAnotherDesign) {
+  replace("study.toml", "levels = 3\n", "design = \"sobol\"\nlevels = 3\n");
+  EXPECT_SAYS(complaint(), "study.toml:30: doe.levels does not belong to this design");
+}
+
+TEST_F(StudyFile, RejectsTooFewPointsForMorris) {
+  replace("study.toml", "levels = 3\nlevels_of = {angle = 5}", "design = \"morris\"\npoints = 5");
+  EXPECT_SAYS(complaint(), "doe.points is 5, expected at least 6: 2 trajectories of 3 points");
 }
 
 TEST_F(StudyFile, IdentityChangesWithTheModelButNotWithNotesOrTheObjective) {
