@@ -3,16 +3,26 @@
 #pragma once
 
 #include <cassert>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <variant>
 
 namespace latsch {
 
+/// Whose fault a failure is. It decides whether the same point is worth another try.
+enum class Cause : std::uint8_t {
+  point,       // the simulation says no, crashes or throws: again the same if repeated
+  timeout,     // it took longer than it was allowed
+  bad_output,  // its answer is missing, cannot be read or holds numbers that are not finite
+  transient,   // its worker was killed from outside or is out of reach: nothing about the point
+};
+
 /// Why a simulation gave no result: one sentence naming the step, the residual, the place and a
 /// hint.
 struct Failure {
   std::string reason;
+  Cause cause = Cause::point;
 };
 
 /// A T, or the Failure that came instead.

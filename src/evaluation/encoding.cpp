@@ -64,6 +64,46 @@ struct Reader {
   bool finished() const { return ok && rest.empty(); }
 };
 
+// What an outcome is: channels, or a failure by its cause. The first two are those of journals of
+// format 1, which knew no causes.
+enum Kind : std::uint8_t {
+  kPoint = 0,
+  kChannels = 1,
+  kTimeout = 2,
+  kBadOutput = 3,
+  kTransient = 4
+};
+
+Kind kind_of(const Result<Channels>& result) {
+  if (result) return kChannels;
+  switch (result.failure().cause) {
+    case Cause::timeout:
+      return kTimeout;
+    case Cause::bad_output:
+      return kBadOutput;
+    case Cause::transient:
+      return kTransient;
+    case Cause::point:
+      break;
+  }
+  return kPoint;
+}
+
+std::optional<Cause> cause_of(std::uint8_t kind) {
+  switch (kind) {
+    case kPoint:
+      return Cause::point;
+    case kTimeout:
+      return Cause::timeout;
+    case kBadOutput:
+      return Cause::bad_output;
+    case kTransient:
+      return Cause::transient;
+    default:
+      return std::nullopt;
+  }
+}
+
 Channels read_channels(Reader& reader) {
   Channels channels;
   const auto count = reader.number<std::uint64_t>();
@@ -99,7 +139,7 @@ std::string encode(const Outcome& outcome) {
   put(bytes, outcome.wall_time);
   put(bytes, outcome.cpu_time);
   put(bytes, static_cast<std::int32_t>(outcome.worker));
-  put(bytes, static_cast<std::uint8_t>(outcome.result.ok()));
+  put(bytes, static_cast<std::uint8_t>(kind_of(outcome.result)));
   if (outcome.result) {
     bytes += encode(*outcome.result);
   } else {
@@ -128,12 +168,14 @@ std::optional<Outcome> decode_outcome(std::string_view bytes) {
   outcome.wall_time = reader.number<double>();
   outcome.cpu_time = reader.number<double>();
   outcome.worker = reader.number<std::int32_t>();
-  if (reader.number<std::uint8_t>() != 0) {
+  const auto kind = reader.number<std::uint8_t>();
+  const std::optional<Cause> cause = cause_of(kind);
+  if (kind == kChannels) {
     outcome.result = read_channels(reader);
-  } else {
-    outcome.result = Failure{reader.text()};
+  } else if (cause) {
+    outcome.result = Failure{reader.text(), *cause};
   }
-  if (!reader.finished()) return std::nullopt;
+  if (!reader.finished() || (kind != kChannels && !cause)) return std::nullopt;
   return outcome;
 }
 

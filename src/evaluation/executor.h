@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where trials run: in this process, in worker processes, or in a simulated world with a clock of
-// its own.
+// Where trials run: in this process, in its threads, in worker processes, on the ranks of an MPI
+// job, or in a simulated world with a clock of its own.
+//
+// An executor runs what it is told to, once. Which points, in which order, what is tried again or
+// started twice is decided by the dispatcher, the same for all of them.
 #pragma once
 
 #include <vector>
 
+#include "base/clock.h"
 #include "evaluation/trial.h"
 #include "optimization/design_point.h"
 
@@ -18,15 +22,22 @@ class Executor {
   /// Workers without a trial.
   virtual int idle() const = 0;
 
-  /// Hands the point to an idle worker.
+  /// Hands the point to an idle worker. It may run on another one already.
   virtual void start(const DesignPoint& point) = 0;
 
-  /// Waits until a trial ends, at most `patience` seconds, and returns those that did. Never throws
-  /// for what an evaluation did; throws InputError where workers cannot be started at all.
+  /// Waits until a trial ends, at most `patience` seconds, and returns those that did. A trial
+  /// whose worker was lost without a fault of its own is a failure with Cause::transient. Never
+  /// throws for what an evaluation did; throws InputError where workers cannot be started at all.
   virtual std::vector<Trial> wait(double patience) = 0;
 
-  /// Forgets running trials and frees their workers at once.
+  /// Forgets the running trials of this point and frees their workers as soon as it can.
+  virtual void withdraw(const DesignPoint& point) = 0;
+
+  /// Forgets all running trials and frees their workers.
   virtual void abandon() = 0;
+
+  /// s on the clock by which trials run; never runs backward.
+  virtual double now() const { return steady_clock()(); }
 };
 
 }  // namespace latsch

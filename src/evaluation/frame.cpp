@@ -29,6 +29,19 @@ std::string encode_frame(FrameKind kind, std::string_view bytes) {
   return frame;
 }
 
+std::string numbered(std::uint64_t number, std::string_view bytes) {
+  std::string text(reinterpret_cast<const char*>(&number), sizeof number);
+  text += bytes;
+  return text;
+}
+
+std::optional<Numbered> take_number(std::string_view bytes) {
+  std::uint64_t number = 0;
+  if (bytes.size() < sizeof number) return std::nullopt;
+  std::memcpy(&number, bytes.data(), sizeof number);
+  return Numbered{number, bytes.substr(sizeof number)};
+}
+
 std::optional<Frame> FrameReader::next() {
   Header header;
   if (broken_ || buffer_.size() < sizeof header) return std::nullopt;

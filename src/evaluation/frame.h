@@ -19,6 +19,16 @@ struct Frame {
 
 std::string encode_frame(FrameKind kind, std::string_view bytes);
 
+/// What is said about a trial begins with its number: a program an evaluator left behind may answer
+/// to a point that is not asked about any more.
+struct Numbered {
+  std::uint64_t number;
+  std::string_view rest;
+};
+std::string numbered(std::uint64_t number, std::string_view bytes);
+/// nullopt where there is not even a number.
+std::optional<Numbered> take_number(std::string_view bytes);
+
 /// Cuts frames from a stream of bytes as they arrive.
 class FrameReader {
  public:

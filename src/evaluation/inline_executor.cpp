@@ -18,6 +18,10 @@ std::vector<Trial> InlineExecutor::wait(double) {
   return {{point, evaluate(evaluator_, point)}};
 }
 
+void InlineExecutor::withdraw(const DesignPoint& point) {
+  if (waiting_ == point) waiting_.reset();
+}
+
 void InlineExecutor::abandon() { waiting_.reset(); }
 
 }  // namespace latsch

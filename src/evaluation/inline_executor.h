@@ -16,6 +16,7 @@ class InlineExecutor : public Executor {
   int idle() const override { return waiting_ ? 0 : 1; }
   void start(const DesignPoint& point) override;
   std::vector<Trial> wait(double patience) override;
+  void withdraw(const DesignPoint& point) override;
   void abandon() override;
 
  private:

@@ -2,79 +2,28 @@
 #include "evaluation/journal.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <cassert>
-#include <ctime>
 #include <optional>
 
 #include "base/error.h"
 #include "evaluation/encoding.h"
+#include "evaluation/journal_format.h"
 #include "evaluation/journal_lock.h"
+#include "evaluation/journal_migration.h"
 
 namespace latsch {
-namespace {
 
-constexpr int kApplicationId = 0x4C747368;  // "Ltsh", so that file(1) and we know our own
-constexpr int kSchemaVersion = 1;
-
-// Rows are only ever added; `tally` alone is rewritten, in the transaction that adds a trial, so
-// that a lost last row is seen. hash of a trial: over its columns and the hash of the row before
-// it.
-constexpr const char* kSchema = R"(
-  CREATE TABLE identity (position INTEGER PRIMARY KEY, name TEXT NOT NULL, text TEXT NOT NULL,
-                         hash INTEGER NOT NULL);
-  CREATE TABLE trials (number INTEGER PRIMARY KEY, point BLOB NOT NULL, outcome BLOB NOT NULL,
-                       finished TEXT NOT NULL, hash INTEGER NOT NULL);
-  CREATE TABLE tally (only INTEGER PRIMARY KEY CHECK (only = 1), trials INTEGER NOT NULL,
-                      hash INTEGER NOT NULL);
-  )";
-
-std::string utc_now() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-}
-
-std::int64_t stored(std::uint64_t hash) { return static_cast<std::int64_t>(hash); }
-
-std::string text_of(const SQLite::Column& column) {
-  const auto* bytes = static_cast<const char*>(column.getBlob());
-  return bytes ? std::string(bytes, column.getBytes()) : std::string();
-}
-
-/// One row of `trials`.
-struct Row {
-  std::int64_t number;
-  std::string point;
-  std::string outcome;
-  std::string finished;
-
-  std::uint64_t hash(std::uint64_t before) const {
-    std::uint64_t state = before;
-    for (const std::string& part : {std::to_string(number), point, outcome, finished}) {
-      state = latsch::hash(part, latsch::hash(std::to_string(part.size()) + ":", state));
-    }
-    return state;
-  }
-};
-
-std::uint64_t hash_of(const IdentityPart& part, std::uint64_t before) {
-  return hash(part.text, hash(part.name + "\n", before));
-}
-
-std::uint64_t hash_of(const StudyIdentity& identity) {
-  std::uint64_t state = kHashStart;
-  for (const IdentityPart& part : identity) state = hash_of(part, state);
-  return state;
-}
-
-}  // namespace
+using namespace journal_format;
 
 struct Journal::Impl {
   std::filesystem::path file;
   std::optional<JournalLock> lock;  // held by a writer
   std::unique_ptr<SQLite::Database> database;
+  std::optional<SQLite::Statement> insert;  // after the database: it ends before it
+  int format = kFormat;
   StudyIdentity identity;
   std::uint64_t last_hash = kHashStart;
   long trials = 0;
@@ -125,38 +74,24 @@ struct Journal::Impl {
            database->execAndGet("PRAGMA application_id").getInt() == 0;
   }
 
-  void check_format() const {
+  void check_format() {
     if (database->execAndGet("PRAGMA application_id").getInt() != kApplicationId) {
       refuse("is an SQLite database, but not a journal");
     }
-    const int version = database->execAndGet("PRAGMA user_version").getInt();
-    if (version != kSchemaVersion) {
+    format = database->execAndGet("PRAGMA user_version").getInt();
+    if (format < 1 || format > kFormat) {
       refuse(
           fmt::format("is a journal of format {}, this program reads and writes format {}; use "
                       "the program that wrote it, or start a new journal",
-                      version,
-                      kSchemaVersion));
+                      format,
+                      kFormat));
     }
   }
 
   void create(const StudyIdentity& study) {
     SQLite::Transaction transaction(*database);
-    database->exec(fmt::format("PRAGMA application_id = {}", kApplicationId));
-    database->exec(fmt::format("PRAGMA user_version = {}", kSchemaVersion));
-    database->exec(kSchema);
-    std::uint64_t state = kHashStart;
-    for (std::size_t i = 0; i < study.size(); ++i) {
-      state = hash_of(study[i], state);
-      SQLite::Statement insert(*database, "INSERT INTO identity VALUES (?, ?, ?, ?)");
-      insert.bind(1, static_cast<std::int64_t>(i + 1));
-      insert.bind(2, study[i].name);
-      insert.bind(3, study[i].text);
-      insert.bind(4, stored(state));
-      insert.exec();
-    }
-    SQLite::Statement tally(*database, "INSERT INTO tally VALUES (1, 0, ?)");
-    tally.bind(1, stored(state));
-    tally.exec();
+    create_tables(*database);
+    write_identity(*database, study);
     transaction.commit();
   }
 
@@ -196,31 +131,20 @@ struct Journal::Impl {
                     what));
   }
 
-  Trial checked_trial(const Row& row) const {
-    auto point = decode_point(row.point);
-    auto outcome = decode_outcome(row.outcome);
-    if (!point || !outcome) damaged(row.number, "cannot be decoded");
-    return {std::move(*point), std::move(*outcome)};
-  }
-
-  void for_each(const std::function<void(const Trial&)>& visit) const {
+  void for_each_row(const std::function<void(const Row&)>& visit) const {
     SQLite::Transaction snapshot(*database);  // rows and tally of one moment, while another writes
     std::uint64_t state = hash_of(identity);
     std::int64_t number = 0;
     SQLite::Statement select(*database,
-                             "SELECT number, point, outcome, finished, hash FROM trials "
-                             "ORDER BY number");
+                             "SELECT " + columns(format) + " FROM trials ORDER BY number");
     while (select.executeStep()) {
-      const Row row{select.getColumn(0).getInt64(),
-                    text_of(select.getColumn(1)),
-                    text_of(select.getColumn(2)),
-                    text_of(select.getColumn(3))};
+      const Row row = read_row(select, format);
       if (row.number != ++number) damaged(number, "is missing");
-      state = row.hash(state);
-      if (stored(state) != select.getColumn(4).getInt64()) {
+      state = row.chained(format, state);
+      if (stored(state) != row.hash || stored(row.own_hash()) != row.content) {
         damaged(number, "does not agree with its hash");
       }
-      visit(checked_trial(row));
+      visit(row);
     }
     SQLite::Statement tally(*database, "SELECT trials, hash FROM tally");
     if (!tally.executeStep() || tally.getColumn(0).getInt64() != number ||
@@ -229,24 +153,39 @@ struct Journal::Impl {
     }
   }
 
-  void append(const Trial& trial) {
-    const Row row{trials + 1, encode(trial.point), encode(trial.outcome), utc_now()};
-    const std::uint64_t row_hash = row.hash(last_hash);
+  void for_each(const std::function<void(const Trial&)>& visit) const {
+    for_each_row([&](const Row& row) {
+      const auto trial = row.decode();
+      if (!trial) damaged(row.number, "cannot be decoded");
+      visit(*trial);
+    });
+  }
+
+  void migrate() {
+    std::vector<Row> rows;
+    for_each_row([&](const Row& row) { rows.push_back(row); });
+    migrate_journal(*database, file, format, identity, std::move(rows));
+    format = kFormat;
+    read_tally();
+  }
+
+  void append(std::span<const Trial> more) {
+    if (!insert) insert.emplace(*database, kInsert);
     SQLite::Transaction transaction(*database);
-    SQLite::Statement insert(*database, "INSERT INTO trials VALUES (?, ?, ?, ?, ?)");
-    insert.bind(1, row.number);
-    insert.bind(2, row.point.data(), static_cast<int>(row.point.size()));
-    insert.bind(3, row.outcome.data(), static_cast<int>(row.outcome.size()));
-    insert.bind(4, row.finished);
-    insert.bind(5, stored(row_hash));
-    insert.exec();
-    SQLite::Statement tally(*database, "UPDATE tally SET trials = ?, hash = ?");
-    tally.bind(1, row.number);
-    tally.bind(2, stored(row_hash));
-    tally.exec();
+    std::int64_t number = trials;
+    std::uint64_t state = last_hash;
+    for (const Trial& trial : more) {
+      const Row row = make_row(++number, trial, state);
+      insert->tryReset();  // whatever became of the one before
+      bind_row(*insert, row);
+      insert->exec();
+      insert->tryReset();
+      state = static_cast<std::uint64_t>(row.hash);
+    }
+    write_tally(*database, number, state);
     transaction.commit();
-    trials = row.number;
-    last_hash = row_hash;
+    trials = number;
+    last_hash = state;
   }
 };
 
@@ -269,6 +208,7 @@ Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& id
     if (is_new) impl->create(identity);
     impl->read_identity();
     impl->read_tally();
+    if (impl->format != kFormat) impl->migrate();
   });
   if (const auto what = difference(impl->identity, identity)) {
     impl->refuse("belongs to another study: " + *what +
@@ -290,9 +230,9 @@ Journal Journal::read(const std::filesystem::path& file) {
   return Journal(std::move(impl));
 }
 
-void Journal::append(const Trial& trial) {
+void Journal::append(std::span<const Trial> trials) {
   assert(impl_->lock && "opened for reading");
-  impl_->guarded([&] { impl_->append(trial); });
+  impl_->guarded([&] { impl_->append(trials); });
 }
 
 void Journal::for_each(const std::function<void(const Trial&)>& visit) const {

@@ -9,27 +9,21 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <stdexcept>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "evaluation/study_identity.h"
-#include "evaluation/trial.h"
+#include "evaluation/trial_store.h"
 
 namespace latsch {
 
-/// The journal cannot be written or is damaged: the disk is full, a row does not agree with its
-/// hash.
-class JournalError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-class Journal {
+class Journal : public TrialStore {
  public:
   /// Opens the journal for writing, or creates it. Throws InputError where it belongs to another
-  /// study (naming the part and the line that differ), is no journal or one of another version, is
-  /// in use (naming the process), or lies on a network file system.
+  /// study (naming the part and the line that differ), is no journal or one of a newer format, is
+  /// in use (naming the process), or lies on a network file system. A journal of an older format is
+  /// brought to the present one; a copy as it was stays beside it.
   static Journal open(const std::filesystem::path& file, const StudyIdentity& identity);
 
   /// Opens for reading, also while another process writes. append() is not allowed.
@@ -37,14 +31,14 @@ class Journal {
 
   Journal(Journal&&) noexcept;
   Journal& operator=(Journal&&) noexcept;
-  ~Journal();
+  ~Journal() override;
 
-  /// On the disk when it returns. Throws JournalError; what was appended before stays.
-  void append(const Trial& trial);
+  /// On the disk, all of them in one transaction, when it returns.
+  void append(std::span<const Trial> trials) override;
+  void append(const Trial& trial) { append(std::span(&trial, 1)); }
 
-  /// Every trial in the order they finished. Throws JournalError naming the row that does not agree
-  /// with its hash.
-  void for_each(const std::function<void(const Trial&)>& visit) const;
+  /// Throws JournalError naming the row that does not agree with its hash.
+  void for_each(const std::function<void(const Trial&)>& visit) const override;
   std::vector<Trial> trials() const;
   long size() const;
 

@@ -110,6 +110,87 @@ TEST(Journal, RefusesForeignFilesAndOtherVersions) {
   expect_contains(complaint([&] { Journal::read(folder / "absent"); }), "does not exist");
 }
 
+// A journal as the program that knew format 1 wrote it: tables and hashes by their definition
+// there.
+void write_format_1(const std::filesystem::path& file, int trials) {
+  SQLite::Database database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  database.exec(R"(PRAGMA application_id = 0x4C747368; PRAGMA user_version = 1;
+      CREATE TABLE identity (position INTEGER PRIMARY KEY, name TEXT, text TEXT, hash INTEGER);
+      CREATE TABLE trials (number INTEGER PRIMARY KEY, point BLOB, outcome BLOB, finished TEXT,
+                           hash INTEGER);
+      CREATE TABLE tally (only INTEGER PRIMARY KEY, trials INTEGER, hash INTEGER))");
+  std::uint64_t state = kHashStart;
+  for (std::size_t i = 0; i < kStudy.size(); ++i) {
+    state = hash(kStudy[i].text, hash(kStudy[i].name + "\n", state));
+    SQLite::Statement insert(database, "INSERT INTO identity VALUES (?, ?, ?, ?)");
+    insert.bind(1, static_cast<int>(i) + 1);
+    insert.bind(2, kStudy[i].name);
+    insert.bind(3, kStudy[i].text);
+    insert.bind(4, static_cast<std::int64_t>(state));
+    insert.exec();
+  }
+  const std::string finished = "2026-01-01T00:00:00Z";
+  for (int i = 1; i <= trials; ++i) {
+    const Trial t = i % 2 ? trial(i) : failed_trial(i);
+    const std::string point = encode(t.point), outcome = encode(t.outcome);
+    for (const std::string& part : {std::to_string(i), point, outcome, finished}) {
+      state = hash(part, hash(std::to_string(part.size()) + ":", state));
+    }
+    SQLite::Statement insert(database, "INSERT INTO trials VALUES (?, ?, ?, ?, ?)");
+    insert.bind(1, i);
+    insert.bind(2, point.data(), static_cast<int>(point.size()));
+    insert.bind(3, outcome.data(), static_cast<int>(outcome.size()));
+    insert.bind(4, finished);
+    insert.bind(5, static_cast<std::int64_t>(state));
+    insert.exec();
+  }
+  SQLite::Statement tally(database, "INSERT INTO tally VALUES (1, ?, ?)");
+  tally.bind(1, trials);
+  tally.bind(2, static_cast<std::int64_t>(state));
+  tally.exec();
+}
+
+TEST(Journal, AnOlderFormatIsReadAndMigratedWithABackup) {
+  const ScratchFolder folder;
+  const auto file = folder / "old";
+  write_format_1(file, 6);
+  EXPECT_EQ(Journal::read(file).trials().size(), 6u);
+  EXPECT_FALSE(std::filesystem::exists(folder / "old.format1"));  // reading changes nothing
+  {
+    Journal journal = Journal::open(file, kStudy);
+    EXPECT_EQ(journal.size(), 6);
+    journal.append(trial(7));
+  }
+  const std::vector<Trial> trials = Journal::open(file, kStudy).trials();
+  ASSERT_EQ(trials.size(), 7u);
+  for (int i = 1; i <= 7; ++i) {
+    expect_same(trials[i - 1], i % 2 ? trial(i) : failed_trial(i));
+  }
+  EXPECT_EQ(Journal::read(folder / "old.format1").trials().size(), 6u);
+}
+
+TEST(Journal, ADamagedOlderFormatIsNotMigrated) {
+  const ScratchFolder folder;
+  write_format_1(folder / "old", 6);
+  SQLite::Database((folder / "old").string(), SQLite::OPEN_READWRITE)
+      .exec("UPDATE trials SET point = zeroblob(24) WHERE number = 3");
+  expect_contains(complaint([&] { Journal::open(folder / "old", kStudy); }), "trial 3");
+  EXPECT_FALSE(std::filesystem::exists(folder / "old.format1"));
+}
+
+TEST(Journal, AGroupOfTrialsIsKeptAsAWhole) {
+  const ScratchFolder folder;
+  const std::vector<Trial> group{trial(1), failed_trial(2), trial(3)};
+  {
+    Journal journal = Journal::open(folder / "a.journal", kStudy);
+    journal.append(group);
+    EXPECT_EQ(journal.size(), 3);
+  }
+  const std::vector<Trial> trials = Journal::read(folder / "a.journal").trials();
+  ASSERT_EQ(trials.size(), 3u);
+  for (int i = 0; i < 3; ++i) expect_same(trials[i], group[i]);
+}
+
 TEST(Journal, ASecondWriterIsToldWhoHoldsItAndReadersMayComeIn) {
   const ScratchFolder folder;
   Journal writer = Journal::open(folder / "a.journal", kStudy);

@@ -22,9 +22,6 @@ using Steady = std::chrono::steady_clock;
 
 // A program that ends before it is ready so often in a row is not a worker.
 constexpr int kMostFailedStarts = 3;
-// A trial whose worker is stopped from outside says nothing about its point, unless it happens
-// again: where a point needs too much memory, the system kills every worker that tries it.
-constexpr int kMostRepeats = 2;
 
 Steady::duration seconds(double s) {
   return std::chrono::duration_cast<Steady::duration>(std::chrono::duration<double>(s));
@@ -35,7 +32,7 @@ struct Slot {
   std::unique_ptr<WorkerProcess> process;
   bool ready = false;  // the process has said that it listens
   std::optional<DesignPoint> point;
-  int repeats = 0;           // of this trial
+  std::uint64_t trial = 0;   // its number, by which an answer is known to be one to it
   Steady::time_point since;  // start of the process until it is ready, then of the trial
 };
 
@@ -45,6 +42,7 @@ struct ProcessExecutor::Impl {
   ProcessOptions options;
   std::vector<Slot> slots;
   int failed_starts = 0;
+  std::uint64_t trials = 0;  // started so far
 
   void start_process(Slot& slot) {
     slot.process = std::make_unique<WorkerProcess>(options.arguments, options.memory_limit);
@@ -54,7 +52,7 @@ struct ProcessExecutor::Impl {
 
   void send_point(Slot& slot) {
     if (!slot.process || slot.process->ended()) start_process(slot);
-    slot.process->send(encode_frame(FrameKind::point, encode(*slot.point)));
+    slot.process->send(encode_frame(FrameKind::point, numbered(slot.trial, encode(*slot.point))));
     if (slot.ready) slot.since = Steady::now();
   }
 
@@ -64,10 +62,15 @@ struct ProcessExecutor::Impl {
   }
 
   /// The trial of a worker that is lost.
-  Trial finish_lost(Slot& slot, const std::string& reason) {
+  Trial finish_lost(Slot& slot, Failure failure) {
     const double wall_time = std::chrono::duration<double>(Steady::now() - slot.since).count();
     slot.process.reset();
-    return finish(slot, {.result = Failure{reason}, .wall_time = wall_time});
+    return finish(slot, {.result = std::move(failure), .wall_time = wall_time});
+  }
+
+  void forget(Slot& slot) {
+    slot.process.reset();
+    slot.point.reset();
   }
 
   /// What a worker has to say; nullopt where its trial goes on.
@@ -81,8 +84,10 @@ struct ProcessExecutor::Impl {
         failed_starts = 0;
         continue;
       }
-      auto outcome = decode_outcome(frame->bytes);
-      if (frame->kind != FrameKind::outcome || !outcome || !slot.point) return nonsense(slot);
+      const auto answer = take_number(frame->bytes);
+      auto outcome = answer ? decode_outcome(answer->rest) : std::nullopt;
+      if (frame->kind != FrameKind::outcome || !outcome) return nonsense(slot);
+      if (!slot.point || answer->number != slot.trial) return nonsense(slot);
       if (outcome->result) outcome->result = finite(std::move(*outcome->result));
       return finish(slot, std::move(*outcome));
     }
@@ -94,7 +99,8 @@ struct ProcessExecutor::Impl {
     slot.process->end();
     slot.process.reset();
     if (!slot.point) return std::nullopt;
-    return finish_lost(slot, "the worker's answer is not readable; it was killed");
+    return finish_lost(slot,
+                       {"the worker's answer is not readable; it was killed", Cause::bad_output});
   }
 
   std::optional<Trial> after_end(Slot& slot) {
@@ -103,14 +109,10 @@ struct ProcessExecutor::Impl {
       restart_or_give_up(slot, how);
       return std::nullopt;
     }
-    const bool may_repeat = slot.process->was_stopped_from_outside();
+    const Cause cause = slot.process->was_stopped_from_outside() ? Cause::transient : Cause::point;
     slot.process.reset();
     if (!slot.point) return std::nullopt;
-    if (may_repeat && slot.repeats++ < kMostRepeats) {
-      send_point(slot);
-      return std::nullopt;
-    }
-    return finish_lost(slot, "the worker " + how);
+    return finish_lost(slot, {"the worker " + how, cause});
   }
 
   void restart_or_give_up(Slot& slot, const std::string& how) {
@@ -134,7 +136,9 @@ struct ProcessExecutor::Impl {
       return std::nullopt;
     }
     return finish_lost(
-        slot, fmt::format("took more than the {} s allowed and was killed", options.timeout));
+        slot,
+        {fmt::format("took more than the {} s allowed and was killed", options.timeout),
+         Cause::timeout});
   }
 
   Steady::time_point deadline(const Slot& slot) const {
@@ -186,7 +190,7 @@ void ProcessExecutor::start(const DesignPoint& point) {
       impl_->slots.begin(), impl_->slots.end(), [](const Slot& s) { return !s.point; });
   assert(slot != impl_->slots.end());
   slot->point = point;
-  slot->repeats = 0;
+  slot->trial = ++impl_->trials;
   impl_->send_point(*slot);
 }
 
@@ -203,11 +207,15 @@ std::vector<Trial> ProcessExecutor::wait(double patience) {
   }
 }
 
+void ProcessExecutor::withdraw(const DesignPoint& point) {
+  for (Slot& slot : impl_->slots) {
+    if (slot.point == point) impl_->forget(slot);
+  }
+}
+
 void ProcessExecutor::abandon() {
   for (Slot& slot : impl_->slots) {
-    if (!slot.point) continue;
-    slot.process.reset();
-    slot.point.reset();
+    if (slot.point) impl_->forget(slot);
   }
 }
 

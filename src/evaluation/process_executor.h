@@ -34,6 +34,7 @@ class ProcessExecutor : public Executor {
   int idle() const override;
   void start(const DesignPoint& point) override;
   std::vector<Trial> wait(double patience) override;
+  void withdraw(const DesignPoint& point) override;
   void abandon() override;
 
  private:

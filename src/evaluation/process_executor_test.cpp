@@ -2,19 +2,26 @@
 #include "evaluation/process_executor.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <thread>
 
 #include "base/error.h"
+#include "evaluation/encoding.h"
+#include "evaluation/frame.h"
+#include "evaluation/journal.h"
+#include "evaluation/scheduler.h"
 #include "evaluation/scratch_folder_testing.h"
 #include "evaluation/worker.h"
 
@@ -37,8 +44,23 @@ enum Fault {
   hanging_child,
   fails,
   stopped_once,
-  stopped_always
+  stopped_always,
+  forks,
+  answers_twice,
+  fills_the_disk
 };
+
+/// A file-size limit makes write(2) fail as a full disk does.
+void fill_the_disk() {
+  std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{4096, 4096};
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  std::FILE* file = std::tmpfile();
+  std::string line(1000, 'x');
+  while (std::fputs(line.c_str(), file) >= 0 && std::fflush(file) == 0) {
+  }
+  throw std::runtime_error(std::strerror(errno));
+}
 
 /// The first variable says what goes wrong, the second is squared.
 Result<Channels> faulty(const DesignPoint& point) {
@@ -75,6 +97,18 @@ Result<Channels> faulty(const DesignPoint& point) {
       break;
     case stopped_always:
       std::raise(SIGTERM);
+      break;
+    case forks:
+      if (::fork() < 0) std::abort();  // both of them go on
+      break;
+    case answers_twice: {
+      const std::string old = encode_frame(
+          FrameKind::outcome, numbered(0, encode(Outcome{.result = Failure{"an old answer"}})));
+      if (::write(kWorkerOutput, old.data(), old.size()) < 0) std::abort();
+      break;
+    }
+    case fills_the_disk:
+      fill_the_disk();
       break;
     case fails:
       return Failure{"load step 2: no equilibrium"};
@@ -159,10 +193,40 @@ TEST(ProcessExecutor, ATrialWhoseWorkerIsStoppedFromOutsideIsRepeated) {
   std::ofstream(folder / "once") << "x";
   ::setenv(kOnceVariable, (folder / "once").c_str(), 1);
   ProcessExecutor executor(worker_options(1));
-  const Trial trial = run_one(executor, {{static_cast<double>(stopped_once), 3.0}});
-  ASSERT_TRUE(trial.outcome.result.ok()) << trial.outcome.result.failure().reason;
+  Journal journal = Journal::open(folder / "j", {});
+  const SamplingPlan plan{
+      {{{static_cast<double>(stopped_once), 3.0}}, {{static_cast<double>(stopped_always), 3.0}}}};
+  EXPECT_EQ(run_doe(plan, executor, journal), RunEnd::converged);
   EXPECT_FALSE(std::filesystem::exists(folder / "once"));
-  expect_contains(reason(executor, stopped_always), "killed by signal 15");
+  const std::vector<Trial> trials = journal.trials();
+  ASSERT_EQ(trials.size(), 2u);
+  EXPECT_TRUE(trials[0].outcome.result.ok());
+  const Failure failure = trials[1].outcome.result.failure();
+  EXPECT_EQ(failure.cause, Cause::transient);
+  expect_contains(failure.reason, "killed by signal 15");
+  expect_contains(failure.reason, "attempt 3 of 3");
+}
+
+TEST(ProcessExecutor, AnEvaluatorThatForksAnswersOnce) {
+  ProcessExecutor executor(worker_options(1));
+  for (int i = 0; i < 20; ++i) {
+    const Trial trial = run_one(executor, {{static_cast<double>(forks), 1.0 * i}});
+    ASSERT_TRUE(trial.outcome.result.ok()) << trial.outcome.result.failure().reason;
+    EXPECT_EQ((*trial.outcome.result)["y"][0], 1.0 * i * i);
+  }
+}
+
+// The worker's answer to a trial that nobody waits for any more is not one to the next.
+TEST(ProcessExecutor, AnAnswerToAnotherTrialIsRefused) {
+  ProcessExecutor executor(worker_options(1));
+  const Trial trial = run_one(executor, {{static_cast<double>(answers_twice), 3.0}});
+  ASSERT_FALSE(trial.outcome.result.ok());
+  EXPECT_EQ(trial.outcome.result.failure().cause, Cause::bad_output);
+}
+
+TEST(ProcessExecutor, AFullDiskIsAFailureOfTheTrialAlone) {
+  ProcessExecutor executor(worker_options(1));
+  expect_contains(reason(executor, fills_the_disk), "File too large");
 }
 
 TEST(ProcessExecutor, WhatAWorkerPrintsDoesNotDisturbItsAnswer) {

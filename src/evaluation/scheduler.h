@@ -7,41 +7,22 @@
 // the journal are not evaluated again: resuming is running the same optimizer once more.
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <vector>
 
 #include "evaluation/executor.h"
 #include "evaluation/journal.h"
+#include "evaluation/run_options.h"
 #include "optimization/optimizer.h"
 #include "optimization/sampling_plan.h"
 
 namespace latsch {
 
-/// What a progress bar needs.
-struct RunProgress {
-  long known = 0;      // of the points wanted so far, those whose outcome is known
-  long planned = 0;    // how many it can become: the plan's size or the largest number of steps
-  long evaluated = 0;  // trials that ran in this process
-  long failed = 0;     // of these
-  int running = 0;
-  double elapsed = 0.0;          // s since the run began
-  double trial_wall_time = 0.0;  // s, mean over `evaluated`
-  std::optional<double> best;    // least score so far
-  DesignPoint best_point;
+enum class RunEnd {
+  converged,
+  max_steps,
+  stopped,  // on request
+  aborted   // a trial failed and the failure policy says to end
 };
-
-struct RunOptions {
-  long max_steps = 1000;  // outcomes the optimizer may observe
-  int look_ahead = 4;     // points proposed ahead for every worker, where there are several
-  /// Called after every outcome and about ten times a second.
-  std::function<void(const RunProgress&)> on_progress = {};
-  /// Asked about ten times a second; running trials then get `stop_patience` seconds to end.
-  std::function<bool()> stop_requested = {};
-  double stop_patience = 1.0;
-};
-
-enum class RunEnd { converged, max_steps, stopped };
 
 /// A point the optimizer observed.
 struct Step {
@@ -60,24 +41,24 @@ struct Run {
 };
 
 /// Runs the optimizer until it converges. With a journal, outcomes in it are reused and new ones
-/// appended to it.
+/// appended to it. A run that is aborted ends with the step that failed.
 Run run_optimizer(Optimizer& optimizer,
                   const Objective& objective,
                   Executor& executor,
-                  Journal* journal,
+                  TrialStore* journal,
                   const RunOptions& options = {});
 
 /// The trajectory as far as the journal knows it, without evaluating anything: what a report draws.
 Run replay(Optimizer& optimizer,
            const Objective& objective,
-           const Journal& journal,
+           const TrialStore& journal,
            long max_steps = 1000);
 
 /// Evaluates the points of the plan that the journal does not know. The outcomes are in the
 /// journal.
 RunEnd run_doe(const SamplingPlan& plan,
                Executor& executor,
-               Journal& journal,
+               TrialStore& journal,
                const RunOptions& options = {});
 
 }  // namespace latsch

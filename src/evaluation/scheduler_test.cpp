@@ -49,6 +49,7 @@ std::string bits(const Run& run) {
 }
 
 Run run_simulated(const SimulatedOptions& simulated, Journal* journal, RunOptions options = {}) {
+  options.commit_in_background = false;
   SimulatedExecutor executor(model, simulated);
   Gss gss(space());
   return run_optimizer(gss, target, executor, journal, options);
@@ -140,6 +141,7 @@ TEST(RunOptimizer, ARunInterruptedAnywhereGivesTheSameBitsAndRepeatsNoFinishedTr
       const long trials = static_cast<long>(random.below(25));
       RunOptions options;
       options.stop_patience = 0.0;
+      options.commit_in_background = false;
       options.stop_requested = [&] { return executor.started() > trials; };
       Gss gss(space());
       const auto run = run_optimizer(gss, target, executor, &journal, options);

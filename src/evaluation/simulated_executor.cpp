@@ -44,4 +44,8 @@ std::vector<Trial> SimulatedExecutor::wait(double) {
   return {{ended.point, std::move(outcome)}};
 }
 
+void SimulatedExecutor::withdraw(const DesignPoint& point) {
+  std::erase_if(running_, [&](const Running& running) { return running.point == point; });
+}
+
 }  // namespace latsch

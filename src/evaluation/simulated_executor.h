@@ -27,9 +27,10 @@ class SimulatedExecutor : public Executor {
   int idle() const override { return options_.workers - static_cast<int>(running_.size()); }
   void start(const DesignPoint& point) override;
   std::vector<Trial> wait(double patience) override;
+  void withdraw(const DesignPoint& point) override;
   void abandon() override { running_.clear(); }
 
-  double now() const { return now_; }              // s on the virtual clock
+  double now() const override { return now_; }     // s on the virtual clock
   double busy_time() const { return busy_time_; }  // s, summed over the workers
   long started() const { return started_; }
 

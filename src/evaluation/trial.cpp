@@ -2,17 +2,22 @@
 #include "evaluation/trial.h"
 
 #include <fmt/format.h>
+#include <time.h>
 
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <exception>
 #include <new>
 
 namespace latsch {
 namespace {
 
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+/// Of this thread: beside it others may evaluate points of their own.
+double cpu_seconds() {
+  timespec time{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 Result<Channels> run(const Evaluator& evaluator, const DesignPoint& point) {
   try {
@@ -44,7 +49,8 @@ Result<Channels> finite(Channels channels) {
     for (std::size_t i = 0; i < channel.values.size(); ++i) {
       if (std::isfinite(channel.values[i])) continue;
       return Failure{
-          fmt::format("channel \"{}\" is {} at sample {}", channel.name, channel.values[i], i + 1)};
+          fmt::format("channel \"{}\" is {} at sample {}", channel.name, channel.values[i], i + 1),
+          Cause::bad_output};
     }
   }
   return channels;

@@ -13,7 +13,7 @@ namespace latsch {
 struct Outcome {
   Result<Channels> result;
   double wall_time = 0.0;  // s
-  double cpu_time = 0.0;   // s, of the worker
+  double cpu_time = 0.0;   // s, of the thread that evaluated
   int worker = 0;
 };
 

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/dispatcher.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace latsch {
+namespace {
+
+constexpr double kPatience = 0.1;  // s between two looks at the stop request and the progress bar
+constexpr int kMostLosses = 2;     // of the workers of one trial, before the point counts as failed
+constexpr std::size_t kTimesForMedian = 5;  // fewer say nothing about what is usual
+constexpr std::size_t kRecentTimes = 101;   // a model may become slower on the way
+
+/// The target function of an outcome; a score that is not a number is no score.
+Result<Score> score(const Objective& objective, const Outcome& outcome) {
+  if (!outcome.result) return outcome.result.failure();
+  if (!objective) return Score{};
+  Result<Score> result = objective(*outcome.result);
+  if (result && !std::isfinite(result->value)) {
+    return Failure{"the target function is not finite", Cause::bad_output};
+  }
+  return result;
+}
+
+}  // namespace
+
+void KnownScores::add(const Trial& trial) {
+  scores_.insert_or_assign(trial.point.bits(), score(objective_, trial.outcome));
+}
+
+const Result<Score>* KnownScores::find(const DesignPoint& point) const {
+  const auto found = scores_.find(point.bits());
+  return found == scores_.end() ? nullptr : &found->second;
+}
+
+Dispatcher::Dispatcher(const Objective& objective,
+                       Executor& executor,
+                       TrialStore* store,
+                       const RunOptions& options,
+                       long planned)
+    : executor_(executor),
+      options_(options),
+      commits_(store, options.commit_in_background),
+      known_(objective),
+      start_(executor.now()) {
+  if (store) store->for_each([&](const Trial& trial) { known_.add(trial); });
+  progress_.planned = planned;
+}
+
+const Result<Score>* Dispatcher::first_of(std::span<const DesignPoint> wanted) {
+  while (true) {
+    take_committed();
+    if (stop_requested()) {
+      give_running_a_moment();
+      return nullptr;
+    }
+    if (const Result<Score>* outcome = known_.find(wanted.front())) return outcome;
+    start_idle_workers(wanted);
+    if (committing_.contains(wanted.front().bits())) {
+      commits_.wait();
+    } else {
+      receive(executor_.wait(kPatience));
+    }
+    report();
+  }
+}
+
+bool Dispatcher::all_of(
+    std::span<const DesignPoint> wanted,
+    const std::function<bool(const DesignPoint&, const Result<Score>&)>& known) {
+  while (true) {
+    take_committed();
+    while (!wanted.empty()) {
+      const Result<Score>* outcome = known_.find(wanted.front());
+      if (!outcome) break;
+      if (!known(wanted.front(), *outcome)) return false;
+      wanted = wanted.subspan(1);
+    }
+    if (wanted.empty()) return true;
+    if (stop_requested()) {
+      give_running_a_moment();
+      return false;
+    }
+    start_idle_workers(wanted);
+    if (running_.empty()) {
+      commits_.wait();
+    } else {
+      receive(executor_.wait(kPatience));
+    }
+    report();
+  }
+}
+
+void Dispatcher::finish() {
+  executor_.abandon();
+  running_.clear();
+  while (!committing_.empty()) {
+    commits_.wait();
+    take_committed();
+  }
+}
+
+void Dispatcher::count(const DesignPoint& point, const Result<Score>& outcome, bool is_score) {
+  ++progress_.known;
+  if (!is_score || !outcome) return;
+  if (progress_.best && *progress_.best <= outcome->value) return;
+  progress_.best = outcome->value;
+  progress_.best_point = point;
+}
+
+void Dispatcher::report() {
+  if (!options_.on_progress) return;
+  progress_.running = static_cast<int>(running_.size());
+  progress_.elapsed = executor_.now() - start_;
+  options_.on_progress(progress_);
+}
+
+bool Dispatcher::stop_requested() const {
+  return options_.stop_requested && options_.stop_requested();
+}
+
+bool Dispatcher::is_under_way(const DesignPoint& point) const {
+  const std::string bits = point.bits();
+  return running_.contains(bits) || committing_.contains(bits) || known_.find(point);
+}
+
+void Dispatcher::start_idle_workers(std::span<const DesignPoint> wanted) {
+  for (auto& [bits, running] : running_) {
+    if (executor_.idle() == 0) return;
+    if (running.copies > 0) continue;
+    ++progress_.repeated;
+    start(running);
+  }
+  for (const DesignPoint& point : wanted) {
+    if (executor_.idle() == 0) return;
+    if (is_under_way(point)) continue;
+    start(running_.emplace(point.bits(), Running{point}).first->second);
+  }
+  start_stragglers_again();
+}
+
+void Dispatcher::start(Running& running) {
+  if (running.copies++ == 0) running.since = executor_.now();
+  executor_.start(running.point);
+}
+
+void Dispatcher::start_stragglers_again() {
+  if (options_.straggler_factor <= 0.0 || executor_.idle() == 0) return;
+  if (recent_times_.size() < kTimesForMedian) return;
+  const double usual_end = executor_.now() - options_.straggler_factor * median_time();
+  for (auto& [bits, running] : running_) {
+    if (executor_.idle() == 0) return;
+    if (running.copies != 1 || running.since > usual_end) continue;
+    ++progress_.repeated;
+    start(running);
+  }
+}
+
+double Dispatcher::median_time() const {
+  std::vector<double> times = recent_times_;
+  const auto middle = times.begin() + std::ssize(times) / 2;
+  std::nth_element(times.begin(), middle, times.end());
+  return *middle;
+}
+
+void Dispatcher::receive(std::vector<Trial> trials) {
+  std::vector<Trial> finished;
+  for (Trial& trial : trials) {
+    const std::string bits = trial.point.bits();
+    const auto entry = running_.find(bits);
+    if (entry == running_.end()) continue;  // a second answer, or one nobody waits for any more
+    Running& running = entry->second;
+    --running.copies;
+    if (is_repeated(running, trial)) continue;
+    if (running.copies > 0) executor_.withdraw(trial.point);
+    const int attempts = 1 + running.losses + running.failures;
+    if (!trial.outcome.result && attempts > 1) {
+      Failure failure = trial.outcome.result.failure();
+      failure.reason += fmt::format(" (attempt {} of {})", attempts, attempts);
+      trial.outcome.result = std::move(failure);
+    }
+    running_.erase(entry);
+    committing_.insert(bits);
+    count_trial(trial);
+    finished.push_back(std::move(trial));
+  }
+  commits_.add(std::move(finished));
+}
+
+/// Whether this outcome does not count, because another copy runs or the trial is started again.
+bool Dispatcher::is_repeated(Running& running, const Trial& trial) {
+  if (trial.outcome.result) return false;
+  const Cause cause = trial.outcome.result.failure().cause;
+  const bool lost = cause == Cause::transient;
+  if (running.copies > 0 && (lost || cause == Cause::timeout)) return true;
+  if (lost ? running.losses >= kMostLosses : running.failures >= options_.on_failure.retries) {
+    return false;
+  }
+  ++(lost ? running.losses : running.failures);
+  if (running.copies > 0) executor_.withdraw(running.point);
+  running.copies = 0;
+  if (stopping_) running_.erase(running.point.bits());  // the run that resumes tries it
+  return true;
+}
+
+void Dispatcher::count_trial(const Trial& trial) {
+  ++progress_.evaluated;
+  wall_time_ += trial.outcome.wall_time;
+  progress_.trial_wall_time = wall_time_ / static_cast<double>(progress_.evaluated);
+  if (!trial.outcome.result) {
+    ++progress_.failed;
+    return;
+  }
+  const std::size_t place = static_cast<std::size_t>(progress_.evaluated) % kRecentTimes;
+  if (recent_times_.size() < kRecentTimes) {
+    recent_times_.push_back(trial.outcome.wall_time);
+  } else {
+    recent_times_[place] = trial.outcome.wall_time;
+  }
+}
+
+void Dispatcher::take_committed() {
+  for (const Trial& trial : commits_.take()) {
+    known_.add(trial);
+    committing_.erase(trial.point.bits());
+  }
+}
+
+/// Running trials get a moment to end; those that do not will be evaluated again on resume.
+void Dispatcher::give_running_a_moment() {
+  stopping_ = true;
+  std::erase_if(running_, [](const auto& entry) { return entry.second.copies == 0; });
+  const double until = executor_.now() + options_.stop_patience;
+  while (!running_.empty() && executor_.now() < until) receive(executor_.wait(kPatience));
+  finish();
+}
+
+}  // namespace latsch

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hands points to workers and takes their outcomes to the journal, whatever happens to the workers.
+//
+// - A point that was evaluated, is being evaluated or is on its way to the disk is not started
+// again.
+// - A trial whose worker was lost (Cause::transient) says nothing about its point and is repeated,
+// at
+//   most kMostLosses times: where a point needs too much memory, the system kills every worker that
+//   tries it. Other failures are repeated as the failure policy says.
+// - A straggler, running much longer than the median while a worker has nothing to do, is started a
+//   second time. Evaluators are pure, so whichever copy ends first gives the same bits; a copy that
+//   is lost or times out does not count while the other one runs.
+// - An outcome counts once it is on the disk.
+//
+// What was wanted and is not any more is withdrawn by not being named again, if it has not started.
+#pragma once
+
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "evaluation/executor.h"
+#include "evaluation/group_commit.h"
+#include "evaluation/run_options.h"
+
+namespace latsch {
+
+/// Every outcome so far by the bits of its point, as scores: channels are large and stay on disk.
+class KnownScores {
+ public:
+  explicit KnownScores(const Objective& objective) : objective_(objective) {}
+
+  void add(const Trial& trial);
+  const Result<Score>* find(const DesignPoint& point) const;
+
+ private:
+  const Objective& objective_;
+  std::unordered_map<std::string, Result<Score>> scores_;
+};
+
+class Dispatcher {
+ public:
+  /// `planned`: how many points can become wanted, for the progress bar.
+  Dispatcher(const Objective& objective,
+             Executor& executor,
+             TrialStore* store,
+             const RunOptions& options,
+             long planned);
+
+  /// The outcome of the first of these points, keeping idle workers busy with those behind it, most
+  /// wanted first; nullptr where a stop was requested before it was known.
+  const Result<Score>* first_of(std::span<const DesignPoint> wanted);
+
+  /// Evaluates all of these points. Calls `known` with each and its outcome in their order; false
+  /// from it, or a stop request, ends the work early: then false.
+  bool all_of(std::span<const DesignPoint> wanted,
+              const std::function<bool(const DesignPoint&, const Result<Score>&)>& known);
+
+  /// Withdraws what still runs; returns when everything that finished is on the disk.
+  void finish();
+
+  /// Tells the progress bar what the optimizer, or the plan, has seen so far.
+  void count(const DesignPoint& point, const Result<Score>& outcome, bool is_score);
+  void report();
+
+ private:
+  struct Running {
+    DesignPoint point;
+    int copies = 0;      // 0: waits for a worker, to be repeated
+    double since = 0.0;  // of the first copy
+    int losses = 0;      // attempts that were lost
+    int failures = 0;    // attempts that failed and did not count
+  };
+
+  bool stop_requested() const;
+  bool is_under_way(const DesignPoint& point) const;
+  void start_idle_workers(std::span<const DesignPoint> wanted);
+  void start(Running& running);
+  void start_stragglers_again();
+  double median_time() const;
+  void receive(std::vector<Trial> trials);
+  bool is_repeated(Running& running, const Trial& trial);
+  void count_trial(const Trial& trial);
+  void take_committed();
+  void give_running_a_moment();
+
+  Executor& executor_;
+  const RunOptions& options_;
+  GroupCommit commits_;
+  KnownScores known_;
+  std::map<std::string, Running> running_;  // by the bits of the point
+  std::set<std::string> committing_;        // finished, not yet on the disk
+  std::vector<double> recent_times_;        // s, of the trials that succeeded last
+  bool stopping_ = false;
+  RunProgress progress_;
+  double wall_time_ = 0.0;
+  double start_;
+};
+
+}  // namespace latsch

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a run goes on, when it stops and what it tells meanwhile.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "optimization/design_point.h"
+
+namespace latsch {
+
+/// What follows from a failed trial.
+struct FailurePolicy {
+  enum class Then {
+    proceed,  // an optimizer takes the point as worse than any that succeeded
+    abort,    // the run ends
+  };
+  Then then = Then::proceed;
+  int retries = 0;  // how often a failed trial is tried again before it counts as failed
+};
+
+/// What a progress bar needs.
+struct RunProgress {
+  long known = 0;      // of the points wanted so far, those whose outcome is known
+  long planned = 0;    // how many it can become: the plan's size or the largest number of steps
+  long evaluated = 0;  // trials that ran in this process
+  long failed = 0;     // of these
+  long repeated = 0;  // trials started again: their worker was lost, they failed, or they straggled
+  int running = 0;
+  double elapsed = 0.0;          // s since the run began
+  double trial_wall_time = 0.0;  // s, mean over `evaluated`
+  std::optional<double> best;    // least score so far
+  DesignPoint best_point;
+};
+
+struct RunOptions {
+  long max_steps = 1000;  // outcomes the optimizer may observe
+  int look_ahead = 4;     // points proposed ahead for every worker, where there are several
+  FailurePolicy on_failure = {};
+  /// A trial that runs so many times longer than the median is started a second time where a worker
+  /// has nothing else to do; 0: never.
+  double straggler_factor = 3.0;
+  /// False for a simulated world, where a commit must not take real time.
+  bool commit_in_background = true;
+  /// Called after every outcome and about ten times a second.
+  std::function<void(const RunProgress&)> on_progress = {};
+  /// Asked about ten times a second; running trials then get `stop_patience` seconds to end.
+  std::function<bool()> stop_requested = {};
+  double stop_patience = 1.0;
+};
+
+}  // namespace latsch
