@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/candidate_gain.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace latsch {
+namespace {
+
+constexpr double kBoundsInformation = 12.0;  // 1 / variance of a uniform number between 0 and 1
+
+Eigen::MatrixXd information(const Eigen::MatrixXd& J) {
+  return J.transpose() * J + kBoundsInformation * Eigen::MatrixXd::Identity(J.cols(), J.cols());
+}
+
+double widest(const Eigen::MatrixXd& M) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(M, Eigen::EigenvaluesOnly);
+  return 1.0 / std::sqrt(eigen.eigenvalues()[0]);
+}
+
+Eigen::VectorXd deviations(const Eigen::MatrixXd& M) {
+  const Eigen::MatrixXd C = M.ldlt().solve(Eigen::MatrixXd::Identity(M.rows(), M.cols()));
+  return C.diagonal().cwiseSqrt();
+}
+
+double log_determinant(const Eigen::MatrixXd& M) {
+  return 2.0 * M.llt().matrixLLT().diagonal().array().log().sum();
+}
+
+}  // namespace
+
+std::vector<CandidateGain> candidate_gains(const Eigen::MatrixXd& J,
+                                           const std::vector<Candidate>& candidates) {
+  const Eigen::MatrixXd M = information(J);
+  std::vector<CandidateGain> gains;
+  for (size_t c = 0; c < candidates.size(); ++c) {
+    assert(candidates[c].J.cols() == J.cols());
+    const Eigen::MatrixXd with = M + candidates[c].J.transpose() * candidates[c].J;
+    gains.push_back({.candidate = static_cast<int>(c),
+                     .shrinkage = std::exp(0.5 * (log_determinant(with) - log_determinant(M))),
+                     .widest_before = widest(M),
+                     .widest_after = widest(with),
+                     .deviations = deviations(with)});
+  }
+  std::stable_sort(gains.begin(), gains.end(), [](const auto& a, const auto& b) {
+    return a.shrinkage > b.shrinkage;
+  });
+  return gains;
+}
+
+Eigen::VectorXd deviations_with_bounds(const Eigen::MatrixXd& J) {
+  return deviations(information(J));
+}
+
+}  // namespace latsch

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the data determine around a fitted point: confidence intervals, and a profile with a verdict
+// for every variable.
+//
+// Ask and tell, like an optimizer, but in rounds: all points of wanted() may be evaluated at once.
+//   1. the point and one step in each variable: the derivatives (confidence.h), n + 1 points
+//   2. a refit of all variables (refit.h), because the fit may have ended early or have minimized
+//      another target over the same residuals
+//   3. the profiles, two branches a variable side by side (profile.h)
+//
+//   Identification identification(space, best_point);
+//   while (!identification.wanted().empty()) identification.observe(evaluate(wanted()));
+//
+// A residual that is NaN in round 1 is not known, an unpaired mode for example, and is left out.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "optimization/confidence.h"
+#include "optimization/profile.h"
+
+namespace latsch {
+
+struct IdentificationOptions {
+  ConfidenceOptions confidence = {};
+  bool profiles = true;  // false: ends after round 1
+  double step = 0.01;    // of the differences, in the unit cube
+};
+
+class Identification {
+ public:
+  Identification(const DesignSpace& space,
+                 const DesignPoint& point,
+                 const IdentificationOptions& options = {});
+
+  /// Empty when done.
+  const std::vector<DesignPoint>& wanted() const { return wanted_; }
+  /// The residuals of the points wanted, in their order; a Failure where the evaluation failed.
+  void observe(const std::vector<Result<Eigen::VectorXd>>& residuals);
+
+  /// The Failure that made round 1 impossible.
+  const std::optional<Failure>& failure() const { return failure_; }
+  /// At the point, after round 1.
+  const Linearization& linearization() const { return *at_; }
+  const Confidence& confidence() const { return *confidence_; }
+  /// Places of the residuals used.
+  const std::vector<Eigen::Index>& residuals_used() const { return rows_; }
+  /// At the least sum of squares, after round 2.
+  const Linearization& refitted() const { return *best_; }
+  /// One a variable, when done and asked for.
+  const std::vector<Profile>& profiles() const { return profiles_; }
+
+ private:
+  void differences_observed(const std::vector<Result<Eigen::VectorXd>>& residuals);
+  void refit_observed(const std::optional<Eigen::VectorXd>& residuals);
+  void begin_profiles();
+  void ask_branches();
+  std::optional<Eigen::VectorXd> used(const Result<Eigen::VectorXd>& residuals) const;
+
+  DesignSpace space_;
+  IdentificationOptions options_;
+  std::vector<DesignPoint> wanted_;
+  std::optional<Failure> failure_;
+  std::vector<Eigen::Index> rows_;
+  std::optional<Linearization> at_, best_;
+  std::optional<Confidence> confidence_;
+  std::optional<Refit> refit_;
+  std::vector<ProfileBranch> branches_;  // down and up, variable by variable
+  std::vector<int> asked_;               // branches that `wanted_` belongs to
+  std::vector<Profile> profiles_;
+  double threshold_ = 0.0;
+};
+
+}  // namespace latsch

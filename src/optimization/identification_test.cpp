@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/identification.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace latsch {
+namespace {
+
+using Model = std::function<Eigen::VectorXd(const std::vector<double>&)>;
+
+DesignSpace box(const std::vector<double>& found, double lower, double upper) {
+  std::vector<DesignVariable> variables;
+  for (double x : found) {
+    variables.push_back({.name = "x" + std::to_string(variables.size()),
+                         .lower = lower,
+                         .upper = upper,
+                         .initial = x});
+  }
+  return DesignSpace(variables);
+}
+
+struct Analyzed {
+  Identification identification;
+  int evaluations = 0;
+};
+
+Analyzed analyze(const DesignSpace& space, const Model& model, IdentificationOptions options = {}) {
+  Analyzed analyzed{Identification(space, space.initial(), options)};
+  while (!analyzed.identification.wanted().empty()) {
+    std::vector<Result<Eigen::VectorXd>> residuals;
+    for (const DesignPoint& point : analyzed.identification.wanted()) {
+      EXPECT_TRUE(space.contains(point));
+      const Eigen::VectorXd r = model(point.values);
+      residuals.push_back(r.size() > 0 ? Result<Eigen::VectorXd>(r) : Failure{"no solution"});
+    }
+    analyzed.evaluations += static_cast<int>(residuals.size());
+    analyzed.identification.observe(residuals);
+  }
+  return analyzed;
+}
+
+const IdentificationOptions kNoise{.confidence = {.sigma = 0.01}};
+
+// In a linear model the profile is the parabola of the linear interval, so both intervals agree;
+// the root of S is exactly linear between rungs.
+TEST(Identification, OfALinearModelTheProfileIsTheLinearInterval) {
+  const auto a = analyze(
+      box({0.5, 0.5}, 0, 1),
+      [](const auto& x) {
+        return Eigen::VectorXd{{x[0] + x[1] - 1, x[0] - 0.5, x[1] - 0.5, 0.5 * x[0] - 0.25}};
+      },
+      kNoise);
+  for (int i = 0; i < 2; ++i) {
+    const Profile& p = a.identification.profiles()[i];
+    EXPECT_EQ(p.verdict, Verdict::identifiable);
+    EXPECT_NEAR(p.interval.lower, a.identification.confidence().intervals[i].lower, 1e-6);
+    EXPECT_NEAR(p.interval.upper, a.identification.confidence().intervals[i].upper, 1e-6);
+  }
+}
+
+// Vertical stiffness k alone, from two springs in series, 1 / (1 / x0 + 1 / x1): a valley.
+TEST(Identification, TwoSpringsInSeriesAreFlatUntilOneIsMeasuredAlone) {
+  const auto stiffness = [](double a, double b) { return a * b / (a + b); };
+  const auto alone = analyze(
+      box({4, 4}, 1, 100),
+      [&](const auto& x) { return Eigen::VectorXd{{stiffness(x[0], x[1]) / 2 - 1}}; },
+      kNoise);
+  // One of them can grow without limit only while the other stays above 2: a limit, no value.
+  for (const Profile& p : alone.identification.profiles()) {
+    EXPECT_EQ(p.verdict, Verdict::one_sided);
+    EXPECT_TRUE(std::isfinite(p.interval.lower));
+  }
+  const auto both = analyze(
+      box({4, 4}, 1, 100),
+      [&](const auto& x) {
+        return Eigen::VectorXd{{stiffness(x[0], x[1]) / 2 - 1, x[0] / 4 - 1}};
+      },
+      kNoise);
+  for (const Profile& p : both.identification.profiles())
+    EXPECT_EQ(p.verdict, Verdict::identifiable);
+}
+
+TEST(Identification, AProductAloneLeavesBothFactorsFlat) {
+  const auto a = analyze(
+      box({1, 1}, 0.9, 1.1),
+      [](const auto& x) { return Eigen::VectorXd{{x[0] * x[1] - 1}}; },
+      kNoise);
+  for (const Profile& p : a.identification.profiles()) EXPECT_EQ(p.verdict, Verdict::flat);
+  EXPECT_GT(a.identification.confidence().deviation(1), 1.0);
+}
+
+// x^2 is measured: +1 and -1 explain it alike.
+TEST(Identification, ASignThatCannotBeSeenMakesTwoMinima) {
+  const auto a = analyze(
+      box({1.0, 0.3}, -1.6, 1.6),
+      [](const auto& x) {
+        return Eigen::VectorXd{{x[0] * x[0] - 1, x[1] - 0.3, x[0] * x[0] + x[1] - 1.3}};
+      },
+      kNoise);
+  const Profile& p = a.identification.profiles()[0];
+  EXPECT_EQ(p.verdict, Verdict::several_minima);
+  ASSERT_EQ(p.other_minima.size(), 1u);
+  EXPECT_NEAR(-1.6 + 3.2 * p.points[p.other_minima[0]].u[0], -1.0, 0.16);  // half a rung
+  EXPECT_EQ(a.identification.profiles()[1].verdict, Verdict::identifiable);
+}
+
+// Rosenbrock's valley as residuals, 10 (x1 - x0^2) and 1 - x0, is curved: nuisance variables have
+// to be refitted along it. Everywhere on the profile of x0 the other is x0^2, so S = (1 - x0)^2.
+TEST(Identification, FollowsACurvedValley) {
+  const auto a = analyze(box({1, 1}, -2, 2),
+                         [](const auto& x) {
+                           return Eigen::VectorXd{{10 * (x[1] - x[0] * x[0]), 1 - x[0]}};
+                         },
+                         {.confidence = {.sigma = 0.1}});
+  for (const ProfilePoint& p : a.identification.profiles()[0].points) {
+    const double x0 = -2 + 4 * p.u[0];
+    if (x0 * x0 > 2.0) continue;  // x1 is at its bound
+    EXPECT_NEAR(p.S, (1 - x0) * (1 - x0), 0.02 * 0.04 + 0.01 * p.S);
+  }
+  EXPECT_EQ(a.identification.profiles()[0].verdict, Verdict::identifiable);
+  EXPECT_LT(a.evaluations, 250);
+}
+
+TEST(Identification, RefitsAPointThatIsNotTheLeast) {
+  const auto a = analyze(
+      box({0.4, 0.7}, 0, 1),
+      [](const auto& x) {
+        return Eigen::VectorXd{{std::exp(x[0]) - std::exp(0.5), x[0] * x[1] - 0.3, x[1] - 0.6}};
+      },
+      kNoise);
+  EXPECT_NEAR(a.identification.refitted().u[0], 0.5, 1e-3);
+  EXPECT_NEAR(a.identification.refitted().u[1], 0.6, 1e-3);
+}
+
+TEST(Identification, ModelsThatFailFurtherOutEndTheLadder) {
+  const auto a = analyze(
+      box({0.5}, 0, 1),
+      [](const auto& x) {
+        if (x[0] > 0.7) return Eigen::VectorXd();
+        return Eigen::VectorXd{{0.01 * (x[0] - 0.5), 0.02 * (x[0] - 0.5)}};
+      },
+      kNoise);
+  EXPECT_LE(a.identification.profiles()[0].points.back().u[0], 0.7);
+  EXPECT_EQ(a.identification.profiles()[0].verdict, Verdict::flat);
+}
+
+TEST(Identification, SaysWhyItCannotBegin) {
+  const auto a = analyze(box({0.5}, 0, 1), [](const auto&) { return Eigen::VectorXd(); });
+  ASSERT_TRUE(a.identification.failure());
+  EXPECT_NE(a.identification.failure()->reason.find("no solution"), std::string::npos);
+}
+
+TEST(Identification, TheShortFormCostsNPlusOneEvaluations) {
+  const auto a = analyze(box({0.5, 0.5, 0.5}, 0, 1),
+                         [](const auto& x) {
+                           return Eigen::VectorXd{{x[0], x[1], x[2], x[0] + x[1], x[2] - x[0]}};
+                         },
+                         {.profiles = false});
+  EXPECT_EQ(a.evaluations, 4);
+}
+
+}  // namespace
+}  // namespace latsch

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/refit.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace latsch {
+namespace {
+
+constexpr double kDifference = 1e-3;    // of the range
+constexpr double kShortestStep = 1e-9;  // of the range
+constexpr int kFailedSteps = 2;         // before J is taken anew
+constexpr double kFirstLambda = 1e-3;   // of the largest entry of J'J
+constexpr double kLambdaFactor = 10.0;
+
+/// The d of the columns `free` with the least |r + J d|^2 + lambda |d|^2, u + d in the unit cube: a
+/// variable that would leave it stops at its face, and the others are sought again.
+Eigen::VectorXd bounded_step(const Linearization& at,
+                             const Eigen::VectorXd& r,
+                             std::vector<int> free,
+                             double lambda) {
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(at.u.size());
+  while (!free.empty()) {
+    const auto k = static_cast<Eigen::Index>(free.size());
+    const Eigen::Index m = r.size();
+    Eigen::MatrixXd A(m + k, k);
+    A.topRows(m) = at.J(Eigen::all, free);
+    A.bottomRows(k) = std::sqrt(lambda) * Eigen::MatrixXd::Identity(k, k);
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(m + k);
+    b.head(m) = -(r + at.J * d);
+    const Eigen::VectorXd step = A.completeOrthogonalDecomposition().solve(b);
+    std::vector<int> inside;
+    for (Eigen::Index a = 0; a < k; ++a) {
+      const double to = at.u[free[a]] + step[a];
+      if (to >= 0.0 && to <= 1.0) {
+        inside.push_back(free[a]);
+      } else {
+        d[free[a]] = std::clamp(to, 0.0, 1.0) - at.u[free[a]];
+      }
+    }
+    if (inside.size() == free.size()) {
+      for (Eigen::Index a = 0; a < k; ++a) d[free[a]] = step[a];
+      break;
+    }
+    free = std::move(inside);
+  }
+  return d;
+}
+
+void broyden(Eigen::MatrixXd& J, const Eigen::VectorXd& d, const Eigen::VectorXd& change) {
+  J += (change - J * d) * d.transpose() / d.squaredNorm();
+}
+
+}  // namespace
+
+Refit::Refit(const Linearization& start, std::vector<int> free, const RefitOptions& options)
+    : best_(start), free_(std::move(free)), options_(options) {
+  plan_step();
+}
+
+Refit::Refit(const Linearization& start,
+             std::vector<int> free,
+             const RefitOptions& options,
+             int i,
+             double value)
+    : best_(start), free_(std::move(free)), options_(options), moving_(true) {
+  const double shift = value - best_.u[i];
+  Eigen::VectorXd to = best_.u;
+  to += bounded_step(best_, best_.r + best_.J.col(i) * shift, free_, 0.0);
+  to[i] = value;
+  wanted_ = to;
+}
+
+void Refit::observe(const std::optional<Eigen::VectorXd>& residuals) {
+  assert(wanted_);
+  ++evaluations_;
+  if (difference_ >= 0) {
+    difference_observed(residuals);
+  } else {
+    step_observed(residuals);
+  }
+}
+
+void Refit::step_observed(const std::optional<Eigen::VectorXd>& residuals) {
+  if (!residuals && moving_) {
+    wanted_.reset();
+    return;
+  }
+  const Eigen::VectorXd d = *wanted_ - best_.u;
+  const bool better = residuals && (moving_ || residuals->squaredNorm() < best_.r.squaredNorm());
+  if (residuals && d.squaredNorm() > 0.0) broyden(best_.J, d, *residuals - best_.r);
+  moving_ = false;
+  if (better) {
+    best_.u = *wanted_;
+    best_.r = *residuals;
+    lambda_ = lambda_ > 0.0 ? lambda_ / kLambdaFactor : 0.0;
+    failed_steps_ = 0;
+  } else {
+    const double least = kFirstLambda * best_.J.colwise().squaredNorm().maxCoeff();
+    lambda_ = std::max(least, lambda_ * kLambdaFactor);
+    if (++failed_steps_ == kFailedSteps) {
+      difference_ = 0;
+      plan_difference();
+      return;
+    }
+  }
+  plan_step();
+}
+
+void Refit::difference_observed(const std::optional<Eigen::VectorXd>& residuals) {
+  const int i = free_[difference_];
+  if (residuals) best_.J.col(i) = (*residuals - best_.r) / ((*wanted_)[i] - best_.u[i]);
+  if (++difference_ < static_cast<int>(free_.size())) {
+    plan_difference();
+    return;
+  }
+  difference_ = -1;
+  plan_step();
+}
+
+void Refit::plan_difference() {
+  const int i = free_[difference_];
+  Eigen::VectorXd to = best_.u;
+  to[i] += to[i] + kDifference <= 1.0 ? kDifference : -kDifference;
+  wanted_ = to;
+}
+
+void Refit::plan_step() {
+  wanted_.reset();
+  if (evaluations_ >= options_.most_evaluations || free_.empty()) return;
+  const Eigen::VectorXd d = bounded_step(best_, best_.r, free_, lambda_);
+  const double promised = best_.sum_of_squares() - (best_.r + best_.J * d).squaredNorm();
+  if (d.lpNorm<Eigen::Infinity>() < kShortestStep || !(promised > options_.tolerance)) return;
+  wanted_ = (best_.u + d).cwiseMax(0.0).cwiseMin(1.0);
+}
+
+}  // namespace latsch
