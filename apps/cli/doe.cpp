@@ -84,6 +84,15 @@ void print_sensitivities(const Study& study, const StudyDesign& design, const Ta
   }
 }
 
+void print_first_failure(const Study& study, const Journal& journal) {
+  bool printed = false;
+  journal.for_each([&](const Trial& trial) {
+    if (printed || trial.outcome.result) return;
+    print_aborted(study, trial.point, trial.outcome.result.failure());
+    printed = true;
+  });
+}
+
 int doe(const std::string& file, int levels, int workers) {
   Study study = correlation::read_study(file);
   if (workers > 0) study.run.workers = workers;
@@ -98,9 +107,13 @@ int doe(const std::string& file, int levels, int workers) {
 
   catch_interrupts();
   ProcessExecutor executor(worker_processes(study));
-  if (run_doe(plan, executor, journal, run_options(study, /*length_known=*/true)) ==
-      RunEnd::stopped) {
+  const RunEnd end = run_doe(plan, executor, journal, run_options(study, /*length_known=*/true));
+  if (end == RunEnd::stopped) {
     fmt::print("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
+    return kFailed;
+  }
+  if (end == RunEnd::aborted) {
+    print_first_failure(study, journal);
     return kFailed;
   }
   const Targets targets = targets_of(study, journal);

@@ -50,6 +50,10 @@ int fit(const std::string& file, int workers, bool resuming) {
         "Interrupted; {} trials are safe. Go on with: latsch resume {}\n", journal.size(), file);
     return kFailed;
   }
+  if (run.end == RunEnd::aborted) {
+    print_aborted(study, run.steps.back().point, run.steps.back().outcome.failure());
+    return kFailed;
+  }
   if (!run.best()) {
     fmt::print(stderr,
                "latsch: no trial succeeded; the first failed because: {}\n",

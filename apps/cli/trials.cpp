@@ -10,6 +10,7 @@
 #include "base/file.h"
 #include "base/progress.h"
 #include "cli/interrupt.h"
+#include "cli/tables.h"
 #include "cli/verbs.h"
 #include "correlation/study_report.h"
 
@@ -22,12 +23,14 @@ ProcessOptions worker_processes(const correlation::Study& study) {
                        std::filesystem::absolute(study.file).string()};
   options.workers = study.run.workers;
   options.timeout = study.run.timeout;
+  options.memory_limit = study.run.memory;
   return options;
 }
 
 RunOptions run_options(const correlation::Study& study, bool length_known) {
   RunOptions options;
   options.max_steps = study.max_steps;
+  options.on_failure = study.run.on_failure;
   options.stop_requested = interrupted;
   auto bar = std::make_shared<Progress>(std::cerr, is_terminal());
   options.on_progress = [bar, length_known](const RunProgress& progress) {
@@ -37,6 +40,17 @@ RunOptions run_options(const correlation::Study& study, bool length_known) {
     bar->update(progress.known, length_known ? progress.planned : 0, note);
   };
   return options;
+}
+
+void print_aborted(const correlation::Study& study,
+                   const DesignPoint& point,
+                   const Failure& failure) {
+  fmt::print("Aborted, as {} asks for where a trial fails: {}\nIt failed at\n",
+             study.file.string(),
+             failure.reason);
+  print_point(study.space, point);
+  fmt::print("What was evaluated is in {}; with on_failure = \"continue\" latsch resume goes on.\n",
+             study.run.journal.string());
 }
 
 int write_report(const correlation::Study& study, const Journal& journal) {

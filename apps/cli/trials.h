@@ -17,6 +17,11 @@ ProcessOptions worker_processes(const correlation::Study& study);
 /// there will be: a design of experiments does, an optimizer does not.
 RunOptions run_options(const correlation::Study& study, bool length_known);
 
+/// Why a run that on_failure = "abort" ended has ended.
+void print_aborted(const correlation::Study& study,
+                   const DesignPoint& point,
+                   const Failure& failure);
+
 /// Writes the report beside the study and names it; returns the exit code.
 int write_report(const correlation::Study& study, const Journal& journal);
 

@@ -13,7 +13,6 @@ namespace latsch::correlation {
 namespace {
 
 constexpr long kMostSteps = 1'000'000;
-constexpr long kMostWorkers = 1024;
 
 DesignSpace read_variables(const Node& root, const Document& model) {
   std::vector<DesignVariable> variables;
@@ -71,17 +70,6 @@ GssOptions read_gss(const Node& node) {
   options.sufficient_decrease =
       node.quantity("sufficient_decrease", "1", Range::not_negative(), d.sufficient_decrease);
   return options;
-}
-
-RunSettings read_run(const Node* node, const std::filesystem::path& file) {
-  RunSettings run;
-  const auto folder = file.parent_path();
-  run.journal = folder / (file.stem().string() + ".latsch");
-  if (!node) return run;
-  run.workers = static_cast<int>(node->integer("workers", 1, kMostWorkers, 1));
-  run.timeout = node->quantity("timeout", "s", Range::positive(), run.timeout);
-  run.journal = folder / node->text("journal", run.journal.filename().string());
-  return run;
 }
 
 std::string list(const Eigen::Matrix3Xd& points) {
@@ -154,7 +142,7 @@ Study read_study(const std::filesystem::path& file, Measurements measurements) {
   }
   if (const auto doe = root.find_table("doe")) study.doe = read_design(*doe, study.space);
   const auto run = root.find_table("run");
-  study.run = read_run(run ? &*run : nullptr, file);
+  study.run = read_run_settings(run ? &*run : nullptr, file);
   root.close();
   return study;
 }

@@ -17,10 +17,8 @@
 //
 //   [doe]                                     # see study_design.h
 //
-//   [run]
-//   workers = 2                               # processes; the result does not depend on it
-//   timeout = "10 min"                        # a trial
-//   journal = "study.latsch"                 # beside this file
+//   [run]                                     # see run_settings.h
+//   workers = 2
 #pragma once
 
 #include <filesystem>
@@ -29,6 +27,7 @@
 #include <vector>
 
 #include "base/document.h"
+#include "correlation/run_settings.h"
 #include "correlation/study_design.h"
 #include "correlation/study_experiment.h"
 #include "evaluation/journal.h"
@@ -36,12 +35,6 @@
 #include "optimization/gss.h"
 
 namespace latsch::correlation {
-
-struct RunSettings {
-  int workers = 1;
-  double timeout = 600.0;  // s
-  std::filesystem::path journal;
-};
 
 struct Study {
   std::filesystem::path file;

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/run_settings.h"
+
+#include <array>
+
+#include "base/text.h"
+#include "base/units.h"
+
+namespace latsch::correlation {
+namespace {
+
+constexpr long kMostWorkers = 1024;
+constexpr long kMostRetries = 100;
+constexpr double kLeastMemory = 16e6;  // bytes; with less a worker does not even start
+
+double read_memory(const Node& table) {
+  if (!table.has("memory")) return 0.0;
+  const std::string text = table.text("memory");
+  const auto bytes = parse_memory(text);
+  if (!bytes || *bytes < kLeastMemory) {
+    table.reject(
+        "memory",
+        "is " + in_quotes(text) + R"(, expected an amount of at least 16 MB such as "4 GB")");
+  }
+  return *bytes;
+}
+
+FailurePolicy read_policy(const Node& table) {
+  FailurePolicy policy;
+  const std::string what = table.choice("on_failure", {"continue", "abort", "retry"}, "continue");
+  if (what == "abort") policy.then = FailurePolicy::Then::abort;
+  if (what == "retry") {
+    policy.retries = static_cast<int>(table.integer("retries", 1, kMostRetries, 1));
+  } else if (table.has("retries")) {
+    table.reject("retries", R"(stands without on_failure = "retry")");
+  }
+  return policy;
+}
+
+}  // namespace
+
+std::optional<double> parse_memory(std::string_view text) {
+  struct Size {
+    std::string_view name;
+    double bytes;
+  };
+  static constexpr std::array kSizes{
+      Size{"B", 1.0}, Size{"kB", 1e3}, Size{"MB", 1e6}, Size{"GB", 1e9}, Size{"TB", 1e12}};
+  const auto split = split_number(text);
+  if (!split || !(split->number > 0.0L)) return std::nullopt;
+  for (const Size& size : kSizes) {
+    if (split->rest == size.name) return static_cast<double>(split->number) * size.bytes;
+  }
+  return std::nullopt;
+}
+
+RunSettings read_run_settings(const Node* table, const std::filesystem::path& study) {
+  RunSettings run;
+  const auto folder = study.parent_path();
+  run.journal = folder / (study.stem().string() + ".latsch");
+  if (!table) return run;
+  run.workers = static_cast<int>(table->integer("workers", 1, kMostWorkers, 1));
+  run.timeout = table->quantity("timeout", "s", Range::positive(), run.timeout);
+  run.memory = read_memory(*table);
+  run.on_failure = read_policy(*table);
+  run.journal = folder / table->text("journal", run.journal.filename().string());
+  return run;
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the trials of a study are run. None of it changes the result, except which trials fail.
+//
+//   [run]
+//   workers = 2                        # processes
+//   timeout = "10 min"                 # a trial; then its whole process group is killed
+//   memory = "4 GB"                    # a worker and each program it starts; unlimited unless
+//   given on_failure = "continue"            # a failed point is worse than any other; or "abort":
+//   the run
+//                                      # ends; or "retry": once more, `retries` times, then
+//                                      continue
+//   retries = 1
+//   journal = "study.latsch"          # beside the study
+//
+// A trial whose worker was killed from outside is repeated in any case, at most twice.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "base/document.h"
+#include "evaluation/run_options.h"
+
+namespace latsch::correlation {
+
+struct RunSettings {
+  int workers = 1;
+  double timeout = 600.0;  // s
+  double memory = 0.0;     // bytes; 0: unlimited
+  FailurePolicy on_failure;
+  std::filesystem::path journal;
+};
+
+/// `table`: [run], nullptr where the study has none; `study`: its file.
+RunSettings read_run_settings(const Node* table, const std::filesystem::path& study);
+
+/// Bytes of "4 GB", "500 MB", "64 kB", powers of 1000; nothing where the text is no such amount.
+std::optional<double> parse_memory(std::string_view text);
+
+}  // namespace latsch::correlation

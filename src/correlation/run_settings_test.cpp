@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/run_settings.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+
+namespace latsch::correlation {
+namespace {
+
+RunSettings read(const std::string& text) {
+  const Document document = Document::parse(text, "study.toml");
+  const Node root = document.root();
+  const RunSettings settings = read_run_settings(&root, "folder/study.toml");
+  root.close();
+  return settings;
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    read(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(RunSettings, WithoutATableOneWorkerRunsTenMinutesATrialAndGoesOnAfterFailures) {
+  const RunSettings run = read_run_settings(nullptr, "folder/study.toml");
+  EXPECT_EQ(run.workers, 1);
+  EXPECT_EQ(run.timeout, 600.0);
+  EXPECT_EQ(run.memory, 0.0);
+  EXPECT_EQ(run.on_failure.then, FailurePolicy::Then::proceed);
+  EXPECT_EQ(run.on_failure.retries, 0);
+  EXPECT_EQ(run.journal, "folder/study.latsch");
+}
+
+TEST(RunSettings, AreReadWithTheirUnits) {
+  const RunSettings run = read(
+      "workers = 3\ntimeout = \"2 min\"\nmemory = \"4 GB\"\n"
+      "on_failure = \"retry\"\nretries = 2\njournal = \"a.latsch\"\n");
+  EXPECT_EQ(run.workers, 3);
+  EXPECT_EQ(run.timeout, 120.0);
+  EXPECT_EQ(run.memory, 4e9);
+  EXPECT_EQ(run.on_failure.retries, 2);
+  EXPECT_EQ(run.journal, "folder/a.latsch");
+  EXPECT_EQ(read("on_failure = \"abort\"").on_failure.then, FailurePolicy::Then::abort);
+}
+
+TEST(RunSettings, WhatMakesNoSenseIsRefusedInWords) {
+  const auto says = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(complaint(text).find(part), std::string::npos) << complaint(text);
+  };
+  says("memory = \"4 parsec\"", "expected an amount of at least 16 MB such as \"4 GB\"");
+  says("memory = \"1 kB\"", "at least 16 MB");
+  says("memory = \"-4 GB\"", "expected an amount");
+  says("on_failure = \"recover\"", "\"continue\", \"abort\" or \"retry\"");
+  says("retries = 2", "without on_failure = \"retry\"");
+}
+
+TEST(RunSettings, MemoryIsCountedInPowersOfAThousand) {
+  EXPECT_EQ(parse_memory("64 kB"), 64e3);
+  EXPECT_EQ(parse_memory("0.5 TB"), 0.5e12);
+  EXPECT_FALSE(parse_memory("4"));
+  EXPECT_FALSE(parse_memory("GB"));
+}
+
+}  // namespace
+}  // namespace latsch::correlation
