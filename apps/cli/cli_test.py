@@ -142,6 +142,21 @@ class GoodInput(Coarse):
         self.assert_says(self.latsch("doe", self.study), "Morris trajectories", "mu*", "sigma", "carcass")
         self.assert_says(self.latsch("doe", self.study), "Morris trajectories, 6 points; 6 finished trials")
 
+    def test_doctor_finds_damage_and_saves_the_rest(self):
+        self.latsch("doe", self.study, "--levels", "2")
+        journal, saved = self.folder / "study.latsch", self.folder / "saved.latsch"
+        self.assert_says(self.latsch("doctor", journal), "4 of 4 trials", "in order")
+        with contextlib.closing(sqlite3.connect(journal)) as rows, rows:
+            rows.execute("update trials set point = zeroblob(24) where number = 3")
+        self.latsch("resume", self.study, code=FAILED)
+        self.assert_says(self.latsch("doctor", journal, "--salvage", saved, code=FAILED), "3 of 4", "trials lost", ": 3\n")
+        saved.replace(journal)
+        self.assert_says(self.latsch("doe", self.study, "--levels", "2"), "3 finished trials")
+
+    def test_a_failed_trial_ends_the_run_where_that_is_asked_for(self):
+        edit(self.study, (r"\[run\]", '[run]\non_failure = "abort"'), ('pressure = "2.4 bar"', 'pressure = "900 bar"'))
+        self.assert_says(self.latsch("run", self.study, code=FAILED), "Aborted", "900 bar", "It failed at")
+
     def test_export_writes_files_for_other_programs(self):
         tire, vtu, deck = (self.folder / name for name in ("identified.toml", "tire.vtu", "tire.inp"))
         self.latsch("export", self.study, "--tire", tire, "--vtu", vtu, "--ccx", deck, "--deflection", "8 mm",
@@ -151,7 +166,7 @@ class GoodInput(Coarse):
         self.assertIn("*NODE", deck.read_text().upper())
 
     def test_every_verb_has_help_with_an_example(self):
-        for verb in ("new", "check", "mesh", "simulate", "doe", "run", "resume", "report", "export"):
+        for verb in ("new", "check", "mesh", "simulate", "doe", "run", "resume", "report", "export", "doctor"):
             self.assert_says(self.latsch(verb, "--help"), "xample", f"latsch {verb}")
 
 

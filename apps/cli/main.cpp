@@ -39,6 +39,7 @@ int run(int argc, char** argv) {
                          add_run,
                          add_report,
                          add_export,
+                         add_doctor,
                          add_worker}) {
     add(app, exit_code);
   }

@@ -20,6 +20,7 @@ void add_simulate(CLI::App& app, int& exit_code);
 void add_doe(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);  // run and resume
 void add_report(CLI::App& app, int& exit_code);
+void add_doctor(CLI::App& app, int& exit_code);
 void add_export(CLI::App& app, int& exit_code);
 void add_worker(CLI::App& app, int& exit_code);  // hidden: what run and doe start
 

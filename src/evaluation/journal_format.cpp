@@ -122,6 +122,25 @@ void write_tally(SQLite::Database& database, std::int64_t trials, std::uint64_t 
   tally.exec();
 }
 
+void write_journal_rows(SQLite::Database& database,
+                        const StudyIdentity& identity,
+                        std::vector<Row> rows) {
+  write_identity(database, identity);
+  std::uint64_t state = hash_of(identity);
+  SQLite::Statement insert(database, kInsert);
+  std::int64_t number = 0;
+  for (Row& row : rows) {
+    row.number = ++number;
+    row.content = stored(row.own_hash());
+    state = row.chained(kFormat, state);
+    row.hash = stored(state);
+    bind_row(insert, row);
+    insert.exec();
+    insert.reset();
+  }
+  write_tally(database, number, state);
+}
+
 std::string text_of(const SQLite::Column& column) {
   const auto* bytes = static_cast<const char*>(column.getBlob());
   return bytes ? std::string(bytes, column.getBytes()) : std::string();

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "evaluation/study_identity.h"
 #include "evaluation/trial.h"
@@ -62,6 +63,11 @@ inline constexpr const char* kInsert = "INSERT INTO trials VALUES (?, ?, ?, ?, ?
 void write_identity(SQLite::Database& database, const StudyIdentity& identity);
 /// Counts the trials and keeps the last hash, so that a lost last row is seen.
 void write_tally(SQLite::Database& database, std::int64_t trials, std::uint64_t last_hash);
+
+/// Writes identity, trials, numbered anew from 1, and tally into empty tables.
+void write_journal_rows(SQLite::Database& database,
+                        const StudyIdentity& identity,
+                        std::vector<Row> rows);
 
 std::string text_of(const SQLite::Column& column);
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/journal_migration.h"
 
-#include <fmt/format.h>
-
-#include "evaluation/encoding.h"
+#include <string>
+#include <utility>
 
 namespace latsch {
 
@@ -28,16 +27,7 @@ void migrate_journal(SQLite::Database& database,
   SQLite::Transaction transaction(database);
   database.exec("DROP TABLE trials; DROP TABLE identity; DROP TABLE tally");
   create_tables(database);
-  write_identity(database, identity);
-  std::uint64_t state = hash_of(identity);
-  for (Row& row : rows) {
-    state = row.chained(kFormat, state);
-    row.hash = stored(state);
-    SQLite::Statement insert(database, kInsert);
-    bind_row(insert, row);
-    insert.exec();
-  }
-  write_tally(database, std::ssize(rows), state);
+  write_journal_rows(database, identity, std::move(rows));
   transaction.commit();
 }
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch doctor: is this journal as it was written, what is damaged, what can be saved.
+#include <fmt/format.h>
+
+#include "cli/verbs.h"
+#include "correlation/study.h"
+#include "evaluation/journal_doctor.h"
+
+namespace latsch::cli {
+namespace {
+
+void print_findings(const std::string& file, const JournalReport& report) {
+  const std::string expected =
+      report.expected >= 0 ? fmt::format(" of {}", report.expected) : std::string();
+  fmt::print("{}: {}{} trials are as they were written\n", file, report.rows.size(), expected);
+  for (const std::string& note : report.notes) fmt::print("  note: {}\n", note);
+  for (const std::string& finding : report.findings) fmt::print("  damage: {}\n", finding);
+  if (report.healthy()) fmt::print("Every page and every hash is in order.\n");
+}
+
+int examine(const std::string& file, const std::string& salvaged, const std::string& study) {
+  const JournalReport report = examine_journal(file);
+  print_findings(file, report);
+  if (!salvaged.empty()) {
+    std::optional<StudyIdentity> identity;
+    if (!study.empty()) identity = correlation::identity(correlation::read_study(study));
+    salvage_journal(report, identity, salvaged);
+    fmt::print(
+        "{} trials are saved in {}; put it in the place of the damaged file and go on with "
+        "latsch resume\n",
+        report.rows.size(),
+        salvaged);
+  } else if (!report.healthy() && !report.rows.empty()) {
+    fmt::print("Save the intact trials with: latsch doctor {} --salvage NEW.latsch\n", file);
+  }
+  return report.healthy() ? kDone : kFailed;
+}
+
+}  // namespace
+
+void add_doctor(CLI::App& app, int& exit_code) {
+  auto* verb = app.add_subcommand(
+      "doctor", "Checks every page and hash of a journal, says what is damaged, saves the rest");
+  verb->footer(
+      "Example:\n  latsch doctor my_tire/study.latsch\n"
+      "  latsch doctor my_tire/study.latsch --salvage saved.latsch\n\n"
+      "Exit code 0: as it was written; 1: damaged.");
+  auto file = std::make_shared<std::string>();
+  auto salvaged = std::make_shared<std::string>();
+  auto study = std::make_shared<std::string>();
+  verb->add_option("journal", *file, "Journal of a study")->required();
+  verb->add_option("--salvage", *salvaged, "Write the intact trials to this new journal");
+  verb->add_option("--study", *study, "The study it belongs to, where the journal cannot say");
+  verb->callback([=, &exit_code] { exit_code = examine(*file, *salvaged, *study); });
+}
+
+}  // namespace latsch::cli
