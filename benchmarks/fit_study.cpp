@@ -19,9 +19,27 @@ correlation::Study study_of_folder(const std::string& name) {
   return correlation::read_study(fs::path(LATSCH_SOURCE_DIR) / "studies" / name / "study.toml");
 }
 
+namespace {
+
+/// A folder that goes with the program; workers read their study in it as long as that runs.
+const fs::path& scratch_folder() {
+  struct Folder {
+    fs::path path = fs::temp_directory_path() / ("latsch_twin_" + std::to_string(getpid()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() {
+      std::error_code ignored;
+      fs::remove_all(path, ignored);
+    }
+  };
+  static const Folder folder;
+  return folder.path;
+}
+
+}  // namespace
+
 correlation::Study fresh_twin(const std::string& name) {
   const fs::path studies = fs::path(LATSCH_SOURCE_DIR) / "studies";
-  const fs::path copy = fs::temp_directory_path() / ("latsch_twin_" + std::to_string(getpid()));
+  const fs::path copy = scratch_folder() / name;
   fs::create_directories(copy);
   fs::copy(studies / "tires", copy / "tires");
   fs::copy(studies / name, copy / name);

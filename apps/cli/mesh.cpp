@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <numeric>
 
 #include "base/units.h"
 #include "cli/parsed.h"
@@ -23,6 +24,7 @@ struct Options {
   std::string file, vtu, deflection;
   int refinement = 1;
   int modes = 20;
+  int finest = 4;
   bool convergence = false;
 };
 
@@ -68,6 +70,8 @@ int print_convergence(const TireDescription& tire, const Options& options) {
   settings.element = tire.element;
   settings.pressure = tire.pressure;
   settings.modes = options.modes;
+  settings.refinements.resize(options.finest);
+  std::iota(settings.refinements.begin(), settings.refinements.end(), 1);
   if (!options.deflection.empty()) {
     settings.deflection = parse_option("deflection", options.deflection, "m");
   }
@@ -113,6 +117,10 @@ void add_mesh(CLI::App& app, int& exit_code) {
   verb->add_flag("--convergence", options->convergence, "Compares with refined meshes");
   verb->add_option(
       "--deflection", options->deflection, "Also pressed on the ground, for --convergence");
+  verb->add_option("--finest",
+                   options->finest,
+                   "Compares with meshes refined 2 to so many times, for --convergence")
+      ->check(CLI::Range(3, 8));
   verb->add_option("--modes", options->modes, "Modes to compare, for --convergence")
       ->check(CLI::Range(1, 100));
   verb->callback([=, &exit_code] { exit_code = mesh(*options); });

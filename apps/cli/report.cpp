@@ -6,9 +6,12 @@
 namespace latsch::cli {
 namespace {
 
-int report(const std::string& file) {
+int report(const std::string& file, bool on_the_ground) {
   const auto study = correlation::read_study(file);
-  return write_report(study, Journal::read(study.run.journal));
+  return write_report(study,
+                      Journal::read(study.run.journal),
+                      on_the_ground ? correlation::MeshError::also_on_the_ground
+                                    : correlation::MeshError::of_one_sector);
 }
 
 }  // namespace
@@ -18,7 +21,11 @@ void add_report(CLI::App& app, int& exit_code) {
   verb->footer("Example:\n  latsch report studies/tire_b_twin/study.toml");
   auto file = std::make_shared<std::string>();
   verb->add_option("study", *file, "Study file (TOML)")->required();
-  verb->callback([=, &exit_code] { exit_code = report(*file); });
+  auto on_the_ground = std::make_shared<bool>(false);
+  verb->add_flag("--convergence",
+                 *on_the_ground,
+                 "Also compares the tire on the ground with finer meshes: some minutes");
+  verb->callback([=, &exit_code] { exit_code = report(*file, *on_the_ground); });
 }
 
 }  // namespace latsch::cli

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -53,12 +54,34 @@ void print_aborted(const correlation::Study& study,
              study.run.journal.string());
 }
 
-int write_report(const correlation::Study& study, const Journal& journal) {
-  const auto page = correlation::study_report(study, journal);
+namespace {
+
+/// The error a fit hides in its values.
+void print_mesh_error(const report::StudyReport& page) {
+  const report::DiscretizationError* worst = nullptr;
+  double sum = 0.0;
+  for (const auto& row : page.discretization) {
+    if (!worst || std::abs(row.error) > std::abs(worst->error)) worst = &row;
+    sum += std::abs(row.error);
+  }
+  if (!worst) return;
+  fmt::print("\nMesh against the converged tire: {:.1f} % in the mean, worst {:+.1f} % ({})\n",
+             100.0 * sum / static_cast<double>(page.discretization.size()),
+             100.0 * worst->error,
+             worst->quantity);
+}
+
+}  // namespace
+
+int write_report(const correlation::Study& study,
+                 const Journal& journal,
+                 correlation::MeshError mesh_error) {
+  const auto page = correlation::study_report(study, journal, mesh_error);
   if (!page) {
     fmt::print(stderr, "latsch: {}\n", page.failure().reason);
     return kFailed;
   }
+  print_mesh_error(*page);
   const auto file = std::filesystem::path(study.run.journal).replace_extension(".html");
   write_text_file(file, report::html(*page));
   fmt::print("\nReport: {}\n", file.string());

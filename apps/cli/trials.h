@@ -3,6 +3,7 @@
 // its report.
 #pragma once
 
+#include "correlation/mesh_error.h"
 #include "correlation/study.h"
 #include "evaluation/journal.h"
 #include "evaluation/process_executor.h"
@@ -23,6 +24,8 @@ void print_aborted(const correlation::Study& study,
                    const Failure& failure);
 
 /// Writes the report beside the study and names it; returns the exit code.
-int write_report(const correlation::Study& study, const Journal& journal);
+int write_report(const correlation::Study& study,
+                 const Journal& journal,
+                 correlation::MeshError mesh_error = correlation::MeshError::of_one_sector);
 
 }  // namespace latsch::cli

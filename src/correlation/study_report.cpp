@@ -201,7 +201,7 @@ report::RunFacts run_facts(const Study& study, const Journal& journal) {
 
 }  // namespace
 
-Result<StudyReport> study_report(const Study& study, const Journal& journal) {
+Result<StudyReport> study_report(const Study& study, const Journal& journal, MeshError mesh_error) {
   const auto best = best_trial(study, journal);
   if (!best) return Failure{"no trial in " + study.run.journal.string() + " succeeded"};
 
@@ -223,6 +223,7 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal) {
   add_convergence(study, journal, page);
   page.surfaces = doe_surfaces(study, rated_trials(study, journal), best->point);
   add_found_tire(study, best->point, trials, page);
+  add_mesh_error(study, best->point, mesh_error, page);
   return page;
 }
 

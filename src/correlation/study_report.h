@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "correlation/mesh_error.h"
 #include "correlation/report/report.h"
 #include "correlation/study.h"
 #include "evaluation/journal.h"
@@ -11,6 +12,8 @@
 namespace latsch::correlation {
 
 /// A Failure where no trial in the journal succeeded.
-Result<report::StudyReport> study_report(const Study& study, const Journal& journal);
+Result<report::StudyReport> study_report(const Study& study,
+                                         const Journal& journal,
+                                         MeshError mesh_error = MeshError::of_one_sector);
 
 }  // namespace latsch::correlation

@@ -29,6 +29,8 @@ struct Case {
   Solid solid;
 };
 
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
 std::vector<Case> cases() {
   std::vector<Case> all;
   Matrix6 D = Matrix6::Zero();
@@ -45,6 +47,18 @@ std::vector<Case> cases() {
     all.push_back({std::string(name) + "Linear", kind, {StVenantKirchhoff{D}, 1e3}});
   }
   return all;
+}
+
+struct Kind {
+  ElementKind value;
+};
+
+void PrintTo(const Kind& kind, std::ostream* out) {
+  *out << (kind.value == ElementKind::full_integration ? "Full" : "SolidShell");
+}
+
+std::string kind_name(const testing::TestParamInfo<Kind>& info) {
+  return testing::PrintToString(info.param);
 }
 
 Eigen::Vector3d grid_point(int i, int j, int k) {
@@ -151,7 +165,7 @@ std::string case_name(const testing::TestParamInfo<Case>& info) { return info.pa
 INSTANTIATE_TEST_SUITE_P(Kinds, Patch, testing::ValuesIn(cases()), case_name);
 
 // Straight cords along x at 25 degrees, elements sheared and unequal in the plane of the layer.
-class CordPatch : public testing::TestWithParam<ElementKind> {};
+class CordPatch : public testing::TestWithParam<Kind> {};
 
 TEST_P(CordPatch, UniformDeformationIsAnEquilibrium) {
   Sequence random;
@@ -169,7 +183,7 @@ TEST_P(CordPatch, UniformDeformationIsAnEquilibrium) {
                      if (j % kElements) x[1] += 0.2 * kSize / kElements * (j == 1 ? 1 : -1);
                      return x;
                    },
-                   GetParam(),
+                   GetParam().value,
                    materials,
                    {{0, 0.4}});
   const Eigen::Matrix3Xd u = kF * model.X() - model.X();
@@ -182,7 +196,7 @@ TEST_P(CordPatch, UniformDeformationIsAnEquilibrium) {
       [&](int i, int j, int k) {
         return Eigen::Vector3d(model.X().col(model.grid().node(i, j, k)));
       },
-      GetParam(),
+      GetParam().value,
       materials);
   const Eigen::VectorXd cords = f - rubber.forces(u.reshaped(), nullptr);
   Eigen::Matrix3d virial = Eigen::Matrix3d::Zero();
@@ -199,13 +213,15 @@ TEST_P(CordPatch, UniformDeformationIsAnEquilibrium) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds,
                          CordPatch,
-                         testing::Values(ElementKind::full_integration, ElementKind::solid_shell));
+                         testing::Values(Kind{ElementKind::full_integration},
+                                         Kind{ElementKind::solid_shell}),
+                         kind_name);
 
 // Six rigid motions and nothing else without energy, also when squeezed: an element that
 // hourglasses under compression shows a negative eigenvalue here. Block between lubricated plates,
 // sides free, homogeneous deformation of incompressible rubber, lambda x 1/sqrt(lambda) x
 // 1/sqrt(lambda).
-class Squeezed : public testing::TestWithParam<ElementKind> {};
+class Squeezed : public testing::TestWithParam<Kind> {};
 
 TEST_P(Squeezed, BlockStaysStable) {
   Materials materials;
@@ -214,7 +230,7 @@ TEST_P(Squeezed, BlockStaysStable) {
   SmallModel model(
       grid,
       [](int i, int j, int k) { return Eigen::Vector3d(0.01 * i, 0.01 * j, 0.006 * k); },
-      GetParam(),
+      GetParam().value,
       materials);
   std::vector<char> held(model.unknowns(), 0);
   for (int j = 0; j <= grid.ny; ++j) {
@@ -246,7 +262,7 @@ TEST_P(Squeezed, OneElementHasSixRigidMotionsOnly) {
       [](int i, int j, int k) {
         return Eigen::Vector3d(0.015 * i, 0.012 * j + 0.002 * i * k, 0.008 * k);
       },
-      GetParam(),
+      GetParam().value,
       materials);
   Eigen::MatrixXd K;
   model.forces(Eigen::VectorXd::Zero(24), &K);
@@ -258,7 +274,9 @@ TEST_P(Squeezed, OneElementHasSixRigidMotionsOnly) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds,
                          Squeezed,
-                         testing::Values(ElementKind::full_integration, ElementKind::solid_shell));
+                         testing::Values(Kind{ElementKind::full_integration},
+                                         Kind{ElementKind::solid_shell}),
+                         kind_name);
 
 }  // namespace
 }  // namespace latsch::verification

@@ -78,6 +78,13 @@ struct Case {
   bool cords;
 };
 
+std::string name_of(const Case& c) {
+  return std::string(c.kind == ElementKind::full_integration ? "Full" : "SolidShell") +
+         (c.solid == 0 ? "Rubber" : "Composite") + (c.cords ? "Cords" : "");
+}
+
+void PrintTo(const Case& c, std::ostream* out) { *out << name_of(c); }
+
 class Hex8 : public testing::TestWithParam<Case> {
  protected:
   Vector24 force(const Matrix38& u) const {
@@ -150,11 +157,7 @@ TEST_P(Hex8, MassIsThatOfRubberAndCords) {
   EXPECT_LT((M - M.transpose()).norm(), 1e-15 * M.norm());
 }
 
-std::string case_name(const testing::TestParamInfo<Case>& info) {
-  const Case& c = info.param;
-  return std::string(c.kind == ElementKind::full_integration ? "Full" : "SolidShell") +
-         (c.solid == 0 ? "Rubber" : "Composite") + (c.cords ? "Cords" : "");
-}
+std::string case_name(const testing::TestParamInfo<Case>& info) { return name_of(info.param); }
 
 INSTANTIATE_TEST_SUITE_P(Kinds,
                          Hex8,

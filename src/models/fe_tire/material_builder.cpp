@@ -38,7 +38,7 @@ Column column_of(const TireDescription& tire, const Contour& line, int i, int co
   const double refined = double(columns) / tire.section.meridional;
   const auto end = [&](int j) { return tire.section.station(j / refined); };
   const MeridianPoint a = line.tangent(end(i)), b = line.tangent(end(i + 1));
-  const ThicknessProfile& inside = tire.section.inside;
+  const WallProfile& inside = tire.section.inside;
   Column column;
   column.r = line.point(0.5 * (end(i) + end(i + 1))).r;
   column.thickness = 0.5 * (inside.at(std::abs(end(i))) + inside.at(std::abs(end(i + 1))));

@@ -75,7 +75,7 @@ class MeshBuilder {
     const double lower = face(middle, k), upper = face(middle, k + 1);
     std::vector<RebarPlacement> found;
     for (const auto& [ply, layer] : plan_.plies(i / r_)) {
-      const double d = tire_.plies[ply].offset;
+      const double d = tire_.plies[ply].offset.at(std::abs(middle));
       const bool lowest = k == 0 && d == lower;  // a ply on a face belongs to the element inside it
       if (lowest || (lower < d && d <= upper))
         found.push_back({layer, 2.0 * (d - lower) / (upper - lower) - 1.0});

@@ -128,7 +128,7 @@ TireDescription with_rebars() {
   tire.cord_model = CordModel::rebar;
   const double offsets[] = {-2e-3, -0.8e-3, 0.5e-3, 1.5e-3};
   for (std::size_t i = 0; i < tire.plies.size(); ++i) {
-    tire.plies[i].offset = offsets[i];
+    tire.plies[i].offset = {{0.0}, {offsets[i]}};
     tire.plies[i].cords.density = 5000.0;
   }
   return tire;
@@ -166,7 +166,7 @@ TEST(MeshBuilder, RefinementKeepsTheCordsAtTheirPlaceInTheWall) {
               0.5 * ((1.0 - w) * (X.col(0) + X.col(3)) + w * (X.col(4) + X.col(7)));
           double nearest = 1.0;
           for (const CordPly& ply : tire.plies) {
-            const MeridianPoint q = line.offset(s, ply.offset);
+            const MeridianPoint q = line.offset(s, ply.offset.at(std::abs(s)));
             nearest = std::min(nearest, std::hypot(p.y() - q.y, -p.z() - q.r));
           }
           EXPECT_LT(nearest, 1e-3 / (r * r));  // sag of the chord

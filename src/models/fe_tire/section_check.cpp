@@ -54,13 +54,13 @@ std::string ply_conflict(const Section& section, const CordPly& ply) {
   for (int i = 0; i <= kSamples; ++i) {
     const double q = double(i) / kSamples;
     if (!ply.extent.contains(q)) continue;
-    const double in = section.inside.at(q), out = section.outside.at(q);
-    if (ply.offset < -in || ply.offset > out)
+    const double in = section.inside.at(q), out = section.outside.at(q), offset = ply.offset.at(q);
+    if (offset < -in || offset > out)
       return fmt::format(
           "puts the layer outside the wall at position {:.2f}: offset {:.2f} mm, the wall reaches "
           "from {:.2f} to {:.2f} mm",
           q,
-          1e3 * ply.offset,
+          1e3 * offset,
           -1e3 * in,
           1e3 * out);
   }

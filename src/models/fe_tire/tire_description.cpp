@@ -6,12 +6,12 @@
 
 namespace latsch::fe_tire {
 
-double ThicknessProfile::at(double q) const {
-  if (q <= position.front()) return thickness.front();
-  if (q >= position.back()) return thickness.back();
+double WallProfile::at(double q) const {
+  if (q <= position.front()) return length.front();
+  if (q >= position.back()) return length.back();
   const auto i = std::upper_bound(position.begin(), position.end(), q) - position.begin();
   const double part = (q - position[i - 1]) / (position[i] - position[i - 1]);
-  return thickness[i - 1] + part * (thickness[i] - thickness[i - 1]);
+  return length[i - 1] + part * (length[i] - length[i - 1]);
 }
 
 namespace {

@@ -18,12 +18,12 @@
 
 namespace latsch::fe_tire {
 
-/// Thickness over the position along the wall, linear between its points. m.
-struct ThicknessProfile {
-  std::vector<double> position;   // ascending, from 0 to 1
-  std::vector<double> thickness;  // m, > 0
+/// A length over the position along the wall, linear between its points, constant beyond them.
+struct WallProfile {
+  std::vector<double> position;  // ascending, from 0 to 1
+  std::vector<double> length;    // m
   double at(double q) const;
-  bool operator==(const ThicknessProfile&) const = default;
+  bool operator==(const WallProfile&) const = default;
 };
 
 /// A stretch of the wall on both sides of the tire, from <= position < to (the bead, 1, included).
@@ -53,7 +53,7 @@ struct RubberRegion {
 struct CordPly {
   std::string name;
   Extent extent;
-  double offset = 0.0;  // m from the reference line, positive outward
+  WallProfile offset = {{0.0}, {0.0}};  // from the reference line, positive outward
   CordLayer cords;
   /// Built flat on a drum and lifted: the cords then keep cos(angle) / r, and their number around
   /// the tire stays the same. Otherwise angle and thickness are the same everywhere.
@@ -79,8 +79,8 @@ enum class BeadClamp { whole, inside, outside };  // inside, outside: up to the 
 /// Everything the mesh depends on.
 struct Section {
   std::vector<MeridianPoint> contour;  // +y half of the reference line, crown to bead, m
-  ThicknessProfile inside, outside;
-  double tread_to = 0.5;  // position up to which the outer face may touch the ground
+  WallProfile inside, outside;         // thicknesses, > 0
+  double tread_to = 0.5;               // position up to which the outer face may touch the ground
   BeadClamp clamp = BeadClamp::whole;
   int meridional = 29, rows_inside = 1, rows_outside = 1, sectors = 60;  // elements
   SpacingProfile spacing;

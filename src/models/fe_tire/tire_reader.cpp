@@ -23,28 +23,32 @@ Extent read_extent(const Node& node) {
   return extent;
 }
 
-ThicknessProfile read_thickness(const Node& section, const char* key) {
-  ThicknessProfile profile;
-  for (const std::vector<double>& row : section.rows(key, {"1", "m"})) {
+WallProfile read_profile(const Node& node, const char* key) {
+  WallProfile profile;
+  for (const std::vector<double>& row : node.rows(key, {"1", "m"})) {
     if (!profile.position.empty() && row[0] <= profile.position.back())
-      section.reject(
-          key,
-          fmt::format(
-              "has position {} after {}, expected ascending positions from 0 (crown) to 1 (bead)",
-              row[0],
-              profile.position.back()));
+      node.reject(key,
+                  fmt::format("has position {} after {}, expected ascending positions from 0 "
+                              "(crown) to 1 (bead)",
+                              row[0],
+                              profile.position.back()));
     if (row[0] < 0.0 || row[0] > 1.0)
-      section.reject(key, fmt::format("has position {}, expected 0 (crown) to 1 (bead)", row[0]));
-    if (!(row[1] > 0.0))
-      section.reject(
-          key,
-          fmt::format(
-              "has thickness {} mm at position {}, expected more than 0", 1e3 * row[1], row[0]));
+      node.reject(key, fmt::format("has position {}, expected 0 (crown) to 1 (bead)", row[0]));
     profile.position.push_back(row[0]);
-    profile.thickness.push_back(row[1]);
+    profile.length.push_back(row[1]);
   }
-  if (profile.position.empty())
-    section.reject(key, "is empty, expected rows of position and thickness");
+  if (profile.position.empty()) node.reject(key, "is empty, expected rows of position and length");
+  return profile;
+}
+
+WallProfile read_thickness(const Node& section, const char* key) {
+  const WallProfile profile = read_profile(section, key);
+  for (std::size_t i = 0; i < profile.length.size(); ++i)
+    if (!(profile.length[i] > 0.0))
+      section.reject(key,
+                     fmt::format("has thickness {} mm at position {}, expected more than 0",
+                                 1e3 * profile.length[i],
+                                 profile.position[i]));
   return profile;
 }
 
@@ -180,7 +184,9 @@ CordPly read_ply(const Node& node, const Section& section) {
   CordPly ply;
   ply.name = node.name();
   ply.extent = read_extent(node);
-  ply.offset = node.quantity("offset", "m");
+  const char* offset_key = node.has("offsets") ? "offsets" : "offset";
+  ply.offset = node.has("offsets") ? read_profile(node, "offsets")
+                                   : WallProfile{{0.0}, {node.quantity("offset", "m")}};
   ply.lifted = node.flag("lifted", false);
   CordLayer& cords = ply.cords;
   cords.angle = node.quantity("angle", "rad", Range::between(-kRightAngle, kRightAngle));
@@ -191,7 +197,7 @@ CordPly read_ply(const Node& node, const Section& section) {
   cords.pretension = node.quantity("pretension", "Pa", {}, 0.0);
   cords.density = node.quantity("density", "kg/m^3", Range::not_negative());
   if (const std::string conflict = ply_conflict(section, ply); !conflict.empty())
-    node.reject("offset", conflict);
+    node.reject(offset_key, conflict);
   return ply;
 }
 

@@ -89,8 +89,8 @@ TEST(TireReader, LiftedBiasPliesSteepenTowardTheBead) {
   EXPECT_GT(bead.angle, crown.angle);
 }
 
-/// The complaint about tire B with one line replaced.
-std::string complaint(const std::string& from, const std::string& to) {
+/// Tire B with one line replaced.
+std::string edited(const std::string& from, const std::string& to) {
   std::ifstream file(kTires / "passenger_225_50R16.toml");
   std::ostringstream stream;
   stream << file.rdbuf();
@@ -98,6 +98,43 @@ std::string complaint(const std::string& from, const std::string& to) {
   const auto at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
+  return text;
+}
+
+/// An element at q takes a share of the wall in proportion to the length the profile has there.
+TEST(TireReader, SpacingGradesTheColumns) {
+  const std::string text = edited("meridional = 29", "meridional = 2000");
+  const std::string graded = "spacing = [[0, 2], [0.4, 2], [0.4001, 1], [1, 3]]";
+  std::string with_spacing = text;
+  const auto at = with_spacing.find("spacing = [[");
+  with_spacing.replace(at, with_spacing.find('\n', at) - at, graded);
+  const Section section = read_tire(Document::parse(with_spacing, "t").root()).section;
+  const auto length_at = [&](double q) {
+    int column = section.meridional / 2;
+    while (section.station(column) < q) ++column;
+    return section.station(column + 1) - section.station(column);
+  };
+  EXPECT_NEAR(length_at(0.2) / length_at(0.5), 2.0 / (1.0 + 2.0 * 0.1 / 0.6), 0.01);
+  EXPECT_NEAR(
+      length_at(0.9) / length_at(0.5), (1.0 + 2.0 * 0.5 / 0.6) / (1.0 + 2.0 * 0.1 / 0.6), 0.01);
+  EXPECT_NEAR(section.station(0), -1.0, 1e-15);
+  EXPECT_NEAR(section.station(section.meridional), 1.0, 1e-15);
+}
+
+TEST(TireReader, AnOffsetMayChangeAlongTheWall) {
+  const auto tire = read_tire(
+      Document::parse(
+          edited("offset = \"0.6 mm\"", "offsets = [[0.4, \"-2 mm\"], [0.5, \"0 mm\"]]"), "t")
+          .root());
+  const WallProfile& belt = tire.plies[1].offset;
+  EXPECT_DOUBLE_EQ(belt.at(0.1), -2e-3);
+  EXPECT_DOUBLE_EQ(belt.at(0.45), -1e-3);
+  EXPECT_DOUBLE_EQ(belt.at(0.9), 0.0);
+}
+
+/// The complaint about tire B with one line replaced.
+std::string complaint(const std::string& from, const std::string& to) {
+  const std::string text = edited(from, to);
   try {
     build_mesh(read_tire(Document::parse(text, "tire.toml").root()));
   } catch (const InputError& error) {
@@ -109,20 +146,25 @@ std::string complaint(const std::string& from, const std::string& to) {
 TEST(TireReader, ComplaintsNameFileLineFoundAndExpected) {
   const auto says = [](const std::string& text, std::initializer_list<const char*> parts) {
     EXPECT_EQ(text.rfind("tire.toml:", 0), 0u) << text;
-    for (const char* part : parts) EXPECT_NE(text.find(part), std::string::npos) << text;
+    for (const char* part : parts)
+      EXPECT_NE(text.find(part), std::string::npos) << part << " is not in: " << text;
   };
   says(complaint("[0.52, \"4 mm\"]", "[0.52, \"-4 mm\"]"), {"thickness_inside", "-4 mm"});
   says(complaint("angle = \"24 deg\"", "angle = \"24 N\""), {"layer.belt_1.angle", "24 N"});
   says(complaint("[107, 288], [112, 268], [110, 246]", "[110, 246], [112, 268], [107, 288]"),
        {"section.contour", "crosses itself"});
-  says(complaint("offset = \"-2 mm\"", "offset = \"-5 mm\""),
-       {"layer.carcass.offset", "outside the wall"});
+  says(complaint("offset = \"0.6 mm\"", "offset = \"-7 mm\""),
+       {"layer.belt_1.offset", "outside the wall"});
+  says(complaint("offset = \"0.6 mm\"", "offsets = [[0.5, \"-2 mm\"], [0.4, \"0 mm\"]]"),
+       {"layer.belt_1.offsets", "0.4 after 0.5"});
+  says(complaint("[0.3, 2.5]", "[0.3, 0]"), {"mesh.spacing", "[0.3, 0]"});
+  says(complaint(", [1, 0.16]]", "]"), {"mesh.spacing", "1 (bead)"});
   says(complaint("225/50R16\"", "225-50-16\""), {"size", "225-50-16", "225/50R16"});
   says(complaint("225/50R16\"", "225/50R17\""), {"section.contour", "656"});
   says(complaint("rubber = \"matrix\"", "rubber = \"matrx\""), {"matrx", "matrix"});
   says(complaint("pressure =", "presure ="), {"pressure"});
-  says(complaint("spacing =", "spacin ="), {"spacing"});
-  says(complaint("from = 0.74", "from = 0.80"), {"no rubber region covers position"});
+  says(complaint("spacing = \"", "spacin = \""), {"spacing"});
+  says(complaint("from = 0.74", "from = 0.85"), {"no rubber region covers position"});
   says(complaint("from = 0.74", "from = 0.60"), {"overlap"});
   says(complaint("poisson_ratio = 0.49", "poisson_ratio = 0.5"), {"poisson_ratio", "0.5"});
   says(complaint("meridional = 29", "meridional = 2"), {"mesh.meridional", "2"});
