@@ -137,6 +137,17 @@ class GoodInput(Coarse):
         self.assert_says(self.latsch("doe", self.study, "--levels", "3"), "of 9 points succeeded", "Report: ")
         self.assert_says(self.latsch("run", self.study), "9 finished trials are reused")
 
+    def test_a_fit_ends_with_intervals_and_identify_adds_verdicts_and_resumes(self):
+        edit(self.study, ("step_tolerance = .*", "step_tolerance = 0.1"))
+        text = self.latsch("run", self.study)
+        self.assertRegex(text, r"carcass +[0-9.]+ GPa +95 %: .*GPa")
+        trials = trials_of(self.folder / "study.latsch")
+        text = self.latsch("identify", self.study, "--short")
+        self.assert_says(text, "singular value", "Values and their confidence intervals, from 8 measured values")
+        self.assertEqual(trials_of(self.folder / "study.latsch"), trials)  # the fit left them in the journal
+        edit(self.study, ("timeout = .*", 'timeout = "10 min"\nintervals = false'))
+        self.assertNotIn("95 %", self.latsch("run", self.study))
+
     def test_morris_prints_its_sensitivities_and_resumes(self):
         edit(self.study, (r'design = "full_factorial".*\nlevels = .*', 'design = "morris"\npoints = 6'))
         self.assert_says(self.latsch("doe", self.study), "Morris trajectories", "mu*", "sigma", "carcass")
@@ -166,7 +177,7 @@ class GoodInput(Coarse):
         self.assertIn("*NODE", deck.read_text().upper())
 
     def test_every_verb_has_help_with_an_example(self):
-        for verb in ("new", "check", "mesh", "simulate", "doe", "run", "resume", "report", "export", "doctor"):
+        for verb in ("new", "check", "mesh", "simulate", "doe", "run", "resume", "identify", "report", "export", "doctor"):
             self.assert_says(self.latsch(verb, "--help"), "xample", f"latsch {verb}")
 
 

@@ -37,6 +37,7 @@ int run(int argc, char** argv) {
                          add_simulate,
                          add_doe,
                          add_run,
+                         add_identify,
                          add_report,
                          add_export,
                          add_doctor,

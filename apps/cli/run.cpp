@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "cli/identifiability_text.h"
 #include "cli/interrupt.h"
 #include "cli/tables.h"
 #include "cli/trials.h"
@@ -24,7 +25,32 @@ void print_result(const Study& study, const Run& run, const Journal& journal) {
              study.run.journal.string(),
              run.steps.size(),
              best.outcome->value * 100.0);
-  print_point(study.space, best.point);
+}
+
+/// The values found, with their intervals where these are wanted and can be had; false where that
+/// was interrupted.
+bool print_values(const Study& study,
+                  const DesignPoint& point,
+                  Executor& executor,
+                  Journal& journal) {
+  if (!study.run.intervals) {
+    print_point(study.space, point);
+    return true;
+  }
+  const auto result = correlation::identify(study,
+                                            point,
+                                            correlation::Depth::intervals,
+                                            executor,
+                                            journal,
+                                            counting_options(study, "trials around the best one"));
+  if (!result) return false;
+  if (*result) {
+    print_intervals(study, **result);
+  } else {
+    print_point(study.space, point);
+    fmt::print("  No confidence intervals: {}\n", result->failure().reason);
+  }
+  return true;
 }
 
 int fit(const std::string& file, int workers, bool resuming) {
@@ -61,6 +87,7 @@ int fit(const std::string& file, int workers, bool resuming) {
     return kFailed;
   }
   print_result(study, run, journal);
+  if (!print_values(study, run.best()->point, executor, journal)) return kFailed;
   return write_report(study, journal);
 }
 

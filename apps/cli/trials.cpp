@@ -54,6 +54,15 @@ void print_aborted(const correlation::Study& study,
              study.run.journal.string());
 }
 
+RunOptions counting_options(const correlation::Study& study, const std::string& what) {
+  RunOptions options = run_options(study, /*length_known=*/false);
+  auto bar = std::make_shared<Progress>(std::cerr, is_terminal());
+  options.on_progress = [bar, what](const RunProgress& progress) {
+    bar->update(progress.known, 0, what);
+  };
+  return options;
+}
+
 namespace {
 
 /// The error a fit hides in its values.

@@ -3,6 +3,8 @@
 // its report.
 #pragma once
 
+#include <string>
+
 #include "correlation/mesh_error.h"
 #include "correlation/study.h"
 #include "evaluation/journal.h"
@@ -22,6 +24,9 @@ RunOptions run_options(const correlation::Study& study, bool length_known);
 void print_aborted(const correlation::Study& study,
                    const DesignPoint& point,
                    const Failure& failure);
+
+/// The same without a target: counts the trials, described by `what`.
+RunOptions counting_options(const correlation::Study& study, const std::string& what);
 
 /// Writes the report beside the study and names it; returns the exit code.
 int write_report(const correlation::Study& study,

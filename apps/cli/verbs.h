@@ -19,6 +19,7 @@ void add_mesh(CLI::App& app, int& exit_code);
 void add_simulate(CLI::App& app, int& exit_code);
 void add_doe(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);  // run and resume
+void add_identify(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
 void add_doctor(CLI::App& app, int& exit_code);
 void add_export(CLI::App& app, int& exit_code);

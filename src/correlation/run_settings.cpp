@@ -63,6 +63,7 @@ RunSettings read_run_settings(const Node* table, const std::filesystem::path& st
   run.timeout = table->quantity("timeout", "s", Range::positive(), run.timeout);
   run.memory = read_memory(*table);
   run.on_failure = read_policy(*table);
+  run.intervals = table->flag("intervals", run.intervals);
   run.journal = folder / table->text("journal", run.journal.filename().string());
   return run;
 }

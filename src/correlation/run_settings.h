@@ -10,6 +10,7 @@
 //                                      # ends; or "retry": once more, `retries` times, then
 //                                      continue
 //   retries = 1
+//   intervals = true                   # after a fit: confidence intervals, a trial a variable
 //   journal = "study.latsch"          # beside the study
 //
 // A trial whose worker was killed from outside is repeated in any case, at most twice.
@@ -29,6 +30,7 @@ struct RunSettings {
   double timeout = 600.0;  // s
   double memory = 0.0;     // bytes; 0: unlimited
   FailurePolicy on_failure;
+  bool intervals = true;  // after a fit
   std::filesystem::path journal;
 };
 

@@ -45,6 +45,18 @@ void check_bounds(const Node& root, const Document& model, const DesignSpace& sp
   }
 }
 
+/// Without the noise of one experiment, the spread of all has to be estimated; then that of the
+/// others cannot be taken at its word.
+void check_noise(const Node& root, const std::vector<StudyExperiment>& experiments) {
+  const auto tables = root.named_tables("experiment");
+  bool some = false;
+  for (const auto& experiment : experiments) some = some || (experiment.fitted && experiment.noise);
+  for (size_t e = 0; e < experiments.size(); ++e) {
+    if (!some || !experiments[e].fitted || experiments[e].noise) continue;
+    tables[e].reject("noise", "is missing: another experiment states it, expected all or none");
+  }
+}
+
 std::vector<StudyExperiment> read_experiments(const Node& root,
                                               const std::filesystem::path& folder,
                                               Measurements measurements) {
@@ -57,6 +69,7 @@ std::vector<StudyExperiment> read_experiments(const Node& root,
   if (!(weights > 0.0)) {
     root.reject("experiment", "fits nothing, expected an [experiment.NAME] of positive weight");
   }
+  check_noise(root, experiments);
   return experiments;
 }
 

@@ -124,6 +124,7 @@ StudyExperiment read_experiment(const Node& table,
   experiment.name = table.name();
   experiment.load_case.name = table.name();
   experiment.objective = read_objective(table);
+  if (table.has("noise")) experiment.noise = table.quantity("noise", "1", Range::positive());
   experiment.fitted = table.choice("use", {"fit", "predict"}, "fit") == "fit";
   experiment.measurement_file = folder / table.text("measurement");
   if (table.choice("kind", {"load_deflection", "modes"}) == "modes") {

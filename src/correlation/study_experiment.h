@@ -10,6 +10,7 @@
 //   compare = "force"                  # or "root_force", see objective.h
 //   exponent = 1
 //   weight = 1
+//   noise = "1 %"                      # of a measured value, where known; for confidence intervals
 //   use = "fit"                        # or "predict": compared in the report, not fitted
 //
 //   [experiment.modes]
@@ -27,6 +28,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,7 +45,8 @@ struct StudyExperiment {
   std::string name;
   experiment::LoadCase load_case;  // at the measured deflections, radii and sensor points
   ObjectiveSettings objective;
-  bool fitted = true;  // false: predicted only
+  bool fitted = true;           // false: predicted only
+  std::optional<double> noise;  // standard deviation of a measured value, relative
   std::filesystem::path measurement_file;
   std::filesystem::path shapes_file;  // empty: no shapes
   std::vector<double> forces;         // N, measured; load-deflection experiments

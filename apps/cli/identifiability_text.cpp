@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/identifiability_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/tables.h"
+
+namespace latsch::cli {
+namespace {
+
+using correlation::Identifiability;
+using correlation::Study;
+
+constexpr double kStrongCorrelation = 0.9;
+
+std::string note_on(const DesignVariable& v, const Confidence& c, int i, const DesignPoint& point) {
+  if (c.held[i] == Bound::none) return "";
+  return fmt::format(", held at its bound {}", shown(v, point.values[i]));
+}
+
+/// "matrix up, carcass down": the variables that make up most of a direction.
+std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction) {
+  constexpr double kShare = 0.3;  // of the unit vector: less hardly takes part
+  const double sign = direction[0] < 0.0 ? -1.0 : 1.0;
+  std::string text;
+  for (int i = 0; i < space.size(); ++i) {
+    if (std::abs(direction[i]) < kShare) continue;
+    text += fmt::format("{}{} {}",
+                        text.empty() ? "" : ", ",
+                        space[i].name,
+                        sign * direction[i] > 0.0 ? "up" : "down");
+  }
+  return text;
+}
+
+void print_spectrum(const Study& study, const Confidence& c) {
+  fmt::print("\nDirections of the variables, from the best determined to the least\n");
+  fmt::print("  {:>15} {:>22}  {}\n", "singular value", "deviation, % of range", "direction");
+  for (Eigen::Index k = 0; k < c.singular_values.size(); ++k) {
+    const double deviation = c.deviation(static_cast<int>(k));
+    fmt::print("  {:15.4g} {:>22}  {}\n",
+               c.singular_values[k],
+               deviation < 1.0 ? fmt::format("{:.2f}", 100.0 * deviation) : "more than 100: flat",
+               direction_text(study.space, c.directions.col(k)));
+  }
+}
+
+void print_correlations(const Study& study, const Confidence& c) {
+  bool any = false;
+  for (int i = 0; i < study.space.size(); ++i) {
+    for (int j = i + 1; j < study.space.size(); ++j) {
+      if (std::abs(c.correlation(i, j)) < kStrongCorrelation) continue;
+      fmt::print("{}  {} and {}: {:+.3f}\n",
+                 any ? "" : "\nVariables that the data hardly tell apart, by their correlation\n",
+                 study.space[i].name,
+                 study.space[j].name,
+                 c.correlation(i, j));
+      any = true;
+    }
+  }
+}
+
+void print_verdicts(const Study& study, const std::vector<Profile>& profiles) {
+  fmt::print("\nProfiles: each variable held at other values, all others fitted anew\n");
+  for (const Profile& profile : profiles) {
+    const DesignVariable& v = study.space[profile.variable];
+    fmt::print("  {:<16} {}\n", v.name, in_words(profile));
+    fmt::print("  {:<16} 95 %: {}\n",
+               "",
+               correlation::interval_text(study.space, profile.variable, profile.interval));
+    for (int place : profile.other_minima) {
+      const ProfilePoint& at = profile.points[place];
+      std::vector<double> u(at.u.begin(), at.u.end());
+      fmt::print("  {:<16} another minimum near {}, {}\n",
+                 "",
+                 shown(v, study.space.from_unit(u).values[profile.variable]),
+                 at.S - profile.least <= profile.threshold ? "as good" : "not as good");
+    }
+  }
+}
+
+void print_cross_validation(const Study& study, const CrossValidation& validation) {
+  fmt::print("\nCross-validation: each experiment predicted from the fit of the others\n");
+  fmt::print("  {:<16} {:>14} {:>16}\n", "left out", "rms fitted", "rms predicted");
+  for (const LeftOut& fold : validation.left_out()) {
+    fmt::print("  {:<16} {:14.4g} {:16.4g}\n",
+               study.experiments[fold.group].name,
+               fold.fitted,
+               fold.predicted);
+  }
+}
+
+}  // namespace
+
+void print_intervals(const Study& study, const Identifiability& result) {
+  const Confidence& c = result.identification.confidence();
+  for (int i = 0; i < study.space.size(); ++i) {
+    const DesignVariable& v = study.space[i];
+    fmt::print("  {:<16} {:<16} 95 %: {}{}\n",
+               v.name,
+               shown(v, result.point.values[i]),
+               correlation::interval_text(study.space, i, c.intervals[i]),
+               note_on(v, c, i, result.point));
+  }
+  if (std::isnan(c.sigma)) {
+    fmt::print("  No more measured values than variables: state the noise of the experiments\n");
+  }
+}
+
+void print_identifiability(const Study& study, const Identifiability& result) {
+  const Confidence& c = result.identification.confidence();
+  print_spectrum(study, c);
+  print_correlations(study, c);
+  if (!result.identification.profiles().empty()) {
+    print_verdicts(study, result.identification.profiles());
+  }
+  if (result.cross_validation) print_cross_validation(study, *result.cross_validation);
+}
+
+}  // namespace latsch::cli

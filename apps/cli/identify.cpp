@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch identify: what the measurements determine around the best trial of a journal.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+#include "base/progress.h"
+#include "cli/identifiability_text.h"
+#include "cli/interrupt.h"
+#include "cli/trials.h"
+#include "cli/verbs.h"
+#include "correlation/best_trial.h"
+
+namespace latsch::cli {
+namespace {
+
+using correlation::Study;
+
+/// The best point, or the one close to it around which an earlier analysis began: its own trials
+/// may have found a slightly better one since.
+DesignPoint start(const Study& study, const Journal& journal, const DesignPoint& best) {
+  constexpr double kClose = 0.02;  // of the range of every variable
+  const auto recorded = correlation::recorded_identifiability(study, journal);
+  if (!recorded) return best;
+  const auto u = study.space.to_unit(best), v = study.space.to_unit(recorded->point);
+  const auto close = [](double a, double b) { return std::abs(a - b) <= kClose; };
+  return std::equal(u.begin(), u.end(), v.begin(), close) ? recorded->point : best;
+}
+
+int identify(const std::string& file, int workers, bool profiles) {
+  Study study = correlation::read_study(file);
+  if (workers > 0) study.run.workers = workers;
+  if (!std::filesystem::exists(study.run.journal)) {
+    throw InputError(study.run.journal.string() +
+                     " does not exist: there is nothing to analyze; start with latsch run");
+  }
+  Journal journal = Journal::open(study.run.journal, correlation::identity(study));
+  const auto best = correlation::best_trial(study, journal);
+  if (!best) {
+    fmt::print(stderr, "latsch: no trial in {} succeeded\n", study.run.journal.string());
+    return kFailed;
+  }
+  const DesignPoint point = start(study, journal, best->point);
+  catch_interrupts();
+  ProcessExecutor executor(worker_processes(study));
+  const auto result =
+      correlation::identify(study,
+                            point,
+                            profiles ? correlation::Depth::profiles : correlation::Depth::intervals,
+                            executor,
+                            journal,
+                            counting_options(study, "trials around the best one"));
+  if (!result) {
+    fmt::print("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
+    return kFailed;
+  }
+  if (!*result) {
+    fmt::print(stderr, "latsch: {}\n", result->failure().reason);
+    return kFailed;
+  }
+  fmt::print("\nValues and their confidence intervals, from {} measured values\n",
+             (*result)->identification.residuals_used().size());
+  print_intervals(study, **result);
+  print_identifiability(study, **result);
+  return write_report(study, journal);
+}
+
+}  // namespace
+
+void add_identify(CLI::App& app, int& exit_code) {
+  auto* verb = app.add_subcommand("identify",
+                                  "Says which variables the measurements determine, and how well");
+  verb->footer(
+      "Example:\n  latsch identify studies/tire_b_twin/study.toml --workers 2\n\n"
+      "Starts at the best trial of the journal, holds each variable at other values and fits the "
+      "others\nanew. That takes some dozens of trials a variable; they stay in the journal.");
+  auto file = std::make_shared<std::string>();
+  auto workers = std::make_shared<int>(0);
+  auto short_form = std::make_shared<bool>(false);
+  verb->add_option("study", *file, "Study file (TOML)")->required();
+  verb->add_option("--workers", *workers, "Worker processes, instead of the study's")
+      ->check(CLI::Range(1, 1024));
+  verb->add_flag("--short", *short_form, "Intervals only, one more trial a variable");
+  verb->callback([=, &exit_code] { exit_code = identify(*file, *workers, !*short_form); });
+}
+
+}  // namespace latsch::cli

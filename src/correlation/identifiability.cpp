@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/identifiability.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <set>
+
+#include "base/units.h"
+#include "correlation/best_trial.h"
+#include "correlation/residuals.h"
+
+namespace latsch::correlation {
+namespace {
+
+constexpr long kMostTrials = 100'000;
+constexpr double kRefitTolerance = 0.02;  // of the threshold that ends an interval
+
+/// An analysis that asks in rounds, as the scheduler knows it: the points of a round in their
+/// order.
+template <class Analysis>
+class InRounds : public Optimizer {
+ public:
+  explicit InRounds(Analysis& analysis) : analysis_(analysis) {}
+
+  std::vector<DesignPoint> propose(int count) const override {
+    const auto& wanted = analysis_.wanted();
+    const auto first = wanted.begin() + std::ssize(seen_);
+    return {first, first + std::min<std::ptrdiff_t>(count, wanted.end() - first)};
+  }
+
+  void observe(const DesignPoint&, const Result<Score>& outcome) override {
+    seen_.push_back(residuals(outcome));
+    if (seen_.size() < analysis_.wanted().size()) return;
+    const auto round = std::move(seen_);
+    seen_ = {};
+    analysis_.observe(round);
+  }
+
+  bool converged() const override { return analysis_.wanted().empty(); }
+
+ private:
+  static Result<Eigen::VectorXd> residuals(const Result<Score>& outcome) {
+    if (!outcome) return outcome.failure();
+    const auto& r = outcome->residuals;
+    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(r.data(), std::ssize(r)));
+  }
+
+  Analysis& analysis_;
+  std::vector<Result<Eigen::VectorXd>> seen_;  // of this round
+};
+
+/// Evaluates, or reads, until the analysis wants nothing more; false where that was stopped.
+using Drive = std::function<bool(Optimizer&)>;
+
+IdentificationOptions options_for(const Study& study, Depth depth) {
+  return {.confidence = {.sigma = residual_sigma(study)}, .profiles = depth == Depth::profiles};
+}
+
+/// Leaves every experiment out in turn; the residuals not used by the identification stay out.
+class UsedRows {
+ public:
+  UsedRows(CrossValidation& validation, const std::vector<Eigen::Index>& rows)
+      : validation_(validation), rows_(rows) {}
+
+  const std::vector<DesignPoint>& wanted() const { return validation_.wanted(); }
+  void observe(std::vector<Result<Eigen::VectorXd>> residuals) {
+    for (auto& r : residuals) {
+      if (r) r = Eigen::VectorXd((*r)(rows_));
+    }
+    validation_.observe(residuals);
+  }
+
+ private:
+  CrossValidation& validation_;
+  const std::vector<Eigen::Index>& rows_;
+};
+
+bool cross_validate(const Study& study, Identifiability& result, const Drive& drive) {
+  const Identification& identification = result.identification;
+  const auto rows = residual_rows(study);
+  std::vector<int> group;
+  for (Eigen::Index row : identification.residuals_used()) group.push_back(rows[row].experiment);
+  if (std::set<int>(group.begin(), group.end()).size() < 2) return true;
+  result.cross_validation.emplace(study.space,
+                                  identification.refitted(),
+                                  group,
+                                  kRefitTolerance * identification.confidence().threshold());
+  UsedRows used(*result.cross_validation, identification.residuals_used());
+  InRounds<UsedRows> rounds(used);
+  return drive(rounds);
+}
+
+/// False where driving was stopped; `result` then holds what is complete.
+bool analyze(const Study& study, Identifiability& result, const Drive& drive) {
+  InRounds<Identification> rounds(result.identification);
+  if (!drive(rounds)) return false;
+  if (result.identification.profiles().empty()) return true;
+  return cross_validate(study, result, drive);
+}
+
+}  // namespace
+
+std::optional<Result<Identifiability>> identify(const Study& study,
+                                                const DesignPoint& point,
+                                                Depth depth,
+                                                Executor& executor,
+                                                Journal& journal,
+                                                const RunOptions& options) {
+  RunOptions enough = options;
+  enough.max_steps = kMostTrials;
+  enough.on_failure.then = FailurePolicy::Then::proceed;  // a ladder ends where the model does
+  const Objective residuals = residual_objective(study);
+  const auto run = [&](Optimizer& optimizer) {
+    return run_optimizer(optimizer, residuals, executor, &journal, enough).end == RunEnd::converged;
+  };
+  Identifiability result{
+      point, Identification(study.space, point, options_for(study, depth)), std::nullopt};
+  if (!analyze(study, result, run)) return std::nullopt;
+  if (result.identification.failure())
+    return Result<Identifiability>(*result.identification.failure());
+  return Result<Identifiability>(std::move(result));
+}
+
+std::optional<Identifiability> recorded_identifiability(const Study& study,
+                                                        const Journal& journal) {
+  auto rated = rated_trials(study, journal);
+  std::stable_sort(
+      rated.begin(), rated.end(), [](const auto& a, const auto& b) { return a.target < b.target; });
+  std::set<std::string> known;
+  for (const RatedTrial& trial : rated) known.insert(trial.point.bits());
+  const auto has_neighbors = [&](const RatedTrial& trial) {
+    const auto points = difference_points(study.space, trial.point);
+    return std::all_of(points.begin(), points.end(), [&](const DesignPoint& point) {
+      return known.contains(point.bits());
+    });
+  };
+  const auto best = std::find_if(rated.begin(), rated.end(), has_neighbors);
+  if (best == rated.end()) return std::nullopt;
+
+  const Objective residuals = residual_objective(study);
+  const auto read = [&](Optimizer& optimizer) {
+    return replay(optimizer, residuals, journal, kMostTrials).end == RunEnd::converged;
+  };
+  Identifiability result{
+      best->point,
+      Identification(study.space, best->point, options_for(study, Depth::profiles)),
+      std::nullopt};
+  if (!analyze(study, result, read) && result.cross_validation &&
+      result.cross_validation->left_out().empty()) {
+    result.cross_validation.reset();
+  }
+  if (result.identification.failure()) return std::nullopt;
+  return result;
+}
+
+std::string interval_text(const DesignSpace& space, int variable, const Interval& interval) {
+  constexpr int kDigits = 5;
+  const DesignVariable& v = space[variable];
+  const auto shown = [&](double u) {
+    std::vector<double> all(space.size(), 0.5);
+    all[variable] = u;
+    return format_quantity(space.from_unit(all).values[variable], v.unit, kDigits);
+  };
+  const bool low = interval.lower > 0.0, high = interval.upper < 1.0;
+  if (low && high) {
+    const std::string lower = shown(interval.lower);
+    return lower.substr(0, lower.find(' ')) + " .. " + shown(interval.upper);
+  }
+  if (low) return "at least " + shown(interval.lower);
+  if (high) return "at most " + shown(interval.upper);
+  return "anywhere between the bounds";
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the measurements of a study determine: identification.h and cross_validation.h over the
+// executor and the journal of a study. Trials the journal knows are not run again, and a report
+// finds all of it in the journal.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "correlation/study.h"
+#include "evaluation/executor.h"
+#include "evaluation/journal.h"
+#include "evaluation/scheduler.h"
+#include "optimization/cross_validation.h"
+#include "optimization/identification.h"
+
+namespace latsch::correlation {
+
+enum class Depth { intervals, profiles };
+
+struct Identifiability {
+  DesignPoint point;
+  Identification identification;
+  std::optional<CrossValidation> cross_validation;  // with two experiments or more
+};
+
+/// Runs what is missing. nullopt where a stop was requested; a Failure where the model fails beside
+/// the point.
+std::optional<Result<Identifiability>> identify(const Study& study,
+                                                const DesignPoint& point,
+                                                Depth depth,
+                                                Executor& executor,
+                                                Journal& journal,
+                                                const RunOptions& options);
+
+/// As far as the journal goes, without evaluating: around the best trial whose neighbors are known.
+/// nullopt where there is none.
+std::optional<Identifiability> recorded_identifiability(const Study& study, const Journal& journal);
+
+/// "9.8 .. 10.3 N/mm^2" in the variable's unit; "at least 9.8 N/mm^2" where the other end lies
+/// beyond the bounds, "anywhere" where both do.
+std::string interval_text(const DesignSpace& space, int variable, const Interval& interval);
+
+}  // namespace latsch::correlation

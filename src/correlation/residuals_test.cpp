@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/residuals.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "correlation/identifiability.h"
+#include "evaluation/inline_executor.h"
+#include "evaluation/scratch_folder_testing.h"
+
+namespace latsch::correlation {
+namespace {
+
+/// Two springs in series pressed at two deflections, each measured to 1 %.
+Study study() {
+  StudyExperiment press;
+  press.name = "press";
+  press.load_case.test = experiment::LoadDeflection{.deflections = {0.01, 0.02}};
+  press.forces = {20.0, 40.0};
+  press.noise = 0.01;
+  StudyExperiment alone = press;
+  alone.name = "alone";
+  alone.forces = {40.0, 80.0};
+  return {"study.toml",
+          "springs",
+          "springs.toml",
+          Document::parse("a = 1", "springs.toml"),
+          DesignSpace({{"a", {"a"}, 1e3, 1e4, 4e3}, {"b", {"a"}, 1e3, 1e4, 4e3}}),
+          {press, alone},
+          {},
+          100,
+          std::nullopt,
+          {}};
+}
+
+Result<Channels> springs(const DesignPoint& point) {
+  const double a = point.values[0], b = point.values[1], k = a * b / (a + b);
+  Channels channels;
+  channels.add({"press/force", "N", {k * 0.01, k * 0.02}});
+  channels.add({"alone/force", "N", {a * 0.01, a * 0.02}});
+  return channels;
+}
+
+TEST(Residuals, AreRelativeErrorsInUnitsOfTheirNoise) {
+  const Study s = study();
+  const Score score = *residual_objective(s)(*springs({{5e3, 5e3}}));
+  ASSERT_EQ(score.residuals.size(), 4u);
+  EXPECT_NEAR(score.residuals[0], (20.0 - 25.0) / 20.0 / 0.01, 1e-9);
+  EXPECT_NEAR(score.residuals[2], (40.0 - 50.0) / 40.0 / 0.01, 1e-9);
+  EXPECT_EQ(residual_sigma(s), 1.0);
+  EXPECT_EQ(residual_rows(s)[3].experiment, 1);
+  EXPECT_EQ(residual_rows(s)[3].name, "20 mm");
+}
+
+TEST(Residuals, WithoutNoiseWeightsSayHowFarAValueCanBeTrusted) {
+  Study s = study();
+  for (StudyExperiment& experiment : s.experiments) experiment.noise.reset();
+  s.experiments[0].objective.weight = 4.0;
+  const Score score = *residual_objective(s)(*springs({{5e3, 5e3}}));
+  EXPECT_NEAR(score.residuals[0], 2.0 * (20.0 - 25.0) / 20.0, 1e-12);
+  EXPECT_NEAR(score.residuals[2], (40.0 - 50.0) / 40.0, 1e-12);
+  EXPECT_FALSE(residual_sigma(s));
+}
+
+// Values of 1 %, two of each spring arrangement: a is known to 1 % / sqrt(2) in linear
+// approximation; 1 / k = 1 / a + 1 / b, so with a = b the relative error of b is that of
+// 2 dk / k - da / a: sqrt(5) times as large.
+TEST(Identifiability, OfAStudyFindsTheIntervalsAndReadsThemBackFromTheJournal) {
+  const ScratchFolder folder;
+  Study s = study();
+  Journal journal = Journal::open(folder / "springs.latsch", {{"model", "springs"}});
+  InlineExecutor executor(springs);
+  const auto result = identify(s, s.space.initial(), Depth::profiles, executor, journal, {});
+  ASSERT_TRUE(result && *result);
+  const Identification& found = (*result)->identification;
+  const double range = 9e3, a = 1.96 * 0.01 / std::sqrt(2.0) * 4e3 / range;
+  const double at = (4e3 - 1e3) / range;
+  // Forward differences of 1 % of the range see the curvature of k: half a percent of slope each.
+  EXPECT_NEAR(found.confidence().intervals[0].upper - at, a, 0.03 * a);
+  EXPECT_NEAR(found.confidence().intervals[1].upper - at, std::sqrt(5.0) * a, 0.05 * a);
+  for (const Profile& profile : found.profiles()) {
+    EXPECT_EQ(profile.verdict, Verdict::identifiable);
+  }
+  ASSERT_EQ((*result)->cross_validation->left_out().size(), 2u);
+
+  const long trials = journal.size();
+  const auto again = identify(s, s.space.initial(), Depth::profiles, executor, journal, {});
+  EXPECT_EQ(journal.size(), trials);
+  const auto read = recorded_identifiability(s, journal);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->identification.profiles().size(), 2u);
+  EXPECT_EQ(read->identification.profiles()[0].interval.upper, found.profiles()[0].interval.upper);
+}
+
+}  // namespace
+}  // namespace latsch::correlation
