@@ -92,6 +92,17 @@ DesignPoint DesignSpace::from_unit(const std::vector<double>& u) const {
   return point;
 }
 
+std::vector<double> DesignSpace::unit_slopes(const DesignPoint& point) const {
+  assert(point.values.size() == variables_.size());
+  std::vector<double> slopes;
+  for (int i = 0; i < size(); ++i) {
+    const DesignVariable& v = variables_[i];
+    slopes.push_back(v.scale == Scale::logarithmic ? point.values[i] * std::log(v.upper / v.lower)
+                                                   : v.upper - v.lower);
+  }
+  return slopes;
+}
+
 DesignSpace DesignSpace::tightened(const DesignPoint& point, double factor) const {
   assert(contains(point) && factor > 0.0 && factor <= 1.0);
   std::vector<DesignVariable> narrow = variables_;

@@ -46,6 +46,8 @@ class DesignSpace {
   /// bounds.
   std::vector<double> to_unit(const DesignPoint& point) const;
   DesignPoint from_unit(const std::vector<double>& u) const;
+  /// dx/du of every variable.
+  std::vector<double> unit_slopes(const DesignPoint& point) const;
 
   /// The same variables, starting at `point`, with bounds `factor` (0..1) as wide in the unit cube,
   /// inside the old ones: the next stage of a cascade.

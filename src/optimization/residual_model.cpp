@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/residual_model.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace latsch {
+namespace {
+
+constexpr double kSlopeVariance = 1e4;   // V_g
+constexpr double kCubicVariance = 1e-4;  // rho
+constexpr double kRounding = 1e-13;      // of the diagonal of K
+constexpr double kClear = 3.0;           // gain in logarithmic likelihood that speaks for noise
+
+/// K with its diagonal of (2).
+Eigen::MatrixXd covariance(const Eigen::MatrixXd& Z, double V_g, double rho, double noise) {
+  const Eigen::ArrayXXd inner = (Z * Z.transpose()).array();
+  Eigen::MatrixXd K = (V_g * inner + 0.5 * inner.square() + noise).matrix();  // (1)
+  K.diagonal().array() += rho * Z.rowwise().squaredNorm().array().cube() + noise;
+  K.diagonal() *= 1.0 + kRounding;
+  return K;
+}
+
+/// K^-1 D. The lengths of the samples, which differ by magnitudes, are scaled out.
+Eigen::MatrixXd solve(const Eigen::MatrixXd& K, const Eigen::MatrixXd& D) {
+  const Eigen::VectorXd scale = K.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::LDLT<Eigen::MatrixXd> factors(scale.asDiagonal() * K * scale.asDiagonal());
+  return scale.asDiagonal() * factors.solve(scale.asDiagonal() * D);
+}
+
+/// What the samples show beyond known slopes.
+Eigen::MatrixXd unexplained(const ResidualSamples& samples) {
+  if (samples.slopes.size() == 0) return samples.D;
+  return samples.D - samples.Z * samples.slopes.transpose();
+}
+
+double slope_prior(const ResidualSamples& samples) {
+  return samples.slopes.size() > 0 ? 0.0 : kSlopeVariance;
+}
+
+/// Logarithm of the likelihood of the columns of D, each with the amplitude it is most likely
+/// with.
+double likelihood(const Eigen::MatrixXd& K, const Eigen::MatrixXd& D, double floor) {
+  const Eigen::LLT<Eigen::MatrixXd> factors(K);
+  if (factors.info() != Eigen::Success) return -std::numeric_limits<double>::infinity();
+  const Eigen::MatrixXd half = factors.matrixL().solve(D);
+  const Eigen::ArrayXd square = half.colwise().squaredNorm().transpose().array() + floor;
+  const double determinant = factors.matrixLLT().diagonal().array().log().sum();
+  return -static_cast<double>(D.cols()) * determinant -
+         0.5 * static_cast<double>(D.rows()) * square.log().sum();
+}
+
+}  // namespace
+
+SlopeVariance slope_variance(const Eigen::MatrixXd& Z) {
+  Eigen::MatrixXd left = Eigen::MatrixXd::Identity(Z.cols(), Z.cols());
+  if (Z.rows() > 0) {
+    const Eigen::MatrixXd K = covariance(Z, kSlopeVariance, kCubicVariance, 0.0);
+    left -= kSlopeVariance * Z.transpose() * solve(K, Z);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(left);
+  return {eigen.eigenvalues(), eigen.eigenvectors()};
+}
+
+ResidualModel::ResidualModel(const ResidualSamples& samples, double noise)
+    : samples_(samples), slope_prior_(slope_prior(samples)), noise_(noise) {
+  if (samples.Z.rows() == 0) return;
+  const Eigen::MatrixXd K = covariance(samples.Z, slope_prior_, kCubicVariance, noise);
+  alpha_ = solve(K, unexplained(samples)).transpose();  // (2)
+}
+
+Eigen::VectorXd ResidualModel::residuals(const Eigen::VectorXd& z) const {
+  Eigen::VectorXd r = samples_.r_c;
+  if (samples_.slopes.size() > 0) r += samples_.slopes * z;
+  if (samples_.Z.rows() == 0) return r;
+  const Eigen::ArrayXd inner = (samples_.Z * z).array();
+  return r + alpha_ * (slope_prior_ * inner + 0.5 * inner.square() + noise_).matrix();  // (3)
+}
+
+Eigen::MatrixXd ResidualModel::jacobian(const Eigen::VectorXd& z) const {
+  Eigen::MatrixXd J = samples_.slopes;
+  if (J.size() == 0) J = Eigen::MatrixXd::Zero(samples_.r_c.size(), z.size());
+  if (samples_.Z.rows() == 0) return J;
+  const Eigen::VectorXd slope = slope_prior_ + (samples_.Z * z).array();
+  return J + alpha_ * (slope.asDiagonal() * samples_.Z);
+}
+
+double likeliest_noise(const ResidualSamples& samples) {
+  struct Explanation {
+    double rho, noise;
+  };
+  constexpr std::array<Explanation, 9> kExplanations{{{kCubicVariance, 0.0},
+                                                      {1e-2, 0.0},
+                                                      {1.0, 0.0},
+                                                      {1e2, 0.0},
+                                                      {kCubicVariance, 1e-2},
+                                                      {kCubicVariance, 1.0},
+                                                      {kCubicVariance, 1e2},
+                                                      {kCubicVariance, 1e4},
+                                                      {kCubicVariance, 1e6}}};
+  // So few samples a quadratic explains whatever they are.
+  if (samples.Z.rows() < samples.Z.cols() + 2) return 0.0;
+  const Eigen::MatrixXd D = unexplained(samples);
+  const double floor = 1e-20 * D.squaredNorm() / kSlopeVariance +
+                       std::numeric_limits<double>::min();  // a residual that never changes
+  double best = -std::numeric_limits<double>::infinity();
+  double likeliest = 0.0;
+  for (const auto& [rho, noise] : kExplanations) {
+    const Eigen::MatrixXd K = covariance(samples.Z, slope_prior(samples), rho, noise);
+    const double now = likelihood(K, D, floor) - (noise > 0.0 ? kClear : 0.0);
+    if (now <= best) continue;
+    best = now;
+    likeliest = noise;
+  }
+  return likeliest;
+}
+
+}  // namespace latsch

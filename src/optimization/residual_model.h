@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Quadratic models of all residuals around a point, from however many samples there are.
+//
+//   r_hat(z) = r_c + J z + 1/2 z' H z      for every residual; z = (u - center) / radius
+//
+// J and H are the most likely ones where, before anything is known, slopes have the variance V_g,
+// curvatures the variance 1, and a sample at z lies off every quadratic with the variance
+// rho |z|^6, as of cubic terms, plus that of noise. This is interpolation with a kernel:
+//
+//   k(z, w) = V_g z'w + 1/2 (z'w)^2 + noise                                                   (1)
+//   (K + diag(rho |z_i|^6 + noise)) alpha = d,      d_i = r(z_i) - r_c                        (2)
+//   r_hat(z) = r_c + sum_i alpha_i k(z_i, z)                                                  (3)
+//
+// As V_g >> 1, samples are explained by slopes where slopes suffice and by the least curvature
+// where they do not: the minimum-Frobenius-norm models [Conn, Scheinberg, Vicente, Introduction to
+// Derivative-Free Optimization, SIAM 2009, ch. 5] which POUNDERS makes of residuals [Wild, in:
+// Advances and Trends in Optimization, SIAM 2017, ch. 40]; far samples count the less the farther
+// they are. Where the Jacobian at the center is known, it takes the place of V_g.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace latsch {
+
+/// What places, one a row of Z, leave open of the slopes:  V_g I - V_g^2 Z' K^-1 Z.
+struct SlopeVariance {
+  Eigen::VectorXd share;       // ascending, of V_g: 0 known, 1 unknown
+  Eigen::MatrixXd directions;  // one a column, of length 1
+};
+
+SlopeVariance slope_variance(const Eigen::MatrixXd& Z);
+
+/// Samples around a center.
+struct ResidualSamples {
+  Eigen::MatrixXd Z;       // places, one a row
+  Eigen::MatrixXd D;       // r(z_i) - r_c, one a row
+  Eigen::VectorXd r_c;     // residuals at the center
+  Eigen::MatrixXd slopes;  // Jacobian at the center with respect to z; empty: not known
+};
+
+class ResidualModel {
+ public:
+  /// `noise` in units of the curvatures' variance.
+  ResidualModel(const ResidualSamples& samples, double noise);
+
+  Eigen::VectorXd residuals(const Eigen::VectorXd& z) const;
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& z) const;
+
+ private:
+  ResidualSamples samples_;
+  double slope_prior_;  // V_g; 0 where slopes are known
+  double noise_;
+  Eigen::MatrixXd alpha_;  // a residual a row
+};
+
+/// The noise with which the samples are most likely, in steps of a hundred; 0 where stronger cubic
+/// terms or none of both explain them as well.
+double likeliest_noise(const ResidualSamples& samples);
+
+}  // namespace latsch

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Residual trust region: least sum of squares,  f(u) = |r(u)|^2,  from the residuals themselves,
+// without derivatives: the derivative-free Gauss-Newton method, with the curvature of residuals.
+//
+// In the unit cube, around the best point c with a box of half width `radius`:
+//
+//   model     r_hat, a quadratic for every residual, of all samples around, whoever asked for them
+//             (a DOE, another method, an earlier run): residual_model.h.
+//   geometry  where samples leave a direction unknown, a probe along it; at the start one for every
+//             variable. A direction that is known poorly is probed when a step disappoints.
+//   step      the least |r_hat|^2 in box and bounds: box_least_squares.h.
+//             gain = (f(c) - f(u)) / (f(c) - |r_hat(u)|^2)
+//   radius    grows with steps whose gain is good, shrinks with steps whose gain is bad.
+//   end       where neither a step of the tolerance nor a model of good geometry promises anything.
+//
+// A Failure closes off the region around it (residual_memory.h): the next step ends before it, and
+// a second failure in a row halves the radius. Noise shows in models that disappoint again and
+// again although they interpolate: then they smooth, with the variance that is likeliest, and the
+// radius grows where noise drowns the slopes. `restarts` starts again near the best point, a share
+// of the initial radius off: out of a local minimum or out of the noise. Where a Score brings a
+// Jacobian, its slopes take the place of the geometry: Levenberg-Marquardt with bounds.
+//
+// Several at once: `outstanding` points are under way at any time. The second and later ones are
+// steps in boxes of other sizes, then points around the best predicted one. Idle workers get what
+// the method would ask next if outcomes were as predicted.
+//
+// [Cartis, Fiala, Marteau, Roberts, ACM TOMS 45 (2019) 32], [Wild, in: Advances and Trends in
+// Optimization, SIAM 2017, ch. 40]. Made for residuals that are smooth, if noisy, functions; for
+// targets with kinks or without residuals: gss.h.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "optimization/design_space.h"
+#include "optimization/optimizer.h"
+
+namespace latsch {
+
+/// Lengths are in the unit cube: 1 is the whole range of a variable.
+struct ResidualTrustRegionOptions {
+  double initial_radius = 0.1;
+  double step_tolerance = 1e-3;
+  /// How often it starts again after it ended.
+  int restarts = 0;
+  /// Points the method decides on before it knows the outcome of the first of them: part of the
+  /// method, so that its trajectory does not depend on the workers. 1 needs the fewest evaluations,
+  /// half as many again as there are workers the least time.
+  int outstanding = 1;
+  std::uint64_t seed = 1;  // of restarts and of points around predicted ones
+};
+
+class ResidualTrustRegion : public Optimizer {
+ public:
+  /// Starts at the initial values of the space. Throws InputError for options out of range.
+  explicit ResidualTrustRegion(const DesignSpace& space,
+                               const ResidualTrustRegionOptions& options = {});
+  ~ResidualTrustRegion() override;
+
+  std::vector<DesignPoint> propose(int count) const override;
+  /// Throws InputError for a score without residuals. One with another number of them than the
+  /// first counts as a Failure.
+  void observe(const DesignPoint& point, const Result<Score>& outcome) override;
+  bool converged() const override;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace latsch

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/residual_trust_region.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "base/random.h"
+#include "optimization/full_factorial.h"
+
+namespace latsch {
+namespace {
+
+using Options = ResidualTrustRegionOptions;
+using Residuals = std::function<std::vector<double>(const std::vector<double>&)>;
+
+DesignSpace box(const std::vector<double>& initial, double lower, double upper, Scale scale) {
+  std::vector<DesignVariable> variables;
+  for (const double x : initial) {
+    variables.push_back({.name = "x" + std::to_string(variables.size()),
+                         .lower = lower,
+                         .upper = upper,
+                         .initial = x,
+                         .scale = scale});
+  }
+  return DesignSpace(variables);
+}
+
+Score score(const std::vector<double>& residuals) {
+  double sum = 0.0;
+  for (const double r : residuals) sum += r * r;
+  return {sum, residuals};
+}
+
+struct Found {
+  std::vector<double> x;
+  double f = INFINITY;
+  int evaluations = 0;
+};
+
+/// Runs until converged; residuals that are not finite are a failed trial.
+Found minimize(ResidualTrustRegion& method, const DesignSpace& space, const Residuals& residuals) {
+  Found found;
+  while (!method.converged() && found.evaluations < 2000) {
+    const DesignPoint point = method.propose(1).front();
+    EXPECT_TRUE(space.contains(point));
+    const Score now = score(residuals(point.values));
+    ++found.evaluations;
+    if (now.value < found.f) found = {point.values, now.value, found.evaluations};
+    method.observe(point, std::isfinite(now.value) ? Result<Score>(now) : Failure{"failed"});
+  }
+  EXPECT_TRUE(method.converged());
+  return found;
+}
+
+Found minimize(const DesignSpace& space, const Residuals& residuals, const Options& options = {}) {
+  ResidualTrustRegion method(space, options);
+  return minimize(method, space, residuals);
+}
+
+/// Frequencies  sqrt(1 + sum w_ik (E_k - 1))  and forces  1 + sum v_jk (E_k^0.8 - 1)  of a tire
+/// with five stiffnesses, relative to those of E = 1.
+std::vector<double> tire(const std::vector<double>& E) {
+  std::vector<double> r;
+  for (int i = 0; i < 14; ++i) {
+    RandomStream weight(3, i);
+    double simulated = 1.0, sum = 1e-3;
+    std::vector<double> w;
+    for (std::size_t k = 0; k < E.size(); ++k) sum += w.emplace_back(std::pow(weight.uniform(), 2));
+    for (std::size_t k = 0; k < E.size(); ++k) {
+      simulated += 0.9 * w[k] / sum * (std::pow(E[k], i < 9 ? 1.0 : 0.8) - 1.0);
+    }
+    r.push_back(1.0 - std::pow(simulated, i < 9 ? 0.5 : 1.0));
+  }
+  return r;
+}
+
+std::vector<double> rosenbrock(const std::vector<double>& x) {
+  return {10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]};
+}
+
+TEST(ResidualTrustRegion, IdentifiesFiveStiffnessesWithinAPercentInSixtyEvaluations) {
+  int most = 0;
+  for (int start = 0; start < 20; ++start) {
+    RandomStream random(11, start);
+    std::vector<double> initial(5);
+    for (double& x : initial) x = 0.2 * std::pow(20.0, random.uniform());
+    const DesignSpace space = box(initial, 0.2, 4.0, Scale::logarithmic);
+    const Found found = minimize(space, tire);
+    for (const double E : found.x) EXPECT_NEAR(E, 1.0, 0.01);
+    most = std::max(most, found.evaluations);
+  }
+  EXPECT_LE(most, 60);
+  RecordProperty("most_evaluations", most);
+}
+
+TEST(ResidualTrustRegion, FollowsRosenbrocksValley) {
+  const Found found = minimize(box({-1.2, 1.0}, -2.0, 2.0, Scale::linear), rosenbrock);
+  EXPECT_LT(found.f, 1e-6);          // from 24.2
+  EXPECT_LT(found.evaluations, 30);  // residuals of order two are known from six points
+}
+
+TEST(ResidualTrustRegion, FindsAMinimumAtABound) {
+  const Found found = minimize(box({0.3, 0.6}, 0.0, 1.0, Scale::linear), [](const auto& x) {
+    return std::vector{x[0] - 2.0, x[1] - 0.3, 0.5 * x[0] * x[1]};
+  });
+  EXPECT_EQ(found.x[0], 1.0);                 // the bits of the bound
+  EXPECT_NEAR(found.x[1], 0.3 / 1.25, 1e-3);  // (y - 0.3)^2 + y^2 / 4
+}
+
+TEST(ResidualTrustRegion, IsLevenbergMarquardtWhereItGetsJacobians) {
+  const DesignSpace space = box({-1.2, 1.0}, -2.0, 2.0, Scale::linear);
+  ResidualTrustRegion method(space);
+  double best = INFINITY;
+  int evaluations = 0;
+  for (; !method.converged() && best > 1e-8; ++evaluations) {
+    const DesignPoint point = method.propose(1).front();
+    const double x = point.values[0];
+    Score now = score(rosenbrock(point.values));
+    now.jacobian = {-20.0 * x, 10.0, -1.0, 0.0};
+    best = std::min(best, now.value);
+    method.observe(point, now);
+  }
+  EXPECT_LT(best, 1e-8);
+  EXPECT_LE(evaluations, 15);
+}
+
+TEST(ResidualTrustRegion, StartsFromADesignWithoutProbing) {
+  const DesignSpace space = box({3.0, 0.3}, 0.2, 4.0, Scale::logarithmic);
+  const Residuals residuals = [](const auto& x) {
+    return std::vector{std::log(x[0]), x[0] * x[1] - 1.0, 0.2 * (x[1] - 1.0)};
+  };
+  ResidualTrustRegion method(space);
+  for (const DesignPoint& point : full_factorial(space, {4, 4}).points) {
+    method.observe(point, score(residuals(point.values)));
+  }
+  const Found found = minimize(method, space, residuals);
+  EXPECT_NEAR(found.x[0], 1.0, 1e-3);
+  EXPECT_LT(found.evaluations, minimize(space, residuals).evaluations);
+}
+
+TEST(ResidualTrustRegion, GoesAroundAFailedRegion) {
+  // No outcome in a half space next to the minimum nor in a ball on the way to it.
+  const DesignSpace space = box({0.1, 0.1, 0.9}, 0.0, 1.0, Scale::linear);
+  const Found found = minimize(space, [](const std::vector<double>& x) {
+    const bool in_ball = std::hypot(x[0] - 0.35, x[1] - 0.35, x[2] - 0.6) < 0.1;
+    const double none = x[0] > 0.62 || in_ball ? std::nan("") : 0.0;
+    return std::vector{std::exp(x[0]) - std::exp(0.6) + none, x[1] * x[1] - 0.49, x[2] - 0.4};
+  });
+  EXPECT_NEAR(found.x[0], 0.6, 2e-3);
+  EXPECT_NEAR(found.x[1], 0.7, 2e-3);
+  EXPECT_NEAR(found.x[2], 0.4, 2e-3);
+}
+
+TEST(ResidualTrustRegion, EndsWhereEverythingFails) {
+  const Found found = minimize(box({0.5, 0.5}, 0.0, 1.0, Scale::linear),
+                               [](const auto&) { return std::vector{std::nan("")}; });
+  EXPECT_TRUE(std::isinf(found.f));
+}
+
+TEST(ResidualTrustRegion, ComesCloseUnderNoise) {
+  const DesignSpace space = box({3.0, 0.4, 2.0, 0.5, 1.5}, 0.2, 4.0, Scale::logarithmic);
+  long number = 0;
+  ResidualTrustRegion method(space, {.restarts = 3});
+  double best = INFINITY;  // without noise
+  for (; !method.converged() && number < 300; ++number) {
+    const DesignPoint point = method.propose(1).front();
+    std::vector<double> r = tire(point.values);
+    best = std::min(best, score(r).value);
+    RandomStream random(5, number);
+    for (double& x : r) x += 0.002 * random.normal();
+    method.observe(point, score(r));
+  }
+  EXPECT_LT(best, 14 * 0.002 * 0.002);  // below the noise itself
+}
+
+TEST(ResidualTrustRegion, WhatItWantsFirstDoesNotDependOnHowManyPointsAreAskedFor) {
+  for (const int outstanding : {1, 6}) {
+    ResidualTrustRegion method(box({3.0, 0.4, 2.0, 0.5, 1.5}, 0.2, 4.0, Scale::logarithmic),
+                               {.outstanding = outstanding});
+    for (int k = 0; k < 60 && !method.converged(); ++k) {
+      const DesignPoint first = method.propose(1).front();
+      const std::vector<DesignPoint> plan = method.propose(9);
+      EXPECT_EQ(plan.front(), first);
+      for (std::size_t i = 0; i < plan.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) EXPECT_NE(plan[i], plan[j]);
+      }
+      method.observe(first, score(tire(first.values)));
+    }
+  }
+}
+
+TEST(ResidualTrustRegion, FirstPointsAreTheStartAndAProbeForEveryVariable) {
+  ResidualTrustRegion method(box({1.0, 2.0, 0.5}, 0.2, 4.0, Scale::logarithmic));
+  const std::vector<DesignPoint> plan = method.propose(4);
+  ASSERT_EQ(plan.size(), 4u);
+  for (const DesignPoint& point : plan) {
+    EXPECT_EQ(method.propose(1).front(), point);
+    method.observe(point, score({point.values[0], point.values[1] - 1.0, point.values[2] + 3.0}));
+  }
+}
+
+TEST(ResidualTrustRegion, RefusesAScoreWithoutResidualsAndOptionsOutOfRange) {
+  const DesignSpace space = box({0.5}, 0.0, 1.0, Scale::linear);
+  ResidualTrustRegion method(space);
+  EXPECT_THROW(method.observe(space.initial(), Score{1.0}), InputError);
+  EXPECT_THROW(ResidualTrustRegion(space, {.initial_radius = 0.0}), InputError);
+  EXPECT_THROW(ResidualTrustRegion(space, {.step_tolerance = 0.5}), InputError);
+  EXPECT_THROW(ResidualTrustRegion(space, {.restarts = -1}), InputError);
+  EXPECT_THROW(ResidualTrustRegion(space, {.outstanding = 0}), InputError);
+}
+
+}  // namespace
+}  // namespace latsch
