@@ -11,6 +11,7 @@
 #include "cli/trials.h"
 #include "cli/verbs.h"
 #include "correlation/best_trial.h"
+#include "correlation/doe_basins.h"
 
 namespace latsch::cli {
 namespace {
@@ -52,6 +53,22 @@ std::vector<RatedTrial> rated(const SamplingPlan& plan, const Targets& targets) 
     return a.target < b.target;
   });
   return points;
+}
+
+void print_basins(const Study& study, const StudyDesign& design, const Journal& journal) {
+  const auto found =
+      correlation::doe_basins(study, design, correlation::rated_trials(study, journal));
+  if (!found) return;
+  fmt::print("\n{} minim{} among the points:\n",
+             found->basins.size(),
+             found->basins.size() == 1 ? "um" : "a");
+  for (size_t k = 0; k < std::min(kShownPoints, found->basins.size()); ++k) {
+    fmt::print("target {:.4f} %, {} points lead there\n",
+               found->basins[k].target * 100.0,
+               found->basins[k].points);
+    print_point(study.space, found->basins[k].lowest);
+  }
+  if (!found->doubt.empty()) fmt::print("Too coarse to trust: {}.\n", found->doubt);
 }
 
 void print_sensitivities(const Study& study, const StudyDesign& design, const Targets& targets) {
@@ -124,6 +141,7 @@ int doe(const std::string& file, int levels, int workers) {
     fmt::print("target {:.4f} %\n", points[i].target * 100.0);
     print_point(study.space, points[i].point);
   }
+  print_basins(study, design, journal);
   if (design.kind == DesignKind::morris) print_sensitivities(study, design, targets);
   return write_report(study, journal);
 }

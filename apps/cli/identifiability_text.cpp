@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "cli/tables.h"
+#include "correlation/report_identifiability.h"
 
 namespace latsch::cli {
 namespace {
@@ -15,25 +16,11 @@ using correlation::Identifiability;
 using correlation::Study;
 
 constexpr double kStrongCorrelation = 0.9;
+constexpr size_t kShownGains = 6;
 
 std::string note_on(const DesignVariable& v, const Confidence& c, int i, const DesignPoint& point) {
   if (c.held[i] == Bound::none) return "";
   return fmt::format(", held at its bound {}", shown(v, point.values[i]));
-}
-
-/// "matrix up, carcass down": the variables that make up most of a direction.
-std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction) {
-  constexpr double kShare = 0.3;  // of the unit vector: less hardly takes part
-  const double sign = direction[0] < 0.0 ? -1.0 : 1.0;
-  std::string text;
-  for (int i = 0; i < space.size(); ++i) {
-    if (std::abs(direction[i]) < kShare) continue;
-    text += fmt::format("{}{} {}",
-                        text.empty() ? "" : ", ",
-                        space[i].name,
-                        sign * direction[i] > 0.0 ? "up" : "down");
-  }
-  return text;
 }
 
 void print_spectrum(const Study& study, const Confidence& c) {
@@ -44,7 +31,7 @@ void print_spectrum(const Study& study, const Confidence& c) {
     fmt::print("  {:15.4g} {:>22}  {}\n",
                c.singular_values[k],
                deviation < 1.0 ? fmt::format("{:.2f}", 100.0 * deviation) : "more than 100: flat",
-               direction_text(study.space, c.directions.col(k)));
+               correlation::direction_text(study.space, c.directions.col(k)));
   }
 }
 
@@ -95,6 +82,24 @@ void print_cross_validation(const Study& study, const CrossValidation& validatio
 
 }  // namespace
 
+void print_gains(const Study& study,
+                 const std::string& title,
+                 const std::vector<correlation::MeasurementGain>& gains) {
+  if (gains.empty()) return;
+  fmt::print("\n{}\n  {:<42} {:>18}  helps most, deviation in % of range\n",
+             title,
+             "measurement",
+             "confidence region");
+  for (size_t k = 0; k < std::min(kShownGains, gains.size()); ++k) {
+    fmt::print("  {:<42} {:>18}  {}: {:.3g} -> {:.3g}\n",
+               gains[k].measurement,
+               fmt::format("1 / {:.3g}", gains[k].shrinkage),
+               study.space[gains[k].helps].name,
+               100.0 * gains[k].before,
+               100.0 * gains[k].after);
+  }
+}
+
 void print_intervals(const Study& study, const Identifiability& result) {
   const Confidence& c = result.identification.confidence();
   for (int i = 0; i < study.space.size(); ++i) {
@@ -118,6 +123,9 @@ void print_identifiability(const Study& study, const Identifiability& result) {
     print_verdicts(study, result.identification.profiles());
   }
   if (result.cross_validation) print_cross_validation(study, *result.cross_validation);
+  print_gains(study,
+              "What would tell more: measured once more, the most useful first",
+              correlation::repetition_gains(study, result));
 }
 
 }  // namespace latsch::cli

@@ -13,6 +13,7 @@
 #include "cli/trials.h"
 #include "cli/verbs.h"
 #include "correlation/best_trial.h"
+#include "correlation/predictions.h"
 
 namespace latsch::cli {
 namespace {
@@ -28,6 +29,29 @@ DesignPoint start(const Study& study, const Journal& journal, const DesignPoint&
   const auto u = study.space.to_unit(best), v = study.space.to_unit(recorded->point);
   const auto close = [](double a, double b) { return std::abs(a - b) <= kClose; };
   return std::equal(u.begin(), u.end(), v.begin(), close) ? recorded->point : best;
+}
+
+/// What an experiment that is only predicted so far would tell, were it measured; false where that
+/// was interrupted.
+bool rank_predictions(const Study& study, const correlation::Identifiability& what) {
+  if (!correlation::has_predictions(study)) return true;
+  const auto points = difference_points(study.space, what.point);
+  ProcessOptions options = worker_processes(study);
+  options.arguments.emplace_back("--predictions");
+  ProcessExecutor executor(options);
+  if (!correlation::predict(
+          study, points, executor, counting_options(study, "trials with the predictions"))) {
+    return false;
+  }
+  const auto channels = correlation::predicted_channels(study, points);
+  if (!channels) {
+    fmt::print("\nThe predicted experiments fail beside the best point; their gain is not known\n");
+    return true;
+  }
+  print_gains(study,
+              "What would tell more: experiments that are only predicted, were they measured",
+              correlation::prediction_gains(study, what, *channels));
+  return true;
 }
 
 int identify(const std::string& file, int workers, bool profiles) {
@@ -65,6 +89,10 @@ int identify(const std::string& file, int workers, bool profiles) {
              (*result)->identification.residuals_used().size());
   print_intervals(study, **result);
   print_identifiability(study, **result);
+  if (profiles && !rank_predictions(study, **result)) {
+    fmt::print("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
+    return kFailed;
+  }
   return write_report(study, journal);
 }
 

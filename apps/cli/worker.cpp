@@ -3,6 +3,7 @@
 #include "evaluation/worker.h"
 
 #include "cli/verbs.h"
+#include "correlation/predictions.h"
 #include "correlation/tire_trials.h"
 
 namespace latsch::cli {
@@ -12,8 +13,11 @@ void add_worker(CLI::App& app, int& exit_code) {
   verb->group("");  // hidden
   auto file = std::make_shared<std::string>();
   verb->add_option("study", *file)->required();
-  verb->callback([file, &exit_code] {
-    exit_code = serve(correlation::evaluator(correlation::read_study(*file)));
+  auto all = std::make_shared<bool>(false);
+  verb->add_flag("--predictions", *all, "The experiments with use = \"predict\" too");
+  verb->callback([=, &exit_code] {
+    const correlation::Study study = correlation::read_study(*file);
+    exit_code = serve(correlation::evaluator(*all ? correlation::with_predictions(study) : study));
   });
 }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "correlation/doe_basins.h"
 #include "optimization/full_factorial.h"
 
 namespace latsch::correlation {
@@ -80,6 +81,33 @@ TEST(DoeSurfaces, NoneWithoutAGrid) {
   auto trials = grid(s, {3, 3, 3});
   trials.resize(14);  // half of it
   EXPECT_TRUE(doe_surfaces(s, trials, kFound).empty());
+}
+
+TEST(DoeBasins, AreThoseOfTheGridThatWasEvaluated) {
+  Study s = study();
+  const auto trials = grid(s, {5, 5, 5});
+  const auto design = evaluated_design(s, trials);
+  ASSERT_TRUE(design);
+  EXPECT_EQ(design->levels, (std::vector<int>{5, 5, 5}));
+  const auto found = doe_basins(s, *design, trials);
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->basins.size(), 1u);
+  EXPECT_EQ(found->basins[0].lowest.values[0], 2.0);
+  EXPECT_EQ(found->basins[0].points, 125);
+  EXPECT_EQ(found->design, "full factorial grid, 5 x 5 x 5");
+}
+
+TEST(DoeBasins, AreThoseOfAScatteredDesignWhereTheStudyHasOne) {
+  Study s = study();
+  s.doe = StudyDesign{.kind = DesignKind::sobol, .points = 64};
+  std::vector<RatedTrial> trials;
+  for (const DesignPoint& point : plan(*s.doe, s.space).points) {
+    trials.push_back({point, target_at(point)});
+  }
+  EXPECT_EQ(evaluated_design(s, trials)->kind, DesignKind::sobol);
+  const auto found = doe_basins(s, *s.doe, trials);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->basins[0].lowest.values[0], 2.0, 0.6);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "correlation/best_trial.h"
 #include "correlation/doe_surface.h"
 #include "correlation/found_tire.h"
+#include "correlation/report_identifiability.h"
 #include "correlation/tire_trials.h"
 #include "evaluation/scheduler.h"
 #include "optimization/gss.h"
@@ -221,7 +222,10 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
   add_experiments(study, found, initial, page);
   page.run = run_facts(study, journal);
   add_convergence(study, journal, page);
-  page.surfaces = doe_surfaces(study, rated_trials(study, journal), best->point);
+  const auto rated = rated_trials(study, journal);
+  page.surfaces = doe_surfaces(study, rated, best->point);
+  page.basins = basins_of(study, rated);
+  page.identifiability = identifiability_of(study, journal);
   add_found_tire(study, best->point, trials, page);
   add_mesh_error(study, best->point, mesh_error, page);
   return page;

@@ -115,6 +115,9 @@ svg line.initial, svg polyline.initial {
 svg .measured { fill: var(--paper); stroke: var(--measured); stroke-width: 2; }
 svg .found-bar { fill: var(--found); }
 svg .initial-bar { fill: none; stroke: var(--initial); stroke-dasharray: 3 2; }
+svg .warm { fill: var(--measured); }
+svg .cold { fill: var(--found); }
+svg .limit { stroke: var(--measured); stroke-width: 1.6; }
 svg .trial { fill: var(--initial); }
 svg .failed { fill: none; stroke: var(--warn); stroke-width: 1.4; }
 svg .contour { stroke: #ffffff; stroke-opacity: 0.45; stroke-width: 0.8; }

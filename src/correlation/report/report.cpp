@@ -116,6 +116,36 @@ std::string surfaces(const StudyReport& report) {
   return html + "</div>";
 }
 
+std::string basins(const Basins& basins) {
+  std::string html =
+      fmt::format("<h3>Minima of the design <span>{}</span></h3>", escape(basins.design));
+  if (!basins.doubt.empty()) {
+    html += fmt::format("<p><span class=\"flag\">too coarse to trust</span> {}.</p>",
+                        escape(basins.doubt));
+  }
+  html += "<div class=\"scroll\"><table><thead><tr><th class=\"n\">Target</th>";
+  for (const std::string& name : basins.variables)
+    html += "<th class=\"n\">" + escape(name) + "</th>";
+  html += "<th class=\"n\">Points that lead there</th></tr></thead><tbody>\n";
+  for (const BasinRow& row : basins.rows) {
+    html += fmt::format("<tr><td class=\"n\">{}</td>", percent(row.target));
+    for (const std::string& value : row.values) {
+      html += fmt::format("<td class=\"n\">{}</td>", escape(typeset_unit(value)));
+    }
+    html += fmt::format("<td class=\"n\">{}</td></tr>\n", row.points);
+  }
+  html += "</tbody></table></div>";
+  const auto left = basins.count - std::ssize(basins.rows);
+  return left > 0 ? html + fmt::format("<p class=\"quiet\">{} higher ones are left out.</p>", left)
+                  : html;
+}
+
+std::string surface_chapter(const StudyReport& report) {
+  std::string html = report.surfaces.empty() ? "" : surfaces(report);
+  if (report.basins) html += basins(*report.basins);
+  return html;
+}
+
 std::string patch_figure(const fe_tire::Loaded& loaded) {
   const fe_tire::LoadPoint& point = loaded.curve.back();
   const std::string picture = patch_picture(point.patch);
@@ -212,7 +242,10 @@ std::vector<Chapter> chapters(const StudyReport& report) {
   add("experiments", "Experiments", report.experiments.empty() ? "" : experiment_table(report));
   add("forces", "Forces", report.forces.empty() ? "" : forces(report));
   add("frequencies", "Frequencies", report.modes.empty() ? "" : frequencies(report));
-  add("surface", "Target surface", report.surfaces.empty() ? "" : surfaces(report));
+  add("surface", "Target surface", surface_chapter(report));
+  add("identifiability",
+      "What the data determine",
+      report.identifiability ? identifiability_chapter(*report.identifiability) : "");
   add("search", "Search", search(report));
   add("discretization",
       "Discretization error",

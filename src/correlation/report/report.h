@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "correlation/report/identifiability.h"
 #include "models/fe_tire/fe_tire.h"
 #include "models/fe_tire/mesh.h"
 
@@ -88,6 +89,21 @@ struct Surface {
   std::optional<Eigen::Vector2d> initial, found;  // SI; a point of the study to mark
 };
 
+/// A minimum among the points of a design of experiments.
+struct BasinRow {
+  double target = 0.0;
+  int points = 0;                   // of the design that lead there
+  std::vector<std::string> values;  // "22.3 N/mm^2", a variable each
+};
+
+struct Basins {
+  std::string design;  // "full factorial grid, 5 x 5, 25 points"
+  std::vector<std::string> variables;
+  int count = 0;               // of minima
+  std::vector<BasinRow> rows;  // lowest first; the first few
+  std::string doubt;           // why they cannot be trusted; may be empty
+};
+
 struct RunFacts {
   std::string method;  // "GSS", "full factorial 5 x 5"
   std::string ended;   // "step tolerance reached"
@@ -136,6 +152,8 @@ struct StudyReport {
   std::vector<ModalComparison> modes;
   std::optional<Convergence> convergence;
   std::vector<Surface> surfaces;
+  std::optional<Basins> basins;
+  std::optional<Identifiability> identifiability;
   std::optional<RunFacts> run;
   std::vector<DiscretizationError> discretization;
   std::optional<TirePictures> pictures;

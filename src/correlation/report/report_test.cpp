@@ -281,5 +281,48 @@ TEST(HtmlText, NumbersAreReadable) {
   EXPECT_DOUBLE_EQ(in_unit(22.3e6, "N/mm^2"), 22.3);
 }
 
+TEST(Report, SaysWhatTheDataDetermine) {
+  StudyReport report;
+  Identifiability what;
+  what.variables = {"matrix <b>", "carcass"};
+  what.values = {"10 N/mm^2", "6 GPa"};
+  what.intervals = {"9 .. 11 N/mm^2", "at least 2 GPa"};
+  what.residuals = 17;
+  what.deviations = {0.01, 3.0};
+  what.directions = {"matrix up, carcass up", "carcass up"};
+  what.correlation = Eigen::Matrix2d{{1.0, -0.97}, {-0.97, 1.0}};
+  what.profiles = {{"carcass",
+                    "GPa",
+                    true,
+                    {1e9, 4e9, 2e10},
+                    {9.0, 0.0, 0.4},
+                    4e9,
+                    "one-sided",
+                    "at least 2 GPa"}};
+  what.left_out = {{"modes", 0.01, 0.12}};
+  what.gains = {{"footprint", 20.0, "carcass"}};
+  report.identifiability = what;
+  report.basins = Basins{"full factorial grid, 6 x 6",
+                         {"matrix", "carcass"},
+                         1,
+                         {{0.02, 36, {"10 N/mm^2", "6 GPa"}}},
+                         "minima may hide there"};
+  const std::string page = html(report);
+  for (const char* part : {"What the data determine",
+                           "17 measured values",
+                           "one-sided",
+                           "−0.97",
+                           "at least 2 GPa",
+                           "1 / 20",
+                           "12.00 %",
+                           "too coarse to trust",
+                           "minima may hide"}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(page.find("<b>\""), std::string::npos);
+  EXPECT_EQ(page.find("matrix <b>"), std::string::npos);
+  EXPECT_EQ(page.find("nan"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace latsch::report

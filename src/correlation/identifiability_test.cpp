@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/residuals.h"
+#include "correlation/identifiability.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "correlation/identifiability.h"
+#include "correlation/measurement_gains.h"
+#include "correlation/predictions.h"
+#include "correlation/report_identifiability.h"
+#include "correlation/residuals.h"
 #include "evaluation/inline_executor.h"
 #include "evaluation/scratch_folder_testing.h"
 
@@ -91,6 +94,35 @@ TEST(Identifiability, OfAStudyFindsTheIntervalsAndReadsThemBackFromTheJournal) {
   ASSERT_TRUE(read);
   EXPECT_EQ(read->identification.profiles().size(), 2u);
   EXPECT_EQ(read->identification.profiles()[0].interval.upper, found.profiles()[0].interval.upper);
+}
+
+// Both springs together are measured, each alone is not. The valley in (a, b) is repaired by the
+// experiment on a, were it measured, and not by measuring both together once more.
+TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
+  const ScratchFolder folder;
+  Study s = study();
+  s.run.journal = folder / "springs.latsch";
+  s.experiments[1].fitted = false;
+  Journal journal = Journal::open(s.run.journal, {{"model", "springs"}});
+  InlineExecutor executor(springs);
+  const auto result = identify(s, s.space.initial(), Depth::intervals, executor, journal, {});
+  ASSERT_TRUE(result && *result);
+  EXPECT_GT((*result)->identification.confidence().deviation(1), 1.0);  // the valley
+
+  const auto points = difference_points(s.space, (*result)->point);
+  EXPECT_FALSE(predicted_channels(s, points));
+  InlineExecutor all(springs);
+  ASSERT_TRUE(predict(s, points, all, {}));
+  const auto gains = prediction_gains(s, **result, *predicted_channels(s, points));
+  ASSERT_EQ(gains.size(), 1u);
+  EXPECT_EQ(gains[0].measurement, "alone");
+  EXPECT_GT(gains[0].shrinkage, 10 * repetition_gains(s, **result)[0].shrinkage);
+  EXPECT_LT(gains[0].after, 0.1 * gains[0].before);
+
+  const auto page = identifiability_of(s, journal);
+  ASSERT_TRUE(page);
+  EXPECT_EQ(page->gains[0].measurement, "alone");
+  EXPECT_EQ(page->intervals[0], "anywhere between the bounds");
 }
 
 }  // namespace

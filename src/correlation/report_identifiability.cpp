@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/report_identifiability.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.h"
+#include "correlation/doe_basins.h"
+#include "correlation/measurement_gains.h"
+#include "correlation/predictions.h"
+
+namespace latsch::correlation {
+namespace {
+
+constexpr int kDigits = 5;
+constexpr size_t kShownGains = 10;
+constexpr size_t kShownBasins = 8;
+
+double value_at(const DesignSpace& space, const Eigen::VectorXd& u, int variable) {
+  return space.from_unit({u.begin(), u.end()}).values[variable];
+}
+
+report::ProfileCurve curve(const Study& study, const Profile& profile) {
+  const DesignVariable& v = study.space[profile.variable];
+  report::ProfileCurve curve;
+  curve.variable = v.name;
+  curve.unit = v.unit;
+  curve.logarithmic = v.scale == Scale::logarithmic;
+  const ProfilePoint* best = &profile.points.front();
+  for (const ProfilePoint& point : profile.points) {
+    curve.x.push_back(value_at(study.space, point.u, profile.variable));
+    curve.rise.push_back((point.S - profile.least) / profile.threshold);
+    if (point.S < best->S) best = &point;
+  }
+  curve.found = value_at(study.space, best->u, profile.variable);
+  curve.verdict = name(profile.verdict);
+  curve.interval = interval_text(study.space, profile.variable, profile.interval);
+  return curve;
+}
+
+/// Relative errors again, where residuals are errors in units of their noise.
+double relative(const StudyExperiment& experiment, double residual) {
+  return experiment.noise ? residual * *experiment.noise
+                          : residual / std::sqrt(experiment.objective.weight);
+}
+
+std::vector<report::LeftOutExperiment> left_out(const Study& study,
+                                                const CrossValidation& validation) {
+  std::vector<report::LeftOutExperiment> rows;
+  for (const LeftOut& fold : validation.left_out()) {
+    const StudyExperiment& experiment = study.experiments[fold.group];
+    rows.push_back(
+        {experiment.name, relative(experiment, fold.fitted), relative(experiment, fold.predicted)});
+  }
+  return rows;
+}
+
+/// Measurements made once more, and where they were simulated, those only predicted so far.
+std::vector<report::Gain> gains(const Study& study, const Identifiability& what) {
+  auto all = repetition_gains(study, what);
+  if (has_predictions(study)) {
+    const auto points = difference_points(study.space, what.point);
+    if (const auto channels = predicted_channels(study, points)) {
+      const auto predicted = prediction_gains(study, what, *channels);
+      all.insert(all.end(), predicted.begin(), predicted.end());
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.shrinkage > b.shrinkage;
+  });
+  std::vector<report::Gain> rows;
+  for (const MeasurementGain& gain : all) {
+    if (rows.size() == kShownGains) break;
+    rows.push_back({gain.measurement, gain.shrinkage, study.space[gain.helps].name});
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction) {
+  constexpr double kShare = 0.3;  // of the unit vector: less hardly takes part
+  Eigen::Index largest = 0;
+  direction.cwiseAbs().maxCoeff(&largest);
+  std::string text;
+  for (int i = 0; i < space.size(); ++i) {
+    if (std::abs(direction[i]) < kShare) continue;
+    text += fmt::format("{}{} {}",
+                        text.empty() ? "" : ", ",
+                        space[i].name,
+                        direction[i] * direction[largest] > 0.0 ? "up" : "down");
+  }
+  return text;
+}
+
+std::optional<report::Identifiability> identifiability_of(const Study& study,
+                                                          const Journal& journal) {
+  const auto what = recorded_identifiability(study, journal);
+  if (!what) return std::nullopt;
+  const Identification& identification = what->identification;
+  const Confidence& c = identification.confidence();
+  report::Identifiability page;
+  for (int i = 0; i < study.space.size(); ++i) {
+    const DesignVariable& v = study.space[i];
+    page.variables.push_back(v.name);
+    page.values.push_back(format_quantity(what->point.values[i], v.unit, kDigits));
+    page.intervals.push_back(interval_text(study.space, i, c.intervals[i]));
+    page.deviations.push_back(c.deviation(i));
+    page.directions.push_back(direction_text(study.space, c.directions.col(i)));
+  }
+  page.residuals = static_cast<int>(identification.residuals_used().size());
+  page.correlation = c.correlation;
+  for (const Profile& profile : identification.profiles()) {
+    page.profiles.push_back(curve(study, profile));
+  }
+  if (what->cross_validation) page.left_out = left_out(study, *what->cross_validation);
+  page.gains = gains(study, *what);
+  return page;
+}
+
+std::optional<report::Basins> basins_of(const Study& study, const std::vector<RatedTrial>& trials) {
+  const auto design = evaluated_design(study, trials);
+  if (!design) return std::nullopt;
+  const auto found = doe_basins(study, *design, trials);
+  if (!found) return std::nullopt;
+  report::Basins page;
+  page.design = fmt::format("{}, {} points", found->design, found->points);
+  page.count = static_cast<int>(found->basins.size());
+  page.doubt = found->doubt;
+  for (const DesignVariable& v : study.space.variables()) page.variables.push_back(v.name);
+  for (const DoeBasin& basin : found->basins) {
+    if (page.rows.size() == kShownBasins) break;
+    report::BasinRow row{basin.target, basin.points, {}};
+    for (int i = 0; i < study.space.size(); ++i) {
+      row.values.push_back(format_quantity(basin.lowest.values[i], study.space[i].unit, 4));
+    }
+    page.rows.push_back(std::move(row));
+  }
+  return page;
+}
+
+}  // namespace latsch::correlation

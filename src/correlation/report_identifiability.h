@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fills the report's chapters on what the data determine and on the minima of a design.
+#pragma once
+
+#include <optional>
+
+#include "correlation/best_trial.h"
+#include "correlation/identifiability.h"
+#include "correlation/report/report.h"
+#include "correlation/study.h"
+
+namespace latsch::correlation {
+
+/// As far as the journal goes; nullopt where no analysis has been made.
+std::optional<report::Identifiability> identifiability_of(const Study& study,
+                                                          const Journal& journal);
+
+/// The minima of the design that was evaluated; nullopt where there is none.
+std::optional<report::Basins> basins_of(const Study& study, const std::vector<RatedTrial>& trials);
+
+/// "matrix up, carcass down": the variables that make up most of a direction of the unit cube.
+std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction);
+
+}  // namespace latsch::correlation
