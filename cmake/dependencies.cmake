@@ -3,7 +3,7 @@
 # apt: libfmt-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
 # apt: libsqlitecpp-dev libsqlite3-dev libudunits2-dev libopenblas-serial-dev libmumps-seq-dev libmetis-dev
 # Tests and benchmarks compare with these independent programs; the product does not use them:
-# apt: libgtest-dev calculix-ccx python3-scipy python3-numpy
+# apt: libgtest-dev calculix-ccx python3-scipy python3-numpy libnlopt-dev
 find_package(fmt REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(nlohmann_json REQUIRED)

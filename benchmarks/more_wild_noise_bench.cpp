@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The same with 1 % noise on every residual, three draws: solved is what the true residuals say
+#include <nlopt.h>
+
+#include "more_wild_runs.h"
+
+int main() {
+  using namespace latsch::benchmarks;
+  Table table("more_wild_noise");
+  const std::vector<Disturbance> draws{
+      {.noise = 0.01, .seed = 1}, {.noise = 0.01, .seed = 2}, {.noise = 0.01, .seed = 3}};
+  const Profile trust = measure(residual_trust_region(), draws);
+  reach(table, "residual trust region, tau 1e-3 @10", trust.tau_1e3[0], 0.88);
+  reach(table, "residual trust region, tau 1e-3 @100", trust.tau_1e3[2], 0.96);
+  note(table, "residual trust region", trust);
+  note(table, "GSS", measure(gss(), draws));
+  note(table, "NLopt BOBYQA", measure(nlopt(NLOPT_LN_BOBYQA), draws));
+  note(table, "NLopt Nelder-Mead", measure(nlopt(NLOPT_LN_NELDERMEAD), draws));
+  return table.exit_code();
+}
