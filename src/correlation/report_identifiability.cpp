@@ -22,19 +22,17 @@ double value_at(const DesignSpace& space, const Eigen::VectorXd& u, int variable
   return space.from_unit({u.begin(), u.end()}).values[variable];
 }
 
-report::ProfileCurve curve(const Study& study, const Profile& profile) {
+report::ProfileCurve curve(const Study& study, const Profile& profile, const DesignPoint& found) {
   const DesignVariable& v = study.space[profile.variable];
   report::ProfileCurve curve;
   curve.variable = v.name;
   curve.unit = v.unit;
   curve.logarithmic = v.scale == Scale::logarithmic;
-  const ProfilePoint* best = &profile.points.front();
   for (const ProfilePoint& point : profile.points) {
     curve.x.push_back(value_at(study.space, point.u, profile.variable));
     curve.rise.push_back((point.S - profile.least) / profile.threshold);
-    if (point.S < best->S) best = &point;
   }
-  curve.found = value_at(study.space, best->u, profile.variable);
+  curve.found = found.values[profile.variable];
   curve.verdict = name(profile.verdict);
   curve.interval = interval_text(study.space, profile.variable, profile.interval);
   return curve;
@@ -113,7 +111,7 @@ std::optional<report::Identifiability> identifiability_of(const Study& study,
   page.residuals = static_cast<int>(identification.residuals_used().size());
   page.correlation = c.correlation;
   for (const Profile& profile : identification.profiles()) {
-    page.profiles.push_back(curve(study, profile));
+    page.profiles.push_back(curve(study, profile, what->point));
   }
   if (what->cross_validation) page.left_out = left_out(study, *what->cross_validation);
   page.gains = gains(study, *what);

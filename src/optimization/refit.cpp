@@ -11,12 +11,14 @@ namespace {
 
 constexpr double kDifference = 1e-3;    // of the range
 constexpr double kShortestStep = 1e-9;  // of the range
+constexpr double kLongestStep = 0.25;   // of the range, in one variable: J holds near by
 constexpr int kFailedSteps = 2;         // before J is taken anew
 constexpr double kFirstLambda = 1e-3;   // of the largest entry of J'J
 constexpr double kLambdaFactor = 10.0;
 
-/// The d of the columns `free` with the least |r + J d|^2 + lambda |d|^2, u + d in the unit cube: a
-/// variable that would leave it stops at its face, and the others are sought again.
+/// The d of the columns `free` with the least |r + J d|^2 + lambda |d|^2, u + d in the unit cube
+/// and not far away: a variable that would leave that box stops at its face, and the others are
+/// sought again.
 Eigen::VectorXd bounded_step(const Linearization& at,
                              const Eigen::VectorXd& r,
                              std::vector<int> free,
@@ -33,11 +35,12 @@ Eigen::VectorXd bounded_step(const Linearization& at,
     const Eigen::VectorXd step = A.completeOrthogonalDecomposition().solve(b);
     std::vector<int> inside;
     for (Eigen::Index a = 0; a < k; ++a) {
-      const double to = at.u[free[a]] + step[a];
-      if (to >= 0.0 && to <= 1.0) {
+      const double u = at.u[free[a]];
+      const double low = std::max(-u, -kLongestStep), high = std::min(1.0 - u, kLongestStep);
+      if (step[a] >= low && step[a] <= high) {
         inside.push_back(free[a]);
       } else {
-        d[free[a]] = std::clamp(to, 0.0, 1.0) - at.u[free[a]];
+        d[free[a]] = std::clamp(step[a], low, high);
       }
     }
     if (inside.size() == free.size()) {

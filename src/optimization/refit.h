@@ -4,8 +4,8 @@
 // validation needs at each of its steps.
 //
 // Gauss and Newton: the free variables move by the d with the least  |r + J d|^2 + lambda |d|^2
-// inside the unit cube [Levenberg, Q. Appl. Math. 2 (1944) 164]. Every residual vector corrects J
-// by the least change that explains it,
+// inside the unit cube, at most a quarter of its width [Levenberg, Q. Appl. Math. 2 (1944) 164].
+// Every residual vector corrects J by the least change that explains it,
 //   J <- J + (r(u + d) - r(u) - J d) d' / d'd          [Broyden, Math. Comp. 19 (1965) 577]
 // so no derivatives are evaluated, until two steps in a row fail: then J is taken anew by
 // differences. It ends where a step promises less than `tolerance` of S, or at `most_evaluations`.

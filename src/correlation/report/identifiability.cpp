@@ -113,7 +113,8 @@ std::string identifiability_chapter(const Identifiability& what) {
         "<h3>Profiles <span>each variable held at other values, all others fitted anew; below "
         "the line at 1 lies its 95 % interval</span></h3><div class=\"figures\">";
     for (const ProfileCurve& curve : what.profiles) {
-      html += figure(curve.variable, curve.verdict, profile_plot(curve), "");
+      html +=
+          figure(curve.variable, curve.verdict, profile_plot(curve), "Dashed: the value found.");
     }
     html += "</div>";
   }

@@ -73,7 +73,10 @@ std::string correlation_plot(const Identifiability& what) {
           cell_style(r),
           fmt::format("{} and {}: {}", what.variables[i], what.variables[j], fixed(r, 3)));
       if (cell >= 40.0)
-        svg.text({x + 0.5 * cell, y + 0.5 * cell + 4}, fixed(r, 2), Anchor::middle, "number");
+        svg.text({x + 0.5 * cell, y + 0.5 * cell + 4},
+                 fixed(r, 2),
+                 Anchor::middle,
+                 std::abs(r) > 0.5 ? "on-field" : "number");
     }
     // Names above the columns where they fit; the rows have the same order.
     const auto letters = static_cast<size_t>(cell / 6.5);
@@ -94,7 +97,7 @@ std::string profile_plot(const ProfileCurve& curve) {
              across,
              up,
              curve.variable + (curve.unit == "1" ? "" : " [" + typeset_unit(curve.unit) + "]"),
-             "Rise of the misfit");
+             "Rise of the misfit [of the 95 % limit]");
   std::vector<Point> points;
   const auto place = [&](size_t k) { return Point(across.at(x[k]), up.at(curve.rise[k])); };
   for (size_t k = 0; k < x.size(); ++k) {
