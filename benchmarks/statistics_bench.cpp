@@ -159,11 +159,11 @@ std::vector<Case> constructed_cases() {
          return Eigen::VectorXd{{x[0] / 4 - 1, x[1] / 4 - 1}};
        },
        {kIdentifiable, kIdentifiable}},
-      {"two springs in series: neither can be softer than both together",
+      {"springs in series: neither is softer than both",
        {variable("a", 1, 4, 100), variable("b", 1, 4, 100)},
        [=](const auto& x) { return Eigen::VectorXd{{series(x[0], x[1]) / 2 - 1}}; },
        {kOneSided, kOneSided}},
-      {"two springs in parallel, narrow bounds: only the sum is seen",
+      {"springs in parallel, narrow bounds: only their sum",
        {variable("a", 1, 4, 7), variable("b", 1, 4, 7)},
        [](const auto& x) { return Eigen::VectorXd{{(x[0] + x[1]) / 8 - 1}}; },
        {kFlat, kFlat}},
@@ -173,7 +173,7 @@ std::vector<Case> constructed_cases() {
          return Eigen::VectorXd{{x[0] / 4 - 1, x[1] / 3 - 1, x[0] * x[1] / 12 - 1}};
        },
        {kIdentifiable, kIdentifiable, kFlat}},
-      {"a damper far above what the test can feel: exp(-k t) is over",
+      {"a decay that is over before the first sample",
        {variable("A", 0.5, 1, 2), variable("k", 1, 30, 60)},
        [](const auto& x) {
          return Eigen::VectorXd{{x[0] - 1,
@@ -191,7 +191,7 @@ std::vector<Case> constructed_cases() {
          return Eigen::VectorXd{{x[0] + 0.15, std::sqrt(std::max(0.0, f(y) - f(b)))}};
        },
        {kIdentifiable, kSeveral}},
-      {"a frequency goes with the square: the sign is not seen",
+      {"a square is measured: the sign is not seen",
        {variable("w", -2, 1, 2), variable("c", 0, 0.5, 1)},
        [](const auto& x) {
          return Eigen::VectorXd{{x[0] * x[0] - 1, x[1] - 0.5}};

@@ -71,6 +71,7 @@ compare = "force"                   # or "root_force", which goes with stiffness
 exponent = 1                        # k of mean |dF|^k
 weight = 1
 use = "fit"                         # or "predict": compared in the report only
+# noise = "1 %"                     # of a measured value, where known; then of every fitted experiment
 deflections = {unit = "mm", values = [5, 10, 15, 20, 25, 30]}  # for `latsch export --measurements` alone
 
 # Modes of the tire on its clamped rim. Unloaded; add deflection = "20 mm" or load = "4 kN" to stand it on the ground.

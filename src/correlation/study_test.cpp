@@ -211,6 +211,21 @@ TEST_F(StudyFile, RejectsTooFewPointsForMorris) {
   EXPECT_SAYS(complaint(), "doe.points is 5, expected at least 6: 2 trajectories of 3 points");
 }
 
+TEST_F(StudyFile, ReadsTheNoiseOfAnExperiment) {
+  replace("study.toml",
+          "measurement = \"stiffness.csv\"",
+          "measurement = \"stiffness.csv\"\nnoise = \"2 %\"");
+  EXPECT_DOUBLE_EQ(*read().experiments[0].noise, 0.02);  // the other one is only predicted
+}
+
+TEST_F(StudyFile, RejectsNoiseOfOneFittedExperimentAlone) {
+  replace("study.toml",
+          "measurement = \"stiffness.csv\"",
+          "measurement = \"stiffness.csv\"\nnoise = \"2 %\"");
+  replace("study.toml", "use = \"predict\"\n", "");
+  EXPECT_SAYS(complaint(), "experiment.modes.noise is missing: another experiment states it");
+}
+
 TEST_F(StudyFile, IdentityChangesWithTheModelButNotWithNotesOrTheObjective) {
   const StudyIdentity before = identity(read());
   replace("study.toml",

@@ -173,8 +173,9 @@ std::string grid_doubt(const std::vector<double>& values, const std::vector<int>
   const auto seen = find_basins(thin.values, grid_neighbors(thin.levels)).size();
   if (seen != all) {
     return fmt::format(
-        "with every other level it shows {} minima instead of {}: more levels may show more still",
+        "with every other level it shows {} minim{} instead of {}: more levels may show more still",
         seen,
+        seen == 1 ? "um" : "a",
         all);
   }
   return "";

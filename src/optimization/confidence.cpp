@@ -74,7 +74,7 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   }
   const auto nu = static_cast<double>(m) - static_cast<double>(free.size());
   c.sigma = options.sigma ? *options.sigma
-            : nu > 0.0    ? std::sqrt(at.sum_of_squares() / nu)
+            : nu > 0.0    ? std::max(options.least_sigma, std::sqrt(at.sum_of_squares() / nu))
                           : std::numeric_limits<double>::quiet_NaN();
   c.t = numerics::student_t_quantile(0.5 + 0.5 * options.level,
                                      options.sigma || nu <= 0.0 ? kInfinity : nu);

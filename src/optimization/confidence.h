@@ -39,6 +39,9 @@ struct Linearization {
 struct ConfidenceOptions {
   std::optional<double> sigma = std::nullopt;  // standard deviation of a residual, where known
   double level = 0.95;
+  /// Where the spread is estimated: no residual is computed more exactly. Keeps the intervals of a
+  /// perfect fit, a model fitted to itself, from having no width at all.
+  double least_sigma = 1e-9;
 };
 
 /// Two ends in the unit cube, not cut off at its faces; infinite where nothing holds the variable.

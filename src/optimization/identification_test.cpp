@@ -147,6 +147,18 @@ TEST(Identification, ModelsThatFailFurtherOutEndTheLadder) {
   EXPECT_EQ(a.identification.profiles()[0].verdict, Verdict::flat);
 }
 
+// A twin: the model fitted to itself leaves no residuals to estimate a spread from but zeros.
+TEST(Identification, OfAPerfectFitIsIdentifiableWithAWidthOfRounding) {
+  const auto a = analyze(box({0.5, 0.5}, 0, 1), [](const auto& x) {
+    return Eigen::VectorXd{{x[0] - 0.5, x[1] - 0.5, x[0] * x[1] - 0.25}};
+  });
+  for (const Profile& p : a.identification.profiles()) {
+    EXPECT_EQ(p.verdict, Verdict::identifiable);
+    EXPECT_GT(p.threshold, 0.0);
+    EXPECT_NEAR(p.interval.upper, 0.5, 1e-6);
+  }
+}
+
 TEST(Identification, SaysWhyItCannotBegin) {
   const auto a = analyze(box({0.5}, 0, 1), [](const auto&) { return Eigen::VectorXd(); });
   ASSERT_TRUE(a.identification.failure());
