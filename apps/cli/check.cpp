@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch check: reads a study, its model and its measurements, and says what it understood.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <optional>
 
 #include "cli/tables.h"
 #include "cli/verbs.h"
@@ -60,8 +63,33 @@ void print_experiment(const StudyExperiment& experiment, const fe_tire::Mesh& me
   }
 }
 
-void check(const std::string& file) {
-  const Study study = correlation::read_study(file);
+void print_simulator(const Study& study) {
+  const Simulator& simulator = *study.simulator;
+  fmt::print("{}\n\nSimulator: {}\n", study.title, fmt::join(simulator.arguments, " "));
+  for (const OutputReader& output : simulator.outputs) {
+    std::string quantities;
+    for (const auto& quantity : output.quantities) {
+      quantities += fmt::format(" {} [{}]", quantity.name, quantity.unit);
+    }
+    fmt::print("  {:<16} from {}:{}\n", output.name, output.file.string(), quantities);
+  }
+}
+
+void print_curves(const Study& study) {
+  for (const StudyExperiment& experiment : study.experiments) {
+    fmt::print("  {:<16} {} {}; {} values from {}; {}, weight {:g}\n",
+               experiment.name,
+               experiment.curve->y,
+               experiment.curve->x.empty() ? "sample by sample" : "over " + experiment.curve->x,
+               experiment.curve->y_measured.size(),
+               experiment.measurement_file.filename().string(),
+               experiment.fitted ? "fitted" : "predicted",
+               experiment.objective.weight);
+  }
+}
+
+/// Gives back the mesh, which experiments are checked against.
+fe_tire::Mesh print_tire(const Study& study) {
   const Document initial = correlation::at(study.model, study.space, study.space.initial());
   const auto tire = fe_tire::read_tire(initial.root());
   const fe_tire::Mesh mesh = fe_tire::build_mesh(tire);
@@ -76,10 +104,24 @@ void check(const std::string& file) {
       mesh.nodes(),
       mesh.free_dofs(),
       mesh.sectors);
+  return mesh;
+}
+
+void check(const std::string& file) {
+  const Study study = correlation::read_study(file);
+  std::optional<fe_tire::Mesh> mesh;
+  if (study.simulator) {
+    print_simulator(study);
+  } else {
+    mesh = print_tire(study);
+  }
   fmt::print("\nVariables\n");
   print_variables(study.space);
   fmt::print("\nExperiments\n");
-  for (const StudyExperiment& experiment : study.experiments) print_experiment(experiment, mesh);
+  if (!mesh) print_curves(study);
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (mesh) print_experiment(experiment, *mesh);
+  }
   fmt::print(
       "\nOptimizer gss: initial step {:g}, step tolerance {:g}, at most {} steps\n"
       "Workers {}, {:g} s a trial at most, journal {}\n"

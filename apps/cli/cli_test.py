@@ -181,6 +181,62 @@ class GoodInput(Coarse):
             self.assert_says(self.latsch(verb, "--help"), "xample", f"latsch {verb}")
 
 
+class Simulators(unittest.TestCase):
+    """Outside programs in a model's place: the two studies of the tree."""
+
+    latsch = Coarse.latsch
+    assert_says = Coarse.assert_says
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_cli_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def study(self, name):
+        source = pathlib.Path(__file__).resolve().parents[2] / "studies" / name
+        shutil.copytree(source, self.folder / name, ignore=shutil.ignore_patterns("*.latsch*", "*.html", "*.scratch"))
+        return self.folder / name / "study.toml"
+
+    def found(self, text, variable):
+        return float(re.search(rf"\n  {variable} +(\S+)", text)[1])
+
+    def test_a_script_is_fitted(self):
+        study = self.study("quarter_car")
+        edit(study, ("step_tolerance = .*", "step_tolerance = 0.02"))
+        self.assert_says(self.latsch("check", study), "python3 quarter_car.py", "30 values from step.csv")
+        self.assert_says(self.latsch("simulate", study, "--set", "spring=25 N/mm", "--set", "damper=1600 N s/m"),
+                         "mean |d| 0.00")
+        text = self.latsch("run", study)
+        self.assertAlmostEqual(self.found(text, "spring"), 25, delta=0.25)
+        self.assertAlmostEqual(self.found(text, "damper"), 1600, delta=32)
+        self.assert_says(text, "Report: ")
+        self.assertFalse((study.parent / "study.scratch").exists())
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX (ccx) is not installed")
+    def test_calculix_is_fitted(self):
+        text = self.latsch("run", self.study("cantilever_calculix"))
+        self.assertAlmostEqual(self.found(text, "modulus"), 2.1e5, delta=2e3)  # mesh: 0.1 %; two digits are asked for
+
+    def test_a_program_that_hangs_crashes_or_prints_nonsense_is_told_in_words(self):
+        study = self.study("quarter_car")
+        script = study.parent / "quarter_car.py"
+        for text, said in (("import time; time.sleep(1000)", "took more than the 0.5 s"),
+                           ("import os; os.abort()", "killed by signal 6"),
+                           ("print('no license'); raise SystemExit(4)", 'exited with code 4; it last printed "no license"'),
+                           ("open('response.csv', 'wb').write(bytes(range(256)))", "response.csv"),
+                           ("open('response.csv', 'w').write('time [s],body [mm]\\n0,0\\n')", "reaches from 0 to 0 s")):
+            script.write_text(text)
+            edit(study, ("timeout = .*", 'timeout = "0.5 s"'))
+            (study.parent / "study.latsch").unlink(missing_ok=True)
+            edit(study, (r"\[optimizer\](\n.*)*?\n\n", '[optimizer]\nmax_steps = 1\n\n'))
+            self.assert_says(self.latsch("run", study, code=FAILED), "no trial succeeded", said)
+
+    def test_there_is_no_tire_to_export(self):
+        for arguments in (("--vtu", "a.vtu"), ("--measurements",)):
+            self.assert_says(self.latsch("export", self.study("quarter_car" if "--vtu" in arguments else
+                                                              "cantilever_calculix"), *arguments, code=WRONG_INPUT),
+                             "no tire")
+
+
 class BadInput(Coarse):
     def rejected(self, verb, *parts):
         text = self.latsch(verb, self.study, code=WRONG_INPUT)

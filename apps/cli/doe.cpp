@@ -123,6 +123,7 @@ int doe(const std::string& file, int levels, int workers) {
              study.run.journal.string());
 
   catch_interrupts();
+  clear_scratch(study);
   ProcessExecutor executor(worker_processes(study));
   const RunEnd end = run_doe(plan, executor, journal, run_options(study, /*length_known=*/true));
   if (end == RunEnd::stopped) {
@@ -143,6 +144,7 @@ int doe(const std::string& file, int levels, int workers) {
   }
   print_basins(study, design, journal);
   if (design.kind == DesignKind::morris) print_sensitivities(study, design, targets);
+  clear_scratch(study);
   return write_report(study, journal);
 }
 

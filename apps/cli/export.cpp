@@ -116,6 +116,10 @@ void write_tire_file(const Options& options, const Document& model) {
 
 void write_measurements(const std::string& file) {
   const auto study = correlation::read_study(file, correlation::Measurements::not_yet);
+  if (study.simulator) {
+    throw InputError({file, 0},
+                     "has a [simulator] in a model's place: there is no tire to measure");
+  }
   for (const auto& path : required(correlation::write_twin(study))) {
     fmt::print("wrote {}\n", path.string());
   }

@@ -64,6 +64,7 @@ int fit(const std::string& file, int workers, bool resuming) {
   if (journal.size() > 0) fmt::print("{} finished trials are reused\n", journal.size());
 
   catch_interrupts();
+  clear_scratch(study);
   ProcessExecutor executor(worker_processes(study));
   Gss gss(study.space, study.gss);
   const Run run = run_optimizer(gss,
@@ -88,6 +89,7 @@ int fit(const std::string& file, int workers, bool resuming) {
   }
   print_result(study, run, journal);
   if (!print_values(study, run.best()->point, executor, journal)) return kFailed;
+  clear_scratch(study);
   return write_report(study, journal);
 }
 

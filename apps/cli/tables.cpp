@@ -37,6 +37,30 @@ void print_forces(const StudyExperiment& experiment,
   }
 }
 
+void print_curve(const StudyExperiment& experiment, const Channels& channels) {
+  const correlation::CurveExperiment& curve = *experiment.curve;
+  const Comparison comparison = compare(experiment, channels);
+  const auto simulated = simulated_curve(curve, channels);
+  fmt::print("\n{}{}\n", experiment.name, experiment.fitted ? "" : " (predicted)");
+  fmt::print("  {:>16} {:>18} {:>18} {:>9}\n",
+             curve.x.empty() ? "sample" : "at " + curve.x_unit,
+             "measured " + curve.y_unit,
+             "simulated " + curve.y_unit,
+             "error %");
+  for (size_t i = 0; i < simulated->size(); ++i) {
+    fmt::print("  {:16.6g} {:18.6g} {:18.6g} {:9.2f}\n",
+               curve.x.empty() ? static_cast<double>(i + 1) : curve.x_measured[i],
+               curve.y_measured[i],
+               (*simulated)[i],
+               comparison.errors[i] * 100.0);
+  }
+  fmt::print("  mean |d| {:.3f} %, largest {:.3f} % of {:g} {}\n",
+             comparison.mean_error * 100.0,
+             comparison.largest_error * 100.0,
+             curve.scale,
+             curve.y_unit);
+}
+
 void print_modes(const StudyExperiment& experiment,
                  const Channels& channels,
                  const Comparison& comparison) {
@@ -90,7 +114,8 @@ void print_variables(const DesignSpace& space) {
                shown(variable, variable.lower),
                shown(variable, variable.upper),
                variable.scale == Scale::linear ? "linear" : "logarithmic",
-               fmt::join(variable.paths, ", "));
+               variable.paths.empty() ? "a hole in an input file"
+                                      : fmt::format("{}", fmt::join(variable.paths, ", ")));
   }
 }
 
@@ -101,6 +126,7 @@ void print_point(const DesignSpace& space, const DesignPoint& point) {
 }
 
 void print_comparison(const StudyExperiment& experiment, const Channels& channels) {
+  if (experiment.curve) return print_curve(experiment, channels);
   const Comparison comparison = compare(experiment, channels);
   fmt::print("\n{}{}\n", experiment.name, experiment.fitted ? "" : " (predicted)");
   if (experiment.modal()) {

@@ -13,6 +13,10 @@ namespace latsch::cli {
 
 Document tire_source(const std::string& file) {
   Document document = Document::read(file);
+  if (document.root().has("simulator")) {
+    throw InputError({file, 0},
+                     "has a [simulator] in a model's place: there is no tire to show or to write");
+  }
   if (!document.root().has("model")) return document;
   const auto study = correlation::read_study(file);
   DesignPoint point = study.space.initial();

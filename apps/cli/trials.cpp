@@ -28,6 +28,12 @@ ProcessOptions worker_processes(const correlation::Study& study) {
   return options;
 }
 
+void clear_scratch(const correlation::Study& study) {
+  if (!study.simulator || study.simulator->keep_failed) return;
+  std::error_code ignored;
+  std::filesystem::remove_all(study.simulator->scratch, ignored);
+}
+
 RunOptions run_options(const correlation::Study& study, bool length_known) {
   RunOptions options;
   options.max_steps = study.max_steps;

@@ -16,6 +16,9 @@ namespace latsch::cli {
 /// This program as `latsch worker STUDY`.
 ProcessOptions worker_processes(const correlation::Study& study);
 
+/// Removes what killed workers of an outside program left behind. The journal is held meanwhile.
+void clear_scratch(const correlation::Study& study);
+
 /// Progress on standard error and an end when interrupted. An ETA needs to know how many points
 /// there will be: a design of experiments does, an optimizer does not.
 RunOptions run_options(const correlation::Study& study, bool length_known);

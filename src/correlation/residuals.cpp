@@ -55,6 +55,10 @@ std::vector<ResidualRow> residual_rows(const Study& study) {
     const StudyExperiment& experiment = study.experiments[e];
     if (!counts(experiment)) continue;
     const int place = static_cast<int>(e);
+    if (experiment.curve) {
+      for (std::string& name : value_names(*experiment.curve)) rows.push_back({place, name});
+      continue;
+    }
     for (const ModeRecord& mode : experiment.modes) rows.push_back({place, mode.label()});
     if (experiment.modal()) continue;
     const auto& test = std::get<experiment::LoadDeflection>(experiment.load_case.test);

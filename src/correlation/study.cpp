@@ -14,10 +14,19 @@ namespace {
 
 constexpr long kMostSteps = 1'000'000;
 
-DesignSpace read_variables(const Node& root, const Document& model) {
+std::filesystem::path find_model(const Node& root, const std::filesystem::path& folder) {
+  const auto file = (folder / root.text("model")).lexically_normal();
+  if (!std::filesystem::exists(file)) {
+    root.reject("model", fmt::format("is \"{}\", which does not exist", file.string()));
+  }
+  return file;
+}
+
+/// Without a model they stand for holes in the input files of a simulator.
+DesignSpace read_variables(const Node& root, const Document* model) {
   std::vector<DesignVariable> variables;
   for (const Node& table : root.named_tables("variable")) {
-    variables.push_back(read_variable(table, model));
+    variables.push_back(model ? read_variable(table, *model) : read_free_variable(table));
   }
   if (variables.empty())
     root.reject("variable", "is missing, expected at least one [variable.NAME]");
@@ -59,11 +68,12 @@ void check_noise(const Node& root, const std::vector<StudyExperiment>& experimen
 
 std::vector<StudyExperiment> read_experiments(const Node& root,
                                               const std::filesystem::path& folder,
-                                              Measurements measurements) {
+                                              Measurements measurements,
+                                              const Simulator* simulator) {
   std::vector<StudyExperiment> experiments;
   double weights = 0.0;
   for (const Node& table : root.named_tables("experiment")) {
-    experiments.push_back(read_experiment(table, folder, measurements));
+    experiments.push_back(read_experiment(table, folder, measurements, simulator));
     if (experiments.back().fitted) weights += experiments.back().objective.weight;
   }
   if (!(weights > 0.0)) {
@@ -129,21 +139,21 @@ Study read_study(const std::filesystem::path& file, Measurements measurements) {
   const Document document = Document::read(file);
   const Node root = document.root();
   const auto folder = file.parent_path();
-  const auto model_file = (folder / root.text("model")).lexically_normal();
-  if (!std::filesystem::exists(model_file)) {
-    root.reject("model", fmt::format("is \"{}\", which does not exist", model_file.string()));
-  }
-  Document model = Document::read(model_file);
-  fe_tire::read_tire(model.root());
+  const auto table = root.find_table("simulator");
+  const auto model_file = table ? std::filesystem::path() : find_model(root, folder);
+  Document model = table ? Document::parse("", "") : Document::read(model_file);
+  if (!table) fe_tire::read_tire(model.root());
 
-  DesignSpace space = read_variables(root, model);
-  check_bounds(root, model, space);
+  DesignSpace space = read_variables(root, table ? nullptr : &model);
+  if (!table) check_bounds(root, model, space);
+  std::optional<Simulator> simulator;
+  if (table) simulator = read_simulator(*table, file, space);
   Study study{file,
               root.text("title", file.stem().string()),
               model_file,
               std::move(model),
               std::move(space),
-              read_experiments(root, folder, measurements),
+              read_experiments(root, folder, measurements, simulator ? &*simulator : nullptr),
               {},
               1000,
               std::nullopt,
@@ -157,10 +167,12 @@ Study read_study(const std::filesystem::path& file, Measurements measurements) {
   const auto run = root.find_table("run");
   study.run = read_run_settings(run ? &*run : nullptr, file);
   root.close();
+  study.simulator = std::move(simulator);
   return study;
 }
 
 StudyIdentity identity(const Study& study) {
+  if (study.simulator) return identity(*study.simulator, study.space);
   std::string varied, cases;
   for (const DesignVariable& variable : study.space.variables()) {
     varied += fmt::format("{}: {}\n", variable.name, fmt::join(variable.paths, ", "));

@@ -3,7 +3,8 @@
 // measurements, the optimizer.
 //
 //   title = "Tire B, three moduli"
-//   model = "tire_b.toml"                     # beside this file
+//   model = "tire_b.toml"                     # beside this file; or [simulator], an outside
+//                                             # program, see simulator_settings.h
 //
 //   [variable.matrix]                         # see variables.h
 //   [experiment.stiffness]                    # see study_experiment.h
@@ -28,6 +29,7 @@
 
 #include "base/document.h"
 #include "correlation/run_settings.h"
+#include "correlation/simulator_settings.h"
 #include "correlation/study_design.h"
 #include "correlation/study_experiment.h"
 #include "evaluation/journal.h"
@@ -47,6 +49,7 @@ struct Study {
   long max_steps = 1000;
   std::optional<StudyDesign> doe;
   RunSettings run;
+  std::optional<Simulator> simulator = {};  // in the model's place, which is then empty
 };
 
 /// Throws InputError naming file, line, found and expected: for the study, its model and its

@@ -119,7 +119,8 @@ void read_modal(const Node& table,
 
 StudyExperiment read_experiment(const Node& table,
                                 const std::filesystem::path& folder,
-                                Measurements measurements) {
+                                Measurements measurements,
+                                const Simulator* simulator) {
   StudyExperiment experiment;
   experiment.name = table.name();
   experiment.load_case.name = table.name();
@@ -127,7 +128,11 @@ StudyExperiment read_experiment(const Node& table,
   if (table.has("noise")) experiment.noise = table.quantity("noise", "1", Range::positive());
   experiment.fitted = table.choice("use", {"fit", "predict"}, "fit") == "fit";
   experiment.measurement_file = folder / table.text("measurement");
-  if (table.choice("kind", {"load_deflection", "modes"}) == "modes") {
+  if (simulator) {
+    table.choice("kind", {"curve"});
+    const auto file = find_file(table, "measurement", folder, Measurements::required);
+    experiment.curve = read_curve(table, file, *simulator);
+  } else if (table.choice("kind", {"load_deflection", "modes"}) == "modes") {
     read_modal(table, folder, measurements, experiment);
   } else {
     read_load_deflection(table, folder, measurements, experiment);
@@ -136,6 +141,11 @@ StudyExperiment read_experiment(const Node& table,
 }
 
 Comparison compare(const StudyExperiment& experiment, const Channels& channels) {
+  if (experiment.curve) {
+    const auto comparison = compare_curve(*experiment.curve, channels, experiment.objective);
+    if (comparison) return *comparison;
+    throw InputError("experiment " + experiment.name + ": " + comparison.failure().reason);
+  }
   if (experiment.modal()) {
     return compare_modes(
         experiment.modes, experiment::mode_records(channels), experiment.objective);

@@ -33,12 +33,14 @@
 #include <vector>
 
 #include "base/document.h"
+#include "correlation/curve_experiment.h"
 #include "correlation/objective.h"
 #include "experiment/load_case.h"
 #include "measurement/channels.h"
 
 namespace latsch::correlation {
 
+// In a study with [simulator]: kind = "curve", see curve_experiment.h.
 enum class Measurements { required, not_yet };
 
 struct StudyExperiment {
@@ -48,10 +50,11 @@ struct StudyExperiment {
   bool fitted = true;           // false: predicted only
   std::optional<double> noise;  // standard deviation of a measured value, relative
   std::filesystem::path measurement_file;
-  std::filesystem::path shapes_file;  // empty: no shapes
-  std::vector<double> forces;         // N, measured; load-deflection experiments
-  std::vector<ModeRecord> modes;      // measured; modal experiments
-  int measured_modes = 0;             // how many there are, or will be in a twin
+  std::filesystem::path shapes_file;          // empty: no shapes
+  std::vector<double> forces;                 // N, measured; load-deflection experiments
+  std::vector<ModeRecord> modes;              // measured; modal experiments
+  int measured_modes = 0;                     // how many there are, or will be in a twin
+  std::optional<CurveExperiment> curve = {};  // of a simulator, in the place of all these
 
   bool modal() const { return std::holds_alternative<experiment::ModalTest>(load_case.test); }
 };
@@ -59,9 +62,11 @@ struct StudyExperiment {
 /// Reads one [experiment.NAME] and its measurement files, which lie relative to `folder`.
 StudyExperiment read_experiment(const Node& table,
                                 const std::filesystem::path& folder,
-                                Measurements measurements);
+                                Measurements measurements,
+                                const Simulator* simulator = nullptr);
 
-/// How the channels of its load case differ from the measurement.
+/// How the channels of its load case differ from the measurement. Throws InputError where channels
+/// of a simulator do not reach as far as the measurement.
 Comparison compare(const StudyExperiment& experiment, const Channels& channels);
 
 }  // namespace latsch::correlation

@@ -34,7 +34,19 @@ Simulated simulate(TireTrials& trials, const DesignPoint& point) {
   return {point, result ? std::optional(std::move(*result)) : std::nullopt};
 }
 
+/// As the journal has it: an outside program is not run again for a report.
+Simulated recorded(const Journal& journal, const DesignPoint& point) {
+  Simulated simulated{point, std::nullopt};
+  journal.for_each([&](const Trial& trial) {
+    if (trial.point == point && trial.outcome.result) simulated.channels = *trial.outcome.result;
+  });
+  return simulated;
+}
+
 std::string conditions_of(const StudyExperiment& experiment) {
+  if (experiment.curve) {
+    return experiment.curve->x.empty() ? "sample by sample" : "over " + experiment.curve->x;
+  }
   const auto text = [](double pressure, const fe_tire::Ground& ground) {
     return format_quantity(pressure, "bar", 4) +
            (ground.mu > 0.0 ? fmt::format(", friction {:.3g}", ground.mu) : "");
@@ -50,6 +62,7 @@ std::string conditions_of(const StudyExperiment& experiment) {
 }
 
 std::string compared_in(const StudyExperiment& experiment) {
+  if (experiment.curve) return experiment.curve->y;
   std::string text = experiment.modal()                                 ? "frequency"
                      : experiment.objective.compared == Compared::force ? "force"
                                                                         : "root of force";
@@ -64,7 +77,7 @@ report::ExperimentRow experiment_row(const StudyExperiment& experiment,
                                      const std::optional<Comparison>& initial) {
   report::ExperimentRow row;
   row.name = experiment.name;
-  row.kind = experiment.modal() ? "modes" : "load-deflection";
+  row.kind = experiment.curve ? "curve" : experiment.modal() ? "modes" : "load-deflection";
   row.conditions = conditions_of(experiment);
   row.compared = compared_in(experiment);
   row.fitted = experiment.fitted;
@@ -143,6 +156,7 @@ void add_experiments(const Study& study,
       start_comparison = compare(experiment, *start);
     }
     page.experiments.push_back(experiment_row(experiment, comparison, start_comparison));
+    if (experiment.curve) continue;
     if (experiment.modal()) {
       page.modes.push_back(modal_comparison(experiment, channels, comparison, start));
     } else {
@@ -206,9 +220,13 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
   const auto best = best_trial(study, journal);
   if (!best) return Failure{"no trial in " + study.run.journal.string() + " succeeded"};
 
-  TireTrials trials(study);
-  const Simulated initial = simulate(trials, study.space.initial());
-  const Simulated found = simulate(trials, best->point);
+  std::optional<TireTrials> trials;
+  if (!study.simulator) trials.emplace(study);
+  const auto simulated = [&](const DesignPoint& point) {
+    return trials ? simulate(*trials, point) : recorded(journal, point);
+  };
+  const Simulated initial = simulated(study.space.initial());
+  const Simulated found = simulated(best->point);
   if (!found.channels) return Failure{"the best trial cannot be repeated with the predictions"};
 
   StudyReport page;
@@ -226,8 +244,10 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
   page.surfaces = doe_surfaces(study, rated, best->point);
   page.basins = basins_of(study, rated);
   page.identifiability = identifiability_of(study, journal);
-  add_found_tire(study, best->point, trials, page);
-  add_mesh_error(study, best->point, mesh_error, page);
+  if (trials) {
+    add_found_tire(study, best->point, *trials, page);
+    add_mesh_error(study, best->point, mesh_error, page);
+  }
   return page;
 }
 

@@ -49,13 +49,33 @@ Result<Channels> TireTrials::run(const DesignPoint& point, bool predicted) {
   return all;
 }
 
+namespace {
+
+/// A program that leaves too little behind for an experiment has failed.
+Evaluator simulator_trials(const Study& study) {
+  const Evaluator program = evaluator(*study.simulator, study.space);
+  return [program, experiments = study.experiments](const DesignPoint& point) {
+    Result<Channels> channels = program(point);
+    for (const StudyExperiment& experiment : experiments) {
+      if (!channels) break;
+      const auto simulated = simulated_curve(*experiment.curve, *channels);
+      if (!simulated) channels = Failure(simulated.failure());
+    }
+    return channels;
+  };
+}
+
+}  // namespace
+
 Evaluator evaluator(const Study& study) {
+  if (study.simulator) return simulator_trials(study);
   return [trials = std::make_shared<TireTrials>(study)](const DesignPoint& point) {
     return trials->run(point);
   };
 }
 
 Channels channels_of(const StudyExperiment& experiment, const Channels& trial) {
+  if (experiment.curve) return trial;
   const std::string prefix = experiment.name + "/";
   Channels own;
   for (Channel channel : trial.all()) {
@@ -78,6 +98,10 @@ Objective objective(const Study& study) {
     std::vector<Comparison> comparisons;
     Score score;
     for (const StudyExperiment& experiment : fitted) {
+      if (experiment.curve) {  // a measurement may have grown since the trial
+        const auto simulated = simulated_curve(*experiment.curve, channels);
+        if (!simulated) return simulated.failure();
+      }
       comparisons.push_back(compare(experiment, channels_of(experiment, channels)));
       const auto& errors = comparisons.back().errors;
       score.residuals.insert(score.residuals.end(), errors.begin(), errors.end());

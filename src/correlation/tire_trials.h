@@ -34,13 +34,14 @@ class TireTrials {
   std::optional<fe_tire::FeTire> tire_;
 };
 
-/// run() as the evaluation service wants it.
+/// run() as the evaluation service wants it, or the outside program of the study.
 Evaluator evaluator(const Study& study);
 
 /// The target over the fitted experiments, with the signed errors (1), (2) as residuals.
 Objective objective(const Study& study);
 
-/// The channels of one experiment out of those of a trial, under their own names.
+/// The channels of one experiment out of those of a trial, under their own names; those of a
+/// simulator, which knows no experiments, are all of the trial's.
 Channels channels_of(const StudyExperiment& experiment, const Channels& trial);
 
 }  // namespace latsch::correlation

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// A curve y(x) of any simulator beside a measured one.
+//
+//   [experiment.step]
+//   kind = "curve"
+//   x = "response/time"                # channels: OUTPUT/QUANTITY; without x, sample by sample
+//   y = "response/z"
+//   measurement = "step.csv"           # columns time and z, as the channels are called
+//   scale = "10 mm"                    # what counts as an error of 100 %; the largest |y| unless
+//   given
+//
+//   d_i = (y_i^mea - y^sim(x_i^mea)) / scale       the simulated curve linear between its samples
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/document.h"
+#include "correlation/objective.h"
+#include "evaluation/simulator.h"
+
+namespace latsch::correlation {
+
+struct CurveExperiment {
+  std::string x;  // channel; empty: compared sample by sample
+  std::string y;
+  std::string x_unit = "1", y_unit = "1";      // SI
+  std::vector<double> x_measured, y_measured;  // SI
+  double scale = 1.0;                          // of y
+};
+
+/// Throws InputError where the simulator has no such channel or the measurement not these columns.
+CurveExperiment read_curve(const Node& table,
+                           const std::filesystem::path& measurement,
+                           const Simulator& simulator);
+
+/// What each measured value is called: "response/z at 0.5 s".
+std::vector<std::string> value_names(const CurveExperiment& curve);
+
+/// Simulated y at the measured abscissas. A Failure where there are too few values, x does not rise
+/// or the measurement reaches beyond it.
+Result<std::vector<double>> simulated_curve(const CurveExperiment& curve, const Channels& channels);
+
+Result<Comparison> compare_curve(const CurveExperiment& curve,
+                                 const Channels& channels,
+                                 const ObjectiveSettings& settings);
+
+}  // namespace latsch::correlation

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads the files an outside program leaves behind into channels, as a study declares them.
+//
+//   table     columns by the names in the header, with their units there (csv_table.h)
+//   columns   numbers in rows, columns by their place; lines before the first row of numbers are
+//             a header
+//   keys      lines `key = number` or `key: number`
+//   pattern   every line that matches a regular expression (ECMAScript) is a sample; the groups in
+//             brackets are its numbers
+//
+// What is missing, too little or no finite number is a Failure with Cause::bad_output that names
+// the output, the file, what was found and what was expected.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "measurement/channels.h"
+
+namespace latsch {
+
+struct OutputReader {
+  enum class Kind { table, columns, keys, pattern };
+  struct Quantity {
+    std::string name;
+    std::string unit = "1";  // in which the file has it
+  };
+
+  std::string name = {};  // of the output; its channels are NAME/QUANTITY
+  std::filesystem::path file = {};
+  Kind kind = Kind::table;
+  std::vector<Quantity> quantities = {};
+  std::vector<int> columns = {};       // columns: place of each quantity, from 1
+  std::vector<std::string> keys = {};  // keys: what stands before the number
+  std::string pattern = {};            // pattern
+  std::string after = {};              // pattern: only behind a line that contains this text
+  int samples = 0;                     // as many are expected; 0: at least one
+};
+
+/// Values in SI.
+Result<std::vector<Channel>> read_output(const OutputReader& reader,
+                                         const std::filesystem::path& folder);
+
+}  // namespace latsch

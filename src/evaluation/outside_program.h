@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs a program of somebody else to its end.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace latsch {
+
+/// Runs the program of that argument list in that folder, with nothing on its standard input and
+/// what it prints in `printed`, in the process group of this process. The Failure says how it ended
+/// unless with exit code 0, and the last line it printed.
+std::optional<Failure> run_program(const std::vector<std::string>& arguments,
+                                   const std::filesystem::path& folder,
+                                   const std::filesystem::path& printed);
+
+}  // namespace latsch

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/simulator.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/text.h"
+#include "evaluation/encoding.h"
+#include "evaluation/outside_program.h"
+
+namespace latsch {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kPrinted = "printed.txt";
+
+/// The folder of one trial. The process is part of its name: the same point may run twice at once.
+class TrialFolder {
+ public:
+  TrialFolder(const fs::path& scratch, const DesignPoint& point)
+      : path_(scratch / fmt::format("{:016x}-{}", hash(point.bits()), ::getpid())) {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+  }
+  ~TrialFolder() {
+    std::error_code ignored;
+    if (!kept_) fs::remove_all(path_, ignored);
+  }
+  TrialFolder(const TrialFolder&) = delete;
+  TrialFolder& operator=(const TrialFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+  void keep() { kept_ = true; }
+
+ private:
+  fs::path path_;
+  bool kept_ = false;
+};
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+void write_inputs(const Simulator& simulator,
+                  const DesignSpace& space,
+                  const DesignPoint& point,
+                  const fs::path& folder) {
+  for (const fs::path& file : simulator.copied) {
+    fs::copy_file(simulator.study_folder / file, folder / file.filename());
+  }
+  for (const Simulator::Input& input : simulator.inputs) {
+    write_text_file(folder / input.file, input.text.filled(space, point));
+  }
+}
+
+Result<Channels> run(const Simulator& simulator,
+                     const DesignSpace& space,
+                     const DesignPoint& point,
+                     const fs::path& folder) {
+  write_inputs(simulator, space, point, folder);
+  std::vector<std::string> arguments;
+  for (const std::string& argument : simulator.arguments) {
+    arguments.push_back(
+        replaced(argument, "{study}", fs::absolute(simulator.study_folder).string()));
+  }
+  if (const auto failure = run_program(arguments, folder, folder / kPrinted)) return *failure;
+  Channels channels;
+  for (const OutputReader& output : simulator.outputs) {
+    auto read = read_output(output, folder);
+    if (!read) return read.failure();
+    for (Channel& channel : *read) channels.add(std::move(channel));
+  }
+  return channels;
+}
+
+}  // namespace
+
+Evaluator evaluator(const Simulator& simulator, const DesignSpace& space) {
+  return [simulator, space](const DesignPoint& point) -> Result<Channels> {
+    TrialFolder folder(simulator.scratch, point);
+    auto result = run(simulator, space, point, folder.path());
+    if (result || !simulator.keep_failed) return result;
+    folder.keep();
+    Failure failure = result.failure();
+    failure.reason += "; its folder is " + folder.path().string();
+    return failure;
+  };
+}
+
+StudyIdentity identity(const Simulator& simulator, const DesignSpace& space) {
+  std::string inputs, readers, variables;
+  for (const Simulator::Input& input : simulator.inputs) {
+    inputs += fmt::format("{}\n{}\n", input.file, input.text.text());
+  }
+  for (const fs::path& file : simulator.copied) {
+    inputs += fmt::format("{}\n{}\n", file.string(), read_text_file(simulator.study_folder / file));
+  }
+  for (const OutputReader& r : simulator.outputs) {
+    readers += fmt::format("{} {} kind {} columns {} keys {} pattern {} after {} samples {}",
+                           r.name,
+                           r.file.string(),
+                           static_cast<int>(r.kind),
+                           fmt::join(r.columns, " "),
+                           fmt::join(r.keys, " "),
+                           r.pattern,
+                           r.after,
+                           r.samples);
+    for (const auto& quantity : r.quantities) {
+      readers += fmt::format(" {} [{}]", quantity.name, quantity.unit);
+    }
+    readers += "\n";
+  }
+  for (const DesignVariable& variable : space.variables()) {
+    variables += fmt::format("{} [{}]\n", variable.name, variable.unit);
+  }
+  return {{"program", fmt::format("{}\n", fmt::join(simulator.arguments, "\n"))},
+          {"inputs", inputs},
+          {"outputs", readers},
+          {"variables", variables}};
+}
+
+}  // namespace latsch

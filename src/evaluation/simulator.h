@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Software in the loop: an outside program in a model's place.
+//
+// A trial has a folder of its own: the input files with the values of the variables, copies of the
+// files the program needs, what it prints (printed.txt) and what it leaves behind. The program is
+// an argument list, never a shell line, with {study} for the folder of the study; it runs in the
+// process group of its worker, so that the timeout and the memory limit of a trial hold for it and
+// for all it starts. The folder is removed after the trial, except where a failed one is to be
+// kept.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "evaluation/evaluator.h"
+#include "evaluation/input_template.h"
+#include "evaluation/output_reader.h"
+#include "evaluation/study_identity.h"
+
+namespace latsch {
+
+struct Simulator {
+  struct Input {
+    std::string file;  // in the folder of the trial
+    InputTemplate text;
+  };
+
+  std::filesystem::path study_folder;
+  std::filesystem::path scratch;       // folders of trials are made in here
+  std::vector<std::string> arguments;  // the program and what follows it
+  std::vector<Input> inputs;
+  std::vector<std::filesystem::path> copied;  // files beside the study
+  std::vector<OutputReader> outputs;
+  bool keep_failed = false;  // folders of trials that failed
+};
+
+/// The channels of all outputs. Throws InputError for files that cannot be copied.
+Evaluator evaluator(const Simulator& simulator, const DesignSpace& space);
+
+/// What its channels depend on: program, inputs, copied files, readers, units.
+StudyIdentity identity(const Simulator& simulator, const DesignSpace& space);
+
+}  // namespace latsch

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/simulator.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "base/file.h"
+#include "evaluation/scratch_folder_testing.h"
+#include "evaluation/trial.h"
+
+namespace latsch {
+namespace {
+
+namespace fs = std::filesystem;
+
+DesignSpace space() {
+  return DesignSpace({{.name = "k", .lower = 1.0, .upper = 1e4, .initial = 2.0}});
+}
+
+/// A study folder with a shell script as the outside program.
+class SimulatorTest : public testing::Test {
+ protected:
+  Simulator simulator(const std::string& script) {
+    std::ofstream(folder_ / "program.sh") << script;
+    Simulator simulator;
+    simulator.study_folder = folder_.path();
+    simulator.scratch = folder_ / "scratch";
+    simulator.arguments = {"/bin/sh", "program.sh", "in.txt"};
+    simulator.inputs.push_back({"in.txt", InputTemplate("k = {k}\n", "in.txt", space())});
+    simulator.copied = {"program.sh"};
+    simulator.outputs = {reader_};
+    return simulator;
+  }
+
+  Result<Channels> run(const std::string& script) {
+    return evaluate(evaluator(simulator(script), space()), {{42.0}}).result;
+  }
+
+  std::string reason(const std::string& script) {
+    const auto result = run(script);
+    EXPECT_FALSE(result.ok());
+    if (!result) cause_ = result.failure().cause;
+    return result ? "" : result.failure().reason;
+  }
+
+  void expect_contains(const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  }
+
+  ScratchFolder folder_;
+  OutputReader reader_{"out", "out.txt", OutputReader::Kind::keys, {{"f", "kN"}}, {}, {"force"}};
+  Cause cause_ = Cause::point;
+};
+
+TEST_F(SimulatorTest, ReadsTheInputAndItsOutputBecomesChannelsInSi) {
+  const auto channels = run("sed 's/k/force/' $1 > out.txt");
+  ASSERT_TRUE(channels.ok()) << channels.failure().reason;
+  EXPECT_EQ((*channels)["out/f"], std::vector<double>{42'000.0});
+  EXPECT_EQ(channels->all().front().unit, "N");
+  EXPECT_TRUE(fs::is_empty(folder_ / "scratch"));
+}
+
+TEST_F(SimulatorTest, HowAProgramFailedIsToldWithTheLastLineItPrinted) {
+  const std::string text = reason("echo starting; echo 'no license' >&2; exit 3");
+  expect_contains(text, "exited with code 3; it last printed \"no license\"");
+  expect_contains(reason("kill -SEGV $$"), "killed by signal 11");
+  Simulator absent = simulator("");
+  absent.arguments = {"/no/such/program"};
+  const auto result = evaluate(evaluator(absent, space()), {{1.0}}).result;
+  expect_contains(result.failure().reason, "cannot start \"/no/such/program\"");
+}
+
+TEST_F(SimulatorTest, OutputsThatAreMissingOrNonsenseAreNamed) {
+  expect_contains(reason("true"), "output \"out\": the program wrote no file out.txt");
+  EXPECT_EQ(cause_, Cause::bad_output);
+  expect_contains(reason("echo 'force = much' > out.txt"),
+                  "output \"out\" (keys): out.txt:1 has \"much\" for force, expected a number");
+  expect_contains(reason("echo 'Force = 2' > out.txt"), "holds no value of f");
+  expect_contains(reason("echo 'force = nan' > out.txt"), "expected a finite number");
+  expect_contains(reason("head -c 100000 /dev/urandom > out.txt"), "out.txt");
+}
+
+TEST_F(SimulatorTest, TheFolderOfAFailedTrialIsKeptWhereThatIsAskedFor) {
+  Simulator keeping = simulator("exit 1");
+  keeping.keep_failed = true;
+  const auto result = evaluate(evaluator(keeping, space()), {{42.0}}).result;
+  ASSERT_FALSE(result.ok());
+  expect_contains(result.failure().reason, "its folder is ");
+  const fs::path kept = fs::directory_iterator(folder_ / "scratch")->path();
+  EXPECT_EQ(read_text_file(kept / "in.txt"), "k = 42\n");
+}
+
+TEST_F(SimulatorTest, ItsIdentityIsProgramInputsReadersAndUnits) {
+  const Simulator one = simulator("true");
+  Simulator other = one;
+  EXPECT_FALSE(difference(identity(one, space()), identity(other, space())));
+  other.outputs.front().quantities.front().unit = "N";
+  expect_contains(*difference(identity(one, space()), identity(other, space())), "outputs");
+  std::ofstream(folder_ / "program.sh") << "false";
+  expect_contains(
+      *difference(identity(simulator("true"), space()), identity(simulator("false"), space())),
+      "inputs");
+}
+
+}  // namespace
+}  // namespace latsch
