@@ -147,6 +147,18 @@ TEST(Identification, ModelsThatFailFurtherOutEndTheLadder) {
   EXPECT_EQ(a.identification.profiles()[0].verdict, Verdict::flat);
 }
 
+// r = (exp(20 (x - 0.5)) - 1) / 100 with noise 1: S stays below t^2 up to x = 0.5 + ln(100 t + 1) /
+// 20 and leaps above it within a rung of a tenth of the range.
+TEST(Identification, FindsTheEndOfAnIntervalBehindWhichSLeaps) {
+  const auto a = analyze(
+      box({0.5}, 0, 1),
+      [](const auto& x) { return Eigen::VectorXd{{(std::exp(20 * (x[0] - 0.5)) - 1) / 100}}; },
+      {.confidence = {.sigma = 1.0}});
+  const double end = 0.5 + std::log(100 * 1.959964 + 1) / 20;
+  EXPECT_NEAR(a.identification.profiles()[0].interval.upper, end, 0.006);
+  EXPECT_EQ(a.identification.profiles()[0].verdict, Verdict::one_sided);
+}
+
 // A twin: the model fitted to itself leaves no residuals to estimate a spread from but zeros.
 TEST(Identification, OfAPerfectFitIsIdentifiableWithAWidthOfRounding) {
   const auto a = analyze(box({0.5, 0.5}, 0, 1), [](const auto& x) {

@@ -18,6 +18,8 @@ constexpr double kLonger = 1.6;     // from rung to rung
 // by half of it; nor of the rise of S, far out where only the shape matters.
 constexpr double kTolerance = 0.02;
 constexpr int kEvaluationsOfARung = 30;
+constexpr double kLeap = 4.0;  // thresholds: between two rungs the root of S is no straight line
+constexpr int kHalvings = 3;
 // What the profile has to fall again to count as another minimum, of its height there: refits that
 // ended early leave ripples.
 constexpr double kFall = 0.1;
@@ -81,7 +83,8 @@ ProfileBranch::ProfileBranch(
       length_(std::clamp(kFirstRung * half, kShortestRung, kLongestRung)),
       threshold_(threshold),
       least_(best.sum_of_squares()),
-      free_(all_but(variable, best.u.size())) {
+      free_(all_but(variable, best.u.size())),
+      last_(best) {
   next_rung(best);
 }
 
@@ -93,31 +96,72 @@ void ProfileBranch::observe(const std::optional<Eigen::VectorXd>& residuals) {
   assert(refit_ && refit_->wanted());
   refit_->observe(residuals);
   if (refit_->wanted()) return;
-  if (!refit_->fitted()) {  // the model does not go further out
-    refit_.reset();
+  const bool fitted = refit_->fitted();
+  const Linearization reached = refit_->best();
+  refit_.reset();
+  if (fitted) insert(reached);
+  if (bracket_) {
+    if (fitted && within(reached)) {
+      bracket_->inner = reached;
+    } else if (fitted) {
+      bracket_->upper = reached.u[variable_];
+    }
+    halve();
     return;
   }
-  const Linearization reached = refit_->best();
-  points_.push_back({reached.u, reached.sum_of_squares()});
-  length_ = std::min(kLonger * length_, kLongestRung);
+  if (!fitted) return;  // the model does not go further out
+  if (leaps(last_, reached)) {
+    bracket_ = {last_, reached, reached.u[variable_]};
+    last_ = reached;
+    halve();
+    return;
+  }
+  last_ = reached;
   next_rung(reached);
+}
+
+bool ProfileBranch::leaps(const Linearization& from, const Linearization& to) const {
+  return within(from) && to.sum_of_squares() - least_ > kLeap * threshold_;
+}
+
+void ProfileBranch::insert(const Linearization& reached) {
+  const auto further = [&](const ProfilePoint& point) {
+    return direction_ * (point.u[variable_] - reached.u[variable_]) > 0.0;
+  };
+  points_.insert(std::find_if(points_.begin(), points_.end(), further),
+                 {reached.u, reached.sum_of_squares()});
+}
+
+/// Another rung inside the bracket, or on with the ladder.
+void ProfileBranch::halve() {
+  const double inner = bracket_->inner.u[variable_];
+  if (bracket_->halvings++ < kHalvings && std::abs(bracket_->upper - inner) > kShortestRung) {
+    climb(bracket_->inner, 0.5 * (inner + bracket_->upper));
+    return;
+  }
+  const Linearization outer = bracket_->outer;
+  bracket_.reset();
+  next_rung(outer);
 }
 
 void ProfileBranch::next_rung(const Linearization& from) {
   const double at = from.u[variable_];
   const double bound = direction_ > 0 ? 1.0 : 0.0;
-  if (at == bound) {
-    refit_.reset();
-    return;
-  }
+  if (at == bound) return;
+  if (!points_.empty()) length_ = std::min(kLonger * length_, kLongestRung);
   // A last rung of less than half a step joins the one before it.
   const bool last = std::abs(bound - at) < 1.5 * length_;
-  refit_.emplace(
-      from,
-      free_,
-      RefitOptions{.tolerance = kTolerance * threshold_, .most_evaluations = kEvaluationsOfARung},
-      variable_,
-      last ? bound : at + direction_ * length_);
+  climb(from, last ? bound : at + direction_ * length_);
+}
+
+void ProfileBranch::climb(const Linearization& from, double to) {
+  const double rise = from.sum_of_squares() - least_;
+  refit_.emplace(from,
+                 free_,
+                 RefitOptions{.tolerance = kTolerance * std::max(threshold_, rise),
+                              .most_evaluations = kEvaluationsOfARung},
+                 variable_,
+                 to);
 }
 
 Profile judge(const Linearization& best,

@@ -13,8 +13,9 @@
 //   several_minima   S_i falls again behind a rise: a search can end in the wrong basin
 //
 // The ladder starts at the best point in steps as long as the linear interval and lengthens them to
-// a tenth of the range, up to both bounds. Each rung is a refit that starts where the last ended;
-// it may miss a better basin of the other variables, so S_i is an upper bound.
+// a tenth of the range, up to both bounds; a rung that leaps over the threshold is halved. Each
+// rung is a refit that starts where the last ended; it may miss a better basin of the other
+// variables, so S_i is an upper bound.
 #pragma once
 
 #include <string>
@@ -44,11 +45,24 @@ class ProfileBranch {
   const std::vector<ProfilePoint>& points() const { return points_; }
 
  private:
+  struct Bracket {
+    Linearization inner, outer;  // below the threshold, and far above it
+    double upper;                // the variable at the least rung known to be above
+    int halvings = 0;
+  };
+
   void next_rung(const Linearization& from);
+  void climb(const Linearization& from, double to);
+  void halve();
+  bool within(const Linearization& at) const { return at.sum_of_squares() - least_ <= threshold_; }
+  bool leaps(const Linearization& from, const Linearization& to) const;
+  void insert(const Linearization& reached);
 
   int variable_, direction_;
   double length_, threshold_, least_;
   std::vector<int> free_;
+  Linearization last_;  // rung of the ladder
+  std::optional<Bracket> bracket_;
   std::optional<Refit> refit_;
   std::vector<ProfilePoint> points_;
 };
