@@ -145,6 +145,12 @@ class GoodInput(Coarse):
         text = self.latsch("identify", self.study, "--short")
         self.assert_says(text, "singular value", "Values and their confidence intervals, from 8 measured values")
         self.assertEqual(trials_of(self.folder / "study.latsch"), trials)  # the fit left them in the journal
+        verdict = r"(sidewall|carcass) +(identifiable|one-sided|flat|several minima)"
+        self.assertRegex(self.latsch("identify", self.study), verdict)
+        self.assertIn("What the data determine", (self.folder / "study.html").read_text())
+        trials = trials_of(self.folder / "study.latsch")
+        self.assertRegex(self.latsch("identify", self.study, "--workers", "1"), verdict)
+        self.assertEqual(trials_of(self.folder / "study.latsch"), trials)
         edit(self.study, ("timeout = .*", 'timeout = "10 min"\nintervals = false'))
         self.assertNotIn("95 %", self.latsch("run", self.study))
 

@@ -11,6 +11,7 @@
 #include "correlation/residuals.h"
 #include "evaluation/inline_executor.h"
 #include "evaluation/scratch_folder_testing.h"
+#include "evaluation/simulated_executor.h"
 
 namespace latsch::correlation {
 namespace {
@@ -19,7 +20,8 @@ namespace {
 Study study() {
   StudyExperiment press;
   press.name = "press";
-  press.load_case.test = experiment::LoadDeflection{.deflections = {0.01, 0.02}};
+  press.load_case.test =
+      experiment::LoadDeflection{.deflections = {0.01, 0.02}, .loaded_radii = {}};
   press.forces = {20.0, 40.0};
   press.noise = 0.01;
   StudyExperiment alone = press;
@@ -123,6 +125,27 @@ TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
   ASSERT_TRUE(page);
   EXPECT_EQ(page->gains[0].measurement, "alone");
   EXPECT_EQ(page->intervals[0], "anywhere between the bounds");
+}
+
+TEST(Identifiability, HasTheSameBitsForAnyNumberOfWorkers) {
+  const Study s = study();
+  std::vector<ProfilePoint> first;
+  for (int workers : {1, 2, 4, 8}) {
+    const ScratchFolder folder;
+    Journal journal = Journal::open(folder / "springs.latsch", {{"model", "springs"}});
+    SimulatedExecutor executor(springs, {.workers = workers, .seed = 7});
+    RunOptions options;
+    options.commit_in_background = false;
+    const auto result = identify(s, s.space.initial(), Depth::profiles, executor, journal, options);
+    ASSERT_TRUE(result && *result);
+    const auto& points = (*result)->identification.profiles()[1].points;
+    if (workers == 1) first = points;
+    ASSERT_EQ(points.size(), first.size());
+    for (size_t k = 0; k < points.size(); ++k) {
+      EXPECT_EQ(points[k].u, first[k].u);
+      EXPECT_EQ(points[k].S, first[k].S);
+    }
+  }
 }
 
 }  // namespace
