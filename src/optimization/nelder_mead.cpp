@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/nelder_mead.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+namespace latsch {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Vertex {
+  Eigen::VectorXd u;
+  DesignPoint point;
+  double f = kInfinity;
+};
+
+enum class Phase { simplex, reflection, expansion, contraction, ended };
+
+void check(const NelderMeadOptions& options) {
+  const auto reject = [](const char* name, double found, const char* expected) {
+    throw InputError(fmt::format("Nelder-Mead: {} is {}, expected {}", name, found, expected));
+  };
+  if (!(options.initial_step > 0.0 && options.initial_step <= 0.5)) {
+    reject("initial step", options.initial_step, "a share of the range, above 0 and up to 0.5");
+  }
+  if (!(options.step_tolerance > 0.0 && options.step_tolerance < options.initial_step)) {
+    reject("step tolerance", options.step_tolerance, "above 0 and below the initial step");
+  }
+}
+
+}  // namespace
+
+struct NelderMead::State {
+  DesignSpace space;
+  NelderMeadOptions options;
+  double beta, gamma, delta;
+
+  Phase phase = Phase::simplex;
+  std::vector<Vertex> known;   // vertices, best first once all are known
+  std::vector<Vertex> wanted;  // vertices of the simplex or the trial point
+  Eigen::VectorXd centroid;
+  Vertex reflected;
+
+  State(const DesignSpace& s, const NelderMeadOptions& o) : space(s), options(o) {
+    const double n = std::max(2, space.size());
+    beta = 1.0 + 2.0 / n;
+    gamma = 0.75 - 0.5 / n;
+    delta = 1.0 - 1.0 / n;
+    const std::vector<double> u = space.to_unit(space.initial());
+    const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(u.data(), space.size());
+    wanted.push_back(at(start));
+    for (int i = 0; i < space.size(); ++i) {
+      Eigen::VectorXd other = start;
+      other[i] += (other[i] > 0.5 ? -1.0 : 1.0) * options.initial_step;  // where there is room
+      wanted.push_back(at(other));
+    }
+  }
+
+  Vertex at(const Eigen::VectorXd& u) const {
+    const Eigen::VectorXd inside = u.cwiseMax(0.0).cwiseMin(1.0);
+    return {inside, space.from_unit({inside.begin(), inside.end()})};
+  }
+
+  const Vertex& best() const { return known.front(); }
+  Vertex& worst() { return known.back(); }
+  double second_worst() const { return known.size() > 1 ? known[known.size() - 2].f : best().f; }
+
+  /// All vertices are known: the next reflection, or the end.
+  void reflect() {
+    const auto less = [](const Vertex& a, const Vertex& b) { return a.f < b.f; };
+    std::stable_sort(known.begin(), known.end(), less);
+    const bool is_small = std::all_of(known.begin(), known.end(), [&](const Vertex& v) {
+      return (v.u - best().u).lpNorm<Eigen::Infinity>() < options.step_tolerance;
+    });
+    phase = is_small || best().f == kInfinity ? Phase::ended : Phase::reflection;
+    if (phase == Phase::ended) return;
+    centroid = Eigen::VectorXd::Zero(space.size());
+    for (std::size_t i = 0; i + 1 < known.size(); ++i) centroid += known[i].u;
+    centroid /= static_cast<double>(known.size() - 1);
+    wanted = {at(centroid + (centroid - worst().u))};
+  }
+
+  void replace_worst(const Vertex& vertex) {
+    worst() = vertex;
+    reflect();
+  }
+
+  void take_reflection(const Vertex& r) {
+    reflected = r;
+    if (r.f < best().f) {
+      phase = Phase::expansion;
+      wanted = {at(centroid + beta * (r.u - centroid))};
+    } else if (r.f < second_worst()) {
+      replace_worst(r);
+    } else {
+      phase = Phase::contraction;
+      const double side = r.f < worst().f ? 1.0 : -1.0;
+      wanted = {at(centroid + side * gamma * (centroid - worst().u))};
+    }
+  }
+
+  void shrink() {
+    phase = Phase::simplex;
+    wanted.clear();
+    for (std::size_t i = 1; i < known.size(); ++i) {
+      wanted.push_back(at(best().u + delta * (known[i].u - best().u)));
+    }
+    known.resize(1);
+  }
+
+  void take(const Vertex& tried) {
+    switch (phase) {
+      case Phase::simplex:
+        known.push_back(tried);
+        if (wanted.empty()) reflect();
+        return;
+      case Phase::reflection:
+        return take_reflection(tried);
+      case Phase::expansion:
+        return replace_worst(tried.f < reflected.f ? tried : reflected);
+      case Phase::contraction:
+        return tried.f < std::min(reflected.f, worst().f) ? replace_worst(tried) : shrink();
+      case Phase::ended:
+        return;
+    }
+  }
+};
+
+NelderMead::NelderMead(const DesignSpace& space, const NelderMeadOptions& options) {
+  check(options);
+  state_ = std::make_unique<State>(space, options);
+}
+
+NelderMead::~NelderMead() = default;
+
+std::vector<DesignPoint> NelderMead::propose(int count) const {
+  assert(count >= 1);
+  std::vector<DesignPoint> plan;
+  const auto add = [&](const Vertex& v) {
+    const bool is_named = std::find(plan.begin(), plan.end(), v.point) != plan.end();
+    if (std::ssize(plan) < count && !is_named) plan.push_back(v.point);
+  };
+  for (const Vertex& v : state_->wanted) add(v);
+  if (state_->phase == Phase::reflection) {  // what may follow: expansion, contraction
+    const Eigen::VectorXd away = state_->centroid - state_->worst().u;
+    add(state_->at(state_->centroid - state_->gamma * away));
+    add(state_->at(state_->centroid + state_->beta * away));
+    add(state_->at(state_->centroid + state_->gamma * away));
+  }
+  return plan;
+}
+
+void NelderMead::observe(const DesignPoint& point, const Result<Score>& outcome) {
+  auto& wanted = state_->wanted;
+  const auto found =
+      std::find_if(wanted.begin(), wanted.end(), [&](const Vertex& v) { return v.point == point; });
+  if (found == wanted.end()) return;
+  Vertex tried = *found;
+  wanted.erase(found);
+  tried.f = outcome ? outcome->value : kInfinity;
+  state_->take(tried);
+}
+
+bool NelderMead::converged() const { return state_->wanted.empty(); }
+
+}  // namespace latsch
