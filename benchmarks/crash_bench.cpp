@@ -26,7 +26,6 @@
 #include "evaluation/scheduler.h"
 #include "evaluation/scratch_folder_testing.h"
 #include "fit_study.h"
-#include "optimization/gss.h"
 #include "table.h"
 
 namespace latsch::benchmarks {
@@ -114,9 +113,9 @@ std::vector<Trial> trials_of(const correlation::Study& study) {
 
 /// The whole trajectory, bit by bit; empty where it did not converge.
 std::string trajectory(const correlation::Study& study) {
-  Gss gss(study.space, study.gss);
-  const Run run =
-      replay(gss, correlation::objective(study), Journal::read(study.run.journal), study.max_steps);
+  const auto optimizer = correlation::make_optimizer(study);
+  const Run run = replay(
+      *optimizer, correlation::objective(study), Journal::read(study.run.journal), study.max_steps);
   if (run.end != RunEnd::converged) return {};
   std::string bits;
   for (const Step& step : run.steps) {

@@ -9,7 +9,6 @@
 #include "correlation/tire_trials.h"
 #include "correlation/twin.h"
 #include "evaluation/process_executor.h"
-#include "optimization/gss.h"
 
 namespace latsch::benchmarks {
 
@@ -64,11 +63,11 @@ Fit fit(const correlation::Study& study, int workers) {
     options.workers = workers;
     options.timeout = study.run.timeout;
     ProcessExecutor executor(options);
-    Gss gss(study.space, study.gss);
+    const auto optimizer = correlation::make_optimizer(study);
     RunOptions run;
     run.max_steps = study.max_steps;
     const auto start = std::chrono::steady_clock::now();
-    fit.run = run_optimizer(gss, correlation::objective(study), executor, &journal, run);
+    fit.run = run_optimizer(*optimizer, correlation::objective(study), executor, &journal, run);
     fit.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fit.trials = journal.size();
     journal.for_each([&](const Trial& trial) { fit.cpu_time += trial.outcome.cpu_time; });

@@ -122,13 +122,14 @@ void check(const std::string& file) {
   for (const StudyExperiment& experiment : study.experiments) {
     if (mesh) print_experiment(experiment, *mesh);
   }
+  const MethodChoice choice = method_of(study);
   fmt::print(
-      "\nOptimizer gss: initial step {:g}, step tolerance {:g}, at most {} steps\n"
+      "\nOptimizer {}, at most {} steps: {}\n"
       "Workers {}, {:g} s a trial at most, journal {}\n"
       "\nEverything is in order. Next: latsch run {}\n",
-      study.gss.initial_step,
-      study.gss.step_tolerance,
+      in_words(choice.method),
       study.max_steps,
+      choice.reason,
       study.run.workers,
       study.run.timeout,
       study.run.journal.string(),

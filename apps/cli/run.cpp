@@ -11,7 +11,6 @@
 #include "cli/trials.h"
 #include "cli/verbs.h"
 #include "correlation/tire_trials.h"
-#include "optimization/gss.h"
 
 namespace latsch::cli {
 namespace {
@@ -66,8 +65,8 @@ int fit(const std::string& file, int workers, bool resuming) {
   catch_interrupts();
   clear_scratch(study);
   ProcessExecutor executor(worker_processes(study));
-  Gss gss(study.space, study.gss);
-  const Run run = run_optimizer(gss,
+  const auto optimizer = correlation::make_optimizer(study);
+  const Run run = run_optimizer(*optimizer,
                                 correlation::objective(study),
                                 executor,
                                 &journal,

@@ -83,18 +83,6 @@ std::vector<StudyExperiment> read_experiments(const Node& root,
   return experiments;
 }
 
-GssOptions read_gss(const Node& node) {
-  const GssOptions d;
-  const Range share{0.0, 1.0, true};
-  GssOptions options;
-  options.initial_step = node.quantity("initial_step", "1", share, d.initial_step);
-  options.step_tolerance = node.quantity("step_tolerance", "1", share, d.step_tolerance);
-  options.contraction = node.quantity("contraction", "1", share, d.contraction);
-  options.sufficient_decrease =
-      node.quantity("sufficient_decrease", "1", Range::not_negative(), d.sufficient_decrease);
-  return options;
-}
-
 std::string list(const Eigen::Matrix3Xd& points) {
   std::string text;
   for (double x : points.reshaped()) text += fmt::format("{} ", x);
@@ -159,8 +147,7 @@ Study read_study(const std::filesystem::path& file, Measurements measurements) {
               std::nullopt,
               {}};
   if (const auto optimizer = root.find_table("optimizer")) {
-    optimizer->choice("method", {"gss"}, "gss");
-    study.gss = read_gss(*optimizer);
+    study.optimizer = read_optimizer(*optimizer);
     study.max_steps = optimizer->integer("max_steps", 1, kMostSteps, study.max_steps);
   }
   if (const auto doe = root.find_table("doe")) study.doe = read_design(*doe, study.space);

@@ -9,12 +9,7 @@
 //   [variable.matrix]                         # see variables.h
 //   [experiment.stiffness]                    # see study_experiment.h
 //
-//   [optimizer]
-//   method = "gss"
-//   step_tolerance = 0.001                    # of the range of a variable, as initial_step = 0.2
-//   contraction = 0.5
-//   sufficient_decrease = 0.01
-//   max_steps = 1000                          # outcomes the optimizer may observe
+//   [optimizer]                               # see study_optimizer.h
 //
 //   [doe]                                     # see study_design.h
 //
@@ -32,9 +27,9 @@
 #include "correlation/simulator_settings.h"
 #include "correlation/study_design.h"
 #include "correlation/study_experiment.h"
+#include "correlation/study_optimizer.h"
 #include "evaluation/journal.h"
 #include "optimization/design_space.h"
-#include "optimization/gss.h"
 
 namespace latsch::correlation {
 
@@ -45,7 +40,7 @@ struct Study {
   Document model;  // as written; with the variables at a point: at(model, space, point)
   DesignSpace space;
   std::vector<StudyExperiment> experiments;  // in the order of the file
-  GssOptions gss;
+  OptimizerSettings optimizer;
   long max_steps = 1000;
   std::optional<StudyDesign> doe;
   RunSettings run;

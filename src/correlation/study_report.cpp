@@ -14,7 +14,6 @@
 #include "correlation/report_identifiability.h"
 #include "correlation/tire_trials.h"
 #include "evaluation/scheduler.h"
-#include "optimization/gss.h"
 
 namespace latsch::correlation {
 namespace {
@@ -180,8 +179,8 @@ void add_variables(const Study& study, const DesignPoint& found, StudyReport& pa
 
 /// The optimizer's trajectory as far as the journal knows it; none where it was never run.
 void add_convergence(const Study& study, const Journal& journal, StudyReport& page) {
-  Gss gss(study.space, study.gss);
-  const Run run = replay(gss, objective(study), journal, study.max_steps);
+  const auto optimizer = make_optimizer(study);
+  const Run run = replay(*optimizer, objective(study), journal, study.max_steps);
   if (run.steps.empty()) return;
   report::Convergence convergence;
   for (const Step& step : run.steps) {
@@ -189,7 +188,8 @@ void add_convergence(const Study& study, const Journal& journal, StudyReport& pa
                                               : std::numeric_limits<double>::quiet_NaN());
   }
   page.convergence = std::move(convergence);
-  page.run->method = fmt::format("generating-set search, {} steps", run.steps.size());
+  page.run->method =
+      fmt::format("{}, {} steps", in_words(method_of(study).method), run.steps.size());
   page.run->ended = run.end == RunEnd::converged   ? "step tolerance reached"
                     : run.end == RunEnd::max_steps ? "largest number of steps reached"
                                                    : "not finished";

@@ -32,6 +32,20 @@ std::string_view name(Method method) {
   return "";
 }
 
+std::string_view in_words(Method method) {
+  switch (method) {
+    case Method::gss:
+      return "generating-set search";
+    case Method::residual_trust_region:
+      return "residual trust region";
+    case Method::nelder_mead:
+      return "Nelder-Mead";
+    case Method::genetic:
+      return "genetic algorithm";
+  }
+  return "";
+}
+
 const std::vector<std::string>& method_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;

@@ -24,6 +24,8 @@ enum class Method { gss, residual_trust_region, nelder_mead, genetic };
 
 /// As in a study: "gss" ...
 std::string_view name(Method method);
+/// As in a report: "generating-set search" ...
+std::string_view in_words(Method method);
 /// The names of all methods, and "auto".
 const std::vector<std::string>& method_names();
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// The optimizer of a study.
+//
+//   [optimizer]
+//   method = "gss"                # or residual_trust_region, nelder_mead, genetic, auto
+//   step_tolerance = 0.001        # of the range of a variable, as initial_step = 0.1
+//   outstanding = 1               # points decided on at once: gss and residual_trust_region
+//   max_steps = 1000              # outcomes the optimizer may observe
+//   contraction = 0.5             # gss
+//   sufficient_decrease = 0.01    # gss
+//   restarts = 0                  # residual_trust_region: begins again so often, under noise
+//   population = 40               # genetic
+//   generations = 50              # genetic
+//   seed = 1                      # residual_trust_region, genetic
+//
+// residual_trust_region makes the sum of the squared relative errors least, whatever exponent the
+// objectives have; the other methods the target itself.
+#pragma once
+
+#include <memory>
+
+#include "base/document.h"
+#include "optimization/optimizer_choice.h"
+
+namespace latsch::correlation {
+
+/// Throws InputError naming file, line, found and expected.
+OptimizerSettings read_optimizer(const Node& table);
+
+struct Study;
+
+/// Does not depend on what the journal holds: a resumed run uses the same method.
+MethodChoice method_of(const Study& study);
+
+std::unique_ptr<Optimizer> make_optimizer(const Study& study);
+
+}  // namespace latsch::correlation

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/study_optimizer.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+
+namespace latsch::correlation {
+namespace {
+
+OptimizerSettings read(const std::string& text) {
+  const Document document = Document::parse(text, "study.toml");
+  const Node root = document.root();
+  const OptimizerSettings settings = read_optimizer(root);
+  root.close();
+  return settings;
+}
+
+TEST(StudyOptimizer, IsASearchByDirectionsUnlessTheStudySaysOtherwise) {
+  EXPECT_EQ(read("").method, "gss");
+  const OptimizerSettings gss = read("initial_step = 0.2\ncontraction = 0.6");
+  EXPECT_EQ(gss.gss.initial_step, 0.2);
+  EXPECT_EQ(gss.gss.contraction, 0.6);
+}
+
+TEST(StudyOptimizer, ReadsTheOptionsOfItsMethod) {
+  const auto trust =
+      read("method = \"residual_trust_region\"\ninitial_step = 0.2\nrestarts = 2\noutstanding = 8");
+  EXPECT_EQ(trust.residual_trust_region.initial_radius, 0.2);
+  EXPECT_EQ(trust.residual_trust_region.restarts, 2);
+  EXPECT_EQ(trust.residual_trust_region.outstanding, 8);
+  EXPECT_EQ(read("method = \"genetic\"\npopulation = 12").genetic.population, 12);
+  EXPECT_EQ(read("method = \"nelder_mead\"\nstep_tolerance = 0.01").nelder_mead.step_tolerance,
+            0.01);
+  EXPECT_EQ(read("method = \"auto\"\nrestarts = 1").residual_trust_region.restarts, 1);
+}
+
+TEST(StudyOptimizer, RefusesOtherMethodsAndOptionsOfAnotherMethod) {
+  EXPECT_THROW(read("method = \"newton\""), InputError);
+  EXPECT_THROW(read("method = \"residual_trust_region\"\ncontraction = 0.5"), InputError);
+  EXPECT_THROW(read("method = \"gss\"\nrestarts = 1"), InputError);
+  EXPECT_THROW(read("method = \"residual_trust_region\"\ninitial_step = 0.7"), InputError);
+}
+
+}  // namespace
+}  // namespace latsch::correlation
