@@ -12,11 +12,11 @@
 #include "cli/verbs.h"
 #include "correlation/best_trial.h"
 #include "correlation/doe_basins.h"
+#include "correlation/doe_effects.h"
 
 namespace latsch::cli {
 namespace {
 
-using correlation::DesignKind;
 using correlation::RatedTrial;
 using correlation::Study;
 using correlation::StudyDesign;
@@ -71,17 +71,10 @@ void print_basins(const Study& study, const StudyDesign& design, const Journal& 
   if (!found->doubt.empty()) fmt::print("Too coarse to trust: {}.\n", found->doubt);
 }
 
-void print_sensitivities(const Study& study, const StudyDesign& design, const Targets& targets) {
-  const MorrisDesign trajectories = correlation::morris_design(design, study.space);
-  std::vector<std::vector<std::optional<double>>> values;
-  for (const auto& trajectory : trajectories.trajectories) {
-    values.emplace_back();
-    for (const DesignPoint& point : trajectory) {
-      const auto target = targets.find(point.bits());
-      values.back().push_back(target != targets.end() ? std::optional(target->second)
-                                                      : std::nullopt);
-    }
-  }
+void print_effects(const Study& study, const StudyDesign& design, const Journal& journal) {
+  const auto effects =
+      correlation::doe_effects(study, design, correlation::rated_trials(study, journal));
+  if (effects.empty()) return;
   fmt::print(
       "\nMorris' elementary effects: change of the target over a variable's whole range, "
       "in points of %\n  {:<16} {:>10} {:>10} {:>10} {:>8}\n",
@@ -90,7 +83,6 @@ void print_sensitivities(const Study& study, const StudyDesign& design, const Ta
       "mu",
       "sigma",
       "effects");
-  const auto effects = elementary_effects(study.space, trajectories, values);
   for (int i = 0; i < study.space.size(); ++i) {
     fmt::print("  {:<16} {:10.3f} {:10.3f} {:10.3f} {:8}\n",
                study.space[i].name,
@@ -143,7 +135,7 @@ int doe(const std::string& file, int levels, int workers) {
     print_point(study.space, points[i].point);
   }
   print_basins(study, design, journal);
-  if (design.kind == DesignKind::morris) print_sensitivities(study, design, targets);
+  print_effects(study, design, journal);
   clear_scratch(study);
   return write_report(study, journal);
 }

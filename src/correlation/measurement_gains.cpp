@@ -96,8 +96,7 @@ std::vector<MeasurementGain> prediction_gains(const Study& study,
     const auto known = known_residuals(r);
     if (known.empty()) continue;
     for (Eigen::VectorXd& v : r) v = Eigen::VectorXd(v(known));
-    const double spread =
-        alone.experiments[0].noise ? 1.0 : what.identification.confidence().sigma;
+    const double spread = alone.experiments[0].noise ? 1.0 : what.identification.confidence().sigma;
     candidates.push_back({experiment.name, differences(study.space, points, r).J / spread});
   }
   return gains(*J, candidates);

@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "correlation/doe_basins.h"
+#include "correlation/doe_effects.h"
 #include "correlation/measurement_gains.h"
 #include "correlation/predictions.h"
 
@@ -137,6 +138,18 @@ std::optional<report::Basins> basins_of(const Study& study, const std::vector<Ra
     page.rows.push_back(std::move(row));
   }
   return page;
+}
+
+std::vector<report::EffectRow> effects_of(const Study& study,
+                                          const std::vector<RatedTrial>& trials) {
+  if (!study.doe) return {};
+  std::vector<report::EffectRow> rows;
+  for (const ElementaryEffects& e : doe_effects(study, *study.doe, trials)) {
+    if (e.effects == 0) return {};  // never evaluated
+    rows.push_back(
+        {study.space[static_cast<int>(rows.size())].name, e.mu_star, e.mu, e.sigma, e.effects});
+  }
+  return rows;
 }
 
 }  // namespace latsch::correlation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fills the report's chapters on what the data determine and on the minima of a design.
+// Fills the report's chapters on what the data determine and what a design of experiments showed.
 #pragma once
 
 #include <optional>
@@ -17,6 +17,10 @@ std::optional<report::Identifiability> identifiability_of(const Study& study,
 
 /// The minima of the design that was evaluated; nullopt where there is none.
 std::optional<report::Basins> basins_of(const Study& study, const std::vector<RatedTrial>& trials);
+
+/// Where the study's design is Morris'; empty otherwise.
+std::vector<report::EffectRow> effects_of(const Study& study,
+                                          const std::vector<RatedTrial>& trials);
 
 /// "matrix up, carcass down": the variables that make up most of a direction of the unit cube.
 std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction);

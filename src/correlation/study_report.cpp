@@ -243,6 +243,7 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
   const auto rated = rated_trials(study, journal);
   page.surfaces = doe_surfaces(study, rated, best->point);
   page.basins = basins_of(study, rated);
+  page.effects = effects_of(study, rated);
   page.identifiability = identifiability_of(study, journal);
   if (trials) {
     add_found_tire(study, best->point, *trials, page);

@@ -140,6 +140,26 @@ std::string basins(const Basins& basins) {
                   : html;
 }
 
+std::string effects(const StudyReport& report) {
+  std::string html =
+      "<p class=\"lead\">Morris' elementary effects: how much the target changes over a variable's "
+      "whole range.</p><div class=\"scroll\"><table><thead><tr><th>Variable</th>"
+      "<th class=\"n\">μ*, how much it matters</th><th class=\"n\">μ, with its sign</th>"
+      "<th class=\"n\">σ, curved or joint</th><th class=\"n\">Effects</th></tr></thead><tbody>\n";
+  for (const EffectRow& row : report.effects) {
+    html += fmt::format(
+        "<tr><td>{}</td><td class=\"n strong\">{}</td><td class=\"n\">{}</td><td "
+        "class=\"n\">{}</td>"
+        "<td class=\"n\">{}</td></tr>\n",
+        escape(row.variable),
+        percent(row.mu_star),
+        signed_percent(row.mu),
+        percent(row.sigma),
+        row.effects);
+  }
+  return html + "</tbody></table></div>";
+}
+
 std::string surface_chapter(const StudyReport& report) {
   std::string html = report.surfaces.empty() ? "" : surfaces(report);
   if (report.basins) html += basins(*report.basins);
@@ -243,6 +263,7 @@ std::vector<Chapter> chapters(const StudyReport& report) {
   add("forces", "Forces", report.forces.empty() ? "" : forces(report));
   add("frequencies", "Frequencies", report.modes.empty() ? "" : frequencies(report));
   add("surface", "Target surface", surface_chapter(report));
+  add("sensitivity", "Sensitivity", report.effects.empty() ? "" : effects(report));
   add("identifiability",
       "What the data determine",
       report.identifiability ? identifiability_chapter(*report.identifiability) : "");

@@ -104,6 +104,13 @@ struct Basins {
   std::string doubt;           // why they cannot be trusted; may be empty
 };
 
+/// Morris' elementary effects of one variable on the target, over its whole range.
+struct EffectRow {
+  std::string variable;
+  double mu_star = 0.0, mu = 0.0, sigma = 0.0;
+  int effects = 0;  // evaluated
+};
+
 struct RunFacts {
   std::string method;  // "GSS", "full factorial 5 x 5"
   std::string ended;   // "step tolerance reached"
@@ -153,6 +160,7 @@ struct StudyReport {
   std::optional<Convergence> convergence;
   std::vector<Surface> surfaces;
   std::optional<Basins> basins;
+  std::vector<EffectRow> effects;
   std::optional<Identifiability> identifiability;
   std::optional<RunFacts> run;
   std::vector<DiscretizationError> discretization;

@@ -302,6 +302,7 @@ TEST(Report, SaysWhatTheDataDetermine) {
   what.left_out = {{"modes", 0.01, 0.12}};
   what.gains = {{"footprint", 20.0, "carcass"}};
   report.identifiability = what;
+  report.effects = {{"carcass", 0.12, -0.05, 0.03, 10}};
   report.basins = Basins{"full factorial grid, 6 x 6",
                          {"matrix", "carcass"},
                          1,
@@ -309,6 +310,7 @@ TEST(Report, SaysWhatTheDataDetermine) {
                          "minima may hide there"};
   const std::string page = html(report);
   for (const char* part : {"What the data determine",
+                           "Sensitivity",
                            "17 measured values",
                            "one-sided",
                            "−0.97",
