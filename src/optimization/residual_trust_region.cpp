@@ -41,8 +41,9 @@ constexpr double kBackOff = 0.5;  // of a step that would end in a failed region
 constexpr double kSame = 0.1;     // of a step: nearer to a known point nothing is learned
 
 constexpr int kFailuresToShrink = 2;
-constexpr int kDisappointments = 3;  // in a row, before noise is looked for
-constexpr double kDrowned = 1e4;     // noise as large as the slopes
+constexpr int kFailuresToGiveUp = 4;  // in a row: no more probes beside this center
+constexpr int kDisappointments = 3;   // in a row, before noise is looked for
+constexpr double kDrowned = 1e4;      // noise as large as the slopes
 
 /// Boxes for further steps while the outcome of the first one is awaited.
 constexpr std::array kBoxes{1.0, 0.25, 2.0, 0.5, 0.1, 4.0, 0.03, 0.01};
@@ -168,8 +169,8 @@ struct ResidualTrustRegion::State {
     const auto end = [&](double length) { return in_cube(c() + length * direction); };
     double length = kProbe * radius;
     if ((end(-length) - c()).norm() > 1.01 * (end(length) - c()).norm()) direction = -direction;
-    constexpr int kHalvings = 40;
-    for (int k = 0; k < kHalvings; ++k, length *= 0.5) {
+    constexpr int kShortenings = 20;
+    for (int k = 0; k < kShortenings; ++k, length *= 0.2) {
       for (const double signed_length : {length, -length}) {
         const Eigen::VectorXd u = end(signed_length);
         const bool has_room = (u - c()).norm() > 0.5 * length;
@@ -229,7 +230,9 @@ struct ResidualTrustRegion::State {
       const bool has_slopes = center >= 0 && memory[center].J.size() > 0;
       const SlopeVariance g = geometry();
       const double worst = has_slopes ? 0.0 : g.share[n() - 1];
-      if (worst > kUnknown) return probe(g.directions.col(n() - 1));
+      if (worst > kUnknown && (center < 0 || failures < kFailuresToGiveUp)) {
+        return probe(g.directions.col(n() - 1));
+      }
       if (center < 0) return explore();
       if (std::exchange(is_geometry_doubted, false) && worst > kPoor) {
         return probe(g.directions.col(n() - 1));
@@ -243,7 +246,7 @@ struct ResidualTrustRegion::State {
       if (is_step_awaited()) return another_step(m);
       const Wanted first = step(m, kBoxes.front());
       if (first.length > 0.0) return first;
-      if (worst > kPoor) return probe(g.directions.col(n() - 1));
+      if (worst > kPoor && failures < kFailuresToGiveUp) return probe(g.directions.col(n() - 1));
       if (!promises(first) && radius < kSettled * options.initial_radius) break;
       radius *= 0.1;
     }
@@ -292,7 +295,11 @@ struct ResidualTrustRegion::State {
     memory.add_failure(tried.u);
     ++failures;
     if (tried.kind == Kind::start && center < 0) start_again(tried.u);
-    if (tried.kind == Kind::step && failures >= kFailuresToShrink) radius *= 0.5;
+    if (failures >= kFailuresToGiveUp) {
+      radius *= 0.1;
+    } else if (tried.kind == Kind::step && failures >= kFailuresToShrink) {
+      radius *= 0.5;
+    }
   }
 
   void take(const Wanted& tried, ResidualSample sample) {
