@@ -42,7 +42,11 @@ bool print_values(const Study& study,
                                             executor,
                                             journal,
                                             counting_options(study, "trials around the best one"));
-  if (!result) return false;
+  if (!result) {
+    print_point(study.space, point);
+    fmt::print("Interrupted before the intervals; the same command goes on.\n");
+    return false;
+  }
   if (*result) {
     print_intervals(study, **result);
   } else {
