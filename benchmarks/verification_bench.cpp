@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Default element against extrapolated meshes; modes by harmonics against the full solve
 //
-// Tires A and B as shipped: cords as rebars, the default element. Every mesh is refined in all
-// three directions with nodes on the true contour and the same physical boundary; the last three
-// are extrapolated.
+// Tires A and B with the default element: as shipped with cords as rebars, and with smeared cords,
+// these also on the ground. Every mesh is refined in all three directions with nodes on the true
+// contour and the same physical boundary; the last three are extrapolated.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -115,10 +115,10 @@ void add_rows(const std::string& name,
             modes > 0 && std::abs(worst) <= kReach);
 }
 
-void study(const std::string& name, const TireDescription& tire, Table& table) {
+void study(const std::string& name, const TireDescription& tire, double travel, Table& table) {
   DiscretizationSettings settings;
   settings.pressure = tire.pressure;
-  settings.deflection = kTravel;
+  settings.deflection = travel;
   settings.modes = kModes;
   const DiscretizationStudy result = take(study_discretization(
       tire, settings, [](const std::string& text) { fmt::print(stderr, "  {}\n", text); }));
@@ -137,10 +137,13 @@ int run() {
   // as many unknowns and no such edge.
   TireDescription b_smeared = reference_tire_b();
   b_smeared.section.clamp = BeadClamp::inside;
-  study("tire B, smeared", b_smeared, table);
-  study("tire A, smeared", reference_tire_a(), table);
-  study("tire B, rebars", b, table);
-  study("tire A, rebars", a, table);
+  study("tire B, smeared", b_smeared, kTravel, table);
+  study("tire A, smeared", reference_tire_a(), kTravel, table);
+  // On the ground some cords are compressed, and a layer of cords has no bending stiffness of its
+  // own: the finer the mesh, the earlier it buckles in waves of one element. There is no limit to
+  // compare with.
+  study("tire B, rebars", b, 0.0, table);
+  study("tire A, rebars", a, 0.0, table);
   return table.exit_code();
 }
 
