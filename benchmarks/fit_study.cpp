@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <regex>
 #include <stdexcept>
 
+#include "base/file.h"
 #include "correlation/tire_trials.h"
 #include "correlation/twin.h"
 #include "evaluation/process_executor.h"
@@ -34,13 +36,24 @@ const fs::path& scratch_folder() {
   return folder.path;
 }
 
+void coarsen(const fs::path& tires) {
+  for (const auto& tire : fs::directory_iterator(tires)) {
+    std::string text = read_text_file(tire.path());
+    text = std::regex_replace(text, std::regex("\nmeridional = \\d+"), "\nmeridional = 15");
+    text = std::regex_replace(text, std::regex("\nsectors = \\d+"), "\nsectors = 30");
+    text = std::regex_replace(text, std::regex("\nspacing = \\[\\[.*"), "");
+    write_text_file(tire.path(), text);
+  }
+}
+
 }  // namespace
 
-correlation::Study fresh_twin(const std::string& name) {
+correlation::Study fresh_twin(const std::string& name, TwinMesh mesh) {
   const fs::path studies = fs::path(LATSCH_SOURCE_DIR) / "studies";
   const fs::path copy = scratch_folder() / name;
   fs::create_directories(copy);
   fs::copy(studies / "tires", copy / "tires");
+  if (mesh == TwinMesh::coarse) coarsen(copy / "tires");
   fs::copy(studies / name, copy / name);
   const fs::path file = copy / name / "study.toml";
   const auto written =

@@ -21,9 +21,12 @@ struct Fit {
 /// studies/NAME/study.toml
 correlation::Study study_of_folder(const std::string& name);
 
+/// coarse: 15 columns, 30 sectors, a tenth of the cost of a trial.
+enum class TwinMesh { as_described, coarse };
+
 /// The same study in a temporary folder, its measurements written anew from the model itself as it
 /// is now.
-correlation::Study fresh_twin(const std::string& name);
+correlation::Study fresh_twin(const std::string& name, TwinMesh mesh = TwinMesh::as_described);
 
 /// The program `latsch` has to stand beside the benchmark.
 Fit fit(const correlation::Study& study, int workers);

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tire twins from 20 random starts: evaluations of the residual trust region beside those of GSS
+//
+// The meshes are coarse (15 columns, 30 sectors): what is compared is the number of evaluations,
+// which a coarse tire tells as well as a fine one.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "base/random.h"
+#include "correlation/tire_trials.h"
+#include "fit_study.h"
+#include "optimization/residual_trust_region.h"
+#include "table.h"
+
+namespace latsch::benchmarks {
+namespace {
+
+constexpr int kStarts = 20;
+constexpr int kGssStarts = 4;  // the first of them: it takes ten times as long
+constexpr int kMostEvaluations = 300;
+constexpr int kReach = 60;        // evaluations without a Jacobian
+constexpr double kTarget = 5e-3;  // of the target function
+constexpr double kModulusError = 0.01;
+
+struct Tries {
+  int starts = 0;
+  std::vector<int> evaluations;  // of the starts that were solved, until they were
+  int solved() const { return static_cast<int>(evaluations.size()); }
+  int most() const { return *std::max_element(evaluations.begin(), evaluations.end()); }
+  int median() {
+    std::nth_element(evaluations.begin(), evaluations.begin() + solved() / 2, evaluations.end());
+    return evaluations[solved() / 2];
+  }
+};
+
+DesignSpace started_at_random(const correlation::Study& study, int start) {
+  RandomStream random(1, start);
+  std::vector<double> u(study.space.size());
+  for (double& coordinate : u) coordinate = random.uniform();
+  std::vector<DesignVariable> variables = study.space.variables();
+  const DesignPoint point = study.space.from_unit(u);
+  for (int i = 0; i < study.space.size(); ++i) variables[i].initial = point.values[i];
+  return DesignSpace(std::move(variables));
+}
+
+bool found(const correlation::Study& study, const DesignPoint& point, const Score& score) {
+  if (score.value >= kTarget) return false;
+  for (int i = 0; i < study.space.size(); ++i) {
+    const double truth = study.model.get(study.space[i].paths.front());
+    if (std::abs(point.values[i] / truth - 1.0) >= kModulusError) return false;
+  }
+  return true;
+}
+
+/// Evaluations until the moduli are found; none where the method ends or tires before.
+std::optional<int> solve(const correlation::Study& study,
+                         correlation::TireTrials& trials,
+                         Optimizer& optimizer) {
+  const Objective objective = correlation::objective(study);
+  for (int k = 1; k <= kMostEvaluations && !optimizer.converged(); ++k) {
+    const DesignPoint point = optimizer.propose(1).front();
+    const Result<Channels> channels = trials.run(point);
+    const Result<Score> score = channels ? objective(*channels) : Result<Score>(channels.failure());
+    if (score && found(study, point, *score)) return k;
+    optimizer.observe(point, score);
+  }
+  return std::nullopt;
+}
+
+using Method = std::function<std::unique_ptr<Optimizer>(const DesignSpace&)>;
+
+Tries try_all(const correlation::Study& study,
+              const std::string& what,
+              int starts,
+              const Method& method) {
+  correlation::TireTrials trials(study);
+  Tries tries{starts};
+  for (int start = 0; start < starts; ++start) {
+    const auto optimizer = method(started_at_random(study, start));
+    const auto evaluations = solve(study, trials, *optimizer);
+    if (evaluations) tries.evaluations.push_back(*evaluations);
+    fmt::print(stderr,
+               "  {}, start {}: {}\n",
+               what,
+               start + 1,
+               evaluations ? fmt::format("{} evaluations", *evaluations) : "not solved");
+  }
+  return tries;
+}
+
+std::string text(Tries tries) {
+  if (tries.solved() == 0) return fmt::format("0 of {} starts", tries.starts);
+  return fmt::format("{} of {} starts, median {}, most {} evaluations",
+                     tries.solved(),
+                     tries.starts,
+                     tries.median(),
+                     tries.most());
+}
+
+void compare(const std::string& name, const std::string& title, Table& table) {
+  const correlation::Study study = fresh_twin(name, TwinMesh::coarse);
+  const Tries residual =
+      try_all(study, title + ", residual trust region", kStarts, [](const auto& space) {
+        return std::make_unique<ResidualTrustRegion>(space);
+      });
+  table.row(fmt::format("{}, {} variables: residual trust region", title, study.space.size()),
+            text(residual),
+            fmt::format("{} of {}, <= {}", kStarts, kStarts, kReach),
+            residual.solved() == kStarts && residual.most() <= kReach);
+  const Tries gss = try_all(study, title + ", GSS", kGssStarts, [&](const auto& space) {
+    return std::make_unique<Gss>(space, study.gss);
+  });
+  table.note(fmt::format("{}, {} variables: GSS", title, study.space.size()), text(gss));
+}
+
+int run() {
+  Table table("tire_fits");
+  compare("tire_b_twin", "tire B", table);
+  compare("tire_a_twin", "tire A", table);
+  return table.exit_code();
+}
+
+}  // namespace
+}  // namespace latsch::benchmarks
+
+int main() { return latsch::benchmarks::run(); }
