@@ -5,6 +5,7 @@
 // .283/.566/.642 at 2/5/10 (n + 1) units.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "evaluation/scheduler.h"
@@ -16,6 +17,8 @@ namespace latsch::benchmarks {
 namespace {
 
 constexpr int kWorkers = 16;
+constexpr int kOutstanding =
+    20;  // a quarter more: no worker waits for the trial that is observed next
 const std::vector<double> kTimes{2, 5, 10};  // of n + 1 mean trials
 
 struct Busy {
@@ -27,6 +30,22 @@ Result<Score> sum_of_squares(const Channels& channels) {
   for (const double r : score.residuals) score.value += r * r;
   return score;
 }
+
+/// What the method has decided on, without speculation: no worker is left for that.
+class Decided : public Optimizer {
+ public:
+  explicit Decided(Optimizer& method) : method_(method) {}
+  std::vector<DesignPoint> propose(int count) const override {
+    return method_.propose(std::min(count, kOutstanding));
+  }
+  void observe(const DesignPoint& point, const Result<Score>& outcome) override {
+    method_.observe(point, outcome);
+  }
+  bool converged() const override { return method_.converged(); }
+
+ private:
+  Optimizer& method_;
+};
 
 Solved run(const more_wild::Problem& problem, Busy& busy) {
   Observed observed(problem, {});
@@ -44,16 +63,17 @@ Solved run(const more_wild::Problem& problem, Busy& busy) {
                              {.initial_radius = 1.0 / more_wild::kBoxWidth,
                               .step_tolerance = 1e-12,
                               .restarts = 1'000'000,
-                              .outstanding = 2 * kWorkers});
+                              .outstanding = kOutstanding});
   RunOptions options;
   options.max_steps = 1'000'000;
-  options.look_ahead = 2;  // every point the method has decided on
+  options.look_ahead = 2;
   const double end = kTimes.back() * (problem.n() + 1);
   options.stop_requested = [&] {
     return executor.now() >= end || (observed.is_done() && executor.now() >= 0.5 * end);
   };
   options.stop_patience = 0.0;
-  run_optimizer(method, sum_of_squares, executor, nullptr, options);
+  Decided decided(method);
+  run_optimizer(decided, sum_of_squares, executor, nullptr, options);
   busy.work += std::min(executor.busy_time(), kWorkers * executor.now());
   busy.time += executor.now();
   return observed.solved();

@@ -46,7 +46,7 @@ struct ResidualTrustRegionOptions {
   int restarts = 0;
   /// Points the method decides on before it knows the outcome of the first of them: part of the
   /// method, so that its trajectory does not depend on the workers. 1 needs the fewest evaluations,
-  /// twice as many as there are workers the least time.
+  /// a quarter more than there are workers the least time.
   int outstanding = 1;
   std::uint64_t seed = 1;  // of restarts and of points around predicted ones
 };
