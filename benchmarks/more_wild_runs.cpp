@@ -93,7 +93,10 @@ Solver residual_trust_region() {
 Solver gss() {
   return [](Observed& observed, int most_evaluations) {
     Gss method(more_wild::space(observed.problem()),
-               {.initial_step = kStartStep, .step_tolerance = kTolerance, .outstanding = 1});
+               {.initial_step = kStartStep,
+                .step_tolerance = kTolerance,
+                .contraction = 0.25,  // start steps are far from the scale of many problems
+                .outstanding = 1});
     run(method, observed, most_evaluations);
   };
 }
