@@ -16,6 +16,7 @@ using Targets = std::map<std::string, double>;  // by the bits of the point
 
 constexpr double kLeastShare = 0.9;  // of a design's points that have a target
 constexpr int kMostLevels = 41;
+constexpr int kMostScattered = 10'000;  // the search for neighbors costs their square
 
 Targets targets_of(const std::vector<RatedTrial>& trials) {
   Targets targets;
@@ -58,6 +59,8 @@ std::optional<DoeBasins> doe_basins(const Study& study,
                                     const StudyDesign& design,
                                     const std::vector<RatedTrial>& trials) {
   if (design.kind == DesignKind::morris) return std::nullopt;
+  const bool grid = design.kind == DesignKind::full_factorial;
+  if (!grid && design.points > kMostScattered) return std::nullopt;
   const SamplingPlan plan = correlation::plan(design, study.space);
   const auto values = values_of(plan, targets_of(trials));
   if (!complete(values)) return std::nullopt;
@@ -65,7 +68,7 @@ std::optional<DoeBasins> doe_basins(const Study& study,
   found.design = design.name();
   found.points = known(values);
   Neighbors neighbors;
-  if (design.kind == DesignKind::full_factorial) {
+  if (grid) {
     found.design += fmt::format(", {}", fmt::join(design.levels, " x "));
     neighbors = grid_neighbors(design.levels);
     found.doubt = grid_doubt(values, design.levels);

@@ -13,6 +13,7 @@ namespace latsch {
 namespace {
 
 constexpr int kFewestLevels = 5;         // that have a fourth difference
+constexpr int kMostDiagonals = 6;        // variables: 3^6 neighbors; with more, those on the axes
 constexpr double kLeastExplained = 0.5;  // of the variance, for points left out
 
 /// Steps along a grid whose points are numbered with the last variable fastest.
@@ -88,18 +89,40 @@ Thinned thinned(const std::vector<double>& values, const std::vector<int>& level
 Neighbors grid_neighbors(const std::vector<int>& levels) {
   const auto stride = strides(levels);
   const int points = levels.empty() ? 0 : stride[0] * levels[0];
+  std::vector<int> varied;
+  for (size_t i = 0; i < levels.size(); ++i) {
+    if (levels[i] > 1) varied.push_back(static_cast<int>(i));
+  }
+  const bool diagonals = std::ssize(varied) <= kMostDiagonals;
+  int around = 1;  // combinations of -1, 0, +1 level
+  for (size_t i = 0; diagonals && i < varied.size(); ++i) around *= 3;
+
   Neighbors neighbors(points);
-  const int around = static_cast<int>(std::lround(std::pow(3.0, levels.size())));
   for (int place = 0; place < points; ++place) {
-    for (int code = 0; code < around; ++code) {
-      int other = place, rest = code;
-      bool inside = true;
-      for (size_t i = 0; i < levels.size(); ++i, rest /= 3) {
-        const int level = level_at(place, i, stride, levels) + rest % 3 - 1;
-        inside = inside && level >= 0 && level < levels[i];
-        other += (rest % 3 - 1) * stride[i];
+    const auto add = [&](const std::vector<int>& steps) {
+      int other = place;
+      for (size_t k = 0; k < varied.size(); ++k) {
+        const int level = level_at(place, varied[k], stride, levels) + steps[k];
+        if (level < 0 || level >= levels[varied[k]]) return;
+        other += steps[k] * stride[varied[k]];
       }
-      if (inside && other != place) neighbors[place].push_back(other);
+      if (other != place) neighbors[place].push_back(other);
+    };
+    std::vector<int> steps(varied.size(), 0);
+    for (int code = 0; diagonals && code < around; ++code) {
+      int rest = code;
+      for (int& step : steps) {
+        step = rest % 3 - 1;
+        rest /= 3;
+      }
+      add(steps);
+    }
+    for (size_t k = 0; !diagonals && k < varied.size(); ++k) {
+      for (int step : {-1, +1}) {
+        steps[k] = step;
+        add(steps);
+      }
+      steps[k] = 0;
     }
   }
   return neighbors;

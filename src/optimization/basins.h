@@ -4,8 +4,8 @@
 //
 // Every point leads to the lowest of its neighbors, where that is lower than itself; a point that
 // leads nowhere is a minimum, and its basin are all points that end there. Neighbors are the
-// adjacent points of a grid, diagonals included, or the nearest points of a scattered design in the
-// unit cube.
+// adjacent points of a grid, for up to six variables the diagonal ones too, or the nearest points
+// of a scattered design in the unit cube.
 //
 // A grid can hide a minimum between two neighbors on a line of its own where the values differ by
 // less than what interpolation may miss,

@@ -71,6 +71,15 @@ TEST(Basins, FailedPointsAreHolesThatHaveNoBasin) {
   EXPECT_EQ(basins[0].points, 24);
 }
 
+// 2^16 points of 16 variables have 16 neighbors each; 3^16 would never end.
+TEST(Basins, OfManyVariablesNeighborsLieOnTheAxes) {
+  const std::vector<int> levels(16, 2);
+  const Neighbors neighbors = grid_neighbors(levels);
+  EXPECT_EQ(neighbors.size(), 65536u);
+  EXPECT_EQ(neighbors[12345].size(), 16u);
+  EXPECT_EQ(grid_neighbors({3, 1, 3})[4].size(), 8u);  // the middle; one variable is not varied
+}
+
 struct Scattered {
   std::vector<DesignPoint> points;
   std::vector<Eigen::VectorXd> u;
