@@ -112,14 +112,23 @@ void expect_holes(const Node& table, const Simulator& simulator, const DesignSpa
   }
 }
 
+/// Of the initial value; a plain number has none.
+std::string written_unit(const Node& table) {
+  try {
+    const auto written = parse_quantity(table.text("initial"));
+    return written ? written->unit.text() : "1";
+  } catch (const InputError&) {
+    return "1";
+  }
+}
+
 }  // namespace
 
 DesignVariable read_free_variable(const Node& table) {
   DesignVariable variable;
   variable.name = table.name();
   variable.place = table.place();
-  const auto written = parse_quantity(table.text("initial"));
-  variable.unit = table.text("unit", written ? written->unit.text() : "1");
+  variable.unit = table.has("unit") ? table.text("unit") : written_unit(table);
   if (!Unit::find(variable.unit)) table.reject("unit", "is " + unknown_unit(variable.unit));
   const std::string si = si_unit(Unit::of(variable.unit).dimension());
   variable.lower = table.quantity("lower", si);

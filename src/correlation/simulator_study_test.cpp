@@ -81,6 +81,15 @@ TEST_F(SimulatorStudy, AProgramThatEndsTooEarlyHasFailed) {
       << channels.failure().reason;
 }
 
+TEST_F(SimulatorStudy, AVariableMayBeAPlainNumber) {
+  std::string text = kStudy;
+  const std::string with_units = "lower = \"1 N/mm\"\nupper = \"9 N/mm\"\ninitial = \"2 N/mm\"";
+  text.replace(text.find(with_units), with_units.size(), "lower = 1\nupper = 9\ninitial = 2");
+  write("study.toml", text);
+  EXPECT_EQ(read().space[0].unit, "1");
+  EXPECT_EQ(read().space[0].initial, 2.0);
+}
+
 TEST_F(SimulatorStudy, TheJournalOfAnotherProgramIsNotReused) {
   const StudyIdentity before = identity(read());
   write("in.txt", "{k:%.3f}\n");

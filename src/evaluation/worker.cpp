@@ -42,10 +42,15 @@ std::optional<Frame> read_frame(int fd, FrameReader& reader) {
   }
 }
 
+/// The process that started this one has ended: nobody waits for the trial any more, nor for the
+/// outside program it may have started, which is in the same process group.
+void end_with_group(int) { ::kill(::getpgrp() == ::getpid() ? 0 : ::getpid(), SIGKILL); }
+
 }  // namespace
 
 int serve(const Evaluator& evaluator, int in_fd, int out_fd) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a trial nobody waits for must not go on for hours
+  std::signal(SIGHUP, end_with_group);
+  ::prctl(PR_SET_PDEATHSIG, SIGHUP);  // a trial nobody waits for must not go on for hours
   ::fcntl(in_fd, F_SETFD, FD_CLOEXEC);
   ::fcntl(out_fd, F_SETFD, FD_CLOEXEC);
   if (!write_all(out_fd, encode_frame(FrameKind::ready, {}))) return 1;

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: Apache-2.0
+// 1,000 injected hangs, crashes, garbage answers, exits, exceptions, floods: no study lost
+//
+// Beside it what else may happen to a study: a full disk, a damaged journal, a second run on one
+// journal, Ctrl-C.
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+#include <thread>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/random.h"
+#include "evaluation/encoding.h"
+#include "evaluation/inline_executor.h"
+#include "evaluation/journal.h"
+#include "evaluation/journal_doctor.h"
+#include "evaluation/process_executor.h"
+#include "evaluation/scheduler.h"
+#include "evaluation/scratch_folder_testing.h"
+#include "evaluation/worker.h"
+#include "fit_study.h"
+#include "table.h"
+
+namespace latsch::benchmarks {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kPoints = 3000;
+constexpr int kFaults = 1000;
+constexpr double kTimeout = 0.25;  // s
+const StudyIdentity kStudy{{"model", "a square"}};
+
+enum Fault { none, segfault, abort_, hang, not_a_number, exception, exit_code, garbage, memory };
+constexpr std::array kNames{"none",
+                            "segmentation fault",
+                            "abort",
+                            "hang",
+                            "not a number",
+                            "exception",
+                            "exit code",
+                            "garbage answer",
+                            "out of memory"};
+constexpr int kKinds = 8;
+
+/// The first kFaults of the points, in a random order of their own, go wrong.
+Fault fault_of(int point) {
+  return point % 3 != 0 ? none : static_cast<Fault>(1 + RandomStream(1, point).below(kKinds));
+}
+
+Result<Channels> square(const DesignPoint& point) {
+  Channels channels;
+  channels.add({"y", "1", {point.values[0] * point.values[0]}});
+  return channels;
+}
+
+Result<Channels> faulty(const DesignPoint& point) {
+  switch (fault_of(static_cast<int>(point.values[0]))) {
+    case segfault:
+      std::raise(SIGSEGV);
+      break;
+    case abort_:
+      std::abort();
+    case hang:
+      while (true) std::this_thread::sleep_for(std::chrono::hours(1));
+    case not_a_number: {
+      Channels channels;
+      channels.add({"y", "1", {std::nan("")}});
+      return channels;
+    }
+    case exception:
+      throw std::runtime_error("element 17 is inverted");
+    case exit_code:
+      std::_Exit(7);
+    case garbage:
+      if (::write(kWorkerOutput, "what a solver prints, on the wrong line", 39) < 0) std::abort();
+      break;
+    case memory: {
+      std::vector<std::unique_ptr<char[]>> blocks;
+      while (true) blocks.emplace_back(new char[std::size_t{1} << 26]);
+    }
+    case none:
+      break;
+  }
+  return square(point);
+}
+
+const std::map<Fault, std::string> kReasons{{segfault, "signal 11"},
+                                            {abort_, "signal 6"},
+                                            {hang, "took more than the 0.25 s"},
+                                            {not_a_number, "is nan"},
+                                            {exception, "element 17"},
+                                            {exit_code, "exited with code 7"},
+                                            {garbage, "not readable"},
+                                            {memory, "out of memory"}};
+
+ProcessOptions workers() {
+  ProcessOptions options;
+  options.arguments = {fs::read_symlink("/proc/self/exe").string(), "worker"};
+  options.workers = 2;
+  options.timeout = kTimeout;
+  options.memory_limit = 1e9;
+  return options;
+}
+
+SamplingPlan plan(int points) {
+  SamplingPlan plan;
+  for (int i = 0; i < points; ++i) plan.points.push_back({{1.0 * i}});
+  return plan;
+}
+
+void evaluator_faults(Table& table) {
+  const ScratchFolder folder;
+  Journal journal = Journal::open(folder / "j", kStudy);
+  ProcessExecutor executor(workers());
+  const bool ended = run_doe(plan(kPoints), executor, journal) == RunEnd::converged;
+  std::map<Fault, int> injected, told;
+  long spoiled = 0;
+  double longest = 0.0;
+  for (const Trial& trial : journal.trials()) {
+    const Fault fault = fault_of(static_cast<int>(trial.point.values[0]));
+    ++injected[fault];
+    if (fault == none) {
+      spoiled += !trial.outcome.result || !(*trial.outcome.result == *square(trial.point));
+      continue;
+    }
+    const std::string reason = trial.outcome.result ? "" : trial.outcome.result.failure().reason;
+    told[fault] += reason.find(kReasons.at(fault)) != std::string::npos;
+    if (fault == hang) longest = std::max(longest, trial.outcome.wall_time - kTimeout);
+  }
+  int all = 0;
+  for (int kind = 1; kind <= kKinds; ++kind) {
+    const auto fault = static_cast<Fault>(kind);
+    all += injected[fault];
+    table.row(fmt::format("{} injected, stored with its reason (F3)", kNames[kind]),
+              fmt::format("{} of {}", told[fault], injected[fault]),
+              "all",
+              told[fault] == injected[fault]);
+  }
+  table.row("faults injected", fmt::format("{}", all), ">= 1000", all >= kFaults);
+  table.row("study came to its end", ended ? "yes" : "no", "yes", ended);
+  table.row("trials lost or spoiled beside the faults",
+            fmt::format("{}", spoiled + kPoints - journal.size()),
+            "0",
+            spoiled == 0 && journal.size() == kPoints);
+  table.row("killed after the timeout, at most",
+            fmt::format("{:.2f} s", longest),
+            "<= 1 s",
+            longest <= 1.0);
+}
+
+void full_disk(Table& table) {
+  constexpr int kDisks = 20;
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  int told = 0, kept = 0;
+  for (int i = 0; i < kDisks; ++i) {
+    const ScratchFolder folder;
+    long acknowledged = 0;
+    {
+      Journal journal = Journal::open(folder / "j", kStudy);
+      const rlimit tight{60'000 + 7'001u * static_cast<unsigned>(i), before.rlim_max};
+      ::setrlimit(RLIMIT_FSIZE, &tight);
+      try {
+        InlineExecutor executor(square);
+        (void)run_doe(plan(kPoints), executor, journal);
+      } catch (const JournalError& error) {
+        told += std::string(error.what()).find("the disk is full") != std::string::npos;
+      }
+      acknowledged = journal.size();
+      ::setrlimit(RLIMIT_FSIZE, &before);
+    }
+    Journal journal = Journal::open(folder / "j", kStudy);
+    InlineExecutor executor(square);
+    const bool all = journal.size() == acknowledged &&
+                     run_doe(plan(kPoints), executor, journal) == RunEnd::converged;
+    kept += all && journal.size() == kPoints;
+  }
+  table.row(
+      "full disk told in words (F4)", fmt::format("{} of {}", told, kDisks), "all", told == kDisks);
+  table.row("resumed without loss or repetition",
+            fmt::format("{} of {}", kept, kDisks),
+            "all",
+            kept == kDisks);
+}
+
+Trial stored_trial(int number) {
+  Channels channels;
+  channels.add({"Fz", "N", std::vector<double>(number % 2 ? 20 : 1200, 1.5 * number)});
+  return {{{1.0 * number}}, {channels, 1.5, 1.25, 0}};
+}
+
+/// Whether what is read from a damaged journal is what was written, and all of it or a complaint.
+bool is_honest(const JournalReport& report, int trials) {
+  for (const auto& row : report.rows) {
+    const auto read = row.decode();
+    if (!read) return false;
+    const Trial written = stored_trial(static_cast<int>(read->point.values[0]));
+    if (encode(read->outcome) != encode(written.outcome)) return false;
+  }
+  return std::ssize(report.rows) == trials || !report.healthy();
+}
+
+void damaged_journal(Table& table) {
+  constexpr int kTrials = 40, kDamages = 1000;
+  const ScratchFolder folder;
+  {
+    Journal journal = Journal::open(folder / "a", kStudy);
+    for (int i = 1; i <= kTrials; ++i) journal.append(stored_trial(i));
+  }
+  const std::string whole = read_text_file(folder / "a");
+  long dishonest = 0, most_lost = 0;
+  for (int i = 0; i < kDamages; ++i) {
+    RandomStream random(2, i);
+    std::string bytes = whole;
+    const std::size_t at = random.below(bytes.size());
+    if (i % 10 < 6) {
+      bytes[at] ^= static_cast<char>(1u << random.below(8));
+    } else if (i % 10 < 8) {
+      bytes.resize(at);
+    } else {
+      for (std::size_t k = at / 4096 * 4096; k < std::min(bytes.size(), at / 4096 * 4096 + 4096);
+           ++k) {
+        bytes[k] = 0;
+      }
+    }
+    std::ofstream(folder / "b", std::ios::binary) << bytes;
+    const JournalReport report = examine_journal(folder / "b");
+    dishonest += !is_honest(report, kTrials);
+    if (i % 10 < 6) most_lost = std::max(most_lost, kTrials - std::ssize(report.rows));
+  }
+  table.row("damages of a journal not detected, 1,000 (F5)",
+            fmt::format("{}", dishonest),
+            "0",
+            dishonest == 0);
+  // A bit lies in one row at most.
+  table.row("trials that a bit flip costs, at most",
+            fmt::format("{}", most_lost),
+            "<= 1",
+            most_lost <= 1);
+}
+
+void second_run(Table& table) {
+  const ScratchFolder folder;
+  const Journal journal = Journal::open(folder / "j", kStudy);
+  std::string said;
+  try {
+    (void)Journal::open(folder / "j", kStudy);
+  } catch (const InputError& error) {
+    said = error.what();
+  }
+  const bool told = said.find(fmt::format("in use by process {}", ::getpid())) != std::string::npos;
+  table.row(
+      "second run on one journal is told who holds it (F13)", told ? "yes" : "no", "yes", told);
+}
+
+/// A study whose program never ends.
+fs::path write_endless_study(const fs::path& folder) {
+  write_text_file(folder / "in.txt", "{x}\n");
+  write_text_file(folder / "measured.csv", "y [1]\n1\n");
+  write_text_file(folder / "study.toml", R"([simulator]
+command = ["sleep", "1000"]
+inputs = ["in.txt"]
+[simulator.output.out]
+file = "out.txt"
+reader = "keys"
+quantities = ["y"]
+[variable.x]
+lower = 0
+upper = 1
+initial = 0.5
+[experiment.e]
+kind = "curve"
+y = "out/y"
+measurement = "measured.csv"
+[run]
+workers = 2
+)");
+  return folder / "study.toml";
+}
+
+pid_t start_run(const fs::path& study) {
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  const std::string file = program().string();
+  if (!std::freopen("/dev/null", "w", stdout) || !std::freopen("/dev/null", "w", stderr))
+    ::_exit(1);
+  ::execl(file.c_str(), "latsch", "run", study.c_str(), nullptr);
+  ::_exit(1);
+}
+
+/// s from the signal, sent `times` times, to the end of a run whose trials never end.
+double time_to_stop(int signal, int times) {
+  const ScratchFolder folder;
+  const fs::path study = write_endless_study(folder.path());
+  const pid_t child = start_run(study);
+  while (!fs::exists(folder / "study.scratch")) {  // a trial has begun
+    if (::waitpid(child, nullptr, WNOHANG) != 0) throw std::runtime_error("latsch run ended early");
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < times; ++i) {
+    ::kill(child, signal);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void signals(Table& table) {
+  double once = 0.0, twice = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+      once = std::max(once, time_to_stop(signal, 1));
+      twice = std::max(twice, time_to_stop(signal, 2));
+    }
+  }
+  table.row("SIGINT, SIGTERM to the end of a run that hangs (F16)",
+            fmt::format("{:.2f} s", once),
+            "<= 2 s",
+            once <= 2.0);
+  table.row("the second signal", fmt::format("{:.2f} s", twice), "<= 0.5 s", twice <= 0.5);
+}
+
+int run() {
+  Table table("faults");
+  evaluator_faults(table);
+  full_disk(table);
+  damaged_journal(table);
+  second_run(table);
+  signals(table);
+  return table.exit_code();
+}
+
+}  // namespace
+}  // namespace latsch::benchmarks
+
+int main(int argc, char** argv) {
+  if (argc > 1 && std::strcmp(argv[1], "worker") == 0) {
+    return latsch::serve(latsch::benchmarks::faulty);
+  }
+  return latsch::benchmarks::run();
+}
