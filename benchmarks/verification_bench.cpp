@@ -25,7 +25,7 @@ namespace {
 using namespace fe_tire;
 
 constexpr double kReach = 0.02;      // of the default element on the paper's meshes
-constexpr double kTravel = 0.025;    // m
+constexpr double kTravel = 0.010;    // m
 constexpr double kFullRatio = 50.0;  // harmonics against the full eigen-solve
 constexpr int kModes = 20;
 
@@ -120,10 +120,14 @@ void study(const std::string& name, const TireDescription& tire, double travel, 
   settings.pressure = tire.pressure;
   settings.deflection = travel;
   settings.modes = kModes;
-  const DiscretizationStudy result = take(study_discretization(
-      tire, settings, [](const std::string& text) { fmt::print(stderr, "  {}\n", text); }));
-  add_rows(name, "unloaded", result.unloaded, table);
-  add_rows(name, "loaded", result.loaded, table);
+  const auto result = study_discretization(
+      tire, settings, [](const std::string& text) { fmt::print(stderr, "  {}\n", text); });
+  if (!result) {
+    table.row(name + ": finer meshes", result.failure().reason, "a result", false);
+    return;
+  }
+  add_rows(name, "unloaded", result->unloaded, table);
+  if (travel > 0.0) add_rows(name, "loaded", result->loaded, table);
 }
 
 int run() {
@@ -137,13 +141,13 @@ int run() {
   // as many unknowns and no such edge.
   TireDescription b_smeared = reference_tire_b();
   b_smeared.section.clamp = BeadClamp::inside;
-  study("tire B, smeared", b_smeared, kTravel, table);
-  study("tire A, smeared", reference_tire_a(), kTravel, table);
-  // On the ground some cords are compressed, and a layer of cords has no bending stiffness of its
-  // own: the finer the mesh, the earlier it buckles in waves of one element. There is no limit to
-  // compare with.
+  study("tire A, smeared", reference_tire_a(), 0.0, table);
   study("tire B, rebars", b, 0.0, table);
   study("tire A, rebars", a, 0.0, table);
+  // Deeper, or with rebars, there is no limit to compare with: where the ground compresses cords,
+  // these have no bending stiffness of their own (smeared ones soften too), and the finer the mesh
+  // the earlier they buckle in waves of one element.
+  study("tire B, smeared", b_smeared, kTravel, table);
   return table.exit_code();
 }
 
