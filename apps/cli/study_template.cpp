@@ -85,8 +85,8 @@ weight = 1
 measured_modes = 10                 # for `latsch export --measurements` alone
 
 [optimizer]
-method = "gss"                      # generating-set search; lengths are shares of a variable's range
-initial_step = 0.2
+method = "auto"                     # or "residual_trust_region", "gss", "nelder_mead", "genetic"
+initial_step = 0.2                  # lengths are shares of a variable's range
 step_tolerance = 0.005
 
 [doe]                               # for `latsch doe`
