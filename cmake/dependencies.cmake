@@ -2,6 +2,8 @@
 # apt: g++ cmake ninja-build python3
 # apt: libfmt-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
 # apt: libsqlitecpp-dev libsqlite3-dev libudunits2-dev libopenblas-serial-dev libmumps-seq-dev libmetis-dev
+# For runs on the ranks of an MPI job; the program is built without it where it is not there:
+# apt: libopenmpi-dev openmpi-bin
 # Tests and benchmarks compare with these independent programs; the product does not use them:
 # apt: libgtest-dev calculix-ccx python3-scipy python3-numpy libnlopt-dev
 find_package(fmt REQUIRED)

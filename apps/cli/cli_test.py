@@ -237,6 +237,18 @@ class Simulators(unittest.TestCase):
             edit(study, (r"\[optimizer\](\n.*)*?\n\n", '[optimizer]\nmax_steps = 1\n\n'))
             self.assert_says(self.latsch("run", study, code=FAILED), "no trial succeeded", said)
 
+    @unittest.skipUnless(shutil.which("mpirun"), "Open MPI (mpirun) is not installed")
+    def test_the_ranks_of_an_mpi_job_give_the_same_result(self):
+        study = self.study("quarter_car")
+        edit(study, ("step_tolerance = .*", "step_tolerance = 0.05"))
+        result = re.compile(r"Best of .*?\n\n", re.S)
+        alone = result.search(self.latsch("run", study))[0]
+        (study.parent / "study.latsch").unlink()
+        job = ["mpirun", "--oversubscribe", "--allow-run-as-root", "--enable-recovery", "-n", "3", LATSCH, "run", study]
+        run = subprocess.run(job, capture_output=True, text=True, timeout=120)
+        self.assertEqual(run.returncode, DONE, run.stdout + run.stderr)
+        self.assertEqual(result.search(run.stdout)[0], alone)
+
     def test_there_is_no_tire_to_export(self):
         for arguments in (("--vtu", "a.vtu"), ("--measurements",)):
             self.assert_says(self.latsch("export", self.study("quarter_car" if "--vtu" in arguments else

@@ -10,6 +10,7 @@
 #include "cli/tables.h"
 #include "cli/trials.h"
 #include "cli/verbs.h"
+#include "cli/workers.h"
 #include "correlation/best_trial.h"
 #include "correlation/doe_basins.h"
 #include "correlation/doe_effects.h"
@@ -107,6 +108,8 @@ int doe(const std::string& file, int levels, int workers) {
   if (workers > 0) study.run.workers = workers;
   const StudyDesign design = design_of(study, levels);
   const SamplingPlan plan = correlation::plan(design, study.space);
+  Workers workers_of_study;
+  if (workers_of_study.served(study)) return kDone;
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
   fmt::print("{}, {} points; {} finished trials in {}\n",
              design.name(),
@@ -116,7 +119,7 @@ int doe(const std::string& file, int levels, int workers) {
 
   catch_interrupts();
   clear_scratch(study);
-  ProcessExecutor executor(worker_processes(study));
+  Executor& executor = workers_of_study.start(study);
   const RunEnd end = run_doe(plan, executor, journal, run_options(study, /*length_known=*/true));
   if (end == RunEnd::stopped) {
     fmt::print("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
@@ -136,6 +139,7 @@ int doe(const std::string& file, int levels, int workers) {
   }
   print_basins(study, design, journal);
   print_effects(study, design, journal);
+  workers_of_study.end();
   clear_scratch(study);
   return write_report(study, journal);
 }

@@ -10,6 +10,7 @@
 #include "cli/tables.h"
 #include "cli/trials.h"
 #include "cli/verbs.h"
+#include "cli/workers.h"
 #include "correlation/tire_trials.h"
 
 namespace latsch::cli {
@@ -63,12 +64,14 @@ int fit(const std::string& file, int workers, bool resuming) {
     throw InputError(study.run.journal.string() +
                      " does not exist: there is nothing to resume; start with latsch run");
   }
+  Workers workers_of_study;
+  if (workers_of_study.served(study)) return kDone;
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
   if (journal.size() > 0) fmt::print("{} finished trials are reused\n", journal.size());
 
   catch_interrupts();
   clear_scratch(study);
-  ProcessExecutor executor(worker_processes(study));
+  Executor& executor = workers_of_study.start(study);
   const auto optimizer = correlation::make_optimizer(study);
   const Run run = run_optimizer(*optimizer,
                                 correlation::objective(study),
@@ -92,6 +95,7 @@ int fit(const std::string& file, int workers, bool resuming) {
   }
   print_result(study, run, journal);
   if (!print_values(study, run.best()->point, executor, journal)) return kFailed;
+  workers_of_study.end();
   clear_scratch(study);
   return write_report(study, journal);
 }

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/workers.h"
+
+#include "cli/trials.h"
+#include "evaluation/process_executor.h"
+
+#ifdef LATSCH_MPI
+#include "evaluation/mpi/mpi_executor.h"
+#endif
+
+namespace latsch::cli {
+
+#ifdef LATSCH_MPI
+
+struct Workers::Job : MpiJob {};
+
+Workers::Workers() {
+  if (MpiJob::is_rank_of_many()) job_ = std::make_unique<Job>();
+}
+
+bool Workers::served(const correlation::Study& study) {
+  if (!job_ || job_->rank() == 0) return false;
+  serve_rank(*job_, worker_processes(study));
+  return true;
+}
+
+Executor& Workers::start(const correlation::Study& study) {
+  if (job_) {
+    executor_ = std::make_unique<MpiExecutor>(*job_);
+  } else {
+    executor_ = std::make_unique<ProcessExecutor>(worker_processes(study));
+  }
+  return *executor_;
+}
+
+#else
+
+struct Workers::Job {};
+
+Workers::Workers() = default;
+
+bool Workers::served(const correlation::Study&) { return false; }
+
+Executor& Workers::start(const correlation::Study& study) {
+  executor_ = std::make_unique<ProcessExecutor>(worker_processes(study));
+  return *executor_;
+}
+
+#endif
+
+Workers::~Workers() = default;
+
+}  // namespace latsch::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where run, resume and doe evaluate: worker processes of this machine or, below mpirun, the ranks
+// of its job.
+#pragma once
+
+#include <memory>
+
+#include "correlation/study.h"
+#include "evaluation/executor.h"
+
+namespace latsch::cli {
+
+class Workers {
+ public:
+  Workers();
+  ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  /// On a rank that works for another one: does so until that ends, then true. False where this
+  /// process itself leads the run.
+  bool served(const correlation::Study& study);
+
+  /// Of the process that leads the run.
+  Executor& start(const correlation::Study& study);
+
+  /// Lets the workers go: what comes now needs none of them.
+  void end() { executor_.reset(); }
+
+ private:
+  struct Job;
+  std::unique_ptr<Job> job_;  // before the executor, which talks through it to its end
+  std::unique_ptr<Executor> executor_;
+};
+
+}  // namespace latsch::cli

@@ -1,0 +1,13 @@
+# Where MPI is installed (Debian: libopenmpi-dev), the program also runs its trials on the ranks of an MPI job.
+# Only the program: whoever links the libraries needs no MPI.
+set(MPI_CXX_SKIP_MPICXX ON)
+find_package(MPI COMPONENTS CXX QUIET)
+if(MPI_CXX_FOUND)
+  add_library(latsch_mpi STATIC ${CMAKE_SOURCE_DIR}/src/evaluation/mpi/mpi_executor.cpp)
+  target_link_libraries(latsch_mpi PUBLIC latsch::evaluation MPI::MPI_CXX)
+  target_link_libraries(latsch PRIVATE latsch_mpi)
+  # Sequential MUMPS brings empty MPI functions under the same names; the real ones have to come before it.
+  target_link_options(latsch PRIVATE LINKER:--push-state,--no-as-needed ${MPI_CXX_LIBRARIES} LINKER:--pop-state)
+  set_source_files_properties(${CMAKE_SOURCE_DIR}/apps/cli/workers.cpp
+                              PROPERTIES COMPILE_DEFINITIONS LATSCH_MPI)
+endif()
