@@ -7,6 +7,7 @@
 #include <cassert>
 #include <chrono>
 #include <cstdlib>
+#include <list>
 #include <string>
 #include <thread>
 #include <utility>
@@ -23,10 +24,6 @@ constexpr const char* kAlone = "alone";  // with kEnd: another rank is lost, wai
 constexpr double kHeartbeat = 1.0;       // s
 constexpr auto kPause = std::chrono::microseconds(500);  // between two looks for a message
 constexpr double kLocalPatience = 0.01;                  // s, of a rank for its own worker
-
-void send(int rank, Tag tag, const std::string& bytes) {
-  MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, rank, tag, MPI_COMM_WORLD);
-}
 
 struct Message {
   int rank;
@@ -60,7 +57,15 @@ bool MpiJob::is_rank_of_many() {
   return size && std::atoi(size) > 1;
 }
 
-MpiJob::MpiJob() {
+struct MpiJob::Outbox {
+  struct Letter {
+    std::string bytes;
+    MPI_Request request;
+  };
+  std::list<Letter> letters;  // whose bytes MPI may still need
+};
+
+MpiJob::MpiJob() : outbox_(std::make_unique<Outbox>()) {
   MPI_Init(nullptr, nullptr);
   MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
@@ -69,7 +74,25 @@ MpiJob::MpiJob() {
 
 MpiJob::~MpiJob() {
   // MPI_Finalize waits for every rank, also for one that is lost.
-  if (!ends_alone_) MPI_Finalize();
+  if (ends_alone_) return;
+  for (Outbox::Letter& letter : outbox_->letters) MPI_Wait(&letter.request, MPI_STATUS_IGNORE);
+  MPI_Finalize();
+}
+
+void MpiJob::send(int rank, int tag, std::string bytes) {
+  std::erase_if(outbox_->letters, [](Outbox::Letter& letter) {
+    int done = 0;
+    MPI_Test(&letter.request, &done, MPI_STATUS_IGNORE);
+    return done != 0;
+  });
+  Outbox::Letter& letter = outbox_->letters.emplace_back(std::move(bytes), MPI_Request{});
+  MPI_Isend(letter.bytes.data(),
+            static_cast<int>(letter.bytes.size()),
+            MPI_BYTE,
+            rank,
+            tag,
+            MPI_COMM_WORLD,
+            &letter.request);
 }
 
 void serve_rank(MpiJob& job, ProcessOptions options) {
@@ -94,11 +117,11 @@ void serve_rank(MpiJob& job, ProcessOptions options) {
     }
     if (worker.idle() > 0) std::this_thread::sleep_for(kPause);
     for (const Trial& done : worker.wait(worker.idle() > 0 ? 0.0 : kLocalPatience)) {
-      send(0, kOutcome, numbered(trial, encode(done.outcome)));
+      job.send(0, kOutcome, numbered(trial, encode(done.outcome)));
     }
     if (worker.now() - said < kHeartbeat) continue;
     said = worker.now();
-    send(0, kAlive, {});
+    job.send(0, kAlive, {});
   }
 }
 
@@ -109,7 +132,7 @@ MpiExecutor::MpiExecutor(MpiJob& job) : job_(job), ranks_(job.size() - 1) {
 
 MpiExecutor::~MpiExecutor() {
   for (std::size_t i = 0; i < ranks_.size(); ++i) {
-    if (!ranks_[i].lost) send(static_cast<int>(i + 1), kEnd, job_.is_alone() ? kAlone : "");
+    if (!ranks_[i].lost) job_.send(static_cast<int>(i + 1), kEnd, job_.is_alone() ? kAlone : "");
   }
 }
 
@@ -124,7 +147,8 @@ void MpiExecutor::start(const DesignPoint& point) {
   assert(rank != ranks_.end());
   rank->point = point;
   rank->trial = ++trials_;
-  send(static_cast<int>(rank - ranks_.begin()) + 1, kPoint, numbered(rank->trial, encode(point)));
+  job_.send(
+      static_cast<int>(rank - ranks_.begin()) + 1, kPoint, numbered(rank->trial, encode(point)));
 }
 
 std::vector<Trial> MpiExecutor::wait(double patience) {
@@ -143,7 +167,7 @@ void MpiExecutor::say_alive() {
   if (now() - said_ < kHeartbeat) return;
   said_ = now();
   for (std::size_t i = 0; i < ranks_.size(); ++i) {
-    if (!ranks_[i].lost) send(static_cast<int>(i + 1), kAlive, {});
+    if (!ranks_[i].lost) job_.send(static_cast<int>(i + 1), kAlive, {});
   }
 }
 
@@ -180,7 +204,7 @@ std::optional<Trial> MpiExecutor::lose_silent() {
 }
 
 void MpiExecutor::forget(std::size_t worker) {
-  send(static_cast<int>(worker) + 1, kWithdraw, {});
+  job_.send(static_cast<int>(worker) + 1, kWithdraw, {});
   ranks_[worker].point.reset();
 }
 

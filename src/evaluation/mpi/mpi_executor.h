@@ -11,7 +11,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "evaluation/executor.h"
@@ -40,10 +42,15 @@ class MpiJob {
   void ends_alone() { ends_alone_ = true; }
   bool is_alone() const { return ends_alone_; }
 
+  /// Does not wait until it is received: a rank that is lost never receives.
+  void send(int rank, int tag, std::string bytes);
+
  private:
   int rank_ = 0;
   int size_ = 1;
   bool ends_alone_ = false;
+  struct Outbox;
+  std::unique_ptr<Outbox> outbox_;
 };
 
 /// What a working rank does until rank 0 ends the job: trials in one worker process.
