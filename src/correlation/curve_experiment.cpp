@@ -135,6 +135,7 @@ Result<Comparison> compare_curve(const CurveExperiment& curve,
   }
   const auto count = static_cast<double>(simulated->size());
   comparison.value /= count;
+  comparison.differences = comparison.errors;
   comparison.mean_error /= count;
   return comparison;
 }

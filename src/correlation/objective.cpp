@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 namespace latsch::correlation {
 namespace {
@@ -33,16 +34,15 @@ Comparison compare_forces(const std::vector<double>& measured,
                           const ObjectiveSettings& settings) {
   assert(!measured.empty() && measured.size() == simulated.size());
   Comparison comparison;
-  std::vector<double> differences;
   for (size_t j = 0; j < measured.size(); ++j) {
     assert(measured[j] > 0.0);
     comparison.errors.push_back(relative(measured[j], simulated[j]));  // (2)
     const double root = std::sqrt(std::max(0.0, simulated[j]));
-    differences.push_back(settings.compared == Compared::root_force
-                              ? relative(std::sqrt(measured[j]), root)
-                              : comparison.errors.back());
+    comparison.differences.push_back(settings.compared == Compared::root_force
+                                         ? relative(std::sqrt(measured[j]), root)
+                                         : comparison.errors.back());
   }
-  comparison.value = mean_power(differences, settings.exponent);
+  comparison.value = mean_power(comparison.differences, settings.exponent);
   summarize_errors(comparison);
   return comparison;
 }
@@ -58,7 +58,8 @@ Comparison compare_modes(const std::vector<ModeRecord>& measured,
     comparison.errors[pair.measured] =
         relative(measured[pair.measured].frequency, simulated[pair.simulated].frequency);  // (1)
   }
-  comparison.value = mean_power(comparison.errors, settings.exponent);
+  comparison.differences = comparison.errors;
+  comparison.value = mean_power(comparison.differences, settings.exponent);
   summarize_errors(comparison);
   return comparison;
 }
@@ -72,6 +73,19 @@ double target(const std::vector<Comparison>& comparisons, const std::vector<doub
   }
   assert(total > 0.0);
   return sum / total;
+}
+
+std::vector<double> weighted_residuals(const std::vector<Comparison>& comparisons,
+                                       const std::vector<double>& weights) {
+  assert(comparisons.size() == weights.size());
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  std::vector<double> residuals;
+  for (size_t e = 0; e < comparisons.size(); ++e) {
+    const auto& d = comparisons[e].differences;
+    const double factor = std::sqrt(weights[e] / (static_cast<double>(d.size()) * total));
+    for (double difference : d) residuals.push_back(factor * difference);
+  }
+  return residuals;
 }
 
 }  // namespace latsch::correlation

@@ -41,10 +41,11 @@ struct ObjectiveSettings {
 struct Comparison {
   double value = 0.0;       // T_e = mean |d|^k
   double mean_error = 0.0;  // mean |dF| or mean |df|, whatever is compared with whatever exponent
-  double largest_error = 0.0;  // the largest |dF| or |df|
-  std::vector<double> errors;  // signed dF_j or df_i as in (1), (2), one a measured value; a
-                               // missing mode: missing_mode
-  ModePairing pairing;         // modal experiments
+  double largest_error = 0.0;       // the largest |dF| or |df|
+  std::vector<double> differences;  // d, signed, as compared
+  std::vector<double> errors;       // signed dF_j or df_i as in (1), (2), one a measured value; a
+                                    // missing mode: missing_mode
+  ModePairing pairing;              // modal experiments
 };
 
 /// Forces at the same deflections. Measured forces are positive, N.
@@ -59,5 +60,10 @@ Comparison compare_modes(const std::vector<ModeRecord>& measured,
 
 /// sum w_e T_e / sum w_e; the sum of the weights is positive.
 double target(const std::vector<Comparison>& comparisons, const std::vector<double>& weights);
+
+/// sqrt(w_e / (N_e sum w)) d of every measured value: their sum of squares is the target for
+/// exponents of 2. What a least-squares method minimizes in the place of another exponent.
+std::vector<double> weighted_residuals(const std::vector<Comparison>& comparisons,
+                                       const std::vector<double>& weights);
 
 }  // namespace latsch::correlation

@@ -86,6 +86,20 @@ TEST(Target, OfThePublishedErrorsIsThePublishedTarget) {
   EXPECT_NEAR(published(0.25, 0.02), 0.15, 0.0151);
 }
 
+TEST(WeightedResiduals, TheirSquaresAreTheTargetOfSquares) {
+  ObjectiveSettings squares;
+  squares.exponent = 2.0;
+  ObjectiveSettings roots = squares;
+  roots.compared = Compared::root_force;
+  const std::vector<Comparison> comparisons = {
+      compare_forces({1000.0, 2000.0, 500.0}, {900.0, 2100.0, 530.0}, squares),
+      compare_forces({1000.0, 4000.0}, {810.0, 4100.0}, roots)};
+  const std::vector<double> weights = {3.0, 0.5};
+  double sum = 0.0;
+  for (double r : weighted_residuals(comparisons, weights)) sum += r * r;
+  EXPECT_NEAR(sum, target(comparisons, weights), kRound);
+}
+
 TEST(Target, IsTheWeightedMean) {
   Comparison a, b;
   a.value = 0.1;

@@ -2,6 +2,7 @@
 // Studies with an outside program in the model's place.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "base/error.h"
@@ -59,6 +60,7 @@ class SimulatorStudy : public testing::Test {
 };
 
 // z(0.5) = k / 2 between (0, 0) and (1, k): measured 1.5 mm needs k = 3, and the scale is 4 mm.
+// One experiment of two values: each residual is its share sqrt(1/2) of the difference.
 TEST_F(SimulatorStudy, ResidualsAreThoseOfTheInterpolatedCurve) {
   const Study study = read();
   const auto channels = evaluator(study)({{2000.0}});
@@ -66,7 +68,7 @@ TEST_F(SimulatorStudy, ResidualsAreThoseOfTheInterpolatedCurve) {
   const auto score = objective(study)(*channels);
   ASSERT_TRUE(score.ok());
   ASSERT_EQ(score->residuals.size(), 2u);
-  EXPECT_NEAR(score->residuals[0], (1.5 - 1.0) / 4.0, 1e-14);
+  EXPECT_NEAR(score->residuals[0], std::sqrt(0.5) * (1.5 - 1.0) / 4.0, 1e-14);
   EXPECT_NEAR(score->residuals[1], 0.0, 1e-14);
   EXPECT_NEAR(score->value, 0.0625, 1e-14);
 }

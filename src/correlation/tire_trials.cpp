@@ -103,10 +103,9 @@ Objective objective(const Study& study) {
         if (!simulated) return simulated.failure();
       }
       comparisons.push_back(compare(experiment, channels_of(experiment, channels)));
-      const auto& errors = comparisons.back().errors;
-      score.residuals.insert(score.residuals.end(), errors.begin(), errors.end());
     }
     score.value = target(comparisons, weights);
+    score.residuals = weighted_residuals(comparisons, weights);
     return score;
   };
 }
