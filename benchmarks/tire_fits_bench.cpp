@@ -13,7 +13,7 @@
 #include "base/random.h"
 #include "correlation/tire_trials.h"
 #include "fit_study.h"
-#include "optimization/residual_trust_region.h"
+#include "optimization/optimizer_choice.h"
 #include "table.h"
 
 namespace latsch::benchmarks {
@@ -71,16 +71,16 @@ std::optional<int> solve(const correlation::Study& study,
   return std::nullopt;
 }
 
-using Method = std::function<std::unique_ptr<Optimizer>(const DesignSpace&)>;
+using Start = std::function<std::unique_ptr<Optimizer>(const DesignSpace&)>;
 
 Tries try_all(const correlation::Study& study,
               const std::string& what,
               int starts,
-              const Method& method) {
+              const Start& start_at) {
   correlation::TireTrials trials(study);
   Tries tries{starts};
   for (int start = 0; start < starts; ++start) {
-    const auto optimizer = method(started_at_random(study, start));
+    const auto optimizer = start_at(started_at_random(study, start));
     const auto evaluations = solve(study, trials, *optimizer);
     if (evaluations) tries.evaluations.push_back(*evaluations);
     fmt::print(stderr,
@@ -103,17 +103,18 @@ std::string text(Tries tries) {
 
 void compare(const std::string& name, const std::string& title, Table& table) {
   const correlation::Study study = fresh_twin(name, TwinMesh::coarse);
+  const auto by = [&](Method method) {
+    return [&study, method](const DesignSpace& space) {
+      return make_optimizer(method, space, study.optimizer);
+    };
+  };
   const Tries residual =
-      try_all(study, title + ", residual trust region", kStarts, [](const auto& space) {
-        return std::make_unique<ResidualTrustRegion>(space);
-      });
+      try_all(study, title + ", residual trust region", kStarts, by(Method::residual_trust_region));
   table.row(fmt::format("{}, {} variables: residual trust region", title, study.space.size()),
             text(residual),
             fmt::format("{} of {}, <= {}", kStarts, kStarts, kReach),
             residual.solved() == kStarts && residual.most() <= kReach);
-  const Tries gss = try_all(study, title + ", GSS", kGssStarts, [&](const auto& space) {
-    return std::make_unique<Gss>(space, study.gss);
-  });
+  const Tries gss = try_all(study, title + ", GSS", kGssStarts, by(Method::gss));
   table.note(fmt::format("{}, {} variables: GSS", title, study.space.size()), text(gss));
 }
 
