@@ -144,9 +144,8 @@ int run() {
   study("tire A, smeared", reference_tire_a(), 0.0, table);
   study("tire B, rebars", b, 0.0, table);
   study("tire A, rebars", a, 0.0, table);
-  // Deeper, or with rebars, there is no limit to compare with: where the ground compresses cords,
-  // these have no bending stiffness of their own (smeared ones soften too), and the finer the mesh
-  // the earlier they buckle in waves of one element.
+  // Deeper, or with rebars, finer meshes lose stability where the ground compresses cords: there is
+  // no limit to compare with (docs/fe_tire.md, section 3).
   study("tire B, smeared", b_smeared, kTravel, table);
   return table.exit_code();
 }
