@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "evaluation/scratch_folder_testing.h"
 #include "formats/ccx_deck.h"
 #include "formats/ccx_results.h"
 #include "formats/inp_tire.h"
@@ -130,8 +131,7 @@ void race(Table& table,
           const std::string& name,
           const TireDescription& description,
           bool loaded_modes) {
-  const auto folder = std::filesystem::temp_directory_path() / fmt::format("latsch_ccx_{}", name);
-  std::filesystem::create_directories(folder);
+  const ScratchFolder folder;
 
   const double start = cpu_seconds(RUSAGE_SELF);
   const Mesh mesh = build_mesh(description);
@@ -155,7 +155,7 @@ void race(Table& table,
   const std::string command = fmt::format(
       "cd '{}' && OMP_NUM_THREADS=1 CCX_NPROC_EQUATION_SOLVER=1 CCX_NPROC_RESULTS=1 ccx -i tire > "
       "tire.log 2>&1",
-      folder.string());
+      folder.path().string());
   if (std::system(command.c_str()) != 0) {
     table.row(name + ": CalculiX", "did not finish", "finish", false);
     return;
@@ -204,11 +204,4 @@ int run() {
 
 }  // namespace latsch::benchmarks
 
-int main() {
-  try {
-    return latsch::benchmarks::run();
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "ccx: {}\n", error.what());
-    return 1;
-  }
-}
+int main() { return latsch::benchmarks::guarded(latsch::benchmarks::run); }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fit_study.h"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <regex>
 #include <stdexcept>
@@ -11,6 +9,7 @@
 #include "correlation/tire_trials.h"
 #include "correlation/twin.h"
 #include "evaluation/process_executor.h"
+#include "evaluation/scratch_folder_testing.h"
 
 namespace latsch::benchmarks {
 
@@ -24,16 +23,8 @@ namespace {
 
 /// A folder that goes with the program; workers read their study in it as long as that runs.
 const fs::path& scratch_folder() {
-  struct Folder {
-    fs::path path = fs::temp_directory_path() / ("latsch_twin_" + std::to_string(getpid()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() {
-      std::error_code ignored;
-      fs::remove_all(path, ignored);
-    }
-  };
-  static const Folder folder;
-  return folder.path;
+  static const ScratchFolder folder;
+  return folder.path();
 }
 
 void coarsen(const fs::path& tires) {
@@ -65,12 +56,10 @@ correlation::Study fresh_twin(const std::string& name, TwinMesh mesh) {
 fs::path program() { return fs::read_symlink("/proc/self/exe").parent_path() / "latsch"; }
 
 Fit fit(const correlation::Study& study, int workers) {
-  const fs::path file =
-      fs::temp_directory_path() / ("latsch_fit_" + std::to_string(getpid()) + ".journal");
-  fs::remove(file);
+  const ScratchFolder folder;
   Fit fit;
   {
-    Journal journal = Journal::open(file, correlation::identity(study));
+    Journal journal = Journal::open(folder / "fit.latsch", correlation::identity(study));
     ProcessOptions options;
     options.arguments = {program().string(), "worker", study.file.string()};
     options.workers = workers;
@@ -85,7 +74,6 @@ Fit fit(const correlation::Study& study, int workers) {
     fit.trials = journal.size();
     journal.for_each([&](const Trial& trial) { fit.cpu_time += trial.outcome.cpu_time; });
   }
-  for (const char* suffix : {"", "-wal", "-shm", ".lock"}) fs::remove(file.string() + suffix);
   return fit;
 }
 

@@ -7,7 +7,9 @@
 
 #include "more_wild_runs.h"
 
-int main() {
+namespace {
+
+int bench() {
   using namespace latsch::benchmarks;
   Table table("more_wild");
   const std::vector<Disturbance> none{{}};
@@ -29,3 +31,7 @@ int main() {
   // COBYLA of NLopt 2.7.1 can loop for ever and is left out.
   return table.exit_code();
 }
+
+}  // namespace
+
+int main() { return latsch::benchmarks::guarded(bench); }

@@ -4,7 +4,9 @@
 // NLopt's solvers know no failed point. DFO-LS falls from .925 to .396 at 5 % (tau 1e-3 @10).
 #include "more_wild_runs.h"
 
-int main() {
+namespace {
+
+int bench() {
   using namespace latsch::benchmarks;
   Table table("more_wild_failures");
   const auto draws = [](double failures) {
@@ -26,3 +28,7 @@ int main() {
   note(table, "GSS, 20 %", measure(gss(), draws(0.2)));
   return table.exit_code();
 }
+
+}  // namespace
+
+int main() { return latsch::benchmarks::guarded(bench); }

@@ -4,7 +4,9 @@
 
 #include "more_wild_runs.h"
 
-int main() {
+namespace {
+
+int bench() {
   using namespace latsch::benchmarks;
   Table table("more_wild_noise");
   const std::vector<Disturbance> draws{
@@ -18,3 +20,7 @@ int main() {
   note(table, "NLopt Nelder-Mead", measure(nlopt(NLOPT_LN_NELDERMEAD), draws));
   return table.exit_code();
 }
+
+}  // namespace
+
+int main() { return latsch::benchmarks::guarded(bench); }

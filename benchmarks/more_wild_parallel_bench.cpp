@@ -82,7 +82,9 @@ Solved run(const more_wild::Problem& problem, Busy& busy) {
 }  // namespace
 }  // namespace latsch::benchmarks
 
-int main() {
+namespace {
+
+int bench() {
   using namespace latsch;
   using namespace latsch::benchmarks;
   Table table("more_wild_parallel");
@@ -99,3 +101,7 @@ int main() {
   note(table, "16 workers", trust);
   return table.exit_code();
 }
+
+}  // namespace
+
+int main() { return latsch::benchmarks::guarded(bench); }

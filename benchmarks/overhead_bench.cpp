@@ -124,5 +124,5 @@ int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "worker") == 0) {
     return latsch::serve(latsch::benchmarks::model);
   }
-  return latsch::benchmarks::run();
+  return latsch::benchmarks::guarded(latsch::benchmarks::run);
 }

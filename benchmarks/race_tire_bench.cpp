@@ -6,7 +6,9 @@
 #include "fit_study.h"
 #include "table.h"
 
-int main() {
+namespace {
+
+int bench() {
   using namespace latsch;
   // Twice the force error of the published fits [Hempel & Oertel 2016]: here the contour is
   // assumed.
@@ -41,3 +43,7 @@ int main() {
   table.note("wall time, 2 workers", fmt::format("{:.1f} s", fit.wall_time));
   return table.exit_code();
 }
+
+}  // namespace
+
+int main() { return latsch::benchmarks::guarded(bench); }

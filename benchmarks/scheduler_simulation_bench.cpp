@@ -93,5 +93,6 @@ int run(long histories, std::uint64_t first_seed) {
 int main(int argc, char** argv) {
   const long histories = argc > 1 ? std::atol(argv[1]) : 10'000;
   const std::uint64_t first_seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0;
-  return latsch::benchmarks::run(histories, first_seed);
+  return latsch::benchmarks::guarded(
+      [&] { return latsch::benchmarks::run(histories, first_seed); });
 }

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <exception>
 
 namespace latsch::benchmarks {
 namespace {
@@ -50,6 +52,15 @@ int Table::exit_code() const {
     fmt::print("{}: all {} rows reached\n", name_, rows_);
   }
   return rows_ > 0 && short_ == 0 ? 0 : 1;
+}
+
+int guarded(const std::function<int()>& benchmark) {
+  try {
+    return benchmark();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: {}\n", program_invocation_short_name, error.what());
+    return 2;
+  }
 }
 
 }  // namespace latsch::benchmarks

@@ -7,6 +7,7 @@
 //   2e-3); return table.exit_code();
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -29,5 +30,9 @@ class Table {
   int rows_ = 0;
   int short_ = 0;
 };
+
+/// What main() does: runs the benchmark and gives back its exit code. What it throws, a study that
+/// cannot be read for instance, is printed; then 2.
+int guarded(const std::function<int()>& benchmark);
 
 }  // namespace latsch::benchmarks

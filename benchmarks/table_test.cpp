@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace latsch::benchmarks {
 namespace {
@@ -31,6 +32,14 @@ TEST(BenchmarkTable, PrintsOneLineARowWithFourColumns) {
   EXPECT_NE(printed.find("contact \xC3\xA4rea" + std::string(46, ' ') + " | 1 %"),
             std::string::npos);
   EXPECT_EQ(std::count(printed.begin(), printed.end(), '\n'), 3);
+}
+
+TEST(GuardedBenchmark, SaysInWordsWhatStoppedItAndEndsWith2) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(guarded([]() -> int { throw std::runtime_error("study.toml:3: no variable"); }), 2);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("study.toml:3: no variable"),
+            std::string::npos);
+  EXPECT_EQ(guarded([] { return 1; }), 1);
 }
 
 }  // namespace

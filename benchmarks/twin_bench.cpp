@@ -8,7 +8,9 @@
 #include "fit_study.h"
 #include "table.h"
 
-int main() {
+namespace {
+
+int bench() {
   using namespace latsch;
   benchmarks::Table table("twin");
   const correlation::Study study = benchmarks::fresh_twin("tire_b_twin");
@@ -41,3 +43,7 @@ int main() {
   table.note("CPU time of all trials", fmt::format("{:.1f} s", fit.cpu_time));
   return table.exit_code();
 }
+
+}  // namespace
+
+int main() { return latsch::benchmarks::guarded(bench); }

@@ -67,4 +67,4 @@ int run() {
 }  // namespace
 }  // namespace latsch::benchmarks
 
-int main() { return latsch::benchmarks::run(); }
+int main() { return latsch::benchmarks::guarded(latsch::benchmarks::run); }
