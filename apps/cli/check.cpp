@@ -126,6 +126,7 @@ void check(const std::string& file) {
   fmt::print(
       "\nOptimizer {}, at most {} steps: {}\n"
       "Workers {}, {:g} s a trial at most, journal {}\n"
+      "Where a trial fails, {}\n"
       "\nEverything is in order. Next: latsch run {}\n",
       in_words(choice.method),
       study.max_steps,
@@ -133,6 +134,7 @@ void check(const std::string& file) {
       study.run.workers,
       study.run.timeout,
       study.run.journal.string(),
+      correlation::in_words(study.run.on_failure),
       file);
 }
 

@@ -237,6 +237,18 @@ class Simulators(unittest.TestCase):
             edit(study, (r"\[optimizer\](\n.*)*?\n\n", '[optimizer]\nmax_steps = 1\n\n'))
             self.assert_says(self.latsch("run", study, code=FAILED), "no trial succeeded", said)
 
+    def test_a_failed_point_is_answered_as_the_study_asks_and_stays_a_failed_trial(self):
+        for policy, said in (("recover", "counts as a target of 100 %"), ("continuation", "in 4 halvings")):
+            study = self.study("quarter_car")
+            edit(study, ("step_tolerance = .*", "step_tolerance = 0.15"), (r"\[run\]", f'[run]\nintervals = false\non_failure = "{policy}"'))
+            edit(study.parent / "quarter_car.py", (r"    state = \(", '    assert car["damper"] > 1500, "too soft"\n    state = ('))
+            self.assert_says(self.latsch("check", study), said)
+            text = self.latsch("run", study)
+            self.assertGreater(self.found(text, "damper"), 1500)
+            report = (study.parent / "study.html").read_text()
+            self.assert_says(report, "too soft")
+            shutil.rmtree(study.parent)
+
     @unittest.skipUnless(shutil.which("mpirun"), "Open MPI (mpirun) is not installed")
     def test_the_ranks_of_an_mpi_job_give_the_same_result(self):
         study = self.study("quarter_car")

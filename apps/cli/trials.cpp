@@ -56,7 +56,7 @@ void print_aborted(const correlation::Study& study,
              study.file.string(),
              failure.reason);
   print_point(study.space, point);
-  fmt::print("What was evaluated is in {}; with on_failure = \"continue\" latsch resume goes on.\n",
+  fmt::print("What was evaluated is in {}; with on_failure = \"proceed\" latsch resume goes on.\n",
              study.run.journal.string());
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/run_settings.h"
 
+#include <fmt/format.h>
+
 #include <array>
 
 #include "base/text.h"
@@ -11,6 +13,7 @@ namespace {
 
 constexpr long kMostWorkers = 1024;
 constexpr long kMostRetries = 100;
+constexpr long kMostHalvings = 52;     // then nothing lies between two numbers any more
 constexpr double kLeastMemory = 16e6;  // bytes; with less a worker does not even start
 
 double read_memory(const Node& table) {
@@ -25,19 +28,57 @@ double read_memory(const Node& table) {
   return *bytes;
 }
 
+/// A setting that only one of the policies has.
+void expect_policy(const Node& table,
+                   const char* key,
+                   const char* policy,
+                   const std::string& what) {
+  if (what == policy || !table.has(key)) return;
+  table.reject(key, fmt::format("stands without on_failure = \"{}\"", policy));
+}
+
 FailurePolicy read_policy(const Node& table) {
+  using Then = FailurePolicy::Then;
   FailurePolicy policy;
-  const std::string what = table.choice("on_failure", {"continue", "abort", "retry"}, "continue");
-  if (what == "abort") policy.then = FailurePolicy::Then::abort;
+  const std::string what = table.choice(
+      "on_failure", {"proceed", "abort", "retry", "recover", "continuation"}, "proceed");
+  expect_policy(table, "retries", "retry", what);
+  expect_policy(table, "penalty", "recover", what);
+  expect_policy(table, "halvings", "continuation", what);
+  if (what == "abort") policy.then = Then::abort;
   if (what == "retry") {
     policy.retries = static_cast<int>(table.integer("retries", 1, kMostRetries, 1));
-  } else if (table.has("retries")) {
-    table.reject("retries", R"(stands without on_failure = "retry")");
+  }
+  if (what == "recover") {
+    policy.then = Then::recover;
+    policy.penalty = table.quantity("penalty", "1", Range::positive(), policy.penalty);
+  }
+  if (what == "continuation") {
+    policy.then = Then::continuation;
+    policy.halvings =
+        static_cast<int>(table.integer("halvings", 1, kMostHalvings, policy.halvings));
   }
   return policy;
 }
 
 }  // namespace
+
+std::string in_words(const FailurePolicy& policy) {
+  switch (policy.then) {
+    case FailurePolicy::Then::abort:
+      return "the run ends";
+    case FailurePolicy::Then::recover:
+      return fmt::format("it counts as a target of {:g} %", 100.0 * policy.penalty);
+    case FailurePolicy::Then::continuation:
+      return fmt::format("its point is approached from the nearest success in {} halvings",
+                         policy.halvings);
+    case FailurePolicy::Then::proceed:
+      break;
+  }
+  return policy.retries == 0
+             ? "its point is worse than any that succeeds"
+             : fmt::format("it is tried again, at most {} times, before it counts", policy.retries);
+}
 
 std::optional<double> parse_memory(std::string_view text) {
   struct Size {

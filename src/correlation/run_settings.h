@@ -1,23 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the trials of a study are run. None of it changes the result, except which trials fail.
+// How the trials of a study are run. None of it changes the result, except which trials fail and
+// what follows from that.
 //
 //   [run]
 //   workers = 2                        # processes
 //   timeout = "10 min"                 # a trial; then its whole process group is killed
 //   memory = "4 GB"                    # a worker and each program it starts; unlimited unless
-//   given on_failure = "continue"            # a failed point is worse than any other; or "abort":
-//   the run
-//                                      # ends; or "retry": once more, `retries` times, then
-//                                      continue
-//   retries = 1
-//   intervals = true                   # after a fit: confidence intervals, a trial a variable
-//   journal = "study.latsch"          # beside the study
+//   given on_failure = "proceed"             # a failed point is worse than any other intervals =
+//   true                   # after a fit: confidence intervals, a trial a variable journal =
+//   "study.latsch"           # beside the study
 //
-// A trial whose worker was killed from outside is repeated in any case, at most twice.
+// What else on_failure may be:
+//   on_failure = "abort"               # the run ends
+//   on_failure = "retry"               # once more, `retries` times, then as "proceed"
+//   retries = 1
+//   on_failure = "recover"             # the optimizer is told a target of `penalty` in its place,
+//   penalty = "100 %"                  # with residuals that have this as their sum of squares
+//   on_failure = "continuation"        # approached from the nearest point that succeeded, halving
+//   halvings = 4                       # the way so often; see evaluation/failure_answer.h
+//
+// The journal and the report show the trial as failed in any case. A design of experiments has no
+// optimizer to be answered: to it "recover" and "continuation" are "proceed". A trial whose worker
+// was killed from outside is repeated in any case, at most twice.
 #pragma once
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "base/document.h"
@@ -36,6 +45,9 @@ struct RunSettings {
 
 /// `table`: [run], nullptr where the study has none; `study`: its file.
 RunSettings read_run_settings(const Node* table, const std::filesystem::path& study);
+
+/// What follows from a failed trial, as the end of a sentence that begins with one.
+std::string in_words(const FailurePolicy& policy);
 
 /// Bytes of "4 GB", "500 MB", "64 kB", powers of 1000; nothing where the text is no such amount.
 std::optional<double> parse_memory(std::string_view text);

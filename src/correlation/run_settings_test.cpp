@@ -47,6 +47,17 @@ TEST(RunSettings, AreReadWithTheirUnits) {
   EXPECT_EQ(read("on_failure = \"abort\"").on_failure.then, FailurePolicy::Then::abort);
 }
 
+TEST(RunSettings, AFailedPointIsAnsweredByAPenaltyOrApproached) {
+  const FailurePolicy penalty = read("on_failure = \"recover\"\npenalty = \"250 %\"").on_failure;
+  EXPECT_EQ(penalty.then, FailurePolicy::Then::recover);
+  EXPECT_DOUBLE_EQ(penalty.penalty, 2.5);
+  EXPECT_EQ(in_words(penalty), "it counts as a target of 250 %");
+  const FailurePolicy halvings = read("on_failure = \"continuation\"\nhalvings = 6").on_failure;
+  EXPECT_EQ(halvings.then, FailurePolicy::Then::continuation);
+  EXPECT_EQ(halvings.halvings, 6);
+  EXPECT_NE(in_words(halvings).find("6 halvings"), std::string::npos);
+}
+
 TEST(RunSettings, WhatMakesNoSenseIsRefusedInWords) {
   const auto says = [](const std::string& text, const std::string& part) {
     EXPECT_NE(complaint(text).find(part), std::string::npos) << complaint(text);
@@ -54,8 +65,12 @@ TEST(RunSettings, WhatMakesNoSenseIsRefusedInWords) {
   says("memory = \"4 parsec\"", "expected an amount of at least 16 MB such as \"4 GB\"");
   says("memory = \"1 kB\"", "at least 16 MB");
   says("memory = \"-4 GB\"", "expected an amount");
-  says("on_failure = \"recover\"", "\"continue\", \"abort\" or \"retry\"");
+  says("on_failure = \"recover!\"", "\"retry\", \"recover\" or \"continuation\"");
   says("retries = 2", "without on_failure = \"retry\"");
+  says("on_failure = \"retry\"\npenalty = 2", "without on_failure = \"recover\"");
+  says("on_failure = \"recover\"\nhalvings = 2", "without on_failure = \"continuation\"");
+  says("on_failure = \"recover\"\npenalty = -1", "penalty");
+  says("on_failure = \"continuation\"\nhalvings = 0", "halvings");
 }
 
 TEST(RunSettings, MemoryIsCountedInPowersOfAThousand) {

@@ -153,6 +153,7 @@ Study read_study(const std::filesystem::path& file, Measurements measurements) {
   if (const auto doe = root.find_table("doe")) study.doe = read_design(*doe, study.space);
   const auto run = root.find_table("run");
   study.run = read_run_settings(run ? &*run : nullptr, file);
+  study.run.on_failure.space = study.space;
   root.close();
   study.simulator = std::move(simulator);
   return study;

@@ -180,7 +180,8 @@ void add_variables(const Study& study, const DesignPoint& found, StudyReport& pa
 /// The optimizer's trajectory as far as the journal knows it; none where it was never run.
 void add_convergence(const Study& study, const Journal& journal, StudyReport& page) {
   const auto optimizer = make_optimizer(study);
-  const Run run = replay(*optimizer, objective(study), journal, study.max_steps);
+  const Run run =
+      replay(*optimizer, objective(study), journal, study.max_steps, study.run.on_failure);
   if (run.steps.empty()) return;
   report::Convergence convergence;
   for (const Step& step : run.steps) {

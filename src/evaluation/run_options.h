@@ -6,17 +6,24 @@
 #include <optional>
 
 #include "optimization/design_point.h"
+#include "optimization/design_space.h"
 
 namespace latsch {
 
-/// What follows from a failed trial.
+/// What follows from a failed trial. A design of experiments, which nobody has to answer to, knows
+/// only the first two.
 struct FailurePolicy {
   enum class Then {
-    proceed,  // an optimizer takes the point as worse than any that succeeded
-    abort,    // the run ends
+    proceed,       // an optimizer takes the point as worse than any that succeeded
+    abort,         // the run ends
+    recover,       // it is told `penalty`; see failure_answer.h
+    continuation,  // it is told the value of the last point, going there, that succeeds
   };
   Then then = Then::proceed;
-  int retries = 0;  // how often a failed trial is tried again before it counts as failed
+  int retries = 0;       // how often a failed trial is tried again before it counts as failed
+  double penalty = 1.0;  // of the target function
+  int halvings = 4;      // trials of a continuation
+  std::optional<DesignSpace> space = {};  // which a continuation needs
 };
 
 /// What a progress bar needs.

@@ -1,14 +1,75 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/scheduler.h"
 
+#include <functional>
+#include <utility>
+
 #include "evaluation/dispatcher.h"
 
 namespace latsch {
 namespace {
 
-bool ends_run(const RunOptions& options, const Result<Score>& outcome) {
-  return !outcome && options.on_failure.then == FailurePolicy::Then::abort;
-}
+/// Lets the optimizer observe the outcome of the first point it proposes, again and again.
+class Search {
+ public:
+  using Seen = std::function<void(const Step&)>;
+
+  /// `look_ahead`: how many points it proposes at once.
+  Search(Optimizer& optimizer, const FailurePolicy& policy, int look_ahead, Ask ask, Seen seen)
+      : optimizer_(optimizer),
+        policy_(policy),
+        look_ahead_(look_ahead),
+        ask_(std::move(ask)),
+        seen_(std::move(seen)) {}
+
+  Run to_its_end(long max_steps) {
+    while (!optimizer_.converged()) {
+      if (std::ssize(run_.steps) >= max_steps) return ended(RunEnd::max_steps);
+      const std::vector<DesignPoint> plan = optimizer_.propose(look_ahead_);
+      const Result<Score>* outcome = ask_(plan);
+      if (!outcome) return ended(RunEnd::stopped);
+      Step step{plan.front(), *outcome};
+      if (!step.outcome && !answer(step, plan)) return ended(RunEnd::stopped);
+      const bool failed = !step.outcome;
+      observe(std::move(step));
+      if (failed && policy_.then == FailurePolicy::Then::abort) return ended(RunEnd::aborted);
+    }
+    return ended(RunEnd::converged);
+  }
+
+ private:
+  /// What the failed point is answered by; false where a trial for that cannot be had.
+  bool answer(Step& failed, std::span<const DesignPoint> plan) {
+    if (policy_.then == FailurePolicy::Then::recover)
+      failed.answer = recovered(policy_, run_.steps);
+    if (policy_.then != FailurePolicy::Then::continuation) return true;
+    std::optional<std::span<const DesignPoint>> behind;
+    if (look_ahead_ > 1) behind = plan.subspan(1);
+    auto continuation = continued(policy_, run_.steps, failed.point, behind, ask_);
+    if (!continuation) return false;
+    for (Step& step : continuation->steps) observe(std::move(step));
+    failed.answer = std::move(continuation->answer);
+    return true;
+  }
+
+  void observe(Step step) {
+    optimizer_.observe(step.point, step.answer ? Result<Score>(*step.answer) : step.outcome);
+    seen_(step);
+    run_.steps.push_back(std::move(step));
+  }
+
+  Run ended(RunEnd end) {
+    run_.end = end;
+    return std::move(run_);
+  }
+
+  Optimizer& optimizer_;
+  const FailurePolicy& policy_;
+  int look_ahead_;
+  Ask ask_;
+  Seen seen_;
+  Run run_;
+};
 
 }  // namespace
 
@@ -28,27 +89,13 @@ Run run_optimizer(Optimizer& optimizer,
   Dispatcher dispatcher(objective, executor, journal, options, options.max_steps);
   // One worker has no use for speculation.
   const int points = executor.workers() > 1 ? executor.workers() * options.look_ahead : 1;
-  Run run;
-  run.end = RunEnd::converged;
-  while (!optimizer.converged()) {
-    if (std::ssize(run.steps) >= options.max_steps) {
-      run.end = RunEnd::max_steps;
-      break;
-    }
-    const std::vector<DesignPoint> plan = optimizer.propose(points);
-    const Result<Score>* outcome = dispatcher.first_of(plan);
-    if (!outcome) {
-      run.end = RunEnd::stopped;
-      break;
-    }
-    optimizer.observe(plan.front(), *outcome);
-    run.steps.push_back({plan.front(), *outcome});
-    dispatcher.count(plan.front(), *outcome, true);
-    if (ends_run(options, *outcome)) {
-      run.end = RunEnd::aborted;
-      break;
-    }
-  }
+  Search search(
+      optimizer,
+      options.on_failure,
+      points,
+      [&](std::span<const DesignPoint> wanted) { return dispatcher.first_of(wanted); },
+      [&](const Step& step) { dispatcher.count(step.point, step.outcome, true); });
+  Run run = search.to_its_end(options.max_steps);
   dispatcher.finish();  // speculation that is not needed any more
   dispatcher.report();
   return run;
@@ -57,19 +104,17 @@ Run run_optimizer(Optimizer& optimizer,
 Run replay(Optimizer& optimizer,
            const Objective& objective,
            const TrialStore& journal,
-           long max_steps) {
+           long max_steps,
+           const FailurePolicy& on_failure) {
   KnownScores known(objective);
   journal.for_each([&](const Trial& trial) { known.add(trial); });
-  Run run;
-  while (!optimizer.converged() && std::ssize(run.steps) < max_steps) {
-    const DesignPoint point = optimizer.propose(1).front();
-    const Result<Score>* outcome = known.find(point);
-    if (!outcome) return run;
-    optimizer.observe(point, *outcome);
-    run.steps.push_back({point, *outcome});
-  }
-  run.end = optimizer.converged() ? RunEnd::converged : RunEnd::max_steps;
-  return run;
+  Search search(
+      optimizer,
+      on_failure,
+      1,
+      [&](std::span<const DesignPoint> wanted) { return known.find(wanted.front()); },
+      [](const Step&) {});
+  return search.to_its_end(max_steps);
 }
 
 RunEnd run_doe(const SamplingPlan& plan,
@@ -81,7 +126,7 @@ RunEnd run_doe(const SamplingPlan& plan,
   RunEnd end = RunEnd::stopped;
   const auto known = [&](const DesignPoint& point, const Result<Score>& outcome) {
     dispatcher.count(point, outcome, false);
-    if (ends_run(options, outcome)) end = RunEnd::aborted;
+    if (!outcome && options.on_failure.then == FailurePolicy::Then::abort) end = RunEnd::aborted;
     return end != RunEnd::aborted;
   };
   if (dispatcher.all_of(plan.points, known)) end = RunEnd::converged;

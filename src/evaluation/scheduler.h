@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "evaluation/executor.h"
+#include "evaluation/failure_answer.h"
 #include "evaluation/journal.h"
 #include "evaluation/run_options.h"
 #include "optimization/optimizer.h"
@@ -22,12 +23,6 @@ enum class RunEnd {
   max_steps,
   stopped,  // on request
   aborted   // a trial failed and the failure policy says to end
-};
-
-/// A point the optimizer observed.
-struct Step {
-  DesignPoint point;
-  Result<Score> outcome;
 };
 
 /// The trajectory of an optimizer: the same bits for any number of workers, with or without an
@@ -52,7 +47,8 @@ Run run_optimizer(Optimizer& optimizer,
 Run replay(Optimizer& optimizer,
            const Objective& objective,
            const TrialStore& journal,
-           long max_steps = 1000);
+           long max_steps = 1000,
+           const FailurePolicy& on_failure = {});
 
 /// Evaluates the points of the plan that the journal does not know. The outcomes are in the
 /// journal.

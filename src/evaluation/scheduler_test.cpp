@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "base/random.h"
+#include "evaluation/faulty_world_testing.h"
 #include "evaluation/inline_executor.h"
 #include "evaluation/scratch_folder_testing.h"
 #include "evaluation/simulated_executor.h"
@@ -127,7 +128,7 @@ TEST(RunOptimizer, ReportsProgress) {
 TEST(RunOptimizer, ARunInterruptedAnywhereGivesTheSameBitsAndRepeatsNoFinishedTrial) {
   const std::string reference = bits(run_simulated({.failures = 0.05}, nullptr));
   for (std::uint64_t history = 0; history < 30; ++history) {
-    const ScratchFolder folder;
+    FaultyStore store(0.0, 0);  // of which nothing is refused
     RandomStream random(7, history);
     std::map<std::string, int> evaluations;
     const Evaluator counting = [&](const DesignPoint& point) {
@@ -137,14 +138,13 @@ TEST(RunOptimizer, ARunInterruptedAnywhereGivesTheSameBitsAndRepeatsNoFinishedTr
     for (bool finished = false; !finished;) {
       const int workers = 1 + static_cast<int>(random.below(5));
       SimulatedExecutor executor(counting, {.workers = workers, .failures = 0.05});
-      Journal journal = Journal::open(folder / "j", kStudy);
       const long trials = static_cast<long>(random.below(25));
       RunOptions options;
       options.stop_patience = 0.0;
       options.commit_in_background = false;
       options.stop_requested = [&] { return executor.started() > trials; };
       Gss gss(space());
-      const auto run = run_optimizer(gss, target, executor, &journal, options);
+      const auto run = run_optimizer(gss, target, executor, &store, options);
       finished = run.end == RunEnd::converged;
       if (finished) {
         EXPECT_EQ(bits(run), reference) << "history " << history;
