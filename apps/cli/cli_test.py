@@ -240,7 +240,7 @@ class Simulators(unittest.TestCase):
     def test_a_failed_point_is_answered_as_the_study_asks_and_stays_a_failed_trial(self):
         for policy, said in (("recover", "counts as a target of 100 %"), ("continuation", "in 4 halvings")):
             study = self.study("quarter_car")
-            edit(study, ("step_tolerance = .*", "step_tolerance = 0.15"), (r"\[run\]", f'[run]\nintervals = false\non_failure = "{policy}"'))
+            edit(study, ("step_tolerance = .*", "step_tolerance = 0.08"), (r"\[run\]", f'[run]\nintervals = false\non_failure = "{policy}"'))
             edit(study.parent / "quarter_car.py", (r"    state = \(", '    assert car["damper"] > 1500, "too soft"\n    state = ('))
             self.assert_says(self.latsch("check", study), said)
             text = self.latsch("run", study)
