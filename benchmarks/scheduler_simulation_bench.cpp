@@ -57,6 +57,34 @@ long count_other_bits(const SearchProblem& problem, const std::string& reference
   return differ;
 }
 
+/// s in virtual time, mean of so many searches in which one trial of twenty stalls.
+double time_with_stalls(const SearchProblem& problem, int workers, bool stop_unwanted) {
+  constexpr int kSearches = 200;
+  double time = 0.0;
+  for (std::uint64_t seed = 0; seed < kSearches; ++seed) {
+    FaultyStore store(0.0, seed);
+    FaultyWorld world(problem.evaluator, workers, {.stall = 0.05}, store, seed);
+    RunOptions options;
+    options.commit_in_background = false;
+    options.stop_unwanted = stop_unwanted;
+    const auto optimizer = problem.optimizer();
+    (void)run_optimizer(*optimizer, problem.objective, world, &store, options);
+    time += world.now();
+  }
+  return time / kSearches;
+}
+
+void stalls(Table& table, const SearchProblem& problem) {
+  for (const int workers : {2, 4, 8}) {
+    const double share =
+        time_with_stalls(problem, workers, true) / time_with_stalls(problem, workers, false);
+    table.row(fmt::format("{} workers, 5 % stalls: time with unwanted ones stopped", workers),
+              fmt::format("{:.0f} %", 100.0 * share),
+              "< 100 %",
+              share < 1.0);
+  }
+}
+
 int run(long histories, std::uint64_t first_seed) {
   Table table("scheduler_simulation");
   const SearchProblem problem = two_variable_search();
@@ -84,6 +112,7 @@ int run(long histories, std::uint64_t first_seed) {
             fmt::format("{} of 12", differ),
             "0",
             differ == 0);
+  stalls(table, problem);
   return table.exit_code();
 }
 

@@ -129,6 +129,7 @@ bool Dispatcher::is_under_way(const DesignPoint& point) const {
 }
 
 void Dispatcher::start_idle_workers(std::span<const DesignPoint> wanted) {
+  stop_unwanted_stragglers(wanted);
   for (auto& [bits, running] : running_) {
     if (executor_.idle() == 0) return;
     if (running.copies > 0) continue;
@@ -148,16 +149,47 @@ void Dispatcher::start(Running& running) {
   executor_.start(running.point);
 }
 
+void Dispatcher::stop_unwanted_stragglers(std::span<const DesignPoint> wanted) {
+  const auto limit = straggling_since();
+  if (!limit || !options_.stop_unwanted || !executor_.can_stop()) return;
+  const auto straggles = [&](const auto& entry) {
+    return entry.second.copies > 0 && entry.second.since <= *limit;
+  };
+  if (std::none_of(running_.begin(), running_.end(), straggles)) return;
+  std::set<std::string> named;
+  long waiting = 0;
+  for (const DesignPoint& point : wanted) {
+    named.insert(point.bits());
+    waiting += !is_under_way(point);
+  }
+  for (auto entry = running_.begin(); entry != running_.end() && waiting > executor_.idle();) {
+    if (!straggles(*entry) || named.contains(entry->first)) {
+      ++entry;
+      continue;
+    }
+    executor_.withdraw(entry->second.point);
+    ++progress_.stopped;
+    entry = running_.erase(entry);
+  }
+}
+
 void Dispatcher::start_stragglers_again() {
-  if (options_.straggler_factor <= 0.0 || executor_.idle() == 0) return;
-  if (recent_times_.size() < kTimesForMedian) return;
-  const double usual_end = executor_.now() - options_.straggler_factor * median_time();
+  const auto limit = straggling_since();
+  if (!limit || executor_.idle() == 0) return;
   for (auto& [bits, running] : running_) {
     if (executor_.idle() == 0) return;
-    if (running.copies != 1 || running.since > usual_end) continue;
+    if (running.copies != 1 || running.since > *limit) continue;
     ++progress_.repeated;
     start(running);
   }
+}
+
+/// What runs since then or longer is a straggler; nullopt where there is no saying.
+std::optional<double> Dispatcher::straggling_since() const {
+  if (options_.straggler_factor <= 0.0 || recent_times_.size() < kTimesForMedian) {
+    return std::nullopt;
+  }
+  return executor_.now() - options_.straggler_factor * median_time();
 }
 
 double Dispatcher::median_time() const {

@@ -165,6 +165,43 @@ TEST(Stragglers, AreLeftAloneWhereThatIsAskedFor) {
   EXPECT_EQ(executor.attempts(4.0), 1);
 }
 
+/// Names {x, 1000 + x} at its step x: what is speculated on never comes true.
+class Forgetful : public Optimizer {
+ public:
+  std::vector<DesignPoint> propose(int count) const override {
+    std::vector<DesignPoint> points{{{x_}}, {{1000.0 + x_}}};
+    points.resize(std::min(count, 2));
+    return points;
+  }
+  void observe(const DesignPoint&, const Result<Score>&) override { x_ += 1.0; }
+  bool converged() const override { return x_ >= 30.0; }
+
+ private:
+  double x_ = 0.0;
+};
+
+// The speculation that stalls holds one of two workers for good unless it is stopped.
+TEST(Stragglers, AreStoppedWhereNobodyNamesThemAndAWantedPointWaits) {
+  const auto time = [](bool stop, long& stopped) {
+    Scripted executor(2, [](const DesignPoint& point, int) -> Scripted::Answer {
+      return {point.values[0] == 1009.0 ? 1e6 : 1.0};
+    });
+    RunOptions options = virtual_time();
+    options.stop_unwanted = stop;
+    options.on_progress = [&](const RunProgress& progress) { stopped = progress.stopped; };
+    Forgetful optimizer;
+    const Objective any = [](const Channels&) -> Result<Score> { return Score{}; };
+    const auto run = run_optimizer(optimizer, any, executor, nullptr, options);
+    EXPECT_EQ(run.steps.size(), 30u);
+    EXPECT_EQ(executor.attempts(1009.0), 1);
+    return executor.now();
+  };
+  long with = 0, without = 0;
+  EXPECT_LE(time(true, with), time(false, without));
+  EXPECT_EQ(with, 1);
+  EXPECT_EQ(without, 0);
+}
+
 // The short form of ./bench.sh scheduler_simulation.
 TEST(SchedulerInVirtualTime, LosesAndRepeatsNothingAndGivesTheSameBitsInEveryHistory) {
   const SearchProblem problem = two_variable_search();

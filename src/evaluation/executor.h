@@ -32,6 +32,8 @@ class Executor {
 
   /// Forgets the running trials of this point and frees their workers as soon as it can.
   virtual void withdraw(const DesignPoint& point) = 0;
+  /// Whether that frees them at once.
+  virtual bool can_stop() const { return true; }
 
   /// Forgets all running trials and frees their workers.
   virtual void abandon() = 0;

@@ -33,6 +33,7 @@ struct RunProgress {
   long evaluated = 0;  // trials that ran in this process
   long failed = 0;     // of these
   long repeated = 0;  // trials started again: their worker was lost, they failed, or they straggled
+  long stopped = 0;   // trials that were withdrawn while they ran
   int running = 0;
   double elapsed = 0.0;          // s since the run began
   double trial_wall_time = 0.0;  // s, mean over `evaluated`
@@ -47,6 +48,9 @@ struct RunOptions {
   /// A trial that runs so many times longer than the median is started a second time where a worker
   /// has nothing else to do; 0: never.
   double straggler_factor = 3.0;
+  /// Such a trial is stopped where nobody names its point any more and a wanted one waits for a
+  /// worker.
+  bool stop_unwanted = true;
   /// False for a simulated world, where a commit must not take real time.
   bool commit_in_background = true;
   /// Called after every outcome and about ten times a second.

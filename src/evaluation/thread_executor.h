@@ -29,6 +29,7 @@ class ThreadExecutor : public Executor {
   std::vector<Trial> wait(double patience) override;
   /// The worker is busy until its trial ends, whose outcome is then dropped.
   void withdraw(const DesignPoint& point) override;
+  bool can_stop() const override { return false; }
   void abandon() override;
 
  private:
