@@ -25,7 +25,7 @@
 #include "evaluation/encoding.h"
 #include "evaluation/scheduler.h"
 #include "evaluation/scratch_folder_testing.h"
-#include "fit_study.h"
+#include "killed_study.h"
 #include "table.h"
 
 namespace latsch::benchmarks {
@@ -81,24 +81,6 @@ fs::path write_study(const fs::path& folder) {
   return folder / "study.toml";
 }
 
-/// latsch VERB STUDY --workers N, its output thrown away.
-pid_t start(const std::string& verb, const fs::path& study, int workers) {
-  const pid_t child = ::fork();
-  if (child != 0) return child;
-  const std::string file = program().string();
-  const std::string count = std::to_string(workers);
-  if (!std::freopen("/dev/null", "w", stdout) || !std::freopen("/dev/null", "w", stderr)) _exit(1);
-  ::execl(file.c_str(), "latsch", verb.c_str(), study.c_str(), "--workers", count.c_str(), nullptr);
-  ::_exit(1);
-}
-
-/// Exit code of the program, -1 where a signal ended it.
-int end_of(pid_t child) {
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 /// False where it had ended before it was killed.
 bool kill_after(pid_t child, Seconds time) {
   std::this_thread::sleep_for(time);
@@ -106,42 +88,11 @@ bool kill_after(pid_t child, Seconds time) {
   return end_of(child) == -1;
 }
 
-std::vector<Trial> trials_of(const correlation::Study& study) {
-  if (!fs::exists(study.run.journal)) return {};
-  return Journal::open(study.run.journal, correlation::identity(study)).trials();
-}
-
-/// The whole trajectory, bit by bit; empty where it did not converge.
-std::string trajectory(const correlation::Study& study) {
-  const auto optimizer = correlation::make_optimizer(study);
-  const Run run = replay(
-      *optimizer, correlation::objective(study), Journal::read(study.run.journal), study.max_steps);
-  if (run.end != RunEnd::converged) return {};
-  std::string bits;
-  for (const Step& step : run.steps) {
-    bits += step.point.bits();
-    bits +=
-        step.outcome ? DesignPoint{{step.outcome->value}}.bits() : step.outcome.failure().reason;
-  }
-  return bits;
-}
-
 std::string undisturbed(int workers) {
   const ScratchFolder folder;
   const fs::path file = write_study(folder.path());
-  if (end_of(start("run", file, workers)) != 0) return {};
+  if (end_of(start_latsch("run", file, workers)) != 0) return {};
   return trajectory(correlation::read_study(file));
-}
-
-/// Processes that have the folder in their command line: workers that outlived their master.
-int count_processes_of(const fs::path& folder) {
-  int count = 0;
-  for (const auto& entry : fs::directory_iterator("/proc")) {
-    std::ifstream file(entry.path() / "cmdline", std::ios::binary);
-    const std::string line{std::istreambuf_iterator<char>(file), {}};
-    count += line.find(folder.string()) != std::string::npos;
-  }
-  return count;
 }
 
 struct Killed {
@@ -153,22 +104,6 @@ struct Killed {
   bool same_bits = true;
 };
 
-/// How many of the trials before are not, bit by bit, at their place after.
-long count_lost(const std::vector<Trial>& before, const std::vector<Trial>& after) {
-  long lost = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    lost += i >= after.size() || before[i].point.bits() != after[i].point.bits() ||
-            encode(before[i].outcome) != encode(after[i].outcome);
-  }
-  return lost;
-}
-
-long count_repeated(const std::vector<Trial>& trials) {
-  std::set<std::string> points;
-  for (const Trial& trial : trials) points.insert(trial.point.bits());
-  return std::ssize(trials) - std::ssize(points);
-}
-
 /// One study, killed until it ends or `most` kills are reached, then resumed to its end.
 void kill_and_resume(
     int most, Seconds longest, RandomStream& random, const std::string& reference, Killed& killed) {
@@ -178,7 +113,7 @@ void kill_and_resume(
   std::vector<Trial> before;
   for (bool ended = false; !ended;) {
     const bool resuming = fs::exists(study.run.journal);
-    const pid_t child = start(resuming ? "resume" : "run", file, 2);
+    const pid_t child = start_latsch(resuming ? "resume" : "run", file, 2);
     if (killed.kills < most && kill_after(child, random.uniform() * longest)) {
       ++killed.kills;
     } else {
@@ -186,7 +121,7 @@ void kill_and_resume(
       if (killed.kills >= most && end_of(child) != 0) throw std::runtime_error("resume failed");
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(50));  // for the system to end them
-    killed.left_running += count_processes_of(folder.path());
+    killed.left_running += static_cast<int>(processes_with(folder.path().string()).size());
     const std::vector<Trial> after = trials_of(study);
     killed.finished_before_a_kill += ended ? 0 : std::ssize(after) - std::ssize(before);
     killed.lost += count_lost(before, after);

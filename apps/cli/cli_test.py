@@ -4,6 +4,7 @@
     cli_test.py PATH/TO/latsch
 """
 import contextlib
+import os
 import pathlib
 import re
 import resource
@@ -188,8 +189,8 @@ class GoodInput(Coarse):
             self.assert_says(self.latsch(verb, "--help"), "xample", f"latsch {verb}")
 
 
-class Simulators(unittest.TestCase):
-    """Outside programs in a model's place: the two studies of the tree."""
+class Outside(unittest.TestCase):
+    """Studies of the tree with an outside program in the model's place."""
 
     latsch = Coarse.latsch
     assert_says = Coarse.assert_says
@@ -206,6 +207,8 @@ class Simulators(unittest.TestCase):
     def found(self, text, variable):
         return float(re.search(rf"\n  {variable} +(\S+)", text)[1])
 
+
+class Simulators(Outside):
     def test_a_script_is_fitted(self):
         study = self.study("quarter_car")
         edit(study, ("step_tolerance = .*", "step_tolerance = 0.02"))
@@ -249,23 +252,82 @@ class Simulators(unittest.TestCase):
             self.assert_says(report, "too soft")
             shutil.rmtree(study.parent)
 
-    @unittest.skipUnless(shutil.which("mpirun"), "Open MPI (mpirun) is not installed")
-    def test_the_ranks_of_an_mpi_job_give_the_same_result(self):
-        study = self.study("quarter_car")
-        edit(study, ("step_tolerance = .*", "step_tolerance = 0.05"))
-        result = re.compile(r"Best of .*?\n\n", re.S)
-        alone = result.search(self.latsch("run", study))[0]
-        (study.parent / "study.latsch").unlink()
-        job = ["mpirun", "--oversubscribe", "--allow-run-as-root", "--enable-recovery", "-n", "3", LATSCH, "run", study]
-        run = subprocess.run(job, capture_output=True, text=True, timeout=120)
-        self.assertEqual(run.returncode, DONE, run.stdout + run.stderr)
-        self.assertEqual(result.search(run.stdout)[0], alone)
-
     def test_there_is_no_tire_to_export(self):
         for arguments in (("--vtu", "a.vtu"), ("--measurements",)):
             self.assert_says(self.latsch("export", self.study("quarter_car" if "--vtu" in arguments else
                                                               "cantilever_calculix"), *arguments, code=WRONG_INPUT),
                              "no tire")
+
+
+@unittest.skipUnless(shutil.which("mpirun"), "Open MPI (mpirun) is not installed")
+class Ranks(Outside):
+    """The same below mpirun; its long form is ./bench.sh mpi_faults."""
+
+    RESULT = re.compile(r"Best of .*?\n\n", re.S)
+
+    def setUp(self):
+        super().setUp()
+        self.quarter_car = self.study("quarter_car")
+        self.journal = self.quarter_car.parent / "study.latsch"
+        edit(self.quarter_car, ("step_tolerance = .*", "step_tolerance = 0.05"))
+
+    def job(self, *arguments, recovery=False):
+        return ["mpirun", "--oversubscribe", "--allow-run-as-root", *(["--enable-recovery"] if recovery else []),
+                "-n", "3", LATSCH, *arguments]
+
+    def mpi(self, *arguments, code=DONE):
+        run = subprocess.run(self.job(*arguments), capture_output=True, text=True, timeout=120)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return run.stdout + run.stderr
+
+    def test_run_doe_and_identify_give_the_same_as_worker_processes(self):
+        for verb in (("doe", self.quarter_car, "--levels", "2"), ("run", self.quarter_car),
+                     ("identify", self.quarter_car, "--short")):
+            self.journal.unlink(missing_ok=True)
+            if verb[0] == "identify":
+                self.latsch("doe", self.quarter_car, "--levels", "2")
+            start = self.journal.read_bytes() if self.journal.exists() else None
+            alone = self.latsch(*verb)
+            self.journal.unlink()
+            if start:
+                self.journal.write_bytes(start)
+            said = re.compile(r"(of 4 points|Best of|Values and) .*?\n\n", re.S)
+            self.assertEqual(said.search(self.mpi(*verb))[0], said.search(alone)[0])
+
+    def test_a_job_that_cannot_begin_ends_at_once_and_says_why(self):
+        start = time.monotonic()
+        self.assert_says(self.mpi("identify", self.quarter_car, code=WRONG_INPUT), "nothing to analyze")
+        self.latsch("doe", self.quarter_car, "--levels", "2")
+        edit(self.quarter_car, ('"quarter_car.py", "car.txt"', '"quarter_car.py", "./car.txt"'))
+        self.assert_says(self.mpi("run", self.quarter_car, code=WRONG_INPUT), "another study")
+        self.assertLess(time.monotonic() - start, 15)  # a rank left alone waits for 20 s
+
+    def test_a_rank_or_the_master_is_killed_and_the_resumed_result_is_the_same(self):
+        alone = self.RESULT.search(self.latsch("run", self.quarter_car))[0]
+        for victim in (1, 0):
+            self.journal.unlink()
+            job = subprocess.Popen(self.job("run", self.quarter_car), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            while trials_of(self.journal) < 4:
+                self.assertIsNone(job.poll(), "the job ended before it was disturbed")
+                time.sleep(0.01)
+            self.kill(victim)
+            job.wait(timeout=30)
+            kept = trials_of(self.journal)
+            self.assertGreaterEqual(kept, 4)
+            resumed = self.mpi("resume", self.quarter_car)
+            self.assert_says(resumed, f"{kept} finished trials are reused")
+            self.assertEqual(self.RESULT.search(resumed)[0], alone)
+
+    def kill(self, rank):
+        """kill -9 of `latsch run` on that rank of the job."""
+        for process in pathlib.Path("/proc").glob("[0-9]*"):
+            with contextlib.suppress(OSError):
+                words = (process / "cmdline").read_bytes().split(b"\0")
+                if words[0] == b"mpirun" or not {b"run", bytes(self.quarter_car)} <= set(words):
+                    continue
+                if f"OMPI_COMM_WORLD_RANK={rank}".encode() in (process / "environ").read_bytes().split(b"\0"):
+                    return os.kill(int(process.name), signal.SIGKILL)
+        self.fail(f"there is no rank {rank}")
 
 
 class BadInput(Coarse):

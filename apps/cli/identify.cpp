@@ -12,6 +12,7 @@
 #include "cli/interrupt.h"
 #include "cli/trials.h"
 #include "cli/verbs.h"
+#include "cli/workers.h"
 #include "correlation/best_trial.h"
 #include "correlation/predictions.h"
 
@@ -32,7 +33,7 @@ DesignPoint start(const Study& study, const Journal& journal, const DesignPoint&
 }
 
 /// What an experiment that is only predicted so far would tell, were it measured; false where that
-/// was interrupted.
+/// was interrupted. Workers of this machine, also below mpirun: it is a trial a variable.
 bool rank_predictions(const Study& study, const correlation::Identifiability& what) {
   if (!correlation::has_predictions(study)) return true;
   const auto points = difference_points(study.space, what.point);
@@ -61,6 +62,8 @@ int identify(const std::string& file, int workers, bool profiles) {
     throw InputError(study.run.journal.string() +
                      " does not exist: there is nothing to analyze; start with latsch run");
   }
+  Workers workers_of_study;
+  if (workers_of_study.served(study)) return kDone;
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
   const auto best = correlation::best_trial(study, journal);
   if (!best) {
@@ -69,7 +72,7 @@ int identify(const std::string& file, int workers, bool profiles) {
   }
   const DesignPoint point = start(study, journal, best->point);
   catch_interrupts();
-  ProcessExecutor executor(worker_processes(study));
+  Executor& executor = workers_of_study.start(study);
   const auto result =
       correlation::identify(study,
                             point,
@@ -89,6 +92,7 @@ int identify(const std::string& file, int workers, bool profiles) {
              (*result)->identification.residuals_used().size());
   print_intervals(study, **result);
   print_identifiability(study, **result);
+  workers_of_study.end();
   if (profiles && !rank_predictions(study, **result)) {
     fmt::print("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
     return kFailed;

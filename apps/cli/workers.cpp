@@ -25,12 +25,17 @@ bool Workers::served(const correlation::Study& study) {
 }
 
 Executor& Workers::start(const correlation::Study& study) {
+  started_ = true;
   if (job_) {
     executor_ = std::make_unique<MpiExecutor>(*job_);
   } else {
     executor_ = std::make_unique<ProcessExecutor>(worker_processes(study));
   }
   return *executor_;
+}
+
+Workers::~Workers() {
+  if (job_ && job_->rank() == 0 && !started_) MpiExecutor{*job_};  // whose end tells the ranks
 }
 
 #else
@@ -46,8 +51,8 @@ Executor& Workers::start(const correlation::Study& study) {
   return *executor_;
 }
 
-#endif
-
 Workers::~Workers() = default;
+
+#endif
 
 }  // namespace latsch::cli

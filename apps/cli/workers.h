@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where run, resume and doe evaluate: worker processes of this machine or, below mpirun, the ranks
-// of its job.
+// Where run, resume, doe and identify evaluate: worker processes of this machine or, below mpirun,
+// the ranks of its job.
 #pragma once
 
 #include <memory>
@@ -13,6 +13,7 @@ namespace latsch::cli {
 class Workers {
  public:
   Workers();
+  /// Below mpirun the other ranks are told to end, also where nothing was ever started.
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
@@ -31,6 +32,7 @@ class Workers {
   struct Job;
   std::unique_ptr<Job> job_;  // before the executor, which talks through it to its end
   std::unique_ptr<Executor> executor_;
+  bool started_ = false;
 };
 
 }  // namespace latsch::cli

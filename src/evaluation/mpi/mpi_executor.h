@@ -22,7 +22,7 @@
 namespace latsch {
 
 inline constexpr double kSilence = 10.0;        // s
-inline constexpr double kMasterSilence = 30.0;  // s, after which a rank ends by itself
+inline constexpr double kMasterSilence = 20.0;  // s, after which a rank ends by itself
 
 /// The MPI job of this process; ends with it.
 class MpiJob {
