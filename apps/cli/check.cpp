@@ -117,6 +117,8 @@ void check(const std::string& file) {
   }
   fmt::print("\nVariables\n");
   print_variables(study.space);
+  if (!study.space.constraints().empty()) fmt::print("\nLinear constraints\n");
+  print_constraints(study.space);
   fmt::print("\nExperiments\n");
   if (!mesh) print_curves(study);
   for (const StudyExperiment& experiment : study.experiments) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "correlation/linear_constraints.h"
 #include "experiment/mode_record.h"
 
 namespace latsch::cli {
@@ -116,6 +117,15 @@ void print_variables(const DesignSpace& space) {
                variable.scale == Scale::linear ? "linear" : "logarithmic",
                variable.paths.empty() ? "a hole in an input file"
                                       : fmt::format("{}", fmt::join(variable.paths, ", ")));
+  }
+}
+
+void print_constraints(const DesignSpace& space) {
+  for (const LinearConstraint& constraint : space.constraints()) {
+    fmt::print("  {:<16} {}; {} at the initial point\n",
+               constraint.name,
+               correlation::in_words(constraint, space),
+               format_quantity(constraint.sum(space.initial().values), constraint.unit));
   }
 }
 

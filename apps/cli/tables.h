@@ -16,6 +16,9 @@ std::string shown(const DesignVariable& variable, double value);
 /// Name, bounds, initial value, scale, paths.
 void print_variables(const DesignSpace& space);
 
+/// Name, sum, bounds, value at the initial point of every linear constraint.
+void print_constraints(const DesignSpace& space);
+
 /// Name and value of every variable.
 void print_point(const DesignSpace& space, const DesignPoint& point);
 

@@ -19,7 +19,11 @@ std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal)
 }
 
 std::optional<RatedTrial> best_trial(const Study& study, const Journal& journal) {
-  const auto rated = rated_trials(study, journal);
+  auto rated = rated_trials(study, journal);
+  // A design of experiments may have looked beyond linear constraints.
+  if (!study.space.constraints().empty()) {
+    std::erase_if(rated, [&](const auto& trial) { return !study.space.contains(trial.point); });
+  }
   const auto least = std::min_element(
       rated.begin(), rated.end(), [](const auto& a, const auto& b) { return a.target < b.target; });
   if (least == rated.end()) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "correlation/linear_constraints.h"
 #include "correlation/variables.h"
 #include "models/fe_tire/tire_description.h"
 
@@ -30,7 +31,11 @@ DesignSpace read_variables(const Node& root, const Document* model) {
   }
   if (variables.empty())
     root.reject("variable", "is missing, expected at least one [variable.NAME]");
-  return DesignSpace(std::move(variables));
+  std::vector<LinearConstraint> constraints;
+  for (const Node& table : root.named_tables("linear_constraint")) {
+    constraints.push_back(read_linear_constraint(table, variables));
+  }
+  return DesignSpace(std::move(variables), std::move(constraints));
 }
 
 /// The model has to accept every bound of every variable: better said before the first trial than
@@ -147,7 +152,7 @@ Study read_study(const std::filesystem::path& file, Measurements measurements) {
               std::nullopt,
               {}};
   if (const auto optimizer = root.find_table("optimizer")) {
-    study.optimizer = read_optimizer(*optimizer);
+    study.optimizer = read_optimizer(*optimizer, study.space);
     study.max_steps = optimizer->integer("max_steps", 1, kMostSteps, study.max_steps);
   }
   if (const auto doe = root.find_table("doe")) study.doe = read_design(*doe, study.space);

@@ -7,6 +7,7 @@
 //                                             # program, see simulator_settings.h
 //
 //   [variable.matrix]                         # see variables.h
+//   [linear_constraint.belt_softer]           # see linear_constraints.h
 //   [experiment.stiffness]                    # see study_experiment.h
 //
 //   [optimizer]                               # see study_optimizer.h

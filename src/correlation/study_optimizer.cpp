@@ -50,15 +50,20 @@ GeneticOptions read_genetic(const Node& node) {
 }
 
 /// A study's target is made of residuals.
-ProblemTraits traits(int variables) { return {.variables = variables, .has_residuals = true}; }
+ProblemTraits traits(const DesignSpace& space) {
+  return {.variables = space.size(),
+          .has_residuals = true,
+          .has_linear_constraints = !space.constraints().empty()};
+}
 
 }  // namespace
 
-OptimizerSettings read_optimizer(const Node& table) {
+OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space) {
   OptimizerSettings settings;
   settings.method = table.choice("method", method_names(), settings.method);
   // Only the keys of the method are read: one of another method is reported as unknown.
-  switch (latsch::method_of(settings, traits(1)).method) {
+  const Method method = latsch::method_of(settings, traits(space)).method;
+  switch (method) {
     case Method::gss:
       settings.gss = read_gss(table);
       break;
@@ -72,11 +77,17 @@ OptimizerSettings read_optimizer(const Node& table) {
       settings.genetic = read_genetic(table);
       break;
   }
+  try {  // the method itself is to complain now, not before the first trial
+    latsch::make_optimizer(method, space, settings);
+  } catch (const InputError& error) {
+    if (!error.place().file.empty()) throw;
+    throw InputError(table.place(), error.what());
+  }
   return settings;
 }
 
 MethodChoice method_of(const Study& study) {
-  return latsch::method_of(study.optimizer, traits(study.space.size()));
+  return latsch::method_of(study.optimizer, traits(study.space));
 }
 
 std::unique_ptr<Optimizer> make_optimizer(const Study& study) {

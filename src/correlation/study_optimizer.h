@@ -25,7 +25,7 @@
 namespace latsch::correlation {
 
 /// Throws InputError naming file, line, found and expected.
-OptimizerSettings read_optimizer(const Node& table);
+OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space);
 
 struct Study;
 

@@ -11,7 +11,7 @@ namespace {
 OptimizerSettings read(const std::string& text) {
   const Document document = Document::parse(text, "study.toml");
   const Node root = document.root();
-  const OptimizerSettings settings = read_optimizer(root);
+  const OptimizerSettings settings = read_optimizer(root, DesignSpace({{.name = "a"}}));
   root.close();
   return settings;
 }
@@ -40,6 +40,15 @@ TEST(StudyOptimizer, RefusesOtherMethodsAndOptionsOfAnotherMethod) {
   EXPECT_THROW(read("method = \"residual_trust_region\"\ncontraction = 0.5"), InputError);
   EXPECT_THROW(read("method = \"gss\"\nrestarts = 1"), InputError);
   EXPECT_THROW(read("method = \"residual_trust_region\"\ninitial_step = 0.7"), InputError);
+}
+
+TEST(StudyOptimizer, IsRefusedBeforeTheFirstTrialWithThePlaceOfItsTable) {
+  try {
+    read("initial_step = 0.1\nstep_tolerance = 0.2");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place().file, "study.toml");
+  }
 }
 
 }  // namespace

@@ -15,6 +15,13 @@ DesignSpace space() {
                       {.name = "c", .lower = -2.0, .upper = 2.0, .initial = 0.5}});
 }
 
+DesignSpace constrained_space() {
+  const LinearConstraint below{.name = "below", .coefficients = {1, 1, 1}, .upper = 1.5};
+  const LinearConstraint across{
+      .name = "across", .coefficients = {1, 0, -1}, .lower = -1.7, .upper = -0.2};
+  return DesignSpace(space().variables(), {below, across});
+}
+
 Result<Channels> valley(const DesignPoint& point) {
   const auto& x = point.values;
   Channels channels;
@@ -28,13 +35,14 @@ Result<Score> sum_of_squares(const Channels& channels) {
   return score;
 }
 
-std::vector<DesignPoint> path(const std::string& method, int outstanding, int workers, int timing) {
+std::vector<DesignPoint> path(
+    const std::string& method, const DesignSpace& space, int outstanding, int workers, int timing) {
   OptimizerSettings settings;
   settings.gss.outstanding = outstanding;
   settings.residual_trust_region.outstanding = outstanding;
   settings.residual_trust_region.restarts = 1;
   const auto optimizer =
-      make_optimizer(method_of({.method = method}, {.variables = 3}).method, space(), settings);
+      make_optimizer(method_of({.method = method}, {.variables = 3}).method, space, settings);
   // Which points fail goes with the seed, so timing is varied by the range of the times.
   SimulatedExecutor executor(
       valley,
@@ -49,21 +57,34 @@ std::vector<DesignPoint> path(const std::string& method, int outstanding, int wo
   return points;
 }
 
-class EveryOptimizer : public testing::TestWithParam<std::string> {};
-
-TEST_P(EveryOptimizer, TakesTheSamePathForAnyNumberOfWorkersAndAnyTiming) {
+void expect_one_path(const std::string& method, const DesignSpace& space) {
   for (const int outstanding : {1, 5}) {
-    const std::vector<DesignPoint> alone = path(GetParam(), outstanding, 1, 1);
+    const std::vector<DesignPoint> alone = path(method, space, outstanding, 1, 1);
     EXPECT_GT(alone.size(), 10u);
+    for (const DesignPoint& point : alone) EXPECT_TRUE(space.contains(point));
     for (const int workers : {2, 4, 8}) {
       for (const int timing : {1, 9, 19}) {
-        EXPECT_EQ(path(GetParam(), outstanding, workers, timing), alone) << workers;
+        EXPECT_EQ(path(method, space, outstanding, workers, timing), alone) << workers;
       }
     }
   }
 }
 
+class EveryOptimizer : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryOptimizer, TakesTheSamePathForAnyNumberOfWorkersAndAnyTiming) {
+  expect_one_path(GetParam(), space());
+}
+
 INSTANTIATE_TEST_SUITE_P(ByName, EveryOptimizer, testing::ValuesIn(method_names()));
+
+class EveryOptimizerThatKnowsConstraints : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryOptimizerThatKnowsConstraints, TakesTheSameFeasiblePath) {
+  expect_one_path(GetParam(), constrained_space());
+}
+
+INSTANTIATE_TEST_SUITE_P(ByName, EveryOptimizerThatKnowsConstraints, testing::Values("gss"));
 
 }  // namespace
 }  // namespace latsch

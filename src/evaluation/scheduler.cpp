@@ -76,7 +76,7 @@ class Search {
 const Step* Run::best() const {
   const Step* best = nullptr;
   for (const Step& step : steps) {
-    if (step.outcome && (!best || step.outcome->value < best->outcome->value)) best = &step;
+    if (step.outcome && (!best || is_better(*step.outcome, *best->outcome))) best = &step;
   }
   return best;
 }

@@ -31,7 +31,7 @@ struct Run {
   RunEnd end = RunEnd::stopped;
   std::vector<Step> steps;
 
-  /// The step with the least score; nullptr where all failed.
+  /// The step with the best score; nullptr where all failed.
   const Step* best() const;
 };
 

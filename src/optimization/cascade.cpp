@@ -20,7 +20,7 @@ Cascade::Cascade(const DesignSpace& space, CascadeOptions options, MakeOptimizer
 std::vector<DesignPoint> Cascade::propose(int count) const { return optimizer_->propose(count); }
 
 void Cascade::observe(const DesignPoint& point, const Result<Score>& outcome) {
-  if (outcome && (!best_ || outcome->value < best_->score.value)) best_ = Best{point, *outcome};
+  if (outcome && (!best_ || is_better(*outcome, best_->score))) best_ = Best{point, *outcome};
   optimizer_->observe(point, outcome);
   while (optimizer_->converged() && stage_ < options_.stages && best_) {
     ++stage_;

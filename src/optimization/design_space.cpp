@@ -7,6 +7,9 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/units.h"
+#include "optimization/feasible_region.h"
+
 namespace latsch {
 namespace {
 
@@ -48,9 +51,67 @@ double from_unit(const DesignVariable& v, double u) {
   return std::clamp(x, v.lower, v.upper);
 }
 
+constexpr double kLastDigits = 1e-6;  // of the ranges, by which a person rounds a point
+constexpr int kOfferedDigits = 9;     // so that the point offered is accepted
+
+void check(const LinearConstraint& c, const std::vector<DesignVariable>& variables) {
+  const auto reject = [&](const std::string& message) {
+    throw InputError(c.place, fmt::format("linear constraint \"{}\": {}", c.name, message));
+  };
+  if (c.coefficients.size() != variables.size()) {
+    reject(fmt::format("{} coefficients for {} variables, expected one each",
+                       c.coefficients.size(),
+                       variables.size()));
+  }
+  bool is_empty = true;
+  for (size_t i = 0; i < variables.size(); ++i) {
+    const double a = c.coefficients[i];
+    if (!std::isfinite(a)) reject(fmt::format("the coefficient of {} is {}", variables[i].name, a));
+    if (a == 0.0) continue;
+    is_empty = false;
+    if (variables[i].scale == Scale::logarithmic) {
+      reject(
+          fmt::format("variable \"{}\" is logarithmic, and methods that search among the "
+                      "logarithms see no plane; expected scale = \"linear\" for it",
+                      variables[i].name));
+    }
+  }
+  if (is_empty) reject("it has no variable, expected a coefficient that is not 0");
+  if (!(c.lower <= c.upper)) {
+    reject(fmt::format("lower bound {} is above upper bound {}",
+                       format_quantity(c.lower, c.unit),
+                       format_quantity(c.upper, c.unit)));
+  }
+  if (!std::isfinite(c.lower) && !std::isfinite(c.upper)) {
+    reject("it has no bound, expected a finite lower or upper one or both");
+  }
+}
+
+/// The constraint that u violates most, in distance.
+const LinearConstraint& most_violated(const DesignSpace& space, const Eigen::VectorXd& u) {
+  const auto distance = [&](const LinearConstraint& constraint) {
+    return FeasibleRegion(space, {constraint}).violation(u);
+  };
+  const auto less = [&](const auto& a, const auto& b) { return distance(a) < distance(b); };
+  return *std::max_element(space.constraints().begin(), space.constraints().end(), less);
+}
+
+std::string violated(const LinearConstraint& c, const DesignPoint& point) {
+  const double sum = c.sum(point.values);
+  const bool too_low = sum < c.lower;
+  const double bound = too_low ? c.lower : c.upper;
+  return fmt::format("is {} at the initial point, {} {} its bound {}",
+                     format_quantity(sum, c.unit),
+                     format_quantity(std::abs(sum - bound), c.unit),
+                     too_low ? "below" : "above",
+                     format_quantity(bound, c.unit));
+}
+
 }  // namespace
 
-DesignSpace::DesignSpace(std::vector<DesignVariable> variables) : variables_(std::move(variables)) {
+DesignSpace::DesignSpace(std::vector<DesignVariable> variables,
+                         std::vector<LinearConstraint> constraints)
+    : variables_(std::move(variables)), constraints_(std::move(constraints)) {
   if (variables_.empty()) throw InputError("no design variable is given, expected at least one");
   for (auto v = variables_.begin(); v != variables_.end(); ++v) {
     check(*v);
@@ -59,6 +120,39 @@ DesignSpace::DesignSpace(std::vector<DesignVariable> variables) : variables_(std
       throw InputError(v->place, fmt::format("variable \"{}\" is declared twice", v->name));
     }
   }
+  if (!constraints_.empty()) check_constraints();
+}
+
+void DesignSpace::check_constraints() {
+  for (const LinearConstraint& constraint : constraints_) check(constraint, variables_);
+  const FeasibleRegion region(*this);
+  if (const std::string rows = region.contradiction(); !rows.empty()) {
+    throw InputError(
+        constraints_.front().place,
+        "no point fulfills all linear constraints; these contradict each other: " + rows);
+  }
+  const std::vector<double> start = to_unit(initial());
+  const auto u = Eigen::Map<const Eigen::VectorXd>(start.data(), size());
+  if (region.contains(u)) return;
+  const Eigen::VectorXd near = region.nearest(u);
+  const DesignPoint nearest = from_unit({near.begin(), near.end()});
+  if ((near - u).norm() <= kLastDigits) {
+    for (int i = 0; i < size(); ++i) variables_[i].initial = nearest.values[i];
+    return;
+  }
+  std::string offer;
+  for (int i = 0; i < size(); ++i) {
+    const std::string value =
+        format_quantity(nearest.values[i], variables_[i].unit, kOfferedDigits);
+    offer += fmt::format("{}{} = {}", i == 0 ? "" : ", ", variables_[i].name, value);
+  }
+  const LinearConstraint& worst = most_violated(*this, u);
+  throw InputError(worst.place,
+                   fmt::format("linear constraint \"{}\" {}; the nearest point that fulfills all "
+                               "constraints is {}",
+                               worst.name,
+                               violated(worst, initial()),
+                               offer));
 }
 
 DesignPoint DesignSpace::initial() const {
@@ -73,7 +167,9 @@ bool DesignSpace::contains(const DesignPoint& point) const {
     const double x = point.values[i];
     if (!(variables_[i].lower <= x && x <= variables_[i].upper)) return false;
   }
-  return true;
+  if (constraints_.empty()) return true;
+  const std::vector<double> u = to_unit(point);
+  return FeasibleRegion(*this).contains(Eigen::Map<const Eigen::VectorXd>(u.data(), size()));
 }
 
 std::vector<double> DesignSpace::to_unit(const DesignPoint& point) const {
@@ -103,6 +199,13 @@ std::vector<double> DesignSpace::unit_slopes(const DesignPoint& point) const {
   return slopes;
 }
 
+DesignSpace DesignSpace::starting_at(const DesignPoint& point) const {
+  assert(contains(point));
+  DesignSpace moved = *this;
+  for (int i = 0; i < size(); ++i) moved.variables_[i].initial = point.values[i];
+  return moved;
+}
+
 DesignSpace DesignSpace::tightened(const DesignPoint& point, double factor) const {
   assert(contains(point) && factor > 0.0 && factor <= 1.0);
   std::vector<DesignVariable> narrow = variables_;
@@ -114,7 +217,7 @@ DesignSpace DesignSpace::tightened(const DesignPoint& point, double factor) cons
     narrow[i].upper = latsch::from_unit(variables_[i], lower + factor);
     narrow[i].initial = std::clamp(point.values[i], narrow[i].lower, narrow[i].upper);
   }
-  return DesignSpace(std::move(narrow));
+  return DesignSpace(std::move(narrow), constraints_);
 }
 
 }  // namespace latsch

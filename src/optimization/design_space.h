@@ -2,6 +2,7 @@
 // What may vary, between which bounds, and the unit cube in which optimizers see it.
 //   linear:       u = (x - lower) / (upper - lower)
 //   logarithmic:  u = ln(x / lower) / ln(upper / lower)
+// Linear constraints may leave a part of the cube only.
 // Choose logarithmic where a factor is as likely up as down: stiffness known to its order of
 // magnitude.
 #pragma once
@@ -11,6 +12,7 @@
 
 #include "base/error.h"
 #include "optimization/design_point.h"
+#include "optimization/linear_constraint.h"
 
 namespace latsch {
 
@@ -32,14 +34,20 @@ class DesignSpace {
  public:
   /// Throws InputError where bounds are crossed or not finite, the initial value lies outside them,
   /// a logarithmic variable has a lower bound that is not positive, a name comes twice or no
-  /// variable is given.
-  explicit DesignSpace(std::vector<DesignVariable> variables);
+  /// variable is given; where a constraint has no variable, a logarithmic one, crossed bounds or
+  /// none, where constraints contradict each other, and where the initial point violates one: the
+  /// message then offers the nearest point that does not. An initial point that is off by the last
+  /// digits of a person alone, 1e-6 of the ranges, is moved onto the constraint.
+  explicit DesignSpace(std::vector<DesignVariable> variables,
+                       std::vector<LinearConstraint> constraints = {});
 
   int size() const { return static_cast<int>(variables_.size()); }
   const std::vector<DesignVariable>& variables() const { return variables_; }
   const DesignVariable& operator[](int i) const { return variables_[i]; }
+  const std::vector<LinearConstraint>& constraints() const { return constraints_; }
 
   DesignPoint initial() const;
+  /// Inside the bounds and, up to rounding, the constraints.
   bool contains(const DesignPoint& point) const;
 
   /// Into the unit cube and back. from_unit clamps to the cube; its faces give the bits of the
@@ -49,12 +57,17 @@ class DesignSpace {
   /// dx/du of every variable.
   std::vector<double> unit_slopes(const DesignPoint& point) const;
 
-  /// The same variables, starting at `point`, with bounds `factor` (0..1) as wide in the unit cube,
-  /// inside the old ones: the next stage of a cascade.
+  /// The same space, starting at `point`.
+  DesignSpace starting_at(const DesignPoint& point) const;
+  /// The same variables and constraints, starting at `point`, with bounds `factor` (0..1) as wide
+  /// in the unit cube, inside the old ones: the next stage of a cascade.
   DesignSpace tightened(const DesignPoint& point, double factor) const;
 
  private:
+  void check_constraints();
+
   std::vector<DesignVariable> variables_;
+  std::vector<LinearConstraint> constraints_;
 };
 
 }  // namespace latsch

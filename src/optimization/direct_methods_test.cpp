@@ -123,6 +123,15 @@ TEST(MethodChoice, MakesEveryMethodAndRefusesOthers) {
   EXPECT_THROW(method_of({.method = "simplex"}, {}), InputError);
 }
 
+TEST(MethodChoice, RefusesMethodsThatKnowNoLinearConstraintsWhereThereAreSome) {
+  const LinearConstraint sum{.name = "sum", .coefficients = {1, 1}, .upper = 1.5};
+  const DesignSpace space(box({0.5, 0.5}, 0.0, 1.0).variables(), {sum});
+  EXPECT_THROW(make_optimizer(Method::nelder_mead, space, {}), InputError);
+  EXPECT_NO_THROW(make_optimizer(Method::gss, space, {}));
+  const ProblemTraits traits{.has_residuals = true, .has_linear_constraints = true};
+  EXPECT_NO_THROW(make_optimizer(choose_method(traits).method, space, {}));
+}
+
 TEST(DirectMethods, RejectOptionsOutOfRange) {
   const DesignSpace space = box({0.5}, 0.0, 1.0);
   EXPECT_THROW(NelderMead(space, {.initial_step = 0.0}), InputError);

@@ -11,19 +11,21 @@
 #include <string>
 #include <unordered_map>
 
-#include "optimization/generating_set.h"
-#include "optimization/quadratic_model.h"
+#include "optimization/conforming_set.h"
+#include "optimization/feasible_region.h"
+#include "optimization/model_step.h"
 
 namespace latsch {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kReach = 0.8;          // of the step: how far the model is trusted
-constexpr double kNew = 0.05;           // of the step: nearer to a known point, nothing is learned
-constexpr double kClearlyBetter = 0.1;  // of the other model's misfit
-constexpr double kLongestStep = 0.25;   // a quarter of every variable's range
-constexpr double kExpansion = 2.0;      // of the step after more than so many successes in a row:
+constexpr double kReach = 0.8;         // of the step: how far the model is trusted
+constexpr double kNew = 0.05;          // of the step: nearer to a known point, nothing is learned
+constexpr double kLongestStep = 0.25;  // a quarter of every variable's range
+constexpr double kExpansion = 2.0;     // of the step after more than so many successes in a row:
 constexpr int kSuccessesToExpand = 4;
+
+constexpr double kSnap = 0.5;  // of the step tolerance: how near to a linear constraint is on it
 
 constexpr int kNoDirection = -1;
 
@@ -68,6 +70,7 @@ void check(const GssOptions& options) {
 
 struct Gss::State {
   DesignSpace space;
+  FeasibleRegion region;
   GssOptions options;
 
   Eigen::VectorXd x;     // the best point, in the unit cube
@@ -85,7 +88,11 @@ struct Gss::State {
   std::vector<Wanted> wanted;  // in the order proposed; empty: converged
 
   State(const DesignSpace& s, const GssOptions& o)
-      : space(s), options(o), x(to_vector(s.to_unit(s.initial()))), length(o.initial_step) {
+      : space(s),
+        region(s),
+        options(o),
+        x(to_vector(s.to_unit(s.initial()))),
+        length(o.initial_step) {
     last_move = Eigen::VectorXd::Zero(x.size());
     start_poll();
     wanted.push_back({x, space.initial(), length});
@@ -98,13 +105,9 @@ struct Gss::State {
 
   /// A fresh set of directions around x, the one nearest to the last success first.
   void start_poll() {
-    std::vector<Bound> at;
-    for (const double u : x) {
-      at.push_back(u <= 0.0 ? Bound::lower : u >= 1.0 ? Bound::upper : Bound::none);
-    }
     ++set;
     directions.clear();
-    for (Eigen::VectorXd& d : generating_set(at, turn)) {
+    for (Eigen::VectorXd& d : conforming_set(region, x, length, turn)) {
       directions.push_back({std::move(d), length});
     }
     std::stable_sort(directions.begin(), directions.end(), [&](const auto& a, const auto& b) {
@@ -133,7 +136,7 @@ struct Gss::State {
 
   /// What the outcome of `tried` means for the search.
   void take(const Wanted& tried, double value) {
-    if (is_better(value, tried.step)) {
+    if (is_better(value, tried.step) && region.contains(tried.u)) {
       move_to(tried.u, value);
     } else if (tried.direction == kNoDirection) {
       successes = 0;
@@ -143,8 +146,10 @@ struct Gss::State {
     }
   }
 
-  Wanted at(const Eigen::VectorXd& u, double step) const {
-    const Eigen::VectorXd inside = u.cwiseMax(0.0).cwiseMin(1.0);
+  /// On the way from x to u, as far as the constraints allow.
+  Wanted toward(const Eigen::VectorXd& u, double step) const {
+    const Eigen::VectorXd inside =
+        region.snapped(region.cut_off(x, u), kSnap * options.step_tolerance);
     return {inside, space.from_unit({inside.begin(), inside.end()}), step};
   }
 
@@ -153,23 +158,11 @@ struct Gss::State {
         wanted.begin(), wanted.end(), [&](const Wanted& w) { return w.point == point; });
   }
 
-  /// Of f, or of f^2 where that is fitted better or as well, as it is around a minimum with kinks.
-  std::optional<QuadraticModel> model(double reach) const {
-    auto of_f = fit_quadratic(samples, x, reach);
-    const auto is_negative = [](const Sample& sample) { return sample.value < 0.0; };
-    if (std::any_of(samples.begin(), samples.end(), is_negative)) return of_f;
-    std::vector<Sample> squares = samples;
-    for (Sample& sample : squares) sample.value *= sample.value;
-    auto of_square = fit_quadratic(squares, x, reach);
-    if (!of_f || !of_square) return of_f ? of_f : of_square;
-    return of_f->misfit < kClearlyBetter * of_square->misfit ? of_f : of_square;
-  }
-
   std::optional<Wanted> model_step() const {
     const double reach = kReach * length;
-    const auto m = model(reach);
-    if (!m) return std::nullopt;
-    Wanted step = at(x + minimize_in_ball(*m, reach), length);
+    const auto s = latsch::model_step(samples, region, x, reach);
+    if (!s) return std::nullopt;
+    Wanted step = toward(x + *s, length);
     const auto near = [&](const auto& known) { return (known.u - step.u).norm() < kNew * length; };
     if (std::any_of(samples.begin(), samples.end(), near)) return std::nullopt;
     if (std::any_of(wanted.begin(), wanted.end(), near)) return std::nullopt;
@@ -189,7 +182,7 @@ struct Gss::State {
     if (longest == kNoDirection) return std::nullopt;
     const Direction& direction = directions[longest];
     if (direction.step < options.step_tolerance) return std::nullopt;
-    Wanted step = at(x + direction.step * direction.d, direction.step);
+    Wanted step = toward(x + direction.step * direction.d, direction.step);
     step.direction = longest;
     step.set = set;
     return step;
@@ -225,7 +218,7 @@ struct Gss::State {
     const auto found = std::find_if(
         wanted.begin(), wanted.end(), [&](const Wanted& w) { return w.point == point; });
     const Wanted tried =
-        found != wanted.end() ? *found : at(to_vector(space.to_unit(point)), length);
+        found != wanted.end() ? *found : Wanted{to_vector(space.to_unit(point)), point, length};
     if (found != wanted.end()) wanted.erase(found);
     values.insert_or_assign(point.bits(), value);
     if (value < kInfinity) {

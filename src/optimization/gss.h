@@ -14,6 +14,11 @@
 //            a quadratic through the evaluated points nearest to x. It counts by the same rule.
 //   end      when every direction failed with a step below the tolerance.
 //
+// Among linear constraints the directions conform to those within a step of x (conforming_set.h),
+// steps are cut off at the constraints, points very near to some are snapped onto them, and the
+// model is made least among them (model_step.h). So every point asked for is feasible. [Lewis,
+// Shepherd, Torczon, SIAM J. Sci. Comput. 29 (2007) 2507]
+//
 // Polling alone makes it converge, for any search step [Kolda, Lewis, Torczon, SIAM Review 45
 // (2003) 385]. Steps for each direction, sufficient decrease and its factor are those of
 // HOPSPACK 2.0 [Plantenga, SAND2009-6265]; turned directions and the model step are what a sum of

@@ -14,17 +14,14 @@ MultiStart::MultiStart(const DesignSpace& space,
   if (starts_.empty()) throw InputError("multi-start: there is no start, expected one or more");
   for (std::size_t i = 0; i < starts_.size(); ++i) {
     if (space_.contains(starts_[i])) continue;
-    throw InputError(fmt::format("multi-start: start {} lies outside the bounds", i + 1));
+    throw InputError(
+        fmt::format("multi-start: start {} lies outside the bounds or constraints", i + 1));
   }
   optimizer_ = optimizer_of(++run_);
 }
 
 std::unique_ptr<Optimizer> MultiStart::optimizer_of(int run) const {
-  std::vector<DesignVariable> variables = space_.variables();
-  for (std::size_t i = 0; i < variables.size(); ++i) {
-    variables[i].initial = starts_[run - 1].values[i];
-  }
-  return make_optimizer_(DesignSpace(std::move(variables)));
+  return make_optimizer_(space_.starting_at(starts_[run - 1]));
 }
 
 std::vector<DesignPoint> MultiStart::propose(int count) const {

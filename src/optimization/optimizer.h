@@ -21,19 +21,9 @@
 
 #include "base/result.h"
 #include "optimization/design_point.h"
+#include "optimization/score.h"
 
 namespace latsch {
-
-/// How good a point is: the target function (less is better) and, where the objective is a sum over
-/// residuals, these; where the model knows them, also their derivatives with respect to the values
-/// of the point, one row a residual.
-struct Score {
-  double value = 0.0;
-  std::vector<double> residuals = {};
-  std::vector<double> jacobian = {};
-
-  bool operator==(const Score&) const = default;
-};
 
 class Optimizer {
  public:

@@ -16,6 +16,23 @@ constexpr std::array kMethods{
 constexpr double kMostFailures = 0.5;  // more, and models have nothing to stand on
 constexpr int kMostPolled = 40;        // variables: a poll is that many evaluations
 
+bool knows_linear_constraints(Method method) { return method == Method::gss; }
+
+void check_constraints(Method method, const DesignSpace& space) {
+  if (space.constraints().empty() || knows_linear_constraints(method)) return;
+  std::vector<std::string_view> able;
+  for (const Method other : kMethods) {
+    if (knows_linear_constraints(other)) able.push_back(name(other));
+  }
+  const LinearConstraint& first = space.constraints().front();
+  throw InputError(first.place,
+                   fmt::format("linear constraint \"{}\": method {} knows bounds alone, expected "
+                               "one of {}, auto",
+                               first.name,
+                               name(method),
+                               fmt::join(able, ", ")));
+}
+
 }  // namespace
 
 std::string_view name(Method method) {
@@ -63,6 +80,9 @@ MethodChoice choose_method(const ProblemTraits& traits) {
                         "what lies between them",
                         100.0 * traits.failed_share)};
   }
+  if (traits.has_linear_constraints) {
+    return {Method::gss, "there are linear constraints, along which it searches"};
+  }
   if (traits.has_residuals) {
     return {Method::residual_trust_region,
             fmt::format("the target is a sum over residuals; models of each of them need the "
@@ -96,6 +116,7 @@ MethodChoice method_of(const OptimizerSettings& settings, const ProblemTraits& t
 std::unique_ptr<Optimizer> make_optimizer(Method method,
                                           const DesignSpace& space,
                                           const OptimizerSettings& settings) {
+  check_constraints(method, space);
   switch (method) {
     case Method::gss:
       return std::make_unique<Gss>(space, settings.gss);

@@ -3,7 +3,7 @@
 //
 //   residual_trust_region  the target is a sum over residuals, smooth between failures: fewest
 //                          evaluations by far
-//   gss                    no residuals, kinks, or most points fail
+//   gss                    no residuals, kinks, or most points fail; linear constraints
 //   nelder_mead            on request: a few variables, nothing assumed
 //   genetic                no residuals and many basins, or more variables than a pattern can poll
 #pragma once
@@ -35,6 +35,7 @@ struct ProblemTraits {
   bool has_residuals = false;
   double failed_share = 0.0;  // of the points evaluated so far
   int basins = 1;             // found by a design of experiments
+  bool has_linear_constraints = false;
 };
 
 struct MethodChoice {
@@ -56,6 +57,7 @@ struct OptimizerSettings {
 /// none.
 MethodChoice method_of(const OptimizerSettings& settings, const ProblemTraits& traits);
 
+/// Throws InputError where the space has linear constraints and the method knows only bounds.
 std::unique_ptr<Optimizer> make_optimizer(Method method,
                                           const DesignSpace& space,
                                           const OptimizerSettings& settings);

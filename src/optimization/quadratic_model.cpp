@@ -83,7 +83,7 @@ std::optional<QuadraticModel> fit_quadratic(const std::vector<Sample>& samples,
   return model;
 }
 
-Eigen::VectorXd minimize_in_ball(const QuadraticModel& model, double radius) {
+BallStep minimize_in_ball(const QuadraticModel& model, double radius) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(model.H);
   const Eigen::VectorXd& lambda = eigen.eigenvalues();
   const Eigen::VectorXd g = eigen.eigenvectors().transpose() * model.g;
@@ -91,10 +91,10 @@ Eigen::VectorXd minimize_in_ball(const QuadraticModel& model, double radius) {
     return -(g.array() / (lambda.array() + mu)).matrix();
   };
   const double scale = std::max(lambda.cwiseAbs().maxCoeff(), g.norm() / radius);
-  if (!(scale > 0.0)) return Eigen::VectorXd::Zero(g.size());
+  if (!(scale > 0.0)) return {Eigen::VectorXd::Zero(g.size()), 0.0};
   const double smallest = lambda[0];
   const bool convex = smallest > 1e-12 * scale;
-  if (convex && step(0.0).norm() <= radius) return eigen.eigenvectors() * step(0.0);
+  if (convex && step(0.0).norm() <= radius) return {eigen.eigenvectors() * step(0.0), 0.0};
   // |s(mu)| falls from infinity (or from too long) to below the radius on this interval. In the
   // hard case, g orthogonal to the lowest eigenvector, the step stays short: still downhill.
   double low = std::max(0.0, -smallest) + 1e-12 * scale;
@@ -103,7 +103,7 @@ Eigen::VectorXd minimize_in_ball(const QuadraticModel& model, double radius) {
     const double middle = 0.5 * (low + high);
     (step(middle).norm() > radius ? low : high) = middle;
   }
-  return eigen.eigenvectors() * step(high);
+  return {eigen.eigenvectors() * step(high), high};
 }
 
 }  // namespace latsch

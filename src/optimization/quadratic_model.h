@@ -32,8 +32,13 @@ std::optional<QuadraticModel> fit_quadratic(const std::vector<Sample>& samples,
                                             const Eigen::VectorXd& center,
                                             double radius);
 
+struct BallStep {
+  Eigen::VectorXd s;
+  double mu;
+};
+
 /// The step s, |s| <= radius, with the least m(s): More and Sorensen's  (H + mu I) s = -g,  mu >=
 /// 0, solved in the eigenvectors of H. [More, Sorensen, SIAM J. Sci. Stat. Comput. 4 (1983) 553]
-Eigen::VectorXd minimize_in_ball(const QuadraticModel& model, double radius);
+BallStep minimize_in_ball(const QuadraticModel& model, double radius);
 
 }  // namespace latsch

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// For tests: problems with constraints whose solutions are published, by their numbers in
+// [Hock & Schittkowski, Test Examples for Nonlinear Programming Codes, Springer 1981].
+//
+// The collection leaves some variables without bounds, where a design space needs them; these get
+// bounds far from the solution, named "wide" here. A start outside the bounds is moved onto them.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "optimization/design_space.h"
+
+namespace latsch {
+
+struct ConstrainedProblem {
+  using Function = std::function<double(const std::vector<double>&)>;
+
+  std::string name;
+  DesignSpace space;  // with the linear constraints
+  Function f;
+  std::vector<double> x;                 // the solution
+  double least;                          // f there
+  std::vector<Function> at_most_0 = {};  // nonlinear: c(x) <= 0
+  std::vector<Function> equal_0 = {};
+
+  /// The largest violation of the nonlinear constraints.
+  double violation(const std::vector<double>& at) const {
+    double worst = 0.0;
+    for (const Function& c : at_most_0) worst = std::max(worst, c(at));
+    for (const Function& c : equal_0) worst = std::max(worst, std::abs(c(at)));
+    return worst;
+  }
+};
+
+struct Box {
+  double lower, upper;
+};
+
+inline DesignSpace space_of(const std::vector<double>& start,
+                            const std::vector<Box>& bounds,
+                            const std::vector<LinearConstraint>& rows = {}) {
+  std::vector<DesignVariable> variables;
+  for (size_t i = 0; i < start.size(); ++i) {
+    const Box box = bounds[bounds.size() == 1 ? 0 : i];
+    variables.push_back({.name = "x" + std::to_string(i + 1),
+                         .lower = box.lower,
+                         .upper = box.upper,
+                         .initial = start[i]});
+  }
+  return DesignSpace(variables, rows);
+}
+
+inline LinearConstraint between(std::vector<double> a, double lower, double upper) {
+  LinearConstraint row;
+  row.name = "row";
+  row.coefficients = std::move(a);
+  row.lower = lower;
+  row.upper = upper;
+  return row;
+}
+
+inline LinearConstraint at_most(std::vector<double> a, double upper) {
+  return between(std::move(a), -INFINITY, upper);
+}
+
+inline LinearConstraint at_least(std::vector<double> a, double lower) {
+  return between(std::move(a), lower, INFINITY);
+}
+
+inline LinearConstraint equal(std::vector<double> a, double value) {
+  return between(std::move(a), value, value);
+}
+
+/// Bounds and linear constraints alone.
+inline std::vector<ConstrainedProblem> linearly_constrained_problems() {
+  const double root3 = std::sqrt(3.0);
+  const Box wide{-10.0, 10.0};
+  return {
+      {"HS21",
+       space_of({2, -1}, {{2, 50}, {-50, 50}}, {at_least({10, -1}, 10)}),
+       [](const auto& x) { return 0.01 * x[0] * x[0] + x[1] * x[1] - 100; },
+       {2, 0},
+       -99.96},
+      {"HS24",
+       space_of({1, 0.5},
+                {{0, 10}},
+                {at_least({1 / root3, -1}, 0), at_least({1, root3}, 0), at_most({1, root3}, 6)}),
+       [root3](const auto& x) {
+         return ((x[0] - 3) * (x[0] - 3) - 9) * x[1] * x[1] * x[1] / (27 * root3);
+       },
+       {3, root3},
+       -1},
+      {"HS28",
+       space_of({-4, 1, 1}, {wide}, {equal({1, 2, 3}, 1)}),
+       [](const auto& x) { return std::pow(x[0] + x[1], 2) + std::pow(x[1] + x[2], 2); },
+       {0.5, -0.5, 0.5},
+       0},
+      {"HS35",
+       space_of({0.5, 0.5, 0.5}, {{0, 10}}, {at_most({1, 1, 2}, 3)}),
+       [](const auto& x) {
+         return 9 - 8 * x[0] - 6 * x[1] - 4 * x[2] + 2 * x[0] * x[0] + 2 * x[1] * x[1] +
+                x[2] * x[2] + 2 * x[0] * x[1] + 2 * x[0] * x[2];
+       },
+       {4.0 / 3, 7.0 / 9, 4.0 / 9},
+       1.0 / 9},
+      {"HS36",
+       space_of({10, 10, 10}, {{0, 20}, {0, 11}, {0, 42}}, {at_most({1, 2, 2}, 72)}),
+       [](const auto& x) { return -x[0] * x[1] * x[2]; },
+       {20, 11, 15},
+       -3300},
+      {"HS37",
+       space_of({10, 10, 10}, {{0, 42}}, {at_most({1, 2, 2}, 72), at_least({1, 2, 2}, 0)}),
+       [](const auto& x) { return -x[0] * x[1] * x[2]; },
+       {24, 12, 12},
+       -3456},
+      {"HS48",
+       space_of(
+           {3, 5, -3, 2, -2}, {wide}, {equal({1, 1, 1, 1, 1}, 5), equal({0, 0, 1, -2, -2}, -3)}),
+       [](const auto& x) {
+         return std::pow(x[0] - 1, 2) + std::pow(x[1] - x[2], 2) + std::pow(x[3] - x[4], 2);
+       },
+       {1, 1, 1, 1, 1},
+       0},
+      {"HS76",
+       space_of({0.5, 0.5, 0.5, 0.5},
+                {{0, 10}},
+                {at_most({1, 2, 1, 1}, 5), at_most({3, 1, 2, -1}, 4), at_least({0, 1, 4, 0}, 1.5)}),
+       [](const auto& x) {
+         return x[0] * x[0] + 0.5 * x[1] * x[1] + x[2] * x[2] + 0.5 * x[3] * x[3] - x[0] * x[2] +
+                x[2] * x[3] - x[0] - 3 * x[1] + x[2] - x[3];
+       },
+       {0.2727273, 2.090909, 0, 0.5454545},
+       -4.681818181},
+  };
+}
+
+/// With nonlinear constraints.
+inline std::vector<ConstrainedProblem> nonlinearly_constrained_problems() {
+  const auto square = [](double a) { return a * a; };
+  const Box wide{-10.0, 10.0};
+  return {
+      {"HS43",
+       space_of({0, 0, 0, 0}, {wide}),
+       [](const auto& x) {
+         return x[0] * x[0] + x[1] * x[1] + 2 * x[2] * x[2] + x[3] * x[3] - 5 * x[0] - 5 * x[1] -
+                21 * x[2] + 7 * x[3];
+       },
+       {0, 1, 2, -1},
+       -44,
+       {[](const auto& x) {
+          return -8 + x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3] + x[0] - x[1] + x[2] -
+                 x[3];
+        },
+        [](const auto& x) {
+          return -10 + x[0] * x[0] + 2 * x[1] * x[1] + x[2] * x[2] + 2 * x[3] * x[3] - x[0] - x[3];
+        },
+        [](const auto& x) {
+          return -5 + 2 * x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + 2 * x[0] - x[1] - x[3];
+        }}},
+      {"HS65",
+       space_of({-4.5, 4.5, 0}, {{-4.5, 4.5}, {-4.5, 4.5}, {-5, 5}}),
+       [square](const auto& x) {
+         return square(x[0] - x[1]) + square(x[0] + x[1] - 10) / 9 + square(x[2] - 5);
+       },
+       {3.650461821, 3.65046168, 4.6204170507},
+       0.9535288567,
+       {[](const auto& x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 48; }}},
+      {"HS71",
+       space_of({1, 5, 5, 1}, {{1, 5}}),
+       [](const auto& x) { return x[0] * x[3] * (x[0] + x[1] + x[2]) + x[2]; },
+       {1, 4.7429994, 3.8211503, 1.3794082},
+       17.0140173,
+       {[](const auto& x) { return 25 - x[0] * x[1] * x[2] * x[3]; }},
+       {[](const auto& x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3] - 40; }}},
+      {"HS100",
+       space_of({1, 2, 0, 4, 0, 1, 1}, {wide}),
+       [square](const auto& x) {
+         return square(x[0] - 10) + 5 * square(x[1] - 12) + std::pow(x[2], 4) +
+                3 * square(x[3] - 11) + 10 * std::pow(x[4], 6) + 7 * x[5] * x[5] +
+                std::pow(x[6], 4) - 4 * x[5] * x[6] - 10 * x[5] - 8 * x[6];
+       },
+       {2.330499, 1.951372, -0.4775414, 4.365726, -0.6244870, 1.038131, 1.594227},
+       680.6300573,
+       {[](const auto& x) {
+          return -127 + 2 * x[0] * x[0] + 3 * std::pow(x[1], 4) + x[2] + 4 * x[3] * x[3] + 5 * x[4];
+        },
+        [](const auto& x) { return -282 + 7 * x[0] + 3 * x[1] + 10 * x[2] * x[2] + x[3] - x[4]; },
+        [](const auto& x) { return -196 + 23 * x[0] + x[1] * x[1] + 6 * x[5] * x[5] - 8 * x[6]; },
+        [](const auto& x) {
+          return 4 * x[0] * x[0] + x[1] * x[1] - 3 * x[0] * x[1] + 2 * x[2] * x[2] + 5 * x[5] -
+                 11 * x[6];
+        }}},
+  };
+}
+
+}  // namespace latsch
