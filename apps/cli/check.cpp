@@ -65,7 +65,10 @@ void print_experiment(const StudyExperiment& experiment, const fe_tire::Mesh& me
 
 void print_simulator(const Study& study) {
   const Simulator& simulator = *study.simulator;
-  fmt::print("{}\n\nSimulator: {}\n", study.title, fmt::join(simulator.arguments, " "));
+  fmt::print("{}\n\nSimulator: {}{}\n",
+             study.title,
+             fmt::join(simulator.arguments, " "),
+             simulator.timeout > 0.0 ? fmt::format(", {:g} s at most", simulator.timeout) : "");
   for (const OutputReader& output : simulator.outputs) {
     std::string quantities;
     for (const auto& quantity : output.quantities) {

@@ -220,6 +220,7 @@ class Simulators(Outside):
         self.assertAlmostEqual(self.found(text, "damper"), 1600, delta=32)
         self.assert_says(text, "Report: ")
         self.assertFalse((study.parent / "study.scratch").exists())
+        self.assert_says((study.parent / "study.html").read_text(), "In outside programs")
 
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX (ccx) is not installed")
     def test_calculix_is_fitted(self):

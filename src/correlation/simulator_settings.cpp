@@ -164,6 +164,9 @@ Simulator read_simulator(const Node& table, const fs::path& study, const DesignS
   if (simulator.outputs.empty()) {
     table.reject("output", "is missing, expected at least one [simulator.output.NAME]");
   }
+  if (table.has("timeout")) {
+    simulator.timeout = table.quantity("timeout", "s", Range::positive(), simulator.timeout);
+  }
   simulator.keep_failed = table.flag("keep_failed", false);
   return simulator;
 }

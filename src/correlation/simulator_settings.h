@@ -3,9 +3,10 @@
 //
 //   [simulator]
 //   command = ["python3", "{study}/spring.py", "spring.txt"]   # {study}: folder of the study
-//   inputs = ["spring.txt"]            # templates beside the study, see
-//   evaluation/input_template.h files = ["mesh.inc"]               # copied as they are keep_failed
-//   = true                 # folders of failed trials stay in STUDY.scratch
+//   inputs = ["spring.txt"]            # templates beside the study, see input_template.h
+//   files = ["mesh.inc"]               # copied as they are
+//   timeout = "30 s"                   # of the program; [run] has that of the whole trial
+//   keep_failed = true                 # folders of failed trials stay in STUDY.scratch
 //
 //   [simulator.output.response]        # see evaluation/output_reader.h
 //   file = "response.csv"

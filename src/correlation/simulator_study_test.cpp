@@ -112,6 +112,7 @@ TEST_F(SimulatorStudy, WhatMakesNoSenseIsRefusedInWords) {
   refused("kind = \"curve\"", "kind = \"modes\"", "curve");
   refused("command = [\"/bin/sh\", \"{study}/program.sh\"]", "command = []", "expected a program");
   refused("command =", "comand =", "command");
+  refused("inputs =", "timeout = \"5 N\"\ninputs =", "timeout is \"5 N\"");
 }
 
 }  // namespace

@@ -205,7 +205,8 @@ report::RunFacts run_facts(const Study& study, const Journal& journal) {
   journal.for_each([&](const Trial& trial) {
     ++facts.trials;
     busy += trial.outcome.wall_time;
-    facts.cpu_time += trial.outcome.cpu_time;
+    facts.cpu_time += trial.outcome.cpu_time + trial.outcome.program_time;
+    facts.program_time += trial.outcome.program_time;
     if (trial.outcome.result) return;
     ++facts.failures;
     ++reasons[trial.outcome.result.failure().reason];

@@ -71,7 +71,9 @@ enum Kind : std::uint8_t {
   kChannels = 1,
   kTimeout = 2,
   kBadOutput = 3,
-  kTransient = 4
+  kTransient = 4,
+  // Added to the kind where the CPU time of outside programs comes next; not before format 3.
+  kWithPrograms = 0x80
 };
 
 Kind kind_of(const Result<Channels>& result) {
@@ -139,7 +141,9 @@ std::string encode(const Outcome& outcome) {
   put(bytes, outcome.wall_time);
   put(bytes, outcome.cpu_time);
   put(bytes, static_cast<std::int32_t>(outcome.worker));
-  put(bytes, static_cast<std::uint8_t>(kind_of(outcome.result)));
+  const bool programs = outcome.program_time != 0.0;
+  put(bytes, static_cast<std::uint8_t>(kind_of(outcome.result) | (programs ? kWithPrograms : 0)));
+  if (programs) put(bytes, outcome.program_time);
   if (outcome.result) {
     bytes += encode(*outcome.result);
   } else {
@@ -168,7 +172,12 @@ std::optional<Outcome> decode_outcome(std::string_view bytes) {
   outcome.wall_time = reader.number<double>();
   outcome.cpu_time = reader.number<double>();
   outcome.worker = reader.number<std::int32_t>();
-  const auto kind = reader.number<std::uint8_t>();
+  auto kind = reader.number<std::uint8_t>();
+  if (kind & kWithPrograms) {
+    kind &= static_cast<std::uint8_t>(~kWithPrograms);
+    outcome.program_time = reader.number<double>();
+    if (outcome.program_time == 0.0) reader.ok = false;  // one value, one encoding
+  }
   const std::optional<Cause> cause = cause_of(kind);
   if (kind == kChannels) {
     outcome.result = read_channels(reader);

@@ -53,7 +53,7 @@ TEST(JournalDoctor, AHealthyJournalIsCalledHealthyAndSalvagedToTheSameTrials) {
   const JournalReport report = examine_journal(folder / "a");
   EXPECT_TRUE(report.healthy()) << report.findings.front();
   EXPECT_EQ(report.expected, 12);
-  EXPECT_EQ(report.format, 2);
+  EXPECT_EQ(report.format, 3);
   EXPECT_TRUE(all_authentic(report, 12, "healthy"));
   salvage_journal(report, std::nullopt, folder / "b");
   const auto trials = Journal::open(folder / "b", kStudy).trials();

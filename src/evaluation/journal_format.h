@@ -8,6 +8,7 @@
 //
 //   format 1   no `content`; `hash` is over the columns and the hash before
 //   format 2   as above; failures say their cause
+//   format 3   outcomes say the CPU time of outside programs
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -23,7 +24,7 @@
 namespace latsch::journal_format {
 
 inline constexpr int kApplicationId = 0x4C747368;  // "Ltsh", so that file(1) and we know our own
-inline constexpr int kFormat = 2;
+inline constexpr int kFormat = 3;
 
 /// Creates the tables; the file says it is a journal of kFormat.
 void create_tables(SQLite::Database& database);

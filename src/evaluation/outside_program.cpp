@@ -3,17 +3,23 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <spawn.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cerrno>
+#include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <fstream>
 
 #include "base/text.h"
+#include "evaluation/process_tree.h"
 
 extern char** environ;
 
@@ -33,6 +39,21 @@ std::string last_line(const std::filesystem::path& printed) {
   return std::string(trimmed(last));
 }
 
+/// Waits for its end, but not for longer.
+bool ends_within(pid_t pid, double timeout) {
+  using Clock = std::chrono::steady_clock;
+  const auto until = Clock::now() + std::chrono::duration<double>(timeout);
+  const int process = static_cast<int>(::syscall(SYS_pidfd_open, pid, 0));
+  bool ended = false;
+  for (double rest = timeout; !ended && rest > 0.0;) {
+    pollfd entry{process, POLLIN, 0};
+    ended = ::poll(&entry, 1, static_cast<int>(std::ceil(std::min(rest, 3600.0) * 1e3))) > 0;
+    rest = std::chrono::duration<double>(until - Clock::now()).count();
+  }
+  ::close(process);
+  return ended;
+}
+
 Failure ended(const std::string& program, int status, const std::filesystem::path& printed) {
   const std::string how =
       WIFSIGNALED(status)
@@ -48,7 +69,8 @@ Failure ended(const std::string& program, int status, const std::filesystem::pat
 
 std::optional<Failure> run_program(const std::vector<std::string>& arguments,
                                    const std::filesystem::path& folder,
-                                   const std::filesystem::path& printed) {
+                                   const std::filesystem::path& printed,
+                                   double timeout) {
   assert(!arguments.empty());
   posix_spawn_file_actions_t files;
   ::posix_spawn_file_actions_init(&files);
@@ -66,8 +88,16 @@ std::optional<Failure> run_program(const std::vector<std::string>& arguments,
   if (error != 0) {
     return Failure{fmt::format("cannot start {}: {}", in_quotes(argv[0]), std::strerror(error))};
   }
+  const bool in_time = timeout <= 0.0 || ends_within(pid, timeout);
+  if (!in_time) kill_tree(pid);
   int status = 0;
   while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!in_time) {
+    return Failure{fmt::format("{} took more than the {:g} s allowed to it and was killed",
+                               in_quotes(arguments.front()),
+                               timeout),
+                   Cause::timeout};
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::nullopt;
   return ended(arguments.front(), status, printed);

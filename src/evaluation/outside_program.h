@@ -13,9 +13,11 @@ namespace latsch {
 
 /// Runs the program of that argument list in that folder, with nothing on its standard input and
 /// what it prints in `printed`, in the process group of this process. The Failure says how it ended
-/// unless with exit code 0, and the last line it printed.
+/// unless with exit code 0, and the last line it printed. After `timeout` seconds (0: never) it is
+/// killed with all that descends from it; that is a Failure with Cause::timeout.
 std::optional<Failure> run_program(const std::vector<std::string>& arguments,
                                    const std::filesystem::path& folder,
-                                   const std::filesystem::path& printed);
+                                   const std::filesystem::path& printed,
+                                   double timeout = 0.0);
 
 }  // namespace latsch

@@ -70,7 +70,9 @@ Result<Channels> run(const Simulator& simulator,
     arguments.push_back(
         replaced(argument, "{study}", fs::absolute(simulator.study_folder).string()));
   }
-  if (const auto failure = run_program(arguments, folder, folder / kPrinted)) return *failure;
+  if (const auto failure = run_program(arguments, folder, folder / kPrinted, simulator.timeout)) {
+    return *failure;
+  }
   Channels channels;
   for (const OutputReader& output : simulator.outputs) {
     auto read = read_output(output, folder);

@@ -5,8 +5,8 @@
 // files the program needs, what it prints (printed.txt) and what it leaves behind. The program is
 // an argument list, never a shell line, with {study} for the folder of the study; it runs in the
 // process group of its worker, so that the timeout and the memory limit of a trial hold for it and
-// for all it starts. The folder is removed after the trial, except where a failed one is to be
-// kept.
+// for all it starts. A timeout of its own spares the worker. The folder is removed after the trial,
+// except where a failed one is to be kept.
 #pragma once
 
 #include <filesystem>
@@ -32,6 +32,7 @@ struct Simulator {
   std::vector<Input> inputs;
   std::vector<std::filesystem::path> copied;  // files beside the study
   std::vector<OutputReader> outputs;
+  double timeout = 0.0;      // s, of the program alone; 0: that of the trial only
   bool keep_failed = false;  // folders of trials that failed
 };
 

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <fstream>
+#include <thread>
 
 #include "base/file.h"
+#include "evaluation/encoding.h"
 #include "evaluation/scratch_folder_testing.h"
 #include "evaluation/trial.h"
 
@@ -79,6 +82,37 @@ TEST_F(SimulatorTest, OutputsThatAreMissingOrNonsenseAreNamed) {
   expect_contains(reason("echo 'Force = 2' > out.txt"), "holds no value of f");
   expect_contains(reason("echo 'force = nan' > out.txt"), "expected a finite number");
   expect_contains(reason("head -c 100000 /dev/urandom > out.txt"), "out.txt");
+}
+
+TEST_F(SimulatorTest, AProgramThatOverrunsItsTimeoutIsKilledWithAllItStarted) {
+  Simulator slow =
+      simulator("(sleep 1000; true) & echo $! > ../../child; echo waiting; sleep 1000");
+  slow.timeout = 0.3;
+  const auto outcome = evaluate(evaluator(slow, space()), {{42.0}});
+  ASSERT_FALSE(outcome.result.ok());
+  EXPECT_EQ(outcome.result.failure().cause, Cause::timeout);
+  expect_contains(outcome.result.failure().reason, "took more than the 0.3 s allowed to it");
+  EXPECT_LT(outcome.wall_time, 1.3);
+  const pid_t child = std::stoi(read_text_file(folder_ / "child"));
+  while (::kill(child, 0) == 0) {  // until its new parent has seen it: it is a zombie at most
+    const std::string stat = read_text_file(fs::path("/proc") / std::to_string(child) / "stat");
+    if (stat.find(") Z ") != std::string::npos) break;
+    std::this_thread::yield();
+  }
+}
+
+TEST_F(SimulatorTest, ItsCpuTimeIsToldApartFromOurs) {
+  const auto busy =
+      evaluate(evaluator(simulator("i=0; while [ $i -lt 100000 ]; do i=$((i+1)); done; "
+                                   "sed 's/k/force/' $1 > out.txt"),
+                         space()),
+               {{42.0}});
+  ASSERT_TRUE(busy.result.ok()) << busy.result.failure().reason;
+  EXPECT_GT(busy.program_time, 0.01);
+  EXPECT_LT(busy.cpu_time, busy.program_time);
+  const auto again = decode_outcome(encode(busy));
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->program_time, busy.program_time);
 }
 
 TEST_F(SimulatorTest, TheFolderOfAFailedTrialIsKeptWhereThatIsAskedFor) {

@@ -2,6 +2,7 @@
 #include "evaluation/trial.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <time.h>
 
 #include <chrono>
@@ -17,6 +18,16 @@ double cpu_seconds() {
   timespec time{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// Of the programs this process has waited for, and of those they waited for.
+double program_seconds() {
+  rusage usage{};
+  ::getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 Result<Channels> run(const Evaluator& evaluator, const DesignPoint& point) {
@@ -37,10 +48,11 @@ Result<Channels> run(const Evaluator& evaluator, const DesignPoint& point) {
 Outcome evaluate(const Evaluator& evaluator, const DesignPoint& point) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  const double cpu_start = cpu_seconds();
+  const double cpu_start = cpu_seconds(), program_start = program_seconds();
   Outcome outcome{.result = run(evaluator, point)};
   outcome.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
   outcome.cpu_time = cpu_seconds() - cpu_start;
+  outcome.program_time = program_seconds() - program_start;
   return outcome;
 }
 

@@ -15,6 +15,7 @@ struct Outcome {
   double wall_time = 0.0;  // s
   double cpu_time = 0.0;   // s, of the thread that evaluated
   int worker = 0;
+  double program_time = 0.0;  // s, CPU of outside programs: user and system, of what was waited for
 };
 
 struct Trial {

@@ -118,6 +118,7 @@ struct RunFacts {
   double wall_time = 0.0;                                    // s
   double cpu_time = 0.0;                                     // s over all trials
   std::vector<std::pair<std::string, int>> failure_reasons;  // sentence and how often
+  double program_time = 0.0;                                 // s of cpu_time, in outside programs
 };
 
 /// How far the mesh is from the converged tire.

@@ -175,6 +175,7 @@ std::string run_facts(const StudyReport& report) {
                   duration(run.cpu_time / std::max(1, run.trials)),
                   run.workers,
                   run.workers == 1 ? "" : "s"));
+  if (run.program_time > 0.0) row("In outside programs", duration(run.program_time) + " CPU");
   for (const auto& [reason, count] : run.failure_reasons)
     row(fmt::format("Failed {} ×", count), reason);
   return html + "</tbody></table></div>";

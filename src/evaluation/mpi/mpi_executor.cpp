@@ -2,6 +2,7 @@
 #include "evaluation/mpi/mpi_executor.h"
 
 #include <mpi.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cassert>
@@ -19,8 +20,8 @@
 namespace latsch {
 namespace {
 
-enum Tag { kPoint = 1, kOutcome = 2, kAlive = 3, kWithdraw = 4, kEnd = 5 };
-constexpr const char* kAlone = "alone";  // with kEnd: another rank is lost, wait for none
+enum Tag { kPoint = 1, kOutcome = 2, kAlive = 3, kWithdraw = 4, kEnd = 5, kEnded = 6, kLeave = 7 };
+constexpr const char* kAlone = "alone";  // with kLeave: another rank is lost, wait for none
 constexpr double kHeartbeat = 1.0;       // s
 constexpr auto kPause = std::chrono::microseconds(500);  // between two looks for a message
 constexpr double kLocalPatience = 0.01;                  // s, of a rank for its own worker
@@ -75,8 +76,10 @@ MpiJob::MpiJob() : outbox_(std::make_unique<Outbox>()) {
 MpiJob::~MpiJob() {
   // MPI_Finalize waits for every rank, also for one that is lost.
   if (ends_alone_) return;
+  ::alarm(static_cast<unsigned>(kMasterSilence));  // one may be lost at this very moment
   for (Outbox::Letter& letter : outbox_->letters) MPI_Wait(&letter.request, MPI_STATUS_IGNORE);
   MPI_Finalize();
+  ::alarm(0);
 }
 
 void MpiJob::send(int rank, int tag, std::string bytes) {
@@ -95,6 +98,26 @@ void MpiJob::send(int rank, int tag, std::string bytes) {
             &letter.request);
 }
 
+namespace {
+
+/// Says that this rank has come to its end and waits to be told whether the others have, too.
+void leave(MpiJob& job) {
+  job.send(0, kEnded, {});
+  const auto until =
+      std::chrono::steady_clock::now() + std::chrono::duration<double>(kMasterSilence);
+  while (std::chrono::steady_clock::now() < until) {
+    while (const auto message = poll_message()) {
+      if (message->tag != kLeave) continue;
+      if (message->bytes == kAlone) job.ends_alone();
+      return;
+    }
+    std::this_thread::sleep_for(kPause);
+  }
+  job.ends_alone();
+}
+
+}  // namespace
+
 void serve_rank(MpiJob& job, ProcessOptions options) {
   options.workers = 1;
   ProcessExecutor worker(std::move(options));
@@ -105,8 +128,8 @@ void serve_rank(MpiJob& job, ProcessOptions options) {
     while (const auto message = poll_message()) {
       heard = worker.now();
       if (message->tag == kEnd) {
-        if (message->bytes == kAlone) job.ends_alone();
-        return;
+        worker.abandon();
+        return leave(job);
       }
       if (message->tag == kWithdraw) worker.abandon();
       const auto asked = message->tag == kPoint ? take_number(message->bytes) : std::nullopt;
@@ -130,9 +153,30 @@ MpiExecutor::MpiExecutor(MpiJob& job) : job_(job), ranks_(job.size() - 1) {
   for (Rank& rank : ranks_) rank.heard = now();
 }
 
+// A rank that was lost unnoticed would keep all others waiting in the end of MPI: so they are asked
+// first whether they have come to theirs.
 MpiExecutor::~MpiExecutor() {
+  tell_all(kEnd, {});
+  const auto awaited = [](const Rank& rank) { return !rank.lost && !rank.ended; };
+  while (std::any_of(ranks_.begin(), ranks_.end(), awaited)) {
+    while (const auto message = poll_message()) {
+      Rank& rank = ranks_[message->rank - 1];
+      rank.heard = now();
+      rank.ended = rank.ended || message->tag == kEnded;
+    }
+    for (Rank& rank : ranks_) {
+      if (!awaited(rank) || now() - rank.heard < kSilence) continue;
+      rank.lost = true;
+      job_.ends_alone();
+    }
+    std::this_thread::sleep_for(kPause);
+  }
+  tell_all(kLeave, job_.is_alone() ? kAlone : "");
+}
+
+void MpiExecutor::tell_all(int tag, const std::string& bytes) {
   for (std::size_t i = 0; i < ranks_.size(); ++i) {
-    if (!ranks_[i].lost) job_.send(static_cast<int>(i + 1), kEnd, job_.is_alone() ? kAlone : "");
+    if (!ranks_[i].lost) job_.send(static_cast<int>(i + 1), tag, bytes);
   }
 }
 
@@ -166,9 +210,7 @@ std::vector<Trial> MpiExecutor::wait(double patience) {
 void MpiExecutor::say_alive() {
   if (now() - said_ < kHeartbeat) return;
   said_ = now();
-  for (std::size_t i = 0; i < ranks_.size(); ++i) {
-    if (!ranks_[i].lost) job_.send(static_cast<int>(i + 1), kAlive, {});
-  }
+  tell_all(kAlive, {});
 }
 
 /// The next outcome that has arrived.

@@ -60,7 +60,8 @@ class MpiExecutor : public Executor {
  public:
   /// On rank 0 of a job of at least two ranks.
   explicit MpiExecutor(MpiJob& job);
-  /// Tells the ranks to end.
+  /// Tells the ranks to end and waits until they have, for one that is lost no longer than
+  /// kSilence.
   ~MpiExecutor() override;
 
   int workers() const override { return static_cast<int>(ranks_.size()); }
@@ -77,7 +78,9 @@ class MpiExecutor : public Executor {
     std::uint64_t trial = 0;
     double heard = 0.0;  // s, when it last said something
     bool lost = false;
+    bool ended = false;  // does no trials any more, waits to leave the job
   };
+  void tell_all(int tag, const std::string& bytes);
   void say_alive();
   std::optional<Trial> receive();
   std::optional<Trial> lose_silent();
