@@ -116,9 +116,7 @@ void leave(MpiJob& job) {
   job.ends_alone();
 }
 
-}  // namespace
-
-void serve_rank(MpiJob& job, ProcessOptions options) {
+void serve(MpiJob& job, ProcessOptions options) {
   options.workers = 1;
   ProcessExecutor worker(std::move(options));
   std::uint64_t trial = 0;
@@ -145,6 +143,17 @@ void serve_rank(MpiJob& job, ProcessOptions options) {
     if (worker.now() - said < kHeartbeat) continue;
     said = worker.now();
     job.send(0, kAlive, {});
+  }
+}
+
+}  // namespace
+
+void serve_rank(MpiJob& job, ProcessOptions options) {
+  try {
+    serve(job, std::move(options));
+  } catch (...) {
+    job.ends_alone();  // the others go on: the end of MPI would wait for them
+    throw;
   }
 }
 
