@@ -27,6 +27,7 @@
 #include "evaluation/inline_executor.h"
 #include "evaluation/journal.h"
 #include "evaluation/journal_doctor.h"
+#include "evaluation/journal_history_testing.h"
 #include "evaluation/process_executor.h"
 #include "evaluation/scheduler.h"
 #include "evaluation/scratch_folder_testing.h"
@@ -254,6 +255,27 @@ void damaged_journal(Table& table) {
             most_lost <= 1);
 }
 
+void power_losses(Table& table) {
+  constexpr int kLosses = 1000;
+  int broken = 0, while_open = 0;
+  long acknowledged = 0, sectors = 0;
+  for (std::uint64_t seed = 0; seed < kLosses; ++seed) {
+    const PowerHistory history = live_through_power_loss(seed);
+    if (!history.wrong.empty()) fmt::print(stderr, "seed {}: {}\n", seed, history.wrong);
+    broken += !history.wrong.empty();
+    while_open += history.while_open;
+    acknowledged += history.acknowledged;
+    sectors += history.sectors_lost;
+  }
+  table.note("power losses, of these with the journal open (F2)",
+             fmt::format("{}, {}", kLosses, while_open));
+  table.note("sectors lost by them, wholly or in part", fmt::format("{}", sectors));
+  table.row(fmt::format("journals that miss one of {} acknowledged trials", acknowledged),
+            fmt::format("{}", broken),
+            "0",
+            broken == 0);
+}
+
 void second_run(Table& table) {
   const ScratchFolder folder;
   const Journal journal = Journal::open(folder / "j", kStudy);
@@ -358,6 +380,7 @@ int run() {
   evaluator_faults(table);
   full_disk(table);
   damaged_journal(table);
+  power_losses(table);
   second_run(table);
   signals(table);
   return table.exit_code();

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/random.h"
 #include "evaluation/encoding.h"
+#include "evaluation/journal_history_testing.h"
 #include "evaluation/scratch_folder_testing.h"
 
 namespace latsch {
@@ -247,6 +248,44 @@ void expect_intact_or_detected(const std::filesystem::path& file, int trials, co
   } catch (const JournalError&) {
   } catch (const InputError&) {
   }
+}
+
+// The short form of a row of ./bench.sh faults.
+TEST(Journal, APowerLossLosesNothingThatWasAcknowledged) {
+  long sectors = 0, while_open = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const PowerHistory history = live_through_power_loss(seed);
+    EXPECT_EQ(history.wrong, "") << "seed " << seed;
+    sectors += history.sectors_lost;
+    while_open += history.while_open;
+  }
+  EXPECT_GT(sectors, 100);  // so something was at stake
+  EXPECT_GT(while_open, 10);
+}
+
+// Without the syncs the same losses do cost trials: the disk of this test is no ideal one.
+TEST(PowerLoss, WhatIsNotSyncedMayBeGone) {
+  int lost = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const ScratchFolder folder;
+    PowerLoss disk(seed, 1'000'000);
+    {
+      SQLite::Database database((folder / "d").string(),
+                                SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+      database.exec("PRAGMA journal_mode = WAL");
+      database.exec("PRAGMA synchronous = NORMAL; CREATE TABLE t (i INTEGER)");  // no sync a commit
+      database.exec("INSERT INTO t VALUES (1)");
+      disk.fail();
+    }
+    disk.come_back();
+    try {
+      SQLite::Database database((folder / "d").string());
+      lost += database.execAndGet("SELECT count(*) FROM t").getInt() == 0;
+    } catch (const SQLite::Exception&) {
+      ++lost;
+    }
+  }
+  EXPECT_GT(lost, 3);
 }
 
 TEST(Journal, ABitFlipIsDetectedOrChangesNothing) {
