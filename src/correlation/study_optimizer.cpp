@@ -8,35 +8,48 @@ namespace {
 
 constexpr long kMostOutstanding = 1024;
 constexpr long kMostRestarts = 1000;
+constexpr long kMostPriority = 1000;
 constexpr long kMostIndividuals = 1'000'000;
+
+/// The keys that methods share; `longest`: of the first step.
+void read_lengths(const Node& node, double longest, double& initial, double& tolerance) {
+  initial = node.quantity("initial_step", "1", Range{0.0, longest, true}, initial);
+  tolerance = node.quantity("step_tolerance", "1", Range{0.0, longest, true}, tolerance);
+}
+
+void read_outstanding(const Node& node, int& outstanding) {
+  outstanding = static_cast<int>(node.integer("outstanding", 1, kMostOutstanding, outstanding));
+}
 
 GssOptions read_gss(const Node& node) {
   GssOptions d;
-  const Range share{0.0, 1.0, true};
-  d.initial_step = node.quantity("initial_step", "1", share, d.initial_step);
-  d.step_tolerance = node.quantity("step_tolerance", "1", share, d.step_tolerance);
-  d.contraction = node.quantity("contraction", "1", share, d.contraction);
+  read_lengths(node, 1.0, d.initial_step, d.step_tolerance);
+  d.contraction = node.quantity("contraction", "1", Range{0.0, 1.0, true}, d.contraction);
   d.sufficient_decrease =
       node.quantity("sufficient_decrease", "1", Range::not_negative(), d.sufficient_decrease);
-  d.outstanding = static_cast<int>(node.integer("outstanding", 1, kMostOutstanding, d.outstanding));
+  read_outstanding(node, d.outstanding);
   return d;
 }
 
 ResidualTrustRegionOptions read_trust_region(const Node& node) {
   ResidualTrustRegionOptions d;
-  d.initial_radius = node.quantity("initial_step", "1", Range{0.0, 0.5, true}, d.initial_radius);
-  d.step_tolerance = node.quantity("step_tolerance", "1", Range{0.0, 0.5, true}, d.step_tolerance);
-  d.outstanding = static_cast<int>(node.integer("outstanding", 1, kMostOutstanding, d.outstanding));
+  read_lengths(node, 0.5, d.initial_radius, d.step_tolerance);
+  read_outstanding(node, d.outstanding);
   d.restarts = static_cast<int>(node.integer("restarts", 0, kMostRestarts, d.restarts));
   d.seed = static_cast<std::uint64_t>(node.integer("seed", 0, kMostIndividuals, 1));
   return d;
 }
 
+SqpOptions read_sqp(const Node& node) {
+  SqpOptions d;
+  read_lengths(node, 0.5, d.initial_step, d.step_tolerance);
+  d.difference = node.quantity("difference", "1", Range{0.0, 0.5, true}, d.difference);
+  return d;
+}
+
 NelderMeadOptions read_nelder_mead(const Node& node) {
   NelderMeadOptions d;
-  const Range share{0.0, 0.5, true};
-  d.initial_step = node.quantity("initial_step", "1", share, d.initial_step);
-  d.step_tolerance = node.quantity("step_tolerance", "1", share, d.step_tolerance);
+  read_lengths(node, 0.5, d.initial_step, d.step_tolerance);
   return d;
 }
 
@@ -56,11 +69,41 @@ ProblemTraits traits(const DesignSpace& space) {
           .has_linear_constraints = !space.constraints().empty()};
 }
 
-}  // namespace
+OptimizerSettings read_settings(const Node& table,
+                                const DesignSpace& space,
+                                std::string_view fallback,
+                                const std::vector<std::string>& methods);
 
-OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space) {
+/// [optimizer.member.NAME]: any optimizer but another ensemble.
+MemberSettings read_member(const Node& table, const DesignSpace& space) {
+  std::vector<std::string> methods = method_names();
+  std::erase(methods, name(Method::ensemble));
+  MemberSettings member;
+  member.name = table.name();
+  member.priority = static_cast<int>(table.integer("priority", 1, kMostPriority, 1));
+  member.settings = read_settings(table, space, table.text("method"), methods);
+  return member;
+}
+
+void read_ensemble(const Node& table, const DesignSpace& space, OptimizerSettings& settings) {
+  for (const Node& member : table.named_tables("member")) {
+    settings.members.push_back(read_member(member, space));
+  }
+  if (settings.members.empty()) {
+    table.reject("method",
+                 "is \"ensemble\" without members, expected tables such as "
+                 "[optimizer.member.fine] with method = \"gss\" and priority = 2");
+  }
+  const std::string ends = table.choice("ends_with", {"all", "first"}, "all");
+  settings.ensemble_end = ends == "all" ? Ensemble::End::all : Ensemble::End::first;
+}
+
+OptimizerSettings read_settings(const Node& table,
+                                const DesignSpace& space,
+                                std::string_view fallback,
+                                const std::vector<std::string>& methods) {
   OptimizerSettings settings;
-  settings.method = table.choice("method", method_names(), settings.method);
+  settings.method = table.choice("method", methods, fallback);
   // Only the keys of the method are read: one of another method is reported as unknown.
   const Method method = latsch::method_of(settings, traits(space)).method;
   switch (method) {
@@ -70,15 +113,21 @@ OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space) {
     case Method::residual_trust_region:
       settings.residual_trust_region = read_trust_region(table);
       break;
+    case Method::sqp:
+      settings.sqp = read_sqp(table);
+      break;
     case Method::nelder_mead:
       settings.nelder_mead = read_nelder_mead(table);
       break;
     case Method::genetic:
       settings.genetic = read_genetic(table);
       break;
+    case Method::ensemble:
+      read_ensemble(table, space, settings);
+      break;
   }
   try {  // the method itself is to complain now, not before the first trial
-    latsch::make_optimizer(method, space, settings);
+    latsch::make_optimizer(method, space, settings, traits(space));
   } catch (const InputError& error) {
     if (!error.place().file.empty()) throw;
     throw InputError(table.place(), error.what());
@@ -86,12 +135,19 @@ OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space) {
   return settings;
 }
 
+}  // namespace
+
+OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space) {
+  return read_settings(table, space, OptimizerSettings().method, method_names());
+}
+
 MethodChoice method_of(const Study& study) {
   return latsch::method_of(study.optimizer, traits(study.space));
 }
 
 std::unique_ptr<Optimizer> make_optimizer(const Study& study) {
-  return latsch::make_optimizer(method_of(study).method, study.space, study.optimizer);
+  return latsch::make_optimizer(
+      method_of(study).method, study.space, study.optimizer, traits(study.space));
 }
 
 }  // namespace latsch::correlation

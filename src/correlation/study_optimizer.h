@@ -2,19 +2,36 @@
 // The optimizer of a study.
 //
 //   [optimizer]
-//   method = "gss"                # or residual_trust_region, nelder_mead, genetic, auto
+//   method = "gss"                # or residual_trust_region, sqp, nelder_mead, genetic, ensemble,
+//                                 # auto
 //   step_tolerance = 0.001        # of the range of a variable, as initial_step = 0.1
 //   outstanding = 1               # points decided on at once: gss and residual_trust_region
 //   max_steps = 1000              # outcomes the optimizer may observe
 //   contraction = 0.5             # gss
 //   sufficient_decrease = 0.01    # gss
 //   restarts = 0                  # residual_trust_region: begins again so often, under noise
+//   difference = 0.0001           # sqp: step of differences, of the range
 //   population = 40               # genetic
 //   generations = 50              # genetic
 //   seed = 1                      # residual_trust_region, genetic
 //
-// residual_trust_region makes the sum of the squared relative errors least, whatever exponent the
-// objectives have; the other methods the target itself.
+// residual_trust_region and sqp make the sum of the squared relative errors least, whatever
+// exponent the objectives have; the other methods the target itself. Linear constraints
+// (linear_constraints.h): gss, sqp, and an ensemble of them.
+//
+// Several at once, which see each other's points (optimization/ensemble.h):
+//
+//   [optimizer]
+//   method = "ensemble"
+//   ends_with = "all"             # or "first": with the first member that ends
+//
+//   [optimizer.member.wide]       # any name; keys as above, but no other ensemble
+//   method = "genetic"
+//   priority = 1                  # share of the steps
+//
+//   [optimizer.member.fine]
+//   method = "gss"
+//   priority = 2
 #pragma once
 
 #include <memory>

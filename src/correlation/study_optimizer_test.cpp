@@ -51,5 +51,45 @@ TEST(StudyOptimizer, IsRefusedBeforeTheFirstTrialWithThePlaceOfItsTable) {
   }
 }
 
+TEST(StudyOptimizer, ReadsTheMembersOfAnEnsemble) {
+  const OptimizerSettings settings = read(R"(
+method = "ensemble"
+ends_with = "first"
+[member.wide]
+method = "genetic"
+generations = 7
+[member.fine]
+method = "sqp"
+priority = 2
+difference = 1e-5)");
+  ASSERT_EQ(settings.members.size(), 2u);
+  EXPECT_EQ(settings.ensemble_end, Ensemble::End::first);
+  EXPECT_EQ(settings.members[0].settings.genetic.generations, 7);
+  EXPECT_EQ(settings.members[1].name, "fine");
+  EXPECT_EQ(settings.members[1].priority, 2);
+  EXPECT_EQ(settings.members[1].settings.sqp.difference, 1e-5);
+  EXPECT_NE(latsch::method_of(settings, {}).reason.find("fine (sequential"), std::string::npos);
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    read(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(StudyOptimizer, SaysWhatIsWrongWithAnEnsemble) {
+  const auto says = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(complaint(text).find(part), std::string::npos) << complaint(text);
+  };
+  says("method = \"ensemble\"", "study.toml:1: method is \"ensemble\" without members");
+  says("method = \"ensemble\"\n[member.a]\npriority = 2", "method");
+  says("method = \"ensemble\"\n[member.a]\nmethod = \"ensemble\"", "study.toml:3");
+  says("method = \"ensemble\"\n[member.a]\nmethod = \"gss\"\npriority = 0", "study.toml:4");
+  says("method = \"gss\"\n[member.a]\nmethod = \"gss\"", "member");
+}
+
 }  // namespace
 }  // namespace latsch::correlation

@@ -41,8 +41,13 @@ std::vector<DesignPoint> path(
   settings.gss.outstanding = outstanding;
   settings.residual_trust_region.outstanding = outstanding;
   settings.residual_trust_region.restarts = 1;
-  const auto optimizer =
-      make_optimizer(method_of({.method = method}, {.variables = 3}).method, space, settings);
+  settings.members = {{"directions", 2, {.method = "gss"}}, {"quadratic", 1, {.method = "sqp"}}};
+  const auto optimizer = make_optimizer(
+      method_of({.method = method},
+                {.variables = 3, .has_linear_constraints = !space.constraints().empty()})
+          .method,
+      space,
+      settings);
   // Which points fail goes with the seed, so timing is varied by the range of the times.
   SimulatedExecutor executor(
       valley,
@@ -84,7 +89,9 @@ TEST_P(EveryOptimizerThatKnowsConstraints, TakesTheSameFeasiblePath) {
   expect_one_path(GetParam(), constrained_space());
 }
 
-INSTANTIATE_TEST_SUITE_P(ByName, EveryOptimizerThatKnowsConstraints, testing::Values("gss"));
+INSTANTIATE_TEST_SUITE_P(ByName,
+                         EveryOptimizerThatKnowsConstraints,
+                         testing::Values("gss", "sqp", "ensemble", "auto"));
 
 }  // namespace
 }  // namespace latsch

@@ -17,20 +17,6 @@ std::vector<Eigen::VectorXd> in_cube(const Eigen::VectorXd& x, int turn) {
   return generating_set(at, turn);
 }
 
-/// Outward normals of the constraints within epsilon, as columns.
-Eigen::MatrixXd near_normals(const FeasibleRegion& region,
-                             const Eigen::VectorXd& x,
-                             double epsilon) {
-  const Eigen::VectorXd distance = region.b() - region.A() * x;
-  Eigen::MatrixXd V(x.size(), 0);
-  for (Eigen::Index i = 0; i < distance.size(); ++i) {
-    if (distance[i] > epsilon) continue;
-    V.conservativeResize(Eigen::NoChange, V.cols() + 1);
-    V.col(V.cols() - 1) = region.A().row(i).transpose();
-  }
-  return V;
-}
-
 }  // namespace
 
 std::vector<Eigen::VectorXd> conforming_set(const FeasibleRegion& region,
@@ -38,7 +24,7 @@ std::vector<Eigen::VectorXd> conforming_set(const FeasibleRegion& region,
                                             double epsilon,
                                             int turn) {
   if (region.is_cube()) return in_cube(x, turn);
-  const Eigen::MatrixXd V = near_normals(region, x, epsilon);
+  const Eigen::MatrixXd V = region.normals_within(x, epsilon);
   const Eigen::MatrixXd E = region.E().transpose();
   ConeGenerators cone = tangent_cone(V, E);
   std::vector<Eigen::VectorXd> directions = std::move(cone.rays);

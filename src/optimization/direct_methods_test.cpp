@@ -117,8 +117,9 @@ TEST(MethodChoice, MakesEveryMethodAndRefusesOthers) {
   const DesignSpace space = box({0.5, 0.5}, 0.0, 1.0);
   for (const std::string& name : method_names()) {
     const MethodChoice choice = method_of({.method = name}, {.variables = 2});
-    EXPECT_FALSE(choice.reason.empty());
-    EXPECT_EQ(make_optimizer(choice.method, space, {})->propose(1).front(), space.initial());
+    OptimizerSettings settings;
+    settings.members = {{"one", 1, {}}};
+    EXPECT_EQ(make_optimizer(choice.method, space, settings)->propose(1).front(), space.initial());
   }
   EXPECT_THROW(method_of({.method = "simplex"}, {}), InputError);
 }
@@ -128,6 +129,9 @@ TEST(MethodChoice, RefusesMethodsThatKnowNoLinearConstraintsWhereThereAreSome) {
   const DesignSpace space(box({0.5, 0.5}, 0.0, 1.0).variables(), {sum});
   EXPECT_THROW(make_optimizer(Method::nelder_mead, space, {}), InputError);
   EXPECT_NO_THROW(make_optimizer(Method::gss, space, {}));
+  OptimizerSettings both;
+  both.members = {{"a", 1, {.method = "gss"}}, {"b", 1, {.method = "genetic"}}};
+  EXPECT_THROW(make_optimizer(Method::ensemble, space, both), InputError);
   const ProblemTraits traits{.has_residuals = true, .has_linear_constraints = true};
   EXPECT_NO_THROW(make_optimizer(choose_method(traits).method, space, {}));
 }

@@ -106,6 +106,17 @@ double FeasibleRegion::violation(const Eigen::VectorXd& u) const {
 
 bool FeasibleRegion::contains(const Eigen::VectorXd& u) const { return violation(u) <= kRounding; }
 
+Eigen::MatrixXd FeasibleRegion::normals_within(const Eigen::VectorXd& u, double distance) const {
+  const Eigen::VectorXd away = b_ - A_ * u;
+  Eigen::MatrixXd V(u.size(), 0);
+  for (Eigen::Index i = 0; i < away.size(); ++i) {
+    if (away[i] > distance) continue;
+    V.conservativeResize(Eigen::NoChange, V.cols() + 1);
+    V.col(V.cols() - 1) = A_.row(i).transpose();
+  }
+  return V;
+}
+
 Eigen::VectorXd FeasibleRegion::cut_off(const Eigen::VectorXd& x, const Eigen::VectorXd& u) const {
   if (is_cube_) return u.cwiseMax(0.0).cwiseMin(1.0);
   const Eigen::VectorXd toward = A_ * (u - x);

@@ -32,6 +32,9 @@ class FeasibleRegion {
   /// Up to rounding.
   bool contains(const Eigen::VectorXd& u) const;
 
+  /// Outward normals of the inequalities nearer to u than `distance`, as columns.
+  Eigen::MatrixXd normals_within(const Eigen::VectorXd& u, double distance) const;
+
   /// The last point of the region on the way from x, inside, to u. In the cube u is moved onto the
   /// bounds instead, variable by variable.
   Eigen::VectorXd cut_off(const Eigen::VectorXd& x, const Eigen::VectorXd& u) const;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/genetic.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <utility>
 
 #include "base/random.h"
+#include "optimization/option_check.h"
 
 namespace latsch {
 namespace {
@@ -34,20 +33,21 @@ double mutation(double q, double eta) {
 }
 
 void check(const GeneticOptions& options) {
-  const auto reject = [](const char* name, double found, const char* expected) {
-    throw InputError(
-        fmt::format("genetic algorithm: {} is {}, expected {}", name, found, expected));
-  };
-  if (options.population != 0 && options.population < 4) {
-    reject("population", options.population, "4 or more, or 0 for a choice by the variables");
-  }
-  if (options.generations < 1) reject("generations", options.generations, "1 or more");
-  if (!(options.crossover >= 0.0 && options.crossover <= 1.0)) {
-    reject("crossover", options.crossover, "a probability");
-  }
-  if (!(options.eta_crossover >= 0.0)) reject("eta of crossover", options.eta_crossover, ">= 0");
-  if (!(options.eta_mutation >= 0.0)) reject("eta of mutation", options.eta_mutation, ">= 0");
-  if (!(options.step_tolerance >= 0.0)) reject("step tolerance", options.step_tolerance, ">= 0");
+  const OptionCheck check("genetic algorithm");
+  check.require(options.population == 0 || options.population >= 4,
+                "population",
+                options.population,
+                "4 or more, or 0 for a choice by the variables");
+  check.require(options.generations >= 1, "generations", options.generations, "1 or more");
+  check.require(options.crossover >= 0.0 && options.crossover <= 1.0,
+                "crossover",
+                options.crossover,
+                "a probability");
+  check.require(
+      options.eta_crossover >= 0.0, "eta of crossover", options.eta_crossover, "0 or more");
+  check.require(options.eta_mutation >= 0.0, "eta of mutation", options.eta_mutation, "0 or more");
+  check.require(
+      options.step_tolerance >= 0.0, "step tolerance", options.step_tolerance, "0 or more");
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/gss.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cassert>
@@ -14,6 +12,7 @@
 #include "optimization/conforming_set.h"
 #include "optimization/feasible_region.h"
 #include "optimization/model_step.h"
+#include "optimization/option_check.h"
 
 namespace latsch {
 namespace {
@@ -48,22 +47,17 @@ Eigen::VectorXd to_vector(const std::vector<double>& u) {
 }
 
 void check(const GssOptions& options) {
-  const auto reject = [](const char* name, double found, const char* expected) {
-    throw InputError(fmt::format("GSS: {} is {}, expected {}", name, found, expected));
-  };
-  if (!(options.initial_step > 0.0 && options.initial_step <= 1.0)) {
-    reject("initial step", options.initial_step, "a share of the range, above 0 and up to 1");
-  }
-  if (!(options.step_tolerance > 0.0 && options.step_tolerance < options.initial_step)) {
-    reject("step tolerance", options.step_tolerance, "above 0 and below the initial step");
-  }
-  if (!(options.contraction > 0.0 && options.contraction < 1.0)) {
-    reject("contraction", options.contraction, "between 0 and 1");
-  }
-  if (!(options.sufficient_decrease >= 0.0)) {
-    reject("sufficient decrease", options.sufficient_decrease, "0 or more");
-  }
-  if (options.outstanding < 1) reject("outstanding", options.outstanding, "1 or more");
+  const OptionCheck check("GSS");
+  check.lengths(options.initial_step, options.step_tolerance, 1.0);
+  check.require(options.contraction > 0.0 && options.contraction < 1.0,
+                "contraction",
+                options.contraction,
+                "between 0 and 1");
+  check.require(options.sufficient_decrease >= 0.0,
+                "sufficient decrease",
+                options.sufficient_decrease,
+                "0 or more");
+  check.require(options.outstanding >= 1, "outstanding", options.outstanding, "1 or more");
 }
 
 }  // namespace

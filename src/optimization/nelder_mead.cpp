@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/nelder_mead.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cassert>
 #include <limits>
+
+#include "optimization/option_check.h"
 
 namespace latsch {
 namespace {
@@ -22,15 +22,7 @@ struct Vertex {
 enum class Phase { simplex, reflection, expansion, contraction, ended };
 
 void check(const NelderMeadOptions& options) {
-  const auto reject = [](const char* name, double found, const char* expected) {
-    throw InputError(fmt::format("Nelder-Mead: {} is {}, expected {}", name, found, expected));
-  };
-  if (!(options.initial_step > 0.0 && options.initial_step <= 0.5)) {
-    reject("initial step", options.initial_step, "a share of the range, above 0 and up to 0.5");
-  }
-  if (!(options.step_tolerance > 0.0 && options.step_tolerance < options.initial_step)) {
-    reject("step tolerance", options.step_tolerance, "above 0 and below the initial step");
-  }
+  OptionCheck("Nelder-Mead").lengths(options.initial_step, options.step_tolerance, 0.5);
 }
 
 }  // namespace

@@ -4,25 +4,43 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
 namespace latsch {
 namespace {
 
+struct MethodWords {
+  Method method;
+  std::string_view name, words;
+  bool knows_linear_constraints;
+};
+
 constexpr std::array kMethods{
-    Method::gss, Method::residual_trust_region, Method::nelder_mead, Method::genetic};
+    MethodWords{Method::gss, "gss", "generating-set search", true},
+    MethodWords{
+        Method::residual_trust_region, "residual_trust_region", "residual trust region", false},
+    MethodWords{Method::sqp, "sqp", "sequential quadratic programming", true},
+    MethodWords{Method::nelder_mead, "nelder_mead", "Nelder-Mead", false},
+    MethodWords{Method::genetic, "genetic", "genetic algorithm", false},
+    MethodWords{Method::ensemble, "ensemble", "ensemble", true}};
+
+const MethodWords& entry(Method method) {
+  const auto is_it = [&](const MethodWords& words) { return words.method == method; };
+  const auto found = std::find_if(kMethods.begin(), kMethods.end(), is_it);
+  assert(found != kMethods.end());
+  return *found;
+}
 
 constexpr double kMostFailures = 0.5;  // more, and models have nothing to stand on
 constexpr int kMostPolled = 40;        // variables: a poll is that many evaluations
 
-bool knows_linear_constraints(Method method) { return method == Method::gss; }
-
 void check_constraints(Method method, const DesignSpace& space) {
-  if (space.constraints().empty() || knows_linear_constraints(method)) return;
+  if (space.constraints().empty() || entry(method).knows_linear_constraints) return;
   std::vector<std::string_view> able;
-  for (const Method other : kMethods) {
-    if (knows_linear_constraints(other)) able.push_back(name(other));
+  for (const MethodWords& other : kMethods) {
+    if (other.knows_linear_constraints) able.push_back(other.name);
   }
   const LinearConstraint& first = space.constraints().front();
   throw InputError(first.place,
@@ -35,38 +53,13 @@ void check_constraints(Method method, const DesignSpace& space) {
 
 }  // namespace
 
-std::string_view name(Method method) {
-  switch (method) {
-    case Method::gss:
-      return "gss";
-    case Method::residual_trust_region:
-      return "residual_trust_region";
-    case Method::nelder_mead:
-      return "nelder_mead";
-    case Method::genetic:
-      return "genetic";
-  }
-  return "";
-}
-
-std::string_view in_words(Method method) {
-  switch (method) {
-    case Method::gss:
-      return "generating-set search";
-    case Method::residual_trust_region:
-      return "residual trust region";
-    case Method::nelder_mead:
-      return "Nelder-Mead";
-    case Method::genetic:
-      return "genetic algorithm";
-  }
-  return "";
-}
+std::string_view name(Method method) { return entry(method).name; }
+std::string_view in_words(Method method) { return entry(method).words; }
 
 const std::vector<std::string>& method_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
-    for (const Method method : kMethods) all.emplace_back(name(method));
+    for (const MethodWords& method : kMethods) all.emplace_back(method.name);
     all.emplace_back("auto");
     return all;
   }();
@@ -81,7 +74,10 @@ MethodChoice choose_method(const ProblemTraits& traits) {
                         100.0 * traits.failed_share)};
   }
   if (traits.has_linear_constraints) {
-    return {Method::gss, "there are linear constraints, along which it searches"};
+    if (!traits.has_residuals) {
+      return {Method::gss, "there are linear constraints and no residuals; it searches along them"};
+    }
+    return {Method::sqp, "the target is a sum over residuals, among linear constraints"};
   }
   if (traits.has_residuals) {
     return {Method::residual_trust_region,
@@ -105,27 +101,61 @@ MethodChoice choose_method(const ProblemTraits& traits) {
 
 MethodChoice method_of(const OptimizerSettings& settings, const ProblemTraits& traits) {
   if (settings.method == "auto") return choose_method(traits);
-  for (const Method method : kMethods) {
-    if (settings.method == name(method)) return {method, "as the study says"};
+  for (const MethodWords& method : kMethods) {
+    if (settings.method != method.name) continue;
+    if (method.method != Method::ensemble) return {method.method, "as the study says"};
+    std::string members;
+    for (const MemberSettings& member : settings.members) {
+      members += fmt::format("{}{} ({}, priority {})",
+                             members.empty() ? "" : ", ",
+                             member.name,
+                             in_words(method_of(member.settings, traits).method),
+                             member.priority);
+    }
+    return {Method::ensemble, members};
   }
   throw InputError(fmt::format("optimizer method is \"{}\", expected one of {}",
                                settings.method,
                                fmt::join(method_names(), ", ")));
 }
 
+namespace {
+
+std::unique_ptr<Optimizer> make_ensemble(const DesignSpace& space,
+                                         const OptimizerSettings& settings,
+                                         const ProblemTraits& traits) {
+  std::vector<EnsembleMember> members;
+  for (const MemberSettings& member : settings.members) {
+    const Method method = method_of(member.settings, traits).method;
+    if (method == Method::ensemble) {
+      throw InputError(fmt::format(
+          "ensemble: member \"{}\" is an ensemble itself, expected another method", member.name));
+    }
+    members.push_back({make_optimizer(method, space, member.settings), member.priority});
+  }
+  return std::make_unique<Ensemble>(std::move(members), settings.ensemble_end);
+}
+
+}  // namespace
+
 std::unique_ptr<Optimizer> make_optimizer(Method method,
                                           const DesignSpace& space,
-                                          const OptimizerSettings& settings) {
+                                          const OptimizerSettings& settings,
+                                          const ProblemTraits& traits) {
   check_constraints(method, space);
   switch (method) {
     case Method::gss:
       return std::make_unique<Gss>(space, settings.gss);
     case Method::residual_trust_region:
       return std::make_unique<ResidualTrustRegion>(space, settings.residual_trust_region);
+    case Method::sqp:
+      return std::make_unique<Sqp>(space, settings.sqp);
     case Method::nelder_mead:
       return std::make_unique<NelderMead>(space, settings.nelder_mead);
     case Method::genetic:
       return std::make_unique<Genetic>(space, settings.genetic);
+    case Method::ensemble:
+      return make_ensemble(space, settings, traits);
   }
   assert(false);
   return nullptr;

@@ -3,9 +3,11 @@
 //
 //   residual_trust_region  the target is a sum over residuals, smooth between failures: fewest
 //                          evaluations by far
-//   gss                    no residuals, kinks, or most points fail; linear constraints
+//   gss                    no residuals, kinks, or most points fail
+//   sqp                    constraints, and residuals or a smooth target
 //   nelder_mead            on request: a few variables, nothing assumed
 //   genetic                no residuals and many basins, or more variables than a pattern can poll
+//   ensemble               on request: several of these at once, each seeing the points of all
 #pragma once
 
 #include <memory>
@@ -13,14 +15,16 @@
 #include <string_view>
 #include <vector>
 
+#include "optimization/ensemble.h"
 #include "optimization/genetic.h"
 #include "optimization/gss.h"
 #include "optimization/nelder_mead.h"
 #include "optimization/residual_trust_region.h"
+#include "optimization/sqp.h"
 
 namespace latsch {
 
-enum class Method { gss, residual_trust_region, nelder_mead, genetic };
+enum class Method { gss, residual_trust_region, sqp, nelder_mead, genetic, ensemble };
 
 /// As in a study: "gss" ...
 std::string_view name(Method method);
@@ -45,21 +49,35 @@ struct MethodChoice {
 
 MethodChoice choose_method(const ProblemTraits& traits);
 
+struct MemberSettings;
+
 struct OptimizerSettings {
   std::string method = "gss";  // one of method_names()
   GssOptions gss;
   ResidualTrustRegionOptions residual_trust_region;
   NelderMeadOptions nelder_mead;
   GeneticOptions genetic;
+  SqpOptions sqp;
+  std::vector<MemberSettings> members;  // of an ensemble
+  Ensemble::End ensemble_end = Ensemble::End::all;
+};
+
+struct MemberSettings {
+  std::string name;
+  int priority = 1;
+  OptimizerSettings settings;  // of any method but ensemble
 };
 
 /// The method of the settings; of "auto", the one chosen. Throws InputError for a name that is
 /// none.
 MethodChoice method_of(const OptimizerSettings& settings, const ProblemTraits& traits);
 
-/// Throws InputError where the space has linear constraints and the method knows only bounds.
+/// Throws InputError where the space has linear constraints and the method, or a member of an
+/// ensemble, knows only bounds; for an ensemble without members or within another. `traits`: what
+/// a member of method auto is chosen by.
 std::unique_ptr<Optimizer> make_optimizer(Method method,
                                           const DesignSpace& space,
-                                          const OptimizerSettings& settings);
+                                          const OptimizerSettings& settings,
+                                          const ProblemTraits& traits = {});
 
 }  // namespace latsch

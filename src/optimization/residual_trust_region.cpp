@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/residual_trust_region.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -12,6 +10,7 @@
 
 #include "base/random.h"
 #include "optimization/box_least_squares.h"
+#include "optimization/option_check.h"
 #include "optimization/residual_memory.h"
 
 namespace latsch {
@@ -77,18 +76,10 @@ Eigen::VectorXd moved(const Eigen::VectorXd& u, double size, RandomStream& rando
 }
 
 void check(const ResidualTrustRegionOptions& options) {
-  const auto reject = [](const char* name, double found, const char* expected) {
-    throw InputError(
-        fmt::format("residual trust region: {} is {}, expected {}", name, found, expected));
-  };
-  if (!(options.initial_radius > 0.0 && options.initial_radius <= 0.5)) {
-    reject("initial radius", options.initial_radius, "a share of the range, above 0 and up to 0.5");
-  }
-  if (!(options.step_tolerance > 0.0 && options.step_tolerance < options.initial_radius)) {
-    reject("step tolerance", options.step_tolerance, "above 0 and below the initial radius");
-  }
-  if (options.restarts < 0) reject("restarts", options.restarts, "0 or more");
-  if (options.outstanding < 1) reject("outstanding", options.outstanding, "1 or more");
+  const OptionCheck check("residual trust region");
+  check.lengths(options.initial_radius, options.step_tolerance, 0.5, "initial radius");
+  check.require(options.restarts >= 0, "restarts", options.restarts, "0 or more");
+  check.require(options.outstanding >= 1, "outstanding", options.outstanding, "1 or more");
 }
 
 }  // namespace
