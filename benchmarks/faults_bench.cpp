@@ -255,20 +255,20 @@ void damaged_journal(Table& table) {
             most_lost <= 1);
 }
 
-void power_losses(Table& table) {
+void power_losses(Table& table, Journal::Log log, const std::string& name) {
   constexpr int kLosses = 1000;
   int broken = 0, while_open = 0;
   long acknowledged = 0, sectors = 0;
   for (std::uint64_t seed = 0; seed < kLosses; ++seed) {
-    const PowerHistory history = live_through_power_loss(seed);
+    const PowerHistory history = live_through_power_loss(seed, log);
     if (!history.wrong.empty()) fmt::print(stderr, "seed {}: {}\n", seed, history.wrong);
     broken += !history.wrong.empty();
     while_open += history.while_open;
     acknowledged += history.acknowledged;
     sectors += history.sectors_lost;
   }
-  table.note("power losses, of these with the journal open (F2)",
-             fmt::format("{}, {}", kLosses, while_open));
+  table.note(fmt::format("power losses, {} log; with an open journal (F2)", name),
+             fmt::format("{}; {}", kLosses, while_open));
   table.note("sectors lost by them, wholly or in part", fmt::format("{}", sectors));
   table.row(fmt::format("journals that miss one of {} acknowledged trials", acknowledged),
             fmt::format("{}", broken),
@@ -380,7 +380,8 @@ int run() {
   evaluator_faults(table);
   full_disk(table);
   damaged_journal(table);
-  power_losses(table);
+  power_losses(table, Journal::Log::write_ahead, "write-ahead");
+  power_losses(table, Journal::Log::rollback, "rollback");
   second_run(table);
   signals(table);
   return table.exit_code();

@@ -6,6 +6,8 @@
 # apt: libopenmpi-dev openmpi-bin
 # Tests and benchmarks compare with these independent programs; the product does not use them:
 # apt: libgtest-dev calculix-ccx python3-scipy python3-numpy libnlopt-dev
+# A file system in user space for the test of a journal on one:
+# apt: bindfs
 find_package(fmt REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(nlohmann_json REQUIRED)

@@ -9,6 +9,7 @@
 #include "cli/verbs.h"
 #include "correlation/study.h"
 #include "correlation/variables.h"
+#include "evaluation/network_file_system.h"
 #include "experiment/tire_rig.h"
 #include "models/fe_tire/tire_description.h"
 
@@ -110,6 +111,14 @@ fe_tire::Mesh print_tire(const Study& study) {
   return mesh;
 }
 
+std::string journal_in_words(const Study& study) {
+  const std::string file = study.run.journal.string();
+  const auto network = network_file_system(study.run.journal);
+  return network
+             ? fmt::format("{} ({}: a rollback log, slower than on a local disk)", file, *network)
+             : file;
+}
+
 void check(const std::string& file) {
   const Study study = correlation::read_study(file);
   std::optional<fe_tire::Mesh> mesh;
@@ -138,7 +147,7 @@ void check(const std::string& file) {
       choice.reason,
       study.run.workers,
       study.run.timeout,
-      study.run.journal.string(),
+      journal_in_words(study),
       correlation::in_words(study.run.on_failure),
       file);
 }

@@ -331,6 +331,44 @@ class Ranks(Outside):
         self.fail(f"there is no rank {rank}")
 
 
+class OnAnotherFileSystem(Outside):
+    """A study on a file system in user space, which counts as one of a network: nobody can tell what is behind it."""
+
+    def setUp(self):
+        super().setUp()
+        behind, mount = self.folder / "behind", self.folder / "mount"
+        behind.mkdir()
+        mount.mkdir()
+        if not shutil.which("bindfs"):
+            self.skipTest("bindfs is not installed")
+        made = subprocess.run(["bindfs", behind, mount], capture_output=True, text=True)
+        if made.returncode != DONE:
+            self.skipTest(f"no file system can be mounted here: {made.stderr.strip()}")
+        self.addCleanup(subprocess.run, ["umount", mount], check=True)
+        self.folder = mount
+
+    def test_there_is_no_shared_memory_one_writer_and_a_kill_costs_nothing(self):
+        study = self.study("quarter_car")
+        journal = study.parent / "study.latsch"
+        edit(study, ("step_tolerance = .*", "step_tolerance = 0.05"))
+        result = re.compile(r"Best of .*?\n\n", re.S)
+        self.assert_says(self.latsch("check", study), "study.latsch (FUSE: a rollback log")
+        whole = result.search(self.latsch("run", study))[0]
+        journal.unlink()
+        run = subprocess.Popen([LATSCH, "run", study], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(run.wait)
+        self.addCleanup(run.kill)
+        while trials_of(journal) < 5:
+            self.assertIsNone(run.poll(), "the run ended before it was stopped")
+            time.sleep(0.01)
+        self.assert_says(self.latsch("run", study, code=WRONG_INPUT), f"in use by process {run.pid} on")
+        self.assert_says(self.latsch("report", study), "Report: ")
+        self.assertEqual([*study.parent.glob("*-shm"), *study.parent.glob("*-wal")], [])
+        run.kill()
+        run.wait()
+        self.assertEqual(result.search(self.latsch("resume", study))[0], whole)
+
+
 class BadInput(Coarse):
     def rejected(self, verb, *parts):
         text = self.latsch(verb, self.study, code=WRONG_INPUT)

@@ -13,10 +13,18 @@
 #include "evaluation/journal_format.h"
 #include "evaluation/journal_lock.h"
 #include "evaluation/journal_migration.h"
+#include "evaluation/network_file_system.h"
 
 namespace latsch {
 
 using namespace journal_format;
+
+namespace {
+
+constexpr int kBusyTimeout = 2000;       // ms
+constexpr int kReaderPatience = 60'000;  // ms, of a commit for those who read a rollback journal
+
+}  // namespace
 
 struct Journal::Impl {
   std::filesystem::path file;
@@ -49,6 +57,10 @@ struct Journal::Impl {
       case SQLITE_CANTOPEN:
         refuse("cannot be opened; does its folder exist, may it be written?");
       case SQLITE_READONLY:
+        if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK) {
+          refuse("was being written when its process ended; latsch resume puts it in order");
+        }
+        [[fallthrough]];
       case SQLITE_PERM:
         refuse("may not be written; check its permissions");
       case SQLITE_BUSY:
@@ -72,6 +84,21 @@ struct Journal::Impl {
   bool is_new() const {
     return database->execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0 &&
            database->execAndGet("PRAGMA application_id").getInt() == 0;
+  }
+
+  void choose_log(Log log) {
+    if (log == Log::write_ahead) {
+      database->exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+      return;
+    }
+    // The whole file for a moment: a write-ahead log left here by others needs no shared memory
+    // then.
+    database->exec("PRAGMA locking_mode = EXCLUSIVE; PRAGMA journal_mode = DELETE");
+    database->exec("PRAGMA locking_mode = NORMAL");
+    database->execAndGet("SELECT count(*) FROM sqlite_master");  // only a read lets the lock go
+    // EXTRA: a commit counts only once the removal of its log is on the disk too.
+    database->exec("PRAGMA synchronous = EXTRA");
+    database->setBusyTimeout(kReaderPatience);
   }
 
   void check_format() {
@@ -195,16 +222,19 @@ Journal& Journal::operator=(Journal&&) noexcept = default;
 Journal::~Journal() = default;
 
 Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& identity) {
+  return open(file, identity, network_file_system(file) ? Log::rollback : Log::write_ahead);
+}
+
+Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& identity, Log log) {
   auto impl = std::make_unique<Impl>();
   impl->file = file;
   impl->lock.emplace(file);
   impl->guarded([&] {
     impl->database = std::make_unique<SQLite::Database>(
-        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, 2000);
+        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeout);
     const bool is_new = impl->is_new();
     if (!is_new) impl->check_format();
-    impl->database->exec("PRAGMA journal_mode = WAL");
-    impl->database->exec("PRAGMA synchronous = FULL");
+    impl->choose_log(log);
     if (is_new) impl->create(identity);
     impl->read_identity();
     impl->read_tally();
@@ -222,7 +252,8 @@ Journal Journal::read(const std::filesystem::path& file) {
   impl->file = file;
   if (!std::filesystem::exists(file)) impl->refuse("does not exist; has the study been run?");
   impl->guarded([&] {
-    impl->database = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, 2000);
+    impl->database =
+        std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, kBusyTimeout);
     impl->check_format();
     impl->read_identity();
     impl->read_tally();

@@ -4,6 +4,10 @@
 // restart = read it again.
 //
 // One process writes (a lock file beside the journal names it); any number may read meanwhile.
+//
+// SQLite's write-ahead log needs memory that reader and writer share, which network file systems do
+// not have: there the journal keeps a rollback log. A commit then waits for the disk four times
+// instead of once, and for readers.
 #pragma once
 
 #include <filesystem>
@@ -20,11 +24,15 @@ namespace latsch {
 
 class Journal : public TrialStore {
  public:
+  enum class Log { write_ahead, rollback };
+
   /// Opens the journal for writing, or creates it. Throws InputError where it belongs to another
-  /// study (naming the part and the line that differ), is no journal or one of a newer format, is
-  /// in use (naming the process), or lies on a network file system. A journal of an older format is
-  /// brought to the present one; a copy as it was stays beside it.
+  /// study (naming the part and the line that differ), is no journal or one of a newer format, or
+  /// is in use (naming the process). A journal of an older format is brought to the present one; a
+  /// copy as it was stays beside it.
   static Journal open(const std::filesystem::path& file, const StudyIdentity& identity);
+  /// With that log, wherever it lies.
+  static Journal open(const std::filesystem::path& file, const StudyIdentity& identity, Log log);
 
   /// Opens for reading, also while another process writes. append() is not allowed.
   static Journal read(const std::filesystem::path& file);

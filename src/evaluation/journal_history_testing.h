@@ -38,13 +38,14 @@ inline constexpr int kLargestGroup = 3;
 /// Writes groups of trials, closing and opening the journal now and then, until the power fails.
 inline void write_until_loss(const std::filesystem::path& file,
                              const StudyIdentity& study,
+                             Journal::Log log,
                              RandomStream& random,
                              const PowerLoss& disk,
                              PowerHistory& history) {
   constexpr long kTrials = 80;
   try {
     while (history.acknowledged < kTrials && !disk.failed()) {
-      Journal journal = Journal::open(file, study);
+      Journal journal = Journal::open(file, study, log);
       for (std::uint64_t group = 0; group < 1 + random.below(30); ++group) {
         std::vector<Trial> trials;
         for (std::uint64_t i = 0; i < 1 + random.below(kLargestGroup); ++i) {
@@ -61,7 +62,7 @@ inline void write_until_loss(const std::filesystem::path& file,
   }
 }
 
-inline PowerHistory live_through_power_loss(std::uint64_t seed) {
+inline PowerHistory live_through_power_loss(std::uint64_t seed, Journal::Log log) {
   const ScratchFolder folder;
   const auto file = folder / "j";
   const StudyIdentity study{{"model", "a square"}};
@@ -69,12 +70,12 @@ inline PowerHistory live_through_power_loss(std::uint64_t seed) {
   PowerHistory history;
   {
     PowerLoss disk(seed, 1 + static_cast<long>(random.below(900)));
-    write_until_loss(file, study, random, disk, history);
+    write_until_loss(file, study, log, random, disk, history);
     disk.come_back();
     history.sectors_lost = disk.sectors_lost();
   }
   try {
-    Journal journal = Journal::open(file, study);
+    Journal journal = Journal::open(file, study, log);
     const std::vector<Trial> trials = journal.trials();
     history.kept = std::ssize(trials);
     for (long i = 0; i < history.kept; ++i) {

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <array>
@@ -19,34 +18,6 @@
 
 namespace latsch {
 namespace {
-
-/// SQLite's write-ahead log shares memory between readers, which network file systems do not; their
-/// magic numbers are those of statfs(2).
-void refuse_network_file_system(const std::filesystem::path& journal) {
-  struct Kind {
-    unsigned long magic;
-    const char* name;
-  };
-  static constexpr std::array kNetwork{Kind{0x6969, "NFS"},
-                                       Kind{0x517B, "SMB"},
-                                       Kind{0xFF534D42, "CIFS"},
-                                       Kind{0xFE534D42, "SMB2"},
-                                       Kind{0x5346414F, "AFS"},
-                                       Kind{0x01021997, "9P"},
-                                       Kind{0x00C36400, "Ceph"},
-                                       Kind{0x0BD00BD0, "Lustre"},
-                                       Kind{0x47504653, "GPFS"}};
-  struct statfs info {};
-  const std::filesystem::path folder = journal.has_parent_path() ? journal.parent_path() : ".";
-  if (::statfs(folder.c_str(), &info) != 0) return;
-  for (const Kind& kind : kNetwork) {
-    if ((static_cast<unsigned long>(info.f_type) & 0xFFFFFFFFu) != kind.magic) continue;
-    throw InputError({journal.string(), 0},
-                     fmt::format("the folder is on a network file system ({}), where a journal is "
-                                 "not safe; put it on a local disk",
-                                 kind.name));
-  }
-}
 
 std::string read_all(int fd) {
   std::array<char, 256> buffer{};
@@ -76,7 +47,6 @@ bool is_current(int fd, const std::filesystem::path& file) {
 }  // namespace
 
 JournalLock::JournalLock(const std::filesystem::path& journal) : file_(journal) {
-  refuse_network_file_system(journal);
   file_ += ".lock";
   while (true) {
     fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);

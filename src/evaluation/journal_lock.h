@@ -9,8 +9,8 @@ namespace latsch {
 
 class JournalLock {
  public:
-  /// Throws InputError naming the holder where another process (or another Journal of this one) has
-  /// it, and where the file lies on a network file system.
+  /// Throws InputError naming the holder, with its machine, where another process (or another
+  /// Journal of this one) has it.
   explicit JournalLock(const std::filesystem::path& journal);
   ~JournalLock();
   JournalLock(const JournalLock&) = delete;

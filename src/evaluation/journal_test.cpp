@@ -13,6 +13,7 @@
 #include "base/random.h"
 #include "evaluation/encoding.h"
 #include "evaluation/journal_history_testing.h"
+#include "evaluation/network_file_system.h"
 #include "evaluation/scratch_folder_testing.h"
 
 namespace latsch {
@@ -250,17 +251,37 @@ void expect_intact_or_detected(const std::filesystem::path& file, int trials, co
   }
 }
 
-// The short form of a row of ./bench.sh faults.
+// The short form of rows of ./bench.sh faults.
 TEST(Journal, APowerLossLosesNothingThatWasAcknowledged) {
-  long sectors = 0, while_open = 0;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const PowerHistory history = live_through_power_loss(seed);
-    EXPECT_EQ(history.wrong, "") << "seed " << seed;
-    sectors += history.sectors_lost;
-    while_open += history.while_open;
+  for (const auto log : {Journal::Log::write_ahead, Journal::Log::rollback}) {
+    long sectors = 0, while_open = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+      const PowerHistory history = live_through_power_loss(seed, log);
+      EXPECT_EQ(history.wrong, "") << "seed " << seed << ", log " << static_cast<int>(log);
+      sectors += history.sectors_lost;
+      while_open += history.while_open;
+    }
+    EXPECT_GT(sectors, 100);  // so something was at stake
+    EXPECT_GT(while_open, 10);
   }
-  EXPECT_GT(sectors, 100);  // so something was at stake
-  EXPECT_GT(while_open, 10);
+}
+
+TEST(Journal, OnANetworkFileSystemThereIsNoSharedMemory) {
+  EXPECT_EQ(network_file_system(0x6969), "NFS");
+  EXPECT_EQ(network_file_system(0xFFFFFFFFFF534D42), "CIFS");  // a sign that was extended
+  EXPECT_EQ(network_file_system(0xEF53), std::nullopt);        // ext4
+  const ScratchFolder folder;
+  const auto file = folder / "j";
+  Journal::open(file, kStudy, Journal::Log::write_ahead).append(trial(1));  // then it moved here
+  Journal journal = Journal::open(file, kStudy, Journal::Log::rollback);
+  for (int i = 2; i <= 5; ++i) {
+    journal.append(trial(i));
+    EXPECT_EQ(Journal::read(file).size(), i);
+    EXPECT_FALSE(std::filesystem::exists(folder / "j-wal"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "j-shm"));
+  }
+  expect_contains(complaint([&] { Journal::open(file, kStudy, Journal::Log::rollback); }),
+                  "is in use by process");
 }
 
 // Without the syncs the same losses do cost trials: the disk of this test is no ideal one.
