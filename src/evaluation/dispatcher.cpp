@@ -107,7 +107,8 @@ void Dispatcher::finish() {
 void Dispatcher::count(const DesignPoint& point, const Result<Score>& outcome, bool is_score) {
   ++progress_.known;
   if (!is_score || !outcome) return;
-  if (progress_.best && *progress_.best <= outcome->value) return;
+  if (best_ && !is_better(*outcome, *best_)) return;
+  best_ = *outcome;
   progress_.best = outcome->value;
   progress_.best_point = point;
 }

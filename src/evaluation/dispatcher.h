@@ -102,6 +102,7 @@ class Dispatcher {
   std::vector<double> recent_times_;        // s, of the trials that succeeded last
   bool stopping_ = false;
   RunProgress progress_;
+  std::optional<Score> best_;
   double wall_time_ = 0.0;
   double start_;
 };

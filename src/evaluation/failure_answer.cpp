@@ -8,6 +8,8 @@
 namespace latsch {
 namespace {
 
+constexpr double kViolated = 1.0;  // nothing says that a failed point fulfills a constraint
+
 double squared_distance(const std::vector<double>& u, const std::vector<double>& v) {
   double sum = 0.0;
   for (std::size_t i = 0; i < u.size(); ++i) sum += (u[i] - v[i]) * (u[i] - v[i]);
@@ -43,9 +45,13 @@ DesignPoint middle(const DesignSpace& space, const DesignPoint& a, const DesignP
 std::optional<Score> recovered(const FailurePolicy& policy, const std::vector<Step>& before) {
   for (const Step& step : before) {
     if (!step.outcome) continue;
-    const std::size_t count = step.outcome->residuals.size();
-    const double each = std::sqrt(policy.penalty / static_cast<double>(count));
-    return Score{policy.penalty, std::vector<double>(count, each)};
+    const Score& like = *step.outcome;
+    const double each = std::sqrt(policy.penalty / static_cast<double>(like.residuals.size()));
+    Score score{.value = policy.penalty};
+    score.residuals.assign(like.residuals.size(), each);
+    score.constraints.assign(like.constraints.size(), kViolated);
+    score.equations.assign(like.equations.size(), kViolated);
+    return score;
   }
   return std::nullopt;
 }

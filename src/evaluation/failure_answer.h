@@ -4,7 +4,7 @@
 //
 // recover       a declared value, the worse the farther from anything that succeeds: for methods
 //               that cannot take a failure. Residuals are all the same and have it as their sum of
-//               squares.
+//               squares; nonlinear constraints count as violated by 1.
 // continuation  the failed point t is approached from the nearest point s of the trajectory that
 //               succeeded, in the unit cube of the design space:
 //                 m = (s + t) / 2;  s = m where m succeeds, else t = m;  so often as is asked for
@@ -39,8 +39,8 @@ struct Step {
 /// The outcome of the first of these points, most wanted first; nullptr where it cannot be had.
 using Ask = std::function<const Result<Score>*(std::span<const DesignPoint> wanted)>;
 
-/// The penalty as a score with as many residuals as the scores before had; nothing before one
-/// succeeded: how many there are is not known then.
+/// The penalty as a score with as many residuals and constraints as the scores before had; nothing
+/// before one succeeded: how many there are is not known then.
 std::optional<Score> recovered(const FailurePolicy& policy, const std::vector<Step>& before);
 
 /// The trials of a continuation, in their order, and the answer they give.

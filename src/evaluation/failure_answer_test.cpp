@@ -99,6 +99,15 @@ TEST(Recover, AMethodThatCannotTakeAFailureGoesOnAndTheTrialIsStillAFailedOne) {
   EXPECT_TRUE(run.best()->outcome.ok());
 }
 
+TEST(Recover, AFailedPointFulfillsNoConstraint) {
+  const Score constrained{
+      .value = 2.0, .residuals = {}, .constraints = {-1.0, -1.0}, .equations = {0.0}};
+  const auto answer = recovered({.then = Then::recover}, {{{{0.5}}, constrained}});
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->constraints, (std::vector<double>{1.0, 1.0}));
+  EXPECT_EQ(violation(*answer), 1.0);
+}
+
 TEST(Recover, BeforeAnythingSucceededAFailureIsAFailure) {
   EXPECT_FALSE(recovered({.then = Then::recover}, {{{{0.5}}, Failure{"no"}}}));
 }

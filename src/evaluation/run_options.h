@@ -37,7 +37,7 @@ struct RunProgress {
   int running = 0;
   double elapsed = 0.0;          // s since the run began
   double trial_wall_time = 0.0;  // s, mean over `evaluated`
-  std::optional<double> best;    // least score so far
+  std::optional<double> best;    // target of the best point so far
   DesignPoint best_point;
 };
 

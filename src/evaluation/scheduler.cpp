@@ -40,8 +40,9 @@ class Search {
  private:
   /// What the failed point is answered by; false where a trial for that cannot be had.
   bool answer(Step& failed, std::span<const DesignPoint> plan) {
-    if (policy_.then == FailurePolicy::Then::recover)
+    if (policy_.then == FailurePolicy::Then::recover) {
       failed.answer = recovered(policy_, run_.steps);
+    }
     if (policy_.then != FailurePolicy::Then::continuation) return true;
     std::optional<std::span<const DesignPoint>> behind;
     if (look_ahead_ > 1) behind = plan.subspan(1);
