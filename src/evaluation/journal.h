@@ -6,8 +6,8 @@
 // One process writes (a lock file beside the journal names it); any number may read meanwhile.
 //
 // SQLite's write-ahead log needs memory that reader and writer share, which network file systems do
-// not have: there the journal keeps a rollback log. A commit then waits for the disk four times
-// instead of once, and for readers.
+// not have: there the journal keeps a rollback log. A commit then waits for the disk several
+// times instead of once, and for readers.
 #pragma once
 
 #include <filesystem>

@@ -2,6 +2,8 @@
 #include "evaluation/journal_doctor.h"
 
 #include <fmt/format.h>
+#include <sqlite3.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <map>
@@ -222,9 +224,54 @@ class Examination {
   std::int64_t tally_hash_ = 0;
 };
 
+/// Whether its process ended in a commit to a rollback log: reading alone cannot take that back.
+bool has_unfinished_commit(const fs::path& file) {
+  if (!fs::exists(file.string() + "-journal")) return false;
+  try {
+    SQLite::Database(file.string(), SQLite::OPEN_READONLY, 2000)
+        .execAndGet("SELECT count(*) FROM sqlite_master");
+  } catch (const SQLite::Exception& error) {
+    return error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK;
+  }
+  return false;
+}
+
+/// A copy with its rollback log, in which SQLite may take the commit back.
+class Copy {
+ public:
+  explicit Copy(const fs::path& file)
+      : folder_(fs::temp_directory_path() / fmt::format("latsch_doctor_{}", ::getpid())) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    fs::copy_file(file, this->file());
+    fs::copy_file(file.string() + "-journal", this->file().string() + "-journal");
+    SQLite::Database(this->file().string(), SQLite::OPEN_READWRITE)
+        .execAndGet("SELECT count(*) FROM sqlite_master");
+  }
+  ~Copy() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  Copy(const Copy&) = delete;
+  Copy& operator=(const Copy&) = delete;
+
+  fs::path file() const { return folder_ / "journal"; }
+
+ private:
+  fs::path folder_;
+};
+
 }  // namespace
 
-JournalReport examine_journal(const fs::path& file) { return Examination(file).run(); }
+JournalReport examine_journal(const fs::path& file) {
+  if (!has_unfinished_commit(file)) return Examination(file).run();
+  const Copy copy(file);
+  JournalReport report = Examination(copy.file()).run();
+  report.notes.emplace_back(
+      "its process ended within a commit; the log beside it takes that back, as latsch resume "
+      "does");
+  return report;
+}
 
 void salvage_journal(const JournalReport& report,
                      const std::optional<StudyIdentity>& identity,

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/journal_doctor.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <map>
@@ -45,6 +48,36 @@ bool all_authentic(const JournalReport& report, int trials, const std::string& w
     EXPECT_TRUE(read->point == trial(number).point) << what;
   }
   return std::ssize(report.rows) == trials;
+}
+
+TEST(JournalDoctor, ACommitThatDidNotComeToItsEndIsNoDamage) {
+  const ScratchFolder folder;
+  const auto file = folder / "a";
+  {
+    Journal journal = Journal::open(file, kStudy, Journal::Log::rollback);
+    for (int i = 1; i <= 12; ++i) journal.append(trial(i));
+  }
+  const pid_t child = ::fork();
+  if (child == 0) {  // ends in a commit that has reached the file already
+    SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
+    database.exec("PRAGMA cache_size = 1; BEGIN; UPDATE trials SET point = zeroblob(9000)");
+    ::_exit(0);
+  }
+  ::waitpid(child, nullptr, 0);
+  ASSERT_TRUE(std::filesystem::exists(folder / "a-journal"));
+  try {
+    (void)Journal::read(file);
+    ADD_FAILURE() << "what is half written was read";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("resume puts it in order"), std::string::npos);
+  }
+  const std::string before = read_text_file(file);
+  const JournalReport report = examine_journal(file);
+  EXPECT_TRUE(report.healthy()) << report.findings.front();
+  EXPECT_TRUE(all_authentic(report, 12, "unfinished"));
+  EXPECT_EQ(report.notes.size(), 1u);
+  EXPECT_EQ(read_text_file(file), before);  // the file itself is never changed
+  EXPECT_EQ(Journal::open(file, kStudy).size(), 12);
 }
 
 TEST(JournalDoctor, AHealthyJournalIsCalledHealthyAndSalvagedToTheSameTrials) {
