@@ -278,7 +278,7 @@ void power_losses(Table& table, Journal::Log log, const std::string& name) {
 
 void second_run(Table& table) {
   const ScratchFolder folder;
-  const Journal journal = Journal::open(folder / "j", kStudy);
+  Journal journal = Journal::open(folder / "j", kStudy);
   std::string said;
   try {
     (void)Journal::open(folder / "j", kStudy);
@@ -288,6 +288,13 @@ void second_run(Table& table) {
   const bool told = said.find(fmt::format("in use by process {}", ::getpid())) != std::string::npos;
   table.row(
       "second run on one journal is told who holds it (F13)", told ? "yes" : "no", "yes", told);
+  journal.append(stored_trial(1));
+  const long read = Journal::read(folder / "j").size();
+  const bool healthy = examine_journal(folder / "j").healthy();
+  table.row("reading and the doctor meanwhile",
+            fmt::format("{} of 1 trials, {}", read, healthy ? "healthy" : "damaged"),
+            "1, healthy",
+            read == 1 && healthy);
 }
 
 /// A study whose program never ends.

@@ -91,10 +91,7 @@ struct Journal::Impl {
       database->exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
       return;
     }
-    // The whole file for a moment: a write-ahead log left here by others needs no shared memory
-    // then.
-    database->exec("PRAGMA locking_mode = EXCLUSIVE; PRAGMA journal_mode = DELETE");
-    database->exec("PRAGMA locking_mode = NORMAL");
+    database->exec("PRAGMA journal_mode = DELETE; PRAGMA locking_mode = NORMAL");
     database->execAndGet("SELECT count(*) FROM sqlite_master");  // only a read lets the lock go
     // EXTRA: a commit counts only once the removal of its log is on the disk too.
     database->exec("PRAGMA synchronous = EXTRA");
@@ -232,6 +229,9 @@ Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& id
   impl->guarded([&] {
     impl->database = std::make_unique<SQLite::Database>(
         file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeout);
+    // The whole file until the log is chosen: a write-ahead log from elsewhere then needs no shared
+    // memory.
+    if (log == Log::rollback) impl->database->exec("PRAGMA locking_mode = EXCLUSIVE");
     const bool is_new = impl->is_new();
     if (!is_new) impl->check_format();
     impl->choose_log(log);
