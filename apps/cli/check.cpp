@@ -136,6 +136,10 @@ void check(const std::string& file) {
   for (const StudyExperiment& experiment : study.experiments) {
     if (mesh) print_experiment(experiment, *mesh);
   }
+  if (!study.constraints.empty()) fmt::print("\nConstraints on channels\n");
+  for (const auto& constraint : study.constraints) {
+    fmt::print("  {:<16} {}\n", constraint.name, in_words(constraint));
+  }
   const MethodChoice choice = method_of(study);
   fmt::print(
       "\nOptimizer {}, at most {} steps: {}\n"

@@ -25,6 +25,10 @@ void print_result(const Study& study, const Run& run, const Journal& journal) {
              study.run.journal.string(),
              run.steps.size(),
              best.outcome->value * 100.0);
+  const double off = violation(*best.outcome);
+  if (off > kFulfilled) {
+    fmt::print("No step fulfills all constraints; the best one is off by {:.2g} of a scale\n", off);
+  }
 }
 
 /// The values found, with their intervals where these are wanted and can be had; false where that

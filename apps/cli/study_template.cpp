@@ -85,7 +85,7 @@ weight = 1
 measured_modes = 10                 # for `latsch export --measurements` alone
 
 [optimizer]
-method = "auto"                     # or "residual_trust_region", "gss", "sqp", "nelder_mead", "genetic"
+method = "auto"                     # or "residual_trust_region", "gss", "sqp", "nelder_mead", ...
 initial_step = 0.2                  # lengths are shares of a variable's range
 step_tolerance = 0.005
 

@@ -2,6 +2,7 @@
 #include "correlation/best_trial.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "correlation/tire_trials.h"
 
@@ -13,7 +14,7 @@ std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal)
   journal.for_each([&](const Trial& trial) {
     if (!trial.outcome.result) return;
     const auto score = target(*trial.outcome.result);
-    if (score) rated.push_back({trial.point, score->value});
+    if (score) rated.push_back({trial.point, score->value, violation(*score)});
   });
   return rated;
 }
@@ -24,8 +25,11 @@ std::optional<RatedTrial> best_trial(const Study& study, const Journal& journal)
   if (!study.space.constraints().empty()) {
     std::erase_if(rated, [&](const auto& trial) { return !study.space.contains(trial.point); });
   }
+  const auto rank = [](const RatedTrial& trial) {
+    return std::pair(std::max(trial.violation, kFulfilled), trial.target);
+  };
   const auto least = std::min_element(
-      rated.begin(), rated.end(), [](const auto& a, const auto& b) { return a.target < b.target; });
+      rated.begin(), rated.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
   if (least == rated.end()) return std::nullopt;
   return *least;
 }

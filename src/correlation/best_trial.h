@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The trial of the least target in a journal, whoever asked for it: optimizer or design of
-// experiments.
+// The best trial in a journal, whoever asked for it, optimizer or design of experiments: the least
+// target among those that fulfill all constraints, or the least violation.
 #pragma once
 
 #include <optional>
@@ -13,6 +13,7 @@ namespace latsch::correlation {
 struct RatedTrial {
   DesignPoint point;
   double target = 0.0;
+  double violation = 0.0;  // of the constraints on channels
 };
 
 /// Every trial that succeeded with its target, computed anew from the stored channels, in the order

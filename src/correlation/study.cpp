@@ -151,9 +151,17 @@ Study read_study(const std::filesystem::path& file, Measurements measurements) {
               1000,
               std::nullopt,
               {}};
+  for (const Node& constraint : root.named_tables("constraint")) {
+    study.constraints.push_back(
+        read_channel_constraint(constraint, study.experiments, simulator ? &*simulator : nullptr));
+  }
   if (const auto optimizer = root.find_table("optimizer")) {
-    study.optimizer = read_optimizer(*optimizer, study.space);
+    study.optimizer = read_optimizer(*optimizer, study.space, !study.constraints.empty());
     study.max_steps = optimizer->integer("max_steps", 1, kMostSteps, study.max_steps);
+  } else if (!study.constraints.empty()) {
+    root.reject("optimizer",
+                "is missing: there are constraints on channels, expected [optimizer] with "
+                "method = \"auto\", \"gss_nlc\" or \"sqp\"");
   }
   if (const auto doe = root.find_table("doe")) study.doe = read_design(*doe, study.space);
   const auto run = root.find_table("run");

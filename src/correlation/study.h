@@ -9,6 +9,7 @@
 //   [variable.matrix]                         # see variables.h
 //   [linear_constraint.belt_softer]           # see linear_constraints.h
 //   [experiment.stiffness]                    # see study_experiment.h
+//   [constraint.stiff_enough]                 # see channel_constraint.h
 //
 //   [optimizer]                               # see study_optimizer.h
 //
@@ -24,6 +25,7 @@
 #include <vector>
 
 #include "base/document.h"
+#include "correlation/channel_constraint.h"
 #include "correlation/run_settings.h"
 #include "correlation/simulator_settings.h"
 #include "correlation/study_design.h"
@@ -46,6 +48,7 @@ struct Study {
   std::optional<StudyDesign> doe;
   RunSettings run;
   std::optional<Simulator> simulator = {};  // in the model's place, which is then empty
+  std::vector<ChannelConstraint> constraints = {};  // on channels; linear ones are of the space
 };
 
 /// Throws InputError naming file, line, found and expected: for the study, its model and its

@@ -62,32 +62,47 @@ GeneticOptions read_genetic(const Node& node) {
   return d;
 }
 
+GssNlcOptions read_gss_nlc(const Node& node) {
+  GssNlcOptions d;
+  d.gss = read_gss(node);
+  d.penalty = penalty_of(node.choice("penalty", penalty_names(), name(d.penalty)));
+  d.rho = node.quantity("penalty_parameter", "1", Range{0.0, d.largest_rho, true}, d.rho);
+  return d;
+}
+
 /// A study's target is made of residuals.
-ProblemTraits traits(const DesignSpace& space) {
+ProblemTraits traits_of(const DesignSpace& space, bool constrained) {
   return {.variables = space.size(),
           .has_residuals = true,
-          .has_linear_constraints = !space.constraints().empty()};
+          .has_linear_constraints = !space.constraints().empty(),
+          .has_nonlinear_constraints = constrained};
 }
 
 OptimizerSettings read_settings(const Node& table,
                                 const DesignSpace& space,
+                                const ProblemTraits& traits,
                                 std::string_view fallback,
                                 const std::vector<std::string>& methods);
 
 /// [optimizer.member.NAME]: any optimizer but another ensemble.
-MemberSettings read_member(const Node& table, const DesignSpace& space) {
+MemberSettings read_member(const Node& table,
+                           const DesignSpace& space,
+                           const ProblemTraits& traits) {
   std::vector<std::string> methods = method_names();
   std::erase(methods, name(Method::ensemble));
   MemberSettings member;
   member.name = table.name();
   member.priority = static_cast<int>(table.integer("priority", 1, kMostPriority, 1));
-  member.settings = read_settings(table, space, table.text("method"), methods);
+  member.settings = read_settings(table, space, traits, table.text("method"), methods);
   return member;
 }
 
-void read_ensemble(const Node& table, const DesignSpace& space, OptimizerSettings& settings) {
+void read_ensemble(const Node& table,
+                   const DesignSpace& space,
+                   const ProblemTraits& traits,
+                   OptimizerSettings& settings) {
   for (const Node& member : table.named_tables("member")) {
-    settings.members.push_back(read_member(member, space));
+    settings.members.push_back(read_member(member, space, traits));
   }
   if (settings.members.empty()) {
     table.reject("method",
@@ -100,12 +115,13 @@ void read_ensemble(const Node& table, const DesignSpace& space, OptimizerSetting
 
 OptimizerSettings read_settings(const Node& table,
                                 const DesignSpace& space,
+                                const ProblemTraits& traits,
                                 std::string_view fallback,
                                 const std::vector<std::string>& methods) {
   OptimizerSettings settings;
   settings.method = table.choice("method", methods, fallback);
   // Only the keys of the method are read: one of another method is reported as unknown.
-  const Method method = latsch::method_of(settings, traits(space)).method;
+  const Method method = latsch::method_of(settings, traits).method;
   switch (method) {
     case Method::gss:
       settings.gss = read_gss(table);
@@ -116,6 +132,9 @@ OptimizerSettings read_settings(const Node& table,
     case Method::sqp:
       settings.sqp = read_sqp(table);
       break;
+    case Method::gss_nlc:
+      settings.gss_nlc = read_gss_nlc(table);
+      break;
     case Method::nelder_mead:
       settings.nelder_mead = read_nelder_mead(table);
       break;
@@ -123,11 +142,11 @@ OptimizerSettings read_settings(const Node& table,
       settings.genetic = read_genetic(table);
       break;
     case Method::ensemble:
-      read_ensemble(table, space, settings);
+      read_ensemble(table, space, traits, settings);
       break;
   }
   try {  // the method itself is to complain now, not before the first trial
-    latsch::make_optimizer(method, space, settings, traits(space));
+    latsch::make_optimizer(method, space, settings, traits);
   } catch (const InputError& error) {
     if (!error.place().file.empty()) throw;
     throw InputError(table.place(), error.what());
@@ -137,17 +156,26 @@ OptimizerSettings read_settings(const Node& table,
 
 }  // namespace
 
-OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space) {
-  return read_settings(table, space, OptimizerSettings().method, method_names());
+OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space, bool constrained) {
+  return read_settings(
+      table, space, traits_of(space, constrained), OptimizerSettings().method, method_names());
 }
 
+namespace {
+
+ProblemTraits traits_of(const Study& study) {
+  return traits_of(study.space, !study.constraints.empty());
+}
+
+}  // namespace
+
 MethodChoice method_of(const Study& study) {
-  return latsch::method_of(study.optimizer, traits(study.space));
+  return latsch::method_of(study.optimizer, traits_of(study));
 }
 
 std::unique_ptr<Optimizer> make_optimizer(const Study& study) {
   return latsch::make_optimizer(
-      method_of(study).method, study.space, study.optimizer, traits(study.space));
+      method_of(study).method, study.space, study.optimizer, traits_of(study));
 }
 
 }  // namespace latsch::correlation

@@ -2,13 +2,16 @@
 // The optimizer of a study.
 //
 //   [optimizer]
-//   method = "gss"                # or residual_trust_region, sqp, nelder_mead, genetic, ensemble,
-//                                 # auto
+//   method = "gss"                # or residual_trust_region, sqp, gss_nlc, nelder_mead, genetic,
+//                                 # ensemble, auto
 //   step_tolerance = 0.001        # of the range of a variable, as initial_step = 0.1
-//   outstanding = 1               # points decided on at once: gss and residual_trust_region
+//   outstanding = 1               # points decided on at once: gss, gss_nlc, residual_trust_region
 //   max_steps = 1000              # outcomes the optimizer may observe
-//   contraction = 0.5             # gss
-//   sufficient_decrease = 0.01    # gss
+//   contraction = 0.5             # gss, gss_nlc
+//   sufficient_decrease = 0.01    # gss, gss_nlc
+//   penalty = "l2_squared"        # gss_nlc; or l1, l2, linf, l1_smoothed, l2_smoothed,
+//                                 # linf_smoothed: optimization/penalty.h
+//   penalty_parameter = 1         # gss_nlc: rho at first
 //   restarts = 0                  # residual_trust_region: begins again so often, under noise
 //   difference = 0.0001           # sqp: step of differences, of the range
 //   population = 40               # genetic
@@ -17,7 +20,8 @@
 //
 // residual_trust_region and sqp make the sum of the squared relative errors least, whatever
 // exponent the objectives have; the other methods the target itself. Linear constraints
-// (linear_constraints.h): gss, sqp, and an ensemble of them.
+// (linear_constraints.h): gss, gss_nlc, sqp. Constraints on channels (channel_constraint.h):
+// gss_nlc, sqp. An ensemble knows what all its members know.
 //
 // Several at once, which see each other's points (optimization/ensemble.h):
 //
@@ -41,8 +45,9 @@
 
 namespace latsch::correlation {
 
-/// Throws InputError naming file, line, found and expected.
-OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space);
+/// Throws InputError naming file, line, found and expected. `constrained`: the study has
+/// constraints on channels.
+OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space, bool constrained);
 
 struct Study;
 

@@ -8,10 +8,11 @@
 namespace latsch::correlation {
 namespace {
 
-OptimizerSettings read(const std::string& text) {
+OptimizerSettings read(const std::string& text, bool constrained = false) {
   const Document document = Document::parse(text, "study.toml");
   const Node root = document.root();
-  const OptimizerSettings settings = read_optimizer(root, DesignSpace({{.name = "a"}}));
+  const OptimizerSettings settings =
+      read_optimizer(root, DesignSpace({{.name = "a"}}), constrained);
   root.close();
   return settings;
 }
@@ -69,6 +70,14 @@ difference = 1e-5)");
   EXPECT_EQ(settings.members[1].priority, 2);
   EXPECT_EQ(settings.members[1].settings.sqp.difference, 1e-5);
   EXPECT_NE(latsch::method_of(settings, {}).reason.find("fine (sequential"), std::string::npos);
+}
+
+TEST(StudyOptimizer, NeedsAMethodThatKnowsConstraintsOnChannelsWhereThereAreSome) {
+  EXPECT_EQ(read("method = \"gss_nlc\"\npenalty = \"l1\"", true).gss_nlc.penalty, Penalty::l1);
+  EXPECT_THROW(read("method = \"gss\"", true), InputError);
+  EXPECT_THROW(read("method = \"ensemble\"\n[member.a]\nmethod = \"gss\"", true), InputError);
+  EXPECT_NO_THROW(read("method = \"auto\"", true));
+  EXPECT_NO_THROW(read("method = \"ensemble\"\n[member.a]\nmethod = \"sqp\"", true));
 }
 
 std::string complaint(const std::string& text) {

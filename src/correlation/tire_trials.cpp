@@ -94,7 +94,8 @@ Objective objective(const Study& study) {
     fitted.push_back(experiment);
     weights.push_back(experiment.objective.weight);
   }
-  return [fitted, weights](const Channels& channels) -> Result<Score> {
+  return [fitted, weights, constraints = study.constraints](
+             const Channels& channels) -> Result<Score> {
     std::vector<Comparison> comparisons;
     Score score;
     for (const StudyExperiment& experiment : fitted) {
@@ -106,6 +107,9 @@ Objective objective(const Study& study) {
     }
     score.value = target(comparisons, weights);
     score.residuals = weighted_residuals(comparisons, weights);
+    for (const ChannelConstraint& constraint : constraints) {
+      if (auto failure = apply(constraint, channels, score)) return *failure;
+    }
     return score;
   };
 }

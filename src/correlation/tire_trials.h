@@ -37,7 +37,8 @@ class TireTrials {
 /// run() as the evaluation service wants it, or the outside program of the study.
 Evaluator evaluator(const Study& study);
 
-/// The target over the fitted experiments, with its weighted residuals.
+/// The target over the fitted experiments, with its weighted residuals and the constraints on
+/// channels.
 Objective objective(const Study& study);
 
 /// The channels of one experiment out of those of a trial, under their own names; those of a

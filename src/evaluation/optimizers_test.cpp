@@ -26,12 +26,14 @@ Result<Channels> valley(const DesignPoint& point) {
   const auto& x = point.values;
   Channels channels;
   channels.add({"r", "1", {10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0], x[2] - 0.3 * x[1]}});
+  channels.add({"c", "1", {x[0] * x[0] + x[1] * x[1] - 1.0}});
   return channels;
 }
 
 Result<Score> sum_of_squares(const Channels& channels) {
   Score score{0.0, channels["r"]};
   for (const double r : score.residuals) score.value += r * r;
+  score.constraints = channels["c"];
   return score;
 }
 
@@ -91,7 +93,7 @@ TEST_P(EveryOptimizerThatKnowsConstraints, TakesTheSameFeasiblePath) {
 
 INSTANTIATE_TEST_SUITE_P(ByName,
                          EveryOptimizerThatKnowsConstraints,
-                         testing::Values("gss", "sqp", "ensemble", "auto"));
+                         testing::Values("gss", "sqp", "gss_nlc", "ensemble", "auto"));
 
 }  // namespace
 }  // namespace latsch

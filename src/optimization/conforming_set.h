@@ -6,8 +6,8 @@
 //               the space along all of these constraints a simplex, turned as in generating_set.h.
 //               A step of epsilon along any of them stays inside.
 //   normals     of the same constraints, outward, projected on the equations: they lead onto the
-//               constraints. [Kolda, Lewis, Torczon, Sandia SAND2006-5315; "projected normals" of
-//               HOPSPACK, Plantenga, SAND2009-6265]
+//               constraints. [Kolda, Lewis, Torczon, SIAM J. Optim. 17 (2006) 943; "projected
+//               normals" of HOPSPACK, Plantenga, SAND2009-6265]
 //
 // In a cube, where bounds are the only constraints, it is generating_set() of the bounds the point
 // lies on: steps are bent along bounds there, and need no epsilon.

@@ -2,8 +2,7 @@
 // Several optimizers at once on one pool of workers: each sees every outcome, whoever asked for it.
 //
 // A coarse method finds the basin, a fine one takes over from its best point; one that fails on
-// this kind of target costs its share and no more. Members take turns: next is the one with the
-// least
+// this kind of target costs its share and no more. Members take turns; next is the one of the least
 //
 //   (turns so far + 1) / priority
 //

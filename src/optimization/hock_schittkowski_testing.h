@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "optimization/design_space.h"
+#include "optimization/score.h"
 
 namespace latsch {
 
@@ -25,15 +26,14 @@ struct ConstrainedProblem {
   double least;                          // f there
   std::vector<Function> at_most_0 = {};  // nonlinear: c(x) <= 0
   std::vector<Function> equal_0 = {};
-
-  /// The largest violation of the nonlinear constraints.
-  double violation(const std::vector<double>& at) const {
-    double worst = 0.0;
-    for (const Function& c : at_most_0) worst = std::max(worst, c(at));
-    for (const Function& c : equal_0) worst = std::max(worst, std::abs(c(at)));
-    return worst;
-  }
 };
+
+inline Score score_of(const ConstrainedProblem& problem, const std::vector<double>& x) {
+  Score score{problem.f(x)};
+  for (const auto& c : problem.at_most_0) score.constraints.push_back(c(x));
+  for (const auto& h : problem.equal_0) score.equations.push_back(h(x));
+  return score;
+}
 
 struct Box {
   double lower, upper;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The l1 merit function of a line search among constraints, and its slope along a step:
 //
-//   phi = f + sum mu_i max(c_i, 0) + sum mu_j |h_j|                                   (18.36)
-//   D phi = g'd - what the linearized constraints gain along d
+//   phi = f + sum mu_i max(c_i, 0) + sum mu_j |h_j|                                   (18.27)
+//   D phi = g'd - what the linearized constraints gain along d                        (18.29)
 //
 // Every mu stays above its multiplier, which makes phi exact and d a descent direction, but comes
 // down slowly after multipliers that were large on the way [Powell 1978]. Numbers of [Nocedal &

@@ -14,17 +14,21 @@ namespace {
 struct MethodWords {
   Method method;
   std::string_view name, words;
-  bool knows_linear_constraints;
+  bool knows_linear, knows_nonlinear;  // constraints
 };
 
 constexpr std::array kMethods{
-    MethodWords{Method::gss, "gss", "generating-set search", true},
-    MethodWords{
-        Method::residual_trust_region, "residual_trust_region", "residual trust region", false},
-    MethodWords{Method::sqp, "sqp", "sequential quadratic programming", true},
-    MethodWords{Method::nelder_mead, "nelder_mead", "Nelder-Mead", false},
-    MethodWords{Method::genetic, "genetic", "genetic algorithm", false},
-    MethodWords{Method::ensemble, "ensemble", "ensemble", true}};
+    MethodWords{Method::gss, "gss", "generating-set search", true, false},
+    MethodWords{Method::residual_trust_region,
+                "residual_trust_region",
+                "residual trust region",
+                false,
+                false},
+    MethodWords{Method::sqp, "sqp", "sequential quadratic programming", true, true},
+    MethodWords{Method::gss_nlc, "gss_nlc", "generating-set search with penalties", true, true},
+    MethodWords{Method::nelder_mead, "nelder_mead", "Nelder-Mead", false, false},
+    MethodWords{Method::genetic, "genetic", "genetic algorithm", false, false},
+    MethodWords{Method::ensemble, "ensemble", "ensemble", true, true}};  // its members are asked
 
 const MethodWords& entry(Method method) {
   const auto is_it = [&](const MethodWords& words) { return words.method == method; };
@@ -36,19 +40,30 @@ const MethodWords& entry(Method method) {
 constexpr double kMostFailures = 0.5;  // more, and models have nothing to stand on
 constexpr int kMostPolled = 40;        // variables: a poll is that many evaluations
 
-void check_constraints(Method method, const DesignSpace& space) {
-  if (space.constraints().empty() || entry(method).knows_linear_constraints) return;
+std::string methods_with(bool MethodWords::*knowledge) {
   std::vector<std::string_view> able;
-  for (const MethodWords& other : kMethods) {
-    if (other.knows_linear_constraints) able.push_back(other.name);
+  for (const MethodWords& method : kMethods) {
+    if (method.*knowledge) able.push_back(method.name);
   }
-  const LinearConstraint& first = space.constraints().front();
-  throw InputError(first.place,
-                   fmt::format("linear constraint \"{}\": method {} knows bounds alone, expected "
-                               "one of {}, auto",
-                               first.name,
-                               name(method),
-                               fmt::join(able, ", ")));
+  return fmt::format("{}, auto", fmt::join(able, ", "));
+}
+
+void check_constraints(Method method, const DesignSpace& space, const ProblemTraits& traits) {
+  if (!space.constraints().empty() && !entry(method).knows_linear) {
+    const LinearConstraint& first = space.constraints().front();
+    throw InputError(
+        first.place,
+        fmt::format("linear constraint \"{}\": method {} knows bounds alone, expected one of {}",
+                    first.name,
+                    name(method),
+                    methods_with(&MethodWords::knows_linear)));
+  }
+  if (traits.has_nonlinear_constraints && !entry(method).knows_nonlinear) {
+    throw InputError(
+        fmt::format("method {} knows no constraints that a trial reports, expected one of {}",
+                    name(method),
+                    methods_with(&MethodWords::knows_nonlinear)));
+  }
 }
 
 }  // namespace
@@ -67,17 +82,19 @@ const std::vector<std::string>& method_names() {
 }
 
 MethodChoice choose_method(const ProblemTraits& traits) {
+  const bool constrained = traits.has_linear_constraints || traits.has_nonlinear_constraints;
+  const Method by_directions = traits.has_nonlinear_constraints ? Method::gss_nlc : Method::gss;
   if (traits.failed_share > kMostFailures) {
-    return {Method::gss,
+    return {by_directions,
             fmt::format("{:.0f} % of the points failed; a search by directions needs no model of "
                         "what lies between them",
                         100.0 * traits.failed_share)};
   }
-  if (traits.has_linear_constraints) {
-    if (!traits.has_residuals) {
-      return {Method::gss, "there are linear constraints and no residuals; it searches along them"};
-    }
-    return {Method::sqp, "the target is a sum over residuals, among linear constraints"};
+  if (constrained && traits.has_residuals) {
+    return {Method::sqp, "the target is a sum over residuals, among constraints"};
+  }
+  if (constrained) {
+    return {by_directions, "there are constraints and no residuals; it searches along them"};
   }
   if (traits.has_residuals) {
     return {Method::residual_trust_region,
@@ -131,7 +148,7 @@ std::unique_ptr<Optimizer> make_ensemble(const DesignSpace& space,
       throw InputError(fmt::format(
           "ensemble: member \"{}\" is an ensemble itself, expected another method", member.name));
     }
-    members.push_back({make_optimizer(method, space, member.settings), member.priority});
+    members.push_back({make_optimizer(method, space, member.settings, traits), member.priority});
   }
   return std::make_unique<Ensemble>(std::move(members), settings.ensemble_end);
 }
@@ -142,7 +159,7 @@ std::unique_ptr<Optimizer> make_optimizer(Method method,
                                           const DesignSpace& space,
                                           const OptimizerSettings& settings,
                                           const ProblemTraits& traits) {
-  check_constraints(method, space);
+  check_constraints(method, space, traits);
   switch (method) {
     case Method::gss:
       return std::make_unique<Gss>(space, settings.gss);
@@ -150,6 +167,8 @@ std::unique_ptr<Optimizer> make_optimizer(Method method,
       return std::make_unique<ResidualTrustRegion>(space, settings.residual_trust_region);
     case Method::sqp:
       return std::make_unique<Sqp>(space, settings.sqp);
+    case Method::gss_nlc:
+      return std::make_unique<GssNlc>(space, settings.gss_nlc);
     case Method::nelder_mead:
       return std::make_unique<NelderMead>(space, settings.nelder_mead);
     case Method::genetic:

@@ -5,6 +5,7 @@
 //                          evaluations by far
 //   gss                    no residuals, kinks, or most points fail
 //   sqp                    constraints, and residuals or a smooth target
+//   gss_nlc                nonlinear constraints and no residuals
 //   nelder_mead            on request: a few variables, nothing assumed
 //   genetic                no residuals and many basins, or more variables than a pattern can poll
 //   ensemble               on request: several of these at once, each seeing the points of all
@@ -18,13 +19,14 @@
 #include "optimization/ensemble.h"
 #include "optimization/genetic.h"
 #include "optimization/gss.h"
+#include "optimization/gss_nlc.h"
 #include "optimization/nelder_mead.h"
 #include "optimization/residual_trust_region.h"
 #include "optimization/sqp.h"
 
 namespace latsch {
 
-enum class Method { gss, residual_trust_region, sqp, nelder_mead, genetic, ensemble };
+enum class Method { gss, residual_trust_region, sqp, gss_nlc, nelder_mead, genetic, ensemble };
 
 /// As in a study: "gss" ...
 std::string_view name(Method method);
@@ -40,6 +42,7 @@ struct ProblemTraits {
   double failed_share = 0.0;  // of the points evaluated so far
   int basins = 1;             // found by a design of experiments
   bool has_linear_constraints = false;
+  bool has_nonlinear_constraints = false;  // reported by the evaluation
 };
 
 struct MethodChoice {
@@ -58,6 +61,7 @@ struct OptimizerSettings {
   NelderMeadOptions nelder_mead;
   GeneticOptions genetic;
   SqpOptions sqp;
+  GssNlcOptions gss_nlc;
   std::vector<MemberSettings> members;  // of an ensemble
   Ensemble::End ensemble_end = Ensemble::End::all;
 };
@@ -72,9 +76,9 @@ struct MemberSettings {
 /// none.
 MethodChoice method_of(const OptimizerSettings& settings, const ProblemTraits& traits);
 
-/// Throws InputError where the space has linear constraints and the method, or a member of an
-/// ensemble, knows only bounds; for an ensemble without members or within another. `traits`: what
-/// a member of method auto is chosen by.
+/// Throws InputError where the space or the traits have constraints which the method, or a member
+/// of an ensemble, does not know; for an ensemble without members or within another. `traits` are
+/// also what a member of method auto is chosen by.
 std::unique_ptr<Optimizer> make_optimizer(Method method,
                                           const DesignSpace& space,
                                           const OptimizerSettings& settings,

@@ -231,7 +231,7 @@ struct Sqp::State {
     wanted = {at(region.cut_off(x.u, x.u + share * step.d))};
   }
 
-  /// (18.49): the same program with the constraints as they are at the end of the step.
+  /// The same program with the constraints as they are at the end of the step.
   void correct(const Iterate& end) {
     SmoothValues values = x.values;
     values.c = end.values.c - slopes.c * step.d;

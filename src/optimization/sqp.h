@@ -4,14 +4,13 @@
 //
 // At the point x, with slopes from differences or from the model itself:
 //
-//   step      d and multipliers from a quadratic program: sqp_step.h. Its B is 2 J'J where
-//   residuals
-//             are known, f = |r|^2 (Gauss-Newton), else the damped BFGS approximation of the
+//   step      d and multipliers from a quadratic program: sqp_step.h. Its B is 2 J'J where f is
+//             |r|^2 with known residuals (Gauss-Newton), else the damped BFGS approximation of the
 //             Hessian of the Lagrangian: damped_bfgs.h.
-//   merit     phi(x) = f + sum mu_i max(c_i, 0) + sum mu_j |h_j|,  mu above the multipliers (18.36)
+//   merit     phi(x) = f + sum mu_i max(c_i, 0) + sum mu_j |h_j|,  mu above the multipliers (18.27)
 //   search    x + a d for a = 1, 1/2, 1/4 ... until  phi(x + a d) <= phi(x) + eta a D phi (18.28)
 //             where a full step fails because constraints bend, once with a correction of second
-//             order (18.49). A Failure shortens the step to a quarter.
+//             order (ch. 15.6). A Failure shortens the step to a quarter.
 //   end       where a step is shorter than the tolerance, or no step along d brings anything.
 //
 // [Nocedal & Wright, Numerical Optimization, 2006, ch. 18]. Every point keeps bounds and linear

@@ -14,13 +14,6 @@
 namespace latsch {
 namespace {
 
-Score score_of(const ConstrainedProblem& problem, const std::vector<double>& x) {
-  Score score{problem.f(x)};
-  for (const auto& c : problem.at_most_0) score.constraints.push_back(c(x));
-  for (const auto& h : problem.equal_0) score.equations.push_back(h(x));
-  return score;
-}
-
 struct Found {
   std::vector<double> x;
   Score score;

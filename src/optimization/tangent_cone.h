@@ -6,7 +6,7 @@
 // where the columns of V are normals of inequalities that point outward, those of E of equations.
 // `lines` is an orthonormal basis of the directions along all of them. Where the normals are
 // linearly independent the rays are the columns of -V (V'V)^-1 [Lewis, Shepherd, Torczon, SIAM J.
-// Sci. Comput. 29 (2007) 2507, prop. 5.2]; where more planes meet in a corner than its dimension
+// Sci. Comput. 29 (2007) 2507]; where more planes meet in a corner than its dimension
 // needs, they are enumerated by the double-description method [Motzkin et al. 1953; Fukuda &
 // Prodon 1996], one plane after the other.
 //

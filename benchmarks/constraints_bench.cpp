@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Problems of Hock and Schittkowski with bounds, linear and nonlinear constraints
+//
+// Solved: every constraint fulfilled (optimization/score.h) and the target within 1e-4 of the
+// published one, 1 % for the search by penalties, relative to it or absolute where it is below 1.
+// Penalties with kinks are for comparison: they are known to end less accurately.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "optimization/gss.h"
+#include "optimization/gss_nlc.h"
+#include "optimization/hock_schittkowski_testing.h"
+#include "optimization/sqp.h"
+#include "table.h"
+
+namespace {
+
+using namespace latsch;
+using benchmarks::Table;
+
+constexpr int kMostEvaluations = 20000;
+
+struct Found {
+  Score score;
+  int evaluations = 0;
+};
+
+Found minimize(Optimizer& method, const ConstrainedProblem& problem) {
+  Found found;
+  while (!method.converged() && found.evaluations < kMostEvaluations) {
+    const DesignPoint point = method.propose(1).front();
+    const Score score = score_of(problem, point.values);
+    if (++found.evaluations == 1 || is_better(score, found.score)) found.score = score;
+    method.observe(point, score);
+  }
+  return found;
+}
+
+struct Outcome {
+  int solved = 0;
+  std::string evaluations;
+};
+
+template <class Make>
+Outcome solve_all(const std::vector<ConstrainedProblem>& problems, double within, Make&& make) {
+  Outcome outcome;
+  for (const ConstrainedProblem& problem : problems) {
+    auto method = make(problem.space);
+    const Found found = minimize(method, problem);
+    const double off = std::abs(found.score.value - problem.least);
+    outcome.solved += violation(found.score) <= kFulfilled &&
+                      off <= within * std::max(1.0, std::abs(problem.least));
+    outcome.evaluations += fmt::format(", {} {}", problem.name, found.evaluations);
+  }
+  return outcome;
+}
+
+template <class Make>
+void compare(Table& table,
+             const std::string& name,
+             const std::vector<ConstrainedProblem>& problems,
+             double within,
+             Make&& make) {
+  const auto [solved, evaluations] = solve_all(problems, within, make);
+  const auto all = std::ssize(problems);
+  table.row(name,
+            fmt::format("{} of {} solved", solved, all),
+            fmt::format("{} of {}", all, all),
+            solved == all);
+  table.note(name + ", evaluations", evaluations.substr(2));
+}
+
+int bench() {
+  Table table("constraints");
+  const auto linear = linearly_constrained_problems();
+  const auto nonlinear = nonlinearly_constrained_problems();
+  const SqpOptions exact{.step_tolerance = 1e-5, .difference = 1e-7};
+  const GssOptions fine{.step_tolerance = 1e-4};
+  compare(table, "GSS, linear constraints", linear, 1e-4, [&](const DesignSpace& space) {
+    return Gss(space, fine);
+  });
+  compare(table, "SQP, linear constraints", linear, 1e-4, [&](const DesignSpace& space) {
+    return Sqp(space, exact);
+  });
+  compare(table, "SQP, nonlinear constraints", nonlinear, 1e-4, [&](const DesignSpace& space) {
+    return Sqp(space, exact);
+  });
+  const auto penalized = [&](Penalty penalty) {
+    return [&fine, penalty](const DesignSpace& space) {
+      return GssNlc(space, {.gss = fine, .penalty = penalty});
+    };
+  };
+  compare(table, "GSS-NLC", nonlinear, 1e-2, penalized(Penalty::l2_squared));
+  for (const std::string& kind : penalty_names()) {
+    const auto [solved, evaluations] = solve_all(nonlinear, 1e-2, penalized(penalty_of(kind)));
+    table.note("GSS-NLC, " + kind, fmt::format("{} solved{}", solved, evaluations));
+  }
+  return table.exit_code();
+}
+
+}  // namespace
+
+int main() { return benchmarks::guarded(bench); }
