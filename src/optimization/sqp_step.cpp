@@ -11,8 +11,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kFlat = 1e-12;   // a row without slope is left at its length
-constexpr double kRelaxed = 1e3;  // price of t over the steepest slope of the target
+constexpr double kFlat = 1e-12;    // a row without slope is left at its length
+constexpr double kRelaxed = 10.0;  // price of t over the steepest slope of the target
 
 /// Rows and bounds one below the other; rows of constraints have length 1.
 class Rows {
