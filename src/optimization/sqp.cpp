@@ -128,7 +128,8 @@ struct Sqp::State {
 
   void begin(const Iterate& at) {
     x = at;
-    if (foreign && is_better(foreign->score, x.score)) {
+    const bool is_comparable = foreign && same_shape(foreign->values, x.values);
+    if (is_comparable && is_better(foreign->score, x.score)) {
       x = *std::exchange(foreign, std::nullopt);
       has_slopes = false;  // of the Lagrangian along the last step
     }

@@ -156,6 +156,20 @@ TEST(Sqp, TakesOverABetterPointOfOthers) {
   EXPECT_NEAR(least, problem.least, 1e-2);
 }
 
+TEST(Sqp, TakesOverNoPointThatTellsOfOtherConstraints) {
+  const ConstrainedProblem problem = nonlinearly_constrained_problems()[1];  // HS65
+  Sqp sqp(problem.space, kExact);
+  sqp.observe({problem.x}, Score{-1000.0});
+  double least = INFINITY;
+  while (!sqp.converged()) {
+    const DesignPoint point = sqp.propose(1).front();
+    const Score score = score_of(problem, point.values);
+    if (violation(score) <= kFulfilled) least = std::min(least, score.value);
+    sqp.observe(point, score);
+  }
+  EXPECT_NEAR(least, problem.least, 5e-4);
+}
+
 TEST(Sqp, SpeculatesOnDifferencesAtTheEndOfTheStep) {
   const ConstrainedProblem problem = linearly_constrained_problems()[3];
   Sqp sqp(problem.space, kExact);
