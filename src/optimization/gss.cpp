@@ -240,7 +240,8 @@ std::vector<DesignPoint> Gss::propose(int count) const {
   if (plan.empty() || std::ssize(plan) == count) return plan;
   State future = *state_;
   while (std::ssize(plan) < count) {
-    future.observe(future.wanted.front().point, kInfinity);
+    const DesignPoint awaited = future.wanted.front().point;
+    future.observe(awaited, kInfinity);
     if (future.wanted.empty()) break;
     const DesignPoint& last = future.wanted.back().point;
     if (std::find(plan.begin(), plan.end(), last) == plan.end()) plan.push_back(last);
