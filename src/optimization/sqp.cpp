@@ -25,7 +25,6 @@ constexpr double kFailed = 0.25;    // after one that fails
 constexpr double kLongest = 0.5;    // half of every range
 constexpr double kGrowth = 4.0;     // of the longest step, over the one that was taken
 constexpr double kExhausted = 0.1;  // of the tolerance: a search ends with so short a step
-constexpr double kConvex = 1e-8;    // of its largest entry, added to 2 J'J
 constexpr std::array kAttempts{1.0, -1.0, 0.25, -0.25};    // at a difference that fails
 constexpr std::array kTowardMiddle{0.25, 0.5, 0.75, 1.0};  // for a start that fails
 
@@ -155,7 +154,7 @@ struct Sqp::State {
       for (int k = tried.attempt + 1; k < std::ssize(kAttempts); ++k) {
         const VectorXd u = x.u + options.difference * kAttempts[k] * D.col(tried.column);
         if (!region.contains(u)) continue;
-        wanted.push_back(at(region.cut_off(x.u, u), tried.column, k));
+        wanted.push_back(at(u, tried.column, k));
         return;
       }
     }
@@ -179,8 +178,6 @@ struct Sqp::State {
   void update_b(const SmoothSlopes& before) {
     if (slopes.r.size() > 0) {
       B = 2.0 * slopes.r.transpose() * slopes.r;
-      const double size = std::max(B.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
-      B.diagonal().array() += kConvex * size;
       b_is_new = false;
     } else if (has_slopes) {
       const VectorXd y = slope_of_lagrangian(slopes) - slope_of_lagrangian(before);
@@ -199,6 +196,7 @@ struct Sqp::State {
     search();
   }
 
+  /// Steps end inside but for rounding, which `nearest` takes away.
   void search() {
     step = sqp_step(B, x.values, slopes, region, x.u, longest);
     merit.raise_above(step);
@@ -206,7 +204,7 @@ struct Sqp::State {
     bent.reset();
     is_corrected = false;
     phase = Phase::search;
-    wanted = {at(region.cut_off(x.u, x.u + step.d))};
+    wanted = {at(region.nearest(x.u + step.d))};
     if (!(step.d.norm() > 0.0)) give_up();
   }
 
@@ -229,7 +227,7 @@ struct Sqp::State {
     if (share * step.d.lpNorm<Eigen::Infinity>() < kExhausted * options.step_tolerance) {
       return give_up();
     }
-    wanted = {at(region.cut_off(x.u, x.u + share * step.d))};
+    wanted = {at(region.nearest(x.u + share * step.d))};
   }
 
   /// The same program with the constraints as they are at the end of the step.
@@ -239,7 +237,7 @@ struct Sqp::State {
     values.h = end.values.h - slopes.h * step.d;
     bent = sqp_step(B, values, slopes, region, x.u, longest).d;
     is_corrected = true;
-    wanted = {at(region.cut_off(x.u, x.u + *bent))};
+    wanted = {at(region.nearest(x.u + *bent))};
   }
 
   void accept(const Wanted& tried, const Iterate& known) {
@@ -304,7 +302,7 @@ struct Sqp::State {
     if (phase != Phase::start && phase != Phase::search) return {};
     std::vector<Wanted> points = differences_at(wanted.front().u);
     if (phase == Phase::search) {
-      points.push_back(at(region.cut_off(x.u, x.u + kShorter * share * step.d)));
+      points.push_back(at(region.nearest(x.u + kShorter * share * step.d)));
     }
     return points;
   }

@@ -2,6 +2,7 @@
 #include "optimization/sqp_step.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "optimization/quadratic_program.h"
 
@@ -12,7 +13,14 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kFlat = 1e-12;    // a row without slope is left at its length
+constexpr double kConvex = 1e-7;   // of the largest curvature: the least one
 constexpr double kRelaxed = 10.0;  // price of t over the steepest slope of the target
+
+/// B, whose curvatures are kept within the range that the program can be solved for.
+MatrixXd convex(const MatrixXd& B) {
+  const double size = std::max(B.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
+  return B + kConvex * size * MatrixXd::Identity(B.rows(), B.cols());
+}
 
 /// Rows and bounds one below the other; rows of constraints have length 1.
 class Rows {
@@ -68,7 +76,7 @@ SqpStep relaxed(const MatrixXd& B,
   const double price = kRelaxed * std::max(g.cwiseAbs().maxCoeff(), kFlat);
   QuadraticProgram qp;
   qp.G = MatrixXd::Zero(n + 1, n + 1);
-  qp.G.topLeftCorner(n, n) = B;
+  qp.G.topLeftCorner(n, n) = convex(B);
   qp.G(n, n) = price;
   qp.g = VectorXd::Constant(n + 1, price);
   qp.g.head(n) = g;
@@ -105,7 +113,7 @@ SqpStep sqp_step(const MatrixXd& B,
   less.add(linear.J_c, -linear.c);
   less.add(region.A(), region.b() - region.A() * u);
   add_box(less, n, longest);
-  const QuadraticSolution solution = solve({B, slopes.g, equal.A, equal.b, less.A, less.b});
+  const QuadraticSolution solution = solve({convex(B), slopes.g, equal.A, equal.b, less.A, less.b});
   if (!solution.is_feasible()) return relaxed(B, slopes.g, linear, region, u, longest);
   return {solution.x,
           solution.mu.head(linear.c.size()).cwiseQuotient(linear.length_c),
