@@ -85,10 +85,25 @@ pid_t start_study() {
   return child;
 }
 
-/// True where the study ended by itself.
-bool run_for(std::chrono::microseconds time) {
+/// Trials the journal holds, read beside the process that writes it.
+long trials_in(const std::filesystem::path& file) {
+  try {
+    return std::filesystem::exists(file) ? Journal::read(file).size() : 0;
+  } catch (const std::exception&) {  // is being created
+    return 0;
+  }
+}
+
+bool has_ended(pid_t child) {
+  siginfo_t info{};
+  return ::waitid(P_PID, child, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
+}
+
+/// Kills the study a moment after its journal holds so many trials; true where it ended by itself.
+bool run_until(const std::filesystem::path& file, long trials, std::chrono::microseconds moment) {
   const pid_t child = start_study();
-  std::this_thread::sleep_for(time);
+  while (!has_ended(child) && trials_in(file) < trials) std::this_thread::sleep_for(500us);
+  std::this_thread::sleep_for(moment);
   ::kill(child, SIGKILL);
   int status = 0;
   ::waitpid(child, &status, 0);
@@ -107,7 +122,9 @@ TEST(CrashTest, KillAtRandomMomentsLosesAndRepeatsNothing) {
   std::vector<Trial> before;
   int kills = 0;
   for (bool ended = false; !ended && kills < 200; kills += !ended) {
-    ended = run_for(std::chrono::microseconds(20'000 + random.below(180'000)));
+    const long more = static_cast<long>(random.below(12));
+    const std::chrono::microseconds moment(random.below(5'000));
+    ended = run_until(file, std::ssize(before) + more, moment);
     if (!std::filesystem::exists(file)) continue;  // killed before its first act
     const std::vector<Trial> after = Journal::open(file, kStudy).trials();
     ASSERT_GE(after.size(), before.size());
