@@ -31,8 +31,8 @@ enum class DesignKind { full_factorial, latin_hypercube, sobol, morris };
 
 struct StudyDesign {
   DesignKind kind = DesignKind::full_factorial;
-  std::vector<int> levels;  // full factorial: one a variable, 1: not varied
-  int points = 0;           // of the others
+  std::vector<int> levels = {};  // full factorial: one a variable, 1: not varied
+  int points = 0;                // of the others
   std::uint64_t seed = 0;
 
   /// "maximin Latin hypercube"

@@ -17,9 +17,9 @@ namespace latsch::experiment {
 /// ground); the other list is empty.
 struct LoadDeflection {
   double pressure = 0.0;  // Pa
-  fe_tire::Ground ground;
-  std::vector<double> deflections;   // m
-  std::vector<double> loaded_radii;  // m
+  fe_tire::Ground ground = {};
+  std::vector<double> deflections = {};   // m
+  std::vector<double> loaded_radii = {};  // m
 };
 
 /// Vibration modes with the rim clamped, of the unloaded tire or standing on the ground.

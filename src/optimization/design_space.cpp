@@ -17,22 +17,26 @@ void check(const DesignVariable& v) {
   const auto reject = [&](const std::string& message) {
     throw InputError(v.place, fmt::format("variable \"{}\": {}", v.name, message));
   };
+  const auto shown = [&](double si) { return format_quantity(si, v.unit); };
   if (v.name.empty()) throw InputError(v.place, "a design variable has no name");
   if (!std::isfinite(v.lower) || !std::isfinite(v.upper)) {
     reject(fmt::format("bounds {} and {} are not finite, expected two numbers", v.lower, v.upper));
   }
   if (!(v.lower < v.upper)) {
-    reject(fmt::format("lower bound {} is not below upper bound {}", v.lower, v.upper));
+    reject(
+        fmt::format("lower bound {} is not below upper bound {}", shown(v.lower), shown(v.upper)));
   }
   if (v.scale == Scale::logarithmic && !(v.lower > 0.0)) {
     reject(
         fmt::format("lower bound {} on a logarithmic scale, expected a positive one or a linear "
                     "scale",
-                    v.lower));
+                    shown(v.lower)));
   }
   if (!(v.lower <= v.initial && v.initial <= v.upper)) {
-    reject(fmt::format(
-        "initial value {} is outside its bounds {} to {}", v.initial, v.lower, v.upper));
+    reject(fmt::format("initial value {} is outside its bounds {} to {}",
+                       shown(v.initial),
+                       shown(v.lower),
+                       shown(v.upper)));
   }
 }
 

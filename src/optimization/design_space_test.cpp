@@ -65,6 +65,14 @@ TEST(DesignSpace, ComplaintsNameThePlaceInTheStudy) {
   EXPECT_EQ(complaint({v}).find("study.toml:12:"), 0u);
 }
 
+TEST(DesignSpace, ComplaintsNameBoundsInTheUnitTheyWereWrittenIn) {
+  DesignVariable v = linear("k", 10e3, 60e3, 70e3);
+  v.unit = "N/mm";
+  EXPECT_NE(complaint({v}).find("initial value 70 N/mm is outside its bounds 10 N/mm to 60 N/mm"),
+            std::string::npos)
+      << complaint({v});
+}
+
 TEST(DesignSpace, TightenedBoundsStayInsideTheOldOnesAndHoldThePoint) {
   const DesignSpace space({linear("a", 0.0, 10.0, 5.0), logarithmic("E", 1.0, 1e4, 10.0)});
   const DesignPoint best{{9.9, 100.0}};

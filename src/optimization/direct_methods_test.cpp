@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nelder-Mead, the genetic algorithm and the choice of a method.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +16,7 @@ using Function = std::function<double(const std::vector<double>&)>;
 DesignSpace box(const std::vector<double>& initial, double lower, double upper) {
   std::vector<DesignVariable> variables;
   for (const double x : initial) {
-    variables.push_back({.name = "x" + std::to_string(variables.size()),
+    variables.push_back({.name = fmt::format("x{}", variables.size()),
                          .lower = lower,
                          .upper = upper,
                          .initial = x});

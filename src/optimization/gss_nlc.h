@@ -27,7 +27,7 @@
 namespace latsch {
 
 struct GssNlcOptions {
-  GssOptions gss;  // initial step of the first search, tolerance of the last
+  GssOptions gss = {};  // initial step of the first search, tolerance of the last
   Penalty penalty = Penalty::l2_squared;
   double rho = 1.0;  // of the first search: change of the target worth a violation of 1
   double largest_rho = 1e8;

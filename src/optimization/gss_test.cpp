@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/gss.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -19,7 +20,7 @@ DesignSpace box(const std::vector<double>& initial, double lower, double upper) 
   std::vector<DesignVariable> variables;
   for (std::size_t i = 0; i < initial.size(); ++i) {
     variables.push_back(
-        {.name = "x" + std::to_string(i), .lower = lower, .upper = upper, .initial = initial[i]});
+        {.name = fmt::format("x{}", i), .lower = lower, .upper = upper, .initial = initial[i]});
   }
   return DesignSpace(variables);
 }
@@ -81,7 +82,7 @@ double twin_target(const std::vector<double>& E) {
 DesignSpace twin_space(const std::array<double, 3>& initial) {
   std::vector<DesignVariable> variables;
   for (int k = 0; k < 3; ++k) {
-    variables.push_back({.name = "E" + std::to_string(k),
+    variables.push_back({.name = fmt::format("E{}", k),
                          .lower = 0.2,
                          .upper = 4.0,
                          .initial = initial[k],

@@ -6,6 +6,8 @@
 // bounds far from the solution, named "wide" here. A start outside the bounds is moved onto them.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <functional>
 #include <string>
@@ -45,7 +47,7 @@ inline DesignSpace space_of(const std::vector<double>& start,
   std::vector<DesignVariable> variables;
   for (size_t i = 0; i < start.size(); ++i) {
     const Box box = bounds[bounds.size() == 1 ? 0 : i];
-    variables.push_back({.name = "x" + std::to_string(i + 1),
+    variables.push_back({.name = fmt::format("x{}", i + 1),
                          .lower = box.lower,
                          .upper = box.upper,
                          .initial = start[i]});

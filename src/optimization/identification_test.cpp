@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/identification.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +15,7 @@ using Model = std::function<Eigen::VectorXd(const std::vector<double>&)>;
 DesignSpace box(const std::vector<double>& found, double lower, double upper) {
   std::vector<DesignVariable> variables;
   for (double x : found) {
-    variables.push_back({.name = "x" + std::to_string(variables.size()),
+    variables.push_back({.name = fmt::format("x{}", variables.size()),
                          .lower = lower,
                          .upper = upper,
                          .initial = x});

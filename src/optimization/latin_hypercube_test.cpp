@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/latin_hypercube.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 
 DesignSpace cube(int n) {
   std::vector<DesignVariable> variables;
-  for (int i = 0; i < n; ++i) variables.push_back({.name = "x" + std::to_string(i)});
+  for (int i = 0; i < n; ++i) variables.push_back({.name = fmt::format("x{}", i)});
   return DesignSpace(variables);
 }
 

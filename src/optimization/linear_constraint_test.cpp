@@ -2,6 +2,7 @@
 // Linear constraints of a design space: what is refused, projection, and the cones at corners.
 #include "optimization/linear_constraint.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +20,7 @@ std::string refusal(const std::vector<double>& start,
                     std::vector<LinearConstraint> rows,
                     Scale scale = Scale::linear) {
   for (size_t i = 0; i < rows.size(); ++i) {
-    rows[i].name = "c" + std::to_string(i + 1);
+    rows[i].name = fmt::format("c{}", i + 1);
     rows[i].place = {"study.toml", static_cast<int>(i) + 1};
   }
   std::vector<DesignVariable> variables = space_of(start, {{1, 10}}).variables();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/morris.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +14,7 @@ using Function = std::function<double(const std::vector<double>&)>;
 
 DesignSpace cube(int n) {
   std::vector<DesignVariable> variables;
-  for (int i = 0; i < n; ++i) variables.push_back({.name = "x" + std::to_string(i)});
+  for (int i = 0; i < n; ++i) variables.push_back({.name = fmt::format("x{}", i)});
   return DesignSpace(variables);
 }
 

@@ -56,13 +56,13 @@ struct MemberSettings;
 
 struct OptimizerSettings {
   std::string method = "gss";  // one of method_names()
-  GssOptions gss;
-  ResidualTrustRegionOptions residual_trust_region;
-  NelderMeadOptions nelder_mead;
-  GeneticOptions genetic;
-  SqpOptions sqp;
-  GssNlcOptions gss_nlc;
-  std::vector<MemberSettings> members;  // of an ensemble
+  GssOptions gss = {};
+  ResidualTrustRegionOptions residual_trust_region = {};
+  NelderMeadOptions nelder_mead = {};
+  GeneticOptions genetic = {};
+  SqpOptions sqp = {};
+  GssNlcOptions gss_nlc = {};
+  std::vector<MemberSettings> members = {};  // of an ensemble
   Ensemble::End ensemble_end = Ensemble::End::all;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/residual_trust_region.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +19,7 @@ using Residuals = std::function<std::vector<double>(const std::vector<double>&)>
 DesignSpace box(const std::vector<double>& initial, double lower, double upper, Scale scale) {
   std::vector<DesignVariable> variables;
   for (const double x : initial) {
-    variables.push_back({.name = "x" + std::to_string(variables.size()),
+    variables.push_back({.name = fmt::format("x{}", variables.size()),
                          .lower = lower,
                          .upper = upper,
                          .initial = x,

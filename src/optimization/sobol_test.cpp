@@ -17,7 +17,7 @@ constexpr const char* kPython = "/usr/bin/python3";
 
 DesignSpace cube(int n) {
   std::vector<DesignVariable> variables;
-  for (int i = 0; i < n; ++i) variables.push_back({.name = "x" + std::to_string(i)});
+  for (int i = 0; i < n; ++i) variables.push_back({.name = fmt::format("x{}", i)});
   return DesignSpace(variables);
 }
 
