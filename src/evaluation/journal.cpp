@@ -40,6 +40,13 @@ struct Journal::Impl {
     throw InputError({file.string(), 0}, message);
   }
 
+  void expect(const StudyIdentity& wanted) const {
+    if (const auto what = difference(identity, wanted)) {
+      refuse("belongs to another study: " + *what +
+             ". Take the study it was made with, or another journal");
+    }
+  }
+
   /// What SQLite said, in words that tell what to do.
   [[noreturn]] void report(const SQLite::Exception& error) const {
     const std::string name = file.string();
@@ -240,10 +247,7 @@ Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& id
     impl->read_tally();
     if (impl->format != kFormat) impl->migrate();
   });
-  if (const auto what = difference(impl->identity, identity)) {
-    impl->refuse("belongs to another study: " + *what +
-                 ". Take the study it was made with, or another journal");
-  }
+  impl->expect(identity);
   return Journal(std::move(impl));
 }
 
@@ -259,6 +263,12 @@ Journal Journal::read(const std::filesystem::path& file) {
     impl->read_tally();
   });
   return Journal(std::move(impl));
+}
+
+Journal Journal::read(const std::filesystem::path& file, const StudyIdentity& identity) {
+  Journal journal = read(file);
+  journal.impl_->expect(identity);
+  return journal;
 }
 
 void Journal::append(std::span<const Trial> trials) {

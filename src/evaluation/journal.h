@@ -36,6 +36,8 @@ class Journal : public TrialStore {
 
   /// Opens for reading, also while another process writes. append() is not allowed.
   static Journal read(const std::filesystem::path& file);
+  /// Throws InputError where it belongs to another study, as open() does.
+  static Journal read(const std::filesystem::path& file, const StudyIdentity& identity);
 
   Journal(Journal&&) noexcept;
   Journal& operator=(Journal&&) noexcept;

@@ -94,6 +94,16 @@ TEST(Journal, RefusesAnotherStudyAndSaysWhatDiffers) {
   expect_contains(open_as({kStudy[0], kStudy[1], {"rig", ""}}), "it has no \"rig\"");
 }
 
+TEST(Journal, IsReadForItsOwnStudyAlone) {
+  const ScratchFolder folder;
+  StudyIdentity other = kStudy;
+  other.back().text += "x";
+  { Journal::open(folder / "a", kStudy); }
+  EXPECT_EQ(Journal::read(folder / "a", kStudy).size(), 0);
+  expect_contains(complaint([&] { Journal::read(folder / "a", other); }),
+                  "belongs to another study");
+}
+
 TEST(Journal, RefusesForeignFilesAndOtherVersions) {
   const ScratchFolder folder;
   const auto open = [&](const char* name) {
