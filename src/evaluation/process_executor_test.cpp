@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/process_executor.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -29,6 +31,8 @@ namespace latsch {
 namespace {
 
 constexpr const char* kOnceVariable = "LATSCH_TEST_FILE";
+constexpr const char* kLockVariable = "LATSCH_TEST_LOCK";
+constexpr int kLockedFor = 60;  // s, unless somebody kills
 
 enum Fault {
   none,
@@ -47,7 +51,8 @@ enum Fault {
   stopped_always,
   forks,
   answers_twice,
-  fills_the_disk
+  fills_the_disk,
+  hanging_session
 };
 
 /// A file-size limit makes write(2) fail as a full disk does.
@@ -92,6 +97,13 @@ Result<Channels> faulty(const DesignPoint& point) {
       if (::fork() == 0) ::sleep(1000);
       std::raise(SIGSEGV);
       break;
+    case hanging_session: {  // the lock is theirs until both have ended
+      const int file = ::open(std::getenv(kLockVariable), O_RDWR | O_CREAT, 0600);
+      ::flock(file, LOCK_EX);
+      if (::fork() == 0) ::setsid();
+      ::sleep(kLockedFor);
+      break;
+    }
     case stopped_once:
       if (std::filesystem::remove(std::getenv(kOnceVariable))) std::raise(SIGTERM);
       break;
@@ -245,6 +257,22 @@ TEST(ProcessExecutor, AHangingTrialIsKilledAtMostASecondAfterItsTimeout) {
   expect_contains(trial.outcome.result.failure().reason, "took more than the 0.5 s allowed");
   EXPECT_GE(trial.outcome.wall_time, 0.5);
   EXPECT_LT(trial.outcome.wall_time, 1.5);
+}
+
+TEST(ProcessExecutor, AChildThatLeftTheProcessGroupIsKilledWithTheTrial) {
+  const ScratchFolder folder;
+  const auto lock = folder / "lock";
+  ::setenv(kLockVariable, lock.c_str(), 1);
+  ProcessOptions options = worker_options(1);
+  options.timeout = 0.5;
+  ProcessExecutor executor(options);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_FALSE(run_one(executor, {{static_cast<double>(hanging_session), 3.0}}).outcome.result);
+  const int file = ::open(lock.c_str(), O_RDWR);
+  ASSERT_GE(file, 0);
+  ASSERT_EQ(::flock(file, LOCK_EX), 0);
+  ::close(file);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(kLockedFor / 2));
 }
 
 TEST(ProcessExecutor, WorkersWorkAtTheSameTime) {

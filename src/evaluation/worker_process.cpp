@@ -18,6 +18,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "evaluation/process_tree.h"
 #include "evaluation/worker.h"
 
 extern char** environ;
@@ -188,8 +189,10 @@ void WorkerProcess::take_printed() {
 bool WorkerProcess::ended() const { return readable(process_.get(), 0); }
 
 std::string WorkerProcess::end() {
-  // The group is killed while its leader is not yet waited for: its number cannot be taken by
+  // A child that left the group is found as a descendant, one whose parent has ended as a member of
+  // the group. Both are killed while the leader is not yet waited for: no number is taken by
   // others.
+  if (!ended()) kill_tree(pid_);
   ::kill(-pid_, SIGKILL);
   while (::waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {
   }
