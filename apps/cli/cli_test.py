@@ -239,7 +239,8 @@ class Simulators(Outside):
             edit(study, ("timeout = .*", 'timeout = "0.5 s"'))
             (study.parent / "study.latsch").unlink(missing_ok=True)
             edit(study, (r"\[optimizer\](\n.*)*?\n\n", '[optimizer]\nmax_steps = 1\n\n'))
-            self.assert_says(self.latsch("run", study, code=FAILED), "no trial succeeded", said)
+            self.assert_says(self.latsch("run", study, code=FAILED), "no trial succeeded, of 1 in", said, "latsch simulate")
+            self.assertFalse((study.parent / "study.scratch").exists())
 
     def test_a_failed_point_is_answered_as_the_study_asks_and_stays_a_failed_trial(self):
         for policy, said in (("recover", "counts as a target of 100 %"), ("continuation", "in 4 halvings")):
@@ -402,6 +403,7 @@ class BadInput(Coarse):
         self.latsch("doe", self.study, "--levels", "2")
         edit(self.folder / "tire.toml", ('angle = "24 deg"', 'angle = "26 deg"'))
         self.rejected("resume", "study.latsch", "model")
+        self.rejected("report", "study.latsch", "model")
 
     def test_unknown_variable_on_the_command_line(self):
         text = self.latsch("simulate", self.study, "--set", "sidewal=5 MPa", code=WRONG_INPUT)

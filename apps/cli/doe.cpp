@@ -94,13 +94,12 @@ void print_effects(const Study& study, const StudyDesign& design, const Journal&
   }
 }
 
-void print_first_failure(const Study& study, const Journal& journal) {
-  bool printed = false;
+std::optional<Trial> first_failure(const Journal& journal) {
+  std::optional<Trial> first;
   journal.for_each([&](const Trial& trial) {
-    if (printed || trial.outcome.result) return;
-    print_aborted(study, trial.point, trial.outcome.result.failure());
-    printed = true;
+    if (!first && !trial.outcome.result) first = trial;
   });
+  return first;
 }
 
 int doe(const std::string& file, int levels, int workers) {
@@ -126,13 +125,23 @@ int doe(const std::string& file, int levels, int workers) {
     return kFailed;
   }
   if (end == RunEnd::aborted) {
-    print_first_failure(study, journal);
+    if (const auto trial = first_failure(journal)) {
+      print_aborted(study, trial->point, trial->outcome.result.failure());
+    }
     return kFailed;
   }
-  const Targets targets = targets_of(study, journal);
-  const auto points = rated(plan, targets);
+  const auto points = rated(plan, targets_of(study, journal));
+  if (points.empty()) {
+    workers_of_study.end();
+    clear_scratch(study);
+    const auto trial = first_failure(journal);
+    print_no_success(
+        study,
+        journal,
+        trial ? trial->outcome.result.failure().reason : "its channels give no target");
+    return kFailed;
+  }
   fmt::print("\n{} of {} points succeeded; the best:\n", points.size(), plan.points.size());
-  if (points.empty()) return kFailed;
   for (size_t i = 0; i < std::min(kShownPoints, points.size()); ++i) {
     fmt::print("target {:.4f} %\n", points[i].target * 100.0);
     print_point(study.space, points[i].point);

@@ -82,6 +82,10 @@ int fit(const std::string& file, int workers, bool resuming) {
                                 executor,
                                 &journal,
                                 run_options(study, /*length_known=*/false));
+  if (run.end == RunEnd::stopped || !run.best()) {
+    workers_of_study.end();
+    clear_scratch(study);
+  }
   if (run.end == RunEnd::stopped) {
     fmt::print(
         "Interrupted; {} trials are safe. Go on with: latsch resume {}\n", journal.size(), file);
@@ -92,9 +96,7 @@ int fit(const std::string& file, int workers, bool resuming) {
     return kFailed;
   }
   if (!run.best()) {
-    fmt::print(stderr,
-               "latsch: no trial succeeded; the first failed because: {}\n",
-               run.steps.front().outcome.failure().reason);
+    print_no_success(study, journal, run.steps.front().outcome.failure().reason);
     return kFailed;
   }
   print_result(study, run, journal);

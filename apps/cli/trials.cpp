@@ -60,6 +60,20 @@ void print_aborted(const correlation::Study& study,
              study.run.journal.string());
 }
 
+void print_no_success(const correlation::Study& study,
+                      const Journal& journal,
+                      const std::string& reason) {
+  const bool folder_goes = study.simulator && !study.simulator->keep_failed;
+  fmt::print(stderr,
+             "latsch: no trial succeeded, of {} in {}; the first failed because: {}\n"
+             "See what becomes of one: latsch simulate {}{}\n",
+             journal.size(),
+             study.run.journal.string(),
+             reason,
+             study.file.string(),
+             folder_goes ? "; keep_failed = true in [simulator] keeps its folder" : "");
+}
+
 RunOptions counting_options(const correlation::Study& study, const std::string& what) {
   RunOptions options = run_options(study, /*length_known=*/false);
   auto bar = std::make_shared<Progress>(std::cerr, is_terminal());

@@ -19,6 +19,11 @@ ProcessOptions worker_processes(const correlation::Study& study);
 /// Removes what killed workers of an outside program left behind. The journal is held meanwhile.
 void clear_scratch(const correlation::Study& study);
 
+/// On standard error: nothing succeeded, why the first trial did not, and what to try.
+void print_no_success(const correlation::Study& study,
+                      const Journal& journal,
+                      const std::string& reason);
+
 /// Progress on standard error and an end when interrupted. An ETA needs to know how many points
 /// there will be: a design of experiments does, an optimizer does not.
 RunOptions run_options(const correlation::Study& study, bool length_known);

@@ -5,6 +5,11 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+
 #include "base/error.h"
 #include "base/file.h"
 #include "base/text.h"
@@ -18,11 +23,35 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPrinted = "printed.txt";
 
-/// The folder of one trial. The process is part of its name: the same point may run twice at once.
+std::string host_name() {
+  std::array<char, 256> name{};
+  ::gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
+/// Removes folders "...-HOST-PROCESS" of processes of this machine that are no more: a trial that
+/// was killed cannot remove its own, and what it wrote may have filled the disk.
+void remove_abandoned(const fs::path& scratch) {
+  const std::string ours = fmt::format("-{}-", host_name());
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(scratch, ignored)) {
+    const std::string name = entry.path().filename();
+    const std::size_t at = name.find(ours);
+    if (at == std::string::npos) continue;
+    const char* end = name.data() + name.size();
+    pid_t process = 0;
+    if (std::from_chars(name.data() + at + ours.size(), end, process).ptr != end) continue;
+    const bool alive = ::kill(process, 0) == 0 || errno != ESRCH;
+    if (!alive) fs::remove_all(entry.path(), ignored);
+  }
+}
+
+/// The folder of one trial. Machine and process are part of its name: the same point may run twice
+/// at once.
 class TrialFolder {
  public:
   TrialFolder(const fs::path& scratch, const DesignPoint& point)
-      : path_(scratch / fmt::format("{:016x}-{}", hash(point.bits()), ::getpid())) {
+      : path_(scratch / fmt::format("{:016x}-{}-{}", hash(point.bits()), host_name(), ::getpid())) {
     fs::remove_all(path_);
     fs::create_directories(path_);
   }
@@ -86,6 +115,7 @@ Result<Channels> run(const Simulator& simulator,
 
 Evaluator evaluator(const Simulator& simulator, const DesignSpace& space) {
   return [simulator, space](const DesignPoint& point) -> Result<Channels> {
+    if (!simulator.keep_failed) remove_abandoned(simulator.scratch);
     TrialFolder folder(simulator.scratch, point);
     auto result = run(simulator, space, point, folder.path());
     if (result || !simulator.keep_failed) return result;

@@ -6,7 +6,7 @@
 // an argument list, never a shell line, with {study} for the folder of the study; it runs in the
 // process group of its worker, so that the timeout and the memory limit of a trial hold for it and
 // for all it starts. A timeout of its own spares the worker. The folder is removed after the trial,
-// except where a failed one is to be kept.
+// that of a trial that was killed before the next one, except where failed ones are to be kept.
 #pragma once
 
 #include <filesystem>

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/simulator.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <fstream>
 #include <thread>
@@ -123,6 +127,26 @@ TEST_F(SimulatorTest, TheFolderOfAFailedTrialIsKeptWhereThatIsAskedFor) {
   expect_contains(result.failure().reason, "its folder is ");
   const fs::path kept = fs::directory_iterator(folder_ / "scratch")->path();
   EXPECT_EQ(read_text_file(kept / "in.txt"), "k = 42\n");
+}
+
+TEST_F(SimulatorTest, TheNextTrialRemovesTheFolderOfOneThatWasKilled) {
+  const pid_t killed = ::fork();
+  if (killed == 0) ::_exit(0);
+  ASSERT_EQ(::waitpid(killed, nullptr, 0), killed);
+  std::array<char, 256> host{};
+  ASSERT_EQ(::gethostname(host.data(), host.size() - 1), 0);
+  const auto folder_of = [&](const std::string& process) {
+    const fs::path path = folder_ / "scratch" / ("0-" + process);
+    fs::create_directories(path);
+    return path;
+  };
+  const fs::path abandoned = folder_of(fmt::format("{}-{}", host.data(), killed));
+  const fs::path running = folder_of(fmt::format("{}-{}", host.data(), ::getppid()));
+  const fs::path elsewhere = folder_of(fmt::format("{}.not-{}", host.data(), killed));
+  reason("exit 1");
+  EXPECT_FALSE(fs::exists(abandoned));
+  EXPECT_TRUE(fs::exists(running));
+  EXPECT_TRUE(fs::exists(elsewhere));
 }
 
 TEST_F(SimulatorTest, ItsIdentityIsProgramInputsReadersAndUnits) {
