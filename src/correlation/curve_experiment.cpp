@@ -13,7 +13,7 @@
 namespace latsch::correlation {
 namespace {
 
-/// The SI unit of a channel the simulator will have.
+/// The unit in which the simulator writes a channel.
 std::string unit_of(const Node& table,
                     const char* key,
                     const Simulator& simulator,
@@ -22,11 +22,13 @@ std::string unit_of(const Node& table,
   for (const OutputReader& output : simulator.outputs) {
     for (const auto& quantity : output.quantities) {
       names.push_back(output.name + "/" + quantity.name);
-      if (names.back() == channel) return si_unit(Unit::of(quantity.unit).dimension());
+      if (names.back() == channel) return quantity.unit;
     }
   }
   table.reject(key, "is " + in_quotes(channel) + ", expected " + list_of(names));
 }
+
+std::string si_of(const std::string& unit) { return si_unit(Unit::of(unit).dimension()); }
 
 std::string last_part(const std::string& channel) {
   return channel.substr(channel.find_last_of('/') + 1);
@@ -59,8 +61,10 @@ CurveExperiment read_curve(const Node& table,
   CurveExperiment curve;
   curve.x = table.text("x", "");
   curve.y = table.text("y");
-  if (!curve.x.empty()) curve.x_unit = unit_of(table, "x", simulator, curve.x);
-  curve.y_unit = unit_of(table, "y", simulator, curve.y);
+  if (!curve.x.empty()) curve.x_shown = unit_of(table, "x", simulator, curve.x);
+  curve.y_shown = unit_of(table, "y", simulator, curve.y);
+  curve.x_unit = si_of(curve.x_shown);
+  curve.y_unit = si_of(curve.y_shown);
   const auto columns = formats::CsvTable::read(measurement);
   if (!curve.x.empty()) curve.x_measured = columns.numbers(last_part(curve.x), curve.x_unit);
   curve.y_measured = columns.numbers(last_part(curve.y), curve.y_unit);

@@ -26,6 +26,7 @@ struct CurveExperiment {
   std::string x;  // channel; empty: compared sample by sample
   std::string y;
   std::string x_unit = "1", y_unit = "1";      // SI
+  std::string x_shown = "1", y_shown = "1";    // units the program writes, which people read
   std::vector<double> x_measured, y_measured;  // SI
   double scale = 1.0;                          // of y
 };

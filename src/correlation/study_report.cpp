@@ -105,6 +105,36 @@ report::ForceCurve force_curve(const StudyExperiment& experiment,
   return curve;
 }
 
+std::vector<double> values_of(const Channels& channels, const std::string& name) {
+  const Channel* channel = channels.find(name);
+  return channel ? channel->values : std::vector<double>{};
+}
+
+report::MeasuredCurve measured_curve(const StudyExperiment& experiment,
+                                     const Channels& found,
+                                     const Comparison& comparison,
+                                     const std::optional<Channels>& initial) {
+  const CurveExperiment& curve = *experiment.curve;
+  report::MeasuredCurve picture;
+  picture.experiment = experiment.name;
+  picture.conditions = conditions_of(experiment);
+  picture.fitted = experiment.fitted;
+  picture.x_name = curve.x;
+  picture.y_name = curve.y;
+  picture.x_unit = curve.x_shown;
+  picture.y_unit = curve.y_shown;
+  picture.x_measured = curve.x_measured;
+  picture.y_measured = curve.y_measured;
+  picture.errors = comparison.errors;
+  picture.x_simulated = values_of(found, curve.x);
+  picture.y_simulated = values_of(found, curve.y);
+  if (initial) {
+    picture.x_initial = values_of(*initial, curve.x);
+    picture.y_initial = values_of(*initial, curve.y);
+  }
+  return picture;
+}
+
 report::ModalComparison modal_comparison(const StudyExperiment& experiment,
                                          const Channels& found,
                                          const Comparison& comparison,
@@ -155,8 +185,9 @@ void add_experiments(const Study& study,
       start_comparison = compare(experiment, *start);
     }
     page.experiments.push_back(experiment_row(experiment, comparison, start_comparison));
-    if (experiment.curve) continue;
-    if (experiment.modal()) {
+    if (experiment.curve) {
+      page.curves.push_back(measured_curve(experiment, channels, comparison, start));
+    } else if (experiment.modal()) {
       page.modes.push_back(modal_comparison(experiment, channels, comparison, start));
     } else {
       page.forces.push_back(force_curve(experiment, channels, start));

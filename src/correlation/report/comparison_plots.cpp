@@ -22,29 +22,6 @@ std::vector<double> scaled(const std::vector<double>& values, double unit) {
   return result;
 }
 
-std::vector<Point> points_of(const Axis& x,
-                             const Axis& y,
-                             const std::vector<double>& xs,
-                             const std::vector<double>& ys) {
-  std::vector<Point> points;
-  for (size_t k = 0; k < std::min(xs.size(), ys.size()); ++k) {
-    if (std::isfinite(ys[k])) points.push_back({x.at(xs[k]), y.at(ys[k])});
-  }
-  return points;
-}
-
-/// "line  words" with a sample of the line or point in front; returns where the next one starts.
-double legend(Svg& svg, Point at, std::string_view sample_class, bool dot, std::string_view words) {
-  if (dot) {
-    svg.circle({at.x() + 9, at.y() - 4}, 3.6, fmt::format("class=\"{}\"", sample_class));
-  } else {
-    svg.line(
-        {at.x(), at.y() - 4}, {at.x() + 18, at.y() - 4}, fmt::format("class=\"{}\"", sample_class));
-  }
-  svg.text({at.x() + 24, at.y()}, words);
-  return at.x() + 42 + 6.4 * static_cast<double>(words.size());
-}
-
 void draw_errors(Svg& svg,
                  const Axis& x,
                  const ForceCurve& curve,
@@ -84,9 +61,9 @@ std::string force_plot(const ForceCurve& curve) {
   const Axis y = Axis::around(forces, 270, 34, /*zero=*/true);
 
   Svg svg(520, 416, "Measured and simulated force, " + curve.experiment);
-  double at = legend(svg, {62, 18}, "measured", true, "measured");
-  at = legend(svg, {at, 18}, "found", false, curve.fitted ? "fitted" : "predicted");
-  if (!initial.empty()) legend(svg, {at, 18}, "initial", false, "initial values");
+  double at = draw_legend(svg, {62, 18}, "measured", true, "measured");
+  at = draw_legend(svg, {at, 18}, "found", false, curve.fitted ? "fitted" : "predicted");
+  if (!initial.empty()) draw_legend(svg, {at, 18}, "initial", false, "initial values");
   draw_frame(svg, x, y, "", "Force [kN]", {.label_x = false});
   if (!initial.empty()) svg.polyline(points_of(x, y, abscissa, initial), "class=\"initial\"");
   svg.polyline(points_of(x, y, abscissa, simulated), "class=\"found\"");

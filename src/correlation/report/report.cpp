@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "correlation/report/comparison_plots.h"
+#include "correlation/report/curve_plot.h"
 #include "correlation/report/html_text.h"
 #include "correlation/report/page_style.h"
 #include "correlation/report/surface_plot.h"
@@ -56,6 +57,22 @@ std::string forces(const StudyReport& report) {
                    force_plot(curve),
                    "Mean |ΔF| = " + percent(mean_error(curve.measured, curve.simulated)) +
                        "; below, ΔF = (measured − simulated) / measured at every point.");
+  }
+  return html + "</div>";
+}
+
+std::string curves(const StudyReport& report) {
+  std::string html = "<div class=\"figures\">";
+  for (const MeasuredCurve& curve : report.curves) {
+    double sum = 0.0;
+    for (const double error : curve.errors) sum += std::abs(error);
+    html +=
+        figure(curve.experiment,
+               with_kind(curve.conditions, curve.fitted),
+               curve_plot(curve),
+               "Mean error " +
+                   percent(sum / static_cast<double>(std::max<size_t>(1, curve.errors.size()))) +
+                   "; below, (measured − simulated) / scale at every measured value.");
   }
   return html + "</div>";
 }
@@ -261,6 +278,7 @@ std::vector<Chapter> chapters(const StudyReport& report) {
   add("variables", "Design variables", report.variables.empty() ? "" : variable_table(report));
   add("experiments", "Experiments", report.experiments.empty() ? "" : experiment_table(report));
   add("forces", "Forces", report.forces.empty() ? "" : forces(report));
+  add("curves", "Curves", report.curves.empty() ? "" : curves(report));
   add("frequencies", "Frequencies", report.modes.empty() ? "" : frequencies(report));
   add("surface", "Target surface", surface_chapter(report));
   add("sensitivity", "Sensitivity", report.effects.empty() ? "" : effects(report));

@@ -27,7 +27,7 @@ struct Variable {
 /// One experiment's part of the target.
 struct ExperimentRow {
   std::string name;
-  std::string kind;        // "load-deflection", "modes"
+  std::string kind;        // "load-deflection", "modes", "curve"
   std::string conditions;  // "2.6 bar, friction 0.8"
   std::string compared;  // "force", "root of force", "frequency", with the exponent if it is not 1
   bool fitted = true;    // false: predicted only
@@ -49,6 +49,20 @@ struct ForceCurve {
   std::vector<double> measured;     // N
   std::vector<double> simulated;    // N, at the found point
   std::vector<double> initial;      // N, at the initial point; may be empty
+};
+
+/// A measured curve y(x) and what an outside program made of it. Values in SI; units are those a
+/// person reads. Without x, samples are counted from 1.
+struct MeasuredCurve {
+  std::string experiment;
+  std::string conditions;  // "over response/time"
+  bool fitted = true;
+  std::string x_name, y_name;  // "time"; x_name empty: sample by sample
+  std::string x_unit = "1", y_unit = "1";
+  std::vector<double> x_measured, y_measured;
+  std::vector<double> errors;                    // (measured - simulated) / scale, one each
+  std::vector<double> x_simulated, y_simulated;  // every sample of the program, at the found point
+  std::vector<double> x_initial, y_initial;      // at the initial point; may be empty
 };
 
 /// A measured mode and its simulated partner. Hz.
@@ -157,6 +171,7 @@ struct StudyReport {
   std::vector<Variable> variables;
   std::vector<ExperimentRow> experiments;
   std::vector<ForceCurve> forces;
+  std::vector<MeasuredCurve> curves;
   std::vector<ModalComparison> modes;
   std::optional<Convergence> convergence;
   std::vector<Surface> surfaces;

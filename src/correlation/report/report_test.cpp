@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -15,6 +16,7 @@
 #include <set>
 #include <vector>
 
+#include "correlation/report/curve_plot.h"
 #include "correlation/report/html_text.h"
 #include "correlation/report/surface_plot.h"
 #include "correlation/report/tables.h"
@@ -95,6 +97,20 @@ StudyReport full_report() {
       {kHostile, "load-deflection", kHostile, "force", true, 1.0, 2, 0.01, 0.01, 0.02, 0.2}};
   r.forces = {
       {kHostile, kHostile, true, false, {0.01, 0.02}, {2000, 4000}, {2010, 3990}, {1500, 3000}}};
+  r.curves = {{kHostile,
+               kHostile,
+               true,
+               kHostile,
+               kHostile,
+               "s",
+               "mm",
+               {0.1, 0.2},
+               {1e-3, 2e-3},
+               {0.01, -0.02},
+               {0.0, 0.3},
+               {0.0, 3e-3},
+               {0.0, 0.3},
+               {0.0, 4e-3}}};
   r.modes = {{kHostile,
               kHostile,
               true,
@@ -121,6 +137,7 @@ TEST(Report, IsWellFormedWithEveryChapter) {
   for (const char* id : {"variables",
                          "experiments",
                          "forces",
+                         "curves",
                          "frequencies",
                          "surface",
                          "search",
@@ -187,6 +204,20 @@ TEST(Report, IsDrawnFromAnyNumbers) {  // what a failed or odd trial may leave b
     r.variables = {{"v", "mm", any(), any(), any(), any(), trial % 2 == 0}};
     r.experiments = {{"e", "k", "c", "force", true, any(), 3, any(), any(), any(), any()}};
     r.forces = {{"e", "c", true, trial % 3 == 0, some(), some(), some(), some()}};
+    r.curves = {{"e",
+                 "c",
+                 true,
+                 trial % 2 == 0 ? "x" : "",
+                 "y",
+                 "s",
+                 "mm",
+                 some(),
+                 some(),
+                 some(),
+                 some(),
+                 some(),
+                 some(),
+                 some()}};
     r.modes = {
         {"m", "c", true, {{"a", any(), any(), any(), any()}, {"b", any(), any(), {}, {}}}, {}, {}}};
     r.convergence = Convergence{some()};
@@ -233,6 +264,39 @@ TEST(Report, DrawsEveryPictureInABrowser) {
   fs::remove_all(folder);
   if (ended != 0) GTEST_SKIP() << "Chromium does not run here";
   EXPECT_NE(start.find("data-views=\"14\""), std::string::npos);  // loaded tire twice, 12 modes
+}
+
+TEST(CurvePlot, ShowsEveryMeasuredValueAndTheProgramWhereItWasMeasured) {
+  MeasuredCurve curve;
+  curve.x_name = "time";
+  curve.y_name = "body";
+  curve.x_unit = "s";
+  curve.y_unit = "mm";
+  curve.x_measured = {1.0, 2.0, 3.0};
+  curve.y_measured = {0.010, 0.020, 0.030};
+  curve.errors = {0.0, 0.01, -0.02};
+  for (int k = 0; k <= 1000; ++k) {  // far beyond the measurement
+    curve.x_simulated.push_back(0.1 * k);
+    curve.y_simulated.push_back(0.001 * k);
+  }
+  const std::string plot = curve_plot(curve);
+  for (const char* words : {"time [s]", "body [mm]", "2 s: measured 20 mm", "−2.00 %"}) {
+    EXPECT_NE(plot.find(words), std::string::npos) << words;
+  }
+  EXPECT_EQ(plot.find("initial values"), std::string::npos);
+  // From 1 to 3 s every 0.1 s: "x,y" 21 times between spaces.
+  const size_t start = plot.find("points=\"") + 8;
+  const std::string points = plot.substr(start, plot.find('"', start) - start);
+  EXPECT_EQ(std::count(points.begin(), points.end(), ','), 21) << points;
+}
+
+TEST(CurvePlot, AMillionSamplesStayAPicture) {
+  MeasuredCurve curve;
+  curve.y_name = "y";
+  curve.y_measured.assign(1'000'000, 1.0);
+  curve.errors.assign(1'000'000, 0.1);
+  curve.y_simulated.assign(1'000'000, 2.0);
+  EXPECT_LT(curve_plot(curve).size(), 200'000u);
 }
 
 TEST(SurfacePlot, FindsEveryMinimumOfTheGrid) {

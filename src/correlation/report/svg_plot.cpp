@@ -243,6 +243,29 @@ void draw_frame(Svg& svg,
   if (!y_title.empty()) svg.vertical_text({left - 16 - widest, 0.5 * (top + bottom)}, y_title);
 }
 
+double draw_legend(
+    Svg& svg, Point at, std::string_view sample_class, bool dot, std::string_view words) {
+  if (dot) {
+    svg.circle({at.x() + 9, at.y() - 4}, 3.6, fmt::format("class=\"{}\"", sample_class));
+  } else {
+    svg.line(
+        {at.x(), at.y() - 4}, {at.x() + 18, at.y() - 4}, fmt::format("class=\"{}\"", sample_class));
+  }
+  svg.text({at.x() + 24, at.y()}, words);
+  return at.x() + 42 + 6.4 * static_cast<double>(words.size());
+}
+
+std::vector<Point> points_of(const Axis& x,
+                             const Axis& y,
+                             const std::vector<double>& xs,
+                             const std::vector<double>& ys) {
+  std::vector<Point> points;
+  for (size_t k = 0; k < std::min(xs.size(), ys.size()); ++k) {
+    if (std::isfinite(ys[k])) points.push_back({x.at(xs[k]), y.at(ys[k])});
+  }
+  return points;
+}
+
 void draw_color_bar(
     Svg& svg, Point top_left, double height, const Axis& values, std::string_view title) {
   constexpr int kSteps = 48;

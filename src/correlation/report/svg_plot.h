@@ -99,6 +99,17 @@ void draw_frame(Svg& svg,
                 std::string_view y_title,
                 FrameOptions options = {});
 
+/// "line  words" with a sample of the line or dot of that class in front; returns where the next
+/// one starts.
+double draw_legend(
+    Svg& svg, Point at, std::string_view sample_class, bool dot, std::string_view words);
+
+/// The pixels of y(x), without values that are not finite.
+std::vector<Point> points_of(const Axis& x,
+                             const Axis& y,
+                             const std::vector<double>& xs,
+                             const std::vector<double>& ys);
+
 /// A vertical bar from low (bottom) to high with the colors of viridis.
 void draw_color_bar(
     Svg& svg, Point top_left, double height, const Axis& values, std::string_view title);

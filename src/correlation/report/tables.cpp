@@ -28,13 +28,16 @@ std::string key(const std::string& value, const std::string& words, const std::s
       "<div><span>{}</span><b>{}</b><i>{}</i></div>", escape(words), escape(value), escape(more));
 }
 
+bool is_force(const ExperimentRow& row) { return row.kind == "load-deflection"; }
+bool is_frequency(const ExperimentRow& row) { return row.kind == "modes"; }
+bool is_curve(const ExperimentRow& row) { return row.kind == "curve"; }
+
 /// Mean of the experiments of one kind that are fitted.
-std::optional<double> mean_error(const StudyReport& report, bool forces) {
+std::optional<double> mean_error(const StudyReport& report, bool (*of_kind)(const ExperimentRow&)) {
   double sum = 0.0;
   int count = 0;
   for (const ExperimentRow& row : report.experiments) {
-    const bool is_force = row.compared.find("force") != std::string::npos;
-    if (!row.fitted || is_force != forces) continue;
+    if (!row.fitted || !of_kind(row)) continue;
     sum += row.mean_error * row.values;
     count += row.values;
   }
@@ -69,10 +72,12 @@ std::string key_numbers(const StudyReport& report) {
   html += key(percent(report.target),
               "Target",
               report.initial_target ? "from " + percent(*report.initial_target) : "");
-  if (const auto dF = mean_error(report, true))
+  if (const auto dF = mean_error(report, is_force))
     html += key(percent(*dF), "Mean |ΔF|", "fitted forces");
-  if (const auto df = mean_error(report, false))
+  if (const auto df = mean_error(report, is_frequency))
     html += key(percent(*df), "Mean |Δf|", "fitted frequencies");
+  if (const auto dy = mean_error(report, is_curve))
+    html += key(percent(*dy), "Mean error", "fitted curves, of their scale");
   if (report.run) {
     const RunFacts& run = *report.run;
     html += key(std::to_string(run.trials),
@@ -128,15 +133,13 @@ std::string experiment_table(const StudyReport& report) {
       "<div "
       "class=\"scroll\"><table><thead><tr><th>Experiment</th><th>Conditions</th><th>Compared</"
       "th><th>Use</th>"
-      "<th class=\"n\">Weight</th><th class=\"n\">Values</th>{}<th class=\"n\">Mean |ΔF|</th><th "
-      "class=\"n\">Mean |Δf|</th>"
+      "<th class=\"n\">Weight</th><th class=\"n\">Values</th>{}<th class=\"n\">Mean error</th>"
       "<th class=\"n\">Largest</th><th class=\"n\">Part of target</th></tr></thead><tbody>\n",
       initial ? "<th class=\"n\">Mean, initial</th>" : "");
   for (const ExperimentRow& row : report.experiments) {
-    const bool force = row.compared.find("force") != std::string::npos;
     html += fmt::format(
         "<tr><td>{}<br><span "
-        "class=\"quiet\">{}</span></td><td>{}</td><td>{}</td><td>{}</td>{}{}{}{}{}{}{}</tr>\n",
+        "class=\"quiet\">{}</span></td><td>{}</td><td>{}</td><td>{}</td>{}{}{}{}{}{}</tr>\n",
         escape(row.name),
         escape(row.kind),
         escape(row.conditions),
@@ -145,8 +148,7 @@ std::string experiment_table(const StudyReport& report) {
         number_cell(row.fitted ? significant(row.weight, 3) : ""),
         number_cell(std::to_string(row.values)),
         initial ? number_cell(row.initial_mean_error ? percent(*row.initial_mean_error) : "") : "",
-        number_cell(force ? percent(row.mean_error) : "", true),
-        number_cell(force ? "" : percent(row.mean_error), true),
+        number_cell(percent(row.mean_error), true),
         number_cell(percent(row.largest_error)),
         number_cell(percent(row.value)));
   }
