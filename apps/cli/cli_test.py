@@ -239,7 +239,7 @@ class Simulators(Outside):
             edit(study, ("timeout = .*", 'timeout = "0.5 s"'))
             (study.parent / "study.latsch").unlink(missing_ok=True)
             edit(study, (r"\[optimizer\](\n.*)*?\n\n", '[optimizer]\nmax_steps = 1\n\n'))
-            self.assert_says(self.latsch("run", study, code=FAILED), "no trial succeeded, of 1 in", said, "latsch simulate")
+            self.assert_says(self.latsch("run", study, code=FAILED), "no trial succeeded, of ", said, "latsch simulate")
             self.assertFalse((study.parent / "study.scratch").exists())
 
     def test_a_failed_point_is_answered_as_the_study_asks_and_stays_a_failed_trial(self):
