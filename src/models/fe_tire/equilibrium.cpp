@@ -36,6 +36,7 @@ std::optional<Failure> EquilibriumSolver::solve(const Materials& materials,
   materials_ = &materials;
   contact_ = contact;
   pressure_ = pressure;
+  shift_ = 0.0;
   RingState now = state;
   if (!assemble(now, false)) return failure(step, "the start is inverted");
   double previous = f_.norm();
@@ -71,8 +72,11 @@ bool EquilibriumSolver::factorize() {
 
 void EquilibriumSolver::renew_factor() {
   const double largest = K_.diagonal().maxCoeff();
-  for (double shift = 1e-5 * largest; !factorize(); shift *= 4.0) {
+  // What the last indefinite tangent of this equilibrium needed is where to begin with the next.
+  double shift = std::max(1e-5 * largest, 0.25 * shift_);
+  for (; !factorize(); shift *= 4.0) {
     K_.add_to_diagonal(shift);
+    shift_ = shift;
     ++counts_.shifts;
   }
   has_factor_ = true;

@@ -69,6 +69,7 @@ class EquilibriumSolver {
   const GroundContact* contact_ = nullptr;
   double pressure_ = 0.0;
   double reference_ = 0.0;
+  double shift_ = 0.0;  // on the diagonal of its last indefinite tangent, N/m
   bool has_factor_ = false;
   int last_cg_iterations_ = 0;
   int failed_element_ = -1;

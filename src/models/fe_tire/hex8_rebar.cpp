@@ -4,9 +4,11 @@
 //   W = t int w(e) dA,   e = (l.l - 1) / 2,   l = a1 g_1 + a2 g_2                               (1)
 //   g_1 = x_1 + x_12 eta,  g_2 = x_2 + x_12 xi          (tangents of the layer's bilinear surface)
 // where a1, a2 are the cord's components in the undeformed surface, |a1 G_1 + a2 G_2| = 1. The
-// angle counts from the xi line toward +eta in the tangent plane. The stretch is the full one. In
-// bending in the plane of the layer the product 2 a1 a2 g_1 . g_2 varies along xi and eta as it
-// should not, which makes belts of inclined cords too stiff. The solid-shell takes it out:
+// angle counts from the circumference at the point (of the true circle, not of the chord: cords of
+// 90 degrees are radial and know no torsion) toward +eta in the tangent plane. The stretch is the
+// full one. In bending in the plane of the layer the product 2 a1 a2 g_1 . g_2 varies along xi and
+// eta as it should not, which makes belts of inclined cords too stiff. The solid-shell takes it
+// out:
 //   e -= c ((xi - <xi>) x_1 + (eta - <eta>) x_2) . (x_12 - s_1 x_1 - s_2 x_2),  c = a1 a2       (2)
 // with X_12 = s_1 X_1 + s_2 X_2 in the undeformed plane: nothing in a constant strain, and
 // nothing in the mean over the layer's area, so that patch tests hold.
@@ -32,40 +34,63 @@
 namespace latsch::fe_tire {
 namespace {
 
+// Of the circumference on the layer: a layer that faces it has no circumference in it, and its
+// angles count from the xi line.
+constexpr double kLeastProjection = 1e-3;
+
 constexpr double kXi4[4] = {-1, 1, 1, -1}, kEta4[4] = {-1, -1, 1, 1};
+
+/// The layer's bilinear surface in the undeformed element.
+struct Surface {
+  Eigen::Vector3d X0;
+  Eigen::Matrix3d Y;  // columns X_1, X_2, X_12
+
+  Eigen::Vector3d position(double xi, double eta) const {
+    return X0 + Y * Eigen::Vector3d(xi, eta, xi * eta);
+  }
+};
 
 /// Components of the unit vector along the cord, and the area element.
 struct Direction {
   double a1, a2, dA;
 };
 
-Direction direction(const Eigen::Matrix3d& Y, double xi, double eta, double angle) {
+Direction direction(const Surface& surface, double xi, double eta, double angle) {
+  const auto& Y = surface.Y;
   const Eigen::Vector3d G1 = Y.col(0) + eta * Y.col(2), G2 = Y.col(1) + xi * Y.col(2);
-  const double length = G1.norm(), along = G1.dot(G2) / length, dA = G1.cross(G2).norm();
-  const double a2 = std::sin(angle) * length / dA;
-  return {(std::cos(angle) - a2 * along) / length, a2, dA};
+  const Eigen::Vector3d normal = G1.cross(G2);
+  const double dA = normal.norm();
+  const Eigen::Vector3d n = normal / dA;
+  Eigen::Vector3d t = cylindrical_triad(surface.position(xi, eta)).col(1);
+  t -= n.dot(t) * n;
+  if (t.norm() < kLeastProjection) t = G1;
+  t.normalize();
+  if (t.dot(G1) < 0.0) t = -t;
+  const Eigen::Vector3d d = std::cos(angle) * t + std::sin(angle) * n.cross(t);
+  return {d.cross(G2).dot(n) / dA, G1.cross(d).dot(n) / dA, dA};
 }
 
-/// n_m of the surface zeta = const; returns Y, columns X_1, X_2, X_12.
-Eigen::Matrix3d set_surface(const Matrix38& X, double zeta, Lanes* n) {
-  Eigen::Matrix3d Y = Eigen::Matrix3d::Zero();
+/// The surface zeta = const and its n_m.
+Surface set_surface(const Matrix38& X, double zeta, Lanes* n) {
+  Surface surface{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero()};
   for (int a = 0; a < 8; ++a) {
     const double h = 0.125 * (1.0 + kZeta[a] * zeta);
+    surface.X0 += h * X.col(a);
     n[0][a] = h * kXi[a];
     n[1][a] = h * kEta[a];
     n[2][a] = h * kXi[a] * kEta[a];
-    for (int m = 0; m < 3; ++m) Y.col(m) += n[m][a] * X.col(a);
+    for (int m = 0; m < 3; ++m) surface.Y.col(m) += n[m][a] * X.col(a);
   }
-  return Y;
+  return surface;
 }
 
 /// Equation (1): W, dA (in dV) at the four points. Returns the mean of (xi, eta) over the area.
-Eigen::Vector2d set_points(const Eigen::Matrix3d& Y, double angle, CordPoint* points) {
+Eigen::Vector2d set_points(const Surface& surface, double angle, CordPoint* points) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   double area = 0.0;
   for (int q = 0; q < 4; ++q) {
     const double xi = kGauss * kXi4[q], eta = kGauss * kEta4[q];
-    const Direction d = direction(Y, xi, eta, angle);
+    const Direction d = direction(surface, xi, eta, angle);
     const double v[3] = {d.a1, d.a2, d.a1 * eta + d.a2 * xi};
     for (int m = 0; m < 3; ++m) {
       for (int n = 0; n < 3; ++n) points[q].W[m][n] = v[m] * v[n];
@@ -79,12 +104,13 @@ Eigen::Vector2d set_points(const Eigen::Matrix3d& Y, double angle, CordPoint* po
 }
 
 /// Equations (2) and (3).
-void assume(const Eigen::Matrix3d& Y,
+void assume(const Surface& surface,
             double angle,
             const Eigen::Vector2d& mean,
             const SolidShellShape& shape,
             CordPoint* points) {
-  const Direction center = direction(Y, 0.0, 0.0, angle);
+  const Direction center = direction(surface, 0.0, 0.0, angle);
+  const Eigen::Matrix3d& Y = surface.Y;
   const Eigen::Matrix2d metric = Y.leftCols<2>().transpose() * Y.leftCols<2>();
   const Eigen::Vector2d s = metric.inverse() * Y.leftCols<2>().transpose() * Y.col(2);
   for (int q = 0; q < 4; ++q) {
@@ -163,10 +189,10 @@ Cords::Cords(const HexShape& shape,
   for (const RebarPlacement& rebar : element.rebars) {
     CordSheet& sheet = sheets[count++];
     sheet.layer = &materials.layers[rebar.layer];
-    const Eigen::Matrix3d Y = set_surface(shape.X, rebar.zeta, sheet.n);
-    const Eigen::Vector2d mean = set_points(Y, sheet.layer->angle, sheet.points);
+    const Surface surface = set_surface(shape.X, rebar.zeta, sheet.n);
+    const Eigen::Vector2d mean = set_points(surface, sheet.layer->angle, sheet.points);
     if (shape.kind == ElementKind::solid_shell) {
-      assume(Y, sheet.layer->angle, mean, shape.solid_shell, sheet.points);
+      assume(surface, sheet.layer->angle, mean, shape.solid_shell, sheet.points);
     }
     Eigen::Matrix3d y = Eigen::Matrix3d::Zero();
     for (int a = 0; a < 8; ++a) {
@@ -210,9 +236,9 @@ Matrix8 rebar_mass(const Matrix38& X,
   for (const RebarPlacement& rebar : element.rebars) {
     const CordLayer& layer = materials.layers[rebar.layer];
     Lanes n[3];
-    const Eigen::Matrix3d Y = set_surface(X, rebar.zeta, n);
+    const Surface surface = set_surface(X, rebar.zeta, n);
     for (int q = 0; q < 4; ++q) {
-      const double dA = direction(Y, kGauss * kXi4[q], kGauss * kEta4[q], 0.0).dA;
+      const double dA = direction(surface, kGauss * kXi4[q], kGauss * kEta4[q], 0.0).dA;
       const Vector8 N = shape_functions(point * kXi4[q], point * kEta4[q], rebar.zeta);
       M.noalias() += layer.density * layer.thickness * dA * N * N.transpose();
     }

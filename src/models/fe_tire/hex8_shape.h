@@ -27,11 +27,13 @@ using Vector8 = Eigen::Matrix<double, 8, 1>;
 struct SolidShellShape {
   static constexpr int kStrains = 18;  // E_c (6) and e (12), the generalized strains
   static constexpr int kEnhanced = 8;  // alpha
+  static constexpr int kSquares = 7;   // see solid_shell::kSquares
   static constexpr int kColumns = 32;  // strains in columns 0-17, alpha in 24-31, the rest zero
 
   Lanes b[3];             // 1/m, mean gradients of the shape functions in the triad of the center
-  Lanes gamma[4];         // hourglass vectors: z_m = sum_a x_a gamma_m[a], zero for a constant F
-  double w[6][7];         // 1/m^2, mean of the quadratic terms in z
+  Lanes gamma[3];         // hourglass vectors z_m = sum_a x_a gamma_m[a], zero for a constant F
+  double axis[3][3];      // unit vectors along xi, across it and normal to both, in that triad
+  double w[6][kSquares];  // 1/m^2, what the squares of z_m along the axes add to E_c
   double e0[12];          // m^2, reference values of e
   Lanes Pt[kColumns][6];  // E[r][point] = sum_j Pt[j][r][point] (E_c, e, alpha)_j
   Lanes P[48][kColumns / 8];  // the same, rows 8 r + point

@@ -3,9 +3,9 @@
 // rubber and cords. Total Lagrangian; all laws see the Green-Lagrange strain
 //
 //   E = E_c + (A - <A>) (e - H E_c) + (A - <A>) alpha            <.>: mean over the volume      (1)
-//   E_c = (F^T F - 1) / 2 + w z z,   F = sum_a x_a b_a^T,  b_a = <grad N_a>                     (2)
+//   E_c = (F^T F - 1) / 2 + w c c,   F = sum_a x_a b_a^T,  b_a = <grad N_a>                     (2)
 //   e = x_m . x_n - X_m . X_n,  x = x_0 + x_1 xi + x_2 eta + ... + x_123 xi eta zeta            (3)
-//   z_m = x_m - F X_m                                                                           (4)
+//   z_m = x_m - F X_m,  c_mj = z_m . F a_j,  a_j: unit vectors along xi, across it, normal (4)
 //
 // E_c is the strain of the mean deformation gradient; e are the twelve coefficients of the
 // convected strains in xi, eta, zeta that bending, twisting and tapering need
@@ -17,10 +17,13 @@
 // stiffness.
 //   Twelve modes with values and slopes zero in a constant strain and <A - <A>> = 0 pass every
 // patch test on any shape [Simo & Hughes 1986]; curved walls then stretch their nodes' thickness a
-// little instead of locking. The mean of the quadratic terms w z z is second order there too; it
-// keeps the tension of an inflated wall acting on the hourglass shapes. The thickness strain has no
-// such term: leaning edges count as bending here, without shear, and a wall that bends keeps its
-// thickness. With it, compression by the ground would buckle long elements in turn.
+// little instead of locking. The mean of the quadratic terms, w c c, is second order there too; it
+// keeps the tension of an inflated wall acting on the hourglass shapes. A square of c belongs into
+// E_11 or E_22 exactly where the strain that is linear in that c is kept: z_12 along xi (E_11),
+// across it (E_22) and along the normal (twist, both); z_13 along xi and across it (E_11), z_23
+// likewise (E_22). Where a shear is left out, leaning edges count as turned without strain, and
+// their square alone would dilate the element: pressure would then buckle long elements in turn,
+// from a pressure of G (b/L)^2 on. For the same reason the thickness strain has none.
 //   alpha: E_11 along xi, E_22 along eta, E_33 along zeta, xi zeta and eta zeta (Poisson's
 // contraction in bending, in plane and through the thickness) and E_33 along xi, eta, xi eta.
 // Without the last three an element of fixed volume would tie the thickness of neighboring nodes to
@@ -57,6 +60,7 @@ using solid_shell::kPairs;
 using solid_shell::kSquares;
 
 constexpr int kEnhanced = SolidShellShape::kEnhanced;
+constexpr int kSquareCount = SolidShellShape::kSquares;
 constexpr int kStrains = SolidShellShape::kStrains;
 constexpr int kAlpha = 24;                // first column of alpha
 constexpr double kInnerTolerance = 1e-9;  // strain; what is left of alpha enters f quadratically
@@ -72,26 +76,31 @@ constexpr Lanes kModes[7] = {
     {-.125, .125, -.125, .125, .125, -.125, .125, -.125},
 };
 
-/// Where the element is: F, modal vectors x_m and hourglass vectors z_m.
+/// Where the element is: F, modal vectors x_m, hourglass vectors z_m (not z_123) and their c.
 struct Kinematics {
-  double F[3][3], x[7][3], z[4][3];
+  double F[3][3], x[7][3];
+  double z[3][3], d[3][3], c[kSquareCount];  // equation (4); d_j = F a_j
 };
+
+LATSCH_INLINE double dot(const double* a, const double* b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 LATSCH_INLINE bool follow(const SolidShellShape& s, const Lanes* x, Kinematics& k) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) k.F[i][j] = sum(x[i] * s.b[j]);
     for (int m = 0; m < 7; ++m) k.x[m][i] = sum(x[i] * kModes[m]);
-    for (int m = 0; m < 4; ++m) k.z[m][i] = sum(x[i] * s.gamma[m]);
+    for (int j = 0; j < 3; ++j) {
+      k.z[j][i] = sum(x[i] * s.gamma[j]);
+      k.d[j][i] = k.F[i][0] * s.axis[j][0] + k.F[i][1] * s.axis[j][1] + k.F[i][2] * s.axis[j][2];
+    }
   }
+  for (int q = 0; q < kSquareCount; ++q) k.c[q] = dot(k.z[kSquares[q].z], k.d[kSquares[q].axis]);
   const auto& F = k.F;
   return s.volume > 0.0 && F[0][0] * (F[1][1] * F[2][2] - F[1][2] * F[2][1]) +
                                    F[0][1] * (F[1][2] * F[2][0] - F[1][0] * F[2][2]) +
                                    F[0][2] * (F[1][0] * F[2][1] - F[1][1] * F[2][0]) >
                                0.0;
-}
-
-LATSCH_INLINE double dot(const double* a, const double* b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /// (E_c, e), equations (2) and (3).
@@ -102,16 +111,37 @@ LATSCH_INLINE void generalized_strains(const SolidShellShape& s, const Kinematic
     const double C = k.F[0][i] * k.F[0][j] + k.F[1][i] * k.F[1][j] + k.F[2][i] * k.F[2][j];
     g[r] = r < 3 ? 0.5 * (C - 1.0) : C;
   }
-  for (int p = 0; p < 7; ++p) {
-    const double zz = dot(k.z[kSquares[p][0]], k.z[kSquares[p][1]]);
-    for (int r = 0; r < 6; ++r) g[r] += s.w[r][p] * zz;
+  for (int q = 0; q < kSquareCount; ++q) {
+    const double square = k.c[q] * k.c[q];
+    for (int r = 0; r < 6; ++r) g[r] += s.w[r][q] * square;
   }
   for (int e = 0; e < 12; ++e) g[6 + e] = -s.e0[e];
   for (const auto& [e, m, n] : kPairs) g[6 + e] += dot(k.x[m], k.x[n]);
 }
 
+/// d(F axis_j) = along[j] dx in every direction.
+LATSCH_INLINE void along_axes(const SolidShellShape& s, Lanes* along) {
+  for (int j = 0; j < 3; ++j) {
+    along[j] = s.axis[j][0] * s.b[0] + s.axis[j][1] * s.b[1] + s.axis[j][2] * s.b[2];
+  }
+}
+
+/// dc = Dc dx
+LATSCH_INLINE void hourglass_operator(const SolidShellShape& s,
+                                      const Kinematics& k,
+                                      const Lanes* along,
+                                      Lanes (*Dc)[3]) {
+  for (int q = 0; q < kSquareCount; ++q) {
+    const auto [m, j] = kSquares[q];
+    for (int i = 0; i < 3; ++i) Dc[q][i] = k.d[j][i] * s.gamma[m] + k.z[m][i] * along[j];
+  }
+}
+
 /// d(E_c, e) = B dx
-LATSCH_INLINE void strain_operator(const SolidShellShape& s, const Kinematics& k, Lanes (*B)[3]) {
+LATSCH_INLINE void strain_operator(const SolidShellShape& s,
+                                   const Kinematics& k,
+                                   const Lanes (*Dc)[3],
+                                   Lanes (*B)[3]) {
   for (int i = 0; i < 3; ++i) {
     const double* F = k.F[i];
     B[0][i] = F[0] * s.b[0];
@@ -120,10 +150,9 @@ LATSCH_INLINE void strain_operator(const SolidShellShape& s, const Kinematics& k
     B[3][i] = F[0] * s.b[1] + F[1] * s.b[0];
     B[4][i] = F[1] * s.b[2] + F[2] * s.b[1];
     B[5][i] = F[0] * s.b[2] + F[2] * s.b[0];
-    for (int p = 0; p < 7; ++p) {
-      const int m = kSquares[p][0], n = kSquares[p][1];
-      const Lanes dzz = k.z[m][i] * s.gamma[n] + k.z[n][i] * s.gamma[m];
-      for (int r = 0; r < 6; ++r) B[r][i] += s.w[r][p] * dzz;
+    for (int q = 0; q < kSquareCount; ++q) {
+      const Lanes dcc = 2.0 * k.c[q] * Dc[q][i];
+      for (int r = 0; r < 6; ++r) B[r][i] += s.w[r][q] * dcc;
     }
     for (int e = 0; e < 12; ++e) B[6 + e][i] = Lanes{};
     for (const auto& [e, m, n] : kPairs) {
@@ -134,18 +163,22 @@ LATSCH_INLINE void strain_operator(const SolidShellShape& s, const Kinematics& k
 
 /// Second derivative of the generalized strains times their stresses t.
 LATSCH_INLINE void add_stress_stiffness(const SolidShellShape& s,
+                                        const Kinematics& k,
+                                        const Lanes* along,
+                                        const Lanes (*Dc)[3],
                                         const double* t,
                                         NodalSums& sums) {
   const Lanes u[3] = {t[0] * s.b[0] + t[3] * s.b[1] + t[5] * s.b[2],
                       t[3] * s.b[0] + t[1] * s.b[1] + t[4] * s.b[2],
                       t[5] * s.b[0] + t[4] * s.b[1] + t[2] * s.b[2]};
-  Lanes v[4] = {}, w[7] = {};
-  for (int p = 0; p < 7; ++p) {
-    double c = 0.0;
-    for (int r = 0; r < 6; ++r) c += s.w[r][p] * t[r];
-    v[kSquares[p][0]] += c * s.gamma[kSquares[p][1]];
-    v[kSquares[p][1]] += c * s.gamma[kSquares[p][0]];
+  Lanes v[3] = {}, w[7] = {}, TDc[kSquareCount][3];
+  for (int q = 0; q < kSquareCount; ++q) {
+    double T = 0.0;
+    for (int r = 0; r < 6; ++r) T += 2.0 * s.w[r][q] * t[r];
+    v[kSquares[q].axis] += T * k.c[q] * s.gamma[kSquares[q].z];
+    for (int i = 0; i < 3; ++i) TDc[q][i] = T * Dc[q][i];
   }
+  add_product<kSquareCount>(Dc, TDc, sums);
   for (const auto& [e, m, n] : kPairs) {
     w[m] += t[6 + e] * kModes[n];
     w[n] += t[6 + e] * kModes[m];
@@ -153,7 +186,7 @@ LATSCH_INLINE void add_stress_stiffness(const SolidShellShape& s,
   Lanes H[8];
   for (int a = 0; a < 8; ++a) {
     H[a] = s.b[0][a] * u[0] + s.b[1][a] * u[1] + s.b[2][a] * u[2];
-    for (int m = 0; m < 4; ++m) H[a] += s.gamma[m][a] * v[m];
+    for (int j = 0; j < 3; ++j) H[a] += v[j][a] * along[j] + along[j][a] * v[j];
     for (int m = 0; m < 7; ++m) H[a] += kModes[m][a] * w[m];
   }
   add_geometric(H, sums);
@@ -340,8 +373,10 @@ bool add(const HexShape& shape,
   }
   double stresses[24];
   std::memcpy(stresses, t, sizeof stresses);
-  Lanes B[kStrains][3];
-  strain_operator(s, k, B);
+  Lanes along[3], Dc[kSquareCount][3], B[kStrains][3];
+  along_axes(s, along);
+  hourglass_operator(s, k, along, Dc);
+  strain_operator(s, k, Dc, B);
   for (int r = 0; r < kStrains; ++r) {
     for (int i = 0; i < 3; ++i) sums.f[i] += stresses[r] * B[r][i];
   }
@@ -356,7 +391,7 @@ bool add(const HexShape& shape,
   add_cords(cords, true, sums, Ka);
   add_product<kStrains>(B, DB, sums);
   condense(inner, Ka, sums);
-  add_stress_stiffness(s, stresses, sums);
+  add_stress_stiffness(s, k, along, Dc, stresses, sums);
   return true;
 }
 

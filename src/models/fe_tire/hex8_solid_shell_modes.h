@@ -37,8 +37,12 @@ inline constexpr Pair kPairs[] = {{0, k1, k12},
                                   {11, k2, k13},
                                   {11, k12, k3}};
 
-/// Products of the hourglass vectors z in E_c, in the order of SolidShellShape::w.
-inline constexpr int kSquares[7][2] = {{0, 0}, {1, 1}, {2, 2}, {3, 3}, {0, 1}, {0, 2}, {2, 1}};
+/// Square of the hourglass vector z_m along an axis of the element.
+struct Square {
+  int z;     // 0: z_12, 1: z_23, 2: z_13
+  int axis;  // 0: along xi, 1: across it, 2: normal
+};
+inline constexpr Square kSquares[7] = {{0, 0}, {0, 1}, {0, 2}, {2, 0}, {2, 1}, {1, 0}, {1, 1}};
 
 /// x_m = sum_a x_a h_m[a]
 Eigen::Matrix<double, 7, 8> modal_matrix();

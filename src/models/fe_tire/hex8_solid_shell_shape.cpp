@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kRow[6] = {0, 1, 2, 0, 1, 0};
 constexpr int kColumn[6] = {0, 1, 2, 1, 2, 2};
+constexpr int kSquareCount = SolidShellShape::kSquares;
 constexpr int kModes = 12 + SolidShellShape::kEnhanced;
 
 using ModeOperator = Eigen::Matrix<double, 6, kModes>;
@@ -57,14 +58,13 @@ Vector6 unit_strain(const Eigen::Vector3d& m, const Eigen::Vector3d& n) {
   return v;
 }
 
-/// Mean over the parent cube of the convected strain's terms quadratic in z, those of E_33 left
-/// out; columns 12.12, 23.23, 13.13, 123.123, 12.23, 12.13, 13.23.
-Eigen::Matrix<double, 6, 7> mean_of_squares() {
-  const double t = 1.0 / 3.0;
-  Eigen::Matrix<double, 6, 7> W = Eigen::Matrix<double, 6, 7>::Zero();
-  W(0, 0) = W(1, 0) = W(1, 1) = W(0, 2) = 0.5 * t;
-  W(0, 3) = W(1, 3) = 0.5 * t * t;
-  W(5, 4) = W(4, 5) = W(3, 6) = t;
+/// Mean over the parent cube of the squares the convected normal strains keep, in the order of
+/// kSquares: E_11 has those of z_12 and z_13, E_22 those of z_12 and z_23.
+Eigen::Matrix<double, 6, kSquareCount> mean_of_squares() {
+  constexpr double t = 1.0 / 6.0;  // half of the mean of xi^2
+  Eigen::Matrix<double, 6, kSquareCount> W = Eigen::Matrix<double, 6, kSquareCount>::Zero();
+  W.row(0) << t, 0.0, t, t, t, 0.0, 0.0;
+  W.row(1) << 0.0, t, t, 0.0, 0.0, t, t;
   return W;
 }
 
@@ -76,6 +76,11 @@ void set_axes(SolidShellShape& s, const Eigen::Matrix3d& J0, const Eigen::Matrix
   s.d33 = unit_strain(n3, n3);
   s.d23 = unit_strain(n2, n3);
   s.d13 = unit_strain(n1, n3);
+  for (int i = 0; i < 3; ++i) {
+    s.axis[0][i] = n1[i];
+    s.axis[1][i] = n2[i];
+    s.axis[2][i] = n3[i];
+  }
   s.length = 2.0 * J0.col(1).norm();
   s.thickness = 2.0 * std::abs(n3.dot(R.transpose() * J0.col(2)));
 }
@@ -135,13 +140,14 @@ SolidShellShape make_solid_shell_shape(const Matrix38& X) {
 
   const Eigen::Matrix<double, 4, 8> gamma = h.bottomRows<4>() - G.rightCols<4>().transpose() * b;
   const Eigen::Matrix3d J0 = X * parent_gradients(0.0, 0.0, 0.0).transpose();
-  const Eigen::Matrix<double, 6, 7> w = strain_transform(J0.inverse() * R) * mean_of_squares();
+  const Eigen::Matrix<double, 6, kSquareCount> w =
+      strain_transform(J0.inverse() * R) * mean_of_squares();
   for (int a = 0; a < 8; ++a) {
     for (int i = 0; i < 3; ++i) s.b[i][a] = b(i, a);
-    for (int m = 0; m < 4; ++m) s.gamma[m][a] = gamma(m, a);
+    for (int m = 0; m < 3; ++m) s.gamma[m][a] = gamma(m, a);
   }
   for (int r = 0; r < 6; ++r) {
-    for (int k = 0; k < 7; ++k) s.w[r][k] = w(r, k);
+    for (int k = 0; k < kSquareCount; ++k) s.w[r][k] = w(r, k);
   }
   set_axes(s, J0, R);
   return s;
