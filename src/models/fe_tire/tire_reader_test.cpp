@@ -157,8 +157,8 @@ TEST(TireReader, ComplaintsNameFileLineFoundAndExpected) {
        {"layer.belt_1.offset", "outside the wall"});
   says(complaint("offset = \"0.6 mm\"", "offsets = [[0.5, \"-2 mm\"], [0.4, \"0 mm\"]]"),
        {"layer.belt_1.offsets", "0.4 after 0.5"});
-  says(complaint("[0.3, 2]", "[0.3, 0]"), {"mesh.spacing", "[0.3, 0]"});
-  says(complaint(", [1, 0.13]]", "]"), {"mesh.spacing", "1 (bead)"});
+  says(complaint("[0.3, 2.5]", "[0.3, 0]"), {"mesh.spacing", "[0.3, 0]"});
+  says(complaint(", [1, 0.16]]", "]"), {"mesh.spacing", "1 (bead)"});
   says(complaint("225/50R16\"", "225-50-16\""), {"size", "225-50-16", "225/50R16"});
   says(complaint("225/50R16\"", "225/50R17\""), {"section.contour", "656"});
   says(complaint("rubber = \"matrix\"", "rubber = \"matrx\""), {"matrx", "matrix"});
