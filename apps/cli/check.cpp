@@ -10,6 +10,7 @@
 #include "correlation/study.h"
 #include "correlation/variables.h"
 #include "evaluation/network_file_system.h"
+#include "evaluation/outside_program.h"
 #include "experiment/tire_rig.h"
 #include "models/fe_tire/tire_description.h"
 
@@ -66,6 +67,15 @@ void print_experiment(const StudyExperiment& experiment, const fe_tire::Mesh& me
 
 void print_simulator(const Study& study) {
   const Simulator& simulator = *study.simulator;
+  if (const std::string program = command(simulator).front(); !can_be_found(program)) {
+    throw InputError(
+        {study.file.string(), 0},
+        fmt::format("simulator.command starts \"{}\", which is no program {}; expected "
+                    "one that is installed, or its path with {{study}} for the folder "
+                    "of the study",
+                    program,
+                    program.starts_with('/') ? "there" : "in PATH"));
+  }
   fmt::print("{}\n\nSimulator: {}{}\n",
              study.title,
              fmt::join(simulator.arguments, " "),

@@ -242,6 +242,13 @@ class Simulators(Outside):
             self.assert_says(self.latsch("run", study, code=FAILED), "no trial succeeded, of ", said, "latsch simulate")
             self.assertFalse((study.parent / "study.scratch").exists())
 
+    def test_a_program_that_is_not_installed_is_named_before_the_run(self):
+        study = self.study("quarter_car")
+        for program, said in (("pithon3", 'starts "pithon3", which is no program in PATH'),
+                              ("{study}/absent", f'starts "{study.parent}/absent", which is no program there')):
+            edit(study, (r'command = \["[^"]*"', f'command = ["{program}"'))
+            self.assert_says(self.latsch("check", study, code=WRONG_INPUT), "study.toml: simulator.command", said)
+
     def test_a_failed_point_is_answered_as_the_study_asks_and_stays_a_failed_trial(self):
         for policy, said in (("recover", "counts as a target of 100 %"), ("continuation", "in 4 halvings")):
             study = self.study("quarter_car")

@@ -117,7 +117,7 @@ int doe(const std::string& file, int levels, int workers) {
              study.run.journal.string());
 
   catch_interrupts();
-  clear_scratch(study);
+  const TrialsRun trials(workers_of_study, study);
   Executor& executor = workers_of_study.start(study);
   const RunEnd end = run_doe(plan, executor, journal, run_options(study, /*length_known=*/true));
   if (end == RunEnd::stopped) {
@@ -132,8 +132,6 @@ int doe(const std::string& file, int levels, int workers) {
   }
   const auto points = rated(plan, targets_of(study, journal));
   if (points.empty()) {
-    workers_of_study.end();
-    clear_scratch(study);
     const auto trial = first_failure(journal);
     print_no_success(
         study,
@@ -149,7 +147,6 @@ int doe(const std::string& file, int levels, int workers) {
   print_basins(study, design, journal);
   print_effects(study, design, journal);
   workers_of_study.end();
-  clear_scratch(study);
   return write_report(study, journal);
 }
 

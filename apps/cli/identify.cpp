@@ -72,6 +72,7 @@ int identify(const std::string& file, int workers, bool profiles) {
   }
   const DesignPoint point = start(study, journal, best->point);
   catch_interrupts();
+  const TrialsRun trials(workers_of_study, study);
   Executor& executor = workers_of_study.start(study);
   const auto result =
       correlation::identify(study,

@@ -74,7 +74,7 @@ int fit(const std::string& file, int workers, bool resuming) {
   if (journal.size() > 0) fmt::print("{} finished trials are reused\n", journal.size());
 
   catch_interrupts();
-  clear_scratch(study);
+  const TrialsRun trials(workers_of_study, study);
   Executor& executor = workers_of_study.start(study);
   const auto optimizer = correlation::make_optimizer(study);
   const Run run = run_optimizer(*optimizer,
@@ -82,10 +82,6 @@ int fit(const std::string& file, int workers, bool resuming) {
                                 executor,
                                 &journal,
                                 run_options(study, /*length_known=*/false));
-  if (run.end == RunEnd::stopped || !run.best()) {
-    workers_of_study.end();
-    clear_scratch(study);
-  }
   if (run.end == RunEnd::stopped) {
     fmt::print(
         "Interrupted; {} trials are safe. Go on with: latsch resume {}\n", journal.size(), file);
@@ -102,7 +98,6 @@ int fit(const std::string& file, int workers, bool resuming) {
   print_result(study, run, journal);
   if (!print_values(study, run.best()->point, executor, journal)) return kFailed;
   workers_of_study.end();
-  clear_scratch(study);
   return write_report(study, journal);
 }
 

@@ -55,4 +55,14 @@ Workers::~Workers() = default;
 
 #endif
 
+TrialsRun::TrialsRun(Workers& workers, const correlation::Study& study)
+    : workers_(workers), study_(study) {
+  clear_scratch(study_);
+}
+
+TrialsRun::~TrialsRun() {
+  workers_.end();
+  clear_scratch(study_);
+}
+
 }  // namespace latsch::cli

@@ -35,4 +35,18 @@ class Workers {
   bool started_ = false;
 };
 
+/// In its lifetime trials are run. However it ends, a full disk among them, the workers go and then
+/// what killed ones left behind. Declared after the journal, which is held meanwhile.
+class TrialsRun {
+ public:
+  TrialsRun(Workers& workers, const correlation::Study& study);
+  ~TrialsRun();
+  TrialsRun(const TrialsRun&) = delete;
+  TrialsRun& operator=(const TrialsRun&) = delete;
+
+ private:
+  Workers& workers_;
+  const correlation::Study& study_;
+};
+
 }  // namespace latsch::cli

@@ -108,7 +108,9 @@ void expect_holes(const Node& table, const Simulator& simulator, const DesignSpa
   for (int i = 0; i < space.size(); ++i) {
     const auto uses = [&](const Simulator::Input& input) { return input.text.uses(i); };
     if (std::any_of(simulator.inputs.begin(), simulator.inputs.end(), uses)) continue;
-    table.reject("inputs", "have no hole {" + space[i].name + "} for that variable");
+    table.reject("inputs",
+                 "have no hole {" + space[i].name +
+                     "} for that variable; write it where its value " + "is to stand");
   }
 }
 

@@ -15,8 +15,10 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 
 #include "base/text.h"
 #include "evaluation/process_tree.h"
@@ -101,6 +103,20 @@ std::optional<Failure> run_program(const std::vector<std::string>& arguments,
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::nullopt;
   return ended(arguments.front(), status, printed);
+}
+
+bool can_be_found(const std::string& program) {
+  const auto runs = [](const std::filesystem::path& file) {
+    return !std::filesystem::is_directory(file) && ::access(file.c_str(), X_OK) == 0;
+  };
+  if (program.starts_with('/')) return runs(program);
+  if (program.find('/') != std::string::npos) return true;
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (runs(std::filesystem::path(folder) / program)) return true;
+  }
+  return false;
 }
 
 }  // namespace latsch

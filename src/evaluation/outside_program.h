@@ -20,4 +20,8 @@ std::optional<Failure> run_program(const std::vector<std::string>& arguments,
                                    const std::filesystem::path& printed,
                                    double timeout = 0.0);
 
+/// Whether there is such a program: in PATH or, with a path from the root, there. Of another path
+/// it is not known before there is a folder it starts from: true.
+bool can_be_found(const std::string& program);
+
 }  // namespace latsch

@@ -94,12 +94,8 @@ Result<Channels> run(const Simulator& simulator,
                      const DesignPoint& point,
                      const fs::path& folder) {
   write_inputs(simulator, space, point, folder);
-  std::vector<std::string> arguments;
-  for (const std::string& argument : simulator.arguments) {
-    arguments.push_back(
-        replaced(argument, "{study}", fs::absolute(simulator.study_folder).string()));
-  }
-  if (const auto failure = run_program(arguments, folder, folder / kPrinted, simulator.timeout)) {
+  if (const auto failure =
+          run_program(command(simulator), folder, folder / kPrinted, simulator.timeout)) {
     return *failure;
   }
   Channels channels;
@@ -112,6 +108,15 @@ Result<Channels> run(const Simulator& simulator,
 }
 
 }  // namespace
+
+std::vector<std::string> command(const Simulator& simulator) {
+  const std::string folder = fs::absolute(simulator.study_folder).string();
+  std::vector<std::string> arguments;
+  for (const std::string& argument : simulator.arguments) {
+    arguments.push_back(replaced(argument, "{study}", folder));
+  }
+  return arguments;
+}
 
 Evaluator evaluator(const Simulator& simulator, const DesignSpace& space) {
   return [simulator, space](const DesignPoint& point) -> Result<Channels> {

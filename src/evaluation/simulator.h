@@ -36,6 +36,9 @@ struct Simulator {
   bool keep_failed = false;  // folders of trials that failed
 };
 
+/// The argument list with the folder of the study in the place of {study}.
+std::vector<std::string> command(const Simulator& simulator);
+
 /// The channels of all outputs. Throws InputError for files that cannot be copied.
 Evaluator evaluator(const Simulator& simulator, const DesignSpace& space);
 
