@@ -28,6 +28,7 @@ Progress::Progress(std::ostream& out, bool terminal, Clock clock, int columns)
       counted_from_(start_) {}
 
 Progress::~Progress() {
+  if (state_ != shown_) print(state_);
   if (width_ > 0) out_ << '\n' << std::flush;
 }
 
@@ -38,10 +39,15 @@ void Progress::update(long done, long total, const std::string& note) {
     counted_from_ = now;
     counted_done_ = done;
   }
-  if (any_ && !last && now - printed_ < (terminal_ ? kRedraw : kLineInterval)) return;
-  any_ = true;
+  state_ = line(done, total, note, now);
+  if (!shown_.empty() && !last && now - printed_ < (terminal_ ? kRedraw : kLineInterval)) return;
   printed_ = now;
-  std::string text = line(done, total, note, now);
+  print(state_);
+}
+
+void Progress::print(const std::string& state) {
+  shown_ = state;
+  std::string text = state;
   if (!terminal_) {
     out_ << text << '\n' << std::flush;
     return;

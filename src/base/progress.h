@@ -22,7 +22,7 @@ class Progress {
            bool terminal,
            Clock clock = steady_clock(),
            int columns = terminal_columns());
-  /// Ends the line of the bar.
+  /// Prints the last state where it was not due, and ends the line of the bar.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -33,6 +33,7 @@ class Progress {
   void update(long done, long total, const std::string& note = "");
 
  private:
+  void print(const std::string& state);
   std::string line(long done, long total, const std::string& note, double now) const;
 
   std::ostream& out_;
@@ -44,7 +45,8 @@ class Progress {
   long counted_done_ = 0;  // number from which the speed is counted
   double printed_ = 0.0;   // time of the last print
   std::size_t width_ = 0;  // characters of the bar on the screen
-  bool any_ = false;
+  std::string state_;      // of the last call
+  std::string shown_;      // of the last print; empty: none yet
 };
 
 /// "7 s", "2:05", "1:02:05".

@@ -61,6 +61,16 @@ TEST(Progress, AnOpenEndHasNoBar) {
   EXPECT_EQ(out.str(), "7 done, 0 s\n");
 }
 
+TEST(Progress, TheLastStateIsPrintedInAnyCase) {
+  std::ostringstream out;
+  {
+    Progress progress(out, false, [] { return 0.0; });
+    progress.update(0, 0, "0 failed");
+    progress.update(6, 0, "6 failed");
+  }
+  EXPECT_EQ(out.str(), "0 done, 0 s, 0 failed\n6 done, 0 s, 6 failed\n");
+}
+
 TEST(Progress, DurationsReadLikeAClock) {
   EXPECT_EQ(format_duration(7.4), "7 s");
   EXPECT_EQ(format_duration(59.6), "1:00");
