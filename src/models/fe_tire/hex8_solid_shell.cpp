@@ -23,7 +23,7 @@
 // across it (E_22) and along the normal (twist, both); z_13 along xi and across it (E_11), z_23
 // likewise (E_22). Where a shear is left out, leaning edges count as turned without strain, and
 // their square alone would dilate the element: pressure would then buckle long elements in turn,
-// from a pressure of G (b/L)^2 on. For the same reason the thickness strain has none.
+// from a pressure of the order of G (b/L)^2 on. For the same reason the thickness strain has none.
 //   alpha: E_11 along xi, E_22 along eta, E_33 along zeta, xi zeta and eta zeta (Poisson's
 // contraction in bending, in plane and through the thickness) and E_33 along xi, eta, xi eta.
 // Without the last three an element of fixed volume would tie the thickness of neighboring nodes to
