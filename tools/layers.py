@@ -17,12 +17,17 @@ BELOW = {
                     "experiment", "evaluation"],
 }
 
+# One model does not use another, except these: every tire rolls on a road, and the rigid ring's slip
+# forces are the Magic Formula's.
+MODELS = {"road": [], "tire": ["road"], "rigid_ring": ["road", "tire", "magic_formula"]}
+EVERY_TIRE = ["road", "tire"]
+
 SOURCE = pathlib.Path(__file__).resolve().parent.parent / "src"
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
 
 
 def model_of(path):
-    """src/models/fe_tire/... -> fe_tire: one model does not use another, except the road."""
+    """src/models/fe_tire/... -> fe_tire."""
     return path.parts[1] if path.parts[0] == "models" and len(path.parts) > 2 else None
 
 
@@ -39,7 +44,8 @@ def faults():
                 yield f'{here}:{number}: "{used}" is not a file below src/ (write paths from src/)'
             elif target != layer and target not in BELOW[layer]:
                 yield f"{here}:{number}: {layer} may not use {target} (allowed: {', '.join(BELOW[layer])})"
-            elif layer == target == "models" and model_of(here) != model_of(used) != "road":
+            elif layer == target == "models" and model_of(used) not in [
+                    model_of(here), *MODELS.get(model_of(here), EVERY_TIRE)]:
                 yield f"{here}:{number}: model {model_of(here)} may not use model {model_of(used)}"
 
 
