@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/road/drum_road.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace latsch::road {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+// Closer to the side of the drum its surface becomes steeper than three to one.
+constexpr double kEdge = 0.95;
+
+}  // namespace
+
+DrumRoad::DrumRoad(const Settings& settings)
+    : settings_(settings), R_(settings.diameter / 2.0), up_(settings.inner ? 1.0 : -1.0) {
+  assert(R_ > 0.0);
+  edge_x_ = kEdge * R_;
+  edge_z_ = up_ * (R_ - std::sqrt(R_ * R_ - edge_x_ * edge_x_));
+  for (const Cleat& cleat : settings_.cleats) {
+    assert(!cleat.profile.empty() && cleat.profile.reach() < R_);
+    const double arc = std::max(-cleat.profile.begin(), cleat.profile.end());
+    // A corner's height shows beside its arc by height * tan θ; tan θ < 3.1 within the edges, the
+    // rest is for the curvature.
+    constexpr double kLean = 10.0;
+    windows_.push_back((arc / std::cos(cleat.angle) + kLean * cleat.profile.reach()) / R_);
+  }
+}
+
+void DrumRoad::raise(int number, double x, double y, double turned, Surface& surface) const {
+  const Cleat& cleat = settings_.cleats[number];
+  const double middle = cleat.starting_angle - turned + y * std::tan(cleat.angle) / R_;
+  // The whole turns that bring the middle nearest to the point asked for.
+  const double theta = middle - kTurn * std::round((middle - std::asin(x / R_)) / kTurn);
+  if (std::abs(theta - std::asin(x / R_)) > windows_[number]) return;
+  const double stretch = 1.0 / (R_ * std::cos(cleat.angle));
+  double x0 = 0.0, z0 = 0.0;
+  bool first = true;
+  for (const Profile::Point& corner : cleat.profile.points()) {
+    const double angle = theta + corner.s * stretch;
+    const double r = R_ - up_ * corner.z;
+    const double x1 = r * std::sin(angle), z1 = up_ * (R_ - r * std::cos(angle));
+    if (!first && (x0 - x) * (x1 - x) <= 0.0 && x0 != x1) {
+      const double slope = (z1 - z0) / (x1 - x0);
+      const double z = z0 + slope * (x - x0);
+      if (z > surface.z) surface = {z, slope, number};
+    }
+    x0 = x1;
+    z0 = z1;
+    first = false;
+  }
+}
+
+DrumRoad::Surface DrumRoad::locate(double x, double y, double time) const {
+  Surface surface;
+  if (std::abs(x) > edge_x_) {
+    surface.slope = up_ * std::copysign(kEdge / std::sqrt(1.0 - kEdge * kEdge), x);
+    surface.z = edge_z_ + surface.slope * (x - std::copysign(edge_x_, x));
+    return surface;
+  }
+  const double depth = std::sqrt(R_ * R_ - x * x);
+  surface.z = up_ * x * x / (R_ + depth);  // R - depth without cancellation
+  surface.slope = up_ * x / depth;
+  if (settings_.cleats.empty()) return surface;
+  const double turned = settings_.surface.distance(time) / R_;
+  for (int i = 0; i < std::ssize(settings_.cleats); ++i) raise(i, x, y, turned, surface);
+  return surface;
+}
+
+double DrumRoad::height(double x, double y, double time) const { return locate(x, y, time).z; }
+
+GroundPoint DrumRoad::at(double x, double y, double time) const {
+  const Surface surface = locate(x, y, time);
+  const double above_axis = surface.z - up_ * R_;
+  GroundPoint ground;
+  ground.height = surface.z;
+  double slope_y = 0.0;
+  if (surface.cleat >= 0) {
+    // Aside by dy the cleat stands turned by dθ = tan(angle) dy / R about the axis: toward +x on
+    // top of an outer drum, which lies above the axis, and on the floor of an inner one.
+    const double turn = -up_ * std::tan(settings_.cleats[surface.cleat].angle) / R_;
+    slope_y = (-x - surface.slope * above_axis) * turn;
+  }
+  ground.normal = Eigen::Vector3d(-surface.slope, -slope_y, 1.0).normalized();
+  ground.friction =
+      surface.cleat >= 0 ? settings_.cleats[surface.cleat].friction : settings_.friction;
+  const double rate = up_ * settings_.surface.speed(time) / R_;  // about +y
+  ground.velocity = {rate * above_axis, 0.0, -rate * x};
+  return ground;
+}
+
+double DrumRoad::revolution_period(double time) const {
+  const double speed = std::abs(settings_.surface.speed(time));
+  return speed > 0.0 ? kTurn * R_ / speed : std::numeric_limits<double>::infinity();
+}
+
+std::vector<DrumRoad::Cleat> equally_spaced(int number, const DrumRoad::Cleat& first) {
+  std::vector<DrumRoad::Cleat> cleats(number, first);
+  for (int i = 0; i < number; ++i) cleats[i].starting_angle += kTurn * i / number;
+  return cleats;
+}
+
+}  // namespace latsch::road

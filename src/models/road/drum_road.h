@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// The drum of a test rig, smooth or with cleats: the road under a wheel whose hub stands still.
+//
+//   outer: the tire stands on it            inner: the tire rolls within
+//            z                                  z
+//            ^  θ                               |    . axis at +R
+//      . - - | - .                              |
+//    .   ----+---->x  surface at z = 0      `   |   '
+//   .        | axis at -R                     ` ----+---->x
+//
+// The axis is parallel to y; the surface touches z = 0 at x = 0, where it runs toward -x at
+// `surface.speed`: that of a wheel rolling toward +x. θ is the angle about the axis from that line
+// toward +x. A cleat at starting angle θ0 has its middle at
+//   θ = θ0 - distance(t)/R + y tan(angle)/R,
+// wound around the drum as a helix that leaves the line of the axle by `angle`. Its section is a
+// Profile over the arc length across the bar, wrapped on the drum: the corners stand at their arc
+// and height, the edges between are straight. Where flank and drum hide each other from above the
+// upper surface counts. Beyond |x| = 0.95 R the surface goes on as the tangent there, without
+// cleats.
+#pragma once
+
+#include <vector>
+
+#include "models/road/profile.h"
+#include "models/road/road.h"
+#include "models/road/travel.h"
+
+namespace latsch::road {
+
+class DrumRoad final : public Road {
+ public:
+  struct Cleat {
+    Profile profile = {};         // heights not negative: a drum has no grooves
+    double starting_angle = 0.0;  // rad
+    double angle = 0.0;           // rad, against the axle; |angle| < 90 deg
+    double friction = 1.0;        // factor on the tire's own friction
+  };
+  struct Settings {
+    double diameter = 2.0;  // m, > 0
+    bool inner = false;
+    Travel surface = {};
+    double friction = 1.0;  // factor, beside the cleats
+    std::vector<Cleat> cleats = {};
+  };
+
+  explicit DrumRoad(const Settings& settings);
+
+  GroundPoint at(double x, double y, double time) const override;
+  double height(double x, double y, double time) const override;
+
+  double radius() const { return R_; }
+  /// s, between two hits of one cleat at the speed of `time`; infinite at rest.
+  double revolution_period(double time) const;
+
+ private:
+  struct Surface {
+    double z = 0.0;
+    double slope = 0.0;  // dz/dx
+    int cleat = -1;
+  };
+  Surface locate(double x, double y, double time) const;
+  void raise(int cleat, double x, double y, double turned, Surface& surface) const;
+
+  Settings settings_;
+  double R_;
+  double up_;                    // of the axis: -1 below the road (outer), +1 above (inner)
+  double edge_x_, edge_z_;       // where the tangent goes on
+  std::vector<double> windows_;  // rad: beyond them a cleat is not seen
+};
+
+/// Equally spaced cleats of one section, the first at `starting_angle`.
+std::vector<DrumRoad::Cleat> equally_spaced(int number, const DrumRoad::Cleat& first);
+
+}  // namespace latsch::road

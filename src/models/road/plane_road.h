@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// A plane without end: the flat road, a grade, a flat belt that runs.
+#pragma once
+
+#include "models/road/road.h"
+#include "models/road/travel.h"
+
+namespace latsch::road {
+
+class PlaneRoad final : public Road {
+ public:
+  struct Settings {
+    double height = 0.0;    // m, below the origin
+    double grade = 0.0;     // dz/dx: rises ahead
+    double bank = 0.0;      // dz/dy: rises to the left
+    double friction = 1.0;  // factor
+    Travel belt = {};       // along the falling side of x: carries a standing tire's ground back
+  };
+
+  /// Level at zero, at rest.
+  PlaneRoad() : PlaneRoad(Settings{}) {}
+  explicit PlaneRoad(const Settings& settings);
+
+  GroundPoint at(double x, double y, double time) const override;
+  double height(double x, double y, double time) const override;
+
+ private:
+  Settings settings_;
+  Eigen::Vector3d normal_;
+  Eigen::Vector3d forward_;  // unit, up the grade along x
+};
+
+}  // namespace latsch::road

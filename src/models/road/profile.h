@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The section of an obstacle: height over a coordinate s, straight between its points.
+//
+//   cleat:      ____________  height        kerb, saw tooth:      /|   /|   /|
+//          bevel/            \                                   / |  / |  / |
+//              |              |                                 /  | /  | /  |
+//       -------+              +-------  0                      /   |/   |/   |
+//
+// Two points at one s are a vertical flank; exactly there the higher of both heights counts.
+// Beyond its ends a profile keeps the height it ends with.
+#pragma once
+
+#include <vector>
+
+namespace latsch::road {
+
+class Profile {
+ public:
+  struct Point {
+    double s = 0.0;  // m
+    double z = 0.0;  // m
+  };
+  struct Value {
+    double height = 0.0;  // m
+    double slope = 0.0;   // dz/ds; at a corner that of the part behind it
+  };
+
+  /// Level at zero.
+  Profile() = default;
+  /// `points` by s, which never falls.
+  explicit Profile(std::vector<Point> points);
+
+  Value at(double s) const;
+  const std::vector<Point>& points() const { return points_; }
+  bool empty() const { return points_.empty(); }
+  double begin() const { return points_.front().s; }
+  double end() const { return points_.back().s; }
+  /// The largest distance from zero, m.
+  double reach() const { return reach_; }
+
+ private:
+  std::vector<Point> points_;
+  double reach_ = 0.0;
+};
+
+/// A bar of `length` across s = 0. A bevel of 45 deg takes `bevel` off its upper edges along both
+/// directions; the flanks below are vertical. A negative height is a groove, beveled at its rim.
+/// Needs length > 0 and 0 <= bevel <= min(|height|, length / 2).
+Profile cleat_profile(double height, double length, double bevel);
+
+/// The upper half of a bar of round section, `radius` high; chords of `pieces` equal angles.
+Profile half_round_profile(double radius, int pieces = 64);
+
+}  // namespace latsch::road

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// A flat road with obstacles of one section: a cleat or plank across it, a kerb along it.
+//
+// The section stands on a line through `origin` turned by `angle` about z: s runs along it, t to
+// its left,
+//   s = (x - x0 + way of the belt) cos(angle) + (y - y0) sin(angle),
+//   z = along(s) across(t),
+// so angle 0 is a cleat parallel to the axle. With a pitch, along(s) on 0 ... pitch repeats,
+// `count` times or forever; where two of them meet, the later one counts. `across` is a factor:
+// none is 1 everywhere. A road of its own cleat is level elsewhere, without end.
+#pragma once
+
+#include <optional>
+
+#include "models/road/profile.h"
+#include "models/road/road.h"
+#include "models/road/travel.h"
+
+namespace latsch::road {
+
+class ProfileRoad final : public Road {
+ public:
+  struct Settings {
+    Profile along = {};
+    std::optional<Profile> across = std::nullopt;
+    double pitch = 0.0;  // m; 0: the section stands there once
+    int count = 0;       // of the repetitions; 0: no end on both sides
+    Eigen::Vector2d origin = Eigen::Vector2d::Zero();  // m
+    double angle = 0.0;                                // rad
+    double friction = 1.0;                             // factor, beside the obstacle
+    double obstacle_friction = 1.0;                    // factor, on it
+    Travel belt = {};                                  // carries everything toward -x
+  };
+
+  explicit ProfileRoad(const Settings& settings);
+
+  GroundPoint at(double x, double y, double time) const override;
+  double height(double x, double y, double time) const override;
+
+ private:
+  struct Place {
+    Profile::Value along, across;
+    bool on_obstacle = false;
+  };
+  Place locate(double x, double y, double time) const;
+
+  Settings settings_;
+  double cos_, sin_;
+};
+
+/// A bar across the road at x, parallel to the axle at angle 0 [cleat_profile].
+ProfileRoad cleat_road(double x, double height, double length, double bevel, double angle = 0.0);
+
+}  // namespace latsch::road

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// Roads against the geometry they are drawn from.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "models/road/drum_road.h"
+#include "models/road/kerb.h"
+#include "models/road/plane_road.h"
+#include "models/road/profile_road.h"
+
+namespace latsch::road {
+namespace {
+
+// Rounding of coordinates of a few meters.
+constexpr double kRounding = 1e-14;
+
+/// The normal must be that of the surface: central differences of the height with steps h, whose
+/// error is h² times a third derivative (below 1/m² here) and the rounding of the height over h.
+void expect_normal_of_surface(const Road& road, double x, double y, double time) {
+  constexpr double h = 1e-5;
+  constexpr double kError = 1e-8;
+  const GroundPoint ground = road.at(x, y, time);
+  EXPECT_EQ(ground.height, road.height(x, y, time));
+  const double slope_x = (road.height(x + h, y, time) - road.height(x - h, y, time)) / (2.0 * h);
+  const double slope_y = (road.height(x, y + h, time) - road.height(x, y - h, time)) / (2.0 * h);
+  const Eigen::Vector3d normal = Eigen::Vector3d(-slope_x, -slope_y, 1.0).normalized();
+  EXPECT_LT((ground.normal - normal).norm(), kError) << "x " << x << " y " << y;
+}
+
+TEST(PlaneRoad, IsLevelOrOfTheGradeAskedForAndItsBeltRunsAlongIt) {
+  EXPECT_EQ(PlaneRoad().at(3.0, -2.0, 1.0).height, 0.0);
+  PlaneRoad::Settings settings;
+  settings.height = 0.1;
+  settings.grade = 0.02;
+  settings.bank = -0.01;
+  settings.belt = Travel(20.0);
+  const PlaneRoad road(settings);
+  EXPECT_NEAR(road.height(5.0, 2.0, 0.0), 0.1 + 0.1 - 0.02, kRounding);
+  expect_normal_of_surface(road, 5.0, 2.0, 0.0);
+  const GroundPoint ground = road.at(5.0, 2.0, 0.0);
+  EXPECT_NEAR(ground.velocity.norm(), 20.0, kRounding * 20);
+  EXPECT_NEAR(ground.velocity.dot(ground.normal), 0.0, 20 * kRounding);
+  EXPECT_LT(ground.velocity.x(), 0.0);
+}
+
+TEST(Travel, IsTheIntegralOfItsSpeed) {
+  const Travel ramp({{1.0, 0.0}, {3.0, 10.0}});  // 5 m/s² from 1 s to 3 s
+  EXPECT_EQ(ramp.distance(0.0), 0.0);
+  EXPECT_NEAR(ramp.distance(2.0), 2.5, kRounding);
+  EXPECT_NEAR(ramp.distance(3.0), 10.0, kRounding);
+  EXPECT_NEAR(ramp.distance(5.0), 30.0, kRounding);
+  EXPECT_EQ(ramp.speed(0.5), 0.0);
+  EXPECT_EQ(ramp.speed(2.0), 5.0);
+  EXPECT_EQ(ramp.speed(9.0), 10.0);
+  EXPECT_NEAR(Travel(-3.0).distance(2.0), -6.0, kRounding);
+}
+
+TEST(Profile, OfACleatHasItsBevelAndTheHigherSideOfAFlank) {
+  const Profile cleat = cleat_profile(0.020, 0.050, 0.005);
+  EXPECT_EQ(cleat.at(0.0).height, 0.020);
+  EXPECT_EQ(cleat.at(-0.025).height, 0.015);
+  EXPECT_EQ(cleat.at(-0.0251).height, 0.0);
+  EXPECT_NEAR(cleat.at(0.0225).height, 0.0175, kRounding);
+  EXPECT_NEAR(cleat.at(0.0225).slope, -1.0, 1e-12);  // 45 deg
+  const Profile groove = cleat_profile(-0.020, 0.050, 0.005);
+  EXPECT_NEAR(groove.at(-0.0225).height, -0.0025, kRounding);
+  EXPECT_EQ(groove.at(0.0).height, -0.020);
+  EXPECT_EQ(groove.at(-0.020).height, -0.005);  // a flank: its upper edge
+}
+
+TEST(Profile, HalfRoundBarIsWithinTheSagOfItsChords) {
+  constexpr double r = 0.1016;
+  const Profile bar = half_round_profile(r);
+  const double sag = r * (1.0 - std::cos(std::numbers::pi / 128));
+  for (double s = -0.1; s <= 0.1; s += 0.0037) {
+    const double height = bar.at(s).height;
+    EXPECT_LE(std::hypot(s, height), r * (1.0 + kRounding));
+    EXPECT_GE(std::hypot(s, height), r - sag * (1.0 + 1e-6));
+  }
+}
+
+TEST(CleatRoad, TurnsWithItsAngleAndTravelsWithItsBelt) {
+  constexpr double angle = 0.4;
+  const ProfileRoad road = cleat_road(2.0, 0.02, 0.05, 0.005, angle);
+  const Eigen::Vector2d along(std::cos(angle), std::sin(angle)), left(-along.y(), along.x());
+  const Eigen::Vector2d top = Eigen::Vector2d(2.0, 0.0) + 0.7 * left;
+  EXPECT_NEAR(road.height(top.x(), top.y(), 0.0), 0.02, kRounding);
+  const Eigen::Vector2d bevel = top + 0.0225 * along;
+  EXPECT_NEAR(road.height(bevel.x(), bevel.y(), 0.0), 0.0175, kRounding);
+  expect_normal_of_surface(road, bevel.x(), bevel.y(), 0.0);
+
+  ProfileRoad::Settings settings;
+  settings.along = cleat_profile(0.02, 0.05, 0.005);
+  settings.origin.x() = 2.0;
+  settings.belt = Travel(10.0);
+  const ProfileRoad belt(settings);
+  EXPECT_EQ(belt.height(0.0, 0.0, 0.2), 0.02);
+  EXPECT_EQ(belt.height(2.0, 0.0, 0.2), 0.0);
+  EXPECT_EQ(belt.at(0.0, 0.0, 0.2).velocity.x(), -10.0);
+}
+
+TEST(KerbRoad, RepeatsItsSectionAndEnds) {
+  Kerb kerb;  // the kerb of the saw-tooth sample: 800 x 800 x 25 mm, four of them
+  kerb.height = 0.025;
+  kerb.start = {0.0, -0.4};
+  kerb.friction = 0.9;
+  const ProfileRoad road = kerb_road(kerb);
+  EXPECT_NEAR(road.height(0.4, 0.0, 0.0), 0.0125, kRounding);
+  EXPECT_NEAR(road.height(0.4 + 3 * 0.8, 0.39, 0.0), 0.0125, kRounding);
+  EXPECT_EQ(road.height(0.4 + 4 * 0.8, 0.0, 0.0), 0.0);
+  EXPECT_EQ(road.height(-0.1, 0.0, 0.0), 0.0);
+  EXPECT_EQ(road.height(0.4, 0.41, 0.0), 0.0);
+  EXPECT_EQ(road.at(0.4, 0.0, 0.0).friction, 0.9);
+  EXPECT_EQ(road.at(0.4, 0.5, 0.0).friction, 1.0);
+  expect_normal_of_surface(road, 0.4, 0.0, 0.0);
+
+  kerb.shape = Kerb::Shape::sine;
+  kerb.height = -0.025;
+  const ProfileRoad wave = kerb_road(kerb);
+  for (double x = 0.0; x < 3.2; x += 0.0501) {
+    const double exact = -0.0125 * (1.0 - std::cos(2.0 * std::numbers::pi * x / 0.8));
+    EXPECT_NEAR(wave.height(x, 0.0, 0.0), exact, 4e-5 * 0.025);
+  }
+  kerb.shape = Kerb::Shape::triangle;
+  kerb.ramp = 0.3;
+  const ProfileRoad ramped = kerb_road(kerb);
+  EXPECT_NEAR(ramped.height(0.4, -0.25, 0.0), -0.0125, kRounding);
+  expect_normal_of_surface(ramped, 0.3, -0.25, 0.0);
+}
+
+class Drum : public ::testing::TestWithParam<bool> {
+ protected:
+  DrumRoad::Settings settings(double speed = 0.0) const {
+    DrumRoad::Settings settings;
+    settings.diameter = 2.5;
+    settings.inner = GetParam();
+    settings.surface = Travel(speed);
+    return settings;
+  }
+};
+
+TEST_P(Drum, SurfaceIsACircleThroughTheOriginAndTurnsAsARigidBody) {
+  const DrumRoad road(settings(30.0));
+  const double axis = GetParam() ? 1.25 : -1.25;
+  for (const double x : {-1.1, -0.3, 1e-5, 0.2, 1.18}) {
+    const GroundPoint ground = road.at(x, 0.3, 0.0);
+    EXPECT_NEAR(std::hypot(x, ground.height - axis), 1.25, 4 * kRounding);
+    EXPECT_EQ(std::signbit(ground.height), !GetParam());
+    expect_normal_of_surface(road, x, 0.3, 0.0);
+    EXPECT_NEAR(ground.velocity.norm(), 30.0, 100 * kRounding);
+    EXPECT_NEAR(ground.velocity.dot(ground.normal), 0.0, 100 * kRounding);
+    EXPECT_LT(ground.velocity.x(), 0.0);
+  }
+  expect_normal_of_surface(road, 1.3, 0.0, 0.0);  // the tangent
+  EXPECT_NEAR(road.height(0.95 * 1.25, 0, 0), road.height(0.95 * 1.25 + 1e-12, 0, 0), 1e-11);
+}
+
+TEST_P(Drum, CleatPassesTheTopOnceATurn) {
+  DrumRoad::Settings with = settings(20.0);
+  with.cleats = {{cleat_profile(0.02, 0.025, 0.005), 0.5, 0.0, 0.8}};
+  const DrumRoad road(with);
+  const double first = 0.5 * 1.25 / 20.0;  // the cleat has to come 0.5 rad
+  const double period = 2.0 * std::numbers::pi * 1.25 / 20.0;
+  EXPECT_NEAR(road.revolution_period(0.0), period, kRounding);
+  // The flat top is a chord: its middle lies nearer to the axis than its corners at 7.5 mm of arc.
+  const double sag = (GetParam() ? 1.23 : 1.27) * (1.0 - std::cos(0.0075 / 1.25));
+  for (int turn = 0; turn < 3; ++turn) {
+    const GroundPoint ground = road.at(0.0, 0.0, first + turn * period);
+    EXPECT_NEAR(ground.height, GetParam() ? 0.02 + sag : 0.02 - sag, 1e-13);
+    EXPECT_EQ(ground.friction, 0.8);
+    EXPECT_EQ(road.height(0.0, 0.0, first + (turn + 0.5) * period), 0.0);
+  }
+  // Just before, its leading bevel stands at x > 0.
+  const double drum = DrumRoad(settings()).height(0.03, 0.0, 0.0);
+  EXPECT_NEAR(road.height(0.03, 0.0, first - 0.03 / 20.0) - drum, 0.02, 1e-4);
+  EXPECT_EQ(road.height(0.0, 0.0, first - 0.03 / 20.0), 0.0);
+}
+
+TEST_P(Drum, InclinedCleatIsASlopeWithTheRightNormalAndComesLaterAside) {
+  DrumRoad::Settings with = settings(0.0);
+  const double angle = 0.3;
+  with.cleats = {{cleat_profile(0.03, 0.08, 0.03), 0.2, angle, 1.0}};
+  const DrumRoad road(with);
+  for (const double y : {-0.2, 0.0, 0.15}) {
+    const double theta = 0.2 + y * std::tan(angle) / 1.25;
+    const double middle = std::sin(theta) * (GetParam() ? 1.22 : 1.28);
+    EXPECT_NEAR(road.height(middle, y, 0.0) - DrumRoad(settings()).height(middle, y, 0.0),
+                0.03 / std::cos(theta),
+                1e-3);  // first order in height / R
+    for (const double aside : {-0.031, -0.023, 0.021, 0.029}) {
+      expect_normal_of_surface(road, middle + aside, y, 0.0);
+    }
+  }
+}
+
+TEST_P(Drum, FindsACleatThatLeansOverItsFoot) {
+  // Anywhere on the visible side a high cleat stands out of the drum by its height.
+  DrumRoad::Settings with = settings(0.0);
+  for (const double theta : {-1.1, -0.7, 0.9}) {
+    with.cleats = {{cleat_profile(0.06, 0.1, 0.0), theta, 0.0, 1.0}};
+    const DrumRoad road(with);
+    const double r = GetParam() ? 1.19 : 1.31;
+    const double x = r * std::sin(theta);
+    const double z = GetParam() ? 1.25 - r * std::cos(theta) : -1.25 + r * std::cos(theta);
+    if (std::abs(x) > 0.95 * 1.25) continue;
+    EXPECT_NEAR(road.height(x, 0.0, 0.0), z, 0.1 * 0.1 / (8.0 * 1.19) / std::cos(theta));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Drum, ::testing::Bool(), [](const auto& kind) {
+  return kind.param ? "Inner" : "Outer";
+});
+
+TEST(DrumRoad, SpacesCleatsEqually) {
+  DrumRoad::Settings settings;
+  settings.diameter = 2.0;
+  settings.cleats = equally_spaced(4, {cleat_profile(0.01, 0.02, 0.0), 0.1, 0.0, 1.0});
+  settings.surface = Travel(1.0);
+  const DrumRoad road(settings);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_GT(road.height(0.0, 0.0, 0.1 + i * std::numbers::pi / 2.0), 0.0099);
+    EXPECT_EQ(road.height(0.0, 0.0, 0.2 + i * std::numbers::pi / 2.0), 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace latsch::road
