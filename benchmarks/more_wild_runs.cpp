@@ -107,7 +107,7 @@ Solver nlopt(int algorithm) {
     const nlopt_opt solver =
         nlopt_create(static_cast<nlopt_algorithm>(algorithm), static_cast<unsigned>(problem.n()));
     nlopt_set_min_objective(solver, nlopt_value, &observed);
-    nlopt_set_initial_step1(solver, more_wild::start_step(problem));
+    nlopt_set_initial_step(solver, more_wild::start_steps(problem).data());
     nlopt_set_maxeval(solver, most_evaluations);
     nlopt_set_stopval(solver, problem.solved_below(1e-5));
     std::vector<double> x = problem.start;
@@ -133,10 +133,11 @@ Profile profile(const std::vector<Solved>& solved, const std::vector<double>& bu
 
 Profile measure(const Solver& solver,
                 const std::vector<Disturbance>& disturbances,
-                const std::vector<double>& budgets) {
+                const std::vector<double>& budgets,
+                const std::vector<more_wild::Problem>& problems) {
   std::vector<Solved> solved;
   for (const Disturbance& disturbance : disturbances) {
-    for (const more_wild::Problem& problem : more_wild::problems()) {
+    for (const more_wild::Problem& problem : problems) {
       Observed observed(problem, disturbance);
       solver(observed, static_cast<int>(budgets.back() * (problem.n() + 1)));
       solved.push_back(observed.solved());

@@ -71,7 +71,8 @@ Profile profile(const std::vector<Solved>& solved, const std::vector<double>& bu
 /// All problems, serially, once for every disturbance, within the largest budget.
 Profile measure(const Solver& solver,
                 const std::vector<Disturbance>& disturbances,
-                const std::vector<double>& budgets = {10, 50, 100});
+                const std::vector<double>& budgets = {10, 50, 100},
+                const std::vector<more_wild::Problem>& problems = more_wild::problems());
 
 void note(Table& table, const std::string& solver, const Profile& profile);
 

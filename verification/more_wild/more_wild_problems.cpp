@@ -114,10 +114,15 @@ double start_step(const Problem& problem) {
   return largest;
 }
 
+Vector start_steps(const Problem& problem) {
+  return problem.steps.empty() ? equal(problem.n(), start_step(problem)) : problem.steps;
+}
+
 DesignSpace space(const Problem& problem) {
-  const double half = 0.5 * kBoxWidth * start_step(problem);
+  const Vector steps = start_steps(problem);
   std::vector<DesignVariable> variables;
-  for (const double x : problem.start) {
+  for (int i = 0; i < problem.n(); ++i) {
+    const double x = problem.start[i], half = 0.5 * kBoxWidth * steps[i];
     variables.push_back({.name = fmt::format("x{}", variables.size() + 1),
                          .lower = x - half,
                          .upper = x + half,

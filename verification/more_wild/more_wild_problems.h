@@ -26,6 +26,7 @@ struct Problem {
   int residual_count;  // m
   double least;        // f_L
   std::function<Vector(const Vector&)> residuals;
+  Vector steps = {};  // the first step of every variable; empty: start_step for all
 
   int n() const { return static_cast<int>(start.size()); }
   double value(const Vector& x) const;
@@ -38,6 +39,8 @@ const std::vector<Problem>& problems();
 
 /// The step every solver starts with: max(1, |x_0|_inf).
 double start_step(const Problem& problem);
+/// Of every variable.
+Vector start_steps(const Problem& problem);
 
 /// The problems have no bounds, a design space has: a box so wide, x_0 -+ kBoxWidth / 2 start
 /// steps, that no iterate comes near its faces, yet 1e-12 of a start step is resolved.

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Certified regressions of NIST and varied Moré-Wild problems, by which methods are chosen
+//
+// `./bench.sh nist_strd --training` adds the varied problems: the Moré-Wild functions from other
+// starts and in other variables, and NIST's with one first step for all variables, ten times the
+// largest start for some. Constants of the residual trust region are decided by these, never by
+// ./bench.sh more_wild. What to reach: in every cell no less than NLopt's BOBYQA in the same run.
+#include <fmt/format.h>
+#include <nlopt.h>
+
+#include <string_view>
+
+#include "more_wild/varied_problems.h"
+#include "more_wild_runs.h"
+#include "nist_strd/nist_strd.h"
+
+namespace {
+
+using namespace latsch;
+using namespace latsch::benchmarks;
+
+const std::vector<double> kBudgets{10, 50, 100};
+
+std::vector<more_wild::Problem> with_one_step(std::vector<more_wild::Problem> problems) {
+  for (more_wild::Problem& problem : problems) problem.steps.clear();
+  return problems;
+}
+
+void training(Table& table) {
+  const auto add = [&](const std::string& what, const std::vector<more_wild::Problem>& problems) {
+    note(table, what, measure(residual_trust_region(), {{}}, kBudgets, problems));
+  };
+  add("NIST, one step for all", with_one_step(nist_strd::problems()));
+  for (const std::uint64_t seed : {1, 2}) {
+    add(fmt::format("moved, seed {}", seed), more_wild::moved(seed));
+    add(fmt::format("rotated, seed {}", seed), more_wild::rotated(seed));
+    add(fmt::format("scaled, seed {}", seed), more_wild::scaled(seed));
+  }
+}
+
+int bench(bool is_training) {
+  Table table("nist_strd");
+  const auto problems = nist_strd::problems();
+  const auto on_nist = [&](const Solver& solver) {
+    return measure(solver, {{}}, kBudgets, problems);
+  };
+  const Profile trust = on_nist(residual_trust_region());
+  const Profile bobyqa = on_nist(nlopt(NLOPT_LN_BOBYQA));
+  for (std::size_t k = 0; k < kBudgets.size(); ++k) {
+    const std::string budget = fmt::format(" @{:g}", kBudgets[k]);
+    reach(table, "tau 1e-3" + budget, trust.tau_1e3[k], bobyqa.tau_1e3[k]);
+    reach(table, "tau 1e-5" + budget, trust.tau_1e5[k], bobyqa.tau_1e5[k]);
+  }
+  note(table, "residual trust region", trust);
+  note(table, "NLopt BOBYQA", bobyqa);
+  note(table, "NLopt Nelder-Mead", on_nist(nlopt(NLOPT_LN_NELDERMEAD)));
+  note(table, "GSS", on_nist(gss()));
+  if (is_training) training(table);
+  return table.exit_code();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool is_training = argc > 1 && std::string_view(argv[1]) == "--training";
+  return guarded([&] { return bench(is_training); });
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The 27 problems of nonlinear regression among the Statistical Reference Datasets of NIST, each
+// from its two published starts:
+//
+//   r_i(b) = model(x_i, b) - y_i
+//
+// Their sums of squares are certified to eleven digits, computed in 128-bit precision.
+// tables/NAME.txt holds observations, starts and certified values of one problem as NIST publishes
+// them at https://www.itl.nist.gov/div898/strd/nls/nls_main.shtml (public domain); the model
+// functions are in nist_strd.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "more_wild/more_wild_problems.h"
+
+namespace latsch::nist_strd {
+
+struct Dataset {
+  std::string name;
+  std::vector<double> start_1, start_2;
+  std::vector<double> certified;          // b
+  double sum;                             // of squares at the certified b
+  std::vector<std::vector<double>> rows;  // x, y; of Nelson x1, x2, y
+};
+
+/// Throws InputError where the table is not one.
+Dataset read_dataset(const std::string& name);
+std::vector<std::string> names();
+/// Throws std::out_of_range for a name that is not one.
+std::vector<double> residuals(const Dataset& dataset, const std::vector<double>& b);
+
+/// "Misra1a, start 1", the least value being the certified one; the first step of a variable is a
+/// tenth of its start. Without MGH10 and MGH17 from start 2, which are Meyer's and Osborne's first
+/// problem of the Moré-Wild set.
+std::vector<more_wild::Problem> problems();
+
+}  // namespace latsch::nist_strd
