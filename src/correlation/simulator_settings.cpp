@@ -73,7 +73,7 @@ OutputReader read_reader(const Node& table) {
   }
   if (reader.quantities.empty()) table.reject("quantities", "is empty, expected at least one");
   reader.samples = static_cast<int>(table.integer("samples", 1, kMostSamples, 0));
-  const std::string kind = table.choice("reader", {"table", "columns", "keys", "pattern"});
+  const std::string kind = table.choice("reader", {"table", "columns", "keys", "pattern", "tydex"});
   if (kind == "columns") {
     reader.kind = OutputReader::Kind::columns;
     reader.columns = read_columns(table);
@@ -89,6 +89,8 @@ OutputReader read_reader(const Node& table) {
   } else if (kind == "pattern") {
     reader.kind = OutputReader::Kind::pattern;
     read_pattern(table, reader);
+  } else if (kind == "tydex") {
+    reader.kind = OutputReader::Kind::tydex;
   }
   return reader;
 }

@@ -21,6 +21,11 @@
 //   quantities = ["ux [mm]", "uy [mm]", "uz [mm]"]
 //   samples = 1                        # fewer or more are a failure
 //
+//   [simulator.output.sweep]           # a TYDEX file: channels and constants by their names
+//   file = "sweep.tdx"
+//   reader = "tydex"
+//   quantities = ["SLIPANGL [deg]", "FYW [N]"]
+//
 //   [variable.modulus]                 # of such a study: no path, the unit is that of `initial`,
 //   lower = "100 GPa"                  # or given: unit = "N/mm^2"
 //   upper = "300 GPa"

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <regex>
@@ -13,6 +14,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "formats/csv_table.h"
+#include "formats/tydex_file.h"
 
 namespace latsch {
 namespace {
@@ -30,6 +32,8 @@ const char* word_for(OutputReader::Kind kind) {
       return "keys";
     case OutputReader::Kind::pattern:
       return "pattern";
+    case OutputReader::Kind::tydex:
+      return "tydex";
   }
   return "";
 }
@@ -45,6 +49,8 @@ class Reading {
     switch (reader_.kind) {
       case OutputReader::Kind::table:
         return from_table();
+      case OutputReader::Kind::tydex:
+        return from_tydex();
       case OutputReader::Kind::columns:
         each_line([&](int line, const std::string& words) { return take_row(line, words); });
         break;
@@ -174,6 +180,35 @@ class Reading {
       }
     } catch (const InputError& error) {
       return Failure{fmt::format("output \"{}\" (table): {}", reader_.name, error.what()),
+                     Cause::bad_output};
+    }
+    return channels();
+  }
+
+  Result<std::vector<Channel>> from_tydex() {
+    try {
+      const auto file = formats::TydexFile::parse(std::move(text_), reader_.file.string());
+      for (std::size_t i = 0; i < values_.size(); ++i) {
+        const auto& [name, unit] = reader_.quantities[i];
+        const Channel* channel = file.channels.find(name);
+        if (!channel) {
+          values_[i].push_back(file.constant(name, unit));
+          continue;
+        }
+        if (!Unit::of(channel->unit).same_dimension(Unit::of(unit))) {
+          return wrong(fmt::format("has {} in {}, expected {}", name, channel->unit, unit));
+        }
+        values_[i] = channel->values;
+        const auto gap = std::find_if_not(values_[i].begin(), values_[i].end(), [](double value) {
+          return std::isfinite(value);
+        });
+        if (gap != values_[i].end()) {
+          return wrong(fmt::format("has no number for {}", name),
+                       file.lines[gap - values_[i].begin()]);
+        }
+      }
+    } catch (const InputError& error) {
+      return Failure{fmt::format("output \"{}\" (tydex): {}", reader_.name, error.what()),
                      Cause::bad_output};
     }
     return channels();

@@ -7,6 +7,8 @@
 //   keys      lines `key = number` or `key: number`
 //   pattern   every line that matches a regular expression (ECMAScript) is a sample; the groups in
 //             brackets are its numbers
+//   tydex     channels of a TYDEX file by their names, and constants, which have one value
+//             (tydex_file.h); the file has their units
 //
 // What is missing, too little or no finite number is a Failure with Cause::bad_output that names
 // the output, the file, what was found and what was expected.
@@ -22,7 +24,7 @@
 namespace latsch {
 
 struct OutputReader {
-  enum class Kind { table, columns, keys, pattern };
+  enum class Kind { table, columns, keys, pattern, tydex };
   struct Quantity {
     std::string name;
     std::string unit = "1";  // in which the file has it

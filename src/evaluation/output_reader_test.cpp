@@ -53,6 +53,25 @@ TEST(OutputReader, ColumnsSkipTheirHeader) {
   expect_failure(reader, "nothing\n", "holds no value of t");
 }
 
+TEST(OutputReader, TydexGivesChannelsAndConstantsByName) {
+  const std::string file =
+      "**HEADER\n**CONSTANTS\nINFLPRES                                bar       2.5\n"
+      "**MEASURCHANNELS\nRUNTIME                                 s         1         0         0\n"
+      "FYW                                     kN        1         0         0\n"
+      "**MEASURDATA\n0         -1.5\n1         NOTAVAIL\n**END\n";
+  OutputReader reader{.kind = Kind::tydex, .quantities = {{"RUNTIME", "s"}, {"INFLPRES", "bar"}}};
+  const auto channels = read(reader, file);
+  ASSERT_TRUE(channels.ok()) << channels.failure().reason;
+  EXPECT_EQ((*channels)[0].name, "out/RUNTIME");
+  EXPECT_EQ((*channels)[0].values, (std::vector<double>{0.0, 1.0}));
+  EXPECT_EQ((*channels)[1].values, (std::vector<double>{2.5e5}));
+  EXPECT_EQ((*channels)[1].unit, "Pa");
+  expect_failure({.kind = Kind::tydex, .quantities = {{"FYW", "N"}}}, file, "file:9 has no number");
+  expect_failure({.kind = Kind::tydex, .quantities = {{"FYW", "m"}}}, file, "FYW in N");
+  expect_failure({.kind = Kind::tydex, .quantities = {{"FZW", "N"}}}, file, "FZW");
+  expect_failure(reader, file.substr(0, file.find("**END")), "output \"out\" (tydex)");
+}
+
 TEST(OutputReader, PatternTakesEveryLineBehindTheMark) {
   OutputReader reader{.kind = Kind::pattern, .quantities = {{"u", "mm"}}};
   reader.pattern = R"(^\s*\d+\s+(\S+)$)";

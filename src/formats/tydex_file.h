@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// TYDEX 1.3, the exchange format of tire test laboratories [Unrau & Zamow, "TYDEX-Format,
+// Description and Reference Manual", release 1.3, 1997].
+//
+//   **HEADER                                                 columns  1-10  name
+//   RELEASE   Release of TYDEX-Format                 1.3            11-40  comment
+//   **CONSTANTS                                                      41-50  unit
+//   INFLPRES  Inflation pressure            bar       2.5            51-..  value
+//   **MEASURCHANNELS
+//   FZW       Vertical force                N         1         0         0
+//   **MEASURDATA                                      factor    measured  physical offset
+//   ...
+//   **END
+//
+// A channel is factor * (raw + measured offset) + physical offset in its unit. Lines that begin
+// with ! are comments. Beyond the letter of the format are read: keywords and names in any case,
+// CRLF, Latin-1, lines that end early, columns out of place where the words leave no doubt, data
+// that stand in columns of 10 or between blanks, exponents with D, decimal commas. What is not
+// available (NOTAVAIL, NaN, an empty column) is NaN.
+//
+// Everything comes out in SI, signs and axes as in the file: its names say which (FYW: W axes), and
+// measurement/axes.h converts.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "measurement/channels.h"
+
+namespace latsch::formats {
+
+struct TydexFile {
+  /// A line of the header, the constants or a model.
+  struct Entry {
+    std::string name;  // in capitals
+    std::string comment;
+    std::string unit;              // as written
+    std::string text;              // the value as written
+    std::optional<double> number;  // in `si_unit`, where the value is a number
+    std::string si_unit = "1";
+    int line = 0;
+  };
+  struct Description {
+    std::string comment;
+    std::string unit;                                                   // as written
+    double factor = 1.0, measured_offset = 0.0, physical_offset = 0.0;  // in that unit
+    int line = 0;
+  };
+  /// **MODELPARAMETERS and its like, in the order of the file.
+  struct Section {
+    std::string keyword;
+    std::vector<Entry> entries;
+  };
+
+  std::string file;
+  std::vector<Entry> header;
+  std::vector<std::string> comments;
+  std::vector<Entry> constants;
+  std::vector<Section> model;
+  Channels channels;
+  std::vector<Description> descriptions;  // of each channel
+  std::vector<int> lines;                 // of each sample
+
+  /// Throw InputError naming file, line, what was found and expected: also for a file without
+  /// **HEADER or **END, which is a torso.
+  static TydexFile read(const std::filesystem::path& file);
+  static TydexFile parse(std::string text, std::string file_name);
+
+  /// nullptr where the header and the constants have no such name.
+  const Entry* find(std::string_view name) const;
+  /// A constant in the SI unit of `unit`, or where there is none the mean of the channel of that
+  /// name; throws InputError where there is neither or the dimension differs.
+  double constant(std::string_view name, std::string_view unit) const;
+};
+
+/// What a name of TYDEX stands for.
+struct TydexName {
+  std::string_view name;
+  std::string_view si_unit;  // "": a text
+  std::string_view axes;     // "W", "H", "C"; "": none
+  std::string_view meaning;
+};
+/// nullptr for a name of the laboratory's own.
+const TydexName* find_tydex_name(std::string_view name);
+
+}  // namespace latsch::formats
