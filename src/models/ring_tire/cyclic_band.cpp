@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/ring_tire/cyclic_band.h"
+
+#include <cassert>
+
+#include "models/ring_tire/lanes.h"
+
+namespace latsch::ring_tire {
+namespace {
+
+/// C <- C - L A^T, columns of 4.
+LATSCH_RING_INLINE void subtract_product(double* C, const double* L, const double* A) {
+  const Lanes4 l0 = load(L), l1 = load(L + 4), l2 = load(L + 8), l3 = load(L + 12);
+  for (int c = 0; c < 4; ++c)
+    store(C + 4 * c,
+          load(C + 4 * c) - (l0 * A[c] + l1 * A[4 + c] + (l2 * A[8 + c] + l3 * A[12 + c])));
+}
+
+/// L = A S, S symmetric.
+LATSCH_RING_INLINE void product(double* L, const double* A, const double* S) {
+  const Lanes4 a0 = load(A), a1 = load(A + 4), a2 = load(A + 8), a3 = load(A + 12);
+  for (int c = 0; c < 4; ++c) {
+    const double* s = S + 4 * c;
+    store(L + 4 * c, a0 * s[0] + a1 * s[1] + (a2 * s[2] + a3 * s[3]));
+  }
+}
+
+/// y <- y - L x.
+LATSCH_RING_INLINE void subtract_times(double* y, const double* L, const double* x) {
+  store(
+      y,
+      load(y) - (load(L) * x[0] + load(L + 4) * x[1] + (load(L + 8) * x[2] + load(L + 12) * x[3])));
+}
+
+/// y <- y - L^T x.
+LATSCH_RING_INLINE void subtract_transposed(double* y, const double* L, const double* x) {
+  for (int c = 0; c < 4; ++c) {
+    const double* l = L + 4 * c;
+    y[c] -= l[0] * x[0] + l[1] * x[1] + (l[2] * x[2] + l[3] * x[3]);
+  }
+}
+
+/// S <- S^-1 by sweeps without pivoting; false where S is not positive definite.
+LATSCH_RING_INLINE bool invert(double* S) {
+  for (int p = 0; p < 4; ++p) {
+    const double pivot = S[5 * p];
+    if (!(pivot > 0.0)) return false;
+    const double inverse = 1.0 / pivot;
+    Lanes4 column = load(S + 4 * p) * inverse;
+    for (int c = 0; c < 4; ++c) {
+      if (c == p) continue;
+      const double factor = S[4 * c + p];
+      Lanes4 other = load(S + 4 * c) - column * factor;
+      other[p] = factor * inverse;
+      store(S + 4 * c, other);
+    }
+    column = -column;
+    column[p] = inverse;
+    store(S + 4 * p, column);
+  }
+  return true;
+}
+
+/// Eliminates node k of an open chain of `interior` nodes. `column` k: blocks to k+1 .. k+3, then
+/// to the three nodes of the border; `border`: 12 x 12.
+LATSCH_RING_INLINE bool eliminate(int k,
+                                  int interior,
+                                  Eigen::Matrix4d* diagonal,
+                                  Eigen::Matrix4d* lower,
+                                  Eigen::Matrix4d* border) {
+  constexpr int kReach = CyclicBand::kReach, kColumn = kReach + 3;
+  double* inverse = diagonal[k].data();
+  if (!invert(inverse)) return false;
+  Eigen::Matrix4d* column = lower + k * kColumn;
+  const int reach = interior - 1 - k < kReach ? interior - 1 - k : kReach;
+  Eigen::Matrix4d old[kColumn];
+  for (int i = 0; i < kColumn; ++i) {
+    if (i >= reach && i < kReach) continue;
+    old[i] = column[i];
+    product(column[i].data(), old[i].data(), inverse);
+  }
+  for (int i = 0; i < reach; ++i) {
+    subtract_product(diagonal[k + 1 + i].data(), column[i].data(), old[i].data());
+    Eigen::Matrix4d* next = lower + (k + 1 + i) * kColumn;
+    for (int j = i + 1; j < reach; ++j)
+      subtract_product(next[j - i - 1].data(), column[j].data(), old[i].data());
+    for (int j = kReach; j < kColumn; ++j)
+      subtract_product(next[j].data(), column[j].data(), old[i].data());
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j <= i; ++j)
+      subtract_product(border[3 * i + j].data(), column[kReach + i].data(), old[kReach + j].data());
+  return true;
+}
+
+LATSCH_RING_CLONES bool eliminate_chain(int interior,
+                                        Eigen::Matrix4d* diagonal,
+                                        Eigen::Matrix4d* lower,
+                                        Eigen::Matrix4d* border) {
+  for (int k = 0; k < interior; ++k)
+    if (!eliminate(k, interior, diagonal, lower, border)) return false;
+  // The border itself, a full matrix of three by three blocks.
+  for (int k = 0; k < 3; ++k) {
+    if (!invert(border[4 * k].data())) return false;
+    Eigen::Matrix4d old[3];
+    for (int i = k + 1; i < 3; ++i) {
+      old[i] = border[3 * i + k];
+      product(border[3 * i + k].data(), old[i].data(), border[4 * k].data());
+    }
+    for (int i = k + 1; i < 3; ++i)
+      for (int j = k + 1; j <= i; ++j)
+        subtract_product(border[3 * i + j].data(), border[3 * i + k].data(), old[j].data());
+  }
+  return true;
+}
+
+LATSCH_RING_CLONES void solve_chain(int interior,
+                                    const Eigen::Matrix4d* inverse,
+                                    const Eigen::Matrix4d* lower,
+                                    const Eigen::Matrix4d* border,
+                                    double* x) {
+  constexpr int kReach = CyclicBand::kReach, kColumn = kReach + 3;
+  for (int k = 0; k < interior; ++k) {
+    const Eigen::Matrix4d* column = lower + k * kColumn;
+    const int reach = interior - 1 - k < kReach ? interior - 1 - k : kReach;
+    for (int i = 0; i < reach; ++i)
+      subtract_times(x + 4 * (k + 1 + i), column[i].data(), x + 4 * k);
+    for (int i = 0; i < 3; ++i)
+      subtract_times(x + 4 * (interior + i), column[kReach + i].data(), x + 4 * k);
+  }
+  for (int k = 0; k < 3; ++k)
+    for (int i = k + 1; i < 3; ++i)
+      subtract_times(x + 4 * (interior + i), border[3 * i + k].data(), x + 4 * (interior + k));
+  for (int k = 0; k < interior + 3; ++k) {
+    const double* D = k < interior ? inverse[k].data() : border[4 * (k - interior)].data();
+    double y[4];
+    store(y, load(x + 4 * k));
+    store(x + 4 * k,
+          load(D) * y[0] + load(D + 4) * y[1] + (load(D + 8) * y[2] + load(D + 12) * y[3]));
+  }
+  for (int k = 2; k >= 0; --k)
+    for (int i = k + 1; i < 3; ++i)
+      subtract_transposed(x + 4 * (interior + k), border[3 * i + k].data(), x + 4 * (interior + i));
+  for (int k = interior - 1; k >= 0; --k) {
+    const Eigen::Matrix4d* column = lower + k * kColumn;
+    const int reach = interior - 1 - k < kReach ? interior - 1 - k : kReach;
+    for (int i = 0; i < reach; ++i)
+      subtract_transposed(x + 4 * k, column[i].data(), x + 4 * (k + 1 + i));
+    for (int i = 0; i < 3; ++i)
+      subtract_transposed(x + 4 * k, column[kReach + i].data(), x + 4 * (interior + i));
+  }
+}
+
+}  // namespace
+
+CyclicBand::CyclicBand(int nodes)
+    : nodes_(nodes), blocks_(static_cast<std::size_t>(nodes) * (kReach + 1), Block(Block::Zero())) {
+  assert(nodes >= 2 * kReach + 2);
+}
+
+void CyclicBand::set_zero() {
+  for (Block& block : blocks_) block.setZero();
+}
+
+void CyclicBand::add_diagonal(double translation, double torsion) {
+  const Eigen::Vector4d value(translation, translation, translation, torsion);
+  for (int k = 0; k < nodes_; ++k) block(k, 0).diagonal() += value;
+}
+
+Eigen::Matrix4Xd CyclicBand::multiply(const Eigen::Matrix4Xd& x) const {
+  Eigen::Matrix4Xd y = Eigen::Matrix4Xd::Zero(4, nodes_);
+  for (int k = 0; k < nodes_; ++k) {
+    y.col(k) += block(k, 0) * x.col(k);
+    for (int j = 1; j <= kReach; ++j) {
+      const int other = (k + j) % nodes_;
+      y.col(k) += block(k, j) * x.col(other);
+      y.col(other) += block(k, j).transpose() * x.col(k);
+    }
+  }
+  return y;
+}
+
+CyclicBandFactor::CyclicBandFactor(int nodes)
+    : interior_(nodes - 3),
+      diagonal_(static_cast<std::size_t>(interior_)),
+      lower_(static_cast<std::size_t>(interior_) * (kReach + 3)) {}
+
+bool CyclicBandFactor::factorize(const CyclicBand& A) {
+  assert(A.nodes() == interior_ + 3);
+  for (Eigen::Matrix4d& block : border_) block.setZero();
+  for (int k = 0; k < interior_; ++k) {
+    diagonal_[static_cast<std::size_t>(k)] = A.block(k, 0);
+    for (int i = 0; i < kReach + 3; ++i)
+      lower_[static_cast<std::size_t>(k * (kReach + 3) + i)].setZero();
+  }
+  for (int k = 0; k < A.nodes(); ++k)
+    for (int j = k < interior_ ? 1 : 0; j <= kReach; ++j)
+      place(k, (k + j) % A.nodes(), A.block(k, j));
+  return eliminate_chain(interior_, diagonal_.data(), lower_.data(), border_.data());
+}
+
+/// A(row, column) into the place of its transpose or its own, whichever lies below the diagonal.
+void CyclicBandFactor::place(int row, int column, const Eigen::Matrix4d& block) {
+  constexpr int kColumn = kReach + 3;
+  if (row >= interior_ && column >= interior_) {
+    const int i = row - interior_, j = column - interior_;
+    if (i >= j)
+      border_[static_cast<std::size_t>(3 * i + j)] = block;
+    else
+      border_[static_cast<std::size_t>(3 * j + i)] = block.transpose();
+  } else if (row >= interior_) {
+    lower_[static_cast<std::size_t>(column * kColumn + kReach + row - interior_)] = block;
+  } else if (column >= interior_) {
+    lower_[static_cast<std::size_t>(row * kColumn + kReach + column - interior_)] =
+        block.transpose();
+  } else {
+    lower_[static_cast<std::size_t>(row * kColumn + column - row - 1)] = block.transpose();
+  }
+}
+
+void CyclicBandFactor::solve(Eigen::Matrix4Xd& x) const {
+  solve_chain(interior_, diagonal_.data(), lower_.data(), border_.data(), x.data());
+}
+
+}  // namespace latsch::ring_tire

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rim as the belt's nodes see it: node k stands at the angle φ_k = 2π k/N of axes that turn
+// with the rim, along e_r = X sin φ - Z cos φ, e_t = X cos φ + Z sin φ and the spin axis a, so that
+// e_t × a = -e_r. At spin 0 node 0 points at the road.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "models/tire/tire.h"
+
+namespace latsch::ring_tire {
+
+struct RimFrame {
+  Eigen::Vector3d center, X, a, Z;   // inertial; X, a, Z turn with the rim
+  Eigen::Vector3d velocity;          // m/s, of the center
+  Eigen::Vector3d angular_velocity;  // rad/s, of the rim
+  double spin_rate = 0.0;            // rad/s, about a, against the carrier
+
+  static RimFrame of(const WheelMotion& motion);
+
+  /// Velocity of the rim's material at an inertial point.
+  Eigen::Vector3d velocity_at(const Eigen::Vector3d& point) const {
+    return velocity + angular_velocity.cross(point - center);
+  }
+};
+
+/// Sines and cosines of the nodes' angles.
+class NodeAngles {
+ public:
+  explicit NodeAngles(int nodes);
+
+  int nodes() const { return static_cast<int>(sine_.size()); }
+  Eigen::Vector3d radial(const RimFrame& rim, int k) const {
+    return rim.X * sine_[static_cast<std::size_t>(k)] -
+           rim.Z * cosine_[static_cast<std::size_t>(k)];
+  }
+  Eigen::Vector3d tangential(const RimFrame& rim, int k) const {
+    return rim.X * cosine_[static_cast<std::size_t>(k)] +
+           rim.Z * sine_[static_cast<std::size_t>(k)];
+  }
+
+ private:
+  std::vector<double> sine_, cosine_;
+};
+
+/// Node by node: x, y, z (inertial, m) and the section's torsion ψ (rad, about e_t, against the
+/// rim); its rates; forces and the moment conjugate to ψ.
+using NodeValues = Eigen::Matrix4Xd;
+
+}  // namespace latsch::ring_tire

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// The flexible ring's physical parameters: a belt of nodes on an elastic sidewall, with tread
+// blocks on it. Everything per length is per meter of the belt's circumference at rest. docs/
+// ring_tire.md has the equations, [Gipser 1999] the physics.
+#pragma once
+
+#include <array>
+
+namespace latsch::ring_tire {
+
+/// Node and rim along one direction: spring, damper, Maxwell element and dry friction in parallel.
+struct SidewallElement {
+  double stiffness = 0.0;            // N/m per m
+  double damping = 0.0;              // N s/m per m
+  double dynamic_stiffening = 0.0;   // k_M / k of the Maxwell element
+  double friction_stiffening = 0.0;  // stiffness of the friction elements before they slip, over k
+  double friction_force = 0.0;       // N per m, of all friction elements when they slip
+};
+
+struct Sidewall {
+  SidewallElement radial, tangential, lateral;
+  double time_constant = 0.015;       // s, of the Maxwell elements
+  double progressivity = 0.0;         // radial: the slope grows from k to k (1 + progressivity)
+  double progressive_travel = 0.015;  // m, travel of half that growth
+  double torsion = 0.0;               // N per rad: section against rim about the circumference
+  double torsion_damping = 0.0;       // N s per rad
+  double torsion_by_lateral = 0.0;    // rad/m, twist of the section that a lateral travel brings
+};
+
+struct Belt {
+  double radius = 0.3;            // m, at rest, inflated
+  double mass = 8.0;              // kg, with the tread
+  double torsion_inertia = 0.0;   // kg m, of the section about the circumference, per length
+  double extension = 1.0e6;       // N, EA
+  double bending_in_plane = 0.0;  // N m^2, EI
+  double bending_lateral = 0.0;   // N m^2, EI about the radius
+  double twist = 0.0;             // N m^2, GJ
+  double pressure = 0.0;          // Pa
+  double pressure_width = 0.0;    // m, of the section whose pressure the belt's tension carries
+};
+
+/// Friction coefficient of tread rubber over sliding speed at low, medium and high pressure.
+struct TreadFriction {
+  std::array<double, 3> pressure = {0.5e5, 2.0e5, 5.0e5};  // Pa
+  std::array<double, 3> adhesion = {1.2, 1.1, 1.0};        // at speed 0
+  std::array<double, 3> maximum = {1.3, 1.2, 1.1};         // at maximum_speed
+  std::array<double, 3> sliding = {1.1, 1.0, 0.9};         // at sliding_speed
+  std::array<double, 3> blocking = {0.8, 0.75, 0.7};       // from blocking_speed on
+  double maximum_speed = 0.3;                              // m/s
+  double sliding_speed = 5.0;                              // m/s
+  double blocking_speed = 20.0;                            // m/s
+};
+
+struct Tread {
+  int lines = 6;                 // across the width
+  int blocks = 12;               // of one line on one segment
+  double width = 0.16;           // m
+  double height = 0.010;         // m, of the rubber from belt to road
+  double crown_radius = 0.0;     // m, of the tread's lateral curvature; 0: flat
+  double young_modulus = 5.9e6;  // Pa
+  double positive = 0.65;        // share of the surface that is rubber
+  double shear_ratio = 0.333;    // tangential over normal stiffness of a block
+  double damping_time = 0.0;     // s, damping over stiffness
+  TreadFriction friction = {};
+};
+
+struct RingParameters {
+  int nodes = 80;
+  Belt belt;
+  Sidewall sidewall;
+  Tread tread;
+};
+
+}  // namespace latsch::ring_tire

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Node and rim. Travel of node k along the rim's e_r, e_t and a:
+//   u_r = e_r . (x_k - c) - R,  u_t = e_t . (x_k - c),  u_y = a . (x_k - c)
+// Along each, times the node's share of the circumference 2π R/N:
+//   F = k u + d u' + k_M (u - u_i) + sum of friction elements,  τ u_i' = u - u_i             (6)
+// The radial spring's slope grows with travel toward the rim or away from it, bounded:
+//   F_r = k (u + P (u - u_p atan(u/u_p))),  slope k (1 + P u^2/(u^2 + u_p^2))                (7)
+// Friction element i of n: a spring S k/n that slips at F_i = F 2i/(n(n+1)); n = 5 radially.  (8)
+// The section's torsion against the rim, coupled to lateral travel:
+//   energy 1/2 c_ψ (ψ - λ u_y)^2, damping d_ψ                                               (9)
+// Maxwell elements by the trapezoidal rule, friction elements by return to the slip force.
+#pragma once
+
+#include "models/ring_tire/cyclic_band.h"
+#include "models/ring_tire/rim_frame.h"
+#include "models/ring_tire/ring_parameters.h"
+
+namespace latsch::ring_tire {
+
+/// How the end of a step hangs on its unknowns.
+struct StepRule {
+  double step = 0.0;      // s; 0: statics, where dampers and Maxwell elements are at rest
+  double velocity = 0.0;  // dv/dq, 1/s
+
+  bool statics() const { return step == 0.0; }
+};
+
+class SidewallForces {
+ public:
+  SidewallForces(const Sidewall& sidewall, double radius, int nodes);
+
+  /// All elements relaxed, the belt in its place at rest.
+  void reset();
+  /// At the end of a step from the last committed state.
+  void add_force(const NodeValues& q,
+                 const NodeValues& v,
+                 const RimFrame& rim,
+                 const StepRule& rule,
+                 NodeValues& force) const;
+  void add_stiffness(const NodeValues& q,
+                     const RimFrame& rim,
+                     const StepRule& rule,
+                     double scale,
+                     CyclicBand& K) const;
+  /// The step is done: its end is where the next one starts.
+  void commit(const NodeValues& q, const RimFrame& rim, const StepRule& rule);
+
+  /// J in all springs, after commit.
+  double energy(const NodeValues& q, const RimFrame& rim) const;
+
+ private:
+  static constexpr int kRadialFrictions = 5;
+  static constexpr int kFrictions = kRadialFrictions + 2;
+
+  struct Direction {
+    double k, d, k_maxwell;
+  };
+  struct Friction {
+    int direction;
+    double k, limit;
+  };
+  struct Pull {
+    double force, slope;
+  };
+
+  Eigen::Vector3d travel(const NodeValues& q, const RimFrame& rim, int k) const;
+  Pull spring(int direction, double u) const;
+  /// Maxwell and friction elements of a node whose travel becomes u.
+  Pull memory_pull(int k, int direction, double u, const StepRule& rule) const;
+  double maxwell_travel(int k, int direction, double u, const StepRule& rule) const;
+  double friction_travel(int k, int element, double u) const;
+
+  NodeAngles angles_;
+  double R_, tau_, progressivity_, progressive_travel_;
+  double torsion_, torsion_damping_, torsion_by_lateral_;
+  Direction direction_[3];
+  Friction friction_[kFrictions];
+  bool has_memory_;
+  Eigen::Matrix3Xd u_;                                      // at the last commit
+  Eigen::Matrix3Xd maxwell_;                                // u - u_i
+  Eigen::Matrix<double, kFrictions, Eigen::Dynamic> slip_;  // stretch of the friction springs
+};
+
+}  // namespace latsch::ring_tire
