@@ -155,16 +155,17 @@ std::vector<double> cross_correlation(std::span<const double> x, std::span<const
   return values;
 }
 
-Delay delay_between(std::span<const double> x, std::span<const double> y, int most) {
+Delay delay_between(std::span<const double> x, std::span<const double> y, int lower, int upper) {
   const Correlation r(x, y);
-  const int lower = -std::min(most, static_cast<int>(x.size()) - 1);
-  const int upper = std::min(most, static_cast<int>(y.size()) - 1);
+  lower = std::max(lower, 1 - static_cast<int>(x.size()));
+  upper = std::min(upper, static_cast<int>(y.size()) - 1);
+  assert(lower <= upper);
   int best = lower;
   for (int lag = lower; lag <= upper; ++lag) {
     if (r.at(lag) > r.at(best)) best = lag;
   }
   Delay delay;
-  delay.samples = std::clamp(maximum_near(r, best), -1.0 * most, 1.0 * most);
+  delay.samples = std::clamp(maximum_near(r, best), 1.0 * lower, 1.0 * upper);
   const double scale = std::sqrt(energy(x) * energy(y));
   if (scale > 0.0) delay.likeness = r.between(delay.samples).value / scale;
   return delay;

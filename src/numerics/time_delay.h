@@ -19,12 +19,12 @@ std::vector<double> autocorrelation(std::span<const double> x, int lags);
 /// R_xy at the lags -(x.size() - 1) .. y.size() - 1.
 std::vector<double> cross_correlation(std::span<const double> x, std::span<const double> y);
 
-/// By how many samples y comes after x, |delay| <= most: the maximum of R_xy.
+/// By how many samples y comes after x, lower <= delay <= upper: the maximum of R_xy.
 struct Delay {
   double samples = 0.0;
   double likeness = 0.0;  // R_xy there over the root of R_xx(0) R_yy(0): 1 for the same shape
 };
-Delay delay_between(std::span<const double> x, std::span<const double> y, int most);
+Delay delay_between(std::span<const double> x, std::span<const double> y, int lower, int upper);
 
 /// x later by so many samples, which need not be whole; as if x went on periodically.
 std::vector<double> shifted(std::span<const double> x, double samples);

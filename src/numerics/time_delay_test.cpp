@@ -23,14 +23,14 @@ std::vector<double> pulse(double center, int count) {
 TEST(TimeDelay, OfABandLimitedPulseIsExact) {
   const auto x = pulse(200.0, 500);
   for (const double d : {0.0, 0.25, 0.5, -0.371, 17.203, -40.9}) {
-    const Delay found = delay_between(x, pulse(200.0 + d, 500), 60);
+    const Delay found = delay_between(x, pulse(200.0 + d, 500), -60, 60);
     EXPECT_NEAR(found.samples, d, 1e-9) << d;
     EXPECT_NEAR(found.likeness, 1.0, 1e-12) << d;
   }
 }
 
 TEST(TimeDelay, StaysWithinTheLagsAllowed) {
-  EXPECT_LE(std::abs(delay_between(pulse(200.0, 500), pulse(230.0, 500), 10).samples), 10.0);
+  EXPECT_LE(std::abs(delay_between(pulse(200.0, 500), pulse(230.0, 500), -10, 10).samples), 10.0);
 }
 
 TEST(TimeDelay, ShiftMovesAPulseAsItsFormulaDoes) {

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measurement/plateaus.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "numerics/butterworth.h"
+
+namespace latsch {
+namespace {
+
+struct Stretch {
+  int first = 0, end = 0;
+  int samples() const { return end - first; }
+};
+
+/// The longest run of samples within the margin.
+Stretch longest_stretch(const std::vector<double>& speed, double target, double margin) {
+  Stretch longest, current;
+  for (int i = 0; i < static_cast<int>(speed.size()); ++i) {
+    if (std::abs(speed[i] - target) > margin) {
+      current = {i + 1, i + 1};
+      continue;
+    }
+    current.end = i + 1;
+    if (current.samples() > longest.samples()) longest = current;
+  }
+  return longest;
+}
+
+std::string kph(double speed) { return format_quantity(speed, "km/h", 5); }
+
+[[noreturn]] void no_plateau(const DrumRecord& record,
+                             const std::vector<double>& speed,
+                             double target,
+                             const Stretch& longest,
+                             const PlateauSettings& settings) {
+  const auto nearest = std::min_element(speed.begin(), speed.end(), [&](double a, double b) {
+    return std::abs(a - target) < std::abs(b - target);
+  });
+  const std::string found =
+      longest.samples() == 0
+          ? fmt::format("the speed comes nearest with {} at {:.4g} s",
+                        kph(*nearest),
+                        record.time(static_cast<double>(nearest - speed.begin())))
+          : fmt::format("the longest stretch lasts {:.4g} s (from {:.4g} s)",
+                        longest.samples() / record.rate,
+                        record.time(longest.first));
+  throw InputError({record.source, 0},
+                   fmt::format("has no plateau at {} +- {}: {}, expected {:g} s and {:g} s more to "
+                               "trim at each end; choose another speed, a wider margin or a "
+                               "shorter plateau",
+                               kph(target),
+                               kph(settings.margin),
+                               found,
+                               settings.shortest,
+                               settings.trim));
+}
+
+}  // namespace
+
+std::vector<double> smooth_speed(const DrumRecord& record,
+                                 const std::string& speed_channel,
+                                 const PlateauSettings& settings) {
+  using namespace numerics;
+  const auto speed = record.channel(speed_channel);
+  if (settings.low_pass >= record.rate / 2.0) {
+    throw InputError({record.source, 0},
+                     fmt::format("is sampled at {:g} Hz, too slow for the low-pass of the speed at "
+                                 "{:g} Hz: expected more than twice that",
+                                 record.rate,
+                                 settings.low_pass));
+  }
+  const auto sections =
+      sections_of(butterworth(settings.order, Band::low_pass, {settings.low_pass}, record.rate));
+  if (record.samples <= forward_backward_padding(sections)) {
+    throw InputError({record.source, 0},
+                     fmt::format("has {} samples, too few to low-pass the speed", record.samples));
+  }
+  return filter_forward_backward(sections, speed);
+}
+
+std::vector<Plateau> find_plateaus(const DrumRecord& record,
+                                   const std::string& speed_channel,
+                                   const std::vector<double>& targets,
+                                   const PlateauSettings& settings) {
+  const std::vector<double> speed = smooth_speed(record, speed_channel, settings);
+  const int trim = static_cast<int>(std::lround(settings.trim * record.rate));
+  std::vector<Plateau> plateaus;
+  for (const double target : targets) {
+    const Stretch stretch = longest_stretch(speed, target, settings.margin);
+    if (stretch.samples() - 2 * trim < settings.shortest * record.rate) {
+      no_plateau(record, speed, target, stretch, settings);
+    }
+    Plateau plateau{target, stretch.first + trim, stretch.end - trim, 0.0, 0.0};
+    const auto first = speed.begin() + plateau.first, end = speed.begin() + plateau.end;
+    plateau.mean = std::accumulate(first, end, 0.0) / plateau.samples();
+    plateau.range = *std::max_element(first, end) - *std::min_element(first, end);
+    plateaus.push_back(plateau);
+  }
+  return plateaus;
+}
+
+}  // namespace latsch
