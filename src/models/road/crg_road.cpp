@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/road/crg_road.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace latsch::road {
+namespace {
+
+using Border = CrgGrid::Border;
+using Eigen::Vector2d;
+
+// The same direction to all digits but the last of sums over the line.
+constexpr double kStraight = 1e-12;
+// Spacings that differ by less count as even, as in OpenCRG's own evaluation.
+constexpr double kEven = 1e-9;
+// OpenCRG closes a line whose ends differ by less than 60 deg.
+constexpr double kClosingCosine = 0.5;
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+Vector2d left_of(const Vector2d& a) { return {-a.y(), a.x()}; }
+
+bool is_straight(const std::vector<Vector2d>& line) {
+  const Vector2d whole = line.back() - line.front();
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vector2d even = line.front() + whole * (double(i) / double(line.size() - 1));
+    if ((line[i] - even).norm() > kStraight * whole.norm()) return false;
+  }
+  return true;
+}
+
+bool is_even(const std::vector<double>& v) {
+  const double step = (v.back() - v.front()) / static_cast<double>(v.size() - 1);
+  for (std::size_t i = 0; i < v.size(); ++i)
+    if (std::abs(v.front() + step * static_cast<double>(i) - v[i]) > kEven * step) return false;
+  return true;
+}
+
+}  // namespace
+
+CrgRoad::CrgRoad(CrgGrid grid) : grid_(std::move(grid)) {
+  assert(grid_.line.size() >= 2 && grid_.v.size() >= 2 && grid_.u_increment > 0.0);
+  assert(grid_.z.size() == grid_.line.size() * grid_.v.size());
+  assert(grid_.line_height.size() == grid_.line.size());
+  straight_ = is_straight(grid_.line);
+  even_v_ = is_even(grid_.v);
+  first_ = (grid_.line[1] - grid_.line[0]).normalized();
+  last_ = (grid_.line.back() - grid_.line[grid_.line.size() - 2]).normalized();
+  if (!straight_) index_ = LineIndex(grid_.line);
+  if (grid_.closed) find_closure();
+}
+
+/// The straight continuations of both ends meet: each is used for half of the gap.
+void CrgRoad::find_closure() {
+  const double cosine = first_.dot(last_);
+  if (cosine <= kClosingCosine) return;
+  const Vector2d gap = grid_.line.front() - grid_.line.back();
+  const double beyond = gap.dot(first_) / cosine;  // along the end, to the normal of the begin
+  const double before = gap.dot(last_) / cosine;   // along the begin, to the normal of the end
+  if (beyond <= 0.0 || before <= 0.0) return;
+  closed_ = true;
+  close_min_ = grid_.u_begin - 0.5 * before * cosine;
+  close_max_ = grid_.u_end() + 0.5 * beyond * cosine;
+}
+
+double CrgRoad::wrapped(double u) const {
+  if (!closed_ || (u >= close_min_ && u <= close_max_)) return u;
+  const double length = close_max_ - close_min_;
+  return u - length * std::floor((u - close_min_) / length);
+}
+
+/// Direction of the line in a point, not of unit length.
+Vector2d CrgRoad::tangent(int point) const {
+  const int last = grid_.rows() - 1;
+  return grid_.line[std::min(point + 1, last)] - grid_.line[std::max(point - 1, 0)];
+}
+
+/// From a point of the line as far as where v = 1 crosses the normal on its tangent.
+Vector2d CrgRoad::miter(int point, const Vector2d& normal) const {
+  const Vector2d n = left_of(tangent(point)).normalized();
+  return n / n.dot(normal);
+}
+
+CrgRoad::Interval CrgRoad::interval(const Vector2d& p) const {
+  const std::vector<Vector2d>& P = grid_.line;
+  const int last = grid_.rows() - 1;
+  const auto beyond = [&](int point) { return (p - P[point]).dot(tangent(point)); };
+  Interval found;
+  int k = 0;
+  if (straight_) {
+    const double u = (p - P[0]).dot(first_) / grid_.u_increment;
+    k = static_cast<int>(std::clamp(std::floor(u), 0.0, last - 1.0));
+  } else {
+    k = std::min(index_.nearest(P, p), last - 1);
+    while (k < last - 1 && beyond(k + 1) > 0.0) ++k;
+    while (k > 0 && beyond(k) < 0.0) --k;
+  }
+  const Vector2d d = P[k + 1] - P[k];
+  const double a = beyond(k) / tangent(k).dot(d);
+  const double b = -beyond(k + 1) / tangent(k + 1).dot(d);
+  found.number = k;
+  found.part = a / (a + b);
+  found.v = cross(d, p - P[k]) / d.norm();
+  const bool before = k == 0 && a < 0.0, behind = k == last - 1 && b < 0.0;
+  if (before || behind) {
+    const Vector2d& end = before ? P[0] : P[last];
+    const Vector2d& direction = before ? first_ : last_;
+    found.part = (p - end).dot(direction) / grid_.u_increment + (before ? 0.0 : 1.0);
+    found.v = cross(direction, p - end);
+    found.along_u = direction;
+    found.along_v = left_of(direction);
+    return found;
+  }
+  const Vector2d normal = left_of(d).normalized();
+  const Vector2d n1 = miter(k, normal), n2 = miter(k + 1, normal);
+  found.along_u = (d + found.v * (n2 - n1)) / grid_.u_increment;
+  found.along_v = (1.0 - found.part) * n1 + found.part * n2;
+  return found;
+}
+
+double CrgRoad::u_of(const Interval& place) const {
+  return grid_.u_begin + (place.number + place.part) * grid_.u_increment;
+}
+
+CrgRoad::Position CrgRoad::locate(double x, double y) const {
+  const Interval place = interval({x, y});
+  return {wrapped(u_of(place)), place.v};
+}
+
+Vector2d CrgRoad::point(const Position& position) const {
+  const std::vector<Vector2d>& P = grid_.line;
+  const int last = grid_.rows() - 1;
+  const double way = (wrapped(position.u) - grid_.u_begin) / grid_.u_increment;
+  if (way < 0.0) return P[0] + way * grid_.u_increment * first_ + position.v * left_of(first_);
+  if (way > last) {
+    return P[last] + (way - last) * grid_.u_increment * last_ + position.v * left_of(last_);
+  }
+  const int k = std::min(static_cast<int>(way), last - 1);
+  const Vector2d normal = left_of(P[k + 1] - P[k]).normalized();
+  const Vector2d a = P[k] + position.v * miter(k, normal);
+  const Vector2d b = P[k + 1] + position.v * miter(k + 1, normal);
+  return a + (way - k) * (b - a);
+}
+
+namespace {
+
+struct Folded {
+  double way = 0.0;   // 0 ... length
+  double sign = 1.0;  // of the derivative
+  bool outside = false;
+};
+
+/// Where the border mode looks for a place beyond 0 ... length.
+Folded fold(double way, double length, Border border) {
+  if (way >= 0.0 && way <= length) return {way};
+  if (border == Border::repeat) return {way - length * std::floor(way / length)};
+  if (border == Border::reflect) {
+    const double pair = way - 2.0 * length * std::floor(way / (2.0 * length));
+    if (pair <= length) return {pair};
+    return {2.0 * length - pair, -1.0};
+  }
+  return {std::clamp(way, 0.0, length), 0.0, true};
+}
+
+}  // namespace
+
+CrgRoad::Place CrgRoad::along(double u) const {
+  const int last = grid_.rows() - 1;
+  const Folded folded = fold((u - grid_.u_begin) / grid_.u_increment, last, grid_.border_u);
+  const int row = std::min(static_cast<int>(folded.way), last - 1);
+  return {row, folded.way - row, folded.sign, folded.outside};
+}
+
+CrgRoad::Place CrgRoad::across(double v) const {
+  const std::vector<double>& at = grid_.v;
+  const int last = static_cast<int>(at.size()) - 1;
+  const Folded folded = fold(v - at.front(), at.back() - at.front(), grid_.border_v);
+  const double place = at.front() + folded.way;
+  int row = 0;
+  if (even_v_) {
+    row = static_cast<int>(folded.way / (at.back() - at.front()) * last);
+  } else {
+    row = static_cast<int>(std::upper_bound(at.begin(), at.end(), place) - at.begin()) - 1;
+  }
+  row = std::clamp(row, 0, last - 1);
+  return {row, (place - at[row]) / (at[row + 1] - at[row]), folded.sign, folded.outside};
+}
+
+void CrgRoad::add_grid(const Place& u, const Place& v, Elevation& result) const {
+  const std::size_t columns = grid_.v.size();
+  const std::size_t near = u.row * columns + v.row, far = near + columns;
+  const double z00 = grid_.z[near], z01 = grid_.z[near + 1];
+  const double z10 = grid_.z[far] - z00, z11 = grid_.z[far + 1] - z01;
+  const double left = z01 - z00;
+  const double rise = z10 + v.part * (z11 - z10);
+  result.z += z00 + v.part * left + u.part * rise;
+  result.dz_du += u.sign * rise / grid_.u_increment;
+  result.dz_dv += v.sign * (left + u.part * (z11 - z10)) / (grid_.v[v.row + 1] - grid_.v[v.row]);
+  if (grid_.missing.empty()) return;
+  for (const std::size_t corner : {near, near + 1, far, far + 1}) {
+    result.missing = result.missing || grid_.missing[corner];
+  }
+}
+
+/// Height of the line and banking; this counts from the line as far as the grid goes, and with the
+/// place in the grid also where that is repeated.
+void CrgRoad::add_line(const Place& u, const Place& v, Elevation& result) const {
+  const double rise = grid_.line_height[u.row + 1] - grid_.line_height[u.row];
+  result.z += grid_.line_height[u.row] + u.part * rise;
+  result.dz_du += u.sign * rise / grid_.u_increment;
+  if (grid_.banking.empty()) return;
+  const double change = grid_.banking[u.row + 1] - grid_.banking[u.row];
+  const double bank = grid_.banking[u.row] + u.part * change;
+  const double reach = grid_.v[v.row] + v.part * (grid_.v[v.row + 1] - grid_.v[v.row]);
+  result.z += bank * reach;
+  result.dz_du += u.sign * change * reach / grid_.u_increment;
+  result.dz_dv += v.sign * bank;
+}
+
+void CrgRoad::smoothen(double u, Elevation& result) const {
+  const auto fade = [&](double way, double zone, double base, double direction) {
+    if (zone <= 0.0 || way > zone) return;
+    const double scale = std::max(way, 0.0) / zone;
+    const double slope = way > 0.0 ? direction / zone : 0.0;
+    result.dz_du = result.dz_du * scale + (result.z - base) * slope;
+    result.dz_dv *= scale;
+    result.z = base + (result.z - base) * scale;
+  };
+  fade(u - grid_.u_begin, grid_.smooth_begin, grid_.line_height.front(), 1.0);
+  fade(grid_.u_end() - u, grid_.smooth_end, grid_.line_height.back(), -1.0);
+}
+
+CrgRoad::Elevation CrgRoad::evaluate(double u, double v) const {
+  const Place row = along(u), column = across(v);
+  Elevation result;
+  result.missing = (row.outside && grid_.border_u == Border::none) ||
+                   (column.outside && grid_.border_v == Border::none);
+  const auto offset_of = [](const Place& place, Border border, double offset) {
+    return place.outside && border != Border::none ? offset : 0.0;
+  };
+  const double offset = offset_of(row, grid_.border_u, grid_.border_offset_u) +
+                        offset_of(column, grid_.border_v, grid_.border_offset_v);
+  if ((row.outside && grid_.border_u == Border::zero) ||
+      (column.outside && grid_.border_v == Border::zero)) {
+    result.z = offset;
+    return result;
+  }
+  add_grid(row, column, result);
+  add_line(row, column, result);
+  result.z += offset;
+  smoothen(row.outside ? u : grid_.u_begin + (row.row + row.part) * grid_.u_increment, result);
+  return result;
+}
+
+std::optional<double> CrgRoad::elevation(const Position& position) const {
+  const Elevation result = evaluate(wrapped(position.u), position.v);
+  if (result.missing) return std::nullopt;
+  return result.z;
+}
+
+double CrgRoad::height(double x, double y, double) const {
+  const Interval place = interval({x, y});
+  return evaluate(wrapped(u_of(place)), place.v).z;
+}
+
+GroundPoint CrgRoad::at(double x, double y, double) const {
+  const Interval place = interval({x, y});
+  const Elevation surface = evaluate(wrapped(u_of(place)), place.v);
+  // The gradient in the plane: z by u and v are its products with how the place moves with them.
+  Eigen::Matrix2d moves;
+  moves.row(0) = place.along_u;
+  moves.row(1) = place.along_v;
+  const Vector2d gradient = moves.inverse() * Vector2d(surface.dz_du, surface.dz_dv);
+  GroundPoint ground;
+  ground.height = surface.z;
+  ground.normal = Eigen::Vector3d(-gradient.x(), -gradient.y(), 1.0).normalized();
+  return ground;
+}
+
+}  // namespace latsch::road

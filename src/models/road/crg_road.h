@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// A curved regular grid: heights on a grid along a reference line, the surface of OpenCRG
+// [ASAM OpenCRG 1.2.0, concept paper].
+//
+//   u  along the line, every `u_increment`; v  to its left, at any rising places
+//   z(u, v) = line height(u) + banking(u) v + grid(u, v)
+//
+// with heights and banking straight between rows and the grid bilinear. In the interval k between
+// the points P_k and P_k+1 of the line, v is the distance from the line through both; u divides,
+// parallel to it, the way from the normal on P_k-1 P_k+1 through P_k to that on P_k P_k+2 through
+// P_k+1. Beyond both ends the line goes on straight. At a place nearer to a center of curvature
+// than the line itself the coordinates are not unique, as in OpenCRG.
+//
+// Beyond the grid the border modes of OpenCRG hold:
+//   none     no road: elevation() is empty there; for a tire at() keeps the edge
+//   zero     z = border_offset
+//   keep     the edge goes on, raised by border_offset
+//   repeat   the grid begins again, reflect: it comes back mirrored
+#pragma once
+
+#include <optional>
+
+#include "models/road/line_index.h"
+#include "models/road/road.h"
+
+namespace latsch::road {
+
+struct CrgGrid {
+  enum class Border { none, zero, keep, repeat, reflect };
+
+  double u_begin = 0.0;               // m
+  double u_increment = 1.0;           // m
+  std::vector<Eigen::Vector2d> line;  // m, at least two points
+  std::vector<double> line_height;    // m, of each row
+  std::vector<double> banking;        // of each row, or none
+  std::vector<double> v;              // m, at least two, rising
+  std::vector<double> z;              // m, row by row, v from right to left
+  std::vector<bool> missing;          // of each z, or none: it is a guess, elevation() is empty
+
+  Border border_u = Border::keep, border_v = Border::keep;
+  double border_offset_u = 0.0, border_offset_v = 0.0;  // m
+  double smooth_begin = 0.0, smooth_end = 0.0;  // m: over which z fades in from the line's height
+  bool closed = false;                          // the end joins the begin, where it can
+
+  int rows() const { return static_cast<int>(line.size()); }
+  double u_end() const { return u_begin + u_increment * (rows() - 1); }
+};
+
+class CrgRoad final : public Road {
+ public:
+  struct Position {
+    double u = 0.0, v = 0.0;  // m
+  };
+
+  explicit CrgRoad(CrgGrid grid);
+
+  GroundPoint at(double x, double y, double time) const override;
+  double height(double x, double y, double time) const override;
+
+  Position locate(double x, double y) const;
+  Eigen::Vector2d point(const Position& position) const;
+  /// Empty where the file has no road.
+  std::optional<double> elevation(const Position& position) const;
+  const CrgGrid& grid() const { return grid_; }
+
+ private:
+  struct Interval {
+    int number = 0;     // between points number and number + 1
+    double part = 0.0;  // way through it; < 0, > 1 beyond the ends
+    double v = 0.0;
+    Eigen::Vector2d along_u;  // derivatives of the place by u and v
+    Eigen::Vector2d along_v;
+  };
+  struct Place {
+    int row = 0;
+    double part = 0.0;
+    double sign = 1.0;  // of the derivative; 0 where the edge is kept
+    bool outside = false;
+  };
+  struct Elevation {
+    double z = 0.0, dz_du = 0.0, dz_dv = 0.0;
+    bool missing = false;
+  };
+
+  Eigen::Vector2d tangent(int point) const;
+  Eigen::Vector2d miter(int point, const Eigen::Vector2d& normal) const;
+  Interval interval(const Eigen::Vector2d& p) const;
+  void find_closure();
+  double wrapped(double u) const;
+  double u_of(const Interval& place) const;
+  Place along(double u) const;
+  Place across(double v) const;
+  Elevation evaluate(double u, double v) const;
+  void add_grid(const Place& u, const Place& v, Elevation& result) const;
+  void add_line(const Place& u, const Place& v, Elevation& result) const;
+  void smoothen(double u, Elevation& result) const;
+
+  CrgGrid grid_;
+  LineIndex index_;
+  bool straight_ = false, even_v_ = false, closed_ = false;
+  double close_min_ = 0.0, close_max_ = 0.0;
+  Eigen::Vector2d first_, last_;  // directions at both ends, unit
+};
+
+}  // namespace latsch::road
