@@ -227,14 +227,15 @@ class GridBuilding {
   void read_heights() {
     const int rows = records_.rows;
     const double z = road("reference_line_start_z", 0.0);
-    std::vector<double> slope = column(Kind::slope, "slope");
+    std::vector<double> slope = column(Kind::slope, "slope", 1);
     if (slope.empty()) slope.assign(rows, road("reference_line_start_s", 0.0));
     const double steeper = modifier("scale_slope", 1.0);
     grid_.line_height.assign(rows, z);
     for (int i = 1; i < rows; ++i) {
       grid_.line_height[i] = grid_.line_height[i - 1] + steeper * slope[i] * grid_.u_increment;
     }
-    const bool level = std::all_of(slope.begin(), slope.end(), [](double s) { return s == 0.0; });
+    const bool level =
+        std::all_of(slope.begin() + 1, slope.end(), [](double s) { return s == 0.0; });
     const bool changed = has_modifier("scale_slope") || has_modifier("scale_length");
     if (has_road("reference_line_end_z") && !level && !changed) {
       blend_heights(road("reference_line_end_z", 0.0) - grid_.line_height.back());

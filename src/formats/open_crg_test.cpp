@@ -245,7 +245,7 @@ TEST(OpenCrg, ClosedTrackComesRound) {
 
 TEST(OpenCrg, SaysWhereAndWhatIsWrong) {
   expect_message("", "road.crg: ", "no data");
-  expect_message(with("$$$$$$\n", "$\n"), "road.crg:14: ", "expected a section");
+  expect_message(with("$$$$$$\n", "$\n"), "road.crg:15: ", "expected a section");
   expect_message(with("Reference_Line_Increment", "reference_line_incremnet"),
                  "road.crg:5: ",
                  "did you mean \"reference_line_increment\"");
