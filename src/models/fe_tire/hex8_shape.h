@@ -10,7 +10,7 @@
 #include <array>
 
 #include "models/fe_tire/hex8.h"
-#include "models/fe_tire/lanes.h"
+#include "numerics/lanes.h"
 
 namespace latsch::fe_tire {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "models/fe_tire/hex8.h"
-#include "models/fe_tire/lanes.h"
+#include "numerics/lanes.h"
 
 namespace latsch::fe_tire {
 

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-#include "models/fe_tire/lanes.h"
+#include "numerics/lanes.h"
 #include "models/fe_tire/materials.h"
 
 namespace latsch::fe_tire::rubber_law {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight doubles side by side: the element's eight nodes or its eight Gauss points at once.
+// Eight doubles side by side: an element's eight nodes or Gauss points, eight states of a tire.
 //
 // A vector type of the compiler, so that one source serves SSE2, AVX2 and AVX-512: a function
 // marked LATSCH_CLONES is compiled for each and the processor's own is chosen when the program
@@ -9,7 +9,7 @@
 
 #include <cstring>
 
-namespace latsch::fe_tire {
+namespace latsch {
 
 using Lanes = double __attribute__((vector_size(64)));
 
@@ -29,8 +29,10 @@ LATSCH_INLINE Lanes lanes(const double* p) {
 
 LATSCH_INLINE Lanes all(double x) { return Lanes{x, x, x, x, x, x, x, x}; }
 
+LATSCH_INLINE void store(const Lanes& v, double* p) { std::memcpy(p, &v, sizeof v); }
+
 LATSCH_INLINE double sum(const Lanes& v) {
   return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
 }
 
-}  // namespace latsch::fe_tire
+}  // namespace latsch

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// The aligning moment: pneumatic trail, residual torque, arm of the longitudinal force.
+//
+// (4.E31)-(4.E49), (4.E71)-(4.E78) [Pacejka 2012] in the form of [Besselink et al. 2010]: trail
+// (A58), (A60) with gamma where the book has |gamma|, equivalent slip angles (A54), (A55), arm s
+// (A56). The trail carries LFZO, as in MF-Tyre. MF 5.2 multiplies the trail with the side force as
+// it is, 6.1 and 6.2 with that at gamma = 0 (4.E74). The torque of turning on the spot and of turn
+// slip is (4.91)-(4.103); (4.99) stands as MF-Tyre evaluates it.
+#pragma once
+
+#include "models/magic_formula/lateral.h"
+
+namespace latsch::magic_formula::kernel {
+
+template <class R>
+struct Aligning {
+  R Mz, t, Mzr;
+};
+
+/// What spin does to the residual torque: its peak (4.E47) and shape (4.E45), (4.E46).
+template <class R>
+struct SpinTorque {
+  R zeta6, Drp;
+  R cosine;  // of zeta_7 atan(B_r alpha_r)
+};
+
+/// cos(2/pi acos(x) a), continued analytically for x > 1 (acos x = i arcosh x).
+template <class R>
+LATSCH_INLINE R cosine_of_share(const R& x, const R& a) {
+  const R inside = smaller(x, constant<R>(1.0));
+  const R angle = 2.0 * atan(sqrt((1.0 - inside) / (1.0 + inside)));  // acos
+  const R above = larger(x, constant<R>(1.0));
+  const R y = 2.0 / kPi * log(above + sqrt(above * above - 1.0)) * a;
+  return select(x > 1.0, 0.5 * (exp(y) + exp(-y)), cos(2.0 / kPi * angle * a));
+}
+
+template <class R>
+LATSCH_INLINE SpinTorque<R> spin_torque(const TireConstants& tire,
+                                        const OperatingPoint<R>& o,
+                                        const PureLateral<R>& y,
+                                        const R& Gyk) {
+  const Parameters& p = tire.p;
+  const double R0 = p.UNLOADED_RADIUS;
+  SpinTorque<R> s;
+  s.zeta6 = cos_atan(p.QBRP1 * R0 * o.phi);  // (4.102)
+  const R& Fz = o.Fz_moment;
+  const R none = constant<R>(kEpsilon);
+  const R at_rest = p.QCRP1 * abs(y.muy) * R0 * Fz * sqrt(Fz / tire.Fz0_prime) * p.LMP;
+  const R Mzp_inf = select(at_rest > 0.0, at_rest, none);  // (4.95)
+  const double CDrp = p.QDRP1;                             // (4.96)
+  const R DDrp = Mzp_inf / sin(0.5 * kPi * CDrp);          // (4.94)
+  const R Kzgr0 = Fz * R0 * (p.QDZ8 * p.QDZ9 * o.dfz + (p.QDZ10 + p.QDZ11 * o.dfz * abs(o.gamma))) *
+                  p.LKZC;                                                          // (4.99)
+  const R BDrp = Kzgr0 / (CDrp * DDrp * (1.0 - o.epsilon_gamma));                  // (4.98)
+  s.Drp = DDrp * sin(CDrp * atan(BDrp * R0 * o.phit));                             // (4.93)
+  const R Mzp90 = Mzp_inf * (2.0 / kPi) * atan(p.QCRP2 * R0 * abs(o.phit)) * Gyk;  // (4.103)
+  // On a straight path both vanish; their quotient tends to that of their slopes.
+  const R straight = Mzp_inf * (2.0 / kPi) * p.QCRP2 * Gyk / abs(BDrp * CDrp * DDrp);
+  s.cosine = select(s.Drp == 0.0, straight, Mzp90 / abs(s.Drp));  // until zeta_7 is applied
+  return s;
+}
+
+template <class R>
+LATSCH_INLINE R equivalent_angle(const R& alpha, const R& stiffness_kappa) {
+  const SinCos<R> a = sin_cos(alpha);
+  const R tangent = a.sin / a.cos;
+  return atan(sqrt(tangent * tangent + stiffness_kappa * stiffness_kappa)) * sign(alpha);
+}
+
+template <class R>
+LATSCH_INLINE R residual_peak(const TireConstants& tire,
+                              const Conventions& conventions,
+                              const OperatingPoint<R>& o,
+                              const R& zeta2) {
+  const Parameters& p = tire.p;
+  const R& g = o.gamma_star;
+  const R camber =
+      ((p.QDZ8 + p.QDZ9 * o.dfz) * (1.0 + p.PPZ2 * o.dpi) + (p.QDZ10 + p.QDZ11 * o.dfz) * abs(g)) *
+      g * (tire.mf52 ? p.LGAZ : 1.0) * p.LKZC;
+  const double zeta0 = conventions.turn_slip ? 0.0 : 1.0;  // (4.83)
+  return o.Fz_moment * p.UNLOADED_RADIUS *
+         ((p.QDZ6 + p.QDZ7 * o.dfz) * p.LRES * zeta2 + camber * zeta0) * o.LMUY_star * o.sign_Vx *
+         o.cos_alpha_star;  // (4.E47) without zeta_8 - 1
+}
+
+template <class R>
+LATSCH_INLINE Aligning<R> aligning(const TireConstants& tire,
+                                   const Conventions& conventions,
+                                   const OperatingPoint<R>& o,
+                                   const PureLateral<R>& pure,
+                                   const CombinedLateral<R>& combined,
+                                   const R& Kxk,
+                                   const R& Fx) {
+  const Parameters& p = tire.p;
+  const R &dfz = o.dfz, &dpi = o.dpi;
+  const R gamma = o.gamma * (tire.mf52 ? p.LGAZ : 1.0);
+  const double R0 = p.UNLOADED_RADIUS;
+  const R SHt = p.QHZ1 + p.QHZ2 * dfz + (p.QHZ3 + p.QHZ4 * dfz) * o.gamma_star;  // (4.E35)
+  const R alphat = o.alpha_star + SHt;                                           // (4.E34)
+  const R alphar = o.alpha_star + pure.SHy + pure.SVy / pure.Kya_prime;          // (4.E37), (4.E38)
+
+  SpinTorque<R> turning{constant<R>(1.0), constant<R>(0.0), constant<R>(0.0)};
+  R zeta5 = constant<R>(1.0);
+  if (conventions.turn_slip) {
+    zeta5 = cos_atan(p.QDTP1 * R0 * o.phi);  // (4.91)
+    turning = spin_torque(tire, o, pure, combined.Gyk);
+  }
+  const R Bt = (p.QBZ1 + p.QBZ2 * dfz + p.QBZ3 * dfz * dfz) *
+               (1.0 + p.QBZ4 * gamma + p.QBZ5 * abs(gamma)) * p.LKY / o.LMUY_star;  // (A58)
+  const R Ct = constant<R>(p.QCZ1);                                                 // (4.E41)
+  const R Dt = (p.QDZ1 + p.QDZ2 * dfz) * (1.0 - p.PPZ1 * dpi) *
+               (1.0 + p.QDZ3 * gamma + p.QDZ4 * gamma * gamma) * o.Fz_moment *
+               (R0 / tire.Fz0_prime) * p.LTR * zeta5;  // (A60)
+  R Et = (p.QEZ1 + p.QEZ2 * dfz + p.QEZ3 * dfz * dfz) *
+         (1.0 + (p.QEZ4 + p.QEZ5 * o.gamma_star) * (2.0 / kPi) * atan(Bt * Ct * alphat));
+  if (conventions.limits) Et = smaller(Et, constant<R>(1.0));  // (4.E44)
+
+  const R Dr = residual_peak(tire, conventions, o, pure.zeta2) + turning.Drp;  // (4.E47)
+  const R Br =
+      (p.QBZ9 * p.LKY / o.LMUY_star + p.QBZ10 * pure.By * pure.Cy) * turning.zeta6;  // (4.E45)
+  const R drag = Kxk / pure.Kya_prime * o.kappa;
+  const R alphar_eq = equivalent_angle(alphar, drag);  // (A54)
+  const R alphat_eq = equivalent_angle(alphat, drag);  // (A55)
+  const R swing = atan(Br * alphar_eq);
+  const R cosine =
+      conventions.turn_slip ? cosine_of_share(turning.cosine, swing) : cos_atan<R>(Br * alphar_eq);
+
+  Aligning<R> z;
+  z.Mzr = Dr * cosine * o.fade;  // (4.E75)
+  z.t = Dt * cosine_shape<R>(Bt * alphat_eq, Ct, Et) * o.cos_alpha_prime * p.LFZO * o.fade;
+  const R s = R0 * (p.SSZ1 + p.SSZ2 * combined.Fy / p.FNOMIN + (p.SSZ3 + p.SSZ4 * dfz) * gamma) *
+              p.LS;  // (A56)
+  R side = combined.Fy - combined.SVyk;
+  if (!tire.mf52) {
+    const R upright = constant<R>(0.0);
+    side = combined.Gyk * pure_lateral(tire, conventions, o, upright).Fy0;  // (4.E74)
+  }
+  z.Mz = -z.t * side + z.Mzr + s * Fx;  // (4.E71)
+  return z;
+}
+
+}  // namespace latsch::magic_formula::kernel

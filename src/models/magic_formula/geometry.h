@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Deflection and loaded radius, contact patch, structural stiffnesses and relaxation lengths.
+//
+// (1)-(10), (17)-(19): [Besselink et al. 2010]; MF 6.2 has camber in the deflection and the side
+// force's effect growing with it; MF 5.2 has own relaxation lengths (PTX, PTY) and an own patch
+// length (Q_A1, Q_A2). Two sign rules keep what is divided by above zero; a load that none of the
+// deflections carries has no loaded radius (0).
+#pragma once
+
+#include "models/magic_formula/operating_point.h"
+
+namespace latsch::magic_formula::kernel {
+
+template <class R>
+struct Deflection {
+  R rho, R_l;
+};
+
+/// 1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - (q_FCy Fy/Fz0)^2 (3)
+template <class R>
+LATSCH_INLINE R stiffening(const Parameters& p, const R& omega, const R& x, const R& y) {
+  return 1.0 + p.Q_V2 * (p.UNLOADED_RADIUS / p.LONGVL) * abs(omega) - x * x - y * y;
+}
+
+/// The deflection that carries the load (3), solved for rho; MF 5.2 and 6.1.
+template <class R>
+LATSCH_INLINE Deflection<R> deflection(const TireConstants& tire,
+                                       const OperatingPoint<R>& o,
+                                       const R& Fx,
+                                       const R& Fy) {
+  const Parameters& p = tire.p;
+  const R external = stiffening<R>(p, o.omega, p.Q_FCX * Fx / p.FNOMIN, p.Q_FCY * Fy / p.FNOMIN) *
+                     (1.0 + p.PFZ1 * o.dpi) * p.FNOMIN;
+  const R load = larger(o.Fz, constant<R>(p.FZMIN));
+  const R root = tire.Q_FZ1 * tire.Q_FZ1 + 4.0 * p.Q_FZ2 * load / external;
+  const R x = 2.0 * load / external / (tire.Q_FZ1 + sqrt(larger(root, constant<R>(0.0))));
+  Deflection<R> d;
+  d.rho = larger(x * p.UNLOADED_RADIUS, constant<R>(0.0));
+  d.R_l = larger(o.R_omega - d.rho, constant<R>(0.0));
+  return d;
+}
+
+/// The same with the camber and side force terms of MF 6.2, by bisection and Newton's method.
+Deflection<double> deflection_62(const TireConstants& tire,
+                                 const OperatingPoint<double>& o,
+                                 double Fx,
+                                 double Fy);
+/// The vertical force of MF 6.2 at a loaded radius.
+double vertical_force_62(const TireConstants& tire,
+                         const OperatingPoint<double>& o,
+                         double R_l,
+                         double Fx,
+                         double Fy,
+                         double* rho);
+
+template <class R>
+struct Patch {
+  R a, b;  // half length, half width
+};
+
+template <class R>
+LATSCH_INLINE Patch<R> contact_patch(const TireConstants& tire, const OperatingPoint<R>& o) {
+  const Parameters& p = tire.p;
+  const double R0 = p.UNLOADED_RADIUS;
+  const R Cz = p.VERTICAL_STIFFNESS * (1.0 + p.PFZ1 * o.dpi);  // (5)
+  // On its rim the patch grows no more.
+  const R Fz = smaller<R>(o.Fz_given, (R0 - p.RIM_RADIUS - p.BOTTOM_OFFST) * Cz);
+  Patch<R> patch;
+  if (tire.mf52) {
+    const R load = Fz / p.FNOMIN;
+    patch.a = R0 * (tire.Q_A2 * load + tire.Q_A1 * sqrt(load));
+    patch.b = constant<R>(0.5 * p.WIDTH);
+  } else {
+    const R load = Fz / (Cz * R0);
+    patch.a = R0 * (p.Q_RA2 * load + p.Q_RA1 * sqrt(load));                    // (9)
+    patch.b = p.WIDTH * (p.Q_RB2 * load + p.Q_RB1 * power<R>(load, 1.0 / 3));  // (10)
+  }
+  return patch;
+}
+
+template <class R>
+struct Relaxation {
+  R Cx, Cy, sigma_x, sigma_y;
+};
+
+template <class R>
+LATSCH_INLINE Relaxation<R> relaxation(const TireConstants& tire,
+                                       const OperatingPoint<R>& o,
+                                       const R& Kxk,
+                                       const R& Kya) {
+  const Parameters& p = tire.p;
+  const R &dfz = o.dfz, &dpi = o.dpi;
+  Relaxation<R> r;
+  r.Cx = p.LONGITUDINAL_STIFFNESS * (1.0 + p.PCFX1 * dfz + p.PCFX2 * dfz * dfz) *
+         (1.0 + p.PCFX3 * dpi);  // (17)
+  r.Cy = p.LATERAL_STIFFNESS * (1.0 + p.PCFY1 * dfz + p.PCFY2 * dfz * dfz) *
+         (1.0 + p.PCFY3 * dpi);  // (18)
+  if (tire.mf52) {
+    r.sigma_x = (p.PTX1 + p.PTX2 * dfz) * exp(-p.PTX3 * dfz) * p.LSGKP * p.UNLOADED_RADIUS * o.Fz /
+                p.FNOMIN;
+    r.sigma_y = p.PTY2 == 0.0
+                    ? constant<R>(0.0)
+                    : p.PTY1 * sin(2.0 * atan(o.Fz / (p.PTY2 * tire.Fz0_prime))) *
+                          (1.0 - p.PKY3 * abs(o.gamma)) * p.UNLOADED_RADIUS * p.LFZO * p.LSGAL;
+  } else {
+    r.sigma_x = p.LONGITUDINAL_STIFFNESS == 0.0 ? constant<R>(0.0) : abs(Kxk / r.Cx);  // (19)
+    r.sigma_y = p.LATERAL_STIFFNESS == 0.0 ? constant<R>(0.0) : abs(Kya / r.Cy);
+  }
+  return r;
+}
+
+}  // namespace latsch::magic_formula::kernel

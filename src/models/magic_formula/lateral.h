@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// The side force, pure (4.E19)-(4.E30) and combined (4.E58)-(4.E67) [Pacejka 2012], with the
+// spin terms zeta_0, zeta_2, zeta_3, zeta_4 (4.77)-(4.90). The camber stiffness K_yg0 carries
+// (1 + p_py5 dp), and MF 5.2 has its shift from PHY3 in place of (4.E27).
+#pragma once
+
+#include "models/magic_formula/operating_point.h"
+
+namespace latsch::magic_formula::kernel {
+
+template <class R>
+struct PureLateral {
+  R Fy0, muy, Kya, Kya_prime, SHy, SVy, By, Cy, zeta2;
+};
+
+/// K_ya (4.E25)
+template <class R>
+LATSCH_INLINE R cornering_stiffness(const TireConstants& tire,
+                                    const OperatingPoint<R>& o,
+                                    const R& gamma_star,
+                                    const R& zeta3) {
+  const Parameters& p = tire.p;
+  const R bend = (o.Fz / tire.Fz0_prime) /
+                 ((p.PKY2 + p.PKY5 * gamma_star * gamma_star) * (1.0 + p.PPY2 * o.dpi));
+  return p.PKY1 * tire.Fz0_prime * (1.0 + p.PPY1 * o.dpi) * (1.0 - p.PKY3 * abs(gamma_star)) *
+         sin(p.PKY4 * atan(bend)) * zeta3 * p.LKY;
+}
+
+/// K_yg0 (4.E30); of MF 5.2 from its shifts.
+template <class R>
+LATSCH_INLINE R camber_stiffness(const TireConstants& tire, const OperatingPoint<R>& o) {
+  const Parameters& p = tire.p;
+  if (tire.mf52) {
+    const R Kya0 =
+        p.PKY1 * tire.Fz0_prime * p.LKYC * sin(p.PKY4 * atan(o.Fz / (p.PKY2 * tire.Fz0_prime)));
+    return (p.PHY3 * Kya0 + o.Fz * (p.PVY3 + p.PVY4 * o.dfz)) * p.LKYC;
+  }
+  return o.Fz * (p.PKY6 + p.PKY7 * o.dfz) * (1.0 + p.PPY5 * o.dpi) * p.LKYC;
+}
+
+template <class R>
+LATSCH_INLINE R with_epsilon(const R& stiffness) {
+  return stiffness + kEpsilon * sign_or_one(stiffness);  // (4.E39)
+}
+
+/// zeta_2 (4.77), (4.78)
+template <class R>
+LATSCH_INLINE R peak_reduction_by_spin(const Parameters& p, const OperatingPoint<R>& o) {
+  const R Byp = p.PDYP1 * (1.0 + p.PDYP2 * o.dfz) * cos_atan(p.PDYP3 * o.tan_alpha);
+  const R turns = p.UNLOADED_RADIUS * abs(o.phi);
+  return cos_atan(Byp * (turns + p.PDYP4 * sqrt(turns)));
+}
+
+/// S_Hyphi (4.80), (4.85)-(4.89)
+template <class R>
+LATSCH_INLINE R shift_by_spin(const TireConstants& tire,
+                              const Conventions& conventions,
+                              const OperatingPoint<R>& o,
+                              const R& Kya0) {
+  const Parameters& p = tire.p;
+  const R CHyp = constant<R>(p.PHYP1);                                              // (4.85)
+  const R DHyp = (p.PHYP2 + p.PHYP3 * o.dfz) * o.sign_Vx;                           // (4.86)
+  const R EHyp = constant<R>(conventions.limits && p.PHYP4 > 1.0 ? 1.0 : p.PHYP4);  // (4.87)
+  const R KyRp0 = camber_stiffness(tire, o) / (1.0 - o.epsilon_gamma);              // (4.89)
+  const R BHyp = KyRp0 / (CHyp * DHyp * with_epsilon(Kya0));                        // (4.88)
+  const R x = BHyp * p.UNLOADED_RADIUS * o.phi;
+  const R SHyp = DHyp * sine_shape(x, CHyp, EHyp) * o.sign_Vx;  // (4.80)
+  return select(o.sign_Vx == 0.0, constant<R>(0.0), SHyp);
+}
+
+template <class R>
+LATSCH_INLINE R shift_by_camber(const TireConstants& tire,
+                                const Conventions& conventions,
+                                const OperatingPoint<R>& o,
+                                const R& gamma_star,
+                                const R& SVyg,
+                                const R& Kya,
+                                const R& zeta3) {
+  const Parameters& p = tire.p;
+  if (tire.mf52) return p.PHY3 * gamma_star * p.LKYC;
+  if (conventions.turn_slip) {  // zeta_0 = 0 (4.83); this is zeta_4 - 1 (4.84)
+    const R Kya0 = cornering_stiffness(tire, o, constant<R>(0.0), zeta3);
+    return shift_by_spin(tire, conventions, o, Kya0) - SVyg / with_epsilon(Kya);
+  }
+  return (camber_stiffness(tire, o) * gamma_star - SVyg) / with_epsilon(Kya);
+}
+
+template <class R>
+LATSCH_INLINE PureLateral<R> pure_lateral(const TireConstants& tire,
+                                          const Conventions& conventions,
+                                          const OperatingPoint<R>& o,
+                                          const R& gamma_star_given) {
+  const Parameters& p = tire.p;
+  const R &dfz = o.dfz, &dpi = o.dpi;
+  const R gamma_star = gamma_star_given * (tire.mf52 ? p.LGAY : 1.0);
+  PureLateral<R> y;
+  R zeta3 = constant<R>(1.0);
+  y.zeta2 = constant<R>(1.0);
+  if (conventions.turn_slip) {
+    zeta3 = cos_atan(p.PKYP1 * p.UNLOADED_RADIUS * p.UNLOADED_RADIUS * o.phi * o.phi);  // (4.79)
+    y.zeta2 = peak_reduction_by_spin(p, o);
+  }
+  y.Kya = cornering_stiffness(tire, o, gamma_star, zeta3);  // (4.E25)
+  y.Kya_prime = with_epsilon(y.Kya);                        // (4.E39)
+  const R SVyg =
+      o.Fz * (p.PVY3 + p.PVY4 * dfz) * gamma_star * p.LKYC * o.LMUY_prime * y.zeta2;  // (4.E28)
+  y.SHy = ((p.PHY1 + p.PHY2 * dfz) * p.LHY +
+           shift_by_camber(tire, conventions, o, gamma_star, SVyg, y.Kya, zeta3)) *
+          o.fade;  // (4.E27)
+  y.SVy =
+      (o.Fz * (p.PVY1 + p.PVY2 * dfz) * p.LVY * o.LMUY_prime * y.zeta2 + SVyg) * o.fade;  // (4.E29)
+  const R alphay = o.alpha_star + y.SHy;                                                  // (4.E20)
+  y.Cy = constant<R>(p.PCY1 * p.LCY);                                                     // (4.E21)
+  y.muy = (p.PDY1 + p.PDY2 * dfz) * (1.0 + p.PPY3 * dpi + p.PPY4 * dpi * dpi) *
+          (1.0 - p.PDY3 * gamma_star * gamma_star) * o.LMUY_star;  // (4.E23)
+  const R Dy = y.muy * o.Fz * y.zeta2;                             // (4.E22)
+  R Ey = (p.PEY1 + p.PEY2 * dfz) *
+         (1.0 + p.PEY5 * gamma_star * gamma_star -
+          (p.PEY3 + p.PEY4 * gamma_star) * sign_or_one(alphay)) *
+         p.LEY;  // (4.E24)
+  if (conventions.limits) Ey = smaller(Ey, constant<R>(1.0));
+  y.By = y.Kya / (y.Cy * Dy + kEpsilon * sign_or_one(Dy));      // (4.E26)
+  y.Fy0 = Dy * sine_shape<R>(y.By * alphay, y.Cy, Ey) + y.SVy;  // (4.E19)
+  if (conventions.angles == Angles::tangent) y.Fy0 = select(o.Vx < 0.0, -y.Fy0, y.Fy0);
+  y.muy = select(o.Fz == 0.0, constant<R>(0.0), y.muy);
+  return y;
+}
+
+template <class R>
+struct CombinedLateral {
+  R Fy, Gyk, SVyk;
+};
+
+template <class R>
+LATSCH_INLINE CombinedLateral<R> combined_lateral(const TireConstants& tire,
+                                                  const Conventions& conventions,
+                                                  const OperatingPoint<R>& o,
+                                                  const PureLateral<R>& pure) {
+  const Parameters& p = tire.p;
+  CombinedLateral<R> y;
+  const R DVyk = pure.muy * o.Fz * (p.RVY1 + p.RVY2 * o.dfz + p.RVY3 * o.gamma_star) *
+                 cos_atan(p.RVY4 * o.alpha_star) * pure.zeta2;              // (4.E67)
+  y.SVyk = DVyk * sin(p.RVY5 * atan(p.RVY6 * o.kappa)) * p.LVYKA * o.fade;  // (4.E66)
+  const R SHyk = p.RHY1 + p.RHY2 * o.dfz;                                   // (4.E65)
+  R Eyk = p.REY1 + p.REY2 * o.dfz;                                          // (4.E64)
+  if (conventions.limits) Eyk = smaller(Eyk, constant<R>(1.0));
+  const R Cyk = constant<R>(p.RCY1);  // (4.E63)
+  const R Byk = (p.RBY1 + p.RBY4 * o.gamma_star * o.gamma_star) *
+                cos_atan(p.RBY2 * (o.alpha_star - p.RBY3)) * p.LYKA;  // (4.E62)
+  const R Gyk0 = cosine_shape<R>(Byk * SHyk, Cyk, Eyk);               // (4.E60)
+  y.Gyk = cosine_shape<R>(Byk * (o.kappa + SHyk), Cyk, Eyk) / Gyk0;   // (4.E59), (4.E61)
+  y.Fy = y.Gyk * pure.Fy0 + y.SVyk;                                   // (4.E58)
+  return y;
+}
+
+}  // namespace latsch::magic_formula::kernel

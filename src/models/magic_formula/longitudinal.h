@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The longitudinal force, pure (4.E9)-(4.E18) and combined (4.E50)-(4.E57) [Pacejka 2012].
+#pragma once
+
+#include "models/magic_formula/operating_point.h"
+
+namespace latsch::magic_formula::kernel {
+
+template <class R>
+struct Longitudinal {
+  R Fx0, Fx, mux, Kxk;
+};
+
+template <class R>
+LATSCH_INLINE Longitudinal<R> longitudinal(const TireConstants& tire,
+                                           const Conventions& conventions,
+                                           const OperatingPoint<R>& o) {
+  const Parameters& p = tire.p;
+  const R &dfz = o.dfz, &dpi = o.dpi;
+  const R gamma = o.gamma * (tire.mf52 ? p.LGAX : 1.0);
+  Longitudinal<R> x;
+  R zeta1 = constant<R>(1.0);
+  if (conventions.turn_slip) {
+    const R Bxp = p.PDXP1 * (1.0 + p.PDXP2 * dfz) * cos_atan(p.PDXP3 * o.kappa);  // (4.106)
+    zeta1 = cos_atan(Bxp * p.UNLOADED_RADIUS * o.phi);                            // (4.105)
+  }
+  const R Cx = constant<R>(p.PCX1 * p.LCX);  // (4.E11)
+  x.mux = (p.PDX1 + p.PDX2 * dfz) * (1.0 + p.PPX3 * dpi + p.PPX4 * dpi * dpi) *
+          (1.0 - p.PDX3 * gamma * gamma) * o.LMUX_star;  // (4.E13)
+  x.mux = select(o.Fz == 0.0, constant<R>(0.0), x.mux);
+  const R Dx = x.mux * o.Fz * zeta1;  // (4.E12)
+  x.Kxk = o.Fz * (p.PKX1 + p.PKX2 * dfz) * exp(p.PKX3 * dfz) *
+          (1.0 + p.PPX1 * dpi + p.PPX2 * dpi * dpi) * p.LKX;                             // (4.E15)
+  const R Bx = x.Kxk / (Cx * Dx + kEpsilon * sign_or_one(Dx));                           // (4.E16)
+  const R SHx = (p.PHX1 + p.PHX2 * dfz) * p.LHX * o.fade;                                // (4.E17)
+  const R SVx = o.Fz * (p.PVX1 + p.PVX2 * dfz) * p.LVX * o.LMUX_prime * zeta1 * o.fade;  // (4.E18)
+  const R kappax = o.kappa + SHx;                                                        // (4.E10)
+  const R Ex = (p.PEX1 + p.PEX2 * dfz + p.PEX3 * dfz * dfz) * (1.0 - p.PEX4 * sign(kappax)) *
+               p.LEX;                                  // (4.E14)
+  x.Fx0 = Dx * sine_shape(Bx * kappax, Cx, Ex) + SVx;  // (4.E9)
+  x.Fx0 = select(o.Vx < 0.0, -x.Fx0, x.Fx0);
+
+  const R Bxa = (p.RBX1 + p.RBX3 * o.gamma_star * o.gamma_star) * cos_atan(p.RBX2 * o.kappa) *
+                p.LXAL;                                                         // (4.E54)
+  const R Cxa = constant<R>(p.RCX1);                                            // (4.E55)
+  const R Exa = p.REX1 + p.REX2 * dfz;                                          // (4.E56)
+  const double SHxa = p.RHX1;                                                   // (4.E57)
+  const R Gxa0 = cosine_shape<R>(Bxa * SHxa, Cxa, Exa);                         // (4.E52)
+  const R Gxa = cosine_shape<R>(Bxa * (o.alpha_star + SHxa), Cxa, Exa) / Gxa0;  // (4.E51), (4.E53)
+  x.Fx = Gxa * x.Fx0;                                                           // (4.E50)
+  return x;
+}
+
+}  // namespace latsch::magic_formula::kernel

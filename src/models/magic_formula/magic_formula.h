@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Magic Formula: forces, moments, radii and contact patch of a tire in steady state;
+// MF 5.2, 6.1 and 6.2, pure and combined slip, camber, inflation pressure, turn slip.
+//
+// Axes: ISO-W at the contact point (NOTATION.md). alpha > 0 gives Fy < 0, kappa = -1 is a locked
+// wheel, Vsx = -kappa |Vx|. Sources and the places where implementations differ:
+// docs/magic_formula.md. The equations stand in operating_point.h, longitudinal.h, lateral.h,
+// aligning.h, moments.h and geometry.h, once for one state and for eight side by side.
+#pragma once
+
+#include <span>
+
+#include "models/magic_formula/operating_point.h"
+
+namespace latsch::magic_formula {
+
+using State = StateOf<double>;
+
+/// Every field has the name and unit of `magic_formula_columns`.
+template <class R>
+struct SteadyStateOf {
+  R Fx, Fy, Fz;        // N
+  R Mx, My, Mz;        // N m
+  R R_e, R_l, rho;     // m: effective and loaded radius, deflection
+  R a, b;              // m: half length and half width of the contact patch
+  R t, Mzr;            // m, N m: pneumatic trail, residual torque
+  R mux, muy, omega;   // 1, 1, rad/s
+  R Kxk, Kya;          // N, N/rad: slip stiffnesses
+  R Cx, Cy, Cz;        // N/m: overall stiffnesses, vertical as secant
+  R sigma_x, sigma_y;  // m: relaxation lengths
+};
+using SteadyState = SteadyStateOf<double>;
+
+/// One column a member, all of one length, for many states at once.
+struct StateColumns {
+  std::span<const double> Fz, kappa, alpha, gamma, phit, Vx, p;
+};
+struct ForceColumns {
+  std::span<double> Fx, Fy, Mx, My, Mz;
+};
+
+class MagicFormula {
+ public:
+  explicit MagicFormula(const Parameters& parameters, const Conventions& conventions = {});
+
+  const Parameters& parameters() const { return tire_.p; }
+  const Conventions& conventions() const { return conventions_; }
+
+  SteadyState evaluate(const State& state) const;
+  /// The same to the last digits (contraction differs), several times faster.
+  void evaluate(std::span<const State> states, std::span<SteadyState> results) const;
+  /// Forces and moments alone.
+  void forces(const StateColumns& states, const ForceColumns& results) const;
+
+  /// MF 6.2 and below: the vertical force at a deflection, N; the inverse of `rho` for forces Fx,
+  /// Fy and a spin in rad/s.
+  double vertical_force(
+      double rho, double omega, double gamma, double p, double Fx, double Fy) const;
+
+ private:
+  kernel::TireConstants tire_;
+  Conventions conventions_;
+};
+
+}  // namespace latsch::magic_formula

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// Properties the equations have for any tire; agreement with another program is tested in
+// verification/magic_formula.
+#include "models/magic_formula/magic_formula.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "base/random.h"
+
+namespace latsch::magic_formula {
+namespace {
+
+/// A symmetric passenger car tire of round numbers.
+Parameters round_tire() {
+  Parameters p;
+  p.UNLOADED_RADIUS = 0.3;
+  p.WIDTH = 0.2;
+  p.RIM_RADIUS = 0.19;
+  p.FNOMIN = 4000.0;
+  p.VERTICAL_STIFFNESS = 2e5;
+  p.PCX1 = 1.6;
+  p.PDX1 = 1.2;
+  p.PDX2 = -0.1;
+  p.PEX1 = 0.1;
+  p.PKX1 = 25.0;
+  p.PCY1 = 1.3;
+  p.PDY1 = 1.0;
+  p.PDY2 = -0.1;
+  p.PDY3 = 1.0;
+  p.PEY1 = -0.5;
+  p.PKY1 = -20.0;
+  p.PKY2 = 1.5;
+  p.PKY6 = -0.9;
+  p.PVY3 = -0.3;
+  p.RBX1 = 12.0;
+  p.RBX2 = 10.0;
+  p.RCX1 = 1.0;
+  p.RBY1 = 10.0;
+  p.RBY2 = 8.0;
+  p.RCY1 = 1.0;
+  p.QBZ1 = 10.0;
+  p.QBZ9 = 15.0;
+  p.QCZ1 = 1.2;
+  p.QDZ1 = 0.1;
+  p.QDZ8 = -0.1;
+  p.QSX2 = 0.8;
+  p.QSX3 = 0.02;
+  p.QSY1 = 0.01;
+  p.Q_RA1 = 0.6;
+  p.Q_RA2 = 0.8;
+  p.Q_RB1 = 1.2;
+  p.LONGITUDINAL_STIFFNESS = 3e5;
+  p.LATERAL_STIFFNESS = 1.5e5;
+  p.BREFF = 8.0;
+  p.DREFF = 0.25;
+  p.FREFF = 0.05;
+  p.PHYP1 = 1.0;
+  p.PHYP2 = 0.15;
+  p.PDYP1 = 0.4;
+  p.QDRP1 = 1.0;
+  p.QCRP1 = 0.2;
+  p.QCRP2 = 0.1;
+  p.PECP1 = 0.5;
+  p.QDZ10 = 0.3;
+  return p;
+}
+
+State random_state(std::uint64_t i) {
+  RandomStream random(3, i);
+  const auto within = [&](double a, double b) { return a + (b - a) * random.uniform(); };
+  return {within(-200, 9000),
+          within(-1, 1),
+          within(-0.5, 0.5),
+          within(-0.2, 0.2),
+          within(-0.2, 0.2),
+          within(-30, 30),
+          within(1.5e5, 3e5)};
+}
+
+TEST(MagicFormula, StiffnessesAreTheSlopesAtZeroSlip) {
+  const MagicFormula tire(round_tire());
+  const State still{4000.0, 0.0, 0.0, 0.0, 0.0, 20.0, 2.2e5};
+  const SteadyState s = tire.evaluate(still);
+  constexpr double kSmall = 1e-6;
+  State slip = still;
+  slip.kappa = kSmall;
+  EXPECT_NEAR((tire.evaluate(slip).Fx - s.Fx) / kSmall, s.Kxk, 1e-4 * s.Kxk);
+  slip = still;
+  slip.alpha = kSmall;
+  EXPECT_NEAR((tire.evaluate(slip).Fy - s.Fy) / kSmall, s.Kya, 1e-4 * std::abs(s.Kya));
+  EXPECT_DOUBLE_EQ(s.Kxk, 25.0 * 4000.0);                                       // (4.E15)
+  EXPECT_NEAR(s.Kya, -20.0 * 4000.0 * std::sin(2 * std::atan(1 / 1.5)), 1e-9);  // (4.E25)
+  EXPECT_NEAR(s.sigma_y, std::abs(s.Kya) / 1.5e5, 1e-15);                       // (19)
+}
+
+TEST(MagicFormula, ThePeakIsFrictionTimesLoad) {
+  const MagicFormula tire(round_tire());
+  double largest = 0.0;
+  for (int i = 0; i < 4000; ++i)
+    largest = std::max(largest, tire.evaluate({4000.0, i * 5e-5, 0.0, 0.0, 0.0, 20.0, 2.2e5}).Fx);
+  EXPECT_NEAR(largest, 1.2 * 4000.0, 1e-3);  // sin = 1 is reached since C > 1
+}
+
+TEST(MagicFormula, TheDeflectionCarriesTheLoad) {
+  for (const Version version : {Version::mf61, Version::mf62}) {
+    Parameters p = round_tire();
+    p.version = version;
+    p.Q_FZ2 = 3.0;
+    p.Q_FCX = 0.1;
+    p.Q_FCY = 0.3;
+    p.Q_FCY2 = version == Version::mf62 ? 0.2 : 0.0;
+    p.Q_V2 = 0.03;
+    p.PFZ1 = 0.7;
+    const MagicFormula tire(p);
+    const SteadyState s = tire.evaluate({5000.0, 0.05, 0.03, 0.0, 0.0, 25.0, 2.5e5});
+    EXPECT_NEAR(tire.vertical_force(s.rho, s.omega, 0.0, 2.5e5, s.Fx, s.Fy), 5000.0, 1e-6);
+  }
+}
+
+TEST(MagicFormula, ASymmetricTireIsItsMirrorImage) {
+  for (const bool turn_slip : {false, true}) {
+    Conventions here, there;
+    here.turn_slip = there.turn_slip = turn_slip;
+    there.mirrored = true;
+    Parameters p = round_tire();
+    p.QDZ10 = 0.3;
+    const MagicFormula tire(p, here), mirror(p, there);
+    for (int i = 0; i < 200; ++i) {
+      const State s = random_state(i);
+      const SteadyState a = tire.evaluate(s), b = mirror.evaluate(s);
+      EXPECT_NEAR(a.Fx, b.Fx, 1e-8);
+      EXPECT_NEAR(a.Fy, b.Fy, 1e-8);
+      EXPECT_NEAR(a.Mx, b.Mx, 1e-8);
+      EXPECT_NEAR(a.My, b.My, 1e-8);
+      EXPECT_NEAR(a.Mz, b.Mz, 1e-8);
+    }
+  }
+}
+
+TEST(MagicFormula, FiniteWhereverAWheelCanBe) {
+  for (const bool limits : {false, true}) {
+    for (const bool turn_slip : {false, true}) {
+      Conventions c;
+      c.limits = limits;
+      c.turn_slip = turn_slip;
+      const MagicFormula tire(round_tire(), c);
+      for (int i = 0; i < 64; ++i) {
+        const State s{i & 1 ? 0.0 : 4000.0,
+                      i & 2 ? -1.0 : 0.0,
+                      i & 4 ? 0.1 : 0.0,
+                      i & 8 ? 0.05 : 0.0,
+                      i & 16 ? 0.1 : 0.0,
+                      i & 32 ? 0.0 : 10.0,
+                      2.2e5};
+        const SteadyState f = tire.evaluate(s);
+        for (const double v : {f.Fx, f.Fy, f.Mx, f.My, f.Mz, f.R_e, f.R_l, f.a, f.b, f.t, f.Cz})
+          EXPECT_TRUE(std::isfinite(v)) << i << " " << limits << turn_slip;
+      }
+    }
+  }
+}
+
+TEST(MagicFormula, ManyStatesAtOnceGiveWhatEachGivesAlone) {
+  for (const Angles angles : {Angles::direct, Angles::tangent}) {
+    Conventions c;
+    c.angles = angles;
+    c.turn_slip = true;
+    const MagicFormula tire(round_tire(), c);
+    std::vector<State> states;
+    for (int i = 0; i < 1003; ++i) states.push_back(random_state(i));
+    std::vector<SteadyState> results(states.size());
+    tire.evaluate(states, results);
+    const auto column = [&](double State::*member) {
+      std::vector<double> values;
+      for (const State& s : states) values.push_back(s.*member);
+      return values;
+    };
+    const auto Fz = column(&State::Fz), kappa = column(&State::kappa),
+               alpha = column(&State::alpha), gamma = column(&State::gamma),
+               phit = column(&State::phit), Vx = column(&State::Vx), p = column(&State::p);
+    std::vector<double> Fx(Fz.size()), Fy(Fz.size()), Mx(Fz.size()), My(Fz.size()), Mz(Fz.size());
+    tire.forces({Fz, kappa, alpha, gamma, phit, Vx, p}, {Fx, Fy, Mx, My, Mz});
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const SteadyState alone = tire.evaluate(states[i]);
+      const auto near = [](double a, double b) { EXPECT_NEAR(a, b, 1e-11 * (1.0 + std::abs(b))); };
+      near(results[i].Fx, alone.Fx);
+      near(results[i].Fy, alone.Fy);
+      near(results[i].Mz, alone.Mz);
+      near(results[i].sigma_y, alone.sigma_y);
+      near(Fx[i], alone.Fx);
+      near(Fy[i], alone.Fy);
+      near(Mx[i], alone.Mx);
+      near(My[i], alone.My);
+      near(Mz[i], alone.Mz);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace latsch::magic_formula

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// From what the caller gives to what the equations take: limits, fading at low speed, alpha* and
+// gamma*, normalized load and pressure, effective rolling radius and spin.
+//
+// (4.E...), (4.76) ...: [Pacejka 2012, ch. 4.3]; (A..) and (1)-(19): [Besselink et al. 2010].
+// Signs: ISO-W (NOTATION.md), while the book's are adapted SAE: Vsy = + tan(alpha) |Vx| here.
+#pragma once
+
+#include "models/magic_formula/conventions.h"
+#include "models/magic_formula/parameters.h"
+#include "numerics/lane_math.h"
+
+namespace latsch::magic_formula {
+
+/// What a steady-state tire is asked. SI, ISO-W.
+template <class R>
+struct StateOf {
+  R Fz;     // N
+  R kappa;  // -1: locked
+  R alpha;  // rad
+  R gamma;  // rad
+  R phit;   // turn slip, 1/m
+  R Vx;     // m/s
+  R p;      // Pa
+};
+
+namespace kernel {
+
+using namespace lane_math;
+
+constexpr double kPi = 3.14159265358979323846;
+/// Keeps quotients finite; the book's epsilon_x, _K, _y, _V (4.E6a, 4.E16, 4.E26, 4.E39).
+constexpr double kEpsilon = 1e-6;
+
+/// What depends on the parameters alone.
+struct TireConstants {
+  explicit TireConstants(const Parameters& parameters);
+
+  Parameters p;
+  bool mf52;
+  double Fz0_prime;  // (4.E1)
+  double Q_FZ1;      // (4)
+  double Q_A1, Q_A2;
+};
+
+template <class R>
+struct OperatingPoint {
+  R Fz, Fz_given;  // limited to FZMAX; as given
+  R Fz_moment;     // limited to FZMIN as well: in the trail and residual torque
+  R kappa, kappa_given, alpha, gamma, phit, Vx, p;
+  R fade;     // 0 at standstill, 1 from VXLOW on
+  R sign_Vx;  // -1, 0, 1
+  R tan_alpha;
+  R alpha_star, gamma_star, dfz, dpi;
+  R cos_alpha_star, cos_alpha_prime;
+  R LMUX_star, LMUY_star, LMUX_prime, LMUY_prime;
+  R Re, R_omega, omega;
+  R epsilon_gamma, phi;  // with turn slip
+};
+
+template <class R>
+LATSCH_INLINE R clamped(const R& x, double lower, double upper) {
+  return larger(smaller(x, constant<R>(upper)), constant<R>(lower));
+}
+
+template <class R>
+LATSCH_INLINE void apply_limits(const Parameters& p,
+                                const Conventions& conventions,
+                                OperatingPoint<R>& o) {
+  const R slow = p.VXLOW > 0.0 ? smaller(abs(o.Vx) / p.VXLOW, constant<R>(1.0)) : constant<R>(1.0);
+  const auto crawls = slow < 1.0;
+  o.fade = constant<R>(1.0);
+  if (any(crawls)) {
+    o.fade = select(crawls, 0.5 * (1.0 - cos(kPi * slow)), o.fade);
+    const SinCos<R> a = sin_cos(o.alpha);
+    const R speed = abs(o.Vx) + abs(a.sin / a.cos * o.Vx);
+    o.phit = o.phit * slow;
+    o.alpha = o.alpha * smaller(speed / p.VXLOW, constant<R>(1.0));
+    o.kappa = o.kappa * slow;
+  }
+  if (conventions.turn_slip) o.phit = o.phit * sign_or_one(o.Vx);
+  o.alpha = clamped(o.alpha, p.ALPMIN, p.ALPMAX);
+  o.gamma = clamped(o.gamma, p.CAMMIN, p.CAMMAX);
+  o.kappa = clamped(o.kappa, p.KPUMIN, p.KPUMAX);
+  o.p = clamped(o.p, p.PRESMIN, p.PRESMAX);
+  o.Fz = smaller(o.Fz, constant<R>(p.FZMAX));
+  o.Fz_moment = select(o.Fz > 0.0, larger(o.Fz, constant<R>(p.FZMIN)), constant<R>(0.0));
+}
+
+/// Effective rolling radius and spin of each other: Re = R_omega - deflection terms (7), R_omega =
+/// R0 (q_re0 + q_V1 (omega R0/V0)^2) (1), omega = (1 + kappa) Vx / Re.
+template <class R>
+LATSCH_INLINE void roll(const TireConstants& tire, OperatingPoint<R>& o) {
+  const Parameters& p = tire.p;
+  const R Cz = p.VERTICAL_STIFFNESS * (1.0 + p.PFZ1 * o.dpi);  // (5)
+  const R load = o.Fz_given / p.FNOMIN;
+  const R slack = p.FNOMIN / Cz * (p.DREFF * atan(p.BREFF * load) + p.FREFF * load);
+  const R speed = (1.0 + o.kappa_given) * o.Vx;
+  const R growth = p.UNLOADED_RADIUS * p.Q_V1 * (p.UNLOADED_RADIUS / p.LONGVL) *
+                   (p.UNLOADED_RADIUS / p.LONGVL) * speed * speed;
+  // Newton's method for Re = still + growth / Re^2; a load that no tire carries still rolls.
+  constexpr double kSmallestRadius = 0.01;
+  const R still =
+      larger(p.UNLOADED_RADIUS * p.Q_RE0 - slack, constant<R>(kSmallestRadius * p.UNLOADED_RADIUS));
+  o.Re = still + growth / (still * still);
+  for (int i = 0; i < 30; ++i) {
+    const R centrifugal = growth / (o.Re * o.Re);
+    const R step = (o.Re - still - centrifugal) / (1.0 + 2.0 * centrifugal / o.Re);
+    o.Re = o.Re - step;
+    if (!any(abs(step) > 1e-14 * p.UNLOADED_RADIUS)) break;
+  }
+  o.omega = speed / o.Re;
+  o.R_omega = o.Re + slack;
+}
+
+/// Spin of the tire on its path and by its camber (4.76), its camber reduction (4.90).
+template <class R>
+LATSCH_INLINE void spin(const Parameters& p, OperatingPoint<R>& o) {
+  o.epsilon_gamma = p.PECP1 * (1.0 + p.PECP2 * o.dfz);  // (4.90)
+  const R V = abs(o.Vx) * sqrt(1.0 + o.tan_alpha * o.tan_alpha);
+  const R Vc_prime = select(abs(o.Vx) < p.VXLOW, p.VXLOW * sign_or_one(o.Vx), V);
+  // z points up: the turning velocity enters with the opposite sign of the book's (4.75).
+  o.phi = -o.phit - (1.0 - o.epsilon_gamma) * o.omega * sin(o.gamma) / Vc_prime;  // (4.76)
+}
+
+template <class R>
+LATSCH_INLINE void friction_scales(const Parameters& p, double A_mu, OperatingPoint<R>& o) {
+  o.LMUX_star = constant<R>(p.LMUX);
+  o.LMUY_star = constant<R>(p.LMUY);
+  if (p.LMUV != 0.0) {
+    const R Vs = abs(o.Vx) * sqrt(o.kappa * o.kappa + o.tan_alpha * o.tan_alpha);
+    const R slippery = 1.0 + p.LMUV * Vs / p.LONGVL;
+    o.LMUX_star = p.LMUX / slippery;  // (4.E7)
+    o.LMUY_star = p.LMUY / slippery;
+  }
+  o.LMUX_prime = A_mu * o.LMUX_star / (1.0 + (A_mu - 1.0) * o.LMUX_star);  // (4.E8)
+  o.LMUY_prime = A_mu * o.LMUY_star / (1.0 + (A_mu - 1.0) * o.LMUY_star);
+}
+
+template <class R>
+LATSCH_INLINE OperatingPoint<R> operating_point(const TireConstants& tire,
+                                                const Conventions& conventions,
+                                                const StateOf<R>& given) {
+  const Parameters& p = tire.p;
+  OperatingPoint<R> o;
+  o.Fz = o.Fz_given = o.Fz_moment = larger(given.Fz, constant<R>(0.0));
+  o.kappa = o.kappa_given = given.kappa;
+  o.alpha = given.alpha;
+  o.gamma = given.gamma;
+  o.phit = given.phit;
+  o.Vx = given.Vx;
+  o.p = given.p;
+  o.fade = constant<R>(1.0);
+  if (conventions.limits) {
+    if (conventions.turn_slip) o.phit = o.phit * cos(o.alpha);
+    apply_limits(p, conventions, o);
+  }
+  o.sign_Vx = sign(o.Vx);
+  const SinCos<R> a = sin_cos(o.alpha);
+  o.tan_alpha = a.sin / a.cos;
+  const bool tangent = conventions.angles == Angles::tangent;
+  o.alpha_star = tangent ? o.tan_alpha * o.sign_Vx : o.alpha;  // (4.E3)
+  o.gamma_star = tangent ? sin(o.gamma) : o.gamma;             // (4.E4)
+  o.cos_alpha_star = tangent ? cos(o.alpha_star) : a.cos;
+  o.dfz = (o.Fz - tire.Fz0_prime) / tire.Fz0_prime;  // (4.E2a)
+  o.dpi = (o.p - p.NOMPRES) / p.NOMPRES;             // (4.E2b)
+  const R Vc = abs(o.Vx) * sqrt(1.0 + o.tan_alpha * o.tan_alpha);
+  o.cos_alpha_prime = o.Vx / (Vc + kEpsilon);  // (4.E6)
+  friction_scales(p, conventions.A_mu, o);
+  roll(tire, o);
+  if (conventions.turn_slip) spin(p, o);
+  return o;
+}
+
+/// sin(C atan(Bx - E (Bx - atan Bx))) (4.E9); the formula that gives the tire model its name.
+template <class R>
+LATSCH_INLINE R sine_shape(const R& Bx, const R& C, const R& E) {
+  return sin(C * atan(Bx - E * (Bx - atan(Bx))));
+}
+/// cos(C atan(Bx - E (Bx - atan Bx))) (4.E33), (4.E51)
+template <class R>
+LATSCH_INLINE R cosine_shape(const R& Bx, const R& C, const R& E) {
+  return cos(C * atan(Bx - E * (Bx - atan(Bx))));
+}
+/// cos(atan x)
+template <class R>
+LATSCH_INLINE R cos_atan(const R& x) {
+  return 1.0 / sqrt(1.0 + x * x);
+}
+
+}  // namespace kernel
+}  // namespace latsch::magic_formula
