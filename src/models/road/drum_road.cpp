@@ -33,7 +33,7 @@ DrumRoad::DrumRoad(const Settings& settings)
 
 void DrumRoad::raise(int number, double x, double y, double turned, Surface& surface) const {
   const Cleat& cleat = settings_.cleats[number];
-  const double middle = cleat.starting_angle - turned + y * std::tan(cleat.angle) / R_;
+  const double middle = cleat.starting_angle - turned - y * std::tan(cleat.angle) / R_;
   // The whole turns that bring the middle nearest to the point asked for.
   const double theta = middle - kTurn * std::round((middle - std::asin(x / R_)) / kTurn);
   if (std::abs(theta - std::asin(x / R_)) > windows_[number]) return;
@@ -80,9 +80,9 @@ GroundPoint DrumRoad::at(double x, double y, double time) const {
   ground.height = surface.z;
   double slope_y = 0.0;
   if (surface.cleat >= 0) {
-    // Aside by dy the cleat stands turned by dθ = tan(angle) dy / R about the axis: toward +x on
-    // top of an outer drum, which lies above the axis, and on the floor of an inner one.
-    const double turn = -up_ * std::tan(settings_.cleats[surface.cleat].angle) / R_;
+    // Aside by dy the cleat stands turned by dθ = -tan(angle) dy / R about the axis; θ grows toward
+    // +x on top of an outer drum, which lies above the axis, and on the floor of an inner one.
+    const double turn = up_ * std::tan(settings_.cleats[surface.cleat].angle) / R_;
     slope_y = (-x - surface.slope * above_axis) * turn;
   }
   ground.normal = Eigen::Vector3d(-surface.slope, -slope_y, 1.0).normalized();

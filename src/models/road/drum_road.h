@@ -11,8 +11,9 @@
 // The axis is parallel to y; the surface touches z = 0 at x = 0, where it runs toward -x at
 // `surface.speed`: that of a wheel rolling toward +x. θ is the angle about the axis from that line
 // toward +x. A cleat at starting angle θ0 has its middle at
-//   θ = θ0 - distance(t)/R + y tan(angle)/R,
-// wound around the drum as a helix that leaves the line of the axle by `angle`. Its section is a
+//   θ = θ0 - distance(t)/R - y tan(angle)/R,
+// wound around the drum as a helix, turned by `angle` from the line of the axle, counterclockwise
+// seen from above as in profile_road.h. Its section is a
 // Profile over the arc length across the bar, wrapped on the drum: the corners stand at their arc
 // and height, the edges between are straight. Where flank and drum hide each other from above the
 // upper surface counts. Beyond |x| = 0.95 R the surface goes on as the tangent there, without
@@ -32,7 +33,7 @@ class DrumRoad final : public Road {
   struct Cleat {
     Profile profile = {};         // heights not negative: a drum has no grooves
     double starting_angle = 0.0;  // rad
-    double angle = 0.0;           // rad, against the axle; |angle| < 90 deg
+    double angle = 0.0;           // rad, against the axle, |angle| < 90 deg
     double friction = 1.0;        // factor on the tire's own friction
   };
   struct Settings {

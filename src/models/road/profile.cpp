@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/road/profile.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -55,6 +56,46 @@ Profile cleat_profile(double height, double length, double bevel) {
                   {half - bevel, height},
                   {half - bevel, rim},
                   {half, 0.0}});
+}
+
+Profile rounded_profile(const std::vector<Profile::Point>& points,
+                        const std::vector<double>& radii) {
+  assert(points.size() == radii.size());
+  constexpr double kChord = std::numbers::pi / 36.0;
+  std::vector<Profile::Point> rounded;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d p(points[i].s, points[i].z);
+    const bool end = i == 0 || i + 1 == points.size();
+    if (end || radii[i] <= 0.0) {
+      rounded.push_back(points[i]);
+      continue;
+    }
+    const Eigen::Vector2d before = Eigen::Vector2d(points[i - 1].s, points[i - 1].z) - p;
+    const Eigen::Vector2d behind = Eigen::Vector2d(points[i + 1].s, points[i + 1].z) - p;
+    const double half = std::min(before.norm(), behind.norm()) / 2.0;
+    const double turn =
+        std::numbers::pi -
+        std::acos(std::clamp(before.normalized().dot(behind.normalized()), -1.0, 1.0));
+    if (half == 0.0 || turn == 0.0) {
+      rounded.push_back(points[i]);
+      continue;
+    }
+    // The arc touches both edges at `leg` from the corner; its points in the basis of the edges.
+    const double leg = std::min(radii[i] * std::tan(turn / 2.0), half);
+    const Eigen::Vector2d from = p + leg * before.normalized(), to = p + leg * behind.normalized();
+    const int pieces = static_cast<int>(std::ceil(turn / kChord));
+    for (int k = 0; k <= pieces; ++k) {
+      const double angle = turn * k / pieces;
+      const double a = std::sin(turn - angle) / std::sin(turn),
+                   b = std::sin(angle) / std::sin(turn);
+      const Eigen::Vector2d center =
+          p +
+          (from + to - 2.0 * p) / (2.0 * std::pow(std::cos((std::numbers::pi - turn) / 2.0), 2));
+      const Eigen::Vector2d point = center + a * (from - center) + b * (to - center);
+      rounded.push_back({std::max(point.x(), rounded.back().s), point.y()});
+    }
+  }
+  return Profile(std::move(rounded));
 }
 
 Profile half_round_profile(double radius, int pieces) {

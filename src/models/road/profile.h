@@ -48,6 +48,11 @@ class Profile {
 /// Needs length > 0 and 0 <= bevel <= min(|height|, length / 2).
 Profile cleat_profile(double height, double length, double bevel);
 
+/// The same with every corner rounded by the radius given for it (0: sharp), as far as half of the
+/// shorter edge beside it allows, by chords of at most 5 deg.
+Profile rounded_profile(const std::vector<Profile::Point>& points,
+                        const std::vector<double>& radii);
+
 /// The upper half of a bar of round section, `radius` high; chords of `pieces` equal angles.
 Profile half_round_profile(double radius, int pieces = 64);
 

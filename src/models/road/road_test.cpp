@@ -178,13 +178,13 @@ TEST_P(Drum, CleatPassesTheTopOnceATurn) {
   EXPECT_EQ(road.height(0.0, 0.0, first - 0.03 / 20.0), 0.0);
 }
 
-TEST_P(Drum, InclinedCleatIsASlopeWithTheRightNormalAndComesLaterAside) {
+TEST_P(Drum, InclinedCleatIsASlopeWithTheRightNormalAndComesEarlierToTheLeft) {
   DrumRoad::Settings with = settings(0.0);
   const double angle = 0.3;
   with.cleats = {{cleat_profile(0.03, 0.08, 0.03), 0.2, angle, 1.0}};
   const DrumRoad road(with);
   for (const double y : {-0.2, 0.0, 0.15}) {
-    const double theta = 0.2 + y * std::tan(angle) / 1.25;
+    const double theta = 0.2 - y * std::tan(angle) / 1.25;
     const double middle = std::sin(theta) * (GetParam() ? 1.22 : 1.28);
     EXPECT_NEAR(road.height(middle, y, 0.0) - DrumRoad(settings()).height(middle, y, 0.0),
                 0.03 / std::cos(theta),

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/road/placed_road.h"
+
+#include <Eigen/Geometry>
+#include <cassert>
+
+namespace latsch::road {
+
+PlacedRoad::PlacedRoad(std::unique_ptr<const Road> road,
+                       double angle,
+                       const Eigen::Vector3d& origin)
+    : road_(std::move(road)), turn_(Eigen::Rotation2Dd(angle)), origin_(origin) {
+  assert(road_);
+}
+
+Eigen::Vector2d PlacedRoad::local(double x, double y) const {
+  return turn_.transpose() * (Eigen::Vector2d(x, y) - origin_.head<2>());
+}
+
+double PlacedRoad::height(double x, double y, double time) const {
+  const Eigen::Vector2d p = local(x, y);
+  return road_->height(p.x(), p.y(), time) + origin_.z();
+}
+
+GroundPoint PlacedRoad::at(double x, double y, double time) const {
+  const Eigen::Vector2d p = local(x, y);
+  GroundPoint ground = road_->at(p.x(), p.y(), time);
+  ground.height += origin_.z();
+  ground.normal.head<2>() = (turn_ * ground.normal.head<2>()).eval();
+  ground.velocity.head<2>() = (turn_ * ground.velocity.head<2>()).eval();
+  return ground;
+}
+
+}  // namespace latsch::road

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// A road put elsewhere: turned about z by `angle`, its origin brought to `origin`.
+#pragma once
+
+#include <memory>
+
+#include "models/road/road.h"
+
+namespace latsch::road {
+
+class PlacedRoad final : public Road {
+ public:
+  /// rad, m.
+  PlacedRoad(std::unique_ptr<const Road> road, double angle, const Eigen::Vector3d& origin);
+
+  GroundPoint at(double x, double y, double time) const override;
+  double height(double x, double y, double time) const override;
+
+ private:
+  Eigen::Vector2d local(double x, double y) const;
+
+  std::unique_ptr<const Road> road_;
+  Eigen::Matrix2d turn_;
+  Eigen::Vector3d origin_;
+};
+
+}  // namespace latsch::road

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/road/triangle_road.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace latsch::road {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// A triangle of less area in plan, relative to its longest edge squared, is a wall.
+constexpr double kWall = 1e-12;
+// Relative to the area: neighbors must not leave a crack on their common edge.
+constexpr double kOnEdge = 1e-12;
+// Long triangles lie in many cells: the grid is made coarser until it holds at most so many
+// entries for each of them.
+constexpr double kEntries = 16.0;
+constexpr double kMostCells = 4e6;
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+}  // namespace
+
+bool TriangleRoad::Facet::covers(const Vector2d& p) const {
+  const Vector2d &a = corners[0], &b = corners[1], &c = corners[2];
+  const double least = -kOnEdge * cross(b - a, c - a);
+  return cross(b - a, p - a) >= least && cross(c - b, p - b) >= least &&
+         cross(a - c, p - c) >= least;
+}
+
+Vector2d TriangleRoad::Facet::nearest(const Vector2d& p) const {
+  if (covers(p)) return p;
+  Vector2d best = corners[0];
+  for (int i = 0; i < 3; ++i) {
+    const Vector2d &a = corners[i], edge = corners[(i + 1) % 3] - a;
+    const double part = std::clamp(edge.dot(p - a) / edge.squaredNorm(), 0.0, 1.0);
+    const Vector2d foot = a + part * edge;
+    if ((foot - p).squaredNorm() < (best - p).squaredNorm()) best = foot;
+  }
+  return best;
+}
+
+TriangleRoad::TriangleRoad(TriangleMesh mesh) : mesh_(std::move(mesh)) {
+  build_facets();
+  assert(!facets_.empty());
+  build_grid();
+}
+
+bool TriangleRoad::has_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle) {
+  const Vector2d a = mesh.nodes[triangle.nodes[0]].head<2>();
+  const Vector2d b = mesh.nodes[triangle.nodes[1]].head<2>();
+  const Vector2d c = mesh.nodes[triangle.nodes[2]].head<2>();
+  const double longest =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return std::abs(cross(b - a, c - a)) > kWall * longest;
+}
+
+void TriangleRoad::build_facets() {
+  for (const TriangleMesh::Triangle& triangle : mesh_.triangles) {
+    if (!has_area(mesh_, triangle)) continue;
+    std::array<Vector3d, 3> p;
+    for (int i = 0; i < 3; ++i) p[i] = mesh_.nodes[triangle.nodes[i]];
+    Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
+    if (normal.z() < 0.0) {
+      std::swap(p[1], p[2]);
+      normal = -normal;
+    }
+    Facet facet;
+    for (int i = 0; i < 3; ++i) facet.corners[i] = p[i].head<2>();
+    facet.slope = -normal.head<2>() / normal.z();
+    facet.z0 = p[0].z();
+    facet.friction = triangle.friction;
+    facets_.push_back(facet);
+  }
+}
+
+void TriangleRoad::build_grid() {
+  low_ = high_ = facets_.front().corners[0];
+  for (const Facet& facet : facets_) {
+    for (const Vector2d& corner : facet.corners) {
+      low_ = low_.cwiseMin(corner);
+      high_ = high_.cwiseMax(corner);
+    }
+  }
+  const Vector2d extent = (high_ - low_).cwiseMax(1e-9);
+  double cell = std::sqrt(extent.prod() / static_cast<double>(facets_.size()));
+  for (;; cell *= 2.0) {
+    columns_ = static_cast<int>(std::clamp(extent.x() / cell, 1.0, kMostCells));
+    rows_ = static_cast<int>(std::clamp(extent.y() / cell, 1.0, kMostCells));
+    if (double(columns_) * rows_ > kMostCells) continue;
+    size_ = {extent.x() / columns_, extent.y() / rows_};
+    double entries = 0.0;
+    for (const Facet& facet : facets_) {
+      const auto [from, to] = std::minmax({cell_of(facet.corners[0])[0],
+                                           cell_of(facet.corners[1])[0],
+                                           cell_of(facet.corners[2])[0]});
+      const auto [down, up] = std::minmax({cell_of(facet.corners[0])[1],
+                                           cell_of(facet.corners[1])[1],
+                                           cell_of(facet.corners[2])[1]});
+      entries += (to - from + 1.0) * (up - down + 1.0);
+    }
+    if (entries <= kEntries * static_cast<double>(facets_.size())) break;
+    if (columns_ == 1 && rows_ == 1) break;
+  }
+  begins_.assign(columns_ * rows_ + 1, 0);
+  const auto each_cell = [&](const auto& action) {
+    for (int i = 0; i < std::ssize(facets_); ++i) {
+      const auto& corners = facets_[i].corners;
+      const auto a = cell_of(corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]));
+      const auto b = cell_of(corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]));
+      for (int row = a[1]; row <= b[1]; ++row)
+        for (int column = a[0]; column <= b[0]; ++column) action(row * columns_ + column, i);
+    }
+  };
+  each_cell([&](int cell_number, int) { ++begins_[cell_number + 1]; });
+  for (std::size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
+  members_.resize(begins_.back());
+  std::vector<int> next(begins_.begin(), begins_.end() - 1);
+  each_cell([&](int cell_number, int facet) { members_[next[cell_number]++] = facet; });
+}
+
+std::array<int, 2> TriangleRoad::cell_of(const Vector2d& p) const {
+  return {static_cast<int>(std::clamp((p.x() - low_.x()) / size_.x(), 0.0, columns_ - 1.0)),
+          static_cast<int>(std::clamp((p.y() - low_.y()) / size_.y(), 0.0, rows_ - 1.0))};
+}
+
+template <class Action>
+void TriangleRoad::in_cell(int column, int row, const Action& action) const {
+  const int cell = row * columns_ + column;
+  for (int i = begins_[cell]; i < begins_[cell + 1]; ++i) action(members_[i]);
+}
+
+TriangleRoad::Hit TriangleRoad::find(const Vector2d& p) const {
+  Hit best;
+  const auto [column, row] = cell_of(p);
+  in_cell(column, row, [&](int number) {
+    const Facet& facet = facets_[number];
+    if (!facet.covers(p)) return;
+    const double z = facet.z(p);
+    if (best.facet < 0 || z > best.z) best = {number, z, true};
+  });
+  return best.facet < 0 ? find_nearest(p) : best;
+}
+
+/// Rings of cells around that of the point, until no closer triangle can come.
+TriangleRoad::Hit TriangleRoad::find_nearest(const Vector2d& p) const {
+  const Vector2d within = p.cwiseMax(low_).cwiseMin(high_);
+  const auto [column, row] = cell_of(within);
+  double least = std::numeric_limits<double>::infinity();
+  Hit best;
+  const auto look = [&](int c, int r) {
+    if (c < 0 || r < 0 || c >= columns_ || r >= rows_) return;
+    in_cell(c, r, [&](int number) {
+      const Vector2d foot = facets_[number].nearest(p);
+      const double distance = (foot - p).norm();
+      if (distance < least) {
+        least = distance;
+        best = {number, facets_[number].z(foot), false};
+      }
+    });
+  };
+  const double outside = (p - within).norm();
+  for (int ring = 0; ring <= std::max(columns_, rows_); ++ring) {
+    // A cell of this ring is at least so far from `within`, and that is nearest to the point.
+    const double away = std::max(ring - 1, 0) * size_.minCoeff();
+    if (std::hypot(away, outside) > least) break;
+    for (int i = -ring; i <= ring; ++i) {
+      look(column + i, row - ring);
+      if (ring > 0) look(column + i, row + ring);
+    }
+    for (int i = -ring + 1; i < ring; ++i) {
+      look(column - ring, row + i);
+      look(column + ring, row + i);
+    }
+  }
+  return best;
+}
+
+double TriangleRoad::height(double x, double y, double) const { return find({x, y}).z; }
+
+GroundPoint TriangleRoad::at(double x, double y, double) const {
+  const Hit hit = find({x, y});
+  const Facet& facet = facets_[hit.facet];
+  GroundPoint ground;
+  ground.height = hit.z;
+  ground.friction = facet.friction;
+  if (hit.inside) {
+    ground.normal = Vector3d(-facet.slope.x(), -facet.slope.y(), 1.0).normalized();
+  }
+  return ground;
+}
+
+}  // namespace latsch::road

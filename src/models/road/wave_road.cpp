@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/road/wave_road.h"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace latsch::road {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+}  // namespace
+
+WaveRoad::WaveRoad(const Settings& settings) : settings_(settings) {
+  const double length = settings.end - settings.start;
+  assert(length > 0.0 && settings.wave_length_begin > 0.0 && settings.wave_length_end > 0.0);
+  growth_ = (settings.amplitude_end - settings.amplitude_begin) / length;
+  stretch_ = settings.exponential
+                 ? std::log(settings.wave_length_end / settings.wave_length_begin) / length
+                 : (settings.wave_length_end - settings.wave_length_begin) / length;
+}
+
+GroundPoint WaveRoad::at(double x, double, double) const {
+  GroundPoint ground;
+  ground.friction = settings_.friction;
+  if (x < settings_.start || x > settings_.end) return ground;
+  const double s = x - settings_.start;
+  const double first = settings_.wave_length_begin;
+  const double k = stretch_;
+  double phase = kTurn * s / first;
+  double wave_length = first;
+  if (settings_.exponential) {
+    wave_length = first * std::exp(k * s);
+    if (k != 0.0) phase = -kTurn * std::expm1(-k * s) / (k * first);
+  } else {
+    wave_length = first + k * s;
+    if (k != 0.0) phase = kTurn * std::log1p(k * s / first) / k;
+  }
+  const double amplitude = settings_.amplitude_begin + growth_ * s;
+  ground.height = amplitude * std::sin(phase);
+  const double slope =
+      growth_ * std::sin(phase) + amplitude * std::cos(phase) * kTurn / wave_length;
+  ground.normal = Eigen::Vector3d(-slope, 0.0, 1.0).normalized();
+  return ground;
+}
+
+}  // namespace latsch::road

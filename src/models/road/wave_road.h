@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Waves across a level road: a sine, or a sweep whose amplitude and wave length change on the way.
+//
+// From `start` to `end`, with s = x - start over the length L = end - start,
+//   z = A(s) sin φ(s),   dφ/ds = 2π / λ(s),   φ(0) = 0,
+// A(s) straight from begin to end; λ(s) straight, or exponential: λ0 (λ1/λ0)^(s/L). Level
+// elsewhere. An endless sweep keeps its beginning.
+#pragma once
+
+#include <limits>
+
+#include "models/road/road.h"
+
+namespace latsch::road {
+
+class WaveRoad final : public Road {
+ public:
+  struct Settings {
+    double start = 0.0;                                     // m
+    double end = std::numeric_limits<double>::infinity();   // m
+    double amplitude_begin = 0.0, amplitude_end = 0.0;      // m
+    double wave_length_begin = 1.0, wave_length_end = 1.0;  // m, > 0
+    bool exponential = false;
+    double friction = 1.0;
+  };
+
+  explicit WaveRoad(const Settings& settings);
+
+  GroundPoint at(double x, double y, double time) const override;
+
+ private:
+  Settings settings_;
+  double growth_ = 0.0;   // dA/ds
+  double stretch_ = 0.0;  // dλ/ds, or the exponent by way
+};
+
+}  // namespace latsch::road
