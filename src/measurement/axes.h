@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Axis systems and signs of tire data, and the ways between them.
+//
+// Frames, all with the origin as named:
+//   W  contact point: z normal of the road, x along wheel plane and road, y in the road
+//   H  wheel center: z normal of the road, x as in W, y horizontal
+//   C  wheel center: y the spin axis, x as in W, z up in the wheel plane; does not spin
+// C is H turned about x by the camber γ.
+//
+// Signs of one and the same wheel, one column a convention:
+//
+//   |        | iso                   | adapted_sae          | sae (J670e)              |
+//   | x y z  | forward, left, up     | forward, right, down | forward, right, down     |
+//   | Fx, Mx | along, about x        | as iso               | as iso                   |
+//   | Fy     | to the left           | -iso                 | -iso                     |
+//   | Fz     | up on the tire        | as iso               | -iso: a load is negative |
+//   | My, Mz | about y, z            | -iso                 | -iso                     |
+//   | κ      | drives                | as iso               | as iso                   |
+//   | α      | tan α = Vy / |Vx|     | tan α = -Vy / |Vx|   | tan α = Vy / |Vx|        |
+//   |        | so α > 0 makes Fy < 0 | Fy > 0; as iso       | Fy < 0; -iso             |
+//   | γ      | about x: top to the   | as iso               | as iso                   |
+//   |        | right, makes Fy < 0   | makes Fy > 0         | makes Fy > 0             |
+//
+// `iso` is ISO 8855, TYDEX and what Magic Formula tools call ISO; inside the program everything is
+// iso. Vy is the lateral velocity of the wheel in the axes of its column: with y to the right it
+// changes its sign, and where the definition does too, α does not [Pacejka 2012, appendix 1; SAE
+// J670e]. A file or its user tells the convention: signs cannot be guessed.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "measurement/channels.h"
+
+namespace latsch {
+
+enum class AxisConvention { iso, adapted_sae, sae };
+enum class AxisFrame { W, H, C };
+
+/// Names as users write them: "iso", "adapted_sae", "sae".
+const std::vector<std::string>& axis_convention_names();
+/// Throws InputError for any other.
+AxisConvention axis_convention_of(std::string_view name);
+
+struct Wrench {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   // N
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // N m
+
+  bool operator==(const Wrench&) const = default;
+};
+
+/// Angles and slip of a rolling wheel.
+struct WheelSlip {
+  double alpha = 0.0;  // rad
+  double gamma = 0.0;  // rad
+  double kappa = 0.0;  // (ω Re - Vx) / Vx, -1 locked
+
+  bool operator==(const WheelSlip&) const = default;
+};
+
+/// From a convention to iso; each is its own inverse, so this also leads back.
+Wrench to_iso(const Wrench& wrench, AxisConvention from);
+WheelSlip to_iso(const WheelSlip& slip, AxisConvention from);
+
+/// In iso, between frames: `gamma` is the camber, `loaded_radius` the distance from the wheel
+/// center to the contact point, along the wheel plane.
+Wrench in_frame(
+    const Wrench& wrench, AxisFrame from, AxisFrame to, double gamma, double loaded_radius);
+
+/// κ from the bounded slip λ = (v - ω r) / max(v, ω r), positive in braking, of some theses and
+/// simulators [Koek 2018, eq. 2-1]; only for import. -1 < λ <= 1, where 1 is the locked wheel.
+double kappa_of_bounded_slip(double lambda);
+double bounded_slip_of_kappa(double kappa);
+
+/// The channels of a test in iso. Forces, moments and slip angle are known by their names in TYDEX
+/// (FYW, MZH, SLIPANGL) or short (Fy, Mz, alpha, SA), in any case; the others stay as they are.
+Channels to_iso(const Channels& channels, AxisConvention from);
+
+}  // namespace latsch
