@@ -73,6 +73,28 @@ DrumRoad::Surface DrumRoad::locate(double x, double y, double time) const {
 
 double DrumRoad::height(double x, double y, double time) const { return locate(x, y, time).z; }
 
+/// Highest at the top of an outer drum, at the sides of an inner one; a cleat that may be seen in
+/// the box adds its height, radially.
+GroundBounds DrumRoad::bounds(const GroundBox& box, double time) const {
+  const double nearest = std::clamp(0.0, box.x0, box.x1);
+  const double farthest = std::max(std::abs(box.x0), std::abs(box.x1));
+  const double x = up_ < 0.0 ? nearest : farthest;
+  if (farthest > edge_x_) return {};
+  GroundBounds bounds{up_ * x * x / (R_ + std::sqrt(R_ * R_ - x * x)), false};
+  const double turned = settings_.surface.distance(time) / R_;
+  const double first = std::asin(box.x0 / R_), last = std::asin(box.x1 / R_);
+  for (int i = 0; i < std::ssize(settings_.cleats); ++i) {
+    const Cleat& cleat = settings_.cleats[i];
+    const double t = std::tan(cleat.angle) / R_, lean0 = std::min(box.y0 * t, box.y1 * t),
+                 lean1 = std::max(box.y0 * t, box.y1 * t);
+    const double middle = cleat.starting_angle - turned;
+    const double theta = middle - kTurn * std::round((middle - 0.5 * (first + last)) / kTurn);
+    if (theta + lean1 + windows_[i] < first || theta + lean0 - windows_[i] > last) continue;
+    bounds.highest += cleat.profile.reach() / std::cos(last > -first ? last : -first);
+  }
+  return bounds;
+}
+
 GroundPoint DrumRoad::at(double x, double y, double time) const {
   const Surface surface = locate(x, y, time);
   const double above_axis = surface.z - up_ * R_;

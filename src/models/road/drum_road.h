@@ -48,6 +48,7 @@ class DrumRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
+  GroundBounds bounds(const GroundBox& box, double time) const override;
 
   double radius() const { return R_; }
   /// s, between two hits of one cleat at the speed of `time`; infinite at rest.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/road/plane_road.h"
 
+#include <algorithm>
+
 namespace latsch::road {
 
 PlaneRoad::PlaneRoad(const Settings& settings)
@@ -10,6 +12,14 @@ PlaneRoad::PlaneRoad(const Settings& settings)
 
 double PlaneRoad::height(double x, double y, double) const {
   return settings_.height + settings_.grade * x + settings_.bank * y;
+}
+
+GroundBounds PlaneRoad::bounds(const GroundBox& box, double time) const {
+  const double highest = std::max({height(box.x0, box.y0, time),
+                                   height(box.x1, box.y0, time),
+                                   height(box.x0, box.y1, time),
+                                   height(box.x1, box.y1, time)});
+  return {highest, true};
 }
 
 GroundPoint PlaneRoad::at(double x, double y, double time) const {

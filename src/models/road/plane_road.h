@@ -23,6 +23,7 @@ class PlaneRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
+  GroundBounds bounds(const GroundBox& box, double time) const override;
 
  private:
   Settings settings_;

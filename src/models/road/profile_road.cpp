@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace latsch::road {
 
@@ -48,6 +49,46 @@ GroundPoint ProfileRoad::at(double x, double y, double time) const {
   ground.friction = place.on_obstacle ? settings_.obstacle_friction : settings_.friction;
   ground.velocity.x() = -settings_.belt.speed(time);
   return ground;
+}
+
+/// A plane where the whole box is beside the sections or on one straight piece of an endless one.
+GroundBounds ProfileRoad::bounds(const GroundBox& box, double time) const {
+  const double shift = settings_.belt.distance(time) - settings_.origin.x();
+  double s0 = std::numeric_limits<double>::infinity(), s1 = -s0;
+  for (const double x : {box.x0, box.x1})
+    for (const double y : {box.y0, box.y1}) {
+      const double s = (x + shift) * cos_ + (y - settings_.origin.y()) * sin_;
+      s0 = std::min(s0, s);
+      s1 = std::max(s1, s);
+    }
+  if (settings_.pitch > 0.0) {
+    const double number = std::floor(s0 / settings_.pitch);
+    // Near the first and the last of a row of sections nothing is promised but the height.
+    if (settings_.count > 0 || std::floor(s1 / settings_.pitch) != number)
+      return {settings_.along.reach(), false};
+    s0 -= number * settings_.pitch;
+    s1 -= number * settings_.pitch;
+  }
+  return bounds_between(s0, s1);
+}
+
+GroundBounds ProfileRoad::bounds_between(double s0, double s1) const {
+  if (s1 < settings_.along.begin()) {
+    const double z = settings_.along.at(s1).height;
+    return {settings_.across ? std::max(z, 0.0) : z, !settings_.across || z == 0.0};
+  }
+  if (s0 > settings_.along.end()) {
+    const double z = settings_.along.at(s0).height;
+    return {settings_.across ? std::max(z, 0.0) : z, !settings_.across || z == 0.0};
+  }
+  double highest = std::max(settings_.along.at(s0).height, settings_.along.at(s1).height);
+  bool piece = s0 > settings_.along.begin() && s1 < settings_.along.end();
+  for (const Profile::Point& corner : settings_.along.points())
+    if (corner.s >= s0 && corner.s <= s1) {
+      highest = std::max(highest, corner.z);
+      piece = false;
+    }
+  return {settings_.across ? settings_.along.reach() : highest, piece && !settings_.across};
 }
 
 ProfileRoad cleat_road(double x, double height, double length, double bevel, double angle) {

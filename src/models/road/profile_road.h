@@ -36,12 +36,14 @@ class ProfileRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
+  GroundBounds bounds(const GroundBox& box, double time) const override;
 
  private:
   struct Place {
     Profile::Value along, across;
     bool on_obstacle = false;
   };
+  GroundBounds bounds_between(double s0, double s1) const;
   Place locate(double x, double y, double time) const;
 
   Settings settings_;

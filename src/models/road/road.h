@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 namespace latsch::road {
 
@@ -15,6 +16,17 @@ struct GroundPoint {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m/s, of the ground's material
 };
 
+/// A rectangle of the ground, m.
+struct GroundBox {
+  double x0, x1, y0, y1;
+};
+
+/// What a road can say at once about all of a rectangle.
+struct GroundBounds {
+  double highest = std::numeric_limits<double>::infinity();  // m: no point of it is higher
+  bool plane = false;  // all of it is the plane and the friction that `at` finds in its middle
+};
+
 class Road {
  public:
   virtual ~Road() = default;
@@ -24,6 +36,8 @@ class Road {
   virtual GroundPoint at(double x, double y, double time) const = 0;
   /// The height alone, m, bit for bit that of `at`: what enveloping and contact search ask most.
   virtual double height(double x, double y, double time) const { return at(x, y, time).height; }
+  /// For tires that ask thousands of points a step. Nothing is promised unless a road overrides it.
+  virtual GroundBounds bounds(const GroundBox&, double) const { return {}; }
 };
 
 }  // namespace latsch::road

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/random.h"
 #include "models/road/drum_road.h"
 #include "models/road/kerb.h"
 #include "models/road/plane_road.h"
@@ -223,6 +224,37 @@ TEST(DrumRoad, SpacesCleatsEqually) {
     EXPECT_GT(road.height(0.0, 0.0, 0.1 + i * std::numbers::pi / 2.0), 0.0099);
     EXPECT_EQ(road.height(0.0, 0.0, 0.2 + i * std::numbers::pi / 2.0), 0.0);
   }
+}
+
+// What a road says of a rectangle holds at every point of it.
+TEST(Road, BoundsHoldInTheWholeBox) {
+  const DrumRoad drum({.diameter = 2.0,
+                       .surface = 3.0,
+                       .cleats = {{.profile = cleat_profile(0.02, 0.03, 0.005), .angle = 0.6}}});
+  const DrumRoad inner({.diameter = 3.0, .inner = true, .surface = 3.0});
+  const ProfileRoad cleat = cleat_road(0.3, 0.02, 0.03, 0.005, 0.5);
+  const ProfileRoad row({.along = cleat_profile(0.02, 0.03, 0.005), .pitch = 0.2, .belt = 2.0});
+  const PlaneRoad plane({.grade = 0.1, .bank = -0.05});
+  RandomStream random(3, 1);
+  int planes = 0;
+  for (const Road* road : std::initializer_list<const Road*>{&drum, &inner, &cleat, &row, &plane})
+    for (int i = 0; i < 400; ++i) {
+      const double x = 0.8 * (random.uniform() - 0.5), y = 0.4 * (random.uniform() - 0.5);
+      const double a = 0.1 * random.uniform(), b = 0.1 * random.uniform(), t = random.uniform();
+      const GroundBounds bounds = road->bounds({x, x + a, y, y + b}, t);
+      const GroundPoint middle = road->at(x + 0.5 * a, y + 0.5 * b, t);
+      const Eigen::Vector3d G(x + 0.5 * a, y + 0.5 * b, middle.height);
+      planes += bounds.plane;
+      for (int j = 0; j < 20; ++j) {
+        const double px = x + a * random.uniform(), py = y + b * random.uniform();
+        const GroundPoint point = road->at(px, py, t);
+        EXPECT_LE(point.height, bounds.highest + 1e-12);
+        if (!bounds.plane) continue;
+        EXPECT_NEAR(middle.normal.dot(Eigen::Vector3d(px, py, point.height) - G), 0.0, 1e-12);
+        EXPECT_EQ(point.friction, middle.friction);
+      }
+    }
+  EXPECT_GT(planes, 500);
 }
 
 }  // namespace

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/ring_tire/ring_tire.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace latsch::ring_tire {
+namespace {
+
+using Eigen::Vector3d;
+
+Eigen::Vector4d mass_of_node(const RingParameters& p) {
+  const double m = p.belt.mass / p.nodes;
+  const double J = p.belt.torsion_inertia * 2.0 * std::numbers::pi * p.belt.radius / p.nodes;
+  assert(m > 0.0 && J > 0.0);
+  return {m, m, m, J};
+}
+
+WheelMotion between(const WheelMotion& from, const WheelMotion& to, double share) {
+  const auto mix = [&](const auto& a, const auto& b) {
+    return ((1.0 - share) * a + share * b).eval();
+  };
+  WheelMotion motion;
+  motion.center = mix(from.center, to.center);
+  motion.velocity = mix(from.velocity, to.velocity);
+  motion.angular_velocity = mix(from.angular_velocity, to.angular_velocity);
+  motion.carrier = Eigen::Quaterniond(from.carrier)
+                       .slerp(share, Eigen::Quaterniond(to.carrier))
+                       .toRotationMatrix();
+  motion.spin = (1.0 - share) * from.spin + share * to.spin;
+  motion.spin_rate = (1.0 - share) * from.spin_rate + share * to.spin_rate;
+  return motion;
+}
+
+}  // namespace
+
+RingTire::RingTire(const RingParameters& parameters, const RingSettings& settings)
+    : parameters_(parameters),
+      settings_(settings),
+      angles_(parameters.nodes),
+      belt_(parameters.belt, parameters.nodes),
+      wall_(parameters.sidewall, parameters.belt.radius, parameters.nodes),
+      tread_(parameters.tread, parameters.belt.radius, parameters.nodes),
+      mass_(mass_of_node(parameters)),
+      rim_(RimFrame::of(WheelMotion())),
+      K_(parameters.nodes),
+      factor_(parameters.nodes) {
+  for (NodeValues* values : {&q_,
+                             &v_,
+                             &force_,
+                             &q1_,
+                             &v1_,
+                             &q_predicted_,
+                             &v_predicted_,
+                             &a_,
+                             &inner_,
+                             &total_,
+                             &residual_})
+    *values = NodeValues::Zero(4, parameters.nodes);
+  place_at_rest();
+}
+
+double RingTire::free_radius() const { return parameters_.belt.radius + parameters_.tread.height; }
+
+void RingTire::place_at_rest() {
+  for (int k = 0; k < angles_.nodes(); ++k)
+    q_.col(k) << rim_.center + parameters_.belt.radius * angles_.radial(rim_, k), 0.0;
+  v_.setZero();
+  a_.setZero();
+  wall_.reset();
+  tread_.reset();
+}
+
+void RingTire::evaluate(const NodeValues& q, const NodeValues& v) {
+  ++counts_.evaluations;
+  inner_.setZero();
+  belt_.add_force(q, rim_, inner_);
+  wall_.add_force(q, v, rim_, rule_, inner_);
+  total_ = inner_;
+  tread_.add_force(q, v, total_);
+}
+
+bool RingTire::factorize(const NodeValues& q,
+                         double mass_factor,
+                         double scale,
+                         const StepRule& rule) {
+  ++counts_.factorizations;
+  K_.set_zero();
+  K_.add_diagonal(mass_factor * mass_[0], mass_factor * mass_[3]);
+  belt_.add_stiffness(q, rim_, scale, K_);
+  wall_.add_stiffness(q, rim_, rule, scale, K_);
+  tread_.add_stiffness(scale, K_);
+  return factor_.factorize(K_);
+}
+
+CyclicBand RingTire::stiffness() {
+  K_.set_zero();
+  const StepRule statics;
+  belt_.add_stiffness(q_, rim_, 1.0, K_);
+  wall_.add_stiffness(q_, rim_, statics, 1.0, K_);
+  tread_.add_stiffness(1.0, K_);
+  return K_;
+}
+
+double RingTire::energy() const {
+  double kinetic = 0.0;
+  for (int k = 0; k < angles_.nodes(); ++k) kinetic += 0.5 * mass_.dot(v_.col(k).cwiseAbs2());
+  return kinetic + belt_.energy(q_, rim_) + wall_.energy(q_, rim_) + tread_.energy();
+}
+
+HubForces RingTire::hub_forces(const Eigen::Matrix3d& carrier) const {
+  Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
+  for (int k = 0; k < angles_.nodes(); ++k) {
+    const Vector3d f = inner_.col(k).head<3>();
+    force -= f;
+    moment -=
+        (q_.col(k).head<3>() - rim_.center).cross(f) + inner_(3, k) * angles_.tangential(rim_, k);
+  }
+  return {carrier.transpose() * force, carrier.transpose() * moment};  // (18)
+}
+
+/// Forces left at q where the ring stands still.
+double RingTire::unbalance(const NodeValues& q, const road::Road& road, double time) {
+  tread_.approach(q, v1_, rim_, road, time, rule_);
+  evaluate(q, v1_);
+  return total_.norm();
+}
+
+/// Newton's method with a line search at the rim's place, from q_. Where the tangent is not
+/// positive definite or no step makes things better, a mass times `shift` holds the nodes back.
+Result<bool> RingTire::equilibrate(const road::Road& road, double time) {
+  constexpr int kMost = 200;
+  constexpr double kSmallest = 1e4, kLargestMove = 5e-3;  // 1/s^2; m
+  // Forces left at all nodes together; friction forgives here what a step would carry on.
+  const double enough = 5.0 * settings_.tolerance;
+  rule_ = {};
+  double shift = 0.0;
+  v1_.setZero();
+  double left = unbalance(q_, road, time);
+  for (int iteration = 0; iteration < kMost && left > enough; ++iteration) {
+    while (!factorize(q_, shift, 1.0, rule_)) {
+      shift = std::max(10.0 * shift, kSmallest);
+      if (!(shift < 1e12)) return Failure{"the ring's stiffness is not finite"};
+    }
+    residual_ = total_;
+    factor_.solve(residual_);
+    double share = std::min(1.0, kLargestMove / residual_.topRows<3>().cwiseAbs().maxCoeff());
+    double found = 0.0;
+    constexpr int kHalvings = 4;
+    for (int halving = 0; halving <= kHalvings; ++halving, share *= 0.5) {
+      q1_ = q_ + share * residual_;
+      found = unbalance(q1_, road, time);
+      if (found < left) break;
+    }
+    // A step that makes things worse is taken all the same, small and held: kinks are passed so.
+    shift =
+        found < left ? (shift > kSmallest ? 0.1 * shift : 0.0) : std::max(10.0 * shift, kSmallest);
+    q_ = q1_;
+    left = found;
+  }
+  if (left > enough)
+    return Failure{
+        fmt::format("no equilibrium of the ring within {} iterations: {:.3g} N are left, axle at "
+                    "height {:.4f} m",
+                    kMost,
+                    left,
+                    rim_.center.z())};
+  wall_.commit(q_, rim_, rule_);
+  tread_.commit();
+  return true;
+}
+
+Result<HubForces> RingTire::settle(const WheelMotion& motion, const road::Road& road, double time) {
+  const RimFrame end = RimFrame::of(motion);
+  rim_ = end;
+  place_at_rest();
+  const double depth = std::max(0.0, tread_.deepest(q_, rim_, road, time));
+  const int steps = std::max(1, static_cast<int>(std::ceil(depth / settings_.lowering)));
+  rim_.center.z() = end.center.z() + depth;
+  q_.row(2).array() += depth;
+  for (int i = 1; i <= steps; ++i) {
+    rim_.center.z() = end.center.z() + depth * (1.0 - static_cast<double>(i) / steps);
+    const Result<bool> found = equilibrate(road, time);
+    if (!found) return found.failure();
+  }
+  const HubForces forces = hub_forces(motion.carrier);
+  roll_on(motion);
+  last_motion_ = motion;
+  settled_ = true;
+  return forces;
+}
+
+/// The shape X(χ) over the angle χ = φ - spin stands in the carrier; node k flows through it:
+/// x' = c' + ω × (x - c) - spin' dX/dχ,  x'' = spin'^2 d²X/dχ². Differences of fourth order.
+void RingTire::roll_on(const WheelMotion& motion) {
+  const int N = angles_.nodes();
+  const double step = 2.0 * std::numbers::pi / N, rate = motion.spin_rate;
+  for (int k = 0; k < N; ++k) {
+    const auto x = [&](int offset) { return q_.col((k + offset + N) % N); };
+    const Eigen::Vector4d slope = (8.0 * (x(1) - x(-1)) - (x(2) - x(-2))) / (12.0 * step);
+    const Eigen::Vector4d bend =
+        (16.0 * (x(1) + x(-1)) - (x(2) + x(-2)) - 30.0 * x(0)) / (12.0 * step * step);
+    v_.col(k) = -rate * slope;
+    v_.col(k).head<3>() +=
+        motion.velocity + motion.angular_velocity.cross(x(0).head<3>() - motion.center);
+    a_.col(k) = rate * rate * bend;
+    force_.col(k) = mass_.cwiseProduct(a_.col(k));
+  }
+}
+
+Result<HubForces> RingTire::advance(const WheelMotion& motion,
+                                    const road::Road& road,
+                                    double time,
+                                    double step) {
+  assert(settled_ && step > 0.0);
+  const int parts = std::max(1, static_cast<int>(std::ceil(step / settings_.largest_step - 1e-9)));
+  for (int i = 1; i <= parts; ++i) {
+    const WheelMotion from =
+        i == 1 ? last_motion_ : between(last_motion_, motion, (i - 1.0) / parts);
+    const WheelMotion to =
+        i == parts ? motion : between(last_motion_, motion, static_cast<double>(i) / parts);
+    const double then = time - step * (1.0 - static_cast<double>(i) / parts);
+    const std::string trouble = go(from, to, road, then, step / parts, settings_.halvings);
+    if (!trouble.empty()) return Failure{trouble};
+  }
+  last_motion_ = motion;
+  return hub_forces(motion.carrier);
+}
+
+/// A step, or where it has no solution two of half the length. Empty, or why there is none.
+std::string RingTire::go(const WheelMotion& from,
+                         const WheelMotion& to,
+                         const road::Road& road,
+                         double time,
+                         double step,
+                         int halvings) {
+  const std::string trouble = step_forward(to, road, time, step);
+  if (trouble.empty() || halvings == 0) return trouble;
+  const WheelMotion middle = between(from, to, 0.5);
+  const std::string first = go(from, middle, road, time - 0.5 * step, 0.5 * step, halvings - 1);
+  return first.empty() ? go(middle, to, road, time, 0.5 * step, halvings - 1) : first;
+}
+
+/// One step of (16), (17). Empty, or why there is no solution.
+std::string RingTire::step_forward(const WheelMotion& motion,
+                                   const road::Road& road,
+                                   double time,
+                                   double h) {
+  const double theta = settings_.dissipation, gamma = 0.5 + theta;
+  const double beta = 0.25 * (1.0 + theta) * (1.0 + theta);
+  const double of_mass = 1.0 / (beta * h * h), of_rate = gamma / (beta * h);
+  rim_ = RimFrame::of(motion);
+  rule_ = {.step = h, .velocity = of_rate};
+  q_predicted_ = q_ + h * v_ + 0.5 * h * h * a_;
+  v_predicted_ = v_ + h * a_;
+  q1_ = q_predicted_;
+  tread_.approach(q_predicted_, v_predicted_, rim_, road, time, rule_);
+  ++counts_.steps;
+  double last = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
+    // a1 = a0 + (q1 - predicted)/(β h²), v1 to match.
+    v1_ = v_predicted_ + of_rate * (q1_ - q_predicted_);
+    evaluate(q1_, v1_);
+    residual_ = (1.0 - theta) * total_ + theta * force_ -
+                mass_.asDiagonal() * (a_ + of_mass * (q1_ - q_predicted_));
+    const double left = residual_.cwiseAbs().maxCoeff();
+    if (!std::isfinite(left)) break;
+    if (left <= settings_.tolerance) {
+      a_ += of_mass * (q1_ - q_predicted_);
+      q_ = q1_;
+      v_ = v1_;
+      force_ = total_;
+      wall_.commit(q_, rim_, rule_);
+      tread_.commit();
+      return {};
+    }
+    constexpr double kSlow = 0.2;  // a tangent that reduces less than to that is renewed
+    if (left > kSlow * last || iteration == 0)
+      for (double held = 1.0; !factorize(q1_, held * of_mass, 1.0 - theta, rule_); held *= 2.0)
+        if (held > 64.0) return lost(time, "its tangent is not definite");
+    last = left;
+    factor_.solve(residual_);
+    q1_ += residual_;
+  }
+  return lost(time, fmt::format("{:.3g} N are left at a node", last));
+}
+
+std::string RingTire::lost(double time, const std::string& why) const {
+  return fmt::format(
+      "the ring's step to {:.5f} s has no solution: {}; a shorter step may help", time, why);
+}
+
+}  // namespace latsch::ring_tire

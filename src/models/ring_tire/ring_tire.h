@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Flexible ring tire: belt.h on sidewall.h with tread_contact.h, in statics and in time.
+//
+//   m q'' = f(q, q', t),  q: positions of the nodes and torsions of their sections (15) q1 = q0 + h
+//   v0 + h^2 ((1/2 - β) a0 + β a1),  v1 = v0 + h ((1 - γ) a0 + γ a1)               (16) m a1 = (1 -
+//   θ) f1 + θ f0,  β = (1 + θ)^2/4,  γ = 1/2 + θ                                   (17)
+// θ = 0 is the trapezoidal rule; a small θ damps what vibrates faster than the step, still of order
+// 2 [Hilber, Hughes, Taylor 1977]. Each step is solved by Newton's method with the cyclic band
+// matrix m/(β h^2) + (1 - θ) (K + γ/(β h) C).
+//   hub force = -Σ f_k, moment = -Σ ((x_k - c) × f_k + ψ-moment e_t), f: all but the road's (18)
+//
+// settle() lowers the rim from first touch in small steps, each an equilibrium by Newton's method,
+// so friction in the contact has the history of a tire pressed down. Where the wheel spins, the
+// shape found is kept in space and the belt flows through it: velocities and accelerations of
+// steady rolling up to the change that speed brings.
+//   Limits: docs/ring_tire.md, section 7.
+#pragma once
+
+#include <string>
+
+#include "models/ring_tire/belt.h"
+#include "models/ring_tire/ring_parameters.h"
+#include "models/ring_tire/sidewall.h"
+#include "models/ring_tire/tread_contact.h"
+#include "models/tire/tire.h"
+
+namespace latsch::ring_tire {
+
+struct RingSettings {
+  double dissipation = 0.05;   // θ, 0 .. 1/3
+  double tolerance = 1e-2;     // N (m on torsion: per meter), largest force left at a node
+  int halvings = 4;            // of a step that has no solution
+  int most_iterations = 15;    // of Newton's method a step
+  double lowering = 2e-3;      // m, of the rim in one step of settle()
+  double largest_step = 2e-3;  // s; advance() divides longer ones
+};
+
+/// What advance() and settle() cost so far.
+struct RingCounts {
+  long steps = 0, evaluations = 0, factorizations = 0;
+};
+
+class RingTire final : public Tire {
+ public:
+  explicit RingTire(const RingParameters& parameters, const RingSettings& settings = {});
+
+  double free_radius() const override;
+  Result<HubForces> settle(const WheelMotion& motion, const road::Road& road, double time) override;
+  Result<HubForces> advance(const WheelMotion& motion,
+                            const road::Road& road,
+                            double time,
+                            double step) override;
+  std::unique_ptr<Tire> clone() const override { return std::make_unique<RingTire>(*this); }
+
+  const RingParameters& parameters() const { return parameters_; }
+  const NodeValues& positions() const { return q_; }
+  const NodeValues& velocities() const { return v_; }
+  std::vector<BlockContact> footprint() const { return tread_.footprint(); }
+  const RingCounts& counts() const { return counts_; }
+  /// J: kinetic and in all springs.
+  double energy() const;
+  /// Tangent stiffness of belt, sidewall and contact as they stand, and mass of a node (m, m, m,
+  /// J).
+  CyclicBand stiffness();
+  Eigen::Vector4d node_mass() const { return mass_; }
+
+ private:
+  /// f of (15) at q, v, on the rim where it stands: inner forces, then those of the road.
+  void evaluate(const NodeValues& q, const NodeValues& v);
+  double unbalance(const NodeValues& q, const road::Road& road, double time);
+  Result<bool> equilibrate(const road::Road& road, double time);
+  void roll_on(const WheelMotion& motion);
+  std::string go(const WheelMotion& from,
+                 const WheelMotion& to,
+                 const road::Road& road,
+                 double time,
+                 double step,
+                 int halvings);
+  std::string step_forward(const WheelMotion& motion,
+                           const road::Road& road,
+                           double time,
+                           double step);
+  std::string lost(double time, const std::string& why) const;
+  bool factorize(const NodeValues& q, double mass_factor, double scale, const StepRule& rule);
+  HubForces hub_forces(const Eigen::Matrix3d& carrier) const;
+  void place_at_rest();
+
+  RingParameters parameters_;
+  RingSettings settings_;
+  NodeAngles angles_;
+  BeltForces belt_;
+  SidewallForces wall_;
+  TreadContact tread_;
+  Eigen::Vector4d mass_;
+  RimFrame rim_;
+  StepRule rule_;
+  NodeValues q_, v_, force_;  // at the end of the last step; f of (15)
+  NodeValues q1_, v1_, q_predicted_, v_predicted_, a_;
+  NodeValues inner_, total_, residual_;
+  CyclicBand K_;
+  CyclicBandFactor factor_;
+  WheelMotion last_motion_;
+  bool settled_ = false;
+  RingCounts counts_;
+};
+
+}  // namespace latsch::ring_tire

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/ring_tire/ring_tire.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "models/ring_tire/ring_parameters_testing.h"
+#include "models/road/plane_road.h"
+#include "models/road/profile_road.h"
+
+namespace latsch::ring_tire {
+namespace {
+
+using Eigen::Vector3d;
+
+WheelMotion standing(double height) {
+  WheelMotion motion;
+  motion.center = {0.0, 0.0, height};
+  return motion;
+}
+
+struct Resultant {
+  Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
+};
+
+/// Of the road's forces about the wheel center.
+Resultant of_road(const RingTire& tire, const Vector3d& center) {
+  Resultant sum;
+  for (const BlockContact& block : tire.footprint()) {
+    sum.force += block.force;
+    sum.moment += (block.root - center).cross(block.force);
+  }
+  return sum;
+}
+
+WheelMotion rolling(double height, double speed, double effective_radius) {
+  WheelMotion motion = standing(height);
+  motion.velocity.x() = speed;
+  motion.spin_rate = speed / effective_radius;
+  return motion;
+}
+
+WheelMotion later(WheelMotion motion, double h) {
+  motion.center += h * motion.velocity;
+  motion.spin += h * motion.spin_rate;
+  return motion;
+}
+
+HubForces roll(RingTire& tire, WheelMotion& motion, const road::Road& road, int steps, double h) {
+  HubForces forces;
+  for (int i = 1; i <= steps; ++i) {
+    motion = later(motion, h);
+    const auto hub = tire.advance(motion, road, i * h, h);
+    EXPECT_TRUE(hub) << hub.failure().reason;
+    if (!hub) break;
+    forces = *hub;
+  }
+  return forces;
+}
+
+// Newton's third law: what the hub feels is what the road does, with camber as well.
+TEST(RingTire, StandsOnItsPatchInBalance) {
+  RingTire tire(passenger_ring());
+  const road::PlaneRoad road;
+  for (double camber : {0.0, 0.05}) {
+    WheelMotion motion = standing(tire.free_radius() - 0.020);
+    motion.carrier = Eigen::AngleAxisd(camber, Vector3d::UnitX()).toRotationMatrix();
+    const auto hub = tire.settle(motion, road, 0.0);
+    ASSERT_TRUE(hub) << hub.failure().reason;
+    const Resultant ground = of_road(tire, motion.center);
+    EXPECT_GT(ground.force.z(), 3000.0);
+    EXPECT_LT((motion.carrier * hub->force - ground.force).norm(), 1e-4 * ground.force.z());
+    // Sections are turned about the belt's tangent at rest in the hub's moment, about that of the
+    // deformed belt by the road: second order in its slope.
+    EXPECT_LT((motion.carrier * hub->moment - ground.moment).norm(), 0.5 + 200.0 * camber);
+  }
+}
+
+// In steady rolling momentum and angular momentum stay, so hub and road balance again; the hub's
+// torque is the longitudinal force at the loaded radius and rolling resistance.
+TEST(RingTire, RollsInBalance) {
+  RingTire tire(passenger_ring());
+  const road::PlaneRoad road;
+  WheelMotion motion = rolling(tire.free_radius() - 0.020, 60.0 / 3.6, 0.309);
+  ASSERT_TRUE(tire.settle(motion, road, 0.0));
+  roll(tire, motion, road, 400, 5e-4);
+  Resultant hub, ground;
+  constexpr int kSteps = 40;
+  for (int i = 0; i < kSteps; ++i) {
+    const HubForces now = roll(tire, motion, road, 1, 5e-4);
+    const Resultant of = of_road(tire, motion.center);
+    hub.force += now.force / kSteps;
+    hub.moment += now.moment / kSteps;
+    ground.force += of.force / kSteps;
+    ground.moment += of.moment / kSteps;
+  }
+  EXPECT_LT((hub.force - ground.force).norm(), 2e-3 * hub.force.z());
+  EXPECT_NEAR(hub.moment.y(), ground.moment.y(), 2.0);
+}
+
+// Turned by one node the ring is the same ring.
+TEST(RingTire, IsTheSameTurnedByANode) {
+  const road::ProfileRoad road = road::cleat_road(0.1, 0.015, 0.03, 0.005);
+  const RingParameters ring = passenger_ring();
+  HubForces forces[2];
+  for (int i : {0, 1}) {
+    RingTire tire(ring);
+    WheelMotion motion = rolling(tire.free_radius() - 0.015, 10.0, 0.31);
+    motion.spin = 2.0 * std::numbers::pi / ring.nodes * i;
+    ASSERT_TRUE(tire.settle(motion, road, 0.0));
+    forces[i] = roll(tire, motion, road, 40, 5e-4);
+  }
+  EXPECT_LT((forces[0].force - forces[1].force).norm(), 1e-4 * forces[0].force.norm());
+  EXPECT_LT((forces[0].moment - forces[1].moment).norm(), 1e-4 * forces[0].force.norm());
+}
+
+// The road falls away under the loaded tire: nothing works on it any more.
+TEST(RingTire, LosesEnergyWithoutInput) {
+  RingTire tire(passenger_ring());
+  const WheelMotion motion = standing(tire.free_radius() - 0.025);
+  ASSERT_TRUE(tire.settle(motion, road::PlaneRoad(), 0.0));
+  const road::PlaneRoad pit({.height = -1.0});
+  ASSERT_TRUE(tire.advance(motion, pit, 0.0, 1e-6));
+  double last = tire.energy();
+  const double first = last;
+  for (int i = 0; i < 400; ++i) {
+    ASSERT_TRUE(tire.advance(motion, pit, 0.0, 5e-4));
+    EXPECT_LE(tire.energy(), last) << i;
+    last = tire.energy();
+  }
+  const WheelMotion free = standing(1.0);
+  ASSERT_TRUE(tire.settle(free, pit, 0.0));
+  EXPECT_LT(last - tire.energy(), 0.02 * (first - tire.energy()));
+}
+
+// A smooth wave passes: halving the step quarters the error.
+TEST(RingTire, IsOfOrderTwoOnASmoothRoad) {
+  std::vector<double> forces;
+  for (const int parts : {20, 40, 80, 160}) {
+    RingTire tire(passenger_ring(), {.tolerance = 1e-5});
+    const road::PlaneRoad road;
+    const double h = 0.02 / parts, height = tire.free_radius() - 0.015;
+    WheelMotion motion = standing(height);
+    ASSERT_TRUE(tire.settle(motion, road, 0.0));
+    HubForces hub;
+    for (int i = 1; i <= parts; ++i) {
+      const double omega = 2.0 * std::numbers::pi * 25.0, t = i * h;
+      motion.center.z() = height - 0.0025 * (1.0 - std::cos(omega * t));
+      motion.velocity.z() = -0.0025 * omega * std::sin(omega * t);
+      const auto now = tire.advance(motion, road, t, h);
+      ASSERT_TRUE(now) << now.failure().reason;
+      hub = *now;
+    }
+    forces.push_back(hub.force.z());
+  }
+  for (const std::size_t i : {0u, 1u}) {
+    const double order = std::log2((forces[i + 1] - forces[i]) / (forces[i + 2] - forces[i + 1]));
+    EXPECT_GT(order, 1.9) << i;
+  }
+}
+
+}  // namespace
+}  // namespace latsch::ring_tire
