@@ -85,7 +85,7 @@ GroundBounds DrumRoad::bounds(const GroundBox& box, double time) const {
   const double first = std::asin(box.x0 / R_), last = std::asin(box.x1 / R_);
   for (int i = 0; i < std::ssize(settings_.cleats); ++i) {
     const Cleat& cleat = settings_.cleats[i];
-    const double t = std::tan(cleat.angle) / R_, lean0 = std::min(box.y0 * t, box.y1 * t),
+    const double t = -std::tan(cleat.angle) / R_, lean0 = std::min(box.y0 * t, box.y1 * t),
                  lean1 = std::max(box.y0 * t, box.y1 * t);
     const double middle = cleat.starting_angle - turned;
     const double theta = middle - kTurn * std::round((middle - 0.5 * (first + last)) / kTurn);
