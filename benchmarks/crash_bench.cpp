@@ -69,6 +69,7 @@ fs::path write_tire_study(const fs::path& folder) {
       read_text_file(fs::path(LATSCH_SOURCE_DIR) / "studies/tires/passenger_225_50R16.toml");
   tire = replaced(tire, "meridional = 29", "meridional = 13");
   tire = replaced(tire, "sectors = 60", "sectors = 24");
+  tire = replaced(tire, "sector_zones = [[10, \"3 deg\"], [6, \"5 deg\"]]\n", "");
   write_text_file(folder / "tire.toml", tire);
   write_text_file(folder / "stiffness.csv", kMeasurement);
   write_text_file(folder / "study.toml", kStudy);

@@ -32,7 +32,7 @@ void coarsen(const fs::path& tires) {
     std::string text = read_text_file(tire.path());
     text = std::regex_replace(text, std::regex("\nmeridional = \\d+"), "\nmeridional = 15");
     text = std::regex_replace(text, std::regex("\nsectors = \\d+"), "\nsectors = 30");
-    text = std::regex_replace(text, std::regex("\nspacing = \\[\\[.*"), "");
+    text = std::regex_replace(text, std::regex("\n(spacing|sector_zones) = \\[\\[.*"), "");
     write_text_file(tire.path(), text);
   }
 }

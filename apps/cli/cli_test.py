@@ -50,6 +50,7 @@ class Coarse(unittest.TestCase):
         folder = cls.base / "template"
         subprocess.run([LATSCH, "new", folder], check=True, stdout=subprocess.DEVNULL)
         edit(folder / "tire.toml", ("meridional = .*", "meridional = 14"), ("sectors = .*", "sectors = 18"), (r"spacing = \[\[.*\n", ""),
+             (r"sector_zones = .*\n", ""),
              ('young_modulus = "4 MPa"', 'young_modulus = "5 MPa"'))  # both sidewalls alike, as the variable has them
         edit(folder / "study.toml",
              (r"values = \[5, .*\]}", "values = [6, 12]}"),

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "experiment/deflection_for_load.h"
@@ -198,13 +199,26 @@ std::vector<Result<Channels>> run(FeTire& tire, const std::vector<LoadCase>& cas
   return all;
 }
 
+namespace {
+
+/// The plane nearest to an angle from the contact, rad.
+int nearest_plane(const fe_tire::Mesh& mesh, double angle) {
+  int nearest = 0;
+  for (int s = 1; s < mesh.sectors; ++s) {
+    if (std::abs(mesh.angle(s) - angle) < std::abs(mesh.angle(nearest) - angle)) nearest = s;
+  }
+  return nearest;
+}
+
+}  // namespace
+
 Eigen::Matrix3Xd default_points(const fe_tire::Mesh& mesh) {
   constexpr int kAround = 24, kAcross = 3;
   const int sensors = static_cast<int>(mesh.sensors.size());
   const int across = std::min(kAcross, sensors), around = std::min(kAround, mesh.sectors);
   Eigen::Matrix3Xd points(3, across * around);
   for (int s = 0; s < around; ++s) {
-    const int sector = s * mesh.sectors / around;
+    const int sector = nearest_plane(mesh, 2.0 * std::numbers::pi * s / around);
     for (int i = 0; i < across; ++i) {
       const int sensor = mesh.sensors[(2 * i + 1) * sensors / (2 * across)];
       points.col(s * across + i) = mesh.frame(sector) * mesh.X.col(sensor);

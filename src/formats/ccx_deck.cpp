@@ -113,8 +113,8 @@ class DeckWriter {
 
   /// What can meet the ground; leaving out the rest saves CalculiX half of its search.
   bool lower_half(int sector) const {
-    return mesh_.sectors == 1 || 4 * sector < mesh_.sectors ||
-           4 * (mesh_.sectors - sector) <= mesh_.sectors;
+    return mesh_.sectors == 1 || std::cos(mesh_.angle(sector)) > 0.0 ||
+           std::cos(mesh_.angle(sector + 1)) > 0.0;
   }
 
   template <class Choice>

@@ -79,33 +79,41 @@ double gauss_eta(int q) { return (q & 2) ? kSqrt13 : -kSqrt13; }
 }  // namespace
 
 GroundContact::GroundContact(const RingUnknowns& unknowns, const Ground& ground)
-    : unknowns_(unknowns), ring_(unknowns.ring()), ground_(ground) {
+    : unknowns_(unknowns), ring_(unknowns.ring()), ground_(ground), faces_(ring_.widths()) {
   const Ring& ring = ring_;
   face_of_element_.assign(ring.elements_per_sector(), -1);
+  int of_sector = 0;
   for (int e = 0; e < ring.elements_per_sector(); ++e) {
-    const Element& element = ring.mesh().elements[e];
-    if (!element.tread) continue;
-    const Matrix34 X = ring.mesh().coordinates(element).rightCols<4>();
-    Face face{e, {}, {}};
-    for (int q = 0; q < 4; ++q) {
-      const double xi = gauss_xi(q), eta = gauss_eta(q);
-      face.N[q] = shape_functions(xi, eta);
-      face.dA[q] = area_vector(X, xi, eta).norm();
-    }
-    face_of_element_[e] = static_cast<int>(faces_.size());
-    faces_.push_back(face);
+    if (ring.mesh().elements[e].tread) face_of_element_[e] = of_sector++;
   }
-  for (int s = 0; s < unknowns.sectors(); ++s) frames_.push_back(ring.mesh().frame(s));
-  points_.resize(4 * faces_.size() * unknowns.sectors());
+  for (int s = 0; s < unknowns.sectors(); ++s) {
+    frames_.push_back(ring.mesh().frame(s));
+    std::vector<Face>& faces = faces_[ring.width(s)];
+    for (int e = 0; e < ring.elements_per_sector() && static_cast<int>(faces.size()) < of_sector;
+         ++e) {
+      if (face_of_element_[e] >= 0) faces.push_back(face_of(s, e));
+    }
+  }
+  points_.resize(4 * static_cast<std::size_t>(of_sector) * unknowns.sectors());
+}
+
+GroundContact::Face GroundContact::face_of(int sector, int element) const {
+  const Matrix34 X = ring_.shape(sector, element).X.rightCols<4>();
+  Face face{element, {}, {}};
+  for (int q = 0; q < 4; ++q) {
+    const double xi = gauss_xi(q), eta = gauss_eta(q);
+    face.N[q] = shape_functions(xi, eta);
+    face.dA[q] = area_vector(X, xi, eta).norm();
+  }
+  return face;
 }
 
 int GroundContact::point_index(int sector, int face, int q) const {
-  return 4 * (sector * static_cast<int>(faces_.size()) + face) + q;
+  return 4 * (sector * static_cast<int>(faces(sector).size()) + face) + q;
 }
 
 Matrix34 GroundContact::world_face(int sector, int element, const Matrix38& u) const {
-  const Element& e = ring_.mesh().elements[element];
-  return frames_[sector] * (ring_.mesh().coordinates(e) + u).rightCols<4>();
+  return frames_[sector] * (ring_.shape(sector, element).X + u).rightCols<4>();
 }
 
 GroundContact::Traction GroundContact::traction(const Eigen::Vector3d& x,
@@ -146,7 +154,7 @@ void GroundContact::add(
   if (x.row(2).minCoeff() >= height_) return;
 
   const Eigen::Matrix3d& R = frames_[sector];
-  const Face& face = faces_[k];
+  const Face& face = faces(sector)[k];
   for (int q = 0; q < 4; ++q) {
     const Eigen::Vector3d at = x * face.N[q];
     if (at.z() >= height_) continue;
@@ -172,12 +180,12 @@ void GroundContact::add(
 void GroundContact::settle(const Eigen::VectorXd& x) {
   const double stiffness = kTangentialShare * ground_.stiffness;
   for (int s = 0; s < unknowns_.sectors(); ++s) {
-    for (int k = 0; k < static_cast<int>(faces_.size()); ++k) {
+    for (int k = 0; k < static_cast<int>(faces(s).size()); ++k) {
       const Matrix34 face =
-          world_face(s, faces_[k].element, unknowns_.gather(s, faces_[k].element, x));
+          world_face(s, faces(s)[k].element, unknowns_.gather(s, faces(s)[k].element, x));
       for (int q = 0; q < 4; ++q) {
         Point& point = points_[point_index(s, k, q)];
-        const Eigen::Vector3d at = face * faces_[k].N[q];
+        const Eigen::Vector3d at = face * faces(s)[k].N[q];
         if (at.z() >= height_) {
           point.anchored = false;
           continue;
@@ -195,16 +203,16 @@ ContactPatch GroundContact::patch(const Eigen::VectorXd& x, double* Fz) const {
   Footprint footprint;
   double force = 0.0;
   for (int s = 0; s < unknowns_.sectors(); ++s) {
-    for (int k = 0; k < static_cast<int>(faces_.size()); ++k) {
+    for (int k = 0; k < static_cast<int>(faces(s).size()); ++k) {
       const Matrix34 face =
-          world_face(s, faces_[k].element, unknowns_.gather(s, faces_[k].element, x));
+          world_face(s, faces(s)[k].element, unknowns_.gather(s, faces(s)[k].element, x));
       if (face.row(2).minCoeff() < height_ + kTouch) footprint.add(face, height_);
       for (int q = 0; q < 4; ++q) {
-        const Eigen::Vector3d at = face * faces_[k].N[q];
+        const Eigen::Vector3d at = face * faces(s)[k].N[q];
         if (at.z() >= height_) continue;
         const Traction on = traction(at, points_[point_index(s, k, q)], false);
         const double area = std::abs(area_vector(face, gauss_xi(q), gauss_eta(q)).z());
-        const double stretch = faces_[k].dA[q] / area;  // tractions per current, flat area
+        const double stretch = faces(s)[k].dA[q] / area;  // tractions per current, flat area
         patch.points.push_back({at.x(),
                                 at.y(),
                                 on.p * stretch,
@@ -212,7 +220,7 @@ ContactPatch GroundContact::patch(const Eigen::VectorXd& x, double* Fz) const {
                                 on.t.y() * stretch,
                                 area,
                                 on.sticks});
-        force += on.p * faces_[k].dA[q];
+        force += on.p * faces(s)[k].dA[q];
       }
     }
   }

@@ -61,15 +61,17 @@ class GroundContact {
   };
 
   Traction traction(const Eigen::Vector3d& x, const Point& point, bool stuck) const;
+  const std::vector<Face>& faces(int sector) const { return faces_[ring_.width(sector)]; }
   Matrix34 world_face(int sector, int element, const Matrix38& u) const;
+  Face face_of(int sector, int element) const;
   int point_index(int sector, int face, int q) const;
 
   const RingUnknowns& unknowns_;
   const Ring& ring_;
   Ground ground_;
   double height_ = 0.0;
-  std::vector<Face> faces_;           // tread faces of one sector
-  std::vector<int> face_of_element_;  // -1: no tread face
+  std::vector<std::vector<Face>> faces_;  // tread faces of a sector, by its width
+  std::vector<int> face_of_element_;      // -1: no tread face
   std::vector<Eigen::Matrix3d> frames_;
   std::vector<Point> points_;
 };

@@ -44,7 +44,8 @@ struct Systems {
 };
 
 struct FeTire::Impl {
-  Ring ring;
+  Ring ring;                 // pressed on the ground
+  std::optional<Ring> even;  // all sectors equally wide, where those of `ring` are not
   Materials materials;
   SolverSettings settings;
   bool symmetric = false;
@@ -52,6 +53,7 @@ struct FeTire::Impl {
 
   Impl(Mesh mesh, Materials given, const SolverSettings& s)
       : ring(std::move(mesh), s.element), materials(std::move(given)), settings(s) {
+    if (ring.widths() > 1) even.emplace(ring.mesh().evenly_divided(), s.element);
     prepare();
   }
 
@@ -62,6 +64,9 @@ struct FeTire::Impl {
     symmetric = mirror.has_value();
     systems = std::make_unique<Systems>(ring, settings, mirror);
   }
+
+  /// What inflation and unloaded modes see: one sector stands for the ring.
+  const Ring& even_ring() const { return even ? *even : ring; }
 
   /// The inflated state in all sectors that are assembled.
   RingState replicate(const Inflated& inflated) const {
@@ -124,7 +129,7 @@ void FeTire::set(Materials materials) {
 Result<Inflated> FeTire::inflate(double pressure) {
   Impl& tire = *impl_;
   if (tire.ring.sectors() > 1) {
-    return inflate_sector(tire.ring, tire.materials, pressure, tire.settings);
+    return inflate_sector(tire.even_ring(), tire.materials, pressure, tire.settings);
   }
   return inflate_ring(tire.systems->solver,
                       tire.materials,
@@ -137,7 +142,7 @@ Result<Loaded> FeTire::load(const Inflated& inflated,
                             const Ground& ground) {
   Impl& tire = *impl_;
   EquilibriumSolver& solver = tire.systems->solver;
-  solver.set_reference(pressure_force(tire.ring, tire.materials, inflated.pressure));
+  solver.set_reference(pressure_force(tire.even_ring(), tire.materials, inflated.pressure));
   // Start every load case from scratch, so that its result does not depend on what was solved
   // before.
   solver.forget_factor();
@@ -157,14 +162,14 @@ Result<Loaded> FeTire::load(const Inflated& inflated,
 Result<std::vector<Mode>> FeTire::modes(const Inflated& inflated, int count) {
   Impl& tire = *impl_;
   if (tire.ring.sectors() > 1) {
-    return harmonic_modes(tire.ring, tire.materials, inflated, count);
+    return harmonic_modes(tire.even_ring(), tire.ring.mesh(), tire.materials, inflated, count);
   }
   return modes_full(inflated, count);
 }
 
 Result<std::vector<Mode>> FeTire::modes_full(const Inflated& inflated, int count) {
   Impl& tire = *impl_;
-  const RingUnknowns whole(tire.ring, RingSymmetry::none, {});
+  const RingUnknowns whole(tire.even_ring(), RingSymmetry::none, {});
   const RingAssembly assembly(whole);
   RingState state = assembly.zero_state();
   state.x = whole.compress(inflated.u.replicate(1, tire.ring.sectors()));
@@ -187,8 +192,8 @@ Result<std::vector<Mode>> FeTire::modes(const Loaded& loaded, int count) {
   for (Mode& mode : *modes) mode.phase = phase_of(tire.ring.mesh(), mode.shape);
   if (tire.ring.sectors() > 1) {
     // Half as many again: some of the unloaded modes that the loaded ones resemble lie higher.
-    const auto unloaded =
-        harmonic_modes(tire.ring, tire.materials, loaded.inflated, count + count / 2);
+    const auto unloaded = harmonic_modes(
+        tire.even_ring(), tire.ring.mesh(), tire.materials, loaded.inflated, count + count / 2);
     if (!unloaded) return unloaded.failure();
     name_after(*unloaded, nodal_masses(tire.ring, tire.materials), *modes);
   }
@@ -196,7 +201,7 @@ Result<std::vector<Mode>> FeTire::modes(const Loaded& loaded, int count) {
 }
 
 double FeTire::total_mass() const {
-  return nodal_masses(impl_->ring, impl_->materials).sum() * impl_->ring.sectors();
+  return nodal_masses(impl_->even_ring(), impl_->materials).sum();
 }
 
 /// Modes of even and odd states together, the lowest `count`. Each kind is asked for somewhat more

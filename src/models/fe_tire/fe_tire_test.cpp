@@ -167,6 +167,76 @@ TEST(FeTire, HalfTheRingGivesWhatTheWholeRingGives) {
   }
 }
 
+/// Narrow sectors at the contact.
+TireDescription graded_tire() {
+  TireDescription tire = small_tire();
+  tire.section.sector_zones = {{3, 8.0 * M_PI / 180.0}, {2, 14.0 * M_PI / 180.0}};
+  return tire;
+}
+
+/// The whole ring as a mesh that knows nothing of sectors.
+Mesh without_sectors(const Mesh& mesh) {
+  const int n = mesh.nodes_per_sector(), S = mesh.sectors;
+  Mesh whole = mesh;
+  whole.sectors = 1;
+  whole.theta.clear();
+  whole.elements.clear();
+  whole.clamped.clear();
+  whole.sensors.clear();
+  whole.X.resize(3, S * n);
+  for (int s = 0; s < S; ++s) {
+    whole.X.middleCols(s * n, n) = mesh.frame(s) * mesh.X;
+    for (int i : mesh.clamped) whole.clamped.push_back(s * n + i);
+    for (Element element : mesh.elements) {
+      for (int& node : element.node) node = (s + node / n) % S * n + node % n;
+      whole.elements.push_back(element);
+    }
+  }
+  return whole;
+}
+
+TEST(FeTire, GradedSectorsGiveWhatTheSameMeshGivesWithoutThem) {
+  // The other path has one frame for all, no symmetry and inflates the ring as it is; deflections
+  // are counted from the inflated radius, which an unevenly divided ring does not have as one.
+  const TireDescription description = graded_tire();
+  FeTire graded = make(description, ElementKind::solid_shell);
+  SolverSettings settings;
+  settings.element = ElementKind::solid_shell;
+  FeTire whole(without_sectors(build_mesh(description)), build_materials(description), settings);
+  const auto inflated = graded.inflate(kPressure);
+  const auto inflated_whole = whole.inflate(kPressure);
+  ASSERT_TRUE(inflated && inflated_whole);
+  const double deflection = 0.01;
+  const auto loaded = graded.load(*inflated, {deflection}, {});
+  const auto loaded_whole =
+      whole.load(*inflated_whole, {deflection + inflated_whole->radius - inflated->radius}, {});
+  ASSERT_TRUE(loaded && loaded_whole);
+  const double Fz = loaded_whole->curve[0].Fz;
+  EXPECT_NEAR(loaded->curve[0].Fz, Fz, 1e-5 * Fz);
+  EXPECT_NEAR(loaded->curve[0].patch.area, loaded_whole->curve[0].patch.area, 1e-9);
+  const auto modes = graded.modes(*loaded, 10);
+  const auto modes_whole = whole.modes(*loaded_whole, 10);
+  ASSERT_TRUE(modes && modes_whole);
+  for (int k = 0; k < 10; ++k) {
+    EXPECT_NEAR((*modes)[k].frequency, (*modes_whole)[k].frequency, 1e-4) << (*modes)[k].label();
+    EXPECT_NE((*modes)[k].type, ModeType::other);
+  }
+}
+
+TEST(FeTire, GradingSectorsDoesNotTouchTheFreeTire) {
+  FeTire even = make(small_tire()), graded = make(graded_tire());
+  const auto a = even.inflate(kPressure), b = graded.inflate(kPressure);
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(a->u, b->u);
+  const auto modes_a = even.modes(*a, 10), modes_b = graded.modes(*b, 10);
+  ASSERT_TRUE(modes_a && modes_b);
+  for (int k = 0; k < 10; ++k) {
+    EXPECT_EQ((*modes_a)[k].frequency, (*modes_b)[k].frequency);
+    EXPECT_EQ((*modes_a)[k].label(), (*modes_b)[k].label());
+  }
+  EXPECT_EQ(even.total_mass(), graded.total_mass());
+}
+
 TEST(FeTire, CordsKeepTheHalfTurnSymmetryAndALopsidedSectionDoesNot) {
   TireDescription tire = small_tire();
   tire.cord_model =

@@ -13,6 +13,8 @@
 namespace latsch::fe_tire {
 namespace {
 
+constexpr double kSameAngle = 1e-9;  // rad
+
 /// Turns (0, 0, -1) toward +x: the way sectors are counted.
 Eigen::Matrix3d turn(double theta) {
   const double c = std::cos(theta), s = std::sin(theta);
@@ -65,15 +67,29 @@ void check_element(const Mesh& mesh, int index, std::vector<char>& used) {
 
 }  // namespace
 
-Eigen::Matrix3d Mesh::sector_rotation() const { return frame(1); }
+double Mesh::angle(int plane) const {
+  if (theta.empty() || plane == sectors) return 2.0 * std::numbers::pi * plane / sectors;
+  return theta[plane];
+}
+
+Eigen::Matrix3d Mesh::sector_rotation(int sector) const {
+  if (sectors == 1) return Eigen::Matrix3d::Identity();
+  return turn(theta.empty() ? angle(1) : angle(sector + 1) - angle(sector));
+}
 
 Eigen::Matrix3d Mesh::frame(int sector) const {
   if (sectors == 1) return Eigen::Matrix3d::Identity();
-  return turn(2.0 * std::numbers::pi * sector / sectors);
+  return turn(angle(sector));
 }
 
-Eigen::Matrix<double, 3, 8> Mesh::coordinates(const Element& element) const {
-  const Eigen::Matrix3d R = sector_rotation();
+Mesh Mesh::evenly_divided() const {
+  Mesh mesh = *this;
+  mesh.theta.clear();
+  return mesh;
+}
+
+Eigen::Matrix<double, 3, 8> Mesh::coordinates(const Element& element, int sector) const {
+  const Eigen::Matrix3d R = sector_rotation(sector);
   const int n = nodes_per_sector();
   Eigen::Matrix<double, 3, 8> x;
   for (int a = 0; a < 8; ++a) {
@@ -101,6 +117,21 @@ double Mesh::outer_radius() const {
 void check(const Mesh& mesh) {
   if (mesh.sectors != 1 && mesh.sectors < 3)
     throw InputError(fmt::format("mesh: {} sectors, expected 1 or at least 3", mesh.sectors));
+  for (int s = 0; s < static_cast<int>(mesh.theta.size()); ++s) {
+    const bool sound =
+        static_cast<int>(mesh.theta.size()) == mesh.sectors && mesh.angle(s + 1) > mesh.angle(s) &&
+        std::abs(mesh.angle(s) + mesh.angle(mesh.sectors - s) - 2.0 * std::numbers::pi) <
+            kSameAngle;
+    if (!sound || mesh.theta[0] != 0.0)
+      throw InputError(
+          fmt::format("mesh: plane {} of {} stands at {:.6g} deg, expected {} planes ascending "
+                      "from 0, the same "
+                      "on both sides of the contact",
+                      s,
+                      mesh.theta.size(),
+                      mesh.theta[s] * 180.0 / std::numbers::pi,
+                      mesh.sectors));
+  }
   if (mesh.elements.empty()) throw InputError("mesh: there are no elements");
   if (!mesh.X.allFinite()) throw InputError("mesh: a node has a coordinate that is not finite");
   for (int index = 0; index < static_cast<int>(mesh.elements.size()); ++index) {

@@ -2,9 +2,9 @@
 // HEX8 mesh of a tire: one sector and its rotational copies around the spin axis.
 //
 // Frame: wheel center at the origin, x forward, y along the spin axis (left), z up (ISO 8855). Sector s = 0 starts at the
-// bottom, (0, y, -r); sector s is sector 0 turned by theta = 2 pi s / S so that its plane lies at (r sin theta, y,
-// -r cos theta). Every sector has the same coordinates in its own frame, so one sector is all that is stored, and
-// displacements are kept in sector frames too: an element then looks the same in all of them.
+// bottom, (0, y, -r); plane s is plane 0 turned by theta_s so that it lies at (r sin theta, y, -r cos theta). All planes
+// have the same coordinates in their own frames, so one is all that is stored, and displacements are kept in these
+// frames too: where sectors are equally wide, theta_s = 2 pi s / S, an element then looks the same in all of them.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,6 +37,9 @@ struct Element {
 
 struct Mesh {
   int sectors = 1;                 // S >= 3 rotational copies, or 1: a mesh without symmetry, complete as it is
+  /// theta_s, rad, of the planes s = 0 ... S - 1, ascending from 0 and the same on both sides of the contact:
+  /// theta_(S-s) = 2 pi - theta_s. Empty: all sectors equally wide.
+  std::vector<double> theta;
   Eigen::Matrix3Xd X;              // [3 x nodes_per_sector] reference positions in the sector frame, m
   std::vector<Element> elements;   // of one sector
   std::vector<int> clamped;        // nodes of one sector held by the rim, ascending
@@ -48,12 +51,16 @@ struct Mesh {
   int element_count() const { return sectors * static_cast<int>(elements.size()); }
   int free_dofs() const { return 3 * (nodes() - sectors * static_cast<int>(clamped.size())); }
 
-  /// Turns a vector of the next sector's frame into this sector's frame: rotation by 2 pi / S (identity for S = 1).
-  Eigen::Matrix3d sector_rotation() const;
+  /// theta of a plane 0 ... S, rad.
+  double angle(int plane) const;
+  /// Turns a vector of the next sector's frame into this sector's frame (identity for S = 1).
+  Eigen::Matrix3d sector_rotation(int sector = 0) const;
   /// Frame of sector s: turns a vector of that frame into the wheel frame.
   Eigen::Matrix3d frame(int sector) const;
   /// Reference coordinates of an element's nodes in its sector's frame [3 x 8], m.
-  Eigen::Matrix<double, 3, 8> coordinates(const Element& element) const;
+  Eigen::Matrix<double, 3, 8> coordinates(const Element& element, int sector = 0) const;
+  /// The same tire in sectors all equally wide.
+  Mesh evenly_divided() const;
   /// Largest undeformed radius of a tread node, m.
   double outer_radius() const;
 };

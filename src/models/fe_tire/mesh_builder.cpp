@@ -19,6 +19,7 @@ class MeshBuilder {
   Mesh build() const {
     Mesh mesh;
     mesh.sectors = r_ * section_.sectors;
+    mesh.theta = section_.sector_planes(r_);
     for (const RubberRegion& region : tire_.regions) mesh.region_names.push_back(region.name);
     place_nodes(mesh);
     for (int i = 0; i < columns(); ++i)

@@ -238,6 +238,25 @@ TEST(Mesh, AnInvertedElementIsNamedWithItsPlace) {
 
 // Relative lengths 2 at the crown and 1/2 at the bead: the columns there have that ratio to 10 %
 // (they see the mean of the profile over their own length), and refining keeps the coarse nodes.
+TEST(MeshBuilder, SectorZonesAreMirroredAtTheContactAndNestWhenRefined) {
+  constexpr double kDegree = M_PI / 180.0;
+  TireDescription tire = reference_tire_b();
+  tire.section.sectors = 20;
+  tire.section.sector_zones = {{4, 5.0 * kDegree}, {2, 10.0 * kDegree}};
+  const Mesh mesh = build_mesh(tire), fine = build_mesh(tire, 2);
+  for (int s = 0; s <= 4; ++s) EXPECT_NEAR(mesh.angle(s), 5.0 * kDegree * s, 1e-15);
+  EXPECT_NEAR(mesh.angle(6), 40.0 * kDegree, 1e-15);
+  EXPECT_NEAR(mesh.angle(7), 75.0 * kDegree, 1e-15);  // four share what is left
+  EXPECT_EQ(mesh.angle(10), M_PI);
+  for (int s = 0; s <= 20; ++s) {
+    EXPECT_NEAR(mesh.angle(s) + mesh.angle(20 - s), 2.0 * M_PI, 1e-14);
+    EXPECT_NEAR(fine.angle(2 * s), mesh.angle(s), 1e-14);
+  }
+  Eigen::Matrix3d round = Eigen::Matrix3d::Identity();
+  for (int s = 0; s < 20; ++s) round = round * mesh.sector_rotation(s);
+  EXPECT_LT((round - Eigen::Matrix3d::Identity()).norm(), 1e-13);
+}
+
 TEST(MeshBuilder, SpacingShortensTheElementsWhereAsked) {
   TireDescription tire = reference_tire_b();
   tire.section.spacing = {{0.0, 1.0}, {2.0, 0.5}};

@@ -71,11 +71,9 @@ void name_after(const std::vector<Mode>& unloaded,
   for (Mode& mode : loaded) {
     std::map<std::tuple<int, ModeType, int>, double> energy;
     double largest = 0.0;
-    const Eigen::RowVectorXd mass =
-        nodal_mass.transpose().replicate(1, mode.shape.cols() / nodal_mass.size());
     for (const Mode& group : unloaded) {
       const double overlap =
-          mode.shape.cwiseProduct(group.shape).colwise().sum().cwiseProduct(mass).sum();
+          mode.shape.cwiseProduct(group.shape).colwise().sum().dot(nodal_mass.transpose());
       double& share = energy[{group.n, group.type, group.order}];
       share += overlap * overlap;
       if (share > largest) {

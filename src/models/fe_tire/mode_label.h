@@ -23,8 +23,7 @@ ModeType type_of(int n, const Eigen::Vector3d& kinetic_energy);
 /// ascending order.
 void number_orders(std::vector<Mode>& modes);
 
-/// Names loaded modes after unloaded ones; kinetic energies by the nodal masses [nodes_per_sector],
-/// kg.
+/// Names loaded modes after unloaded ones; kinetic energies by the nodal masses [nodes], kg.
 void name_after(const std::vector<Mode>& unloaded,
                 const Eigen::VectorXd& nodal_mass,
                 std::vector<Mode>& loaded);

@@ -63,17 +63,20 @@ bool solve_harmonic(const SectorBlocks& K,
 /// Modes of n = 0 and, where S is even, n = S / 2 are single; all others are pairs.
 bool single(int n, int sectors) { return n == 0 || 2 * n == sectors; }
 
-/// Real shape over the ring: the real or the imaginary part of phi exp(i n s 2 pi / S),
+/// Real shape over the planes of `mesh`: the real or the imaginary part of phi exp(i n theta_s),
 /// mass-normalized.
-Eigen::Matrix3Xd unfold(const Ring& ring, const HarmonicMode& mode, bool imaginary) {
-  const int S = ring.sectors(), n = ring.mesh().nodes_per_sector();
+Eigen::Matrix3Xd unfold(const Ring& ring,
+                        const Mesh& mesh,
+                        const HarmonicMode& mode,
+                        bool imaginary) {
+  const int S = ring.sectors(), n = mesh.nodes_per_sector();
   // phi has unit mass over one sector; a real part summed over all sectors has S / 2 of it, a
   // single mode S.
   const double scale = std::sqrt((single(mode.n, S) ? 1.0 : 2.0) / S);
   const Eigen::Matrix3Xd real = ring.expand(mode.phi.real()), imag = ring.expand(mode.phi.imag());
   Eigen::Matrix3Xd shape(3, S * n);
   for (int s = 0; s < S; ++s) {
-    const double angle = 2.0 * std::numbers::pi * mode.n * s / S;
+    const double angle = mode.n * mesh.angle(s);
     const double c = scale * std::cos(angle), d = scale * std::sin(angle);
     if (imaginary) {
       shape.middleCols(s * n, n) = d * real + c * imag;
@@ -114,7 +117,10 @@ double cutoff(const std::vector<std::vector<HarmonicMode>>& by_n, int sectors, i
 }
 
 /// Shapes and names of the lowest `count` modes.
-std::vector<Mode> named_modes(const Ring& ring, std::vector<HarmonicMode> found, int count) {
+std::vector<Mode> named_modes(const Ring& ring,
+                              const Mesh& mesh,
+                              std::vector<HarmonicMode> found,
+                              int count) {
   std::stable_sort(found.begin(), found.end(), [](const HarmonicMode& a, const HarmonicMode& b) {
     return a.frequency < b.frequency;
   });
@@ -127,7 +133,7 @@ std::vector<Mode> named_modes(const Ring& ring, std::vector<HarmonicMode> found,
     result.type = type_of(mode.n, directional_energy(mode.phi));
     for (int member = 0; member < (single(mode.n, ring.sectors()) ? 1 : 2); ++member) {
       if (static_cast<int>(modes.size()) == count) break;
-      result.shape = unfold(ring, mode, member == 1);
+      result.shape = unfold(ring, mesh, mode, member == 1);
       modes.push_back(result);
     }
   }
@@ -138,6 +144,7 @@ std::vector<Mode> named_modes(const Ring& ring, std::vector<HarmonicMode> found,
 }  // namespace
 
 Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
+                                         const Mesh& mesh,
                                          const Materials& materials,
                                          const Inflated& inflated,
                                          int count) {
@@ -172,7 +179,7 @@ Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
   }
   std::vector<HarmonicMode> found;
   for (const auto& modes : by_n) found.insert(found.end(), modes.begin(), modes.end());
-  return named_modes(ring, std::move(found), count);
+  return named_modes(ring, mesh, std::move(found), count);
 }
 
 Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
@@ -206,12 +213,22 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
 }
 
 Eigen::VectorXd nodal_masses(const Ring& ring, const Materials& materials) {
-  const int n = ring.mesh().nodes_per_sector();
-  Eigen::VectorXd masses = Eigen::VectorXd::Zero(n);
-  for (int e = 0; e < ring.elements_per_sector(); ++e) {
-    const Element& element = ring.mesh().elements[e];
-    const Matrix8 m = mass(ring.shape(e), materials, element);
-    for (int a = 0; a < 8; ++a) masses[element.node[a] % n] += m.row(a).sum();
+  const Mesh& mesh = ring.mesh();
+  const int n = mesh.nodes_per_sector(), S = ring.sectors();
+  // The masses of one sector of every width: its own plane's nodes, then the next plane's.
+  std::vector<Eigen::VectorXd> of_width(ring.widths());
+  Eigen::VectorXd masses = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(S) * n);
+  for (int s = 0; s < S; ++s) {
+    Eigen::VectorXd& sector = of_width[ring.width(s)];
+    if (sector.size() == 0) {
+      sector.setZero(2 * n);
+      for (int e = 0; e < ring.elements_per_sector(); ++e) {
+        const Matrix8 m = mass(ring.shape(s, e), materials, mesh.elements[e]);
+        for (int a = 0; a < 8; ++a) sector[mesh.elements[e].node[a]] += m.row(a).sum();
+      }
+    }
+    masses.segment(s * n, n) += sector.head(n);
+    masses.segment((s + 1) % S * n, n) += sector.tail(n);
   }
   return masses;
 }

@@ -13,8 +13,10 @@ namespace latsch::fe_tire {
 
 /// Modes of the inflated ring by circumferential harmonics n = 0, 1, ...: one small Hermitian
 /// problem each, until no further n can hold one of the `count` lowest. A mode of n > 0 comes as an
-/// orthogonal pair.
+/// orthogonal pair. Sectors of `ring` are equally wide; shapes are given on the planes of `mesh`,
+/// which is the same tire, however divided.
 Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
+                                         const Mesh& mesh,
                                          const Materials& materials,
                                          const Inflated& inflated,
                                          int count);
@@ -26,7 +28,7 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      const numerics::SymmetricMatrix& M,
                                      int count);
 
-/// Mass of each node of a sector, kg: rows of the mass matrix summed.
+/// Mass of each node of the ring, kg: rows of the mass matrix summed.
 Eigen::VectorXd nodal_masses(const Ring& ring, const Materials& materials);
 
 }  // namespace latsch::fe_tire

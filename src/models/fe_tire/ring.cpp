@@ -2,13 +2,41 @@
 #include "models/fe_tire/ring.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 
 #include "models/fe_tire/pressure.h"
 
 namespace latsch::fe_tire {
 
-Ring::Ring(Mesh mesh, ElementKind kind) : mesh_(std::move(mesh)), Q_(mesh_.sector_rotation()) {
+namespace {
+
+constexpr double kSameWidth = 1e-9;  // rad
+
+/// The first sector of every width.
+std::vector<int> different_sectors(const Mesh& mesh, std::vector<int>& width) {
+  std::vector<int> first;
+  const auto span = [&](int s) { return mesh.angle(s + 1) - mesh.angle(s); };
+  for (int s = 0; s < mesh.sectors; ++s) {
+    const auto same = std::ranges::find_if(
+        first, [&](int other) { return std::abs(span(s) - span(other)) < kSameWidth; });
+    width.push_back(static_cast<int>(same - first.begin()));
+    if (same == first.end()) first.push_back(s);
+  }
+  return first;
+}
+
+}  // namespace
+
+Ring::Ring(Mesh mesh, ElementKind kind) : mesh_(std::move(mesh)) {
   check(mesh_);
+  for (int sector : different_sectors(mesh_, width_)) {
+    Q_.push_back(mesh_.sector_rotation(sector));
+    std::vector<HexShape>& shapes = shapes_.emplace_back();
+    for (const Element& element : mesh_.elements) {
+      shapes.push_back(make_shape(kind, mesh_.coordinates(element, sector)));
+    }
+  }
   alphas_ = internal_parameters(kind);
   const int n = mesh_.nodes_per_sector();
   first_dof_.assign(n, 0);
@@ -17,7 +45,6 @@ Ring::Ring(Mesh mesh, ElementKind kind) : mesh_(std::move(mesh)), Q_(mesh_.secto
     if (dof >= 0) dof = 3 * free_nodes_++;
   }
   for (const Element& element : mesh_.elements) {
-    shapes_.push_back(make_shape(kind, mesh_.coordinates(element)));
     std::array<int, 24> dofs;
     for (int a = 0; a < 8; ++a) {
       const bool next = element.node[a] >= n;
@@ -30,33 +57,36 @@ Ring::Ring(Mesh mesh, ElementKind kind) : mesh_(std::move(mesh)), Q_(mesh_.secto
   }
 }
 
-Matrix38 Ring::in_element_frame(int element, Matrix38 u) const {
+Matrix38 Ring::in_element_frame(int sector, int element, Matrix38 u) const {
   const Element& e = mesh_.elements[element];
+  const Eigen::Matrix3d& Q = Q_[width_[sector]];
   for (int a = 0; a < 8; ++a) {
-    if (e.node[a] >= mesh_.nodes_per_sector()) u.col(a) = Q_ * u.col(a).eval();
+    if (e.node[a] >= mesh_.nodes_per_sector()) u.col(a) = Q * u.col(a).eval();
   }
   return u;
 }
 
 Matrix38 Ring::gather_axisymmetric(int element, const Eigen::VectorXd& x) const {
+  assert(widths() == 1);
   Matrix38 u;
   const std::array<int, 24>& local = local_dofs_[element];
   for (int k = 0; k < 24; ++k) {
     u.data()[k] = local[k] < 0 ? 0.0 : x[local[k] % sector_unknowns()];
   }
-  return in_element_frame(element, u);
+  return in_element_frame(0, element, u);
 }
 
-void Ring::turn_to_node_frames(int element, Vector24& f, Matrix24* K) const {
+void Ring::turn_to_node_frames(int sector, int element, Vector24& f, Matrix24* K) const {
   const Element& e = mesh_.elements[element];
-  const Eigen::Matrix3d Qt = Q_.transpose();
+  const Eigen::Matrix3d& Q = Q_[width_[sector]];
+  const Eigen::Matrix3d Qt = Q.transpose();
   for (int a = 0; a < 8; ++a) {
     if (e.node[a] < mesh_.nodes_per_sector()) continue;
     f.segment<3>(3 * a) = Qt * f.segment<3>(3 * a).eval();
     if (!K) continue;
     for (int b = 0; b < 8; ++b) {
       K->block<3, 3>(3 * a, 3 * b) = Qt * K->block<3, 3>(3 * a, 3 * b).eval();
-      K->block<3, 3>(3 * b, 3 * a) = K->block<3, 3>(3 * b, 3 * a).eval() * Q_;
+      K->block<3, 3>(3 * b, 3 * a) = K->block<3, 3>(3 * b, 3 * a).eval() * Q;
     }
   }
 }
@@ -80,6 +110,7 @@ Eigen::VectorXd Ring::compress(const Eigen::Matrix3Xd& u) const {
 
 bool pressurized_element(const Ring& ring,
                          const Materials& materials,
+                         int sector,
                          int element,
                          const Matrix38& u,
                          double pressure,
@@ -87,10 +118,10 @@ bool pressurized_element(const Ring& ring,
                          Vector24& f,
                          Matrix24* K) {
   const Element& e = ring.mesh().elements[element];
-  if (!evaluate(ring.shape(element), materials, e, u, alpha, f, K)) return false;
+  if (!evaluate(ring.shape(sector, element), materials, e, u, alpha, f, K)) return false;
   if (!e.inner || pressure == 0.0) return true;
 
-  const Matrix34 x = (ring.mesh().coordinates(e) + u).leftCols<4>();
+  const Matrix34 x = (ring.shape(sector, element).X + u).leftCols<4>();
   Vector12 f_p = Vector12::Zero();
   Matrix12 K_p = Matrix12::Zero();
   add_pressure(x, pressure, f_p, K ? &K_p : nullptr);

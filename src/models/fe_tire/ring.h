@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole ring: element shapes of one sector, unknowns of all sectors, and the internal forces of
-// an element in place.
+// The whole ring: element shapes of its sectors, unknowns of one of them, and the internal forces
+// of an element in place.
 //
 // Unknowns are the displacements of the nodes the rim does not hold, in sector frames, ordered
 // sector, section node, direction. An element sees its own sector's frame: the displacements of the
-// next sector's nodes are turned into it, and the forces on them turned back. All sectors thus
-// share the same 8-node shapes, and where the state is the same in every sector, so is every
-// element matrix: the tangent is block-circulant.
+// next sector's nodes are turned into it, and the forces on them turned back. Sectors of the same
+// width thus share the same 8-node shapes. Where all are equally wide and the state is the same in
+// every sector, so is every element matrix: the tangent is block-circulant.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,7 +23,10 @@ class Ring {
   Ring(Mesh mesh, ElementKind kind);
 
   const Mesh& mesh() const { return mesh_; }
-  const HexShape& shape(int element) const { return shapes_[element]; }
+  const HexShape& shape(int sector, int element) const { return shapes_[width_[sector]][element]; }
+  /// Sectors of the same number, 0 ... widths()-1, are equally wide.
+  int width(int sector) const { return width_[sector]; }
+  int widths() const { return static_cast<int>(shapes_.size()); }
   int sectors() const { return mesh_.sectors; }
   int elements_per_sector() const { return static_cast<int>(mesh_.elements.size()); }
   int alphas_per_element() const { return alphas_; }
@@ -36,12 +39,13 @@ class Ring {
   /// The 24 unknowns of an element of sector 0, counting through sectors 0 and 1; -1: held.
   const std::array<int, 24>& local_dofs(int element) const { return local_dofs_[element]; }
   /// Displacements given in node frames turned into the element's (its sector's) frame.
-  Matrix38 in_element_frame(int element, Matrix38 u) const;
-  /// Element displacements [3 x 8] of a state equal in all sectors, x of one sector.
+  Matrix38 in_element_frame(int sector, int element, Matrix38 u) const;
+  /// Element displacements [3 x 8] of a state equal in all sectors, x of one sector; these are
+  /// equally wide.
   Matrix38 gather_axisymmetric(int element, const Eigen::VectorXd& x) const;
   /// Turns forces (and stiffness) of the next sector's nodes from the element's frame into their
   /// own.
-  void turn_to_node_frames(int element, Vector24& f, Matrix24* K) const;
+  void turn_to_node_frames(int sector, int element, Vector24& f, Matrix24* K) const;
 
   /// Displacements of a sector's nodes [3 x nodes_per_sector], zeros where held; and back.
   Eigen::Matrix3Xd expand(const Eigen::VectorXd& x) const;
@@ -49,11 +53,12 @@ class Ring {
 
  private:
   Mesh mesh_;
-  Eigen::Matrix3d Q_;  // next sector's frame -> own frame
+  std::vector<int> width_;          // of every sector
+  std::vector<Eigen::Matrix3d> Q_;  // of every width: next sector's frame -> own frame
   int alphas_ = 0;
   int free_nodes_ = 0;
   std::vector<int> first_dof_;
-  std::vector<HexShape> shapes_;
+  std::vector<std::vector<HexShape>> shapes_;  // of every width
   std::vector<std::array<int, 24>> local_dofs_;
 };
 
@@ -61,6 +66,7 @@ class Ring {
 /// displacement u, in its sector's frame. False as for evaluate().
 bool pressurized_element(const Ring& ring,
                          const Materials& materials,
+                         int sector,
                          int element,
                          const Matrix38& u,
                          double pressure,

@@ -71,7 +71,7 @@ bool RingAssembly::sum_elements(const Materials& materials,
     for (int e = 0; e < ring_.elements_per_sector(); ++e, ++global) {
       const Matrix38 u = unknowns_.gather(s, e, state.x);
       double* alpha = state.alpha.data() + global * ring_.alphas_per_element();
-      if (!pressurized_element(ring_, materials, e, u, pressure, alpha, fe, Ke_wanted)) {
+      if (!pressurized_element(ring_, materials, s, e, u, pressure, alpha, fe, Ke_wanted)) {
         if (worst) *worst = global;
         return false;
       }
@@ -90,13 +90,14 @@ numerics::SymmetricMatrix RingAssembly::mass(const Materials& materials) const {
   numerics::SymmetricMatrix M(*pattern_);
   Vector24 no_force = Vector24::Zero();
   Eigen::VectorXd unused = Eigen::VectorXd::Zero(unknowns_.size());
-  std::vector<Matrix24> of_sector;
-  for (int e = 0; e < ring_.elements_per_sector(); ++e) {
-    of_sector.push_back(element_mass(ring_, materials, e));
-  }
+  std::vector<std::vector<Matrix24>> of_width(ring_.widths());
   for (int s = 0, global = 0; s < unknowns_.sectors(); ++s) {
+    std::vector<Matrix24>& masses = of_width[ring_.width(s)];
     for (int e = 0; e < ring_.elements_per_sector(); ++e, ++global) {
-      Matrix24 Me = of_sector[e];
+      if (static_cast<int>(masses.size()) == e) {
+        masses.push_back(element_mass(ring_, materials, s, e));
+      }
+      Matrix24 Me = masses[e];
       unknowns_.scatter(s, e, no_force, &Me, unused);
       M.add_element(global, Me.data());
     }

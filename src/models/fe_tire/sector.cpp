@@ -82,6 +82,7 @@ bool assemble_sector(const Ring& ring,
     double* alpha_e = alpha.data() + e * ring.alphas_per_element();
     if (!pressurized_element(ring,
                              materials,
+                             0,
                              e,
                              ring.gather_axisymmetric(e, x),
                              pressure,
@@ -91,7 +92,7 @@ bool assemble_sector(const Ring& ring,
       if (worst) *worst = e;
       return false;
     }
-    ring.turn_to_node_frames(e, fe, tangent ? &Ke : nullptr);
+    ring.turn_to_node_frames(0, e, fe, tangent ? &Ke : nullptr);
     const std::array<int, 24>& dofs = ring.local_dofs(e);
     for (int k = 0; k < 24; ++k) {
       if (dofs[k] >= 0) f[dofs[k] % ring.sector_unknowns()] += fe[k];
@@ -101,8 +102,8 @@ bool assemble_sector(const Ring& ring,
   return true;
 }
 
-Matrix24 element_mass(const Ring& ring, const Materials& materials, int element) {
-  const Matrix8 m = mass(ring.shape(element), materials, ring.mesh().elements[element]);
+Matrix24 element_mass(const Ring& ring, const Materials& materials, int sector, int element) {
+  const Matrix8 m = mass(ring.shape(sector, element), materials, ring.mesh().elements[element]);
   Matrix24 M = Matrix24::Zero();
   for (int a = 0; a < 8; ++a) {
     for (int b = 0; b < 8; ++b) M.block<3, 3>(3 * a, 3 * b).diagonal().setConstant(m(a, b));
@@ -113,9 +114,9 @@ Matrix24 element_mass(const Ring& ring, const Materials& materials, int element)
 SectorBlocks sector_mass(const Ring& ring, const Materials& materials) {
   SectorBlocks M(ring);
   for (int e = 0; e < ring.elements_per_sector(); ++e) {
-    Matrix24 Me = element_mass(ring, materials, e);
+    Matrix24 Me = element_mass(ring, materials, 0, e);
     Vector24 no_force = Vector24::Zero();
-    ring.turn_to_node_frames(e, no_force, &Me);
+    ring.turn_to_node_frames(0, e, no_force, &Me);
     M.add(ring.local_dofs(e), Me);
   }
   return M;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One sector stands for the ring while the state is the same in all sectors (inflated, not yet
-// loaded).
+// One sector stands for the ring while all are equally wide and the state is the same in them
+// (inflated, not yet loaded).
 //
 // In sector frames the tangent of the ring is block-circulant: every sector sees
 //   A = K_00 + K_11   (its own nodes, from the elements on both sides),   B = K_01   (toward the
@@ -56,7 +56,7 @@ bool assemble_sector(const Ring& ring,
                      int* worst);
 
 /// Consistent mass of one element between its 24 displacements, in its sector's frame, kg.
-Matrix24 element_mass(const Ring& ring, const Materials& materials, int element);
+Matrix24 element_mass(const Ring& ring, const Materials& materials, int sector, int element);
 
 /// Blocks of the consistent mass matrix.
 SectorBlocks sector_mass(const Ring& ring, const Materials& materials);

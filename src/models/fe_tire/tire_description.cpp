@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace latsch::fe_tire {
 
@@ -32,6 +33,24 @@ double elements_before(const SpacingProfile& spacing, double q) {
 }
 
 }  // namespace
+
+std::vector<double> Section::sector_planes(int refinement) const {
+  if (sector_zones.empty()) return {};
+  const int half = refinement * sectors / 2;
+  std::vector<double> theta = {0.0};
+  double edge = 0.0;
+  const auto fill = [&](int count, double to) {
+    const double from = edge;
+    for (int k = 1; k <= count; ++k) theta.push_back(from + (to - from) * k / count);
+    edge = to;
+  };
+  for (const SectorZone& zone : sector_zones) {
+    fill(refinement * zone.sectors, edge + zone.sectors * zone.width);
+  }
+  fill(half + 1 - static_cast<int>(theta.size()), std::numbers::pi);
+  for (int s = half - 1; s > 0; --s) theta.push_back(2.0 * std::numbers::pi - theta[s]);
+  return theta;
+}
 
 double Section::station(double column) const {
   const double s = 2.0 * column / meridional - 1.0;

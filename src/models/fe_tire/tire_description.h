@@ -74,6 +74,13 @@ struct SpacingProfile {
   bool operator==(const SpacingProfile&) const = default;
 };
 
+/// Equally wide sectors beside each other, counted from the contact upward, the same on both sides.
+struct SectorZone {
+  int sectors = 1;
+  double width = 0.0;  // rad, of each
+  bool operator==(const SectorZone&) const = default;
+};
+
 enum class BeadClamp { whole, inside, outside };  // inside, outside: up to the reference line
 
 /// Everything the mesh depends on.
@@ -84,6 +91,11 @@ struct Section {
   BeadClamp clamp = BeadClamp::whole;
   int meridional = 29, rows_inside = 1, rows_outside = 1, sectors = 60;  // elements
   SpacingProfile spacing;
+  /// Narrow sectors belong where the contact ends. The sectors not named here share the rest of the
+  /// ring; none named: all equally wide.
+  std::vector<SectorZone> sector_zones;
+  /// theta of mesh.h, every sector split in `refinement`.
+  std::vector<double> sector_planes(int refinement) const;
   /// s in [-1, 1], |s| the position, of the end of column `column` (0 to meridional, fractions
   /// too).
   double station(double column) const;

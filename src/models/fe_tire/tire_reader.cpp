@@ -73,6 +73,43 @@ SpacingProfile read_spacing(const Node& mesh) {
   return spacing;
 }
 
+/// [count, "width"] from the contact upward; the others share what is left of half the ring.
+std::vector<SectorZone> read_sector_zones(const Node& mesh, int sectors) {
+  constexpr const char* kKey = "sector_zones";
+  std::vector<SectorZone> zones;
+  if (!mesh.has(kKey)) return zones;
+  if (sectors % 2 != 0) {
+    mesh.reject(kKey,
+                fmt::format("needs an even number of sectors, the same on both sides of the "
+                            "contact; found {}",
+                            sectors));
+  }
+  int left = sectors / 2;
+  double angle = std::numbers::pi;
+  for (const std::vector<double>& row : mesh.rows(kKey, {"1", "rad"})) {
+    if (!(row[0] >= 1.0 && row[0] < left && row[0] == std::floor(row[0]) && row[1] > 0.0)) {
+      mesh.reject(kKey,
+                  fmt::format("has the row [{}, {:.4g} deg], expected a number of sectors from 1 "
+                              "to {} and the width of each",
+                              row[0],
+                              row[1] * 180.0 / std::numbers::pi,
+                              left - 1));
+    }
+    zones.push_back({static_cast<int>(row[0]), row[1]});
+    left -= zones.back().sectors;
+    angle -= zones.back().sectors * zones.back().width;
+  }
+  const double widest = std::numbers::pi / 4.0;
+  if (angle <= 0.0 || angle / left > widest) {
+    mesh.reject(kKey,
+                fmt::format("leaves {:.4g} of 180 deg to the {} other sectors, expected more than "
+                            "0 and up to 45 deg each",
+                            angle * 180.0 / std::numbers::pi,
+                            left));
+  }
+  return zones;
+}
+
 std::vector<MeridianPoint> read_contour(const Node& section) {
   std::vector<MeridianPoint> points;
   for (const std::vector<double>& row : section.rows("contour", {"m", "m"})) {
@@ -112,6 +149,7 @@ Section read_section(const Node& node, const Node& mesh) {
   section.rows_outside = static_cast<int>(mesh.integer("rows_outside", 1, 20, 1));
   section.spacing = read_spacing(mesh);
   section.sectors = static_cast<int>(mesh.integer("sectors", 8, kMostElements));
+  section.sector_zones = read_sector_zones(mesh, section.sectors);
   if (const std::string conflict = wall_conflict(section); !conflict.empty())
     node.reject("contour", conflict);
   return section;

@@ -157,6 +157,11 @@ TEST(TireReader, ComplaintsNameFileLineFoundAndExpected) {
        {"layer.belt_1.offset", "outside the wall"});
   says(complaint("offset = \"0.6 mm\"", "offsets = [[0.5, \"-2 mm\"], [0.4, \"0 mm\"]]"),
        {"layer.belt_1.offsets", "0.4 after 0.5"});
+  says(complaint("[[10, \"3 deg\"]", "[[30, \"3 deg\"]"),
+       {"mesh.sector_zones", "[30, 3 deg]", "from 1 to 29"});
+  says(complaint("[[10, \"3 deg\"]", "[[10, \"16 deg\"]"),
+       {"mesh.sector_zones", "leaves -10 of 180 deg", "14 other sectors"});
+  says(complaint("sectors = 60", "sectors = 61"), {"mesh.sector_zones", "even number", "61"});
   says(complaint("[0.3, 2.5]", "[0.3, 0]"), {"mesh.spacing", "[0.3, 0]"});
   says(complaint(", [1, 0.16]]", "]"), {"mesh.spacing", "1 (bead)"});
   says(complaint("225/50R16\"", "225-50-16\""), {"size", "225-50-16", "225/50R16"});
