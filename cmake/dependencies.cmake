@@ -2,6 +2,8 @@
 # apt: g++ cmake ninja-build python3
 # apt: libfmt-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
 # apt: libsqlitecpp-dev libsqlite3-dev libudunits2-dev libopenblas-serial-dev libmumps-seq-dev libmetis-dev
+# MAT files: version 5 needs zlib, version 7.3 is HDF5 and read by matio:
+# apt: zlib1g-dev libmatio-dev
 # For runs on the ranks of an MPI job; the program is built without it where it is not there:
 # apt: libopenmpi-dev openmpi-bin
 # Tests and benchmarks compare with these independent programs; the product does not use them:
@@ -15,6 +17,7 @@ find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(SQLiteCpp REQUIRED)
 find_package(Threads REQUIRED)
+find_package(ZLIB REQUIRED)
 if(LATSCH_TESTS)
   find_package(GTest REQUIRED)
 endif()
@@ -24,6 +27,12 @@ find_path(UDUNITS2_INCLUDE udunits2.h REQUIRED)
 add_library(udunits2 INTERFACE IMPORTED)
 target_link_libraries(udunits2 INTERFACE ${UDUNITS2_LIBRARY})
 target_include_directories(udunits2 INTERFACE ${UDUNITS2_INCLUDE})
+
+find_library(MATIO_LIBRARY matio REQUIRED)
+find_path(MATIO_INCLUDE matio.h REQUIRED)
+add_library(matio INTERFACE IMPORTED)
+target_link_libraries(matio INTERFACE ${MATIO_LIBRARY})
+target_include_directories(matio INTERFACE ${MATIO_INCLUDE})
 
 # BLAS and LAPACK of OpenBLAS, the build without threads: a trial is one thread.
 find_library(OPENBLAS_LIBRARY openblas REQUIRED

@@ -246,8 +246,12 @@ class Reading {
              raw_[i].name + " is " + in_quotes(words_[i]) + ", expected a number or NOTAVAIL");
       }
       const TydexFile::Description& about = file_.descriptions[i];
-      raw_[i].values.push_back(units_[i].to_si(about.factor * (*number + about.measured_offset) +
-                                               about.physical_offset));
+      const double value =
+          units_[i].to_si(about.factor * (*number + about.measured_offset) + about.physical_offset);
+      if (std::isinf(value)) {
+        fail(line_, raw_[i].name + " is " + in_quotes(words_[i]) + ", which is too large");
+      }
+      raw_[i].values.push_back(value);
     }
     file_.lines.push_back(line_);
   }
