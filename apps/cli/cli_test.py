@@ -433,5 +433,79 @@ class BadInput(Coarse):
         self.assert_says(resumed, "Best of")
 
 
+class Files(unittest.TestCase):
+    """Roads asked and files looked at."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_cli_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def latsch(self, *arguments, code=DONE):
+        run = subprocess.run([LATSCH, *map(str, arguments)], capture_output=True, text=True, timeout=60)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return run.stdout + run.stderr
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text)
+        return self.folder / name
+
+    def test_a_road_answers_with_height_normal_and_friction(self):
+        road = self.write("road.toml", 'kind = "cleat"\nheight = "20 mm"\nlength = "50 mm"\nbevel = "10 mm"\n'
+                                       'place = "1 m"\nobstacle_friction = 0.8\n')
+        points = self.write("points.csv", "x [m],y [mm]\n0,0\n1,250\n0.98,0\n")
+        rows = [line.split(",") for line in self.latsch("road", road, points).splitlines()]
+        self.assertEqual(rows[0], ["x [m]", "y [m]", "z [m]", "nx [1]", "ny [1]", "nz [1]", "friction [1]"])
+        self.assertEqual(rows[1][2:], ["0", "0", "0", "1", "1"])
+        self.assertEqual(rows[2][1:3] + rows[2][6:], ["0.25", "0.02", "0.8"])
+        self.assertAlmostEqual(float(rows[3][2]), 0.015)
+        self.assertAlmostEqual(float(rows[3][3]), -(0.5 ** 0.5))  # 45 deg, rising ahead
+
+    def test_a_drum_moves_with_the_time_of_a_point(self):
+        road = self.write("drum.toml", 'kind = "drum"\ndiameter = "2 m"\nspeed = "1 m/s"\ncleats = 1\n'
+                                       'height = "20 mm"\nlength = "50 mm"\nstarting_angle = "1 rad"\n')
+        points = self.write("points.csv", "x [m],y [m],time [s]\n0,0,0\n0,0,1\n")
+        rows = [line.split(",") for line in self.latsch("road", road, points).splitlines()]
+        self.assertEqual(rows[1][2], "0")
+        self.assertAlmostEqual(float(rows[2][2]), 0.02, delta=5e-4)
+
+    def test_open_crg_answers_with_u_and_v_too(self):
+        road = self.write("road.crg", "$ROAD_CRG\nreference_line_increment = 1\nreference_line_start_x = 10\n"
+                                      "long_section_v_increment = 2\n$\n$KD_Definition\n#:LRFI\n"
+                                      "D:long section 1,m\nD:long section 2,m\n$\n$$$$\n"
+                                      " 0.0000000 0.1000000\n 0.0000000 0.1000000\n")
+        points = self.write("points.csv", "x [m],y [m]\n10.5,0.5\n")
+        rows = [line.split(",") for line in self.latsch("road", road, points).splitlines()]
+        self.assertEqual(rows[0][7:], ["u [m]", "v [m]"])
+        self.assertAlmostEqual(float(rows[1][2]), 0.075)
+        self.assertEqual([float(cell) for cell in rows[1][7:]], [0.5, 0.5])
+        self.assertIn("2 rows, 2 long sections", self.latsch("show", road))
+
+    def test_show_says_what_was_read_and_draws_it(self):
+        tydex = self.write("test.tdx", "**HEADER\n**CONSTANTS\n"
+                                       "INFLPRES  Inflation pressure            bar       2.5\n**MEASURCHANNELS\n"
+                                       "RUNTIME   Running time                  s         1\n"
+                                       "FYW       Lateral force                 kN        1\n"
+                                       "**MEASURDATA\n0 1.5\n0.1 NOTAVAIL\n0.2 -0.5\n**END\n")
+        page = self.folder / "test.html"
+        text = self.latsch("show", tydex, "--html", page)
+        self.assertRegex(text, r"INFLPRES +2.5 bar +250000 Pa")
+        self.assertRegex(text, r"FYW +kN +W ")
+        self.assertRegex(text, r"FYW +N +3 +1 +-500 +500 +1500")
+        self.assertIn("<polyline", page.read_text())
+        self.assertIn("FYW [N] over RUNTIME [s]", page.read_text())
+        table = self.write("table.csv", "Fz [kN],t [ms]\n1,0\n2,5\n")
+        self.assertRegex(self.latsch("show", table), r"Fz +N +2 +0 +1000 +1500 +2000")
+
+    def test_bad_files_are_named_with_their_line(self):
+        self.assertIn('expected ".crg"', self.latsch("show", self.write("a.xyz", ""), code=WRONG_INPUT))
+        torso = self.write("torso.tdx", "**HEADER\n**MEASURCHANNELS\n")
+        self.assertIn("torso.tdx:2", self.latsch("show", torso, code=WRONG_INPUT))
+        points = self.write("points.csv", "x [m]\n0\n")
+        road = self.write("road.toml", 'kind = "flat"\n')
+        self.assertIn('column "y" is missing', self.latsch("road", road, points, code=WRONG_INPUT))
+        bumpy = self.write("bumpy.rdf", "[MODEL]\nMETHOD = '2D'\nROAD_TYPE = 'hill'\n")
+        self.assertIn("bumpy.rdf:3", self.latsch("road", bumpy, points, code=WRONG_INPUT))
+
+
 if __name__ == "__main__":
     unittest.main()

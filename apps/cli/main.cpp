@@ -41,6 +41,8 @@ int run(int argc, char** argv) {
                          add_report,
                          add_export,
                          add_doctor,
+                         add_road,
+                         add_show,
                          add_worker}) {
     add(app, exit_code);
   }

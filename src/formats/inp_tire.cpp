@@ -338,7 +338,11 @@ class TireReader {
     }
     if (outer_.empty()) mark_tread(mesh);
     mesh.sensors = choose_sensors(mesh);
-    fe_tire::check(mesh);
+    try {
+      fe_tire::check(mesh);
+    } catch (const InputError& error) {  // which knows no files
+      throw InputError({deck_.file, 0}, error.what());
+    }
   }
 
   /// Where an element's section is, (y, r) of its middle.

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch road: what a tire finds on a road at given points.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/units.h"
+#include "cli/parsed.h"
+#include "cli/verbs.h"
+#include "formats/csv_table.h"
+#include "formats/road_file.h"
+
+namespace latsch::cli {
+namespace {
+
+struct Options {
+  std::string road, points, output, time;
+};
+
+/// One row a point: height, normal, friction; u and v where the road has them.
+Channels ask(const formats::RoadFile& file,
+             const std::vector<double>& x,
+             const std::vector<double>& y,
+             const std::vector<double>& time) {
+  Channels answers;
+  answers.add({"x", "m", x});
+  answers.add({"y", "m", y});
+  std::vector<double> z, nx, ny, nz, friction, u, v;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const road::GroundPoint ground = file.road->at(x[i], y[i], time[i]);
+    z.push_back(ground.height + 0.0);  // no minus before a zero
+    nx.push_back(ground.normal.x() + 0.0);
+    ny.push_back(ground.normal.y() + 0.0);
+    nz.push_back(ground.normal.z());
+    friction.push_back(ground.friction);
+    if (!file.crg) continue;
+    const road::CrgRoad::Position place = file.crg->locate(x[i], y[i]);
+    u.push_back(place.u);
+    v.push_back(place.v);
+  }
+  answers.add({"z", "m", std::move(z)});
+  answers.add({"nx", "1", std::move(nx)});
+  answers.add({"ny", "1", std::move(ny)});
+  answers.add({"nz", "1", std::move(nz)});
+  answers.add({"friction", "1", std::move(friction)});
+  if (file.crg) {
+    answers.add({"u", "m", std::move(u)});
+    answers.add({"v", "m", std::move(v)});
+  }
+  return answers;
+}
+
+int road(const Options& options) {
+  const formats::RoadFile file = formats::read_road_file(options.road);
+  const auto points = formats::CsvTable::read(options.points);
+  points.expect_only({"x", "y", "time"});
+  const auto x = points.numbers("x", "m"), y = points.numbers("y", "m");
+  std::vector<double> time(x.size(), 0.0);
+  if (points.has("time")) {
+    time = points.numbers("time", "s");
+  } else if (!options.time.empty()) {
+    time.assign(x.size(), parse_option("time", options.time, "s", Range{}));
+  }
+  const std::string text = formats::csv_text(ask(file, x, y, time));
+  if (options.output.empty()) {
+    fmt::print("{}", text);
+  } else {
+    write_text_file(options.output, text);
+    fmt::print("wrote {}\n", options.output);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_road(CLI::App& app, int& exit_code) {
+  auto* verb = app.add_subcommand("road", "Height, normal and friction of a road at given points");
+  verb->footer(
+      "ROAD is OpenCRG (.crg), Adams road data (.rdf) or a road in words (.toml):\n"
+      "  kind = \"drum\"                     also flat, cleat, kerb, wave\n"
+      "  diameter = \"2.5 m\"\n"
+      "  speed = \"60 km/h\"\n"
+      "  cleats = 1\n"
+      "  height = \"20 mm\"\n"
+      "  length = \"25 mm\"\n"
+      "POINTS.csv has columns x [m], y [m] and, for a road that moves, time [s].\n\n"
+      "Example:\n  latsch road track.crg points.csv > ground.csv");
+  auto options = std::make_shared<Options>();
+  verb->add_option("road", options->road, "Road file")->required();
+  verb->add_option("points", options->points, "Table of points (CSV)")->required();
+  verb->add_option("--time", options->time, "Time of all points, such as \"0.2 s\"");
+  verb->add_option("--output", options->output, "File to write; else the terminal");
+  verb->callback([=, &exit_code] { exit_code = road(*options); });
+}
+
+}  // namespace latsch::cli

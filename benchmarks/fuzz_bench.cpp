@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: Apache-2.0
+// A million spoiled files for every reader: numbers or an InputError, never anything else
+//
+//   ./bench.sh fuzz [--inputs N] [--reader NAME] [--first I]
+//
+// Small good files are spoiled by one to four changes each (base/spoiled_text_testing.h), the i-th
+// input always in the same way; what was read is then used as a program uses it. Every reader runs
+// in a process of its own with 4 GB of memory: a crash, ten seconds without an answer and any
+// exception that is no InputError are counted and named with the number of the input, which
+// `--first I --inputs 1` repeats.
+//
+// With the sanitizers, whose complaints end the process and count as crashes:
+//   cmake --preset asan && cmake --build --preset asan --target bench_fuzz
+//   build/asan/bin/bench_fuzz
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <functional>
+#include <new>
+#include <thread>
+
+#include "base/document.h"
+#include "base/error.h"
+#include "base/spoiled_text_testing.h"
+#include "base/text.h"
+#include "formats/csv_table.h"
+#include "formats/inp_deck.h"
+#include "formats/inp_tire.h"
+#include "formats/mat_file.h"
+#include "formats/open_crg.h"
+#include "formats/road_file.h"
+#include "formats/tir_file.h"
+#include "formats/tydex_file.h"
+#include "models/road/road_reader.h"
+#include "table.h"
+
+#if defined(__SANITIZE_ADDRESS__)
+extern "C" const char* __ubsan_default_options() { return "halt_on_error=1"; }
+#endif
+
+namespace latsch::benchmarks {
+namespace {
+
+constexpr std::uint64_t kSeed = 20260;
+constexpr rlim_t kMemory = 4ul << 30;  // bytes
+constexpr auto kHang = std::chrono::seconds(10);
+constexpr int kMostNamed = 5;  // inputs of one reader named on the terminal
+
+struct Reader {
+  std::string name;
+  std::vector<std::string> seeds;
+  std::vector<std::string> pieces;
+  std::function<void(const std::string&)> use;
+};
+
+/// What a reader's process tells the one that watches it, also when it dies.
+struct Progress {
+  std::atomic<long> next;  // input under way
+  std::atomic<long> rejected;
+  std::atomic<long> unclassified;
+};
+
+[[noreturn]] void broken(const std::string& promise) { throw std::logic_error(promise); }
+
+void use_channels(const Channels& channels, bool gaps) {
+  for (const Channel& channel : channels.all()) {
+    if (channel.values.size() != channels.all().front().values.size()) broken("unequal channels");
+    for (const double value : channel.values) {
+      if (std::isinf(value) || (!gaps && std::isnan(value))) broken("a number that is not finite");
+    }
+  }
+}
+
+void use_road(const road::Road& road) {
+  for (const auto& [x, y] : std::initializer_list<std::pair<double, double>>{
+           {0.0, 0.0}, {1.3, -0.2}, {-50.0, 3.0}, {7e3, -2e4}}) {
+    const road::GroundPoint ground = road.at(x, y, 0.1);
+    if (!std::isfinite(ground.height) || !ground.normal.allFinite())
+      broken("a road without height");
+  }
+}
+
+const std::vector<std::string> kNumbers = {
+    "nan", "inf", "-inf", "1e999", "-1e308", "1e-320", "0", "-1", "2147483648", "1e18", "0x10"};
+
+std::vector<std::string> with_numbers(std::vector<std::string> pieces) {
+  pieces.insert(pieces.end(), kNumbers.begin(), kNumbers.end());
+  pieces.insert(pieces.end(),
+                {"\n", "\r\n", " ", "\t", std::string(1, '\0'), "\xff", "\xef\xbb\xbf"});
+  return pieces;
+}
+
+Reader csv_reader() {
+  return {"CSV",
+          {"# rig 3\nd [mm],F [N],type\n5.0,812,1\n10.0,1743.5,2\n20,4012,3\n",
+           "Weg;Kraft\r\nmm;kN\r\n5,0;0,812\r\n10,0;1,7435\r\n"},
+          with_numbers({",", ";", "\"", "[mm]", "[", "]", "#", "kN"}),
+          [](const std::string& text) {
+            use_channels(formats::CsvTable::parse(text, "spoiled").channels(), false);
+          }};
+}
+
+Reader tydex_reader() {
+  return {
+      "TYDEX",
+      {"**HEADER\nRELEASE   Release                                 1.3\n**COMMENTS\n! x\n"
+       "**CONSTANTS\nINFLPRES  Pressure                      bar       2.5\n"
+       "**MEASURCHANNELS\nRUNTIME   time                          s         1         0         0\n"
+       "FZW       Vertical force                kN        1         0         0\n"
+       "**MEASURDATA\n0         1.5\n0.1       NOTAVAIL\n       0.2-1.5D+0\n**END\n"},
+      with_numbers({"**END\n", "**MODELPARAMETERS\n", "**MEASURDATA\n", "NOTAVAIL", "deg C", "!"}),
+      [](const std::string& text) {
+        const auto file = formats::TydexFile::parse(text, "spoiled");
+        use_channels(file.channels, true);
+        file.constant("INFLPRES", "Pa");
+      }};
+}
+
+Reader tir_reader() {
+  return {
+      ".tir",
+      {"[MDI_HEADER]\nFILE_TYPE = 'tir'\n[UNITS]\nLENGTH = 'mm'\nFORCE = 'newton'\nANGLE = "
+       "'degree'\n"
+       "MASS = 'kg'\nTIME = 'second'\n[MODEL]\nFITTYP = 61 $ version\nTYRESIDE = 'LEFT'\n"
+       "[DIMENSION]\nUNLOADED_RADIUS = 320\n[OPERATING_CONDITIONS]\nINFLPRES = 0.2\n[VERTICAL]\n"
+       "FNOMIN = 4000\nVERTICAL_STIFFNESS = 200\n[SHAPE]\n{radial width}\n1.0 0.0\n1.0 0.4\n"
+       "[LATERAL_COEFFICIENTS]\nPCY1 = 1.3\nPDY1 = -0.9\nPKY1 = -20\n"},
+      with_numbers({"[", "]", "=", "'", "$", "!", "{", "}", "(A)", "FITTYP = 62\n", "[UNITS]\n"}),
+      [](const std::string& text) { formats::parse_tir(text, "spoiled"); }};
+}
+
+std::string big_endian(float value) {
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, 4);
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(bits >> shift);
+  return bytes;
+}
+
+Reader crg_reader() {
+  const std::string head =
+      "$CT\nroad\n$\n$ROAD_CRG\nreference_line_start_u = 0\nreference_line_end_u = 3\n"
+      "reference_line_increment = 1\nlong_section_v_right = -1\n"
+      "long_section_v_increment = 1\n$\n$ROAD_CRG_OPTS\nborder_mode_u = 3\nborder_mode_v = 4\n"
+      "border_smooth_ubeg = 1\nrefline_continuation = 1\n$\n$ROAD_CRG_MODS\ngrid_nan_mode = 0\n"
+      "scale_length = 2\nrefpoint_u_fraction = 0.5\nrefpoint_phi = 1\n$\n$KD_Definition\n";
+  const std::string channels =
+      "D:reference line phi,rad\nD:reference line slope,m/m\nD:reference line banking,m/m\n"
+      "D:long section 1,m\nD:long section 2,m\nD:long section 3,m\n$\n$$$$\n";
+  std::string digits, binary;
+  for (int row = 0; row < 4; ++row) {
+    digits += row == 0 ? "**unused****unused** 0.0100000 0.1000000 *missing*-0.1000000\n"
+                       : " 0.1000000 0.0100000 0.0000000 0.1000000 0.2000000-0.1000000\n";
+    for (int i = 0; i < 6; ++i) binary += big_endian(0.01f * static_cast<float>(row + i));
+  }
+  return {"OpenCRG",
+          {head + "#:LRFI\n" + channels + digits, head + "#:KRBI\n" + channels + binary},
+          with_numbers({"$",
+                        "$$$$\n",
+                        "=",
+                        "!",
+                        "*",
+                        "D:long section at v = 2,m\n",
+                        "#:KDBI\n",
+                        "scale_curvature = 3\n",
+                        "reference_line_end_x = 2\n",
+                        "*missing*"}),
+          [](const std::string& text) {
+            const road::CrgRoad road(formats::OpenCrg::parse(text, "spoiled").grid);
+            use_road(road);
+            for (const double u : {0.5, -7.0, 1e6}) road.elevation({u, 0.3});
+          }};
+}
+
+/// An element of a MAT file: type, length, contents padded to eight bytes; this machine's order.
+std::string mat_element(std::uint32_t type, const std::string& contents, bool padded = true) {
+  std::string bytes(8, '\0');
+  const auto size = static_cast<std::uint32_t>(contents.size());
+  std::memcpy(bytes.data(), &type, 4);
+  std::memcpy(bytes.data() + 4, &size, 4);
+  bytes += contents;
+  if (padded) bytes.resize((bytes.size() + 7) / 8 * 8, '\0');
+  return bytes;
+}
+
+template <class Number>
+std::string bytes_of(std::initializer_list<Number> numbers) {
+  std::string bytes(numbers.size() * sizeof(Number), '\0');
+  std::memcpy(bytes.data(), std::data(numbers), bytes.size());
+  return bytes;
+}
+
+std::string mat_array(
+    std::uint32_t kind, int rows, int columns, const std::string& name, const std::string& rest) {
+  return mat_element(14,
+                     mat_element(6, bytes_of<std::uint32_t>({kind, 0})) +
+                         mat_element(5, bytes_of<std::int32_t>({rows, columns})) +
+                         mat_element(1, name) + rest);
+}
+
+Reader mat_reader() {
+  const std::string vector =
+      mat_array(6, 3, 1, "Fz", mat_element(9, bytes_of<double>({1.0, 2.0, 3.0})));
+  const std::string text =
+      mat_array(4, 1, 2, "", mat_element(4, bytes_of<std::uint16_t>({'k', 'N'})));
+  std::string names = "data";
+  names.resize(8, '\0');
+  names += std::string("unit\0\0\0\0", 8);
+  const std::string owner =
+      mat_array(2,
+                1,
+                1,
+                "run",
+                mat_element(5, bytes_of<std::int32_t>({8})) + mat_element(1, names) +
+                    mat_array(12, 1, 2, "", mat_element(5, bytes_of<std::int32_t>({4, 5}))) + text);
+  std::string head(124, ' ');
+  head += bytes_of<std::uint16_t>({0x0100, 0x4d49});
+  std::string packed(compressBound(vector.size()), '\0');
+  uLongf size = packed.size();
+  compress(reinterpret_cast<Bytef*>(packed.data()),
+           &size,
+           reinterpret_cast<const Bytef*>(vector.data()),
+           vector.size());
+  packed.resize(size);
+  return {"MAT",
+          {head + vector + owner,
+           head + mat_element(15, packed, false) + vector,
+           head + mat_array(1, 1, 2, "c", vector + owner)},
+          with_numbers({vector,
+                        text,
+                        bytes_of<std::uint32_t>({14, 0xffffffff}),
+                        bytes_of<std::uint32_t>({15, 16}),
+                        bytes_of<std::int32_t>({1 << 30, 1 << 30}),
+                        std::string(8, '\0')}),
+          [](const std::string& bytes) {
+            const auto file = formats::MatFile::parse(bytes, "spoiled");
+            file.channels();
+          }};
+}
+
+Reader rdf_reader() {
+  const std::string units =
+      "[UNITS]\nLENGTH = 'mm'\nFORCE = 'newton'\nANGLE = 'degree'\nMASS = 'kg'\nTIME = "
+      "'sec'\n[MODEL]\n";
+  const std::string road = units + "METHOD = '2D'\nROAD_TYPE = ";
+  return {
+      ".rdf",
+      {units +
+           "METHOD = '3D'\n[REFSYS]\nOFFSET = 0.0 1.0 0.0\nROTATION_ANGLE_XY_PLANE = 5\n[NODES]\n"
+           "NUMBER_OF_NODES = 4\n{ node x y z }\n1 0 0 0\n2 1e3 0 0\n3 0 1e3 9\n4 1e3 1e3 0\n"
+           "[ELEMENTS]\nNUMBER_OF_ELEMENTS = 2\n{ a b c mu }\n1 2 3 1.0\n2 4 3 0.8\n",
+       road + "'plank'\n[PARAMETERS]\nMU = 1\nOFFSET = 2\nHEIGHT = 20\nSTART = 1000\nLENGTH = 50\n"
+              "BEVEL_EDGE_LENGTH = 5\nDIRECTION = 30\n",
+       road + "'drum'\n[PARAMETERS]\nDIAMETER = -2500\nV = 1e4\nNUMBER_CLEATS = 2\n"
+              "CLEAT_STARTING_ANGLE = 90\n(XZR_DATA)\n0 0 0\n0 20 10\n40 20 10\n40 0 0\n",
+       road + "'poly_line'\n[PARAMETERS]\n(XZ_DATA)\n0 0 0\n900 10 5\n1000 0 0\n",
+       road +
+           "'sweep'\n[PARAMETERS]\nAMPLITUDE_AT_START = 9\nAMPLITUDE_AT_END = 1\nSTART = 0\n"
+           "END = 9000\nWAVE_LENGTH_AT_START = 3000\nWAVE_LENGTH_AT_END = 500\nSWEEP_TYPE = 0\n"},
+      with_numbers({"[", "]", "=", "'", "$", "{", "}", "(XZ_DATA)\n", "drum", "roof", "1 2 3 1\n"}),
+      [](const std::string& text) {
+        use_road(*formats::read_rdf(formats::TeimOrbit::parse(text, "spoiled")).road);
+      }};
+}
+
+Reader inp_reader() {
+  return {
+      ".inp",
+      {"*NODE,NSET=ALL\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0,0,1\n6,1,0,1\n7,1,1,1\n8,0,1,1\n"
+       "*ELEMENT,TYPE=C3D8,ELSET=E\n1,1,2,3,4,5,6,7,8\n*NSET,NSET=B,GENERATE\n1,4,1\n"
+       "*MATERIAL,NAME=R\n*HYPERELASTIC,MOONEY-RIVLIN\n1.,0.,0.01\n*DENSITY\n1.1e-9\n"
+       "*SOLID SECTION,ELSET=E,MATERIAL=R\n*SURFACE,NAME=S\nE,S1\n*BOUNDARY\nB,1,3\n"
+       "*STEP,NLGEOM\n*STATIC\n*DLOAD\nE,P1,0.26\n*END "
+       "STEP\n*STEP,PERTURBATION\n*FREQUENCY\n6\n*END STEP\n"},
+      with_numbers(
+          {"*", ",", "*NSET,NSET=C\nB\n", "*ELEMENT,TYPE=C3D8\n", "*ORIENTATION,NAME=O\n", "="}),
+      [](const std::string& text) { formats::tire_from(formats::parse_inp(text, "spoiled")); }};
+}
+
+Reader toml_reader() {
+  return {"TOML",
+          {"kind = \"drum\"\ndiameter = \"2.5 m\"\nspeed = \"60 km/h\"\ncleats = 2\nheight = \"20 "
+           "mm\"\n"
+           "length = \"25 mm\"\nbevel = \"5 mm\"\nstarting_angle = \"90 deg\"\n",
+           "kind = \"kerb\"\nshape = \"block\"\npitch = \"800 mm\"\nwidth = \"0.8 m\"\nheight = "
+           "\"-25 mm\"\n"
+           "count = 4\nlength = \"400 mm\"\nstart = {unit = \"m\", values = [0, -0.4]}\n"},
+          with_numbers({"[",
+                        "]",
+                        "{",
+                        "}",
+                        "\"",
+                        "'",
+                        "=",
+                        ".",
+                        ",",
+                        "#",
+                        "\\u00e4",
+                        "true",
+                        "inner = true\n",
+                        " mm",
+                        "^9999",
+                        "[a.b]\n",
+                        "\"2.6 bar\""}),
+          [](const std::string& text) {
+            const Document document = Document::parse(text, "spoiled");
+            for (const std::string& path : document.paths()) document.get(path);
+            use_road(*road::read_road(document.root()));
+          }};
+}
+
+std::string input(const Reader& reader, long number) {
+  RandomStream random(kSeed, static_cast<std::uint64_t>(number));
+  const std::string& seed = reader.seeds[random.below(reader.seeds.size())];
+  return spoiled(seed, reader.pieces, random);
+}
+
+/// The reader's process: from `progress.next` to `end`.
+[[noreturn]] void work(const Reader& reader, long end, Progress& progress) {
+#if !defined(__SANITIZE_ADDRESS__)  // whose shadow needs terabytes of addresses
+  const rlimit limit{kMemory, kMemory};
+  ::setrlimit(RLIMIT_AS, &limit);
+#endif
+  const rlimit no_dump{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_dump);
+  for (long i = progress.next; i < end; progress.next = ++i) {
+    const std::string text = input(reader, i);
+    try {
+      reader.use(text);
+      continue;
+    } catch (const InputError& error) {
+      ++progress.rejected;
+      if (std::string_view(error.what()).starts_with("spoiled")) continue;
+      fmt::print(stderr, "{}: input {} is not named: {}\n", reader.name, i, error.what());
+    } catch (const std::exception& error) {
+      if (progress.unclassified < kMostNamed) {
+        fmt::print(stderr, "{}: input {}: {}\n", reader.name, i, error.what());
+      }
+    }
+    ++progress.unclassified;
+  }
+  ::_exit(0);
+}
+
+/// Waits until the process ends or does not get on.
+bool hung(pid_t child, const Progress& progress, int& status) {
+  auto since = std::chrono::steady_clock::now();
+  long last = progress.next;
+  for (;;) {
+    if (::waitpid(child, &status, WNOHANG) == child) return false;
+    const auto now = std::chrono::steady_clock::now();
+    if (progress.next != last) {
+      last = progress.next;
+      since = now;
+    } else if (now - since > kHang) {
+      ::kill(child, SIGKILL);
+      ::waitpid(child, &status, 0);
+      return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
+void run(const Reader& reader, long first, long inputs, Table& table) {
+  void* shared =
+      ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED) throw std::bad_alloc();
+  auto& progress = *new (shared) Progress{};
+  progress.next = first;
+  const auto begin = std::chrono::steady_clock::now();
+  long crashes = 0, hangs = 0;
+  while (progress.next < first + inputs) {
+    std::fflush(nullptr);
+    const pid_t child = ::fork();
+    if (child == 0) work(reader, first + inputs, progress);
+    int status = 0;
+    const bool hangs_now = hung(child, progress, status);
+    if (!hangs_now && WIFEXITED(status) && WEXITSTATUS(status) == 0) break;
+    (hangs_now ? hangs : crashes) += 1;
+    fmt::print(stderr,
+               "{}: input {} {}\n",
+               reader.name,
+               progress.next.load(),
+               hangs_now ? "hangs" : "crashes");
+    ++progress.next;
+    if (crashes + hangs > 100) break;  // it will not get better
+  }
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const long tried = progress.next - first;
+  const long bad = crashes + hangs + progress.unclassified;
+  table.row(fmt::format("{}: crashes, hangs, other exceptions", reader.name),
+            fmt::format("{} + {} + {}", crashes, hangs, progress.unclassified.load()),
+            "0",
+            bad == 0 && tried == inputs);
+  table.note(
+      fmt::format("{}: inputs, rejected, seconds", reader.name),
+      fmt::format("{}, {:.0f} %, {:.1f}",
+                  tried,
+                  100.0 * static_cast<double>(progress.rejected) / static_cast<double>(tried),
+                  seconds));
+  ::munmap(shared, sizeof(Progress));
+}
+
+int fuzz(int count, char** arguments) {
+  long inputs = 1'000'000, first = 0;
+  std::string only;
+  for (int i = 1; i + 1 < count; i += 2) {
+    const std::string option = arguments[i], value = arguments[i + 1];
+    if (option == "--reader") only = value;
+    if (option == "--inputs") inputs = std::stol(value);
+    if (option == "--first") first = std::stol(value);
+  }
+  Table table("fuzz");
+  for (const Reader& reader : {csv_reader(),
+                               tydex_reader(),
+                               tir_reader(),
+                               crg_reader(),
+                               rdf_reader(),
+                               mat_reader(),
+                               inp_reader(),
+                               toml_reader()}) {
+    if (only.empty() || only == reader.name) run(reader, first, inputs, table);
+  }
+  return table.exit_code();
+}
+
+}  // namespace
+}  // namespace latsch::benchmarks
+
+int main(int count, char** arguments) {
+  return latsch::benchmarks::guarded([&] { return latsch::benchmarks::fuzz(count, arguments); });
+}
