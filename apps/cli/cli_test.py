@@ -186,7 +186,7 @@ class GoodInput(Coarse):
         self.assertIn("*NODE", deck.read_text().upper())
 
     def test_every_verb_has_help_with_an_example(self):
-        for verb in ("new", "check", "mesh", "simulate", "doe", "run", "resume", "identify", "report", "export", "doctor"):
+        for verb in ("new", "check", "mesh", "simulate", "evaluate", "doe", "run", "resume", "identify", "report", "export", "doctor"):
             self.assert_says(self.latsch(verb, "--help"), "xample", f"latsch {verb}")
 
 

@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
                          add_check,
                          add_mesh,
                          add_simulate,
+                         add_evaluate,
                          add_doe,
                          add_run,
                          add_identify,

@@ -17,6 +17,7 @@ void add_new(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_mesh(CLI::App& app, int& exit_code);
 void add_simulate(CLI::App& app, int& exit_code);
+void add_evaluate(CLI::App& app, int& exit_code);
 void add_doe(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);  // run and resume
 void add_identify(CLI::App& app, int& exit_code);

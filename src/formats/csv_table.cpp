@@ -106,6 +106,10 @@ bool CsvTable::has(std::string_view column) const {
       columns_.begin(), columns_.end(), [&](const Column& c) { return c.name == column; });
 }
 
+bool CsvTable::has_unit(std::string_view column) const {
+  return !columns_[index(column)].unit.empty();
+}
+
 std::vector<std::string> CsvTable::columns() const {
   std::vector<std::string> names;
   for (const Column& column : columns_) names.push_back(column.name);

@@ -35,6 +35,8 @@ class CsvTable {
   const std::string& file() const { return file_; }
   int rows() const { return static_cast<int>(lines_.size()); }
   bool has(std::string_view column) const;
+  /// Whether the table names the unit of that column.
+  bool has_unit(std::string_view column) const;
   /// Names in the order of the file.
   std::vector<std::string> columns() const;
   Place place(int row) const { return {file_, lines_[row]}; }

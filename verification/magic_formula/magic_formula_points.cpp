@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "magic_formula_points.h"
+#include "magic_formula/magic_formula_points.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Magic Formula 5.2, 6.1 and 6.2 against an independent program, under every convention, inside and
 // outside the ranges of the files, at low, zero and backward speed.
-#include "magic_formula_points.h"
+#include "magic_formula/magic_formula_points.h"
 
 #include <gtest/gtest.h>
 

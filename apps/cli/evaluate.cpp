@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch evaluate: forces, moments, radii and contact patch of a steady-state tire, state by state.
+#include <fmt/format.h>
+
+#include "base/file.h"
+#include "cli/verbs.h"
+#include "experiment/slip_states.h"
+#include "formats/tir_file.h"
+
+namespace latsch::cli {
+namespace {
+
+using magic_formula::Angles;
+using magic_formula::Conventions;
+using magic_formula::MagicFormula;
+
+struct Options {
+  std::string tire, states, output;
+  std::string limits = "on", angles = "direct", turn_slip = "off", side = "measured";
+};
+
+Conventions conventions(const Options& options) {
+  Conventions c;
+  c.limits = options.limits == "on";
+  c.angles = options.angles == "direct" ? Angles::direct : Angles::tangent;
+  c.turn_slip = options.turn_slip == "on";
+  c.mirrored = options.side == "other";
+  return c;
+}
+
+int evaluate(const Options& options) {
+  const formats::TirFile tir = formats::read_tir(options.tire);
+  const SlipStates given = slip_states(formats::CsvTable::read(options.states), tir.parameters);
+  for (const std::string& note : tir.notes) fmt::print(stderr, "latsch: {}\n", note);
+  for (const std::string& column : given.unused)
+    fmt::print(stderr, "latsch: {}: column \"{}\" is not used\n", options.states, column);
+  const Conventions chosen = conventions(options);
+  const int outside = outside_of_ranges(given.states, tir.parameters);
+  if (chosen.limits && outside > 0)
+    fmt::print(stderr,
+               "latsch: {} of {} states lie outside of the ranges of {} and are limited to them "
+               "(--limits off takes them as they are)\n",
+               outside,
+               given.states.size(),
+               options.tire);
+  const MagicFormula tire(tir.parameters, chosen);
+  if (chosen.turn_slip && !tire.conventions().turn_slip)
+    fmt::print(
+        stderr, "latsch: {} has no turn slip coefficients: evaluated without\n", options.tire);
+  std::vector<magic_formula::SteadyState> results(given.states.size());
+  tire.evaluate(given.states, results);
+  const std::string text = formats::csv_text(answers(results));
+  if (options.output.empty())
+    fmt::print("{}", text);
+  else
+    write_text_file(options.output, text);
+  return kDone;
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& app, int& exit_code) {
+  auto* verb =
+      app.add_subcommand("evaluate", "Forces, moments, radii and patch of a tire in steady state");
+  verb->footer(
+      "STATES is a table with the column Fz and any of kappa, alpha, gamma, phit, Vx, p, in any\n"
+      "order, in SI or in the unit in brackets behind the name: \"alpha [deg]\".\n"
+      "Examples:\n  latsch evaluate tire.tir states.csv\n"
+      "  latsch evaluate tire.tir states.csv --angles tangent --turn-slip on -o forces.csv");
+  auto options = std::make_shared<Options>();
+  verb->add_option("tire", options->tire, "Tire property file (.tir; MF 5.2, 6.1, 6.2)")
+      ->required();
+  verb->add_option("states", options->states, "States (CSV)")->required();
+  verb->add_option("-o,--output", options->output, "CSV file to write; else the terminal");
+  verb->add_option("--limits",
+                   options->limits,
+                   "on: inputs limited to the ranges of the file, faded below VXLOW")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->capture_default_str();
+  verb->add_option("--angles",
+                   options->angles,
+                   "direct: alpha and gamma as they are; tangent: tan(alpha), sin(gamma)")
+      ->check(CLI::IsMember({"direct", "tangent"}))
+      ->capture_default_str();
+  verb->add_option("--turn-slip", options->turn_slip, "Forces and moments of turning by phit")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->capture_default_str();
+  verb->add_option(
+          "--side", options->side, "The vehicle side: as measured, or the other one (mirrored)")
+      ->check(CLI::IsMember({"measured", "other"}))
+      ->capture_default_str();
+  verb->callback([=, &exit_code] { exit_code = evaluate(*options); });
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/slip_states.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "base/text.h"
+
+namespace latsch {
+namespace {
+
+using magic_formula::Parameters;
+using magic_formula::State;
+using magic_formula::SteadyState;
+
+struct StateColumn {
+  const char* name;
+  const char* unit;
+  double State::*member;
+};
+constexpr std::array<StateColumn, 7> kStateColumns = {{{"Fz", "N", &State::Fz},
+                                                       {"kappa", "1", &State::kappa},
+                                                       {"alpha", "rad", &State::alpha},
+                                                       {"gamma", "rad", &State::gamma},
+                                                       {"phit", "1/m", &State::phit},
+                                                       {"Vx", "m/s", &State::Vx},
+                                                       {"p", "Pa", &State::p}}};
+
+struct AnswerColumn {
+  const char* name;
+  const char* unit;
+  double SteadyState::*member;
+  double factor = 1.0;
+};
+constexpr std::array<AnswerColumn, 23> kAnswerColumns = {{
+    {"Fx", "N", &SteadyState::Fx},           {"Fy", "N", &SteadyState::Fy},
+    {"Fz", "N", &SteadyState::Fz},           {"Mx", "N m", &SteadyState::Mx},
+    {"My", "N m", &SteadyState::My},         {"Mz", "N m", &SteadyState::Mz},
+    {"R_e", "m", &SteadyState::R_e},         {"R_l", "m", &SteadyState::R_l},
+    {"rho", "m", &SteadyState::rho},         {"length", "m", &SteadyState::a, 2.0},
+    {"width", "m", &SteadyState::b, 2.0},    {"t", "m", &SteadyState::t},
+    {"Mzr", "N m", &SteadyState::Mzr},       {"mux", "1", &SteadyState::mux},
+    {"muy", "1", &SteadyState::muy},         {"omega", "rad/s", &SteadyState::omega},
+    {"Kxk", "N", &SteadyState::Kxk},         {"Kya", "N/rad", &SteadyState::Kya},
+    {"Cx", "N/m", &SteadyState::Cx},         {"Cy", "N/m", &SteadyState::Cy},
+    {"Cz", "N/m", &SteadyState::Cz},         {"sigma_x", "m", &SteadyState::sigma_x},
+    {"sigma_y", "m", &SteadyState::sigma_y},
+}};
+
+bool same_name(const std::string& a, const std::string& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
+    return std::tolower(x) == std::tolower(y);
+  });
+}
+
+/// The values in SI: of its own unit, or as they are where it names none.
+std::vector<double> in_si(const formats::CsvTable& table,
+                          const std::string& column,
+                          const StateColumn& wanted) {
+  return table.has_unit(column) ? table.numbers(column, wanted.unit) : table.numbers(column, "1");
+}
+
+}  // namespace
+
+SlipStates slip_states(const formats::CsvTable& table, const Parameters& tire) {
+  State fallback{0.0, 0.0, 0.0, 0.0, 0.0, tire.LONGVL, tire.INFLPRES};
+  SlipStates result;
+  result.states.assign(table.rows(), fallback);
+  std::array<bool, kStateColumns.size()> found{};
+  for (const std::string& column : table.columns()) {
+    const auto wanted = std::find_if(kStateColumns.begin(), kStateColumns.end(), [&](auto& c) {
+      return same_name(column, c.name);
+    });
+    if (wanted == kStateColumns.end()) {
+      result.unused.push_back(column);
+      continue;
+    }
+    bool& before = found[wanted - kStateColumns.begin()];
+    if (before)
+      throw InputError(table.header_place(), fmt::format("{} comes twice", in_quotes(column)));
+    before = true;
+    const std::vector<double> values = in_si(table, column, *wanted);
+    for (std::size_t i = 0; i < values.size(); ++i) result.states[i].*wanted->member = values[i];
+  }
+  if (!found[0])
+    throw InputError(table.header_place(),
+                     "there is no column Fz; a table of states has Fz and any of kappa, alpha, "
+                     "gamma, phit, Vx, p");
+  return result;
+}
+
+Channels answers(const std::vector<SteadyState>& results) {
+  Channels channels;
+  for (const AnswerColumn& column : kAnswerColumns) {
+    Channel channel{column.name, column.unit, {}};
+    channel.values.reserve(results.size());
+    for (const SteadyState& r : results) channel.values.push_back(column.factor * r.*column.member);
+    channels.add(std::move(channel));
+  }
+  return channels;
+}
+
+int outside_of_ranges(const std::vector<State>& states, const Parameters& p) {
+  return static_cast<int>(std::count_if(states.begin(), states.end(), [&](const State& s) {
+    return s.Fz < p.FZMIN || s.Fz > p.FZMAX || s.kappa < p.KPUMIN || s.kappa > p.KPUMAX ||
+           s.alpha < p.ALPMIN || s.alpha > p.ALPMAX || s.gamma < p.CAMMIN || s.gamma > p.CAMMAX ||
+           s.p < p.PRESMIN || s.p > p.PRESMAX || std::abs(s.Vx) < p.VXLOW;
+  }));
+}
+
+}  // namespace latsch
