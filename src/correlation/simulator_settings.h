@@ -2,7 +2,8 @@
 // [simulator] in a study, in the place of `model`: an outside program evaluates the points.
 //
 //   [simulator]
-//   command = ["python3", "{study}/spring.py", "spring.txt"]   # {study}: folder of the study
+//   command = ["python3", "{study}/spring.py", "spring.txt"]   # {study}: folder of the study,
+//                                                              # {latsch}: this program
 //   inputs = ["spring.txt"]            # templates beside the study, see input_template.h
 //   files = ["mesh.inc"]               # copied as they are
 //   timeout = "30 s"                   # of the program; [run] has that of the whole trial

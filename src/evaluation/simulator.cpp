@@ -107,13 +107,25 @@ Result<Channels> run(const Simulator& simulator,
   return channels;
 }
 
+/// The command line program: this process, what lies beside it (a benchmark's), or the one of the
+/// search path.
+std::string this_program() {
+  const std::string name = "latsch";
+  std::error_code ignored;
+  const fs::path self = fs::read_symlink("/proc/self/exe", ignored);
+  if (self.filename() == name) return self.string();
+  const fs::path beside = self.parent_path() / name;
+  return !self.empty() && fs::exists(beside, ignored) ? beside.string() : name;
+}
+
 }  // namespace
 
 std::vector<std::string> command(const Simulator& simulator) {
   const std::string folder = fs::absolute(simulator.study_folder).string();
   std::vector<std::string> arguments;
   for (const std::string& argument : simulator.arguments) {
-    arguments.push_back(replaced(argument, "{study}", folder));
+    arguments.push_back(
+        replaced(replaced(argument, "{study}", folder), "{latsch}", this_program()));
   }
   return arguments;
 }

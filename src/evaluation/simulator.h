@@ -36,7 +36,8 @@ struct Simulator {
   bool keep_failed = false;  // folders of trials that failed
 };
 
-/// The argument list with the folder of the study in the place of {study}.
+/// The argument list with the folder of the study in the place of {study} and this program itself in
+/// that of {latsch}.
 std::vector<std::string> command(const Simulator& simulator);
 
 /// The channels of all outputs. Throws InputError for files that cannot be copied.
