@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Magic Formula as a rolling tire: one contact point, a vertical spring and damper, slip that
+// lags by relaxation lengths. The baseline of handling; good to some 8 Hz on roads without short
+// obstacles.
+//
+//   Fz = F(rho; omega, Fx, Fy, gamma, p) + d rho/dt VERTICAL_DAMPING, never a pull; F the formula's
+//        own (3), of a file with DEFLECTION_LOAD_CURVE that curve; below BOTTOM_OFFST the rim's
+//        BOTTOM_STIFF comes in addition
+//   Fx, Fy, Mx, My, Mz = Magic Formula(Fz, kappa', alpha', gamma, phit, Vx, p)
+//
+// USE_MODE of the file (or of the settings), tens: 0 steady state, kappa' and alpha' those of the
+// wheel; 1 relaxation with sigma = K/C at the load (19); 2 and above also with the slip,
+// sigma = |F - F(0)|/(C slip), as the sliding part of the patch needs no deflection
+// [Pacejka 2012, 7.2.3]. Units: 0 vertical force alone, 1 Fx and My, 2 Fy, Mx, Mz, 3 all without
+// interaction of the slips, 4 and 5 all (5: with turn slip).
+#pragma once
+
+#include "models/magic_formula/magic_formula.h"
+#include "models/magic_formula/wheel_contact.h"
+#include "models/tire/tire.h"
+
+namespace latsch::magic_formula {
+
+struct MagicFormulaTireSettings {
+  Conventions conventions = {};
+  int use_mode = 14;
+  double pressure = 0.0;  // Pa; 0: INFLPRES
+};
+
+class MagicFormulaTire final : public Tire {
+ public:
+  explicit MagicFormulaTire(const Parameters& parameters,
+                            const MagicFormulaTireSettings& settings = {});
+
+  double free_radius() const override;
+  Result<HubForces> settle(const WheelMotion& motion, const road::Road& road, double time) override;
+  Result<HubForces> advance(const WheelMotion& motion,
+                            const road::Road& road,
+                            double time,
+                            double step) override;
+  std::unique_ptr<Tire> clone() const override;
+
+  /// Of the last step: load, lagged slips, forces in W.
+  const SteadyState& contact_forces() const { return forces_; }
+  double lagged_kappa() const { return kappa_; }
+  double lagged_alpha() const { return alpha_; }
+
+ private:
+  double vertical_force(const WheelContact& contact, double spin_rate) const;
+  void lag(const WheelContact& contact, double Fz, double spin_rate, double step);
+  SteadyState evaluate(const WheelContact& contact, double Fz) const;
+  HubForces hub_forces(const WheelMotion& motion, const WheelContact& contact) const;
+  void take_friction(double friction);
+
+  Parameters parameters_;
+  MagicFormulaTireSettings settings_;
+  MagicFormula formula_;
+  double friction_ = 1.0;             // of the road, in formula_
+  double kappa_ = 0.0, alpha_ = 0.0;  // lagged
+  SteadyState forces_{};
+};
+
+/// The coefficients on a road whose friction is a factor off.
+Parameters on_road(Parameters parameters, double friction);
+
+}  // namespace latsch::magic_formula

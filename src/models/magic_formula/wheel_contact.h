@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a wheel touches the road plane under it, and how it slips there.
+//
+// W axes: x = spin axis x normal, y = normal x x, origin where the wheel plane's line of steepest
+// descent from the center meets the plane. gamma = asin(spin axis . normal); alpha > 0 where the
+// contact point moves to the left, +y.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <optional>
+
+#include "models/road/road.h"
+#include "models/tire/tire.h"
+
+namespace latsch::magic_formula {
+
+/// The plane the tire stands on.
+struct RoadPlane {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // of the ground
+  double friction = 1.0;
+};
+
+struct WheelContact {
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // columns: W, inertial
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();     // inertial
+  double height = 0.0;        // m: from the center down the wheel plane to the road
+  double gamma = 0.0;         // rad
+  double Vx = 0.0, Vy = 0.0;  // m/s: of the wheel plane's point at the contact over the ground
+  double approach = 0.0;      // m/s: of the center toward the road
+  double yaw_rate = 0.0;      // rad/s: about the normal
+  double friction = 1.0;
+};
+
+/// Nothing where the spin axis stands on the road.
+std::optional<WheelContact> touch(const WheelMotion& motion, const RoadPlane& plane);
+
+/// The plane tangent to the road where the wheel touches it.
+RoadPlane tangent_plane(const WheelMotion& motion, const road::Road& road, double time);
+
+/// The speed for which the formula is asked where slips lag: its own fading below VXLOW is for
+/// slips of the wheel, and up to there a wheel that rolls back is taken as one that rolls forward.
+inline double formula_speed(double Vx, double VXLOW) {
+  return Vx < -VXLOW ? Vx : std::max(Vx, VXLOW);
+}
+/// What of the rolling resistance is left at that speed.
+inline double rolling_share(double Vx, double VXLOW) {
+  return Vx < -VXLOW ? 1.0 : std::clamp(Vx / VXLOW, -1.0, 1.0);
+}
+
+/// Forces and moments in W at the contact point as the rim feels them, in C.
+HubForces at_hub(const WheelMotion& motion,
+                 const WheelContact& contact,
+                 const Eigen::Vector3d& force,
+                 const Eigen::Vector3d& moment);
+
+}  // namespace latsch::magic_formula

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/rigid_ring/rigid_ring_tire.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace latsch::rigid_ring {
+
+using Eigen::Vector3d;
+using magic_formula::MagicFormula;
+using magic_formula::MagicFormulaTireSettings;
+using magic_formula::Parameters;
+using magic_formula::SteadyState;
+using magic_formula::WheelContact;
+
+namespace {
+
+constexpr double kLeastSigma = 0.01;  // m
+constexpr double kMostSlip = 3.0;     // of u/sigma and v/sigma: far in the sliding region
+
+/// The loaded radius at the nominal load, standing.
+double nominal_radius(const Parameters& p) {
+  return MagicFormula(p).evaluate({p.FNOMIN, 0.0, 0.0, 0.0, 0.0, p.LONGVL, p.NOMPRES}).R_l;
+}
+
+/// What holds a deflection back that has reached its bound.
+double bounded_rate(double u, double rate, double bound) {
+  return (u >= bound && rate > 0.0) || (u <= -bound && rate < 0.0) ? 0.0 : rate;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<RigidRingTire>> RigidRingTire::make(
+    const Parameters& parameters, const MagicFormulaTireSettings& settings) {
+  const Result<RingConstants> ring = ring_constants(parameters, nominal_radius(parameters));
+  if (!ring) return ring.failure();
+  return std::unique_ptr<RigidRingTire>(new RigidRingTire(parameters, settings, *ring));
+}
+
+RigidRingTire::RigidRingTire(const Parameters& parameters,
+                             const MagicFormulaTireSettings& settings,
+                             const RingConstants& ring)
+    : parameters_(parameters),
+      settings_(settings),
+      formula_(parameters, settings.conventions),
+      ring_(ring),
+      cams_(parameters) {
+  if (settings_.pressure <= 0.0) settings_.pressure = parameters.INFLPRES;
+}
+
+double RigidRingTire::free_radius() const {
+  return parameters_.UNLOADED_RADIUS * parameters_.Q_RE0;
+}
+
+std::unique_ptr<Tire> RigidRingTire::clone() const {
+  return std::unique_ptr<Tire>(new RigidRingTire(*this));
+}
+
+WheelMotion RigidRingTire::belt_motion(const State& y, const WheelMotion& rim) const {
+  const Vector3d d = y.segment<3>(0), phi = y.segment<3>(3);
+  const Vector3d d_rate = y.segment<3>(6), phi_rate = y.segment<3>(9);
+  const Vector3d tilt(phi.x(), 0.0, phi.z());
+  WheelMotion belt = rim;
+  belt.center = rim.center + rim.carrier * d;
+  belt.carrier = rim.carrier * (Eigen::AngleAxisd(tilt.x(), Vector3d::UnitX()) *
+                                Eigen::AngleAxisd(tilt.z(), Vector3d::UnitZ()))
+                                   .toRotationMatrix();
+  belt.velocity = rim.velocity + rim.angular_velocity.cross(rim.carrier * d) + rim.carrier * d_rate;
+  belt.angular_velocity =
+      rim.angular_velocity + rim.carrier * Vector3d(phi_rate.x(), 0.0, phi_rate.z());
+  belt.spin_rate = rim.spin_rate + phi_rate.y();
+  return belt;
+}
+
+/// Fz = F_static(rho + Fz/k_bz), the file's own curve of rim and road, by the secant method.
+double RigidRingTire::load(double rho, double approach, double spin_rate, double gamma) const {
+  const auto surplus = [&](double Fz) {
+    return Fz -
+           formula_.vertical_force(
+               rho + Fz / ring_.k_bx, spin_rate, gamma, settings_.pressure, forces_.Fx, forces_.Fy);
+  };
+  if (rho <= 0.0) return 0.0;
+  double before = 0.0, f_before = surplus(0.0);
+  double Fz = -f_before * ring_.c_rz / parameters_.VERTICAL_STIFFNESS;
+  for (int i = 0; i < 20; ++i) {
+    const double f = surplus(Fz);
+    if (f == f_before || std::abs(f) < 1e-10 * parameters_.FNOMIN) break;
+    const double next = Fz - f * (Fz - before) / (f - f_before);
+    before = Fz;
+    f_before = f;
+    Fz = next;
+  }
+  return std::max(Fz + parameters_.DAMP_RESIDUAL * ring_.c_rz * approach, 0.0);
+}
+
+void RigidRingTire::slip(const WheelContact& wheel, double spin_rate, Contact& c, State y) {
+  const Parameters& p = parameters_;
+  const double Fz = forces_.Fz, V = std::abs(wheel.Vx);
+  const double Vx = magic_formula::formula_speed(wheel.Vx, p.VXLOW);
+  const double phit = -wheel.yaw_rate / std::abs(Vx);
+  const SteadyState still =
+      formula_.evaluate({Fz, 0.0, 0.0, wheel.gamma, phit, Vx, settings_.pressure});
+  const double sigma_x = std::max(std::abs(still.Kxk) / ring_.c_rx, kLeastSigma);
+  const double sigma_y = std::max(std::abs(still.Kya) / ring_.c_ry, kLeastSigma);
+  const double Vsx = wheel.Vx - spin_rate * still.R_e, Vsy = wheel.Vy;
+  const double crawl =
+      V < p.VXLOW ? 0.5 * (1.0 + std::cos(std::numbers::pi * V / p.VXLOW)) * p.DAMP_VLOW : 0.0;
+  const double kappa = std::clamp((y[12] - crawl * Vsx) / sigma_x, -kMostSlip, kMostSlip);
+  const double tan_alpha = std::clamp((y[13] + crawl * Vsy) / sigma_y, -kMostSlip, kMostSlip);
+  forces_ = formula_.evaluate({Fz,
+                               std::copysign(1.0, Vx) * kappa,
+                               std::atan(tan_alpha),
+                               wheel.gamma,
+                               phit,
+                               Vx,
+                               settings_.pressure});
+  forces_.Fz = Fz;
+  forces_.My *= magic_formula::rolling_share(wheel.Vx, p.VXLOW);
+  c.u_rate = bounded_rate(y[12], -Vsx - V / sigma_x * y[12], kMostSlip * sigma_x);
+  c.v_rate = bounded_rate(y[13], Vsy - V / sigma_y * y[13], kMostSlip * sigma_y);
+}
+
+RigidRingTire::Contact RigidRingTire::contact(const State& y,
+                                              const WheelMotion& rim,
+                                              bool rolling) {
+  const Parameters& p = parameters_;
+  const WheelMotion belt = belt_motion(y, rim);
+  const auto wheel = touch(belt, plane_);
+  Contact c;
+  if (!wheel) return c;
+  const double speed = belt.spin_rate * p.UNLOADED_RADIUS / p.LONGVL;
+  const double R_omega = p.UNLOADED_RADIUS * (p.Q_RE0 + p.Q_V1 * speed * speed);
+  forces_.Fz =
+      load(R_omega - wheel->height, rolling ? wheel->approach : 0.0, belt.spin_rate, wheel->gamma);
+  if (forces_.Fz <= 0.0) {
+    forces_ = {};
+    c.u_rate = -y[12] / 1e-3;  // what was sheared springs back within a millisecond
+    c.v_rate = -y[13] / 1e-3;
+    return c;
+  }
+  if (rolling) {
+    slip(*wheel, belt.spin_rate, c, y);
+  } else {
+    const double Fz = forces_.Fz;
+    forces_ = {};
+    forces_.Fz = Fz;
+  }
+  const Vector3d force = wheel->axes * Vector3d(forces_.Fx, forces_.Fy, forces_.Fz);
+  const Vector3d moment = wheel->axes * Vector3d(forces_.Mx, forces_.My, forces_.Mz) +
+                          (wheel->point - belt.center).cross(force);
+  c.force = rim.carrier.transpose() * force;
+  c.moment = rim.carrier.transpose() * moment;
+  return c;
+}
+
+/// What springs and dampers do to the rim, in C.
+void RigidRingTire::springs(const State& y,
+                            double spin_rate,
+                            Vector3d& force,
+                            Vector3d& moment) const {
+  const Vector3d d = y.segment<3>(0), phi = y.segment<3>(3);
+  const Vector3d turning = spin_rate * Vector3d::UnitY();
+  const Vector3d v_rel = y.segment<3>(6) - turning.cross(d);
+  const Vector3d w_rel = y.segment<3>(9) - turning.cross(Vector3d(phi.x(), 0.0, phi.z()));
+  force = Vector3d(ring_.k_bx, ring_.k_by, ring_.k_bx).cwiseProduct(d) +
+          Vector3d(ring_.c_bx, ring_.c_by, ring_.c_bx).cwiseProduct(v_rel);
+  moment = Vector3d(ring_.k_bgamma, ring_.k_btheta, ring_.k_bgamma).cwiseProduct(phi) +
+           Vector3d(ring_.c_bgamma, ring_.c_btheta, ring_.c_bgamma).cwiseProduct(w_rel);
+}
+
+RigidRingTire::State RigidRingTire::rate(const State& y, const Rim& rim) {
+  const Contact c = contact(y, rim.motion, true);
+  const double spin_rate = rim.motion.spin_rate;
+  Vector3d force, moment;
+  springs(y, spin_rate, force, moment);
+  const Eigen::Matrix3d to_C = rim.motion.carrier.transpose();
+  const Vector3d turning = to_C * rim.motion.angular_velocity + y.segment<3>(9);
+  const double H = ring_.I_yy * (spin_rate + y[10]);  // spin momentum
+  const Vector3d gyroscopic(H * turning.z(), 0.0, -H * turning.x());
+  State rate;
+  rate.segment<6>(0) = y.segment<6>(6);
+  rate.segment<3>(6) = (c.force - force) / ring_.m_b +
+                       to_C * (Vector3d(0.0, 0.0, parameters_.GRAVITY) - rim.acceleration);
+  rate.segment<3>(9) =
+      (c.moment - moment + gyroscopic).cwiseQuotient(Vector3d(ring_.I_xx, ring_.I_yy, ring_.I_xx));
+  rate[10] -= rim.spin_acceleration;
+  rate[12] = c.u_rate;
+  rate[13] = c.v_rate;
+  return rate;
+}
+
+HubForces RigidRingTire::hub_forces(const State& y, double spin_rate) const {
+  HubForces hub;
+  springs(y, spin_rate, hub.force, hub.moment);
+  hub.moment += Vector3d(y.segment<3>(0)).cross(hub.force);
+  return hub;
+}
+
+void RigidRingTire::see_road(const WheelMotion& motion, const road::Road& road, double time) {
+  const WheelMotion belt = belt_motion(state_, motion);
+  const Vector3d forward = belt.carrier.col(1).cross(Vector3d::UnitZ());
+  if (forward.norm() < 1e-3) return;  // lies flat: `touch` will say so
+  const double Fz = forces_.Fz > 0.0 ? forces_.Fz : 0.05 * parameters_.FNOMIN;
+  const SteadyState patch =
+      formula_.evaluate({Fz, 0.0, 0.0, 0.0, 0.0, parameters_.LONGVL, settings_.pressure});
+  plane_ = cams_.plane(belt.center, forward, patch.a, patch.b, road, time);
+  if (plane_.friction != formula_.parameters().LMUY / parameters_.LMUY)
+    formula_ =
+        MagicFormula(magic_formula::on_road(parameters_, plane_.friction), formula_.conventions());
+}
+
+int RigidRingTire::substeps(double step, double Vx) const {
+  const double R2 = parameters_.UNLOADED_RADIUS * parameters_.UNLOADED_RADIUS;
+  const double fastest = std::sqrt(std::max({(ring_.k_bx + ring_.c_rx + ring_.c_rz) / ring_.m_b,
+                                             (ring_.k_by + ring_.c_ry) / ring_.m_b,
+                                             (ring_.k_bgamma + ring_.c_ry * R2) / ring_.I_xx,
+                                             (ring_.k_btheta + ring_.c_rx * R2) / ring_.I_yy})) +
+                         std::abs(Vx) / kLeastSigma * 0.2;
+  constexpr double kAngle = 0.5;  // rad a substep: an error of 1e-4 of the amplitude a period
+  return std::clamp(static_cast<int>(std::ceil(step * fastest / kAngle)), 1, 1000);
+}
+
+Result<HubForces> RigidRingTire::settle(const WheelMotion& motion,
+                                        const road::Road& road,
+                                        double time) {
+  WheelMotion rest = motion;
+  rest.velocity.setZero();
+  rest.angular_velocity.setZero();
+  rest.spin_rate = 0.0;
+  state_.setZero();
+  forces_ = {};
+  constexpr int kRounds = 80;  // each leaves a third of the error at most
+  for (int round = 0; round < kRounds; ++round) {
+    see_road(rest, road, time);
+    const Contact c = contact(state_, rest, false);
+    const Vector3d weight =
+        rest.carrier.transpose() * Vector3d(0.0, 0.0, ring_.m_b * parameters_.GRAVITY);
+    state_.segment<3>(0) =
+        (c.force + weight).cwiseQuotient(Vector3d(ring_.k_bx, ring_.k_by, ring_.k_bx));
+    state_.segment<3>(3) =
+        c.moment.cwiseQuotient(Vector3d(ring_.k_bgamma, ring_.k_btheta, ring_.k_bgamma));
+  }
+  before_ = motion;
+  moving_ = true;
+  if (!state_.allFinite()) return Failure{"the ring finds no equilibrium on this road"};
+  return hub_forces(state_, 0.0);
+}
+
+Result<HubForces> RigidRingTire::advance(const WheelMotion& motion,
+                                         const road::Road& road,
+                                         double time,
+                                         double step) {
+  if (!moving_) before_ = motion;
+  moving_ = true;
+  see_road(motion, road, time);
+  if (!touch(belt_motion(state_, motion), plane_))
+    return Failure{"the wheel lies flat: its spin axis stands on the road"};
+  const int n = substeps(step, motion.velocity.norm());
+  const double h = step / n;
+  Rim rim;
+  rim.acceleration = (motion.velocity - before_.velocity) / step;
+  rim.spin_acceleration = (motion.spin_rate - before_.spin_rate) / step;
+  const auto at = [&](double share) {
+    rim.motion = motion;
+    rim.motion.center += (share - 1.0) * (motion.center - before_.center);
+    rim.motion.velocity += (share - 1.0) * (motion.velocity - before_.velocity);
+    rim.motion.angular_velocity +=
+        (share - 1.0) * (motion.angular_velocity - before_.angular_velocity);
+    rim.motion.spin_rate += (share - 1.0) * (motion.spin_rate - before_.spin_rate);
+    return rim;
+  };
+  for (int i = 0; i < n; ++i) {
+    const double t0 = double(i) / n, t1 = (i + 0.5) / n, t2 = (i + 1.0) / n;
+    const State k1 = rate(state_, at(t0));
+    const State k2 = rate(state_ + 0.5 * h * k1, at(t1));
+    const State k3 = rate(state_ + 0.5 * h * k2, at(t1));
+    const State k4 = rate(state_ + h * k3, at(t2));
+    state_ += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+  }
+  before_ = motion;
+  if (!state_.allFinite()) return Failure{"the ring left its springs: take smaller steps"};
+  return hub_forces(state_, motion.spin_rate);
+}
+
+}  // namespace latsch::rigid_ring

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tire as a rigid ring on springs: belt with six degrees of freedom, enveloping cams, residual
+// springs, contact patch slip, Magic Formula. Good to some 60-100 Hz and over short obstacles.
+//
+//   m_b (d.. + a) = F_c + m_b g - k_b d - c_b v_rel           d: belt center, in C, from the rim's
+//   I phi.. + gyroscopic  = M_c - k_phi phi - c_phi w_rel     phi = (gamma, theta, psi)
+//   du/dt + |Vx|/sigma_c u = -Vsx                             u, v: deflections of the residual
+//   dv/dt + |Vx|/sigma_c v = Vsy                              springs, sigma_c = K/c_r
+//   kappa' = u/sigma_c,  alpha' = atan(v/sigma_c)
+//   Fz(rho_r):  Fz = F_static(rho_r + Fz/k_bz) + DAMP_RESIDUAL c_rz d rho_r/dt
+//
+// so that at rest and in steady rolling the ring in series with the residual springs is the overall
+// stiffness and the Magic Formula of the file. Springs and dampers turn with the rim: v_rel = d. -
+// Omega y x d, of which the dampers' part is kept. Slips, camber and height are those of the belt
+// over the effective plane of tandem_cams.h. Integrated by the classical Runge-Kutta method in
+// substeps.
+// [Zegelaar 1998; Maurice 2000; Schmeitz 2004; Pacejka 2012, ch. 9 and 10]
+//
+// Limits: the variation of the effective rolling radius over an obstacle and the residual yaw
+// stiffness are left out; small rotations of the belt; Q_BVX and Q_BVT (stiffness over speed) are
+// not used.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "models/magic_formula/magic_formula_tire.h"
+#include "models/rigid_ring/ring_constants.h"
+#include "models/rigid_ring/tandem_cams.h"
+
+namespace latsch::rigid_ring {
+
+class RigidRingTire final : public Tire {
+ public:
+  /// A Failure where the parameters do not make a ring (ring_constants.h).
+  static Result<std::unique_ptr<RigidRingTire>> make(
+      const magic_formula::Parameters& parameters,
+      const magic_formula::MagicFormulaTireSettings& settings = {});
+
+  double free_radius() const override;
+  Result<HubForces> settle(const WheelMotion& motion, const road::Road& road, double time) override;
+  Result<HubForces> advance(const WheelMotion& motion,
+                            const road::Road& road,
+                            double time,
+                            double step) override;
+  std::unique_ptr<Tire> clone() const override;
+
+  const RingConstants& constants() const { return ring_; }
+  /// Of the last step.
+  const magic_formula::SteadyState& contact_forces() const { return forces_; }
+  Eigen::Vector3d belt_displacement() const { return state_.segment<3>(0); }  // m, C
+  const magic_formula::RoadPlane& effective_plane() const { return plane_; }
+
+ private:
+  /// d, phi, their rates, u, v.
+  using State = Eigen::Matrix<double, 14, 1>;
+  /// The rim between two steps.
+  struct Rim {
+    WheelMotion motion;
+    Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  // m/s^2, inertial
+    double spin_acceleration = 0.0;
+  };
+  struct Contact {
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();   // on the belt, C
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // about the belt's center, C
+    double u_rate = 0.0, v_rate = 0.0;
+  };
+
+  RigidRingTire(const magic_formula::Parameters& parameters,
+                const magic_formula::MagicFormulaTireSettings& settings,
+                const RingConstants& ring);
+
+  WheelMotion belt_motion(const State& y, const WheelMotion& rim) const;
+  double load(double rho, double approach, double spin_rate, double gamma) const;
+  Contact contact(const State& y, const WheelMotion& rim, bool rolling);
+  void slip(const magic_formula::WheelContact& wheel, double spin_rate, Contact& c, State y);
+  State rate(const State& y, const Rim& rim);
+  void springs(const State& y,
+               double spin_rate,
+               Eigen::Vector3d& force,
+               Eigen::Vector3d& moment) const;
+  HubForces hub_forces(const State& y, double spin_rate) const;
+  void see_road(const WheelMotion& motion, const road::Road& road, double time);
+  int substeps(double step, double Vx) const;
+
+  magic_formula::Parameters parameters_;
+  magic_formula::MagicFormulaTireSettings settings_;
+  magic_formula::MagicFormula formula_;
+  RingConstants ring_;
+  TandemCams cams_;
+  State state_ = State::Zero();
+  WheelMotion before_;
+  bool moving_ = false;  // before_ is known
+  magic_formula::RoadPlane plane_;
+  magic_formula::SteadyState forces_{};
+};
+
+}  // namespace latsch::rigid_ring

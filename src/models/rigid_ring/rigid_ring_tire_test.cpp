@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/rigid_ring/rigid_ring_tire.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "models/magic_formula/round_tire_testing.h"
+#include "models/road/plane_road.h"
+
+namespace latsch::rigid_ring {
+namespace {
+
+using Eigen::Vector3d;
+using magic_formula::MagicFormula;
+using magic_formula::Parameters;
+using road::PlaneRoad;
+
+/// The round tire with a belt, stiff enough sideways for the file's overall stiffness.
+Parameters ring_tire() {
+  Parameters p = magic_formula::round_tire();
+  p.BELT_MASS = 7.0;
+  p.BELT_IXX = 0.34;
+  p.BELT_IYY = 0.6;
+  p.FREQ_LONG = 80.0;
+  p.FREQ_LAT = 45.0;
+  p.FREQ_YAW = 55.0;
+  p.FREQ_WINDUP = 70.0;
+  p.DAMP_LONG = p.DAMP_LAT = p.DAMP_YAW = p.DAMP_WINDUP = 0.04;
+  p.DAMP_RESIDUAL = 0.002;
+  p.DAMP_VLOW = 0.001;
+  p.GRAVITY = 0.0;  // so that forces can be compared with those of tires without mass
+  p.ELLIPS_NWIDTH = 3.0;
+  return p;
+}
+
+std::unique_ptr<RigidRingTire> make(const Parameters& p) {
+  auto tire = RigidRingTire::make(p);
+  EXPECT_TRUE(tire.ok());
+  return std::move(*tire);
+}
+
+WheelMotion standing(double height) {
+  WheelMotion motion;
+  motion.center = {0.0, 0.0, height};
+  return motion;
+}
+
+/// Flat, then a step up at x = 0.
+class StepRoad : public road::Road {
+ public:
+  explicit StepRoad(double height) : height_(height) {}
+  road::GroundPoint at(double x, double, double) const override {
+    return {.height = x < 0.0 ? 0.0 : height_};
+  }
+
+ private:
+  double height_;
+};
+
+TEST(RingConstants, OfTheSampleFile) {
+  // Belt 7 kg, 80 Hz, 0.6 kg m^2, 70 Hz, C_z 314931 N/m, C_x 391220 N/m: 1.769e6, 1.161e5, 3.83e5,
+  // 1.24e6 by the closed forms.
+  Parameters p = ring_tire();
+  p.VERTICAL_STIFFNESS = 314931.0;
+  p.LONGITUDINAL_STIFFNESS = 391220.0;
+  const RingConstants c = *ring_constants(p, 0.3716);
+  EXPECT_NEAR(c.k_bx, 1.769e6, 0.001e6);
+  EXPECT_NEAR(c.k_btheta, 1.161e5, 0.001e5);
+  EXPECT_NEAR(c.c_rz, 3.83e5, 0.01e5);
+  EXPECT_NEAR(c.c_rx, 1.24e6, 0.01e6);
+  EXPECT_NEAR(1.0 / p.LONGITUDINAL_STIFFNESS,
+              1.0 / c.k_bx + 0.3716 * 0.3716 / c.k_btheta + 1.0 / c.c_rx,
+              1e-15);
+  p.BELT_MASS = 0.0;
+  EXPECT_FALSE(ring_constants(p, 0.37).ok());
+}
+
+TEST(RigidRing, AtRestItStandsAsTheMagicFormula) {
+  const Parameters p = ring_tire();
+  const auto tire = make(p);
+  const auto rest = tire->settle(standing(0.28), PlaneRoad(), 0.0);
+  ASSERT_TRUE(rest.ok());
+  EXPECT_NEAR(rest->force.z(), 4000.0, 1e-6);  // 200 N/mm over 20 mm, whatever the belt does
+  EXPECT_NEAR(tire->belt_displacement().z(), 4000.0 / tire->constants().k_bx, 1e-9);
+  EXPECT_NEAR(rest->force.x(), 0.0, 1e-9);
+  EXPECT_NEAR(rest->moment.norm(), 0.0, 1e-9);
+}
+
+TEST(RigidRing, StandingItIsAsStiffAsTheFileSays) {
+  const Parameters p = ring_tire();
+  for (const bool sideways : {false, true}) {
+    const auto tire = make(p);
+    ASSERT_FALSE(tire->constants().too_soft);
+    WheelMotion motion = standing(0.28);
+    ASSERT_TRUE(tire->settle(motion, PlaneRoad(), 0.0).ok());
+    constexpr double kPush = 1e-4, kStep = 1e-3;
+    constexpr int kSteps = 400;
+    Result<HubForces> hub = HubForces{};
+    for (int i = 0; i < 2 * kSteps; ++i) {
+      // Pushed smoothly over the first half, then held.
+      const double rate = i < kSteps ? kPush / (kSteps * kStep) *
+                                           (1.0 - std::cos(2.0 * std::numbers::pi * i / kSteps))
+                                     : 0.0;
+      const Vector3d v = sideways ? Vector3d(0.0, rate, 0.0) : Vector3d(rate, 0.0, 0.0);
+      motion.velocity = v;
+      motion.center += v * kStep;
+      hub = tire->advance(motion, PlaneRoad(), 0.0, kStep);
+      ASSERT_TRUE(hub.ok());
+    }
+    // Sideways the belt tilts, and its camber thrust takes off 2 %.
+    if (sideways)
+      EXPECT_NEAR(-hub->force.y() / kPush, p.LATERAL_STIFFNESS, 0.03 * p.LATERAL_STIFFNESS);
+    else
+      EXPECT_NEAR(
+          -hub->force.x() / kPush, p.LONGITUDINAL_STIFFNESS, 0.02 * p.LONGITUDINAL_STIFFNESS);
+  }
+}
+
+TEST(RigidRing, RollingSteadilyItGivesTheMagicFormula) {
+  const Parameters p = ring_tire();
+  const auto tire = make(p);
+  const MagicFormula formula(p);
+  const double kappa = 0.03, speed = 15.0;
+  const auto s = formula.evaluate({4000.0, kappa, 0.0, 0.0, 0.0, speed, 2.2e5});
+  WheelMotion motion = standing(s.R_l);
+  ASSERT_TRUE(tire->settle(motion, PlaneRoad(), 0.0).ok());
+  motion.velocity.x() = speed;
+  motion.spin_rate = (1.0 + kappa) * speed / s.R_e;
+  Result<HubForces> hub = HubForces{};
+  for (int i = 0; i < 3000; ++i) hub = tire->advance(motion, PlaneRoad(), 0.0, 1e-3);
+  ASSERT_TRUE(hub.ok());
+  EXPECT_NEAR(
+      tire->contact_forces().Fz, 4000.0, 5.0);  // dampers that turn lift the ring by c Omega x/k
+  const auto there =
+      formula.evaluate({tire->contact_forces().Fz, kappa, 0.0, 0.0, 0.0, speed, 2.2e5});
+  EXPECT_NEAR(hub->force.x(), there.Fx, 1e-3 * there.Fx);
+  EXPECT_NEAR(hub->force.z(), tire->contact_forces().Fz, 1e-3);
+}
+
+/// Cycles a second of a hub force or moment while the rim, in the air, is held after a jerk.
+template <class Read>
+double ringing(RigidRingTire& tire, const Vector3d& jerk, const Vector3d& twist, Read read) {
+  constexpr double kStep = 1e-4;
+  WheelMotion motion = standing(1.0);
+  (void)tire.settle(motion, PlaneRoad(), 0.0);
+  motion.velocity = jerk;
+  motion.angular_velocity = twist;
+  motion.spin_rate = twist.y();
+  (void)tire.advance(motion, PlaneRoad(), 0.0, kStep);
+  motion.velocity.setZero();
+  motion.angular_velocity.setZero();
+  motion.spin_rate = 0.0;
+  std::vector<double> crossings;
+  double before = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    const double now = read(*tire.advance(motion, PlaneRoad(), 0.0, kStep));
+    if (before < 0.0 && now >= 0.0) crossings.push_back((i - now / (now - before)) * kStep);
+    before = now;
+  }
+  return static_cast<double>(crossings.size() - 1) / (crossings.back() - crossings.front());
+}
+
+TEST(RigidRing, InTheAirItRingsAtTheFrequenciesOfTheFile) {
+  const Parameters p = ring_tire();
+  const auto tire = make(p);
+  const double damped = std::sqrt(1.0 - 0.04 * 0.04);
+  const auto x = [](const HubForces& hub) { return hub.force.x(); };
+  const auto y = [](const HubForces& hub) { return hub.force.y(); };
+  const auto wind_up = [](const HubForces& hub) { return hub.moment.y(); };
+  EXPECT_NEAR(ringing(*tire, {1.0, 0, 0}, {0, 0, 0}, x), 80.0 * damped, 0.05);
+  EXPECT_NEAR(ringing(*tire, {0, 1.0, 0}, {0, 0, 0}, y), 45.0 * damped, 0.05);
+  EXPECT_NEAR(ringing(*tire, {0, 0, 0}, {0, 1.0, 0}, wind_up), 70.0 * damped, 0.05);
+}
+
+TEST(TandemCams, APlainSlopeIsItself) {
+  PlaneRoad::Settings slope;
+  slope.grade = 0.08;
+  slope.bank = 0.03;
+  const PlaneRoad road(slope);
+  const TandemCams cams(ring_tire());
+  const Vector3d center(2.0, 1.0, 0.6);
+  const auto plane = cams.plane(center, Vector3d::UnitX(), 0.06, 0.08, road, 0.0);
+  const road::GroundPoint ground = road.at(2.0, 1.0, 0.0);
+  EXPECT_NEAR(plane.point.z(), ground.height, 2e-5);  // cams touch between their points
+  EXPECT_NEAR((plane.normal - ground.normal).norm(), 0.0, 1e-6);
+}
+
+TEST(TandemCams, AStepIsFeltBeforeAndClimbedSmoothly) {
+  const StepRoad road(0.02);
+  const Parameters p = ring_tire();
+  const TandemCams cams(p);
+  const auto deflection = [&](double x) {  // of a wheel whose center is a free radius high
+    const Vector3d center(x, 0.0, p.UNLOADED_RADIUS);
+    const auto plane = cams.plane(center, Vector3d::UnitX(), 0.05, 0.08, road, 0.0);
+    return p.UNLOADED_RADIUS - plane.normal.dot(center - plane.point);
+  };
+  EXPECT_NEAR(deflection(-0.3), 0.0, 1e-12);
+  EXPECT_GT(deflection(-0.1), 1e-4);
+  EXPECT_NEAR(deflection(0.3), 0.02, 1e-12);
+  for (double x = -0.3; x < 0.3; x += 0.005) {
+    EXPECT_LT(deflection(x + 0.005) - deflection(x), 0.004);  // the sharp edge is rounded
+    EXPECT_GT(deflection(x + 0.005) - deflection(x), -5e-4);
+  }
+}
+
+TEST(RigidRing, OverAStepTheLoadRisesAndSettlesAgain) {
+  const Parameters p = ring_tire();
+  const auto tire = make(p);
+  const StepRoad road(0.005);
+  WheelMotion motion = standing(0.28);
+  motion.center.x() = -0.5;
+  ASSERT_TRUE(tire->settle(motion, road, 0.0).ok());
+  motion.velocity.x() = 8.0;
+  motion.spin_rate = 8.0 / 0.295;
+  double highest = 0.0;
+  Result<HubForces> hub = HubForces{};
+  for (int i = 0; i < 500; ++i) {
+    motion.center.x() += 8.0 * 1e-3;
+    hub = tire->advance(motion, road, 1e-3 * i, 1e-3);
+    ASSERT_TRUE(hub.ok());
+    if (motion.center.x() > -0.2) highest = std::max(highest, hub->force.z());
+  }
+  EXPECT_GT(highest, 5000.0);                 // more than the static 200 N/mm times 25 mm
+  EXPECT_NEAR(hub->force.z(), 5000.0, 50.0);  // where it ends
+}
+
+}  // namespace
+}  // namespace latsch::rigid_ring

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stiffnesses and dampings of the rigid ring from what a .tir states: frequencies of the free belt,
+// overall stiffnesses of the tire.
+//
+//   k_bx = k_bz = m_b (2 pi f_long)^2     k_by = m_b (2 pi f_lat)^2
+//   k_bgamma = k_bpsi = I_xx (2 pi f_yaw)^2     k_btheta = I_yy (2 pi f_windup)^2
+//   c = 2 zeta sqrt(k m)
+//
+// What the ring does not give, the residual springs between ring and contact patch do, in series:
+//   1/C_z = 1/k_bz + 1/c_rz
+//   1/C_x = 1/k_bx + R_l^2/k_btheta + 1/c_rx
+//   1/C_y = 1/k_by + R_l^2/k_bgamma + 1/c_ry
+// [Zegelaar 1998; Maurice 2000; Pacejka 2012, ch. 9]
+#pragma once
+
+#include "base/result.h"
+#include "models/magic_formula/parameters.h"
+
+namespace latsch::rigid_ring {
+
+struct RingConstants {
+  double m_b = 0.0, I_xx = 0.0, I_yy = 0.0;                       // kg, kg m^2
+  double k_bx = 0.0, k_by = 0.0, k_bgamma = 0.0, k_btheta = 0.0;  // N/m, N m/rad; k_bz = k_bx
+  double c_bx = 0.0, c_by = 0.0, c_bgamma = 0.0, c_btheta = 0.0;
+  double c_rx = 0.0, c_ry = 0.0, c_rz = 0.0;  // N/m, residual
+  /// In some direction the ring alone is (nearly) as soft as the file wants the whole tire; the
+  /// residual spring is then twenty times as stiff as the whole, which the tire stays short of.
+  bool too_soft = false;
+};
+
+/// A Failure where masses, frequencies or overall stiffnesses are missing. `R_l`: loaded radius at
+/// the nominal load; stiffnesses at nominal load and pressure.
+Result<RingConstants> ring_constants(const magic_formula::Parameters& parameters, double R_l);
+
+}  // namespace latsch::rigid_ring
