@@ -93,9 +93,9 @@ void print_curves(const Study& study) {
   for (const StudyExperiment& experiment : study.experiments) {
     fmt::print("  {:<16} {} {}; {} values from {}; {}, weight {:g}\n",
                experiment.name,
-               experiment.curve->y,
+               experiment.curve->compared_name,
                experiment.curve->x.empty() ? "sample by sample" : "over " + experiment.curve->x,
-               experiment.curve->y_measured.size(),
+               experiment.curve->y_compared.size(),
                experiment.measurement_file.filename().string(),
                experiment.fitted ? "fitted" : "predicted",
                experiment.objective.weight);

@@ -44,14 +44,14 @@ void print_curve(const StudyExperiment& experiment, const Channels& channels) {
   const auto simulated = simulated_curve(curve, channels);
   fmt::print("\n{}{}\n", experiment.name, experiment.fitted ? "" : " (predicted)");
   fmt::print("  {:>16} {:>18} {:>18} {:>9}\n",
-             curve.x.empty() ? "sample" : "at " + curve.x_unit,
-             "measured " + curve.y_unit,
-             "simulated " + curve.y_unit,
+             curve.x_compared.empty() ? "sample" : "at " + curve.x_compared_unit,
+             "measured " + curve.y_compared_unit,
+             "simulated " + curve.y_compared_unit,
              "error %");
   for (size_t i = 0; i < simulated->size(); ++i) {
     fmt::print("  {:16.6g} {:18.6g} {:18.6g} {:9.2f}\n",
-               curve.x.empty() ? static_cast<double>(i + 1) : curve.x_measured[i],
-               curve.y_measured[i],
+               curve.x_compared.empty() ? static_cast<double>(i + 1) : curve.x_compared[i],
+               curve.y_compared[i],
                (*simulated)[i],
                comparison.errors[i] * 100.0);
   }
@@ -59,7 +59,7 @@ void print_curve(const StudyExperiment& experiment, const Channels& channels) {
              comparison.mean_error * 100.0,
              comparison.largest_error * 100.0,
              curve.scale,
-             curve.y_unit);
+             curve.y_compared_unit);
 }
 
 void print_modes(const StudyExperiment& experiment,

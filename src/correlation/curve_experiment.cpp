@@ -53,6 +53,44 @@ double interpolated(const std::vector<double>& xs, const std::vector<double>& ys
   return ys[i - 1] + share * (ys[i] - ys[i - 1]);
 }
 
+void take_what_is_compared(const Node& table, CurveExperiment& curve) {
+  constexpr double kLevelScale = 10.0;  // dB: ten times the power is an error of 100 %
+  const ComparedCurve what = curve.comparison.what;
+  const bool spectrum = curve.comparison.of_spectrum();
+  const bool levels = what == ComparedCurve::band_levels;
+  curve.compared_name =
+      spectrum ? (levels ? "level of " : "PSD of ") + curve.y
+               : curve.y + (what == ComparedCurve::about_mean ? " about its mean" : "");
+  curve.x_compared = spectrum ? compared_frequencies(curve.comparison) : curve.x_measured;
+  curve.x_compared_unit = spectrum ? "Hz" : curve.x_unit;
+  curve.y_compared = compared_values(curve.comparison, curve.y_measured);
+  curve.y_compared_unit = levels ? "dB" : spectrum ? "(" + curve.y_unit + ")^2/Hz" : curve.y_unit;
+  const double most = levels ? kLevelScale : largest(curve.y_compared);
+  curve.scale = table.quantity("scale", spectrum ? "1" : curve.y_unit, Range::positive(), most);
+  if (curve.scale == 0.0) table.reject("scale", "is missing: all measured values are 0");
+}
+
+std::vector<double> scaled(const std::vector<double>& values, double scale) {
+  std::vector<double> shares = values;
+  for (double& value : shares) value /= scale;
+  return shares;
+}
+
+/// The measured y less the distances of the measured points from the simulated path.
+std::vector<double> path_values(const CurveExperiment& curve,
+                                const std::vector<double>& x,
+                                const std::vector<double>& y) {
+  const double x_scale = curve.comparison.x_scale;
+  const auto xs = scaled(x, x_scale), ys = scaled(y, curve.scale);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < curve.x_measured.size(); ++i) {
+    const double d =
+        path_distance(curve.x_measured[i] / x_scale, curve.y_measured[i] / curve.scale, xs, ys);
+    values.push_back(curve.y_measured[i] - d * curve.scale);
+  }
+  return values;
+}
+
 }  // namespace
 
 CurveExperiment read_curve(const Node& table,
@@ -69,28 +107,59 @@ CurveExperiment read_curve(const Node& table,
   if (!curve.x.empty()) curve.x_measured = columns.numbers(last_part(curve.x), curve.x_unit);
   curve.y_measured = columns.numbers(last_part(curve.y), curve.y_unit);
   if (curve.y_measured.empty()) table.reject("measurement", "has no row of numbers");
-  const double most = largest(curve.y_measured);
-  curve.scale = table.quantity("scale", curve.y_unit, Range::positive(), most);
-  if (curve.scale == 0.0) table.reject("scale", "is missing: all measured values are 0");
+  curve.comparison = read_comparison(table, curve.x_measured, curve.y_measured, curve.x_unit);
+  take_what_is_compared(table, curve);
   return curve;
 }
 
 std::vector<std::string> value_names(const CurveExperiment& curve) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < curve.y_measured.size(); ++i) {
-    names.push_back(curve.x.empty()
-                        ? fmt::format("{}, sample {}", curve.y, i + 1)
-                        : fmt::format("{} at {:g} {}", curve.y, curve.x_measured[i], curve.x_unit));
+  for (std::size_t i = 0; i < curve.y_compared.size(); ++i) {
+    names.push_back(curve.x_compared.empty()
+                        ? fmt::format("{}, sample {}", curve.compared_name, i + 1)
+                        : fmt::format("{} at {:g} {}",
+                                      curve.compared_name,
+                                      curve.x_compared[i],
+                                      curve.x_compared_unit));
   }
   return names;
 }
+
+namespace {
+
+/// Simulated y at the measured abscissas.
+Result<std::vector<double>> at_measured(const CurveExperiment& curve,
+                                        const std::vector<double>& x,
+                                        const std::vector<double>& y) {
+  const auto falls = std::adjacent_find(x.begin(), x.end(), std::greater_equal<>());
+  if (falls != x.end()) {
+    return wrong(curve.x, fmt::format("does not rise behind {:g} {}", *falls, curve.x_unit));
+  }
+  std::vector<double> values;
+  for (const double at : curve.x_measured) {
+    if (at < x.front() || at > x.back()) {
+      return wrong(curve.x,
+                   fmt::format("reaches from {0:g} to {1:g} {3}, but was measured at {2:g} {3}",
+                               x.front(),
+                               x.back(),
+                               at,
+                               curve.x_unit));
+    }
+    values.push_back(interpolated(x, y, at));
+  }
+  return values;
+}
+
+}  // namespace
 
 Result<std::vector<double>> simulated_curve(const CurveExperiment& curve,
                                             const Channels& channels) {
   const Channel* y = channels.find(curve.y);
   if (!y) return wrong(curve.y, "is missing");
   if (curve.x.empty()) {
-    if (y->values.size() == curve.y_measured.size()) return y->values;
+    if (y->values.size() == curve.y_measured.size()) {
+      return compared_values(curve.comparison, y->values);
+    }
     return wrong(
         curve.y,
         fmt::format(
@@ -105,23 +174,13 @@ Result<std::vector<double>> simulated_curve(const CurveExperiment& curve,
                              curve.y,
                              y->values.size()));
   }
-  const auto falls = std::adjacent_find(x->values.begin(), x->values.end(), std::greater_equal<>());
-  if (falls != x->values.end()) {
-    return wrong(curve.x, fmt::format("does not rise behind {:g} {}", *falls, curve.x_unit));
+  if (curve.comparison.what == ComparedCurve::path) {
+    if (x->values.size() < 2) return wrong(curve.x, "has 1 value, expected a path of 2 at least");
+    return path_values(curve, x->values, y->values);
   }
-  std::vector<double> values;
-  for (const double at : curve.x_measured) {
-    if (at < x->values.front() || at > x->values.back()) {
-      return wrong(curve.x,
-                   fmt::format("reaches from {0:g} to {1:g} {3}, but was measured at {2:g} {3}",
-                               x->values.front(),
-                               x->values.back(),
-                               at,
-                               curve.x_unit));
-    }
-    values.push_back(interpolated(x->values, y->values, at));
-  }
-  return values;
+  auto values = at_measured(curve, x->values, y->values);
+  if (!values) return values;
+  return compared_values(curve.comparison, *values);
 }
 
 Result<Comparison> compare_curve(const CurveExperiment& curve,
@@ -131,7 +190,7 @@ Result<Comparison> compare_curve(const CurveExperiment& curve,
   if (!simulated) return simulated.failure();
   Comparison comparison;
   for (std::size_t i = 0; i < simulated->size(); ++i) {
-    const double d = (curve.y_measured[i] - (*simulated)[i]) / curve.scale;
+    const double d = (curve.y_compared[i] - (*simulated)[i]) / curve.scale;
     comparison.errors.push_back(d);
     comparison.value += std::pow(std::abs(d), settings.exponent);
     comparison.mean_error += std::abs(d);

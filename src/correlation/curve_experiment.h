@@ -9,6 +9,10 @@
 //   scale = "10 mm"                    # what counts as an error of 100 %; the largest |y| unless
 //   given
 //
+//   compare = "values"                 # or "about_mean", "psd", "band_levels", "path": what of it
+//   is
+//                                      # compared, see curve_comparison.h
+//
 //   d_i = (y_i^mea - y^sim(x_i^mea)) / scale       the simulated curve linear between its samples
 #pragma once
 
@@ -17,6 +21,7 @@
 #include <vector>
 
 #include "base/document.h"
+#include "correlation/curve_comparison.h"
 #include "correlation/objective.h"
 #include "evaluation/simulator.h"
 
@@ -28,7 +33,13 @@ struct CurveExperiment {
   std::string x_unit = "1", y_unit = "1";      // SI
   std::string x_shown = "1", y_shown = "1";    // units the program writes, which people read
   std::vector<double> x_measured, y_measured;  // SI
-  double scale = 1.0;                          // of y
+  double scale = 1.0;                          // of what is compared
+
+  CurveComparison comparison;
+  /// What is compared, of the measurement: the measured curve itself, or its spectrum over Hz.
+  std::string compared_name;                     // "response/z", "PSD of response/z"
+  std::string x_compared_unit, y_compared_unit;  // SI
+  std::vector<double> x_compared, y_compared;
 };
 
 /// Throws InputError where the simulator has no such channel or the measurement not these columns.
@@ -36,11 +47,12 @@ CurveExperiment read_curve(const Node& table,
                            const std::filesystem::path& measurement,
                            const Simulator& simulator);
 
-/// What each measured value is called: "response/z at 0.5 s".
+/// What each compared value is called: "response/z at 0.5 s".
 std::vector<std::string> value_names(const CurveExperiment& curve);
 
-/// Simulated y at the measured abscissas. A Failure where there are too few values, x does not rise
-/// or the measurement reaches beyond it.
+/// What is compared, of the simulation: one value for each of y_compared. Of a path, the measured
+/// value less its distance. A Failure where there are too few values, x does not rise (but for a
+/// path) or the measurement reaches beyond it.
 Result<std::vector<double>> simulated_curve(const CurveExperiment& curve, const Channels& channels);
 
 Result<Comparison> compare_curve(const CurveExperiment& curve,

@@ -61,7 +61,7 @@ std::string conditions_of(const StudyExperiment& experiment) {
 }
 
 std::string compared_in(const StudyExperiment& experiment) {
-  if (experiment.curve) return experiment.curve->y;
+  if (experiment.curve) return experiment.curve->compared_name;
   std::string text = experiment.modal()                                 ? "frequency"
                      : experiment.objective.compared == Compared::force ? "force"
                                                                         : "root of force";
@@ -110,6 +110,25 @@ std::vector<double> values_of(const Channels& channels, const std::string& name)
   return channel ? channel->values : std::vector<double>{};
 }
 
+/// The spectra in the place of the time series.
+void show_spectrum(const CurveExperiment& curve,
+                   const Channels& found,
+                   const std::optional<Channels>& initial,
+                   report::MeasuredCurve& picture) {
+  picture.x_name = "frequency";
+  picture.y_name = curve.compared_name;
+  picture.x_unit = curve.x_compared_unit;
+  picture.y_unit = curve.y_compared_unit;
+  picture.x_measured = picture.x_simulated = curve.x_compared;
+  picture.y_measured = curve.y_compared;
+  if (const auto simulated = simulated_curve(curve, found)) picture.y_simulated = *simulated;
+  if (!initial) return;
+  if (const auto simulated = simulated_curve(curve, *initial)) {
+    picture.x_initial = curve.x_compared;
+    picture.y_initial = *simulated;
+  }
+}
+
 report::MeasuredCurve measured_curve(const StudyExperiment& experiment,
                                      const Channels& found,
                                      const Comparison& comparison,
@@ -126,6 +145,10 @@ report::MeasuredCurve measured_curve(const StudyExperiment& experiment,
   picture.x_measured = curve.x_measured;
   picture.y_measured = curve.y_measured;
   picture.errors = comparison.errors;
+  if (curve.comparison.of_spectrum()) {
+    show_spectrum(curve, found, initial, picture);
+    return picture;
+  }
   picture.x_simulated = values_of(found, curve.x);
   picture.y_simulated = values_of(found, curve.y);
   if (initial) {
