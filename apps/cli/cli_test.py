@@ -507,5 +507,69 @@ class Files(unittest.TestCase):
         self.assertIn("bumpy.rdf:3", self.latsch("road", bumpy, points, code=WRONG_INPUT))
 
 
+class Drum(unittest.TestCase):
+    """`latsch process` on the example of studies/drum_processing, with short plateaus."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_drum_"))
+        cls.rig = cls.folder / "rig.toml"
+        shutil.copy(pathlib.Path(__file__).parents[2] / "studies/drum_processing/rig.toml", cls.rig)
+        edit(cls.rig, ('hold = "20 s"', 'hold = "8 s"'), ("bootstrap = 100", "bootstrap = 5"))
+        cls.first = subprocess.run([LATSCH, "process", cls.rig, "--synthetic"], capture_output=True, text=True,
+                                   timeout=300)
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    def process(self, *arguments, code=DONE):
+        run = subprocess.run([LATSCH, "process", *arguments], capture_output=True, text=True, timeout=300)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return run.stdout + run.stderr
+
+    def test_one_command_from_recordings_to_tables_and_page(self):
+        self.assertEqual(self.first.returncode, DONE, self.first.stdout + self.first.stderr)
+        text = self.first.stdout
+        f, true_f = (float(v) for v in re.findall(r"rig.*f = ([\d.]+) Hz", text))
+        self.assertLess(abs(f - true_f), 0.005 * true_f)
+        time, psd = zip(*((int(a), int(b)) for a, b in re.findall(r"([+-]\d+)%.*?([+-]\d+)%", text)))
+        self.assertEqual(len(time), 6)
+        self.assertLess(max(time + psd), -50)  # the filter helps on every case, fitted or not
+        page = pathlib.Path(re.search(r"Report: (.*)", text)[1])
+        self.assertIn("<svg", page.read_text())
+        self.assertIn("frequency [Hz]", (page.parent / "psd_light_real_60kph.csv").read_text())
+
+    def test_again_gives_the_same_tables(self):
+        self.process(self.rig, "--output", self.folder / "again")
+        for file in (self.folder / "rig_processed").iterdir():
+            self.assertEqual(file.read_bytes(), (self.folder / "again" / file.name).read_bytes(), file.name)
+
+    def test_recordings_that_make_no_sense(self):
+        bad = self.folder / "bad.toml"
+        for pattern, new, *parts in (
+                ('"90 km/h"]', '"90 km/h", "140 km/h"]', "light_dummy.csv", "no plateau at 140 km/h", "comes nearest"),
+                (r'\[drum\]\ncircumference = "6 m"', '[drum]\ncircumference = "4 m"', "does not repeat itself"),
+                ('force = "Fz"', 'force = "FZ"', 'channel "FZ" is missing', 'did you mean "Fz"'),
+                ('margin = "1 km/h"', 'margin = "1 km"', "bad.toml:17", "margin")):
+            bad.write_text(self.rig.read_text())
+            edit(bad, (pattern, new))
+            text = self.process(bad, code=WRONG_INPUT)
+            for part in parts:
+                self.assertIn(part, text)
+        recording = (self.folder / "light_dummy.csv").read_text().splitlines(keepends=True)
+        for name, lines, *parts in (
+                ("cut.csv", recording[:100], "too few"),
+                ("gap.csv", recording[:500] + recording[540:], "40 samples are missing"),
+                ("nan.csv", recording[:7] + ["0.0030,0.1,NaN,0\n"] + recording[8:], "nan.csv:8", "finite number"),
+                ("flat.csv", [recording[0]] + [f"{i / 2000},10,4000,{i}\n" for i in range(9000)], "sensor")):
+            (self.folder / name).write_text("".join(lines))
+            bad.write_text(self.rig.read_text())
+            edit(bad, ('"light_dummy.csv"', f'"{name}"'))
+            text = self.process(bad, code=WRONG_INPUT)
+            for part in (name, *parts):
+                self.assertIn(part, text)
+
+
 if __name__ == "__main__":
     unittest.main()

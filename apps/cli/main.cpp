@@ -41,6 +41,7 @@ int run(int argc, char** argv) {
                          add_identify,
                          add_report,
                          add_export,
+                         add_process,
                          add_doctor,
                          add_road,
                          add_show,

@@ -26,6 +26,7 @@ void add_doctor(CLI::App& app, int& exit_code);
 void add_export(CLI::App& app, int& exit_code);
 void add_road(CLI::App& app, int& exit_code);
 void add_show(CLI::App& app, int& exit_code);
+void add_process(CLI::App& app, int& exit_code);
 void add_worker(CLI::App& app, int& exit_code);  // hidden: what run and doe start
 
 }  // namespace latsch::cli

@@ -200,12 +200,8 @@ PassageAverage average(const std::vector<std::vector<double>>& passages) {
   PassageAverage result;
   result.mean.assign(length, 0.0);
   result.spread.assign(length, 0.0);
-  numerics::Spectrum sum(length / 2 + 1, 0.0);
-  std::vector<double> power(length / 2 + 1, 0.0);
   for (const auto& passage : passages) {
-    const auto X = numerics::real_fft(passage, static_cast<int>(length));
     for (std::size_t i = 0; i < length; ++i) result.mean[i] += passage[i] / count;
-    for (std::size_t k = 0; k < X.size(); ++k) sum[k] += X[k], power[k] += std::norm(X[k]);
   }
   for (const auto& passage : passages) {
     for (std::size_t i = 0; i < length; ++i) {
@@ -213,10 +209,25 @@ PassageAverage average(const std::vector<std::vector<double>>& passages) {
     }
   }
   for (double& s : result.spread) s = std::sqrt(s / std::max(1.0, count - 1.0));
-  for (std::size_t k = 0; k < sum.size(); ++k) {
-    result.coherence.push_back(power[k] > 0.0 ? std::norm(sum[k]) / count / power[k] : 0.0);
-  }
   return result;
+}
+
+Coherence ensemble_coherence(const std::vector<std::vector<double>>& passages, double rate) {
+  assert(!passages.empty());
+  const int length = numerics::fast_length(static_cast<int>(passages[0].size()));
+  numerics::Spectrum sum(length / 2 + 1, 0.0);
+  std::vector<double> power(length / 2 + 1, 0.0);
+  for (const auto& passage : passages) {
+    const auto X = numerics::real_fft(without_mean(passage), length);
+    for (std::size_t k = 0; k < X.size(); ++k) sum[k] += X[k], power[k] += std::norm(X[k]);
+  }
+  Coherence coherence;
+  for (std::size_t k = 0; k < sum.size(); ++k) {
+    coherence.frequency.push_back(static_cast<double>(k) * rate / length);
+    const double count = static_cast<double>(passages.size());
+    coherence.value.push_back(power[k] > 0.0 ? std::norm(sum[k]) / count / power[k] : 0.0);
+  }
+  return coherence;
 }
 
 std::vector<double> mean_of(const std::vector<std::vector<double>>& passages,

@@ -28,9 +28,9 @@ struct Period {
 std::optional<Period> find_period(std::span<const double> x, double shortest, double longest);
 
 struct PassageSettings {
-  double hit_at = 0.25;        // of a passage
-  double align_below = 250.0;  // Hz, low-pass (no delay) of what is aligned: above the tire's
-                               // answer noise times noise would move the maximum; 0: none
+  double hit_at = 0.25;           // of a passage
+  double align_below = 250.0;     // Hz, low-pass (no delay) of what is aligned: above the tire's
+                                  // answer noise times noise would move the maximum; 0: none
   double most_shift = 0.1;        // of a period, against a period after the one before
   double least_likeness = 0.5;    // normalized cross-correlation; below it a passage is left out
   bool align_to_average = false;  // once more, to the average of the passages aligned to the first
@@ -59,10 +59,16 @@ std::vector<std::vector<double>> cut(std::span<const double> x, const Passages& 
 struct PassageAverage {
   std::vector<double> mean;
   std::vector<double> spread;  // standard deviation over the passages
-  /// |mean of the spectra|^2 / mean |spectrum|^2 at the frequencies k rate / length: the part of
-  /// the power that every passage repeats; 1/passages for noise alone.
-  std::vector<double> coherence;
 };
+
+/// The part of the power that every passage repeats,
+/// |mean of the spectra|^2 / mean |spectrum|^2 of the passages without their means; 1/passages for
+/// noise alone.
+struct Coherence {
+  std::vector<double> frequency;  // Hz
+  std::vector<double> value;
+};
+Coherence ensemble_coherence(const std::vector<std::vector<double>>& passages, double rate);
 
 PassageAverage average(const std::vector<std::vector<double>>& passages);
 /// The mean alone, of the passages chosen (any may come more than once).

@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "measurement/band_level.h"
 #include "measurement/bootstrap.h"
-#include "measurement/hammer_test.h"
+#include "measurement/hammer.h"
 #include "measurement/order_tracking.h"
 #include "measurement/synthetic_rig.h"
 #include "numerics/digital_filter.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "measurement/hammer_test.h"
+#include "measurement/hammer.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch process: recordings of a drum rig to passages, averages, spectra and the rig's filter.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <numbers>
+
+#include "base/file.h"
+#include "base/progress.h"
+#include "base/units.h"
+#include "cli/verbs.h"
+#include "correlation/rig_data/rig_processing.h"
+#include "correlation/rig_data/rig_report.h"
+#include "correlation/rig_data/rig_tables.h"
+
+namespace latsch::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using correlation::RigFile;
+using correlation::RigResults;
+
+void print_passages(const RigResults& results) {
+  fmt::print(
+      "{:<18} {:>10} {:>12} {:>9} {:>9}\n", "run", "speed", "period ms", "passages", "left out");
+  for (const auto& run : results.runs) {
+    for (const auto& p : run.plateaus) {
+      fmt::print("{:<18} {:>10} {:>12.5f} {:>9} {:>9}\n",
+                 run.name,
+                 format_quantity(p.plateau.target, "km/h", 4),
+                 p.period.samples / run.record.rate * 1e3,
+                 p.passages.starts.size(),
+                 p.passages.left_out);
+    }
+  }
+}
+
+void print_response(const char* name, const RigResponse& r) {
+  fmt::print("{:<28} f = {:.3f} Hz, zeta = {:.5f}, A/f^2 = {:.4f}, c = {:.4f}\n",
+             name,
+             r.f / (2.0 * std::numbers::pi),
+             r.zeta,
+             r.gain(),
+             r.c);
+}
+
+void print_compensation(const RigFile& rig, const RigResults& results) {
+  if (results.hammer) print_response("rig by the hammer", results.hammer->fit.response);
+  if (rig.truth) print_response("rig, truth", rig.truth->rig.response);
+  if (!results.compensation) return;
+  print_response("filter dummy to real", results.compensation->filter_response);
+  if (const auto back = rig.truth ? inverse(rig.truth->rig.response) : std::nullopt) {
+    print_response("filter, truth", *back);
+  }
+  if (results.compensation->cases.empty()) return;
+  fmt::print(
+      "\n{:<10} {:>9} {:>26} {:>30}\n", "case", "", "RMS of time series N", "RMS of PSD N^2/Hz");
+  for (const auto& row : results.compensation->cases) {
+    fmt::print("{:<10} {:>9} {:>10.2f} -> {:>8.2f} {:>+4.0f}% {:>12.3f} -> {:>10.3f} {:>+4.0f}%\n",
+               row.name,
+               row.fitted ? "fitted" : "",
+               row.dummy.time,
+               row.filtered.time,
+               100.0 * (row.filtered.time / row.dummy.time - 1.0),
+               row.dummy.psd,
+               row.filtered.psd,
+               100.0 * (row.filtered.psd / row.dummy.psd - 1.0));
+  }
+}
+
+void write_synthetic(const RigFile& rig) {
+  if (!rig.truth) {
+    throw InputError({rig.file.string(), 0}, "has no [truth] to write recordings from");
+  }
+  for (const std::string& file : write_synthetic_files(rig)) fmt::print("wrote {}\n", file);
+}
+
+void process(const std::string& file, bool synthetic, const std::string& output) {
+  const RigFile rig = correlation::read_rig_file(file);
+  if (synthetic) write_synthetic(rig);
+  RigResults results;
+  {
+    Progress progress(std::cerr, is_terminal());
+    results = correlation::process(rig, [&](long done, long total, const std::string& note) {
+      progress.update(done, total, note);
+    });
+  }
+  const fs::path folder = output.empty()
+                              ? rig.file.parent_path() / (rig.file.stem().string() + "_processed")
+                              : fs::path(output);
+  const auto files = write_rig_tables(rig, results, folder);
+  const fs::path page = folder / "report.html";
+  write_text_file(page, rig_page(rig, results));
+  fmt::print("{}\n\n", rig.title);
+  print_passages(results);
+  fmt::print("\n");
+  print_compensation(rig, results);
+  fmt::print("\n{} tables in {}\nReport: {}\n", files.size(), folder.string(), page.string());
+}
+
+}  // namespace
+
+void add_process(CLI::App& app, int&) {
+  auto* verb = app.add_subcommand(
+      "process",
+      "Drum recordings to passages, averages, spectra, and a filter that takes the rig away");
+  verb->footer(
+      "Examples:\n"
+      "  latsch process my_rig/rig.toml\n"
+      "  latsch process studies/drum_processing/rig.toml --synthetic\n"
+      "      writes the recordings of a rig of which everything is known, and processes them");
+  auto file = std::make_shared<std::string>();
+  auto output = std::make_shared<std::string>();
+  auto synthetic = std::make_shared<bool>(false);
+  verb->add_option("rig", *file, "Rig file (TOML)")->required();
+  verb->add_option(
+      "--output", *output, "Folder for tables and page, beside the rig file unless given");
+  verb->add_flag("--synthetic", *synthetic, "First write the recordings from the file's [truth]");
+  verb->callback([=] { process(*file, *synthetic, *output); });
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/report/line_plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "correlation/report/color_map.h"
+#include "correlation/report/svg_plot.h"
+
+namespace latsch::report {
+namespace {
+
+constexpr std::size_t kCorners = 1500;  // of a line: more than a picture shows
+constexpr double kLeft = 78.0, kTop = 34.0, kRight = 14.0, kBottom = 46.0;  // pixels
+
+/// In each of equal stretches the least and the greatest value, so that no peak is lost.
+PlotLine thinned(const PlotLine& line) {
+  const std::size_t count = std::min(line.x.size(), line.y.size());
+  if (count <= kCorners) return line;
+  PlotLine thin{line.name, {}, {}, line.color, {}};
+  const std::size_t stretches = kCorners / 2;
+  for (std::size_t s = 0; s < stretches; ++s) {
+    const auto first = line.y.begin() + static_cast<std::ptrdiff_t>(s * count / stretches);
+    const auto end = line.y.begin() + static_cast<std::ptrdiff_t>((s + 1) * count / stretches);
+    auto [low, high] = std::minmax_element(first, end);
+    if (high < low) std::swap(low, high);
+    for (const auto at : {low, high}) {
+      const auto k = static_cast<std::size_t>(at - line.y.begin());
+      thin.x.push_back(line.x[k]);
+      thin.y.push_back(line.y[k]);
+      if (!line.spread.empty()) thin.spread.push_back(line.spread[k]);
+    }
+  }
+  return thin;
+}
+
+void hide_what_has_no_logarithm(PlotLine& line) {
+  for (double& value : line.y) {
+    if (!(value > 0.0)) value = std::nan("");
+  }
+}
+
+void gather(const std::vector<double>& from, std::vector<double>& all) {
+  std::copy_if(
+      from.begin(), from.end(), std::back_inserter(all), [](double v) { return std::isfinite(v); });
+}
+
+void draw_spread(Svg& svg, const Axis& x, const Axis& y, const PlotLine& line) {
+  if (line.spread.empty()) return;
+  std::vector<Point> outline;
+  for (std::size_t k = 0; k < line.x.size(); ++k) {
+    outline.emplace_back(x.at(line.x[k]), y.at(line.y[k] + line.spread[k]));
+  }
+  for (std::size_t k = line.x.size(); k-- > 0;) {
+    outline.emplace_back(x.at(line.x[k]), y.at(line.y[k] - line.spread[k]));
+  }
+  svg.polygon(outline, fmt::format("fill=\"{}\" fill-opacity=\"0.25\"", category(line.color)));
+}
+
+}  // namespace
+
+std::string line_plot(const LinePlot& plot) {
+  std::vector<PlotLine> lines;
+  std::vector<double> xs, ys;
+  for (const PlotLine& line : plot.lines) {
+    lines.push_back(thinned(line));
+    if (plot.logarithmic_y) hide_what_has_no_logarithm(lines.back());
+    gather(lines.back().x, xs);
+    gather(lines.back().y, ys);
+    for (std::size_t k = 0; k < lines.back().spread.size(); ++k) {
+      ys.push_back(lines.back().y[k] + lines.back().spread[k]);
+      ys.push_back(lines.back().y[k] - lines.back().spread[k]);
+    }
+  }
+  if (xs.empty() || ys.empty()) return "";
+  const double bottom = plot.height - kBottom;
+  const auto [lowest, highest] = std::minmax_element(xs.begin(), xs.end());
+  const Axis x(*lowest, *highest, kLeft, plot.width - kRight);
+  const Axis y = plot.logarithmic_y ? Axis::logarithmic_around(ys, bottom, kTop)
+                                    : Axis::around(ys, bottom, kTop);
+  Svg svg(plot.width, plot.height, plot.description);
+  draw_frame(svg, x, y, plot.x_title, plot.y_title);
+  double at = kLeft;
+  for (const PlotLine& line : lines) {
+    draw_spread(svg, x, y, line);
+    const auto stroke =
+        fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"", category(line.color));
+    svg.polyline(points_of(x, y, line.x, line.y), stroke);
+    if (line.name.empty()) continue;
+    svg.line({at, 16.0}, {at + 18.0, 16.0}, stroke);
+    svg.text({at + 24.0, 20.0}, line.name);
+    constexpr double kLetter = 6.6, kGap = 44.0;  // pixels
+    at += kGap + kLetter * static_cast<double>(line.name.size());
+  }
+  return svg.str();
+}
+
+}  // namespace latsch::report

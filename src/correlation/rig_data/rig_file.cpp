@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/rig_data/rig_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/text.h"
+
+namespace latsch::correlation {
+namespace {
+
+constexpr double kSameSpeed = 1e-3;  // of a speed: "60 km/h" and "16.67 m/s" are one
+
+void read_channels(const Node& table, RigFile& rig) {
+  rig.time = table.text("time", "time");
+  rig.speed = table.text("speed", "speed");
+  rig.force = table.text("force");
+  if (table.has("also")) rig.also = table.texts("also");
+}
+
+void read_plateaus(const Node& table, RigFile& rig) {
+  PlateauSettings& p = rig.plateaus;
+  rig.speeds = table.quantities("speeds", "m/s", Range::positive());
+  if (rig.speeds.empty()) table.reject("speeds", "is empty, expected one speed at least");
+  p.margin = table.quantity("margin", "m/s", Range::positive(), p.margin);
+  p.low_pass = table.quantity("low_pass", "Hz", Range::positive(), p.low_pass);
+  p.order = static_cast<int>(table.integer("order", 1, 12, p.order));
+  p.trim = table.quantity("trim", "s", Range::not_negative(), p.trim);
+  p.shortest = table.quantity("shortest", "s", Range::positive(), p.shortest);
+}
+
+void read_passages(const Node& table, RigFile& rig) {
+  PassageSettings& p = rig.passages;
+  p.align_to_average = table.choice("reference", {"first", "average"}, "first") == "average";
+  p.hit_at = table.quantity("hit_at", "1", Range::between(0.0, 1.0), p.hit_at);
+  p.align_below = table.quantity("align_below", "Hz", Range::not_negative(), p.align_below);
+  p.most_shift = table.quantity("most_shift", "1", Range::between(0.0, 0.5), p.most_shift);
+  p.least_likeness =
+      table.quantity("least_likeness", "1", Range::between(-1.0, 1.0), p.least_likeness);
+}
+
+void read_spectrum(const Node& table, RigFile& rig) {
+  using numerics::Convention;
+  rig.convention_name = table.choice("convention", {"scipy", "octave", "matlab"}, "scipy");
+  rig.convention = rig.convention_name == "octave"   ? Convention::octave
+                   : rig.convention_name == "matlab" ? Convention::matlab
+                                                     : Convention::scipy;
+  if (table.has("segment")) rig.segment = table.quantity("segment", "s", Range::positive());
+  if (!table.has("band")) return;
+  const auto edges = table.quantities("band", "Hz", Range::positive());
+  if (edges.size() != 2 || edges[0] >= edges[1]) {
+    table.reject("band",
+                 R"(is no band, expected two rising frequencies such as ["5 Hz", "300 Hz"])");
+  }
+  rig.band = {edges[0], edges[1]};
+}
+
+RigHammer read_hammer(const Node& table, const RigFile& rig) {
+  RigHammer hammer;
+  hammer.file = rig.file.parent_path() / table.text("file");
+  hammer.input = table.text("input");
+  hammer.output = table.text("output", rig.force);
+  HammerSettings& s = hammer.settings;
+  s.window = table.quantity("window", "s", Range::positive(), s.window);
+  s.before = table.quantity("before", "s", Range::not_negative(), s.before);
+  s.threshold = table.quantity("threshold", "1", Range::between(0.0, 1.0), s.threshold);
+  if (s.before >= s.window) table.reject("before", "is not shorter than the window");
+  hammer.estimator =
+      table.choice("estimator", {"H1", "H2"}, "H1") == "H1" ? Estimator::h1 : Estimator::h2;
+  return hammer;
+}
+
+template <class List>
+std::vector<std::string> names_of(const List& list) {
+  std::vector<std::string> names;
+  for (const auto& item : list) names.push_back(item.name);
+  return names;
+}
+
+/// The place of a name in a list.
+int place_of(const Node& table,
+             const char* key,
+             const std::string& name,
+             const std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    table.reject(key,
+                 names.empty() ? "names " + in_quotes(name) + ", but there are none"
+                               : "names " + in_quotes(name) + ", expected " + list_of(names));
+  }
+  return static_cast<int>(found - names.begin());
+}
+
+RigCase read_case(const Node& table, const RigFile& rig) {
+  const auto runs = names_of(rig.runs);
+  RigCase one;
+  one.name = table.name();
+  one.dummy = place_of(table, "dummy", table.text("dummy"), runs);
+  one.real = place_of(table, "real", table.text("real"), runs);
+  if (rig.speeds.size() == 1 && !table.has("speed")) return one;
+  const double speed = table.quantity("speed", "m/s", Range::positive());
+  const auto found = std::find_if(rig.speeds.begin(), rig.speeds.end(), [&](double v) {
+    return std::abs(v - speed) <= kSameSpeed * v;
+  });
+  if (found == rig.speeds.end()) table.reject("speed", "is none of plateaus.speeds");
+  one.speed = static_cast<int>(found - rig.speeds.begin());
+  return one;
+}
+
+std::optional<RigResponse> read_start(const Node& table) {
+  if (!table.has("frequency")) return std::nullopt;
+  return RigResponse::of(
+      table.quantity("gain", "1"),
+      2.0 * std::numbers::pi * table.quantity("frequency", "Hz", Range::positive()),
+      table.quantity("damping", "1", Range::positive()),
+      table.quantity("direct", "1"));
+}
+
+RigCompensation read_compensation(const Node& table, const RigFile& rig) {
+  RigCompensation c;
+  if (table.has("fit")) {
+    for (const std::string& name : table.texts("fit")) {
+      c.fit.push_back(place_of(table, "fit", name, names_of(rig.cases)));
+    }
+  }
+  c.start = read_start(table);
+  if (table.has("low_pass")) c.low_pass = table.quantity("low_pass", "Hz", Range::positive());
+  c.bootstrap = static_cast<int>(table.integer("bootstrap", 0, 10000, 0));
+  if (c.bootstrap == 1) table.reject("bootstrap", "is 1, expected 0 or 2 draws at least");
+  if (table.has("apply")) {
+    for (const std::string& name : table.texts("apply")) {
+      c.apply.push_back(place_of(table, "apply", name, names_of(rig.runs)));
+    }
+  }
+  if (!rig.hammer && !c.start) {
+    table.reject("frequency",
+                 "is missing: without a [hammer] test the fit needs a start by hand, frequency, "
+                 "damping, gain and direct");
+  }
+  return c;
+}
+
+}  // namespace
+
+RigFile read_rig_file(const std::filesystem::path& file) {
+  const Document document = Document::read(file);
+  const Node root = document.root();
+  RigFile rig;
+  rig.file = file;
+  rig.title = root.text("title", file.stem().string());
+  read_channels(root.table("channels"), rig);
+  if (const auto drum = root.find_table("drum")) {
+    rig.circumference = drum->quantity("circumference", "m", Range::positive());
+  }
+  read_plateaus(root.table("plateaus"), rig);
+  if (const auto passages = root.find_table("passages")) read_passages(*passages, rig);
+  if (const auto spectrum = root.find_table("spectrum")) read_spectrum(*spectrum, rig);
+  for (const Node& run : root.named_tables("run")) {
+    rig.runs.push_back({run.name(), file.parent_path() / run.text("file")});
+  }
+  if (rig.runs.empty()) root.reject("run", "is missing, expected a table [run.NAME] for each file");
+  if (const auto hammer = root.find_table("hammer")) rig.hammer = read_hammer(*hammer, rig);
+  for (const Node& one : root.named_tables("case")) rig.cases.push_back(read_case(one, rig));
+  if (const auto table = root.find_table("compensation")) {
+    rig.compensation = read_compensation(*table, rig);
+  }
+  if (const auto truth = root.find_table("truth")) {
+    rig.truth = read_truth(*truth, names_of(rig.runs), rig.speeds);
+  }
+  root.close();
+  return rig;
+}
+
+}  // namespace latsch::correlation

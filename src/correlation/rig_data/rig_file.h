@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `latsch process` reads: which recordings of a drum rig there are and what to do with them.
+//
+//   title = "Race tire on the drum"
+//   [channels]
+//   time = "time"                        # names as in the files
+//   speed = "speed"                      # of the drum's surface
+//   force = "Fz"                         # gives period and alignment, is compensated
+//   also = ["Fx"]                        # averaged too; none unless given
+//   [drum]
+//   circumference = "6 m"                # optional: the period is then looked for around it
+//   [plateaus]
+//   speeds = ["30 km/h", "60 km/h", "90 km/h"]
+//   margin = "1 km/h"                    # and low_pass, order, trim, shortest: plateaus.h
+//   [passages]
+//   reference = "first"                  # or "average"; hit_at, align_below, most_shift,
+//                                        # least_likeness: passages.h
+//   [spectrum]
+//   convention = "scipy"                 # or "octave", "matlab": numerics/welch.h
+//   segment = "0.25 s"
+//   band = ["5 Hz", "300 Hz"]            # of tables and fits
+//   [run.c_dummy]
+//   file = "c_dummy.csv"
+//
+// Optional, what the rig adds (3-3) and the filter that takes it away:
+//
+//   [hammer]
+//   file = "hammer.csv"
+//   input = "hammer"                     # output: the force channel unless given
+//   window = "1 s"                       # and before, threshold: hammer.h
+//   estimator = "H1"                     # or "H2"
+//   [compensation]
+//   fit = ["C"]                          # cases fitted together; none: the inverse of the hammer's
+//   gain = 0.8                           # A/f^2, frequency, damping, direct: a start by hand
+//   low_pass = "400 Hz"                  # behind an inverse
+//   bootstrap = 100                      # draws; 0: none
+//   apply = ["c_dummy"]                  # runs written once more, filtered
+//   [case.C]
+//   dummy = "c_dummy"
+//   real = "c_real"
+//   speed = "60 km/h"
+//
+// A rig of which everything is known instead of recordings: [truth], see synthetic_files.h.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/document.h"
+#include "correlation/rig_data/synthetic_files.h"
+#include "measurement/hammer.h"
+#include "measurement/passages.h"
+#include "measurement/plateaus.h"
+#include "numerics/welch.h"
+
+namespace latsch::correlation {
+
+struct RigRun {
+  std::string name;
+  std::filesystem::path file;
+};
+
+struct RigHammer {
+  std::filesystem::path file;
+  std::string input, output;
+  HammerSettings settings;
+  Estimator estimator = Estimator::h1;
+};
+
+struct RigCase {
+  std::string name;
+  int dummy = 0, real = 0;  // of the runs
+  int speed = 0;            // of the speeds
+};
+
+struct RigCompensation {
+  std::vector<int> fit;  // of the cases
+  std::optional<RigResponse> start;
+  std::optional<double> low_pass;  // Hz
+  int bootstrap = 0;
+  std::vector<int> apply;  // of the runs
+};
+
+struct RigFile {
+  std::filesystem::path file;
+  std::string title;
+  std::string time, speed, force;
+  std::vector<std::string> also;
+  std::optional<double> circumference;  // m
+  std::vector<double> speeds;           // m/s
+  PlateauSettings plateaus;
+  PassageSettings passages;
+  numerics::Convention convention = numerics::Convention::scipy;
+  std::string convention_name = "scipy";
+  std::optional<double> segment;  // s
+  FrequencyBand band{5.0, 300.0};
+  std::vector<RigRun> runs;
+  std::optional<RigHammer> hammer;
+  std::vector<RigCase> cases;
+  std::optional<RigCompensation> compensation;
+  std::optional<SyntheticTruth> truth;
+};
+
+/// Throws InputError naming file and line.
+RigFile read_rig_file(const std::filesystem::path& file);
+
+}  // namespace latsch::correlation

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/rig_data/rig_processing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "formats/recording.h"
+#include "measurement/bootstrap.h"
+
+namespace latsch::correlation {
+namespace {
+
+constexpr double kAroundPeriod = 0.2;     // of the period a known circumference gives
+constexpr double kShortestPeriod = 0.05;  // s, where it is not known: 20 hits a second
+constexpr int kFewestPeriods = 3;
+
+std::string at_speed(const Plateau& plateau) {
+  return "at " + format_quantity(plateau.target, "km/h", 4);
+}
+
+Period period_of(const RigFile& rig, const DrumRecord& record, const Plateau& plateau) {
+  const auto force = record.channel(rig.force).subspan(plateau.first, plateau.samples());
+  double shortest = kShortestPeriod * record.rate;
+  double longest = static_cast<double>(force.size()) / kFewestPeriods;
+  if (rig.circumference) {
+    const double expected = *rig.circumference / plateau.mean * record.rate;
+    shortest = (1.0 - kAroundPeriod) * expected;
+    longest = std::min(longest, (1.0 + kAroundPeriod) * expected);
+  }
+  const auto period = find_period(force, shortest, longest);
+  if (!period) {
+    throw InputError({record.source, 0},
+                     fmt::format("{} does not repeat itself on the plateau {} between {:.4g} and "
+                                 "{:.4g} s: was there a cleat on the drum, is {} the right channel"
+                                 "{}?",
+                                 rig.force,
+                                 at_speed(plateau),
+                                 shortest / record.rate,
+                                 longest / record.rate,
+                                 rig.force,
+                                 rig.circumference ? " and the circumference right" : ""));
+  }
+  return *period;
+}
+
+/// Of the average force; as long as the convention wants it, a passage at most.
+numerics::Density density_of(const RigFile& rig, const std::vector<double>& force, double rate) {
+  const int samples = static_cast<int>(force.size());
+  std::optional<int> segment;
+  if (rig.segment) segment = static_cast<int>(std::lround(*rig.segment * rate));
+  return numerics::power_density(
+      force, rate, numerics::welch_settings(rig.convention, samples, segment));
+}
+
+ProcessedPlateau process_plateau(const RigFile& rig,
+                                 const DrumRecord& record,
+                                 const Plateau& plateau) {
+  ProcessedPlateau result;
+  result.plateau = plateau;
+  result.period = period_of(rig, record, plateau);
+  const auto part = [&](const std::string& name) {
+    return record.channel(name).subspan(plateau.first, plateau.samples());
+  };
+  result.passages =
+      find_passages(part(rig.force), record.rate, result.period.samples, rig.passages);
+  if (result.passages.starts.size() < 2) {
+    throw InputError({record.source, 0},
+                     fmt::format("of {} passages on the plateau {} no two are alike: is the cleat "
+                                 "fixed, is the force {} the right one?",
+                                 result.passages.left_out + 1,
+                                 at_speed(plateau),
+                                 rig.force));
+  }
+  std::vector<std::string> names{rig.force};
+  names.insert(names.end(), rig.also.begin(), rig.also.end());
+  for (const std::string& name : names) {
+    const auto rows = cut(part(name), result.passages);
+    result.channels.push_back({name, record.channels.find(name)->unit, average(rows)});
+    if (name == rig.force) result.coherence = ensemble_coherence(rows, record.rate);
+  }
+  result.density = density_of(rig, result.force(), record.rate);
+  return result;
+}
+
+DrumRecord read_record(const RigFile& rig, const std::filesystem::path& file) {
+  return drum_record(formats::read_recording(file), rig.time, file.string());
+}
+
+}  // namespace
+
+ProcessedRun process_run(const RigFile& rig, const std::string& name, DrumRecord record) {
+  expect_varying(record, rig.force);
+  for (const std::string& channel : rig.also) (void)record.channel(channel);
+  ProcessedRun run{name, std::move(record), {}};
+  for (const Plateau& plateau : find_plateaus(run.record, rig.speed, rig.speeds, rig.plateaus)) {
+    run.plateaus.push_back(process_plateau(rig, run.record, plateau));
+  }
+  return run;
+}
+
+HammerResult process_hammer(const RigFile& rig, const DrumRecord& record) {
+  const RigHammer& test = *rig.hammer;
+  const auto hammer = record.channel(test.input), force = record.channel(test.output);
+  const auto hits = find_hits(hammer, record.rate, test.settings);
+  const auto response = [&](const std::vector<int>& chosen) {
+    std::vector<int> firsts;
+    for (const int k : chosen) firsts.push_back(hits[k]);
+    return hammer_response(hammer, force, record.rate, firsts, test.settings, test.estimator);
+  };
+  std::vector<int> all(hits.size());
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<int>(k);
+  HammerResult result;
+  result.measured = response(all);
+  const auto start = rig.compensation ? rig.compensation->start : std::nullopt;
+  result.fit = fit_to_response(result.measured, rig.band, start);
+  const int draws = rig.compensation ? rig.compensation->bootstrap : 0;
+  if (draws > 0 && hits.size() > 1) {
+    const auto d = bootstrap_deviation(
+        static_cast<int>(hits.size()), draws, 1, [&](const std::vector<int>& chosen) {
+          const auto r = fit_to_response(response(chosen), rig.band, result.fit.response).response;
+          return std::vector<double>{r.gain(), r.f, r.zeta, r.c};
+        });
+    result.over_hits = {d[0], d[1], d[2], d[3]};
+  }
+  return result;
+}
+
+RigResults process(const RigFile& rig, const RigProgress& progress) {
+  const long total =
+      static_cast<long>(2 * rig.runs.size()) + (rig.hammer ? 1 : 0) + (rig.compensation ? 1 : 0);
+  long done = 0;
+  RigResults results;
+  for (const RigRun& run : rig.runs) {
+    progress(done++, total, "reading " + run.file.filename().string());
+    DrumRecord record = read_record(rig, run.file);
+    progress(done++, total, "passages of " + run.name);
+    results.runs.push_back(process_run(rig, run.name, std::move(record)));
+  }
+  if (rig.hammer) {
+    progress(done++, total, "hammer test");
+    results.hammer = process_hammer(rig, read_record(rig, rig.hammer->file));
+  }
+  if (rig.compensation) {
+    progress(done++, total, "compensation");
+    results.compensation = compensate(rig, results.runs, results.hammer);
+  }
+  progress(total, total, "");
+  return results;
+}
+
+}  // namespace latsch::correlation

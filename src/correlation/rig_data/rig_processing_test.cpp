@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole chain on recordings of which everything is known.
+#include "correlation/rig_data/rig_processing.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <numbers>
+
+#include "base/error.h"
+#include "correlation/rig_data/rig_report.h"
+#include "correlation/rig_data/rig_tables.h"
+#include "formats/recording.h"
+
+namespace latsch::correlation {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kRig = R"(
+title = "Rig <1>"
+[channels]
+force = "Fz"
+also = ["Fx"]
+[drum]
+circumference = "6 m"
+[plateaus]
+speeds = ["40 km/h", "80 km/h"]
+[spectrum]
+segment = "0.2 s"
+band = ["10 Hz", "300 Hz"]
+[run.dummy]
+file = "dummy.csv"
+[run.real]
+file = "real.csv"
+[hammer]
+file = "hammer.csv"
+input = "hammer"
+[compensation]
+fit = ["slow"]
+bootstrap = 10
+apply = ["dummy"]
+[case.slow]
+dummy = "dummy"
+real = "real"
+speed = "40 km/h"
+[case.fast]
+dummy = "dummy"
+real = "real"
+speed = "80 km/h"
+[truth]
+circumference = "6 m"
+gain = 0.45
+frequency = "92 Hz"
+damping = 0.06
+direct = 0.55
+hold = "8 s"
+hits = 8
+[truth.run.dummy]
+rim = "dummy"
+noise = "3 N"
+modes = [["46 Hz", "5 %", "400 N"], ["92 Hz", "4 %", "250 N"], ["141 Hz", "4 %", "120 N"]]
+[truth.run.real]
+rim = "real"
+noise = "3 N"
+modes = [["46 Hz", "5 %", "400 N"], ["92 Hz", "4 %", "250 N"], ["141 Hz", "4 %", "120 N"]]
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+/// A folder of its own with the recordings in it.
+class RigData : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = fs::temp_directory_path() / ("latsch_rig_data_" + std::to_string(getpid()));
+    fs::create_directory(folder_);
+    write_synthetic_files(rig());
+  }
+  static void TearDownTestSuite() { fs::remove_all(folder_); }
+
+  static RigFile rig(const std::string& text = kRig) {
+    std::ofstream(folder_ / "rig.toml") << text;
+    return read_rig_file(folder_ / "rig.toml");
+  }
+  static RigResults results(const std::string& text = kRig) {
+    return process(rig(text), [](long, long, const std::string&) {});
+  }
+  static void refused(const std::string& text, const std::string& part) {
+    try {
+      results(text);
+      FAIL() << part;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  }
+
+  static inline fs::path folder_;
+};
+
+TEST_F(RigData, FindsTheRigAndItsInverseAgain) {
+  const RigResults found = results();
+  const RigResponse truth = rig().truth->rig.response;
+  const RigResponse by_hammer = found.hammer->fit.response;
+  EXPECT_NEAR(by_hammer.f, truth.f, 2e-3 * truth.f);
+  EXPECT_NEAR(by_hammer.zeta, truth.zeta, 2e-3);
+  EXPECT_NEAR(by_hammer.gain(), truth.gain(), 0.01);
+  EXPECT_NEAR(by_hammer.c, truth.c, 0.01);
+  // From averages of a dozen passages with little noise (noise of the dummy dilutes c): a percent.
+  const RigResponse filter = found.compensation->filter_response, back = *inverse(truth);
+  EXPECT_NEAR(filter.f, back.f, 0.01 * back.f);
+  EXPECT_NEAR(filter.zeta, back.zeta, 0.01);
+  EXPECT_NEAR(filter.c, back.c, 0.05 * back.c);
+  EXPECT_GT(found.compensation->over_hits.f, 0.0);
+}
+
+TEST_F(RigData, TheFilterBringsTheDummyRimToTheRealOneWhereItWasNotFitted) {
+  const RigResults found = results();
+  ASSERT_EQ(found.compensation->cases.size(), 2u);
+  for (const CaseRow& row : found.compensation->cases) {
+    EXPECT_EQ(row.fitted, row.name == "slow");
+    EXPECT_LT(row.filtered.time, 0.3 * row.dummy.time) << row.name;
+    EXPECT_LT(row.filtered.psd, 0.3 * row.dummy.psd) << row.name;
+    EXPECT_LT(row.filtered.level, row.dummy.level) << row.name;
+  }
+}
+
+TEST_F(RigData, WithoutFittedCasesTheFilterIsTheInverseOfTheHammers) {
+  const auto found = results(replaced(kRig, "fit = [\"slow\"]", "low_pass = \"800 Hz\""));
+  EXPECT_FALSE(found.compensation->fit);
+  EXPECT_EQ(found.compensation->filter.a.size(), 5u);  // second order and the low-pass
+  for (const CaseRow& row : found.compensation->cases) {
+    EXPECT_LT(row.filtered.psd, 0.5 * row.dummy.psd) << row.name;
+  }
+}
+
+TEST_F(RigData, SameFileSameBits) {
+  const RigFile file = rig();
+  EXPECT_EQ(rig_page(file, results()), rig_page(file, results()));
+}
+
+TEST_F(RigData, TablesCanBeReadAgainAndThePageHoldsNoForeignMarkup) {
+  const RigFile file = rig();
+  const RigResults found = results();
+  const auto tables = write_rig_tables(file, found, folder_ / "out");
+  for (const fs::path& table : tables) {
+    const std::string name = table.filename().string();
+    if (name == "responses.csv" || name == "cases.csv") continue;  // hold words
+    EXPECT_FALSE(formats::read_recording(table).empty()) << table;
+  }
+  const auto average = formats::read_recording(folder_ / "out" / "average_dummy_40kph.csv");
+  EXPECT_EQ(average["Fz"], found.runs[0].plateaus[0].force());
+  const std::string page = rig_page(file, found);
+  EXPECT_NE(page.find("Rig &lt;1&gt;"), std::string::npos);
+  EXPECT_EQ(page.find("Rig <1>"), std::string::npos);
+  EXPECT_EQ(page.find("nan"), std::string::npos);
+}
+
+TEST_F(RigData, WhatCannotBeProcessedIsRefusedInWords) {
+  refused(replaced(kRig, "\"80 km/h\"]", "\"80 km/h\", \"120 km/h\"]"),
+          "has no plateau at 120 km/h");
+  refused(replaced(kRig, "circumference = \"6 m\"\n[plat", "circumference = \"4 m\"\n[plat"),
+          "does not repeat itself on the plateau at 40 km/h");
+  refused(replaced(kRig, "force = \"Fz\"", "force = \"Fy\""), "channel \"Fy\" is missing");
+  refused(replaced(kRig, "fit = [\"slow\"]", "fit = [\"quick\"]"),
+          "names \"quick\", expected \"slow\" or \"fast\"");
+  refused(replaced(kRig, "speed = \"80 km/h\"", "speed = \"70 km/h\""),
+          "is none of plateaus.speeds");
+  refused(replaced(kRig, "file = \"dummy.csv\"", "file = \"absent.csv\""), "absent.csv");
+  refused(replaced(kRig, "[hammer]", "[hammmer]"), "needs a start by hand");
+  refused(replaced(kRig, "input = \"hammer\"", "input = \"hammer\"\nwindow = \"30 s\""),
+          "expected longer pauses");
+}
+
+}  // namespace
+}  // namespace latsch::correlation
