@@ -551,7 +551,7 @@ class Drum(unittest.TestCase):
                 ('"90 km/h"]', '"90 km/h", "140 km/h"]', "light_dummy.csv", "no plateau at 140 km/h", "comes nearest"),
                 (r'\[drum\]\ncircumference = "6 m"', '[drum]\ncircumference = "4 m"', "does not repeat itself"),
                 ('force = "Fz"', 'force = "FZ"', 'channel "FZ" is missing', 'did you mean "Fz"'),
-                ('margin = "1 km/h"', 'margin = "1 km"', "bad.toml:17", "margin")):
+                ('margin = "1 km/h"', 'margin = "1 km"', "bad.toml:16", "margin")):
             bad.write_text(self.rig.read_text())
             edit(bad, (pattern, new))
             text = self.process(bad, code=WRONG_INPUT)
@@ -559,7 +559,7 @@ class Drum(unittest.TestCase):
                 self.assertIn(part, text)
         recording = (self.folder / "light_dummy.csv").read_text().splitlines(keepends=True)
         for name, lines, *parts in (
-                ("cut.csv", recording[:100], "too few"),
+                ("cut.csv", recording[:100], "no plateau", "comes nearest"),
                 ("gap.csv", recording[:500] + recording[540:], "40 samples are missing"),
                 ("nan.csv", recording[:7] + ["0.0030,0.1,NaN,0\n"] + recording[8:], "nan.csv:8", "finite number"),
                 ("flat.csv", [recording[0]] + [f"{i / 2000},10,4000,{i}\n" for i in range(9000)], "sensor")):

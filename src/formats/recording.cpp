@@ -118,9 +118,10 @@ void take_row(const CsvFields::Row& row,
             "has {} fields, expected {} as in the header", row.cells.size(), columns.size()));
   }
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const double value = number(row.cells[i], decimal_comma, scratch);
+    double value = number(row.cells[i], decimal_comma, scratch);
+    if (!columns[i].is_si) value = columns[i].read.to_si(value);
     if (!std::isfinite(value)) no_number(columns[i], row.cells[i], {file, row.line});
-    columns[i].values.push_back(columns[i].is_si ? value : columns[i].read.to_si(value));
+    columns[i].values.push_back(value);
   }
 }
 

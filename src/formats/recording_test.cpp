@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/error.h"
+#include "base/spoiled_text_testing.h"
 #include "formats/csv_table.h"
 
 namespace latsch::formats {
@@ -52,6 +55,46 @@ TEST(Recording, IsRefusedInWords) {
   refused("t [s],t [s]\n0,1\n", "comes twice");
   refused("0,1\n1,2\n", "expected a line of column names");
   EXPECT_THROW(read_recording("run.xls"), InputError);
+}
+
+TEST(Recording, SpoiledOnesEndInFiniteNumbersOrAnInputError) {
+  constexpr std::uint64_t kSeed = 2018;
+  constexpr int kMutations = 20'000;
+  const std::vector<std::string> recordings{
+      "# rig 3\ntime [ms],speed [km/h],Fz [N]\n0,36,4000\n0.5,36.1,4012.5\n1,36,-2e3\n",
+      "time;Fz\r\ns;kN\r\n0,5;1,5\r\n0,6;1,6\r\n"};
+  const std::vector<std::string> pieces{",",
+                                        ";",
+                                        "\t",
+                                        "\n",
+                                        "\"",
+                                        "#",
+                                        "[",
+                                        "]",
+                                        "nan",
+                                        "inf",
+                                        "1e999",
+                                        "1e308",
+                                        "-",
+                                        "3,5",
+                                        "\xff",
+                                        std::string(1, '\0')};
+  int rejected = 0;
+  for (int i = 0; i < kMutations; ++i) {
+    RandomStream random(kSeed, i);
+    const std::string text = spoiled(recordings[random.below(recordings.size())], pieces, random);
+    try {
+      const Channels channels = parse_recording(text, "spoiled.csv");
+      for (const Channel& channel : channels.all()) {
+        ASSERT_EQ(channel.values.size(), channels.all()[0].values.size()) << text;
+        for (const double value : channel.values) ASSERT_TRUE(std::isfinite(value)) << text;
+      }
+    } catch (const InputError& error) {
+      ++rejected;
+    }
+  }
+  EXPECT_GT(rejected, kMutations / 10);
+  EXPECT_LT(rejected, kMutations);
 }
 
 }  // namespace

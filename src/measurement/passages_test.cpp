@@ -198,7 +198,7 @@ TEST(DrumRecord, RefusesWhatIsNotARecordInWords) {
   expect_says(with("Fz", [](auto& v) { v[99] = std::nan(""); }),
               "run.csv: channel \"Fz\" is not a finite number at sample 100 (1 such samples)");
   expect_says(with("Fz", [](auto& v) { v.pop_back(); }), "values, expected");
-  expect_says(with("time", [](auto& v) { v[50] = v[49]; }), "time falls from");
+  expect_says(with("time", [](auto& v) { v[50] = v[49]; }), "time goes from");
   expect_says(with("time",
                    [](auto& v) {
                      for (std::size_t i = 60; i < v.size(); ++i) v[i] += 0.01;
