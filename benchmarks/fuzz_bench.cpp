@@ -37,6 +37,7 @@
 #include "formats/inp_tire.h"
 #include "formats/mat_file.h"
 #include "formats/open_crg.h"
+#include "formats/recording.h"
 #include "formats/road_file.h"
 #include "formats/tir_file.h"
 #include "formats/tydex_file.h"
@@ -106,6 +107,16 @@ Reader csv_reader() {
           with_numbers({",", ";", "\"", "[mm]", "[", "]", "#", "kN"}),
           [](const std::string& text) {
             use_channels(formats::CsvTable::parse(text, "spoiled").channels(), false);
+          }};
+}
+
+Reader recording_reader() {
+  return {"recording",
+          {"# rig 3\ntime [ms],speed [km/h],Fz [N]\n0,36,4000\n0.5,36.1,4012.5\n1,36,-2e3\n",
+           "time;Fz\r\ns;kN\r\n0,5;1,5\r\n0,6;1,6\r\n"},
+          with_numbers({",", ";", "\"", "[ms]", "[", "]", "#", "kN"}),
+          [](const std::string& text) {
+            use_channels(formats::parse_recording(text, "spoiled"), false);
           }};
 }
 
@@ -422,6 +433,7 @@ int fuzz(int count, char** arguments) {
   }
   Table table("fuzz");
   for (const Reader& reader : {csv_reader(),
+                               recording_reader(),
                                tydex_reader(),
                                tir_reader(),
                                crg_reader(),

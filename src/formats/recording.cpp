@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "formats/csv_fields.h"
+#include "formats/mat_file.h"
 #include "formats/tydex_file.h"
 
 namespace latsch::formats {
@@ -151,14 +152,16 @@ Channels parse_recording(std::string text, const std::string& file) {
   return channels;
 }
 
-Channels read_recording(const std::filesystem::path& file) {
+Channels read_recording(const std::filesystem::path& file,
+                        const std::map<std::string, std::string>& units) {
   const std::string ending = file.extension().string();
   if (ending == ".tdx" || ending == ".TDX") return TydexFile::read(file).channels;
+  if (ending == ".mat") return MatFile::read(file).channels(units);
   if (ending == ".csv" || ending == ".txt" || ending == ".CSV" || ending == ".TXT") {
     return parse_recording(read_text_file(file, kLargestFile), file.string());
   }
   throw InputError({file.string(), 0},
-                   "ends in " + in_quotes(ending) + ", expected .csv, .txt or .tdx");
+                   "ends in " + in_quotes(ending) + ", expected .csv, .txt, .tdx or .mat");
 }
 
 }  // namespace latsch::formats

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A whole recording of a rig as channels in SI: separated values (.csv, .txt, as in csv_table.h,
-// but of any size and numbers alone) or TYDEX (.tdx).
+// but of any size and numbers alone), TYDEX (.tdx) or MATLAB (.mat).
 //
 // Ten minutes of ten channels at 2 kHz are 12 million numbers: a number is read by from_chars in
 // double precision and converted once, which may differ from csv_table.h in the last bit where a
@@ -8,15 +8,18 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "measurement/channels.h"
 
 namespace latsch::formats {
 
-/// Throws InputError naming file and line: no header, ragged rows, a cell that is not a finite
+/// `units` of channels by name, for MAT files, which have none. Throws InputError naming file and
+/// line: no header, ragged rows, a cell that is not a finite
 /// number, an unknown unit, a name that comes twice, an ending it does not know, more than 2 GB.
-Channels read_recording(const std::filesystem::path& file);
+Channels read_recording(const std::filesystem::path& file,
+                        const std::map<std::string, std::string>& units = {});
 
 /// Separated values out of a text.
 Channels parse_recording(std::string text, const std::string& file_name);

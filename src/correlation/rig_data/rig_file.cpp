@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/text.h"
+#include "base/units.h"
 
 namespace latsch::correlation {
 namespace {
@@ -19,6 +20,15 @@ void read_channels(const Node& table, RigFile& rig) {
   rig.speed = table.text("speed", "speed");
   rig.force = table.text("force");
   if (table.has("also")) rig.also = table.texts("also");
+  const auto units = table.find_table("units");
+  if (!units) return;
+  std::vector<std::string> names{rig.time, rig.speed, rig.force};
+  names.insert(names.end(), rig.also.begin(), rig.also.end());
+  for (const std::string& name : names) {
+    if (!units->has(name)) continue;
+    rig.units[name] = units->text(name);
+    if (!Unit::find(rig.units[name])) units->reject(name, "is " + unknown_unit(rig.units[name]));
+  }
 }
 
 void read_plateaus(const Node& table, RigFile& rig) {

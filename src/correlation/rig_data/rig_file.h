@@ -7,6 +7,8 @@
 //   speed = "speed"                      # of the drum's surface
 //   force = "Fz"                         # gives period and alignment, is compensated
 //   also = ["Fx"]                        # averaged too; none unless given
+//   [channels.units]                     # of files that have none (MAT)
+//   Fz = "N"
 //   [drum]
 //   circumference = "6 m"                # optional: the period is then looked for around it
 //   [plateaus]
@@ -44,6 +46,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -88,8 +91,9 @@ struct RigFile {
   std::string title;
   std::string time, speed, force;
   std::vector<std::string> also;
-  std::optional<double> circumference;  // m
-  std::vector<double> speeds;           // m/s
+  std::map<std::string, std::string> units;  // by channel
+  std::optional<double> circumference;       // m
+  std::vector<double> speeds;                // m/s
   PlateauSettings plateaus;
   PassageSettings passages;
   numerics::Convention convention = numerics::Convention::scipy;

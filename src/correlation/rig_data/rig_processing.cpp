@@ -86,8 +86,19 @@ ProcessedPlateau process_plateau(const RigFile& rig,
   return result;
 }
 
-DrumRecord read_record(const RigFile& rig, const std::filesystem::path& file) {
-  return drum_record(formats::read_recording(file), rig.time, file.string());
+/// The channels that are as long as the time, and those asked for. A MAT file may hold anything
+/// else.
+DrumRecord read_record(const RigFile& rig,
+                       const std::filesystem::path& file,
+                       std::vector<std::string> needed) {
+  const Channels all = formats::read_recording(file, rig.units);
+  const Channel* time = all.find(rig.time);
+  Channels channels;
+  for (const Channel& channel : all.all()) {
+    const bool asked_for = std::find(needed.begin(), needed.end(), channel.name) != needed.end();
+    if (asked_for || !time || channel.values.size() == time->values.size()) channels.add(channel);
+  }
+  return drum_record(std::move(channels), rig.time, file.string());
 }
 
 }  // namespace
@@ -133,16 +144,19 @@ RigResults process(const RigFile& rig, const RigProgress& progress) {
   const long total =
       static_cast<long>(2 * rig.runs.size()) + (rig.hammer ? 1 : 0) + (rig.compensation ? 1 : 0);
   long done = 0;
+  std::vector<std::string> needed{rig.speed, rig.force};
+  needed.insert(needed.end(), rig.also.begin(), rig.also.end());
   RigResults results;
   for (const RigRun& run : rig.runs) {
     progress(done++, total, "reading " + run.file.filename().string());
-    DrumRecord record = read_record(rig, run.file);
+    DrumRecord record = read_record(rig, run.file, needed);
     progress(done++, total, "passages of " + run.name);
     results.runs.push_back(process_run(rig, run.name, std::move(record)));
   }
   if (rig.hammer) {
     progress(done++, total, "hammer test");
-    results.hammer = process_hammer(rig, read_record(rig, rig.hammer->file));
+    results.hammer = process_hammer(
+        rig, read_record(rig, rig.hammer->file, {rig.hammer->input, rig.hammer->output}));
   }
   if (rig.compensation) {
     progress(done++, total, "compensation");
