@@ -460,6 +460,16 @@ class Files(unittest.TestCase):
         self.assertAlmostEqual(float(rows[3][2]), 0.015)
         self.assertAlmostEqual(float(rows[3][3]), -(0.5 ** 0.5))  # 45 deg, rising ahead
 
+    def test_a_kerb_becomes_a_file_of_triangles(self):
+        kerb = self.write("kerb.toml", 'kind = "kerb"\nshape = "saw_tooth"\npitch = "800 mm"\nwidth = "800 mm"\n'
+                                       'height = "25 mm"\ncount = 4\n')
+        rdf = self.folder / "kerb.rdf"
+        points = self.write("points.csv", "x [m],y [m]\n0.4,0.4\n")
+        self.latsch("road", kerb, "--triangles", rdf)
+        rows = [line.split(",") for line in self.latsch("road", rdf, points).splitlines()]
+        self.assertAlmostEqual(float(rows[1][2]), 0.0125, places=6)
+        self.assertIn("POINTS.csv", self.latsch("road", kerb, code=WRONG_INPUT))
+
     def test_a_drum_moves_with_the_time_of_a_point(self):
         road = self.write("drum.toml", 'kind = "drum"\ndiameter = "2 m"\nspeed = "1 m/s"\ncleats = 1\n'
                                        'height = "20 mm"\nlength = "50 mm"\nstarting_angle = "1 rad"\n')
@@ -495,6 +505,11 @@ class Files(unittest.TestCase):
         self.assertIn("FYW [N] over RUNTIME [s]", page.read_text())
         table = self.write("table.csv", "Fz [kN],t [ms]\n1,0\n2,5\n")
         self.assertRegex(self.latsch("show", table), r"Fz +N +2 +0 +1000 +1500 +2000")
+
+    def test_a_table_with_texts_is_shown_as_written(self):
+        text = self.latsch("show", self.write("kerbs.csv", "name,width [mm]\nexit,800\n"))
+        self.assertRegex(text, r'no channels: .*kerbs.csv:2')
+        self.assertRegex(text, r"exit +800")
 
     def test_bad_files_are_named_with_their_line(self):
         self.assertIn('expected ".crg"', self.latsch("show", self.write("a.xyz", ""), code=WRONG_INPUT))

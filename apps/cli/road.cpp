@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/document.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/units.h"
@@ -11,12 +12,13 @@
 #include "cli/verbs.h"
 #include "formats/csv_table.h"
 #include "formats/road_file.h"
+#include "models/road/road_reader.h"
 
 namespace latsch::cli {
 namespace {
 
 struct Options {
-  std::string road, points, output, time;
+  std::string road, points, output, time, triangles;
 };
 
 /// One row a point: height, normal, friction; u and v where the road has them.
@@ -52,7 +54,22 @@ Channels ask(const formats::RoadFile& file,
   return answers;
 }
 
+/// A kerb in words as a road file of triangles.
+void write_triangles(const Options& options) {
+  constexpr double kApproach = 3.0;  // m: a car stands on it before the kerb
+  const Node root = Document::read(options.road).root();
+  const auto mesh = road::kerb_triangles(road::read_kerb(root), kApproach);
+  root.close();
+  write_text_file(options.triangles, formats::rdf_text(mesh, "made from " + options.road));
+  fmt::print("wrote {}\n", options.triangles);
+}
+
 int road(const Options& options) {
+  if (!options.triangles.empty()) write_triangles(options);
+  if (options.points.empty()) {
+    if (options.triangles.empty()) throw InputError("expected POINTS.csv or --triangles FILE.rdf");
+    return kDone;
+  }
   const formats::RoadFile file = formats::read_road_file(options.road);
   const auto points = formats::CsvTable::read(options.points);
   points.expect_only({"x", "y", "time"});
@@ -86,12 +103,16 @@ void add_road(CLI::App& app, int& exit_code) {
       "  height = \"20 mm\"\n"
       "  length = \"25 mm\"\n"
       "POINTS.csv has columns x [m], y [m] and, for a road that moves, time [s].\n\n"
-      "Example:\n  latsch road track.crg points.csv > ground.csv");
+      "Examples:\n  latsch road track.crg points.csv > ground.csv\n"
+      "  latsch road kerb.toml --triangles kerb.rdf");
   auto options = std::make_shared<Options>();
   verb->add_option("road", options->road, "Road file")->required();
-  verb->add_option("points", options->points, "Table of points (CSV)")->required();
+  verb->add_option("points", options->points, "Table of points (CSV)");
   verb->add_option("--time", options->time, "Time of all points, such as \"0.2 s\"");
   verb->add_option("--output", options->output, "File to write; else the terminal");
+  verb->add_option("--triangles",
+                   options->triangles,
+                   "Of a kerb: Adams road file of nodes and triangles to write");
   verb->callback([=, &exit_code] { exit_code = road(*options); });
 }
 

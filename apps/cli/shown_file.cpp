@@ -25,6 +25,7 @@ using formats::TydexFile;
 constexpr int kDigits = 6;
 constexpr int kRoadPoints = 2000;  // of a curve along a road
 constexpr int kRoadLines = 7;
+constexpr int kMostRows = 100;  // of a table that is no channels
 
 std::string titled(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, unit);
@@ -121,7 +122,19 @@ ShownFile show_csv(const std::filesystem::path& path) {
   ShownFile shown;
   shown.kind = "Table (CSV)";
   shown.facts.push_back(fmt::format("{} rows", table.rows()));
-  add_channels(table.channels(), shown);
+  try {
+    add_channels(table.channels(), shown);
+  } catch (const InputError& error) {  // texts, or a unit that is none: shown as it stands
+    shown.facts.push_back(std::string("no channels: ") + error.what());
+    ShownTable rows{"As written", table.columns(), {}};
+    for (int row = 0; row < std::min(table.rows(), kMostRows); ++row) {
+      rows.rows.emplace_back();
+      for (const std::string& column : rows.heads) {
+        rows.rows.back().push_back(table.text(column, row));
+      }
+    }
+    shown.tables.push_back(std::move(rows));
+  }
   return shown;
 }
 

@@ -203,6 +203,26 @@ TEST(OpenCrg, ArcIsAnArcAndItsNormalsAreThoseOfTheSurface) {
   }
 }
 
+TEST(OpenCrg, EveryPlaceHasAHeightAndANormalAlsoInsideATightBend) {
+  // Headings that turn by a radian a meter: the center lies at a meter, well within the places
+  // asked.
+  std::string text = with("D:long section 1", "D:reference line phi,rad\nD:long section 1");
+  text = text.substr(0, text.find("$$$$$$")) + "$$$$\n";
+  for (int i = 0; i < 7; ++i) {
+    char line[64];
+    std::snprintf(line, sizeof line, "%10.5f%10.5f%10.5f%10.5f\n", double(i), 0.1 * i, 0.2, 0.3);
+    text += line;
+  }
+  const CrgRoad road = road_of(text);
+  for (double x = -3.0; x <= 3.0; x += 0.05) {
+    for (double y = -3.0; y <= 3.0; y += 0.05) {
+      const road::GroundPoint ground = road.at(x, y, 0.0);
+      ASSERT_TRUE(std::isfinite(ground.height) && ground.normal.allFinite()) << x << " " << y;
+      ASSERT_LE(std::abs(ground.height), 0.7);
+    }
+  }
+}
+
 TEST(OpenCrg, ReferenceLineWithAnEndMeetsIt) {
   std::string text = with("$ROAD_CRG\n",
                           "$ROAD_CRG\nreference_line_end_x = 3.9\nreference_line_end_y = 0.1\n"

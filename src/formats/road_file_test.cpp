@@ -224,6 +224,35 @@ TEST(RdfFile, WrittenTrianglesComeBackBitForBit) {
   EXPECT_EQ(back.triangles->mesh().triangles[0].friction, 0.7);
 }
 
+TEST(RdfFile, KerbsAsTrianglesAreTheSameKerbs) {
+  for (const auto shape : {road::Kerb::Shape::saw_tooth,
+                           road::Kerb::Shape::block,
+                           road::Kerb::Shape::triangle,
+                           road::Kerb::Shape::sine}) {
+    road::Kerb kerb;
+    kerb.shape = shape;
+    kerb.height = -0.025;
+    kerb.length = 0.4;
+    kerb.bevel = 0.01;
+    kerb.ramp = shape == road::Kerb::Shape::triangle ? 0.2 : 0.0;
+    kerb.start = {1.0, -0.4};
+    kerb.angle = 0.3;
+    kerb.friction = 0.8;
+    const road::ProfileRoad exact = kerb_road(kerb);
+    const RoadFile file = rdf(rdf_text(kerb_triangles(kerb, 3.0), "a kerb"));
+    for (double s = -1.0; s < 4.0; s += 0.0173) {
+      const Eigen::Vector2d p =
+          kerb.start + Eigen::Vector2d(s * std::cos(0.3) - 0.35 * std::sin(0.3),
+                                       s * std::sin(0.3) + 0.35 * std::cos(0.3));
+      // Flanks lean by 0.01 mm, and so do the slopes that end in them.
+      EXPECT_NEAR(z(file, p.x(), p.y()), exact.height(p.x(), p.y(), 0.0), 1e-5) << s;
+      if (s < -0.01 || (s > 0.01 && s < 3.19) || s > 3.21) {
+        EXPECT_EQ(file.road->at(p.x(), p.y(), 0).friction, exact.at(p.x(), p.y(), 0).friction);
+      }
+    }
+  }
+}
+
 // The sample says of itself: 4 saw-tooth blocks of 800 x 800 x 25 mm; their falling flanks are
 // 0.01 mm long.
 TEST(RdfFile, SampleOfAKerbIsTheKerbOfTheGenerator) {

@@ -16,6 +16,8 @@ using Eigen::Vector2d;
 constexpr double kStraight = 1e-12;
 // Spacings that differ by less count as even, as in OpenCRG's own evaluation.
 constexpr double kEven = 1e-9;
+// The cosine of a corner of the line sharper than any road's: its normals are no use.
+constexpr double kFolded = 1e-6;
 // OpenCRG closes a line whose ends differ by less than 60 deg.
 constexpr double kClosingCosine = 0.5;
 
@@ -80,7 +82,8 @@ Vector2d CrgRoad::tangent(int point) const {
 /// From a point of the line as far as where v = 1 crosses the normal on its tangent.
 Vector2d CrgRoad::miter(int point, const Vector2d& normal) const {
   const Vector2d n = left_of(tangent(point)).normalized();
-  return n / n.dot(normal);
+  const double cosine = n.dot(normal);
+  return std::abs(cosine) > kFolded ? Vector2d(n / cosine) : normal;
 }
 
 CrgRoad::Interval CrgRoad::interval(const Vector2d& p) const {
@@ -101,7 +104,8 @@ CrgRoad::Interval CrgRoad::interval(const Vector2d& p) const {
   const double a = beyond(k) / tangent(k).dot(d);
   const double b = -beyond(k + 1) / tangent(k + 1).dot(d);
   found.number = k;
-  found.part = a / (a + b);
+  // Beyond a center of curvature the normals have crossed: anywhere in the interval is as good.
+  found.part = a + b > 0.0 ? std::clamp(a / (a + b), 0.0, 1.0) : 0.5;
   found.v = cross(d, p - P[k]) / d.norm();
   const bool before = k == 0 && a < 0.0, behind = k == last - 1 && b < 0.0;
   if (before || behind) {
@@ -272,7 +276,8 @@ GroundPoint CrgRoad::at(double x, double y, double) const {
   Eigen::Matrix2d moves;
   moves.row(0) = place.along_u;
   moves.row(1) = place.along_v;
-  const Vector2d gradient = moves.inverse() * Vector2d(surface.dz_du, surface.dz_dv);
+  Vector2d gradient = moves.inverse() * Vector2d(surface.dz_du, surface.dz_dv);
+  if (!gradient.allFinite()) gradient.setZero();  // in a center of curvature
   GroundPoint ground;
   ground.height = surface.z;
   ground.normal = Eigen::Vector3d(-gradient.x(), -gradient.y(), 1.0).normalized();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/road/kerb.h"
 
+#include <Eigen/Geometry>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -9,6 +10,7 @@ namespace latsch::road {
 namespace {
 
 constexpr int kSinePieces = 256;
+constexpr double kFlank = 1e-5;  // m, over which a flank of triangles falls
 
 Profile sine(double pitch, double height) {
   std::vector<Profile::Point> points;
@@ -28,11 +30,21 @@ Profile block(const Kerb& kerb) {
   return Profile(std::move(points));
 }
 
-Profile across(const Kerb& kerb) {
+Profile section_across(const Kerb& kerb) {
   if (kerb.ramp == 0.0) {
     return Profile({{0.0, 0.0}, {0.0, 1.0}, {kerb.width, 1.0}, {kerb.width, 0.0}});
   }
   return Profile({{0.0, 0.0}, {kerb.ramp, 1.0}, {kerb.width - kerb.ramp, 1.0}, {kerb.width, 0.0}});
+}
+
+/// Without points above each other: the lower one gives way.
+std::vector<Profile::Point> without_flanks(std::vector<Profile::Point> points) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i].s - points[i - 1].s >= kFlank) continue;
+    // Before a rise the low point comes earlier, in a fall the high one.
+    points[i - 1].s = points[i].s - kFlank;
+  }
+  return points;
 }
 
 }  // namespace
@@ -52,11 +64,47 @@ Profile kerb_profile(const Kerb& kerb) {
   return {};
 }
 
+TriangleMesh kerb_triangles(const Kerb& kerb, double approach) {
+  assert(approach > kFlank);
+  const Profile section = kerb_profile(kerb);
+  std::vector<Profile::Point> along{{-approach, 0.0}};
+  for (int i = 0; i < kerb.count; ++i) {
+    for (Profile::Point point : section.points()) {
+      point.s += i * kerb.pitch;
+      const Profile::Point& last = along.back();
+      if (point.s != last.s || point.z != last.z) along.push_back(point);
+    }
+  }
+  along.push_back({kerb.count * kerb.pitch + approach, 0.0});
+  along = without_flanks(std::move(along));
+  std::vector<Profile::Point> across{{0.0, 1.0}, {kerb.width, 1.0}};
+  if (kerb.ramp > 0.0) across = section_across(kerb).points();
+  TriangleMesh mesh;
+  const Eigen::Rotation2Dd turn(kerb.angle);
+  for (const Profile::Point& s : along) {
+    for (const Profile::Point& t : across) {
+      const Eigen::Vector2d place = kerb.start + turn * Eigen::Vector2d(s.s, t.s);
+      mesh.nodes.push_back({place.x(), place.y(), s.z * t.z});
+    }
+  }
+  const int columns = static_cast<int>(across.size());
+  for (int row = 0; row + 1 < std::ssize(along); ++row) {
+    const bool kerb_here = row > 0 && row + 2 < std::ssize(along);
+    const double friction = kerb_here ? kerb.friction : kerb.road_friction;
+    for (int column = 0; column + 1 < columns; ++column) {
+      const int k = row * columns + column;
+      mesh.triangles.push_back({{k, k + columns, k + 1}, friction});
+      mesh.triangles.push_back({{k + 1, k + columns, k + columns + 1}, friction});
+    }
+  }
+  return mesh;
+}
+
 ProfileRoad kerb_road(const Kerb& kerb) {
   assert(kerb.width > 0.0 && kerb.count > 0 && kerb.ramp >= 0.0 && kerb.ramp <= kerb.width / 2.0);
   ProfileRoad::Settings settings;
   settings.along = kerb_profile(kerb);
-  settings.across = across(kerb);
+  settings.across = section_across(kerb);
   settings.pitch = kerb.pitch;
   settings.count = kerb.count;
   settings.origin = kerb.start;

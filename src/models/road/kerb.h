@@ -12,6 +12,7 @@
 #pragma once
 
 #include "models/road/profile_road.h"
+#include "models/road/triangle_road.h"
 
 namespace latsch::road {
 
@@ -36,5 +37,9 @@ struct Kerb {
 Profile kerb_profile(const Kerb& kerb);
 
 ProfileRoad kerb_road(const Kerb& kerb);
+
+/// The same as triangles, for programs that read nothing else: as wide as the kerb, level for
+/// `approach` (m) before and behind it. Flanks fall over 0.01 mm.
+TriangleMesh kerb_triangles(const Kerb& kerb, double approach);
 
 }  // namespace latsch::road

@@ -105,7 +105,29 @@ std::unique_ptr<Road> read_drum(const Node& table) {
   return std::make_unique<DrumRoad>(settings);
 }
 
-std::unique_ptr<Road> read_kerb(const Node& table) {
+std::unique_ptr<Road> read_wave(const Node& table) {
+  WaveRoad::Settings settings;
+  settings.start = table.quantity("start", "m", signed_range(), 0.0);
+  settings.amplitude_begin = table.quantity("amplitude", "m", signed_range());
+  settings.wave_length_begin = table.quantity("wave_length", "m", size_range());
+  settings.amplitude_end = settings.amplitude_begin;
+  settings.wave_length_end = settings.wave_length_begin;
+  if (table.has("end")) {
+    settings.end = table.quantity("end", "m", {settings.start, kLargest, true});
+    settings.amplitude_end =
+        table.quantity("amplitude_end", "m", signed_range(), settings.amplitude_end);
+    settings.wave_length_end =
+        table.quantity("wave_length_end", "m", size_range(), settings.wave_length_end);
+    settings.exponential = table.flag("exponential", false);
+  }
+  settings.friction = friction(table);
+  return std::make_unique<WaveRoad>(settings);
+}
+
+}  // namespace
+
+Kerb read_kerb(const Node& table) {
+  table.choice("kind", {"kerb"});
   Kerb kerb;
   const std::string shape = table.choice("shape", {"saw_tooth", "triangle", "sine", "block"});
   kerb.shape = shape == "saw_tooth"  ? Kerb::Shape::saw_tooth
@@ -130,37 +152,17 @@ std::unique_ptr<Road> read_kerb(const Node& table) {
   kerb.angle = table.quantity("angle", "rad", {}, 0.0);
   kerb.road_friction = friction(table);
   kerb.friction = obstacle_friction(table);
-  return std::make_unique<ProfileRoad>(kerb_road(kerb));
+  return kerb;
 }
-
-std::unique_ptr<Road> read_wave(const Node& table) {
-  WaveRoad::Settings settings;
-  settings.start = table.quantity("start", "m", signed_range(), 0.0);
-  settings.amplitude_begin = table.quantity("amplitude", "m", signed_range());
-  settings.wave_length_begin = table.quantity("wave_length", "m", size_range());
-  settings.amplitude_end = settings.amplitude_begin;
-  settings.wave_length_end = settings.wave_length_begin;
-  if (table.has("end")) {
-    settings.end = table.quantity("end", "m", {settings.start, kLargest, true});
-    settings.amplitude_end =
-        table.quantity("amplitude_end", "m", signed_range(), settings.amplitude_end);
-    settings.wave_length_end =
-        table.quantity("wave_length_end", "m", size_range(), settings.wave_length_end);
-    settings.exponential = table.flag("exponential", false);
-  }
-  settings.friction = friction(table);
-  return std::make_unique<WaveRoad>(settings);
-}
-
-}  // namespace
 
 std::unique_ptr<Road> read_road(const Node& table) {
   const std::string kind = table.choice("kind", {"flat", "cleat", "drum", "kerb", "wave"});
   std::unique_ptr<Road> road = kind == "flat"    ? read_plane(table)
                                : kind == "cleat" ? read_cleat_road(table)
                                : kind == "drum"  ? read_drum(table)
-                               : kind == "kerb"  ? read_kerb(table)
-                                                 : read_wave(table);
+                               : kind == "kerb"
+                                   ? std::make_unique<ProfileRoad>(kerb_road(read_kerb(table)))
+                                   : read_wave(table);
   table.close();
   return road;
 }

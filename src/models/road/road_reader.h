@@ -34,11 +34,15 @@
 #include <memory>
 
 #include "base/document.h"
+#include "models/road/kerb.h"
 #include "models/road/road.h"
 
 namespace latsch::road {
 
 /// Throws InputError naming the place; unknown keys too.
 std::unique_ptr<Road> read_road(const Node& table);
+
+/// Of kind "kerb" alone.
+Kerb read_kerb(const Node& table);
 
 }  // namespace latsch::road
