@@ -73,10 +73,10 @@ int road(const Options& options) {
   const formats::RoadFile file = formats::read_road_file(options.road);
   const auto points = formats::CsvTable::read(options.points);
   points.expect_only({"x", "y", "time"});
-  const auto x = points.numbers("x", "m"), y = points.numbers("y", "m");
+  const auto x = points.si_numbers("x", "m"), y = points.si_numbers("y", "m");
   std::vector<double> time(x.size(), 0.0);
   if (points.has("time")) {
-    time = points.numbers("time", "s");
+    time = points.si_numbers("time", "s");
   } else if (!options.time.empty()) {
     time.assign(x.size(), parse_option("time", options.time, "s", Range{}));
   }
@@ -102,7 +102,9 @@ void add_road(CLI::App& app, int& exit_code) {
       "  cleats = 1\n"
       "  height = \"20 mm\"\n"
       "  length = \"25 mm\"\n"
-      "POINTS.csv has columns x [m], y [m] and, for a road that moves, time [s].\n\n"
+      "POINTS.csv has columns x, y and, for a road that moves, time; their units may stand in "
+      "brackets, \"x [mm]\",\n"
+      "and are SI where none is given.\n\n"
       "Examples:\n  latsch road track.crg points.csv > ground.csv\n"
       "  latsch road kerb.toml --triangles kerb.rdf");
   auto options = std::make_shared<Options>();

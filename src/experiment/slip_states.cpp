@@ -56,13 +56,6 @@ bool same_name(const std::string& a, const std::string& b) {
   });
 }
 
-/// The values in SI: of its own unit, or as they are where it names none.
-std::vector<double> in_si(const formats::CsvTable& table,
-                          const std::string& column,
-                          const StateColumn& wanted) {
-  return table.has_unit(column) ? table.numbers(column, wanted.unit) : table.numbers(column, "1");
-}
-
 }  // namespace
 
 SlipStates slip_states(const formats::CsvTable& table, const Parameters& tire) {
@@ -82,7 +75,7 @@ SlipStates slip_states(const formats::CsvTable& table, const Parameters& tire) {
     if (before)
       throw InputError(table.header_place(), fmt::format("{} comes twice", in_quotes(column)));
     before = true;
-    const std::vector<double> values = in_si(table, column, *wanted);
+    const std::vector<double> values = table.si_numbers(column, wanted->unit);
     for (std::size_t i = 0; i < values.size(); ++i) result.states[i].*wanted->member = values[i];
   }
   if (!found[0])

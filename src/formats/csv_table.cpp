@@ -160,6 +160,10 @@ std::vector<double> CsvTable::numbers(std::string_view column, std::string_view 
   return values;
 }
 
+std::vector<double> CsvTable::si_numbers(std::string_view column, std::string_view unit) const {
+  return numbers(column, has_unit(column) ? unit : "1");
+}
+
 std::vector<int> CsvTable::integers(std::string_view column) const {
   constexpr double kLargest = 1e9;
   std::vector<int> integers;

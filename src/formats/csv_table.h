@@ -45,6 +45,8 @@ class CsvTable {
   /// A column in the SI unit of `unit`. Throws InputError naming file and line for a missing
   /// column, a missing, unknown or wrong unit and for cells that are not finite numbers.
   std::vector<double> numbers(std::string_view column, std::string_view unit) const;
+  /// The same; a column that names no unit is in SI.
+  std::vector<double> si_numbers(std::string_view column, std::string_view unit) const;
   /// Integers without unit.
   std::vector<int> integers(std::string_view column) const;
   std::vector<std::string> texts(std::string_view column) const;

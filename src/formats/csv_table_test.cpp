@@ -126,6 +126,13 @@ TEST(CsvTable, WrittenChannelsComeBackBitForBit) {
   EXPECT_EQ(parse(csv_text(channels, {"in", "lbf", "%"})).channels(), channels);
 }
 
+TEST(CsvTable, AColumnWithoutUnitIsInSiWhereThatIsAskedFor) {
+  const CsvTable table = parse("x,y [mm],z [N]\n2,3,4\n");
+  EXPECT_EQ(table.si_numbers("x", "m"), (std::vector<double>{2.0}));
+  EXPECT_EQ(table.si_numbers("y", "m"), (std::vector<double>{0.003}));
+  EXPECT_THROW(table.si_numbers("z", "m"), InputError);
+}
+
 TEST(CsvTable, WrittenTablesAreReadable) {
   Channels channels;
   channels.add({"deflection", "m", {0.005}});
