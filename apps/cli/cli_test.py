@@ -501,6 +501,8 @@ class Files(unittest.TestCase):
         self.assertRegex(text, r"INFLPRES +2.5 bar +250000 Pa")
         self.assertRegex(text, r"FYW +kN +W ")
         self.assertRegex(text, r"FYW +N +3 +1 +-500 +500 +1500")
+        self.assertRegex(self.latsch("show", tydex, "--axes", "sae"), r"FYW +N +3 +1 +-1500 +-500 +500")
+        self.assertIn('expected "iso"', self.latsch("show", tydex, "--axes", "din", code=WRONG_INPUT))
         self.assertIn("<polyline", page.read_text())
         self.assertIn("FYW [N] over RUNTIME [s]", page.read_text())
         table = self.write("table.csv", "Fz [kN],t [ms]\n1,0\n2,5\n")

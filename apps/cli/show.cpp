@@ -123,8 +123,8 @@ std::string page(const std::string& file, const ShownFile& shown) {
   return text + "</main>\n</body>\n</html>\n";
 }
 
-int show(const std::string& file, const std::string& html) {
-  const ShownFile shown = shown_file(file);
+int show(const std::string& file, const std::string& html, const std::string& axes) {
+  const ShownFile shown = shown_file(file, axis_convention_of(axes));
   fmt::print("{}\n{}\n", file, shown.kind);
   for (const std::string& fact : shown.facts) fmt::print("  {}\n", plain(fact, kLongest));
   for (const ShownTable& table : shown.tables) print_table(table);
@@ -142,12 +142,14 @@ void add_show(CLI::App& app, int& exit_code) {
   verb->footer(
       "Reads TYDEX (.tdx), tables (.csv), tires (.tir), roads (.crg, .rdf, .toml), decks "
       "(.inp).\n\n"
-      "Example:\n  latsch show cornering.tdx --html cornering.html");
+      "Example:\n  latsch show cornering.tdx --axes sae --html cornering.html");
   auto file = std::make_shared<std::string>();
   auto html = std::make_shared<std::string>();
   verb->add_option("file", *file, "File to look at")->required();
   verb->add_option("--html", *html, "Page with tables and curves to write");
-  verb->callback([=, &exit_code] { exit_code = show(*file, *html); });
+  auto axes = std::make_shared<std::string>("iso");
+  verb->add_option("--axes", *axes, "Signs the file has: iso, adapted_sae or sae; shown are iso's");
+  verb->callback([=, &exit_code] { exit_code = show(*file, *html, *axes); });
 }
 
 }  // namespace latsch::cli

@@ -55,7 +55,8 @@ std::vector<std::string> statistics(const Channel& channel) {
 }
 
 /// Every channel over the one that is the time, or over the number of the sample.
-void add_channels(const Channels& channels, ShownFile& shown) {
+void add_channels(const Channels& written, AxisConvention axes, ShownFile& shown) {
+  const Channels channels = to_iso(written, axes);
   ShownTable table{
       "Channels, in SI", {"channel", "unit", "samples", "gaps", "smallest", "mean", "largest"}, {}};
   const Channel* time = nullptr;
@@ -88,7 +89,7 @@ ShownTable entries_table(const std::string& title, const std::vector<TydexFile::
   return table;
 }
 
-ShownFile show_tydex(const std::filesystem::path& path) {
+ShownFile show_tydex(const std::filesystem::path& path, AxisConvention axes) {
   const TydexFile file = TydexFile::read(path);
   ShownFile shown;
   shown.kind = "TYDEX 1.3";
@@ -113,17 +114,17 @@ ShownFile show_tydex(const std::filesystem::path& path) {
          about.comment});
   }
   shown.tables.push_back(std::move(written));
-  add_channels(file.channels, shown);
+  add_channels(file.channels, axes, shown);
   return shown;
 }
 
-ShownFile show_csv(const std::filesystem::path& path) {
+ShownFile show_csv(const std::filesystem::path& path, AxisConvention axes) {
   const auto table = formats::CsvTable::read(path);
   ShownFile shown;
   shown.kind = "Table (CSV)";
   shown.facts.push_back(fmt::format("{} rows", table.rows()));
   try {
-    add_channels(table.channels(), shown);
+    add_channels(table.channels(), axes, shown);
   } catch (const InputError& error) {  // texts, or a unit that is none: shown as it stands
     shown.facts.push_back(std::string("no channels: ") + error.what());
     ShownTable rows{"As written", table.columns(), {}};
@@ -138,7 +139,7 @@ ShownFile show_csv(const std::filesystem::path& path) {
   return shown;
 }
 
-ShownFile show_mat(const std::filesystem::path& path) {
+ShownFile show_mat(const std::filesystem::path& path, AxisConvention axes) {
   const auto file = formats::MatFile::read(path);
   ShownFile shown;
   shown.kind = "MAT file";
@@ -155,7 +156,7 @@ ShownFile show_mat(const std::filesystem::path& path) {
     vectors = vectors || variable.is_vector();
   }
   shown.tables.push_back(std::move(table));
-  if (vectors) add_channels(file.channels(), shown);
+  if (vectors) add_channels(file.channels(), axes, shown);
   return shown;
 }
 
@@ -251,24 +252,25 @@ ShownFile show_inp(const std::filesystem::path& path) {
 
 }  // namespace
 
-ShownFile shown_file(const std::filesystem::path& file) {
-  static const std::map<std::string, std::function<ShownFile(const std::filesystem::path&)>>
-      kReaders = {{".tdx", show_tydex},
-                  {".tydex", show_tydex},
-                  {".csv", show_csv},
-                  {".mat", show_mat},
-                  {".tir", show_tir},
-                  {".crg", show_road},
-                  {".rdf", show_road},
-                  {".toml", show_document},
-                  {".inp", show_inp}};
+ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes) {
+  using Path = std::filesystem::path;
+  const std::map<std::string, std::function<ShownFile(const Path&)>> readers = {
+      {".tdx", [&](const Path& path) { return show_tydex(path, axes); }},
+      {".tydex", [&](const Path& path) { return show_tydex(path, axes); }},
+      {".csv", [&](const Path& path) { return show_csv(path, axes); }},
+      {".mat", [&](const Path& path) { return show_mat(path, axes); }},
+      {".tir", show_tir},
+      {".crg", show_road},
+      {".rdf", show_road},
+      {".toml", show_document},
+      {".inp", show_inp}};
   std::string ending = file.extension().string();
   for (char& c : ending)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  const auto reader = kReaders.find(ending);
-  if (reader != kReaders.end()) return reader->second(file);
+  const auto reader = readers.find(ending);
+  if (reader != readers.end()) return reader->second(file);
   std::vector<std::string> endings;
-  for (const auto& [known, action] : kReaders) endings.push_back(known);
+  for (const auto& [known, action] : readers) endings.push_back(known);
   throw InputError({file.string(), 0},
                    "ends in " + in_quotes(ending) + ", expected " + list_of(endings));
 }

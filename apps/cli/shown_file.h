@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "measurement/axes.h"
+
 namespace latsch::cli {
 
 struct ShownTable {
@@ -26,8 +28,8 @@ struct ShownFile {
   std::vector<ShownCurve> curves;
 };
 
-/// By the ending of the name: .tdx, .tydex, .csv, .mat, .tir, .crg, .rdf, .toml, .inp. Throws
-/// InputError.
-ShownFile shown_file(const std::filesystem::path& file);
+/// By the ending of the name: .tdx, .tydex, .csv, .mat, .tir, .crg, .rdf, .toml, .inp. Channels
+/// come out in iso, from the signs `axes` says the file has. Throws InputError.
+ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes);
 
 }  // namespace latsch::cli

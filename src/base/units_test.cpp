@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <numbers>
 #include <thread>
 
@@ -152,6 +153,31 @@ TEST(Units, ThreadsMayAskAtOnce) {
     });
   for (std::thread& thread : threads) thread.join();
   for (int t = 1; t < 4; ++t) EXPECT_EQ(sums[t], sums[0]);
+}
+
+// strtold rounds correctly; every plain decimal has to come out with the same bits.
+TEST(SplitNumber, PlainDecimalsAreRoundedOnce) {
+  std::uint64_t state = 1;
+  for (int i = 0; i < 20'000; ++i) {
+    state = state * 6364136223846793005u + 1442695040888963407u;  // Knuth's generator
+    std::string text = std::to_string(state >> (i % 63));
+    const std::size_t point = (state >> 7) % (text.size() + 1);
+    if (point > 0 && point < text.size()) text.insert(text.begin() + point, '.');
+    if (state % 3 == 0) text.insert(text.begin(), '-');
+    const auto parts = split_number(text);
+    ASSERT_TRUE(parts) << text;
+    EXPECT_EQ(parts->number, std::strtold(text.c_str(), nullptr)) << text;
+    EXPECT_EQ(parts->digits, text);
+    EXPECT_TRUE(parts->rest.empty());
+  }
+  EXPECT_TRUE(std::signbit(split_number("-0.0")->number));
+  for (const char* text : {"", "-", ".", "--1", "1-", "- 1"}) {
+    const auto parts = split_number(text);
+    EXPECT_FALSE(parts && parts->rest.empty()) << text;
+  }
+  EXPECT_EQ(split_number("1.2.3")->rest, ".3");
+  EXPECT_EQ(split_number("5.")->number, 5.0L);
+  EXPECT_EQ(split_number("5 mm")->rest, "mm");
 }
 
 }  // namespace
