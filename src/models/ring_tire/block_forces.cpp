@@ -52,8 +52,10 @@ LATSCH_RING_CLONES void sticking_forces(const BlockColumns& blocks,
     const double nx = Nx[i], ny = Ny[i], nz = Nz[i];
     const double depth = level[i] - (nx * Tx + ny * Ty + nz * Tz);
     const double rate = -(nx * Vx + ny * Vy + nz * Vz);
-    const double push = normal * (depth + td * rate);
-    const double on = (depth > 0.0 && push > 0.0) ? 1.0 : 0.0;  // (11)
+    const double on = depth > 0.0 ? 1.0 : 0.0;
+    // The damper carries no more than the spring: no jump at the touch and no pull.
+    const double fast = td * rate < depth ? td * rate : depth;
+    const double push = normal * (depth + (fast > -depth ? fast : -depth));  // (11)
     // Time since the touch, at most the step.
     const double since = depth > 0.0 && rate * step > depth ? depth / rate : step;
     const bool touched = touches[i] > 0.5;

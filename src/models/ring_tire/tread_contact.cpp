@@ -150,8 +150,8 @@ void TreadContact::approach_line(int segment, int line, const road::Road& road, 
   const auto tip = [&](int i, int j) {
     return at_stations(kP + i)[j] + H * at_stations(kG + i)[j] + y * at_stations(kA + i)[j];
   };
-  const auto ends = std::minmax(tip(0, 0), tip(0, blocks_ - 1));
-  const auto sides = std::minmax(tip(1, 0), tip(1, blocks_ - 1));
+  const auto ends = std::minmax({tip(0, 0), tip(0, blocks_ - 1)});
+  const auto sides = std::minmax({tip(1, 0), tip(1, blocks_ - 1)});
   // A line is as good as straight over a segment; its sagitta is well below the length.
   const double room = 0.1 * (ends.second - ends.first);
   const road::GroundBox box{
