@@ -44,6 +44,8 @@ int run(int argc, char** argv) {
                          add_process,
                          add_doctor,
                          add_road,
+                         add_drum,
+                         add_ring,
                          add_show,
                          add_worker}) {
     add(app, exit_code);

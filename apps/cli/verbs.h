@@ -25,6 +25,8 @@ void add_report(CLI::App& app, int& exit_code);
 void add_doctor(CLI::App& app, int& exit_code);
 void add_export(CLI::App& app, int& exit_code);
 void add_road(CLI::App& app, int& exit_code);
+void add_drum(CLI::App& app, int& exit_code);
+void add_ring(CLI::App& app, int& exit_code);
 void add_show(CLI::App& app, int& exit_code);
 void add_process(CLI::App& app, int& exit_code);
 void add_worker(CLI::App& app, int& exit_code);  // hidden: what run and doe start

@@ -18,12 +18,35 @@ struct BlockColumns {
   double* Fn;          // normal force
   double* e[3];        // tip minus T in the plane
   double* gripped;     // tangential force over that of a sticking tip
+  double* over;        // > 0 where that is more than adhesion holds
   double* on_road[3];  // T moved to the road along N
 };
 
 struct BlockLaw {
   double normal, tangential, damping_time, step;
+  // μ of adhesion by F_n: c0 + c1 F_n + c2 F_n^2 between the two forces, constant beyond.
+  double c0, c1, c2, lowest, highest;
 };
+
+/// The belt at the stations of a segment: columns of t, n and |x'|, each `count` long.
+struct StationFrames {
+  const double *t, *n, *length;
+};
+
+/// (10) for all stations [begin, end) of a segment: columns p, G = n - ν_n t + ψ a and A = a - ν_a
+/// t
+/// - ψ n, nine of them, `stride` long, so that T = p + H G + y A; of `rates` without n and a
+/// themselves. `nodes`: the four nodes' values; `weights`: w and its derivative d, four columns
+/// each.
+void station_columns(const double* const nodes[4],
+                     const double* weights,
+                     const StationFrames& frames,
+                     const double* a,
+                     bool rates,
+                     int stride,
+                     int begin,
+                     int end,
+                     double* columns);
 
 /// (11) and (12) for blocks [begin, end) of a row; `stations` holds the 18 columns of (10), each
 /// `stride` long, `offset` is the row's place in the block columns.

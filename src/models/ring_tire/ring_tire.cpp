@@ -136,8 +136,7 @@ double RingTire::unbalance(const NodeValues& q, const road::Road& road, double t
 Result<bool> RingTire::equilibrate(const road::Road& road, double time) {
   constexpr int kMost = 200;
   constexpr double kSmallest = 1e4, kLargestMove = 5e-3;  // 1/s^2; m
-  // Forces left at all nodes together; friction forgives here what a step would carry on.
-  const double enough = 5.0 * settings_.tolerance;
+  const double enough = settings_.static_tolerance;
   rule_ = {};
   double shift = 0.0;
   v1_.setZero();

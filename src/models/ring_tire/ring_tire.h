@@ -27,12 +27,13 @@
 namespace latsch::ring_tire {
 
 struct RingSettings {
-  double dissipation = 0.05;   // θ, 0 .. 1/3
-  double tolerance = 1e-2;     // N (m on torsion: per meter), largest force left at a node
-  int halvings = 4;            // of a step that has no solution
-  int most_iterations = 15;    // of Newton's method a step
-  double lowering = 2e-3;      // m, of the rim in one step of settle()
-  double largest_step = 2e-3;  // s; advance() divides longer ones
+  double dissipation = 0.05;       // θ, 0 .. 1/3
+  double tolerance = 0.1;          // N (m on torsion: per meter), largest force left at a node
+  double static_tolerance = 0.05;  // N, all forces left together
+  int halvings = 4;                // of a step that has no solution
+  int most_iterations = 15;        // of Newton's method a step
+  double lowering = 2e-3;          // m, of the rim in one step of settle()
+  double largest_step = 2e-3;      // s; advance() divides longer ones
 };
 
 /// What advance() and settle() cost so far.

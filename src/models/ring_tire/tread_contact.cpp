@@ -36,16 +36,19 @@ TreadContact::TreadContact(const Tread& tread, double radius, int nodes)
     const double drop = tread.crown_radius > 0.0 ? 0.5 * y * y / tread.crown_radius : 0.0;
     line_height_.push_back(tread.height - drop);
   }
+  weights_.resize(static_cast<std::size_t>(8 * blocks_));
   for (int j = 0; j < blocks_; ++j) {
     const double s = (j + 0.5) / blocks_, s2 = s * s, s3 = s2 * s;
-    weights_.push_back({{0.5 * (-s3 + 2.0 * s2 - s),
-                         0.5 * (3.0 * s3 - 5.0 * s2 + 2.0),
-                         0.5 * (-3.0 * s3 + 4.0 * s2 + s),
-                         0.5 * (s3 - s2)},
-                        {0.5 * (-3.0 * s2 + 4.0 * s - 1.0),
-                         0.5 * (9.0 * s2 - 10.0 * s),
-                         0.5 * (-9.0 * s2 + 8.0 * s + 1.0),
-                         0.5 * (3.0 * s2 - 2.0 * s)}});
+    const double catmull_rom[8] = {0.5 * (-s3 + 2.0 * s2 - s),
+                                   0.5 * (3.0 * s3 - 5.0 * s2 + 2.0),
+                                   0.5 * (-3.0 * s3 + 4.0 * s2 + s),
+                                   0.5 * (s3 - s2),
+                                   0.5 * (-3.0 * s2 + 4.0 * s - 1.0),
+                                   0.5 * (9.0 * s2 - 10.0 * s),
+                                   0.5 * (-9.0 * s2 + 8.0 * s + 1.0),
+                                   0.5 * (3.0 * s2 - 2.0 * s)};
+    for (int m = 0; m < 8; ++m)
+      weights_[static_cast<std::size_t>(m * blocks_ + j)] = catmull_rom[m];
   }
   capacity_ = all;
   tip_x_.resize(all);
@@ -53,7 +56,7 @@ TreadContact::TreadContact(const Tread& tread, double radius, int nodes)
   tip_z_.resize(all);
   touches_.resize(all);
   memory_.resize(all * kColumns);
-  frames_.resize(static_cast<std::size_t>(nodes) * blocks_);
+  frames_.resize(static_cast<std::size_t>(nodes * blocks_ * kFrameColumns));
   stations_.resize(static_cast<std::size_t>(kStationColumns) * blocks_);
   rows_.reserve(static_cast<std::size_t>(nodes) * lines_);
   touched_rows_.reserve(rows_.capacity());
@@ -89,40 +92,35 @@ bool TreadContact::near_road(const NodeValues& q,
 void TreadContact::set_frames(const NodeValues& q, int segment) {
   const auto x = [&](int m) { return q.col(node(segment, m)).head<3>(); };
   for (int j = 0; j < blocks_; ++j) {
-    const double* d = weights_[static_cast<std::size_t>(j)].d;
-    const Vector3d slope = d[0] * x(0) + d[1] * x(1) + d[2] * x(2) + d[3] * x(3);
+    const Vector3d slope = slope_weight(0)[j] * x(0) + slope_weight(1)[j] * x(1) +
+                           slope_weight(2)[j] * x(2) + slope_weight(3)[j] * x(3);
     const Vector3d in_plane = slope - a_ * a_.dot(slope);
-    Station& at = station(segment, j);
-    at.length = in_plane.norm();
-    at.t = in_plane / at.length;
-    at.n = a_.cross(at.t);
+    const double length = in_plane.norm();
+    const Vector3d t = in_plane / length, n = a_.cross(t);
+    for (int i = 0; i < 3; ++i) {
+      frame(segment, kT + i)[j] = t[i];
+      frame(segment, kN + i)[j] = n[i];
+    }
+    frame(segment, kLength)[j] = length;
   }
 }
 
 void TreadContact::set_stations(
     const NodeValues& q, const NodeValues& v, int segment, int begin, int end) {
-  const auto fill = [&](const NodeValues& values, int j, bool rates) {
-    const Weights& weights = weights_[static_cast<std::size_t>(j)];
-    Eigen::Vector4d p = Eigen::Vector4d::Zero(), slope = p;
-    for (int m = 0; m < 4; ++m) {
-      p += weights.w[m] * values.col(node(segment, m));
-      slope += weights.d[m] * values.col(node(segment, m));
-    }
-    const Station& at = station(segment, j);
-    const double nu_n = at.n.dot(slope.head<3>()) / at.length;
-    const double nu_a = a_.dot(slope.head<3>()) / at.length;
-    const double own = rates ? 0.0 : 1.0;
-    const Vector3d G = own * at.n - nu_n * at.t + p[3] * a_;
-    const Vector3d A = own * a_ - nu_a * at.t - p[3] * at.n;
-    for (int i = 0; i < 3; ++i) {
-      at_stations((rates ? kRateP : kP) + i)[j] = p[i];
-      at_stations((rates ? kRateG : kG) + i)[j] = G[i];
-      at_stations((rates ? kRateA : kA) + i)[j] = A[i];
-    }
-  };
-  for (int j = begin; j < end; ++j) {
-    fill(q, j, false);
-    fill(v, j, true);
+  const StationFrames frames{frame(segment, kT), frame(segment, kN), frame(segment, kLength)};
+  for (const bool rates : {false, true}) {
+    const NodeValues& values = rates ? v : q;
+    const double* nodes[4];
+    for (int m = 0; m < 4; ++m) nodes[m] = values.col(node(segment, m)).data();
+    station_columns(nodes,
+                    weights_.data(),
+                    frames,
+                    a_.data(),
+                    rates,
+                    blocks_,
+                    begin,
+                    end,
+                    at_stations(rates ? kRateP : kP));
   }
 }
 
@@ -216,6 +214,7 @@ BlockColumns TreadContact::block_columns() {
           .Fn = column(kFn),
           .e = {column(kEx), column(kEy), column(kEz)},
           .gripped = column(kGripped),
+          .over = column(kOver),
           .on_road = {column(kNewX), column(kNewY), column(kNewZ)}};
 }
 
@@ -223,20 +222,23 @@ void TreadContact::row_forces(const Row& row) {
   const BlockColumns blocks = block_columns();
   const double H = line_height_[static_cast<std::size_t>(row.line)];
   const double y = line_y_[static_cast<std::size_t>(row.line)];
+  // Pressure on the rubber is F_n over its area.
+  const double by_force = 1.0 / (positive_ * area_);
+  const FrictionLaw::Quadratic& mu = law_.adhesion_law();
   const BlockLaw law{.normal = normal_,
                      .tangential = tangential_,
                      .damping_time = rule_.statics() ? 0.0 : damping_time_,
-                     .step = rule_.step};
+                     .step = rule_.step,
+                     .c0 = mu.c0,
+                     .c1 = mu.c1 * by_force,
+                     .c2 = mu.c2 * by_force * by_force,
+                     .lowest = law_.lowest_pressure() / by_force,
+                     .highest = law_.highest_pressure() / by_force};
   sticking_forces(blocks, stations_.data(), blocks_, row.begin, row.end, row.offset, H, y, law);
   const int end = row.offset + row.end - row.begin;
-  for (int at = row.offset; at < end; ++at) {
-    const double Fn = column(kFn)[at];
-    if (Fn == 0.0) continue;
-    const double size2 = column(kFx)[at] * column(kFx)[at] + column(kFy)[at] * column(kFy)[at] +
-                         column(kFz)[at] * column(kFz)[at];
-    const double limit = column(kMu)[at] * law_.adhesion(Fn / (positive_ * area_)) * Fn;
-    if (size2 > limit * limit) slide(at);
-  }
+  const double* over = column(kOver);
+  for (int at = row.offset; at < end; ++at)
+    if (over[at] > 0.0) slide(at);
   add_row_sums(
       blocks, stations_.data() + kSum * blocks_, blocks_, row.begin, row.end, row.offset, H, y);
 }
@@ -288,13 +290,13 @@ void TreadContact::add_station_forces(int segment, int begin, int end, NodeValue
       return Vector3d(at_stations(c)[j], at_stations(c + 1)[j], at_stations(c + 2)[j]);
     };
     const Vector3d F = sum(kSum), FH = sum(kSumH), Fy = sum(kSumY);
-    const Station& at = station(segment, j);
-    const Vector3d turning = -(FH.dot(at.t) * at.n + Fy.dot(at.t) * a_) / at.length;
-    const double torsion = FH.dot(a_) - Fy.dot(at.n);
-    const Weights& weights = weights_[static_cast<std::size_t>(j)];
+    const Vector3d t = frame_vector(segment, kT, j), n = frame_vector(segment, kN, j);
+    const Vector3d turning = -(FH.dot(t) * n + Fy.dot(t) * a_) / frame(segment, kLength)[j];
+    const double torsion = FH.dot(a_) - Fy.dot(n);
     for (int m = 0; m < 4; ++m) {
-      force.col(node(segment, m)).head<3>() += weights.w[m] * F + weights.d[m] * turning;
-      force(3, node(segment, m)) += weights.w[m] * torsion;
+      const double w = weight(m)[j];
+      force.col(node(segment, m)).head<3>() += w * F + slope_weight(m)[j] * turning;
+      force(3, node(segment, m)) += w * torsion;
     }
   }
 }

@@ -69,17 +69,9 @@ class TreadContact {
   int candidates() const { return count_; }
 
  private:
-  /// The belt at one place s of a segment.
-  struct Station {
-    Eigen::Vector3d t, n;
-    double length;  // |x'|
-  };
   struct Row {
     int segment, line, begin, end;  // blocks [begin, end)
     int offset;                     // of block `begin` in the compact arrays
-  };
-  struct Weights {
-    double w[4], d[4];  // of position and of derivative by s
   };
   /// One a candidate block.
   enum Column {
@@ -102,7 +94,8 @@ class TreadContact {
     kEx,
     kEy,
     kEz,
-    kGripped,  // e; force over that of a sticking tip
+    kGripped,
+    kOver,  // e; force over that of a sticking tip; beyond adhesion
     kNewX,
     kNewY,
     kNewZ,  // T on the road
@@ -131,12 +124,16 @@ class TreadContact {
     return memory_.data() + static_cast<std::size_t>(c) * capacity_;
   }
   double* at_stations(int c) { return stations_.data() + static_cast<std::size_t>(c * blocks_); }
-  Station& station(int segment, int block) {
-    return frames_[static_cast<std::size_t>(segment * blocks_ + block)];
+  /// Of a segment: t, n and |x'| at its stations, seven columns.
+  enum FrameColumn { kT = 0, kN = 3, kLength = 6, kFrameColumns = 7 };
+  double* frame(int segment, int c) {
+    return frames_.data() + static_cast<std::size_t>((segment * kFrameColumns + c) * blocks_);
   }
-  const Station& station(int segment, int block) const {
-    return frames_[static_cast<std::size_t>(segment * blocks_ + block)];
+  Eigen::Vector3d frame_vector(int segment, int c, int block) {
+    return {frame(segment, c)[block], frame(segment, c + 1)[block], frame(segment, c + 2)[block]};
   }
+  const double* weight(int m) const { return weights_.data() + m * blocks_; }
+  const double* slope_weight(int m) const { return weights_.data() + (4 + m) * blocks_; }
 
   bool near_road(const NodeValues& q,
                  const RimFrame& rim,
@@ -156,7 +153,7 @@ class TreadContact {
   double height_, half_width_, area_, normal_, tangential_, damping_time_, positive_;
   FrictionLaw law_;
   std::vector<double> line_y_, line_height_;
-  std::vector<Weights> weights_;  // one a block of a line
+  std::vector<double> weights_;  // of position and of its derivative by s: eight columns
   // Persistent, one a block: the tip on the road and whether it is there.
   std::vector<double> tip_x_, tip_y_, tip_z_;
   std::vector<std::uint8_t> touches_;
@@ -164,8 +161,8 @@ class TreadContact {
   // Of the step at work.
   StepRule rule_;
   Eigen::Vector3d a_ = Eigen::Vector3d::UnitY();
-  std::vector<Row> rows_;        // segment by segment
-  std::vector<Station> frames_;  // one a segment and block, of the segments with rows
+  std::vector<Row> rows_;       // segment by segment
+  std::vector<double> frames_;  // of the segments with rows
   int count_ = 0;
   std::size_t capacity_;
   std::vector<double> memory_, stations_;

@@ -23,14 +23,19 @@ class FrictionLaw {
   AtPressure at_pressure(double p) const;
   double adhesion(double p) const { return coefficient(adhesion_, clamped(p)); }
 
+  /// μ of adhesion is c0 + c1 p + c2 p^2 from p = lowest to highest, constant beyond.
+  struct Quadratic {
+    double c0, c1, c2;
+  };
+  const Quadratic& adhesion_law() const { return adhesion_; }
+  double lowest_pressure() const { return lowest_; }
+  double highest_pressure() const { return highest_; }
+
   double mu(double v, double p) const;
   /// v >= 0 of (14); `factor` of the road multiplies μ, `slope` is c (h + t_d).
   double sliding_speed(double T, double slope, double Fn, double p, double factor) const;
 
  private:
-  struct Quadratic {
-    double c0, c1, c2;
-  };
   static double coefficient(const Quadratic& q, double p) { return q.c0 + p * (q.c1 + p * q.c2); }
   double clamped(double p) const { return p < lowest_ ? lowest_ : p > highest_ ? highest_ : p; }
 

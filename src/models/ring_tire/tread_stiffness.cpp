@@ -118,18 +118,21 @@ void TreadContact::add_stiffness(double scale, CyclicBand& K) {
     Matrix4d pairs[16];
     for (Matrix4d& pair : pairs) pair.setZero();
     for (int j = begin; j < end; ++j) {
-      const Station& at = station(segment, j);
-      const Weights& weights = weights_[static_cast<std::size_t>(j)];
+      double w[4], d[4];
+      for (int m = 0; m < 4; ++m) {
+        w[m] = weight(m)[j];
+        d[m] = slope_weight(m)[j];
+      }
       add_pairs(station_stiffness(symmetric(sums, blocks_, j),
                                   symmetric(sums + 6 * blocks_, blocks_, j),
                                   symmetric(sums + 12 * blocks_, blocks_, j),
                                   height_,
-                                  at.t,
-                                  at.n,
+                                  frame_vector(segment, kT, j),
+                                  frame_vector(segment, kN, j),
                                   a_,
-                                  at.length),
-                weights.w,
-                weights.d,
+                                  frame(segment, kLength)[j]),
+                w,
+                d,
                 pairs);
     }
     for (int m = 0; m < 4; ++m)

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch ring: the numbers of a flexible ring tire from what was measured of it.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "base/file.h"
+#include "base/units.h"
+#include "cli/verbs.h"
+#include "correlation/ring_data.h"
+
+namespace latsch::cli {
+namespace {
+
+struct Options {
+  std::string data, output;
+  int evaluations = 400;
+};
+
+int ring(const Options& options) {
+  const auto data = correlation::read_ring_data(options.data);
+  const auto fit = correlation::fit_ring(data, options.evaluations);
+  if (!fit) {
+    fmt::print(stderr, "latsch ring: {}\n", fit.failure().reason);
+    return kFailed;
+  }
+  fmt::print("{} evaluations\n\n{:24} {:>14} {:>14} {:>9}\n",
+             fit->evaluations,
+             "target",
+             "measured",
+             "tire",
+             "error");
+  for (std::size_t i = 0; i < data.targets.size(); ++i) {
+    const auto& target = data.targets[i];
+    fmt::print("{:24} {:14.6g} {:14.6g} {:8.2f} %{}\n",
+               target.name,
+               target.value,
+               fit->values[i],
+               100.0 * (fit->values[i] / target.value - 1.0),
+               target.weight > 0.0 ? "" : "  (not fitted)");
+  }
+  fmt::print("\n");
+  for (int i = 0; i < data.space.size(); ++i)
+    fmt::print("{:24} {}\n",
+               data.space[i].name,
+               format_quantity(fit->point.values[static_cast<std::size_t>(i)], data.space[i].unit));
+  const auto open = correlation::left_open(data, fit->confidence);
+  fmt::print("\nLeft open by data of {:.0f} % error: {}\n",
+             100.0 * correlation::kTypicalError,
+             open.empty() ? "nothing" : "");
+  for (const std::string& sentence : open) fmt::print("  {}\n", sentence);
+  if (!options.output.empty()) {
+    write_text_file(options.output, fit->tire.text());
+    fmt::print("wrote {}\n", options.output);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_ring(CLI::App& app, int& exit_code) {
+  auto* verb = app.add_subcommand("ring", "A ring tire from measured loads, stiffnesses and modes");
+  verb->footer(
+      "DATA names a tire file with known numbers, [variable.NAME] for those to be found and\n"
+      "[target.NAME] for what was measured: loads, stiffnesses, frequencies, damping.\n\n"
+      "Example:\n  latsch ring data.toml --output tire.toml");
+  auto options = std::make_shared<Options>();
+  verb->add_option("data", options->data, "Data file")->required();
+  verb->add_option("--output", options->output, "Tire file to write");
+  verb->add_option("--evaluations", options->evaluations, "At most")->check(CLI::Range(1, 100000));
+  verb->callback([=, &exit_code] { exit_code = ring(*options); });
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+// Twelve numbers of a ring tire from two cleat runs on the drum, shown on eight others.
+//
+// The specimen is the ring with other numbers, finer (120 segments, 12 blocks a line, steps of
+// 0.25 ms) and with noise on its forces. Compared are power spectral densities of Fx and Fz, as in
+// the thesis; every density in units of its own root mean square. "--genetic N" evaluations for the
+// genetic algorithm beside the residual method, 0 leaves it out.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+
+#include "base/document.h"
+#include "base/random.h"
+#include "experiment/drum_test.h"
+#include "models/ring_tire/ring_reader.h"
+#include "models/ring_tire/ring_tire.h"
+#include "numerics/welch.h"
+#include "optimization/genetic.h"
+#include "optimization/residual_trust_region.h"
+#include "table.h"
+
+namespace {
+
+using namespace latsch;
+
+constexpr double kHighest = 200.0;          // Hz, compared up to
+constexpr double kNoise[2] = {10.0, 20.0};  // N, of Fx and Fz, averaged over passages
+constexpr const char* kChannels[2] = {"Fx", "Fz"};
+
+/// A number of the tire: where it stands, what it is in the specimen over what is known before, and
+/// how far it may be off.
+struct Number {
+  const char* path;
+  double truth, range;
+};
+constexpr Number kNumbers[12] = {{"sidewall.radial.stiffness", 1.12, 1.5},
+                                 {"sidewall.radial.damping", 1.30, 2.0},
+                                 {"sidewall.radial.dynamic_stiffening", 0.80, 2.0},
+                                 {"sidewall.time_constant", 1.25, 2.0},
+                                 {"sidewall.tangential.stiffness", 0.88, 1.5},
+                                 {"sidewall.tangential.damping", 0.75, 2.0},
+                                 {"sidewall.progressivity", 0.85, 1.5},
+                                 {"belt.pressure_width", 1.15, 1.5},
+                                 {"belt.bending_in_plane", 1.30, 2.0},
+                                 {"belt.extension", 0.85, 1.5},
+                                 {"tread.shore_a", 0.95, 1.15},
+                                 {"tread.damping_time", 1.30, 2.0}};
+
+experiment::DrumTest drum_test(double kmh,
+                               double load,
+                               double camber,
+                               experiment::DrumCleat cleat) {
+  experiment::DrumTest test;
+  test.speed = kmh / 3.6;
+  test.load = load;
+  test.camber = camber * M_PI / 180.0;
+  test.diameter = 2.5;
+  test.run_in = 0.12;
+  test.duration = 0.256;
+  test.lead = 0.03;
+  test.step = 5e-4;
+  test.sample_step = 1e-3;
+  test.cleat = cleat;
+  return test;
+}
+
+struct Case {
+  std::string name;
+  experiment::DrumTest test;
+  bool fitted;
+  std::vector<double> measured[2] = {};  // densities
+};
+
+std::vector<Case> cases() {
+  const double deg = M_PI / 180.0;
+  const experiment::DrumCleat low{.height = 0.010, .length = 0.020, .bevel = 0.003};
+  const experiment::DrumCleat high{.height = 0.015, .length = 0.030, .bevel = 0.005};
+  const auto turned = [&](experiment::DrumCleat cleat, double degrees) {
+    cleat.angle = degrees * deg;
+    return cleat;
+  };
+  return {{"30 km/h, 3.5 kN, 10 mm", drum_test(30, 3500, 0, low), true},
+          {"60 km/h, 4.5 kN, 15 mm", drum_test(60, 4500, 0, high), true},
+          {"45 km/h, 3.5 kN, 10 mm", drum_test(45, 3500, 0, low), false},
+          {"75 km/h, 3.5 kN, 10 mm", drum_test(75, 3500, 0, low), false},
+          {"30 km/h, 5 kN, 10 mm", drum_test(30, 5000, 0, low), false},
+          {"60 km/h, 3 kN, 10 mm", drum_test(60, 3000, 0, low), false},
+          {"30 km/h, 3.5 kN, 15 mm", drum_test(30, 3500, 0, high), false},
+          {"30 km/h, 3.5 kN, 10 mm, camber 3 deg", drum_test(30, 3500, 3, low), false},
+          {"60 km/h, 4.5 kN, 15 mm, camber -2 deg", drum_test(60, 4500, -2, high), false},
+          {"30 km/h, 3.5 kN, 10 mm at 30 deg", drum_test(30, 3500, 0, turned(low, 30)), false},
+          {"60 km/h, 4.5 kN, 15 mm at 15 deg", drum_test(60, 4500, 0, turned(high, 15)), false}};
+}
+
+Document file() {
+  return Document::read(std::string(LATSCH_SOURCE_DIR) + "/studies/tires/ring_205_55R16.toml");
+}
+
+ring_tire::RingParameters tire_at(const Document& known, const DesignPoint& point) {
+  Document changed = known;
+  for (std::size_t i = 0; i < point.values.size(); ++i)
+    changed.set(kNumbers[i].path, point.values[i]);
+  return ring_tire::read_ring_tire(changed.root());
+}
+
+std::vector<double> density(const std::vector<double>& force) {
+  const int count = static_cast<int>(force.size());
+  const auto settings = numerics::welch_settings(numerics::Convention::scipy, count, count);
+  const numerics::Density density = numerics::power_density(force, 1000.0, settings);
+  std::vector<double> kept;
+  for (std::size_t i = 0; i < density.value.size() && density.frequency[i] <= kHighest; ++i)
+    kept.push_back(density.value[i]);
+  return kept;
+}
+
+double rms(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+/// Differences of the densities of both forces, each in units of the measured one's rms.
+Result<std::vector<double>> differences(const ring_tire::RingParameters& ring, const Case& of) {
+  ring_tire::RingTire tire(ring);
+  const auto channels = experiment::run(tire, of.test);
+  if (!channels) return channels.failure();
+  std::vector<double> all;
+  for (int c = 0; c < 2; ++c) {
+    const auto simulated = density((*channels)[kChannels[c]]);
+    const double scale = rms(of.measured[c]);
+    for (std::size_t i = 0; i < simulated.size(); ++i)
+      all.push_back((simulated[i] - of.measured[c][i]) / scale);
+  }
+  return all;
+}
+
+void measure(std::vector<Case>& all, ring_tire::RingParameters specimen) {
+  specimen.nodes = 120;
+  specimen.tread.blocks = 12;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    experiment::DrumTest test = all[i].test;
+    test.step = 2.5e-4;
+    ring_tire::RingTire tire(specimen);
+    const auto channels = experiment::run(tire, test);
+    if (!channels) throw InputError("the specimen: " + channels.failure().reason);
+    for (int c = 0; c < 2; ++c) {
+      std::vector<double> force = (*channels)[kChannels[c]];
+      RandomStream random(2024, 2 * i + static_cast<std::size_t>(c));
+      for (double& value : force) value += kNoise[c] * random.normal();
+      all[i].measured[c] = density(force);
+    }
+  }
+}
+
+class Fit {
+ public:
+  Fit(std::vector<Case> all, Document known) : cases_(std::move(all)), known_(std::move(known)) {}
+
+  Result<Score> score(const DesignPoint& point) {
+    ++evaluations_;
+    Score score;
+    for (const Case& one : cases_) {
+      if (!one.fitted) continue;
+      const auto found = differences(tire(point), one);
+      if (!found) return found.failure();
+      score.residuals.insert(score.residuals.end(), found->begin(), found->end());
+    }
+    score.value = rms(score.residuals);
+    return score;
+  }
+
+  /// Best of at most `most` evaluations.
+  DesignPoint run(Optimizer& optimizer, int most, const DesignPoint& initial) {
+    evaluations_ = 0;
+    DesignPoint best = initial;
+    best_ = 1e300;
+    while (!optimizer.converged() && evaluations_ < most) {
+      const auto plan = optimizer.propose(1);
+      if (plan.empty()) break;
+      const auto outcome = score(plan.front());
+      if (outcome && outcome->value < best_) {
+        best_ = outcome->value;
+        best = plan.front();
+      }
+      optimizer.observe(plan.front(), outcome);
+      if (evaluations_ % 25 == 0) fmt::print("  {} evaluations: {:.4f}\n", evaluations_, best_);
+    }
+    return best;
+  }
+
+  ring_tire::RingParameters tire(const DesignPoint& point) const {
+    ring_tire::RingParameters ring = tire_at(known_, point);
+    ring.nodes = 60;
+    ring.tread.blocks = 6;
+    ring.tread.lines = 4;
+    return ring;
+  }
+
+  struct Errors {
+    double fitted, held_out, worst;
+    std::string worst_case;
+  };
+  Errors errors(const DesignPoint& point) {
+    double sums[2] = {}, counts[2] = {};
+    Errors errors{};
+    for (const Case& one : cases_) {
+      const auto found = differences(tire(point), one);
+      const double error = found ? rms(*found) : 1e9;
+      fmt::print("  {:40} {} {:.4f}\n", one.name, one.fitted ? "fitted  " : "held out", error);
+      sums[one.fitted] += error * error;
+      counts[one.fitted] += 1.0;
+      if (!one.fitted && error > errors.worst) {
+        errors.worst = error;
+        errors.worst_case = one.name;
+      }
+    }
+    errors.fitted = std::sqrt(sums[1] / counts[1]);
+    errors.held_out = std::sqrt(sums[0] / counts[0]);
+    return errors;
+  }
+
+  int evaluations() const { return evaluations_; }
+
+ private:
+  std::vector<Case> cases_;
+  Document known_;
+  int evaluations_ = 0;
+  double best_ = 0.0;
+};
+
+DesignSpace space_of(const Document& known) {
+  std::vector<DesignVariable> variables;
+  for (const Number& number : kNumbers) {
+    const double value = known.get(number.path);
+    variables.push_back({.name = number.path,
+                         .lower = value / number.range,
+                         .upper = value * number.range,
+                         .initial = value,
+                         .scale = Scale::logarithmic});
+  }
+  return DesignSpace(std::move(variables));
+}
+
+int cleat_fit(int genetic) {
+  const Document known = file();
+  const DesignSpace space = space_of(known);
+  DesignPoint truth = space.initial();
+  for (std::size_t i = 0; i < truth.values.size(); ++i) truth.values[i] *= kNumbers[i].truth;
+  std::vector<Case> all = cases();
+  measure(all, tire_at(known, truth));
+  Fit fit(all, known);
+  fmt::print("before:\n");
+  const auto before = fit.errors(space.initial());
+  fmt::print("at the specimen's own numbers:\n");
+  const auto floor = fit.errors(truth);
+
+  ResidualTrustRegion method(space);
+  const DesignPoint found = fit.run(method, 250, space.initial());
+  const int evaluations = fit.evaluations();
+  const auto errors = fit.errors(found);
+  for (std::size_t i = 0; i < truth.values.size(); ++i)
+    fmt::print(
+        "  {:40} {:.3f} of the specimen's\n", kNumbers[i].path, found.values[i] / truth.values[i]);
+
+  benchmarks::Table table("cleat_fit");
+  table.note("PSD RMS before, fitted and held out",
+             fmt::format("{:.3f}, {:.3f}", before.fitted, before.held_out));
+  table.note("at the specimen's numbers, coarser",
+             fmt::format("{:.3f}, {:.3f}", floor.fitted, floor.held_out));
+  table.note("residual method", fmt::format("{:.3f}, {:.3f}", errors.fitted, errors.held_out));
+  table.note("worst held out", fmt::format("{:.3f}: {}", errors.worst, errors.worst_case));
+  table.row("PSD RMS, held out over fitted",
+            fmt::format("{:.2f}", errors.held_out / errors.fitted),
+            "<= 1.5",
+            errors.held_out <= 1.5 * errors.fitted);
+  table.row(
+      "evaluations, residual method", fmt::format("{}", evaluations), "<= 250", evaluations <= 250);
+  if (genetic > 0) {
+    const int generations = std::max(1, genetic / 60 - 1);
+    Genetic algorithm(space, {.population = 60, .generations = generations});
+    const DesignPoint bred = fit.run(algorithm, genetic, space.initial());
+    const int asked = fit.evaluations();
+    const auto of_bred = fit.errors(bred);
+    table.note(fmt::format("genetic algorithm, {} evaluations", asked),
+               fmt::format("{:.3f}, {:.3f}", of_bred.fitted, of_bred.held_out));
+  }
+  return table.exit_code();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int genetic =
+      argc == 3 && std::strcmp(argv[1], "--genetic") == 0 ? std::atoi(argv[2]) : 600;
+  return benchmarks::guarded([genetic] { return cleat_fit(genetic); });
+}

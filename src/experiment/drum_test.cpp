@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/drum_test.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "models/road/drum_road.h"
+
+namespace latsch::experiment {
+namespace {
+
+constexpr double kFirstStiffness = 2.0e5;  // N/m, for a first guess of the deflection
+
+road::DrumRoad drum_of(const DrumTest& test) {
+  road::DrumRoad::Settings settings;
+  settings.diameter = test.diameter;
+  settings.surface = test.speed;
+  if (test.cleat) {
+    const DrumCleat& cleat = *test.cleat;
+    // Below the axle at time 0; before, as far away as the surface has still to run.
+    settings.cleats = {{.profile = road::cleat_profile(cleat.height, cleat.length, cleat.bevel),
+                        .starting_angle = 0.0,
+                        .angle = cleat.angle}};
+  }
+  return road::DrumRoad(settings);
+}
+
+WheelMotion standing(double height, const Eigen::Matrix3d& carrier) {
+  WheelMotion motion;
+  motion.center.z() = height;
+  motion.carrier = carrier;
+  return motion;
+}
+
+struct Record {
+  static constexpr std::array<const char*, 9> kNames = {
+      "time", "Fx", "Fy", "Fz", "Mx", "My", "Mz", "speed", "wheel_speed"};
+  static constexpr std::array<const char*, 9> kUnits = {
+      "s", "N", "N", "N", "N m", "N m", "N m", "m/s", "rad/s"};
+  std::array<std::vector<double>, 9> values;
+
+  void add(double time, const HubForces& hub, double speed, double wheel_speed) {
+    const std::array<double, 9> row = {time,
+                                       hub.force.x(),
+                                       hub.force.y(),
+                                       hub.force.z(),
+                                       hub.moment.x(),
+                                       hub.moment.y(),
+                                       hub.moment.z(),
+                                       speed,
+                                       wheel_speed};
+    for (std::size_t i = 0; i < row.size(); ++i) values[i].push_back(row[i]);
+  }
+
+  Channels channels() const {
+    Channels all;
+    for (std::size_t i = 0; i < values.size(); ++i) all.add({kNames[i], kUnits[i], values[i]});
+    return all;
+  }
+};
+
+}  // namespace
+
+DrumTest read_drum_test(const Node& root) {
+  root.choice("kind", {"drum_cleat"});
+  DrumTest test;
+  test.speed = root.quantity("speed", "m/s", Range::positive());
+  if (root.has("load") == root.has("deflection"))
+    root.reject("load", "or deflection has to be there, one of the two");
+  if (root.has("load")) test.load = root.quantity("load", "N", Range::positive());
+  if (root.has("deflection")) test.deflection = root.quantity("deflection", "m", Range::positive());
+  test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
+  test.diameter = root.quantity("drum_diameter", "m", Range::positive());
+  test.wheel_inertia = root.quantity("wheel_inertia", "kg m^2", Range::positive(), 1.0);
+  test.run_in = root.quantity("run_in", "s", Range::not_negative(), test.run_in);
+  test.duration = root.quantity("duration", "s", Range::positive(), test.duration);
+  test.lead = root.quantity("lead", "s", Range::not_negative(), test.lead);
+  test.step = root.quantity("step", "s", {0.0, 0.01, true}, test.step);
+  test.sample_step = root.quantity("sample_step", "s", {0.0, 0.1, true}, test.step);
+  const double ratio = test.sample_step / test.step;
+  if (std::abs(ratio - std::round(ratio)) > 1e-6 || ratio < 0.5)
+    root.reject("sample_step", "is no multiple of step");
+  if (const auto table = root.find_table("cleat")) {
+    DrumCleat cleat;
+    cleat.height = table->quantity("height", "m", {0.0, 0.2, true});
+    cleat.length = table->quantity("length", "m", {0.0, 1.0, true});
+    cleat.bevel = table->quantity("bevel", "m", Range::between(0.0, 0.5 * cleat.length), 0.0);
+    cleat.angle = table->quantity("angle", "rad", Range::between(-1.4, 1.4), 0.0);
+    test.cleat = cleat;
+  }
+  root.close();
+  return test;
+}
+
+Result<double> height_under_load(Tire& tire,
+                                 const road::Road& road,
+                                 const Eigen::Matrix3d& carrier,
+                                 double load) {
+  constexpr int kMost = 12;
+  constexpr double kClose = 1e-3;  // of the load
+  double z0 = tire.free_radius(), F0 = 0.0, z = z0 - load / kFirstStiffness;
+  for (int i = 0; i < kMost; ++i) {
+    const auto hub = tire.settle(standing(z, carrier), road, 0.0);
+    if (!hub) return hub.failure();
+    const double F = (carrier * hub->force).z();
+    if (std::abs(F - load) <= kClose * load) return z;
+    const double slope = z != z0 && F != F0 ? (F - F0) / (z - z0) : -kFirstStiffness;
+    z0 = z;
+    F0 = F;
+    z += std::clamp((load - F) / std::min(slope, -0.1 * kFirstStiffness), -0.02, 0.02);
+  }
+  return Failure{fmt::format("no height of the axle was found under a load of {:.0f} N", load)};
+}
+
+Result<Channels> run(Tire& tire, const DrumTest& test) {
+  const road::DrumRoad drum = drum_of(test);
+  const road::DrumRoad smooth({.diameter = test.diameter, .surface = test.speed});
+  const Eigen::Matrix3d carrier =
+      Eigen::AngleAxisd(test.camber, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  double height = tire.free_radius() - test.deflection.value_or(0.0);
+  if (test.load) {
+    const auto found = height_under_load(tire, smooth, carrier, *test.load);
+    if (!found) return found.failure();
+    height = *found;
+  }
+  WheelMotion motion = standing(height, carrier);
+  // A belt of fixed length rolls with nearly its free radius; the wheel finds the rest itself.
+  motion.spin_rate = test.speed / (tire.free_radius() - 0.35 * (tire.free_radius() - height));
+  auto hub = tire.settle(motion, smooth, 0.0);
+  const long first = std::lround((test.run_in + test.lead) / test.step);
+  const long every = std::lround(test.sample_step / test.step);
+  const long lead = std::lround(test.lead / test.step);
+  const long last = std::lround((test.duration - test.lead) / test.step);
+  Record record;
+  for (long i = -first + 1; hub && i <= last; ++i) {
+    motion.spin_rate += test.step * hub->moment.y() / test.wheel_inertia;
+    motion.spin += test.step * motion.spin_rate;
+    const double time = static_cast<double>(i) * test.step;
+    // Far from the axle the cleat cannot touch; the smooth drum answers faster.
+    const bool away = std::abs(time) * test.speed > 0.5 * tire.free_radius() + 0.5;
+    hub = tire.advance(motion, away ? smooth : drum, time, test.step);
+    if (hub && i > -lead && (i + lead) % every == 0)
+      record.add(time, *hub, test.speed, motion.spin_rate);
+  }
+  if (!hub) return Failure{"on the drum: " + hub.failure().reason};
+  return record.channels();
+}
+
+}  // namespace latsch::experiment

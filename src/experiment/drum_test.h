@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Virtual drum rig: a tire on a drum with a cleat, axle held at one height, wheel free to spin.
+//
+//   kind = "drum_cleat"
+//   speed = "60 km/h"                # of the drum's surface
+//   load = "4 kN"                    # at rest, before the axle is held; or deflection = "20 mm"
+//   camber = "2 deg"                 # about x, top to the right; default 0
+//   drum_diameter = "2.5 m"
+//   wheel_inertia = "1 kg m^2"       # about the spin axis, default 1
+//   run_in = "0.2 s"                 # of rolling before the cleat
+//   duration = "0.25 s"              # recorded, from `lead` before the cleat is below the axle
+//   lead = "0.05 s"
+//   step = "0.5 ms"                  # of the simulation
+//   sample_step = "1 ms"             # of the record; a multiple of step, default step
+//   [cleat]                          # none: a smooth drum
+//   height = "15 mm"
+//   length = "30 mm"
+//   bevel = "5 mm"                   # default 0
+//   angle = "30 deg"                 # against the axle, default 0
+//
+// Channels: "time" (0 when the cleat is below the axle), hub forces "Fx" .. "Mz" in C, "speed" of
+// the drum's surface and "wheel_speed" (rad/s).
+#pragma once
+
+#include <optional>
+
+#include "base/document.h"
+#include "base/result.h"
+#include "measurement/channels.h"
+#include "models/tire/tire.h"
+
+namespace latsch::experiment {
+
+struct DrumCleat {
+  double height = 0.0, length = 0.0, bevel = 0.0;  // m
+  double angle = 0.0;                              // rad
+};
+
+struct DrumTest {
+  double speed = 0.0;                // m/s
+  std::optional<double> load;        // N; one of the two
+  std::optional<double> deflection;  // m
+  double camber = 0.0;               // rad
+  double diameter = 2.0;             // m
+  double wheel_inertia = 1.0;        // kg m^2
+  double run_in = 0.2, duration = 0.25, lead = 0.05, step = 5e-4, sample_step = 5e-4;  // s
+  std::optional<DrumCleat> cleat = {};
+};
+
+/// Throws InputError naming the place; unknown keys too.
+DrumTest read_drum_test(const Node& root);
+
+/// Of any tire; it is left as it stands at the end.
+Result<Channels> run(Tire& tire, const DrumTest& test);
+
+/// m, height of the axle above the road's origin where the tire carries `load` at rest.
+Result<double> height_under_load(Tire& tire,
+                                 const road::Road& road,
+                                 const Eigen::Matrix3d& carrier,
+                                 double load);
+
+}  // namespace latsch::experiment
