@@ -449,6 +449,16 @@ class Files(unittest.TestCase):
         (self.folder / name).write_text(text)
         return self.folder / name
 
+    def test_a_ring_tire_rolls_on_the_drum(self):
+        tire = pathlib.Path(__file__).resolve().parents[2] / "studies" / "tires" / "ring_205_55R16.toml"
+        test = self.write("test.toml", 'kind = "drum_cleat"\nspeed = "30 km/h"\nload = "3.5 kN"\n'
+                                       'drum_diameter = "2.5 m"\nrun_in = "20 ms"\nlead = "20 ms"\n'
+                                       'duration = "40 ms"\n[cleat]\nheight = "10 mm"\nlength = "20 mm"\n')
+        rows = [line.split(",") for line in self.latsch("drum", tire, test).splitlines()]
+        self.assertEqual(rows[0][:4], ["time [s]", "Fx [N]", "Fy [N]", "Fz [N]"])
+        self.assertEqual(len(rows), 1 + 80)
+        self.assertAlmostEqual(float(rows[1][3]), 3500, delta=300)
+
     def test_a_road_answers_with_height_normal_and_friction(self):
         road = self.write("road.toml", 'kind = "cleat"\nheight = "20 mm"\nlength = "50 mm"\nbevel = "10 mm"\n'
                                        'place = "1 m"\nobstacle_friction = 0.8\n')

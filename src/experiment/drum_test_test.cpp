@@ -35,13 +35,13 @@ TEST(DrumTest, AFreeWheelRollsUnderItsLoadAndFeelsTheCleatWhenItIsBelow) {
   const auto& Fz = (*channels)["Fz"];
   const auto& My = (*channels)["My"];
   ASSERT_EQ(time.size(), 400u);
-  // Before the cleat: the load within the few percent that rolling adds, and no torque to speak of.
+  // Before the cleat: the load within what dynamic stiffening and speed add, and no torque to speak of.
   double before = 0.0, torque = 0.0;
   for (std::size_t i = 0; i < 60; ++i) {
     before += Fz[i] / 60.0;
     torque += My[i] / 60.0;
   }
-  EXPECT_NEAR(before, 3500.0, 0.05 * 3500.0);
+  EXPECT_NEAR(before, 3500.0, 0.08 * 3500.0);
   EXPECT_NEAR(torque, 0.0, 10.0);
   const auto most = std::max_element(Fz.begin(), Fz.end());
   EXPECT_GT(*most, before + 300.0);

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Virtual flat-track machine: the belt runs below a standing wheel that is steered or braked from
+// one end of a range of slip to the other, axle held at the height of its load. Of any tire.
+//
+// Channels: "time", "alpha" (rad, angle from the wheel's heading to its velocity, tan α = v_y/v_x
+// in C with the sign of NOTATION.md's axes), "kappa" (ω R_e/V - 1, R_e from free rolling before the
+// sweep), "Fx" .. "Mz" in C.
+#pragma once
+
+#include "base/result.h"
+#include "measurement/channels.h"
+#include "models/tire/tire.h"
+
+namespace latsch::experiment {
+
+struct SlipSweep {
+  double speed = 10.0;                      // m/s, of the belt
+  double load = 4000.0;                     // N, at rest
+  double camber = 0.0;                      // rad
+  double alpha_from = 0.0, alpha_to = 0.0;  // rad
+  double kappa_from = 0.0, kappa_to = 0.0;
+  double run_in = 0.3;    // s, free rolling, then at the first slip of the sweep
+  double duration = 1.0;  // s, of the sweep
+  double step = 5e-4;     // s
+};
+
+Result<Channels> run(Tire& tire, const SlipSweep& sweep);
+
+}  // namespace latsch::experiment
