@@ -15,7 +15,7 @@
 
 #include "base/document.h"
 #include "base/random.h"
-#include "experiment/drum_test.h"
+#include "experiment/drum_rig.h"
 #include "models/ring_tire/ring_reader.h"
 #include "models/ring_tire/ring_tire.h"
 #include "numerics/welch.h"

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "cli/verbs.h"
-#include "experiment/drum_test.h"
+#include "experiment/drum_rig.h"
 #include "formats/csv_table.h"
 #include "models/ring_tire/ring_reader.h"
 #include "models/ring_tire/ring_tire.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "experiment/drum_test.h"
+#include "experiment/drum_rig.h"
 #include "models/road/plane_road.h"
 
 namespace latsch::experiment {

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "experiment/drum_test.h"
+#include "experiment/drum_rig.h"
 #include "models/road/plane_road.h"
 
 namespace latsch::experiment {

@@ -37,12 +37,12 @@ struct DrumCleat {
 };
 
 struct DrumTest {
-  double speed = 0.0;                // m/s
-  std::optional<double> load;        // N; one of the two
-  std::optional<double> deflection;  // m
-  double camber = 0.0;               // rad
-  double diameter = 2.0;             // m
-  double wheel_inertia = 1.0;        // kg m^2
+  double speed = 0.0;                     // m/s
+  std::optional<double> load = {};        // N; one of the two
+  std::optional<double> deflection = {};  // m
+  double camber = 0.0;                    // rad
+  double diameter = 2.0;                  // m
+  double wheel_inertia = 1.0;             // kg m^2
   double run_in = 0.2, duration = 0.25, lead = 0.05, step = 5e-4, sample_step = 5e-4;  // s
   std::optional<DrumCleat> cleat = {};
 };

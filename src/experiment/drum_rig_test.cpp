@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/drum_test.h"
+#include "experiment/drum_rig.h"
 
 #include <gtest/gtest.h>
 
