@@ -59,7 +59,10 @@ double run(const RingParameters& ring, bool show) {
   const road::ProfileRoad road = road::cleat_road(2.0, 0.015, 0.03, 0.005);
   RingTire tire(ring);
   WheelMotion motion = rolling(tire.free_radius() - 0.022, 60.0 / 3.6);
-  if (!tire.settle(motion, road, 0.0)) return 1e9;
+  if (const auto stands = tire.settle(motion, road, 0.0); !stands) {
+    fmt::print("{}\n", stands.failure().reason);
+    return 1e9;
+  }
   const double h = 5e-4, duration = 0.3;
   const int steps = static_cast<int>(std::lround(duration / h));
   const long evaluations = tire.counts().evaluations, factors = tire.counts().factorizations;
@@ -69,7 +72,10 @@ double run(const RingParameters& ring, bool show) {
     motion.center.x() += h * motion.velocity.x();
     motion.spin += h * motion.spin_rate;
     const auto hub = tire.advance(motion, road, i * h, h);
-    if (!hub) return 1e9;
+    if (!hub) {
+      fmt::print("{}\n", hub.failure().reason);
+      return 1e9;
+    }
     most = std::max(most, hub->force.z());
   }
   const double share = (cpu_seconds() - start) / duration;

@@ -69,6 +69,7 @@ class RingTire final : public Tire {
   /// f of (15) at q, v, on the rim where it stands: inner forces, then those of the road.
   void evaluate(const NodeValues& q, const NodeValues& v);
   double unbalance(const NodeValues& q, const road::Road& road, double time);
+  double enough_at_rest() const;
   Result<bool> equilibrate(const road::Road& road, double time);
   void roll_on(const WheelMotion& motion);
   std::string go(const WheelMotion& from,

@@ -72,7 +72,7 @@ TEST(RingTire, StandsOnItsPatchInBalance) {
     ASSERT_TRUE(hub) << hub.failure().reason;
     const Resultant ground = of_road(tire, motion.center);
     EXPECT_GT(ground.force.z(), 3000.0);
-    EXPECT_LT((motion.carrier * hub->force - ground.force).norm(), 1e-4 * ground.force.z());
+    EXPECT_LT((motion.carrier * hub->force - ground.force).norm(), 5e-4 * ground.force.z());
     // Sections are turned about the belt's tangent at rest in the hub's moment, about that of the
     // deformed belt by the road: second order in its slope.
     EXPECT_LT((motion.carrier * hub->moment - ground.moment).norm(), 0.5 + 200.0 * camber);
