@@ -88,7 +88,10 @@ int bench() {
             fmt::format("{:.3f} %", 100 * Fy),
             "<= 4.0 %",
             Fy <= 0.04);
-  table.note("Mz over the whole run, RMS error", fmt::format("{:.2f} %", 100 * Mz));
+  table.row(fmt::format("Mz over the whole run, {} samples, RMS error", record.Mz.size()),
+            fmt::format("{:.2f} %", 100 * Mz),
+            "<= 19 % (published set)",
+            Mz <= 0.19);
   table.note("CPU time of all stages",
              fmt::format("{:.1f} s", double(std::clock() - begin) / CLOCKS_PER_SEC));
   return table.exit_code();

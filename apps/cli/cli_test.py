@@ -209,6 +209,48 @@ class Outside(unittest.TestCase):
         return float(re.search(rf"\n  {variable} +(\S+)", text)[1])
 
 
+class Evaluate(Outside):
+    """A steady-state tire on a table of states."""
+
+    TIRE = """[MODEL]
+FITTYP = 61
+[DIMENSION]
+UNLOADED_RADIUS = 0.3
+[VERTICAL]
+FNOMIN = 4000
+VERTICAL_STIFFNESS = 200000
+[VERTICAL_FORCE_RANGE]
+FZMAX = 5000
+[LATERAL_COEFFICIENTS]
+PCY1 = 1.3
+PDY1 = 1.0
+PKY1 = -20
+PKY2 = 1.5
+"""
+
+    def test_forces_of_a_table_in_any_order_and_unit(self):
+        tire, states, forces = (self.folder / name for name in ("tire.tir", "states.csv", "forces.csv"))
+        tire.write_text(self.TIRE)
+        states.write_text("alpha [deg],FZ [kN]\n90e-1,4\n-9,4\n2,9\n")
+        self.latsch("evaluate", tire, states, "-o", forces)
+        head, *rows = [line.split(",") for line in forces.read_text().splitlines()]
+        Fy = [float(row[head.index("Fy [N]")]) for row in rows]
+        self.assertLess(Fy[0], -3000)
+        self.assertAlmostEqual(Fy[0], -Fy[1], places=8)
+        self.assertEqual(float(rows[2][head.index("Fz [N]")]), 5000)  # limited
+        self.latsch("evaluate", tire, states, "--limits", "off", "-o", forces)
+        self.assertEqual(float(forces.read_text().splitlines()[3].split(",")[2]), 9000)
+
+    def test_what_is_wrong_is_named(self):
+        tire, states = self.folder / "tire.tir", self.folder / "states.csv"
+        tire.write_text(self.TIRE.replace("UNLOADED_RADIUS = 0.3\n", ""))
+        states.write_text("Fz\n4000\n")
+        self.assert_says(self.latsch("evaluate", tire, states, code=WRONG_INPUT), "tire.tir", "UNLOADED_RADIUS")
+        tire.write_text(self.TIRE)
+        states.write_text("kappa\n0\n")
+        self.assert_says(self.latsch("evaluate", tire, states, code=WRONG_INPUT), "states.csv:1", "Fz")
+
+
 class Simulators(Outside):
     def test_a_script_is_fitted(self):
         study = self.study("quarter_car")
