@@ -614,6 +614,21 @@ class Drum(unittest.TestCase):
         for file in (self.folder / "rig_processed").iterdir():
             self.assertEqual(file.read_bytes(), (self.folder / "again" / file.name).read_bytes(), file.name)
 
+    def test_a_mat_file_says_the_same_as_the_table(self):
+        script = ("import numpy, scipy.io, sys; t = numpy.loadtxt(sys.argv[1], delimiter=',', skiprows=1).T; "
+                  "scipy.io.savemat(sys.argv[2], dict(time=t[0], speed=t[1], Fz=t[2], Fx=t[3], comment='rig', n=3.0))")
+        table, mat = self.folder / "light_dummy.csv", self.folder / "light_dummy.mat"
+        if subprocess.run(["/usr/bin/python3", "-c", script, table, mat], capture_output=True).returncode:
+            self.skipTest("SciPy is not installed (Debian: python3-scipy)")
+        rig = self.folder / "mat.toml"
+        rig.write_text(self.rig.read_text())
+        edit(rig, ('"light_dummy.csv"', '"light_dummy.mat"'),
+             (r"\[drum\]", '[channels.units]\ntime = "s"\nspeed = "m/s"\nFz = "N"\nFx = "N"\n[drum]'))
+        self.process(rig)
+        name = "average_light_dummy_60kph.csv"
+        self.assertEqual((self.folder / "mat_processed" / name).read_text(),
+                         (self.folder / "rig_processed" / name).read_text())
+
     def test_recordings_that_make_no_sense(self):
         bad = self.folder / "bad.toml"
         for pattern, new, *parts in (
