@@ -91,11 +91,13 @@ class GridBuilding {
         }
       }
     }
+    grid_.u_increment *= positive_scale("scale_length");
     if (!(grid_.u_increment >= kLeastSpacing)) {
       fail(fmt::format("has rows every {} m, expected at least 1e-6 m", grid_.u_increment));
     }
-    grid_.u_increment *= positive_scale("scale_length");
-    if (grid_.u_increment * records_.rows > kLargest) fail("is longer than 1e9 m");
+    if (!(std::abs(grid_.u_begin) + grid_.u_increment * records_.rows < kLargest)) {
+      fail("goes further than 1e9 m");
+    }
   }
 
   double positive_scale(const char* name) const {
@@ -126,19 +128,19 @@ class GridBuilding {
     const bool by_number = channels[sections_.front()].kind == Kind::section_number;
     const double first = by_number ? first_v() : 0.0;
     const double step = by_number ? road("long_section_v_increment", default_v_step()) : 1.0;
+    const double scale = positive_scale("scale_width");
     for (std::size_t i = 0; i < sections_.size(); ++i) {
       const auto& channel = channels[sections_[i]];
       if (by_number && channel.place != static_cast<double>(i + 1)) {
         fail(fmt::format("long section {} is missing or comes twice", i + 1), channel.line);
       }
-      grid_.v.push_back(by_number ? first + step * static_cast<double>(i) : channel.place);
+      const double place = by_number ? first + step * static_cast<double>(i) : channel.place;
+      grid_.v.push_back(scale * place);
       if (!(std::abs(grid_.v[i]) < kLargest)) fail("is a section too far aside", channel.line);
       if (i > 0 && !(grid_.v[i] - grid_.v[i - 1] >= kLeastSpacing)) {
         fail("is a long section less than 1e-6 m beside another", channel.line);
       }
     }
-    const double scale = positive_scale("scale_width");
-    for (double& v : grid_.v) v *= scale;
   }
 
   double default_v_step() const {

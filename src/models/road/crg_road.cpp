@@ -158,6 +158,7 @@ struct Folded {
 
 /// Where the border mode looks for a place beyond 0 ... length.
 Folded fold(double way, double length, Border border) {
+  if (!std::isfinite(way)) way = 0.0;  // so far away that no number tells it
   if (way >= 0.0 && way <= length) return {way};
   if (border == Border::repeat) return {way - length * std::floor(way / length)};
   if (border == Border::reflect) {

@@ -13,6 +13,8 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 // Closer to the side of the drum its surface becomes steeper than three to one.
 constexpr double kEdge = 0.95;
+// m: edges that seen from above are shorter have no surface.
+constexpr double kVertical = 1e-12;
 
 }  // namespace
 
@@ -44,7 +46,7 @@ void DrumRoad::raise(int number, double x, double y, double turned, Surface& sur
     const double angle = theta + corner.s * stretch;
     const double r = R_ - up_ * corner.z;
     const double x1 = r * std::sin(angle), z1 = up_ * (R_ - r * std::cos(angle));
-    if (!first && (x0 - x) * (x1 - x) <= 0.0 && x0 != x1) {
+    if (!first && (x0 - x) * (x1 - x) <= 0.0 && std::abs(x1 - x0) > kVertical) {
       const double slope = (z1 - z0) / (x1 - x0);
       const double z = z0 + slope * (x - x0);
       if (z > surface.z) surface = {z, slope, number};

@@ -8,10 +8,19 @@
 #include <numbers>
 
 namespace latsch::road {
+namespace {
+
+// Points closer than that stand above each other: their slope would mean nothing.
+constexpr double kFlank = 1e-9;  // m
+
+}  // namespace
 
 Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
   assert(std::is_sorted(
       points_.begin(), points_.end(), [](const Point& a, const Point& b) { return a.s < b.s; }));
+  for (std::size_t i = 1; i < points_.size(); ++i) {
+    if (points_[i].s - points_[i - 1].s < kFlank) points_[i].s = points_[i - 1].s;
+  }
   for (const Point& point : points_) reach_ = std::max(reach_, std::abs(point.z));
 }
 
@@ -62,6 +71,7 @@ Profile rounded_profile(const std::vector<Profile::Point>& points,
                         const std::vector<double>& radii) {
   assert(points.size() == radii.size());
   constexpr double kChord = std::numbers::pi / 36.0;
+  constexpr double kSharpest = 0.999 * std::numbers::pi;  // the edges fall together: no arc fits
   std::vector<Profile::Point> rounded;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector2d p(points[i].s, points[i].z);
@@ -76,7 +86,7 @@ Profile rounded_profile(const std::vector<Profile::Point>& points,
     const double turn =
         std::numbers::pi -
         std::acos(std::clamp(before.normalized().dot(behind.normalized()), -1.0, 1.0));
-    if (half == 0.0 || turn == 0.0) {
+    if (half == 0.0 || turn == 0.0 || turn > kSharpest) {
       rounded.push_back(points[i]);
       continue;
     }

@@ -71,6 +71,15 @@ TEST(Profile, OfACleatHasItsBevelAndTheHigherSideOfAFlank) {
   EXPECT_EQ(groove.at(-0.020).height, -0.005);  // a flank: its upper edge
 }
 
+TEST(Profile, PointsAsGoodAsAboveEachOtherAreAFlank) {
+  const Profile profile({{0.0, 0.0}, {1e-320, 1.0}, {1.0, 1.0}});
+  EXPECT_EQ(profile.at(0.0).height, 1.0);
+  EXPECT_EQ(profile.at(0.0).slope, 0.0);
+  EXPECT_EQ(profile.at(1e-321).height, 1.0);
+  const Profile spike = rounded_profile({{0.0, 0.0}, {0.0, 1.0}, {0.0, 0.0}}, {0.0, 0.1, 0.0});
+  EXPECT_EQ(spike.at(0.0).height, 1.0);
+}
+
 TEST(Profile, HalfRoundBarIsWithinTheSagOfItsChords) {
   constexpr double r = 0.1016;
   const Profile bar = half_round_profile(r);
