@@ -199,7 +199,8 @@ class RdfReading {
     settings.wave_length_end = settings.wave_length_begin;
     if (sweep) {
       settings.end = place("END", settings.start);
-      if (settings.end <= settings.start) reject("END", "expected a place behind START");
+      if (!(settings.end - settings.start >= kSmoothest))
+        reject("END", "expected a place behind START");
       settings.amplitude_end = height("AMPLITUDE_AT_END");
       settings.wave_length_end = length("WAVE_LENGTH_AT_END");
       settings.exponential = number("SWEEP_TYPE", 1.0, 0.0, 1.0, 0.0) == 0.0;

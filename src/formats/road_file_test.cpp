@@ -143,6 +143,11 @@ TEST(RdfFile, SaysWhereAndWhatIsWrong) {
   expect_message(head + "LENGTH = -5\n", "road.rdf:6: ", "LENGTH is -5");
   expect_message(
       head + "LENGTH = 5\nBEVEL_EDGE_LENGTH = 3\n", "road.rdf:7: ", "half of the length");
+  expect_message(
+      "[MODEL]\nMETHOD = '2D'\nROAD_TYPE = 'sweep'\nAMPLITUDE_AT_START = 1\nAMPLITUDE_AT_END = 2\n"
+      "WAVE_LENGTH_AT_START = 1\nWAVE_LENGTH_AT_END = 2\nSTART = 0\nEND = 1e-320\n",
+      "road.rdf:9: ",
+      "behind START");
   const std::string mesh =
       "[MODEL]\nMETHOD = '3D'\n[NODES]\n1 0 0 0\n2 1 0 0\n3 0 1 0\n[ELEMENTS]\n";
   expect_message(mesh + "1 2 4 1\n", "road.rdf:8: ", "node 4");

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kSteepest = 10.0;
 constexpr double kLargest = 1e4;                            // m
+constexpr double kShortest = 1e-6;                          // m
 constexpr double kFastest = 1e3;                            // m/s
 constexpr double kRightAngle = std::numbers::pi / 2.0;      // rad
 constexpr double kMostOblique = 80.0 / 90.0 * kRightAngle;  // of a cleat
@@ -113,7 +114,7 @@ std::unique_ptr<Road> read_wave(const Node& table) {
   settings.amplitude_end = settings.amplitude_begin;
   settings.wave_length_end = settings.wave_length_begin;
   if (table.has("end")) {
-    settings.end = table.quantity("end", "m", {settings.start, kLargest, true});
+    settings.end = table.quantity("end", "m", Range::between(settings.start + kShortest, kLargest));
     settings.amplitude_end =
         table.quantity("amplitude_end", "m", signed_range(), settings.amplitude_end);
     settings.wave_length_end =
