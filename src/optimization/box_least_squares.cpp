@@ -75,25 +75,25 @@ Eigen::VectorXd minimize_in_box(const ResidualModel& model,
                                 const Eigen::VectorXd& lower,
                                 const Eigen::VectorXd& upper) {
   Eigen::VectorXd z = Eigen::VectorXd::Zero(lower.size());
-  Eigen::VectorXd r = model.residuals(z);
+  double value = model.expected(z);
   double damping = kFirstDamping;
   for (int k = 0; k < kMostIterations && damping < kMostDamping;) {
     const Eigen::MatrixXd J = model.jacobian(z);
-    const Eigen::VectorXd g = J.transpose() * r;
-    const Eigen::MatrixXd H = J.transpose() * J;
+    const Eigen::VectorXd g = J.transpose() * model.residuals(z) + model.variance_gradient(z);
+    const Eigen::MatrixXd H = J.transpose() * J + model.variance_hessian(z);
     const double scale = std::max(H.diagonal().maxCoeff(), std::numeric_limits<double>::min());
     const Room room = room_at(z, g, lower, upper);
     for (bool descends = false; !descends && damping < kMostDamping; ++k) {
       Eigen::MatrixXd A = H;
       A.diagonal().array() += damping * scale;
       const Eigen::VectorXd next = (z + step_in(room, A, g)).cwiseMax(lower).cwiseMin(upper);
-      const Eigen::VectorXd r_next = model.residuals(next);
-      descends = r_next.squaredNorm() < r.squaredNorm();
+      const double value_next = model.expected(next);
+      descends = value_next < value;
       damping = descends ? std::max(1e-2 * damping, kLeastDamping) : 10.0 * damping;
       if (!descends) continue;
-      const bool is_end = r_next.squaredNorm() > (1.0 - kLeastDecrease) * r.squaredNorm();
+      const bool is_end = value_next > (1.0 - kLeastDecrease) * value;
       z = next;
-      r = r_next;
+      value = value_next;
       if (is_end) return z;
     }
   }

@@ -14,10 +14,11 @@ constexpr double kExploded = 1e6;  // times the median of the values around: no 
 
 }  // namespace
 
-std::vector<int> ResidualMemory::nearest(int center) const {
+std::vector<int> ResidualMemory::nearest(int center, const Eigen::VectorXd& h) const {
   std::vector<std::pair<double, int>> order;
   for (int i = 0; i < size(); ++i) {
-    if (i != center) order.push_back({(samples_[i].u - samples_[center].u).norm(), i});
+    if (i == center) continue;
+    order.push_back({(samples_[i].u - samples_[center].u).cwiseQuotient(h).norm(), i});
   }
   std::sort(order.begin(), order.end());
   const auto n = static_cast<std::size_t>(samples_[center].u.size());
@@ -27,30 +28,31 @@ std::vector<int> ResidualMemory::nearest(int center) const {
   return indices;
 }
 
-double ResidualMemory::explosion(int center) const {
+double ResidualMemory::explosion(int center, const Eigen::VectorXd& h) const {
   std::vector<double> values;
-  for (const int i : nearest(center)) values.push_back(samples_[i].f);
+  for (const int i : nearest(center, h)) values.push_back(samples_[i].f);
   if (values.empty()) return kInfinity;
   const auto median = values.begin() + std::ssize(values) / 2;
   std::nth_element(values.begin(), median, values.end());
   return kExploded * *median;
 }
 
-std::vector<int> ResidualMemory::near(int center) const {
-  std::vector<int> indices = nearest(center);
-  const double explosion = this->explosion(center);
+std::vector<int> ResidualMemory::near(int center, const Eigen::VectorXd& h) const {
+  std::vector<int> indices = nearest(center, h);
+  const double explosion = this->explosion(center, h);
   std::erase_if(indices, [&](int i) { return samples_[i].f > explosion; });
   return indices;
 }
 
-ResidualSamples ResidualMemory::around(int center, double radius) const {
+ResidualSamples ResidualMemory::around(int center, const Eigen::VectorXd& h) const {
   const ResidualSample& c = samples_[center];
-  const std::vector<int> indices = near(center);
+  const std::vector<int> indices = near(center, h);
   const auto rows = std::ssize(indices);
   ResidualSamples samples{
-      Eigen::MatrixXd(rows, c.u.size()), Eigen::MatrixXd(rows, c.r.size()), c.r, c.J * radius};
+      Eigen::MatrixXd(rows, c.u.size()), Eigen::MatrixXd(rows, c.r.size()), c.r, {}};
+  if (c.J.size() > 0) samples.slopes = c.J * h.asDiagonal();
   for (Eigen::Index i = 0; i < rows; ++i) {
-    samples.Z.row(i) = (samples_[indices[i]].u - c.u) / radius;
+    samples.Z.row(i) = (samples_[indices[i]].u - c.u).cwiseQuotient(h);
     samples.D.row(i) = samples_[indices[i]].r - c.r;
   }
   return samples;
@@ -64,9 +66,9 @@ bool ResidualMemory::has_failed_near(const Eigen::VectorXd& u) const {
   });
 }
 
-bool ResidualMemory::knows(const Eigen::VectorXd& u, double distance) const {
+bool ResidualMemory::knows(const Eigen::VectorXd& u, const Eigen::VectorXd& distance) const {
   return std::any_of(samples_.begin(), samples_.end(), [&](const ResidualSample& s) {
-    return (s.u - u).lpNorm<Eigen::Infinity>() < distance;
+    return ((s.u - u).array().abs() < distance.array()).all();
   });
 }
 

@@ -29,21 +29,21 @@ class ResidualMemory {
   void add_failure(const Eigen::VectorXd& u) { failures_.push_back(u); }
 
   /// The samples nearest to one, as many as a quadratic has coefficients and as there are
-  /// variables; without those that exploded.
-  std::vector<int> near(int center) const;
+  /// variables; without those that exploded. Distances are told by the half widths h of a box.
+  std::vector<int> near(int center, const Eigen::VectorXd& h) const;
   /// From here on a value counts as exploded, beside those near `center`.
-  double explosion(int center) const;
-  /// Those near `center` in z = (u - center) / radius.
-  ResidualSamples around(int center, double radius) const;
+  double explosion(int center, const Eigen::VectorXd& h) const;
+  /// Those near `center` in z = (u - center) / h.
+  ResidualSamples around(int center, const Eigen::VectorXd& h) const;
 
   bool has_failed_near(const Eigen::VectorXd& u) const;
   /// Whether a sample is nearer than `distance` in every variable.
-  bool knows(const Eigen::VectorXd& u, double distance) const;
+  bool knows(const Eigen::VectorXd& u, const Eigen::VectorXd& distance) const;
   /// The sample of least f, -1 where there is none.
   int best() const;
 
  private:
-  std::vector<int> nearest(int center) const;
+  std::vector<int> nearest(int center, const Eigen::VectorXd& h) const;
 
   std::vector<ResidualSample> samples_;
   std::vector<Eigen::VectorXd> failures_;

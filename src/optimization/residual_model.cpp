@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/residual_model.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -22,13 +22,6 @@ Eigen::MatrixXd covariance(const Eigen::MatrixXd& Z, double V_g, double rho, dou
   K.diagonal().array() += rho * Z.rowwise().squaredNorm().array().cube() + noise;
   K.diagonal() *= 1.0 + kRounding;
   return K;
-}
-
-/// K^-1 D. The lengths of the samples, which differ by magnitudes, are scaled out.
-Eigen::MatrixXd solve(const Eigen::MatrixXd& K, const Eigen::MatrixXd& D) {
-  const Eigen::VectorXd scale = K.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::LDLT<Eigen::MatrixXd> factors(scale.asDiagonal() * K * scale.asDiagonal());
-  return scale.asDiagonal() * factors.solve(scale.asDiagonal() * D);
 }
 
 /// What the samples show beyond known slopes.
@@ -55,11 +48,19 @@ double likelihood(const Eigen::MatrixXd& K, const Eigen::MatrixXd& D, double flo
 
 }  // namespace
 
+ScaledFactors::ScaledFactors(const Eigen::MatrixXd& K)
+    : scale_(K.diagonal().cwiseSqrt().cwiseInverse()),
+      factors_(scale_.asDiagonal() * K * scale_.asDiagonal()) {}
+
+Eigen::MatrixXd ScaledFactors::solve(const Eigen::MatrixXd& D) const {
+  return scale_.asDiagonal() * factors_.solve(scale_.asDiagonal() * D);
+}
+
 SlopeVariance slope_variance(const Eigen::MatrixXd& Z) {
   Eigen::MatrixXd left = Eigen::MatrixXd::Identity(Z.cols(), Z.cols());
   if (Z.rows() > 0) {
     const Eigen::MatrixXd K = covariance(Z, kSlopeVariance, kCubicVariance, 0.0);
-    left -= kSlopeVariance * Z.transpose() * solve(K, Z);
+    left -= kSlopeVariance * Z.transpose() * ScaledFactors(K).solve(Z);
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(left);
   return {eigen.eigenvalues(), eigen.eigenvectors()};
@@ -68,24 +69,66 @@ SlopeVariance slope_variance(const Eigen::MatrixXd& Z) {
 ResidualModel::ResidualModel(const ResidualSamples& samples, double noise)
     : samples_(samples), slope_prior_(slope_prior(samples)), noise_(noise) {
   if (samples.Z.rows() == 0) return;
-  const Eigen::MatrixXd K = covariance(samples.Z, slope_prior_, kCubicVariance, noise);
-  alpha_ = solve(K, unexplained(samples)).transpose();  // (2)
+  factors_ = ScaledFactors(covariance(samples.Z, slope_prior_, kCubicVariance, noise));
+  const Eigen::MatrixXd D = unexplained(samples);
+  const Eigen::MatrixXd alpha = factors_.solve(D);  // (2)
+  amplitude_ = std::max(0.0, alpha.cwiseProduct(D).sum()) / static_cast<double>(D.rows());
+  alpha_ = alpha.transpose();
+}
+
+Eigen::VectorXd ResidualModel::kernel(const Eigen::VectorXd& z) const {
+  const Eigen::ArrayXd inner = (samples_.Z * z).array();
+  return slope_prior_ * inner + 0.5 * inner.square();  // (1)
+}
+
+Eigen::MatrixXd ResidualModel::kernel_slopes(const Eigen::VectorXd& z) const {
+  const Eigen::VectorXd slope = slope_prior_ + (samples_.Z * z).array();
+  return slope.asDiagonal() * samples_.Z;
 }
 
 Eigen::VectorXd ResidualModel::residuals(const Eigen::VectorXd& z) const {
   Eigen::VectorXd r = samples_.r_c;
   if (samples_.slopes.size() > 0) r += samples_.slopes * z;
   if (samples_.Z.rows() == 0) return r;
-  const Eigen::ArrayXd inner = (samples_.Z * z).array();
-  return r + alpha_ * (slope_prior_ * inner + 0.5 * inner.square() + noise_).matrix();  // (3)
+  return r + alpha_ * (kernel(z).array() + noise_).matrix();  // (3)
 }
 
 Eigen::MatrixXd ResidualModel::jacobian(const Eigen::VectorXd& z) const {
   Eigen::MatrixXd J = samples_.slopes;
   if (J.size() == 0) J = Eigen::MatrixXd::Zero(samples_.r_c.size(), z.size());
   if (samples_.Z.rows() == 0) return J;
-  const Eigen::VectorXd slope = slope_prior_ + (samples_.Z * z).array();
-  return J + alpha_ * (slope.asDiagonal() * samples_.Z);
+  return J + alpha_ * kernel_slopes(z);
+}
+
+double ResidualModel::variance(const Eigen::VectorXd& z) const {
+  if (amplitude_ == 0.0) return 0.0;
+  const double zz = z.squaredNorm();
+  const Eigen::VectorXd k = kernel(z);
+  const double open = slope_prior_ * zz + 0.5 * zz * zz - k.dot(factors_.solve(k).col(0));
+  return amplitude_ * (std::max(0.0, open) + kCubicVariance * zz * zz * zz);  // (4)
+}
+
+double ResidualModel::expected(const Eigen::VectorXd& z) const {
+  return residuals(z).squaredNorm() + variance(z);
+}
+
+Eigen::VectorXd ResidualModel::variance_gradient(const Eigen::VectorXd& z) const {
+  if (amplitude_ == 0.0) return Eigen::VectorXd::Zero(z.size());
+  const double zz = z.squaredNorm();
+  const double along = slope_prior_ + zz + 3.0 * kCubicVariance * zz * zz;
+  return amplitude_ * (along * z - kernel_slopes(z).transpose() * factors_.solve(kernel(z)));
+}
+
+// v is |phi(z)|^2 less its part in the span of the samples, phi being all z_i and z_i z_j with
+// their weights: the part kept is that of Gauss and Newton.
+Eigen::MatrixXd ResidualModel::variance_hessian(const Eigen::VectorXd& z) const {
+  if (amplitude_ == 0.0) return Eigen::MatrixXd::Zero(z.size(), z.size());
+  const double zz = z.squaredNorm();
+  const Eigen::MatrixXd A = kernel_slopes(z);
+  Eigen::MatrixXd H = (1.0 + 6.0 * kCubicVariance * zz) * z * z.transpose();
+  H -= A.transpose() * factors_.solve(A);
+  H.diagonal().array() += slope_prior_ + zz + 3.0 * kCubicVariance * zz * zz;
+  return amplitude_ * H;
 }
 
 double likeliest_noise(const ResidualSamples& samples) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Quadratic models of all residuals around a point, from however many samples there are.
 //
-//   r_hat(z) = r_c + J z + 1/2 z' H z      for every residual; z = (u - center) / radius
+//   r_hat(z) = r_c + J z + 1/2 z' H z      for every residual; z = (u - center) / h
 //
 // J and H are the most likely ones where, before anything is known, slopes have the variance V_g,
 // curvatures the variance 1, and a sample at z lies off every quadratic with the variance
@@ -16,8 +16,17 @@
 // Derivative-Free Optimization, SIAM 2009, ch. 5] which POUNDERS makes of residuals [Wild, in:
 // Advances and Trends in Optimization, SIAM 2017, ch. 40]; far samples count the less the farther
 // they are. Where the Jacobian at the center is known, it takes the place of V_g.
+//
+// The same says how well the model knows, with the amplitude s^2 that makes the samples likeliest:
+//
+//   v(z) = s^2 (k(z, z) - k(z)' K^-1 k(z) + rho |z|^6),     s^2 = sum over residuals d' K^-1 d / N
+//   (4)
+//
+// so that |r_hat(z)|^2 + v(z) is the value to be expected there: the more a step relies on what no
+// sample has shown, the less it promises.
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 namespace latsch {
@@ -38,6 +47,20 @@ struct ResidualSamples {
   Eigen::MatrixXd slopes;  // Jacobian at the center with respect to z; empty: not known
 };
 
+/// A matrix K = S A S, A with ones on its diagonal, factored: lengths of samples, which differ by
+/// magnitudes, are scaled out.
+class ScaledFactors {
+ public:
+  ScaledFactors() = default;
+  explicit ScaledFactors(const Eigen::MatrixXd& K);
+  /// K^-1 D
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& D) const;
+
+ private:
+  Eigen::VectorXd scale_;
+  Eigen::LDLT<Eigen::MatrixXd> factors_;
+};
+
 class ResidualModel {
  public:
   /// `noise` in units of the curvatures' variance.
@@ -46,11 +69,24 @@ class ResidualModel {
   Eigen::VectorXd residuals(const Eigen::VectorXd& z) const;
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& z) const;
 
+  /// |r_hat|^2 + v
+  double expected(const Eigen::VectorXd& z) const;
+  /// Half the gradient of v, and of its Hessian the part that is never negative.
+  Eigen::VectorXd variance_gradient(const Eigen::VectorXd& z) const;
+  Eigen::MatrixXd variance_hessian(const Eigen::VectorXd& z) const;
+
  private:
+  double variance(const Eigen::VectorXd& z) const;  // v
+  /// k(z_i, z) without noise, and its slopes, a sample a row.
+  Eigen::VectorXd kernel(const Eigen::VectorXd& z) const;
+  Eigen::MatrixXd kernel_slopes(const Eigen::VectorXd& z) const;
+
   ResidualSamples samples_;
   double slope_prior_;  // V_g; 0 where slopes are known
   double noise_;
-  Eigen::MatrixXd alpha_;  // a residual a row
+  ScaledFactors factors_;   // of K
+  Eigen::MatrixXd alpha_;   // a residual a row
+  double amplitude_ = 0.0;  // s^2; 0: nothing is known of it
 };
 
 /// The noise with which the samples are most likely, in steps of a hundred; 0 where stronger cubic

@@ -56,6 +56,36 @@ TEST(ResidualModel, JacobianIsTheDerivativeOfItsResiduals) {
   }
 }
 
+TEST(ResidualModel, ExpectsWhatItSaysWhereSamplesAreAndMoreWhereNoneShowed) {
+  ResidualSamples samples = sample(linear, 2);
+  samples.Z = Eigen::MatrixXd{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+  const ResidualModel model(samples, 0.0);
+  const auto surplus = [&](const Eigen::Vector3d& z) {
+    return model.expected(z) - model.residuals(z).squaredNorm();
+  };
+  EXPECT_EQ(surplus(Eigen::Vector3d::Zero()), 0.0);
+  // s^2 = sum d'd / (N (V_g + 1/2)) and v = s^2 (V_g + 1/2 + 1e-4) along z_3, to terms of 1e-4.
+  const double unknown = samples.D.squaredNorm() / 2.0;
+  EXPECT_NEAR(surplus(Eigen::Vector3d::UnitZ()), unknown, 1e-3 * unknown);
+  EXPECT_LT(surplus(Eigen::Vector3d::UnitX()), 1e-3 * unknown);
+}
+
+TEST(ResidualModel, VarianceHasTheGradientItSays) {
+  const ResidualModel model(sample(quadratic, 4), 0.0);
+  const auto variance = [&](const Eigen::Vector3d& z) {
+    return model.expected(z) - model.residuals(z).squaredNorm();
+  };
+  const Eigen::Vector3d z(0.1, 0.2, -0.4);
+  const Eigen::VectorXd half = model.variance_gradient(z);
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d h = 1e-3 * Eigen::Vector3d::Unit(k);
+    EXPECT_NEAR(2.0 * half[k], (variance(z + h) - variance(z - h)) / 2e-3, 1e-5 * half.norm());
+  }
+  const Eigen::MatrixXd H = model.variance_hessian(z);
+  EXPECT_LT((H - H.transpose()).norm(), 1e-9 * H.norm());
+  EXPECT_GT(H.diagonal().minCoeff(), 0.0);
+}
+
 TEST(ResidualModel, TakesKnownSlopes) {
   ResidualSamples samples = sample(quadratic, 6);
   samples.slopes = Eigen::MatrixXd{{2.0, -1.0, 0.0}, {0.0, 0.0, 1.0}};

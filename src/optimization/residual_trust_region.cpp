@@ -12,6 +12,7 @@
 #include "optimization/box_least_squares.h"
 #include "optimization/option_check.h"
 #include "optimization/residual_memory.h"
+#include "optimization/variable_scale.h"
 
 namespace latsch {
 namespace {
@@ -23,7 +24,9 @@ constexpr double kUnknown = 0.5;  // a direction to be probed before any step
 constexpr double kPoor =
     0.02;  // one to be probed when a step disappoints: no sample within 7 radii
 
-constexpr double kProbe = 0.1;  // of the radius: a probe's length, near to a difference quotient
+// Of the radius: a probe's length. Shorter ones are nearer to the slope, longer ones rise above
+// noise; a third of this or three times it change little.
+constexpr double kProbe = 0.03;
 
 constexpr double kGoodGain = 0.5;
 constexpr double kBadGain = 0.1;
@@ -58,8 +61,8 @@ struct Wanted {
   Kind kind;
   int center = -1;         // from which it was chosen
   double f_center = 0.0;   // its value
-  double length = 0.0;     // |u - center|, largest component
-  double predicted = 0.0;  // |r_hat|^2, of steps
+  double length = 0.0;     // |u - center|, largest component in widths of the variables
+  double predicted = 0.0;  // value to be expected, of steps
 };
 
 Eigen::VectorXd to_vector(const std::vector<double>& u) {
@@ -68,10 +71,10 @@ Eigen::VectorXd to_vector(const std::vector<double>& u) {
 
 Eigen::VectorXd in_cube(const Eigen::VectorXd& u) { return u.cwiseMax(0.0).cwiseMin(1.0); }
 
-/// u with every variable moved by up to `size`.
-Eigen::VectorXd moved(const Eigen::VectorXd& u, double size, RandomStream& random) {
+/// u with every variable moved by up to its `size`.
+Eigen::VectorXd moved(const Eigen::VectorXd& u, const Eigen::VectorXd& size, RandomStream& random) {
   Eigen::VectorXd next = u;
-  for (double& x : next) x += size * (2.0 * random.uniform() - 1.0);
+  for (Eigen::Index i = 0; i < u.size(); ++i) next[i] += size[i] * (2.0 * random.uniform() - 1.0);
   return in_cube(next);
 }
 
@@ -92,6 +95,8 @@ struct ResidualTrustRegion::State {
   Eigen::VectorXd start;  // where the present run begins
   int center = -1;        // the best sample of the run; -1: none succeeded yet
   double radius;
+  VariableScale scale;
+  int scaled_for = -1;               // the center whose Jacobian the scale learned last
   double noise = 0.0;                // of the model, in its units
   bool is_geometry_doubted = false;  // a step disappointed
   bool has_widened = false;          // the radius, for noise, since the last outcome
@@ -102,7 +107,11 @@ struct ResidualTrustRegion::State {
   std::vector<Wanted> wanted;  // in the order proposed; empty: converged
 
   State(const DesignSpace& s, const ResidualTrustRegionOptions& o)
-      : space(s), options(o), start(to_vector(s.to_unit(s.initial()))), radius(o.initial_radius) {
+      : space(s),
+        options(o),
+        start(to_vector(s.to_unit(s.initial()))),
+        radius(o.initial_radius),
+        scale(s.size()) {
     wanted.push_back(at(start, Kind::start));
     fill();
   }
@@ -110,6 +119,9 @@ struct ResidualTrustRegion::State {
   int n() const { return space.size(); }
   const Eigen::VectorXd& c() const { return center >= 0 ? memory[center].u : start; }
   double f() const { return center >= 0 ? memory[center].f : kInfinity; }
+
+  /// Half widths of the box.
+  Eigen::VectorXd h() const { return radius * scale.widths(); }
 
   RandomStream random() { return RandomStream(options.seed, drawn++); }
 
@@ -120,15 +132,13 @@ struct ResidualTrustRegion::State {
             kind,
             center,
             f(),
-            (inside - c()).lpNorm<Eigen::Infinity>()};
+            scale.length(inside - c())};
   }
 
   /// Whether to ask there would be to ask again, or for a failure.
   bool is_pointless(const Eigen::VectorXd& u, double distance) const {
-    const auto is_near = [&](const Wanted& w) {
-      return (w.u - u).lpNorm<Eigen::Infinity>() < distance;
-    };
-    return memory.knows(u, distance) || memory.has_failed_near(u) ||
+    const auto is_near = [&](const Wanted& w) { return scale.length(w.u - u) < distance; };
+    return memory.knows(u, distance * scale.widths()) || memory.has_failed_near(u) ||
            std::any_of(wanted.begin(), wanted.end(), is_near);
   }
 
@@ -136,18 +146,23 @@ struct ResidualTrustRegion::State {
   SlopeVariance geometry() const {
     std::vector<Eigen::VectorXd> places;
     if (center >= 0) {
-      for (const int i : memory.near(center)) places.push_back(memory[i].u - c());
+      for (const int i : memory.near(center, h())) places.push_back(memory[i].u - c());
     }
     for (const Wanted& w : wanted) {
       if (w.u != c()) places.push_back(w.u - c());
     }
     Eigen::MatrixXd Z(std::ssize(places), n());
-    for (Eigen::Index i = 0; i < Z.rows(); ++i) Z.row(i) = places[i] / radius;
+    for (Eigen::Index i = 0; i < Z.rows(); ++i) Z.row(i) = places[i].cwiseQuotient(h());
     return slope_variance(Z);
   }
 
   ResidualModel model() {
-    const ResidualSamples samples = memory.around(center, radius);
+    if (std::exchange(scaled_for, center) != center) {
+      const ResidualModel here(memory.around(center, h()), noise);
+      const Eigen::MatrixXd J = here.jacobian(Eigen::VectorXd::Zero(n()));  // dr/dz
+      scale.learn(J * h().cwiseInverse().asDiagonal());
+    }
+    const ResidualSamples samples = memory.around(center, h());
     if (disappointments >= kDisappointments || noise > 0.0) noise = likeliest_noise(samples);
     return ResidualModel(samples, noise);
   }
@@ -157,14 +172,18 @@ struct ResidualTrustRegion::State {
     Eigen::Index largest;
     direction.cwiseAbs().maxCoeff(&largest);
     if (direction[largest] < 0.0) direction = -direction;
-    const auto end = [&](double length) { return in_cube(c() + length * direction); };
+    const auto end = [&](double length) {
+      return in_cube(c() + length * scale.widths().cwiseProduct(direction));
+    };
     double length = kProbe * radius;
-    if ((end(-length) - c()).norm() > 1.01 * (end(length) - c()).norm()) direction = -direction;
+    if (scale.norm(end(-length) - c()) > 1.01 * scale.norm(end(length) - c())) {
+      direction = -direction;
+    }
     constexpr int kShortenings = 20;
     for (int k = 0; k < kShortenings; ++k, length *= 0.2) {
       for (const double signed_length : {length, -length}) {
         const Eigen::VectorXd u = end(signed_length);
-        const bool has_room = (u - c()).norm() > 0.5 * length;
+        const bool has_room = scale.norm(u - c()) > 0.5 * length;
         if (has_room && !is_pointless(u, 1e-3 * length)) return at(u, Kind::probe);
       }
     }
@@ -174,12 +193,12 @@ struct ResidualTrustRegion::State {
   /// The step in a box of half width `box` radii; with a length of 0 where it is not worth an
   /// evaluation.
   Wanted step(const ResidualModel& m, double box) const {
-    const Eigen::VectorXd lower = (-c() / radius).cwiseMax(-box);
-    const Eigen::VectorXd upper = ((1.0 - c().array()) / radius).matrix().cwiseMin(box);
+    const Eigen::VectorXd lower = (-c()).cwiseQuotient(h()).cwiseMax(-box);
+    const Eigen::VectorXd upper = (1.0 - c().array()).matrix().cwiseQuotient(h()).cwiseMin(box);
     Eigen::VectorXd z = minimize_in_box(m, lower, upper);
-    while (memory.has_failed_near(c() + radius * z)) z *= kBackOff;
-    Wanted step = at(c() + radius * z, Kind::step);
-    step.predicted = m.residuals(z).squaredNorm();
+    while (memory.has_failed_near(c() + h().cwiseProduct(z))) z *= kBackOff;
+    Wanted step = at(c() + h().cwiseProduct(z), Kind::step);
+    step.predicted = m.expected(z);
     if (step.length < kShort * radius || is_pointless(step.u, kSame * step.length) ||
         !promises(step)) {
       step.length = 0.0;
@@ -203,7 +222,7 @@ struct ResidualTrustRegion::State {
     for (int k = 0; k < kTries; ++k) {
       RandomStream numbers = random();
       const double size = reach * std::pow(10.0, -numbers.uniform());
-      const Eigen::VectorXd u = moved(around, size, numbers);
+      const Eigen::VectorXd u = moved(around, size * scale.widths(), numbers);
       if (!is_pointless(u, 1e-3 * size)) return at(u, Kind::probe);
     }
     return std::nullopt;
@@ -257,7 +276,7 @@ struct ResidualTrustRegion::State {
     if (restarts >= options.restarts || memory.best() < 0) return std::nullopt;
     const double jump = kJumps[restarts++ % kJumps.size()] * options.initial_radius;
     RandomStream numbers = random();
-    start = moved(memory[memory.best()].u, jump, numbers);
+    start = moved(memory[memory.best()].u, jump * scale.widths(), numbers);
     center = -1;
     radius = std::max(jump, options.step_tolerance);
     return at(start, Kind::start);
@@ -278,7 +297,8 @@ struct ResidualTrustRegion::State {
   void start_again(const Eigen::VectorXd& failed) {
     if (is_hopeless()) return;
     RandomStream numbers = random();
-    start = moved(failed, options.initial_radius * (1.0 + failures / n()), numbers);
+    const double reach = options.initial_radius * (1.0 + failures / n());
+    start = moved(failed, reach * scale.widths(), numbers);
     wanted.push_back(at(start, Kind::start));
   }
 
@@ -319,7 +339,7 @@ struct ResidualTrustRegion::State {
         found != wanted.end() ? *found : at(to_vector(space.to_unit(point)), Kind::probe);
     if (found != wanted.end()) wanted.erase(found);
     has_widened = false;
-    const double limit = center >= 0 ? memory.explosion(center) : kInfinity;
+    const double limit = center >= 0 ? memory.explosion(center, h()) : kInfinity;
     if (sample && sample->f < limit) {
       take(tried, {tried.u, sample->r, sample->J, sample->f});
     } else {
@@ -358,8 +378,8 @@ struct ResidualTrustRegion::State {
   std::optional<ResidualSample> expected(const DesignPoint& point) const {
     if (center < 0) return std::nullopt;
     const Eigen::VectorXd u = to_vector(space.to_unit(point));
-    const ResidualModel m(memory.around(center, radius), noise);
-    const Eigen::VectorXd r = m.residuals((u - c()) / radius);
+    const ResidualModel m(memory.around(center, h()), noise);
+    const Eigen::VectorXd r = m.residuals((u - c()).cwiseQuotient(h()));
     return ResidualSample{u, r, {}, r.squaredNorm()};
   }
 };

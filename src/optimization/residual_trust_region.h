@@ -2,14 +2,16 @@
 // Residual trust region: least sum of squares,  f(u) = |r(u)|^2,  from the residuals themselves,
 // without derivatives: the derivative-free Gauss-Newton method, with the curvature of residuals.
 //
-// In the unit cube, around the best point c with a box of half width `radius`:
+// In the unit cube, around the best point c with a box of half widths h = radius w, w the widths of
+// the variables (variable_scale.h), at first 1:
 //
 //   model     r_hat, a quadratic for every residual, of all samples around, whoever asked for them
 //             (a DOE, another method, an earlier run): residual_model.h.
 //   geometry  where samples leave a direction unknown, a probe along it; at the start one for every
 //             variable. A direction that is known poorly is probed when a step disappoints.
-//   step      the least |r_hat|^2 in box and bounds: box_least_squares.h.
-//             gain = (f(c) - f(u)) / (f(c) - |r_hat(u)|^2)
+//   step      the least value to be expected, |r_hat|^2 and the variance with which the model knows
+//             it, in box and bounds: box_least_squares.h.
+//             gain = (f(c) - f(u)) / (f(c) - expected(u))
 //   radius    grows with steps whose gain is good, shrinks with steps whose gain is bad.
 //   end       where neither a step of the tolerance nor a model of good geometry promises anything.
 //

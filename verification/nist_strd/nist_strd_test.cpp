@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <stdexcept>
+#include <string>
+
+#include "optimization/residual_trust_region.h"
 
 namespace latsch::nist_strd {
 namespace {
@@ -37,6 +41,36 @@ TEST(NistStrd, NoStartIsSolved) {
 TEST(NistStrd, ATableThatIsNotThereIsNamed) {
   EXPECT_THROW(read_dataset("Misra2"), InputError);
   EXPECT_THROW(residuals({.name = "Misra2"}, {}), std::out_of_range);
+}
+
+TEST(NistStrd, ResidualTrustRegionFindsTheCertifiedValues) {
+  for (const more_wild::Problem& problem : problems()) {
+    if (problem.name != "Misra1a, start 1" && problem.name != "Thurber, start 2" &&
+        problem.name != "Rat43, start 2") {
+      continue;
+    }
+    ResidualTrustRegion method(
+        more_wild::space(problem),
+        {.initial_radius = 1.0 / more_wild::kBoxWidth, .step_tolerance = 1e-11});
+    DesignPoint best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 100 * (problem.n() + 1) && !method.converged(); ++k) {
+      const DesignPoint point = method.propose(1).front();
+      const Score score{problem.value(point.values), problem.residuals(point.values)};
+      if (score.value < least) {
+        least = score.value;
+        best = point;
+      }
+      method.observe(point, score);
+    }
+    const Dataset data = read_dataset(problem.name.substr(0, problem.name.find(',')));
+    // The method ends where a step promises less than 1e-6 of the sum. An error e of b is one of e^2
+    // in the sum: half the digits.
+    EXPECT_NEAR(least, data.sum, 1e-6 * data.sum) << problem.name;
+    for (int i = 0; i < problem.n(); ++i) {
+      EXPECT_NEAR(best.values[i] / data.certified[i], 1.0, 1e-3) << problem.name;
+    }
+  }
 }
 
 }  // namespace
