@@ -302,6 +302,7 @@ class Simulators(Outside):
             self.assertGreater(self.found(text, "damper"), 1500)
             report = (study.parent / "study.html").read_text()
             self.assert_says(report, "too soft")
+            self.assert_says(self.latsch("doe", study, "--levels", "2"), "in a design a failed point just stays failed")
             shutil.rmtree(study.parent)
 
     def test_there_is_no_tire_to_export(self):

@@ -102,6 +102,16 @@ std::optional<Trial> first_failure(const Journal& journal) {
   return first;
 }
 
+/// What answers an optimizer in the place of a failure has no meaning here.
+void print_policy_of_designs(const FailurePolicy& policy) {
+  using Then = FailurePolicy::Then;
+  if (policy.then != Then::recover && policy.then != Then::continuation) return;
+  fmt::print(
+      "on_failure = \"{}\" is an answer to an optimizer; in a design a failed point just "
+      "stays failed\n",
+      policy.then == Then::recover ? "recover" : "continuation");
+}
+
 int doe(const std::string& file, int levels, int workers) {
   Study study = correlation::read_study(file);
   if (workers > 0) study.run.workers = workers;
@@ -115,6 +125,7 @@ int doe(const std::string& file, int levels, int workers) {
              plan.points.size(),
              journal.size(),
              study.run.journal.string());
+  print_policy_of_designs(study.run.on_failure);
 
   catch_interrupts();
   const TrialsRun trials(workers_of_study, study);

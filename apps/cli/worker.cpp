@@ -15,6 +15,10 @@ void add_worker(CLI::App& app, int& exit_code) {
   verb->add_option("study", *file)->required();
   auto all = std::make_shared<bool>(false);
   verb->add_flag("--predictions", *all, "The experiments with use = \"predict\" too");
+  verb->footer(
+      "Started by the program itself, one process a worker: it reads points from its standard "
+      "input\nand writes their outcomes to its standard output. To try it by hand there is latsch "
+      "simulate.");
   verb->callback([=, &exit_code] {
     const correlation::Study study = correlation::read_study(*file);
     exit_code = serve(correlation::evaluator(*all ? correlation::with_predictions(study) : study));

@@ -55,6 +55,11 @@ void read_bounds(const Node& table, LinearConstraint& constraint) {
 
 LinearConstraint read_linear_constraint(const Node& table,
                                         const std::vector<DesignVariable>& variables) {
+  if (parse_number(table.name())) {  // its place in a list
+    throw InputError(table.place(),
+                     "linear_constraint is a list of tables without names, [[linear_constraint]]; "
+                     "expected a table with a name each, such as [linear_constraint.belt_sum]");
+  }
   LinearConstraint constraint;
   constraint.name = table.name();
   constraint.place = table.place();

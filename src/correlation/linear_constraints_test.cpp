@@ -13,8 +13,8 @@ const std::vector<DesignVariable> kVariables{
     {.name = "angle", .lower = 0.1, .upper = 0.9, .initial = 0.4, .unit = "deg"},
     {.name = "cap", .lower = 1e9, .upper = 9e9, .initial = 3e9, .unit = "N/mm^2"}};
 
-LinearConstraint read(const std::string& text) {
-  const Document document = Document::parse("[c.row]\n" + text, "study.toml");
+LinearConstraint read(const std::string& text, const std::string& head = "[c.row]") {
+  const Document document = Document::parse(head + "\n" + text, "study.toml");
   const Node root = document.root();
   const auto constraint = read_linear_constraint(root.named_tables("c").front(), kVariables);
   root.close();
@@ -44,6 +44,16 @@ TEST(StudyLinearConstraint, IsReadInSiAndSaidInTheUnitsOfThePerson) {
             "belt + cap = 5 GPa");
   EXPECT_EQ(in_words(read("variables = [\"belt\"]\nlower = \"2 GPa\"\nupper = \"3 GPa\""), space),
             "2 GPa <= belt <= 3 GPa");
+}
+
+TEST(StudyLinearConstraint, HasToHaveAName) {
+  try {
+    read("variables = [\"belt\"]\nupper = \"2 GPa\"", "[[c]]");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_SAYS(std::string(error.what()), "study.toml:1");
+    EXPECT_SAYS(std::string(error.what()), "[linear_constraint.belt_sum]");
+  }
 }
 
 TEST(StudyLinearConstraint, SaysWhatIsWrong) {

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/study_optimizer.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "base/text.h"
 #include "correlation/study.h"
 
 namespace latsch::correlation {
@@ -113,6 +120,43 @@ void read_ensemble(const Node& table,
   settings.ensemble_end = ends == "all" ? Ensemble::End::all : Ensemble::End::first;
 }
 
+/// The keys of every method, as the functions above read them.
+const std::vector<std::pair<Method, std::vector<std::string>>>& keys_of_methods() {
+  static const std::vector<std::string> gss{
+      "initial_step", "step_tolerance", "contraction", "sufficient_decrease", "outstanding"};
+  static const auto with = [](std::vector<std::string> keys, std::vector<std::string> more) {
+    keys.insert(keys.end(), more.begin(), more.end());
+    return keys;
+  };
+  static const std::vector<std::pair<Method, std::vector<std::string>>> all{
+      {Method::gss, gss},
+      {Method::gss_nlc, with(gss, {"penalty", "penalty_parameter"})},
+      {Method::residual_trust_region,
+       {"initial_step", "step_tolerance", "outstanding", "restarts", "seed"}},
+      {Method::sqp, {"initial_step", "step_tolerance", "difference"}},
+      {Method::nelder_mead, {"initial_step", "step_tolerance"}},
+      {Method::genetic, {"step_tolerance", "population", "generations", "seed"}},
+      {Method::ensemble, {"member", "ends_with"}}};
+  return all;
+}
+
+/// A key of another method is no slip of the pen: it is said whose it is.
+void reject_keys_of_others(const Node& table, Method method) {
+  std::map<std::string, std::vector<std::string>> owners;
+  for (const auto& [owner, keys] : keys_of_methods()) {
+    for (const std::string& key : keys) owners[key].push_back(std::string(name(owner)));
+  }
+  for (const auto& [key, methods] : owners) {
+    const bool is_own = std::find(methods.begin(), methods.end(), name(method)) != methods.end();
+    if (is_own || !table.has(key)) continue;
+    table.reject(key,
+                 fmt::format("belongs to method = {}, the method here is \"{}\": remove it or "
+                             "choose that method",
+                             list_of(methods),
+                             name(method)));
+  }
+}
+
 OptimizerSettings read_settings(const Node& table,
                                 const DesignSpace& space,
                                 const ProblemTraits& traits,
@@ -120,8 +164,8 @@ OptimizerSettings read_settings(const Node& table,
                                 const std::vector<std::string>& methods) {
   OptimizerSettings settings;
   settings.method = table.choice("method", methods, fallback);
-  // Only the keys of the method are read: one of another method is reported as unknown.
   const Method method = latsch::method_of(settings, traits).method;
+  reject_keys_of_others(table, method);
   switch (method) {
     case Method::gss:
       settings.gss = read_gss(table);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/study_optimizer.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -41,6 +42,23 @@ TEST(StudyOptimizer, RefusesOtherMethodsAndOptionsOfAnotherMethod) {
   EXPECT_THROW(read("method = \"residual_trust_region\"\ncontraction = 0.5"), InputError);
   EXPECT_THROW(read("method = \"gss\"\nrestarts = 1"), InputError);
   EXPECT_THROW(read("method = \"residual_trust_region\"\ninitial_step = 0.7"), InputError);
+}
+
+TEST(StudyOptimizer, SaysWhichMethodAKeyBelongsTo) {
+  const auto complaint = [](const std::string& text) {
+    try {
+      read(text);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(complaint("method = \"sqp\"\nrestarts = 1"),
+              testing::HasSubstr("restarts belongs to method = \"residual_trust_region\", the "
+                                 "method here is \"sqp\""));
+  EXPECT_THAT(complaint("method = \"nelder_mead\"\noutstanding = 3"),
+              testing::HasSubstr("\"gss\", \"gss_nlc\" or \"residual_trust_region\""));
+  EXPECT_THAT(complaint("restart = 1"), testing::HasSubstr("unknown key"));
 }
 
 TEST(StudyOptimizer, IsRefusedBeforeTheFirstTrialWithThePlaceOfItsTable) {

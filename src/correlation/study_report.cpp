@@ -296,6 +296,9 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
   add_experiments(study, found, initial, page);
   page.run = run_facts(study, journal);
   add_convergence(study, journal, page);
+  page.is_of_design = !page.convergence;
+  for (report::ForceCurve& curve : page.forces) curve.of_design = page.is_of_design;
+  for (report::MeasuredCurve& curve : page.curves) curve.of_design = page.is_of_design;
   const auto rated = rated_trials(study, journal);
   page.surfaces = doe_surfaces(study, rated, best->point);
   page.basins = basins_of(study, rated);

@@ -106,6 +106,11 @@ struct Journal::Impl {
   }
 
   void check_format() {
+    if (is_new()) {
+      refuse(
+          "is empty, it holds no study and no trial: run the study, or go back to a copy if it "
+          "had trials");
+    }
     if (database->execAndGet("PRAGMA application_id").getInt() != kApplicationId) {
       refuse("is an SQLite database, but not a journal");
     }

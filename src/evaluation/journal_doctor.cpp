@@ -79,6 +79,7 @@ class Examination {
   }
 
   void open() {
+    if (std::filesystem::file_size(file_) == 0) return find("it is empty: no byte is in it");
     database_.emplace(file_.string(), SQLite::OPEN_READONLY, 2000);
     if (database_->execAndGet("PRAGMA application_id").getInt() != kApplicationId) {
       return find("it does not say that it is a journal");

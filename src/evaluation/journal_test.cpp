@@ -114,6 +114,8 @@ TEST(Journal, RefusesForeignFilesAndOtherVersions) {
   SQLite::Database((folder / "other").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
       .exec("CREATE TABLE t (a)");
   expect_contains(open("other"), "not a journal");
+  write_bytes(folder / "empty", "");
+  expect_contains(complaint([&] { Journal::read(folder / "empty"); }), "is empty");
   { Journal::open(folder / "newer", kStudy); }
   SQLite::Database((folder / "newer").string(), SQLite::OPEN_READWRITE)
       .exec("PRAGMA user_version = 99");

@@ -62,7 +62,7 @@ std::string force_plot(const ForceCurve& curve) {
 
   Svg svg(520, 416, "Measured and simulated force, " + curve.experiment);
   double at = draw_legend(svg, {62, 18}, "measured", true, "measured");
-  at = draw_legend(svg, {at, 18}, "found", false, curve.fitted ? "fitted" : "predicted");
+  at = draw_legend(svg, {at, 18}, "found", false, drawn_as(curve.fitted, curve.of_design));
   if (!initial.empty()) draw_legend(svg, {at, 18}, "initial", false, "initial values");
   draw_frame(svg, x, y, "", "Force [kN]", {.label_x = false});
   if (!initial.empty()) svg.polyline(points_of(x, y, abscissa, initial), "class=\"initial\"");

@@ -82,7 +82,7 @@ std::string curve_plot(const MeasuredCurve& curve) {
 
   Svg svg(520, 416, "Measured and simulated curve, " + curve.experiment);
   double at = draw_legend(svg, {72, 18}, "measured", true, "measured");
-  at = draw_legend(svg, {at, 18}, "found", false, curve.fitted ? "fitted" : "predicted");
+  at = draw_legend(svg, {at, 18}, "found", false, drawn_as(curve.fitted, curve.of_design));
   if (!initial.y.empty()) draw_legend(svg, {at, 18}, "initial", false, "initial values");
   draw_frame(svg, x, y, "", titled(curve.y_name, curve.y_unit), {.label_x = false});
   if (!initial.y.empty()) svg.polyline(points_of(x, y, initial.x, initial.y), "class=\"initial\"");

@@ -60,10 +60,19 @@ std::string correlation_plot(const Identifiability& what) {
   constexpr double kLeft = 130.0, kTop = 34.0;
   const auto n = static_cast<Eigen::Index>(what.variables.size());
   const double cell = std::clamp(300.0 / static_cast<double>(n), 22.0, 64.0);
+  // Names above the columns where all of them fit, else numbers that the rows have too.
+  constexpr double kLetter = 6.5;
+  const bool are_short =
+      std::all_of(what.variables.begin(), what.variables.end(), [&](const std::string& variable) {
+        return kLetter * static_cast<double>(variable.size()) <= cell;
+      });
+  const auto column_number = [](Eigen::Index i) { return fmt::format("({})", i + 1); };
   Svg svg(520, kTop + cell * static_cast<double>(n) + 12, "Correlations of the variables");
   for (Eigen::Index i = 0; i < n; ++i) {
     const double y = kTop + cell * static_cast<double>(i);
-    svg.text({kLeft - 10, y + 0.5 * cell + 4}, what.variables[i], Anchor::end, "label");
+    const std::string row =
+        are_short ? what.variables[i] : what.variables[i] + " " + column_number(i);
+    svg.text({kLeft - 10, y + 0.5 * cell + 4}, row, Anchor::end, "label");
     for (Eigen::Index j = 0; j < n; ++j) {
       const double x = kLeft + cell * static_cast<double>(j), r = what.correlation(i, j);
       svg.rectangle(
@@ -78,10 +87,8 @@ std::string correlation_plot(const Identifiability& what) {
                  Anchor::middle,
                  std::abs(r) > 0.5 ? "on-field" : "number");
     }
-    // Names above the columns where they fit; the rows have the same order.
-    const auto letters = static_cast<size_t>(cell / 6.5);
     svg.text({kLeft + cell * (static_cast<double>(i) + 0.5), kTop - 10},
-             what.variables[i].substr(0, letters),
+             are_short ? what.variables[i] : column_number(i),
              Anchor::middle);
   }
   return svg.str();

@@ -49,6 +49,7 @@ struct ForceCurve {
   std::vector<double> measured;     // N
   std::vector<double> simulated;    // N, at the found point
   std::vector<double> initial;      // N, at the initial point; may be empty
+  bool of_design = false;           // the best trial of a design: nothing was fitted
 };
 
 /// A measured curve y(x) and what an outside program made of it. Values in SI; units are those a
@@ -63,6 +64,7 @@ struct MeasuredCurve {
   std::vector<double> errors;                    // (measured - simulated) / scale, one each
   std::vector<double> x_simulated, y_simulated;  // every sample of the program, at the found point
   std::vector<double> x_initial, y_initial;      // at the initial point; may be empty
+  bool of_design = false;                        // the best trial of a design: nothing was fitted
 };
 
 /// A measured mode and its simulated partner. Hz.
@@ -179,6 +181,7 @@ struct StudyReport {
   std::vector<EffectRow> effects;
   std::optional<Identifiability> identifiability;
   std::optional<RunFacts> run;
+  bool is_of_design = false;  // the found point is the best trial of a design, no fit
   std::vector<DiscretizationError> discretization;
   std::optional<TirePictures> pictures;
 };

@@ -177,6 +177,19 @@ TEST(Report, IsTheSameForTheSameStudy) {
   EXPECT_TRUE(html(report) == html(report));
 }
 
+TEST(Report, OfADesignSaysNothingOfAFit) {
+  StudyReport report = full_report();
+  report.identifiability.reset();
+  EXPECT_NE(html(report).find(">Found</th>"), std::string::npos);
+  report.is_of_design = true;
+  for (ForceCurve& curve : report.forces) curve.of_design = true;
+  for (MeasuredCurve& curve : report.curves) curve.of_design = true;
+  const std::string page = html(report);
+  EXPECT_EQ(page.find(">Found</th>"), std::string::npos);
+  EXPECT_EQ(page.find("fitted"), std::string::npos);
+  EXPECT_NE(page.find("Best trial"), std::string::npos);
+}
+
 TEST(Report, FlagsAVariableAtItsBound) {
   Variable v{"E", "1", 2.0, 9.0, 1.0, 10.0, false};
   EXPECT_EQ(at_bound(v), AtBound::no);
@@ -385,6 +398,9 @@ TEST(Report, SaysWhatTheDataDetermine) {
                            "minima may hide"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
+  // "matrix <b>" does not fit above its column: numbers stand there, and behind the names.
+  EXPECT_NE(page.find("carcass (2)"), std::string::npos);
+  EXPECT_NE(page.find(">(1)<"), std::string::npos);
   EXPECT_EQ(page.find("<b>\""), std::string::npos);
   EXPECT_EQ(page.find("matrix <b>"), std::string::npos);
   EXPECT_EQ(page.find("nan"), std::string::npos);

@@ -285,4 +285,9 @@ void draw_color_bar(
   svg.text({top_left.x(), top_left.y() - 9}, title, Anchor::start, "title");
 }
 
+std::string_view drawn_as(bool fitted, bool of_design) {
+  if (!fitted) return "predicted";
+  return of_design ? "best trial" : "fitted";
+}
+
 }  // namespace latsch::report

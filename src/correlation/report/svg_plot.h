@@ -104,6 +104,9 @@ void draw_frame(Svg& svg,
 double draw_legend(
     Svg& svg, Point at, std::string_view sample_class, bool dot, std::string_view words);
 
+/// What the line of the found point is: "fitted", "predicted" or "best trial".
+std::string_view drawn_as(bool fitted, bool of_design);
+
 /// The pixels of y(x), without values that are not finite.
 std::vector<Point> points_of(const Axis& x,
                              const Axis& y,

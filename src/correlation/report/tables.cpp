@@ -68,16 +68,17 @@ AtBound at_bound(const Variable& variable) {
 }
 
 std::string key_numbers(const StudyReport& report) {
+  const std::string kind = report.is_of_design ? "compared " : "fitted ";
   std::string html = "<div class=\"key\">";
   html += key(percent(report.target),
               "Target",
               report.initial_target ? "from " + percent(*report.initial_target) : "");
   if (const auto dF = mean_error(report, is_force))
-    html += key(percent(*dF), "Mean |ΔF|", "fitted forces");
+    html += key(percent(*dF), "Mean |ΔF|", kind + "forces");
   if (const auto df = mean_error(report, is_frequency))
-    html += key(percent(*df), "Mean |Δf|", "fitted frequencies");
+    html += key(percent(*df), "Mean |Δf|", kind + "frequencies");
   if (const auto dy = mean_error(report, is_curve))
-    html += key(percent(*dy), "Mean error", "fitted curves, of their scale");
+    html += key(percent(*dy), "Mean error", kind + "curves, of their scale");
   if (report.run) {
     const RunFacts& run = *report.run;
     html += key(std::to_string(run.trials),
@@ -94,11 +95,12 @@ std::string key_numbers(const StudyReport& report) {
 }
 
 std::string variable_table(const StudyReport& report) {
-  std::string html =
+  std::string html = fmt::format(
       "<div class=\"scroll\"><table><thead><tr><th>Variable</th><th class=\"n\">Initial</th><th "
-      "class=\"n\">Found</th>"
+      "class=\"n\">{}</th>"
       "<th class=\"n\">Lower</th><th>Range</th><th "
-      "class=\"n\">Upper</th><th>Unit</th></tr></thead><tbody>\n";
+      "class=\"n\">Upper</th><th>Unit</th></tr></thead><tbody>\n",
+      report.is_of_design ? "Best trial" : "Found");
   for (const Variable& v : report.variables) {
     const AtBound bound = at_bound(v);
     const auto number = [&](double si) { return significant(in_unit(si, v.unit), 4); };
@@ -144,7 +146,9 @@ std::string experiment_table(const StudyReport& report) {
         escape(row.kind),
         escape(row.conditions),
         escape(row.compared),
-        row.fitted ? "fitted" : "predicted",
+        !row.fitted           ? "predicted"
+        : report.is_of_design ? "compared"
+                              : "fitted",
         number_cell(row.fitted ? significant(row.weight, 3) : ""),
         number_cell(std::to_string(row.values)),
         initial ? number_cell(row.initial_mean_error ? percent(*row.initial_mean_error) : "") : "",
