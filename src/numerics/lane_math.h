@@ -187,4 +187,58 @@ LATSCH_INLINE R power(const R& x, double y) {
   return select(zero, at_zero, exp(y * log(select(zero, constant<R>(1.0), x))));
 }
 
+/// The functions of N <= 8 independent numbers: of doubles at once, side by side; of eight states
+/// one after the other.
+template <int N>
+LATSCH_INLINE Lanes gathered(const double (&x)[N]) {
+  static_assert(N <= 8);
+  Lanes v = all(0.0);
+  for (int i = 0; i < N; ++i) v[i] = x[i];
+  return v;
+}
+template <int N>
+LATSCH_INLINE void scatter(const Lanes& v, double (&x)[N]) {
+  for (int i = 0; i < N; ++i) x[i] = v[i];
+}
+template <int N>
+LATSCH_INLINE void atan_all(double (&x)[N]) {
+  scatter(atan(gathered(x)), x);
+}
+template <int N>
+LATSCH_INLINE void atan_all(Lanes (&x)[N]) {
+  for (Lanes& v : x) v = atan(v);
+}
+template <int N>
+LATSCH_INLINE void exp_all(double (&x)[N]) {
+  scatter(exp(gathered(x)), x);
+}
+template <int N>
+LATSCH_INLINE void exp_all(Lanes (&x)[N]) {
+  for (Lanes& v : x) v = exp(v);
+}
+template <int N>
+LATSCH_INLINE void log_all(double (&x)[N]) {
+  Lanes v = all(1.0);
+  for (int i = 0; i < N; ++i) v[i] = x[i];
+  scatter(log(v), x);
+}
+template <int N>
+LATSCH_INLINE void log_all(Lanes (&x)[N]) {
+  for (Lanes& v : x) v = log(v);
+}
+template <int N>
+LATSCH_INLINE void sin_cos_all(const double (&x)[N], double (&sine)[N], double (&cosine)[N]) {
+  const SinCos<Lanes> r = sin_cos(gathered(x));
+  scatter(r.sin, sine);
+  scatter(r.cos, cosine);
+}
+template <int N>
+LATSCH_INLINE void sin_cos_all(const Lanes (&x)[N], Lanes (&sine)[N], Lanes (&cosine)[N]) {
+  for (int i = 0; i < N; ++i) {
+    const SinCos<Lanes> r = sin_cos(x[i]);
+    sine[i] = r.sin;
+    cosine[i] = r.cos;
+  }
+}
+
 }  // namespace latsch::lane_math

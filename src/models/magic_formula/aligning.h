@@ -15,13 +15,14 @@ namespace latsch::magic_formula::kernel {
 template <class R>
 struct Aligning {
   R Mz, t, Mzr;
+  R Dt, alphar_eq;
 };
 
 /// What spin does to the residual torque: its peak (4.E47) and shape (4.E45), (4.E46).
 template <class R>
 struct SpinTorque {
   R zeta6, Drp;
-  R cosine;  // of zeta_7 atan(B_r alpha_r)
+  R share;  // Mz_phi90 / |D_rphi|: its arc cosine is that of zeta_7 (4.100)
 };
 
 /// cos(2/pi acos(x) a), continued analytically for x > 1 (acos x = i arcosh x).
@@ -56,15 +57,8 @@ LATSCH_INLINE SpinTorque<R> spin_torque(const TireConstants& tire,
   const R Mzp90 = Mzp_inf * (2.0 / kPi) * atan(p.QCRP2 * R0 * abs(o.phit)) * Gyk;  // (4.103)
   // On a straight path both vanish; their quotient tends to that of their slopes.
   const R straight = Mzp_inf * (2.0 / kPi) * p.QCRP2 * Gyk / abs(BDrp * CDrp * DDrp);
-  s.cosine = select(s.Drp == 0.0, straight, Mzp90 / abs(s.Drp));  // until zeta_7 is applied
+  s.share = select(s.Drp == 0.0, straight, Mzp90 / abs(s.Drp));
   return s;
-}
-
-template <class R>
-LATSCH_INLINE R equivalent_angle(const R& alpha, const R& stiffness_kappa) {
-  const SinCos<R> a = sin_cos(alpha);
-  const R tangent = a.sin / a.cos;
-  return atan(sqrt(tangent * tangent + stiffness_kappa * stiffness_kappa)) * sign(alpha);
 }
 
 template <class R>
@@ -83,60 +77,76 @@ LATSCH_INLINE R residual_peak(const TireConstants& tire,
          o.cos_alpha_star;  // (4.E47) without zeta_8 - 1
 }
 
+/// Everything but what needs the other forces; the curve of the trail goes into `shapes`.
 template <class R>
-LATSCH_INLINE Aligning<R> aligning(const TireConstants& tire,
-                                   const Conventions& conventions,
-                                   const OperatingPoint<R>& o,
-                                   const PureLateral<R>& pure,
-                                   const CombinedLateral<R>& combined,
-                                   const R& Kxk,
-                                   const R& Fx) {
+LATSCH_INLINE Aligning<R> aligning_terms(const TireConstants& tire,
+                                         const Conventions& conventions,
+                                         const OperatingPoint<R>& o,
+                                         const PureLateral<R>& pure,
+                                         const R& Kxk,
+                                         Shapes<R>& shapes) {
   const Parameters& p = tire.p;
   const R &dfz = o.dfz, &dpi = o.dpi;
   const R gamma = o.gamma * (tire.mf52 ? p.LGAZ : 1.0);
-  const double R0 = p.UNLOADED_RADIUS;
+  Aligning<R> z;
   const R SHt = p.QHZ1 + p.QHZ2 * dfz + (p.QHZ3 + p.QHZ4 * dfz) * o.gamma_star;  // (4.E35)
   const R alphat = o.alpha_star + SHt;                                           // (4.E34)
   const R alphar = o.alpha_star + pure.SHy + pure.SVy / pure.Kya_prime;          // (4.E37), (4.E38)
+  const R Bt = (p.QBZ1 + p.QBZ2 * dfz + p.QBZ3 * dfz * dfz) *
+               (1.0 + p.QBZ4 * gamma + p.QBZ5 * abs(gamma)) * p.LKY / o.LMUY_star;  // (A58)
+  const R Ct = constant<R>(p.QCZ1);                                                 // (4.E41)
+  z.Dt = (p.QDZ1 + p.QDZ2 * dfz) * (1.0 - p.PPZ1 * dpi) *
+         (1.0 + p.QDZ3 * gamma + p.QDZ4 * gamma * gamma) * o.Fz_moment *
+         (p.UNLOADED_RADIUS / tire.Fz0_prime) * p.LTR;  // (A60)
 
+  const R angles[2] = {alphar, alphat};
+  R sine[2], cosine[2];
+  sin_cos_all(angles, sine, cosine);
+  const R tan_r = sine[0] / cosine[0], tan_t = sine[1] / cosine[1];
+  const R drag = Kxk / pure.Kya_prime * o.kappa;
+  R arcs[3] = {
+      sqrt(tan_r * tan_r + drag * drag), sqrt(tan_t * tan_t + drag * drag), Bt * Ct * alphat};
+  atan_all(arcs);
+  z.alphar_eq = arcs[0] * sign(alphar);        // (A54)
+  const R alphat_eq = arcs[1] * sign(alphat);  // (A55)
+  R Et = (p.QEZ1 + p.QEZ2 * dfz + p.QEZ3 * dfz * dfz) *
+         (1.0 + (p.QEZ4 + p.QEZ5 * o.gamma_star) * (2.0 / kPi) * arcs[2]);
+  if (conventions.limits) Et = smaller(Et, constant<R>(1.0));  // (4.E44)
+  shapes.set(Shapes<R>::kTrail, Bt * alphat_eq, Ct, Et);
+  return z;
+}
+
+template <class R>
+LATSCH_INLINE void finish(const TireConstants& tire,
+                          const Conventions& conventions,
+                          const OperatingPoint<R>& o,
+                          const PureLateral<R>& pure,
+                          const R& upright_Fy0,
+                          const CombinedLateral<R>& combined,
+                          const R& Fx,
+                          const Shapes<R>& shapes,
+                          Aligning<R>& z) {
+  const Parameters& p = tire.p;
+  const double R0 = p.UNLOADED_RADIUS;
+  const R gamma = o.gamma * (tire.mf52 ? p.LGAZ : 1.0);
   SpinTorque<R> turning{constant<R>(1.0), constant<R>(0.0), constant<R>(0.0)};
   R zeta5 = constant<R>(1.0);
   if (conventions.turn_slip) {
     zeta5 = cos_atan(p.QDTP1 * R0 * o.phi);  // (4.91)
     turning = spin_torque(tire, o, pure, combined.Gyk);
   }
-  const R Bt = (p.QBZ1 + p.QBZ2 * dfz + p.QBZ3 * dfz * dfz) *
-               (1.0 + p.QBZ4 * gamma + p.QBZ5 * abs(gamma)) * p.LKY / o.LMUY_star;  // (A58)
-  const R Ct = constant<R>(p.QCZ1);                                                 // (4.E41)
-  const R Dt = (p.QDZ1 + p.QDZ2 * dfz) * (1.0 - p.PPZ1 * dpi) *
-               (1.0 + p.QDZ3 * gamma + p.QDZ4 * gamma * gamma) * o.Fz_moment *
-               (R0 / tire.Fz0_prime) * p.LTR * zeta5;  // (A60)
-  R Et = (p.QEZ1 + p.QEZ2 * dfz + p.QEZ3 * dfz * dfz) *
-         (1.0 + (p.QEZ4 + p.QEZ5 * o.gamma_star) * (2.0 / kPi) * atan(Bt * Ct * alphat));
-  if (conventions.limits) Et = smaller(Et, constant<R>(1.0));  // (4.E44)
-
   const R Dr = residual_peak(tire, conventions, o, pure.zeta2) + turning.Drp;  // (4.E47)
   const R Br =
       (p.QBZ9 * p.LKY / o.LMUY_star + p.QBZ10 * pure.By * pure.Cy) * turning.zeta6;  // (4.E45)
-  const R drag = Kxk / pure.Kya_prime * o.kappa;
-  const R alphar_eq = equivalent_angle(alphar, drag);  // (A54)
-  const R alphat_eq = equivalent_angle(alphat, drag);  // (A55)
-  const R swing = atan(Br * alphar_eq);
-  const R cosine =
-      conventions.turn_slip ? cosine_of_share(turning.cosine, swing) : cos_atan<R>(Br * alphar_eq);
-
-  Aligning<R> z;
+  const R cosine = conventions.turn_slip ? cosine_of_share<R>(turning.share, atan(Br * z.alphar_eq))
+                                         : cos_atan<R>(Br * z.alphar_eq);
   z.Mzr = Dr * cosine * o.fade;  // (4.E75)
-  z.t = Dt * cosine_shape<R>(Bt * alphat_eq, Ct, Et) * o.cos_alpha_prime * p.LFZO * o.fade;
-  const R s = R0 * (p.SSZ1 + p.SSZ2 * combined.Fy / p.FNOMIN + (p.SSZ3 + p.SSZ4 * dfz) * gamma) *
-              p.LS;  // (A56)
-  R side = combined.Fy - combined.SVyk;
-  if (!tire.mf52) {
-    const R upright = constant<R>(0.0);
-    side = combined.Gyk * pure_lateral(tire, conventions, o, upright).Fy0;  // (4.E74)
-  }
-  z.Mz = -z.t * side + z.Mzr + s * Fx;  // (4.E71)
-  return z;
+  z.t = z.Dt * zeta5 * shapes.cosine[Shapes<R>::kTrail] * o.cos_alpha_prime * p.LFZO *
+        o.fade;  // (4.E73)
+  const R s = R0 * (p.SSZ1 + p.SSZ2 * combined.Fy / p.FNOMIN + (p.SSZ3 + p.SSZ4 * o.dfz) * gamma) *
+              p.LS;                                                                     // (A56)
+  const R side = tire.mf52 ? combined.Fy - combined.SVyk : combined.Gyk * upright_Fy0;  // (4.E74)
+  z.Mz = -z.t * side + z.Mzr + s * Fx;                                                  // (4.E71)
 }
 
 }  // namespace latsch::magic_formula::kernel

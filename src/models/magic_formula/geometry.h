@@ -62,18 +62,16 @@ template <class R>
 LATSCH_INLINE Patch<R> contact_patch(const TireConstants& tire, const OperatingPoint<R>& o) {
   const Parameters& p = tire.p;
   const double R0 = p.UNLOADED_RADIUS;
-  const R Cz = p.VERTICAL_STIFFNESS * (1.0 + p.PFZ1 * o.dpi);  // (5)
-  // On its rim the patch grows no more.
-  const R Fz = smaller<R>(o.Fz_given, (R0 - p.RIM_RADIUS - p.BOTTOM_OFFST) * Cz);
   Patch<R> patch;
   if (tire.mf52) {
-    const R load = Fz / p.FNOMIN;
+    const R Cz = p.VERTICAL_STIFFNESS * (1.0 + p.PFZ1 * o.dpi);  // (5)
+    const R load = o.patch_load * (Cz * R0) / p.FNOMIN;
     patch.a = R0 * (tire.Q_A2 * load + tire.Q_A1 * sqrt(load));
     patch.b = constant<R>(0.5 * p.WIDTH);
   } else {
-    const R load = Fz / (Cz * R0);
-    patch.a = R0 * (p.Q_RA2 * load + p.Q_RA1 * sqrt(load));                    // (9)
-    patch.b = p.WIDTH * (p.Q_RB2 * load + p.Q_RB1 * power<R>(load, 1.0 / 3));  // (10)
+    const R& load = o.patch_load;
+    patch.a = R0 * (p.Q_RA2 * load + p.Q_RA1 * sqrt(load));         // (9)
+    patch.b = p.WIDTH * (p.Q_RB2 * load + p.Q_RB1 * o.patch_root);  // (10)
   }
   return patch;
 }
@@ -96,8 +94,8 @@ LATSCH_INLINE Relaxation<R> relaxation(const TireConstants& tire,
   r.Cy = p.LATERAL_STIFFNESS * (1.0 + p.PCFY1 * dfz + p.PCFY2 * dfz * dfz) *
          (1.0 + p.PCFY3 * dpi);  // (18)
   if (tire.mf52) {
-    r.sigma_x = (p.PTX1 + p.PTX2 * dfz) * exp(-p.PTX3 * dfz) * p.LSGKP * p.UNLOADED_RADIUS * o.Fz /
-                p.FNOMIN;
+    r.sigma_x =
+        (p.PTX1 + p.PTX2 * dfz) * o.exp_PTX3 * p.LSGKP * p.UNLOADED_RADIUS * o.Fz / p.FNOMIN;
     r.sigma_y = p.PTY2 == 0.0
                     ? constant<R>(0.0)
                     : p.PTY1 * sin(2.0 * atan(o.Fz / (p.PTY2 * tire.Fz0_prime))) *

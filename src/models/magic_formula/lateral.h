@@ -10,20 +10,19 @@ namespace latsch::magic_formula::kernel {
 
 template <class R>
 struct PureLateral {
-  R Fy0, muy, Kya, Kya_prime, SHy, SVy, By, Cy, zeta2;
+  R Fy0, muy, Kya, Kya_prime, SHy, SVy, By, Cy, Dy, zeta2;
 };
 
-/// K_ya (4.E25)
+/// K_ya (4.E25), cambered or upright.
 template <class R>
 LATSCH_INLINE R cornering_stiffness(const TireConstants& tire,
                                     const OperatingPoint<R>& o,
                                     const R& gamma_star,
+                                    const R& sine,
                                     const R& zeta3) {
   const Parameters& p = tire.p;
-  const R bend = (o.Fz / tire.Fz0_prime) /
-                 ((p.PKY2 + p.PKY5 * gamma_star * gamma_star) * (1.0 + p.PPY2 * o.dpi));
   return p.PKY1 * tire.Fz0_prime * (1.0 + p.PPY1 * o.dpi) * (1.0 - p.PKY3 * abs(gamma_star)) *
-         sin(p.PKY4 * atan(bend)) * zeta3 * p.LKY;
+         sine * zeta3 * p.LKY;
 }
 
 /// K_yg0 (4.E30); of MF 5.2 from its shifts.
@@ -79,20 +78,22 @@ LATSCH_INLINE R shift_by_camber(const TireConstants& tire,
   const Parameters& p = tire.p;
   if (tire.mf52) return p.PHY3 * gamma_star * p.LKYC;
   if (conventions.turn_slip) {  // zeta_0 = 0 (4.83); this is zeta_4 - 1 (4.84)
-    const R Kya0 = cornering_stiffness(tire, o, constant<R>(0.0), zeta3);
+    const R Kya0 = cornering_stiffness<R>(tire, o, constant<R>(0.0), o.sin_K0, zeta3);
     return shift_by_spin(tire, conventions, o, Kya0) - SVyg / with_epsilon(Kya);
   }
   return (camber_stiffness(tire, o) * gamma_star - SVyg) / with_epsilon(Kya);
 }
 
+/// Everything but Fy0, of the wheel as it leans or upright; the curve goes into `shapes`.
 template <class R>
-LATSCH_INLINE PureLateral<R> pure_lateral(const TireConstants& tire,
-                                          const Conventions& conventions,
-                                          const OperatingPoint<R>& o,
-                                          const R& gamma_star_given) {
+LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireConstants& tire,
+                                                const Conventions& conventions,
+                                                const OperatingPoint<R>& o,
+                                                bool upright,
+                                                Shapes<R>& shapes) {
   const Parameters& p = tire.p;
   const R &dfz = o.dfz, &dpi = o.dpi;
-  const R gamma_star = gamma_star_given * (tire.mf52 ? p.LGAY : 1.0);
+  const R gamma_star = o.gamma_star * (upright ? 0.0 : tire.mf52 ? p.LGAY : 1.0);
   PureLateral<R> y;
   R zeta3 = constant<R>(1.0);
   y.zeta2 = constant<R>(1.0);
@@ -100,8 +101,8 @@ LATSCH_INLINE PureLateral<R> pure_lateral(const TireConstants& tire,
     zeta3 = cos_atan(p.PKYP1 * p.UNLOADED_RADIUS * p.UNLOADED_RADIUS * o.phi * o.phi);  // (4.79)
     y.zeta2 = peak_reduction_by_spin(p, o);
   }
-  y.Kya = cornering_stiffness(tire, o, gamma_star, zeta3);  // (4.E25)
-  y.Kya_prime = with_epsilon(y.Kya);                        // (4.E39)
+  y.Kya = cornering_stiffness(tire, o, gamma_star, upright ? o.sin_K0 : o.sin_K, zeta3);  // (4.E25)
+  y.Kya_prime = with_epsilon(y.Kya);                                                      // (4.E39)
   const R SVyg =
       o.Fz * (p.PVY3 + p.PVY4 * dfz) * gamma_star * p.LKYC * o.LMUY_prime * y.zeta2;  // (4.E28)
   y.SHy = ((p.PHY1 + p.PHY2 * dfz) * p.LHY +
@@ -113,17 +114,25 @@ LATSCH_INLINE PureLateral<R> pure_lateral(const TireConstants& tire,
   y.Cy = constant<R>(p.PCY1 * p.LCY);                                                     // (4.E21)
   y.muy = (p.PDY1 + p.PDY2 * dfz) * (1.0 + p.PPY3 * dpi + p.PPY4 * dpi * dpi) *
           (1.0 - p.PDY3 * gamma_star * gamma_star) * o.LMUY_star;  // (4.E23)
-  const R Dy = y.muy * o.Fz * y.zeta2;                             // (4.E22)
+  y.Dy = y.muy * o.Fz * y.zeta2;                                   // (4.E22)
   R Ey = (p.PEY1 + p.PEY2 * dfz) *
          (1.0 + p.PEY5 * gamma_star * gamma_star -
           (p.PEY3 + p.PEY4 * gamma_star) * sign_or_one(alphay)) *
          p.LEY;  // (4.E24)
   if (conventions.limits) Ey = smaller(Ey, constant<R>(1.0));
-  y.By = y.Kya / (y.Cy * Dy + kEpsilon * sign_or_one(Dy));      // (4.E26)
-  y.Fy0 = Dy * sine_shape<R>(y.By * alphay, y.Cy, Ey) + y.SVy;  // (4.E19)
-  if (conventions.angles == Angles::tangent) y.Fy0 = select(o.Vx < 0.0, -y.Fy0, y.Fy0);
+  y.By = y.Kya / (y.Cy * y.Dy + kEpsilon * sign_or_one(y.Dy));  // (4.E26)
+  shapes.set(upright ? Shapes<R>::kFyUpright : Shapes<R>::kFy, y.By * alphay, y.Cy, Ey);
   y.muy = select(o.Fz == 0.0, constant<R>(0.0), y.muy);
   return y;
+}
+
+template <class R>
+LATSCH_INLINE void finish(const Conventions& conventions,
+                          const OperatingPoint<R>& o,
+                          const R& sine,
+                          PureLateral<R>& y) {
+  y.Fy0 = y.Dy * sine + y.SVy;  // (4.E19)
+  if (conventions.angles == Angles::tangent) y.Fy0 = select(o.Vx < 0.0, -y.Fy0, y.Fy0);
 }
 
 template <class R>
@@ -131,26 +140,35 @@ struct CombinedLateral {
   R Fy, Gyk, SVyk;
 };
 
+/// S_Vyk and the two curves.
 template <class R>
-LATSCH_INLINE CombinedLateral<R> combined_lateral(const TireConstants& tire,
-                                                  const Conventions& conventions,
-                                                  const OperatingPoint<R>& o,
-                                                  const PureLateral<R>& pure) {
+LATSCH_INLINE CombinedLateral<R> combined_lateral_terms(const TireConstants& tire,
+                                                        const Conventions& conventions,
+                                                        const OperatingPoint<R>& o,
+                                                        const PureLateral<R>& pure,
+                                                        Shapes<R>& shapes) {
   const Parameters& p = tire.p;
   CombinedLateral<R> y;
   const R DVyk = pure.muy * o.Fz * (p.RVY1 + p.RVY2 * o.dfz + p.RVY3 * o.gamma_star) *
-                 cos_atan(p.RVY4 * o.alpha_star) * pure.zeta2;              // (4.E67)
-  y.SVyk = DVyk * sin(p.RVY5 * atan(p.RVY6 * o.kappa)) * p.LVYKA * o.fade;  // (4.E66)
-  const R SHyk = p.RHY1 + p.RHY2 * o.dfz;                                   // (4.E65)
-  R Eyk = p.REY1 + p.REY2 * o.dfz;                                          // (4.E64)
+                 cos_atan(p.RVY4 * o.alpha_star) * pure.zeta2;  // (4.E67)
+  y.SVyk = DVyk * o.sin_RVY * p.LVYKA * o.fade;                 // (4.E66)
+  const R SHyk = p.RHY1 + p.RHY2 * o.dfz;                       // (4.E65)
+  R Eyk = p.REY1 + p.REY2 * o.dfz;                              // (4.E64)
   if (conventions.limits) Eyk = smaller(Eyk, constant<R>(1.0));
   const R Cyk = constant<R>(p.RCY1);  // (4.E63)
   const R Byk = (p.RBY1 + p.RBY4 * o.gamma_star * o.gamma_star) *
                 cos_atan(p.RBY2 * (o.alpha_star - p.RBY3)) * p.LYKA;  // (4.E62)
-  const R Gyk0 = cosine_shape<R>(Byk * SHyk, Cyk, Eyk);               // (4.E60)
-  y.Gyk = cosine_shape<R>(Byk * (o.kappa + SHyk), Cyk, Eyk) / Gyk0;   // (4.E59), (4.E61)
-  y.Fy = y.Gyk * pure.Fy0 + y.SVyk;                                   // (4.E58)
+  shapes.set(Shapes<R>::kGy0, Byk * SHyk, Cyk, Eyk);
+  shapes.set(Shapes<R>::kGy, Byk * (o.kappa + SHyk), Cyk, Eyk);  // (4.E61)
   return y;
+}
+
+template <class R>
+LATSCH_INLINE void finish(const Shapes<R>& shapes,
+                          const PureLateral<R>& pure,
+                          CombinedLateral<R>& y) {
+  y.Gyk = shapes.cosine[Shapes<R>::kGy] / shapes.cosine[Shapes<R>::kGy0];  // (4.E59), (4.E60)
+  y.Fy = y.Gyk * pure.Fy0 + y.SVyk;                                        // (4.E58)
 }
 
 }  // namespace latsch::magic_formula::kernel

@@ -8,13 +8,16 @@ namespace latsch::magic_formula::kernel {
 
 template <class R>
 struct Longitudinal {
-  R Fx0, Fx, mux, Kxk;
+  R Fx, mux, Kxk;
+  R Dx, SVx;
 };
 
+/// Everything but Fx; its three curves go into `shapes`.
 template <class R>
-LATSCH_INLINE Longitudinal<R> longitudinal(const TireConstants& tire,
-                                           const Conventions& conventions,
-                                           const OperatingPoint<R>& o) {
+LATSCH_INLINE Longitudinal<R> longitudinal_terms(const TireConstants& tire,
+                                                 const Conventions& conventions,
+                                                 const OperatingPoint<R>& o,
+                                                 Shapes<R>& shapes) {
   const Parameters& p = tire.p;
   const R &dfz = o.dfz, &dpi = o.dpi;
   const R gamma = o.gamma * (tire.mf52 ? p.LGAX : 1.0);
@@ -28,27 +31,32 @@ LATSCH_INLINE Longitudinal<R> longitudinal(const TireConstants& tire,
   x.mux = (p.PDX1 + p.PDX2 * dfz) * (1.0 + p.PPX3 * dpi + p.PPX4 * dpi * dpi) *
           (1.0 - p.PDX3 * gamma * gamma) * o.LMUX_star;  // (4.E13)
   x.mux = select(o.Fz == 0.0, constant<R>(0.0), x.mux);
-  const R Dx = x.mux * o.Fz * zeta1;  // (4.E12)
-  x.Kxk = o.Fz * (p.PKX1 + p.PKX2 * dfz) * exp(p.PKX3 * dfz) *
-          (1.0 + p.PPX1 * dpi + p.PPX2 * dpi * dpi) * p.LKX;                             // (4.E15)
-  const R Bx = x.Kxk / (Cx * Dx + kEpsilon * sign_or_one(Dx));                           // (4.E16)
-  const R SHx = (p.PHX1 + p.PHX2 * dfz) * p.LHX * o.fade;                                // (4.E17)
-  const R SVx = o.Fz * (p.PVX1 + p.PVX2 * dfz) * p.LVX * o.LMUX_prime * zeta1 * o.fade;  // (4.E18)
-  const R kappax = o.kappa + SHx;                                                        // (4.E10)
+  x.Dx = x.mux * o.Fz * zeta1;  // (4.E12)
+  x.Kxk = o.Fz * (p.PKX1 + p.PKX2 * dfz) * o.exp_PKX3 * (1.0 + p.PPX1 * dpi + p.PPX2 * dpi * dpi) *
+          p.LKX;                                                                   // (4.E15)
+  const R Bx = x.Kxk / (Cx * x.Dx + kEpsilon * sign_or_one(x.Dx));                 // (4.E16)
+  const R SHx = (p.PHX1 + p.PHX2 * dfz) * p.LHX * o.fade;                          // (4.E17)
+  x.SVx = o.Fz * (p.PVX1 + p.PVX2 * dfz) * p.LVX * o.LMUX_prime * zeta1 * o.fade;  // (4.E18)
+  const R kappax = o.kappa + SHx;                                                  // (4.E10)
   const R Ex = (p.PEX1 + p.PEX2 * dfz + p.PEX3 * dfz * dfz) * (1.0 - p.PEX4 * sign(kappax)) *
-               p.LEX;                                  // (4.E14)
-  x.Fx0 = Dx * sine_shape(Bx * kappax, Cx, Ex) + SVx;  // (4.E9)
-  x.Fx0 = select(o.Vx < 0.0, -x.Fx0, x.Fx0);
+               p.LEX;  // (4.E14)
+  shapes.set(Shapes<R>::kFx, Bx * kappax, Cx, Ex);
 
   const R Bxa = (p.RBX1 + p.RBX3 * o.gamma_star * o.gamma_star) * cos_atan(p.RBX2 * o.kappa) *
-                p.LXAL;                                                         // (4.E54)
-  const R Cxa = constant<R>(p.RCX1);                                            // (4.E55)
-  const R Exa = p.REX1 + p.REX2 * dfz;                                          // (4.E56)
-  const double SHxa = p.RHX1;                                                   // (4.E57)
-  const R Gxa0 = cosine_shape<R>(Bxa * SHxa, Cxa, Exa);                         // (4.E52)
-  const R Gxa = cosine_shape<R>(Bxa * (o.alpha_star + SHxa), Cxa, Exa) / Gxa0;  // (4.E51), (4.E53)
-  x.Fx = Gxa * x.Fx0;                                                           // (4.E50)
+                p.LXAL;                 // (4.E54)
+  const R Cxa = constant<R>(p.RCX1);    // (4.E55)
+  const R Exa = p.REX1 + p.REX2 * dfz;  // (4.E56)
+  const double SHxa = p.RHX1;           // (4.E57)
+  shapes.set(Shapes<R>::kGx0, Bxa * SHxa, Cxa, Exa);
+  shapes.set(Shapes<R>::kGx, Bxa * (o.alpha_star + SHxa), Cxa, Exa);  // (4.E53)
   return x;
+}
+
+template <class R>
+LATSCH_INLINE void finish(const OperatingPoint<R>& o, const Shapes<R>& shapes, Longitudinal<R>& x) {
+  const R Fx0 = x.Dx * shapes.sine[Shapes<R>::kFx] + x.SVx;                      // (4.E9)
+  const R Gxa = shapes.cosine[Shapes<R>::kGx] / shapes.cosine[Shapes<R>::kGx0];  // (4.E51), (4.E52)
+  x.Fx = Gxa * select(o.Vx < 0.0, -Fx0, Fx0);                                    // (4.E50)
 }
 
 }  // namespace latsch::magic_formula::kernel

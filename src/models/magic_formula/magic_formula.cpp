@@ -45,32 +45,56 @@ LATSCH_INLINE StateOf<R> on_measured_side(const StateOf<R>& s, const Conventions
   return {s.Fz, s.kappa, -s.alpha, -s.gamma, -s.phit, s.Vx, s.p};
 }
 
+/// All forces of a state and what else comes with them.
+template <class R>
+struct Everything {
+  OperatingPoint<R> o;
+  Longitudinal<R> x;
+  PureLateral<R> pure;
+  CombinedLateral<R> y;
+  Aligning<R> z;
+};
+
+template <class R>
+LATSCH_INLINE Everything<R> everything(const TireConstants& tire,
+                                       const Conventions& conventions,
+                                       const StateOf<R>& state) {
+  Everything<R> e;
+  e.o = operating_point(tire, conventions, on_measured_side(state, conventions));
+  Shapes<R> shapes;
+  e.x = longitudinal_terms(tire, conventions, e.o, shapes);
+  e.pure = pure_lateral_terms(tire, conventions, e.o, false, shapes);
+  PureLateral<R> upright = pure_lateral_terms(tire, conventions, e.o, true, shapes);
+  e.y = combined_lateral_terms(tire, conventions, e.o, e.pure, shapes);
+  e.z = aligning_terms(tire, conventions, e.o, e.pure, e.x.Kxk, shapes);
+  shapes.evaluate();
+  finish(e.o, shapes, e.x);
+  finish(conventions, e.o, shapes.sine[Shapes<R>::kFy], e.pure);
+  finish(conventions, e.o, shapes.sine[Shapes<R>::kFyUpright], upright);
+  finish(shapes, e.pure, e.y);
+  finish(tire, conventions, e.o, e.pure, upright.Fy0, e.y, e.x.Fx, shapes, e.z);
+  return e;
+}
+
 template <class R>
 LATSCH_INLINE Forces<R> forces_of(const TireConstants& tire,
                                   const Conventions& conventions,
                                   const StateOf<R>& state) {
-  const OperatingPoint<R> o =
-      operating_point(tire, conventions, on_measured_side(state, conventions));
-  const Longitudinal<R> x = longitudinal(tire, conventions, o);
-  const PureLateral<R> pure = pure_lateral(tire, conventions, o, o.gamma_star);
-  const CombinedLateral<R> y = combined_lateral(tire, conventions, o, pure);
-  const Aligning<R> z = aligning(tire, conventions, o, pure, y, x.Kxk, x.Fx);
-  const Forces<R> f{
-      x.Fx, y.Fy, overturning(tire, o, y.Fy), rolling_resistance(tire, o, x.Fx), z.Mz};
+  const Everything<R> e = everything(tire, conventions, state);
+  const Forces<R> f{e.x.Fx,
+                    e.y.Fy,
+                    overturning(tire, e.o, e.y.Fy),
+                    rolling_resistance(tire, e.o, e.x.Fx),
+                    e.z.Mz};
   return conventions.mirrored ? mirrored(f) : f;
 }
 
-/// Everything but the deflection of MF 6.2, which `finish` adds.
+/// Everything but the deflection of MF 6.2, which `add_deflection_62` adds.
 template <class R>
 LATSCH_INLINE SteadyStateOf<R> steady_state(const TireConstants& tire,
                                             const Conventions& conventions,
                                             const StateOf<R>& state) {
-  const OperatingPoint<R> o =
-      operating_point(tire, conventions, on_measured_side(state, conventions));
-  const Longitudinal<R> x = longitudinal(tire, conventions, o);
-  const PureLateral<R> pure = pure_lateral(tire, conventions, o, o.gamma_star);
-  const CombinedLateral<R> y = combined_lateral(tire, conventions, o, pure);
-  const Aligning<R> z = aligning(tire, conventions, o, pure, y, x.Kxk, x.Fx);
+  const auto [o, x, pure, y, z] = everything(tire, conventions, state);
   const Deflection<R> d = deflection(tire, o, x.Fx, y.Fy);
   const Patch<R> patch = contact_patch(tire, o);
   const Relaxation<R> r = relaxation(tire, o, x.Kxk, pure.Kya);
@@ -151,10 +175,10 @@ LATSCH_CLONES void forces_of_columns(const TireConstants& tire,
   }
 }
 
-void finish(const TireConstants& tire,
-            const Conventions& conventions,
-            const State& state,
-            SteadyState& s) {
+void add_deflection_62(const TireConstants& tire,
+                       const Conventions& conventions,
+                       const State& state,
+                       SteadyState& s) {
   if (tire.p.version != Version::mf62) return;
   const OperatingPoint<double> o =
       operating_point(tire, conventions, on_measured_side(state, conventions));
@@ -182,7 +206,7 @@ MagicFormula::MagicFormula(const Parameters& parameters, const Conventions& conv
 SteadyState MagicFormula::evaluate(const State& state) const {
   SteadyState result;
   kernel::evaluate_one(tire_, conventions_, state, result);
-  kernel::finish(tire_, conventions_, state, result);
+  kernel::add_deflection_62(tire_, conventions_, state, result);
   return result;
 }
 
@@ -192,7 +216,7 @@ void MagicFormula::evaluate(std::span<const State> states, std::span<SteadyState
   for (std::size_t i = 0; i < whole; i += 8)
     kernel::evaluate_eight(tire_, conventions_, &states[i], &results[i]);
   for (std::size_t i = 0; i < whole; ++i)
-    kernel::finish(tire_, conventions_, states[i], results[i]);
+    kernel::add_deflection_62(tire_, conventions_, states[i], results[i]);
   for (std::size_t i = whole; i < states.size(); ++i) results[i] = evaluate(states[i]);
 }
 

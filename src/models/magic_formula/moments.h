@@ -12,16 +12,13 @@ template <class R>
 LATSCH_INLINE R overturning(const TireConstants& tire, const OperatingPoint<R>& o, const R& Fy) {
   const Parameters& p = tire.p;
   const R& gamma = o.gamma;
-  const R share = o.Fz / (p.FZMIN > 0.0 ? p.FZMIN : 1.0);
-  const R Fz = select(o.Fz < p.FZMIN, o.Fz * share * share, o.Fz);
-  const R fz = Fz / p.FNOMIN, fy = Fy / p.FNOMIN;
+  const R& Fz = o.Fz_Mx;
+  const R fy = Fy / p.FNOMIN;
   R factor = p.QSX1 * p.LVMX - p.QSX2 * gamma * (1.0 + p.PPMX1 * o.dpi) + p.QSX3 * fy;
   if (p.QSX4 != 0.0) {
-    const R load = p.QSX6 * fz;
-    factor = factor + p.QSX4 * cos(p.QSX5 * atan(load * load)) *
-                          sin(p.QSX7 * gamma + p.QSX8 * atan(p.QSX9 * fy));
+    factor = factor + p.QSX4 * o.cos_QSX5 * sin(p.QSX7 * gamma + p.QSX8 * atan(p.QSX9 * fy));
   }
-  if (p.QSX10 != 0.0) factor = factor + p.QSX10 * atan(p.QSX11 * fz) * gamma;
+  if (p.QSX10 != 0.0) factor = factor + p.QSX10 * o.atan_QSX11 * gamma;
   const R sheared = Fy * (p.QSX13 + p.QSX14 * abs(gamma)) - Fz * p.QSX12 * gamma * abs(gamma);
   return p.UNLOADED_RADIUS * p.LMX * (Fz * factor + sheared);  // (4.E69)
 }
@@ -31,8 +28,7 @@ LATSCH_INLINE R rolling_resistance(const TireConstants& tire,
                                    const OperatingPoint<R>& o,
                                    const R& Fx) {
   const Parameters& p = tire.p;
-  const R share = o.Fz_given / (p.FZMIN > 0.0 ? p.FZMIN : 1.0);
-  const R Fz = select(o.Fz_given < p.FZMIN, o.Fz_given * share, o.Fz_given);
+  const R& Fz = o.Fz_My;
   const R v = abs(o.Vx / p.LONGVL);
   R factor = p.QSY1 + p.QSY2 * Fx / p.FNOMIN + p.QSY3 * v + p.QSY4 * (v * v) * (v * v);
   R My;
@@ -41,7 +37,7 @@ LATSCH_INLINE R rolling_resistance(const TireConstants& tire,
   } else {
     factor = factor + (p.QSY5 + p.QSY6 * (Fz / p.FNOMIN)) * o.gamma * o.gamma;
     My = -p.UNLOADED_RADIUS * p.FNOMIN * p.LMY * factor *
-         (power<R>(Fz / p.FNOMIN, p.QSY7) * power<R>(o.p / p.NOMPRES, p.QSY8));  // (A48)
+         (o.load_power * o.pressure_power);  // (A48)
   }
   My = My * o.sign_Vx;
   // Between rolling and locked the moment fades; it turns where the wheel spins backwards.

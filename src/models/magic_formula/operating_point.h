@@ -56,6 +56,14 @@ struct OperatingPoint {
   R LMUX_star, LMUY_star, LMUX_prime, LMUY_prime;
   R Re, R_omega, omega;
   R epsilon_gamma, phi;  // with turn slip
+  // functions of the state alone, evaluated together
+  R atan_load;      // atan(BREFF Fz/Fz0)
+  R sin_K, sin_K0;  // sin(PKY4 atan(...)) of (4.E25), cambered and upright
+  R sin_RVY;        // sin(RVY5 atan(RVY6 kappa))
+  R Fz_Mx, cos_QSX5, atan_QSX11;
+  R exp_PKX3, exp_PTX3;
+  R Fz_My, load_power, pressure_power;  // (Fz/Fz0)^QSY7 (p/p0)^QSY8
+  R patch_load, patch_root;             // Fz/(Cz R0), its cube root
 };
 
 template <class R>
@@ -87,6 +95,71 @@ LATSCH_INLINE void apply_limits(const Parameters& p,
   o.Fz_moment = select(o.Fz > 0.0, larger(o.Fz, constant<R>(p.FZMIN)), constant<R>(0.0));
 }
 
+/// Below FZMIN the load counts less and less: by a power of its share.
+template <class R>
+LATSCH_INLINE R faded_load(const R& Fz, double FZMIN, bool squared) {
+  if (!(FZMIN > 0.0)) return Fz;
+  const R share = Fz / FZMIN;
+  return select(Fz < FZMIN, Fz * (squared ? share * share : share), Fz);
+}
+
+/// What stands in (4.E25) below the arc tangent.
+template <class R>
+LATSCH_INLINE R bend(const TireConstants& tire, const OperatingPoint<R>& o, const R& gamma_star) {
+  const Parameters& p = tire.p;
+  return (o.Fz / tire.Fz0_prime) /
+         ((p.PKY2 + p.PKY5 * gamma_star * gamma_star) * (1.0 + p.PPY2 * o.dpi));
+}
+
+template <class R>
+LATSCH_INLINE void powers(const TireConstants& tire, OperatingPoint<R>& o) {
+  const Parameters& p = tire.p;
+  const R one = constant<R>(1.0), zero = constant<R>(0.0);
+  const double R0 = p.UNLOADED_RADIUS;
+  const R Cz = p.VERTICAL_STIFFNESS * (1.0 + p.PFZ1 * o.dpi);  // (5)
+  // On its rim the patch grows no more.
+  o.patch_load = smaller<R>(o.Fz_given, (R0 - p.RIM_RADIUS - p.BOTTOM_OFFST) * Cz) / (Cz * R0);
+  o.Fz_My = faded_load(o.Fz_given, p.FZMIN, false);
+  const R load = o.Fz_My / p.FNOMIN, pressure = o.p / p.NOMPRES;
+  R logs[3] = {select(load > 0.0, load, one),
+               select(pressure > 0.0, pressure, one),
+               select(o.patch_load > 0.0, o.patch_load, one)};
+  if (!tire.mf52) log_all(logs);
+  R exps[5] = {p.PKX3 * o.dfz, p.QSY7 * logs[0], p.QSY8 * logs[1], logs[2] / 3.0, -p.PTX3 * o.dfz};
+  exp_all(exps);
+  o.exp_PKX3 = exps[0];
+  o.load_power = p.QSY7 == 0.0 ? one : select(load > 0.0, exps[1], zero);
+  o.pressure_power = p.QSY8 == 0.0 ? one : select(pressure > 0.0, exps[2], zero);
+  o.patch_root = select(o.patch_load > 0.0, exps[3], zero);
+  o.exp_PTX3 = exps[4];
+}
+
+template <class R>
+LATSCH_INLINE void functions_of_state(const TireConstants& tire, OperatingPoint<R>& o) {
+  const Parameters& p = tire.p;
+  o.Fz_Mx = faded_load(o.Fz, p.FZMIN, true);
+  const R fz = o.Fz_Mx / p.FNOMIN;
+  const R gamma_star = o.gamma_star * (tire.mf52 ? p.LGAY : 1.0);
+  R angles[6] = {p.BREFF * (o.Fz_given / p.FNOMIN),
+                 bend(tire, o, gamma_star),
+                 bend<R>(tire, o, constant<R>(0.0)),
+                 p.RVY6 * o.kappa,
+                 p.QSX6 * fz * (p.QSX6 * fz),
+                 p.QSX11 * fz};
+  atan_all(angles);
+  const R turns[4] = {
+      p.PKY4 * angles[1], p.PKY4 * angles[2], p.RVY5 * angles[3], p.QSX5 * angles[4]};
+  R sine[4], cosine[4];
+  sin_cos_all(turns, sine, cosine);
+  o.atan_load = angles[0];
+  o.atan_QSX11 = angles[5];
+  o.sin_K = sine[0];
+  o.sin_K0 = sine[1];
+  o.sin_RVY = sine[2];
+  o.cos_QSX5 = cosine[3];
+  powers(tire, o);
+}
+
 /// Effective rolling radius and spin of each other: Re = R_omega - deflection terms (7), R_omega =
 /// R0 (q_re0 + q_V1 (omega R0/V0)^2) (1), omega = (1 + kappa) Vx / Re.
 template <class R>
@@ -94,7 +167,7 @@ LATSCH_INLINE void roll(const TireConstants& tire, OperatingPoint<R>& o) {
   const Parameters& p = tire.p;
   const R Cz = p.VERTICAL_STIFFNESS * (1.0 + p.PFZ1 * o.dpi);  // (5)
   const R load = o.Fz_given / p.FNOMIN;
-  const R slack = p.FNOMIN / Cz * (p.DREFF * atan(p.BREFF * load) + p.FREFF * load);
+  const R slack = p.FNOMIN / Cz * (p.DREFF * o.atan_load + p.FREFF * load);
   const R speed = (1.0 + o.kappa_given) * o.Vx;
   const R growth = p.UNLOADED_RADIUS * p.Q_V1 * (p.UNLOADED_RADIUS / p.LONGVL) *
                    (p.UNLOADED_RADIUS / p.LONGVL) * speed * speed;
@@ -167,20 +240,39 @@ LATSCH_INLINE OperatingPoint<R> operating_point(const TireConstants& tire,
   const R Vc = abs(o.Vx) * sqrt(1.0 + o.tan_alpha * o.tan_alpha);
   o.cos_alpha_prime = o.Vx / (Vc + kEpsilon);  // (4.E6)
   friction_scales(p, conventions.A_mu, o);
+  functions_of_state(tire, o);
   roll(tire, o);
   if (conventions.turn_slip) spin(p, o);
   return o;
 }
 
-/// sin(C atan(Bx - E (Bx - atan Bx))) (4.E9); the formula that gives the tire model its name.
+/// The curves of one state, C atan(Bx - E (Bx - atan Bx)) of each (4.E9), evaluated together.
+template <class R>
+struct Shapes {
+  enum { kFx, kGx, kGx0, kFy, kFyUpright, kGy, kGy0, kTrail, kCount };
+  R Bx[kCount], C[kCount], E[kCount];
+  R sine[kCount], cosine[kCount];
+
+  LATSCH_INLINE void set(int which, const R& Bx_, const R& C_, const R& E_) {
+    Bx[which] = Bx_;
+    C[which] = C_;
+    E[which] = E_;
+  }
+  LATSCH_INLINE void evaluate() {
+    R x[kCount];
+    for (int i = 0; i < kCount; ++i) x[i] = Bx[i];
+    atan_all(x);
+    for (int i = 0; i < kCount; ++i) x[i] = Bx[i] - E[i] * (Bx[i] - x[i]);
+    atan_all(x);
+    for (int i = 0; i < kCount; ++i) x[i] = C[i] * x[i];
+    sin_cos_all(x, sine, cosine);
+  }
+};
+
+/// sin(C atan(Bx - E (Bx - atan Bx))) of one alone
 template <class R>
 LATSCH_INLINE R sine_shape(const R& Bx, const R& C, const R& E) {
   return sin(C * atan(Bx - E * (Bx - atan(Bx))));
-}
-/// cos(C atan(Bx - E (Bx - atan Bx))) (4.E33), (4.E51)
-template <class R>
-LATSCH_INLINE R cosine_shape(const R& Bx, const R& C, const R& E) {
-  return cos(C * atan(Bx - E * (Bx - atan(Bx))));
 }
 /// cos(atan x)
 template <class R>
