@@ -98,7 +98,7 @@ std::vector<Case> cases() {
 }
 
 Document file() {
-  return Document::read(std::string(LATSCH_SOURCE_DIR) + "/studies/tires/ring_205_55R16.toml");
+  return Document::read(std::string(LATSCH_SOURCE_DIR) + "/studies/ring_tires/passenger_205_55R16.toml");
 }
 
 ring_tire::RingParameters tire_at(const Document& known, const DesignPoint& point) {

@@ -493,7 +493,7 @@ class Files(unittest.TestCase):
         return self.folder / name
 
     def test_a_ring_tire_rolls_on_the_drum(self):
-        tire = pathlib.Path(__file__).resolve().parents[2] / "studies" / "tires" / "ring_205_55R16.toml"
+        tire = pathlib.Path(__file__).resolve().parents[2] / "studies" / "ring_tires" / "passenger_205_55R16.toml"
         test = self.write("test.toml", 'kind = "drum_cleat"\nspeed = "30 km/h"\nload = "3.5 kN"\n'
                                        'drum_diameter = "2.5 m"\nrun_in = "20 ms"\nlead = "20 ms"\n'
                                        'duration = "40 ms"\n[cleat]\nheight = "10 mm"\nlength = "20 mm"\n')

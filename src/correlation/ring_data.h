@@ -2,7 +2,7 @@
 // From what a user measures of a tire to the numbers of the flexible ring: a weighted fit of the
 // model to the data, and what the data leave open.
 //
-//   tire = "ring_205_55R16.toml"        # known numbers and first guesses, beside this file
+//   tire = "passenger_205_55R16.toml"      # known numbers and first guesses, beside this file
 //
 //   [variable.radial]                   # what the data have to tell, see variables.h
 //   path = "sidewall.radial.stiffness"

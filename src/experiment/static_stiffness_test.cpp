@@ -13,7 +13,7 @@ namespace latsch::experiment {
 namespace {
 
 ring_tire::RingTire example_tire() {
-  const auto file = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires/ring_205_55R16.toml";
+  const auto file = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/ring_tires/passenger_205_55R16.toml";
   return ring_tire::RingTire(ring_tire::read_ring_tire(Document::read(file).root()));
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 Document example() {
   return Document::read(std::filesystem::path(LATSCH_SOURCE_DIR) /
-                        "studies/tires/ring_205_55R16.toml");
+                        "studies/ring_tires/passenger_205_55R16.toml");
 }
 
 TEST(RingReader, ReadsEveryNumberInItsUnit) {
