@@ -54,14 +54,17 @@ WheelMotion rolling(double height, double speed) {
   return motion;
 }
 
-/// CPU time over simulated time: 0.3 s at 60 km/h over a cleat of 15 x 30 mm, steps of 0.5 ms.
+constexpr double kFailed = 1e9;
+
+/// CPU time over simulated time; kFailed where the ring finds no state. 0.3 s at 60 km/h over a
+/// cleat of 15 x 30 mm, steps of 0.5 ms.
 double run(const RingParameters& ring, bool show) {
   const road::ProfileRoad road = road::cleat_road(2.0, 0.015, 0.03, 0.005);
   RingTire tire(ring);
   WheelMotion motion = rolling(tire.free_radius() - 0.022, 60.0 / 3.6);
   if (const auto stands = tire.settle(motion, road, 0.0); !stands) {
     fmt::print("{}\n", stands.failure().reason);
-    return 1e9;
+    return kFailed;
   }
   const double h = 5e-4, duration = 0.3;
   const int steps = static_cast<int>(std::lround(duration / h));
@@ -74,7 +77,7 @@ double run(const RingParameters& ring, bool show) {
     const auto hub = tire.advance(motion, road, i * h, h);
     if (!hub) {
       fmt::print("{}\n", hub.failure().reason);
-      return 1e9;
+      return kFailed;
     }
     most = std::max(most, hub->force.z());
   }
@@ -158,10 +161,11 @@ int ring_speed() {
             fmt::format("{:.2f} x the time", whole / half_blocks),
             "<= 2.1",
             whole <= 2.1 * half_blocks);
-  table.row("twice the segments",
-            fmt::format("{:.2f} x the time", double_nodes / whole),
-            "<= 2.1",
-            double_nodes <= 2.1 * whole);
+  table.row(
+      "twice the segments",
+      double_nodes < kFailed ? fmt::format("{:.2f} x the time", double_nodes / whole) : "it failed",
+      "<= 2.1",
+      double_nodes <= 2.1 * whole);
   const double growth = energy_growth();
   table.row("energy without input, largest growth in a step",
             fmt::format("{:.1e} of the load's", growth),
