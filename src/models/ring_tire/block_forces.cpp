@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/ring_tire/block_forces.h"
 
-#include "models/ring_tire/lanes.h"
+#include "numerics/lanes.h"
 
 namespace latsch::ring_tire {
 
-LATSCH_RING_CLONES void station_columns(const double* const nodes[4],
-                                        const double* weights,
-                                        const StationFrames& frames,
-                                        const double* a,
-                                        bool rates,
-                                        int stride,
-                                        int begin,
-                                        int end,
-                                        double* columns) {
+LATSCH_CLONES void station_columns(const double* const nodes[4],
+                                   const double* weights,
+                                   const StationFrames& frames,
+                                   const double* a,
+                                   bool rates,
+                                   int stride,
+                                   int begin,
+                                   int end,
+                                   double* columns) {
   const double *w0 = weights, *w1 = w0 + stride, *w2 = w1 + stride, *w3 = w2 + stride;
   const double *d0 = w3 + stride, *d1 = d0 + stride, *d2 = d1 + stride, *d3 = d2 + stride;
   const double *x0 = nodes[0], *x1 = nodes[1], *x2 = nodes[2], *x3 = nodes[3];
@@ -42,15 +42,15 @@ LATSCH_RING_CLONES void station_columns(const double* const nodes[4],
   }
 }
 
-LATSCH_RING_CLONES void sticking_forces(const BlockColumns& blocks,
-                                        const double* stations,
-                                        int stride,
-                                        int begin,
-                                        int end,
-                                        int offset,
-                                        double H,
-                                        double y,
-                                        const BlockLaw& law) {
+LATSCH_CLONES void sticking_forces(const BlockColumns& blocks,
+                                   const double* stations,
+                                   int stride,
+                                   int begin,
+                                   int end,
+                                   int offset,
+                                   double H,
+                                   double y,
+                                   const BlockLaw& law) {
   const double* s[18];
   for (int c = 0; c < 18; ++c) s[c] = stations + c * stride + begin;
   const int count = end - begin;
@@ -129,14 +129,14 @@ LATSCH_RING_CLONES void sticking_forces(const BlockColumns& blocks,
   }
 }
 
-LATSCH_RING_CLONES void add_row_sums(const BlockColumns& blocks,
-                                     double* sums,
-                                     int stride,
-                                     int begin,
-                                     int end,
-                                     int offset,
-                                     double H,
-                                     double y) {
+LATSCH_CLONES void add_row_sums(const BlockColumns& blocks,
+                                double* sums,
+                                int stride,
+                                int begin,
+                                int end,
+                                int offset,
+                                double H,
+                                double y) {
   const int count = end - begin;
   const double* Fn = blocks.Fn + offset;
   for (int c = 0; c < 3; ++c) {
@@ -155,15 +155,15 @@ LATSCH_RING_CLONES void add_row_sums(const BlockColumns& blocks,
   }
 }
 
-LATSCH_RING_CLONES void add_row_stiffness(const BlockColumns& blocks,
-                                          double* sums,
-                                          int stride,
-                                          int begin,
-                                          int end,
-                                          int offset,
-                                          double y,
-                                          double normal,
-                                          double tangential) {
+LATSCH_CLONES void add_row_stiffness(const BlockColumns& blocks,
+                                     double* sums,
+                                     int stride,
+                                     int begin,
+                                     int end,
+                                     int offset,
+                                     double y,
+                                     double normal,
+                                     double tangential) {
   constexpr int kRow[6] = {0, 0, 0, 1, 1, 2}, kColumn[6] = {0, 1, 2, 1, 2, 2};
   const double* Fn = blocks.Fn + offset;
   const double* gripped = blocks.gripped + offset;

@@ -3,37 +3,37 @@
 
 #include <cassert>
 
-#include "models/ring_tire/lanes.h"
+#include "numerics/lanes.h"
 
 namespace latsch::ring_tire {
 namespace {
 
 /// C <- C - L A^T, columns of 4.
-LATSCH_RING_INLINE void subtract_product(double* C, const double* L, const double* A) {
-  const Lanes4 l0 = load(L), l1 = load(L + 4), l2 = load(L + 8), l3 = load(L + 12);
+LATSCH_INLINE void subtract_product(double* C, const double* L, const double* A) {
+  const Lanes4 l0 = lanes4(L), l1 = lanes4(L + 4), l2 = lanes4(L + 8), l3 = lanes4(L + 12);
   for (int c = 0; c < 4; ++c)
-    store(C + 4 * c,
-          load(C + 4 * c) - (l0 * A[c] + l1 * A[4 + c] + (l2 * A[8 + c] + l3 * A[12 + c])));
+    store(lanes4(C + 4 * c) - (l0 * A[c] + l1 * A[4 + c] + (l2 * A[8 + c] + l3 * A[12 + c])),
+          C + 4 * c);
 }
 
 /// L = A S, S symmetric.
-LATSCH_RING_INLINE void product(double* L, const double* A, const double* S) {
-  const Lanes4 a0 = load(A), a1 = load(A + 4), a2 = load(A + 8), a3 = load(A + 12);
+LATSCH_INLINE void product(double* L, const double* A, const double* S) {
+  const Lanes4 a0 = lanes4(A), a1 = lanes4(A + 4), a2 = lanes4(A + 8), a3 = lanes4(A + 12);
   for (int c = 0; c < 4; ++c) {
     const double* s = S + 4 * c;
-    store(L + 4 * c, a0 * s[0] + a1 * s[1] + (a2 * s[2] + a3 * s[3]));
+    store(a0 * s[0] + a1 * s[1] + (a2 * s[2] + a3 * s[3]), L + 4 * c);
   }
 }
 
 /// y <- y - L x.
-LATSCH_RING_INLINE void subtract_times(double* y, const double* L, const double* x) {
-  store(
-      y,
-      load(y) - (load(L) * x[0] + load(L + 4) * x[1] + (load(L + 8) * x[2] + load(L + 12) * x[3])));
+LATSCH_INLINE void subtract_times(double* y, const double* L, const double* x) {
+  store(lanes4(y) - (lanes4(L) * x[0] + lanes4(L + 4) * x[1] +
+                     (lanes4(L + 8) * x[2] + lanes4(L + 12) * x[3])),
+        y);
 }
 
 /// y <- y - L^T x.
-LATSCH_RING_INLINE void subtract_transposed(double* y, const double* L, const double* x) {
+LATSCH_INLINE void subtract_transposed(double* y, const double* L, const double* x) {
   for (int c = 0; c < 4; ++c) {
     const double* l = L + 4 * c;
     y[c] -= l[0] * x[0] + l[1] * x[1] + (l[2] * x[2] + l[3] * x[3]);
@@ -41,33 +41,33 @@ LATSCH_RING_INLINE void subtract_transposed(double* y, const double* L, const do
 }
 
 /// S <- S^-1 by sweeps without pivoting; false where S is not positive definite.
-LATSCH_RING_INLINE bool invert(double* S) {
+LATSCH_INLINE bool invert(double* S) {
   for (int p = 0; p < 4; ++p) {
     const double pivot = S[5 * p];
     if (!(pivot > 0.0)) return false;
     const double inverse = 1.0 / pivot;
-    Lanes4 column = load(S + 4 * p) * inverse;
+    Lanes4 column = lanes4(S + 4 * p) * inverse;
     for (int c = 0; c < 4; ++c) {
       if (c == p) continue;
       const double factor = S[4 * c + p];
-      Lanes4 other = load(S + 4 * c) - column * factor;
+      Lanes4 other = lanes4(S + 4 * c) - column * factor;
       other[p] = factor * inverse;
-      store(S + 4 * c, other);
+      store(other, S + 4 * c);
     }
     column = -column;
     column[p] = inverse;
-    store(S + 4 * p, column);
+    store(column, S + 4 * p);
   }
   return true;
 }
 
 /// Eliminates node k of an open chain of `interior` nodes. `column` k: blocks to k+1 .. k+3, then
 /// to the three nodes of the border; `border`: 12 x 12.
-LATSCH_RING_INLINE bool eliminate(int k,
-                                  int interior,
-                                  Eigen::Matrix4d* diagonal,
-                                  Eigen::Matrix4d* lower,
-                                  Eigen::Matrix4d* border) {
+LATSCH_INLINE bool eliminate(int k,
+                             int interior,
+                             Eigen::Matrix4d* diagonal,
+                             Eigen::Matrix4d* lower,
+                             Eigen::Matrix4d* border) {
   constexpr int kReach = CyclicBand::kReach, kColumn = kReach + 3;
   double* inverse = diagonal[k].data();
   if (!invert(inverse)) return false;
@@ -93,10 +93,10 @@ LATSCH_RING_INLINE bool eliminate(int k,
   return true;
 }
 
-LATSCH_RING_CLONES bool eliminate_chain(int interior,
-                                        Eigen::Matrix4d* diagonal,
-                                        Eigen::Matrix4d* lower,
-                                        Eigen::Matrix4d* border) {
+LATSCH_CLONES bool eliminate_chain(int interior,
+                                   Eigen::Matrix4d* diagonal,
+                                   Eigen::Matrix4d* lower,
+                                   Eigen::Matrix4d* border) {
   for (int k = 0; k < interior; ++k)
     if (!eliminate(k, interior, diagonal, lower, border)) return false;
   // The border itself, a full matrix of three by three blocks.
@@ -114,11 +114,11 @@ LATSCH_RING_CLONES bool eliminate_chain(int interior,
   return true;
 }
 
-LATSCH_RING_CLONES void solve_chain(int interior,
-                                    const Eigen::Matrix4d* inverse,
-                                    const Eigen::Matrix4d* lower,
-                                    const Eigen::Matrix4d* border,
-                                    double* x) {
+LATSCH_CLONES void solve_chain(int interior,
+                               const Eigen::Matrix4d* inverse,
+                               const Eigen::Matrix4d* lower,
+                               const Eigen::Matrix4d* border,
+                               double* x) {
   constexpr int kReach = CyclicBand::kReach, kColumn = kReach + 3;
   for (int k = 0; k < interior; ++k) {
     const Eigen::Matrix4d* column = lower + k * kColumn;
@@ -134,9 +134,9 @@ LATSCH_RING_CLONES void solve_chain(int interior,
   for (int k = 0; k < interior + 3; ++k) {
     const double* D = k < interior ? inverse[k].data() : border[4 * (k - interior)].data();
     double y[4];
-    store(y, load(x + 4 * k));
-    store(x + 4 * k,
-          load(D) * y[0] + load(D + 4) * y[1] + (load(D + 8) * y[2] + load(D + 12) * y[3]));
+    store(lanes4(x + 4 * k), y);
+    store(lanes4(D) * y[0] + lanes4(D + 4) * y[1] + (lanes4(D + 8) * y[2] + lanes4(D + 12) * y[3]),
+          x + 4 * k);
   }
   for (int k = 2; k >= 0; --k)
     for (int i = k + 1; i < 3; ++i)

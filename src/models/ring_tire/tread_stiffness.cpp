@@ -9,8 +9,8 @@
 #include <algorithm>
 
 #include "models/ring_tire/block_forces.h"
-#include "models/ring_tire/lanes.h"
 #include "models/ring_tire/tread_contact.h"
+#include "numerics/lanes.h"
 
 namespace latsch::ring_tire {
 namespace {
@@ -58,25 +58,26 @@ StationStiffness station_stiffness(const Matrix3d& K,
 }
 
 /// B += x X + y Y + z Z + u U.
-LATSCH_RING_INLINE void add_scaled(double* B,
-                                   const double* X,
-                                   double x,
-                                   const double* Y,
-                                   double y,
-                                   const double* Z,
-                                   double z,
-                                   const double* U,
-                                   double u) {
+LATSCH_INLINE void add_scaled(double* B,
+                              const double* X,
+                              double x,
+                              const double* Y,
+                              double y,
+                              const double* Z,
+                              double z,
+                              const double* U,
+                              double u) {
   for (int c = 0; c < 16; c += 4)
-    store(B + c,
-          load(B + c) + load(X + c) * x + load(Y + c) * y + load(Z + c) * z + load(U + c) * u);
+    store(lanes4(B + c) + lanes4(X + c) * x + lanes4(Y + c) * y + lanes4(Z + c) * z +
+              lanes4(U + c) * u,
+          B + c);
 }
 
 /// The ten pairs of the four nodes, pair (m, m') at 4 m + m'.
-LATSCH_RING_CLONES void add_pairs(const StationStiffness& M,
-                                  const double* w,
-                                  const double* d,
-                                  Matrix4d* pairs) {
+LATSCH_CLONES void add_pairs(const StationStiffness& M,
+                             const double* w,
+                             const double* d,
+                             Matrix4d* pairs) {
   const Matrix4d dw = M.wd.transpose();
   for (int m = 0; m < 4; ++m)
     for (int o = m; o < 4; ++o)
