@@ -6,6 +6,8 @@
 #include <Eigen/Cholesky>
 
 #include "base/random.h"
+#include "models/ring_tire/ring_parameters_testing.h"
+#include "models/ring_tire/ring_tire.h"
 
 namespace latsch::ring_tire {
 namespace {
@@ -50,6 +52,23 @@ TEST(CyclicBand, SolvesLikeADenseFactorization) {
     EXPECT_LT((Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()) - expected).norm(),
               1e-13 * expected.norm());
     EXPECT_LT((A.multiply(x) - b).norm(), 1e-13 * b.norm());
+  }
+}
+
+// The free ring's own matrix, condition 1e6 to 1e8: backward stable whatever the chain's length.
+TEST(CyclicBand, SolvesAStiffBeltOfAnyLength) {
+  for (int nodes : {48, 96, 160, 320}) {
+    RingParameters ring = passenger_ring();
+    ring.nodes = nodes;
+    const CyclicBand A = RingTire(ring).stiffness();
+    Eigen::Matrix4Xd b = Eigen::Matrix4Xd::Ones(4, nodes);
+    b.row(1).setLinSpaced(-1.0, 2.0);
+    CyclicBandFactor factor(nodes);
+    ASSERT_TRUE(factor.factorize(A)) << nodes;
+    Eigen::Matrix4Xd x = b;
+    factor.solve(x);
+    const double size = dense(A).norm() * x.norm();
+    EXPECT_LT((A.multiply(x) - b).norm(), 1e-14 * nodes * size) << nodes;
   }
 }
 

@@ -45,12 +45,13 @@ std::vector<BlockContact> TreadContact::footprint() const {
       contact.tip = {column(kNewX)[at] + column(kEx)[at],
                      column(kNewY)[at] + column(kEy)[at],
                      column(kNewZ)[at] + column(kEz)[at]};
-      contact.force = Fn * Vector3d(column(kNx)[at], column(kNy)[at], column(kNz)[at]) +
-                      Vector3d(column(kFx)[at], column(kFy)[at], column(kFz)[at]);
+      const Vector3d N(column(kNx)[at], column(kNy)[at], column(kNz)[at]);
+      const Vector3d along(column(kFx)[at], column(kFy)[at], column(kFz)[at]);
+      contact.force = Fn * N + along;
       contact.root = {column(kNewX)[at], column(kNewY)[at], column(kNewZ)[at]};
       contact.area = area_;
       contact.pressure = Fn / (positive_ * area_);
-      contact.sticks = column(kGripped)[at] == 1.0;
+      contact.sticks = column(kGripped)[at] == 1.0 || along.isZero(0.0);
       contacts.push_back(contact);
     }
   return contacts;

@@ -9,7 +9,7 @@
 // matrix m/(β h^2) + (1 - θ) (K + γ/(β h) C).
 //   hub force = -Σ f_k, moment = -Σ ((x_k - c) × f_k + ψ-moment e_t), f: all but the road's (18)
 //
-// settle() lowers the rim from first touch in small steps, each an equilibrium by Newton's method,
+// settle() lowers the rim from first touch in equal steps, each an equilibrium (statics.cpp),
 // so friction in the contact has the history of a tire pressed down. Where the wheel spins, the
 // shape found is kept in space and the belt flows through it: velocities and accelerations of
 // steady rolling up to the change that speed brings.
@@ -29,10 +29,10 @@ namespace latsch::ring_tire {
 struct RingSettings {
   double dissipation = 0.05;       // θ, 0 .. 1/3
   double tolerance = 0.1;          // N (m on torsion: per meter), largest force left at a node
-  double static_tolerance = 0.05;  // N, all forces left together
+  double static_tolerance = 1e-3;  // N, all forces left together
   int halvings = 4;                // of a step that has no solution
   int most_iterations = 15;        // of Newton's method a step
-  double lowering = 2e-3;          // m, of the rim in one step of settle()
+  int lowerings = 8;               // steps of the rim from first touch in settle()
   double largest_step = 2e-3;      // s; advance() divides longer ones
 };
 
@@ -68,9 +68,10 @@ class RingTire final : public Tire {
  private:
   /// f of (15) at q, v, on the rim where it stands: inner forces, then those of the road.
   void evaluate(const NodeValues& q, const NodeValues& v);
-  double unbalance(const NodeValues& q, const road::Road& road, double time);
-  double enough_at_rest() const;
   Result<bool> equilibrate(const road::Road& road, double time);
+  bool relax();
+  bool advance_along(const NodeValues& direction);
+  Result<bool> lower(double from, double to, const road::Road& road, double time, int halvings);
   void roll_on(const WheelMotion& motion);
   std::string go(const WheelMotion& from,
                  const WheelMotion& to,

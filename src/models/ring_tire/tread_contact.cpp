@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 // m. Blocks as far above the road take part in a step: more than its end can differ from what was
 // predicted.
-constexpr double kMargin = 5e-4;
+constexpr double kMargin = 5e-4, kStandingMargin = 4e-3;
 
 }  // namespace
 
@@ -86,7 +86,7 @@ bool TreadContact::near_road(const NodeValues& q,
   const double reach = 1.1 * height_ + half_width_ * (rim.a.cwiseAbs().z() + kLean * 0.25);
   const double side = height_ + half_width_;
   const road::GroundBox box{low.x() - side, high.x() + side, low.y() - side, high.y() + side};
-  return low.z() - reach <= road.bounds(box, time).highest + kMargin;
+  return low.z() - reach <= road.bounds(box, time).highest + margin_;
 }
 
 void TreadContact::set_frames(const NodeValues& q, int segment) {
@@ -131,6 +131,7 @@ void TreadContact::approach(const NodeValues& q,
                             double time,
                             const StepRule& rule) {
   rule_ = rule;
+  margin_ = rule.statics() ? kStandingMargin : kMargin;
   a_ = rim.a;
   rows_.clear();
   count_ = 0;
@@ -160,14 +161,14 @@ void TreadContact::approach_line(int segment, int line, const road::Road& road, 
     const road::GroundPoint ground = road.at(x, yy, time);
     const double level = ground.normal.dot(Vector3d(x, yy, ground.height));
     const auto above = [&](int j) {
-      return ground.normal.dot(Vector3d(tip(0, j), tip(1, j), tip(2, j))) > level + kMargin;
+      return ground.normal.dot(Vector3d(tip(0, j), tip(1, j), tip(2, j))) > level + margin_;
     };
     while (row.begin < row.end && above(row.begin)) ++row.begin;
     while (row.end > row.begin && above(row.end - 1)) --row.end;
     for (int j = row.begin; j < row.end; ++j) place_ground(row, j, ground, level);
   } else {
     const auto above = [&](int j) {
-      return tip(2, j) > road.height(tip(0, j), tip(1, j), time) + kMargin;
+      return tip(2, j) > road.height(tip(0, j), tip(1, j), time) + margin_;
     };
     while (row.begin < row.end && above(row.begin)) ++row.begin;
     while (row.end > row.begin && above(row.end - 1)) --row.end;
@@ -219,6 +220,23 @@ BlockColumns TreadContact::block_columns() {
 }
 
 void TreadContact::row_forces(const Row& row) {
+  const double H = line_height_[static_cast<std::size_t>(row.line)];
+  const double y = line_y_[static_cast<std::size_t>(row.line)];
+  if (rule_.statics())
+    standing_forces(row);
+  else
+    rolling_forces(row);
+  add_row_sums(block_columns(),
+               stations_.data() + kSum * blocks_,
+               blocks_,
+               row.begin,
+               row.end,
+               row.offset,
+               H,
+               y);
+}
+
+void TreadContact::rolling_forces(const Row& row) {
   const BlockColumns blocks = block_columns();
   const double H = line_height_[static_cast<std::size_t>(row.line)];
   const double y = line_y_[static_cast<std::size_t>(row.line)];
@@ -227,7 +245,7 @@ void TreadContact::row_forces(const Row& row) {
   const FrictionLaw::Quadratic& mu = law_.adhesion_law();
   const BlockLaw law{.normal = normal_,
                      .tangential = tangential_,
-                     .damping_time = rule_.statics() ? 0.0 : damping_time_,
+                     .damping_time = damping_time_,
                      .step = rule_.step,
                      .c0 = mu.c0,
                      .c1 = mu.c1 * by_force,
@@ -239,8 +257,6 @@ void TreadContact::row_forces(const Row& row) {
   const double* over = column(kOver);
   for (int at = row.offset; at < end; ++at)
     if (over[at] > 0.0) slide(at);
-  add_row_sums(
-      blocks, stations_.data() + kSum * blocks_, blocks_, row.begin, row.end, row.offset, H, y);
 }
 
 /// (13): the tip gives way along the force until friction holds it.
@@ -248,13 +264,9 @@ void TreadContact::slide(int at) {
   const Vector3d trial(column(kFx)[at], column(kFy)[at], column(kFz)[at]);
   const double T = trial.norm(), Fn = column(kFn)[at];
   const double p = Fn / (positive_ * area_), factor = column(kMu)[at];
-  double F = factor * law_.adhesion(p) * Fn, slip = (T - F) / tangential_;
-  if (!rule_.statics()) {
-    const double slope = tangential_ * (rule_.step + damping_time_);
-    const double v = law_.sliding_speed(T, slope, Fn, p, factor);
-    F = T - slope * v;
-    slip = v * rule_.step;
-  }
+  const double slope = tangential_ * (rule_.step + damping_time_);
+  const double v = law_.sliding_speed(T, slope, Fn, p, factor);
+  const double F = T - slope * v, slip = v * rule_.step;
   const double gripped = F / T;
   column(kGripped)[at] = gripped;
   column(kFx)[at] *= gripped;

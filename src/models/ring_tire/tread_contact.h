@@ -57,6 +57,9 @@ class TreadContact {
   /// K += scale * stiffness at the last add_force; without the growth of a sliding force with F_n,
   /// which would not be symmetric.
   void add_stiffness(double scale, CyclicBand& K);
+  /// Statics: from here on tips give way at the friction of the normal forces at the last
+  /// add_force.
+  void hold_friction();
   /// The step is done: tips stay where they are on the road.
   void commit();
 
@@ -99,6 +102,7 @@ class TreadContact {
     kNewX,
     kNewY,
     kNewZ,  // T on the road
+    kHeld,  // force along the road that friction holds, in statics
     kColumns
   };
   /// One a station of the segment at work: columns of (10), their rates, sums over the lines.
@@ -146,6 +150,8 @@ class TreadContact {
   void place_ground(const Row& row, int j, const road::GroundPoint& ground, double level);
   BlockColumns block_columns();
   void row_forces(const Row& row);
+  void standing_forces(const Row& row);
+  void rolling_forces(const Row& row);
   void slide(int at);
   void add_station_forces(int segment, int begin, int end, NodeValues& force);
 
@@ -160,6 +166,7 @@ class TreadContact {
   std::vector<Row> touched_rows_;  // at the last commit
   // Of the step at work.
   StepRule rule_;
+  double margin_ = 0.0;  // m
   Eigen::Vector3d a_ = Eigen::Vector3d::UnitY();
   std::vector<Row> rows_;       // segment by segment
   std::vector<double> frames_;  // of the segments with rows
