@@ -89,6 +89,17 @@ void print_simulator(const Study& study) {
   }
 }
 
+void print_rolling_tire(const Study& study) {
+  fmt::print("{}\n\nModel {}: {}, {} numbers\n\nTests\n",
+             study.title,
+             study.model_file.string(),
+             study.rolling->kind->in_words,
+             study.model.paths().size());
+  for (const auto& test : study.rolling->tests) {
+    fmt::print("  {:<16} {}\n", test.name, experiment::in_words(test.test));
+  }
+}
+
 void print_curves(const Study& study) {
   for (const StudyExperiment& experiment : study.experiments) {
     fmt::print("  {:<16} {} {}; {} values from {}; {}, weight {:g}\n",
@@ -134,6 +145,8 @@ void check(const std::string& file) {
   std::optional<fe_tire::Mesh> mesh;
   if (study.simulator) {
     print_simulator(study);
+  } else if (study.rolling) {
+    print_rolling_tire(study);
   } else {
     mesh = print_tire(study);
   }

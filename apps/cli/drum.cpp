@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch drum: a ring tire on the virtual drum rig.
+// latsch drum: a tire on the virtual rigs: drum with cleat, flat track, static stiffness.
 #include <fmt/format.h>
 
 #include <memory>
@@ -8,22 +8,22 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "cli/verbs.h"
-#include "experiment/drum_rig.h"
+#include "experiment/rolling_tests.h"
 #include "formats/csv_table.h"
-#include "models/ring_tire/ring_reader.h"
-#include "models/ring_tire/ring_tire.h"
 
 namespace latsch::cli {
 namespace {
 
 struct Options {
-  std::string tire, test, output;
+  std::string tire, test, output, kind;
 };
 
 int drum(const Options& options) {
-  ring_tire::RingTire tire(ring_tire::read_ring_tire(Document::read(options.tire).root()));
-  const auto test = experiment::read_drum_test(Document::read(options.test).root());
-  const auto channels = experiment::run(tire, test);
+  const experiment::TireKind& kind = options.kind.empty()
+                                         ? experiment::kind_of_file(options.tire)
+                                         : *experiment::find_tire_kind(options.kind);
+  const auto test = experiment::read_rolling_test(options.test);
+  const auto channels = experiment::run(kind, kind.read(options.tire), test);
   if (!channels) {
     fmt::print(stderr, "latsch drum: {}\n", channels.failure().reason);
     return kFailed;
@@ -41,9 +41,11 @@ int drum(const Options& options) {
 }  // namespace
 
 void add_drum(CLI::App& app, int& exit_code) {
-  auto* verb = app.add_subcommand("drum", "A ring tire over a cleat on the virtual drum rig");
+  auto* verb = app.add_subcommand(
+      "drum",
+      "A tire on a virtual rig: over a cleat on the drum, swept on the flat track, standing");
   verb->footer(
-      "TIRE is a file with kind = \"ring_tire\", TEST one such as\n"
+      "TIRE is a file with kind = \"ring_tire\" or a .tir, TEST one such as\n"
       "  kind = \"drum_cleat\"\n"
       "  speed = \"60 km/h\"\n"
       "  load = \"4 kN\"                       or deflection = \"20 mm\"\n"
@@ -52,11 +54,16 @@ void add_drum(CLI::App& app, int& exit_code) {
       "  [cleat]\n"
       "  height = \"15 mm\"\n"
       "  length = \"30 mm\"\n\n"
-      "Example:\n  latsch drum tire.toml test.toml > forces.csv");
+      "or kind = \"slip_sweep\" (speed, load, alpha = [\"-10 deg\", \"10 deg\"] or kappa), or\n"
+      "kind = \"static_stiffness\" (deflections = [\"10 mm\", \"20 mm\"], load = \"4 kN\").\n\n"
+      "Examples:\n  latsch drum tire.toml test.toml > forces.csv\n"
+      "  latsch drum tire.tir test.toml --kind rigid_ring -o forces.csv");
   auto options = std::make_shared<Options>();
   verb->add_option("tire", options->tire, "Tire file")->required();
   verb->add_option("test", options->test, "Test file")->required();
-  verb->add_option("--output", options->output, "File to write; else the terminal");
+  verb->add_option("-o,--output", options->output, "CSV file to write; else the terminal");
+  verb->add_option("--kind", options->kind, "Of a .tir: magic_formula unless given")
+      ->check(CLI::IsMember(experiment::tire_kind_names()));
   verb->callback([=, &exit_code] { exit_code = drum(*options); });
 }
 

@@ -106,9 +106,9 @@ void write_ccx(const Options& options, TireDescription tire) {
              fs::path(options.ccx).replace_extension().string());
 }
 
-void write_tire_file(const Options& options, const Document& model) {
+void write_tire_file(const Options& options, const std::string& text) {
   std::ofstream out(options.tire, std::ios::binary);
-  out << model.text();
+  out << text;
   out.close();
   if (!out) throw InputError(Place{options.tire, 0}, "cannot be written");
   fmt::print("wrote {}\n", options.tire);
@@ -116,13 +116,17 @@ void write_tire_file(const Options& options, const Document& model) {
 
 void write_measurements(const std::string& file) {
   const auto study = correlation::read_study(file, correlation::Measurements::not_yet);
-  if (study.simulator) {
-    throw InputError({file, 0},
-                     "has a [simulator] in a model's place: there is no tire to measure");
+  if (!study.has_fe_tire()) {
+    throw InputError({file, 0}, "has no tire of finite elements: only of one a twin is written");
   }
   for (const auto& path : required(correlation::write_twin(study))) {
     fmt::print("wrote {}\n", path.string());
   }
+}
+
+bool is_rolling_study(const std::string& file) {
+  const Document document = Document::read(file);
+  return document.root().has("model") && document.root().has("test");
 }
 
 void export_files(const Options& options) {
@@ -130,11 +134,17 @@ void export_files(const Options& options) {
   if (options.vtu.empty() && options.ccx.empty() && options.tire.empty()) {
     throw InputError("export: say what to write: --vtu, --ccx, --tire or --measurements");
   }
+  if (is_rolling_study(options.file)) {
+    if (!options.vtu.empty() || !options.ccx.empty())
+      throw InputError({options.file, 0}, "has a tire without a mesh, expected --tire alone");
+    const auto study = correlation::read_study(options.file);
+    return write_tire_file(options, study.rolling->kind->text(model_of(study)));
+  }
   const Document model = tire_source(options.file);
   const TireDescription tire = fe_tire::read_tire(model.root());
   if (!options.vtu.empty()) write_vtu(options, tire);
   if (!options.ccx.empty()) write_ccx(options, tire);
-  if (!options.tire.empty()) write_tire_file(options, model);
+  if (!options.tire.empty()) write_tire_file(options, model.text());
 }
 
 }  // namespace

@@ -19,9 +19,7 @@ int simulate(const std::string& file, const std::vector<std::string>& assignment
   fmt::print("{}\n\n", study.title);
   print_point(study.space, point);
 
-  const auto channels = study.simulator
-                            ? evaluate(correlation::evaluator(study), point).result
-                            : correlation::TireTrials(study).run(point, /*predicted=*/true);
+  const auto channels = correlation::simulate_all(study, point);
   if (!channels) {
     fmt::print(stderr, "latsch: {}\n", channels.failure().reason);
     return kFailed;

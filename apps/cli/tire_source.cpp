@@ -19,6 +19,15 @@ Document tire_source(const std::string& file) {
   }
   if (!document.root().has("model")) return document;
   const auto study = correlation::read_study(file);
+  if (study.rolling) {
+    throw InputError({file, 0},
+                     "has a " + study.rolling->kind->in_words +
+                         ", expected a tire of finite elements, which has a mesh");
+  }
+  return model_of(study);
+}
+
+Document model_of(const correlation::Study& study) {
   DesignPoint point = study.space.initial();
   if (std::filesystem::exists(study.run.journal)) {
     const auto best = correlation::best_trial(study, Journal::read(study.run.journal));

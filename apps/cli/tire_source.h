@@ -5,11 +5,16 @@
 #include <string>
 
 #include "base/document.h"
+#include "correlation/study.h"
 
 namespace latsch::cli {
 
 /// A tire file as it is; of a study its model at the best point of the journal, or at the initial
 /// values.
+/// InputError for a study without a tire of finite elements.
 Document tire_source(const std::string& file);
+
+/// The model of a study at the best point of its journal, or at the initial values.
+Document model_of(const correlation::Study& study);
 
 }  // namespace latsch::cli

@@ -14,21 +14,6 @@
 namespace latsch::correlation {
 namespace {
 
-struct KnownChannel {
-  std::string name;
-  std::string unit;
-};
-
-std::vector<KnownChannel> channels_of(const Simulator& simulator) {
-  std::vector<KnownChannel> channels;
-  for (const OutputReader& output : simulator.outputs) {
-    for (const auto& quantity : output.quantities) {
-      channels.push_back({output.name + "/" + quantity.name, quantity.unit});
-    }
-  }
-  return channels;
-}
-
 /// Those of tire_rig.h; shapes of modes are none to be constrained.
 std::vector<KnownChannel> channels_of(const std::vector<StudyExperiment>& experiments) {
   static const std::array<KnownChannel, 6> kOfCurves{{{"force", "N"},
@@ -106,12 +91,12 @@ void read_bounds(const Node& table, const std::string& unit, ChannelConstraint& 
 
 ChannelConstraint read_channel_constraint(const Node& table,
                                           const std::vector<StudyExperiment>& experiments,
-                                          const Simulator* simulator) {
+                                          const std::vector<KnownChannel>* known) {
   ChannelConstraint constraint;
   constraint.name = table.name();
   constraint.channel = table.text("channel");
-  const std::string unit = unit_of(
-      table, constraint.channel, simulator ? channels_of(*simulator) : channels_of(experiments));
+  const std::string unit =
+      unit_of(table, constraint.channel, known ? *known : channels_of(experiments));
   constraint.of = table.choice("of", {"largest", "smallest", "mean", "first", "last"}, "largest");
   read_bounds(table, unit, constraint);
   const double size =

@@ -2,7 +2,8 @@
 // A constraint on what a trial records: nonlinear in the variables.
 //
 //   [constraint.stiff_enough]
-//   channel = "stiffness/force"        # EXPERIMENT/CHANNEL; of a simulator OUTPUT/QUANTITY
+//   channel = "stiffness/force"        # EXPERIMENT/CHANNEL; of a simulator
+//                                    # OUTPUT/QUANTITY, of a rolling tire TEST/CHANNEL
 //   of = "largest"                     # of its values; or smallest, mean, first, last
 //   lower = "4 kN"                     # and upper; or equal = "..." in the place of both
 //   scale = "1 kN"                     # a violation of 100 %; the size of the bound unless given
@@ -18,6 +19,7 @@
 #include <vector>
 
 #include "base/document.h"
+#include "correlation/known_channels.h"
 #include "correlation/study_experiment.h"
 #include "measurement/channels.h"
 #include "optimization/score.h"
@@ -35,11 +37,12 @@ struct ChannelConstraint {
   bool is_equation() const { return lower && upper && *lower == *upper; }
 };
 
-/// Reads one [constraint.NAME]. Throws InputError where the trials have no such channel or it has
-/// another quantity.
+/// Reads one [constraint.NAME] on the `known` channels; without them on those of the experiments of
+/// a finite-element tire. Throws InputError where the trials have no such channel or it has another
+/// quantity.
 ChannelConstraint read_channel_constraint(const Node& table,
                                           const std::vector<StudyExperiment>& experiments,
-                                          const Simulator* simulator);
+                                          const std::vector<KnownChannel>* known);
 
 /// Adds its c or h to the score. A Failure where the trial left no such channel or an empty one.
 std::optional<Failure> apply(const ChannelConstraint& constraint,

@@ -13,17 +13,15 @@
 namespace latsch::correlation {
 namespace {
 
-/// The unit in which the simulator writes a channel.
+/// The unit in which people read a channel.
 std::string unit_of(const Node& table,
                     const char* key,
-                    const Simulator& simulator,
+                    const std::vector<KnownChannel>& channels,
                     const std::string& channel) {
   std::vector<std::string> names;
-  for (const OutputReader& output : simulator.outputs) {
-    for (const auto& quantity : output.quantities) {
-      names.push_back(output.name + "/" + quantity.name);
-      if (names.back() == channel) return quantity.unit;
-    }
+  for (const KnownChannel& known : channels) {
+    if (known.name == channel) return known.unit;
+    names.push_back(known.name);
   }
   table.reject(key, "is " + in_quotes(channel) + ", expected " + list_of(names));
 }
@@ -95,12 +93,12 @@ std::vector<double> path_values(const CurveExperiment& curve,
 
 CurveExperiment read_curve(const Node& table,
                            const std::filesystem::path& measurement,
-                           const Simulator& simulator) {
+                           const std::vector<KnownChannel>& channels) {
   CurveExperiment curve;
   curve.x = table.text("x", "");
   curve.y = table.text("y");
-  if (!curve.x.empty()) curve.x_shown = unit_of(table, "x", simulator, curve.x);
-  curve.y_shown = unit_of(table, "y", simulator, curve.y);
+  if (!curve.x.empty()) curve.x_shown = unit_of(table, "x", channels, curve.x);
+  curve.y_shown = unit_of(table, "y", channels, curve.y);
   curve.x_unit = si_of(curve.x_shown);
   curve.y_unit = si_of(curve.y_shown);
   const auto columns = formats::CsvTable::read(measurement);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A curve y(x) of any simulator beside a measured one.
+// A curve y(x) of a simulator or of a tire that rolls beside a measured one.
 //
 //   [experiment.step]
 //   kind = "curve"
@@ -22,8 +22,8 @@
 
 #include "base/document.h"
 #include "correlation/curve_comparison.h"
+#include "correlation/known_channels.h"
 #include "correlation/objective.h"
-#include "evaluation/simulator.h"
 
 namespace latsch::correlation {
 
@@ -31,7 +31,7 @@ struct CurveExperiment {
   std::string x;  // channel; empty: compared sample by sample
   std::string y;
   std::string x_unit = "1", y_unit = "1";      // SI
-  std::string x_shown = "1", y_shown = "1";    // units the program writes, which people read
+  std::string x_shown = "1", y_shown = "1";    // units people read
   std::vector<double> x_measured, y_measured;  // SI
   double scale = 1.0;                          // of what is compared
 
@@ -42,10 +42,10 @@ struct CurveExperiment {
   std::vector<double> x_compared, y_compared;
 };
 
-/// Throws InputError where the simulator has no such channel or the measurement not these columns.
+/// Throws InputError where there is no such channel or the measurement has not these columns.
 CurveExperiment read_curve(const Node& table,
                            const std::filesystem::path& measurement,
-                           const Simulator& simulator);
+                           const std::vector<KnownChannel>& channels);
 
 /// What each compared value is called: "response/z at 0.5 s".
 std::vector<std::string> value_names(const CurveExperiment& curve);

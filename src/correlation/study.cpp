@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "correlation/linear_constraints.h"
@@ -38,16 +39,28 @@ DesignSpace read_variables(const Node& root, const Document* model) {
   return DesignSpace(std::move(variables), std::move(constraints));
 }
 
+/// Throws InputError where the numbers make no tire.
+void build(const Document& model, const experiment::TireKind* rolling) {
+  if (rolling) {
+    rolling->build(model);
+  } else {
+    fe_tire::build_mesh(fe_tire::read_tire(model.root()));
+  }
+}
+
 /// The model has to accept every bound of every variable: better said before the first trial than
 /// after a night.
-void check_bounds(const Node& root, const Document& model, const DesignSpace& space) {
+void check_bounds(const Node& root,
+                  const Document& model,
+                  const experiment::TireKind* rolling,
+                  const DesignSpace& space) {
   const auto tables = root.named_tables("variable");
   const auto accept = [&](int i, const char* key, double value) {
     DesignPoint point = space.initial();
     point.values[i] = value;
     const Document changed = at(model, space, point);
     try {
-      fe_tire::build_mesh(fe_tire::read_tire(changed.root()));
+      build(changed, rolling);
     } catch (const InputError& error) {
       tables[i].reject(key, std::string("is a value the model does not accept: ") + error.what());
     }
@@ -74,11 +87,11 @@ void check_noise(const Node& root, const std::vector<StudyExperiment>& experimen
 std::vector<StudyExperiment> read_experiments(const Node& root,
                                               const std::filesystem::path& folder,
                                               Measurements measurements,
-                                              const Simulator* simulator) {
+                                              const std::vector<KnownChannel>* known) {
   std::vector<StudyExperiment> experiments;
   double weights = 0.0;
   for (const Node& table : root.named_tables("experiment")) {
-    experiments.push_back(read_experiment(table, folder, measurements, simulator));
+    experiments.push_back(read_experiment(table, folder, measurements, known));
     if (experiments.back().fitted) weights += experiments.back().objective.weight;
   }
   if (!(weights > 0.0)) {
@@ -128,32 +141,66 @@ std::string without_notes(const std::string& text) {
 
 }  // namespace
 
+namespace {
+
+/// What stands in the model's place, and its variables.
+struct StudyModel {
+  std::filesystem::path file;
+  Document numbers = Document::parse("", "");
+  std::optional<RollingModel> rolling;
+  std::optional<Simulator> simulator;
+  std::optional<std::vector<KnownChannel>> known;  // not of a finite-element tire
+};
+
+/// Tests are driven by a tire that rolls; [model] is then a table.
+bool is_rolling(const Node& root) { return root.has("test"); }
+
+StudyModel read_model(const Node& root, const std::filesystem::path& folder) {
+  StudyModel model;
+  if (root.has("simulator")) return model;
+  if (is_rolling(root)) {
+    const Node table = root.table("model");
+    model.rolling = read_rolling_model(table, root, folder);
+    model.known = known_channels(*model.rolling);
+    model.file = rolling_tire_file(table, folder);
+    model.numbers = model.rolling->kind->read(model.file);
+    return model;
+  }
+  model.file = find_model(root, folder);
+  model.numbers = Document::read(model.file);
+  fe_tire::read_tire(model.numbers.root());
+  return model;
+}
+
+}  // namespace
+
 Study read_study(const std::filesystem::path& file, Measurements measurements) {
   const Document document = Document::read(file);
   const Node root = document.root();
   const auto folder = file.parent_path();
   const auto table = root.find_table("simulator");
-  const auto model_file = table ? std::filesystem::path() : find_model(root, folder);
-  Document model = table ? Document::parse("", "") : Document::read(model_file);
-  if (!table) fe_tire::read_tire(model.root());
+  StudyModel model = read_model(root, folder);
 
-  DesignSpace space = read_variables(root, table ? nullptr : &model);
-  if (!table) check_bounds(root, model, space);
-  std::optional<Simulator> simulator;
-  if (table) simulator = read_simulator(*table, file, space);
+  DesignSpace space = read_variables(root, table ? nullptr : &model.numbers);
+  if (table) {
+    model.simulator = read_simulator(*table, file, space);
+    model.known = known_channels(*model.simulator);
+  } else {
+    check_bounds(root, model.numbers, model.rolling ? model.rolling->kind : nullptr, space);
+  }
+  const auto* known = model.known ? &*model.known : nullptr;
   Study study{file,
               root.text("title", file.stem().string()),
-              model_file,
-              std::move(model),
+              model.file,
+              std::move(model.numbers),
               std::move(space),
-              read_experiments(root, folder, measurements, simulator ? &*simulator : nullptr),
+              read_experiments(root, folder, measurements, known),
               {},
               1000,
               std::nullopt,
               {}};
   for (const Node& constraint : root.named_tables("constraint")) {
-    study.constraints.push_back(
-        read_channel_constraint(constraint, study.experiments, simulator ? &*simulator : nullptr));
+    study.constraints.push_back(read_channel_constraint(constraint, study.experiments, known));
   }
   if (const auto optimizer = root.find_table("optimizer")) {
     study.optimizer = read_optimizer(*optimizer, study.space, !study.constraints.empty());
@@ -168,8 +215,21 @@ Study read_study(const std::filesystem::path& file, Measurements measurements) {
   study.run = read_run_settings(run ? &*run : nullptr, file);
   study.run.on_failure.space = study.space;
   root.close();
-  study.simulator = std::move(simulator);
+  study.simulator = std::move(model.simulator);
+  study.rolling = std::move(model.rolling);
   return study;
+}
+
+std::vector<std::string> tests_asked_for(const Study& study) {
+  std::set<std::string> asked;
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (!experiment.fitted || !experiment.curve) continue;
+    asked.insert(test_of(experiment.curve->y));
+    if (!experiment.curve->x.empty()) asked.insert(test_of(experiment.curve->x));
+  }
+  for (const ChannelConstraint& constraint : study.constraints)
+    asked.insert(test_of(constraint.channel));
+  return {asked.begin(), asked.end()};
 }
 
 StudyIdentity identity(const Study& study) {
@@ -178,8 +238,16 @@ StudyIdentity identity(const Study& study) {
   for (const DesignVariable& variable : study.space.variables()) {
     varied += fmt::format("{}: {}\n", variable.name, fmt::join(variable.paths, ", "));
   }
+  if (study.rolling) {
+    const auto asked = tests_asked_for(study);
+    varied += "kind: " + study.rolling->kind->name + "\n";
+    for (const RollingModel::Test& test : study.rolling->tests) {
+      if (std::find(asked.begin(), asked.end(), test.name) == asked.end()) continue;
+      cases += fmt::format("{}: {}\n", test.name, without_notes(test.text));
+    }
+  }
   for (const StudyExperiment& experiment : study.experiments) {
-    if (!experiment.fitted) continue;
+    if (!experiment.fitted || experiment.curve) continue;
     cases += fmt::format("{}: {}\n", experiment.name, text_of(experiment.load_case));
   }
   return {

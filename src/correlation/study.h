@@ -3,7 +3,8 @@
 // measurements, the optimizer.
 //
 //   title = "Tire B, three moduli"
-//   model = "tire_b.toml"                     # beside this file; or [simulator], an outside
+//   model = "tire_b.toml"                     # beside this file; or [model], a tire that rolls,
+//                                             # see rolling_model.h; or [simulator], an outside
 //                                             # program, see simulator_settings.h
 //
 //   [variable.matrix]                         # see variables.h
@@ -26,6 +27,7 @@
 
 #include "base/document.h"
 #include "correlation/channel_constraint.h"
+#include "correlation/rolling_model.h"
 #include "correlation/run_settings.h"
 #include "correlation/simulator_settings.h"
 #include "correlation/study_design.h"
@@ -47,9 +49,15 @@ struct Study {
   long max_steps = 1000;
   std::optional<StudyDesign> doe;
   RunSettings run;
-  std::optional<Simulator> simulator = {};  // in the model's place, which is then empty
+  std::optional<Simulator> simulator = {};          // in the model's place, which is then empty
   std::vector<ChannelConstraint> constraints = {};  // on channels; linear ones are of the space
+  std::optional<RollingModel> rolling = {};         // drives `model`; else it is of finite elements
+
+  bool has_fe_tire() const { return !simulator && !rolling; }
 };
+
+/// The tests of the rolling model that fitted experiments and constraints name.
+std::vector<std::string> tests_asked_for(const Study& study);
 
 /// Throws InputError naming file, line, found and expected: for the study, its model and its
 /// measurements. With Measurements::not_yet, measurement files need not exist: for writing them

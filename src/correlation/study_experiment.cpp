@@ -120,7 +120,7 @@ void read_modal(const Node& table,
 StudyExperiment read_experiment(const Node& table,
                                 const std::filesystem::path& folder,
                                 Measurements measurements,
-                                const Simulator* simulator) {
+                                const std::vector<KnownChannel>* known) {
   StudyExperiment experiment;
   experiment.name = table.name();
   experiment.load_case.name = table.name();
@@ -128,10 +128,10 @@ StudyExperiment read_experiment(const Node& table,
   if (table.has("noise")) experiment.noise = table.quantity("noise", "1", Range::positive());
   experiment.fitted = table.choice("use", {"fit", "predict"}, "fit") == "fit";
   experiment.measurement_file = folder / table.text("measurement");
-  if (simulator) {
+  if (known) {
     table.choice("kind", {"curve"});
     const auto file = find_file(table, "measurement", folder, Measurements::required);
-    experiment.curve = read_curve(table, file, *simulator);
+    experiment.curve = read_curve(table, file, *known);
   } else if (table.choice("kind", {"load_deflection", "modes"}) == "modes") {
     read_modal(table, folder, measurements, experiment);
   } else {

@@ -40,7 +40,7 @@
 
 namespace latsch::correlation {
 
-// In a study with [simulator]: kind = "curve", see curve_experiment.h.
+// In a study with [simulator] or [model]: kind = "curve", see curve_experiment.h.
 enum class Measurements { required, not_yet };
 
 struct StudyExperiment {
@@ -54,19 +54,20 @@ struct StudyExperiment {
   std::vector<double> forces;                 // N, measured; load-deflection experiments
   std::vector<ModeRecord> modes;              // measured; modal experiments
   int measured_modes = 0;                     // how many there are, or will be in a twin
-  std::optional<CurveExperiment> curve = {};  // of a simulator, in the place of all these
+  std::optional<CurveExperiment> curve = {};  // of known channels, in the place of all these
 
   bool modal() const { return std::holds_alternative<experiment::ModalTest>(load_case.test); }
 };
 
-/// Reads one [experiment.NAME] and its measurement files, which lie relative to `folder`.
+/// Reads one [experiment.NAME] and its measurement files, which lie relative to `folder`. With
+/// `known` channels it compares curves of them, without those of a finite-element tire.
 StudyExperiment read_experiment(const Node& table,
                                 const std::filesystem::path& folder,
                                 Measurements measurements,
-                                const Simulator* simulator = nullptr);
+                                const std::vector<KnownChannel>* known = nullptr);
 
 /// How the channels of its load case differ from the measurement. Throws InputError where channels
-/// of a simulator do not reach as far as the measurement.
+/// of a curve do not reach as far as the measurement.
 Comparison compare(const StudyExperiment& experiment, const Channels& channels);
 
 }  // namespace latsch::correlation

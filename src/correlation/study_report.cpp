@@ -28,8 +28,7 @@ struct Simulated {
   std::optional<Channels> channels;
 };
 
-Simulated simulate(TireTrials& trials, const DesignPoint& point) {
-  auto result = trials.run(point, /*predicted=*/true);
+Simulated simulated_of(Result<Channels> result, const DesignPoint& point) {
   return {point, result ? std::optional(std::move(*result)) : std::nullopt};
 }
 
@@ -277,9 +276,11 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
   if (!best) return Failure{"no trial in " + study.run.journal.string() + " succeeded"};
 
   std::optional<TireTrials> trials;
-  if (!study.simulator) trials.emplace(study);
+  if (study.has_fe_tire()) trials.emplace(study);
   const auto simulated = [&](const DesignPoint& point) {
-    return trials ? simulate(*trials, point) : recorded(journal, point);
+    if (study.simulator) return recorded(journal, point);
+    return simulated_of(
+        trials ? trials->run(point, /*predicted=*/true) : simulate_all(study, point), point);
   };
   const Simulated initial = simulated(study.space.initial());
   const Simulated found = simulated(best->point);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/tire_trials.h"
 
+#include "correlation/predictions.h"
 #include "correlation/variables.h"
 #include "experiment/tire_rig.h"
 
@@ -51,17 +52,37 @@ Result<Channels> TireTrials::run(const DesignPoint& point, bool predicted) {
 
 namespace {
 
-/// A program that leaves too little behind for an experiment has failed.
+/// A trial that leaves too little behind for an experiment has failed.
+Result<Channels> checked(Result<Channels> channels,
+                         const std::vector<StudyExperiment>& experiments) {
+  for (const StudyExperiment& experiment : experiments) {
+    if (!channels) break;
+    const auto simulated = simulated_curve(*experiment.curve, *channels);
+    if (!simulated) channels = Failure(simulated.failure());
+  }
+  return channels;
+}
+
 Evaluator simulator_trials(const Study& study) {
   const Evaluator program = evaluator(*study.simulator, study.space);
   return [program, experiments = study.experiments](const DesignPoint& point) {
-    Result<Channels> channels = program(point);
-    for (const StudyExperiment& experiment : experiments) {
-      if (!channels) break;
-      const auto simulated = simulated_curve(*experiment.curve, *channels);
-      if (!simulated) channels = Failure(simulated.failure());
+    return checked(program(point), experiments);
+  };
+}
+
+Evaluator rolling_trials(const Study& study) {
+  std::vector<StudyExperiment> fitted;
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (experiment.fitted) fitted.push_back(experiment);
+  }
+  return [study, fitted, tests = tests_asked_for(study)](
+             const DesignPoint& point) -> Result<Channels> {
+    try {
+      return checked(correlation::run(*study.rolling, at(study.model, study.space, point), tests),
+                     fitted);
+    } catch (const InputError& error) {  // as of a tire of finite elements
+      return Failure{std::string("the model does not accept this point: ") + error.what()};
     }
-    return channels;
   };
 }
 
@@ -69,9 +90,15 @@ Evaluator simulator_trials(const Study& study) {
 
 Evaluator evaluator(const Study& study) {
   if (study.simulator) return simulator_trials(study);
+  if (study.rolling) return rolling_trials(study);
   return [trials = std::make_shared<TireTrials>(study)](const DesignPoint& point) {
     return trials->run(point);
   };
+}
+
+Result<Channels> simulate_all(const Study& study, const DesignPoint& point) {
+  if (study.has_fe_tire()) return TireTrials(study).run(point, /*predicted=*/true);
+  return evaluate(evaluator(study.rolling ? with_predictions(study) : study), point).result;
 }
 
 Channels channels_of(const StudyExperiment& experiment, const Channels& trial) {

@@ -34,15 +34,18 @@ class TireTrials {
   std::optional<fe_tire::FeTire> tire_;
 };
 
-/// run() as the evaluation service wants it, or the outside program of the study.
+/// run() as the evaluation service wants it, or the rolling tire or outside program of the study.
 Evaluator evaluator(const Study& study);
+
+/// One trial with the experiments that are only predicted.
+Result<Channels> simulate_all(const Study& study, const DesignPoint& point);
 
 /// The target over the fitted experiments, with its weighted residuals and the constraints on
 /// channels.
 Objective objective(const Study& study);
 
-/// The channels of one experiment out of those of a trial, under their own names; those of a
-/// simulator, which knows no experiments, are all of the trial's.
+/// The channels of one experiment out of those of a trial, under their own names; curves take
+/// theirs out of all of the trial's.
 Channels channels_of(const StudyExperiment& experiment, const Channels& trial);
 
 }  // namespace latsch::correlation

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The channels of a trial before there is one: what an experiment or a constraint may name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "evaluation/simulator.h"
+
+namespace latsch::correlation {
+
+struct KnownChannel {
+  std::string name;  // "response/z": OUTPUT/QUANTITY
+  std::string unit;  // in which people read it
+};
+
+std::vector<KnownChannel> known_channels(const Simulator& simulator);
+
+}  // namespace latsch::correlation

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Studies of tires that roll: variables, tests and predictions in this process.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "correlation/predictions.h"
+#include "correlation/study.h"
+#include "correlation/tire_trials.h"
+#include "correlation/variables.h"
+#include "evaluation/scratch_folder_testing.h"
+#include "formats/csv_table.h"
+
+namespace latsch::correlation {
+namespace {
+
+constexpr const char* kTir = R"([UNITS]
+LENGTH = 'meter'
+FORCE = 'newton'
+ANGLE = 'radians'
+MASS = 'kg'
+TIME = 'second'
+PRESSURE = 'pascal'
+[MODEL]
+FITTYP = 61
+[DIMENSION]
+UNLOADED_RADIUS = 0.316
+[VERTICAL]
+FNOMIN = 4000
+VERTICAL_STIFFNESS = 190000
+[LATERAL_COEFFICIENTS]
+PCY1 = 1.3
+PDY1 = 1.0
+PKY1 = -18
+PKY2 = 1.8
+)";
+
+constexpr const char* kStudy = R"(
+[model]
+kind = "magic_formula"
+file = "tire.tir"
+[test.steady]
+file = "steady.toml"
+[test.standing]
+file = "standing.toml"
+[variable.grip]
+path = "PDY1"
+lower = 0.5
+upper = 2
+initial = 1
+[variable.stiffness]
+path = "VERTICAL_STIFFNESS"
+lower = "100 N/mm"
+upper = "300 N/mm"
+initial = "190 N/mm"
+[experiment.side_force]
+kind = "curve"
+y = "steady/Fy"
+measurement = "measured.csv"
+[experiment.load]
+kind = "curve"
+x = "standing/deflection"
+y = "standing/force"
+measurement = "standing.csv"
+use = "predict"
+)";
+
+class RollingStudy : public testing::Test {
+ protected:
+  RollingStudy() {
+    write("tire.tir", kTir);
+    write("states.csv", "Fz [N],alpha [deg]\n4000,4\n4000,-4\n2000,2\n");
+    write("steady.toml", "kind = \"steady_states\"\nstates = \"states.csv\"\n");
+    write("standing.toml", "kind = \"static_stiffness\"\ndeflections = [\"10 mm\", \"20 mm\"]\n");
+    write("measured.csv", "Fy [N]\n-3000\n3000\n-1000\n");
+    write("standing.csv", "deflection [mm],force [N]\n10,1900\n20,3800\n");
+    write("study.toml", kStudy);
+  }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+  }
+  Study read() { return read_study(folder_ / "study.toml"); }
+  std::string complaint(const std::string& from, const std::string& to) {
+    std::string text = kStudy;
+    text.replace(text.find(from), from.size(), to);
+    write("study.toml", text);
+    try {
+      read();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(RollingStudy, ATrialRunsOnlyTheTestsThatFittedExperimentsNeed) {
+  const Study study = read();
+  EXPECT_EQ(tests_asked_for(study), std::vector<std::string>{"steady"});
+  const auto channels = evaluator(study)(study.space.initial());
+  ASSERT_TRUE(channels) << channels.failure().reason;
+  EXPECT_TRUE(channels->find("steady/Fy"));
+  EXPECT_FALSE(channels->find("standing/force"));
+  const auto all = simulate_all(study, study.space.initial());
+  ASSERT_TRUE(all);
+  EXPECT_TRUE(all->find("standing/force"));
+}
+
+TEST_F(RollingStudy, AVariableMovesTheNumberOfItsPath) {
+  const Study study = read();
+  DesignPoint point = study.space.initial();
+  point.values[1] = 2.5e5;
+  const auto channels = simulate_all(study, point);
+  ASSERT_TRUE(channels);
+  EXPECT_NEAR((*channels)["standing/force"][0], 2.5e5 * 0.01, 1.0);  // Q_FZ2 = 0: a line
+}
+
+// Measured with grip 1.2: the point of that value has no residual at all.
+TEST_F(RollingStudy, TheTargetVanishesAtTheValuesTheMeasurementCameFrom) {
+  Study study = read();
+  DesignPoint truth = study.space.initial();
+  truth.values[0] = 1.2;
+  const auto measured = evaluator(study)(truth);
+  ASSERT_TRUE(measured);
+  Channels table;
+  table.add({"Fy", "N", (*measured)["steady/Fy"]});
+  write("measured.csv", formats::csv_text(table));
+  study = read();
+  const auto at_truth = objective(study)(*evaluator(study)(truth));
+  const auto at_start = objective(study)(*evaluator(study)(study.space.initial()));
+  ASSERT_TRUE(at_truth && at_start);
+  EXPECT_LT(at_truth->value, 1e-12);
+  EXPECT_GT(at_start->value, 0.01);
+}
+
+TEST_F(RollingStudy, TheJournalKnowsModelTestsAndStates) {
+  const StudyIdentity before = identity(read());
+  write("measured.csv", "Fy [N]\n-3100\n3100\n-1100\n");
+  EXPECT_EQ(identity(read()), before);  // another measurement needs no new trial
+  write("states.csv", "Fz [N],alpha [deg]\n4000,5\n4000,-4\n2000,2\n");
+  EXPECT_NE(identity(read()), before);
+}
+
+TEST_F(RollingStudy, PredictionsAreTrialsOfTheirOwn) {
+  const Study study = read();
+  EXPECT_NE(identity(with_predictions(study)), identity(study));
+}
+
+TEST_F(RollingStudy, ComplaintsSayWhereAndWhatIsExpected) {
+  EXPECT_NE(complaint("\"magic_formula\"", "\"mf\"").find("expected \"ring_tire\""),
+            std::string::npos);
+  EXPECT_NE(complaint("steady/Fy\"", "steady/FY\"").find("steady/Fy"), std::string::npos);
+  EXPECT_NE(complaint("file = \"steady.toml\"", "file = \"stead.toml\"").find("does not exist"),
+            std::string::npos);
+  EXPECT_NE(complaint("\"PDY1\"", "\"PDY11\"").find("PDY1"), std::string::npos);
+  EXPECT_NE(complaint("\"100 N/mm\"", "\"-100 N/mm\"").find("does not accept"), std::string::npos);
+  EXPECT_NE(complaint("\"magic_formula\"", "\"ring_tire\"").find("steady states"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace latsch::correlation

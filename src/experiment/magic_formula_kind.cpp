@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Magic Formula as a kind of tire: rolling with relaxation, and in steady states.
+#include "experiment/slip_states.h"
+#include "experiment/tir_numbers.h"
+#include "experiment/tire_kind.h"
+#include "models/magic_formula/magic_formula_tire.h"
+
+namespace latsch::experiment {
+namespace {
+
+using magic_formula::MagicFormulaTire;
+
+std::unique_ptr<Tire> build(const Document& numbers) {
+  return std::make_unique<MagicFormulaTire>(parameters_of(numbers));
+}
+
+Channels steady(const Document& numbers, const formats::CsvTable& table) {
+  const magic_formula::Parameters parameters = parameters_of(numbers);
+  const SlipStates given = slip_states(table, parameters);
+  const magic_formula::MagicFormula formula(parameters, {});
+  std::vector<magic_formula::SteadyState> results(given.states.size());
+  formula.evaluate(given.states, results);
+  return answers(results);
+}
+
+}  // namespace
+
+extern const TireKind kMagicFormulaKind;
+const TireKind kMagicFormulaKind = {
+    "magic_formula", "Magic Formula", "a .tir file", read_tir_numbers, build, tir_text_of, steady};
+
+}  // namespace latsch::experiment

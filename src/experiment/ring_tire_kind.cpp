@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The flexible ring as a kind of tire.
+#include "experiment/tire_kind.h"
+#include "models/ring_tire/ring_reader.h"
+#include "models/ring_tire/ring_tire.h"
+
+namespace latsch::experiment {
+namespace {
+
+Document read(const std::filesystem::path& file) {
+  Document document = Document::read(file);
+  ring_tire::read_ring_tire(document.root());  // what is wrong is said of the file as it stands
+  return document;
+}
+
+std::unique_ptr<Tire> build(const Document& numbers) {
+  return std::make_unique<ring_tire::RingTire>(ring_tire::read_ring_tire(numbers.root()));
+}
+
+std::string text(const Document& numbers) { return numbers.text(); }
+
+}  // namespace
+
+extern const TireKind kRingTireKind;
+const TireKind kRingTireKind = {
+    "ring_tire", "flexible ring", "a TOML file with kind = \"ring_tire\"", read, build, text};
+
+}  // namespace latsch::experiment

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// One test of a tire that rolls, as a file describes it, whatever the tire:
+//
+//   kind = "drum_cleat"              # drum_rig.h
+//
+//   kind = "slip_sweep"              # flat_track.h; alpha, kappa: one of the two
+//   speed = "60 km/h"
+//   load = "4 kN"
+//   camber = "2 deg"                 # default 0
+//   alpha = ["-10 deg", "10 deg"]    # from, to
+//   kappa = [-0.1, 0.1]
+//   run_in = "0.3 s"                 # default, as the next three
+//   duration = "1 s"
+//   step = "0.5 ms"
+//   sample_step = "5 ms"             # of the record; a multiple of step, default step
+//
+//   kind = "static_stiffness"        # static_stiffness.h
+//   deflections = ["10 mm", "20 mm"] # channels "deflection" and "force"
+//   load = "4 kN"                    # and under it, a channel of one value for each of
+//   directions = ["vertical", "longitudinal", "lateral", "torsional"]     # default: all
+//
+//   kind = "steady_states"           # slip_states.h; a Magic Formula
+//   states = "cornering.csv"         # beside the file
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/result.h"
+#include "experiment/drum_rig.h"
+#include "experiment/flat_track.h"
+#include "experiment/static_stiffness.h"
+#include "experiment/tire_kind.h"
+
+namespace latsch::experiment {
+
+struct SampledSweep {
+  SlipSweep sweep;
+  double sample_step = 5e-4;  // s
+};
+
+struct StaticTest {
+  std::vector<double> deflections;  // m
+  double load = 0.0;                // N
+  std::vector<Direction> directions;
+};
+
+struct SteadyStates {
+  formats::CsvTable states;
+};
+
+using RollingTest = std::variant<DrumTest, SampledSweep, StaticTest, SteadyStates>;
+
+/// Throws InputError naming the place.
+RollingTest read_rolling_test(const std::filesystem::path& file);
+
+struct RecordedChannel {
+  std::string name, unit;  // SI
+};
+/// What run() of this test gives.
+std::vector<RecordedChannel> recorded(const RollingTest& test);
+
+/// A sentence for people: "drum, 60 km/h, 4500 N, cleat 15 mm x 30 mm".
+std::string in_words(const RollingTest& test);
+
+/// Throws InputError where the numbers make no tire or the kind cannot do the test.
+Result<Channels> run(const TireKind& kind, const Document& numbers, const RollingTest& test);
+
+}  // namespace latsch::experiment

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every kind of tire through every kind of test, by one interface.
+#include "experiment/rolling_tests.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "experiment/tir_numbers.h"
+#include "formats/tir_file.h"
+
+namespace latsch::experiment {
+namespace {
+
+const std::filesystem::path kStudies = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies";
+const std::filesystem::path kRing = kStudies / "ring_tires/passenger_205_55R16.toml";
+
+/// What a rigid ring needs beside a Magic Formula of little else; frequencies as of section 2 of
+/// Pacejka's chapter 9.
+constexpr const char* kTir = R"([UNITS]
+LENGTH = 'meter'
+FORCE = 'newton'
+ANGLE = 'radians'
+MASS = 'kg'
+TIME = 'second'
+PRESSURE = 'pascal'
+[MODEL]
+FITTYP = 61
+[DIMENSION]
+UNLOADED_RADIUS = 0.316
+WIDTH = 0.205
+[VERTICAL]
+FNOMIN = 4000
+VERTICAL_STIFFNESS = 190000
+[INERTIA]
+BELT_MASS = 7
+BELT_IXX = 0.33
+BELT_IYY = 0.6
+[STRUCTURAL]
+LONGITUDINAL_STIFFNESS = 300000
+LATERAL_STIFFNESS = 110000
+YAW_STIFFNESS = 5000
+FREQ_LONG = 77
+FREQ_LAT = 42
+FREQ_YAW = 53
+FREQ_WINDUP = 58
+DAMP_LONG = 0.05
+DAMP_LAT = 0.05
+DAMP_YAW = 0.05
+DAMP_WINDUP = 0.05
+DAMP_RESIDUAL = 0.002
+[LONGITUDINAL_COEFFICIENTS]
+PCX1 = 1.6
+PDX1 = 1.1
+PKX1 = 22
+[LATERAL_COEFFICIENTS]
+PCY1 = 1.3
+PDY1 = 1.0
+PKY1 = -18
+PKY2 = 1.8
+)";
+
+class RollingTests : public testing::Test {
+ protected:
+  RollingTests() {
+    std::string pattern = testing::TempDir() + "rolling_tests_XXXXXX";
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  ~RollingTests() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+  RollingTest test(const std::string& text) { return read_rolling_test(write("test.toml", text)); }
+  std::string complaint(const std::string& text) {
+    try {
+      test(text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(RollingTests, EveryKindCarriesItsLoadOverTheSameCleat) {
+  const auto tir = write("tire.tir", kTir);
+  const RollingTest drum = test(
+      "kind = \"drum_cleat\"\nspeed = \"40 km/h\"\nload = \"4 kN\"\ndrum_diameter = \"2.5 m\"\n"
+      "run_in = \"0.1 s\"\nduration = \"0.1 s\"\nlead = \"0.03 s\"\nsample_step = \"1 ms\"\n"
+      "[cleat]\nheight = \"10 mm\"\nlength = \"20 mm\"\nbevel = \"3 mm\"\n");
+  for (const TireKind* kind : tire_kinds()) {
+    const Document numbers = kind->read(kind->name == "ring_tire" ? kRing : tir);
+    const auto channels = run(*kind, numbers, drum);
+    ASSERT_TRUE(channels) << kind->name << ": " << channels.failure().reason;
+    for (const RecordedChannel& channel : recorded(drum)) {
+      ASSERT_TRUE(channels->find(channel.name)) << channel.name;
+      EXPECT_EQ(channels->find(channel.name)->unit, channel.unit);
+    }
+    const std::vector<double>& Fz = (*channels)["Fz"];
+    // Before the cleat the load, a little above it as the belt grows with speed; then a blow.
+    EXPECT_NEAR(Fz.front(), 4000.0, 300.0) << kind->name;
+    EXPECT_GT(*std::max_element(Fz.begin(), Fz.end()), 4600.0) << kind->name;
+  }
+}
+
+TEST_F(RollingTests, ASweepGivesSideForceAgainstItsSlip) {
+  const auto tir = write("tire.tir", kTir);
+  const RollingTest sweep = test(
+      "kind = \"slip_sweep\"\nspeed = \"40 km/h\"\nload = \"4 kN\"\n"
+      "alpha = [\"-6 deg\", \"6 deg\"]\nsample_step = \"10 ms\"\n");
+  const TireKind& kind = *find_tire_kind("magic_formula");
+  const auto channels = run(kind, kind.read(tir), sweep);
+  ASSERT_TRUE(channels) << channels.failure().reason;
+  EXPECT_EQ((*channels)["alpha"].size(), 100u);
+  EXPECT_NEAR((*channels)["alpha"].back(), 6.0 * M_PI / 180.0, 1e-12);
+  EXPECT_GT((*channels)["Fy"].front(), 1000.0);
+  EXPECT_LT((*channels)["Fy"].back(), -1000.0);
+}
+
+TEST_F(RollingTests, AStandingTireHasTheStiffnessOfItsFile) {
+  const auto tir = write("tire.tir", kTir);
+  const RollingTest standing = test(
+      "kind = \"static_stiffness\"\ndeflections = [\"10 mm\", \"20 mm\"]\nload = \"4 kN\"\n"
+      "directions = [\"vertical\"]\n");
+  const TireKind& kind = *find_tire_kind("magic_formula");
+  const auto channels = run(kind, kind.read(tir), standing);
+  ASSERT_TRUE(channels) << channels.failure().reason;
+  // Q_FZ2 = 0: a straight line.
+  EXPECT_NEAR((*channels)["force"][1], 190000.0 * 0.02, 1.0);
+  EXPECT_NEAR((*channels)["vertical"][0], 190000.0, 500.0);
+}
+
+TEST_F(RollingTests, SteadyStatesAreForTheMagicFormulaAlone) {
+  const auto tir = write("tire.tir", kTir);
+  write("states.csv", "Fz [kN],alpha [deg]\n4,2\n4,-2\n");
+  const RollingTest steady = test("kind = \"steady_states\"\nstates = \"states.csv\"\n");
+  const TireKind& formula = *find_tire_kind("magic_formula");
+  const auto channels = run(formula, formula.read(tir), steady);
+  ASSERT_TRUE(channels);
+  EXPECT_LT((*channels)["Fy"][0], -500.0);
+  EXPECT_THROW((void)run(*find_tire_kind("ring_tire"), Document::read(kRing), steady), InputError);
+}
+
+// What stands in the file is what the tree of numbers gives back, to the last bit.
+TEST_F(RollingTests, TheNumbersOfATirAreThoseOfTheFile) {
+  const auto tir = write("tire.tir", kTir);
+  const auto direct = formats::read_tir(tir).parameters;
+  const Document numbers = read_tir_numbers(tir);
+  const auto back = parameters_of(numbers);
+  for (const auto& field : magic_formula::parameter_fields())
+    EXPECT_EQ(back.*field.member, direct.*field.member) << field.name;
+  EXPECT_EQ(back.version, direct.version);
+  EXPECT_EQ(formats::tir_text(direct), tir_text_of(numbers));
+}
+
+TEST_F(RollingTests, ANumberOfATirVariesByItsName) {
+  Document numbers = read_tir_numbers(write("tire.tir", kTir));
+  EXPECT_EQ(numbers.unit("VERTICAL_STIFFNESS"), "N/m");
+  numbers.set("VERTICAL_STIFFNESS", 2.5e5);
+  EXPECT_EQ(parameters_of(numbers).VERTICAL_STIFFNESS, 2.5e5);
+  numbers.set("FNOMIN", -1.0);
+  EXPECT_THROW(parameters_of(numbers), InputError);
+}
+
+TEST_F(RollingTests, ComplaintsSayWhatIsExpected) {
+  EXPECT_NE(complaint("kind = \"drum\"\n").find("\"drum_cleat\""), std::string::npos);
+  EXPECT_NE(complaint("kind = \"slip_sweep\"\nspeed = \"40 km/h\"\nload = \"4 kN\"\n")
+                .find("alpha or kappa has to be there"),
+            std::string::npos);
+  EXPECT_NE(complaint("kind = \"static_stiffness\"\nload = \"4 kN\"\ndirections = [\"up\"]\n")
+                .find("\"longitudinal\""),
+            std::string::npos);
+  EXPECT_NE(complaint("kind = \"static_stiffness\"\n").find("nothing is tested"),
+            std::string::npos);
+}
+
+TEST_F(RollingTests, AFileThatDoesNotSayItsKindIsToldHow) {
+  try {
+    kind_of_file(write("tire.toml", "pressure = \"2 bar\"\n"));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("\"ring_tire\""), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace latsch::experiment
