@@ -45,6 +45,13 @@ LATSCH_INLINE bool any(const LaneInts& where) {
          0;
 }
 
+LATSCH_INLINE bool any_positive(const Lanes& x) {
+  const Lanes one = x > 0.0 ? all(1.0) : all(0.0);
+  const Lanes4 half =
+      __builtin_shufflevector(one, one, 0, 1, 2, 3) + __builtin_shufflevector(one, one, 4, 5, 6, 7);
+  return half[0] + half[1] + half[2] + half[3] > 0.0;
+}
+
 template <class R>
 LATSCH_INLINE R abs(const R& x) {
   return from_bits(bits(x) & std::int64_t{0x7fffffffffffffff});

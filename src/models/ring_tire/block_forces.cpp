@@ -1,206 +1,323 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/ring_tire/block_forces.h"
 
-#include "numerics/lanes.h"
+#include "models/ring_tire/block_lanes.h"
 
 namespace latsch::ring_tire {
+namespace {
 
-LATSCH_CLONES void station_columns(const double* const nodes[4],
-                                   const double* weights,
-                                   const StationFrames& frames,
-                                   const double* a,
-                                   bool rates,
-                                   int stride,
-                                   int begin,
-                                   int end,
-                                   double* columns) {
-  const double *w0 = weights, *w1 = w0 + stride, *w2 = w1 + stride, *w3 = w2 + stride;
-  const double *d0 = w3 + stride, *d1 = d0 + stride, *d2 = d1 + stride, *d3 = d2 + stride;
-  const double *x0 = nodes[0], *x1 = nodes[1], *x2 = nodes[2], *x3 = nodes[3];
-  const double *tx = frames.t, *ty = tx + stride, *tz = ty + stride;
-  const double *nx = frames.n, *ny = nx + stride, *nz = ny + stride;
-  double* p[9];
-  for (int c = 0; c < 9; ++c) p[c] = columns + c * stride;
-  const double own = rates ? 0.0 : 1.0, ax = a[0], ay = a[1], az = a[2];
-#pragma GCC ivdep
-  for (int j = begin; j < end; ++j) {
-    for (int i = 0; i < 3; ++i)
-      p[i][j] = w0[j] * x0[i] + w1[j] * x1[i] + w2[j] * x2[i] + w3[j] * x3[i];
-    const double psi = w0[j] * x0[3] + w1[j] * x1[3] + w2[j] * x2[3] + w3[j] * x3[3];
-    const double sx = d0[j] * x0[0] + d1[j] * x1[0] + d2[j] * x2[0] + d3[j] * x3[0];
-    const double sy = d0[j] * x0[1] + d1[j] * x1[1] + d2[j] * x2[1] + d3[j] * x3[1];
-    const double sz = d0[j] * x0[2] + d1[j] * x1[2] + d2[j] * x2[2] + d3[j] * x3[2];
-    const double over = 1.0 / frames.length[j];
-    const double nu_n = (nx[j] * sx + ny[j] * sy + nz[j] * sz) * over;
-    const double nu_a = (ax * sx + ay * sy + az * sz) * over;
-    p[3][j] = own * nx[j] - nu_n * tx[j] + psi * ax;
-    p[4][j] = own * ny[j] - nu_n * ty[j] + psi * ay;
-    p[5][j] = own * nz[j] - nu_n * tz[j] + psi * az;
-    p[6][j] = own * ax - nu_a * tx[j] - psi * nx[j];
-    p[7][j] = own * ay - nu_a * ty[j] - psi * ny[j];
-    p[8][j] = own * az - nu_a * tz[j] - psi * nz[j];
-  }
+using lane_math::any_positive;
+using lane_math::larger;
+using lane_math::select;
+using lane_math::smaller;
+
+/// (11). The damper carries no more than the spring: no jump at the touch and no pull.
+LATSCH_INLINE Lanes push(const BlockLaw& law, const Lanes& depth, const Lanes& rate) {
+  const Lanes fast = smaller(law.damping_time * rate, depth);
+  return select(depth > 0.0, law.normal * (depth + larger(fast, -depth)), all(0.0));
 }
 
-LATSCH_CLONES void sticking_forces(const BlockColumns& blocks,
-                                   const double* stations,
-                                   int stride,
-                                   int begin,
-                                   int end,
-                                   int offset,
-                                   double H,
-                                   double y,
-                                   const BlockLaw& law) {
-  const double* s[18];
-  for (int c = 0; c < 18; ++c) s[c] = stations + c * stride + begin;
-  const int count = end - begin;
-  const double* Nx = blocks.N[0] + offset;
-  const double* Ny = blocks.N[1] + offset;
-  const double* Nz = blocks.N[2] + offset;
-  const double* level = blocks.level + offset;
-  const double* road_x = blocks.road[0] + offset;
-  const double* road_y = blocks.road[1] + offset;
-  const double* road_z = blocks.road[2] + offset;
-  const double* tip_x = blocks.tip[0] + offset;
-  const double* tip_y = blocks.tip[1] + offset;
-  const double* tip_z = blocks.tip[2] + offset;
-  const double* touches = blocks.touches + offset;
-  double* Fx = blocks.F[0] + offset;
-  double* Fy = blocks.F[1] + offset;
-  double* Fz = blocks.F[2] + offset;
-  double* Fn = blocks.Fn + offset;
-  double* ex = blocks.e[0] + offset;
-  double* ey = blocks.e[1] + offset;
-  double* ez = blocks.e[2] + offset;
-  double* gripped = blocks.gripped + offset;
-  double* over = blocks.over + offset;
-  double* new_x = blocks.on_road[0] + offset;
-  double* new_y = blocks.on_road[1] + offset;
-  double* new_z = blocks.on_road[2] + offset;
-  const double normal = law.normal, tangential = law.tangential, td = law.damping_time;
-  const double step = law.step, lowest = law.lowest, highest = law.highest;
-  const double c0 = law.c0, c1 = law.c1, c2 = law.c2;
-  const double* mu = blocks.mu + offset;
-#pragma GCC ivdep
-  for (int i = 0; i < count; ++i) {
-    const double Tx = s[0][i] + H * s[3][i] + y * s[6][i];
-    const double Ty = s[1][i] + H * s[4][i] + y * s[7][i];
-    const double Tz = s[2][i] + H * s[5][i] + y * s[8][i];
-    const double Vx = s[9][i] + H * s[12][i] + y * s[15][i] - road_x[i];
-    const double Vy = s[10][i] + H * s[13][i] + y * s[16][i] - road_y[i];
-    const double Vz = s[11][i] + H * s[14][i] + y * s[17][i] - road_z[i];
-    const double nx = Nx[i], ny = Ny[i], nz = Nz[i];
-    const double depth = level[i] - (nx * Tx + ny * Ty + nz * Tz);
-    const double rate = -(nx * Vx + ny * Vy + nz * Vz);
-    const double on = depth > 0.0 ? 1.0 : 0.0;
-    // The damper carries no more than the spring: no jump at the touch and no pull.
-    const double fast = td * rate < depth ? td * rate : depth;
-    const double push = normal * (depth + (fast > -depth ? fast : -depth));  // (11)
-    // Time since the touch, at most the step.
-    const double since = depth > 0.0 && rate * step > depth ? depth / rate : step;
-    const bool touched = touches[i] > 0.5;
-    double x = touched ? tip_x[i] - Tx : -Vx * since;
-    double yy = touched ? tip_y[i] - Ty : -Vy * since;
-    double z = touched ? tip_z[i] - Tz : -Vz * since;
-    const double across = nx * x + ny * yy + nz * z;
-    x -= nx * across;
-    yy -= ny * across;
-    z -= nz * across;
-    const double stick = on * tangential;
-    const double F = on * push;
-    Fn[i] = F;
-    const double sx = stick * (x - td * (Vx + nx * rate));  // (12)
-    const double sy = stick * (yy - td * (Vy + ny * rate));
-    const double sz = stick * (z - td * (Vz + nz * rate));
-    Fx[i] = sx;
-    Fy[i] = sy;
-    Fz[i] = sz;
-    const double above = F > lowest ? F : lowest;
-    const double inside = above < highest ? above : highest;
-    const double limit = mu[i] * (c0 + inside * (c1 + inside * c2)) * F;
-    over[i] = sx * sx + sy * sy + sz * sz - limit * limit;  // (13)
-    ex[i] = x;
-    ey[i] = yy;
-    ez[i] = z;
-    gripped[i] = 1.0;
-    new_x[i] = Tx + depth * nx;
-    new_y[i] = Ty + depth * ny;
-    new_z[i] = Tz + depth * nz;
-  }
+/// s since a block touched that did not at the beginning of the step.
+LATSCH_INLINE Lanes since_touch(const BlockLaw& law, const Lanes& depth, const Lanes& rate) {
+  const Lanes since = select(rate * law.step > depth, depth / rate, all(law.step));
+  return select(depth > 0.0, since, all(law.step));
 }
 
-LATSCH_CLONES void add_row_sums(const BlockColumns& blocks,
-                                double* sums,
-                                int stride,
-                                int begin,
-                                int end,
-                                int offset,
-                                double H,
-                                double y) {
-  const int count = end - begin;
-  const double* Fn = blocks.Fn + offset;
-  for (int c = 0; c < 3; ++c) {
-    const double* N = blocks.N[c] + offset;
-    const double* F = blocks.F[c] + offset;
-    double* sum = sums + c * stride + begin;
-    double* sum_H = sums + (3 + c) * stride + begin;
-    double* sum_y = sums + (6 + c) * stride + begin;
-#pragma GCC ivdep
-    for (int i = 0; i < count; ++i) {
-      const double force = Fn[i] * N[i] + F[i];
-      sum[i] += force;
-      sum_H[i] += H * force;
-      sum_y[i] += y * force;
+/// Force over that of a sticking tip, and how far the tip gave way, per force T.
+struct Grip {
+  Lanes share, slip;
+};
+
+/// (13), (14): what of the force T of sticking tips friction holds. False where it holds all.
+LATSCH_INLINE bool slides(
+    const BlockLaw& law, const Lanes& T2, const Lanes& Fn, const Lanes& factor, Grip& grip) {
+  const Lanes p = Fn * law.by_force;
+  const Lanes limit = factor * law.friction->adhesion(p) * Fn;
+  const Lanes over = T2 - limit * limit;
+  if (!any_positive(over)) return false;
+  const Lanes T = lane_math::sqrt(select(over > 0.0, T2, all(1.0)));
+  const double slope = law.tangential * (law.step + law.damping_time);
+  const Lanes v = law.friction->sliding_speed(T, slope, Fn, p, factor);
+  const Lanes F = T - slope * v, slip = v * law.step;
+  grip = {select(over > 0.0, F / T, all(1.0)), select(over > 0.0, slip / T, all(0.0))};
+  return true;
+}
+
+/// On level ground: only x and y are left of the plane.
+struct LevelBlocks {
+  const LevelGround& ground;
+  const BlockMemory& before;
+  const BlockLaw& law;
+  const BlockResults& results;
+
+  LATSCH_INLINE void relate(const SegmentStations& at, int j, Section& place, Section& rate) const {
+    place.p.z += lanes(at.lift + j);
+    rate.p = {rate.p.x - ground.velocity[0],
+              rate.p.y - ground.velocity[1],
+              rate.p.z - ground.velocity[2]};
+  }
+
+  /// V is against the road.
+  LATSCH_INLINE Lanes3 force(const Lanes3& T, const Lanes3& V, bool entering, int block) const {
+    const Lanes depth = ground.height - T.z, rate = -V.z;
+    Lanes ex = lanes(before.tip[0] + block) + law.step * ground.velocity[0] - T.x;
+    Lanes ey = lanes(before.tip[1] + block) + law.step * ground.velocity[1] - T.y;
+    if (entering) {
+      const Lanes touches = lanes(before.touches + block), since = since_touch(law, depth, rate);
+      ex = select(touches > 0.5, ex, -V.x * since);
+      ey = select(touches > 0.5, ey, -V.y * since);
     }
+    const Lanes stick = select(depth > 0.0, all(law.tangential), all(0.0));
+    Lanes3 F = {stick * (ex - law.damping_time * V.x),  // (12)
+                stick * (ey - law.damping_time * V.y),
+                push(law, depth, rate)};
+    Grip grip;
+    Lanes gripped = all(1.0);
+    if (slides(law, F.x * F.x + F.y * F.y, F.z, all(ground.friction), grip)) {
+      ex -= grip.slip * F.x;
+      ey -= grip.slip * F.y;
+      F.x *= grip.share;
+      F.y *= grip.share;
+      gripped = grip.share;
+    }
+    store(F.x, results.F[0] + block);
+    store(F.y, results.F[1] + block);
+    store(F.z, results.Fn + block);
+    store(gripped, results.gripped + block);
+    store(ex, results.e[0] + block);
+    store(ey, results.e[1] + block);
+    store(T.x, results.root[0] + block);
+    store(T.y, results.root[1] + block);
+    return F;
+  }
+};
+
+/// The same on a plane of its own under each block.
+struct UnevenBlocks {
+  const BlockGround& ground;
+  const BlockMemory& before;
+  const BlockLaw& law;
+  const BlockResults& results;
+
+  LATSCH_INLINE void relate(const SegmentStations&, int, Section&, Section&) const {}
+
+  LATSCH_INLINE Lanes3 force(const Lanes3& T, Lanes3 V, bool, int block) const {
+    const Lanes3 N = lanes3(ground.N, block), road = lanes3(ground.velocity, block);
+    V = {V.x - road.x, V.y - road.y, V.z - road.z};
+    const Lanes depth = lanes(ground.level + block) - dot(N, T), rate = -dot(N, V);
+    const Lanes Fn = push(law, depth, rate);
+    const Lanes touches = lanes(before.touches + block), since = since_touch(law, depth, rate);
+    const Lanes3 tip = lanes3(before.tip, block);
+    Lanes3 e = {select(touches > 0.5, tip.x + law.step * road.x - T.x, -V.x * since),
+                select(touches > 0.5, tip.y + law.step * road.y - T.y, -V.y * since),
+                select(touches > 0.5, tip.z + law.step * road.z - T.z, -V.z * since)};
+    const Lanes across = dot(N, e);
+    e = {e.x - N.x * across, e.y - N.y * across, e.z - N.z * across};
+    const Lanes stick = select(depth > 0.0, all(law.tangential), all(0.0));
+    const double td = law.damping_time;
+    Lanes3 F = {stick * (e.x - td * (V.x + N.x * rate)),  // (12)
+                stick * (e.y - td * (V.y + N.y * rate)),
+                stick * (e.z - td * (V.z + N.z * rate))};
+    Grip grip;
+    Lanes gripped = all(1.0);
+    if (slides(law, dot(F, F), Fn, lanes(ground.friction + block), grip)) {
+      e = {e.x - grip.slip * F.x, e.y - grip.slip * F.y, e.z - grip.slip * F.z};
+      F = {F.x * grip.share, F.y * grip.share, F.z * grip.share};
+      gripped = grip.share;
+    }
+    store3(F, results.F, block);
+    store(Fn, results.Fn + block);
+    store(gripped, results.gripped + block);
+    store3(e, results.e, block);
+    store3({T.x + depth * N.x, T.y + depth * N.y, T.z + depth * N.z}, results.root, block);
+    return {F.x + Fn * N.x, F.y + Fn * N.y, F.z + Fn * N.z};
+  }
+};
+
+/// What a sliding block's stiffness in the plane lacks along its force, per force squared.
+LATSCH_INLINE Lanes along_slip(const Lanes& plane, const Lanes& gripped, const Lanes& F2) {
+  return select(gripped < 1.0, plane / larger(F2, all(1e-300)), all(0.0));
+}
+
+/// Six entries of a symmetric matrix over eight stations, and y, y^2 times them.
+struct StiffnessSums {
+  Lanes K[3][6];
+
+  LATSCH_INLINE void add(int entry, const Lanes& k, double y) {
+    K[0][entry] += k;
+    K[1][entry] += y * k;
+    K[2][entry] += y * y * k;
+  }
+  LATSCH_INLINE void store_at(double* sums, int stride, int j) const {
+    for (int power = 0; power < 3; ++power)
+      for (int entry = 0; entry < 6; ++entry)
+        store(K[power][entry], sums + (6 * power + entry) * stride + j);
+  }
+};
+
+}  // namespace
+
+LATSCH_CLONES void station_frames(const double* const nodes[4],
+                                  const double* weights,
+                                  const double* a,
+                                  int stride,
+                                  double* columns) {
+  for (int j = 0; j < stride; j += kWide) {
+    Lanes d[4];
+    for (int m = 0; m < 4; ++m) d[m] = lanes(weights + (4 + m) * stride + j);
+    Lanes3 t = {mixed(d, nodes, 0), mixed(d, nodes, 1), mixed(d, nodes, 2)};
+    const Lanes across = a[0] * t.x + a[1] * t.y + a[2] * t.z;
+    t = {t.x - across * a[0], t.y - across * a[1], t.z - across * a[2]};
+    const Lanes length = lane_math::sqrt(dot(t, t)), over = 1.0 / length;
+    t = {t.x * over, t.y * over, t.z * over};
+    const Lanes3 n = {a[1] * t.z - a[2] * t.y, a[2] * t.x - a[0] * t.z, a[0] * t.y - a[1] * t.x};
+    double* const to_t[3] = {columns, columns + stride, columns + 2 * stride};
+    double* const to_n[3] = {columns + 3 * stride, columns + 4 * stride, columns + 5 * stride};
+    store3(t, to_t, j);
+    store3(n, to_n, j);
+    store(length, columns + 6 * stride + j);
   }
 }
 
-LATSCH_CLONES void add_row_stiffness(const BlockColumns& blocks,
-                                     double* sums,
-                                     int stride,
-                                     int begin,
-                                     int end,
-                                     int offset,
-                                     double y,
-                                     double normal,
-                                     double tangential) {
-  constexpr int kRow[6] = {0, 0, 0, 1, 1, 2}, kColumn[6] = {0, 1, 2, 1, 2, 2};
-  const double* Fn = blocks.Fn + offset;
-  const double* gripped = blocks.gripped + offset;
-  const double* Fx = blocks.F[0] + offset;
-  const double* Fy = blocks.F[1] + offset;
-  const double* Fz = blocks.F[2] + offset;
-  constexpr int kChunk = 64;
-  double along[kChunk], plane[kChunk], normal_more[kChunk];
-  for (int first = 0; first < end - begin; first += kChunk) {
-    const int count = end - begin - first < kChunk ? end - begin - first : kChunk;
-#pragma GCC ivdep
-    for (int i = 0; i < count; ++i) {
-      const int at = first + i;
-      const double size2 = Fx[at] * Fx[at] + Fy[at] * Fy[at] + Fz[at] * Fz[at] + 1e-300;
-      const double on = Fn[at] > 0.0 ? 1.0 : 0.0;
-      plane[i] = on * tangential * gripped[at];
-      along[i] = gripped[at] < 1.0 ? plane[i] / size2 : 0.0;
-      normal_more[i] = on * normal - plane[i];
+LATSCH_CLONES void station_columns(const SegmentStations& at, double* columns) {
+  double* to[9];
+  for (int c = 0; c < 9; ++c) to[c] = columns + c * at.stride;
+  for (int j = at.begin; j < at.end; j += kWide) {
+    const Section s = section(at, at.nodes, j, 1.0);
+    store3(s.p, to, j);
+    store3(s.G, to + 3, j);
+    store3(s.A, to + 6, j);
+  }
+}
+
+LATSCH_CLONES void level_forces(const SegmentStations& at,
+                                const BlockLines& lines,
+                                const LevelGround& ground,
+                                const BlockMemory& before,
+                                const BlockLaw& law,
+                                const BlockResults& results,
+                                double* const force[4]) {
+  add_block_forces(at, lines, before.entering, LevelBlocks{ground, before, law, results}, force);
+}
+
+LATSCH_CLONES void uneven_forces(const SegmentStations& at,
+                                 const BlockLines& lines,
+                                 const BlockGround& ground,
+                                 const BlockMemory& before,
+                                 const BlockLaw& law,
+                                 const BlockResults& results,
+                                 double* const force[4]) {
+  add_block_forces(at, lines, before.entering, UnevenBlocks{ground, before, law, results}, force);
+}
+
+LATSCH_CLONES void lowest_tips(const double* columns, const BlockLines& of, int stride, double* z) {
+  for (int j = 0; j < stride; j += kWide) {
+    const Lanes p = lanes(columns + 2 * stride + j), G = lanes(columns + 5 * stride + j),
+                A = lanes(columns + 8 * stride + j);
+    Lanes lowest = p + of.height[0] * G + of.y[0] * A;
+    for (int line = 1; line < of.count; ++line)
+      lowest = smaller(lowest, p + of.height[line] * G + of.y[line] * A);
+    store(lowest, z + j);
+  }
+}
+
+LATSCH_CLONES void level_tips(const BlockSpan& at,
+                              int count,
+                              const LevelGround& ground,
+                              const BlockResults& results,
+                              double* const tip[3],
+                              double* touches) {
+  for (int line = 0; line < count; ++line)
+    for (int j = at.begin; j < at.end; j += kWide) {
+      const int block = line * at.stride + j;
+      store(select(lanes(results.Fn + block) > 0.0, all(1.0), all(0.0)), touches + block);
+      for (int i = 0; i < 2; ++i)
+        store(lanes(results.root[i] + block) + lanes(results.e[i] + block), tip[i] + block);
+      store(all(ground.height), tip[2] + block);
     }
-    for (int c = 0; c < 6; ++c) {
-      const double* N1 = blocks.N[kRow[c]] + offset + first;
-      const double* N2 = blocks.N[kColumn[c]] + offset + first;
-      const double* F1 = blocks.F[kRow[c]] + offset + first;
-      const double* F2 = blocks.F[kColumn[c]] + offset + first;
-      const double unit = kRow[c] == kColumn[c] ? 1.0 : 0.0;
-      double* sum = sums + c * stride + begin + first;
-      double* sum_y = sums + (6 + c) * stride + begin + first;
-      double* sum_yy = sums + (12 + c) * stride + begin + first;
-#pragma GCC ivdep
-      for (int i = 0; i < count; ++i) {
-        const double K =
-            normal_more[i] * N1[i] * N2[i] + unit * plane[i] - along[i] * F1[i] * F2[i];
-        sum[i] += K;
-        sum_y[i] += y * K;
-        sum_yy[i] += y * y * K;
+}
+
+LATSCH_CLONES void uneven_tips(const BlockSpan& at,
+                               int count,
+                               const BlockResults& results,
+                               double* const tip[3],
+                               double* touches) {
+  for (int line = 0; line < count; ++line)
+    for (int j = at.begin; j < at.end; j += kWide) {
+      const int block = line * at.stride + j;
+      store(select(lanes(results.Fn + block) > 0.0, all(1.0), all(0.0)), touches + block);
+      for (int i = 0; i < 3; ++i)
+        store(lanes(results.root[i] + block) + lanes(results.e[i] + block), tip[i] + block);
+    }
+}
+
+LATSCH_CLONES void find_entering(const BlockSpan& at,
+                                 int count,
+                                 const double* touches,
+                                 std::uint8_t* entering) {
+  for (int j = at.begin; j < at.end; j += kWide) {
+    Lanes off = all(0.0);
+    for (int line = 0; line < count; ++line) off += 1.0 - lanes(touches + line * at.stride + j);
+    entering[j / kWide] = any_positive(off);
+  }
+}
+
+LATSCH_CLONES void level_stiffness(const BlockSpan& at,
+                                   const BlockLines& of,
+                                   const BlockResults& results,
+                                   double normal,
+                                   double tangential,
+                                   double* sums) {
+  for (int j = at.begin; j < at.end; j += kWide) {
+    StiffnessSums of_lines = {};
+    for (int line = 0; line < of.count; ++line) {
+      const double y = of.y[line];
+      const int block = line * at.stride + j;
+      const Lanes on = select(lanes(results.Fn + block) > 0.0, all(1.0), all(0.0));
+      const Lanes gripped = lanes(results.gripped + block);
+      const Lanes plane = on * tangential * gripped;
+      Lanes xx = plane, yy = plane;
+      if (any_positive(on * (1.0 - gripped))) {
+        const Lanes Fx = lanes(results.F[0] + block), Fy = lanes(results.F[1] + block);
+        const Lanes along = along_slip(plane, gripped, Fx * Fx + Fy * Fy);
+        xx -= along * Fx * Fx;
+        yy -= along * Fy * Fy;
+        of_lines.add(1, -along * Fx * Fy, y);
       }
+      of_lines.add(0, xx, y);
+      of_lines.add(3, yy, y);
+      of_lines.add(5, on * normal, y);
     }
+    of_lines.store_at(sums, at.stride, j);
+  }
+}
+
+LATSCH_CLONES void uneven_stiffness(const BlockSpan& at,
+                                    const BlockLines& of,
+                                    const BlockGround& ground,
+                                    const BlockResults& results,
+                                    double normal,
+                                    double tangential,
+                                    double* sums) {
+  for (int j = at.begin; j < at.end; j += kWide) {
+    StiffnessSums of_lines = {};
+    for (int line = 0; line < of.count; ++line) {
+      const double y = of.y[line];
+      const int block = line * at.stride + j;
+      const Lanes on = select(lanes(results.Fn + block) > 0.0, all(1.0), all(0.0));
+      const Lanes gripped = lanes(results.gripped + block);
+      const Lanes plane = on * tangential * gripped;
+      const Lanes3 F = lanes3(results.F, block), N = lanes3(ground.N, block);
+      const Lanes along = along_slip(plane, gripped, dot(F, F));
+      const Lanes more = on * normal - plane;
+      of_lines.add(0, more * N.x * N.x + plane - along * F.x * F.x, y);
+      of_lines.add(1, more * N.x * N.y - along * F.x * F.y, y);
+      of_lines.add(2, more * N.x * N.z - along * F.x * F.z, y);
+      of_lines.add(3, more * N.y * N.y + plane - along * F.y * F.y, y);
+      of_lines.add(4, more * N.y * N.z - along * F.y * F.z, y);
+      of_lines.add(5, more * N.z * N.z + plane - along * F.z * F.z, y);
+    }
+    of_lines.store_at(sums, at.stride, j);
   }
 }
 

@@ -17,55 +17,69 @@ double TreadContact::deepest(const NodeValues& q,
   a_ = rim.a;
   double deepest = -std::numeric_limits<double>::infinity();
   for (int segment = 0; segment < nodes_; ++segment) {
-    set_frames(q, segment);
-    set_stations(q, q, segment, 0, blocks_);
-    for (int line = 0; line < lines_; ++line) {
-      const double H = line_height_[static_cast<std::size_t>(line)];
-      const double y = line_y_[static_cast<std::size_t>(line)];
+    patches_.clear();
+    add_patch(q, segment);
+    for (int line = 0; line < lines_; ++line)
       for (int j = 0; j < blocks_; ++j) {
-        const auto tip = [&](int i) {
-          return at_stations(kP + i)[j] + H * at_stations(kG + i)[j] + y * at_stations(kA + i)[j];
-        };
-        if (tip(2) > rim.center.z()) continue;
-        deepest = std::max(deepest, road.height(tip(0), tip(1), time) - tip(2));
+        const Vector3d at = tip(line, j);
+        if (at.z() > rim.center.z()) continue;
+        deepest = std::max(deepest, road.height(at.x(), at.y(), time) - at.z());
       }
-    }
   }
+  patches_.clear();
   return deepest;
+}
+
+/// What one block of a patch does.
+struct TreadContact::BlockState {
+  Vector3d normal, F, e, root;
+  double Fn, gripped;
+};
+
+/// Calls `see` with the state of every block that touches, in the order of the patches.
+template <class See>
+void TreadContact::see_touching(const See& see) const {
+  for (std::size_t i = 0; i < patches_.size(); ++i) {
+    const Patch& patch = patches_[i];
+    for (int line = 0; line < lines_; ++line)
+      for (int j = patch.begin; j < patch.end; ++j) {
+        const int block = line * stride_ + j;
+        const auto at = [&](int c) { return column(i, c)[block]; };
+        if (!(at(kFn) > 0.0)) continue;
+        BlockState state{.normal = {at(kNormal), at(kNormal + 1), at(kNormal + 2)},
+                         .F = {at(kF), at(kF + 1), at(kF + 2)},
+                         .e = {at(kE), at(kE + 1), at(kE + 2)},
+                         .root = {at(kRoot), at(kRoot + 1), at(kRoot + 2)},
+                         .Fn = at(kFn),
+                         .gripped = at(kGripped)};
+        if (patch.level) {
+          state.normal = Vector3d::UnitZ();
+          state.F.z() = state.e.z() = 0.0;
+          state.root.z() = patch.ground.height;
+        }
+        see(state);
+      }
+  }
 }
 
 std::vector<BlockContact> TreadContact::footprint() const {
   std::vector<BlockContact> contacts;
-  for (const Row& row : rows_)
-    for (int j = row.begin; j < row.end; ++j) {
-      const int at = row.offset + j - row.begin;
-      const double Fn = column(kFn)[at];
-      if (!(Fn > 0.0)) continue;
-      BlockContact contact;
-      contact.tip = {column(kNewX)[at] + column(kEx)[at],
-                     column(kNewY)[at] + column(kEy)[at],
-                     column(kNewZ)[at] + column(kEz)[at]};
-      const Vector3d N(column(kNx)[at], column(kNy)[at], column(kNz)[at]);
-      const Vector3d along(column(kFx)[at], column(kFy)[at], column(kFz)[at]);
-      contact.force = Fn * N + along;
-      contact.root = {column(kNewX)[at], column(kNewY)[at], column(kNewZ)[at]};
-      contact.area = area_;
-      contact.pressure = Fn / (positive_ * area_);
-      contact.sticks = column(kGripped)[at] == 1.0 || along.isZero(0.0);
-      contacts.push_back(contact);
-    }
+  see_touching([&](const BlockState& block) {
+    contacts.push_back({.tip = block.root + block.e,
+                        .root = block.root,
+                        .force = block.Fn * block.normal + block.F,
+                        .area = area_,
+                        .pressure = block.Fn / (positive_ * area_),
+                        .sticks = block.gripped == 1.0 || block.F.isZero(0.0)});
+  });
   return contacts;
 }
 
 double TreadContact::energy() const {
   double sum = 0.0;
-  for (const Row& row : rows_)
-    for (int at = row.offset; at < row.offset + row.end - row.begin; ++at) {
-      const double Fn = column(kFn)[at];
-      if (!(Fn > 0.0)) continue;
-      const Vector3d e(column(kEx)[at], column(kEy)[at], column(kEz)[at]);
-      sum += 0.5 * (Fn * Fn / normal_ + tangential_ * e.squaredNorm());
-    }
+  see_touching([&](const BlockState& block) {
+    sum += 0.5 * (block.Fn * block.Fn / normal_ + tangential_ * block.e.squaredNorm());
+  });
   return sum;
 }
 

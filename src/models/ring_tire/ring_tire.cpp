@@ -188,7 +188,7 @@ std::string RingTire::step_forward(const WheelMotion& motion,
   q_predicted_ = q_ + h * v_ + 0.5 * h * h * a_;
   v_predicted_ = v_ + h * a_;
   q1_ = q_predicted_;
-  tread_.approach(q_predicted_, v_predicted_, rim_, road, time, rule_);
+  tread_.approach(q_predicted_, rim_, road, time, rule_);
   ++counts_.steps;
   double last = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {

@@ -162,5 +162,60 @@ TEST(RingTire, IsOfOrderTwoOnASmoothRoad) {
   }
 }
 
+/// A road that says nothing of what it looks like around a point.
+class SilentRoad final : public road::Road {
+ public:
+  road::GroundPoint at(double x, double y, double time) const override {
+    return plane_.at(x, y, time);
+  }
+
+ private:
+  road::PlaneRoad plane_;
+};
+
+// Level ground has a shorter way to the same forces.
+TEST(RingTire, RollsOnLevelGroundAsOnAnyGround) {
+  const SilentRoad silent;
+  const road::PlaneRoad plane;
+  HubForces forces[2];
+  for (int i : {0, 1}) {
+    const road::Road& road = i == 0 ? static_cast<const road::Road&>(silent) : plane;
+    RingTire tire(passenger_ring());
+    WheelMotion motion = rolling(tire.free_radius() - 0.015, 10.0, 0.32);  // it brakes
+    motion.velocity.y() = 0.5;                                             // and slides sideways
+    ASSERT_TRUE(tire.settle(motion, road, 0.0));
+    forces[i] = roll(tire, motion, road, 40, 5e-4);
+  }
+  EXPECT_LT((forces[0].force - forces[1].force).norm(), 1e-9 * forces[0].force.norm());
+  EXPECT_LT((forces[0].moment - forces[1].moment).norm(), 1e-9 * forces[0].force.norm());
+}
+
+// Forces of this program of November 2026 over an oblique cleat with side slip, N and N m.
+TEST(RingTire, RegressionOverAnObliqueCleat) {
+  RingParameters ring = passenger_ring();
+  ring.sidewall.radial.dynamic_stiffening = 0.2;
+  ring.sidewall.tangential.dynamic_stiffening = 0.05;
+  ring.tread.damping_time = 1e-4;
+  const road::ProfileRoad road = road::cleat_road(2.0, 0.015, 0.03, 0.005, 0.4);
+  RingTire tire(ring);
+  WheelMotion motion = rolling(tire.free_radius() - 0.022, 60.0 / 3.6, 0.3085);
+  motion.velocity.y() = 0.05 * motion.velocity.x();
+  ASSERT_TRUE(tire.settle(motion, road, 0.0));
+  const struct {
+    int steps;
+    Vector3d force, moment;
+  } expected[] = {
+      {232, {-500.72, -1541.07, 5896.31}, {-445.80, -84.46, 38.82}},
+      {13, {-1100.18, -1385.21, 5192.88}, {-502.56, 427.29, 31.09}},
+      {15, {37.67, -1635.05, 3421.84}, {-467.49, 60.24, 154.86}},
+      {40, {-966.54, -1608.60, 4443.98}, {-462.04, 5.97, 96.81}},
+  };
+  for (const auto& at : expected) {
+    const HubForces hub = roll(tire, motion, road, at.steps, 5e-4);
+    EXPECT_LT((hub.force - at.force).norm(), 1e-3 * at.force.norm()) << at.steps;
+    EXPECT_LT((hub.moment - at.moment).norm(), 1e-3 * at.force.norm()) << at.steps;
+  }
+}
+
 }  // namespace
 }  // namespace latsch::ring_tire

@@ -6,56 +6,69 @@
 // g = μ_adhesion F_n is held while an equilibrium is sought and then renewed with the F_n found
 // (Tresca's friction as a step towards Coulomb's). A block that was in the air one step of the
 // rim before has no e and holds nothing along the road: where its tip touched is not known.
-#include <cmath>
-
-#include "models/ring_tire/tread_contact.h"
+#include "models/ring_tire/block_lanes.h"
 
 namespace latsch::ring_tire {
+namespace {
 
-using Eigen::Vector3d;
+using lane_math::larger;
+using lane_math::select;
 
-void TreadContact::hold_friction() {
-  for (const Row& row : rows_)
-    for (int at = row.offset; at < row.offset + row.end - row.begin; ++at) {
-      const double Fn = column(kFn)[at];
-      column(kHeld)[at] = column(kMu)[at] * law_.adhesion(Fn / (positive_ * area_)) * Fn;
-    }
+struct StandingBlocks {
+  const BlockGround& ground;
+  const BlockMemory& before;
+  const BlockLaw& law;
+  const BlockResults& results;
+
+  LATSCH_INLINE void relate(const SegmentStations&, int, Section&, Section&) const {}
+
+  LATSCH_INLINE Lanes3 force(const Lanes3& T, const Lanes3&, bool, int block) const {
+    const Lanes3 N = lanes3(ground.N, block), tip = lanes3(before.tip, block);
+    const Lanes depth = lanes(ground.level + block) - dot(N, T);
+    const Lanes Fn = law.normal * larger(depth, all(0.0));  // (11)
+    Lanes3 e = {tip.x - T.x, tip.y - T.y, tip.z - T.z};
+    const Lanes across = dot(N, e);
+    e = {e.x - N.x * across, e.y - N.y * across, e.z - N.z * across};
+    const Lanes held = lanes(ground.held + block);
+    const Lanes trial = law.tangential * lane_math::sqrt(dot(e, e));
+    const Lanes holds = select(trial > held, held / larger(trial, all(1e-300)), all(1.0));  // (13)
+    const Lanes gripped = select(lanes(before.touches + block) > 0.5, holds, all(0.0));
+    e = {gripped * e.x, gripped * e.y, gripped * e.z};
+    const double k = law.tangential;
+    const Lanes3 F = {k * e.x, k * e.y, k * e.z};  // (12)
+    store3(F, results.F, block);
+    store(Fn, results.Fn + block);
+    store(gripped, results.gripped + block);
+    store3(e, results.e, block);
+    store3({T.x + depth * N.x, T.y + depth * N.y, T.z + depth * N.z}, results.root, block);
+    return {F.x + Fn * N.x, F.y + Fn * N.y, F.z + Fn * N.z};
+  }
+};
+
+}  // namespace
+
+LATSCH_CLONES void standing_forces(const SegmentStations& at,
+                                   const BlockLines& lines,
+                                   const BlockGround& ground,
+                                   const BlockMemory& before,
+                                   const BlockLaw& law,
+                                   const BlockResults& results,
+                                   double* const force[4]) {
+  add_block_forces(at, lines, before.entering, StandingBlocks{ground, before, law, results}, force);
 }
 
-void TreadContact::standing_forces(const Row& row) {
-  const double H = line_height_[static_cast<std::size_t>(row.line)];
-  const double y = line_y_[static_cast<std::size_t>(row.line)];
-  const auto at_station = [&](int c, int j) {
-    return Vector3d(at_stations(c)[j], at_stations(c + 1)[j], at_stations(c + 2)[j]);
-  };
-  const auto vector = [&](Column c, int at) {
-    return Vector3d(column(c)[at],
-                    column(static_cast<Column>(c + 1))[at],
-                    column(static_cast<Column>(c + 2))[at]);
-  };
-  const auto set_vector = [&](Column c, int at, const Vector3d& value) {
-    for (int i = 0; i < 3; ++i) column(static_cast<Column>(c + i))[at] = value[i];
-  };
-  for (int j = row.begin; j < row.end; ++j) {
-    const int at = row.offset + j - row.begin;
-    const Vector3d T = at_station(kP, j) + H * at_station(kG, j) + y * at_station(kA, j);  // (10)
-    const Vector3d N = vector(kNx, at);
-    const double depth = column(kLevel)[at] - N.dot(T);
-    column(kFn)[at] = depth > 0.0 ? normal_ * depth : 0.0;  // (11)
-    Vector3d e = Vector3d::Zero();
-    double gripped = 0.0;
-    if (column(kTouches)[at] > 0.5) {
-      e = vector(kTipX, at) - T;
-      e -= N * N.dot(e);
-      const double held = column(kHeld)[at], trial = tangential_ * e.norm();
-      gripped = trial > held ? held / trial : 1.0;  // (13)
-      e *= gripped;
+LATSCH_CLONES void hold_friction(const BlockSpan& at,
+                                 int count,
+                                 const BlockGround& ground,
+                                 const BlockLaw& law,
+                                 const double* Fn) {
+  for (int line = 0; line < count; ++line)
+    for (int j = at.begin; j < at.end; j += kWide) {
+      const int block = line * at.stride + j;
+      const Lanes push = lanes(Fn + block);
+      const Lanes mu = lanes(ground.friction + block) * law.friction->adhesion(push * law.by_force);
+      store(mu * push, ground.held + block);
     }
-    column(kGripped)[at] = gripped;
-    set_vector(kEx, at, e);
-    set_vector(kFx, at, tangential_ * e);  // (12)
-    set_vector(kNewX, at, T + depth * N);
-  }
 }
 
 }  // namespace latsch::ring_tire

@@ -85,7 +85,7 @@ Result<bool> RingTire::equilibrate(const road::Road& road, double time) {
   v1_.setZero();
   double left = 0.0;
   for (int renewal = 0; renewal < kRenewals; ++renewal) {
-    if (renewal < kLooksAtRoad) tread_.approach(q_, v1_, rim_, road, time, rule_);
+    if (renewal < kLooksAtRoad) tread_.approach(q_, rim_, road, time, rule_);
     evaluate(q_, v1_);
     tread_.hold_friction();
     evaluate(q_, v1_);

@@ -13,11 +13,13 @@
 //   |F_t| <= μ_adhesion F_n, else the tip slides: tread_friction.h                            (13)
 // A block that comes down within a step starts its e at the touch.
 //
-// Only blocks near the road are looked at. What a step needs of them is copied to compact arrays,
-// one quantity after the other, row by row (a row: the blocks of one line on one segment).
+// Only blocks near the road are looked at: a patch, the stations of one segment that may touch.
+// What a step needs of them stands together, one quantity after the other, line by line.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "models/ring_tire/block_forces.h"
@@ -47,7 +49,6 @@ class TreadContact {
   void reset();
   /// Frames, candidate blocks and the road below them at a predicted end of the step.
   void approach(const NodeValues& q,
-                const NodeValues& v,
                 const RimFrame& rim,
                 const road::Road& road,
                 double time,
@@ -69,110 +70,101 @@ class TreadContact {
   std::vector<BlockContact> footprint() const;
   /// J, in the springs of the blocks.
   double energy() const;
-  int candidates() const { return count_; }
 
  private:
-  struct Row {
-    int segment, line, begin, end;  // blocks [begin, end)
-    int offset;                     // of block `begin` in the compact arrays
+  /// Stations [begin, end) of a segment, multiples of eight.
+  struct Patch {
+    int segment, begin, end;
+    bool level;          // one plane z = height under all of it, else one under each block
+    LevelGround ground;  // where it is level
   };
-  /// One a candidate block.
+  /// One a block of a patch: results, ground.
   enum Column {
-    kNx,
-    kNy,
-    kNz,
-    kLevel,
-    kVx,
-    kVy,
-    kVz,
-    kMu,  // road: N, N . G, v_G, factor on friction
-    kTipX,
-    kTipY,
-    kTipZ,
-    kTouches,  // tip as the road carries it; 0 or 1
-    kFx,
-    kFy,
-    kFz,
-    kFn,  // tangential force; normal force
-    kEx,
-    kEy,
-    kEz,
-    kGripped,
-    kOver,  // e; force over that of a sticking tip; beyond adhesion
-    kNewX,
-    kNewY,
-    kNewZ,  // T on the road
-    kHeld,  // force along the road that friction holds, in statics
-    kColumns
+    kF = 0,
+    kFn = 3,
+    kE = 4,
+    kGripped = 7,
+    kRoot = 8,
+    kNormal = 11,
+    kLevel = 14,
+    kVelocity = 15,
+    kFriction = 18,
+    kHeld = 19,
+    kColumns = 20
   };
-  /// One a station of the segment at work: columns of (10), their rates, sums over the lines.
-  enum StationColumn {
-    kP = 0,
-    kG = 3,
-    kA = 6,
-    kRateP = 9,
-    kRateG = 12,
-    kRateA = 15,
-    kSum = 18,
-    kSumH = 21,
-    kSumY = 24,
-    kStationColumns = 27
-  };
+  /// t, n and |x'| at the stations of a patch.
+  enum FrameColumn { kT = 0, kN = 3, kLength = 6, kFrameColumns = 7 };
+  /// Of the segment at work: columns of (10), or sums over the lines.
+  enum StationColumn { kP = 0, kG = 3, kA = 6, kStationColumns = 18 };
 
-  std::size_t place(int segment, int line, int block) const {
-    return static_cast<std::size_t>((segment * lines_ + line) * blocks_ + block);
+  std::size_t place(int segment) const {
+    return static_cast<std::size_t>(segment) * lines_ * stride_;
   }
   int node(int segment, int m) const { return (segment + m - 1 + nodes_) % nodes_; }
-  double* column(Column c) { return memory_.data() + static_cast<std::size_t>(c) * capacity_; }
-  const double* column(Column c) const {
-    return memory_.data() + static_cast<std::size_t>(c) * capacity_;
+  double* column(std::size_t patch, int c) {
+    return memory_.data() + (patch * kColumns + static_cast<std::size_t>(c)) * lines_ * stride_;
   }
-  double* at_stations(int c) { return stations_.data() + static_cast<std::size_t>(c * blocks_); }
-  /// Of a segment: t, n and |x'| at its stations, seven columns.
-  enum FrameColumn { kT = 0, kN = 3, kLength = 6, kFrameColumns = 7 };
-  double* frame(int segment, int c) {
-    return frames_.data() + static_cast<std::size_t>((segment * kFrameColumns + c) * blocks_);
+  const double* column(std::size_t patch, int c) const {
+    return const_cast<TreadContact*>(this)->column(patch, c);
   }
-  Eigen::Vector3d frame_vector(int segment, int c, int block) {
-    return {frame(segment, c)[block], frame(segment, c + 1)[block], frame(segment, c + 2)[block]};
+  double* frame(std::size_t patch, int c) {
+    return frames_.data() + (patch * kFrameColumns + static_cast<std::size_t>(c)) * stride_;
   }
-  const double* weight(int m) const { return weights_.data() + m * blocks_; }
-  const double* slope_weight(int m) const { return weights_.data() + (4 + m) * blocks_; }
+  std::uint8_t* entering(std::size_t patch) {
+    return entering_.data() + patch * static_cast<std::size_t>(stride_ / 8);
+  }
+  double* at_stations(int c) { return stations_.data() + c * stride_; }
+  /// Unloaded tip (10) by the columns at_stations.
+  Eigen::Vector3d tip(int line, int j) const {
+    const double H = line_height_[static_cast<std::size_t>(line)];
+    const double y = line_y_[static_cast<std::size_t>(line)];
+    const auto at = [&](int c) { return stations_[static_cast<std::size_t>(c * stride_ + j)]; };
+    return {at(kP) + H * at(kG) + y * at(kA),
+            at(kP + 1) + H * at(kG + 1) + y * at(kA + 1),
+            at(kP + 2) + H * at(kG + 2) + y * at(kA + 2)};
+  }
 
   bool near_road(const NodeValues& q,
                  const RimFrame& rim,
                  const road::Road& road,
                  double time,
                  int segment) const;
-  void set_frames(const NodeValues& q, int segment);
-  void set_stations(const NodeValues& q, const NodeValues& v, int segment, int begin, int end);
-  void approach_line(int segment, int line, const road::Road& road, double time);
-  void place_ground(const Row& row, int j, const road::GroundPoint& ground, double level);
-  BlockColumns block_columns();
-  void row_forces(const Row& row);
-  void standing_forces(const Row& row);
-  void rolling_forces(const Row& row);
-  void slide(int at);
-  void add_station_forces(int segment, int begin, int end, NodeValues& force);
+  /// One more patch, all of a segment, with its frames; columns of (10) at_stations.
+  void add_patch(const NodeValues& q, int segment);
+  bool is_level(Patch& patch, const road::Road& road, double time) const;
+  void find_level_blocks(Patch& patch);
+  void find_uneven_blocks(Patch& patch, const road::Road& road, double time);
+  std::pair<int, int> find_line(std::size_t patch, int line, const road::Road& road, double time);
+  road::GroundBox below(int first_line, int last_line) const;
+  void place_ground(std::size_t patch, int block, const road::GroundPoint& ground, double level);
+  SegmentStations stations_of(std::size_t patch, const NodeValues& q, const NodeValues& v);
+  void add_stations(std::size_t patch, int first, Eigen::Matrix4d* pairs);
+  struct BlockState;
+  template <class See>
+  void see_touching(const See& see) const;
+  BlockLines lines() const { return {lines_, line_height_.data(), line_y_.data()}; }
+  BlockLaw block_law() const;
+  BlockResults results(std::size_t patch);
+  BlockGround ground(std::size_t patch);
 
-  int nodes_, lines_, blocks_;
+  int nodes_, lines_, blocks_, stride_;
+  int together_;  // stations whose stiffness is summed at one place
   double height_, half_width_, area_, normal_, tangential_, damping_time_, positive_;
   FrictionLaw law_;
   std::vector<double> line_y_, line_height_;
   std::vector<double> weights_;  // of position and of its derivative by s: eight columns
+  std::vector<double> lift_;
   // Persistent, one a block: the tip on the road and whether it is there.
-  std::vector<double> tip_x_, tip_y_, tip_z_;
-  std::vector<std::uint8_t> touches_;
-  std::vector<Row> touched_rows_;  // at the last commit
+  std::array<std::vector<double>, 3> tip_;
+  std::vector<double> touches_;
+  std::vector<Patch> touched_;  // at the last commit
   // Of the step at work.
   StepRule rule_;
   double margin_ = 0.0;  // m
   Eigen::Vector3d a_ = Eigen::Vector3d::UnitY();
-  std::vector<Row> rows_;       // segment by segment
-  std::vector<double> frames_;  // of the segments with rows
-  int count_ = 0;
-  std::size_t capacity_;
-  std::vector<double> memory_, stations_;
+  std::vector<Patch> patches_;  // around the ring
+  std::vector<double> frames_, memory_, stations_;
+  std::vector<std::uint8_t> entering_;  // of each eight stations of a patch
 };
 
 }  // namespace latsch::ring_tire

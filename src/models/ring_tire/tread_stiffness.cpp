@@ -5,9 +5,7 @@
 //   dp = Σ w_m dx_m,  dν_n = Σ d_m n . dx_m/|x'|,  dν_a = Σ d_m a . dx_m/|x'|,  dψ = Σ w_m dψ_m
 // so a pair of nodes m, m' gets w w' M_ww + w d' M_wd + d w' M_wd^T + d d' M_dd. H is taken the
 // same on all lines here: the crown's curvature of millimeters matters to forces, not to their
-// slopes.
-#include <algorithm>
-
+// slopes. Where a segment has many stations, some neighbors count as one for the same reason.
 #include "models/ring_tire/block_forces.h"
 #include "models/ring_tire/tread_contact.h"
 #include "numerics/lanes.h"
@@ -19,10 +17,9 @@ using Eigen::Matrix3d;
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
 
-Matrix3d symmetric(const double* sums, int stride, int j) {
+Matrix3d symmetric(const double* of) {
   Matrix3d K;
-  const auto at = [&](int c) { return sums[c * stride + j]; };
-  K << at(0), at(1), at(2), at(1), at(3), at(4), at(2), at(4), at(5);
+  K << of[0], of[1], of[2], of[1], of[3], of[4], of[2], of[4], of[5];
   return K;
 }
 
@@ -97,48 +94,49 @@ LATSCH_CLONES void add_pairs(const StationStiffness& M,
 void TreadContact::add_stiffness(double scale, CyclicBand& K) {
   const double rate = 1.0 + (rule_.statics() ? 0.0 : damping_time_ * rule_.velocity);
   const double normal = scale * normal_ * rate, tangential = scale * tangential_ * rate;
-  double* sums = at_stations(0);  // the columns of (10) have done their work
-  for (std::size_t i = 0; i < rows_.size();) {
-    const int segment = rows_[i].segment;
-    std::fill(sums, sums + 18 * blocks_, 0.0);
-    int begin = blocks_, end = 0;
-    for (; i < rows_.size() && rows_[i].segment == segment; ++i) {
-      const Row& row = rows_[i];
-      begin = std::min(begin, row.begin);
-      end = std::max(end, row.end);
-      add_row_stiffness(block_columns(),
-                        sums,
-                        blocks_,
-                        row.begin,
-                        row.end,
-                        row.offset,
-                        line_y_[static_cast<std::size_t>(row.line)],
-                        normal,
-                        tangential);
-    }
+  for (std::size_t i = 0; i < patches_.size(); ++i) {
+    const Patch& patch = patches_[i];
+    const BlockSpan span{stride_, patch.begin, patch.end};
+    if (patch.level)
+      level_stiffness(span, lines(), results(i), normal, tangential, at_stations(0));
+    else
+      uneven_stiffness(span, lines(), ground(i), results(i), normal, tangential, at_stations(0));
     Matrix4d pairs[16];
     for (Matrix4d& pair : pairs) pair.setZero();
-    for (int j = begin; j < end; ++j) {
-      double w[4], d[4];
-      for (int m = 0; m < 4; ++m) {
-        w[m] = weight(m)[j];
-        d[m] = slope_weight(m)[j];
-      }
-      add_pairs(station_stiffness(symmetric(sums, blocks_, j),
-                                  symmetric(sums + 6 * blocks_, blocks_, j),
-                                  symmetric(sums + 12 * blocks_, blocks_, j),
-                                  height_,
-                                  frame_vector(segment, kT, j),
-                                  frame_vector(segment, kN, j),
-                                  a_,
-                                  frame(segment, kLength)[j]),
-                w,
-                d,
-                pairs);
-    }
+    for (int j = patch.begin; j < patch.end; j += together_) add_stations(i, j, pairs);
     for (int m = 0; m < 4; ++m)
-      for (int o = m; o < 4; ++o) K.block(node(segment, m), o - m) += pairs[4 * m + o];
+      for (int o = m; o < 4; ++o) K.block(node(patch.segment, m), o - m) += pairs[4 * m + o];
   }
+}
+
+/// Stations [first, first + together_) as one: their sums at their mean place, weighted by
+/// stiffness.
+void TreadContact::add_stations(std::size_t patch, int first, Matrix4d* pairs) {
+  constexpr int kMeans = 15;  // w, d, t, n, length
+  double sums[kStationColumns] = {}, mean[kMeans] = {}, weight = 0.0;
+  for (int j = first; j < first + together_; ++j) {
+    const auto K = [&](int c) { return at_stations(c)[j]; };
+    const double trace = K(0) + K(3) + K(5);
+    if (trace == 0.0) continue;
+    weight += trace;
+    for (int c = 0; c < kStationColumns; ++c) sums[c] += K(c);
+    for (int c = 0; c < 8; ++c)
+      mean[c] += trace * weights_[static_cast<std::size_t>(c * stride_ + j)];
+    for (int c = 0; c < kFrameColumns; ++c) mean[8 + c] += trace * frame(patch, c)[j];
+  }
+  if (weight == 0.0) return;
+  for (double& value : mean) value /= weight;
+  add_pairs(station_stiffness(symmetric(sums),
+                              symmetric(sums + 6),
+                              symmetric(sums + 12),
+                              height_,
+                              Vector3d(mean[8], mean[9], mean[10]),
+                              Vector3d(mean[11], mean[12], mean[13]),
+                              a_,
+                              mean[14]),
+            mean,
+            mean + 4,
+            pairs);
 }
 
 }  // namespace latsch::ring_tire
