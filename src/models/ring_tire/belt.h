@@ -38,7 +38,7 @@ class BeltForces {
  private:
   void add_bending_stiffness(
       const NodeValues& q, const RimFrame& rim, int k, double scale, CyclicBand& K) const;
-  void add_lateral_stiffness(const RimFrame& rim, int k, double scale, CyclicBand& K) const;
+  void add_lateral_stiffness(const RimFrame& rim, double scale, CyclicBand& K) const;
 
   int nodes_;
   double R_, L0_, T0_;

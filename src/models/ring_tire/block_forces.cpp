@@ -43,39 +43,50 @@ LATSCH_INLINE bool slides(
   return true;
 }
 
-/// On level ground: only x and y are left of the plane.
+/// On level ground only x and y are left of the plane. A tip that sticks is where it was, less the
+/// way of the road, so T + t_d V is all that is needed along x and y.
 struct LevelBlocks {
-  const LevelGround& ground;
-  const BlockMemory& before;
-  const BlockLaw& law;
-  const BlockResults& results;
+  LevelGround ground;
+  BlockMemory before;
+  BlockLaw law;
+  BlockResults results;
 
-  LATSCH_INLINE void relate(const SegmentStations& at, int j, Section& place, Section& rate) const {
+  struct Belt {
+    Section place, rate, lagging;  // T, V against the road, T + t_d V
+  };
+
+  LATSCH_INLINE Belt at(const SegmentStations& at, int j, Section place, Section rate) const {
     place.p.z += lanes(at.lift + j);
     rate.p = {rate.p.x - ground.velocity[0],
               rate.p.y - ground.velocity[1],
               rate.p.z - ground.velocity[2]};
+    const double td = law.damping_time;
+    const auto plus = [&](const Lanes3& a, const Lanes3& b) {
+      return Lanes3{a.x + td * b.x, a.y + td * b.y, a.z};
+    };
+    return {place, rate, {plus(place.p, rate.p), plus(place.G, rate.G), plus(place.A, rate.A)}};
   }
 
-  /// V is against the road.
-  LATSCH_INLINE Lanes3 force(const Lanes3& T, const Lanes3& V, bool entering, int block) const {
-    const Lanes depth = ground.height - T.z, rate = -V.z;
-    Lanes ex = lanes(before.tip[0] + block) + law.step * ground.velocity[0] - T.x;
-    Lanes ey = lanes(before.tip[1] + block) + law.step * ground.velocity[1] - T.y;
+  LATSCH_INLINE Lanes3 force(const Belt& s, double H, double y, bool entering, int block) const {
+    const Lanes depth = ground.height - at_line(s.place.p.z, s.place.G.z, s.place.A.z, H, y);
+    const Lanes rate = -at_line(s.rate.p.z, s.rate.G.z, s.rate.A.z, H, y);
+    Lanes tip_x = lanes(before.tip[0] + block) + law.step * ground.velocity[0];
+    Lanes tip_y = lanes(before.tip[1] + block) + law.step * ground.velocity[1];
     if (entering) {
+      const Lanes3 T = at_line(s.place, H, y), V = at_line(s.rate, H, y);
       const Lanes touches = lanes(before.touches + block), since = since_touch(law, depth, rate);
-      ex = select(touches > 0.5, ex, -V.x * since);
-      ey = select(touches > 0.5, ey, -V.y * since);
+      tip_x = select(touches > 0.5, tip_x, T.x - V.x * since);
+      tip_y = select(touches > 0.5, tip_y, T.y - V.y * since);
     }
     const Lanes stick = select(depth > 0.0, all(law.tangential), all(0.0));
-    Lanes3 F = {stick * (ex - law.damping_time * V.x),  // (12)
-                stick * (ey - law.damping_time * V.y),
-                push(law, depth, rate)};
+    Lanes3 F = {stick * (tip_x - at_line(s.lagging.p.x, s.lagging.G.x, s.lagging.A.x, H, y)),
+                stick * (tip_y - at_line(s.lagging.p.y, s.lagging.G.y, s.lagging.A.y, H, y)),
+                push(law, depth, rate)};  // (12)
     Grip grip;
     Lanes gripped = all(1.0);
     if (slides(law, F.x * F.x + F.y * F.y, F.z, all(ground.friction), grip)) {
-      ex -= grip.slip * F.x;
-      ey -= grip.slip * F.y;
+      tip_x -= grip.slip * F.x;
+      tip_y -= grip.slip * F.y;
       F.x *= grip.share;
       F.y *= grip.share;
       gripped = grip.share;
@@ -84,25 +95,31 @@ struct LevelBlocks {
     store(F.y, results.F[1] + block);
     store(F.z, results.Fn + block);
     store(gripped, results.gripped + block);
-    store(ex, results.e[0] + block);
-    store(ey, results.e[1] + block);
-    store(T.x, results.root[0] + block);
-    store(T.y, results.root[1] + block);
+    store(tip_x, results.tip[0] + block);
+    store(tip_y, results.tip[1] + block);
     return F;
   }
 };
 
-/// The same on a plane of its own under each block.
+/// On a plane of its own under each block.
 struct UnevenBlocks {
-  const BlockGround& ground;
-  const BlockMemory& before;
-  const BlockLaw& law;
-  const BlockResults& results;
+  BlockGround ground;
+  BlockMemory before;
+  BlockLaw law;
+  BlockResults results;
 
-  LATSCH_INLINE void relate(const SegmentStations&, int, Section&, Section&) const {}
+  struct Belt {
+    Section place, rate;
+  };
 
-  LATSCH_INLINE Lanes3 force(const Lanes3& T, Lanes3 V, bool, int block) const {
+  LATSCH_INLINE Belt at(const SegmentStations&, int, Section place, Section rate) const {
+    return {place, rate};
+  }
+
+  LATSCH_INLINE Lanes3 force(const Belt& s, double H, double y, bool, int block) const {
     const Lanes3 N = lanes3(ground.N, block), road = lanes3(ground.velocity, block);
+    const Lanes3 T = at_line(s.place, H, y);
+    Lanes3 V = at_line(s.rate, H, y);
     V = {V.x - road.x, V.y - road.y, V.z - road.z};
     const Lanes depth = lanes(ground.level + block) - dot(N, T), rate = -dot(N, V);
     const Lanes Fn = push(law, depth, rate);
@@ -128,8 +145,9 @@ struct UnevenBlocks {
     store3(F, results.F, block);
     store(Fn, results.Fn + block);
     store(gripped, results.gripped + block);
-    store3(e, results.e, block);
-    store3({T.x + depth * N.x, T.y + depth * N.y, T.z + depth * N.z}, results.root, block);
+    store3({T.x + depth * N.x + e.x, T.y + depth * N.y + e.y, T.z + depth * N.z + e.z},
+           results.tip,
+           block);
     return {F.x + Fn * N.x, F.y + Fn * N.y, F.z + Fn * N.z};
   }
 };
@@ -221,33 +239,19 @@ LATSCH_CLONES void lowest_tips(const double* columns, const BlockLines& of, int 
   }
 }
 
-LATSCH_CLONES void level_tips(const BlockSpan& at,
-                              int count,
-                              const LevelGround& ground,
-                              const BlockResults& results,
-                              double* const tip[3],
-                              double* touches) {
+LATSCH_CLONES void keep_tips(const BlockSpan& at,
+                             int count,
+                             const BlockResults& results,
+                             const double* level,
+                             double* const tip[3],
+                             double* touches) {
   for (int line = 0; line < count; ++line)
     for (int j = at.begin; j < at.end; j += kWide) {
       const int block = line * at.stride + j;
       store(select(lanes(results.Fn + block) > 0.0, all(1.0), all(0.0)), touches + block);
-      for (int i = 0; i < 2; ++i)
-        store(lanes(results.root[i] + block) + lanes(results.e[i] + block), tip[i] + block);
-      store(all(ground.height), tip[2] + block);
-    }
-}
-
-LATSCH_CLONES void uneven_tips(const BlockSpan& at,
-                               int count,
-                               const BlockResults& results,
-                               double* const tip[3],
-                               double* touches) {
-  for (int line = 0; line < count; ++line)
-    for (int j = at.begin; j < at.end; j += kWide) {
-      const int block = line * at.stride + j;
-      store(select(lanes(results.Fn + block) > 0.0, all(1.0), all(0.0)), touches + block);
-      for (int i = 0; i < 3; ++i)
-        store(lanes(results.root[i] + block) + lanes(results.e[i] + block), tip[i] + block);
+      store(lanes(results.tip[0] + block), tip[0] + block);
+      store(lanes(results.tip[1] + block), tip[1] + block);
+      store(level ? all(*level) : lanes(results.tip[2] + block), tip[2] + block);
     }
 }
 

@@ -39,14 +39,12 @@ struct BlockMemory {
   const std::uint8_t* entering;    // of each eight stations: not all touch
 };
 
-/// What (11) to (14) make of them.
+/// What (11) to (14) make of them. On level ground z of F and tip is not written: 0, the height.
 struct BlockResults {
   double* F[3];     // tangential force on the tire
   double* Fn;       // normal force
-  double* e[3];     // tip minus T in the plane
   double* gripped;  // tangential force over that of a sticking tip
-  double* root[3];  // T moved to the road along N
-  // On level ground z of F, e and root are not written: 0, 0, the height.
+  double* tip[3];   // on the road, where the block touches
 };
 
 /// One plane z = height under all of a segment.
@@ -115,18 +113,14 @@ void hold_friction(const BlockSpan& at,
                    const BlockLaw& law,
                    const double* Fn);
 
-/// The tips at the end of the step and whether they are on the road.
-void level_tips(const BlockSpan& at,
-                int lines,
-                const LevelGround& ground,
-                const BlockResults& results,
-                double* const tip[3],
-                double* touches);
-void uneven_tips(const BlockSpan& at,
-                 int lines,
-                 const BlockResults& results,
-                 double* const tip[3],
-                 double* touches);
+/// The tips at the end of the step and whether they are on the road; `level`: its height where it
+/// is level, else null.
+void keep_tips(const BlockSpan& at,
+               int lines,
+               const BlockResults& results,
+               const double* level,
+               double* const tip[3],
+               double* touches);
 
 /// Stiffness of the blocks, K = k_n N N^T + k_t (1 - N N^T - d d^T where it slides along d), summed
 /// over the lines: the six entries xx, xy, xz, yy, yz, zz of K, y K and y^2 K at the stations, 18

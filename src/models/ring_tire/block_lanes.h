@@ -64,9 +64,13 @@ LATSCH_INLINE Section section(const SegmentStations& at,
                 own * az - nu_a * t.z - psi * n.z}};
 }
 
+LATSCH_INLINE Lanes at_line(const Lanes& p, const Lanes& G, const Lanes& A, double H, double y) {
+  return p + H * G + y * A;
+}
 LATSCH_INLINE Lanes3 at_line(const Section& s, double H, double y) {
-  return {
-      s.p.x + H * s.G.x + y * s.A.x, s.p.y + H * s.G.y + y * s.A.y, s.p.z + H * s.G.z + y * s.A.z};
+  return {at_line(s.p.x, s.G.x, s.A.x, H, y),
+          at_line(s.p.y, s.G.y, s.A.y, H, y),
+          at_line(s.p.z, s.G.z, s.A.z, H, y)};
 }
 
 /// Forces of the lines at eight stations, F, H F and y F.
@@ -108,9 +112,8 @@ LATSCH_INLINE void add_to_nodes(const Lanes to_node[4][4], double* const force[4
     for (int i = 0; i < 4; ++i) force[m][i] += sum(to_node[m][i]);
 }
 
-/// All blocks of a segment. `Blocks` has relate(at, j, place, rate), which puts the belt where its
-/// ground wants it, and force(T, V, entering, block), which takes tips at T with velocity V; force
-/// on the tire.
+/// All blocks of a segment. `Blocks` has at(stations, j, place, rate), the belt as its ground wants
+/// it, and force(belt, H, y, entering, block), the force of eight blocks of a line on the tire.
 template <class Blocks>
 LATSCH_INLINE void add_block_forces(const SegmentStations& at,
                                     const BlockLines& lines,
@@ -119,13 +122,12 @@ LATSCH_INLINE void add_block_forces(const SegmentStations& at,
                                     double* const force[4]) {
   Lanes to_node[4][4] = {};
   for (int j = at.begin; j < at.end; j += kWide) {
-    Section place = section(at, at.nodes, j, 1.0), rate = section(at, at.rates, j, 0.0);
-    blocks.relate(at, j, place, rate);
+    const auto belt =
+        blocks.at(at, j, section(at, at.nodes, j, 1.0), section(at, at.rates, j, 0.0));
     StationSums sums = {};
     for (int line = 0; line < lines.count; ++line) {
       const double H = lines.height[line], y = lines.y[line];
-      const Lanes3 T = at_line(place, H, y), V = at_line(rate, H, y);
-      sums.add(blocks.force(T, V, entering[j / kWide] != 0, line * at.stride + j), H, y);
+      sums.add(blocks.force(belt, H, y, entering[j / kWide] != 0, line * at.stride + j), H, y);
     }
     spread(at, j, sums, to_node);
   }

@@ -32,15 +32,18 @@ double TreadContact::deepest(const NodeValues& q,
 
 /// What one block of a patch does.
 struct TreadContact::BlockState {
-  Vector3d normal, F, e, root;
+  Vector3d normal, F, root, tip;
   double Fn, gripped;
 };
 
-/// Calls `see` with the state of every block that touches, in the order of the patches.
+/// Calls `see` with the state of every block that touches, in the order of the patches; q: of the
+/// last add_force.
 template <class See>
-void TreadContact::see_touching(const See& see) const {
+void TreadContact::see_touching(const NodeValues& q, const See& see) const {
+  std::vector<double> columns(static_cast<std::size_t>(9 * stride_));
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     const Patch& patch = patches_[i];
+    station_columns(stations_of(i, q, q), columns.data());
     for (int line = 0; line < lines_; ++line)
       for (int j = patch.begin; j < patch.end; ++j) {
         const int block = line * stride_ + j;
@@ -48,24 +51,25 @@ void TreadContact::see_touching(const See& see) const {
         if (!(at(kFn) > 0.0)) continue;
         BlockState state{.normal = {at(kNormal), at(kNormal + 1), at(kNormal + 2)},
                          .F = {at(kF), at(kF + 1), at(kF + 2)},
-                         .e = {at(kE), at(kE + 1), at(kE + 2)},
-                         .root = {at(kRoot), at(kRoot + 1), at(kRoot + 2)},
+                         .root = tip(columns.data(), line, j),
+                         .tip = {at(kTip), at(kTip + 1), at(kTip + 2)},
                          .Fn = at(kFn),
                          .gripped = at(kGripped)};
         if (patch.level) {
           state.normal = Vector3d::UnitZ();
-          state.F.z() = state.e.z() = 0.0;
-          state.root.z() = patch.ground.height;
+          state.F.z() = 0.0;
+          state.tip.z() = patch.ground.height;
         }
+        state.root += state.normal * state.normal.dot(state.tip - state.root);
         see(state);
       }
   }
 }
 
-std::vector<BlockContact> TreadContact::footprint() const {
+std::vector<BlockContact> TreadContact::footprint(const NodeValues& q) const {
   std::vector<BlockContact> contacts;
-  see_touching([&](const BlockState& block) {
-    contacts.push_back({.tip = block.root + block.e,
+  see_touching(q, [&](const BlockState& block) {
+    contacts.push_back({.tip = block.tip,
                         .root = block.root,
                         .force = block.Fn * block.normal + block.F,
                         .area = area_,
@@ -75,10 +79,11 @@ std::vector<BlockContact> TreadContact::footprint() const {
   return contacts;
 }
 
-double TreadContact::energy() const {
+double TreadContact::energy(const NodeValues& q) const {
   double sum = 0.0;
-  see_touching([&](const BlockState& block) {
-    sum += 0.5 * (block.Fn * block.Fn / normal_ + tangential_ * block.e.squaredNorm());
+  see_touching(q, [&](const BlockState& block) {
+    sum += 0.5 *
+           (block.Fn * block.Fn / normal_ + tangential_ * (block.tip - block.root).squaredNorm());
   });
   return sum;
 }

@@ -40,6 +40,8 @@ class NodeAngles {
     return rim.X * cosine_[static_cast<std::size_t>(k)] +
            rim.Z * sine_[static_cast<std::size_t>(k)];
   }
+  const double* sine() const { return sine_.data(); }
+  const double* cosine() const { return cosine_.data(); }
 
  private:
   std::vector<double> sine_, cosine_;

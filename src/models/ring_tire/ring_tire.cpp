@@ -110,7 +110,7 @@ CyclicBand RingTire::stiffness() {
 double RingTire::energy() const {
   double kinetic = 0.0;
   for (int k = 0; k < angles_.nodes(); ++k) kinetic += 0.5 * mass_.dot(v_.col(k).cwiseAbs2());
-  return kinetic + belt_.energy(q_, rim_) + wall_.energy(q_, rim_) + tread_.energy();
+  return kinetic + belt_.energy(q_, rim_) + wall_.energy(q_, rim_) + tread_.energy(q_);
 }
 
 HubForces RingTire::hub_forces(const Eigen::Matrix3d& carrier) const {
@@ -175,6 +175,19 @@ std::string RingTire::go(const WheelMotion& from,
   return first.empty() ? go(middle, to, road, time, 0.5 * step, halvings - 1) : first;
 }
 
+/// Where Newton's method starts: in a rolling tire accelerations stand in space rather than at a
+/// node, which flows through them by `turn` in the step.
+void RingTire::guess_end(double turn, double of_mass) {
+  const int N = angles_.nodes();
+  const double segments = turn * N / (2.0 * std::numbers::pi), whole = std::floor(segments);
+  const double part = segments - whole;
+  const int shift = static_cast<int>(whole) % N;
+  for (int k = 0; k < N; ++k) {
+    const auto a = [&](int back) { return a_.col((k - shift - back + 2 * N) % N); };
+    q1_.col(k) = q_predicted_.col(k) + ((1.0 - part) * a(0) + part * a(1) - a_.col(k)) / of_mass;
+  }
+}
+
 /// One step of (16), (17). Empty, or why there is no solution.
 std::string RingTire::step_forward(const WheelMotion& motion,
                                    const road::Road& road,
@@ -187,7 +200,7 @@ std::string RingTire::step_forward(const WheelMotion& motion,
   rule_ = {.step = h, .velocity = of_rate};
   q_predicted_ = q_ + h * v_ + 0.5 * h * h * a_;
   v_predicted_ = v_ + h * a_;
-  q1_ = q_predicted_;
+  guess_end(motion.spin_rate * h, of_mass);
   tread_.approach(q_predicted_, rim_, road, time, rule_);
   ++counts_.steps;
   double last = std::numeric_limits<double>::infinity();

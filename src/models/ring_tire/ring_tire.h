@@ -56,7 +56,7 @@ class RingTire final : public Tire {
   const RingParameters& parameters() const { return parameters_; }
   const NodeValues& positions() const { return q_; }
   const NodeValues& velocities() const { return v_; }
-  std::vector<BlockContact> footprint() const { return tread_.footprint(); }
+  std::vector<BlockContact> footprint() const { return tread_.footprint(q_); }
   const RingCounts& counts() const { return counts_; }
   /// J: kinetic and in all springs.
   double energy() const;
@@ -72,6 +72,7 @@ class RingTire final : public Tire {
   bool relax();
   bool advance_along(const NodeValues& direction);
   Result<bool> lower(double from, double to, const road::Road& road, double time, int halvings);
+  void guess_end(double turn, double of_mass);
   void roll_on(const WheelMotion& motion);
   std::string go(const WheelMotion& from,
                  const WheelMotion& to,

@@ -1,14 +1,101 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/ring_tire/sidewall.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "models/ring_tire/rim_rows.h"
+#include "numerics/lane_math.h"
 
 namespace latsch::ring_tire {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+namespace {
+
+// Loops around the ring, one value a node.
+
+LATSCH_CLONES void add_multiple(int nodes, double k, const double* u, double* F) {
+#pragma GCC ivdep
+  for (int i = 0; i < nodes; ++i) F[i] += k * u[i];
+}
+
+LATSCH_CLONES void add_progressive(
+    int nodes, double k, double P, double up, const double* u, double* F) {
+#pragma GCC ivdep
+  for (int i = 0; i < nodes; ++i)
+    F[i] -= k * (u[i] + P * (u[i] - up * lane_math::atan(u[i] / up)));  // (7)
+}
+
+/// (6) by the trapezoidal rule: u - u_i at the end of the step; half: h/(2 τ).
+LATSCH_INLINE double maxwell_end(double half, double before, double stretch, double u) {
+  return ((1.0 - half) * stretch + u - before) / (1.0 + half);
+}
+/// (8): stretch of a friction spring at the end.
+LATSCH_INLINE double friction_end(double most, double before, double stretch, double u) {
+  const double trial = stretch + u - before;
+  return trial > most ? most : trial < -most ? -most : trial;
+}
+
+LATSCH_CLONES void add_maxwell(int nodes,
+                               double k,
+                               double half,
+                               const double* before,
+                               const double* stretch,
+                               const double* u,
+                               double* F) {
+#pragma GCC ivdep
+  for (int i = 0; i < nodes; ++i) F[i] -= k * maxwell_end(half, before[i], stretch[i], u[i]);
+}
+
+LATSCH_CLONES void go_on_maxwell(
+    int nodes, double half, const double* before, const double* u, double* stretch) {
+#pragma GCC ivdep
+  for (int i = 0; i < nodes; ++i) stretch[i] = maxwell_end(half, before[i], stretch[i], u[i]);
+}
+
+LATSCH_CLONES void add_friction(int nodes,
+                                double k,
+                                double most,
+                                const double* before,
+                                const double* stretch,
+                                const double* u,
+                                double* F) {
+#pragma GCC ivdep
+  for (int i = 0; i < nodes; ++i) F[i] -= k * friction_end(most, before[i], stretch[i], u[i]);
+}
+
+LATSCH_CLONES void go_on_friction(
+    int nodes, double most, const double* before, const double* u, double* stretch) {
+#pragma GCC ivdep
+  for (int i = 0; i < nodes; ++i) stretch[i] = friction_end(most, before[i], stretch[i], u[i]);
+}
+
+/// Along e_r = (sin, 0, -cos), less R, e_t = (cos, 0, sin) and a: three rows one after the other.
+void to_polar(int nodes, const NodeAngles& angles, double R, RimRows& at, double* polar) {
+  const double *s = angles.sine(), *c = angles.cosine();
+  const double *x = at.row(RimRows::kX), *y = at.row(RimRows::kY), *z = at.row(RimRows::kZ);
+#pragma GCC ivdep
+  for (int k = 0; k < nodes; ++k) {
+    polar[k] = x[k] * s[k] - z[k] * c[k] - R;
+    polar[nodes + k] = x[k] * c[k] + z[k] * s[k];
+    polar[2 * nodes + k] = y[k];
+  }
+}
+
+void from_polar(int nodes, const NodeAngles& angles, const double* polar, RimRows& to) {
+  const double *s = angles.sine(), *c = angles.cosine();
+  double *x = to.row(RimRows::kX), *y = to.row(RimRows::kY), *z = to.row(RimRows::kZ);
+#pragma GCC ivdep
+  for (int k = 0; k < nodes; ++k) {
+    x[k] = polar[k] * s[k] + polar[nodes + k] * c[k];
+    y[k] = polar[2 * nodes + k];
+    z[k] = -polar[k] * c[k] + polar[nodes + k] * s[k];
+  }
+}
+
+}  // namespace
 
 SidewallForces::SidewallForces(const Sidewall& sidewall, double radius, int nodes)
     : angles_(nodes),
@@ -49,43 +136,45 @@ Vector3d SidewallForces::travel(const NodeValues& q, const RimFrame& rim, int k)
   return {angles_.radial(rim, k).dot(x) - R_, angles_.tangential(rim, k).dot(x), rim.a.dot(x)};
 }
 
-SidewallForces::Pull SidewallForces::spring(int direction, double u) const {
-  const double k = direction_[direction].k;
-  if (direction != 0 || progressivity_ == 0.0) return {k * u, k};
-  const double up = progressive_travel_;
-  return {k * (u + progressivity_ * (u - up * std::atan(u / up))),
-          k * (1.0 + progressivity_ * u * u / (u * u + up * up))};  // (7)
+double SidewallForces::spring_slope(int direction, double u) const {
+  const double k = direction_[direction].k, up = progressive_travel_;
+  return direction == 0 ? k * (1.0 + progressivity_ * u * u / (u * u + up * up)) : k;  // (7)
 }
 
-double SidewallForces::maxwell_travel(int k, int direction, double u, const StepRule& rule) const {
-  if (rule.statics()) return 0.0;
-  const double half = rule.step / (2.0 * tau_);
-  return ((1.0 - half) * maxwell_(direction, k) + u - u_(direction, k)) / (1.0 + half);
-}
-
-double SidewallForces::friction_travel(int k, int element, double u) const {
-  const Friction& f = friction_[element];
-  if (f.k == 0.0) return 0.0;
-  const double most = f.limit / f.k;
-  return std::clamp(slip_(element, k) + u - u_(f.direction, k), -most, most);  // (8)
-}
-
-SidewallForces::Pull SidewallForces::memory_pull(int k,
-                                                 int direction,
-                                                 double u,
-                                                 const StepRule& rule) const {
-  Pull pull{0.0, 0.0};
-  if (const double kM = direction_[direction].k_maxwell; kM > 0.0 && !rule.statics()) {
-    pull.force += kM * maxwell_travel(k, direction, u, rule);
-    pull.slope += kM / (1.0 + rule.step / (2.0 * tau_));
-  }
+double SidewallForces::memory_slope(int k, int direction, double u, const StepRule& rule) const {
+  double slope = 0.0;
+  if (!rule.statics()) slope += direction_[direction].k_maxwell / (1.0 + rule.step / (2.0 * tau_));
   for (int i = 0; i < kFrictions; ++i) {
-    if (friction_[i].direction != direction || friction_[i].k == 0.0) continue;
-    const double stretch = friction_travel(k, i, u);
-    pull.force += friction_[i].k * stretch;
-    if (std::abs(stretch) * friction_[i].k < friction_[i].limit) pull.slope += friction_[i].k;
+    const Friction& f = friction_[i];
+    if (f.direction == direction && f.k > 0.0 &&
+        std::abs(slip_(i, k) + u - u_(direction, k)) < most_stretch(f))
+      slope += f.k;
   }
-  return pull;
+  return slope;
+}
+
+void SidewallForces::add_spring(int direction, const double* u, double* F) const {
+  const int nodes = angles_.nodes();
+  const double k = direction_[direction].k;
+  if (direction == 0 && progressivity_ > 0.0)
+    add_progressive(nodes, k, progressivity_, progressive_travel_, u, F);
+  else
+    add_multiple(nodes, -k, u, F);
+}
+
+void SidewallForces::add_memory(int direction,
+                                const double* u,
+                                const StepRule& rule,
+                                double* F) const {
+  const int nodes = angles_.nodes();
+  const double* before = u_.data() + direction * nodes;
+  if (const double kM = direction_[direction].k_maxwell; kM > 0.0 && !rule.statics())
+    add_maxwell(nodes, kM, half_step(rule), before, &maxwell_(direction, 0), u, F);
+  for (int i = 0; i < kFrictions; ++i) {
+    const Friction& f = friction_[i];
+    if (f.direction == direction && f.k > 0.0)
+      add_friction(nodes, f.k, most_stretch(f), before, &slip_(i, 0), u, F);
+  }
 }
 
 void SidewallForces::add_force(const NodeValues& q,
@@ -93,25 +182,28 @@ void SidewallForces::add_force(const NodeValues& q,
                                const RimFrame& rim,
                                const StepRule& rule,
                                NodeValues& force) const {
-  for (int k = 0; k < angles_.nodes(); ++k) {
-    const Vector3d er = angles_.radial(rim, k), et = angles_.tangential(rim, k);
-    const Vector3d u = travel(q, rim, k);
-    Vector3d F;
-    for (int i = 0; i < 3; ++i) F[i] = -spring(i, u[i]).force;
-    if (has_memory_)
-      for (int i = 0; i < 3; ++i) F[i] -= memory_pull(k, i, u[i], rule).force;
-    const double torsion = torsion_ * (q(3, k) - torsion_by_lateral_ * u[2]);  // (9)
-    F[2] += torsion_by_lateral_ * torsion;
-    force(3, k) -= torsion;
-    if (!rule.statics()) {
-      const Vector3d w = v.col(k).head<3>() - rim.velocity_at(q.col(k).head<3>());
-      F[0] -= direction_[0].d * er.dot(w);
-      F[1] -= direction_[1].d * et.dot(w);
-      F[2] -= direction_[2].d * rim.a.dot(w);
-      force(3, k) -= torsion_damping_ * v(3, k);
-    }
-    force.col(k).head<3>() += F[0] * er + F[1] * et + F[2] * rim.a;
+  const int nodes = angles_.nodes();
+  RimRows at(nodes), rate(nodes), f(nodes);
+  at.place(q, rim);
+  if (!rule.statics()) rate.place_rates(at, v, rim);
+  Travels u(3, nodes), w(3, nodes), F = Travels::Zero(3, nodes);
+  to_polar(nodes, angles_, R_, at, u.data());
+  to_polar(nodes, angles_, 0.0, rate, w.data());
+  for (int i = 0; i < 3; ++i) {
+    add_spring(i, &u(i, 0), &F(i, 0));
+    if (has_memory_) add_memory(i, &u(i, 0), rule, &F(i, 0));
+    if (!rule.statics()) add_multiple(nodes, -direction_[i].d, &w(i, 0), &F(i, 0));
   }
+  from_polar(nodes, angles_, F.data(), f);
+  const double* psi = at.row(RimRows::kTorsion);
+  const double* psi_rate = rate.row(RimRows::kTorsion);
+  const double damping = rule.statics() ? 0.0 : torsion_damping_;
+  for (int k = 0; k < nodes; ++k) {
+    const double torsion = torsion_ * (psi[k] - torsion_by_lateral_ * u(2, k));  // (9)
+    f.row(RimRows::kY)[k] += torsion_by_lateral_ * torsion;
+    f.row(RimRows::kTorsion)[k] = -torsion - damping * psi_rate[k];
+  }
+  f.add_to(force, rim);
 }
 
 void SidewallForces::add_stiffness(const NodeValues& q,
@@ -124,8 +216,8 @@ void SidewallForces::add_stiffness(const NodeValues& q,
     const Vector3d u = travel(q, rim, k);
     Vector3d slope;
     for (int i = 0; i < 3; ++i) {
-      slope[i] = spring(i, u[i]).slope + direction_[i].d * rule.velocity;
-      if (has_memory_) slope[i] += memory_pull(k, i, u[i], rule).slope;
+      slope[i] = spring_slope(i, u[i]) + direction_[i].d * rule.velocity;
+      if (has_memory_) slope[i] += memory_slope(k, i, u[i], rule);
     }
     slope *= scale;
     const double torsion = scale * torsion_, lambda = torsion_by_lateral_;
@@ -140,15 +232,22 @@ void SidewallForces::add_stiffness(const NodeValues& q,
 }
 
 void SidewallForces::commit(const NodeValues& q, const RimFrame& rim, const StepRule& rule) {
-  for (int k = 0; k < angles_.nodes(); ++k) {
-    const Vector3d u = travel(q, rim, k);
-    if (has_memory_) {
-      for (int i = 0; i < 3; ++i) maxwell_(i, k) = maxwell_travel(k, i, u[i], rule);
-      for (int i = 0; i < kFrictions; ++i)
-        slip_(i, k) = friction_travel(k, i, u[friction_[i].direction]);
+  const int nodes = angles_.nodes();
+  RimRows at(nodes);
+  at.place(q, rim);
+  Travels u(3, nodes);
+  to_polar(nodes, angles_, R_, at, u.data());
+  if (has_memory_) {
+    // Nothing is left of Maxwell's forces at rest.
+    if (rule.statics()) maxwell_.setZero();
+    for (int i = 0; i < 3 && !rule.statics(); ++i)
+      go_on_maxwell(nodes, half_step(rule), &u_(i, 0), &u(i, 0), &maxwell_(i, 0));
+    for (int i = 0; i < kFrictions; ++i) {
+      const Friction& f = friction_[i];
+      go_on_friction(nodes, most_stretch(f), &u_(f.direction, 0), &u(f.direction, 0), &slip_(i, 0));
     }
-    u_.col(k) = u;
   }
+  u_ = u;
 }
 
 double SidewallForces::energy(const NodeValues& q, const RimFrame& rim) const {

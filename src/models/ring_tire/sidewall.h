@@ -59,16 +59,17 @@ class SidewallForces {
     int direction;
     double k, limit;
   };
-  struct Pull {
-    double force, slope;
-  };
+  /// One value a node along e_r, e_t and a, row by row.
+  using Travels = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
 
   Eigen::Vector3d travel(const NodeValues& q, const RimFrame& rim, int k) const;
-  Pull spring(int direction, double u) const;
-  /// Maxwell and friction elements of a node whose travel becomes u.
-  Pull memory_pull(int k, int direction, double u, const StepRule& rule) const;
-  double maxwell_travel(int k, int direction, double u, const StepRule& rule) const;
-  double friction_travel(int k, int element, double u) const;
+  double spring_slope(int direction, double u) const;
+  /// Of Maxwell and friction elements of a node whose travel becomes u.
+  double memory_slope(int k, int direction, double u, const StepRule& rule) const;
+  void add_spring(int direction, const double* u, double* F) const;
+  void add_memory(int direction, const double* u, const StepRule& rule, double* F) const;
+  double half_step(const StepRule& rule) const { return rule.step / (2.0 * tau_); }
+  double most_stretch(const Friction& f) const { return f.k > 0.0 ? f.limit / f.k : 0.0; }
 
   NodeAngles angles_;
   double R_, tau_, progressivity_, progressive_travel_;
@@ -76,9 +77,10 @@ class SidewallForces {
   Direction direction_[3];
   Friction friction_[kFrictions];
   bool has_memory_;
-  Eigen::Matrix3Xd u_;                                      // at the last commit
-  Eigen::Matrix3Xd maxwell_;                                // u - u_i
-  Eigen::Matrix<double, kFrictions, Eigen::Dynamic> slip_;  // stretch of the friction springs
+  Travels u_;        // at the last commit
+  Travels maxwell_;  // u - u_i
+  // Stretch of the friction springs.
+  Eigen::Matrix<double, kFrictions, Eigen::Dynamic, Eigen::RowMajor> slip_;
 };
 
 }  // namespace latsch::ring_tire

@@ -15,14 +15,17 @@ using lane_math::larger;
 using lane_math::select;
 
 struct StandingBlocks {
-  const BlockGround& ground;
-  const BlockMemory& before;
-  const BlockLaw& law;
-  const BlockResults& results;
+  BlockGround ground;
+  BlockMemory before;
+  BlockLaw law;
+  BlockResults results;
 
-  LATSCH_INLINE void relate(const SegmentStations&, int, Section&, Section&) const {}
+  LATSCH_INLINE Section at(const SegmentStations&, int, Section place, Section) const {
+    return place;
+  }
 
-  LATSCH_INLINE Lanes3 force(const Lanes3& T, const Lanes3&, bool, int block) const {
+  LATSCH_INLINE Lanes3 force(const Section& s, double H, double y, bool, int block) const {
+    const Lanes3 T = at_line(s, H, y);
     const Lanes3 N = lanes3(ground.N, block), tip = lanes3(before.tip, block);
     const Lanes depth = lanes(ground.level + block) - dot(N, T);
     const Lanes Fn = law.normal * larger(depth, all(0.0));  // (11)
@@ -39,8 +42,9 @@ struct StandingBlocks {
     store3(F, results.F, block);
     store(Fn, results.Fn + block);
     store(gripped, results.gripped + block);
-    store3(e, results.e, block);
-    store3({T.x + depth * N.x, T.y + depth * N.y, T.z + depth * N.z}, results.root, block);
+    store3({T.x + depth * N.x + e.x, T.y + depth * N.y + e.y, T.z + depth * N.z + e.z},
+           results.tip,
+           block);
     return {F.x + Fn * N.x, F.y + Fn * N.y, F.z + Fn * N.z};
   }
 };

@@ -93,7 +93,7 @@ bool TreadContact::near_road(const NodeValues& q,
 
 SegmentStations TreadContact::stations_of(std::size_t patch,
                                           const NodeValues& q,
-                                          const NodeValues& v) {
+                                          const NodeValues& v) const {
   const Patch& of = patches_[patch];
   SegmentStations at;
   at.stride = stride_;
@@ -254,9 +254,8 @@ BlockResults TreadContact::results(std::size_t patch) {
   const auto at = [&](int c) { return column(patch, c); };
   return {.F = {at(kF), at(kF + 1), at(kF + 2)},
           .Fn = at(kFn),
-          .e = {at(kE), at(kE + 1), at(kE + 2)},
           .gripped = at(kGripped),
-          .root = {at(kRoot), at(kRoot + 1), at(kRoot + 2)}};
+          .tip = {at(kTip), at(kTip + 1), at(kTip + 2)}};
 }
 
 BlockGround TreadContact::ground(std::size_t patch) {
@@ -316,11 +315,12 @@ void TreadContact::commit() {
     const Patch& patch = patches_[i];
     const std::size_t first = place(patch.segment);
     double* const tip[3] = {&tip_[0][first], &tip_[1][first], &tip_[2][first]};
-    const BlockSpan span{stride_, patch.begin, patch.end};
-    if (patch.level)
-      level_tips(span, lines_, patch.ground, results(i), tip, &touches_[first]);
-    else
-      uneven_tips(span, lines_, results(i), tip, &touches_[first]);
+    keep_tips({stride_, patch.begin, patch.end},
+              lines_,
+              results(i),
+              patch.level ? &patch.ground.height : nullptr,
+              tip,
+              &touches_[first]);
   }
   touched_ = patches_;
 }

@@ -66,10 +66,10 @@ class TreadContact {
 
   /// m, how far the deepest tip would be below the road at q; negative above.
   double deepest(const NodeValues& q, const RimFrame& rim, const road::Road& road, double time);
-  /// The blocks that touch, at the last add_force.
-  std::vector<BlockContact> footprint() const;
+  /// The blocks that touch; q: of the last add_force.
+  std::vector<BlockContact> footprint(const NodeValues& q) const;
   /// J, in the springs of the blocks.
-  double energy() const;
+  double energy(const NodeValues& q) const;
 
  private:
   /// Stations [begin, end) of a segment, multiples of eight.
@@ -82,15 +82,14 @@ class TreadContact {
   enum Column {
     kF = 0,
     kFn = 3,
-    kE = 4,
-    kGripped = 7,
-    kRoot = 8,
-    kNormal = 11,
-    kLevel = 14,
-    kVelocity = 15,
-    kFriction = 18,
-    kHeld = 19,
-    kColumns = 20
+    kGripped = 4,
+    kTip = 5,
+    kNormal = 8,
+    kLevel = 11,
+    kVelocity = 12,
+    kFriction = 15,
+    kHeld = 16,
+    kColumns = 17
   };
   /// t, n and |x'| at the stations of a patch.
   enum FrameColumn { kT = 0, kN = 3, kLength = 6, kFrameColumns = 7 };
@@ -105,20 +104,24 @@ class TreadContact {
     return memory_.data() + (patch * kColumns + static_cast<std::size_t>(c)) * lines_ * stride_;
   }
   const double* column(std::size_t patch, int c) const {
-    return const_cast<TreadContact*>(this)->column(patch, c);
+    return memory_.data() + (patch * kColumns + static_cast<std::size_t>(c)) * lines_ * stride_;
   }
   double* frame(std::size_t patch, int c) {
+    return frames_.data() + (patch * kFrameColumns + static_cast<std::size_t>(c)) * stride_;
+  }
+  const double* frame(std::size_t patch, int c) const {
     return frames_.data() + (patch * kFrameColumns + static_cast<std::size_t>(c)) * stride_;
   }
   std::uint8_t* entering(std::size_t patch) {
     return entering_.data() + patch * static_cast<std::size_t>(stride_ / 8);
   }
+  Eigen::Vector3d tip(int line, int j) const { return tip(stations_.data(), line, j); }
   double* at_stations(int c) { return stations_.data() + c * stride_; }
-  /// Unloaded tip (10) by the columns at_stations.
-  Eigen::Vector3d tip(int line, int j) const {
+  /// Unloaded tip by the columns of (10).
+  Eigen::Vector3d tip(const double* columns, int line, int j) const {
     const double H = line_height_[static_cast<std::size_t>(line)];
     const double y = line_y_[static_cast<std::size_t>(line)];
-    const auto at = [&](int c) { return stations_[static_cast<std::size_t>(c * stride_ + j)]; };
+    const auto at = [&](int c) { return columns[c * stride_ + j]; };
     return {at(kP) + H * at(kG) + y * at(kA),
             at(kP + 1) + H * at(kG + 1) + y * at(kA + 1),
             at(kP + 2) + H * at(kG + 2) + y * at(kA + 2)};
@@ -137,11 +140,11 @@ class TreadContact {
   std::pair<int, int> find_line(std::size_t patch, int line, const road::Road& road, double time);
   road::GroundBox below(int first_line, int last_line) const;
   void place_ground(std::size_t patch, int block, const road::GroundPoint& ground, double level);
-  SegmentStations stations_of(std::size_t patch, const NodeValues& q, const NodeValues& v);
+  SegmentStations stations_of(std::size_t patch, const NodeValues& q, const NodeValues& v) const;
   void add_stations(std::size_t patch, int first, Eigen::Matrix4d* pairs);
   struct BlockState;
   template <class See>
-  void see_touching(const See& see) const;
+  void see_touching(const NodeValues& q, const See& see) const;
   BlockLines lines() const { return {lines_, line_height_.data(), line_y_.data()}; }
   BlockLaw block_law() const;
   BlockResults results(std::size_t patch);
