@@ -29,11 +29,11 @@ initial = "40 N/mm^2"
 scale = "logarithmic"
 )";
 
-constexpr std::string_view kTireBVariables = R"([variable.matrix]
+constexpr std::string_view kMatrixVariable = R"([variable.matrix]
 path = "rubber.matrix.young_modulus"
 lower = "2 N/mm^2"
-upper = "20 N/mm^2"
-initial = "6 N/mm^2"
+upper = "50 N/mm^2"
+initial = "10 N/mm^2"
 scale = "logarithmic"
 )";
 
@@ -45,7 +45,24 @@ initial = "5 N/mm^2"
 scale = "logarithmic"
 )";
 
-constexpr std::string_view kBeltedVariables = R"(
+// Of layers 1 mm thick, as tire B's.
+constexpr std::string_view kLayerVariables = R"(
+[variable.carcass]
+path = "layer.carcass.young_modulus"
+lower = "60 N/mm^2"
+upper = "2000 N/mm^2"
+initial = "400 N/mm^2"
+scale = "logarithmic"
+
+[variable.belt]
+paths = ["layer.belt_1.young_modulus", "layer.belt_2.young_modulus"]
+lower = "1000 N/mm^2"
+upper = "20000 N/mm^2"
+initial = "5000 N/mm^2"
+scale = "logarithmic"
+)";
+
+constexpr std::string_view kCordVariables = R"(
 [variable.carcass]
 path = "layer.carcass.young_modulus"
 lower = "1 GPa"
@@ -103,10 +120,10 @@ timeout = "10 min"                  # a trial
 std::string study_template(std::string_view tire) {
   std::string text(kHead);
   if (tire.starts_with("race")) return text.append(kRaceVariables).append(kTail);
-  const bool one_rubber =
-      tire.find("225_50R16") != tire.npos || tire.find("235_45R20") != tire.npos;
-  return text.append(one_rubber ? kTireBVariables : kPassengerVariables)
-      .append(kBeltedVariables)
+  const bool tire_b = tire.find("225_50R16") != tire.npos;
+  const bool one_rubber = tire_b || tire.find("235_45R20") != tire.npos;
+  return text.append(one_rubber ? kMatrixVariable : kPassengerVariables)
+      .append(tire_b ? kLayerVariables : kCordVariables)
       .append(kTail);
 }
 

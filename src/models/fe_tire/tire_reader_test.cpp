@@ -162,8 +162,8 @@ TEST(TireReader, ComplaintsNameFileLineFoundAndExpected) {
   says(complaint("[[10, \"3 deg\"]", "[[10, \"16 deg\"]"),
        {"mesh.sector_zones", "leaves -10 of 180 deg", "14 other sectors"});
   says(complaint("sectors = 60", "sectors = 61"), {"mesh.sector_zones", "even number", "61"});
-  says(complaint("[0.3, 2.5]", "[0.3, 0]"), {"mesh.spacing", "[0.3, 0]"});
-  says(complaint(", [1, 0.16]]", "]"), {"mesh.spacing", "1 (bead)"});
+  says(complaint("[0.25, 1.2]", "[0.25, 0]"), {"mesh.spacing", "[0.25, 0]"});
+  says(complaint(", [1, 0.5]]", "]"), {"mesh.spacing", "1 (bead)"});
   says(complaint("225/50R16\"", "225-50-16\""), {"size", "225-50-16", "225/50R16"});
   says(complaint("225/50R16\"", "225/50R17\""), {"section.contour", "656"});
   says(complaint("rubber = \"matrix\"", "rubber = \"matrx\""), {"matrx", "matrix"});
