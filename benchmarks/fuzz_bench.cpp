@@ -39,6 +39,7 @@
 #include "formats/open_crg.h"
 #include "formats/recording.h"
 #include "formats/road_file.h"
+#include "formats/teim_orbit.h"
 #include "formats/tir_file.h"
 #include "formats/tydex_file.h"
 #include "models/road/road_reader.h"
@@ -274,13 +275,40 @@ Reader rdf_reader() {
        road + "'drum'\n[PARAMETERS]\nDIAMETER = -2500\nV = 1e4\nNUMBER_CLEATS = 2\n"
               "CLEAT_STARTING_ANGLE = 90\n(XZR_DATA)\n0 0 0\n0 20 10\n40 20 10\n40 0 0\n",
        road + "'poly_line'\n[PARAMETERS]\n(XZ_DATA)\n0 0 0\n900 10 5\n1000 0 0\n",
-       road +
-           "'sweep'\n[PARAMETERS]\nAMPLITUDE_AT_START = 9\nAMPLITUDE_AT_END = 1\nSTART = 0\n"
-           "END = 9000\nWAVE_LENGTH_AT_START = 3000\nWAVE_LENGTH_AT_END = 500\nSWEEP_TYPE = 0\n"},
+       road + "'sweep'\n[PARAMETERS]\nAMPLITUDE_AT_START = 9\nAMPLITUDE_AT_END = 1\nSTART = 0\n"
+              "END = 9000\nWAVE_LENGTH_AT_START = 3000\nWAVE_LENGTH_AT_END = 500\nSWEEP_TYPE = 0\n",
+       units + "METHOD = '3D_SPLINE'\n[GLOBAL_PARAMETERS]\nCLOSED_ROAD = 'YES'\nWIDTH = 4e3\n"
+               "ROAD_VERTICAL = '0.0 0.0 1.0'\nMU_LEFT = 1.2\n[DATA_POINTS]\n"
+               "{X Y Z WIDTH BANK MU_LEFT MU_RIGHT OBSTACLES}\n0 0 0 0 0 0.9\n9e3 0 100 5e3 0\n"
+               "9e3 9e3 50 0 0 1 0.7\n0 9e3 0\n"},
       with_numbers({"[", "]", "=", "'", "$", "{", "}", "(XZ_DATA)\n", "drum", "roof", "1 2 3 1\n"}),
       [](const std::string& text) {
         use_road(*formats::read_rdf(formats::TeimOrbit::parse(text, "spoiled")).road);
       }};
+}
+
+/// The form alone, as whoever knows its sections asks it.
+Reader teim_orbit_reader() {
+  Reader reader = tir_reader();
+  reader.name = "TeimOrbit";
+  reader.seeds.insert(reader.seeds.end(),
+                      {"[MDI_HEADER]\n FILE_TYPE = 'bus'\n(COMMENTS)\n{comment_string}\n'text'\n"
+                       "[UNITS]\nLENGTH = 'mm'\nFORCE = 'newton'\nANGLE = 'deg'\nMASS = 'kg'\n"
+                       "TIME = 'sec'\n[DAMPING]\nFX_DAMPING = 1.5D1 $ N s/mm\n[FX_CURVE]\n"
+                       "{ x fx }\n-2.0 -900.0\n0 0\n2.0 900.0\n"});
+  reader.use = [](const std::string& text) {
+    const auto file = formats::TeimOrbit::parse(text, "spoiled");
+    for (const auto& section : file.sections()) {
+      for (const auto& entry : section.entries()) {
+        if (entry.begin > entry.end || entry.end > file.source().size()) broken("a value outside");
+      }
+      for (const auto& table : section.tables()) {
+        for (const auto& row : table.rows) section.numbers(row, table.heads.size());
+      }
+    }
+    file.units();
+  };
+  return reader;
 }
 
 Reader inp_reader() {
@@ -435,6 +463,7 @@ int fuzz(int count, char** arguments) {
   for (const Reader& reader : {csv_reader(),
                                recording_reader(),
                                tydex_reader(),
+                               teim_orbit_reader(),
                                tir_reader(),
                                crg_reader(),
                                rdf_reader(),

@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
                          add_road,
                          add_drum,
                          add_ring,
+                         add_compare,
                          add_show,
                          add_worker}) {
     add(app, exit_code);

@@ -24,6 +24,7 @@ void add_identify(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
 void add_doctor(CLI::App& app, int& exit_code);
 void add_export(CLI::App& app, int& exit_code);
+void add_compare(CLI::App& app, int& exit_code);
 void add_road(CLI::App& app, int& exit_code);
 void add_drum(CLI::App& app, int& exit_code);
 void add_ring(CLI::App& app, int& exit_code);

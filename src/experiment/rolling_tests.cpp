@@ -69,8 +69,8 @@ StaticTest read_static_test(const Node& root) {
       test.directions.push_back(static_cast<Direction>(known - kDirections.begin()));
     }
   }
-  if (test.deflections.empty() && test.directions.empty())
-    root.reject("deflections", "or load has to be there: nothing is tested");
+  if (test.deflections.empty() == test.directions.empty())
+    root.reject("deflections", "or load with directions has to be there, one of the two");
   root.close();
   return test;
 }

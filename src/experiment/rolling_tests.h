@@ -16,8 +16,8 @@
 //
 //   kind = "static_stiffness"        # static_stiffness.h
 //   deflections = ["10 mm", "20 mm"] # channels "deflection" and "force"
-//   load = "4 kN"                    # and under it, a channel of one value for each of
-//   directions = ["vertical", "longitudinal", "lateral", "torsional"]     # default: all
+//   load = "4 kN"                    # in its place: under the load, a channel of one value for
+//   directions = ["vertical", "longitudinal", "lateral", "torsional"]  # default: all
 //
 //   kind = "steady_states"           # slip_states.h; a Magic Formula
 //   states = "cornering.csv"         # beside the file

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/text.h"
+#include "formats/rdf_spline.h"
 #include "formats/road_file.h"
 #include "models/road/drum_road.h"
 #include "models/road/placed_road.h"
@@ -54,14 +55,18 @@ class RdfReading {
 
   RoadFile run() {
     const std::string method = lower(model_.text("METHOD", file_.find("NODES") ? "3D" : "2D"));
-    if (method == "3d" && file_.find("NODES")) {
+    if ((method == "3d" || method == "3d_spline") && is_rdf_spline(file_)) {
+      result_.kind = "Adams spline";
+      take_surface(read_rdf_spline(file_));
+    } else if (method == "3d" && file_.find("NODES")) {
       read_triangles();
     } else if (method == "2d" || (method == "3d" && model_.has("ROAD_TYPE"))) {
       read_2d();
     } else {
       throw InputError(
           model_.place(),
-          "METHOD is " + in_quotes(method) + R"(, expected "2D", or "3D" with [NODES])");
+          "METHOD is " + in_quotes(method) +
+              R"(, expected "2D", "3D" with [NODES] or "3D_SPLINE" with [DATA_POINTS])");
     }
     return std::move(result_);
   }
@@ -323,6 +328,10 @@ class RdfReading {
     read_nodes(nodes, mesh, index);
     read_elements(elements, index, mesh);
     result_.kind = "Adams triangles";
+    take_surface(std::move(mesh));
+  }
+
+  void take_surface(road::TriangleMesh mesh) {
     result_.facts.push_back(
         fmt::format("{} nodes, {} triangles", mesh.nodes.size(), mesh.triangles.size()));
     auto surface = std::make_unique<road::TriangleRoad>(std::move(mesh));

@@ -277,6 +277,52 @@ TEST(RdfFile, SampleOfAKerbIsTheKerbOfTheGenerator) {
   }
 }
 
+const std::string kSplineHead =
+    "[UNITS]\nLENGTH='meter'\nFORCE='newton'\nANGLE='degree'\nMASS='kg'\nTIME='sec'\n[MODEL]\n"
+    "METHOD = '3D_SPLINE'\n[GLOBAL_PARAMETERS]\nCLOSED_ROAD = 'NO'\nWIDTH = 4\nMU_LEFT = 1.2\n"
+    "MU_RIGHT = 0.8\n[DATA_POINTS]\n{X Y Z WIDTH BANK MU_LEFT MU_RIGHT OBSTACLES}\n";
+
+TEST(RdfSpline, APlaneThroughStraightPointsIsThatPlane) {
+  const RoadFile road = rdf(kSplineHead + "0 0 0 0 0\n3 0 0.3 6 0 0.5 0.4\n10 0 1 0 0\n");
+  EXPECT_EQ(road.kind, "Adams spline");
+  for (const double x : {0.1, 1.0, 2.9, 3.1, 7.7}) EXPECT_NEAR(z(road, x, 0.9), 0.1 * x, 1e-12);
+  EXPECT_EQ(road.road->at(1.0, 1.0, 0.0).friction, 1.2);   // left
+  EXPECT_EQ(road.road->at(1.0, -1.0, 0.0).friction, 0.8);  // right
+  EXPECT_EQ(road.road->at(5.0, 1.0, 0.0).friction, 0.5);   // a row's own, from there on
+}
+
+// Points of a circle every 2 a: there the cubic is on it, between two it is R cos a (1 + sin^2 a /
+// 2) away from the center.
+TEST(RdfSpline, AClosedCircleComesBackToItself) {
+  std::string points;
+  for (int i = 0; i < 18; ++i) {
+    const double angle = i * 20.0 * kPi / 180.0;
+    points += std::to_string(20.0 * std::cos(angle)) + " " +
+              std::to_string(20.0 * std::sin(angle)) + " 0 2 0\n";
+  }
+  std::string text = kSplineHead + points;
+  text.replace(text.find("'NO'"), 4, "'YES'");
+  const RoadFile road = rdf(text);
+  double out = 0.0, in = 1e9;
+  for (std::size_t i = 1; i < road.triangles->mesh().nodes.size(); i += 3) {  // the center line
+    const double radius = road.triangles->mesh().nodes[i].head<2>().norm();
+    out = std::max(out, radius);
+    in = std::min(in, radius);
+  }
+  const double a = 10.0 * kPi / 180.0;
+  EXPECT_NEAR(out, 20.0, 1e-5);  // as the points are written
+  EXPECT_NEAR(in, 20.0 * std::cos(a) * (1.0 + 0.5 * std::sin(a) * std::sin(a)), 1e-5);
+  const auto& nodes = road.triangles->mesh().nodes;
+  EXPECT_LT((nodes[1] - nodes[nodes.size() - 2]).norm(), 1e-9);
+}
+
+TEST(RdfSpline, SaysWhatIsNotReadAndWhy) {
+  expect_message(kSplineHead + "0 0 0 4 5\n3 0 0 4 0\n", "road.rdf:16: ", "bank angle");
+  expect_message(kSplineHead + "0 0 0 4 0 1 1 OBSTACLE1\n3 0 0 4 0\n", "road.rdf:16: ", "obstacle");
+  expect_message(kSplineHead + "0 0 0 4 0\n", "road.rdf:14: ", "expected 2 at least");
+  expect_message(kSplineHead + "0 0 0 4 0\n0 0 1 4 0\n", "road.rdf:17: ", "once more");
+}
+
 TEST(RoadFile, TomlSaysInWordsWhatStandsOnTheRoad) {
   const auto road = [](const std::string& text) {
     return road::read_road(Document::parse(text, "road.toml").root());

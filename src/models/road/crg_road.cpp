@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <utility>
 
 namespace latsch::road {
 namespace {
@@ -283,6 +286,37 @@ GroundPoint CrgRoad::at(double x, double y, double) const {
   ground.height = surface.z;
   ground.normal = Eigen::Vector3d(-gradient.x(), -gradient.y(), 1.0).normalized();
   return ground;
+}
+
+GroundBounds CrgRoad::bounds(const GroundBox& box, double) const {
+  if (!straight_ || closed_ || grid_.smooth_begin > 0.0 || grid_.smooth_end > 0.0) return {};
+  // Along a straight line u and v go straight with x and y: the corners hold the rest.
+  double u0 = std::numeric_limits<double>::infinity(), v0 = u0, u1 = -u0, v1 = -u0;
+  for (const auto& [x, y] : std::initializer_list<std::pair<double, double>>{
+           {box.x0, box.y0}, {box.x1, box.y0}, {box.x0, box.y1}, {box.x1, box.y1}}) {
+    const Position corner = locate(x, y);
+    u0 = std::min(u0, corner.u);
+    u1 = std::max(u1, corner.u);
+    v0 = std::min(v0, corner.v);
+    v1 = std::max(v1, corner.v);
+  }
+  if (!(u0 >= grid_.u_begin && u1 <= grid_.u_end() && v0 >= grid_.v.front() &&
+        v1 <= grid_.v.back()))
+    return {};
+  const Place first = along(u0), last = along(u1), right = across(v0), left = across(v1);
+  const std::size_t columns = grid_.v.size();
+  double highest = -std::numeric_limits<double>::infinity();
+  for (int row = first.row; row <= last.row + 1; ++row) {
+    double z = -std::numeric_limits<double>::infinity();
+    for (int c = right.row; c <= left.row + 1; ++c) z = std::max(z, grid_.z[row * columns + c]);
+    highest = std::max(highest, z + grid_.line_height[row]);
+  }
+  if (grid_.banking.empty()) return {highest, false};
+  double lean = -std::numeric_limits<double>::infinity();  // banking times v, both straight
+  for (int row = first.row; row <= last.row + 1; ++row) {
+    for (const double v : {v0, v1}) lean = std::max(lean, grid_.banking[row] * v);
+  }
+  return {highest + lean, false};
 }
 
 }  // namespace latsch::road

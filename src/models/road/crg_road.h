@@ -56,6 +56,8 @@ class CrgRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
+  /// Inside the grid of a straight line the highest of the heights around; else nothing.
+  GroundBounds bounds(const GroundBox& box, double time) const override;
 
   Position locate(double x, double y) const;
   Eigen::Vector2d point(const Position& position) const;

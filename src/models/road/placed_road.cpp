@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <cassert>
+#include <initializer_list>
+#include <utility>
 
 namespace latsch::road {
 
@@ -29,6 +31,20 @@ GroundPoint PlacedRoad::at(double x, double y, double time) const {
   ground.normal.head<2>() = (turn_ * ground.normal.head<2>()).eval();
   ground.velocity.head<2>() = (turn_ * ground.velocity.head<2>()).eval();
   return ground;
+}
+
+/// Of the rectangle along the axes of the road itself that holds the turned one.
+GroundBounds PlacedRoad::bounds(const GroundBox& box, double time) const {
+  Eigen::Vector2d low = local(box.x0, box.y0), high = low;
+  for (const auto& [x, y] : std::initializer_list<std::pair<double, double>>{
+           {box.x1, box.y0}, {box.x0, box.y1}, {box.x1, box.y1}}) {
+    const Eigen::Vector2d corner = local(x, y);
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  GroundBounds bounds = road_->bounds({low.x(), high.x(), low.y(), high.y()}, time);
+  bounds.highest += origin_.z();
+  return bounds;
 }
 
 }  // namespace latsch::road

@@ -15,6 +15,7 @@ class PlacedRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
+  GroundBounds bounds(const GroundBox& box, double time) const override;
 
  private:
   Eigen::Vector2d local(double x, double y) const;

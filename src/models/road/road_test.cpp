@@ -6,10 +6,14 @@
 #include <numbers>
 
 #include "base/random.h"
+#include "models/road/crg_road.h"
 #include "models/road/drum_road.h"
 #include "models/road/kerb.h"
+#include "models/road/placed_road.h"
 #include "models/road/plane_road.h"
 #include "models/road/profile_road.h"
+#include "models/road/triangle_road.h"
+#include "models/road/wave_road.h"
 
 namespace latsch::road {
 namespace {
@@ -235,6 +239,39 @@ TEST(DrumRoad, SpacesCleatsEqually) {
   }
 }
 
+/// 8 x 8 squares of two triangles each over x, y in -0.5 .. 0.5 m, with a hole in the middle.
+TriangleMesh hilly_mesh(double height) {
+  constexpr int kSquares = 8;
+  RandomStream random(5, 1);
+  TriangleMesh mesh;
+  for (int j = 0; j <= kSquares; ++j)
+    for (int i = 0; i <= kSquares; ++i)
+      mesh.nodes.emplace_back(
+          double(i) / kSquares - 0.5, double(j) / kSquares - 0.5, height * random.uniform());
+  for (int j = 0; j < kSquares; ++j)
+    for (int i = 0; i < kSquares; ++i) {
+      if (i == 4 && j == 4) continue;
+      const int a = j * (kSquares + 1) + i, b = a + kSquares + 1;
+      mesh.triangles.push_back({{a, a + 1, b}, 1.0});
+      mesh.triangles.push_back({{a + 1, b + 1, b}, 1.0});
+    }
+  return mesh;
+}
+
+CrgGrid banked_grid() {
+  RandomStream random(6, 1);
+  CrgGrid grid;
+  grid.u_increment = 0.1;
+  grid.v = {-0.3, -0.1, 0.05, 0.4};
+  for (int row = 0; row < 12; ++row) {
+    grid.line.emplace_back(-0.55 + 0.1 * row, 0.02);
+    grid.line_height.push_back(0.01 * random.uniform());
+    grid.banking.push_back(0.1 * (random.uniform() - 0.5));
+    for (int c = 0; c < 4; ++c) grid.z.push_back(0.02 * random.uniform());
+  }
+  return grid;
+}
+
 // What a road says of a rectangle holds at every point of it.
 TEST(Road, BoundsHoldInTheWholeBox) {
   const DrumRoad drum({.diameter = 2.0,
@@ -244,9 +281,20 @@ TEST(Road, BoundsHoldInTheWholeBox) {
   const ProfileRoad cleat = cleat_road(0.3, 0.02, 0.03, 0.005, 0.5);
   const ProfileRoad row({.along = cleat_profile(0.02, 0.03, 0.005), .pitch = 0.2, .belt = 2.0});
   const PlaneRoad plane({.grade = 0.1, .bank = -0.05});
+  const WaveRoad wave({.start = -0.1,
+                       .end = 0.25,
+                       .amplitude_begin = 0.02,
+                       .amplitude_end = -0.005,
+                       .wave_length_begin = 0.1,
+                       .wave_length_end = 0.05});
+  const PlacedRoad placed(
+      std::make_unique<ProfileRoad>(cleat_road(0.1, 0.02, 0.03, 0.005, 0.5)), 0.7, {0.1, 0.0, 0.3});
+  const TriangleRoad level(hilly_mesh(0.0)), hills(hilly_mesh(0.01));
+  const CrgRoad grid(banked_grid());
   RandomStream random(3, 1);
   int planes = 0;
-  for (const Road* road : std::initializer_list<const Road*>{&drum, &inner, &cleat, &row, &plane})
+  for (const Road* road : std::initializer_list<const Road*>{
+           &drum, &inner, &cleat, &row, &plane, &wave, &placed, &level, &hills, &grid})
     for (int i = 0; i < 400; ++i) {
       const double x = 0.8 * (random.uniform() - 0.5), y = 0.4 * (random.uniform() - 0.5);
       const double a = 0.1 * random.uniform(), b = 0.1 * random.uniform(), t = random.uniform();

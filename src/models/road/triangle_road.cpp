@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace latsch::road {
 namespace {
@@ -49,6 +50,7 @@ TriangleRoad::TriangleRoad(TriangleMesh mesh) : mesh_(std::move(mesh)) {
   build_facets();
   assert(!facets_.empty());
   build_grid();
+  find_covered();
 }
 
 bool TriangleRoad::has_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle) {
@@ -124,15 +126,85 @@ void TriangleRoad::build_grid() {
   each_cell([&](int cell_number, int facet) { members_[next[cell_number]++] = facet; });
 }
 
-std::array<int, 2> TriangleRoad::cell_of(const Vector2d& p) const {
-  return {static_cast<int>(std::clamp((p.x() - low_.x()) / size_.x(), 0.0, columns_ - 1.0)),
-          static_cast<int>(std::clamp((p.y() - low_.y()) / size_.y(), 0.0, rows_ - 1.0))};
-}
-
 template <class Action>
 void TriangleRoad::in_cell(int column, int row, const Action& action) const {
   const int cell = row * columns_ + column;
   for (int i = begins_[cell]; i < begins_[cell + 1]; ++i) action(members_[i]);
+}
+
+namespace {
+
+/// Area of a triangle within a rectangle: the triangle cut by one side after the other.
+double area_within(const std::array<Vector2d, 3>& corners,
+                   const Vector2d& low,
+                   const Vector2d& high) {
+  std::vector<Vector2d> polygon(corners.begin(), corners.end());
+  for (int side = 0; side < 4 && !polygon.empty(); ++side) {
+    const int axis = side / 2;
+    const double sign = side % 2 == 0 ? 1.0 : -1.0, at = side % 2 == 0 ? low[axis] : high[axis];
+    std::vector<Vector2d> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+      const double da = sign * (a[axis] - at), db = sign * (b[axis] - at);
+      if (da >= 0.0) kept.push_back(a);
+      if ((da > 0.0 && db < 0.0) || (da < 0.0 && db > 0.0))
+        kept.push_back(a + da / (da - db) * (b - a));
+    }
+    polygon = std::move(kept);
+  }
+  double twice = 0.0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    twice += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+  return 0.5 * twice;
+}
+
+}  // namespace
+
+/// A cell has no hole where the triangles of a mesh without overlaps fill its area; where some
+/// overlap the sum is larger and nothing is promised.
+void TriangleRoad::find_covered() {
+  constexpr double kRounding = 1e-9;
+  highest_ = facets_.front().highest();
+  for (const Facet& facet : facets_) highest_ = std::max(highest_, facet.highest());
+  covered_.assign(static_cast<std::size_t>(columns_) * rows_, false);
+  for (int row = 0; row < rows_; ++row) {
+    for (int column = 0; column < columns_; ++column) {
+      const Vector2d corner = low_ + Vector2d(column * size_.x(), row * size_.y());
+      double area = 0.0;
+      in_cell(column, row, [&](int number) {
+        area += area_within(facets_[number].corners, corner, corner + size_);
+      });
+      covered_[row * columns_ + column] = std::abs(area / size_.prod() - 1.0) < kRounding;
+    }
+  }
+}
+
+GroundBounds TriangleRoad::bounds(const GroundBox& box, double) const {
+  const bool inside =
+      box.x0 >= low_.x() && box.y0 >= low_.y() && box.x1 <= high_.x() && box.y1 <= high_.y();
+  if (!inside) return {highest_, false};
+  const auto from = cell_of({box.x0, box.y0}), to = cell_of({box.x1, box.y1});
+  GroundBounds bounds{-std::numeric_limits<double>::infinity(), true};
+  const Facet* first = nullptr;
+  for (int row = from[1]; row <= to[1]; ++row) {
+    for (int column = from[0]; column <= to[0]; ++column) {
+      if (!covered_[row * columns_ + column]) return {highest_, false};
+      in_cell(column, row, [&](int number) {
+        const Facet& facet = facets_[number];
+        if (!first) first = &facet;
+        bounds.highest = std::max(bounds.highest, facet.highest());
+        bounds.plane = bounds.plane && facet.slope == first->slope &&
+                       facet.friction == first->friction &&
+                       std::abs(first->z(facet.corners[0]) - facet.z0) <= 1e-12;
+      });
+    }
+  }
+  return bounds;
+}
+
+std::array<int, 2> TriangleRoad::cell_of(const Vector2d& p) const {
+  return {static_cast<int>(std::clamp((p.x() - low_.x()) / size_.x(), 0.0, columns_ - 1.0)),
+          static_cast<int>(std::clamp((p.y() - low_.y()) / size_.y(), 0.0, rows_ - 1.0))};
 }
 
 TriangleRoad::Hit TriangleRoad::find(const Vector2d& p) const {

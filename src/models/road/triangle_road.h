@@ -7,6 +7,7 @@
 // each of them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -30,6 +31,8 @@ class TriangleRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
+  /// Exact to the cells of the grid; where those are not covered the highest of all nodes.
+  GroundBounds bounds(const GroundBox& box, double time) const override;
 
   /// Whether it is seen from above.
   static bool has_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
@@ -48,6 +51,7 @@ class TriangleRoad final : public Road {
     double friction = 1.0;
 
     double z(const Eigen::Vector2d& p) const { return z0 + slope.dot(p - corners[0]); }
+    double highest() const { return std::max({z(corners[0]), z(corners[1]), z(corners[2])}); }
     bool covers(const Eigen::Vector2d& p) const;
     Eigen::Vector2d nearest(const Eigen::Vector2d& p) const;
   };
@@ -59,6 +63,7 @@ class TriangleRoad final : public Road {
 
   void build_facets();
   void build_grid();
+  void find_covered();
   std::array<int, 2> cell_of(const Eigen::Vector2d& p) const;
   Hit find(const Eigen::Vector2d& p) const;
   Hit find_nearest(const Eigen::Vector2d& p) const;
@@ -69,8 +74,10 @@ class TriangleRoad final : public Road {
   std::vector<Facet> facets_;
   Eigen::Vector2d low_, high_, size_;  // of all, of a cell
   int columns_ = 1, rows_ = 1;
-  std::vector<int> begins_;   // of each cell in members_
-  std::vector<int> members_;  // facets
+  std::vector<int> begins_;    // of each cell in members_
+  std::vector<int> members_;   // facets
+  std::vector<bool> covered_;  // cells without a hole
+  double highest_ = 0.0;       // m, of all facets
 };
 
 }  // namespace latsch::road

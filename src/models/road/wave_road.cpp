@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/road/wave_road.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -43,6 +44,16 @@ GroundPoint WaveRoad::at(double x, double, double) const {
       growth_ * std::sin(phase) + amplitude * std::cos(phase) * kTurn / wave_length;
   ground.normal = Eigen::Vector3d(-slope, 0.0, 1.0).normalized();
   return ground;
+}
+
+/// The amplitude goes straight, so it is largest at an end of the stretch.
+GroundBounds WaveRoad::bounds(const GroundBox& box, double) const {
+  const double from = std::max(box.x0, settings_.start), to = std::min(box.x1, settings_.end);
+  if (from > to) return {0.0, true};
+  const auto amplitude = [&](double x) {
+    return std::abs(settings_.amplitude_begin + growth_ * (x - settings_.start));
+  };
+  return {std::max(amplitude(from), amplitude(to)), false};
 }
 
 }  // namespace latsch::road

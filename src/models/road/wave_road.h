@@ -27,6 +27,7 @@ class WaveRoad final : public Road {
   explicit WaveRoad(const Settings& settings);
 
   GroundPoint at(double x, double y, double time) const override;
+  GroundBounds bounds(const GroundBox& box, double time) const override;
 
  private:
   Settings settings_;

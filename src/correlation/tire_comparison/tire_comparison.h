@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Several tires through the same drum tests, each beside what was measured.
+//
+//   time error   RMS(F_sim - F_mea) / RMS(F_mea), both about their means
+//   PSD error    RMS(S_sim - S_mea) / RMS(S_mea) over the lines of the band [thesis K, 3.3]
+//   level error  L_sim - L_mea in third-octave bands, dB; over tests the root mean square
+//
+// A tire follows a channel up to the upper end of the last band of a row of bands, from the lowest
+// on, whose level error over all tests stays within the agreement asked for. Spectra are of the
+// whole record, one Hann window (numerics/welch.h, the scipy convention).
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "correlation/tire_comparison/comparison_file.h"
+#include "measurement/channels.h"
+#include "numerics/welch.h"
+
+namespace latsch::correlation {
+
+/// One channel of one run.
+struct ComparedRecord {
+  std::vector<double> force;  // N or N m
+  numerics::Density density;
+  std::vector<double> level;  // dB, by band
+};
+
+struct TireRun {
+  std::vector<ComparedRecord> channels;
+  std::vector<double> time_error, psd_error;  // by channel, ratios
+  double cpu_over_time = 0.0;                 // CPU time over simulated time
+};
+
+struct TestComparison {
+  std::vector<double> time;  // s
+  std::vector<ComparedRecord> measured;
+  std::vector<TireRun> tires;
+};
+
+/// Of one tire over all tests.
+struct TireSummary {
+  std::vector<double> time_error, psd_error;     // by channel, means over the tests
+  std::vector<std::vector<double>> level_error;  // by channel and band, dB
+  std::vector<double> follows_up_to;             // by channel, Hz; 0: not even the lowest band
+  double cpu_over_time = 0.0;                    // mean
+};
+
+struct TireComparison {
+  std::vector<FrequencyBand> bands;
+  std::vector<TestComparison> tests;  // as in the file
+  std::vector<TireSummary> tires;
+};
+
+/// What the specimen of the file shows in one test: time, speed and the channels with their noise.
+Channels measure(const Specimen& specimen, const ComparisonTest& test, std::size_t index);
+
+/// Throws InputError where a measurement does not fit its test, std::runtime_error where a tire
+/// does not come through.
+TireComparison compare_tires(const ComparisonFile& file,
+                             const std::function<void(const std::string&)>& tell = {});
+
+/// One sentence a tire: what it follows up to which frequency, how far off, how fast.
+std::vector<std::string> verdicts(const ComparisonFile& file, const TireComparison& comparison);
+
+}  // namespace latsch::correlation
