@@ -11,6 +11,7 @@
 #include "optimization/gss.h"
 #include "optimization/gss_nlc.h"
 #include "optimization/hock_schittkowski_testing.h"
+#include "optimization/residual_trust_region.h"
 #include "optimization/sqp.h"
 #include "table.h"
 
@@ -26,11 +27,19 @@ struct Found {
   int evaluations = 0;
 };
 
-Found minimize(Optimizer& method, const ConstrainedProblem& problem) {
+Score score_at(const ConstrainedProblem& problem, const std::vector<double>& x) {
+  return score_of(problem, x);
+}
+Score score_at(const LeastSquaresProblem& problem, const std::vector<double>& x) {
+  return sum_of_squares(problem.residuals(x));
+}
+
+template <class Problem>
+Found minimize(Optimizer& method, const Problem& problem) {
   Found found;
   while (!method.converged() && found.evaluations < kMostEvaluations) {
     const DesignPoint point = method.propose(1).front();
-    const Score score = score_of(problem, point.values);
+    const Score score = score_at(problem, point.values);
     if (++found.evaluations == 1 || is_better(score, found.score)) found.score = score;
     method.observe(point, score);
   }
@@ -42,10 +51,10 @@ struct Outcome {
   std::string evaluations;
 };
 
-template <class Make>
-Outcome solve_all(const std::vector<ConstrainedProblem>& problems, double within, Make&& make) {
+template <class Problem, class Make>
+Outcome solve_all(const std::vector<Problem>& problems, double within, Make&& make) {
   Outcome outcome;
-  for (const ConstrainedProblem& problem : problems) {
+  for (const Problem& problem : problems) {
     auto method = make(problem.space);
     const Found found = minimize(method, problem);
     const double off = std::abs(found.score.value - problem.least);
@@ -56,10 +65,10 @@ Outcome solve_all(const std::vector<ConstrainedProblem>& problems, double within
   return outcome;
 }
 
-template <class Make>
+template <class Problem, class Make>
 void compare(Table& table,
              const std::string& name,
-             const std::vector<ConstrainedProblem>& problems,
+             const std::vector<Problem>& problems,
              double within,
              Make&& make) {
   const auto [solved, evaluations] = solve_all(problems, within, make);
@@ -83,6 +92,15 @@ int bench() {
   compare(table, "SQP, linear constraints", linear, 1e-4, [&](const DesignSpace& space) {
     return Sqp(space, exact);
   });
+  const auto squares = constrained_least_squares_problems();
+  compare(table, "residual trust region, linear constraints", squares, 1e-4, [](const auto& space) {
+    return ResidualTrustRegion(space);
+  });
+  const auto by_gss = solve_all(squares, 1e-4, [&](const auto& space) { return Gss(space, fine); });
+  table.note("GSS on these", fmt::format("{} solved{}", by_gss.solved, by_gss.evaluations));
+  const auto by_sqp =
+      solve_all(squares, 1e-4, [&](const auto& space) { return Sqp(space, exact); });
+  table.note("SQP on these", fmt::format("{} solved{}", by_sqp.solved, by_sqp.evaluations));
   compare(table, "SQP, nonlinear constraints", nonlinear, 1e-4, [&](const DesignSpace& space) {
     return Sqp(space, exact);
   });

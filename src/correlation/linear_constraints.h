@@ -6,8 +6,8 @@
 //   coefficients = [1, -2]             # 1 each unless given
 //   upper = "0 GPa"                    # and lower; or equal = "..." in the place of both
 //
-// Methods that know them: gss, gss_nlc, sqp. A design of experiments samples the bounds, whatever
-// the constraints.
+// Every method keeps to them. A design of experiments samples the bounds, whatever the
+// constraints.
 #pragma once
 
 #include <vector>

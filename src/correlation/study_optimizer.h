@@ -20,7 +20,7 @@
 //
 // residual_trust_region and sqp make the sum of the squared relative errors least, whatever
 // exponent the objectives have; the other methods the target itself. Linear constraints
-// (linear_constraints.h): gss, gss_nlc, sqp. Constraints on channels (channel_constraint.h):
+// (linear_constraints.h): every method. Constraints on channels (channel_constraint.h):
 // gss_nlc, sqp. An ensemble knows what all its members know.
 //
 // Several at once, which see each other's points (optimization/ensemble.h):

@@ -3,17 +3,12 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <limits>
 #include <vector>
+
+#include "optimization/damped_descent.h"
 
 namespace latsch {
 namespace {
-
-constexpr int kMostIterations = 60;
-constexpr double kLeastDecrease = 1e-9;  // of the value, in one iteration: the end
-constexpr double kFirstDamping = 1e-6;   // mu, of the largest diagonal of J'J
-constexpr double kLeastDamping = 1e-12;
-constexpr double kMostDamping = 1e12;
 
 /// The room of a step, and the variables that are held.
 struct Room {
@@ -74,30 +69,12 @@ Eigen::VectorXd step_in(Room room, const Eigen::MatrixXd& A, const Eigen::Vector
 Eigen::VectorXd minimize_in_box(const ResidualModel& model,
                                 const Eigen::VectorXd& lower,
                                 const Eigen::VectorXd& upper) {
-  Eigen::VectorXd z = Eigen::VectorXd::Zero(lower.size());
-  double value = model.expected(z);
-  double damping = kFirstDamping;
-  for (int k = 0; k < kMostIterations && damping < kMostDamping;) {
-    const Eigen::MatrixXd J = model.jacobian(z);
-    const Eigen::VectorXd g = J.transpose() * model.residuals(z) + model.variance_gradient(z);
-    const Eigen::MatrixXd H = J.transpose() * J + model.variance_hessian(z);
-    const double scale = std::max(H.diagonal().maxCoeff(), std::numeric_limits<double>::min());
-    const Room room = room_at(z, g, lower, upper);
-    for (bool descends = false; !descends && damping < kMostDamping; ++k) {
-      Eigen::MatrixXd A = H;
-      A.diagonal().array() += damping * scale;
-      const Eigen::VectorXd next = (z + step_in(room, A, g)).cwiseMax(lower).cwiseMin(upper);
-      const double value_next = model.expected(next);
-      descends = value_next < value;
-      damping = descends ? std::max(1e-2 * damping, kLeastDamping) : 10.0 * damping;
-      if (!descends) continue;
-      const bool is_end = value_next > (1.0 - kLeastDecrease) * value;
-      z = next;
-      value = value_next;
-      if (is_end) return z;
-    }
-  }
-  return z;
+  return descend(model,
+                 lower.size(),
+                 [&](const Eigen::VectorXd& z, const Eigen::MatrixXd& A, const Eigen::VectorXd& g) {
+                   const Eigen::VectorXd p = step_in(room_at(z, g, lower, upper), A, g);
+                   return Eigen::VectorXd((z + p).cwiseMax(lower).cwiseMin(upper));
+                 });
 }
 
 }  // namespace latsch

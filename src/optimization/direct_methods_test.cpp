@@ -125,16 +125,37 @@ TEST(MethodChoice, MakesEveryMethodAndRefusesOthers) {
   EXPECT_THROW(method_of({.method = "simplex"}, {}), InputError);
 }
 
-TEST(MethodChoice, RefusesMethodsThatKnowNoLinearConstraintsWhereThereAreSome) {
+TEST(MethodChoice, KnowsWhoKnowsConstraints) {
   const LinearConstraint sum{.name = "sum", .coefficients = {1, 1}, .upper = 1.5};
   const DesignSpace space(box({0.5, 0.5}, 0.0, 1.0).variables(), {sum});
-  EXPECT_THROW(make_optimizer(Method::nelder_mead, space, {}), InputError);
-  EXPECT_NO_THROW(make_optimizer(Method::gss, space, {}));
+  EXPECT_NO_THROW(make_optimizer(Method::nelder_mead, space, {}));
+  const ProblemTraits linear{.has_residuals = true, .has_linear_constraints = true};
+  EXPECT_EQ(choose_method(linear).method, Method::residual_trust_region);
+  const ProblemTraits nonlinear{.has_residuals = true, .has_nonlinear_constraints = true};
+  EXPECT_EQ(choose_method(nonlinear).method, Method::sqp);
+  EXPECT_THROW(make_optimizer(Method::nelder_mead, space, {}, nonlinear), InputError);
   OptimizerSettings both;
-  both.members = {{"a", 1, {.method = "gss"}}, {"b", 1, {.method = "genetic"}}};
-  EXPECT_THROW(make_optimizer(Method::ensemble, space, both), InputError);
-  const ProblemTraits traits{.has_residuals = true, .has_linear_constraints = true};
-  EXPECT_NO_THROW(make_optimizer(choose_method(traits).method, space, {}));
+  both.members = {{"a", 1, {.method = "gss_nlc"}}, {"b", 1, {.method = "genetic"}}};
+  EXPECT_THROW(make_optimizer(Method::ensemble, space, both, nonlinear), InputError);
+}
+
+TEST(DirectMethods, KeepToLinearConstraints) {
+  // (x - 1)^2 + (y - 1)^2 among x + y <= 1.2: the nearest point to (1, 1) is (0.6, 0.6). With
+  // x - y = 0.2 besides it is (0.7, 0.5).
+  const LinearConstraint sum{.name = "sum", .coefficients = {1, 1}, .upper = 1.2};
+  const LinearConstraint gap{.name = "gap", .coefficients = {1, -1}, .lower = 0.2, .upper = 0.2};
+  const auto f = [](const auto& x) { return std::pow(x[0] - 1.0, 2) + std::pow(x[1] - 1.0, 2); };
+  const DesignSpace below(box({0.3, 0.1}, 0.0, 1.0).variables(), {sum});
+  const DesignSpace line(box({0.3, 0.1}, 0.0, 1.0).variables(), {sum, gap});
+  for (const auto& [space, x, y] : {std::tuple{below, 0.6, 0.6}, std::tuple{line, 0.7, 0.5}}) {
+    NelderMead simplex(space);
+    Genetic genetic(space);
+    for (Optimizer* method : std::initializer_list<Optimizer*>{&simplex, &genetic}) {
+      const Found found = minimize(*method, space, f);
+      EXPECT_NEAR(found.x[0], x, 0.02);
+      EXPECT_NEAR(found.x[1], y, 0.02);
+    }
+  }
 }
 
 TEST(DirectMethods, RejectOptionsOutOfRange) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/random.h"
+#include "optimization/feasible_region.h"
 #include "optimization/option_check.h"
 
 namespace latsch {
@@ -54,6 +55,7 @@ void check(const GeneticOptions& options) {
 
 struct Genetic::State {
   DesignSpace space;
+  FeasibleRegion region;
   GeneticOptions options;
   int population;
   int generation = 1;
@@ -62,7 +64,7 @@ struct Genetic::State {
   std::vector<Individual> children;  // of this generation, known
   std::vector<Individual> wanted;
 
-  State(const DesignSpace& s, const GeneticOptions& o) : space(s), options(o) {
+  State(const DesignSpace& s, const GeneticOptions& o) : space(s), region(s), options(o) {
     population = o.population > 0 ? o.population : std::max(20, 10 * space.size());
     wanted.push_back(at(space.to_unit(space.initial())));
     while (std::ssize(wanted) < population) {
@@ -73,10 +75,12 @@ struct Genetic::State {
     }
   }
 
-  Individual at(std::vector<double> u) const {
-    for (double& x : u) x = std::clamp(x, 0.0, 1.0);
-    const DesignPoint point = space.from_unit(u);
-    return {std::move(u), point};
+  /// The nearest point inside bounds and constraints.
+  Individual at(const std::vector<double>& u) const {
+    const Eigen::VectorXd near =
+        region.nearest(Eigen::Map<const Eigen::VectorXd>(u.data(), std::ssize(u)));
+    const std::vector<double> inside(near.begin(), near.end());
+    return {inside, space.from_unit(inside)};
   }
 
   const Individual& winner(RandomStream& random) const {
@@ -106,8 +110,8 @@ struct Genetic::State {
       }
       mutate(a, random);
       mutate(b, random);
-      wanted.push_back(at(std::move(a)));
-      if (std::ssize(wanted) < population) wanted.push_back(at(std::move(b)));
+      wanted.push_back(at(a));
+      if (std::ssize(wanted) < population) wanted.push_back(at(b));
     }
   }
 
@@ -155,8 +159,9 @@ void Genetic::observe(const DesignPoint& point, const Result<Score>& outcome) {
   auto& wanted = state_->wanted;
   const auto is_it = [&](const Individual& w) { return w.point == point; };
   const auto found = std::find_if(wanted.begin(), wanted.end(), is_it);
-  Individual tried = found != wanted.end() ? *found : state_->at(state_->space.to_unit(point));
-  tried.f = f;
+  Individual tried =
+      found != wanted.end() ? *found : Individual{state_->space.to_unit(point), point};
+  tried.f = state_->space.contains(point) ? f : kInfinity;
   state_->children.push_back(std::move(tried));
   if (found == wanted.end()) return;
   wanted.erase(found);

@@ -12,6 +12,7 @@
 //   variable
 //              a child on average, by  (2 q)^(1/(eta_m+1)) - 1  or  1 - (2 - 2 q)^(1/(eta_m+1))
 //   survival   the best of parents and children
+// Children outside of bounds and linear constraints are replaced by the nearest point inside.
 // It ends after the last generation, or when the population is within the tolerance of its best.
 // Draws are functions of (seed, number of the child): the same run for any number of workers.
 #pragma once

@@ -139,6 +139,104 @@ inline std::vector<ConstrainedProblem> linearly_constrained_problems() {
   };
 }
 
+/// A sum of squares among bounds and linear constraints.
+struct LeastSquaresProblem {
+  using Residuals = std::function<std::vector<double>(const std::vector<double>&)>;
+
+  std::string name;
+  DesignSpace space;
+  Residuals residuals;
+  std::vector<double> x;  // the solution
+  double least;           // the sum of squares there
+};
+
+inline Score sum_of_squares(std::vector<double> residuals) {
+  double sum = 0.0;
+  for (const double r : residuals) sum += r * r;
+  return {sum, std::move(residuals)};
+}
+
+/// Where f is a quadratic it is written as squares here, up to a constant: 100 of HS21, 7.5 of
+/// HS76. The bound x2 >= 1.5 of HS2 is a row; its start is the other one of the book's two minima'
+/// sides, as from (-2, 1) descent leads to the minimum of 4.94.
+inline std::vector<LeastSquaresProblem> constrained_least_squares_problems() {
+  using Vector = std::vector<double>;
+  const double half = std::sqrt(0.5);
+  const Box wide{-10.0, 10.0};
+  const auto chain = [](double a) {  // the target of HS51 and HS53 with 1, of HS52 with 4
+    return [a](const Vector& x) {
+      return Vector{a * x[0] - x[1], x[1] + x[2] - 2, x[3] - 1, x[4] - 1};
+    };
+  };
+  const auto chain_rows = [](double sum) {
+    return std::vector<LinearConstraint>{
+        equal({1, 3, 0, 0, 0}, sum), equal({0, 0, 1, 1, -2}, 0), equal({0, 1, 0, 0, -1}, 0)};
+  };
+  return {
+      {"HS2",
+       space_of({2, 3}, {wide}, {at_least({0, 1}, 1.5)}),
+       [](const Vector& x) {
+         return Vector{10 * (x[1] - x[0] * x[0]), 1 - x[0]};
+       },
+       {1.224370749, 1.5},
+       0.0504261879},
+      {"HS21",
+       space_of({2, -1}, {{2, 50}, {-50, 50}}, {at_least({10, -1}, 10)}),
+       [](const Vector& x) {
+         return Vector{0.1 * x[0], x[1]};
+       },
+       {2, 0},
+       0.04},
+      {"HS28",
+       space_of({-4, 1, 1}, {wide}, {equal({1, 2, 3}, 1)}),
+       [](const Vector& x) {
+         return Vector{x[0] + x[1], x[1] + x[2]};
+       },
+       {0.5, -0.5, 0.5},
+       0},
+      {"HS35",
+       space_of({0.5, 0.5, 0.5}, {{0, 10}}, {at_most({1, 1, 2}, 3)}),
+       [](const Vector& x) {
+         return Vector{x[0] + x[2] - 2, x[0] + x[1] - 2, x[1] - 1};
+       },
+       {4.0 / 3, 7.0 / 9, 4.0 / 9},
+       1.0 / 9},
+      {"HS48",
+       space_of(
+           {3, 5, -3, 2, -2}, {wide}, {equal({1, 1, 1, 1, 1}, 5), equal({0, 0, 1, -2, -2}, -3)}),
+       [](const Vector& x) {
+         return Vector{x[0] - 1, x[1] - x[2], x[3] - x[4]};
+       },
+       {1, 1, 1, 1, 1},
+       0},
+      {"HS51",
+       space_of({2.5, 0.5, 2, -1, 0.5}, {wide}, chain_rows(4)),
+       chain(1),
+       {1, 1, 1, 1, 1},
+       0},
+      {"HS52",
+       space_of({0, 0, 0, 0, 0}, {wide}, chain_rows(0)),
+       chain(4),
+       {-33.0 / 349, 11.0 / 349, 180.0 / 349, -158.0 / 349, 11.0 / 349},
+       1859.0 / 349},
+      {"HS53",
+       space_of({0, 0, 0, 0, 0}, {wide}, chain_rows(0)),
+       chain(1),
+       {-33.0 / 43, 11.0 / 43, 27.0 / 43, -5.0 / 43, 11.0 / 43},
+       176.0 / 43},
+      {"HS76",
+       space_of({0.5, 0.5, 0.5, 0.5},
+                {{0, 10}},
+                {at_most({1, 2, 1, 1}, 5), at_most({3, 1, 2, -1}, 4), at_least({0, 1, 4, 0}, 1.5)}),
+       [half](const Vector& x) {
+         return Vector{
+             x[0] - x[2] / 2 - 0.5, half * (x[1] - 3), half * (x[2] + x[3] - 1), (x[2] + 3) / 2};
+       },
+       {0.2727273, 2.090909, 0, 0.5454545},
+       7.5 - 4.681818181},
+  };
+}
+
 /// With nonlinear constraints.
 inline std::vector<ConstrainedProblem> nonlinearly_constrained_problems() {
   const auto square = [](double a) { return a * a; };

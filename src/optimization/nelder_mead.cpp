@@ -6,7 +6,9 @@
 #include <cassert>
 #include <limits>
 
+#include "optimization/feasible_region.h"
 #include "optimization/option_check.h"
+#include "optimization/tangent_cone.h"
 
 namespace latsch {
 namespace {
@@ -29,6 +31,7 @@ void check(const NelderMeadOptions& options) {
 
 struct NelderMead::State {
   DesignSpace space;
+  FeasibleRegion region;
   NelderMeadOptions options;
   double beta, gamma, delta;
 
@@ -38,7 +41,7 @@ struct NelderMead::State {
   Eigen::VectorXd centroid;
   Vertex reflected;
 
-  State(const DesignSpace& s, const NelderMeadOptions& o) : space(s), options(o) {
+  State(const DesignSpace& s, const NelderMeadOptions& o) : space(s), region(s), options(o) {
     const double n = std::max(2, space.size());
     beta = 1.0 + 2.0 / n;
     gamma = 0.75 - 0.5 / n;
@@ -46,15 +49,25 @@ struct NelderMead::State {
     const std::vector<double> u = space.to_unit(space.initial());
     const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(u.data(), space.size());
     wanted.push_back(at(start));
-    for (int i = 0; i < space.size(); ++i) {
-      Eigen::VectorXd other = start;
-      other[i] += (other[i] > 0.5 ? -1.0 : 1.0) * options.initial_step;  // where there is room
-      wanted.push_back(at(other));
-    }
+    const Eigen::MatrixXd all = directions();
+    for (const auto& direction : all.colwise()) wanted.push_back(beside(start, direction));
+  }
+
+  /// One a vertex of the first simplex: all that equations among the constraints leave.
+  Eigen::MatrixXd directions() const {
+    if (region.E().rows() == 0) return Eigen::MatrixXd::Identity(space.size(), space.size());
+    return tangent_cone(Eigen::MatrixXd(space.size(), 0), region.E().transpose()).lines;
+  }
+
+  /// To the side with more room.
+  Vertex beside(const Eigen::VectorXd& start, const Eigen::VectorXd& direction) const {
+    const Vertex up = at(start + options.initial_step * direction);
+    const Vertex down = at(start - options.initial_step * direction);
+    return (down.u - start).norm() > 1.01 * (up.u - start).norm() ? down : up;
   }
 
   Vertex at(const Eigen::VectorXd& u) const {
-    const Eigen::VectorXd inside = u.cwiseMax(0.0).cwiseMin(1.0);
+    const Eigen::VectorXd inside = region.nearest(u);
     return {inside, space.from_unit({inside.begin(), inside.end()})};
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nelder and Mead's simplex inside bounds: for a handful of variables and targets without
-// residuals, smooth or not; slow, and without proof of convergence, but it assumes nothing.
+// Nelder and Mead's simplex inside bounds and linear constraints: for a handful of variables and
+// targets without residuals, smooth or not; slow, and without proof of convergence, but it assumes
+// nothing.
 //
 // n + 1 vertices in the unit cube, best x_1 to worst x_n+1 with centroid x_c of all but the worst:
 //   reflect   x_r = x_c + alpha (x_c - x_n+1)    taken where f_1 <= f_r < f_n
@@ -9,8 +10,9 @@
 //   shrink    x_i = x_1 + delta (x_i - x_1)      where the contraction fails, all at once
 // alpha = 1, beta = 1 + 2/n, gamma = 3/4 - 1/(2n), delta = 1 - 1/n for n > 1.
 // [Nelder & Mead, Computer J. 7 (1965) 308]; factors [Gao & Han, Comput. Optim. Appl. 51 (2012)
-// 259]. Points are cut off at the bounds; a Failure is worse than any value. It ends when all
-// vertices are within the tolerance of the best.
+// 259]. Points outside of bounds and linear constraints are replaced by the nearest inside, which
+// can flatten the simplex onto a constraint: it may then end beside the minimum on it. A Failure is
+// worse than any value. It ends when all vertices are within the tolerance of the best.
 #pragma once
 
 #include <memory>

@@ -14,21 +14,18 @@ namespace {
 struct MethodWords {
   Method method;
   std::string_view name, words;
-  bool knows_linear, knows_nonlinear;  // constraints
+  bool knows_nonlinear;  // constraints; linear ones every method knows
 };
 
 constexpr std::array kMethods{
-    MethodWords{Method::gss, "gss", "generating-set search", true, false},
-    MethodWords{Method::residual_trust_region,
-                "residual_trust_region",
-                "residual trust region",
-                false,
-                false},
-    MethodWords{Method::sqp, "sqp", "sequential quadratic programming", true, true},
-    MethodWords{Method::gss_nlc, "gss_nlc", "generating-set search with penalties", true, true},
-    MethodWords{Method::nelder_mead, "nelder_mead", "Nelder-Mead", false, false},
-    MethodWords{Method::genetic, "genetic", "genetic algorithm", false, false},
-    MethodWords{Method::ensemble, "ensemble", "ensemble", true, true}};  // its members are asked
+    MethodWords{Method::gss, "gss", "generating-set search", false},
+    MethodWords{
+        Method::residual_trust_region, "residual_trust_region", "residual trust region", false},
+    MethodWords{Method::sqp, "sqp", "sequential quadratic programming", true},
+    MethodWords{Method::gss_nlc, "gss_nlc", "generating-set search with penalties", true},
+    MethodWords{Method::nelder_mead, "nelder_mead", "Nelder-Mead", false},
+    MethodWords{Method::genetic, "genetic", "genetic algorithm", false},
+    MethodWords{Method::ensemble, "ensemble", "ensemble", true}};  // its members are asked
 
 const MethodWords& entry(Method method) {
   const auto is_it = [&](const MethodWords& words) { return words.method == method; };
@@ -40,30 +37,16 @@ const MethodWords& entry(Method method) {
 constexpr double kMostFailures = 0.5;  // more, and models have nothing to stand on
 constexpr int kMostPolled = 40;        // variables: a poll is that many evaluations
 
-std::string methods_with(bool MethodWords::*knowledge) {
+void check_constraints(Method method, const ProblemTraits& traits) {
+  if (!traits.has_nonlinear_constraints || entry(method).knows_nonlinear) return;
   std::vector<std::string_view> able;
-  for (const MethodWords& method : kMethods) {
-    if (method.*knowledge) able.push_back(method.name);
+  for (const MethodWords& words : kMethods) {
+    if (words.knows_nonlinear) able.push_back(words.name);
   }
-  return fmt::format("{}, auto", fmt::join(able, ", "));
-}
-
-void check_constraints(Method method, const DesignSpace& space, const ProblemTraits& traits) {
-  if (!space.constraints().empty() && !entry(method).knows_linear) {
-    const LinearConstraint& first = space.constraints().front();
-    throw InputError(
-        first.place,
-        fmt::format("linear constraint \"{}\": method {} knows bounds alone, expected one of {}",
-                    first.name,
-                    name(method),
-                    methods_with(&MethodWords::knows_linear)));
-  }
-  if (traits.has_nonlinear_constraints && !entry(method).knows_nonlinear) {
-    throw InputError(
-        fmt::format("method {} knows no constraints that a trial reports, expected one of {}",
-                    name(method),
-                    methods_with(&MethodWords::knows_nonlinear)));
-  }
+  throw InputError(
+      fmt::format("method {} knows no constraints that a trial reports, expected one of {}, auto",
+                  name(method),
+                  fmt::join(able, ", ")));
 }
 
 }  // namespace
@@ -90,10 +73,10 @@ MethodChoice choose_method(const ProblemTraits& traits) {
                         "what lies between them",
                         100.0 * traits.failed_share)};
   }
-  if (constrained && traits.has_residuals) {
-    return {Method::sqp, "the target is a sum over residuals, among constraints"};
+  if (traits.has_nonlinear_constraints && traits.has_residuals) {
+    return {Method::sqp, "the target is a sum over residuals, among nonlinear constraints"};
   }
-  if (constrained) {
+  if (constrained && !traits.has_residuals) {
     return {by_directions, "there are constraints and no residuals; it searches along them"};
   }
   if (traits.has_residuals) {
@@ -159,7 +142,7 @@ std::unique_ptr<Optimizer> make_optimizer(Method method,
                                           const DesignSpace& space,
                                           const OptimizerSettings& settings,
                                           const ProblemTraits& traits) {
-  check_constraints(method, space, traits);
+  check_constraints(method, traits);
   switch (method) {
     case Method::gss:
       return std::make_unique<Gss>(space, settings.gss);

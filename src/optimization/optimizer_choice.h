@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which method minimizes: by name, or chosen from what is known of the problem.
 //
-//   residual_trust_region  the target is a sum over residuals, smooth between failures: fewest
-//                          evaluations by far
+//   residual_trust_region  the target is a sum over residuals, smooth between failures, with or
+//                          without linear constraints: fewest evaluations by far
 //   gss                    no residuals, kinks, or most points fail
-//   sqp                    constraints, and residuals or a smooth target
+//   sqp                    nonlinear constraints, and residuals or a smooth target
 //   gss_nlc                nonlinear constraints and no residuals
 //   nelder_mead            on request: a few variables, nothing assumed
 //   genetic                no residuals and many basins, or more variables than a pattern can poll
@@ -76,9 +76,9 @@ struct MemberSettings {
 /// none.
 MethodChoice method_of(const OptimizerSettings& settings, const ProblemTraits& traits);
 
-/// Throws InputError where the space or the traits have constraints which the method, or a member
-/// of an ensemble, does not know; for an ensemble without members or within another. `traits` are
-/// also what a member of method auto is chosen by.
+/// Throws InputError where the traits have constraints which the method, or a member of an
+/// ensemble, does not know; for an ensemble without members or within another. `traits` are also
+/// what a member of method auto is chosen by.
 std::unique_ptr<Optimizer> make_optimizer(Method method,
                                           const DesignSpace& space,
                                           const OptimizerSettings& settings,

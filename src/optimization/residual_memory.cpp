@@ -72,11 +72,4 @@ bool ResidualMemory::knows(const Eigen::VectorXd& u, const Eigen::VectorXd& dist
   });
 }
 
-int ResidualMemory::best() const {
-  const auto less = [](const ResidualSample& a, const ResidualSample& b) { return a.f < b.f; };
-  if (samples_.empty()) return -1;
-  return static_cast<int>(std::min_element(samples_.begin(), samples_.end(), less) -
-                          samples_.begin());
-}
-
 }  // namespace latsch

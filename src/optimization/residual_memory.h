@@ -39,8 +39,6 @@ class ResidualMemory {
   bool has_failed_near(const Eigen::VectorXd& u) const;
   /// Whether a sample is nearer than `distance` in every variable.
   bool knows(const Eigen::VectorXd& u, const Eigen::VectorXd& distance) const;
-  /// The sample of least f, -1 where there is none.
-  int best() const;
 
  private:
   std::vector<int> nearest(int center, const Eigen::VectorXd& h) const;

@@ -5,28 +5,22 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <optional>
+#include <utility>
 
-#include "base/random.h"
-#include "optimization/box_least_squares.h"
+#include "optimization/flat_directions.h"
 #include "optimization/option_check.h"
-#include "optimization/residual_memory.h"
-#include "optimization/variable_scale.h"
+#include "optimization/trust_box.h"
 
 namespace latsch {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using Kind = Wanted::Kind;
 
 // Of the variance of slopes before anything was known:
 constexpr double kUnknown = 0.5;  // a direction to be probed before any step
 constexpr double kPoor =
     0.02;  // one to be probed when a step disappoints: no sample within 7 radii
-
-// Of the radius: a probe's length. Shorter ones are nearer to the slope, longer ones rise above
-// noise; a third of this or three times it change little.
-constexpr double kProbe = 0.03;
 
 constexpr double kGoodGain = 0.5;
 constexpr double kBadGain = 0.1;
@@ -36,11 +30,7 @@ constexpr double kShrinkage = 0.7;   // of the radius after a bad gain
 constexpr double kMostShrinkage = 0.1;
 constexpr double kWidest = 0.5;  // a box as wide as the cube
 
-constexpr double kShort = 0.01;   // of the radius: a step not worth an evaluation in this box
-constexpr double kFlat = 1e-6;    // of f: a predicted decrease that is none
 constexpr double kSettled = 0.1;  // of the initial radius: below it a flat model is believed
-constexpr double kBackOff = 0.5;  // of a step that would end in a failed region
-constexpr double kSame = 0.1;     // of a step: nearer to a known point nothing is learned
 
 constexpr int kFailuresToShrink = 2;
 constexpr int kFailuresToGiveUp = 4;  // in a row: no more probes beside this center
@@ -52,30 +42,8 @@ constexpr std::array kBoxes{1.0, 0.25, 2.0, 0.5, 0.1, 4.0, 0.03, 0.01};
 /// Of the initial radius: how far from the best point restarts begin, one after the other.
 constexpr std::array kJumps{0.1, 1.0, 0.03, 0.3};
 
-enum class Kind { start, probe, step };
-
-/// A point whose outcome the method waits for.
-struct Wanted {
-  Eigen::VectorXd u;
-  DesignPoint point;
-  Kind kind;
-  int center = -1;         // from which it was chosen
-  double f_center = 0.0;   // its value
-  double length = 0.0;     // |u - center|, largest component in widths of the variables
-  double predicted = 0.0;  // value to be expected, of steps
-};
-
 Eigen::VectorXd to_vector(const std::vector<double>& u) {
   return Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
-}
-
-Eigen::VectorXd in_cube(const Eigen::VectorXd& u) { return u.cwiseMax(0.0).cwiseMin(1.0); }
-
-/// u with every variable moved by up to its `size`.
-Eigen::VectorXd moved(const Eigen::VectorXd& u, const Eigen::VectorXd& size, RandomStream& random) {
-  Eigen::VectorXd next = u;
-  for (Eigen::Index i = 0; i < u.size(); ++i) next[i] += size[i] * (2.0 * random.uniform() - 1.0);
-  return in_cube(next);
 }
 
 void check(const ResidualTrustRegionOptions& options) {
@@ -88,198 +56,110 @@ void check(const ResidualTrustRegionOptions& options) {
 }  // namespace
 
 struct ResidualTrustRegion::State {
-  DesignSpace space;
   ResidualTrustRegionOptions options;
-  ResidualMemory memory;
+  TrustBox box;
 
-  Eigen::VectorXd start;  // where the present run begins
-  int center = -1;        // the best sample of the run; -1: none succeeded yet
-  double radius;
-  VariableScale scale;
-  int scaled_for = -1;               // the center whose Jacobian the scale learned last
-  double noise = 0.0;                // of the model, in its units
   bool is_geometry_doubted = false;  // a step disappointed
   bool has_widened = false;          // the radius, for noise, since the last outcome
   int disappointments = 0;           // in a row
   int failures = 0;                  // in a row
   int restarts = 0;
-  std::uint64_t drawn = 0;     // random points so far
+  Eigen::MatrixXd flat;        // directions without effect at the best point of all
+  int scouts = 0;              // along them, left of this restart
+  bool is_scouting = false;    // the start under way is one
   std::vector<Wanted> wanted;  // in the order proposed; empty: converged
 
-  State(const DesignSpace& s, const ResidualTrustRegionOptions& o)
-      : space(s),
-        options(o),
-        start(to_vector(s.to_unit(s.initial()))),
-        radius(o.initial_radius),
-        scale(s.size()) {
-    wanted.push_back(at(start, Kind::start));
+  State(const DesignSpace& space, const ResidualTrustRegionOptions& o)
+      : options(o), box(space, o.initial_radius, o.seed) {
+    wanted.push_back(box.at(box.c(), Kind::start));
     fill();
   }
 
-  int n() const { return space.size(); }
-  const Eigen::VectorXd& c() const { return center >= 0 ? memory[center].u : start; }
-  double f() const { return center >= 0 ? memory[center].f : kInfinity; }
-
-  /// Half widths of the box.
-  Eigen::VectorXd h() const { return radius * scale.widths(); }
-
-  RandomStream random() { return RandomStream(options.seed, drawn++); }
-
-  Wanted at(const Eigen::VectorXd& u, Kind kind) const {
-    const Eigen::VectorXd inside = in_cube(u);
-    return {inside,
-            space.from_unit({inside.begin(), inside.end()}),
-            kind,
-            center,
-            f(),
-            scale.length(inside - c())};
-  }
-
-  /// Whether to ask there would be to ask again, or for a failure.
-  bool is_pointless(const Eigen::VectorXd& u, double distance) const {
-    const auto is_near = [&](const Wanted& w) { return scale.length(w.u - u) < distance; };
-    return memory.knows(u, distance * scale.widths()) || memory.has_failed_near(u) ||
-           std::any_of(wanted.begin(), wanted.end(), is_near);
-  }
-
-  /// Of what is known and of what is under way.
-  SlopeVariance geometry() const {
-    std::vector<Eigen::VectorXd> places;
-    if (center >= 0) {
-      for (const int i : memory.near(center, h())) places.push_back(memory[i].u - c());
-    }
-    for (const Wanted& w : wanted) {
-      if (w.u != c()) places.push_back(w.u - c());
-    }
-    Eigen::MatrixXd Z(std::ssize(places), n());
-    for (Eigen::Index i = 0; i < Z.rows(); ++i) Z.row(i) = places[i].cwiseQuotient(h());
-    return slope_variance(Z);
-  }
-
-  ResidualModel model() {
-    if (std::exchange(scaled_for, center) != center) {
-      const ResidualModel here(memory.around(center, h()), noise);
-      const Eigen::MatrixXd J = here.jacobian(Eigen::VectorXd::Zero(n()));  // dr/dz
-      scale.learn(J * h().cwiseInverse().asDiagonal());
-    }
-    const ResidualSamples samples = memory.around(center, h());
-    if (disappointments >= kDisappointments || noise > 0.0) noise = likeliest_noise(samples);
-    return ResidualModel(samples, noise);
-  }
-
-  /// Along a direction, to the side with more room, as long as it can be.
-  Wanted probe(Eigen::VectorXd direction) const {
-    Eigen::Index largest;
-    direction.cwiseAbs().maxCoeff(&largest);
-    if (direction[largest] < 0.0) direction = -direction;
-    const auto end = [&](double length) {
-      return in_cube(c() + length * scale.widths().cwiseProduct(direction));
-    };
-    double length = kProbe * radius;
-    if (scale.norm(end(-length) - c()) > 1.01 * scale.norm(end(length) - c())) {
-      direction = -direction;
-    }
-    constexpr int kShortenings = 20;
-    for (int k = 0; k < kShortenings; ++k, length *= 0.2) {
-      for (const double signed_length : {length, -length}) {
-        const Eigen::VectorXd u = end(signed_length);
-        const bool has_room = scale.norm(u - c()) > 0.5 * length;
-        if (has_room && !is_pointless(u, 1e-3 * length)) return at(u, Kind::probe);
-      }
-    }
-    return at(end(kProbe * radius), Kind::probe);
-  }
-
-  /// The step in a box of half width `box` radii; with a length of 0 where it is not worth an
-  /// evaluation.
-  Wanted step(const ResidualModel& m, double box) const {
-    const Eigen::VectorXd lower = (-c()).cwiseQuotient(h()).cwiseMax(-box);
-    const Eigen::VectorXd upper = (1.0 - c().array()).matrix().cwiseQuotient(h()).cwiseMin(box);
-    Eigen::VectorXd z = minimize_in_box(m, lower, upper);
-    while (memory.has_failed_near(c() + h().cwiseProduct(z))) z *= kBackOff;
-    Wanted step = at(c() + h().cwiseProduct(z), Kind::step);
-    step.predicted = m.expected(z);
-    if (step.length < kShort * radius || is_pointless(step.u, kSame * step.length) ||
-        !promises(step)) {
-      step.length = 0.0;
-    }
-    return step;
-  }
-
-  bool promises(const Wanted& step) const { return step.predicted < (1.0 - kFlat) * f(); }
-
-  /// Near the point predicted to be the best, at a distance of any magnitude.
-  std::optional<Wanted> explore() {
-    Eigen::VectorXd around = c();
-    double best = f(), reach = radius;
-    for (const Wanted& w : wanted) {
-      if (w.kind != Kind::step || w.predicted >= best) continue;
-      best = w.predicted;
-      around = w.u;
-      reach = std::max(w.length, kShort * radius);
-    }
-    constexpr int kTries = 100;
-    for (int k = 0; k < kTries; ++k) {
-      RandomStream numbers = random();
-      const double size = reach * std::pow(10.0, -numbers.uniform());
-      const Eigen::VectorXd u = moved(around, size * scale.widths(), numbers);
-      if (!is_pointless(u, 1e-3 * size)) return at(u, Kind::probe);
-    }
-    return std::nullopt;
-  }
+  int n() const { return box.n(); }
 
   bool is_step_awaited() const {
     return std::any_of(wanted.begin(), wanted.end(), [&](const Wanted& w) {
-      return w.kind == Kind::step && w.center == center;
+      return w.kind == Kind::step && w.center == box.center();
     });
   }
 
   /// The next point, after those already wanted; nullopt at the end.
   std::optional<Wanted> next() {
-    while (radius >= options.step_tolerance && !is_hopeless()) {
-      const bool has_slopes = center >= 0 && memory[center].J.size() > 0;
-      const SlopeVariance g = geometry();
-      const double worst = has_slopes ? 0.0 : g.share[n() - 1];
-      if (worst > kUnknown && (center < 0 || failures < kFailuresToGiveUp)) {
-        return probe(g.directions.col(n() - 1));
+    while (box.radius >= options.step_tolerance && !is_hopeless()) {
+      const bool bears_probes = !box.has_center() || failures < kFailuresToGiveUp;
+      const OpenDirection open = open_direction();
+      if (open.share > kUnknown && bears_probes) {
+        if (auto probe = box.probe(open.direction, wanted)) return probe;
       }
-      if (center < 0) return explore();
-      if (std::exchange(is_geometry_doubted, false) && worst > kPoor) {
-        return probe(g.directions.col(n() - 1));
+      if (!box.has_center()) return box.explore(wanted);
+      if (std::exchange(is_geometry_doubted, false) && open.share > kPoor) {
+        if (auto probe = box.probe(open.direction, wanted)) return probe;
       }
-      const ResidualModel m = model();
-      if (noise >= kDrowned && !has_widened && radius < options.initial_radius) {
+      const ResidualModel m = box.model(disappointments >= kDisappointments);
+      if (box.noise >= kDrowned && !has_widened && box.radius < options.initial_radius) {
         has_widened = true;
-        radius *= 2.0;
+        box.radius *= 2.0;
         continue;
       }
       if (is_step_awaited()) return another_step(m);
-      const Wanted first = step(m, kBoxes.front());
+      const Wanted first = box.step(m, kBoxes.front(), wanted);
       if (first.length > 0.0) return first;
-      if (worst > kPoor && failures < kFailuresToGiveUp) return probe(g.directions.col(n() - 1));
-      if (!promises(first) && radius < kSettled * options.initial_radius) break;
-      radius *= 0.1;
+      if (open.share > kPoor && bears_probes) {
+        if (auto probe = box.probe(open.direction, wanted)) return probe;
+      }
+      if (!box.promises(first) && box.radius < kSettled * options.initial_radius) break;
+      box.radius *= 0.1;
     }
-    if (is_hopeless()) return std::nullopt;
-    return wanted.empty() ? restart() : explore();
+    // Those still under way may lead on; the end comes behind the last of them.
+    if (is_hopeless() || !wanted.empty()) return std::nullopt;
+    return restart();
+  }
+
+  struct OpenDirection {
+    double share = 0.0;  // of the variance of its slope
+    Eigen::VectorXd direction;
+  };
+
+  /// The one least known; none where the model brought its slopes, or the region is a point.
+  OpenDirection open_direction() const {
+    if (box.has_center() && box.memory[box.center()].J.size() > 0) return {};
+    const SlopeVariance g = box.geometry(wanted);
+    const Eigen::Index last = g.share.size() - 1;
+    if (last < 0) return {};
+    return {g.share[last], g.directions.col(last)};
   }
 
   std::optional<Wanted> another_step(const ResidualModel& m) {
     for (std::size_t k = 1; k < kBoxes.size(); ++k) {
-      Wanted other = step(m, kBoxes[k]);
+      Wanted other = box.step(m, kBoxes[k], wanted);
       if (other.length > 0.0) return other;
     }
-    return explore();
+    return box.explore(wanted);
   }
 
   std::optional<Wanted> restart() {
-    if (restarts >= options.restarts || memory.best() < 0) return std::nullopt;
+    if (restarts >= options.restarts || box.best() < 0) return std::nullopt;
+    if (box.center() == box.best()) {
+      const double r = box.memory[box.best()].r.norm();
+      flat = flat_directions(box.slopes(), options.initial_radius, r);
+    }
+    scouts = flat.cols() > 0 ? n() + 1 : 0;
     const double jump = kJumps[restarts++ % kJumps.size()] * options.initial_radius;
-    RandomStream numbers = random();
-    start = moved(memory[memory.best()].u, jump * scale.widths(), numbers);
-    center = -1;
-    radius = std::max(jump, options.step_tolerance);
-    return at(start, Kind::start);
+    box.radius = std::max(jump, options.step_tolerance);
+    return start();
+  }
+
+  /// Beside the best point: along flat directions as long as there are scouts.
+  Wanted start() {
+    const Eigen::VectorXd best = box.memory[box.best()].u;
+    is_scouting = scouts-- > 0;
+    if (is_scouting) {
+      const Eigen::VectorXd along = flat * (flat.transpose() * box.draw());
+      box.move_to(box.region.nearest(best + options.initial_radius * along));
+    } else {
+      box.move_to(box.moved(best, box.radius));
+    }
+    return box.at(box.c(), Kind::start);
   }
 
   void fill() {
@@ -291,42 +171,46 @@ struct ResidualTrustRegion::State {
   }
 
   /// Nothing succeeded in many places.
-  bool is_hopeless() const { return center < 0 && failures > 20 * (n() + 1); }
+  bool is_hopeless() const { return !box.has_center() && failures > 20 * (n() + 1); }
 
-  /// Elsewhere, farther and farther away.
+  /// Elsewhere, farther and farther away, as long as nothing ever succeeded.
   void start_again(const Eigen::VectorXd& failed) {
     if (is_hopeless()) return;
-    RandomStream numbers = random();
-    const double reach = options.initial_radius * (1.0 + failures / n());
-    start = moved(failed, reach * scale.widths(), numbers);
-    wanted.push_back(at(start, Kind::start));
+    if (box.best() < 0) {
+      box.move_to(box.moved(failed, options.initial_radius * (1.0 + failures / n())));
+      wanted.push_back(box.at(box.c(), Kind::start));
+    } else {
+      wanted.push_back(start());
+    }
   }
 
   void take_failure(const Wanted& tried) {
-    memory.add_failure(tried.u);
+    box.memory.add_failure(tried.u);
     ++failures;
-    if (tried.kind == Kind::start && center < 0) start_again(tried.u);
+    if (tried.kind == Kind::start && !box.has_center()) return start_again(tried.u);
     if (failures >= kFailuresToGiveUp) {
-      radius *= 0.1;
+      box.radius *= 0.1;
     } else if (tried.kind == Kind::step && failures >= kFailuresToShrink) {
-      radius *= 0.5;
+      box.radius *= 0.5;
     }
   }
 
   void take(const Wanted& tried, ResidualSample sample) {
     failures = 0;
     const double gain = (tried.f_center - sample.f) / (tried.f_center - tried.predicted);
-    const bool is_best = sample.f < f();
-    const bool is_of_center = tried.center == center;
-    memory.add(std::move(sample));
-    if (is_best) center = memory.size() - 1;
+    const bool is_of_center = tried.center == box.center();
+    if (tried.kind == Kind::start && is_scouting && is_same(sample.r, box.memory[box.best()].r)) {
+      wanted.push_back(start());
+      return;
+    }
+    const bool is_best = box.take(std::move(sample));
     if (tried.kind != Kind::step) return;
     if (gain > kGoodGain) disappointments = 0;
     if (is_best && gain > kGoodGain) {
-      radius = std::clamp(radius, kGrowth * tried.length, kMostGrowth * tried.length);
-      radius = std::min(radius, kWidest);
-    } else if (gain < kBadGain && is_of_center && tried.length <= 1.01 * radius) {
-      radius *= std::clamp(tried.length / radius, kMostShrinkage, kShrinkage);
+      box.radius = std::clamp(box.radius, kGrowth * tried.length, kMostGrowth * tried.length);
+      box.radius = std::min(box.radius, kWidest);
+    } else if (gain < kBadGain && is_of_center && tried.length <= 1.01 * box.radius) {
+      box.radius *= std::clamp(tried.length / box.radius, kMostShrinkage, kShrinkage);
       is_geometry_doubted = true;
       ++disappointments;
     }
@@ -335,12 +219,15 @@ struct ResidualTrustRegion::State {
   void observe(const DesignPoint& point, const std::optional<ResidualSample>& sample) {
     const auto found = std::find_if(
         wanted.begin(), wanted.end(), [&](const Wanted& w) { return w.point == point; });
-    const Wanted tried =
-        found != wanted.end() ? *found : at(to_vector(space.to_unit(point)), Kind::probe);
-    if (found != wanted.end()) wanted.erase(found);
+    Wanted tried;
+    if (found != wanted.end()) {
+      tried = *found;
+      wanted.erase(found);
+    } else {
+      tried = {to_vector(box.space.to_unit(point)), point, Kind::probe, box.center(), box.f()};
+    }
     has_widened = false;
-    const double limit = center >= 0 ? memory.explosion(center, h()) : kInfinity;
-    if (sample && sample->f < limit) {
+    if (sample && sample->f < box.explosion()) {
       take(tried, {tried.u, sample->r, sample->J, sample->f});
     } else {
       take_failure(tried);
@@ -356,7 +243,7 @@ struct ResidualTrustRegion::State {
     if (std::ssize(score.jacobian) != m * n()) return {};
     const Eigen::MatrixXd J = Eigen::Map<const Rows>(score.jacobian.data(), m, n());
     if (!J.allFinite()) return {};
-    return J * to_vector(space.unit_slopes(point)).asDiagonal();
+    return J * to_vector(box.space.unit_slopes(point)).asDiagonal();
   }
 
   std::optional<ResidualSample> sample(const DesignPoint& point,
@@ -368,19 +255,10 @@ struct ResidualTrustRegion::State {
           "such as gss");
     }
     const Eigen::VectorXd r = to_vector(outcome->residuals);
-    const bool is_odd = memory.size() > 0 && r.size() != memory[0].r.size();
+    const bool is_odd = box.memory.size() > 0 && r.size() != box.memory[0].r.size();
     if (is_odd || !std::isfinite(r.squaredNorm())) return std::nullopt;
     return ResidualSample{
-        to_vector(space.to_unit(point)), r, slopes(point, *outcome), r.squaredNorm()};
-  }
-
-  /// The outcome as the model expects it.
-  std::optional<ResidualSample> expected(const DesignPoint& point) const {
-    if (center < 0) return std::nullopt;
-    const Eigen::VectorXd u = to_vector(space.to_unit(point));
-    const ResidualModel m(memory.around(center, h()), noise);
-    const Eigen::VectorXd r = m.residuals((u - c()).cwiseQuotient(h()));
-    return ResidualSample{u, r, {}, r.squaredNorm()};
+        to_vector(box.space.to_unit(point)), r, slopes(point, *outcome), r.squaredNorm()};
   }
 };
 
@@ -404,14 +282,14 @@ std::vector<DesignPoint> ResidualTrustRegion::propose(int count) const {
   take(state_->wanted);
   if (plan.empty() || std::ssize(plan) == count) return plan;
   State future = *state_;
-  if (future.center < 0) {  // nothing to expect yet: the geometry will be wanted anyway
+  if (!future.box.has_center()) {  // nothing to expect yet: the geometry will be wanted anyway
     future.options.outstanding = count;
     future.fill();
     take(future.wanted);
   }
-  while (std::ssize(plan) < count && future.center >= 0 && !future.wanted.empty()) {
+  while (std::ssize(plan) < count && future.box.has_center() && !future.wanted.empty()) {
     const DesignPoint first = future.wanted.front().point;
-    future.observe(first, future.expected(first));
+    future.observe(first, future.box.expected(first));
     take(future.wanted);
   }
   return plan;

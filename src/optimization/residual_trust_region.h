@@ -3,14 +3,15 @@
 // without derivatives: the derivative-free Gauss-Newton method, with the curvature of residuals.
 //
 // In the unit cube, around the best point c with a box of half widths h = radius w, w the widths of
-// the variables (variable_scale.h), at first 1:
+// the variables (variable_scale.h), at first 1 (trust_box.h):
 //
 //   model     r_hat, a quadratic for every residual, of all samples around, whoever asked for them
 //             (a DOE, another method, an earlier run): residual_model.h.
 //   geometry  where samples leave a direction unknown, a probe along it; at the start one for every
 //             variable. A direction that is known poorly is probed when a step disappoints.
 //   step      the least value to be expected, |r_hat|^2 and the variance with which the model knows
-//             it, in box and bounds: box_least_squares.h.
+//             it, in box and bounds: box_least_squares.h; among linear constraints:
+//             polytope_least_squares.h.
 //             gain = (f(c) - f(u)) / (f(c) - expected(u))
 //   radius    grows with steps whose gain is good, shrinks with steps whose gain is bad.
 //   end       where neither a step of the tolerance nor a model of good geometry promises anything.
@@ -19,8 +20,10 @@
 // a second failure in a row halves the radius. Noise shows in models that disappoint again and
 // again although they interpolate: then they smooth, with the variance that is likeliest, and the
 // radius grows where noise drowns the slopes. `restarts` starts again near the best point, a share
-// of the initial radius off: out of a local minimum or out of the noise. Where a Score brings a
-// Jacobian, its slopes take the place of the geometry: Levenberg-Marquardt with bounds.
+// of the initial radius off: out of a local minimum or out of the noise. Where the run ended with
+// directions of which the residuals feel nothing (flat_directions.h), n + 1 single points scout
+// along them first, and the run starts from the one that is felt. Where a Score brings a Jacobian,
+// its slopes take the place of the geometry: Levenberg-Marquardt with bounds.
 //
 // Several at once: `outstanding` points are under way at any time. The second and later ones are
 // steps in boxes of other sizes, then points around the best predicted one. Idle workers get what

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/trust_box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "optimization/box_least_squares.h"
+#include "optimization/polytope_least_squares.h"
+#include "optimization/tangent_cone.h"
+
+namespace latsch {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Of the radius: a probe's length. Shorter ones are nearer to the slope, longer ones rise above
+// noise; a third of this or three times it change little.
+constexpr double kProbe = 0.03;
+constexpr double kRoom = 0.5;     // of a probe's length: what has to be left of it
+constexpr double kShort = 0.01;   // of the radius: a step not worth an evaluation in this box
+constexpr double kFlat = 1e-6;    // of f: a predicted decrease that is none
+constexpr double kBackOff = 0.5;  // of a step that would end in a failed region
+constexpr double kSame = 0.1;     // of a step: nearer to a known point nothing is learned
+
+Eigen::VectorXd to_vector(const std::vector<double>& u) {
+  return Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
+}
+
+}  // namespace
+
+TrustBox::TrustBox(const DesignSpace& s, double first_radius, std::uint64_t seed)
+    : space(s),
+      region(s),
+      radius(first_radius),
+      start_(to_vector(s.to_unit(s.initial()))),
+      scale_(s.size()),
+      seed_(seed) {}
+
+double TrustBox::f() const { return has_center() ? memory[center_].f : kInfinity; }
+
+void TrustBox::move_to(const Eigen::VectorXd& u) {
+  start_ = u;
+  center_ = -1;
+}
+
+bool TrustBox::take(ResidualSample sample) {
+  const bool is_inside = region.contains(sample.u);
+  const bool is_better = is_inside && sample.f < f();
+  const bool is_best = is_inside && (best_ < 0 || sample.f < memory[best_].f);
+  memory.add(std::move(sample));
+  if (is_better) center_ = memory.size() - 1;
+  if (is_best) best_ = memory.size() - 1;
+  return is_better;
+}
+
+double TrustBox::explosion() const {
+  const int around = has_center() ? center_ : best_;
+  return around >= 0 ? memory.explosion(around, h()) : kInfinity;
+}
+
+Eigen::MatrixXd TrustBox::along() const {
+  const Eigen::MatrixXd E = region.E() * scale_.widths().asDiagonal();
+  return tangent_cone(Eigen::MatrixXd(n(), 0), E.transpose()).lines;
+}
+
+SlopeVariance TrustBox::geometry(const std::vector<Wanted>& wanted) const {
+  std::vector<Eigen::VectorXd> places;
+  if (has_center()) {
+    for (const int i : memory.near(center_, h())) places.push_back(memory[i].u - c());
+  }
+  for (const Wanted& w : wanted) {
+    if (w.u != c()) places.push_back(w.u - c());
+  }
+  Eigen::MatrixXd Z(std::ssize(places), n());
+  for (Eigen::Index i = 0; i < Z.rows(); ++i) Z.row(i) = places[i].cwiseQuotient(h());
+  if (region.E().rows() == 0) return slope_variance(Z);
+  const Eigen::MatrixXd N = along();
+  if (N.cols() == 0) return {};  // the region is a point
+  SlopeVariance found = slope_variance(Z * N);
+  found.directions = N * found.directions;
+  return found;
+}
+
+ResidualModel TrustBox::model(bool is_noisy) {
+  if (std::exchange(scaled_for_, center_) != center_) {
+    const ResidualModel here(samples(), noise);
+    const Eigen::MatrixXd J = here.jacobian(Eigen::VectorXd::Zero(n()));  // dr/dz
+    scale_.learn(J * h().cwiseInverse().asDiagonal());
+  }
+  const ResidualSamples around = samples();
+  if (is_noisy || noise > 0.0) noise = likeliest_noise(around);
+  return ResidualModel(around, noise);
+}
+
+Eigen::MatrixXd TrustBox::slopes() {
+  return model(false).jacobian(Eigen::VectorXd::Zero(n())) * h().cwiseInverse().asDiagonal();
+}
+
+ResidualSample TrustBox::expected(const DesignPoint& point) const {
+  const Eigen::VectorXd u = to_vector(space.to_unit(point));
+  const Eigen::VectorXd r = ResidualModel(samples(), noise).residuals((u - c()).cwiseQuotient(h()));
+  return {u, r, {}, r.squaredNorm()};
+}
+
+Wanted TrustBox::at(const Eigen::VectorXd& u, Wanted::Kind kind) const {
+  const Eigen::VectorXd inside = region.nearest(u);
+  return {inside,
+          space.from_unit({inside.begin(), inside.end()}),
+          kind,
+          center_,
+          f(),
+          scale_.length(inside - c())};
+}
+
+/// Whether to ask there would be to ask again, or for a failure.
+bool TrustBox::is_pointless(const Eigen::VectorXd& u,
+                            double distance,
+                            const std::vector<Wanted>& wanted) const {
+  const auto is_near = [&](const Wanted& w) { return scale_.length(w.u - u) < distance; };
+  return memory.knows(u, distance * scale_.widths()) || memory.has_failed_near(u) ||
+         std::any_of(wanted.begin(), wanted.end(), is_near);
+}
+
+std::optional<Wanted> TrustBox::probe(Eigen::VectorXd direction,
+                                      const std::vector<Wanted>& wanted) const {
+  Eigen::Index largest;
+  direction.cwiseAbs().maxCoeff(&largest);
+  if (direction[largest] < 0.0) direction = -direction;
+  const auto end = [&](double length) {
+    return region.nearest(c() + length * scale_.widths().cwiseProduct(direction));
+  };
+  double length = kProbe * radius;
+  if (scale_.norm(end(-length) - c()) > 1.01 * scale_.norm(end(length) - c())) {
+    direction = -direction;
+  }
+  constexpr int kShortenings = 20;
+  for (int k = 0; k < kShortenings; ++k, length *= 0.2) {
+    for (const double signed_length : {length, -length}) {
+      const Eigen::VectorXd u = end(signed_length);
+      const bool has_room = scale_.norm(u - c()) > kRoom * length;
+      if (has_room && !is_pointless(u, 1e-3 * length, wanted)) return at(u, Wanted::Kind::probe);
+    }
+  }
+  return std::nullopt;
+}
+
+Eigen::VectorXd TrustBox::least_expected(const ResidualModel& m, double box) const {
+  const Eigen::VectorXd lower = (-c()).cwiseQuotient(h()).cwiseMax(-box);
+  const Eigen::VectorXd upper = (1.0 - c().array()).matrix().cwiseQuotient(h()).cwiseMin(box);
+  if (region.is_cube()) return minimize_in_box(m, lower, upper);
+  const Eigen::Index rows = region.A().rows() - 2 * n();  // behind them the faces of the cube
+  const Eigen::MatrixXd A = region.A().topRows(rows);
+  return minimize_in_polytope(m,
+                              lower,
+                              upper,
+                              region.E() * h().asDiagonal(),
+                              A * h().asDiagonal(),
+                              region.b().head(rows) - A * c());
+}
+
+Wanted TrustBox::step(const ResidualModel& m, double box, const std::vector<Wanted>& wanted) const {
+  Eigen::VectorXd z = least_expected(m, box);
+  while (memory.has_failed_near(c() + h().cwiseProduct(z))) z *= kBackOff;
+  Wanted step = at(c() + h().cwiseProduct(z), Wanted::Kind::step);
+  step.predicted = m.expected(z);
+  if (step.length < kShort * radius || is_pointless(step.u, kSame * step.length, wanted) ||
+      !promises(step)) {
+    step.length = 0.0;
+  }
+  return step;
+}
+
+bool TrustBox::promises(const Wanted& step) const { return step.predicted < (1.0 - kFlat) * f(); }
+
+std::optional<Wanted> TrustBox::explore(const std::vector<Wanted>& wanted) {
+  Eigen::VectorXd around = c();
+  double best = f(), reach = radius;
+  for (const Wanted& w : wanted) {
+    if (w.kind != Wanted::Kind::step || w.predicted >= best) continue;
+    best = w.predicted;
+    around = w.u;
+    reach = std::max(w.length, kShort * radius);
+  }
+  constexpr int kTries = 100;
+  for (int k = 0; k < kTries; ++k) {
+    RandomStream numbers(seed_, drawn_++);
+    const double size = reach * std::pow(10.0, -numbers.uniform());
+    const Eigen::VectorXd u = moved(around, size, numbers);
+    if (!is_pointless(u, 1e-3 * size, wanted)) return at(u, Wanted::Kind::probe);
+  }
+  return std::nullopt;
+}
+
+Eigen::VectorXd TrustBox::moved(const Eigen::VectorXd& u,
+                                double reach,
+                                RandomStream& numbers) const {
+  Eigen::VectorXd next = u;
+  for (Eigen::Index i = 0; i < u.size(); ++i) {
+    next[i] += reach * scale_.widths()[i] * (2.0 * numbers.uniform() - 1.0);
+  }
+  return region.nearest(next);
+}
+
+Eigen::VectorXd TrustBox::moved(const Eigen::VectorXd& u, double reach) {
+  RandomStream numbers(seed_, drawn_++);
+  return moved(u, reach, numbers);
+}
+
+Eigen::VectorXd TrustBox::draw() {
+  RandomStream numbers(seed_, drawn_++);
+  Eigen::VectorXd drawn(n());
+  for (double& number : drawn) number = 2.0 * numbers.uniform() - 1.0;
+  return drawn;
+}
+
+}  // namespace latsch
