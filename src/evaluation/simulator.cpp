@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/simulator.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -9,6 +10,8 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstring>
+#include <iterator>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -107,6 +110,23 @@ Result<Channels> run(const Simulator& simulator,
   return channels;
 }
 
+/// Why nothing more can be written behind what the program printed; empty where it can. Programs
+/// tell of a full disk in many ways or not at all.
+std::string full_disk(const fs::path& printed) {
+  const int file = ::open(printed.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
+  if (file < 0) return errno == ENOSPC || errno == EDQUOT ? std::strerror(errno) : "";
+  const off_t size = ::lseek(file, 0, SEEK_END);
+  constexpr std::array<char, 4096> kBlock{};
+  errno = 0;
+  const bool is_written =
+      ::write(file, kBlock.data(), kBlock.size()) == std::ssize(kBlock) && ::fsync(file) == 0;
+  const int error = errno == 0 ? ENOSPC : errno;  // a part of the block alone: no error yet
+  const bool is_restored = ::ftruncate(file, size) == 0;
+  ::close(file);
+  const bool is_full = error == ENOSPC || error == EDQUOT || error == EFBIG;
+  return !is_written && is_restored && is_full ? std::strerror(error) : "";
+}
+
 /// The command line program: this process, what lies beside it (a benchmark's), or the one of the
 /// search path.
 std::string this_program() {
@@ -135,10 +155,20 @@ Evaluator evaluator(const Simulator& simulator, const DesignSpace& space) {
     if (!simulator.keep_failed) remove_abandoned(simulator.scratch);
     TrialFolder folder(simulator.scratch, point);
     auto result = run(simulator, space, point, folder.path());
-    if (result || !simulator.keep_failed) return result;
-    folder.keep();
+    if (result) return result;
     Failure failure = result.failure();
-    failure.reason += "; its folder is " + folder.path().string();
+    const std::string full = full_disk(folder.path() / kPrinted);
+    if (!full.empty()) {
+      failure = {fmt::format("the disk is full, nothing more can be written to {} ({}); {}",
+                             simulator.scratch.string(),
+                             full,
+                             failure.reason),
+                 Cause::transient};
+    }
+    if (simulator.keep_failed) {
+      folder.keep();
+      failure.reason += "; its folder is " + folder.path().string();
+    }
     return failure;
   };
 }

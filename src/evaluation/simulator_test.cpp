@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -66,6 +67,23 @@ TEST_F(SimulatorTest, ReadsTheInputAndItsOutputBecomesChannelsInSi) {
   EXPECT_EQ((*channels)["out/f"], std::vector<double>{42'000.0});
   EXPECT_EQ(channels->all().front().unit, "N");
   EXPECT_TRUE(fs::is_empty(folder_ / "scratch"));
+}
+
+// A file-size limit makes write(2) fail as a full disk does.
+TEST_F(SimulatorTest, ADiskFilledByWhatAProgramPrintsIsNamed) {
+  const Simulator printing = simulator("while echo a line of output; do :; done");
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{64 * 1024, before.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  const auto result = evaluate(evaluator(printing, space()), {{42.0}}).result;
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  ASSERT_FALSE(result.ok());
+  expect_contains(result.failure().reason, "the disk is full, nothing more can be written to ");
+  EXPECT_EQ(result.failure().cause, Cause::transient);
+  expect_contains(reason("exit 3"), "\"/bin/sh\" exited with code 3");  // not named without cause
 }
 
 TEST_F(SimulatorTest, HowAProgramFailedIsToldWithTheLastLineItPrinted) {

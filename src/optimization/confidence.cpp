@@ -84,6 +84,7 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
 
   const Eigen::MatrixXd J_free = at.J(Eigen::all, free);
   const Eigen::MatrixXd inverse = inverse_normal_matrix(J_free);
+  const Eigen::VectorXd left = -inverse * gradient(free);  // to the least S
   c.covariance = Eigen::MatrixXd::Zero(n, n);
   c.correlation = Eigen::MatrixXd::Zero(n, n);
   c.intervals.resize(n);
@@ -92,7 +93,7 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
       c.covariance(free[a], free[b]) = c.sigma * c.sigma * inverse(a, b);
       c.correlation(free[a], free[b]) = inverse(a, b) / std::sqrt(inverse(a, a) * inverse(b, b));
     }
-    double half = c.t * c.sigma * std::sqrt(inverse(a, a));
+    double half = c.t * c.sigma * std::sqrt(inverse(a, a)) + std::abs(left[a]);
     if (!std::isfinite(half)) half = kInfinity;
     c.intervals[free[a]] = {at.u[free[a]] - half, at.u[free[a]] + half};
   }
@@ -112,10 +113,18 @@ std::vector<DesignPoint> difference_points(const DesignSpace& space,
   std::vector<DesignPoint> points{center};
   const std::vector<double> u = space.to_unit(center);
   for (int i = 0; i < space.size(); ++i) {
-    std::vector<double> moved = u;
-    moved[i] += u[i] + step <= 1.0 ? step : -step;
-    points.push_back(center);  // the exact bits of the other variables
-    points.back().values[i] = space.from_unit(moved).values[i];
+    const auto stepped = [&](double side) {
+      std::vector<double> moved = u;
+      moved[i] += side;
+      DesignPoint point = center;  // the exact bits of the other variables
+      point.values[i] = space.from_unit(moved).values[i];
+      return point;
+    };
+    const double inward = u[i] + step <= 1.0 ? step : -step;
+    const DesignPoint first = stepped(inward), other = stepped(-inward);
+    const double behind = u[i] - inward;
+    const bool has_room_behind = behind >= 0.0 && behind <= 1.0 && space.contains(other);
+    points.push_back(space.contains(first) || !has_room_behind ? first : other);
   }
   return points;
 }

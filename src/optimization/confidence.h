@@ -2,10 +2,12 @@
 // What the data determine at a fitted point, from the residuals and their derivatives alone.
 //
 // Residuals r(u) of m measured values, each divided by its noise or weighted alike, in n variables
-// u of the unit cube; J = dr/du at the least sum of squares S = r' r. In linear approximation
+// u of the unit cube; J = dr/du at, or near, the least sum of squares S = r' r. In linear
+// approximation
 //   s^2 = S / (m - n)                 variance of a residual, where it is not given
 //   C   = s^2 (J' J)^-1               covariance of the variables
-//   u_i +- t sqrt(C_ii)               confidence interval, t of Student's distribution
+//   u_i +- (t sqrt(C_ii) + |d_i|)     confidence interval, t of Student's distribution
+//   d = -(J' J)^-1 J' r               what the search left of the way to the least S
 // [Bard, Nonlinear Parameter Estimation, 1974, ch. 7; Seber, Wild, Nonlinear Regression, 1989, ch.
 // 5]
 //
@@ -68,8 +70,8 @@ struct Confidence {
 /// Needs a residual at least.
 Confidence confidence(const Linearization& at, const ConfidenceOptions& options = {});
 
-/// The points of which J is taken by differences: the center, then one step in each variable,
-/// inward, in the unit cube.
+/// The points of which J is taken by differences: the center, then one step in each variable of the
+/// unit cube, inward, and inside the linear constraints where one of both sides is.
 std::vector<DesignPoint> difference_points(const DesignSpace& space,
                                            const DesignPoint& center,
                                            double step = 0.01);

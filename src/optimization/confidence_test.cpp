@@ -36,6 +36,23 @@ TEST(Confidence, AStraightLineHasItsTextbookIntervals) {
   EXPECT_NEAR(std::pow(c.singular_values.prod(), 2), 50.0, 1e-10);
 }
 
+// A linear model: wherever the search stopped, d leads to the textbook's solution.
+TEST(Confidence, WhatTheSearchLeftOfTheWayWidensTheInterval) {
+  const Linearization least = line(Eigen::VectorXd{{0.31, 0.39, 0.52, 0.58, 0.70}});
+  const Eigen::Vector2d left(0.3, -0.2);
+  Linearization stopped = least;
+  stopped.u -= left;
+  stopped.r -= least.J * left;
+  const Confidence c = confidence(stopped, {.sigma = 0.01});
+  const Confidence at_least = confidence(least, {.sigma = 0.01});
+  for (int i = 0; i < 2; ++i) {
+    const double half = at_least.intervals[i].upper - least.u[i];
+    EXPECT_NEAR(c.intervals[i].upper - stopped.u[i], half + std::abs(left[i]), 1e-12);
+    EXPECT_LT(c.intervals[i].lower, least.u[i]);
+    EXPECT_GT(c.intervals[i].upper, least.u[i]);
+  }
+}
+
 TEST(Confidence, ADirectionThatNoResidualFeelsIsInfinitelyWideAndTheOthersAreNot) {
   Linearization at;
   at.u = Eigen::Vector3d(0.5, 0.5, 0.5);

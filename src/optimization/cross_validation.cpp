@@ -32,11 +32,14 @@ CrossValidation::CrossValidation(const DesignSpace& space,
     assert(!rest.empty());
     const Linearization without{best.u, best.r(rest), best.J(rest, Eigen::all)};
     const double now = root_mean_square(best.r(out));
-    folds_.push_back(
-        {rest,
-         out,
-         Refit(without, all, {.tolerance = tolerance, .most_evaluations = kEvaluationsOfARefit}),
-         {left, best.u, now, now}});
+    folds_.push_back({rest,
+                      out,
+                      Refit(without,
+                            all,
+                            {.tolerance = tolerance,
+                             .most_evaluations = kEvaluationsOfARefit,
+                             .region = FeasibleRegion(space)}),
+                      {left, best.u, now, now}});
   }
   ask();
 }

@@ -66,7 +66,8 @@ void Identification::differences_observed(const std::vector<Result<Eigen::Vector
   refit_.emplace(*at_,
                  every,
                  RefitOptions{.tolerance = kTolerance * confidence_->threshold(),
-                              .most_evaluations = kEvaluationsOfTheRefit});
+                              .most_evaluations = kEvaluationsOfTheRefit,
+                              .region = FeasibleRegion(space_)});
   if (refit_->wanted()) {
     wanted_ = {space_.from_unit(numbers(*refit_->wanted()))};
   } else {
@@ -88,10 +89,13 @@ void Identification::begin_profiles() {
   refit_.reset();
   const Confidence at_best = latsch::confidence(*best_, options_.confidence);
   threshold_ = at_best.threshold();
+  const FeasibleRegion region(space_);
   for (int i = 0; i < space_.size(); ++i) {
     const Interval& interval = at_best.intervals[i];
     const double half = std::min(interval.upper - best_->u[i], best_->u[i] - interval.lower);
-    for (int direction : {-1, +1}) branches_.emplace_back(*best_, i, direction, half, threshold_);
+    for (int direction : {-1, +1}) {
+      branches_.emplace_back(*best_, i, direction, half, threshold_, region);
+    }
   }
   ask_branches();
 }

@@ -62,6 +62,28 @@ TEST(Identification, OfALinearModelTheProfileIsTheLinearInterval) {
   }
 }
 
+// r = (a - 0.5, b - 0.5) among a + b <= 1.02. Below 0.52 b is free and S = (a - 0.5)^2; above, b
+// has to give way:  S = x^2 + (x - 0.02)^2,  x = a - 0.5, which is t^2 s^2 at the root below. No
+// point asked for lies outside.
+TEST(Identification, ProfilesKeepToLinearConstraints) {
+  LinearConstraint sum;
+  sum.name = "sum";
+  sum.coefficients = {1, 1};
+  sum.upper = 1.02;
+  const DesignSpace space(box({0.5, 0.5}, 0, 1).variables(), {sum});
+  const auto a = analyze(space,
+                         [](const auto& x) {
+                           return Eigen::VectorXd{{x[0] - 0.5, x[1] - 0.5}};
+                         },
+                         {.confidence = {.sigma = 0.1}});
+  const double t2s2 = 0.03841459;
+  for (const Profile& p : a.identification.profiles()) {
+    EXPECT_NEAR(p.interval.lower, 0.5 - std::sqrt(t2s2), 1e-3);
+    EXPECT_NEAR(p.interval.upper, 0.5 + 0.01 + std::sqrt(0.5 * t2s2 - 0.0001), 1e-3);
+    EXPECT_NEAR(p.points.back().u[p.variable], 1.0, 2e-3);  // the other one at 0.02 or less
+  }
+}
+
 // Vertical stiffness k alone, from two springs in series, 1 / (1 / x0 + 1 / x1): a valley.
 TEST(Identification, TwoSpringsInSeriesAreFlatUntilOneIsMeasuredAlone) {
   const auto stiffness = [](double a, double b) { return a * b / (a + b); };

@@ -20,6 +20,7 @@ constexpr double kTolerance = 0.02;
 constexpr int kEvaluationsOfARung = 30;
 constexpr double kLeap = 4.0;  // thresholds: between two rungs the root of S is no straight line
 constexpr int kHalvings = 3;
+constexpr double kFarOut = 1e3;  // ranges; the furthest point is met to its inverse
 // What the profile has to fall again to count as another minimum, of its height there: refits that
 // ended early leave ripples.
 constexpr double kFall = 0.1;
@@ -30,6 +31,19 @@ std::vector<int> all_but(int variable, Eigen::Index n) {
     if (i != variable) free.push_back(i);
   }
   return free;
+}
+
+/// The furthest value of a variable inside a region: a bound, or where constraints leave none of
+/// the others room. Of the points inside the nearest to one far out is the furthest that way.
+double last_value(const FeasibleRegion& region,
+                  const Eigen::VectorXd& u,
+                  int variable,
+                  int direction) {
+  if (region.is_cube()) return direction > 0 ? 1.0 : 0.0;
+  Eigen::VectorXd far = u;
+  far[variable] += direction * kFarOut;
+  const double last = region.nearest(far)[variable];
+  return direction > 0 ? std::max(last, u[variable]) : std::min(last, u[variable]);
 }
 
 /// The variable's value where S first exceeds the threshold, outward from `start`; the root of S is
@@ -76,13 +90,19 @@ void find_minima(Profile& p, int start, int direction) {
 
 }  // namespace
 
-ProfileBranch::ProfileBranch(
-    const Linearization& best, int variable, int direction, double half, double threshold)
+ProfileBranch::ProfileBranch(const Linearization& best,
+                             int variable,
+                             int direction,
+                             double half,
+                             double threshold,
+                             const FeasibleRegion& region)
     : variable_(variable),
       direction_(direction),
       length_(std::clamp(kFirstRung * half, kShortestRung, kLongestRung)),
       threshold_(threshold),
       least_(best.sum_of_squares()),
+      region_(region),
+      end_(last_value(region, best.u, variable, direction)),
       free_(all_but(variable, best.u.size())),
       last_(best) {
   next_rung(best);
@@ -146,12 +166,11 @@ void ProfileBranch::halve() {
 
 void ProfileBranch::next_rung(const Linearization& from) {
   const double at = from.u[variable_];
-  const double bound = direction_ > 0 ? 1.0 : 0.0;
-  if (at == bound) return;
+  if (direction_ * (end_ - at) <= 0.0) return;
   if (!points_.empty()) length_ = std::min(kLonger * length_, kLongestRung);
   // A last rung of less than half a step joins the one before it.
-  const bool last = std::abs(bound - at) < 1.5 * length_;
-  climb(from, last ? bound : at + direction_ * length_);
+  const bool last = std::abs(end_ - at) < 1.5 * length_;
+  climb(from, last ? end_ : at + direction_ * length_);
 }
 
 void ProfileBranch::climb(const Linearization& from, double to) {
@@ -159,7 +178,8 @@ void ProfileBranch::climb(const Linearization& from, double to) {
   refit_.emplace(from,
                  free_,
                  RefitOptions{.tolerance = kTolerance * std::max(threshold_, rise),
-                              .most_evaluations = kEvaluationsOfARung},
+                              .most_evaluations = kEvaluationsOfARung,
+                              .region = region_},
                  variable_,
                  to);
 }

@@ -15,7 +15,8 @@
 // The ladder starts at the best point in steps as long as the linear interval and lengthens them to
 // a tenth of the range, up to both bounds; a rung that leaps over the threshold is halved. Each
 // rung is a refit that starts where the last ended; it may miss a better basin of the other
-// variables, so S_i is an upper bound.
+// variables, so S_i is an upper bound. Linear constraints are kept to, and end a ladder as bounds
+// do.
 #pragma once
 
 #include <string>
@@ -34,8 +35,12 @@ struct ProfilePoint {
 class ProfileBranch {
  public:
   /// `half`: of the linear confidence interval; `threshold`: s^2 t^2. direction: +1 or -1.
-  ProfileBranch(
-      const Linearization& best, int variable, int direction, double half, double threshold);
+  ProfileBranch(const Linearization& best,
+                int variable,
+                int direction,
+                double half,
+                double threshold,
+                const FeasibleRegion& region);
 
   /// nullopt at the end of the ladder.
   std::optional<Eigen::VectorXd> wanted() const;
@@ -60,6 +65,8 @@ class ProfileBranch {
 
   int variable_, direction_;
   double length_, threshold_, least_;
+  FeasibleRegion region_;
+  double end_;  // the last value of the variable inside it
   std::vector<int> free_;
   Linearization last_;  // rung of the ladder
   std::optional<Bracket> bracket_;

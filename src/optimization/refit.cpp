@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
+
+#include "optimization/quadratic_program.h"
 
 namespace latsch {
 namespace {
@@ -15,6 +18,7 @@ constexpr double kLongestStep = 0.25;   // of the range, in one variable: J hold
 constexpr int kFailedSteps = 2;         // before J is taken anew
 constexpr double kFirstLambda = 1e-3;   // of the largest entry of J'J
 constexpr double kLambdaFactor = 10.0;
+constexpr double kLeastCurvature = 1e-12;  // of the largest: a quadratic program wants some
 
 /// The d of the columns `free` with the least |r + J d|^2 + lambda |d|^2, u + d in the unit cube
 /// and not far away: a variable that would leave that box stops at its face, and the others are
@@ -52,6 +56,34 @@ Eigen::VectorXd bounded_step(const Linearization& at,
   return d;
 }
 
+/// The same with u + d inside a region; nullopt where no such d is.
+std::optional<Eigen::VectorXd> constrained_step(const Eigen::MatrixXd& J,
+                                                const Eigen::VectorXd& u,
+                                                const Eigen::VectorXd& r,
+                                                const std::vector<int>& free,
+                                                double lambda,
+                                                const FeasibleRegion& region) {
+  const auto k = static_cast<Eigen::Index>(free.size());
+  const Eigen::MatrixXd J_free = J(Eigen::all, free);
+  Eigen::MatrixXd G = J_free.transpose() * J_free;
+  const double scale = std::max(G.diagonal().maxCoeff(), std::numeric_limits<double>::min());
+  G.diagonal().array() += lambda + kLeastCurvature * scale;
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(k, k);
+  QuadraticProgram qp{G / scale, J_free.transpose() * r / scale, {}, {}, {}, {}};
+  qp.E = region.E()(Eigen::all, free);
+  qp.f = region.f() - region.E() * u;
+  const Eigen::Index rows = region.A().rows();
+  qp.A.resize(rows + 2 * k, k);
+  qp.A << region.A()(Eigen::all, free), one, -one;
+  qp.b.resize(rows + 2 * k);
+  qp.b << region.b() - region.A() * u, Eigen::VectorXd::Constant(2 * k, kLongestStep);
+  const QuadraticSolution solution = solve(qp);
+  if (!solution.is_feasible()) return std::nullopt;
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(u.size());
+  for (Eigen::Index a = 0; a < k; ++a) d[free[a]] = solution.x[a];
+  return d;
+}
+
 void broyden(Eigen::MatrixXd& J, const Eigen::VectorXd& d, const Eigen::VectorXd& change) {
   J += (change - J * d) * d.transpose() / d.squaredNorm();
 }
@@ -71,9 +103,15 @@ Refit::Refit(const Linearization& start,
     : best_(start), free_(std::move(free)), options_(options), moving_(true) {
   const double shift = value - best_.u[i];
   Eigen::VectorXd to = best_.u;
-  to += bounded_step(best_, best_.r + best_.J.col(i) * shift, free_, 0.0);
   to[i] = value;
-  wanted_ = to;
+  const auto d = step_from(to, best_.r + best_.J.col(i) * shift);
+  if (d) wanted_ = to + *d;
+}
+
+std::optional<Eigen::VectorXd> Refit::step_from(const Eigen::VectorXd& u,
+                                                const Eigen::VectorXd& r) const {
+  if (!is_constrained()) return bounded_step({u, r, best_.J}, r, free_, lambda_);
+  return constrained_step(best_.J, u, r, free_, lambda_, *options_.region);
 }
 
 void Refit::observe(const std::optional<Eigen::VectorXd>& residuals) {
@@ -115,28 +153,35 @@ void Refit::step_observed(const std::optional<Eigen::VectorXd>& residuals) {
 void Refit::difference_observed(const std::optional<Eigen::VectorXd>& residuals) {
   const int i = free_[difference_];
   if (residuals) best_.J.col(i) = (*residuals - best_.r) / ((*wanted_)[i] - best_.u[i]);
-  if (++difference_ < static_cast<int>(free_.size())) {
-    plan_difference();
-    return;
+  ++difference_;
+  plan_difference();
+}
+
+void Refit::plan_difference() {
+  for (; difference_ < static_cast<int>(free_.size()); ++difference_) {
+    const int i = free_[difference_];
+    for (const double side : {kDifference, -kDifference}) {
+      Eigen::VectorXd to = best_.u;
+      to[i] += side;
+      if (to[i] < 0.0 || to[i] > 1.0 || (is_constrained() && !options_.region->contains(to))) {
+        continue;
+      }
+      wanted_ = to;
+      return;
+    }
   }
   difference_ = -1;
   plan_step();
 }
 
-void Refit::plan_difference() {
-  const int i = free_[difference_];
-  Eigen::VectorXd to = best_.u;
-  to[i] += to[i] + kDifference <= 1.0 ? kDifference : -kDifference;
-  wanted_ = to;
-}
-
 void Refit::plan_step() {
   wanted_.reset();
   if (evaluations_ >= options_.most_evaluations || free_.empty()) return;
-  const Eigen::VectorXd d = bounded_step(best_, best_.r, free_, lambda_);
-  const double promised = best_.sum_of_squares() - (best_.r + best_.J * d).squaredNorm();
-  if (d.lpNorm<Eigen::Infinity>() < kShortestStep || !(promised > options_.tolerance)) return;
-  wanted_ = (best_.u + d).cwiseMax(0.0).cwiseMin(1.0);
+  const auto d = step_from(best_.u, best_.r);
+  if (!d) return;
+  const double promised = best_.sum_of_squares() - (best_.r + best_.J * *d).squaredNorm();
+  if (d->lpNorm<Eigen::Infinity>() < kShortestStep || !(promised > options_.tolerance)) return;
+  wanted_ = (best_.u + *d).cwiseMax(0.0).cwiseMin(1.0);
 }
 
 }  // namespace latsch

@@ -9,6 +9,8 @@
 //   J <- J + (r(u + d) - r(u) - J d) d' / d'd          [Broyden, Math. Comp. 19 (1965) 577]
 // so no derivatives are evaluated, until two steps in a row fail: then J is taken anew by
 // differences. It ends where a step promises less than `tolerance` of S, or at `most_evaluations`.
+// Among linear constraints the step is a quadratic program, and a difference for which neither
+// side has room leaves its column of J to the corrections.
 //
 // Ask and tell: evaluate wanted(), observe() its residuals, until wanted() is empty.
 #pragma once
@@ -17,12 +19,14 @@
 #include <vector>
 
 #include "optimization/confidence.h"
+#include "optimization/feasible_region.h"
 
 namespace latsch {
 
 struct RefitOptions {
   double tolerance = 0.0;  // of S
   int most_evaluations = 20;
+  std::optional<FeasibleRegion> region = std::nullopt;  // none: the unit cube
 };
 
 class Refit {
@@ -31,7 +35,7 @@ class Refit {
   Refit(const Linearization& start, std::vector<int> free, const RefitOptions& options);
 
   /// The same, but variable `i`, not among the free ones, is moved to `value` first, the free ones
-  /// following it as J says.
+  /// following it as J says. It wants nothing where no point inside the constraints has that value.
   Refit(const Linearization& start,
         std::vector<int> free,
         const RefitOptions& options,
@@ -52,6 +56,9 @@ class Refit {
  private:
   void plan_step();
   void plan_difference();
+  bool is_constrained() const { return options_.region && !options_.region->is_cube(); }
+  std::optional<Eigen::VectorXd> step_from(const Eigen::VectorXd& u,
+                                           const Eigen::VectorXd& r) const;
   void step_observed(const std::optional<Eigen::VectorXd>& residuals);
   void difference_observed(const std::optional<Eigen::VectorXd>& residuals);
 

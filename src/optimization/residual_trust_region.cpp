@@ -63,10 +63,12 @@ struct ResidualTrustRegion::State {
   bool has_widened = false;          // the radius, for noise, since the last outcome
   int disappointments = 0;           // in a row
   int failures = 0;                  // in a row
+  int explored = 0;                  // points at the end of a run, since its last better one
   int restarts = 0;
   Eigen::MatrixXd flat;        // directions without effect at the best point of all
   int scouts = 0;              // along them, left of this restart
   bool is_scouting = false;    // the start under way is one
+  bool is_over = false;        // the last restart failed
   std::vector<Wanted> wanted;  // in the order proposed; empty: converged
 
   State(const DesignSpace& space, const ResidualTrustRegionOptions& o)
@@ -85,6 +87,7 @@ struct ResidualTrustRegion::State {
 
   /// The next point, after those already wanted; nullopt at the end.
   std::optional<Wanted> next() {
+    if (is_over) return std::nullopt;
     while (box.radius >= options.step_tolerance && !is_hopeless()) {
       const bool bears_probes = !box.has_center() || failures < kFailuresToGiveUp;
       const OpenDirection open = open_direction();
@@ -110,9 +113,10 @@ struct ResidualTrustRegion::State {
       if (!box.promises(first) && box.radius < kSettled * options.initial_radius) break;
       box.radius *= 0.1;
     }
-    // Those still under way may lead on; the end comes behind the last of them.
-    if (is_hopeless() || !wanted.empty()) return std::nullopt;
-    return restart();
+    if (is_hopeless()) return std::nullopt;
+    if (wanted.empty()) return restart();
+    // Those under way may lead on; meanwhile idle workers look around, each once.
+    return explored++ < options.outstanding ? box.explore(wanted) : std::nullopt;
   }
 
   struct OpenDirection {
@@ -144,6 +148,7 @@ struct ResidualTrustRegion::State {
       flat = flat_directions(box.slopes(), options.initial_radius, r);
     }
     scouts = flat.cols() > 0 ? n() + 1 : 0;
+    explored = 0;
     const double jump = kJumps[restarts++ % kJumps.size()] * options.initial_radius;
     box.radius = std::max(jump, options.step_tolerance);
     return start();
@@ -170,18 +175,21 @@ struct ResidualTrustRegion::State {
     }
   }
 
-  /// Nothing succeeded in many places.
-  bool is_hopeless() const { return !box.has_center() && failures > 20 * (n() + 1); }
+  /// Nothing ever succeeded, in many places.
+  bool is_hopeless() const { return box.best() < 0 && failures > 20 * (n() + 1); }
 
-  /// Elsewhere, farther and farther away, as long as nothing ever succeeded.
+  /// Where a start failed: the next scout or restart; elsewhere, farther and farther away, as long
+  /// as nothing ever succeeded.
   void start_again(const Eigen::VectorXd& failed) {
     if (is_hopeless()) return;
-    if (box.best() < 0) {
-      box.move_to(box.moved(failed, options.initial_radius * (1.0 + failures / n())));
-      wanted.push_back(box.at(box.c(), Kind::start));
-    } else {
-      wanted.push_back(start());
+    if (box.best() >= 0) {
+      auto another = is_scouting ? std::optional(start()) : restart();
+      is_over = !another;
+      if (another) wanted.push_back(*another);
+      return;
     }
+    box.move_to(box.moved(failed, options.initial_radius * (1.0 + failures / n())));
+    wanted.push_back(box.at(box.c(), Kind::start));
   }
 
   void take_failure(const Wanted& tried) {
@@ -204,6 +212,7 @@ struct ResidualTrustRegion::State {
       return;
     }
     const bool is_best = box.take(std::move(sample));
+    if (is_best) explored = 0;
     if (tried.kind != Kind::step) return;
     if (gain > kGoodGain) disappointments = 0;
     if (is_best && gain > kGoodGain) {

@@ -59,7 +59,8 @@ class TrustBox {
   void move_to(const Eigen::VectorXd& u);
   /// True where the sample is the new center.
   bool take(ResidualSample sample);
-  /// From here on a value counts as exploded, beside those around the best point.
+  /// From here on a value counts as exploded, beside those around the center or, where a run has
+  /// none yet, around the best point of all.
   double explosion() const;
 
   /// What the samples and `wanted` leave open of the slopes.
