@@ -19,10 +19,10 @@ namespace latsch::nist_strd {
 
 struct Dataset {
   std::string name;
-  std::vector<double> start_1, start_2;
-  std::vector<double> certified;          // b
-  double sum;                             // of squares at the certified b
-  std::vector<std::vector<double>> rows;  // x, y; of Nelson x1, x2, y
+  std::vector<double> start_1 = {}, start_2 = {};
+  std::vector<double> certified = {};          // b
+  double sum = 0.0;                            // of squares at the certified b
+  std::vector<std::vector<double>> rows = {};  // x, y; of Nelson x1, x2, y
 };
 
 /// Throws InputError where the table is not one.

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Input that makes no sense, and a full disk: what the program says and how it ends.
+
+    bad_input_test.py PATH/TO/latsch
+"""
+import resource
+import signal
+import unittest
+
+from cli_testing import FAILED, WRONG_INPUT, Coarse, edit
+
+
+class BadInput(Coarse):
+    def rejected(self, verb, *parts):
+        text = self.latsch(verb, self.study, code=WRONG_INPUT)
+        self.assert_says(text, *parts)
+
+    def test_negative_thickness(self):
+        edit(self.folder / "tire.toml", (r'\[0.0, "6 mm"\]', '[0.0, "-6 mm"]'))
+        self.rejected("check", "tire.toml", "thickness")
+
+    def test_cord_angle_in_newtons(self):
+        edit(self.folder / "tire.toml", ('angle = "24 deg"', 'angle = "22 N"'))
+        self.rejected("check", "tire.toml", 'layer.belt_1.angle is "22 N"', "deg")
+
+    def test_inverted_mesh(self):
+        edit(self.folder / "tire.toml", (r"\[67, 303.5\], \[84, 298\]", "[84, 303.5], [67, 304]"))
+        self.rejected("check", "tire.toml", "contour")
+
+    def test_path_that_does_not_exist(self):
+        edit(self.study, ("layer.carcass.young_modulus", "layer.carcas.young_modulus"))
+        self.rejected("check", "study.toml", "variable.carcass.path", "layer.carcass.young_modulus")
+
+    def test_empty_measurement(self):
+        (self.folder / "stiffness.csv").write_text("")
+        self.rejected("check", "stiffness.csv")
+
+    def test_nan_in_a_measurement(self):
+        (self.folder / "stiffness.csv").write_text("deflection [mm], force [N]\n6, nan\n")
+        self.rejected("check", "stiffness.csv:2")
+
+    def test_study_that_does_not_exist(self):
+        self.study.unlink()
+        self.rejected("run", "study.toml")
+
+    def test_nothing_to_resume(self):
+        self.rejected("resume", "nothing to resume", "latsch run")
+
+    def test_journal_of_another_study(self):
+        self.latsch("doe", self.study, "--levels", "2")
+        edit(self.folder / "tire.toml", ('angle = "24 deg"', 'angle = "26 deg"'))
+        self.rejected("resume", "study.latsch", "model")
+        self.rejected("report", "study.latsch", "model")
+
+    def test_unknown_variable_on_the_command_line(self):
+        text = self.latsch("simulate", self.study, "--set", "sidewal=5 MPa", code=WRONG_INPUT)
+        self.assert_says(text, "sidewal", "did you mean", "sidewall")
+
+    def test_pressure_that_the_wall_does_not_bear(self):
+        edit(self.study, ('pressure = "2.4 bar"', 'pressure = "900 bar"'))
+        text = self.latsch("simulate", self.study, code=FAILED)
+        self.assert_says(text, "experiment", "900 bar")
+
+    def test_full_disk(self):
+        def small_files():  # every file ends at 40 kB, as on a disk that is full
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (40_000, 40_000))
+
+        text = self.latsch("run", self.study, code=FAILED, preexec_fn=small_files)
+        self.assert_says(text, "study.latsch")
+        resumed = self.latsch("resume", self.study)  # nothing that was finished is lost or spoiled
+        self.assert_says(resumed, "Best of")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+"""Models that are no finite-element tire: tables of tire states, outside programs; another file system.
+
+    outside_model_test.py PATH/TO/latsch
+"""
+import os
+import re
+import shutil
+import subprocess
+import time
+import unittest
+
+from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, Outside, edit, trials_of
+
+
+class Evaluate(Outside):
+    """A steady-state tire on a table of states."""
+
+    TIRE = """[MODEL]
+FITTYP = 61
+[DIMENSION]
+UNLOADED_RADIUS = 0.3
+[VERTICAL]
+FNOMIN = 4000
+VERTICAL_STIFFNESS = 200000
+[VERTICAL_FORCE_RANGE]
+FZMAX = 5000
+[LATERAL_COEFFICIENTS]
+PCY1 = 1.3
+PDY1 = 1.0
+PKY1 = -20
+PKY2 = 1.5
+"""
+
+    def test_forces_of_a_table_in_any_order_and_unit(self):
+        tire, states, forces = (self.folder / name for name in ("tire.tir", "states.csv", "forces.csv"))
+        tire.write_text(self.TIRE)
+        states.write_text("alpha [deg],FZ [kN]\n90e-1,4\n-9,4\n2,9\n")
+        self.latsch("evaluate", tire, states, "-o", forces)
+        head, *rows = [line.split(",") for line in forces.read_text().splitlines()]
+        Fy = [float(row[head.index("Fy [N]")]) for row in rows]
+        self.assertLess(Fy[0], -3000)
+        self.assertAlmostEqual(Fy[0], -Fy[1], places=8)
+        self.assertEqual(float(rows[2][head.index("Fz [N]")]), 5000)  # limited
+        self.latsch("evaluate", tire, states, "--limits", "off", "-o", forces)
+        self.assertEqual(float(forces.read_text().splitlines()[3].split(",")[2]), 9000)
+
+    def test_what_is_wrong_is_named(self):
+        tire, states = self.folder / "tire.tir", self.folder / "states.csv"
+        tire.write_text(self.TIRE.replace("UNLOADED_RADIUS = 0.3\n", ""))
+        states.write_text("Fz\n4000\n")
+        self.assert_says(self.latsch("evaluate", tire, states, code=WRONG_INPUT), "tire.tir", "UNLOADED_RADIUS")
+        tire.write_text(self.TIRE)
+        states.write_text("kappa\n0\n")
+        self.assert_says(self.latsch("evaluate", tire, states, code=WRONG_INPUT), "states.csv:1", "Fz")
+
+
+class Simulators(Outside):
+    def test_a_script_is_fitted(self):
+        study = self.study("quarter_car")
+        edit(study, ("step_tolerance = .*", "step_tolerance = 0.02"))
+        self.assert_says(self.latsch("check", study), "python3 quarter_car.py", "30 values from step.csv")
+        self.assert_says(self.latsch("simulate", study, "--set", "spring=25 N/mm", "--set", "damper=1600 N s/m"),
+                         "mean |d| 0.00")
+        text = self.latsch("run", study)
+        self.assertAlmostEqual(self.found(text, "spring"), 25, delta=0.25)
+        self.assertAlmostEqual(self.found(text, "damper"), 1600, delta=32)
+        self.assert_says(text, "Report: ")
+        self.assertFalse((study.parent / "study.scratch").exists())
+        self.assert_says((study.parent / "study.html").read_text(), "In outside programs")
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX (ccx) is not installed")
+    def test_calculix_is_fitted(self):
+        text = self.latsch("run", self.study("cantilever_calculix"))
+        self.assertAlmostEqual(self.found(text, "modulus"), 2.1e5, delta=2e3)  # mesh: 0.1 %; two digits are asked for
+
+    def test_a_program_that_hangs_crashes_or_prints_nonsense_is_told_in_words(self):
+        study = self.study("quarter_car")
+        script = study.parent / "quarter_car.py"
+        for text, said in (("import time; time.sleep(1000)", "took more than the 0.5 s"),
+                           ("import os; os.abort()", "killed by signal 6"),
+                           ("print('no license'); raise SystemExit(4)", 'exited with code 4; it last printed "no license"'),
+                           ("open('response.csv', 'wb').write(bytes(range(256)))", "response.csv"),
+                           ("open('response.csv', 'w').write('time [s],body [mm]\\n0,0\\n')", "reaches from 0 to 0 s")):
+            script.write_text(text)
+            edit(study, ("timeout = .*", 'timeout = "0.5 s"'))
+            (study.parent / "study.latsch").unlink(missing_ok=True)
+            edit(study, (r"\[optimizer\](\n.*)*?\n\n", '[optimizer]\nmax_steps = 1\n\n'))
+            self.assert_says(self.latsch("run", study, code=FAILED), "no trial succeeded, of ", said, "latsch simulate")
+            self.assertFalse((study.parent / "study.scratch").exists())
+
+    def test_a_program_that_is_not_installed_is_named_before_the_run(self):
+        study = self.study("quarter_car")
+        for program, said in (("pithon3", 'starts "pithon3", which is no program in PATH'),
+                              ("{study}/absent", f'starts "{study.parent}/absent", which is no program there')):
+            edit(study, (r'command = \["[^"]*"', f'command = ["{program}"'))
+            self.assert_says(self.latsch("check", study, code=WRONG_INPUT), "study.toml: simulator.command", said)
+
+    def test_a_failed_point_is_answered_as_the_study_asks_and_stays_a_failed_trial(self):
+        for policy, said in (("recover", "counts as a target of 100 %"), ("continuation", "in 4 halvings")):
+            study = self.study("quarter_car")
+            edit(study, ("step_tolerance = .*", "max_steps = 15"), (r"\[run\]", f'[run]\nintervals = false\non_failure = "{policy}"'))
+            edit(study.parent / "quarter_car.py", (r"    state = \(", '    assert car["damper"] > 1500, "too soft"\n    state = ('))
+            self.assert_says(self.latsch("check", study), said)
+            text = self.latsch("run", study)
+            self.assertGreater(self.found(text, "damper"), 1500)
+            report = (study.parent / "study.html").read_text()
+            self.assert_says(report, "too soft")
+            self.assert_says(self.latsch("doe", study, "--levels", "2"), "in a design a failed point just stays failed")
+            shutil.rmtree(study.parent)
+
+    def test_there_is_no_tire_to_export(self):
+        for arguments in (("--vtu", "a.vtu"), ("--measurements",)):
+            self.assert_says(self.latsch("export", self.study("quarter_car" if "--vtu" in arguments else
+                                                              "cantilever_calculix"), *arguments, code=WRONG_INPUT),
+                             "no tire")
+
+
+class OnAnotherFileSystem(Outside):
+    """A study on a file system in user space, which counts as one of a network: nobody can tell what is behind it."""
+
+    def setUp(self):
+        super().setUp()
+        behind, mount = self.folder / "behind", self.folder / "mount"
+        behind.mkdir()
+        mount.mkdir()
+        if not shutil.which("bindfs"):
+            self.skipTest("bindfs is not installed")
+        made = subprocess.run(["bindfs", behind, mount], capture_output=True, text=True)
+        if made.returncode != DONE:
+            self.skipTest(f"no file system can be mounted here: {made.stderr.strip()}")
+        self.addCleanup(subprocess.run, ["umount", mount], check=True)
+        self.folder = mount
+
+    def test_there_is_no_shared_memory_one_writer_and_a_kill_costs_nothing(self):
+        study = self.study("quarter_car")
+        journal = study.parent / "study.latsch"
+        edit(study, ("step_tolerance = .*", "max_steps = 30"), (r"\[run\]", "[run]\nintervals = false"))
+        result = re.compile(r"Best of .*?\n\n", re.S)
+        self.assert_says(self.latsch("check", study), "study.latsch (FUSE: a rollback log")
+        whole = result.search(self.latsch("run", study))[0]
+        journal.unlink()
+        run = subprocess.Popen([LATSCH, "run", study], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(run.wait)
+        self.addCleanup(run.kill)
+        while trials_of(journal) < 5:
+            self.assertIsNone(run.poll(), "the run ended before it was stopped")
+            time.sleep(0.01)
+        self.assert_says(self.latsch("run", study, code=WRONG_INPUT), f"in use by process {run.pid} on")
+        self.assert_says(self.latsch("report", study), "Report: ")
+        self.assertEqual([*study.parent.glob("*-shm"), *study.parent.glob("*-wal")], [])
+        run.kill()
+        run.wait()
+        self.assertEqual(result.search(self.latsch("resume", study))[0], whole)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""The program below mpirun.
+
+    ranks_test.py PATH/TO/latsch
+"""
+import contextlib
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+from cli_testing import DONE, LATSCH, WRONG_INPUT, Outside, edit, trials_of
+
+
+@unittest.skipUnless(shutil.which("mpirun"), "Open MPI (mpirun) is not installed")
+class Ranks(Outside):
+    """The same below mpirun; its long form is ./bench.sh mpi_faults."""
+
+    RESULT = re.compile(r"Best of .*?\n\n", re.S)
+
+    def setUp(self):
+        super().setUp()
+        self.quarter_car = self.study("quarter_car")
+        self.journal = self.quarter_car.parent / "study.latsch"
+        edit(self.quarter_car, ("step_tolerance = .*", "max_steps = 30"), (r"\[run\]", "[run]\nintervals = false"))
+
+    def job(self, *arguments, recovery=False):
+        return ["mpirun", "--oversubscribe", "--allow-run-as-root", *(["--enable-recovery"] if recovery else []),
+                "-n", "3", LATSCH, *arguments]
+
+    def mpi(self, *arguments, code=DONE):
+        run = subprocess.run(self.job(*arguments), capture_output=True, text=True, timeout=120)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return run.stdout + run.stderr
+
+    def test_doe_and_identify_give_the_same_as_worker_processes(self):
+        said = re.compile(r"(of 4 points|Values and) .*?\n\n", re.S)
+        alone = {}
+        for launch in (self.latsch, self.mpi):
+            self.journal.unlink(missing_ok=True)
+            for verb in (("doe", self.quarter_car, "--levels", "2"), ("identify", self.quarter_car, "--short")):
+                text = said.search(launch(*verb))[0]
+                self.assertEqual(text, alone.setdefault(verb, text))
+
+    def test_a_job_that_cannot_begin_ends_and_says_why(self):
+        self.assert_says(self.mpi("identify", self.quarter_car, code=WRONG_INPUT), "nothing to analyze")
+        self.latsch("doe", self.quarter_car, "--levels", "2")
+        edit(self.quarter_car, ('"quarter_car.py", "car.txt"', '"quarter_car.py", "./car.txt"'))
+        self.assert_says(self.mpi("run", self.quarter_car, code=WRONG_INPUT), "another study")
+
+    def test_a_rank_or_the_master_is_killed_and_the_resumed_result_is_the_same(self):
+        alone = self.RESULT.search(self.latsch("run", self.quarter_car))[0]
+        for victim in (1, 0):
+            self.journal.unlink()
+            job = subprocess.Popen(self.job("run", self.quarter_car), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            while trials_of(self.journal) < 4:
+                self.assertIsNone(job.poll(), "the job ended before it was disturbed")
+                time.sleep(0.01)
+            self.kill(victim)
+            job.wait(timeout=30)
+            kept = trials_of(self.journal)
+            self.assertGreaterEqual(kept, 4)
+            resumed = self.mpi("resume", self.quarter_car)
+            self.assert_says(resumed, f"{kept} finished trials are reused")
+            self.assertEqual(self.RESULT.search(resumed)[0], alone)
+
+    def kill(self, rank):
+        """kill -9 of `latsch run` on that rank of the job."""
+        for process in pathlib.Path("/proc").glob("[0-9]*"):
+            with contextlib.suppress(OSError):
+                words = (process / "cmdline").read_bytes().split(b"\0")
+                if words[0] == b"mpirun" or not {b"run", bytes(self.quarter_car)} <= set(words):
+                    continue
+                if f"OMPI_COMM_WORLD_RANK={rank}".encode() in (process / "environ").read_bytes().split(b"\0"):
+                    return os.kill(int(process.name), signal.SIGKILL)
+        self.fail(f"there is no rank {rank}")
+
+
+if __name__ == "__main__":
+    unittest.main()
