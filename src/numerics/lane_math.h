@@ -61,15 +61,15 @@ template <class R>
 LATSCH_INLINE R with_sign(const R& x, const R& sign) {
   return from_bits(bits(x) | (bits(sign) & std::int64_t(0x8000000000000000ull)));
 }
+/// -1 or 1; 1 also at 0, where the sum drops the sign of zero. Without a branch to guess.
+template <class R>
+LATSCH_INLINE R sign_or_one(const R& x) {
+  return with_sign(constant<R>(1.0), x + 0.0);
+}
 /// -1, 0 or 1.
 template <class R>
 LATSCH_INLINE R sign(const R& x) {
-  return select(x > 0.0, constant<R>(1.0), select(x < 0.0, constant<R>(-1.0), constant<R>(0.0)));
-}
-/// 1 also at 0.
-template <class R>
-LATSCH_INLINE R sign_or_one(const R& x) {
-  return select(x < 0.0, constant<R>(-1.0), constant<R>(1.0));
+  return select(x == 0.0, constant<R>(0.0), sign_or_one(x));
 }
 template <class R>
 LATSCH_INLINE R smaller(const R& a, const R& b) {
@@ -194,58 +194,101 @@ LATSCH_INLINE R power(const R& x, double y) {
   return select(zero, at_zero, exp(y * log(select(zero, constant<R>(1.0), x))));
 }
 
-/// The functions of N <= 8 independent numbers: of doubles at once, side by side; of eight states
-/// one after the other.
+// Functions of N <= 8 independent numbers: of doubles at once, side by side from end to end; of
+// eight states one after the other.
+
 template <int N>
-LATSCH_INLINE Lanes gathered(const double (&x)[N]) {
+LATSCH_INLINE Lanes gathered(const double (&x)[N], double beyond = 0.0) {
   static_assert(N <= 8);
-  Lanes v = all(0.0);
-  for (int i = 0; i < N; ++i) v[i] = x[i];
-  return v;
+  // From registers: written to memory one by one they would have to arrive there first.
+  const auto at = [&](int i) { return i < N ? x[i < N ? i : 0] : beyond; };
+  return Lanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
 }
 template <int N>
 LATSCH_INLINE void scatter(const Lanes& v, double (&x)[N]) {
   for (int i = 0; i < N; ++i) x[i] = v[i];
 }
-template <int N>
-LATSCH_INLINE void atan_all(double (&x)[N]) {
-  scatter(atan(gathered(x)), x);
+/// The sine and cosine of C atan(x - E (x - atan x)).
+LATSCH_INLINE SinCos<Lanes> magic(const Lanes& x, const Lanes& C, const Lanes& E) {
+  return sin_cos(C * atan(x - E * (x - atan(x))));
 }
 template <int N>
-LATSCH_INLINE void atan_all(Lanes (&x)[N]) {
-  for (Lanes& v : x) v = atan(v);
-}
-template <int N>
-LATSCH_INLINE void exp_all(double (&x)[N]) {
-  scatter(exp(gathered(x)), x);
-}
-template <int N>
-LATSCH_INLINE void exp_all(Lanes (&x)[N]) {
-  for (Lanes& v : x) v = exp(v);
-}
-template <int N>
-LATSCH_INLINE void log_all(double (&x)[N]) {
-  Lanes v = all(1.0);
-  for (int i = 0; i < N; ++i) v[i] = x[i];
-  scatter(log(v), x);
-}
-template <int N>
-LATSCH_INLINE void log_all(Lanes (&x)[N]) {
-  for (Lanes& v : x) v = log(v);
-}
-template <int N>
-LATSCH_INLINE void sin_cos_all(const double (&x)[N], double (&sine)[N], double (&cosine)[N]) {
-  const SinCos<Lanes> r = sin_cos(gathered(x));
+LATSCH_INLINE void magic_all(const double (&x)[N],
+                             const double (&C)[N],
+                             const double (&E)[N],
+                             double (&sine)[N],
+                             double (&cosine)[N]) {
+  const SinCos<Lanes> r = magic(gathered(x), gathered(C), gathered(E));
   scatter(r.sin, sine);
   scatter(r.cos, cosine);
 }
 template <int N>
-LATSCH_INLINE void sin_cos_all(const Lanes (&x)[N], Lanes (&sine)[N], Lanes (&cosine)[N]) {
+LATSCH_INLINE void magic_all(const Lanes (&x)[N],
+                             const Lanes (&C)[N],
+                             const Lanes (&E)[N],
+                             Lanes (&sine)[N],
+                             Lanes (&cosine)[N]) {
   for (int i = 0; i < N; ++i) {
-    const SinCos<Lanes> r = sin_cos(x[i]);
+    const SinCos<Lanes> r = magic(x[i], C[i], E[i]);
     sine[i] = r.sin;
     cosine[i] = r.cos;
   }
+}
+
+/// Arc tangents of all x, sine and cosine of the first M times a factor, and of one more angle.
+template <int N, int M>
+LATSCH_INLINE void sin_cos_of_atan_all(const double (&x)[N],
+                                       const double (&factor)[M],
+                                       double angle,
+                                       double (&arc)[N],
+                                       double (&sine)[M + 1],
+                                       double (&cosine)[M + 1]) {
+  static_assert(M < N && N <= 8);
+  const Lanes arcs = atan(gathered(x));
+  Lanes alone = all(0.0);
+  alone[M] = angle;
+  const SinCos<Lanes> r = sin_cos(gathered(factor) * arcs + alone);
+  scatter(arcs, arc);
+  scatter(r.sin, sine);
+  scatter(r.cos, cosine);
+}
+template <int N, int M>
+LATSCH_INLINE void sin_cos_of_atan_all(const Lanes (&x)[N],
+                                       const double (&factor)[M],
+                                       const Lanes& angle,
+                                       Lanes (&arc)[N],
+                                       Lanes (&sine)[M + 1],
+                                       Lanes (&cosine)[M + 1]) {
+  for (int i = 0; i < N; ++i) arc[i] = atan(x[i]);
+  for (int i = 0; i <= M; ++i) {
+    const SinCos<Lanes> r = sin_cos(i < M ? factor[i < M ? i : 0] * arc[i] : angle);
+    sine[i] = r.sin;
+    cosine[i] = r.cos;
+  }
+}
+
+/// base^power for base > 0, and exponentials.
+template <int N, int M>
+LATSCH_INLINE void powers_and_exps(const double (&base)[N],
+                                   const double (&power)[N],
+                                   const double (&exponent)[M],
+                                   double (&raised)[N],
+                                   double (&exps)[M]) {
+  static_assert(N + M <= 8);
+  Lanes alone = all(0.0);
+  for (int i = 0; i < M; ++i) alone[N + i] = exponent[i];
+  const Lanes r = exp(gathered(power) * log(gathered(base, 1.0)) + alone);
+  for (int i = 0; i < N; ++i) raised[i] = r[i];
+  for (int i = 0; i < M; ++i) exps[i] = r[N + i];
+}
+template <int N, int M>
+LATSCH_INLINE void powers_and_exps(const Lanes (&base)[N],
+                                   const double (&power)[N],
+                                   const Lanes (&exponent)[M],
+                                   Lanes (&raised)[N],
+                                   Lanes (&exps)[M]) {
+  for (int i = 0; i < N; ++i) raised[i] = exp(power[i] * log(base[i]));
+  for (int i = 0; i < M; ++i) exps[i] = exp(exponent[i]);
 }
 
 }  // namespace latsch::lane_math

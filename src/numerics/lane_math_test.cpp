@@ -108,5 +108,29 @@ TEST(LaneMath, EightSideBySideGiveWhatEachGivesAlone) {
   }
 }
 
+// Side by side or one after the other, a chain is made of the functions of the standard library.
+TEST(LaneMath, ChainsAreTheirFunctions) {
+  const double x[3] = {-2.5, 0.3, 40.0}, C[3] = {1.3, 0.9, 1.6}, E[3] = {-3.0, 0.4, 0.99};
+  double sine[3], cosine[3];
+  magic_all(x, C, E, sine, cosine);
+  const double factor[2] = {1.5, -0.8};
+  double arc[3], turned_sine[3], turned_cosine[3];
+  sin_cos_of_atan_all(x, factor, 0.2, arc, turned_sine, turned_cosine);
+  for (int i = 0; i < 3; ++i) {
+    const double angle = C[i] * std::atan(x[i] - E[i] * (x[i] - std::atan(x[i])));
+    EXPECT_NEAR(sine[i], std::sin(angle), 1e-14);
+    EXPECT_NEAR(cosine[i], std::cos(angle), 1e-14);
+    EXPECT_NEAR(arc[i], std::atan(x[i]), 1e-15);
+    const double turn = i < 2 ? factor[i] * std::atan(x[i]) : 0.2;
+    EXPECT_NEAR(turned_sine[i], std::sin(turn), 1e-15);
+    EXPECT_NEAR(turned_cosine[i], std::cos(turn), 1e-15);
+  }
+  const double base[2] = {0.3, 2.0}, power[2] = {0.85, -0.4}, exponent[1] = {0.7};
+  double raised[2], exps[1];
+  powers_and_exps(base, power, exponent, raised, exps);
+  for (int i = 0; i < 2; ++i) EXPECT_NEAR(raised[i], std::pow(base[i], power[i]), 1e-15);
+  EXPECT_NEAR(exps[0], std::exp(0.7), 1e-15);
+}
+
 }  // namespace
 }  // namespace latsch::lane_math

@@ -46,7 +46,7 @@ LATSCH_INLINE SpinTorque<R> spin_torque(const TireConstants& tire,
   s.zeta6 = cos_atan(p.QBRP1 * R0 * o.phi);  // (4.102)
   const R& Fz = o.Fz_moment;
   const R none = constant<R>(kEpsilon);
-  const R at_rest = p.QCRP1 * abs(y.muy) * R0 * Fz * sqrt(Fz / tire.Fz0_prime) * p.LMP;
+  const R at_rest = p.QCRP1 * abs(y.muy) * R0 * Fz * sqrt(Fz * tire.per_Fz0_prime) * p.LMP;
   const R Mzp_inf = select(at_rest > 0.0, at_rest, none);  // (4.95)
   const double CDrp = p.QDRP1;                             // (4.96)
   const R DDrp = Mzp_inf / sin(0.5 * kPi * CDrp);          // (4.94)
@@ -77,6 +77,29 @@ LATSCH_INLINE R residual_peak(const TireConstants& tire,
          o.cos_alpha_star;  // (4.E47) without zeta_8 - 1
 }
 
+/// atan sqrt(tan^2 angle + drag^2) of two slip angles, and the arc tangent of `third`.
+LATSCH_INLINE void equivalent_angles(const double (&angles)[2],
+                                     double drag,
+                                     double third,
+                                     double (&arcs)[3]) {
+  const SinCos<Lanes> a = sin_cos(gathered(angles));
+  const Lanes slope = a.sin / a.cos;
+  Lanes x = sqrt(slope * slope + drag * drag);
+  x[2] = third;
+  scatter(atan(x), arcs);
+}
+LATSCH_INLINE void equivalent_angles(const Lanes (&angles)[2],
+                                     const Lanes& drag,
+                                     const Lanes& third,
+                                     Lanes (&arcs)[3]) {
+  for (int i = 0; i < 2; ++i) {
+    const SinCos<Lanes> a = sin_cos(angles[i]);
+    const Lanes slope = a.sin / a.cos;
+    arcs[i] = atan(sqrt(slope * slope + drag * drag));
+  }
+  arcs[2] = atan(third);
+}
+
 /// Everything but what needs the other forces; the curve of the trail goes into `shapes`.
 template <class R>
 LATSCH_INLINE Aligning<R> aligning_terms(const TireConstants& tire,
@@ -91,22 +114,18 @@ LATSCH_INLINE Aligning<R> aligning_terms(const TireConstants& tire,
   Aligning<R> z;
   const R SHt = p.QHZ1 + p.QHZ2 * dfz + (p.QHZ3 + p.QHZ4 * dfz) * o.gamma_star;  // (4.E35)
   const R alphat = o.alpha_star + SHt;                                           // (4.E34)
-  const R alphar = o.alpha_star + pure.SHy + pure.SVy / pure.Kya_prime;          // (4.E37), (4.E38)
+  const R alphar = o.alpha_star + pure.SHy + pure.SVy * pure.per_Kya_prime;      // (4.E37), (4.E38)
   const R Bt = (p.QBZ1 + p.QBZ2 * dfz + p.QBZ3 * dfz * dfz) *
-               (1.0 + p.QBZ4 * gamma + p.QBZ5 * abs(gamma)) * p.LKY / o.LMUY_star;  // (A58)
-  const R Ct = constant<R>(p.QCZ1);                                                 // (4.E41)
+               (1.0 + p.QBZ4 * gamma + p.QBZ5 * abs(gamma)) * p.LKY * o.per_LMUY_star;  // (A58)
+  const R Ct = constant<R>(p.QCZ1);                                                     // (4.E41)
   z.Dt = (p.QDZ1 + p.QDZ2 * dfz) * (1.0 - p.PPZ1 * dpi) *
          (1.0 + p.QDZ3 * gamma + p.QDZ4 * gamma * gamma) * o.Fz_moment *
-         (p.UNLOADED_RADIUS / tire.Fz0_prime) * p.LTR;  // (A60)
+         (p.UNLOADED_RADIUS * tire.per_Fz0_prime) * p.LTR;  // (A60)
 
   const R angles[2] = {alphar, alphat};
-  R sine[2], cosine[2];
-  sin_cos_all(angles, sine, cosine);
-  const R tan_r = sine[0] / cosine[0], tan_t = sine[1] / cosine[1];
-  const R drag = Kxk / pure.Kya_prime * o.kappa;
-  R arcs[3] = {
-      sqrt(tan_r * tan_r + drag * drag), sqrt(tan_t * tan_t + drag * drag), Bt * Ct * alphat};
-  atan_all(arcs);
+  const R drag = Kxk * pure.per_Kya_prime * o.kappa;
+  R arcs[3];
+  equivalent_angles(angles, drag, Bt * Ct * alphat, arcs);
   z.alphar_eq = arcs[0] * sign(alphar);        // (A54)
   const R alphat_eq = arcs[1] * sign(alphat);  // (A55)
   R Et = (p.QEZ1 + p.QEZ2 * dfz + p.QEZ3 * dfz * dfz) *
@@ -137,14 +156,15 @@ LATSCH_INLINE void finish(const TireConstants& tire,
   }
   const R Dr = residual_peak(tire, conventions, o, pure.zeta2) + turning.Drp;  // (4.E47)
   const R Br =
-      (p.QBZ9 * p.LKY / o.LMUY_star + p.QBZ10 * pure.By * pure.Cy) * turning.zeta6;  // (4.E45)
+      (p.QBZ9 * p.LKY * o.per_LMUY_star + p.QBZ10 * pure.By * pure.Cy) * turning.zeta6;  // (4.E45)
   const R cosine = conventions.turn_slip ? cosine_of_share<R>(turning.share, atan(Br * z.alphar_eq))
                                          : cos_atan<R>(Br * z.alphar_eq);
   z.Mzr = Dr * cosine * o.fade;  // (4.E75)
   z.t = z.Dt * zeta5 * shapes.cosine[Shapes<R>::kTrail] * o.cos_alpha_prime * p.LFZO *
         o.fade;  // (4.E73)
-  const R s = R0 * (p.SSZ1 + p.SSZ2 * combined.Fy / p.FNOMIN + (p.SSZ3 + p.SSZ4 * o.dfz) * gamma) *
-              p.LS;                                                                     // (A56)
+  const R s =
+      R0 * (p.SSZ1 + p.SSZ2 * combined.Fy * tire.per_FNOMIN + (p.SSZ3 + p.SSZ4 * o.dfz) * gamma) *
+      p.LS;                                                                             // (A56)
   const R side = tire.mf52 ? combined.Fy - combined.SVyk : combined.Gyk * upright_Fy0;  // (4.E74)
   z.Mz = -z.t * side + z.Mzr + s * Fx;                                                  // (4.E71)
 }

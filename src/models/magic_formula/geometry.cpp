@@ -33,7 +33,7 @@ double vertical_force_62(const TireConstants& tire,
   const double rho_z = std::max(rho_zfr + rho_zg, kLeast);
   if (rho != nullptr) *rho = rho_z;
   const double side = std::pow(rho_z / R0, p.Q_FCY2) * p.Q_FCY * (Fy - SFyg) / p.FNOMIN;
-  return stiffening(p, o.omega, p.Q_FCX * Fx / p.FNOMIN, side) * (1.0 + p.PFZ1 * o.dpi) *
+  return stiffening(tire, o.omega, p.Q_FCX * Fx / p.FNOMIN, side) * (1.0 + p.PFZ1 * o.dpi) *
          (tire.Q_FZ1 * rho_z / R0 + p.Q_FZ2 * (rho_z / R0) * (rho_z / R0)) * p.FNOMIN;
 }
 
@@ -104,7 +104,7 @@ double MagicFormula::vertical_force(
     return kernel::vertical_force_62(
         tire_, o, o.R_omega - rho, Fx, conventions_.mirrored ? -Fy : Fy, nullptr);
   const double x = rho / q.UNLOADED_RADIUS;
-  return kernel::stiffening(q, omega, q.Q_FCX * Fx / q.FNOMIN, q.Q_FCY * Fy / q.FNOMIN) *
+  return kernel::stiffening(tire_, omega, q.Q_FCX * Fx / q.FNOMIN, q.Q_FCY * Fy / q.FNOMIN) *
          (tire_.Q_FZ1 * x + q.Q_FZ2 * x * x) * (1.0 + q.PFZ1 * o.dpi) * q.FNOMIN;
 }
 

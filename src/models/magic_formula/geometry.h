@@ -18,8 +18,8 @@ struct Deflection {
 
 /// 1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - (q_FCy Fy/Fz0)^2 (3)
 template <class R>
-LATSCH_INLINE R stiffening(const Parameters& p, const R& omega, const R& x, const R& y) {
-  return 1.0 + p.Q_V2 * (p.UNLOADED_RADIUS / p.LONGVL) * abs(omega) - x * x - y * y;
+LATSCH_INLINE R stiffening(const TireConstants& tire, const R& omega, const R& x, const R& y) {
+  return 1.0 + tire.p.Q_V2 * tire.R0_per_V0 * abs(omega) - x * x - y * y;
 }
 
 /// The deflection that carries the load (3), solved for rho; MF 5.2 and 6.1.
@@ -29,11 +29,13 @@ LATSCH_INLINE Deflection<R> deflection(const TireConstants& tire,
                                        const R& Fx,
                                        const R& Fy) {
   const Parameters& p = tire.p;
-  const R external = stiffening<R>(p, o.omega, p.Q_FCX * Fx / p.FNOMIN, p.Q_FCY * Fy / p.FNOMIN) *
-                     (1.0 + p.PFZ1 * o.dpi) * p.FNOMIN;
+  const R external =
+      stiffening<R>(tire, o.omega, p.Q_FCX * Fx * tire.per_FNOMIN, p.Q_FCY * Fy * tire.per_FNOMIN) *
+      (1.0 + p.PFZ1 * o.dpi) * p.FNOMIN;
   const R load = larger(o.Fz, constant<R>(p.FZMIN));
-  const R root = tire.Q_FZ1 * tire.Q_FZ1 + 4.0 * p.Q_FZ2 * load / external;
-  const R x = 2.0 * load / external / (tire.Q_FZ1 + sqrt(larger(root, constant<R>(0.0))));
+  const R share = load / external;
+  const R root = tire.Q_FZ1 * tire.Q_FZ1 + 4.0 * p.Q_FZ2 * share;
+  const R x = 2.0 * share / (tire.Q_FZ1 + sqrt(larger(root, constant<R>(0.0))));
   Deflection<R> d;
   d.rho = larger(x * p.UNLOADED_RADIUS, constant<R>(0.0));
   d.R_l = larger(o.R_omega - d.rho, constant<R>(0.0));
@@ -65,7 +67,7 @@ LATSCH_INLINE Patch<R> contact_patch(const TireConstants& tire, const OperatingP
   Patch<R> patch;
   if (tire.mf52) {
     const R Cz = p.VERTICAL_STIFFNESS * (1.0 + p.PFZ1 * o.dpi);  // (5)
-    const R load = o.patch_load * (Cz * R0) / p.FNOMIN;
+    const R load = o.patch_load * (Cz * R0) * tire.per_FNOMIN;
     patch.a = R0 * (tire.Q_A2 * load + tire.Q_A1 * sqrt(load));
     patch.b = constant<R>(0.5 * p.WIDTH);
   } else {
@@ -95,7 +97,7 @@ LATSCH_INLINE Relaxation<R> relaxation(const TireConstants& tire,
          (1.0 + p.PCFY3 * dpi);  // (18)
   if (tire.mf52) {
     r.sigma_x =
-        (p.PTX1 + p.PTX2 * dfz) * o.exp_PTX3 * p.LSGKP * p.UNLOADED_RADIUS * o.Fz / p.FNOMIN;
+        (p.PTX1 + p.PTX2 * dfz) * o.exp_PTX3 * p.LSGKP * p.UNLOADED_RADIUS * o.Fz * tire.per_FNOMIN;
     r.sigma_y = p.PTY2 == 0.0
                     ? constant<R>(0.0)
                     : p.PTY1 * sin(2.0 * atan(o.Fz / (p.PTY2 * tire.Fz0_prime))) *

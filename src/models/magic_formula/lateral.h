@@ -10,7 +10,7 @@ namespace latsch::magic_formula::kernel {
 
 template <class R>
 struct PureLateral {
-  R Fy0, muy, Kya, Kya_prime, SHy, SVy, By, Cy, Dy, zeta2;
+  R Fy0, muy, Kya, per_Kya_prime, SHy, SVy, By, Cy, Dy, zeta2;
 };
 
 /// K_ya (4.E25), cambered or upright.
@@ -73,15 +73,15 @@ LATSCH_INLINE R shift_by_camber(const TireConstants& tire,
                                 const OperatingPoint<R>& o,
                                 const R& gamma_star,
                                 const R& SVyg,
-                                const R& Kya,
+                                const R& per_Kya_prime,
                                 const R& zeta3) {
   const Parameters& p = tire.p;
   if (tire.mf52) return p.PHY3 * gamma_star * p.LKYC;
   if (conventions.turn_slip) {  // zeta_0 = 0 (4.83); this is zeta_4 - 1 (4.84)
     const R Kya0 = cornering_stiffness<R>(tire, o, constant<R>(0.0), o.sin_K0, zeta3);
-    return shift_by_spin(tire, conventions, o, Kya0) - SVyg / with_epsilon(Kya);
+    return shift_by_spin(tire, conventions, o, Kya0) - SVyg * per_Kya_prime;
   }
-  return (camber_stiffness(tire, o) * gamma_star - SVyg) / with_epsilon(Kya);
+  return (camber_stiffness(tire, o) * gamma_star - SVyg) * per_Kya_prime;
 }
 
 /// Everything but Fy0, of the wheel as it leans or upright; the curve goes into `shapes`.
@@ -102,11 +102,11 @@ LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireConstants& tire,
     y.zeta2 = peak_reduction_by_spin(p, o);
   }
   y.Kya = cornering_stiffness(tire, o, gamma_star, upright ? o.sin_K0 : o.sin_K, zeta3);  // (4.E25)
-  y.Kya_prime = with_epsilon(y.Kya);                                                      // (4.E39)
+  y.per_Kya_prime = 1.0 / with_epsilon(y.Kya);                                            // (4.E39)
   const R SVyg =
       o.Fz * (p.PVY3 + p.PVY4 * dfz) * gamma_star * p.LKYC * o.LMUY_prime * y.zeta2;  // (4.E28)
   y.SHy = ((p.PHY1 + p.PHY2 * dfz) * p.LHY +
-           shift_by_camber(tire, conventions, o, gamma_star, SVyg, y.Kya, zeta3)) *
+           shift_by_camber(tire, conventions, o, gamma_star, SVyg, y.per_Kya_prime, zeta3)) *
           o.fade;  // (4.E27)
   y.SVy =
       (o.Fz * (p.PVY1 + p.PVY2 * dfz) * p.LVY * o.LMUY_prime * y.zeta2 + SVyg) * o.fade;  // (4.E29)

@@ -17,6 +17,13 @@ TireConstants::TireConstants(const Parameters& parameters)
     : p(parameters), mf52(p.version == Version::mf52), Fz0_prime(p.LFZO * p.FNOMIN) {
   const double stiffness = p.VERTICAL_STIFFNESS * p.UNLOADED_RADIUS / p.FNOMIN;
   Q_FZ1 = std::sqrt(std::max(stiffness * stiffness - 4.0 * p.Q_FZ2, 0.0));  // (4)
+  per_FNOMIN = 1.0 / p.FNOMIN;
+  per_Fz0_prime = 1.0 / Fz0_prime;
+  per_NOMPRES = 1.0 / p.NOMPRES;
+  per_LONGVL = 1.0 / p.LONGVL;
+  per_VXLOW = 1.0 / p.VXLOW;
+  per_FZMIN = 1.0 / p.FZMIN;
+  R0_per_V0 = p.UNLOADED_RADIUS / p.LONGVL;
   Q_A1 = p.Q_A1;
   Q_A2 = p.Q_A2;
   if (Q_A1 == 0.0 && Q_A2 == 0.0) {

@@ -13,7 +13,7 @@ LATSCH_INLINE R overturning(const TireConstants& tire, const OperatingPoint<R>& 
   const Parameters& p = tire.p;
   const R& gamma = o.gamma;
   const R& Fz = o.Fz_Mx;
-  const R fy = Fy / p.FNOMIN;
+  const R fy = Fy * tire.per_FNOMIN;
   R factor = p.QSX1 * p.LVMX - p.QSX2 * gamma * (1.0 + p.PPMX1 * o.dpi) + p.QSX3 * fy;
   if (p.QSX4 != 0.0) {
     factor = factor + p.QSX4 * o.cos_QSX5 * sin(p.QSX7 * gamma + p.QSX8 * atan(p.QSX9 * fy));
@@ -29,13 +29,13 @@ LATSCH_INLINE R rolling_resistance(const TireConstants& tire,
                                    const R& Fx) {
   const Parameters& p = tire.p;
   const R& Fz = o.Fz_My;
-  const R v = abs(o.Vx / p.LONGVL);
-  R factor = p.QSY1 + p.QSY2 * Fx / p.FNOMIN + p.QSY3 * v + p.QSY4 * (v * v) * (v * v);
+  const R v = abs(o.Vx * tire.per_LONGVL);
+  R factor = p.QSY1 + p.QSY2 * Fx * tire.per_FNOMIN + p.QSY3 * v + p.QSY4 * (v * v) * (v * v);
   R My;
   if (tire.mf52) {
     My = -p.UNLOADED_RADIUS * Fz * p.LMY * factor;
   } else {
-    factor = factor + (p.QSY5 + p.QSY6 * (Fz / p.FNOMIN)) * o.gamma * o.gamma;
+    factor = factor + (p.QSY5 + p.QSY6 * (Fz * tire.per_FNOMIN)) * o.gamma * o.gamma;
     My = -p.UNLOADED_RADIUS * p.FNOMIN * p.LMY * factor *
          (o.load_power * o.pressure_power);  // (A48)
   }

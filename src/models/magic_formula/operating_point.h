@@ -32,6 +32,12 @@ constexpr double kPi = 3.14159265358979323846;
 /// Keeps quotients finite; the book's epsilon_x, _K, _y, _V (4.E6a, 4.E16, 4.E26, 4.E39).
 constexpr double kEpsilon = 1e-6;
 
+/// cos(atan x)
+template <class R>
+LATSCH_INLINE R cos_atan(const R& x) {
+  return 1.0 / sqrt(1.0 + x * x);
+}
+
 /// What depends on the parameters alone.
 struct TireConstants {
   explicit TireConstants(const Parameters& parameters);
@@ -41,6 +47,9 @@ struct TireConstants {
   double Fz0_prime;  // (4.E1)
   double Q_FZ1;      // (4)
   double Q_A1, Q_A2;
+  // What every state would divide by.
+  double per_FNOMIN, per_Fz0_prime, per_NOMPRES, per_LONGVL, per_VXLOW, per_FZMIN;
+  double R0_per_V0;
 };
 
 template <class R>
@@ -52,8 +61,9 @@ struct OperatingPoint {
   R sign_Vx;  // -1, 0, 1
   R tan_alpha;
   R alpha_star, gamma_star, dfz, dpi;
-  R cos_alpha_star, cos_alpha_prime;
-  R LMUX_star, LMUY_star, LMUX_prime, LMUY_prime;
+  R cos_alpha, cos_alpha_star, cos_alpha_prime;
+  R LMUX_star, LMUY_star, LMUX_prime, LMUY_prime, per_LMUY_star;
+  R per_Cz;  // m/N
   R Re, R_omega, omega;
   R epsilon_gamma, phi;  // with turn slip
   // functions of the state alone, evaluated together
@@ -72,10 +82,12 @@ LATSCH_INLINE R clamped(const R& x, double lower, double upper) {
 }
 
 template <class R>
-LATSCH_INLINE void apply_limits(const Parameters& p,
+LATSCH_INLINE void apply_limits(const TireConstants& tire,
                                 const Conventions& conventions,
                                 OperatingPoint<R>& o) {
-  const R slow = p.VXLOW > 0.0 ? smaller(abs(o.Vx) / p.VXLOW, constant<R>(1.0)) : constant<R>(1.0);
+  const Parameters& p = tire.p;
+  const R slow =
+      p.VXLOW > 0.0 ? smaller(abs(o.Vx) * tire.per_VXLOW, constant<R>(1.0)) : constant<R>(1.0);
   const auto crawls = slow < 1.0;
   o.fade = constant<R>(1.0);
   if (any(crawls)) {
@@ -83,7 +95,7 @@ LATSCH_INLINE void apply_limits(const Parameters& p,
     const SinCos<R> a = sin_cos(o.alpha);
     const R speed = abs(o.Vx) + abs(a.sin / a.cos * o.Vx);
     o.phit = o.phit * slow;
-    o.alpha = o.alpha * smaller(speed / p.VXLOW, constant<R>(1.0));
+    o.alpha = o.alpha * smaller(speed * tire.per_VXLOW, constant<R>(1.0));
     o.kappa = o.kappa * slow;
   }
   if (conventions.turn_slip) o.phit = o.phit * sign_or_one(o.Vx);
@@ -97,17 +109,17 @@ LATSCH_INLINE void apply_limits(const Parameters& p,
 
 /// Below FZMIN the load counts less and less: by a power of its share.
 template <class R>
-LATSCH_INLINE R faded_load(const R& Fz, double FZMIN, bool squared) {
-  if (!(FZMIN > 0.0)) return Fz;
-  const R share = Fz / FZMIN;
-  return select(Fz < FZMIN, Fz * (squared ? share * share : share), Fz);
+LATSCH_INLINE R faded_load(const TireConstants& tire, const R& Fz, bool squared) {
+  if (!(tire.p.FZMIN > 0.0)) return Fz;
+  const R share = Fz * tire.per_FZMIN;
+  return select(Fz < tire.p.FZMIN, Fz * (squared ? share * share : share), Fz);
 }
 
 /// What stands in (4.E25) below the arc tangent.
 template <class R>
 LATSCH_INLINE R bend(const TireConstants& tire, const OperatingPoint<R>& o, const R& gamma_star) {
   const Parameters& p = tire.p;
-  return (o.Fz / tire.Fz0_prime) /
+  return (o.Fz * tire.per_Fz0_prime) /
          ((p.PKY2 + p.PKY5 * gamma_star * gamma_star) * (1.0 + p.PPY2 * o.dpi));
 }
 
@@ -116,48 +128,66 @@ LATSCH_INLINE void powers(const TireConstants& tire, OperatingPoint<R>& o) {
   const Parameters& p = tire.p;
   const R one = constant<R>(1.0), zero = constant<R>(0.0);
   const double R0 = p.UNLOADED_RADIUS;
-  const R Cz = p.VERTICAL_STIFFNESS * (1.0 + p.PFZ1 * o.dpi);  // (5)
   // On its rim the patch grows no more.
-  o.patch_load = smaller<R>(o.Fz_given, (R0 - p.RIM_RADIUS - p.BOTTOM_OFFST) * Cz) / (Cz * R0);
-  o.Fz_My = faded_load(o.Fz_given, p.FZMIN, false);
-  const R load = o.Fz_My / p.FNOMIN, pressure = o.p / p.NOMPRES;
-  R logs[3] = {select(load > 0.0, load, one),
-               select(pressure > 0.0, pressure, one),
-               select(o.patch_load > 0.0, o.patch_load, one)};
-  if (!tire.mf52) log_all(logs);
-  R exps[5] = {p.PKX3 * o.dfz, p.QSY7 * logs[0], p.QSY8 * logs[1], logs[2] / 3.0, -p.PTX3 * o.dfz};
-  exp_all(exps);
+  o.patch_load =
+      smaller<R>(o.Fz_given * o.per_Cz, constant<R>(R0 - p.RIM_RADIUS - p.BOTTOM_OFFST)) *
+      (1.0 / R0);
+  o.Fz_My = faded_load(tire, o.Fz_given, false);
+  const R load = o.Fz_My * tire.per_FNOMIN, pressure = o.p * tire.per_NOMPRES;
+  const R bases[3] = {select(load > 0.0, load, one),
+                      select(pressure > 0.0, pressure, one),
+                      select(o.patch_load > 0.0, o.patch_load, one)};
+  const double powers[3] = {p.QSY7, p.QSY8, 1.0 / 3.0};
+  const R exponents[2] = {p.PKX3 * o.dfz, -p.PTX3 * o.dfz};
+  R raised[3], exps[2];
+  powers_and_exps(bases, powers, exponents, raised, exps);
   o.exp_PKX3 = exps[0];
-  o.load_power = p.QSY7 == 0.0 ? one : select(load > 0.0, exps[1], zero);
-  o.pressure_power = p.QSY8 == 0.0 ? one : select(pressure > 0.0, exps[2], zero);
-  o.patch_root = select(o.patch_load > 0.0, exps[3], zero);
-  o.exp_PTX3 = exps[4];
+  o.load_power = p.QSY7 == 0.0 ? one : select(load > 0.0, raised[0], zero);
+  o.pressure_power = p.QSY8 == 0.0 ? one : select(pressure > 0.0, raised[1], zero);
+  o.patch_root = select(o.patch_load > 0.0, raised[2], zero);
+  o.exp_PTX3 = exps[1];
 }
 
 template <class R>
 LATSCH_INLINE void functions_of_state(const TireConstants& tire, OperatingPoint<R>& o) {
   const Parameters& p = tire.p;
-  o.Fz_Mx = faded_load(o.Fz, p.FZMIN, true);
-  const R fz = o.Fz_Mx / p.FNOMIN;
+  o.Fz_Mx = faded_load(tire, o.Fz, true);
+  const R fz = o.Fz_Mx * tire.per_FNOMIN;
   const R gamma_star = o.gamma_star * (tire.mf52 ? p.LGAY : 1.0);
-  R angles[6] = {p.BREFF * (o.Fz_given / p.FNOMIN),
-                 bend(tire, o, gamma_star),
-                 bend<R>(tire, o, constant<R>(0.0)),
-                 p.RVY6 * o.kappa,
-                 p.QSX6 * fz * (p.QSX6 * fz),
-                 p.QSX11 * fz};
-  atan_all(angles);
-  const R turns[4] = {
-      p.PKY4 * angles[1], p.PKY4 * angles[2], p.RVY5 * angles[3], p.QSX5 * angles[4]};
-  R sine[4], cosine[4];
-  sin_cos_all(turns, sine, cosine);
-  o.atan_load = angles[0];
-  o.atan_QSX11 = angles[5];
+  const R arguments[6] = {bend(tire, o, gamma_star),
+                          bend<R>(tire, o, constant<R>(0.0)),
+                          p.RVY6 * o.kappa,
+                          p.QSX6 * fz * (p.QSX6 * fz),
+                          p.BREFF * (o.Fz_given * tire.per_FNOMIN),
+                          p.QSX11 * fz};
+  const double factors[4] = {p.PKY4, p.PKY4, p.RVY5, p.QSX5};
+  R arcs[6], sine[5], cosine[5];
+  sin_cos_of_atan_all(arguments, factors, o.alpha, arcs, sine, cosine);
+  o.atan_load = arcs[4];
+  o.atan_QSX11 = arcs[5];
   o.sin_K = sine[0];
   o.sin_K0 = sine[1];
   o.sin_RVY = sine[2];
   o.cos_QSX5 = cosine[3];
+  o.tan_alpha = sine[4] / cosine[4];
+  o.cos_alpha = cosine[4];
   powers(tire, o);
+}
+
+/// x >= 1 with x^3 - x^2 = e >= 0, by Newton's method from the first terms of its series, or where
+/// those do not help from above.
+template <class R>
+LATSCH_INLINE R stretched(const R& e) {
+  constexpr double kSeries = 0.05;
+  const R series = 1.0 + e * (1.0 + e * (-2.0 + e * (7.0 + e * (-30.0 + e * 143.0))));
+  R x = select(e < kSeries, series, 1.0 + e);
+  for (int i = 0; i < 60; ++i) {
+    const R step = (x * x * (x - 1.0) - e) / (x * (3.0 * x - 2.0));
+    x = x - step;
+    // What is left is twice the square of the step.
+    if (!any(abs(step) > 1e-8 * x)) break;
+  }
+  return x;
 }
 
 /// Effective rolling radius and spin of each other: Re = R_omega - deflection terms (7), R_omega =
@@ -165,23 +195,15 @@ LATSCH_INLINE void functions_of_state(const TireConstants& tire, OperatingPoint<
 template <class R>
 LATSCH_INLINE void roll(const TireConstants& tire, OperatingPoint<R>& o) {
   const Parameters& p = tire.p;
-  const R Cz = p.VERTICAL_STIFFNESS * (1.0 + p.PFZ1 * o.dpi);  // (5)
-  const R load = o.Fz_given / p.FNOMIN;
-  const R slack = p.FNOMIN / Cz * (p.DREFF * o.atan_load + p.FREFF * load);
+  const R load = o.Fz_given * tire.per_FNOMIN;
+  const R slack = p.FNOMIN * o.per_Cz * (p.DREFF * o.atan_load + p.FREFF * load);
   const R speed = (1.0 + o.kappa_given) * o.Vx;
-  const R growth = p.UNLOADED_RADIUS * p.Q_V1 * (p.UNLOADED_RADIUS / p.LONGVL) *
-                   (p.UNLOADED_RADIUS / p.LONGVL) * speed * speed;
-  // Newton's method for Re = still + growth / Re^2; a load that no tire carries still rolls.
+  const R growth = (p.UNLOADED_RADIUS * p.Q_V1 * tire.R0_per_V0 * tire.R0_per_V0) * speed * speed;
+  // A load that no tire carries still rolls.
   constexpr double kSmallestRadius = 0.01;
   const R still =
       larger(p.UNLOADED_RADIUS * p.Q_RE0 - slack, constant<R>(kSmallestRadius * p.UNLOADED_RADIUS));
-  o.Re = still + growth / (still * still);
-  for (int i = 0; i < 30; ++i) {
-    const R centrifugal = growth / (o.Re * o.Re);
-    const R step = (o.Re - still - centrifugal) / (1.0 + 2.0 * centrifugal / o.Re);
-    o.Re = o.Re - step;
-    if (!any(abs(step) > 1e-14 * p.UNLOADED_RADIUS)) break;
-  }
+  o.Re = still * stretched(growth / (still * still * still));
   o.omega = speed / o.Re;
   o.R_omega = o.Re + slack;
 }
@@ -197,15 +219,20 @@ LATSCH_INLINE void spin(const Parameters& p, OperatingPoint<R>& o) {
 }
 
 template <class R>
-LATSCH_INLINE void friction_scales(const Parameters& p, double A_mu, OperatingPoint<R>& o) {
+LATSCH_INLINE void friction_scales(const TireConstants& tire, double A_mu, OperatingPoint<R>& o) {
+  const Parameters& p = tire.p;
   o.LMUX_star = constant<R>(p.LMUX);
   o.LMUY_star = constant<R>(p.LMUY);
   if (p.LMUV != 0.0) {
     const R Vs = abs(o.Vx) * sqrt(o.kappa * o.kappa + o.tan_alpha * o.tan_alpha);
-    const R slippery = 1.0 + p.LMUV * Vs / p.LONGVL;
+    const R slippery = 1.0 + p.LMUV * Vs * tire.per_LONGVL;
     o.LMUX_star = p.LMUX / slippery;  // (4.E7)
     o.LMUY_star = p.LMUY / slippery;
   }
+  o.per_LMUY_star = 1.0 / o.LMUY_star;
+  o.LMUX_prime = o.LMUX_star;
+  o.LMUY_prime = o.LMUY_star;
+  if (A_mu == 1.0) return;
   o.LMUX_prime = A_mu * o.LMUX_star / (1.0 + (A_mu - 1.0) * o.LMUX_star);  // (4.E8)
   o.LMUY_prime = A_mu * o.LMUY_star / (1.0 + (A_mu - 1.0) * o.LMUY_star);
 }
@@ -226,21 +253,20 @@ LATSCH_INLINE OperatingPoint<R> operating_point(const TireConstants& tire,
   o.fade = constant<R>(1.0);
   if (conventions.limits) {
     if (conventions.turn_slip) o.phit = o.phit * cos(o.alpha);
-    apply_limits(p, conventions, o);
+    apply_limits(tire, conventions, o);
   }
   o.sign_Vx = sign(o.Vx);
-  const SinCos<R> a = sin_cos(o.alpha);
-  o.tan_alpha = a.sin / a.cos;
   const bool tangent = conventions.angles == Angles::tangent;
+  o.gamma_star = tangent ? sin(o.gamma) : o.gamma;                   // (4.E4)
+  o.dfz = (o.Fz - tire.Fz0_prime) * tire.per_Fz0_prime;              // (4.E2a)
+  o.dpi = (o.p - p.NOMPRES) * tire.per_NOMPRES;                      // (4.E2b)
+  o.per_Cz = 1.0 / (p.VERTICAL_STIFFNESS * (1.0 + p.PFZ1 * o.dpi));  // (5)
+  functions_of_state(tire, o);
   o.alpha_star = tangent ? o.tan_alpha * o.sign_Vx : o.alpha;  // (4.E3)
-  o.gamma_star = tangent ? sin(o.gamma) : o.gamma;             // (4.E4)
-  o.cos_alpha_star = tangent ? cos(o.alpha_star) : a.cos;
-  o.dfz = (o.Fz - tire.Fz0_prime) / tire.Fz0_prime;  // (4.E2a)
-  o.dpi = (o.p - p.NOMPRES) / p.NOMPRES;             // (4.E2b)
+  o.cos_alpha_star = tangent ? cos(o.alpha_star) : o.cos_alpha;
   const R Vc = abs(o.Vx) * sqrt(1.0 + o.tan_alpha * o.tan_alpha);
   o.cos_alpha_prime = o.Vx / (Vc + kEpsilon);  // (4.E6)
-  friction_scales(p, conventions.A_mu, o);
-  functions_of_state(tire, o);
+  friction_scales(tire, conventions.A_mu, o);
   roll(tire, o);
   if (conventions.turn_slip) spin(p, o);
   return o;
@@ -258,15 +284,7 @@ struct Shapes {
     C[which] = C_;
     E[which] = E_;
   }
-  LATSCH_INLINE void evaluate() {
-    R x[kCount];
-    for (int i = 0; i < kCount; ++i) x[i] = Bx[i];
-    atan_all(x);
-    for (int i = 0; i < kCount; ++i) x[i] = Bx[i] - E[i] * (Bx[i] - x[i]);
-    atan_all(x);
-    for (int i = 0; i < kCount; ++i) x[i] = C[i] * x[i];
-    sin_cos_all(x, sine, cosine);
-  }
+  LATSCH_INLINE void evaluate() { magic_all(Bx, C, E, sine, cosine); }
 };
 
 /// sin(C atan(Bx - E (Bx - atan Bx))) of one alone
@@ -274,11 +292,5 @@ template <class R>
 LATSCH_INLINE R sine_shape(const R& Bx, const R& C, const R& E) {
   return sin(C * atan(Bx - E * (Bx - atan(Bx))));
 }
-/// cos(atan x)
-template <class R>
-LATSCH_INLINE R cos_atan(const R& x) {
-  return 1.0 / sqrt(1.0 + x * x);
-}
-
 }  // namespace kernel
 }  // namespace latsch::magic_formula
