@@ -6,6 +6,7 @@
 #include <ctime>
 #include <vector>
 
+#include "models/ring_tire/ring_parameters_testing.h"
 #include "models/ring_tire/ring_tire.h"
 #include "models/road/plane_road.h"
 #include "models/road/profile_road.h"
@@ -17,25 +18,12 @@ using namespace latsch;
 using namespace latsch::ring_tire;
 
 RingParameters tire_of(int nodes, int blocks, int lines) {
-  RingParameters ring;
+  RingParameters ring = passenger_ring();
   ring.nodes = nodes;
-  ring.belt = {.radius = 0.305,
-               .mass = 4.5,
-               .torsion_inertia = 0.006,
-               .extension = 2.0e6,
-               .bending_in_plane = 1.8,
-               .bending_lateral = 88.0,
-               .twist = 97.0,
-               .pressure = 2.4e5,
-               .pressure_width = 0.08};
-  ring.sidewall.radial = {.stiffness = 5.5e5, .damping = 60.0, .dynamic_stiffening = 0.2};
-  ring.sidewall.tangential = {.stiffness = 2.7e5, .damping = 140.0, .dynamic_stiffening = 0.05};
-  ring.sidewall.lateral = {.stiffness = 1.6e5, .damping = 90.0};
-  ring.sidewall.torsion = 5.0e3;
-  ring.sidewall.torsion_damping = 1.0;
+  ring.sidewall.radial.dynamic_stiffening = 0.2;
+  ring.sidewall.tangential.dynamic_stiffening = 0.05;
   ring.tread.lines = lines;
   ring.tread.blocks = blocks;
-  ring.tread.height = 0.011;
   ring.tread.damping_time = 1e-4;
   return ring;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A ring of the size 205/55 R16 for tests; numbers of the order a passenger tire has.
+// A ring of the size 205/55 R16 for tests and benchmarks; numbers of the order a passenger tire
+// has.
 #pragma once
 
 #include "models/ring_tire/ring_parameters.h"
