@@ -134,6 +134,9 @@ Objective objective(const Study& study) {
     }
     score.value = target(comparisons, weights);
     score.residuals = weighted_residuals(comparisons, weights);
+    for (const Comparison& comparison : comparisons) {
+      score.stand_ins += static_cast<int>(comparison.pairing.missing.size());
+    }
     for (const ChannelConstraint& constraint : constraints) {
       if (auto failure = apply(constraint, channels, score)) return *failure;
     }

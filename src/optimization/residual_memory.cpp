@@ -40,7 +40,9 @@ double ResidualMemory::explosion(int center, const Eigen::VectorXd& h) const {
 std::vector<int> ResidualMemory::near(int center, const Eigen::VectorXd& h) const {
   std::vector<int> indices = nearest(center, h);
   const double explosion = this->explosion(center, h);
-  std::erase_if(indices, [&](int i) { return samples_[i].f > explosion; });
+  std::erase_if(indices, [&](int i) {
+    return samples_[i].f > explosion || samples_[i].stand_ins != samples_[center].stand_ins;
+  });
   return indices;
 }
 

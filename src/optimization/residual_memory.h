@@ -18,6 +18,7 @@ struct ResidualSample {
   Eigen::VectorXd r;
   Eigen::MatrixXd J;  // dr/du; empty: not known
   double f;           // |r|^2
+  int stand_ins = 0;  // among the residuals (score.h)
 };
 
 class ResidualMemory {
@@ -29,7 +30,8 @@ class ResidualMemory {
   void add_failure(const Eigen::VectorXd& u) { failures_.push_back(u); }
 
   /// The samples nearest to one, as many as a quadratic has coefficients and as there are
-  /// variables; without those that exploded. Distances are told by the half widths h of a box.
+  /// variables; without those that exploded or have other stand-ins. Distances are told by the half
+  /// widths h of a box.
   std::vector<int> near(int center, const Eigen::VectorXd& h) const;
   /// From here on a value counts as exploded, beside those near `center`.
   double explosion(int center, const Eigen::VectorXd& h) const;

@@ -236,8 +236,8 @@ struct ResidualTrustRegion::State {
       tried = {to_vector(box.space.to_unit(point)), point, Kind::probe, box.center(), box.f()};
     }
     has_widened = false;
-    if (sample && sample->f < box.explosion()) {
-      take(tried, {tried.u, sample->r, sample->J, sample->f});
+    if (sample && sample->f < box.explosion() && !box.leaps(*sample)) {
+      take(tried, {tried.u, sample->r, sample->J, sample->f, sample->stand_ins});
     } else {
       take_failure(tried);
     }
@@ -266,8 +266,11 @@ struct ResidualTrustRegion::State {
     const Eigen::VectorXd r = to_vector(outcome->residuals);
     const bool is_odd = box.memory.size() > 0 && r.size() != box.memory[0].r.size();
     if (is_odd || !std::isfinite(r.squaredNorm())) return std::nullopt;
-    return ResidualSample{
-        to_vector(box.space.to_unit(point)), r, slopes(point, *outcome), r.squaredNorm()};
+    return ResidualSample{to_vector(box.space.to_unit(point)),
+                          r,
+                          slopes(point, *outcome),
+                          r.squaredNorm(),
+                          outcome->stand_ins};
   }
 };
 

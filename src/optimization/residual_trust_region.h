@@ -17,13 +17,15 @@
 //   end       where neither a step of the tolerance nor a model of good geometry promises anything.
 //
 // A Failure closes off the region around it (residual_memory.h): the next step ends before it, and
-// a second failure in a row halves the radius. Noise shows in models that disappoint again and
-// again although they interpolate: then they smooth, with the variance that is likeliest, and the
-// radius grows where noise drowns the slopes. `restarts` starts again near the best point, a share
-// of the initial radius off: out of a local minimum or out of the noise. Where the run ended with
-// directions of which the residuals feel nothing (flat_directions.h), n + 1 single points scout
-// along them first, and the run starts from the one that is felt. Where a Score brings a Jacobian,
-// its slopes take the place of the geometry: Levenberg-Marquardt with bounds.
+// a second failure in a row halves the radius. So does a point where residuals leap because values
+// they are made of are gone (stand-ins, score.h); models are made of samples with as many of these.
+// Noise shows in models that disappoint again and again although they interpolate: then they
+// smooth, with the variance that is likeliest, and the radius grows where noise drowns the slopes.
+// `restarts` starts again near the best point, a share of the initial radius off: out of a local
+// minimum or out of the noise. Where the run ended with directions of which the residuals feel
+// nothing (flat_directions.h), n + 1 single points scout along them first, and the run starts from
+// the one that is felt. Where a Score brings a Jacobian, its slopes take the place of the geometry:
+// Levenberg-Marquardt with bounds.
 //
 // Several at once: `outstanding` points are under way at any time. The second and later ones are
 // steps in boxes of other sizes, then points around the best predicted one. Idle workers get what

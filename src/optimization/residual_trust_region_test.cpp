@@ -176,6 +176,37 @@ TEST(ResidualTrustRegion, ComesCloseUnderNoise) {
   EXPECT_LT(best, 14 * 0.002 * 0.002);  // below the noise itself
 }
 
+// A mode loses its partner where x0 x1 > 2 and counts as an error of 1 from there: a leap beside
+// the way from (0.4, 3) to the minimum at (0.8, 1.6). No smooth model holds on both sides of it.
+TEST(ResidualTrustRegion, ALeapThatIsToldIsGoneAround) {
+  const auto scored = [](const std::vector<double>& x) {
+    std::vector<double> r;
+    for (int i = 1; i <= 20; ++i) r.push_back(std::exp(-0.1 * i * x[0]) - std::exp(-0.08 * i));
+    for (int i = 1; i <= 20; ++i) r.push_back(std::sin(0.05 * i * (x[1] - 1.6)));
+    const bool is_gone = x[0] * x[1] > 2.0;
+    if (is_gone) r[4] = 1.0;
+    Score s = score(r);
+    s.stand_ins = is_gone;
+    return s;
+  };
+  ResidualTrustRegion method(box({0.4, 3.0}, 0.1, 5.0, Scale::linear), {.step_tolerance = 1e-5});
+  Score least{.value = INFINITY};
+  DesignPoint best;
+  int evaluations = 0;
+  for (; !method.converged() && evaluations < 100; ++evaluations) {
+    const DesignPoint point = method.propose(1).front();
+    const Score now = scored(point.values);
+    if (now.value < least.value) {
+      least = now;
+      best = point;
+    }
+    method.observe(point, now);
+  }
+  EXPECT_LT(evaluations, 60);
+  EXPECT_NEAR(best.values[0], 0.8, 1e-3);
+  EXPECT_NEAR(best.values[1], 1.6, 1e-3);
+}
+
 TEST(ResidualTrustRegion, WhatItWantsFirstDoesNotDependOnHowManyPointsAreAskedFor) {
   for (const int outstanding : {1, 6}) {
     ResidualTrustRegion method(box({3.0, 0.4, 2.0, 0.5, 1.5}, 0.2, 4.0, Scale::logarithmic),

@@ -13,6 +13,9 @@ struct Score {
   double value = 0.0;
   std::vector<double> residuals = {};
   std::vector<double> jacobian = {};
+  /// Residuals that only stand for a value this point does not have, such as that of a mode without
+  /// a partner: from points with more or less of them no slope can be told.
+  int stand_ins = 0;
   /// Nonlinear constraints the evaluation reports: fulfilled where c_i <= 0, and where h_j = 0. In
   /// units in which 1 is much.
   std::vector<double> constraints = {};

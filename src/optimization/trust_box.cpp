@@ -55,6 +55,10 @@ bool TrustBox::take(ResidualSample sample) {
   return is_better;
 }
 
+bool TrustBox::leaps(const ResidualSample& sample) const {
+  return has_center() && sample.stand_ins > memory[center_].stand_ins && !(sample.f < f());
+}
+
 double TrustBox::explosion() const {
   const int around = has_center() ? center_ : best_;
   return around >= 0 ? memory.explosion(around, h()) : kInfinity;
@@ -101,7 +105,7 @@ Eigen::MatrixXd TrustBox::slopes() {
 ResidualSample TrustBox::expected(const DesignPoint& point) const {
   const Eigen::VectorXd u = to_vector(space.to_unit(point));
   const Eigen::VectorXd r = ResidualModel(samples(), noise).residuals((u - c()).cwiseQuotient(h()));
-  return {u, r, {}, r.squaredNorm()};
+  return {u, r, {}, r.squaredNorm(), memory[center_].stand_ins};
 }
 
 Wanted TrustBox::at(const Eigen::VectorXd& u, Wanted::Kind kind) const {

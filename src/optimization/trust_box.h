@@ -57,6 +57,8 @@ class TrustBox {
 
   /// Begins anew around u.
   void move_to(const Eigen::VectorXd& u);
+  /// Whether residuals leapt: it is worse than the center, with more stand-ins among them.
+  bool leaps(const ResidualSample& sample) const;
   /// True where the sample is the new center.
   bool take(ResidualSample sample);
   /// From here on a value counts as exploded, beside those around the center or, where a run has
