@@ -14,10 +14,10 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kStation = 0.5;  // m, between cross-sections, at most
-constexpr double kLargest = 1e6;  // m
-constexpr double kMostStations = 2e5;
-constexpr double kLeastStep = 1e-3;  // m, between points in plan
+constexpr double kStation = 0.5;       // m, between cross-sections
+constexpr double kMostPieces = 200.0;  // of an interval; a longer one has longer stations
+constexpr double kLargest = 1e6;       // m
+constexpr double kLeastStep = 1e-3;    // m, between points in plan
 
 struct DataPoint {
   Vector3d center = Vector3d::Zero();
@@ -162,15 +162,10 @@ class SplineReading {
 
   road::TriangleMesh mesh() const {
     const long intervals = std::ssize(points_) - (closed_ ? 0 : 1);
-    double stations = 0.0;
-    for (long i = 0; i < intervals; ++i) stations += std::ceil(chord(i) / kStation);
-    if (stations > kMostStations)
-      throw InputError(data_.place(),
-                       fmt::format("is longer than {:g} km", kMostStations * kStation / 1e3));
     road::TriangleMesh mesh;
     add(station(0, 0.0), mesh);
     for (long i = 0; i < intervals; ++i) {
-      const int pieces = static_cast<int>(std::ceil(chord(i) / kStation));
+      const int pieces = static_cast<int>(std::min(std::ceil(chord(i) / kStation), kMostPieces));
       for (int k = 1; k <= pieces; ++k) {
         add(station(i, static_cast<double>(k) / pieces), mesh);
         const int near = static_cast<int>(mesh.nodes.size()) - 6;

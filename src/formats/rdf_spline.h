@@ -8,8 +8,8 @@
 // A center line through the points, level across; left and right of it friction of their own. A
 // width or friction of 0 in a row stands for the global one [Altair, 3D Spline Road and its sample
 // file; Adams Tire, 3D Spline Road]. The line between two points is a cubic with the slopes of the
-// parabolas through three points each, at stations of half a meter at most; the surface is that of
-// triangles between them (models/road/triangle_road.h).
+// parabolas through three points each, at stations every half a meter (200 of an interval at most);
+// the surface is that of triangles between them (models/road/triangle_road.h).
 //
 // Not read, and said: a bank angle, of which the descriptions do not tell the sign; obstacles. Not
 // used: SEARCH_ALGORITHM, FORWARD_DIR, a ROAD_VERTICAL other than z is refused.

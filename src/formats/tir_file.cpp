@@ -268,12 +268,13 @@ int fittyp_of(Version version) {
   return version == Version::mf52 ? 6 : version == Version::mf61 ? 61 : 62;
 }
 
-/// "KEY = value" lines below their [SECTION]s, in the order of the fields.
+/// "KEY = value" lines below their [SECTION]s, in the order of the fields; `section` is open
+/// already.
 std::string written(const std::vector<const ParameterField*>& fields,
                     const Parameters& p,
-                    const TeimOrbitUnits& units) {
+                    const TeimOrbitUnits& units,
+                    std::string_view section = {}) {
   std::string text;
-  std::string_view section;
   for (const ParameterField* field : fields) {
     if (field->section != section) text += fmt::format("[{}]\n", field->section);
     section = field->section;
@@ -336,7 +337,7 @@ std::string tir_text(const Parameters& parameters) {
     if (parameters.*field.member != field.fallback || field.name == "NOMPRES" ||
         field.name == "INFLPRES" || field.name == "LONGVL")
       fields.push_back(&field);
-  text += written(fields, parameters, {});
+  text += written(fields, parameters, {}, "MODEL");
   if (!parameters.curve_deflection.empty()) {
     text += "[DEFLECTION_LOAD_CURVE]\n{pen fz}\n";
     for (std::size_t i = 0; i < parameters.curve_deflection.size(); ++i)

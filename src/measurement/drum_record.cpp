@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "base/units.h"
 
 namespace latsch {
 namespace {
@@ -134,6 +135,20 @@ DrumRecord drum_record(Channels channels, const std::string& time_channel, std::
     if (channel.name != time_channel) record.channels.add(channel);
   }
   return record;
+}
+
+void expect_quantity(const DrumRecord& record,
+                     const std::string& channel,
+                     const std::string& unit) {
+  (void)record.channel(channel);  // missing is said there
+  const auto stated = Unit::find(record.channels.find(channel)->unit);
+  const Unit expected = Unit::of(unit);
+  if (!stated || stated->dimensionless() || stated->same_dimension(expected)) return;
+  reject(record.source,
+         fmt::format("channel {} is in {}, expected {}: is it the right channel, and its unit?",
+                     in_quotes(channel),
+                     stated->text(),
+                     words_for(expected).noun));
 }
 
 void expect_varying(const DrumRecord& record, const std::string& channel) {

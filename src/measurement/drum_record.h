@@ -26,6 +26,10 @@ struct DrumRecord {
 /// than 16 samples, time that does not rise, misses samples or is not uniform to a tenth of a step.
 DrumRecord drum_record(Channels channels, const std::string& time_channel, std::string source);
 
+/// Throws InputError where the channel is missing or states a unit of another quantity. A plain
+/// number is taken to be in `unit`.
+void expect_quantity(const DrumRecord& record, const std::string& channel, const std::string& unit);
+
 /// Throws InputError where a channel has the same value all the time: its sensor was not connected.
 void expect_varying(const DrumRecord& record, const std::string& channel);
 

@@ -213,6 +213,8 @@ TEST(DrumRecord, RefusesWhatIsNotARecordInWords) {
   constant.add({"Mz", "Nm", std::vector<double>(good["time"].size(), 0.0)});
   const DrumRecord r = drum_record(constant, "time", "run.csv");
   expect_says(message_of([&] { expect_varying(r, "Mz"); }), "is 0 all the time");
+  expect_says(message_of([&] { expect_quantity(r, "Fz", "m/s"); }), "is in N, expected a ");
+  EXPECT_NO_THROW(expect_quantity(r, "speed", "m/s"));
   expect_says(message_of([&] { r.channel("Fy"); }),
               "(channels: \"speed\", \"Fz\", \"Fx\" or \"Mz\")");
   Channels tiny;

@@ -46,33 +46,43 @@ std::string table(const std::vector<std::string>& heads,
   return html + "</tbody></table></div>\n";
 }
 
-std::string up_to(double frequency) {
-  return frequency > 0.0 ? fmt::format("{:.0f} Hz", frequency) : "none";
+std::string range(FrequencyBand band) {
+  return band.upper > 0.0 ? fmt::format("{:.0f} to {:.0f} Hz", band.lower, band.upper) : "nowhere";
 }
 
 std::string summary_table(const ComparisonFile& file, const TireComparison& comparison) {
   std::vector<std::string> heads = {"Tire"};
   for (const std::string& channel : file.channels) {
-    heads.push_back(fmt::format("{} within {:g} dB to", channel, file.agreement));
+    heads.push_back(fmt::format("{} within {:g} dB", channel, file.agreement));
     heads.push_back(channel + " error in time");
     heads.push_back(channel + " error of PSD");
   }
-  heads.insert(heads.end(), {"CPU over real time", "Parameters", "Built from"});
+  heads.emplace_back("CPU over real time");
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < file.tires.size(); ++i) {
     const TireSummary& sum = comparison.tires[i];
     std::vector<std::string> cells = {file.tires[i].title};
     for (std::size_t c = 0; c < file.channels.size(); ++c) {
-      cells.push_back(up_to(sum.follows_up_to[c]));
+      cells.push_back(range(sum.follows[c]));
       cells.push_back(report::percent(sum.time_error[c], 0));
       cells.push_back(report::percent(sum.psd_error[c], 0));
     }
     cells.push_back(significant(sum.cpu_over_time, 2));
-    cells.push_back(file.tires[i].parameters);
-    cells.push_back(file.tires[i].built_from);
     rows.push_back(std::move(cells));
   }
   return table(heads, rows);
+}
+
+std::string needs_table(const ComparisonFile& file) {
+  std::string html =
+      "<div class=\"scroll\"><table><thead><tr><th>Tire</th><th>Parameters</th>"
+      "<th>Built from</th></tr></thead><tbody>\n";
+  for (const ComparedTire& tire : file.tires)
+    html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                        escape(tire.title),
+                        escape(tire.parameters),
+                        escape(tire.built_from));
+  return html + "</tbody></table></div>\n";
 }
 
 std::string level_figures(const ComparisonFile& file, const TireComparison& comparison) {
@@ -194,12 +204,14 @@ std::string verdict_chapter(const ComparisonFile& file, const TireComparison& co
   std::string html = "<section><h2>What each tire can do</h2><ul>";
   for (const std::string& sentence : verdicts(file, comparison))
     html += "<li>" + escape(sentence) + "</li>";
-  html += "</ul>" + summary_table(file, comparison);
+  html += "</ul>" + summary_table(file, comparison) + needs_table(file);
   html += fmt::format(
       "<p>Errors are means over {} tests, of the root mean square of the measured force about its "
-      "mean and of its spectral density from {} to {} Hz. A tire follows a force up to the last of "
-      "the third-octave bands from the lowest on whose level is at most {:g} dB off. CPU time is "
-      "that of one core, with the tire's way to rest.</p></section>\n",
+      "mean and of its spectral density from {} to {} Hz. A tire follows a force over the longest "
+      "row of third-octave "
+      "bands whose level is at most {:g} dB off; bands in which noise has more than a quarter of "
+      "the power are left out. CPU time is that of one core, with the tire's way to "
+      "rest.</p></section>\n",
       file.tests.size(),
       significant(file.band.lower, 3),
       significant(file.band.upper, 3),

@@ -61,6 +61,21 @@ ComparedRecord record_of(std::vector<double> force,
   return record;
 }
 
+void find_heard(const ComparisonFile& file,
+                const std::string& channel,
+                const ComparisonTest& test,
+                const std::vector<FrequencyBand>& bands,
+                ComparedRecord& measured) {
+  constexpr double kMostNoise = 0.25;  // of the power of a band
+  double sigma = 0.0;
+  if (file.specimen && file.specimen->noise.contains(channel))
+    sigma = file.specimen->noise.at(channel);
+  for (const FrequencyBand& band : bands) {
+    const double noise = 2.0 * sigma * sigma * test.drum.sample_step * (band.upper - band.lower);
+    measured.heard.push_back(noise <= kMostNoise * band_power(measured.density, band));
+  }
+}
+
 Channels run_of(const ComparedTire& tire, const ComparisonTest& test) {
   auto channels = experiment::run(*tire.kind, tire.numbers, test.drum);
   if (!channels) {
@@ -133,32 +148,50 @@ TireRun compared_run(const ComparedTire& tire,
   return run;
 }
 
+/// Root mean square over the tests, by band.
+std::vector<double> level_errors(const TireComparison& all, std::size_t tire, std::size_t channel) {
+  std::vector<double> errors;
+  for (std::size_t b = 0; b < all.bands.size(); ++b) {
+    std::vector<double> differences;
+    for (const TestComparison& test : all.tests) {
+      if (!test.measured[channel].heard[b]) continue;
+      differences.push_back(test.tires[tire].channels[channel].level[b] -
+                            test.measured[channel].level[b]);
+    }
+    errors.push_back(rms(differences));  // NaN of none
+  }
+  return errors;
+}
+
+/// The longest row of bands within the agreement.
+FrequencyBand followed(const std::vector<double>& errors,
+                       const std::vector<FrequencyBand>& bands,
+                       double agreement) {
+  std::size_t first = 0, longest = 0;
+  for (std::size_t begin = 0; begin < errors.size(); ++begin) {
+    std::size_t end = begin;
+    while (end < errors.size() && errors[end] <= agreement) ++end;
+    if (end - begin <= longest) continue;
+    longest = end - begin;
+    first = begin;
+  }
+  if (longest == 0) return {0.0, 0.0};
+  return {bands[first].lower, bands[first + longest - 1].upper};
+}
+
 TireSummary summary(const ComparisonFile& file, const TireComparison& all, std::size_t tire) {
   TireSummary sum;
   const auto tests = static_cast<double>(all.tests.size());
   for (std::size_t c = 0; c < file.channels.size(); ++c) {
     double time = 0.0, psd = 0.0;
-    std::vector<double> square(all.bands.size(), 0.0);
     for (const TestComparison& test : all.tests) {
-      const TireRun& run = test.tires[tire];
-      time += run.time_error[c] / tests;
-      psd += run.psd_error[c] / tests;
-      for (std::size_t b = 0; b < all.bands.size(); ++b) {
-        const double d = run.channels[c].level[b] - test.measured[c].level[b];
-        square[b] += d * d / tests;
-      }
+      time += test.tires[tire].time_error[c] / tests;
+      psd += test.tires[tire].psd_error[c] / tests;
     }
     sum.time_error.push_back(time);
     sum.psd_error.push_back(psd);
-    double up_to = 0.0;
-    bool follows = true;
-    for (std::size_t b = 0; b < all.bands.size(); ++b) {
-      square[b] = std::sqrt(square[b]);
-      follows = follows && square[b] <= file.agreement;
-      if (follows) up_to = all.bands[b].upper;
-    }
-    sum.level_error.push_back(std::move(square));
-    sum.follows_up_to.push_back(up_to);
+    sum.level_error.push_back(level_errors(all, tire, c));
+    sum.follows.push_back(followed(sum.level_error.back(), all.bands, file.agreement));
   }
   for (const TestComparison& test : all.tests)
     sum.cpu_over_time += test.tires[tire].cpu_over_time / tests;
@@ -207,6 +240,7 @@ TireComparison compare_tires(const ComparisonFile& file,
       auto force = table ? at_times(*table, channel, compared.time) : measured[channel];
       compared.measured.push_back(
           record_of(std::move(force), 1.0 / test.drum.sample_step, all.bands));
+      find_heard(file, channel, test, all.bands, compared.measured.back());
     }
     for (const ComparedTire& tire : file.tires)
       compared.tires.push_back(compared_run(tire, file, test, compared, all.bands));
@@ -222,21 +256,18 @@ std::vector<std::string> verdicts(const ComparisonFile& file, const TireComparis
     const TireSummary& sum = comparison.tires[i];
     std::string text = file.tires[i].title + ":";
     for (std::size_t c = 0; c < file.channels.size(); ++c) {
-      const double up_to = sum.follows_up_to[c];
-      text += fmt::format(
-          "{} {} {}; off by {:.0f} % in time, {:.0f} % in its PSD",
-          c == 0 ? "" : ".",
-          file.channels[c],
-          up_to > 0.0
-              ? fmt::format("within {:g} dB up to {:.0f} Hz{}",
-                            file.agreement,
-                            up_to,
-                            up_to >= comparison.bands.back().upper ? ", as far as compared" : "")
-              : fmt::format("not within {:g} dB even at {:.0f} Hz",
-                            file.agreement,
-                            std::sqrt(comparison.bands[0].lower * comparison.bands[0].upper)),
-          100.0 * sum.time_error[c],
-          100.0 * sum.psd_error[c]);
+      const FrequencyBand follows = sum.follows[c];
+      text +=
+          fmt::format("{} {} {}; off by {:.0f} % in time, {:.0f} % in its PSD",
+                      c == 0 ? "" : ".",
+                      file.channels[c],
+                      follows.upper > 0.0 ? fmt::format("within {:g} dB from {:.0f} to {:.0f} Hz",
+                                                        file.agreement,
+                                                        follows.lower,
+                                                        follows.upper)
+                                          : fmt::format("nowhere within {:g} dB", file.agreement),
+                      100.0 * sum.time_error[c],
+                      100.0 * sum.psd_error[c]);
     }
     text += fmt::format(". CPU time {:.2g} x real time.", sum.cpu_over_time);
     sentences.push_back(std::move(text));

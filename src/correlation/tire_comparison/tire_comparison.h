@@ -5,9 +5,11 @@
 //   PSD error    RMS(S_sim - S_mea) / RMS(S_mea) over the lines of the band [thesis K, 3.3]
 //   level error  L_sim - L_mea in third-octave bands, dB; over tests the root mean square
 //
-// A tire follows a channel up to the upper end of the last band of a row of bands, from the lowest
-// on, whose level error over all tests stays within the agreement asked for. Spectra are of the
-// whole record, one Hann window (numerics/welch.h, the scipy convention).
+// A tire follows a channel over the longest row of bands whose level error over all tests stays
+// within the agreement asked for. Spectra are of the whole record, one Hann window
+// (numerics/welch.h, the scipy convention). A band of a test in which the specimen's noise,
+// 2 sigma^2/rate, has more than a quarter of the measured power says nothing of a tire and is left
+// out; what noise recordings have is not known.
 #pragma once
 
 #include <functional>
@@ -25,6 +27,7 @@ struct ComparedRecord {
   std::vector<double> force;  // N or N m
   numerics::Density density;
   std::vector<double> level;  // dB, by band
+  std::vector<bool> heard;    // by band: above the noise; of what was measured
 };
 
 struct TireRun {
@@ -42,8 +45,8 @@ struct TestComparison {
 /// Of one tire over all tests.
 struct TireSummary {
   std::vector<double> time_error, psd_error;     // by channel, means over the tests
-  std::vector<std::vector<double>> level_error;  // by channel and band, dB
-  std::vector<double> follows_up_to;             // by channel, Hz; 0: not even the lowest band
+  std::vector<std::vector<double>> level_error;  // by channel and band, dB; NaN: never heard
+  std::vector<FrequencyBand> follows;            // by channel, Hz; from 0 to 0: no band
   double cpu_over_time = 0.0;                    // mean
 };
 
