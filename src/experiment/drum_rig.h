@@ -7,7 +7,8 @@
 //   camber = "2 deg"                 # about x, top to the right; default 0
 //   drum_diameter = "2.5 m"
 //   wheel_inertia = "1 kg m^2"       # about the spin axis, default 1
-//   run_in = "0.2 s"                 # of rolling before the cleat
+//   run_in = "0.2 s"                 # of rolling before the cleat; in it the wheel is held less
+//                                    # and less at the speed it started with
 //   duration = "0.25 s"              # recorded, from `lead` before the cleat is below the axle
 //   lead = "0.05 s"
 //   step = "0.5 ms"                  # of the simulation
