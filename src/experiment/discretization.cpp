@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "numerics/richardson.h"
@@ -64,18 +65,42 @@ std::string unit_of(const std::string& name) {
   return name == "growth" ? "m" : name.starts_with("Fz") ? "N" : "Hz";
 }
 
+double* find(Quantities& mesh, const std::string& name) {
+  const auto same = std::find_if(
+      mesh.begin(), mesh.end(), [&name](const auto& quantity) { return quantity.first == name; });
+  return same == mesh.end() ? nullptr : &same->second;
+}
+
+/// Modes of the other meshes under the names of the first one. On the ground a mode is a mixture of
+/// wave numbers, and the one it is named by may differ: a mode without a namesake is the nearest in
+/// frequency of those nothing is named by, if one is near.
+void rename_as_first(std::vector<Quantities>& meshes) {
+  constexpr double kNear = 0.025;
+  for (std::size_t m = 1; m < meshes.size(); ++m) {
+    for (const auto& [name, frequency] : meshes.front()) {
+      if (unit_of(name) != "Hz" || find(meshes[m], name)) continue;
+      std::pair<std::string, double>* nearest = nullptr;
+      for (auto& other : meshes[m]) {
+        if (unit_of(other.first) != "Hz" || find(meshes.front(), other.first)) continue;
+        const double distance = std::abs(other.second - frequency);
+        if (!nearest || distance < std::abs(nearest->second - frequency)) nearest = &other;
+      }
+      if (nearest && std::abs(nearest->second - frequency) < kNear * frequency) {
+        nearest->first = name;
+      }
+    }
+  }
+}
+
 /// Rows of the quantities of the first mesh that all meshes have.
 std::vector<DiscretizationRow> rows(const std::vector<int>& refinements,
-                                    const std::vector<Quantities>& meshes) {
+                                    std::vector<Quantities> meshes) {
+  rename_as_first(meshes);
   std::vector<DiscretizationRow> table;
   for (const auto& [name, first] : meshes.front()) {
     DiscretizationRow row{name, unit_of(name), {}, 0.0, 0.0};
-    for (const Quantities& mesh : meshes) {
-      const auto same =
-          std::find_if(mesh.begin(), mesh.end(), [&name = name](const auto& quantity) {
-            return quantity.first == name;
-          });
-      if (same != mesh.end()) row.values.push_back(same->second);
+    for (Quantities& mesh : meshes) {
+      if (const double* value = find(mesh, name)) row.values.push_back(*value);
     }
     if (row.values.size() != meshes.size()) continue;
     const std::size_t last = meshes.size() - 3;
@@ -120,7 +145,7 @@ Result<std::vector<DiscretizationRow>> refine(
     if (!quantities) return quantities.failure();
     meshes.push_back(std::move(*quantities));
   }
-  return rows(refinements, meshes);
+  return rows(refinements, std::move(meshes));
 }
 
 }  // namespace
