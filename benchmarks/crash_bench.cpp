@@ -106,6 +106,18 @@ struct Killed {
   bool same_bits = true;
 };
 
+/// Workers of the study in `folder` that outlive it. A busy system takes its time to end them.
+int left_running(const fs::path& folder) {
+  constexpr Seconds kPatience{2.0};
+  const auto give_up = std::chrono::steady_clock::now() + kPatience;
+  std::size_t left = processes_with(folder.string()).size();
+  while (left > 0 && std::chrono::steady_clock::now() < give_up) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    left = processes_with(folder.string()).size();
+  }
+  return static_cast<int>(left);
+}
+
 /// One study, killed until it ends or has been often enough, then resumed to its end.
 void kill_and_resume(const Prey& prey,
                      Seconds longest,
@@ -126,8 +138,7 @@ void kill_and_resume(const Prey& prey,
       if (killed.kills >= prey.kills && end_of(child) != 0)
         throw std::runtime_error("resume failed");
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));  // for the system to end them
-    killed.left_running += static_cast<int>(processes_with(folder.path().string()).size());
+    killed.left_running += left_running(folder.path());
     const std::vector<Trial> after = trials_of(study);
     killed.finished_before_a_kill += ended ? 0 : std::ssize(after) - std::ssize(before);
     killed.lost += count_lost(before, after);
