@@ -91,7 +91,11 @@ std::optional<Failure> run_program(const std::vector<std::string>& arguments,
     return Failure{fmt::format("cannot start {}: {}", in_quotes(argv[0]), std::strerror(error))};
   }
   const bool in_time = timeout <= 0.0 || ends_within(pid, timeout);
-  if (!in_time) kill_tree(pid);
+  if (!in_time) {
+    ::kill(pid, SIGSTOP);  // it starts nothing while what it started is looked for
+    kill_descendants(pid);
+    ::kill(pid, SIGKILL);
+  }
   int status = 0;
   while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }

@@ -53,12 +53,15 @@ bool add_descendants(std::set<pid_t>& tree) {
 
 }  // namespace
 
-void kill_tree(pid_t root) {
+void kill_descendants(pid_t root) {
   std::set<pid_t> tree{root};
   // What is stopped starts nothing: once a look finds no other, these are all.
-  do {
-    for (const pid_t pid : tree) ::kill(pid, SIGSTOP);
-  } while (add_descendants(tree));
+  while (add_descendants(tree)) {
+    for (const pid_t pid : tree) {
+      if (pid != root) ::kill(pid, SIGSTOP);
+    }
+  }
+  tree.erase(root);
   for (const pid_t pid : tree) ::kill(pid, SIGKILL);
 }
 

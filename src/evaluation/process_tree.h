@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A process and all that descends from it, as the system lists them in /proc.
+// All that descends from a process, as the system lists it in /proc.
 //
 // A process that made itself independent of its parents (its parent ended before it) is not found;
 // an outside program that does so ends with the process group of its worker at the latest.
@@ -9,8 +9,9 @@
 
 namespace latsch {
 
-/// Kills the process, a child of this one, and its descendants; none can start another meanwhile.
-/// The child itself still has to be waited for.
-void kill_tree(pid_t root);
+/// Kills all that descends from `root`, a child of this process; unless the root is stopped it can
+/// start others meanwhile. The root itself is not touched: stopped and not yet killed when this
+/// process is killed, a worker could not act on the death of its parent and would stay for ever.
+void kill_descendants(pid_t root);
 
 }  // namespace latsch

@@ -189,10 +189,10 @@ void WorkerProcess::take_printed() {
 bool WorkerProcess::ended() const { return readable(process_.get(), 0); }
 
 std::string WorkerProcess::end() {
-  // A child that left the group is found as a descendant, one whose parent has ended as a member of
-  // the group. Both are killed while the leader is not yet waited for: no number is taken by
-  // others.
-  if (!ended()) kill_tree(pid_);
+  // A child that left the group is found as a descendant, one whose parent has ended, or that
+  // starts only now, as a member of the group. Both are killed while the leader is not yet waited
+  // for: no number is taken by others.
+  if (!ended()) kill_descendants(pid_);
   ::kill(-pid_, SIGKILL);
   while (::waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {
   }
