@@ -2,12 +2,15 @@
 // Modes of the flexible ring against the closed forms, and how the error falls with more nodes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <vector>
 
 #include "models/ring_tire/ring_closed_form.h"
 #include "models/ring_tire/ring_modes.h"
 #include "models/ring_tire/ring_parameters_testing.h"
+#include "models/ring_tire/standing_modes.h"
+#include "models/road/plane_road.h"
 #include "table.h"
 
 namespace {
@@ -27,6 +30,51 @@ double error_at(int nodes, int n) {
   const RingParameters ring = closed_form_ring(nodes);
   const double found = find_mode(unloaded_modes(ring, n), n, false).frequency;
   return std::abs(found / in_plane_frequency(ring, n) - 1.0);
+}
+
+/// The lowest modes at a height of the axle over the road; 960 blocks a line whatever the nodes.
+std::vector<StandingMode> standing(int nodes, double depth, int count) {
+  RingParameters ring = passenger_ring();
+  ring.nodes = nodes;
+  ring.tread.blocks = 960 / nodes;
+  RingTire tire(ring);
+  latsch::WheelMotion motion;
+  motion.center.z() = tire.free_radius() - depth;
+  if (!tire.settle(motion, latsch::road::PlaneRoad(), 0.0)) return {};
+  const auto modes = standing_modes(tire, count);
+  return modes ? *modes : std::vector<StandingMode>{};
+}
+
+/// Largest relative difference of the frequencies; 1 where one side failed.
+double difference(const std::vector<StandingMode>& a, const std::vector<StandingMode>& b) {
+  if (a.empty() || a.size() != b.size()) return 1.0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = std::max(largest, std::abs(a[i].frequency / b[i].frequency - 1.0));
+  return largest;
+}
+
+/// The standing ring: off the road, and on it with more nodes.
+void standing_rows(latsch::benchmarks::Table& table) {
+  constexpr int kCount = 10;
+  const auto free = standing(80, -0.01, kCount);
+  const auto unloaded = unloaded_modes(passenger_ring(), kCount);
+  double worst = free.empty() ? 1.0 : 0.0;
+  for (const StandingMode& mode : free) {
+    const double expected = find_mode(unloaded, mode.n, mode.lateral).frequency;
+    worst = std::max(worst, std::abs(mode.frequency / expected - 1.0));
+  }
+  table.row("standing modes off the road, 10 lowest against the waves",
+            fmt::format("{:.1e}", worst),
+            "<= 1e-7",
+            worst <= 1e-7);
+  const auto fine = standing(320, 0.02, kCount), middle = standing(160, 0.02, kCount);
+  const double last = difference(middle, fine);
+  const double first = difference(standing(80, 0.02, kCount), middle);
+  table.row("standing modes at 20 mm, 10 lowest, 160 against 320 nodes",
+            fmt::format("{:.1e} (80 against 160: {:.1e})", last, first),
+            "<= 5e-3, falling by 3",
+            last <= 5e-3 && 3.0 * last <= first);
 }
 
 int ring_modes() {
@@ -56,6 +104,7 @@ int ring_modes() {
             std::abs(lateral) <= 1e-4);
   table.row(
       "tilt, 200 nodes", fmt::format("{:.1e}", std::abs(tilt)), "<= 1e-3", std::abs(tilt) <= 1e-3);
+  standing_rows(table);
   return table.exit_code();
 }
 

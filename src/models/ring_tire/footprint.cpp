@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "models/ring_tire/tread_contact.h"
+#include "models/ring_tire/touching_blocks.h"
 
 namespace latsch::ring_tire {
 
@@ -28,42 +28,6 @@ double TreadContact::deepest(const NodeValues& q,
   }
   patches_.clear();
   return deepest;
-}
-
-/// What one block of a patch does.
-struct TreadContact::BlockState {
-  Vector3d normal, F, root, tip;
-  double Fn, gripped;
-};
-
-/// Calls `see` with the state of every block that touches, in the order of the patches; q: of the
-/// last add_force.
-template <class See>
-void TreadContact::see_touching(const NodeValues& q, const See& see) const {
-  std::vector<double> columns(static_cast<std::size_t>(9 * stride_));
-  for (std::size_t i = 0; i < patches_.size(); ++i) {
-    const Patch& patch = patches_[i];
-    station_columns(stations_of(i, q, q), columns.data());
-    for (int line = 0; line < lines_; ++line)
-      for (int j = patch.begin; j < patch.end; ++j) {
-        const int block = line * stride_ + j;
-        const auto at = [&](int c) { return column(i, c)[block]; };
-        if (!(at(kFn) > 0.0)) continue;
-        BlockState state{.normal = {at(kNormal), at(kNormal + 1), at(kNormal + 2)},
-                         .F = {at(kF), at(kF + 1), at(kF + 2)},
-                         .root = tip(columns.data(), line, j),
-                         .tip = {at(kTip), at(kTip + 1), at(kTip + 2)},
-                         .Fn = at(kFn),
-                         .gripped = at(kGripped)};
-        if (patch.level) {
-          state.normal = Vector3d::UnitZ();
-          state.F.z() = 0.0;
-          state.tip.z() = patch.ground.height;
-        }
-        state.root += state.normal * state.normal.dot(state.tip - state.root);
-        see(state);
-      }
-  }
 }
 
 std::vector<BlockContact> TreadContact::footprint(const NodeValues& q) const {

@@ -77,17 +77,11 @@ struct Losses {
 
 RingMode mode_of(double squared, const Eigen::Vector4cd& shape, const Losses& losses) {
   const Eigen::Vector4d weight = shape.cwiseAbs2();  // mass-normalized
-  const double kM = losses.maxwell.dot(weight), c = losses.damping.dot(weight);
+  const auto [frequency, damping] =
+      damped_mode(squared, losses.damping.dot(weight), losses.maxwell.dot(weight), losses.tau);
   RingMode mode;
-  double omega = std::sqrt(std::max(squared, 0.0));
-  // A contraction: the bracket changes by less than 1 with ω²; 30 rounds are to the last bit.
-  for (int round = 0; kM > 0.0 && round < 30; ++round) {
-    const double x = omega * losses.tau * omega * losses.tau;
-    omega = std::sqrt(std::max(squared + kM * x / (1.0 + x), 0.0));
-  }
-  const double x = omega * losses.tau * omega * losses.tau;
-  mode.frequency = omega / (2.0 * std::numbers::pi);
-  mode.damping = omega > 0.0 ? (c + kM * losses.tau / (1.0 + x)) / (2.0 * omega) : 0.0;
+  mode.frequency = frequency;
+  mode.damping = damping;
   for (int i = 0; i < 4; ++i) mode.shape[static_cast<std::size_t>(i)] = std::abs(shape[i]);
   return mode;
 }
@@ -126,6 +120,17 @@ void append_plane(const Matrix4cd& K,
 }
 
 }  // namespace
+
+DampedMode damped_mode(double squared, double damping, double maxwell, double time_constant) {
+  double omega = std::sqrt(std::max(squared, 0.0));
+  const auto x = [&] { return omega * time_constant * omega * time_constant; };
+  // A contraction: the bracket changes by less than 1 with ω²; 30 rounds are to the last bit.
+  for (int round = 0; maxwell > 0.0 && round < 30; ++round)
+    omega = std::sqrt(std::max(squared + maxwell * x() / (1.0 + x()), 0.0));
+  return {.frequency = omega / (2.0 * std::numbers::pi),
+          .damping = omega > 0.0 ? (damping + maxwell * time_constant / (1.0 + x())) / (2.0 * omega)
+                                 : 0.0};
+}
 
 std::vector<RingMode> unloaded_modes(const RingParameters& ring, int most_waves) {
   assert(most_waves <= ring.nodes / 2);

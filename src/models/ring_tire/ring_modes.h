@@ -22,6 +22,12 @@ struct RingMode {
   std::array<double, 4> shape = {};  // amplitudes of u_r, u_t, u_y (m) and ψ (rad), mass 1
 };
 
+/// (21): Hz and of critical, of ω_K^2 and of φ* C φ, φ* K_M φ.
+struct DampedMode {
+  double frequency, damping;
+};
+DampedMode damped_mode(double squared, double damping, double maxwell, double time_constant);
+
 /// All modes with n = 0 .. most_waves, by n, plane and order. Those of n > 0 come in pairs, named
 /// once.
 std::vector<RingMode> unloaded_modes(const RingParameters& ring, int most_waves);

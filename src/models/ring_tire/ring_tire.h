@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Flexible ring tire: belt.h on sidewall.h with tread_contact.h, in statics and in time.
 //
-//   m q'' = f(q, q', t),  q: positions of the nodes and torsions of their sections (15) q1 = q0 + h
-//   v0 + h^2 ((1/2 - β) a0 + β a1),  v1 = v0 + h ((1 - γ) a0 + γ a1)               (16) m a1 = (1 -
-//   θ) f1 + θ f0,  β = (1 + θ)^2/4,  γ = 1/2 + θ                                   (17)
+//   m q'' = f(q, q', t),  q: positions of the nodes and torsions of their sections          (15)
+//   q1 = q0 + h v0 + h^2 ((1/2 - β) a0 + β a1),  v1 = v0 + h ((1 - γ) a0 + γ a1)            (16)
+//   m a1 = (1 - θ) f1 + θ f0,  β = (1 + θ)^2/4,  γ = 1/2 + θ                                (17)
 // θ = 0 is the trapezoidal rule; a small θ damps what vibrates faster than the step, still of order
 // 2 [Hilber, Hughes, Taylor 1977]. Each step is solved by Newton's method with the cyclic band
 // matrix m/(β h^2) + (1 - θ) (K + γ/(β h) C).
@@ -13,7 +13,7 @@
 // so friction in the contact has the history of a tire pressed down. Where the wheel spins, the
 // shape found is kept in space and the belt flows through it: velocities and accelerations of
 // steady rolling up to the change that speed brings.
-//   Limits: docs/ring_tire.md, section 7.
+//   Limits: docs/ring_tire.md, section 8.
 #pragma once
 
 #include <string>
@@ -54,12 +54,20 @@ class RingTire final : public Tire {
   std::unique_ptr<Tire> clone() const override { return std::make_unique<RingTire>(*this); }
 
   const RingParameters& parameters() const { return parameters_; }
+  const RimFrame& rim() const { return rim_; }
   const NodeValues& positions() const { return q_; }
   const NodeValues& velocities() const { return v_; }
   std::vector<BlockContact> footprint() const { return tread_.footprint(q_); }
   const RingCounts& counts() const { return counts_; }
   /// J: kinetic and in all springs.
   double energy() const;
+  /// What small vibrations about the tire as it stands feel: friction of the road and in the
+  /// sidewall sticks. `maxwell`: stiffness of the Maxwell elements, of one time constant.
+  struct Linearized {
+    CyclicBand stiffness, damping, maxwell;
+    double time_constant;
+  };
+  Linearized linearized() const;
   /// Tangent stiffness of belt, sidewall and contact as they stand, and mass of a node (m, m, m,
   /// J).
   CyclicBand stiffness();

@@ -231,6 +231,13 @@ void SidewallForces::add_stiffness(const NodeValues& q,
   }
 }
 
+SidewallForces::Losses SidewallForces::losses() const {
+  const auto& d = direction_;
+  return {.damping = {d[0].d, d[1].d, d[2].d, torsion_damping_},
+          .maxwell = {d[0].k_maxwell, d[1].k_maxwell, d[2].k_maxwell, 0.0},
+          .time_constant = tau_};
+}
+
 void SidewallForces::commit(const NodeValues& q, const RimFrame& rim, const StepRule& rule) {
   const int nodes = angles_.nodes();
   RimRows at(nodes);

@@ -42,6 +42,15 @@ class SidewallForces {
                      const StepRule& rule,
                      double scale,
                      CyclicBand& K) const;
+  /// Damping of a node along e_r, e_t, a and of its torsion, and the stiffness of its Maxwell
+  /// elements.
+  struct Losses {
+    Eigen::Vector4d damping, maxwell;
+    double time_constant;
+  };
+  Losses losses() const;
+  /// Friction springs forget their force: small vibrations about here do not slip them.
+  void stick() { slip_.setZero(); }
   /// The step is done: its end is where the next one starts.
   void commit(const NodeValues& q, const RimFrame& rim, const StepRule& rule);
 

@@ -58,6 +58,10 @@ class TreadContact {
   /// K += scale * stiffness at the last add_force; without the growth of a sliding force with F_n,
   /// which would not be symmetric.
   void add_stiffness(double scale, CyclicBand& K);
+  /// What small vibrations about q feel of blocks whose tips all stick, q: of the last add_force.
+  /// K: their springs and, since forces keep their direction where the belt turns their arms, the
+  /// turning of (10); C: their dampers.
+  void add_sticking(const NodeValues& q, CyclicBand& K, CyclicBand& C) const;
   /// Statics: from here on tips give way at the friction of the normal forces at the last
   /// add_force.
   void hold_friction();
@@ -142,7 +146,7 @@ class TreadContact {
   void place_ground(std::size_t patch, int block, const road::GroundPoint& ground, double level);
   SegmentStations stations_of(std::size_t patch, const NodeValues& q, const NodeValues& v) const;
   void add_stations(std::size_t patch, int first, Eigen::Matrix4d* pairs);
-  struct BlockState;
+  struct BlockState;  // touching_blocks.h
   template <class See>
   void see_touching(const NodeValues& q, const See& see) const;
   BlockLines lines() const { return {lines_, line_height_.data(), line_y_.data()}; }
