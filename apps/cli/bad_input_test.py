@@ -15,6 +15,10 @@ class BadInput(Coarse):
         text = self.latsch(verb, self.study, code=WRONG_INPUT)
         self.assert_says(text, *parts)
 
+    def test_unknown_verb(self):
+        text = self.latsch("runn", code=WRONG_INPUT)
+        self.assert_says(text, 'no verb "runn"', 'did you mean "run"?', "--help")
+
     def test_negative_thickness(self):
         edit(self.folder / "tire.toml", (r'\[0.0, "6 mm"\]', '[0.0, "-6 mm"]'))
         self.rejected("check", "tire.toml", "thickness")

@@ -181,13 +181,13 @@ void check(const std::string& file) {
 
 }  // namespace
 
-void add_check(CLI::App& app, int&) {
-  auto* verb = app.add_subcommand(
+void add_check(CommandLine& app, int&) {
+  Verb verb = app.add_subcommand(
       "check", "Reads a study, its model and its measurements, and says what it understood");
-  verb->footer("Example:\n  latsch check studies/tire_b_twin/study.toml");
+  verb.footer("Example:\n  latsch check studies/tire_b_twin/study.toml");
   auto file = std::make_shared<std::string>();
-  verb->add_option("study", *file, "Study file (TOML)")->required();
-  verb->callback([file] { check(*file); });
+  verb.add_option("study", *file, "Study file (TOML)").required();
+  verb.callback([file] { check(*file); });
 }
 
 }  // namespace latsch::cli

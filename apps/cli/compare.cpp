@@ -60,10 +60,10 @@ void compare(const std::string& name, const std::string& measurements, std::stri
 
 }  // namespace
 
-void add_compare(CLI::App& app, int&) {
-  auto* verb = app.add_subcommand(
+void add_compare(CommandLine& app, int&) {
+  Verb verb = app.add_subcommand(
       "compare", "Several tires over the same cleats, beside what was measured: what each can do");
-  verb->footer(
+  verb.footer(
       "COMPARISON is a TOML file such as\n"
       "  channels = [\"Fx\", \"Fz\"]\n"
       "  [test.slow]\n"
@@ -79,12 +79,12 @@ void add_compare(CLI::App& app, int&) {
   auto file = std::make_shared<std::string>();
   auto measurements = std::make_shared<std::string>();
   auto output = std::make_shared<std::string>();
-  verb->add_option("comparison", *file, "Comparison file (TOML)")->required();
-  verb->add_option("-o,--output", *output, "Page to write (HTML); beside the file unless given");
-  verb->add_option("--write-measurements",
-                   *measurements,
-                   "Write what the specimen shows in every test into this folder, and end");
-  verb->callback([=] { compare(*file, *measurements, *output); });
+  verb.add_option("comparison", *file, "Comparison file (TOML)").required();
+  verb.add_option("-o,--output", *output, "Page to write (HTML); beside the file unless given");
+  verb.add_option("--write-measurements",
+                  *measurements,
+                  "Write what the specimen shows in every test into this folder, and end");
+  verb.callback([=] { compare(*file, *measurements, *output); });
 }
 
 }  // namespace latsch::cli

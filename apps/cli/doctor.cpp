@@ -38,20 +38,20 @@ int examine(const std::string& file, const std::string& salvaged, const std::str
 
 }  // namespace
 
-void add_doctor(CLI::App& app, int& exit_code) {
-  auto* verb = app.add_subcommand(
+void add_doctor(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand(
       "doctor", "Checks every page and hash of a journal, says what is damaged, saves the rest");
-  verb->footer(
+  verb.footer(
       "Example:\n  latsch doctor my_tire/study.latsch\n"
       "  latsch doctor my_tire/study.latsch --salvage saved.latsch\n\n"
       "Exit code 0: as it was written; 1: damaged.");
   auto file = std::make_shared<std::string>();
   auto salvaged = std::make_shared<std::string>();
   auto study = std::make_shared<std::string>();
-  verb->add_option("journal", *file, "Journal of a study")->required();
-  verb->add_option("--salvage", *salvaged, "Write the intact trials to this new journal");
-  verb->add_option("--study", *study, "The study it belongs to, where the journal cannot say");
-  verb->callback([=, &exit_code] { exit_code = examine(*file, *salvaged, *study); });
+  verb.add_option("journal", *file, "Journal of a study").required();
+  verb.add_option("--salvage", *salvaged, "Write the intact trials to this new journal");
+  verb.add_option("--study", *study, "The study it belongs to, where the journal cannot say");
+  verb.callback([=, &exit_code] { exit_code = examine(*file, *salvaged, *study); });
 }
 
 }  // namespace latsch::cli

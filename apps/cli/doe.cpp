@@ -163,24 +163,24 @@ int doe(const std::string& file, int levels, int workers) {
 
 }  // namespace
 
-void add_doe(CLI::App& app, int& exit_code) {
-  auto* verb = app.add_subcommand(
+void add_doe(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand(
       "doe", "Evaluates a design of experiments: sees local minima, chooses where to start");
-  verb->footer(
+  verb.footer(
       "Example:\n  latsch doe studies/tire_b_twin/study.toml --levels 5 --workers 2\n\n"
       "[doe] in the study names the design: full_factorial, latin_hypercube, sobol or morris.\n"
       "A later `latsch run` of the same study reuses what the design evaluated.");
   auto file = std::make_shared<std::string>();
   auto levels = std::make_shared<int>(0);
   auto workers = std::make_shared<int>(0);
-  verb->add_option("study", *file, "Study file (TOML)")->required();
-  verb->add_option("--levels",
-                   *levels,
-                   "A grid of so many values of every variable, instead of the study's [doe]")
-      ->check(CLI::Range(2, 1000));
-  verb->add_option("--workers", *workers, "Worker processes, instead of the study's")
-      ->check(CLI::Range(1, 1024));
-  verb->callback([=, &exit_code] { exit_code = doe(*file, *levels, *workers); });
+  verb.add_option("study", *file, "Study file (TOML)").required();
+  verb.add_option("--levels",
+                  *levels,
+                  "A grid of so many values of every variable, instead of the study's [doe]")
+      .between(2, 1000);
+  verb.add_option("--workers", *workers, "Worker processes, instead of the study's")
+      .between(1, 1024);
+  verb.callback([=, &exit_code] { exit_code = doe(*file, *levels, *workers); });
 }
 
 }  // namespace latsch::cli

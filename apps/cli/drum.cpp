@@ -40,11 +40,11 @@ int drum(const Options& options) {
 
 }  // namespace
 
-void add_drum(CLI::App& app, int& exit_code) {
-  auto* verb = app.add_subcommand(
+void add_drum(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand(
       "drum",
       "A tire on a virtual rig: over a cleat on the drum, swept on the flat track, standing");
-  verb->footer(
+  verb.footer(
       "TIRE is a file with kind = \"ring_tire\" or a .tir, TEST one such as\n"
       "  kind = \"drum_cleat\"\n"
       "  speed = \"60 km/h\"\n"
@@ -59,12 +59,12 @@ void add_drum(CLI::App& app, int& exit_code) {
       "Examples:\n  latsch drum tire.toml test.toml > forces.csv\n"
       "  latsch drum tire.tir test.toml --kind rigid_ring -o forces.csv");
   auto options = std::make_shared<Options>();
-  verb->add_option("tire", options->tire, "Tire file")->required();
-  verb->add_option("test", options->test, "Test file")->required();
-  verb->add_option("-o,--output", options->output, "CSV file to write; else the terminal");
-  verb->add_option("--kind", options->kind, "Of a .tir: magic_formula unless given")
-      ->check(CLI::IsMember(experiment::tire_kind_names()));
-  verb->callback([=, &exit_code] { exit_code = drum(*options); });
+  verb.add_option("tire", options->tire, "Tire file").required();
+  verb.add_option("test", options->test, "Test file").required();
+  verb.add_option("-o,--output", options->output, "CSV file to write; else the terminal");
+  verb.add_option("--kind", options->kind, "Of a .tir: magic_formula unless given")
+      .one_of(experiment::tire_kind_names());
+  verb.callback([=, &exit_code] { exit_code = drum(*options); });
 }
 
 }  // namespace latsch::cli

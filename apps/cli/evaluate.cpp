@@ -59,37 +59,36 @@ int evaluate(const Options& options) {
 
 }  // namespace
 
-void add_evaluate(CLI::App& app, int& exit_code) {
-  auto* verb =
+void add_evaluate(CommandLine& app, int& exit_code) {
+  Verb verb =
       app.add_subcommand("evaluate", "Forces, moments, radii and patch of a tire in steady state");
-  verb->footer(
+  verb.footer(
       "STATES is a table with the column Fz and any of kappa, alpha, gamma, phit, Vx, p, in any\n"
       "order, in SI or in the unit in brackets behind the name: \"alpha [deg]\".\n"
       "Examples:\n  latsch evaluate tire.tir states.csv\n"
       "  latsch evaluate tire.tir states.csv --angles tangent --turn-slip on -o forces.csv");
   auto options = std::make_shared<Options>();
-  verb->add_option("tire", options->tire, "Tire property file (.tir; MF 5.2, 6.1, 6.2)")
-      ->required();
-  verb->add_option("states", options->states, "States (CSV)")->required();
-  verb->add_option("-o,--output", options->output, "CSV file to write; else the terminal");
-  verb->add_option("--limits",
-                   options->limits,
-                   "on: inputs limited to the ranges of the file, faded below VXLOW")
-      ->check(CLI::IsMember({"on", "off"}))
-      ->capture_default_str();
-  verb->add_option("--angles",
-                   options->angles,
-                   "direct: alpha and gamma as they are; tangent: tan(alpha), sin(gamma)")
-      ->check(CLI::IsMember({"direct", "tangent"}))
-      ->capture_default_str();
-  verb->add_option("--turn-slip", options->turn_slip, "Forces and moments of turning by phit")
-      ->check(CLI::IsMember({"on", "off"}))
-      ->capture_default_str();
-  verb->add_option(
+  verb.add_option("tire", options->tire, "Tire property file (.tir; MF 5.2, 6.1, 6.2)").required();
+  verb.add_option("states", options->states, "States (CSV)").required();
+  verb.add_option("-o,--output", options->output, "CSV file to write; else the terminal");
+  verb.add_option("--limits",
+                  options->limits,
+                  "on: inputs limited to the ranges of the file, faded below VXLOW")
+      .one_of({"on", "off"})
+      .capture_default_str();
+  verb.add_option("--angles",
+                  options->angles,
+                  "direct: alpha and gamma as they are; tangent: tan(alpha), sin(gamma)")
+      .one_of({"direct", "tangent"})
+      .capture_default_str();
+  verb.add_option("--turn-slip", options->turn_slip, "Forces and moments of turning by phit")
+      .one_of({"on", "off"})
+      .capture_default_str();
+  verb.add_option(
           "--side", options->side, "The vehicle side: as measured, or the other one (mirrored)")
-      ->check(CLI::IsMember({"measured", "other"}))
-      ->capture_default_str();
-  verb->callback([=, &exit_code] { exit_code = evaluate(*options); });
+      .one_of({"measured", "other"})
+      .capture_default_str();
+  verb.callback([=, &exit_code] { exit_code = evaluate(*options); });
 }
 
 }  // namespace latsch::cli

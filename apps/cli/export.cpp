@@ -149,11 +149,11 @@ void export_files(const Options& options) {
 
 }  // namespace
 
-void add_export(CLI::App& app, int&) {
-  auto* verb = app.add_subcommand(
+void add_export(CommandLine& app, int&) {
+  Verb verb = app.add_subcommand(
       "export",
       "Writes the tire for ParaView or CalculiX, the identified tire, or a twin's measurements");
-  verb->footer(
+  verb.footer(
       "A study file stands for its best point so far, or for the initial values where nothing has "
       "run.\n\n"
       "Examples:\n"
@@ -165,17 +165,17 @@ void add_export(CLI::App& app, int&) {
       "  latsch export studies/tire_b_twin/study.toml --measurements\n"
       "      what the laboratory would have measured on the model as its file describes it");
   auto options = std::make_shared<Options>();
-  verb->add_option("file", options->file, "Tire file or study file (TOML)")->required();
-  verb->add_option("--vtu", options->vtu, "ParaView file to write");
-  verb->add_option("--ccx", options->ccx, "CalculiX deck to write");
-  verb->add_option("--tire", options->tire, "Tire file to write, with the identified values");
-  verb->add_option("--pressure", options->pressure, "Inflation, the tire's own unless given");
-  verb->add_option("--deflection", options->deflection, "Presses the tire on the ground");
-  verb->add_option("--modes", options->modes, "Lowest modes")->check(CLI::Range(0, 200));
-  verb->add_flag("--measurements",
-                 options->measurements,
-                 "Write the study's measurement files from the model itself: a twin");
-  verb->callback([=] { export_files(*options); });
+  verb.add_option("file", options->file, "Tire file or study file (TOML)").required();
+  verb.add_option("--vtu", options->vtu, "ParaView file to write");
+  verb.add_option("--ccx", options->ccx, "CalculiX deck to write");
+  verb.add_option("--tire", options->tire, "Tire file to write, with the identified values");
+  verb.add_option("--pressure", options->pressure, "Inflation, the tire's own unless given");
+  verb.add_option("--deflection", options->deflection, "Presses the tire on the ground");
+  verb.add_option("--modes", options->modes, "Lowest modes").between(0, 200);
+  verb.add_flag("--measurements",
+                options->measurements,
+                "Write the study's measurement files from the model itself: a twin");
+  verb.callback([=] { export_files(*options); });
 }
 
 }  // namespace latsch::cli

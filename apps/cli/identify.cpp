@@ -103,21 +103,21 @@ int identify(const std::string& file, int workers, bool profiles) {
 
 }  // namespace
 
-void add_identify(CLI::App& app, int& exit_code) {
-  auto* verb = app.add_subcommand("identify",
-                                  "Says which variables the measurements determine, and how well");
-  verb->footer(
+void add_identify(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand("identify",
+                                 "Says which variables the measurements determine, and how well");
+  verb.footer(
       "Example:\n  latsch identify studies/tire_b_twin/study.toml --workers 2\n\n"
       "Starts at the best trial of the journal, holds each variable at other values and fits the "
       "others\nanew. That takes some dozens of trials a variable; they stay in the journal.");
   auto file = std::make_shared<std::string>();
   auto workers = std::make_shared<int>(0);
   auto short_form = std::make_shared<bool>(false);
-  verb->add_option("study", *file, "Study file (TOML)")->required();
-  verb->add_option("--workers", *workers, "Worker processes, instead of the study's")
-      ->check(CLI::Range(1, 1024));
-  verb->add_flag("--short", *short_form, "Intervals only, one more trial a variable");
-  verb->callback([=, &exit_code] { exit_code = identify(*file, *workers, !*short_form); });
+  verb.add_option("study", *file, "Study file (TOML)").required();
+  verb.add_option("--workers", *workers, "Worker processes, instead of the study's")
+      .between(1, 1024);
+  verb.add_flag("--short", *short_form, "Intervals only, one more trial a variable");
+  verb.callback([=, &exit_code] { exit_code = identify(*file, *workers, !*short_form); });
 }
 
 }  // namespace latsch::cli

@@ -9,9 +9,11 @@
 namespace {
 
 constexpr const char* kDescription =
-    "Latsch fits a finite-element tire to what a laboratory measured: it inflates the tire, "
-    "presses it\n"
-    "on the ground, computes its modes, compares, and finds the parameters.";
+    "Latsch identifies tire models from rig measurements: finite-element, flexible-ring, "
+    "rigid-ring\n"
+    "and Magic Formula tires on virtual rigs, compared with what a laboratory measured; it finds "
+    "the\n"
+    "parameters and says how far to trust them.";
 
 constexpr const char* kFooter = R"(
 Start here:
@@ -26,10 +28,7 @@ Exit codes: 0 done; 1 the run failed or was interrupted; 2 wrong input, with fil
 
 int run(int argc, char** argv) {
   using namespace latsch::cli;
-  CLI::App app{kDescription, "latsch"};
-  app.footer(kFooter);
-  app.set_version_flag("--version", "latsch 0.1.0");
-  app.require_subcommand(1);
+  CommandLine app(kDescription, kFooter, "latsch 0.1.0");
   int exit_code = kDone;
   for (const auto add : {add_new,
                          add_check,
@@ -51,11 +50,7 @@ int run(int argc, char** argv) {
                          add_worker}) {
     add(app, exit_code);
   }
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kWrongInput;
-  }
+  if (!app.run(argc, argv)) return kWrongInput;
   return exit_code;
 }
 

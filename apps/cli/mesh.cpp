@@ -100,30 +100,29 @@ int mesh(const Options& options) {
 
 }  // namespace
 
-void add_mesh(CLI::App& app, int& exit_code) {
-  auto* verb =
+void add_mesh(CommandLine& app, int& exit_code) {
+  Verb verb =
       app.add_subcommand("mesh", "Meshes a tire: counts, mass, how far it is from converged");
-  verb->footer(
+  verb.footer(
       "Examples:\n"
       "  latsch mesh studies/tires/passenger_225_50R16.toml --vtu mesh.vtu\n"
       "  latsch mesh studies/tires/passenger_225_50R16.toml --convergence --deflection \"25 mm\"\n"
       "      the same tire on finer meshes, extrapolated: the error a fit would hide in the "
       "moduli");
   auto options = std::make_shared<Options>();
-  verb->add_option("file", options->file, "Tire file or study file (TOML)")->required();
-  verb->add_option("--refinement", options->refinement, "Splits every element so often each way")
-      ->check(CLI::Range(1, 8));
-  verb->add_option("--vtu", options->vtu, "ParaView file to write");
-  verb->add_flag("--convergence", options->convergence, "Compares with refined meshes");
-  verb->add_option(
+  verb.add_option("file", options->file, "Tire file or study file (TOML)").required();
+  verb.add_option("--refinement", options->refinement, "Splits every element so often each way")
+      .between(1, 8);
+  verb.add_option("--vtu", options->vtu, "ParaView file to write");
+  verb.add_flag("--convergence", options->convergence, "Compares with refined meshes");
+  verb.add_option(
       "--deflection", options->deflection, "Also pressed on the ground, for --convergence");
-  verb->add_option("--finest",
-                   options->finest,
-                   "Compares with meshes refined 2 to so many times, for --convergence")
-      ->check(CLI::Range(3, 8));
-  verb->add_option("--modes", options->modes, "Modes to compare, for --convergence")
-      ->check(CLI::Range(1, 100));
-  verb->callback([=, &exit_code] { exit_code = mesh(*options); });
+  verb.add_option("--finest",
+                  options->finest,
+                  "Compares with meshes refined 2 to so many times, for --convergence")
+      .between(3, 8);
+  verb.add_option("--modes", options->modes, "Modes to compare, for --convergence").between(1, 100);
+  verb.callback([=, &exit_code] { exit_code = mesh(*options); });
 }
 
 }  // namespace latsch::cli

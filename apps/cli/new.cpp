@@ -26,7 +26,7 @@ const TireTemplate& find_tire(const std::string& name) {
   for (const TireTemplate& tire : tire_templates()) {
     if (tire.name == name) return tire;
   }
-  throw InputError("no tire " + name);  // CLI11 has checked the name
+  throw InputError("no tire " + name);  // the command line has checked the name
 }
 
 void start_study(const std::string& folder, const std::string& tire) {
@@ -47,19 +47,17 @@ void start_study(const std::string& folder, const std::string& tire) {
 
 }  // namespace
 
-void add_new(CLI::App& app, int&) {
-  auto* verb =
+void add_new(CommandLine& app, int&) {
+  Verb verb =
       app.add_subcommand("new", "Writes a study to start from: a tire, measurements, a study file");
-  verb->footer("Example:\n  latsch new my_tire --tire passenger_225_50R16");
+  verb.footer("Example:\n  latsch new my_tire --tire passenger_225_50R16");
   auto folder = std::make_shared<std::string>();
   auto tire = std::make_shared<std::string>("passenger_205_55R16");
   std::vector<std::string> names;
   for (const TireTemplate& known : tire_templates()) names.emplace_back(known.name);
-  verb->add_option("folder", *folder, "Folder to write, created where missing")->required();
-  verb->add_option("--tire", *tire, "Tire to start from")
-      ->check(CLI::IsMember(names))
-      ->capture_default_str();
-  verb->callback([=] { start_study(*folder, *tire); });
+  verb.add_option("folder", *folder, "Folder to write, created where missing").required();
+  verb.add_option("--tire", *tire, "Tire to start from").one_of(names).capture_default_str();
+  verb.callback([=] { start_study(*folder, *tire); });
 }
 
 }  // namespace latsch::cli

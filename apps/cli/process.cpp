@@ -101,11 +101,11 @@ void process(const std::string& file, bool synthetic, const std::string& output)
 
 }  // namespace
 
-void add_process(CLI::App& app, int&) {
-  auto* verb = app.add_subcommand(
+void add_process(CommandLine& app, int&) {
+  Verb verb = app.add_subcommand(
       "process",
       "Drum recordings to passages, averages, spectra, and a filter that takes the rig away");
-  verb->footer(
+  verb.footer(
       "Examples:\n"
       "  latsch process my_rig/rig.toml\n"
       "  latsch process studies/drum_processing/rig.toml --synthetic\n"
@@ -113,11 +113,11 @@ void add_process(CLI::App& app, int&) {
   auto file = std::make_shared<std::string>();
   auto output = std::make_shared<std::string>();
   auto synthetic = std::make_shared<bool>(false);
-  verb->add_option("rig", *file, "Rig file (TOML)")->required();
-  verb->add_option(
+  verb.add_option("rig", *file, "Rig file (TOML)").required();
+  verb.add_option(
       "--output", *output, "Folder for tables and page, beside the rig file unless given");
-  verb->add_flag("--synthetic", *synthetic, "First write the recordings from the file's [truth]");
-  verb->callback([=] { process(*file, *synthetic, *output); });
+  verb.add_flag("--synthetic", *synthetic, "First write the recordings from the file's [truth]");
+  verb.callback([=] { process(*file, *synthetic, *output); });
 }
 
 }  // namespace latsch::cli

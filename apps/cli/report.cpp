@@ -16,16 +16,16 @@ int report(const std::string& file, bool on_the_ground) {
 
 }  // namespace
 
-void add_report(CLI::App& app, int& exit_code) {
-  auto* verb = app.add_subcommand("report", "Writes one self-contained HTML file beside the study");
-  verb->footer("Example:\n  latsch report studies/tire_b_twin/study.toml");
+void add_report(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand("report", "Writes one self-contained HTML file beside the study");
+  verb.footer("Example:\n  latsch report studies/tire_b_twin/study.toml");
   auto file = std::make_shared<std::string>();
-  verb->add_option("study", *file, "Study file (TOML)")->required();
+  verb.add_option("study", *file, "Study file (TOML)").required();
   auto on_the_ground = std::make_shared<bool>(false);
-  verb->add_flag("--convergence",
-                 *on_the_ground,
-                 "Also compares the tire on the ground with finer meshes: some minutes");
-  verb->callback([=, &exit_code] { exit_code = report(*file, *on_the_ground); });
+  verb.add_flag("--convergence",
+                *on_the_ground,
+                "Also compares the tire on the ground with finer meshes: some minutes");
+  verb.callback([=, &exit_code] { exit_code = report(*file, *on_the_ground); });
 }
 
 }  // namespace latsch::cli

@@ -58,17 +58,17 @@ int ring(const Options& options) {
 
 }  // namespace
 
-void add_ring(CLI::App& app, int& exit_code) {
-  auto* verb = app.add_subcommand("ring", "A ring tire from measured loads, stiffnesses and modes");
-  verb->footer(
+void add_ring(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand("ring", "A ring tire from measured loads, stiffnesses and modes");
+  verb.footer(
       "DATA names a tire file with known numbers, [variable.NAME] for those to be found and\n"
       "[target.NAME] for what was measured: loads, stiffnesses, frequencies, damping.\n\n"
       "Example:\n  latsch ring data.toml --output tire.toml");
   auto options = std::make_shared<Options>();
-  verb->add_option("data", options->data, "Data file")->required();
-  verb->add_option("--output", options->output, "Tire file to write");
-  verb->add_option("--evaluations", options->evaluations, "At most")->check(CLI::Range(1, 100000));
-  verb->callback([=, &exit_code] { exit_code = ring(*options); });
+  verb.add_option("data", options->data, "Data file").required();
+  verb.add_option("--output", options->output, "Tire file to write");
+  verb.add_option("--evaluations", options->evaluations, "At most").between(1, 100000);
+  verb.callback([=, &exit_code] { exit_code = ring(*options); });
 }
 
 }  // namespace latsch::cli

@@ -92,9 +92,9 @@ int road(const Options& options) {
 
 }  // namespace
 
-void add_road(CLI::App& app, int& exit_code) {
-  auto* verb = app.add_subcommand("road", "Height, normal and friction of a road at given points");
-  verb->footer(
+void add_road(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand("road", "Height, normal and friction of a road at given points");
+  verb.footer(
       "ROAD is OpenCRG (.crg), Adams road data (.rdf) or a road in words (.toml):\n"
       "  kind = \"drum\"                     also flat, cleat, kerb, wave\n"
       "  diameter = \"2.5 m\"\n"
@@ -108,14 +108,14 @@ void add_road(CLI::App& app, int& exit_code) {
       "Examples:\n  latsch road track.crg points.csv > ground.csv\n"
       "  latsch road kerb.toml --triangles kerb.rdf");
   auto options = std::make_shared<Options>();
-  verb->add_option("road", options->road, "Road file")->required();
-  verb->add_option("points", options->points, "Table of points (CSV)");
-  verb->add_option("--time", options->time, "Time of all points, such as \"0.2 s\"");
-  verb->add_option("--output", options->output, "File to write; else the terminal");
-  verb->add_option("--triangles",
-                   options->triangles,
-                   "Of a kerb: Adams road file of nodes and triangles to write");
-  verb->callback([=, &exit_code] { exit_code = road(*options); });
+  verb.add_option("road", options->road, "Road file").required();
+  verb.add_option("points", options->points, "Table of points (CSV)");
+  verb.add_option("--time", options->time, "Time of all points, such as \"0.2 s\"");
+  verb.add_option("--output", options->output, "File to write; else the terminal");
+  verb.add_option("--triangles",
+                  options->triangles,
+                  "Of a kerb: Adams road file of nodes and triangles to write");
+  verb.callback([=, &exit_code] { exit_code = road(*options); });
 }
 
 }  // namespace latsch::cli

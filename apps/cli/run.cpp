@@ -103,20 +103,20 @@ int fit(const std::string& file, int workers, bool resuming) {
 
 }  // namespace
 
-void add_run(CLI::App& app, int& exit_code) {
+void add_run(CommandLine& app, int& exit_code) {
   for (const bool resuming : {false, true}) {
-    auto* verb = app.add_subcommand(
+    Verb verb = app.add_subcommand(
         resuming ? "resume" : "run",
         resuming ? "Goes on with an interrupted run; the result is the same to the last bit"
                  : "Fits the variables to the measurements");
-    verb->footer(fmt::format("Example:\n  latsch {} studies/tire_b_twin/study.toml --workers 2",
-                             resuming ? "resume" : "run"));
+    verb.footer(fmt::format("Example:\n  latsch {} studies/tire_b_twin/study.toml --workers 2",
+                            resuming ? "resume" : "run"));
     auto file = std::make_shared<std::string>();
     auto workers = std::make_shared<int>(0);
-    verb->add_option("study", *file, "Study file (TOML)")->required();
-    verb->add_option("--workers", *workers, "Worker processes, instead of the study's")
-        ->check(CLI::Range(1, 1024));
-    verb->callback([=, &exit_code] { exit_code = fit(*file, *workers, resuming); });
+    verb.add_option("study", *file, "Study file (TOML)").required();
+    verb.add_option("--workers", *workers, "Worker processes, instead of the study's")
+        .between(1, 1024);
+    verb.callback([=, &exit_code] { exit_code = fit(*file, *workers, resuming); });
   }
 }
 

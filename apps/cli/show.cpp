@@ -137,19 +137,19 @@ int show(const std::string& file, const std::string& html, const std::string& ax
 
 }  // namespace
 
-void add_show(CLI::App& app, int& exit_code) {
-  auto* verb = app.add_subcommand("show", "What was read from a file: units, axes, channels");
-  verb->footer(
+void add_show(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand("show", "What was read from a file: units, axes, channels");
+  verb.footer(
       "Reads TYDEX (.tdx), tables (.csv), tires (.tir), roads (.crg, .rdf, .toml), decks "
       "(.inp).\n\n"
       "Example:\n  latsch show cornering.tdx --axes sae --html cornering.html");
   auto file = std::make_shared<std::string>();
   auto html = std::make_shared<std::string>();
-  verb->add_option("file", *file, "File to look at")->required();
-  verb->add_option("--html", *html, "Page with tables and curves to write");
+  verb.add_option("file", *file, "File to look at").required();
+  verb.add_option("--html", *html, "Page with tables and curves to write");
   auto axes = std::make_shared<std::string>("iso");
-  verb->add_option("--axes", *axes, "Signs the file has: iso, adapted_sae or sae; shown are iso's");
-  verb->callback([=, &exit_code] { exit_code = show(*file, *html, *axes); });
+  verb.add_option("--axes", *axes, "Signs the file has: iso, adapted_sae or sae; shown are iso's");
+  verb.callback([=, &exit_code] { exit_code = show(*file, *html, *axes); });
 }
 
 }  // namespace latsch::cli

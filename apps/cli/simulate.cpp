@@ -33,18 +33,18 @@ int simulate(const std::string& file, const std::vector<std::string>& assignment
 
 }  // namespace
 
-void add_simulate(CLI::App& app, int& exit_code) {
-  auto* verb = app.add_subcommand("simulate", "One trial: forces and modes beside the measurement");
-  verb->footer(
+void add_simulate(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand("simulate", "One trial: forces and modes beside the measurement");
+  verb.footer(
       "Examples:\n  latsch simulate studies/tire_b_twin/study.toml\n"
       "  latsch simulate studies/tire_b_twin/study.toml --set \"matrix=12 N/mm^2\" --set \"belt=5 "
       "GPa\"");
   auto file = std::make_shared<std::string>();
   auto assignments = std::make_shared<std::vector<std::string>>();
-  verb->add_option("study", *file, "Study file (TOML)")->required();
-  verb->add_option(
+  verb.add_option("study", *file, "Study file (TOML)").required();
+  verb.add_option(
       "--set", *assignments, "NAME=VALUE of a variable, others at their initial values");
-  verb->callback([=, &exit_code] { exit_code = simulate(*file, *assignments); });
+  verb.callback([=, &exit_code] { exit_code = simulate(*file, *assignments); });
 }
 
 }  // namespace latsch::cli

@@ -3,7 +3,7 @@
 // sets the exit code.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/command_line.h"
 
 namespace latsch::cli {
 
@@ -13,23 +13,23 @@ inline constexpr int kFailed =
     1;  // the run failed: no trial succeeded, the journal cannot be written, interrupted
 inline constexpr int kWrongInput = 2;  // wrong arguments or wrong files
 
-void add_new(CLI::App& app, int& exit_code);
-void add_check(CLI::App& app, int& exit_code);
-void add_mesh(CLI::App& app, int& exit_code);
-void add_simulate(CLI::App& app, int& exit_code);
-void add_evaluate(CLI::App& app, int& exit_code);
-void add_doe(CLI::App& app, int& exit_code);
-void add_run(CLI::App& app, int& exit_code);  // run and resume
-void add_identify(CLI::App& app, int& exit_code);
-void add_report(CLI::App& app, int& exit_code);
-void add_doctor(CLI::App& app, int& exit_code);
-void add_export(CLI::App& app, int& exit_code);
-void add_compare(CLI::App& app, int& exit_code);
-void add_road(CLI::App& app, int& exit_code);
-void add_drum(CLI::App& app, int& exit_code);
-void add_ring(CLI::App& app, int& exit_code);
-void add_show(CLI::App& app, int& exit_code);
-void add_process(CLI::App& app, int& exit_code);
-void add_worker(CLI::App& app, int& exit_code);  // hidden: what run and doe start
+void add_new(CommandLine& app, int& exit_code);
+void add_check(CommandLine& app, int& exit_code);
+void add_mesh(CommandLine& app, int& exit_code);
+void add_simulate(CommandLine& app, int& exit_code);
+void add_evaluate(CommandLine& app, int& exit_code);
+void add_doe(CommandLine& app, int& exit_code);
+void add_run(CommandLine& app, int& exit_code);  // run and resume
+void add_identify(CommandLine& app, int& exit_code);
+void add_report(CommandLine& app, int& exit_code);
+void add_doctor(CommandLine& app, int& exit_code);
+void add_export(CommandLine& app, int& exit_code);
+void add_compare(CommandLine& app, int& exit_code);
+void add_road(CommandLine& app, int& exit_code);
+void add_drum(CommandLine& app, int& exit_code);
+void add_ring(CommandLine& app, int& exit_code);
+void add_show(CommandLine& app, int& exit_code);
+void add_process(CommandLine& app, int& exit_code);
+void add_worker(CommandLine& app, int& exit_code);  // hidden: what run and doe start
 
 }  // namespace latsch::cli

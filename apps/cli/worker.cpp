@@ -8,18 +8,18 @@
 
 namespace latsch::cli {
 
-void add_worker(CLI::App& app, int& exit_code) {
-  auto* verb = app.add_subcommand("worker", "Evaluates trials for `latsch run` and `latsch doe`");
-  verb->group("");  // hidden
+void add_worker(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand("worker", "Evaluates trials for `latsch run` and `latsch doe`");
+  verb.hide();
   auto file = std::make_shared<std::string>();
-  verb->add_option("study", *file)->required();
+  verb.add_option("study", *file, "Study file (TOML)").required();
   auto all = std::make_shared<bool>(false);
-  verb->add_flag("--predictions", *all, "The experiments with use = \"predict\" too");
-  verb->footer(
+  verb.add_flag("--predictions", *all, "The experiments with use = \"predict\" too");
+  verb.footer(
       "Started by the program itself, one process a worker: it reads points from its standard "
       "input\nand writes their outcomes to its standard output. To try it by hand there is latsch "
       "simulate.");
-  verb->callback([=, &exit_code] {
+  verb.callback([=, &exit_code] {
     const correlation::Study study = correlation::read_study(*file);
     exit_code = serve(correlation::evaluator(*all ? correlation::with_predictions(study) : study));
   });
