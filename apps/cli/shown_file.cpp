@@ -13,8 +13,6 @@
 #include "formats/csv_table.h"
 #include "formats/inp_deck.h"
 #include "formats/mat_file.h"
-#include "formats/road_file.h"
-#include "formats/tir_file.h"
 #include "formats/tydex_file.h"
 
 namespace latsch::cli {
@@ -23,35 +21,10 @@ namespace {
 using formats::TydexFile;
 
 constexpr int kDigits = 6;
-constexpr int kRoadPoints = 2000;  // of a curve along a road
-constexpr int kRoadLines = 7;
 constexpr int kMostRows = 100;  // of a table that is no channels
 
 std::string titled(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, unit);
-}
-
-/// name, unit, samples, gaps, smallest, mean, largest
-std::vector<std::string> statistics(const Channel& channel) {
-  double low = 0.0, high = 0.0, sum = 0.0;
-  std::size_t count = 0;
-  for (const double value : channel.values) {
-    if (!std::isfinite(value)) continue;
-    low = count == 0 ? value : std::min(low, value);
-    high = count == 0 ? value : std::max(high, value);
-    sum += value;
-    ++count;
-  }
-  const auto number = [&](double value) {
-    return count == 0 ? std::string("-") : format_number(value, kDigits);
-  };
-  return {channel.name,
-          channel.unit,
-          std::to_string(channel.values.size()),
-          std::to_string(channel.values.size() - count),
-          number(low),
-          number(sum / static_cast<double>(std::max<std::size_t>(count, 1))),
-          number(high)};
 }
 
 /// Every channel over the one that is the time, or over the number of the sample.
@@ -67,14 +40,13 @@ void add_channels(const Channels& written, AxisConvention axes, ShownFile& shown
   shown.tables.push_back(std::move(table));
   for (const Channel& channel : channels.all()) {
     if (&channel == time) continue;
-    ShownCurve curve{time ? titled(time->name, time->unit) : "sample",
-                     titled(channel.name, channel.unit),
-                     time ? time->values : std::vector<double>(),
-                     channel.values};
-    for (std::size_t i = curve.x.size(); i < curve.y.size(); ++i) {
-      curve.x.push_back(static_cast<double>(i + 1));
+    report::PlotLine line{"", time ? time->values : std::vector<double>(), channel.values, 0, {}};
+    for (std::size_t i = line.x.size(); i < line.y.size(); ++i) {
+      line.x.push_back(static_cast<double>(i + 1));
     }
-    shown.curves.push_back(std::move(curve));
+    const std::string x_title = time ? titled(time->name, time->unit) : "sample";
+    const std::string y_title = titled(channel.name, channel.unit);
+    shown.plots.push_back({y_title + " over " + x_title, x_title, y_title, {std::move(line)}});
   }
 }
 
@@ -160,71 +132,10 @@ ShownFile show_mat(const std::filesystem::path& path, AxisConvention axes) {
   return shown;
 }
 
-ShownFile show_tir(const std::filesystem::path& path) {
-  const formats::TirFile file = formats::read_tir(path);
-  ShownFile shown;
-  shown.kind = "Magic Formula tire (.tir)";
-  shown.facts = file.notes;
-  ShownTable table{"As written", {"section", "key", "value", "comment"}, {}};
-  for (const auto& section : file.source.sections()) {
-    for (const auto& entry : section.entries()) {
-      table.rows.push_back({section.name(), entry.key, entry.value, entry.comment});
-    }
-  }
-  shown.tables.push_back(std::move(table));
-  return shown;
-}
-
-/// Heights along lines of equal y, or of equal v where the road is a curved grid.
-void add_road_curves(const formats::RoadFile& file, ShownFile& shown) {
-  double from = -5.0, to = 5.0, right = -0.5, left = 0.5;
-  if (file.crg) {
-    from = file.crg->grid().u_begin;
-    to = file.crg->grid().u_end();
-    right = file.crg->grid().v.front();
-    left = file.crg->grid().v.back();
-  } else if (file.triangles) {
-    from = file.triangles->low().x();
-    to = file.triangles->high().x();
-    right = file.triangles->low().y();
-    left = file.triangles->high().y();
-  }
-  ShownTable table{"Heights", {"line", "smallest [m]", "mean [m]", "largest [m]"}, {}};
-  for (int k = 0; k < kRoadLines; ++k) {
-    const double aside = (right * (kRoadLines - 1 - k) + left * k) / (kRoadLines - 1);
-    const char* letter = file.crg ? "v" : "y";
-    ShownCurve curve{file.crg ? "u [m]" : "x [m]",
-                     fmt::format("z [m] at {} = {} m", letter, format_number(aside, 4)),
-                     {},
-                     {}};
-    for (int i = 0; i <= kRoadPoints; ++i) {
-      const double along = from + (to - from) * i / kRoadPoints;
-      curve.x.push_back(along);
-      curve.y.push_back(file.crg ? file.crg->elevation({along, aside}).value_or(std::nan(""))
-                                 : file.road->height(along, aside, 0.0));
-    }
-    const auto row = statistics({"", "m", curve.y});
-    table.rows.push_back(
-        {fmt::format("{} = {} m", letter, format_number(aside, 4)), row[4], row[5], row[6]});
-    shown.curves.push_back(std::move(curve));
-  }
-  shown.tables.push_back(std::move(table));
-}
-
-ShownFile show_road(const std::filesystem::path& path) {
-  const formats::RoadFile file = formats::read_road_file(path);
-  ShownFile shown;
-  shown.kind = "Road (" + file.kind + ")";
-  shown.facts = file.facts;
-  for (const std::string& key : file.unused) shown.facts.push_back("not used: " + key);
-  add_road_curves(file, shown);
-  return shown;
-}
-
 ShownFile show_document(const std::filesystem::path& path) {
   const Document document = Document::read(path);
   const Node root = document.root();
-  if (root.has("kind") && !root.has("section")) return show_road(path);
+  if (root.has("kind") && !root.has("section")) return shown_road(path);
   ShownFile shown;
   shown.kind = "Document (TOML)";
   ShownTable table{"Numbers, in SI", {"path", "value", "unit"}, {}};
@@ -252,6 +163,28 @@ ShownFile show_inp(const std::filesystem::path& path) {
 
 }  // namespace
 
+std::vector<std::string> statistics(const Channel& channel) {
+  double low = 0.0, high = 0.0, sum = 0.0;
+  std::size_t count = 0;
+  for (const double value : channel.values) {
+    if (!std::isfinite(value)) continue;
+    low = count == 0 ? value : std::min(low, value);
+    high = count == 0 ? value : std::max(high, value);
+    sum += value;
+    ++count;
+  }
+  const auto number = [&](double value) {
+    return count == 0 ? std::string("-") : format_number(value, kDigits);
+  };
+  return {channel.name,
+          channel.unit,
+          std::to_string(channel.values.size()),
+          std::to_string(channel.values.size() - count),
+          number(low),
+          number(sum / static_cast<double>(std::max<std::size_t>(count, 1))),
+          number(high)};
+}
+
 ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes) {
   using Path = std::filesystem::path;
   const std::map<std::string, std::function<ShownFile(const Path&)>> readers = {
@@ -259,9 +192,9 @@ ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes) {
       {".tydex", [&](const Path& path) { return show_tydex(path, axes); }},
       {".csv", [&](const Path& path) { return show_csv(path, axes); }},
       {".mat", [&](const Path& path) { return show_mat(path, axes); }},
-      {".tir", show_tir},
-      {".crg", show_road},
-      {".rdf", show_road},
+      {".tir", shown_tire},
+      {".crg", shown_road},
+      {".rdf", shown_road},
       {".toml", show_document},
       {".inp", show_inp}};
   std::string ending = file.extension().string();

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was read from a file, for a person to look at: facts, tables, curves.
+// What was read from a file, for a person to look at: facts, tables, plots.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "correlation/report/line_plot.h"
 #include "measurement/axes.h"
+#include "measurement/channels.h"
 
 namespace latsch::cli {
 
@@ -16,20 +18,21 @@ struct ShownTable {
   std::vector<std::vector<std::string>> rows;
 };
 
-struct ShownCurve {
-  std::string x_title, y_title;
-  std::vector<double> x, y;  // gaps are NaN
-};
-
 struct ShownFile {
   std::string kind;  // "TYDEX 1.3"
   std::vector<std::string> facts;
   std::vector<ShownTable> tables;
-  std::vector<ShownCurve> curves;
+  std::vector<report::LinePlot> plots;
 };
 
 /// By the ending of the name: .tdx, .tydex, .csv, .mat, .tir, .crg, .rdf, .toml, .inp. Channels
 /// come out in iso, from the signs `axes` says the file has. Throws InputError.
 ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes);
+
+ShownFile shown_tire(const std::filesystem::path& tir);
+ShownFile shown_road(const std::filesystem::path& road);
+
+/// name, unit, samples, gaps, smallest, mean, largest
+std::vector<std::string> statistics(const Channel& channel);
 
 }  // namespace latsch::cli

@@ -22,12 +22,13 @@ PlotLine thinned(const PlotLine& line) {
   PlotLine thin{line.name, {}, {}, line.color, {}};
   const std::size_t stretches = kCorners / 2;
   for (std::size_t s = 0; s < stretches; ++s) {
-    const auto first = line.y.begin() + static_cast<std::ptrdiff_t>(s * count / stretches);
-    const auto end = line.y.begin() + static_cast<std::ptrdiff_t>((s + 1) * count / stretches);
-    auto [low, high] = std::minmax_element(first, end);
-    if (high < low) std::swap(low, high);
-    for (const auto at : {low, high}) {
-      const auto k = static_cast<std::size_t>(at - line.y.begin());
+    const std::size_t first = s * count / stretches, end = (s + 1) * count / stretches;
+    std::size_t low = first, high = first;
+    for (std::size_t k = first; k < end; ++k) {  // the comparisons let go of what is not a number
+      if (!(line.y[low] <= line.y[k])) low = k;
+      if (!(line.y[high] >= line.y[k])) high = k;
+    }
+    for (const std::size_t k : {std::min(low, high), std::max(low, high)}) {
       thin.x.push_back(line.x[k]);
       thin.y.push_back(line.y[k]);
       if (!line.spread.empty()) thin.spread.push_back(line.spread[k]);
