@@ -72,6 +72,58 @@ struct Record {
   }
 };
 
+/// Of records over the same times.
+Record mean(const std::vector<Record>& records) {
+  if (records.size() == 1) return records.front();
+  Record mean = records.front();
+  for (std::size_t c = 0; c < mean.values.size(); ++c) {
+    for (std::size_t i = 0; i < mean.values[c].size(); ++i) {
+      double sum = 0.0;
+      for (const Record& record : records) sum += record.values[c][i];
+      mean.values[c][i] = sum / static_cast<double>(records.size());
+    }
+  }
+  return mean;
+}
+
+struct Surfaces {
+  explicit Surfaces(const DrumTest& test)
+      : drum(drum_of(test)), smooth({.diameter = test.diameter, .surface = test.speed}) {}
+  road::DrumRoad drum, smooth;
+};
+
+/// One passage of the cleat; `start`: the wheel at rest under its load.
+Result<Record> passage(Tire& tire,
+                       const DrumTest& test,
+                       const Surfaces& surfaces,
+                       const WheelMotion& start) {
+  WheelMotion motion = start;
+  // A belt of fixed length rolls with nearly its free radius; the wheel finds the rest itself.
+  const double deflection = tire.free_radius() - start.center.z();
+  motion.spin_rate = test.speed / (tire.free_radius() - 0.35 * deflection);
+  auto hub = tire.settle(motion, surfaces.smooth, 0.0);
+  const long first = std::lround((test.run_in + test.lead) / test.step);
+  const long every = std::lround(test.sample_step / test.step);
+  const long lead = std::lround(test.lead / test.step);
+  const long last = std::lround((test.duration - test.lead) / test.step);
+  const double rolled = motion.spin_rate;
+  Record record;
+  for (long i = -first + 1; hub && i <= last; ++i) {
+    const double held = run_in_hold(test, -(static_cast<double>(i) - 0.5) * test.step);
+    motion.spin_rate += test.step * hub->moment.y() / test.wheel_inertia;
+    motion.spin_rate -= test.step * held * (motion.spin_rate - rolled);
+    motion.spin += test.step * motion.spin_rate;
+    const double time = static_cast<double>(i) * test.step;
+    // Far from the axle the cleat cannot touch; the smooth drum answers faster.
+    const bool away = std::abs(time) * test.speed > 0.5 * tire.free_radius() + 0.5;
+    hub = tire.advance(motion, away ? surfaces.smooth : surfaces.drum, time, test.step);
+    if (hub && i > -lead && (i + lead) % every == 0)
+      record.add(time, *hub, test.speed, motion.spin_rate);
+  }
+  if (!hub) return hub.failure();
+  return record;
+}
+
 }  // namespace
 
 DrumTest read_drum_test(const Node& root) {
@@ -90,6 +142,8 @@ DrumTest read_drum_test(const Node& root) {
   test.lead = root.quantity("lead", "s", Range::not_negative(), test.lead);
   test.step = root.quantity("step", "s", {0.0, 0.01, true}, test.step);
   test.sample_step = root.quantity("sample_step", "s", {0.0, 0.1, true}, test.step);
+  test.passages = static_cast<int>(root.integer("passages", 1, 100, 1));
+  test.wheel_step = root.quantity("wheel_step", "rad", {}, 0.0);
   const double ratio = test.sample_step / test.step;
   if (std::abs(ratio - std::round(ratio)) > 1e-6 || ratio < 0.5)
     root.reject("sample_step", "is no multiple of step");
@@ -126,40 +180,23 @@ Result<double> height_under_load(Tire& tire,
 }
 
 Result<Channels> run(Tire& tire, const DrumTest& test) {
-  const road::DrumRoad drum = drum_of(test);
-  const road::DrumRoad smooth({.diameter = test.diameter, .surface = test.speed});
-  const Eigen::Matrix3d carrier =
-      Eigen::AngleAxisd(test.camber, Eigen::Vector3d::UnitX()).toRotationMatrix();
-  double height = tire.free_radius() - test.deflection.value_or(0.0);
+  const Surfaces surfaces(test);
+  WheelMotion start =
+      standing(tire.free_radius() - test.deflection.value_or(0.0),
+               Eigen::AngleAxisd(test.camber, Eigen::Vector3d::UnitX()).toRotationMatrix());
   if (test.load) {
-    const auto found = height_under_load(tire, smooth, carrier, *test.load);
-    if (!found) return found.failure();
-    height = *found;
+    const auto height = height_under_load(tire, surfaces.smooth, start.carrier, *test.load);
+    if (!height) return height.failure();
+    start.center.z() = *height;
   }
-  WheelMotion motion = standing(height, carrier);
-  // A belt of fixed length rolls with nearly its free radius; the wheel finds the rest itself.
-  motion.spin_rate = test.speed / (tire.free_radius() - 0.35 * (tire.free_radius() - height));
-  auto hub = tire.settle(motion, smooth, 0.0);
-  const long first = std::lround((test.run_in + test.lead) / test.step);
-  const long every = std::lround(test.sample_step / test.step);
-  const long lead = std::lround(test.lead / test.step);
-  const long last = std::lround((test.duration - test.lead) / test.step);
-  const double rolled = motion.spin_rate;
-  Record record;
-  for (long i = -first + 1; hub && i <= last; ++i) {
-    const double held = run_in_hold(test, -(static_cast<double>(i) - 0.5) * test.step);
-    motion.spin_rate += test.step * hub->moment.y() / test.wheel_inertia;
-    motion.spin_rate -= test.step * held * (motion.spin_rate - rolled);
-    motion.spin += test.step * motion.spin_rate;
-    const double time = static_cast<double>(i) * test.step;
-    // Far from the axle the cleat cannot touch; the smooth drum answers faster.
-    const bool away = std::abs(time) * test.speed > 0.5 * tire.free_radius() + 0.5;
-    hub = tire.advance(motion, away ? smooth : drum, time, test.step);
-    if (hub && i > -lead && (i + lead) % every == 0)
-      record.add(time, *hub, test.speed, motion.spin_rate);
+  std::vector<Record> passages;
+  for (int k = 0; k < test.passages; ++k) {
+    start.spin = k * test.wheel_step;
+    auto record = passage(tire, test, surfaces, start);
+    if (!record) return Failure{"on the drum: " + record.failure().reason};
+    passages.push_back(std::move(*record));
   }
-  if (!hub) return Failure{"on the drum: " + hub.failure().reason};
-  return record.channels();
+  return mean(passages).channels();
 }
 
 }  // namespace latsch::experiment

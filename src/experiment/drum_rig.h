@@ -13,6 +13,8 @@
 //   lead = "0.05 s"
 //   step = "0.5 ms"                  # of the simulation
 //   sample_step = "1 ms"             # of the record; a multiple of step, default step
+//   passages = 4                     # of the cleat, averaged; default 1
+//   wheel_step = "0.75 deg"          # the wheel is turned on by so much at every further passage
 //   [cleat]                          # none: a smooth drum
 //   height = "15 mm"
 //   length = "30 mm"
@@ -46,6 +48,8 @@ struct DrumTest {
   double wheel_inertia = 1.0;             // kg m^2
   double run_in = 0.2, duration = 0.25, lead = 0.05, step = 5e-4, sample_step = 5e-4;  // s
   std::optional<DrumCleat> cleat = {};
+  int passages = 1;
+  double wheel_step = 0.0;  // rad
 };
 
 /// Throws InputError naming the place; unknown keys too.

@@ -14,7 +14,8 @@ namespace latsch::experiment {
 namespace {
 
 ring_tire::RingTire example_tire() {
-  const auto file = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/ring_tires/passenger_205_55R16.toml";
+  const auto file =
+      std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/ring_tires/passenger_205_55R16.toml";
   return ring_tire::RingTire(ring_tire::read_ring_tire(Document::read(file).root()));
 }
 
@@ -35,7 +36,8 @@ TEST(DrumTest, AFreeWheelRollsUnderItsLoadAndFeelsTheCleatWhenItIsBelow) {
   const auto& Fz = (*channels)["Fz"];
   const auto& My = (*channels)["My"];
   ASSERT_EQ(time.size(), 400u);
-  // Before the cleat: the load within what dynamic stiffening and speed add, and no torque to speak of.
+  // Before the cleat: the load within what dynamic stiffening and speed add, and no torque to speak
+  // of.
   double before = 0.0, torque = 0.0;
   for (std::size_t i = 0; i < 60; ++i) {
     before += Fz[i] / 60.0;
@@ -46,6 +48,28 @@ TEST(DrumTest, AFreeWheelRollsUnderItsLoadAndFeelsTheCleatWhenItIsBelow) {
   const auto most = std::max_element(Fz.begin(), Fz.end());
   EXPECT_GT(*most, before + 300.0);
   EXPECT_NEAR(time[static_cast<std::size_t>(most - Fz.begin())], 0.0, 0.04);
+}
+
+// The tire repeats itself from one of its 80 segments to the next, and so do its passages.
+TEST(DrumTest, ATurnByASegmentChangesNothing) {
+  constexpr double kSegment = 2.0 * M_PI / 80.0;
+  DrumTest test = quick_test();
+  ring_tire::RingTire tire = example_tire();
+  const auto one = run(tire, test);
+  test.passages = 2;
+  test.wheel_step = kSegment;
+  const auto same = run(tire, test);
+  test.wheel_step = 0.5 * kSegment;
+  const auto other = run(tire, test);
+  ASSERT_TRUE(one && same && other);
+  const auto distance = [&](const Channels& channels) {
+    double most = 0.0;
+    for (std::size_t i = 0; i < (*one)["Fx"].size(); ++i)
+      most = std::max(most, std::abs(channels["Fx"][i] - (*one)["Fx"][i]));
+    return most;
+  };
+  EXPECT_LT(distance(*same), 0.1);
+  EXPECT_GT(distance(*other), 1.0);  // what averages over the wheel's angle take out
 }
 
 TEST(DrumTest, IsReadWithItsUnits) {

@@ -145,6 +145,7 @@ std::string words(const DrumTest& test) {
   text += fmt::format(
       ", cleat {:.3g} mm x {:.3g} mm", test.cleat->height * 1e3, test.cleat->length * 1e3);
   if (test.cleat->angle != 0.0) text += fmt::format(" at {}", degrees(test.cleat->angle));
+  if (test.passages > 1) text += fmt::format(", {} passages", test.passages);
   return text;
 }
 
