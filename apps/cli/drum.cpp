@@ -55,7 +55,9 @@ void add_drum(CommandLine& app, int& exit_code) {
       "  height = \"15 mm\"\n"
       "  length = \"30 mm\"\n\n"
       "or kind = \"slip_sweep\" (speed, load, alpha = [\"-10 deg\", \"10 deg\"] or kappa), or\n"
-      "kind = \"static_stiffness\" (deflections = [\"10 mm\", \"20 mm\"] or load = \"4 kN\").\n\n"
+      "kind = \"static_stiffness\" (deflections = [\"10 mm\", \"20 mm\"] or load = \"4 kN\"), or\n"
+      "kind = \"footprint\" (loads or deflections; pictures: latsch footprint), or of a flexible\n"
+      "ring kind = \"modes\" (load, deflection or neither; count).\n\n"
       "Examples:\n  latsch drum tire.toml test.toml > forces.csv\n"
       "  latsch drum tire.tir test.toml --kind rigid_ring -o forces.csv");
   auto options = std::make_shared<Options>();

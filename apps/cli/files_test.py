@@ -40,6 +40,20 @@ class Files(unittest.TestCase):
         self.assertEqual(len(rows), 1 + 80)
         self.assertAlmostEqual(float(rows[1][3]), 3500, delta=300)
 
+    def test_a_footprint_is_a_table_a_picture_and_a_channel(self):
+        tire = pathlib.Path(__file__).resolve().parents[2] / "studies" / "ring_tires" / "passenger_205_55R16.toml"
+        page, table, blocks = (self.folder / name for name in ("page.html", "table.csv", "blocks.csv"))
+        self.latsch("footprint", tire, "--load", "2 kN", "--load", "4 kN", "--html", page, "-o", table,
+                    "--elements", blocks)
+        rows = [line.split(",") for line in table.read_text().splitlines()]
+        self.assertEqual(rows[0][:3], ["load [N]", "deflection [m]", "length [m]"])
+        self.assertEqual(page.read_text().count("<svg"), 2)
+        pressed = [line.split(",") for line in blocks.read_text().splitlines()[1:]]
+        self.assertEqual({float(row[0]) for row in pressed}, {1.0, 2.0})
+        test = self.write("test.toml", 'kind = "footprint"\nloads = ["2 kN", "4 kN"]\n')
+        self.assertEqual(self.latsch("drum", tire, test), table.read_text())
+        self.assertIn("one of the two", self.latsch("footprint", tire, code=WRONG_INPUT))
+
     def test_a_road_answers_with_height_normal_and_friction(self):
         road = self.write("road.toml", 'kind = "cleat"\nheight = "20 mm"\nlength = "50 mm"\nbevel = "10 mm"\n'
                                        'place = "1 m"\nobstacle_friction = 0.8\n')

@@ -44,6 +44,7 @@ int run(int argc, char** argv) {
                          add_doctor,
                          add_road,
                          add_drum,
+                         add_footprint,
                          add_ring,
                          add_compare,
                          add_show,

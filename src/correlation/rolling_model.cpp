@@ -44,6 +44,11 @@ RollingModel read_rolling_model(const Node& model, const Node& study, const fs::
                        " does not answer; expected kind = \"magic_formula\" in [model], or "
                        "another test");
     }
+    if (std::holds_alternative<experiment::VibrationTest>(test.test) && !rolling.kind->modes) {
+      table.reject("file",
+                   "asks for modes, which a " + rolling.kind->in_words +
+                       " does not have; expected kind = \"ring_tire\" in [model], or another test");
+    }
     test.text = text_of(file, test.test);
     rolling.tests.push_back(std::move(test));
   }

@@ -17,12 +17,23 @@ std::unique_ptr<Tire> build(const Document& numbers) {
   return std::make_unique<ring_tire::RingTire>(ring_tire::read_ring_tire(numbers.root()));
 }
 
+Result<Channels> modes(const Document& numbers, const VibrationTest& test) {
+  ring_tire::RingTire tire(ring_tire::read_ring_tire(numbers.root()));
+  return run(tire, test);
+}
+
 std::string text(const Document& numbers) { return numbers.text(); }
 
 }  // namespace
 
 extern const TireKind kRingTireKind;
-const TireKind kRingTireKind = {
-    "ring_tire", "flexible ring", "a TOML file with kind = \"ring_tire\"", read, build, text};
+const TireKind kRingTireKind = {"ring_tire",
+                                "flexible ring",
+                                "a TOML file with kind = \"ring_tire\"",
+                                read,
+                                build,
+                                text,
+                                nullptr,
+                                modes};
 
 }  // namespace latsch::experiment

@@ -169,6 +169,23 @@ std::string words(const StaticTest& test) {
   return test.directions.empty() ? text : text + fmt::format(" at {:.4g} N", test.load);
 }
 
+std::string words(const FootprintTest& test) {
+  return fmt::format("footprint at {} {}{}",
+                     std::max(test.loads.size(), test.deflections.size()),
+                     test.loads.empty() ? "deflections" : "loads",
+                     cambered(test.camber));
+}
+
+std::string words(const VibrationTest& test) {
+  return fmt::format("{} modes {}{}",
+                     test.count,
+                     test.load ? fmt::format("standing under {:.4g} N", *test.load)
+                     : test.deflection
+                         ? fmt::format("standing {:.4g} mm deep", *test.deflection * 1e3)
+                         : "off the ground",
+                     cambered(test.camber));
+}
+
 std::string words(const SteadyStates& test) {
   return fmt::format("{} steady states", test.states.rows());
 }
@@ -206,23 +223,35 @@ std::vector<RecordedChannel> channels_of(const StaticTest& test) {
   return channels;
 }
 
-std::vector<RecordedChannel> channels_of(const SteadyStates&) {
+std::vector<RecordedChannel> names_of(const Channels& none) {
   std::vector<RecordedChannel> channels;
-  const Channels none = answers({});
   for (const Channel& channel : none.all()) channels.push_back({channel.name, channel.unit});
   return channels;
 }
+
+std::vector<RecordedChannel> channels_of(const FootprintTest&) {
+  return names_of(to_channels(std::vector<StandingFootprint>{}));
+}
+
+std::vector<RecordedChannel> channels_of(const VibrationTest&) {
+  return {{"frequency", "Hz"}, {"n", "1"}, {"type", "1"}, {"phase", "1"}, {"damping", "1"}};
+}
+
+std::vector<RecordedChannel> channels_of(const SteadyStates&) { return names_of(answers({})); }
 
 }  // namespace
 
 RollingTest read_rolling_test(const std::filesystem::path& file) {
   const Document document = Document::read(file);
   const Node root = document.root();
-  const std::string kind =
-      root.choice("kind", {"drum_cleat", "slip_sweep", "static_stiffness", "steady_states"});
+  const std::string kind = root.choice(
+      "kind",
+      {"drum_cleat", "slip_sweep", "static_stiffness", "footprint", "modes", "steady_states"});
   if (kind == "drum_cleat") return read_drum_test(root);
   if (kind == "slip_sweep") return read_slip_sweep(root);
   if (kind == "static_stiffness") return read_static_test(root);
+  if (kind == "footprint") return read_footprint_test(root);
+  if (kind == "modes") return read_vibration_test(root);
   return read_steady_states(root, file.parent_path());
 }
 
@@ -241,9 +270,19 @@ Result<Channels> run(const TireKind& kind, const Document& numbers, const Rollin
                      "are steady states, which a " + kind.in_words +
                          " does not answer; expected a test in time, or kind = \"magic_formula\"");
   }
+  if (const auto* vibration = std::get_if<VibrationTest>(&test)) {
+    if (kind.modes) return kind.modes(numbers, *vibration);
+    throw InputError("a " + kind.in_words +
+                     " has no modes of its belt to ask for; expected kind = \"ring_tire\"");
+  }
   const std::unique_ptr<Tire> tire = kind.build(numbers);
   if (const auto* drum = std::get_if<DrumTest>(&test)) return run(*tire, *drum);
   if (const auto* sweep = std::get_if<SampledSweep>(&test)) return run(*tire, *sweep);
+  if (const auto* footprint = std::get_if<FootprintTest>(&test)) {
+    const auto states = footprints(*tire, *footprint);
+    if (!states) return states.failure();
+    return to_channels(*states);
+  }
   return run(*tire, std::get<StaticTest>(test));
 }
 

@@ -19,6 +19,9 @@
 //   load = "4 kN"                    # in its place: under the load, a channel of one value for
 //   directions = ["vertical", "longitudinal", "lateral", "torsional"]  # default: all
 //
+//   kind = "footprint"               # footprint_rig.h
+//   kind = "modes"                   # vibration_rig.h; a flexible ring
+//
 //   kind = "steady_states"           # slip_states.h; a Magic Formula
 //   states = "cornering.csv"         # beside the file
 #pragma once
@@ -31,8 +34,10 @@
 #include "base/result.h"
 #include "experiment/drum_rig.h"
 #include "experiment/flat_track.h"
+#include "experiment/footprint_rig.h"
 #include "experiment/static_stiffness.h"
 #include "experiment/tire_kind.h"
+#include "experiment/vibration_rig.h"
 
 namespace latsch::experiment {
 
@@ -51,7 +56,8 @@ struct SteadyStates {
   formats::CsvTable states;
 };
 
-using RollingTest = std::variant<DrumTest, SampledSweep, StaticTest, SteadyStates>;
+using RollingTest =
+    std::variant<DrumTest, SampledSweep, StaticTest, FootprintTest, VibrationTest, SteadyStates>;
 
 /// Throws InputError naming the place.
 RollingTest read_rolling_test(const std::filesystem::path& file);

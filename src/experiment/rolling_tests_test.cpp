@@ -141,6 +141,58 @@ TEST_F(RollingTests, AStandingTireHasTheStiffnessOfItsFile) {
   EXPECT_NEAR((*under_load)["vertical"][0], 190000.0, 500.0);
 }
 
+// The same test of three models: the ring's blocks, the formula's rectangle 2 a x 2 b, here with
+// Q_RA1 and Q_RB1 alone: a = R0 Q_RA1 sqrt(Fz/(Cz R0)), b = w Q_RB1 (Fz/(Cz R0))^(1/3).
+TEST_F(RollingTests, EveryTireHasAFootprint) {
+  const auto tir =
+      write("tire.tir", std::string(kTir) + "[CONTACT_PATCH]\nQ_RA1 = 0.9\nQ_RB1 = 1.2\n");
+  const RollingTest footprint = test("kind = \"footprint\"\nloads = [\"2 kN\", \"4 kN\"]\n");
+  for (const TireKind* kind : tire_kinds()) {
+    const auto channels =
+        run(*kind, kind->read(kind->name == "ring_tire" ? kRing : tir), footprint);
+    ASSERT_TRUE(channels) << kind->name << channels.failure().reason;
+    EXPECT_EQ(channels->all().size(), recorded(footprint).size());
+    for (int i : {0, 1}) {
+      const auto at = static_cast<std::size_t>(i);
+      const double load = (*channels)["load"][at];
+      EXPECT_NEAR(load, 2000.0 * (i + 1), 100.0) << kind->name;  // the belt's weight is its own
+      EXPECT_NEAR((*channels)["mean_pressure"][at] * (*channels)["area"][at], load, 1e-6)
+          << kind->name;
+      if (kind->name == "ring_tire") continue;
+      const double share = load / (190000.0 * 0.316);
+      EXPECT_NEAR((*channels)["length"][at], 2.0 * 0.316 * 0.9 * std::sqrt(share), 1e-6)
+          << kind->name;
+      EXPECT_NEAR((*channels)["width"][at], 2.0 * 0.205 * 1.2 * std::cbrt(share), 1e-6)
+          << kind->name;
+    }
+    EXPECT_GT((*channels)["length"][1], (*channels)["length"][0]) << kind->name;
+  }
+  const TireKind& formula = *find_tire_kind("magic_formula");
+  const auto without = run(formula, formula.read(write("bare.tir", kTir)), footprint);
+  ASSERT_FALSE(without);
+  EXPECT_NE(without.failure().reason.find("contact patch"), std::string::npos);
+}
+
+// Off the ground the pair n = 1 in the plane is one frequency, on it two.
+TEST_F(RollingTests, ARingHasModesOnTheGroundAndOffIt) {
+  const TireKind& ring = *find_tire_kind("ring_tire");
+  const RollingTest free = test("kind = \"modes\"\ncount = 8\n");
+  const RollingTest standing = test("kind = \"modes\"\nload = \"4 kN\"\ncount = 8\n");
+  const auto air = run(ring, ring.read(kRing), free),
+             ground = run(ring, ring.read(kRing), standing);
+  ASSERT_TRUE(air && ground);
+  EXPECT_EQ(air->all().size(), recorded(free).size());
+  for (const auto& channel : recorded(free)) {
+    ASSERT_NE(air->find(channel.name), nullptr) << channel.name;
+    EXPECT_EQ((*air)[channel.name].size(), 8u);
+  }
+  EXPECT_NEAR((*air)["frequency"][1], (*air)["frequency"][2], 1e-6);
+  EXPECT_GT(std::abs((*ground)["frequency"][1] - (*ground)["frequency"][2]), 0.1);
+  const auto tir = write("tire.tir", kTir);
+  const TireKind& formula = *find_tire_kind("magic_formula");
+  EXPECT_THROW((void)run(formula, formula.read(tir), standing), InputError);
+}
+
 TEST_F(RollingTests, SteadyStatesAreForTheMagicFormulaAlone) {
   const auto tir = write("tire.tir", kTir);
   write("states.csv", "Fz [kN],alpha [deg]\n4,2\n4,-2\n");

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/document.h"
+#include "experiment/vibration_rig.h"
 #include "formats/csv_table.h"
 #include "measurement/channels.h"
 #include "models/tire/tire.h"
@@ -34,6 +35,8 @@ struct TireKind {
   /// Answers to a table of states as `latsch evaluate` gives them; nullptr: no tire of steady
   /// states.
   Channels (*steady)(const Document& numbers, const formats::CsvTable& states) = nullptr;
+  /// nullptr: a tire without a belt that vibrates.
+  Result<Channels> (*modes)(const Document& numbers, const VibrationTest& test) = nullptr;
 };
 
 /// In the order in which people read of them.

@@ -53,6 +53,14 @@ double MagicFormulaTire::free_radius() const {
   return parameters_.UNLOADED_RADIUS * parameters_.Q_RE0;
 }
 
+std::optional<Footprint> MagicFormulaTire::footprint() const {
+  if (!(forces_.Fz > 0.0)) return Footprint{};
+  const SteadyState patch =
+      formula_.evaluate({forces_.Fz, 0.0, 0.0, 0.0, 0.0, parameters_.LONGVL, settings_.pressure});
+  if (!(patch.a > 0.0 && patch.b > 0.0)) return std::nullopt;
+  return Footprint::rectangle(forces_.Fz, 2.0 * patch.a, 2.0 * patch.b);
+}
+
 std::unique_ptr<Tire> MagicFormulaTire::clone() const {
   return std::make_unique<MagicFormulaTire>(*this);
 }

@@ -54,6 +54,14 @@ double RigidRingTire::free_radius() const {
   return parameters_.UNLOADED_RADIUS * parameters_.Q_RE0;
 }
 
+std::optional<Footprint> RigidRingTire::footprint() const {
+  if (!(forces_.Fz > 0.0)) return Footprint{};
+  const SteadyState patch =
+      formula_.evaluate({forces_.Fz, 0.0, 0.0, 0.0, 0.0, parameters_.LONGVL, settings_.pressure});
+  if (!(patch.a > 0.0 && patch.b > 0.0)) return std::nullopt;
+  return Footprint::rectangle(forces_.Fz, 2.0 * patch.a, 2.0 * patch.b);
+}
+
 std::unique_ptr<Tire> RigidRingTire::clone() const {
   return std::unique_ptr<Tire>(new RigidRingTire(*this));
 }

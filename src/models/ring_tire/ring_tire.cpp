@@ -113,6 +113,12 @@ double RingTire::energy() const {
   return kinetic + belt_.energy(q_, rim_) + wall_.energy(q_, rim_) + tread_.energy(q_);
 }
 
+std::optional<Footprint> RingTire::footprint() const {
+  const Vector3d forward = last_motion_.carrier.col(0);
+  const Vector3d heading = Vector3d(forward.x(), forward.y(), 0.0).normalized();
+  return tread_.footprint(q_, rim_.center, heading);
+}
+
 HubForces RingTire::hub_forces(const Eigen::Matrix3d& carrier) const {
   Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
   for (int k = 0; k < angles_.nodes(); ++k) {

@@ -51,13 +51,15 @@ class RingTire final : public Tire {
                             const road::Road& road,
                             double time,
                             double step) override;
+  std::optional<Footprint> footprint() const override;
   std::unique_ptr<Tire> clone() const override { return std::make_unique<RingTire>(*this); }
 
   const RingParameters& parameters() const { return parameters_; }
   const RimFrame& rim() const { return rim_; }
   const NodeValues& positions() const { return q_; }
   const NodeValues& velocities() const { return v_; }
-  std::vector<BlockContact> footprint() const { return tread_.footprint(q_); }
+  /// The blocks on the road.
+  std::vector<BlockContact> contacts() const { return tread_.contacts(q_); }
   const RingCounts& counts() const { return counts_; }
   /// J: kinetic and in all springs.
   double energy() const;

@@ -29,7 +29,7 @@ struct Resultant {
 /// Of the road's forces about the wheel center.
 Resultant of_road(const RingTire& tire, const Vector3d& center) {
   Resultant sum;
-  for (const BlockContact& block : tire.footprint()) {
+  for (const BlockContact& block : tire.contacts()) {
     sum.force += block.force;
     sum.moment += (block.root - center).cross(block.force);
   }

@@ -95,7 +95,7 @@ MatrixXd stiffness_by_differences(const RingTire& tire) {
     less.data()[i] -= h;
     K.col(i) = (force(less) - force(more)) / (2.0 * h);
   }
-  const auto contacts = tire.footprint();
+  const auto contacts = tire.contacts();
   const double area = contacts.front().area, H = ring.tread.height;
   const double normal = ring.tread.positive * ring.tread.young_modulus * area / H;
   const double tangential = ring.tread.shear_ratio * normal;
@@ -216,9 +216,9 @@ TEST(StandingModes, OnOneBlockSolveTheSecularEquation) {
   motion.center.z() = tire.free_radius() - 1e-6;
   motion.spin = std::numbers::pi / ring.nodes;  // the block of the first segment is lowest
   ASSERT_TRUE(tire.settle(motion, road::PlaneRoad(), 0.0));
-  ASSERT_EQ(tire.footprint().size(), 1u);
+  ASSERT_EQ(tire.contacts().size(), 1u);
   const double c =
-      ring.tread.positive * ring.tread.young_modulus * tire.footprint()[0].area / ring.tread.height;
+      ring.tread.positive * ring.tread.young_modulus * tire.contacts()[0].area / ring.tread.height;
   const Poles poles = symmetric_poles(ring);
   const auto secular = [&](double squared) {
     double sum = 1.0 / c;

@@ -75,7 +75,7 @@ TEST(RingStatics, BalancesToTheTolerance) {
   const auto hub = tire.settle(pressed(tire, 0.025), road::PlaneRoad(), 0.0);
   ASSERT_TRUE(hub) << hub.failure().reason;
   Eigen::Vector3d ground = Eigen::Vector3d::Zero();
-  for (const BlockContact& block : tire.footprint()) ground += block.force;
+  for (const BlockContact& block : tire.contacts()) ground += block.force;
   EXPECT_LT((hub->force - ground).norm(), 0.013);
 }
 

@@ -2,6 +2,7 @@
 // The blocks on the road, one after the other.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "models/ring_tire/tread_contact.h"
@@ -12,29 +13,30 @@ namespace latsch::ring_tire {
 struct TreadContact::BlockState {
   Eigen::Vector3d normal, F, root, tip;
   double Fn, gripped;
+  double depth;  // m, of the unloaded tip below the road
   std::size_t patch;
   int station, line;
 };
 
-/// Calls `see` with the state of every block that touches, in the order of the patches; q: of the
-/// last add_force.
+/// Calls `see` with the state of every block whose road is known, in the order of the patches; q:
+/// of the last add_force.
 template <class See>
-void TreadContact::see_touching(const NodeValues& q, const See& see) const {
+void TreadContact::see_blocks(const NodeValues& q, const See& see) const {
   std::vector<double> columns(static_cast<std::size_t>(9 * stride_));
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     const Patch& patch = patches_[i];
     station_columns(stations_of(i, q, q), columns.data());
     for (int line = 0; line < lines_; ++line)
-      for (int j = patch.begin; j < patch.end; ++j) {
+      for (int j = patch.begin; j < std::min(patch.end, blocks_); ++j) {
         const int block = line * stride_ + j;
         const auto at = [&](int c) { return column(i, c)[block]; };
-        if (!(at(kFn) > 0.0)) continue;
         BlockState state{.normal = {at(kNormal), at(kNormal + 1), at(kNormal + 2)},
                          .F = {at(kF), at(kF + 1), at(kF + 2)},
                          .root = tip(columns.data(), line, j),
                          .tip = {at(kTip), at(kTip + 1), at(kTip + 2)},
                          .Fn = at(kFn),
                          .gripped = at(kGripped),
+                         .depth = 0.0,
                          .patch = i,
                          .station = j,
                          .line = line};
@@ -42,11 +44,23 @@ void TreadContact::see_touching(const NodeValues& q, const See& see) const {
           state.normal = Eigen::Vector3d::UnitZ();
           state.F.z() = 0.0;
           state.tip.z() = patch.ground.height;
+        } else if (at(kLevel) <= -kNoRoad) {
+          continue;
         }
+        state.depth =
+            (patch.level ? patch.ground.height : at(kLevel)) - state.normal.dot(state.root);
         state.root += state.normal * state.normal.dot(state.tip - state.root);
         see(state);
       }
   }
+}
+
+/// Of those that touch.
+template <class See>
+void TreadContact::see_touching(const NodeValues& q, const See& see) const {
+  see_blocks(q, [&](const BlockState& block) {
+    if (block.Fn > 0.0) see(block);
+  });
 }
 
 }  // namespace latsch::ring_tire

@@ -196,7 +196,7 @@ void TreadContact::find_uneven_blocks(Patch& patch, const road::Road& road, doub
   patch.end = 0;
   const std::size_t at = patches_.size() - 1;
   for (int line = 0; line < lines_; ++line) {
-    for (int j = 0; j < whole; ++j) place_ground(at, line * stride_ + j, {}, -kFar);
+    for (int j = 0; j < whole; ++j) place_ground(at, line * stride_ + j, {}, -kNoRoad);
     const auto [begin, end] = find_line(at, line, road, time);
     if (begin == end) continue;
     patch.begin = std::min(patch.begin, begin);

@@ -28,6 +28,7 @@
 #include "models/ring_tire/ring_parameters.h"
 #include "models/ring_tire/sidewall.h"
 #include "models/ring_tire/tread_friction.h"
+#include "models/tire/footprint.h"
 
 namespace latsch::ring_tire {
 
@@ -71,7 +72,11 @@ class TreadContact {
   /// m, how far the deepest tip would be below the road at q; negative above.
   double deepest(const NodeValues& q, const RimFrame& rim, const road::Road& road, double time);
   /// The blocks that touch; q: of the last add_force.
-  std::vector<BlockContact> footprint(const NodeValues& q) const;
+  std::vector<BlockContact> contacts(const NodeValues& q) const;
+  /// The same as a plate sees it; x along the unit vector `heading` of the horizontal plane.
+  Footprint footprint(const NodeValues& q,
+                      const Eigen::Vector3d& center,
+                      const Eigen::Vector3d& heading) const;
   /// J, in the springs of the blocks.
   double energy(const NodeValues& q) const;
 
@@ -95,6 +100,7 @@ class TreadContact {
     kHeld = 16,
     kColumns = 17
   };
+  static constexpr double kNoRoad = 1e6;  // m, below the blocks of a line that are not looked at
   /// t, n and |x'| at the stations of a patch.
   enum FrameColumn { kT = 0, kN = 3, kLength = 6, kFrameColumns = 7 };
   /// Of the segment at work: columns of (10), or sums over the lines.
@@ -147,6 +153,8 @@ class TreadContact {
   SegmentStations stations_of(std::size_t patch, const NodeValues& q, const NodeValues& v) const;
   void add_stations(std::size_t patch, int first, Eigen::Matrix4d* pairs);
   struct BlockState;  // touching_blocks.h
+  template <class See>
+  void see_blocks(const NodeValues& q, const See& see) const;
   template <class See>
   void see_touching(const NodeValues& q, const See& see) const;
   BlockLines lines() const { return {lines_, line_height_.data(), line_y_.data()}; }

@@ -76,7 +76,7 @@ TEST(TreadContact, StiffnessIsTheDerivativeOfTheForceWhileTipsStick) {
   pressed.force_at(none);
   CyclicBand K(pressed.ring.nodes);
   pressed.tread.add_stiffness(1.0, K);
-  ASSERT_GT(pressed.tread.footprint(pressed.q).size(), 50u);
+  ASSERT_GT(pressed.tread.contacts(pressed.q).size(), 50u);
   for (int k : {79, 0, 1})
     for (int i = 0; i < 4; ++i) {
       NodeValues dq = none;
@@ -93,7 +93,7 @@ TEST(TreadContact, ForcesOfTheNodesAreThoseOfTheBlocks) {
   dq.row(0).setConstant(2e-4);
   const NodeValues force = pressed.force_at(dq);
   Eigen::Vector3d of_blocks = Eigen::Vector3d::Zero();
-  for (const BlockContact& block : pressed.tread.footprint(pressed.q + dq))
+  for (const BlockContact& block : pressed.tread.contacts(pressed.q + dq))
     of_blocks += block.force;
   const Eigen::Vector3d of_nodes = force.topRows<3>().rowwise().sum();
   EXPECT_LT((of_nodes - of_blocks).norm(), 1e-10 * of_blocks.norm());

@@ -7,9 +7,11 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 
 #include "base/result.h"
 #include "models/road/road.h"
+#include "models/tire/footprint.h"
 
 namespace latsch {
 
@@ -46,6 +48,9 @@ class Tire {
                                     const road::Road& road,
                                     double time,
                                     double step) = 0;
+  /// As it stood on the road at the end of settle() or of the last step; nothing of a kind of tire
+  /// that does not know.
+  virtual std::optional<Footprint> footprint() const { return std::nullopt; }
   /// An independent copy of model and state.
   virtual std::unique_ptr<Tire> clone() const = 0;
 };

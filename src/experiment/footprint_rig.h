@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// The footprint of a tire that stands on flat ground.
+//
+//   kind = "footprint"
+//   loads = ["2 kN", "4 kN"]         # or deflections = ["10 mm", "20 mm"], from first touch of the
+//                                    # upright tire
+//   camber = "2 deg"                 # about x, top to the right; default 0
+//
+// Channels, one value a state in their order: "load" (N), "deflection", "length", "width" (m, the
+// longest and the widest), "area" (m^2, grooves included), "mean_pressure" (Pa, load over area).
+#pragma once
+
+#include <vector>
+
+#include "base/document.h"
+#include "base/result.h"
+#include "measurement/channels.h"
+#include "models/tire/tire.h"
+
+namespace latsch::fe_tire {
+class FeTire;
+struct Ground;
+}  // namespace latsch::fe_tire
+
+namespace latsch::experiment {
+
+struct FootprintTest {
+  std::vector<double> loads;        // N; one of the two
+  std::vector<double> deflections;  // m
+  double camber = 0.0;              // rad
+};
+
+/// Throws InputError naming the place; unknown keys too.
+FootprintTest read_footprint_test(const Node& root);
+
+struct StandingFootprint {
+  double deflection = 0.0;  // m
+  Footprint footprint;
+};
+
+/// A Failure of a kind of tire that does not know its footprint.
+Result<std::vector<StandingFootprint>> footprints(Tire& tire, const FootprintTest& test);
+/// Of the finite-element tire, upright; deflections in ascending order.
+Result<std::vector<StandingFootprint>> footprints(fe_tire::FeTire& tire,
+                                                  double pressure,
+                                                  const fe_tire::Ground& ground,
+                                                  const FootprintTest& test);
+
+Channels to_channels(const std::vector<StandingFootprint>& states);
+
+}  // namespace latsch::experiment

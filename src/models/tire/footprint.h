@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a tire touches the road, as a pressure-measuring plate sees it: an outline and what stands
+// in it. Axes x along the wheel's heading on the ground, y to its left, from below the axle.
+#pragma once
+
+#include <vector>
+
+namespace latsch {
+
+/// A rectangle of the tread with force.
+struct FootprintElement {
+  double x = 0.0, y = 0.0;              // m, its middle
+  double length = 0.0, width = 0.0;     // m
+  double pressure = 0.0;                // Pa, over all of it, grooves included
+  double shear_x = 0.0, shear_y = 0.0;  // Pa, on the tire
+};
+
+struct Footprint {
+  double length = 0.0, width = 0.0;  // m, longest and widest
+  double area = 0.0;                 // m^2, grooves included
+  double load = 0.0;                 // N
+  std::vector<FootprintElement> elements;
+
+  double mean_pressure() const { return area > 0.0 ? load / area : 0.0; }
+  /// Of a tire that knows its patch as a rectangle under one pressure.
+  static Footprint rectangle(double load, double length, double width) {
+    const double area = length * width;
+    return {length, width, area, load, {{0.0, 0.0, length, width, load / area, 0.0, 0.0}}};
+  }
+};
+
+}  // namespace latsch
