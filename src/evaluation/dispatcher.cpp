@@ -151,8 +151,9 @@ void Dispatcher::start(Running& running) {
 }
 
 void Dispatcher::stop_unwanted_stragglers(std::span<const DesignPoint> wanted) {
+  if (running_.empty() || !options_.stop_unwanted || !executor_.can_stop()) return;
   const auto limit = straggling_since();
-  if (!limit || !options_.stop_unwanted || !executor_.can_stop()) return;
+  if (!limit) return;
   const auto straggles = [&](const auto& entry) {
     return entry.second.copies > 0 && entry.second.since <= *limit;
   };
@@ -175,8 +176,9 @@ void Dispatcher::stop_unwanted_stragglers(std::span<const DesignPoint> wanted) {
 }
 
 void Dispatcher::start_stragglers_again() {
+  if (executor_.idle() == 0) return;
   const auto limit = straggling_since();
-  if (!limit || executor_.idle() == 0) return;
+  if (!limit) return;
   for (auto& [bits, running] : running_) {
     if (executor_.idle() == 0) return;
     if (running.copies != 1 || running.since > *limit) continue;

@@ -15,7 +15,9 @@ void InlineExecutor::start(const DesignPoint& point) {
 std::vector<Trial> InlineExecutor::wait(double) {
   if (!waiting_) return {};
   const DesignPoint point = *std::exchange(waiting_, std::nullopt);
-  return {{point, evaluate(evaluator_, point)}};
+  std::vector<Trial> done;
+  done.push_back({point, evaluate(evaluator_, point)});  // a list of trials would copy the channels
+  return done;
 }
 
 void InlineExecutor::withdraw(const DesignPoint& point) {

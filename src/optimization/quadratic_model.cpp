@@ -5,7 +5,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace latsch {
 namespace {
@@ -17,13 +17,15 @@ constexpr double kRidge = 1e-3;          // prefers a small H where samples leav
 std::vector<const Sample*> nearest(const std::vector<Sample>& samples,
                                    const Eigen::VectorXd& center,
                                    int count) {
+  std::vector<std::pair<double, const Sample*>> order;  // samples lie in a row: ties by their age
+  order.reserve(samples.size());
+  for (const Sample& sample : samples) {
+    order.emplace_back((sample.u - center).squaredNorm(), &sample);
+  }
+  const auto end = order.begin() + std::min<std::ptrdiff_t>(count, std::ssize(order));
+  std::partial_sort(order.begin(), end, order.end());
   std::vector<const Sample*> chosen;
-  for (const Sample& sample : samples) chosen.push_back(&sample);
-  const auto nearer = [&](const Sample* a, const Sample* b) {
-    return (a->u - center).squaredNorm() < (b->u - center).squaredNorm();
-  };
-  std::stable_sort(chosen.begin(), chosen.end(), nearer);
-  if (std::ssize(chosen) > count) chosen.resize(count);
+  for (auto it = order.begin(); it != end; ++it) chosen.push_back(it->second);
   return chosen;
 }
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/lost_variables.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <numeric>
+
+namespace latsch {
+namespace {
+
+/// Toward zero farther than away: there most parts of a model are neutral, far out they vanish.
+constexpr std::array kFactors{0.5, 2.0, 0.25, 4.0, 0.125, 8.0, 0.0625, 16.0, 0.03125, 0.015625};
+
+constexpr double kSame = 1e-9;  // of the ranges: bounds stopped the move
+
+Eigen::VectorXd to_vector(const std::vector<double>& u) {
+  return Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
+}
+
+}  // namespace
+
+LostVariables::LostVariables(const DesignSpace& space,
+                             const FeasibleRegion& region,
+                             const Eigen::VectorXd& u,
+                             const Eigen::VectorXd& slopes,
+                             const Eigen::VectorXd& test)
+    : space_(space), region_(region), u_(u), test_(test), order_(u.size()), at_most_(space.size()) {
+  std::iota(order_.begin(), order_.end(), 0);
+  std::stable_sort(
+      order_.begin(), order_.end(), [&](int i, int j) { return slopes[i] < slopes[j]; });
+}
+
+Eigen::VectorXd LostVariables::next() const {
+  assert(has_next());
+  if (!is_testing()) return places_.back();
+  Eigen::VectorXd moved = u_;
+  for (int k = 0; k < tested(); ++k) {
+    const int i = order_[k];
+    const double to = u_[i] + test_[i];
+    moved[i] = to < 0.0 || to > 1.0 ? u_[i] - test_[i] : to;
+  }
+  return region_.nearest(moved);
+}
+
+void LostVariables::observe(bool is_felt) {
+  assert(has_next());
+  if (!is_testing()) return places_.pop_back();
+  (is_felt ? at_most_ : at_least_) = is_felt ? tested() - 1 : tested();
+  if (!is_testing() && at_least_ > 0) find_places();
+}
+
+void LostVariables::find_places() {
+  std::vector<Eigen::VectorXd> places;
+  const auto add = [&](const Eigen::VectorXd& moved) {
+    const Eigen::VectorXd place = region_.nearest(moved);
+    const auto is_near = [&](const Eigen::VectorXd& other) {
+      return (place - other).lpNorm<Eigen::Infinity>() < kSame;
+    };
+    if (!is_near(u_) && std::none_of(places.begin(), places.end(), is_near)) {
+      places.push_back(place);
+    }
+  };
+  Eigen::VectorXd middle = u_;
+  for (const int i : lost()) middle[i] = 0.5;
+  add(middle);
+  const DesignPoint settled = space_.from_unit({u_.begin(), u_.end()});
+  for (const double factor : kFactors) {
+    DesignPoint scaled = settled;
+    for (const int i : lost()) scaled.values[i] *= factor;
+    add(to_vector(space_.to_unit(scaled)));
+  }
+  places_.assign(places.rbegin(), places.rend());
+}
+
+}  // namespace latsch

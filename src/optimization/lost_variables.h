@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lost variables: those of which the residuals feel nothing where a search settled, and the places
+// where they may be felt again.
+//
+// A peak outside the data, a decay so fast that nothing of it is left, a stop that is never
+// touched: a search can settle without them, and no slope leads back. Often several are lost
+// together, center, width and height of one peak, and act only where all of them are right to the
+// order of magnitude; moving one is in vain. So they are moved as one, the felt ones left as they
+// are, inside bounds and constraints:
+//
+//   u_i = 1/2                                   to the middle of their ranges
+//   x_i -> s x_i,   s = 1/2, 2, 1/4, 4, ...     by their order of magnitude, toward zero and away
+//
+// Which are lost is tested, not taken from a model's slopes: these are as wrong as the felt
+// variables are curved. With the variables in the order of their slopes, as many of the least ones
+// are lost as can be moved together without effect: a bisection, log2(n) points. Under noise
+// everything is felt, and nothing is lost.
+//
+// This relies on ranges whose middle is plausible or on a zero that means something: it does not
+// find a peak at x = 105 from x = 200 within 0 ... 1e6. Found with Osborne's second function, an
+// exponential and three peaks, from ten times its usual start: the search settles after some 90
+// points with all three peaks outside the data.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "optimization/design_space.h"
+#include "optimization/feasible_region.h"
+
+namespace latsch {
+
+class LostVariables {
+ public:
+  /// `u`: where the search settled; `slopes`: of the residuals along every variable there, norms;
+  /// `test`: a move of every variable.
+  LostVariables(const DesignSpace& space,
+                const FeasibleRegion& region,
+                const Eigen::VectorXd& u,
+                const Eigen::VectorXd& slopes,
+                const Eigen::VectorXd& test);
+
+  /// Whether the next point is to tell which variables are lost.
+  bool is_testing() const { return at_most_ > at_least_; }
+  bool has_next() const { return is_testing() || !places_.empty(); }
+  /// In the unit cube. Requires has_next().
+  Eigen::VectorXd next() const;
+  /// Whether residuals at next() differ from those at u, or there was no outcome.
+  void observe(bool is_felt);
+
+  /// Indices, as far as they are known.
+  std::vector<int> lost() const { return {order_.begin(), order_.begin() + at_least_}; }
+
+ private:
+  int tested() const { return (at_least_ + at_most_ + 1) / 2; }
+  void find_places();
+
+  DesignSpace space_;
+  FeasibleRegion region_;
+  Eigen::VectorXd u_, test_;
+  std::vector<int> order_;               // of the variables, least slope first
+  int at_least_ = 0, at_most_ = 0;       // how many of them are lost
+  std::vector<Eigen::VectorXd> places_;  // the next one last
+};
+
+}  // namespace latsch

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/trust_region_run.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "optimization/flat_directions.h"
+
+namespace latsch {
+namespace {
+
+using Kind = Wanted::Kind;
+
+// Of the variance of slopes before anything was known:
+constexpr double kUnknown = 0.5;  // a direction to be probed before any step
+constexpr double kPoor =
+    0.02;  // one to be probed when a step disappoints: no sample within 7 radii
+
+constexpr double kGoodGain = 0.5;
+constexpr double kBadGain = 0.1;
+constexpr double kGrowth = 2.0;      // of the radius over the step, at least, after a good gain
+constexpr double kMostGrowth = 4.0;  // at most
+constexpr double kShrinkage = 0.7;   // of the radius after a bad gain
+constexpr double kMostShrinkage = 0.1;
+constexpr double kWidest = 0.5;  // a box as wide as the cube
+
+constexpr double kSettled = 0.1;  // of the initial radius: below it a flat model is believed
+
+constexpr int kFailuresToShrink = 2;
+constexpr int kFailuresToGiveUp = 4;  // in a row: no more probes beside this center
+constexpr int kDisappointments = 3;   // in a row, before noise is looked for
+constexpr double kDrowned = 1e4;      // noise as large as the slopes
+
+/// Boxes for further steps while the outcome of the first one is awaited.
+constexpr std::array kBoxes{1.0, 0.25, 2.0, 0.5, 0.1, 4.0, 0.03, 0.01};
+/// Of the initial radius: how far from the best point restarts begin, one after the other.
+constexpr std::array kJumps{0.1, 1.0, 0.03, 0.3};
+
+constexpr double kWorthALook = 0.9;  // of the value when it last had settled
+
+Eigen::VectorXd to_vector(const std::vector<double>& u) {
+  return Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
+}
+
+}  // namespace
+
+TrustRegionRun::TrustRegionRun(const DesignSpace& space, const ResidualTrustRegionOptions& options)
+    : options_(options), box_(space, options.initial_radius, options.seed) {
+  wanted_.push_back(box_.at(box_.c(), Kind::start));
+  fill();
+}
+
+void TrustRegionRun::go_on(int restarts_left) {
+  has_settled_ = false;
+  options_.restarts = restarts_ + restarts_left;
+  fill();
+}
+
+void TrustRegionRun::widen(int count) {
+  options_.outstanding = count;
+  fill();
+}
+
+bool TrustRegionRun::is_step_awaited() const {
+  return std::any_of(wanted_.begin(), wanted_.end(), [&](const Wanted& w) {
+    return w.kind == Kind::step && w.center == box_.center();
+  });
+}
+
+/// The next point, after those already wanted_; nullopt at the end.
+std::optional<Wanted> TrustRegionRun::next() {
+  if (is_over_ || has_settled_) return std::nullopt;
+  while (box_.radius >= options_.step_tolerance && !is_hopeless()) {
+    const bool bears_probes = !box_.has_center() || failures_ < kFailuresToGiveUp;
+    const OpenDirection open = open_direction();
+    if (open.share > kUnknown && bears_probes) {
+      if (auto probe = box_.probe(open.direction, wanted_)) return probe;
+    }
+    if (!box_.has_center()) return box_.explore(wanted_);
+    if (std::exchange(is_geometry_doubted_, false) && open.share > kPoor) {
+      if (auto probe = box_.probe(open.direction, wanted_)) return probe;
+    }
+    const ResidualModel m = box_.model(disappointments_ >= kDisappointments);
+    if (box_.noise >= kDrowned && !has_widened_ && box_.radius < options_.initial_radius) {
+      has_widened_ = true;
+      box_.radius *= 2.0;
+      continue;
+    }
+    if (is_step_awaited()) return another_step(m);
+    const Wanted first = box_.step(m, kBoxes.front(), wanted_);
+    if (first.length > 0.0) return first;
+    if (open.share > kPoor && bears_probes) {
+      if (auto probe = box_.probe(open.direction, wanted_)) return probe;
+    }
+    if (!box_.promises(first) && box_.radius < kSettled * options_.initial_radius) break;
+    box_.radius *= 0.1;
+  }
+  if (is_hopeless()) return std::nullopt;
+  if (wanted_.empty()) return restart();
+  // Those under way may lead on; meanwhile idle workers look around, each once.
+  return explored_++ < options_.outstanding ? box_.explore(wanted_) : std::nullopt;
+}
+
+/// The one least known; none where the model brought its slopes, or the region is a point.
+TrustRegionRun::OpenDirection TrustRegionRun::open_direction() const {
+  if (box_.has_center() && box_.memory[box_.center()].J.size() > 0) return {};
+  const SlopeVariance g = box_.geometry(wanted_);
+  const Eigen::Index last = g.share.size() - 1;
+  if (last < 0) return {};
+  return {g.share[last], g.directions.col(last)};
+}
+
+std::optional<Wanted> TrustRegionRun::another_step(const ResidualModel& m) {
+  for (std::size_t k = 1; k < kBoxes.size(); ++k) {
+    Wanted other = box_.step(m, kBoxes[k], wanted_);
+    if (other.length > 0.0) return other;
+  }
+  return box_.explore(wanted_);
+}
+
+std::optional<Wanted> TrustRegionRun::restart() {
+  if (restarts_ >= options_.restarts || box_.best() < 0) return std::nullopt;
+  if (box_.center() == box_.best()) {
+    if (best().f < kWorthALook * f_settled_) {
+      f_settled_ = best().f;
+      has_settled_ = true;
+      return std::nullopt;
+    }
+    flat_ = flat_directions(box_.slopes(), options_.initial_radius, best().r.norm());
+  }
+  scouts_ = flat_.cols() > 0 ? n() + 1 : 0;
+  explored_ = 0;
+  const double jump = kJumps[restarts_++ % kJumps.size()] * options_.initial_radius;
+  box_.radius = std::max(jump, options_.step_tolerance);
+  return start();
+}
+
+/// Beside the best point: along flat_ directions as long as there are scouts_.
+Wanted TrustRegionRun::start() {
+  const Eigen::VectorXd best = box_.memory[box_.best()].u;
+  is_scouting_ = scouts_-- > 0;
+  if (is_scouting_) {
+    const Eigen::VectorXd along = flat_ * (flat_.transpose() * box_.draw());
+    box_.move_to(box_.region.nearest(best + options_.initial_radius * along));
+  } else {
+    box_.move_to(box_.moved(best, box_.radius));
+  }
+  return box_.at(box_.c(), Kind::start);
+}
+
+void TrustRegionRun::fill() {
+  while (std::ssize(wanted_) < options_.outstanding) {
+    auto next_point = next();
+    if (!next_point) return;
+    wanted_.push_back(std::move(*next_point));
+  }
+}
+
+/// Nothing ever succeeded, in many places.
+bool TrustRegionRun::is_hopeless() const { return box_.best() < 0 && failures_ > 20 * (n() + 1); }
+
+/// Where a start failed: the next scout or restart; elsewhere, farther and farther away, as long
+/// as nothing ever succeeded.
+void TrustRegionRun::start_again(const Eigen::VectorXd& failed) {
+  if (is_hopeless()) return;
+  if (box_.best() >= 0) {
+    auto another = is_scouting_ ? std::optional(start()) : restart();
+    is_over_ = !another;
+    if (another) wanted_.push_back(*another);
+    return;
+  }
+  box_.move_to(box_.moved(failed, options_.initial_radius * (1.0 + failures_ / n())));
+  wanted_.push_back(box_.at(box_.c(), Kind::start));
+}
+
+void TrustRegionRun::take_failure(const Wanted& tried) {
+  box_.memory.add_failure(tried.u);
+  ++failures_;
+  if (tried.kind == Kind::start && !box_.has_center()) return start_again(tried.u);
+  if (failures_ >= kFailuresToGiveUp) {
+    box_.radius *= 0.1;
+  } else if (tried.kind == Kind::step && failures_ >= kFailuresToShrink) {
+    box_.radius *= 0.5;
+  }
+}
+
+void TrustRegionRun::take(const Wanted& tried, ResidualSample sample) {
+  failures_ = 0;
+  const double gain = (tried.f_center - sample.f) / (tried.f_center - tried.predicted);
+  const bool is_of_center = tried.center == box_.center();
+  if (tried.kind == Kind::start && is_scouting_ && is_same(sample.r, box_.memory[box_.best()].r)) {
+    wanted_.push_back(start());
+    return;
+  }
+  const bool is_best = box_.take(std::move(sample));
+  if (is_best) explored_ = 0;
+  if (tried.kind != Kind::step) return;
+  if (gain > kGoodGain) disappointments_ = 0;
+  if (is_best && gain > kGoodGain) {
+    box_.radius = std::clamp(box_.radius, kGrowth * tried.length, kMostGrowth * tried.length);
+    box_.radius = std::min(box_.radius, kWidest);
+  } else if (gain < kBadGain && is_of_center && tried.length <= 1.01 * box_.radius) {
+    box_.radius *= std::clamp(tried.length / box_.radius, kMostShrinkage, kShrinkage);
+    is_geometry_doubted_ = true;
+    ++disappointments_;
+  }
+}
+
+void TrustRegionRun::observe(const DesignPoint& point,
+                             const std::optional<ResidualSample>& sample) {
+  const auto found = std::find_if(
+      wanted_.begin(), wanted_.end(), [&](const Wanted& w) { return w.point == point; });
+  Wanted tried;
+  if (found != wanted_.end()) {
+    tried = *found;
+    wanted_.erase(found);
+  } else {
+    tried = {to_vector(box_.space.to_unit(point)), point, Kind::probe, box_.center(), box_.f()};
+  }
+  has_widened_ = false;
+  if (sample && sample->f < box_.explosion() && !box_.leaps(*sample)) {
+    take(tried, {tried.u, sample->r, sample->J, sample->f, sample->stand_ins});
+  } else {
+    take_failure(tried);
+  }
+  fill();
+}
+
+}  // namespace latsch
