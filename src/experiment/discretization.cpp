@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 #include <map>
 
@@ -18,12 +20,9 @@ using fe_tire::Mode;
 
 namespace {
 
-/// Quantities by name on one mesh, in the order they were first seen on the unrefined one.
-using Quantities = std::vector<std::pair<std::string, double>>;
-
 /// Modes under names that are unique: members of a pair that share a label are told apart by their
 /// rank.
-void add_modes(const std::vector<Mode>& modes, Quantities& quantities) {
+void add_modes(const std::vector<Mode>& modes, MeshQuantities& quantities) {
   std::map<std::string, int> seen;
   for (const Mode& mode : modes) {
     const int rank = ++seen[mode.label()];
@@ -32,21 +31,21 @@ void add_modes(const std::vector<Mode>& modes, Quantities& quantities) {
   }
 }
 
-Result<Quantities> unloaded_quantities(FeTire& tire,
-                                       const DiscretizationSettings& settings,
-                                       int count) {
+Result<MeshQuantities> unloaded_quantities(FeTire& tire,
+                                           const DiscretizationSettings& settings,
+                                           int count) {
   const Result<Inflated> inflated = tire.inflate(settings.pressure);
   if (!inflated) return inflated.failure();
   const Result<std::vector<Mode>> modes = tire.modes(*inflated, count);
   if (!modes) return modes.failure();
-  Quantities quantities = {{"growth", inflated->growth}};
+  MeshQuantities quantities = {{"growth", inflated->growth}};
   add_modes(*modes, quantities);
   return quantities;
 }
 
-Result<Quantities> loaded_quantities(FeTire& tire,
-                                     const DiscretizationSettings& settings,
-                                     int count) {
+Result<MeshQuantities> loaded_quantities(FeTire& tire,
+                                         const DiscretizationSettings& settings,
+                                         int count) {
   const Result<Inflated> inflated = tire.inflate(settings.pressure);
   if (!inflated) return inflated.failure();
   std::vector<double> deflections;
@@ -55,7 +54,7 @@ Result<Quantities> loaded_quantities(FeTire& tire,
   if (!loaded) return loaded.failure();
   const Result<std::vector<Mode>> modes = tire.modes(*loaded, count);
   if (!modes) return modes.failure();
-  Quantities quantities = {
+  MeshQuantities quantities = {
       {fmt::format("Fz at {:.4g} mm", settings.deflection * 1e3), loaded->curve.back().Fz}};
   add_modes(*modes, quantities);
   return quantities;
@@ -65,16 +64,14 @@ std::string unit_of(const std::string& name) {
   return name == "growth" ? "m" : name.starts_with("Fz") ? "N" : "Hz";
 }
 
-double* find(Quantities& mesh, const std::string& name) {
+double* find(MeshQuantities& mesh, const std::string& name) {
   const auto same = std::find_if(
       mesh.begin(), mesh.end(), [&name](const auto& quantity) { return quantity.first == name; });
   return same == mesh.end() ? nullptr : &same->second;
 }
 
-/// Modes of the other meshes under the names of the first one. On the ground a mode is a mixture of
-/// wave numbers, and the one it is named by may differ: a mode without a namesake is the nearest in
-/// frequency of those nothing is named by, if one is near.
-void rename_as_first(std::vector<Quantities>& meshes) {
+/// Modes of the other meshes under the names of the first one.
+void rename_as_first(std::vector<MeshQuantities>& meshes) {
   constexpr double kNear = 0.025;
   for (std::size_t m = 1; m < meshes.size(); ++m) {
     for (const auto& [name, frequency] : meshes.front()) {
@@ -92,14 +89,47 @@ void rename_as_first(std::vector<Quantities>& meshes) {
   }
 }
 
-/// Rows of the quantities of the first mesh that all meshes have.
-std::vector<DiscretizationRow> rows(const std::vector<int>& refinements,
-                                    std::vector<Quantities> meshes) {
+using Measure = Result<MeshQuantities> (*)(FeTire&, const DiscretizationSettings&, int);
+
+Result<std::vector<DiscretizationRow>> refine(
+    const fe_tire::TireDescription& tire,
+    const DiscretizationSettings& settings,
+    const std::vector<int>& refinements,
+    Measure measure,
+    const std::string& what,
+    const std::function<void(const std::string&)>& progress) {
+  std::vector<MeshQuantities> meshes;
+  for (int r : refinements) {
+    fe_tire::SolverSettings solver;
+    solver.element = settings.element;
+    FeTire model(fe_tire::build_mesh(tire, r), fe_tire::build_materials(tire, r), solver);
+    if (progress) {
+      progress(fmt::format("{}: {} x refined, {} elements, {} unknowns",
+                           what,
+                           r,
+                           model.mesh().element_count(),
+                           model.mesh().free_dofs()));
+    }
+    // The order of neighboring modes may change from mesh to mesh: look a little further on the
+    // finer ones.
+    Result<MeshQuantities> quantities =
+        measure(model, settings, r == refinements.front() ? settings.modes : settings.modes + 6);
+    if (!quantities) return quantities.failure();
+    meshes.push_back(std::move(*quantities));
+  }
+  return discretization_rows(refinements, std::move(meshes));
+}
+
+}  // namespace
+
+std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refinements,
+                                                   std::vector<MeshQuantities> meshes) {
+  assert(meshes.size() >= 3 && meshes.size() == refinements.size());
   rename_as_first(meshes);
   std::vector<DiscretizationRow> table;
   for (const auto& [name, first] : meshes.front()) {
     DiscretizationRow row{name, unit_of(name), {}, 0.0, 0.0};
-    for (Quantities& mesh : meshes) {
+    for (MeshQuantities& mesh : meshes) {
       if (const double* value = find(mesh, name)) row.values.push_back(*value);
     }
     if (row.values.size() != meshes.size()) continue;
@@ -116,39 +146,6 @@ std::vector<DiscretizationRow> rows(const std::vector<int>& refinements,
   }
   return table;
 }
-
-using Measure = Result<Quantities> (*)(FeTire&, const DiscretizationSettings&, int);
-
-Result<std::vector<DiscretizationRow>> refine(
-    const fe_tire::TireDescription& tire,
-    const DiscretizationSettings& settings,
-    const std::vector<int>& refinements,
-    Measure measure,
-    const std::string& what,
-    const std::function<void(const std::string&)>& progress) {
-  std::vector<Quantities> meshes;
-  for (int r : refinements) {
-    fe_tire::SolverSettings solver;
-    solver.element = settings.element;
-    FeTire model(fe_tire::build_mesh(tire, r), fe_tire::build_materials(tire, r), solver);
-    if (progress) {
-      progress(fmt::format("{}: {} x refined, {} elements, {} unknowns",
-                           what,
-                           r,
-                           model.mesh().element_count(),
-                           model.mesh().free_dofs()));
-    }
-    // The order of neighboring modes may change from mesh to mesh: look a little further on the
-    // finer ones.
-    Result<Quantities> quantities =
-        measure(model, settings, r == refinements.front() ? settings.modes : settings.modes + 6);
-    if (!quantities) return quantities.failure();
-    meshes.push_back(std::move(*quantities));
-  }
-  return rows(refinements, std::move(meshes));
-}
-
-}  // namespace
 
 Result<DiscretizationStudy> study_discretization(
     const fe_tire::TireDescription& tire,

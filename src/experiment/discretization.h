@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -42,6 +43,17 @@ struct DiscretizationStudy {
   std::vector<DiscretizationRow> unloaded;  // growth, then modes by label
   std::vector<DiscretizationRow> loaded;    // Fz, then modes by label
 };
+
+/// What was measured on one mesh, by name and in order: "growth" in m, "Fz ..." in N, all others
+/// modes in Hz.
+using MeshQuantities = std::vector<std::pair<std::string, double>>;
+
+/// Rows of the quantities of the first mesh that all meshes have. On the ground a mode is a mixture
+/// of wave numbers, and the one it is named by may differ between meshes: a mode without a namesake
+/// is the nearest in frequency of those nothing is named by, if one is within 2.5 %. At least three
+/// meshes.
+std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refinements,
+                                                   std::vector<MeshQuantities> meshes);
 
 /// `progress` is told each mesh before it is computed.
 Result<DiscretizationStudy> study_discretization(
