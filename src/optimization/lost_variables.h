@@ -13,8 +13,8 @@
 //
 // Which are lost is tested, not taken from a model's slopes: these are as wrong as the felt
 // variables are curved. With the variables in the order of their slopes, as many of the least ones
-// are lost as can be moved together without effect: a bisection, log2(n) points. Under noise
-// everything is felt, and nothing is lost.
+// are lost as can be moved together without effect. The least one is tested first: mostly, and
+// always under noise, it is felt, and nothing is lost. Then a bisection, log2(n) points.
 //
 // This relies on ranges whose middle is plausible or on a zero that means something: it does not
 // find a peak at x = 105 from x = 200 within 0 ... 1e6. Found with Osborne's second function, an
@@ -52,7 +52,7 @@ class LostVariables {
   std::vector<int> lost() const { return {order_.begin(), order_.begin() + at_least_}; }
 
  private:
-  int tested() const { return (at_least_ + at_most_ + 1) / 2; }
+  int tested() const { return at_least_ == 0 ? 1 : (at_least_ + at_most_ + 1) / 2; }
   void find_places();
 
   DesignSpace space_;

@@ -122,8 +122,7 @@ std::optional<Wanted> TrustRegionRun::another_step(const ResidualModel& m) {
 std::optional<Wanted> TrustRegionRun::restart() {
   if (restarts_ >= options_.restarts || box_.best() < 0) return std::nullopt;
   if (box_.center() == box_.best()) {
-    // Under noise every variable is felt, and to ask would be in vain.
-    if (box_.noise == 0.0 && best().f < kWorthALook * f_settled_) {
+    if (best().f < kWorthALook * f_settled_) {
       f_settled_ = best().f;
       has_settled_ = true;
       return std::nullopt;

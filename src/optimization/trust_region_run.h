@@ -23,8 +23,7 @@ class TrustRegionRun {
   /// `sample`: none for a failure.
   void observe(const DesignPoint& point, const std::optional<ResidualSample>& sample);
 
-  /// Before a restart from a value clearly better than at the last time, where models do not
-  /// smooth: it waits for `go_on`.
+  /// Before a restart from a value clearly better than at the last time: it waits for `go_on`.
   bool has_settled() const { return has_settled_; }
   int restarts_left() const { return options_.restarts - restarts_; }
   void go_on(int restarts_left);
