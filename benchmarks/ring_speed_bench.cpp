@@ -145,6 +145,9 @@ int ring_speed() {
             whole <= 0.3);
   table.note("80 segments x 50 blocks in all, on 10 lines",
              fmt::format("{:.3f} x real time", usual));
+  RingParameters bent = tire_of(80, 50, 10);
+  bent.belt.section_bending = 8.0;
+  table.note("the same with sections that bend", fmt::format("{:.3f} x real time", best_of(2, bent)));
   table.row("twice the blocks",
             fmt::format("{:.2f} x the time", whole / half_blocks),
             "<= 2.1",

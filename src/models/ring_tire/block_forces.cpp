@@ -67,7 +67,9 @@ struct LevelBlocks {
     return {place, rate, {plus(place.p, rate.p), plus(place.G, rate.G), plus(place.A, rate.A)}};
   }
 
-  LATSCH_INLINE Lanes3 force(const Belt& s, double H, double y, bool entering, int block) const {
+  template <class Height>
+  LATSCH_INLINE Lanes3
+  force(const Belt& s, const Height& H, double y, bool entering, int block) const {
     const Lanes depth = ground.height - at_line(s.place.p.z, s.place.G.z, s.place.A.z, H, y);
     const Lanes rate = -at_line(s.rate.p.z, s.rate.G.z, s.rate.A.z, H, y);
     Lanes tip_x = lanes(before.tip[0] + block) + law.step * ground.velocity[0];
@@ -116,7 +118,8 @@ struct UnevenBlocks {
     return {place, rate};
   }
 
-  LATSCH_INLINE Lanes3 force(const Belt& s, double H, double y, bool, int block) const {
+  template <class Height>
+  LATSCH_INLINE Lanes3 force(const Belt& s, const Height& H, double y, bool, int block) const {
     const Lanes3 N = lanes3(ground.N, block), road = lanes3(ground.velocity, block);
     const Lanes3 T = at_line(s.place, H, y);
     Lanes3 V = at_line(s.rate, H, y);
@@ -226,6 +229,28 @@ LATSCH_CLONES void uneven_forces(const SegmentStations& at,
                                  const BlockResults& results,
                                  double* const force[4]) {
   add_block_forces(at, lines, before.entering, UnevenBlocks{ground, before, law, results}, force);
+}
+
+LATSCH_CLONES void bent_level_forces(const SegmentStations& at,
+                                     const BlockLines& lines,
+                                     const LevelGround& ground,
+                                     const BlockMemory& before,
+                                     const BlockLaw& law,
+                                     const BlockResults& results,
+                                     double* const force[4]) {
+  add_block_forces(
+      at, lines, before.entering, LevelBlocks{ground, before, law, results}, force, BentLines{});
+}
+
+LATSCH_CLONES void bent_uneven_forces(const SegmentStations& at,
+                                      const BlockLines& lines,
+                                      const BlockGround& ground,
+                                      const BlockMemory& before,
+                                      const BlockLaw& law,
+                                      const BlockResults& results,
+                                      double* const force[4]) {
+  add_block_forces(
+      at, lines, before.entering, UnevenBlocks{ground, before, law, results}, force, BentLines{});
 }
 
 LATSCH_CLONES void lowest_tips(const double* columns, const BlockLines& of, int stride, double* z) {

@@ -30,7 +30,9 @@ struct SegmentStations {
 
 struct BlockLines {
   int count;
-  const double *height, *y;  // of each line
+  const double *height, *y;       // of each line
+  const double* rise = nullptr;   // m, of a bent section: two a line, at either end of the segment
+  const double* share = nullptr;  // of the second, at each station
 };
 
 /// What the blocks of a segment know at the beginning of a step.
@@ -98,6 +100,29 @@ void uneven_forces(const SegmentStations& at,
                    const BlockLaw& law,
                    const BlockResults& results,
                    double* const force[4]);
+
+/// The same of bent sections, `rise` of the lines given.
+void bent_level_forces(const SegmentStations& at,
+                       const BlockLines& lines,
+                       const LevelGround& ground,
+                       const BlockMemory& before,
+                       const BlockLaw& law,
+                       const BlockResults& results,
+                       double* const force[4]);
+void bent_uneven_forces(const SegmentStations& at,
+                        const BlockLines& lines,
+                        const BlockGround& ground,
+                        const BlockMemory& before,
+                        const BlockLaw& law,
+                        const BlockResults& results,
+                        double* const force[4]);
+void bent_standing_forces(const SegmentStations& at,
+                          const BlockLines& lines,
+                          const BlockGround& ground,
+                          const BlockMemory& before,
+                          const BlockLaw& law,
+                          const BlockResults& results,
+                          double* const force[4]);
 
 /// In statics, with what friction holds from hold_friction(): standing_blocks.cpp.
 void standing_forces(const SegmentStations& at,

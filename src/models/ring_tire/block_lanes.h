@@ -64,10 +64,14 @@ LATSCH_INLINE Section section(const SegmentStations& at,
                 own * az - nu_a * t.z - psi * n.z}};
 }
 
-LATSCH_INLINE Lanes at_line(const Lanes& p, const Lanes& G, const Lanes& A, double H, double y) {
+// H: of a line, or of eight stations of one where the section is bent.
+template <class Height>
+LATSCH_INLINE Lanes
+at_line(const Lanes& p, const Lanes& G, const Lanes& A, const Height& H, double y) {
   return p + H * G + y * A;
 }
-LATSCH_INLINE Lanes3 at_line(const Section& s, double H, double y) {
+template <class Height>
+LATSCH_INLINE Lanes3 at_line(const Section& s, const Height& H, double y) {
   return {at_line(s.p.x, s.G.x, s.A.x, H, y),
           at_line(s.p.y, s.G.y, s.A.y, H, y),
           at_line(s.p.z, s.G.z, s.A.z, H, y)};
@@ -77,7 +81,8 @@ LATSCH_INLINE Lanes3 at_line(const Section& s, double H, double y) {
 struct StationSums {
   Lanes3 F, FH, Fy;
 
-  LATSCH_INLINE void add(const Lanes3& f, double H, double y) {
+  template <class Height>
+  LATSCH_INLINE void add(const Lanes3& f, const Height& H, double y) {
     F = {F.x + f.x, F.y + f.y, F.z + f.z};
     FH = {FH.x + H * f.x, FH.y + H * f.y, FH.z + H * f.z};
     Fy = {Fy.x + y * f.x, Fy.y + y * f.y, Fy.z + y * f.z};
@@ -112,21 +117,36 @@ LATSCH_INLINE void add_to_nodes(const Lanes to_node[4][4], double* const force[4
     for (int i = 0; i < 4; ++i) force[m][i] += sum(to_node[m][i]);
 }
 
+/// Heights of the lines where sections are straight, and where they are bent.
+struct StraightLines {
+  LATSCH_INLINE double height(const BlockLines& lines, int line, int) const {
+    return lines.height[line];
+  }
+};
+struct BentLines {
+  LATSCH_INLINE Lanes height(const BlockLines& lines, int line, int j) const {
+    const double first = lines.rise[2 * line], rest = lines.rise[2 * line + 1] - first;
+    return lines.height[line] + first + rest * lanes(lines.share + j);
+  }
+};
+
 /// All blocks of a segment. `Blocks` has at(stations, j, place, rate), the belt as its ground wants
 /// it, and force(belt, H, y, entering, block), the force of eight blocks of a line on the tire.
-template <class Blocks>
+template <class Blocks, class Shape = StraightLines>
 LATSCH_INLINE void add_block_forces(const SegmentStations& at,
                                     const BlockLines& lines,
                                     const std::uint8_t* entering,
                                     const Blocks& blocks,
-                                    double* const force[4]) {
+                                    double* const force[4],
+                                    const Shape& shape = {}) {
   Lanes to_node[4][4] = {};
   for (int j = at.begin; j < at.end; j += kWide) {
     const auto belt =
         blocks.at(at, j, section(at, at.nodes, j, 1.0), section(at, at.rates, j, 0.0));
     StationSums sums = {};
     for (int line = 0; line < lines.count; ++line) {
-      const double H = lines.height[line], y = lines.y[line];
+      const auto H = shape.height(lines, line, j);
+      const double y = lines.y[line];
       sums.add(blocks.force(belt, H, y, entering[j / kWide] != 0, line * at.stride + j), H, y);
     }
     spread(at, j, sums, to_node);

@@ -35,8 +35,11 @@ struct Belt {
   double bending_in_plane = 0.0;  // N m^2, EI
   double bending_lateral = 0.0;   // N m^2, EI about the radius
   double twist = 0.0;             // N m^2, GJ
-  double pressure = 0.0;          // Pa
-  double pressure_width = 0.0;    // m, of the section whose pressure the belt's tension carries
+  double section_bending = 0.0;   // N m, of the section across, per length; 0: it stays straight
+  double section_coupling =
+      1.0;                      // share of the belt's tension that smooths its bends along the ring
+  double pressure = 0.0;        // Pa
+  double pressure_width = 0.0;  // m, of the section whose pressure the belt's tension carries
 };
 
 /// Friction coefficient of tread rubber over sliding speed at low, medium and high pressure.

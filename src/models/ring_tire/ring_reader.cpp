@@ -47,6 +47,8 @@ Belt read_belt(const Node& node, double pressure) {
   belt.bending_in_plane = node.quantity("bending_in_plane", "N m^2", Range::not_negative());
   belt.bending_lateral = node.quantity("bending_lateral", "N m^2", Range::not_negative());
   belt.twist = node.quantity("twist", "N m^2", Range::not_negative());
+  belt.section_bending = node.quantity("section_bending", "N m", Range::not_negative(), 0.0);
+  belt.section_coupling = node.quantity("section_coupling", "1", Range::not_negative(), 1.0);
   belt.pressure = pressure;
   belt.pressure_width = node.quantity("pressure_width", "m", Range::not_negative());
   return belt;

@@ -14,6 +14,8 @@
 //   bending_lateral = "88 N m^2"
 //   twist = "97 N m^2"                 # per radian and length
 //   pressure_width = "80 mm"           # of the section whose pressure the belt's tension carries
+//   section_bending = "10 N m"         # of the section across, per length; default 0: straight
+//   section_coupling = 1               # of the belt's tension that smooths bent sections; default
 //
 //   [sidewall]
 //   time_constant = "15 ms"            # of dynamic stiffening

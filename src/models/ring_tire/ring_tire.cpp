@@ -46,6 +46,11 @@ RingTire::RingTire(const RingParameters& parameters, const RingSettings& setting
       belt_(parameters.belt, parameters.nodes),
       wall_(parameters.sidewall, parameters.belt.radius, parameters.nodes),
       tread_(parameters.tread, parameters.belt.radius, parameters.nodes),
+      section_(parameters.belt,
+               parameters.tread.width,
+               belt_.chord(),
+               belt_.tension(),
+               parameters.nodes),
       mass_(mass_of_node(parameters)),
       rim_(RimFrame::of(WheelMotion())),
       K_(parameters.nodes),
@@ -74,6 +79,8 @@ void RingTire::place_at_rest() {
   a_.setZero();
   wall_.reset();
   tread_.reset();
+  section_.reset();
+  tread_.bend(section_);
 }
 
 void RingTire::evaluate(const NodeValues& q, const NodeValues& v) {
@@ -82,7 +89,26 @@ void RingTire::evaluate(const NodeValues& q, const NodeValues& v) {
   belt_.add_force(q, rim_, inner_);
   wall_.add_force(q, v, rim_, rule_, inner_);
   total_ = inner_;
+  if (section_.on()) tread_.bend(section_);
   tread_.add_force(q, v, total_);
+  if (section_.on()) section_.set_forces(tread_.section_forces(section_, q));
+}
+
+double RingTire::left_at_a_node() const {
+  const double left = residual_.cwiseAbs().maxCoeff();
+  if (!section_.on() || section_.unknowns() == 0) return left;
+  return std::max(left, section_.residual().cwiseAbs().maxCoeff());
+}
+
+double RingTire::left_together() const {
+  return section_.on() ? std::hypot(total_.norm(), section_.residual().norm()) : total_.norm();
+}
+
+void RingTire::solve() {
+  if (section_.on())
+    section_.solve(factor_, residual_);
+  else
+    factor_.solve(residual_);
 }
 
 bool RingTire::factorize(const NodeValues& q,
@@ -95,7 +121,11 @@ bool RingTire::factorize(const NodeValues& q,
   belt_.add_stiffness(q, rim_, scale, K_);
   wall_.add_stiffness(q, rim_, rule, scale, K_);
   tread_.add_stiffness(scale, K_);
-  return factor_.factorize(K_);
+  if (!factor_.factorize(K_)) return false;
+  if (!section_.on()) return true;
+  Eigen::MatrixXd B, A;
+  tread_.section_border(section_, q, false, B, A);
+  return section_.border(factor_, B, A, scale);
 }
 
 CyclicBand RingTire::stiffness() {
@@ -110,7 +140,8 @@ CyclicBand RingTire::stiffness() {
 double RingTire::energy() const {
   double kinetic = 0.0;
   for (int k = 0; k < angles_.nodes(); ++k) kinetic += 0.5 * mass_.dot(v_.col(k).cwiseAbs2());
-  return kinetic + belt_.energy(q_, rim_) + wall_.energy(q_, rim_) + tread_.energy(q_);
+  return kinetic + belt_.energy(q_, rim_) + wall_.energy(q_, rim_) + tread_.energy(q_) +
+         section_.energy();
 }
 
 std::optional<Footprint> RingTire::footprint() const {
@@ -207,7 +238,13 @@ std::string RingTire::step_forward(const WheelMotion& motion,
   q_predicted_ = q_ + h * v_ + 0.5 * h * h * a_;
   v_predicted_ = v_ + h * a_;
   guess_end(motion.spin_rate * h, of_mass);
+  if (section_.on()) {
+    section_.restart();
+    section_.flow(motion.spin_rate * h * angles_.nodes() / (2.0 * std::numbers::pi));
+    tread_.bend(section_);
+  }
   tread_.approach(q_predicted_, rim_, road, time, rule_);
+  if (section_.on()) section_.touch(tread_.nodes_near_road());
   ++counts_.steps;
   double last = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
@@ -216,7 +253,7 @@ std::string RingTire::step_forward(const WheelMotion& motion,
     evaluate(q1_, v1_);
     residual_ = (1.0 - theta) * total_ + theta * force_ -
                 mass_.asDiagonal() * (a_ + of_mass * (q1_ - q_predicted_));
-    const double left = residual_.cwiseAbs().maxCoeff();
+    const double left = left_at_a_node();
     if (!std::isfinite(left)) break;
     if (left <= settings_.tolerance) {
       a_ += of_mass * (q1_ - q_predicted_);
@@ -225,6 +262,7 @@ std::string RingTire::step_forward(const WheelMotion& motion,
       force_ = total_;
       wall_.commit(q_, rim_, rule_);
       tread_.commit();
+      if (section_.on()) section_.keep();
       return {};
     }
     constexpr double kSlow = 0.2;  // a tangent that reduces less than to that is renewed
@@ -232,8 +270,9 @@ std::string RingTire::step_forward(const WheelMotion& motion,
       for (double held = 1.0; !factorize(q1_, held * of_mass, 1.0 - theta, rule_); held *= 2.0)
         if (held > 64.0) return lost(time, "its tangent is not definite");
     last = left;
-    factor_.solve(residual_);
+    solve();
     q1_ += residual_;
+    if (section_.on()) section_.set_values(section_.values() + section_.direction());
   }
   return lost(time, fmt::format("{:.3g} N are left at a node", last));
 }

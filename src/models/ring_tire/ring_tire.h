@@ -20,6 +20,7 @@
 
 #include "models/ring_tire/belt.h"
 #include "models/ring_tire/ring_parameters.h"
+#include "models/ring_tire/section_bending.h"
 #include "models/ring_tire/sidewall.h"
 #include "models/ring_tire/tread_contact.h"
 #include "models/tire/tire.h"
@@ -56,6 +57,7 @@ class RingTire final : public Tire {
 
   const RingParameters& parameters() const { return parameters_; }
   const RimFrame& rim() const { return rim_; }
+  const SectionBending& section() const { return section_; }
   const NodeValues& positions() const { return q_; }
   const NodeValues& velocities() const { return v_; }
   /// The blocks on the road.
@@ -68,6 +70,8 @@ class RingTire final : public Tire {
   struct Linearized {
     CyclicBand stiffness, damping, maxwell;
     double time_constant;
+    // What the bending of the sections adds: SectionBending::border().
+    Eigen::MatrixXd section_border, section_stiffness;
   };
   Linearized linearized() const;
   /// Tangent stiffness of belt, sidewall and contact as they stand, and mass of a node (m, m, m,
@@ -96,6 +100,12 @@ class RingTire final : public Tire {
                            double step);
   std::string lost(double time, const std::string& why) const;
   bool factorize(const NodeValues& q, double mass_factor, double scale, const StepRule& rule);
+  /// residual_, and the section's, become Newton's step.
+  void solve();
+  /// The largest force left, N; on the section's unknowns too.
+  double left_at_a_node() const;
+  /// Of all together.
+  double left_together() const;
   HubForces hub_forces(const Eigen::Matrix3d& carrier) const;
   void place_at_rest();
 
@@ -105,6 +115,7 @@ class RingTire final : public Tire {
   BeltForces belt_;
   SidewallForces wall_;
   TreadContact tread_;
+  SectionBending section_;
   Eigen::Vector4d mass_;
   RimFrame rim_;
   StepRule rule_;

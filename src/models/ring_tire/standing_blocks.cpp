@@ -24,7 +24,8 @@ struct StandingBlocks {
     return place;
   }
 
-  LATSCH_INLINE Lanes3 force(const Section& s, double H, double y, bool, int block) const {
+  template <class Height>
+  LATSCH_INLINE Lanes3 force(const Section& s, const Height& H, double y, bool, int block) const {
     const Lanes3 T = at_line(s, H, y);
     const Lanes3 N = lanes3(ground.N, block), tip = lanes3(before.tip, block);
     const Lanes depth = lanes(ground.level + block) - dot(N, T);
@@ -59,6 +60,17 @@ LATSCH_CLONES void standing_forces(const SegmentStations& at,
                                    const BlockResults& results,
                                    double* const force[4]) {
   add_block_forces(at, lines, before.entering, StandingBlocks{ground, before, law, results}, force);
+}
+
+LATSCH_CLONES void bent_standing_forces(const SegmentStations& at,
+                                        const BlockLines& lines,
+                                        const BlockGround& ground,
+                                        const BlockMemory& before,
+                                        const BlockLaw& law,
+                                        const BlockResults& results,
+                                        double* const force[4]) {
+  add_block_forces(
+      at, lines, before.entering, StandingBlocks{ground, before, law, results}, force, BentLines{});
 }
 
 LATSCH_CLONES void hold_friction(const BlockSpan& at,

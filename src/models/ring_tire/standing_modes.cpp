@@ -20,6 +20,7 @@ Eigen::Map<const NodeValues> nodes_of(const double* values, int nodes) {
 }
 
 numerics::EigenPairs<double> lowest(const CyclicBandFactor& factor,
+                                    const SectionBending& section,
                                     const Eigen::Vector4d& node_mass,
                                     int nodes,
                                     int count) {
@@ -29,7 +30,7 @@ numerics::EigenPairs<double> lowest(const CyclicBandFactor& factor,
   problem.solve = [&](Eigen::Ref<MatrixXd> X) {
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
       NodeValues x = nodes_of(X.col(i).data(), nodes);
-      factor.solve(x);
+      section.solve_free(factor, x);
       X.col(i) = x.reshaped();
     }
   };
@@ -101,8 +102,11 @@ Result<std::vector<StandingMode>> standing_modes(const RingTire& tire, int count
   CyclicBandFactor factor(N);
   if (!factor.factorize(small.stiffness))
     return Failure{"the ring does not stand stably: its stiffness is not positive definite"};
+  SectionBending section = tire.section();
+  if (section.on() && !section.border(factor, small.section_border, small.section_stiffness, 1.0))
+    return Failure{"the ring's bent sections do not stand stably"};
   const Eigen::Vector4d mass = tire.node_mass();
-  const auto pairs = lowest(factor, mass, N, count);
+  const auto pairs = lowest(factor, section, mass, N, count);
   if (!pairs.converged) return Failure{"the modes of the standing ring were not found"};
   const bool upright = node_is_lowest(tire.rim());
   std::vector<StandingMode> modes;

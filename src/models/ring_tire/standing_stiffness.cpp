@@ -6,52 +6,14 @@
 // so a block with force F on the tire and stiffness K_b has the energy 1/2 dT K_b dT - F . d²T.
 #include <Eigen/Core>
 
+#include "models/ring_tire/block_arms.h"
 #include "models/ring_tire/ring_tire.h"
-#include "models/ring_tire/touching_blocks.h"
 
 namespace latsch::ring_tire {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Matrix4d;
-using Eigen::Vector3d;
 using Eigen::Vector4d;
-
-/// A block's station: what its four nodes do to its tip.
-struct Arms {
-  Vector3d t, n, a;
-  double length, H, y;
-  double w[4], d[4];
-
-  /// dT by x and ψ of node m.
-  Eigen::Matrix<double, 3, 4> tip_by(int m) const {
-    Eigen::Matrix<double, 3, 4> by;
-    by.leftCols<3>() =
-        w[m] * Matrix3d::Identity() - (d[m] / length) * t * (H * n + y * a).transpose();
-    by.col(3) = w[m] * (H * a - y * n);
-    return by;
-  }
-  /// θ, σ, α and dψ by x and ψ of node m.
-  Matrix4d turning_by(int m) const {
-    Matrix4d by = Matrix4d::Zero();
-    by.row(0).head<3>() = (d[m] / length) * n.transpose();
-    by.row(1).head<3>() = (d[m] / length) * t.transpose();
-    by.row(2).head<3>() = (d[m] / length) * a.transpose();
-    by(3, 3) = w[m];
-    return by;
-  }
-  /// -F . d²T by θ, σ, α and dψ.
-  Matrix4d turning(const Vector3d& F) const {
-    const double along = F.dot(t), out = F.dot(n);
-    Matrix4d K = Matrix4d::Zero();
-    K(0, 0) = H * out;
-    K(0, 1) = K(1, 0) = -H * along;
-    K(0, 2) = K(2, 0) = y * out;
-    K(1, 2) = K(2, 1) = -y * along;
-    K(0, 3) = K(3, 0) = -y * along;
-    return K;
-  }
-};
 
 Matrix4d along_axes(const Matrix4d& axes, const Vector4d& values) {
   return axes * values.asDiagonal() * axes.transpose();
@@ -61,25 +23,11 @@ Matrix4d along_axes(const Matrix4d& axes, const Vector4d& values) {
 
 void TreadContact::add_sticking(const NodeValues& q, CyclicBand& K, CyclicBand& C) const {
   see_touching(q, [&](const BlockState& block) {
-    const int j = block.station, segment = patches_[block.patch].segment;
-    const auto vector = [&](int c) {
-      const auto at = [&](int i) { return frame(block.patch, c + i)[j]; };
-      return Vector3d(at(0), at(1), at(2));
-    };
-    Arms arms{.t = vector(kT),
-              .n = vector(kN),
-              .a = a_,
-              .length = frame(block.patch, kLength)[j],
-              .H = line_height_[static_cast<std::size_t>(block.line)],
-              .y = line_y_[static_cast<std::size_t>(block.line)],
-              .w = {},
-              .d = {}};
-    for (int m = 0; m < 4; ++m) {
-      arms.w[m] = weights_[static_cast<std::size_t>(m * stride_ + j)];
-      arms.d[m] = weights_[static_cast<std::size_t>((4 + m) * stride_ + j)];
-    }
-    const Matrix3d spring = tangential_ * Matrix3d::Identity() +
-                            (normal_ - tangential_) * block.normal * block.normal.transpose();
+    const int segment = patches_[block.patch].segment;
+    const Arms arms = arms_of(block);
+    const Eigen::Matrix3d spring =
+        tangential_ * Eigen::Matrix3d::Identity() +
+        (normal_ - tangential_) * block.normal * block.normal.transpose();
     const Matrix4d turning = arms.turning(block.Fn * block.normal + block.F);
     for (int m = 0; m < 4; ++m)
       for (int o = m; o < 4; ++o) {
@@ -94,7 +42,8 @@ void TreadContact::add_sticking(const NodeValues& q, CyclicBand& K, CyclicBand& 
 RingTire::Linearized RingTire::linearized() const {
   const int nodes = angles_.nodes();
   const SidewallForces::Losses losses = wall_.losses();
-  Linearized tire{CyclicBand(nodes), CyclicBand(nodes), CyclicBand(nodes), losses.time_constant};
+  Linearized tire{
+      CyclicBand(nodes), CyclicBand(nodes), CyclicBand(nodes), losses.time_constant, {}, {}};
   belt_.add_stiffness(q_, rim_, 1.0, tire.stiffness);
   SidewallForces wall = wall_;
   wall.stick();
@@ -108,6 +57,8 @@ RingTire::Linearized RingTire::linearized() const {
     tire.maxwell.block(k, 0) += along_axes(axes, losses.maxwell);
   }
   tread_.add_sticking(q_, tire.stiffness, tire.damping);
+  if (section_.on())
+    tread_.section_border(section_, q_, true, tire.section_border, tire.section_stiffness);
   return tire;
 }
 

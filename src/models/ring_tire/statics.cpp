@@ -27,13 +27,19 @@ constexpr double kLargestMove = 5e-3;                         // m, of a node in
 bool RingTire::advance_along(const NodeValues& direction) {
   constexpr double kFlat = 0.5;  // of the first slope
   constexpr int kMost = 20;
-  const double first = (total_.array() * direction.array()).sum();
+  const Eigen::VectorXd bent = section_.values(), bending = section_.direction();
+  const auto slope_now = [&] {
+    const double of_belt = (total_.array() * direction.array()).sum();
+    return section_.on() ? of_belt + section_.residual().dot(bending) : of_belt;
+  };
+  const double first = slope_now();
   double low = 0.0, high = 0.0, at_low = first, at_high = 0.0;
   double share = std::min(1.0, kLargestMove / direction.topRows<3>().cwiseAbs().maxCoeff());
   for (int i = 0; i < kMost; ++i) {
     q1_ = q_ + share * direction;
+    if (section_.on()) section_.set_values(bent + share * bending);
     evaluate(q1_, v1_);
-    const double slope = (total_.array() * direction.array()).sum();
+    const double slope = slope_now();
     const bool falls = slope >= 0.0;
     if (std::abs(slope) <= kFlat * first || (falls && high == 0.0)) {
       q_ = q1_;
@@ -63,13 +69,13 @@ bool RingTire::relax() {
   for (int i = 0; i < kMost; ++i) {
     evaluate(q_, v1_);
     if (!std::isfinite(total_.norm())) return false;
-    if (total_.norm() <= kOfTolerance * settings_.static_tolerance) return true;
+    if (left_together() <= kOfTolerance * settings_.static_tolerance) return true;
     while (!factorize(q_, shift, 1.0, rule_)) {
       shift = std::max(10.0 * shift, kSmallestShift);
       if (!(shift < kLargestShift)) return false;
     }
     residual_ = total_;
-    factor_.solve(residual_);
+    solve();
     if (!advance_along(residual_)) return false;
     shift = shift > kSmallestShift ? 0.1 * shift : 0.0;
   }
@@ -83,16 +89,22 @@ Result<bool> RingTire::equilibrate(const road::Road& road, double time) {
   constexpr int kLooksAtRoad = 12;
   rule_ = {};
   v1_.setZero();
+  section_.restart();
+  tread_.bend(section_);
   double left = 0.0;
   for (int renewal = 0; renewal < kRenewals; ++renewal) {
-    if (renewal < kLooksAtRoad) tread_.approach(q_, rim_, road, time, rule_);
+    if (renewal < kLooksAtRoad) {
+      tread_.approach(q_, rim_, road, time, rule_);
+      if (section_.on()) section_.touch(tread_.nodes_near_road());
+    }
     evaluate(q_, v1_);
     tread_.hold_friction();
     evaluate(q_, v1_);
-    left = total_.norm();
+    left = left_together();
     if (left <= settings_.static_tolerance) {
       wall_.commit(q_, rim_, rule_);
       tread_.commit();
+      if (section_.on()) section_.keep();
       return true;
     }
     if (!relax()) break;

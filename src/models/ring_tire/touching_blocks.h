@@ -12,6 +12,7 @@ namespace latsch::ring_tire {
 /// What one block of a patch does.
 struct TreadContact::BlockState {
   Eigen::Vector3d normal, F, root, tip;
+  Eigen::Vector3d G;  // how the unloaded tip moves with its height
   double Fn, gripped;
   double depth;  // m, of the unloaded tip below the road
   std::size_t patch;
@@ -32,8 +33,11 @@ void TreadContact::see_blocks(const NodeValues& q, const See& see) const {
         const auto at = [&](int c) { return column(i, c)[block]; };
         BlockState state{.normal = {at(kNormal), at(kNormal + 1), at(kNormal + 2)},
                          .F = {at(kF), at(kF + 1), at(kF + 2)},
-                         .root = tip(columns.data(), line, j),
+                         .root = tip(columns.data(), patch.segment, line, j),
                          .tip = {at(kTip), at(kTip + 1), at(kTip + 2)},
+                         .G = {columns[static_cast<std::size_t>(kG * stride_ + j)],
+                               columns[static_cast<std::size_t>((kG + 1) * stride_ + j)],
+                               columns[static_cast<std::size_t>((kG + 2) * stride_ + j)]},
                          .Fn = at(kFn),
                          .gripped = at(kGripped),
                          .depth = 0.0,

@@ -14,6 +14,8 @@ using Eigen::Vector3d;
 // m. Blocks as far above the road take part in a step: more than its end can differ from what was
 // predicted.
 constexpr double kMargin = 5e-4, kStandingMargin = 4e-3;
+// The same of bent sections, which have no inertia, and how far these may stand off the belt.
+constexpr double kBentMargin = 2e-3, kBent = 5e-3;
 constexpr double kFar = 1e6;  // m, beyond any road's reach
 constexpr int kWide = 8;      // stations at once
 
@@ -46,6 +48,7 @@ TreadContact::TreadContact(const Tread& tread, double radius, int nodes)
   }
   weights_.resize(static_cast<std::size_t>(8 * stride_));
   lift_.resize(static_cast<std::size_t>(stride_));
+  share_.resize(static_cast<std::size_t>(stride_));
   for (int j = 0; j < stride_; ++j) {
     const double s = (std::min(j, blocks_ - 1) + 0.5) / blocks_, s2 = s * s, s3 = s2 * s;
     const double catmull_rom[8] = {0.5 * (-s3 + 2.0 * s2 - s),
@@ -59,6 +62,7 @@ TreadContact::TreadContact(const Tread& tread, double radius, int nodes)
     for (int m = 0; m < 8; ++m)
       weights_[static_cast<std::size_t>(m * stride_ + j)] = catmull_rom[m];
     lift_[static_cast<std::size_t>(j)] = j < blocks_ ? 0.0 : kFar;
+    share_[static_cast<std::size_t>(j)] = s;
   }
   for (auto& tips : tip_) tips.resize(static_cast<std::size_t>(nodes) * lines_ * stride_);
   touches_.resize(tip_[0].size());
@@ -85,7 +89,8 @@ bool TreadContact::near_road(const NodeValues& q,
   if (low.z() > rim.center.z()) return false;
   // How far tips stand off the belt: height and half the width, leaning a little more than the rim.
   constexpr double kLean = 0.2;
-  const double reach = 1.1 * height_ + half_width_ * (rim.a.cwiseAbs().z() + kLean * 0.25);
+  const double reach = 1.1 * height_ + half_width_ * (rim.a.cwiseAbs().z() + kLean * 0.25) +
+                       (rises_.empty() ? 0.0 : kBent);
   const double side = height_ + half_width_;
   const road::GroundBox box{low.x() - side, high.x() + side, low.y() - side, high.y() + side};
   return low.z() - reach <= road.bounds(box, time).highest + margin_;
@@ -131,7 +136,7 @@ void TreadContact::approach(const NodeValues& q,
                             double time,
                             const StepRule& rule) {
   rule_ = rule;
-  margin_ = rule.statics() ? kStandingMargin : kMargin;
+  margin_ = rule.statics() ? kStandingMargin : rises_.empty() ? kMargin : kBentMargin;
   a_ = rim.a;
   patches_.clear();
   for (int segment = 0; segment < nodes_; ++segment) {
@@ -183,7 +188,13 @@ bool TreadContact::is_level(Patch& patch, const road::Road& road, double time) c
 /// Its blocks near the road: [begin, end).
 void TreadContact::find_level_blocks(Patch& patch) {
   double* lowest = at_stations(kStationColumns - 1);
-  lowest_tips(at_stations(kP), lines(), stride_, lowest);
+  if (rises_.empty())
+    lowest_tips(at_stations(kP), lines(), stride_, lowest);
+  else
+    for (int j = 0; j < blocks_; ++j) {
+      lowest[j] = tip(0, j).z();
+      for (int line = 1; line < lines_; ++line) lowest[j] = std::min(lowest[j], tip(line, j).z());
+    }
   const double reach = patch.ground.height + margin_;
   patch.end = blocks_;
   while (patch.begin < patch.end && lowest[patch.begin] > reach) ++patch.begin;
@@ -296,7 +307,15 @@ void TreadContact::add_force(const NodeValues& q, const NodeValues& v, NodeValue
                              .entering = entering(i)};
     double* to[4];
     for (int m = 0; m < 4; ++m) to[m] = force.col(node(patch.segment, m)).data();
-    if (rule_.statics())
+    if (!rises_.empty()) {
+      const BlockLines bent = bent_lines(patch.segment);
+      if (rule_.statics())
+        bent_standing_forces(at, bent, ground(i), before, law, results(i), to);
+      else if (patch.level)
+        bent_level_forces(at, bent, patch.ground, before, law, results(i), to);
+      else
+        bent_uneven_forces(at, bent, ground(i), before, law, results(i), to);
+    } else if (rule_.statics())
       standing_forces(at, lines(), ground(i), before, law, results(i), to);
     else if (patch.level)
       level_forces(at, lines(), patch.ground, before, law, results(i), to);

@@ -26,6 +26,7 @@
 #include "models/ring_tire/cyclic_band.h"
 #include "models/ring_tire/rim_frame.h"
 #include "models/ring_tire/ring_parameters.h"
+#include "models/ring_tire/section_bending.h"
 #include "models/ring_tire/sidewall.h"
 #include "models/ring_tire/tread_friction.h"
 #include "models/tire/footprint.h"
@@ -48,6 +49,18 @@ class TreadContact {
 
   /// No block touches.
   void reset();
+  /// Sections bent as they are there from here on: lines stand off the belt by Σ γ_i q_i(y) more.
+  void bend(const SectionBending& section);
+  /// Nodes that blocks of the patches hang on, in ascending order.
+  std::vector<int> nodes_near_road() const;
+  /// The blocks' forces on the unknowns of the section, q: of the last add_force.
+  Eigen::VectorXd section_forces(const SectionBending& section, const NodeValues& q) const;
+  /// How they fall with the unknowns of the belt, B, and with those of the section, A.
+  void section_border(const SectionBending& section,
+                      const NodeValues& q,
+                      bool all_stick,
+                      Eigen::MatrixXd& B,
+                      Eigen::MatrixXd& A) const;
   /// Frames, candidate blocks and the road below them at a predicted end of the step.
   void approach(const NodeValues& q,
                 const RimFrame& rim,
@@ -125,11 +138,20 @@ class TreadContact {
   std::uint8_t* entering(std::size_t patch) {
     return entering_.data() + patch * static_cast<std::size_t>(stride_ / 8);
   }
-  Eigen::Vector3d tip(int line, int j) const { return tip(stations_.data(), line, j); }
+  /// H of (10), with the bending of the section.
+  double height(int segment, int line, int j) const {
+    const double H = line_height_[static_cast<std::size_t>(line)];
+    if (rises_.empty()) return H;
+    const double* rise = &rises_[2 * static_cast<std::size_t>(segment * lines_ + line)];
+    return H + rise[0] + share_[static_cast<std::size_t>(j)] * (rise[1] - rise[0]);
+  }
+  Eigen::Vector3d tip(int line, int j) const {
+    return tip(stations_.data(), patches_.back().segment, line, j);
+  }
   double* at_stations(int c) { return stations_.data() + c * stride_; }
   /// Unloaded tip by the columns of (10).
-  Eigen::Vector3d tip(const double* columns, int line, int j) const {
-    const double H = line_height_[static_cast<std::size_t>(line)];
+  Eigen::Vector3d tip(const double* columns, int segment, int line, int j) const {
+    const double H = height(segment, line, j);
     const double y = line_y_[static_cast<std::size_t>(line)];
     const auto at = [&](int c) { return columns[c * stride_ + j]; };
     return {at(kP) + H * at(kG) + y * at(kA),
@@ -153,11 +175,19 @@ class TreadContact {
   SegmentStations stations_of(std::size_t patch, const NodeValues& q, const NodeValues& v) const;
   void add_stations(std::size_t patch, int first, Eigen::Matrix4d* pairs);
   struct BlockState;  // touching_blocks.h
+  struct Arms;        // block_arms.h
+  Arms arms_of(const BlockState& block) const;
   template <class See>
   void see_blocks(const NodeValues& q, const See& see) const;
   template <class See>
   void see_touching(const NodeValues& q, const See& see) const;
   BlockLines lines() const { return {lines_, line_height_.data(), line_y_.data()}; }
+  BlockLines bent_lines(int segment) const {
+    BlockLines bent = lines();
+    bent.rise = &rises_[2 * static_cast<std::size_t>(segment * lines_)];
+    bent.share = share_.data();
+    return bent;
+  }
   BlockLaw block_law() const;
   BlockResults results(std::size_t patch);
   BlockGround ground(std::size_t patch);
@@ -169,6 +199,8 @@ class TreadContact {
   std::vector<double> line_y_, line_height_;
   std::vector<double> weights_;  // of position and of its derivative by s: eight columns
   std::vector<double> lift_;
+  std::vector<double> share_;  // s of each station
+  std::vector<double> rises_;  // two a line of a segment; empty: sections are straight
   // Persistent, one a block: the tip on the road and whether it is there.
   std::array<std::vector<double>, 3> tip_;
   std::vector<double> touches_;

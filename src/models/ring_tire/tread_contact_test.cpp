@@ -93,8 +93,7 @@ TEST(TreadContact, ForcesOfTheNodesAreThoseOfTheBlocks) {
   dq.row(0).setConstant(2e-4);
   const NodeValues force = pressed.force_at(dq);
   Eigen::Vector3d of_blocks = Eigen::Vector3d::Zero();
-  for (const BlockContact& block : pressed.tread.contacts(pressed.q + dq))
-    of_blocks += block.force;
+  for (const BlockContact& block : pressed.tread.contacts(pressed.q + dq)) of_blocks += block.force;
   const Eigen::Vector3d of_nodes = force.topRows<3>().rowwise().sum();
   EXPECT_LT((of_nodes - of_blocks).norm(), 1e-10 * of_blocks.norm());
   EXPECT_LT(of_nodes.x(), -50.0);  // shear holds the tire back

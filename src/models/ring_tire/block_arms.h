@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a block's tip hangs on the four nodes of its segment.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "models/ring_tire/touching_blocks.h"
+
+namespace latsch::ring_tire {
+
+/// A block's station: what its four nodes do to its tip.
+struct TreadContact::Arms {
+  Eigen::Vector3d t, n, a;
+  double length, H, y;
+  double w[4], d[4];
+
+  /// dT by x and ψ of node m.
+  Eigen::Matrix<double, 3, 4> tip_by(int m) const {
+    Eigen::Matrix<double, 3, 4> by;
+    by.leftCols<3>() =
+        w[m] * Eigen::Matrix3d::Identity() - (d[m] / length) * t * (H * n + y * a).transpose();
+    by.col(3) = w[m] * (H * a - y * n);
+    return by;
+  }
+  /// θ, σ, α and dψ by x and ψ of node m.
+  Eigen::Matrix4d turning_by(int m) const {
+    Eigen::Matrix4d by = Eigen::Matrix4d::Zero();
+    by.row(0).head<3>() = (d[m] / length) * n.transpose();
+    by.row(1).head<3>() = (d[m] / length) * t.transpose();
+    by.row(2).head<3>() = (d[m] / length) * a.transpose();
+    by(3, 3) = w[m];
+    return by;
+  }
+  /// -F . d²T by θ, σ, α and dψ.
+  Eigen::Matrix4d turning(const Eigen::Vector3d& F) const {
+    const double along = F.dot(t), out = F.dot(n);
+    Eigen::Matrix4d K = Eigen::Matrix4d::Zero();
+    K(0, 0) = H * out;
+    K(0, 1) = K(1, 0) = -H * along;
+    K(0, 2) = K(2, 0) = y * out;
+    K(1, 2) = K(2, 1) = -y * along;
+    K(0, 3) = K(3, 0) = -y * along;
+    return K;
+  }
+};
+
+inline TreadContact::Arms TreadContact::arms_of(const BlockState& block) const {
+  const int j = block.station;
+  const auto vector = [&](int c) {
+    const auto at = [&](int i) { return frame(block.patch, c + i)[j]; };
+    return Eigen::Vector3d(at(0), at(1), at(2));
+  };
+  Arms arms{.t = vector(kT),
+            .n = vector(kN),
+            .a = a_,
+            .length = frame(block.patch, kLength)[j],
+            .H = height(patches_[block.patch].segment, block.line, j),
+            .y = line_y_[static_cast<std::size_t>(block.line)],
+            .w = {},
+            .d = {}};
+  for (int m = 0; m < 4; ++m) {
+    arms.w[m] = weights_[static_cast<std::size_t>(m * stride_ + j)];
+    arms.d[m] = weights_[static_cast<std::size_t>((4 + m) * stride_ + j)];
+  }
+  return arms;
+}
+
+}  // namespace latsch::ring_tire
