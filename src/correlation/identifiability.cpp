@@ -119,9 +119,10 @@ std::optional<Result<Identifiability>> identify(const Study& study,
   Identifiability result{
       point, Identification(study.space, point, options_for(study, depth)), std::nullopt};
   if (!analyze(study, result, run)) return std::nullopt;
-  if (result.identification.failure())
-    return Result<Identifiability>(*result.identification.failure());
-  return Result<Identifiability>(std::move(result));
+  std::optional<Result<Identifiability>> answer(std::in_place, std::move(result));
+  const Result<Identifiability>& found = *answer;
+  if (const auto& failure = found->identification.failure()) answer.emplace(Failure(*failure));
+  return answer;
 }
 
 std::optional<Identifiability> recorded_identifiability(const Study& study,

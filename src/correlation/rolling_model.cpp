@@ -18,6 +18,17 @@ fs::path existing(const Node& table, const fs::path& folder) {
   return file;
 }
 
+[[noreturn]] void reject_no_test(const experiment::TireKind& kind, const Node& study) {
+  study.reject("test",
+               "is missing: a " + kind.in_words +
+                   " gives channels by the tests it is driven through, and there is none. Add one "
+                   "or more, such as\n\n    [test.cleat]\n    file = \"cleat.toml\"\n\n"
+                   "and in cleat.toml, beside the study, its kind: \"drum_cleat\", "
+                   "\"slip_sweep\", \"static_stiffness\"" +
+                   (kind.steady ? " or \"steady_states\"" : "") +
+                   ". Experiments compare its channels as y = \"cleat/...\"");
+}
+
 /// What the channels depend on: the file, and the states it names.
 std::string text_of(const fs::path& file, const experiment::RollingTest& test) {
   std::string text = read_text_file(file);
@@ -52,8 +63,7 @@ RollingModel read_rolling_model(const Node& model, const Node& study, const fs::
     test.text = text_of(file, test.test);
     rolling.tests.push_back(std::move(test));
   }
-  if (rolling.tests.empty())
-    study.reject("test", "is missing, expected at least one [test.NAME] with its file");
+  if (rolling.tests.empty()) reject_no_test(*rolling.kind, study);
   return rolling;
 }
 

@@ -9,31 +9,11 @@
 #include "correlation/tire_trials.h"
 #include "correlation/variables.h"
 #include "evaluation/scratch_folder_testing.h"
+#include "experiment/sparse_tir_testing.h"
 #include "formats/csv_table.h"
 
 namespace latsch::correlation {
 namespace {
-
-constexpr const char* kTir = R"([UNITS]
-LENGTH = 'meter'
-FORCE = 'newton'
-ANGLE = 'radians'
-MASS = 'kg'
-TIME = 'second'
-PRESSURE = 'pascal'
-[MODEL]
-FITTYP = 61
-[DIMENSION]
-UNLOADED_RADIUS = 0.316
-[VERTICAL]
-FNOMIN = 4000
-VERTICAL_STIFFNESS = 190000
-[LATERAL_COEFFICIENTS]
-PCY1 = 1.3
-PDY1 = 1.0
-PKY1 = -18
-PKY2 = 1.8
-)";
 
 constexpr const char* kStudy = R"(
 [model]
@@ -68,7 +48,7 @@ use = "predict"
 class RollingStudy : public testing::Test {
  protected:
   RollingStudy() {
-    write("tire.tir", kTir);
+    write("tire.tir", experiment::sparse_tir(experiment::kSideForce));
     write("states.csv", "Fz [N],alpha [deg]\n4000,4\n4000,-4\n2000,2\n");
     write("steady.toml", "kind = \"steady_states\"\nstates = \"states.csv\"\n");
     write("standing.toml", "kind = \"static_stiffness\"\ndeflections = [\"10 mm\", \"20 mm\"]\n");
@@ -153,6 +133,13 @@ TEST_F(RollingStudy, ComplaintsSayWhereAndWhatIsExpected) {
   EXPECT_NE(complaint("steady/Fy\"", "steady/FY\"").find("steady/Fy"), std::string::npos);
   EXPECT_NE(complaint("file = \"steady.toml\"", "file = \"stead.toml\"").find("does not exist"),
             std::string::npos);
+  const std::string text = kStudy;
+  const auto from = text.find("[test.steady]"), to = text.find("[variable.grip]");
+  const std::string missing = complaint(text.substr(from, to - from), "");
+  EXPECT_NE(missing.find("test is missing"), std::string::npos) << missing;
+  EXPECT_NE(complaint(text.substr(0, from), "model = \"tire.tir\"\n").find("[model]\n    kind"),
+            std::string::npos);
+  EXPECT_NE(missing.find("[test.cleat]\n    file = \"cleat.toml\""), std::string::npos) << missing;
   EXPECT_NE(complaint("\"PDY1\"", "\"PDY11\"").find("PDY1"), std::string::npos);
   EXPECT_NE(complaint("\"100 N/mm\"", "\"-100 N/mm\"").find("does not accept"), std::string::npos);
   EXPECT_NE(complaint("\"magic_formula\"", "\"ring_tire\"").find("steady states"),

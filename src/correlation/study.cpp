@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/text.h"
 #include "correlation/linear_constraints.h"
 #include "correlation/variables.h"
 #include "models/fe_tire/tire_description.h"
@@ -152,8 +153,25 @@ struct StudyModel {
   std::optional<std::vector<KnownChannel>> known;  // not of a finite-element tire
 };
 
+bool has_model_table(const Node& root) {
+  try {
+    return root.find_table("model").has_value();
+  } catch (const InputError&) {
+    return false;  // a text: the file of a finite-element tire
+  }
+}
+
 /// Tests are driven by a tire that rolls; [model] is then a table.
-bool is_rolling(const Node& root) { return root.has("test"); }
+bool is_rolling(const Node& root) {
+  if (has_model_table(root)) return true;
+  if (!root.has("test")) return false;
+  root.reject(
+      "model",
+      "is missing or a text, but [test...] is driven by a tire that rolls. Expected a table "
+      "such as\n\n    [model]\n    kind = \"magic_formula\"\n    file = "
+      "\"tire.tir\"\n\nwith kind one of " +
+          list_of(experiment::tire_kind_names()));
+}
 
 StudyModel read_model(const Node& root, const std::filesystem::path& folder) {
   StudyModel model;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "experiment/sparse_tir_testing.h"
 #include "experiment/tir_numbers.h"
 #include "formats/tir_file.h"
 
@@ -20,22 +21,7 @@ const std::filesystem::path kRing = kStudies / "ring_tires/passenger_205_55R16.t
 
 /// What a rigid ring needs beside a Magic Formula of little else; frequencies as of section 2 of
 /// Pacejka's chapter 9.
-constexpr const char* kTir = R"([UNITS]
-LENGTH = 'meter'
-FORCE = 'newton'
-ANGLE = 'radians'
-MASS = 'kg'
-TIME = 'second'
-PRESSURE = 'pascal'
-[MODEL]
-FITTYP = 61
-[DIMENSION]
-UNLOADED_RADIUS = 0.316
-WIDTH = 0.205
-[VERTICAL]
-FNOMIN = 4000
-VERTICAL_STIFFNESS = 190000
-[INERTIA]
+const std::string kTir = sparse_tir(std::string(R"([INERTIA]
 BELT_MASS = 7
 BELT_IXX = 0.33
 BELT_IYY = 0.6
@@ -52,16 +38,7 @@ DAMP_LAT = 0.05
 DAMP_YAW = 0.05
 DAMP_WINDUP = 0.05
 DAMP_RESIDUAL = 0.002
-[LONGITUDINAL_COEFFICIENTS]
-PCX1 = 1.6
-PDX1 = 1.1
-PKX1 = 22
-[LATERAL_COEFFICIENTS]
-PCY1 = 1.3
-PDY1 = 1.0
-PKY1 = -18
-PKY2 = 1.8
-)";
+)") + kLongitudinalForce + kSideForce);
 
 class RollingTests : public testing::Test {
  protected:

@@ -2,35 +2,15 @@
 #include "correlation/tire_comparison/tire_comparison.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <fstream>
 
 #include "correlation/tire_comparison/comparison_page.h"
+#include "evaluation/scratch_folder_testing.h"
+#include "experiment/sparse_tir_testing.h"
 
 namespace latsch::correlation {
 namespace {
-
-constexpr const char* kTir = R"([UNITS]
-LENGTH = 'meter'
-FORCE = 'newton'
-ANGLE = 'radians'
-MASS = 'kg'
-TIME = 'second'
-PRESSURE = 'pascal'
-[MODEL]
-FITTYP = 61
-[DIMENSION]
-UNLOADED_RADIUS = 0.316
-[VERTICAL]
-FNOMIN = 4000
-VERTICAL_STIFFNESS = 190000
-VERTICAL_DAMPING = 200
-[LONGITUDINAL_COEFFICIENTS]
-PCX1 = 1.6
-PDX1 = 1.1
-PKX1 = 22
-)";
 
 constexpr const char* kDrum =
     "kind = \"drum_cleat\"\nspeed = \"40 km/h\"\nload = \"4 kN\"\ndrum_diameter = \"2.5 m\"\n"
@@ -40,15 +20,14 @@ constexpr const char* kDrum =
 class Comparison : public testing::Test {
  protected:
   Comparison() {
-    std::string pattern = testing::TempDir() + "comparison_XXXXXX";
-    folder_ = ::mkdtemp(pattern.data());
-    write("same.tir", kTir);
-    std::string other = kTir;
+    const std::string same = experiment::sparse_tir(std::string("VERTICAL_DAMPING = 200\n") +
+                                                    experiment::kLongitudinalForce);
+    write("same.tir", same);
+    std::string other = same;
     other.replace(other.find("190000"), 6, "380000");
     write("stiff.tir", other);
     write("drum.toml", kDrum);
   }
-  ~Comparison() override { std::filesystem::remove_all(folder_); }
 
   void write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;
@@ -62,7 +41,7 @@ class Comparison : public testing::Test {
     return read_comparison_file(folder_ / "comparison.toml");
   }
 
-  std::filesystem::path folder_;
+  ScratchFolder folder_;
 };
 
 const std::string kSpecimen =
