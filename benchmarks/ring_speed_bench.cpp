@@ -147,7 +147,8 @@ int ring_speed() {
              fmt::format("{:.3f} x real time", usual));
   RingParameters bent = tire_of(80, 50, 10);
   bent.belt.section_bending = 8.0;
-  table.note("the same with sections that bend", fmt::format("{:.3f} x real time", best_of(2, bent)));
+  table.note("the same with sections that bend",
+             fmt::format("{:.3f} x real time", best_of(2, bent)));
   table.row("twice the blocks",
             fmt::format("{:.2f} x the time", whole / half_blocks),
             "<= 2.1",

@@ -91,7 +91,7 @@ Channels element_channels(const std::vector<StandingFootprint>& states) {
 
 /// From above, forward to the right; millimeters and bar.
 std::string picture(const Footprint& print, double most) {
-  constexpr double kLeft = 64.0, kTop = 16.0, kScale = 2.2;  // pixels, pixels a millimeter
+  constexpr double kLeft = 64.0, kTop = 28.0, kScale = 2.2;  // pixels, pixels a millimeter
   double x = 10.0, y = 10.0;
   for (const FootprintElement& at : print.elements) {
     x = std::max(x, 1e3 * (std::abs(at.x) + 0.5 * at.length) + 5.0);

@@ -44,6 +44,9 @@ int ring(const Options& options) {
     fmt::print("{:24} {}\n",
                data.space[i].name,
                format_quantity(fit->point.values[static_cast<std::size_t>(i)], data.space[i].unit));
+  const auto missed = correlation::missed(data, *fit);
+  if (!missed.empty()) fmt::print("\nMissed by more than 3 %, to first order:\n");
+  for (const std::string& sentence : missed) fmt::print("  {}\n", sentence);
   const auto open = correlation::left_open(data, fit->confidence);
   fmt::print("\nLeft open by data of {:.0f} % error: {}\n",
              100.0 * correlation::kTypicalError,
@@ -62,7 +65,9 @@ void add_ring(CommandLine& app, int& exit_code) {
   Verb verb = app.add_subcommand("ring", "A ring tire from measured loads, stiffnesses and modes");
   verb.footer(
       "DATA names a tire file with known numbers, [variable.NAME] for those to be found and\n"
-      "[target.NAME] for what was measured: loads, stiffnesses, frequencies, damping.\n\n"
+      "[target.NAME] for what was measured: loads, stiffnesses, footprints, frequencies, damping.\n"
+      "Says which targets the tire misses, what would mend each and which other pays for it, and\n"
+      "what of the variables the data leave open.\n\n"
       "Example:\n  latsch ring data.toml --output tire.toml");
   auto options = std::make_shared<Options>();
   verb.add_option("data", options->data, "Data file").required();

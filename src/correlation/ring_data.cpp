@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "correlation/variables.h"
+#include "experiment/footprint_rig.h"
 #include "models/ring_tire/ring_modes.h"
 #include "models/ring_tire/ring_reader.h"
 #include "models/ring_tire/ring_tire.h"
@@ -40,7 +41,8 @@ RingTarget read_target(const Node& table) {
   RingTarget target;
   target.name = table.name();
   target.weight = table.quantity("weight", "1", Range::not_negative(), 1.0);
-  const std::string kind = table.choice("kind", {"load", "stiffness", "frequency", "damping"});
+  const std::string kind = table.choice(
+      "kind", {"load", "stiffness", "footprint_length", "footprint_width", "frequency", "damping"});
   const char* unit = "1";
   if (kind == "load") {
     target.kind = Kind::load;
@@ -51,6 +53,10 @@ RingTarget read_target(const Node& table) {
     target.direction = read_direction(table);
     target.load = table.quantity("load", "N", Range::positive());
     unit = target.direction == Direction::torsional ? "N m/rad" : "N/m";
+  } else if (kind == "footprint_length" || kind == "footprint_width") {
+    target.kind = kind == "footprint_length" ? Kind::footprint_length : Kind::footprint_width;
+    target.load = table.quantity("load", "N", Range::positive());
+    unit = "m";
   } else {
     target.kind = kind == "frequency" ? Kind::frequency : Kind::damping;
     read_mode(table, target);
@@ -68,29 +74,55 @@ Result<double> shown(const ring_tire::RingParameters& ring, const RingTarget& ta
     if (target.direction == Direction::torsional) test.travel = 5e-3;
     return experiment::stiffness(tire, test);
   }
+  if (target.kind == Kind::footprint_length || target.kind == Kind::footprint_width) {
+    ring_tire::RingTire tire(ring);
+    const auto found = experiment::footprints(tire, {.loads = {target.load}, .deflections = {}});
+    if (!found) return found.failure();
+    const Footprint& print = found->front().footprint;
+    return target.kind == Kind::footprint_length ? print.length : print.width;
+  }
   const auto mode =
       find_mode(ring_tire::unloaded_modes(ring, target.waves), target.waves, target.lateral);
   return target.kind == Kind::frequency ? mode.frequency : mode.damping;
 }
 
-Result<Score> score(const RingData& data, const DesignPoint& point) {
+/// Relative errors of all targets.
+Result<Eigen::VectorXd> errors_at(const RingData& data, const DesignPoint& point) {
   const auto values = shown(data, point);
   if (!values) return values.failure();
+  Eigen::VectorXd errors(static_cast<Eigen::Index>(values->size()));
+  for (std::size_t i = 0; i < values->size(); ++i)
+    errors[static_cast<Eigen::Index>(i)] = (*values)[i] / data.targets[i].value - 1.0;
+  return errors;
+}
+
+Result<Score> score(const RingData& data, const DesignPoint& point) {
+  const auto errors = errors_at(data, point);
+  if (!errors) return errors.failure();
   Score score;
-  for (std::size_t i = 0; i < values->size(); ++i) {
-    const RingTarget& target = data.targets[i];
-    if (target.weight == 0.0) continue;
-    score.residuals.push_back(std::sqrt(target.weight) * ((*values)[i] / target.value - 1.0));
+  for (std::size_t i = 0; i < data.targets.size(); ++i) {
+    if (data.targets[i].weight == 0.0) continue;
+    score.residuals.push_back(std::sqrt(data.targets[i].weight) *
+                              (*errors)[static_cast<Eigen::Index>(i)]);
     score.value += score.residuals.back() * score.residuals.back();
   }
   return score;
 }
 
-Result<Eigen::VectorXd> residuals(const RingData& data, const DesignPoint& point) {
-  const auto found = score(data, point);
-  if (!found) return found.failure();
-  return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
-      found->residuals.data(), static_cast<Eigen::Index>(found->residuals.size())));
+/// Of the targets that count, weighted.
+Linearization weighted(const RingData& data, const Linearization& all) {
+  Linearization counted{all.u, {}, {}};
+  std::vector<Eigen::Index> rows;
+  for (std::size_t i = 0; i < data.targets.size(); ++i)
+    if (data.targets[i].weight > 0.0) rows.push_back(static_cast<Eigen::Index>(i));
+  counted.r.resize(static_cast<Eigen::Index>(rows.size()));
+  counted.J.resize(static_cast<Eigen::Index>(rows.size()), all.J.cols());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double factor = std::sqrt(data.targets[static_cast<std::size_t>(rows[k])].weight);
+    counted.r[static_cast<Eigen::Index>(k)] = factor * all.r[rows[k]];
+    counted.J.row(static_cast<Eigen::Index>(k)) = factor * all.J.row(rows[k]);
+  }
+  return counted;
 }
 
 }  // namespace
@@ -150,18 +182,61 @@ Result<RingFit> fit_ring(const RingData& data, int most_evaluations) {
   const auto points = difference_points(data.space, best);
   std::vector<Eigen::VectorXd> differences_at;
   for (const DesignPoint& point : points) {
-    const auto found = residuals(data, point);
+    const auto found = errors_at(data, point);
     if (!found) return found.failure();
     differences_at.push_back(*found);
   }
+  const Linearization all = differences(data.space, points, differences_at);
   const auto values = shown(data, best);
   if (!values) return values.failure();
-  return RingFit{
-      best,
-      at(data.tire, data.space, best),
-      *values,
-      evaluations + static_cast<int>(points.size()),
-      confidence(differences(data.space, points, differences_at), {.sigma = kTypicalError})};
+  return RingFit{best,
+                 at(data.tire, data.space, best),
+                 *values,
+                 evaluations + static_cast<int>(points.size()),
+                 confidence(weighted(data, all), {.sigma = kTypicalError}),
+                 all.r,
+                 all.J};
+}
+
+std::vector<std::string> missed(const RingData& data, const RingFit& fit) {
+  constexpr double kMissed = 0.03, kNothing = 1e-3, kCost = 0.01;
+  const auto off = [](double error) {
+    return fmt::format("{:.1f} % too {}", 100.0 * std::abs(error), error > 0.0 ? "high" : "low");
+  };
+  std::vector<std::string> sentences;
+  for (Eigen::Index i = 0; i < fit.errors.size(); ++i) {
+    const double error = fit.errors[i];
+    if (std::abs(error) <= kMissed) continue;
+    const RingTarget& target = data.targets[static_cast<std::size_t>(i)];
+    std::string text = fmt::format("{} is {}", target.name, off(error));
+    Eigen::Index variable = 0;
+    const double effect = fit.effects.row(i).cwiseAbs().maxCoeff(&variable);
+    if (effect < kNothing) {
+      sentences.push_back(text + ": no variable moves it");
+      continue;
+    }
+    const double change = -error / fit.effects(i, variable);  // of the variable's range
+    text += fmt::format(": {} moves it most, by {:.0f} % for a tenth of its range",
+                        data.space[static_cast<int>(variable)].name,
+                        10.0 * effect);
+    Eigen::Index payer = -1;
+    double most = kCost, then = 0.0;
+    for (Eigen::Index k = 0; k < fit.errors.size(); ++k) {
+      if (k == i || data.targets[static_cast<std::size_t>(k)].weight == 0.0) continue;
+      const double moved = fit.errors[k] + change * fit.effects(k, variable);
+      if (std::abs(moved) - std::abs(fit.errors[k]) <= most) continue;
+      most = std::abs(moved) - std::abs(fit.errors[k]);
+      payer = k;
+      then = moved;
+    }
+    text += payer >= 0 ? fmt::format("; mended by it alone, {} would be {}",
+                                     data.targets[static_cast<std::size_t>(payer)].name,
+                                     off(then))
+                       : std::string("; no other target would pay for mending it");
+    if (target.weight == 0.0) text += " (it has no weight)";
+    sentences.push_back(text);
+  }
+  return sentences;
 }
 
 std::vector<std::string> left_open(const RingData& data, const Confidence& confidence) {

@@ -20,6 +20,10 @@
 //   direction = "longitudinal"          # (N m/rad) or "vertical", under `load`
 //   load = "5026.7 N"
 //   value = "228.755 N/mm"
+//   [target.patch]
+//   kind = "footprint_length"           # or "footprint_width", standing under `load`
+//   load = "4 kN"
+//   value = "130 mm"
 //   [target.f1]
 //   kind = "frequency"                  # of the unloaded tire, rim fixed
 //   mode = "f1"
@@ -46,7 +50,7 @@
 namespace latsch::correlation {
 
 struct RingTarget {
-  enum class Kind { load, stiffness, frequency, damping };
+  enum class Kind { load, stiffness, footprint_length, footprint_width, frequency, damping };
   std::string name;
   Kind kind = Kind::load;
   double value = 0.0, weight = 1.0;
@@ -74,7 +78,9 @@ struct RingFit {
   Document tire;               // with the numbers found
   std::vector<double> values;  // of the targets
   int evaluations = 0;
-  Confidence confidence;  // of relative errors of `kTypicalError`
+  Confidence confidence;    // of relative errors of `kTypicalError`
+  Eigen::VectorXd errors;   // value over target, less 1; also of targets without weight
+  Eigen::MatrixXd effects;  // [targets x variables] what a variable's whole range does to it
 };
 
 /// A relative error that such measurements typically have: the scale on which a direction of the
@@ -82,6 +88,10 @@ struct RingFit {
 constexpr double kTypicalError = 0.01;
 
 Result<RingFit> fit_ring(const RingData& data, int most_evaluations = 400);
+
+/// Sentences: every target that the tire misses by more than 3 %, the variable that would mend it
+/// most easily, and which other target pays for that most.
+std::vector<std::string> missed(const RingData& data, const RingFit& fit);
 
 /// Sentences: every direction of the variables along which the data leave more than a tenth of the
 /// range open, named by its largest shares.

@@ -13,7 +13,7 @@
 // so friction in the contact has the history of a tire pressed down. Where the wheel spins, the
 // shape found is kept in space and the belt flows through it: velocities and accelerations of
 // steady rolling up to the change that speed brings.
-//   Limits: docs/ring_tire.md, section 8.
+//   Limits: docs/ring_tire.md, section 9.
 #pragma once
 
 #include <string>
