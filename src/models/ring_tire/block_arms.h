@@ -44,23 +44,25 @@ struct TreadContact::Arms {
   }
 };
 
-inline TreadContact::Arms TreadContact::arms_of(const BlockState& block) const {
-  const int j = block.station;
+inline TreadContact::Arms TreadContact::arms_at(std::size_t patch,
+                                                int station,
+                                                double H,
+                                                double y) const {
   const auto vector = [&](int c) {
-    const auto at = [&](int i) { return frame(block.patch, c + i)[j]; };
+    const auto at = [&](int i) { return frame(patch, c + i)[station]; };
     return Eigen::Vector3d(at(0), at(1), at(2));
   };
   Arms arms{.t = vector(kT),
             .n = vector(kN),
             .a = a_,
-            .length = frame(block.patch, kLength)[j],
-            .H = height(patches_[block.patch].segment, block.line, j),
-            .y = line_y_[static_cast<std::size_t>(block.line)],
+            .length = frame(patch, kLength)[station],
+            .H = H,
+            .y = y,
             .w = {},
             .d = {}};
   for (int m = 0; m < 4; ++m) {
-    arms.w[m] = weights_[static_cast<std::size_t>(m * stride_ + j)];
-    arms.d[m] = weights_[static_cast<std::size_t>((4 + m) * stride_ + j)];
+    arms.w[m] = weights_[static_cast<std::size_t>(m * stride_ + station)];
+    arms.d[m] = weights_[static_cast<std::size_t>((4 + m) * stride_ + station)];
   }
   return arms;
 }

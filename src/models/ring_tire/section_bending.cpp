@@ -11,17 +11,30 @@ namespace {
 constexpr double kBeta[SectionBending::kModes] = {
     4.730040744862704, 7.853204624095838, 10.995607838001671};
 
+/// The inverse of the cyclic tridiagonal matrix of (25) at distance d from its diagonal: with
+/// k = λ L0, s = κ T0/L0 and ρ < 1 the root of s ρ² - (k + 2 s) ρ + s = 0,
+/// (ρ^d + ρ^(N-d))/(s (1/ρ - ρ) (1 - ρ^N)).
+double inverse_at(double k, double s, int N, int d) {
+  if (s == 0.0) return d == 0 ? 1.0 / k : 0.0;
+  const double half = 1.0 + 0.5 * k / s;
+  const double rho = 1.0 / (half + std::sqrt(half * half - 1.0));
+  return (std::pow(rho, d) + std::pow(rho, N - d)) /
+         (s * (1.0 / rho - rho) * (1.0 - std::pow(rho, N)));
+}
+
 }  // namespace
 
 SectionBending::SectionBending(
     const Belt& belt, double width, double chord, double tension, int nodes)
-    : on_(belt.section_bending > 0.0),
-      nodes_(nodes),
-      width_(width),
-      coupling_(belt.section_coupling * tension / chord) {
-  for (int i = 0; i < kModes; ++i)
-    stiffness_[i] = belt.section_bending * std::pow(kBeta[i], 4) / std::pow(width, 3) * chord;
+    : on_(belt.section_bending > 0.0), nodes_(nodes), width_(width) {
   reset();
+  if (!on_) return;
+  green_.resize(kModes, nodes);
+  const double coupling = belt.section_coupling * tension / chord;  // κ T0/L0
+  for (int i = 0; i < kModes; ++i) {
+    const double own = belt.section_bending * std::pow(kBeta[i], 4) / std::pow(width, 3) * chord;
+    for (int d = 0; d < nodes; ++d) green_(i, d) = inverse_at(own, coupling, nodes, d);
+  }
 }
 
 double SectionBending::shape(int mode, double y) const {
@@ -30,26 +43,13 @@ double SectionBending::shape(int mode, double y) const {
                        : std::sin(at) / std::sin(end) + std::sinh(at) / std::sinh(end);  // (23)
 }
 
-/// The inverse of the cyclic tridiagonal matrix of (25): with s = κ T0/L0 and ρ < 1 the root of
-/// s ρ² - (λ L0 + 2 s) ρ + s = 0, (ρ^d + ρ^(N-d))/(s (1/ρ - ρ) (1 - ρ^N)).
-double SectionBending::green(int mode, int distance) const {
-  const double k = stiffness_[mode], s = coupling_;
-  if (s == 0.0) return distance == 0 ? 1.0 / k : 0.0;
-  const double half = 1.0 + 0.5 * k / s;
-  const double rho = 1.0 / (half + std::sqrt(half * half - 1.0));
-  return (std::pow(rho, distance) + std::pow(rho, nodes_ - distance)) /
-         (s * (1.0 / rho - rho) * (1.0 - std::pow(rho, nodes_)));
-}
-
 SectionBending::Field SectionBending::bent_by(const Field& f) const {
   Field gamma = Field::Zero(kModes, nodes_);
   for (int mode = 0; mode < kModes; ++mode) {
-    Eigen::VectorXd by_distance(nodes_);
-    for (int d = 0; d < nodes_; ++d) by_distance[d] = green(mode, d);
     for (int l = 0; l < nodes_; ++l) {
       if (f(mode, l) == 0.0) continue;
       for (int k = 0; k < nodes_; ++k)
-        gamma(mode, k) += by_distance[k >= l ? k - l : l - k] * f(mode, l);
+        gamma(mode, k) += green(mode, k >= l ? k - l : l - k) * f(mode, l);
     }
   }
   return gamma;

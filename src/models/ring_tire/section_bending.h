@@ -78,13 +78,13 @@ class SectionBending {
 
  private:
   void spread();
-  double green(int mode, int distance) const;
+  /// G of (25) by the distance of two nodes.
+  double green(int mode, int distance) const { return green_(mode, distance); }
 
   bool on_;
   int nodes_;
   double width_;
-  double stiffness_[kModes], coupling_;  // λ_i L0, κ T0/L0
-  Field field_, kept_;
+  Field green_, field_, kept_;
   std::vector<int> contact_;
   Eigen::MatrixXd flexibility_, own_;  // G of the unknowns, its inverse
   Eigen::VectorXd residual_, direction_;

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -178,6 +180,43 @@ TEST(SectionBending, OfAStiffSectionChangesNothing) {
   EXPECT_LT((forces[0].force - forces[1].force).norm(), 2.0);
   for (std::size_t k = 0; k < modes[0].size(); ++k)
     EXPECT_NEAR(modes[1][k] / modes[0][k], 1.0, 1e-5) << k;
+}
+
+// The modes of bent sections against a dense matrix with γ eliminated by itself: K - B (A +
+// G^-1)^-1 B', G by bending under unit forces.
+TEST(SectionBending, VibratesAsADenseMatrixSays) {
+  RingTire tire(crowned(8.0));
+  ASSERT_TRUE(tire.settle(standing(tire, 0.02), road::PlaneRoad(), 0.0));
+  const auto modes = standing_modes(tire, 12);
+  ASSERT_TRUE(modes) << modes.failure().reason;
+  const RingTire::Linearized small = tire.linearized();
+  const int N = tire.parameters().nodes, count = 4 * N;
+  const SectionBending& section = tire.section();
+  Eigen::MatrixXd G(section.unknowns(), section.unknowns());
+  for (Eigen::Index a = 0; a < G.cols(); ++a) {
+    SectionBending::Field f = SectionBending::Field::Zero(SectionBending::kModes, N);
+    const auto node = [&](Eigen::Index of) {
+      return section.contact()[static_cast<std::size_t>(of / SectionBending::kModes)];
+    };
+    f(a % SectionBending::kModes, node(a)) = 1.0;
+    const SectionBending::Field bent = section.bent_by(f);
+    for (Eigen::Index b = 0; b < G.rows(); ++b) G(b, a) = bent(b % SectionBending::kModes, node(b));
+  }
+  Eigen::MatrixXd K(count, count);
+  for (int i = 0; i < count; ++i) {
+    NodeValues unit = NodeValues::Zero(4, N);
+    unit.data()[i] = 1.0;
+    K.col(i) = small.stiffness.multiply(unit).reshaped();
+  }
+  const Eigen::MatrixXd own = small.section_stiffness + G.inverse();
+  K -= small.section_border * own.inverse() * small.section_border.transpose();
+  const Eigen::MatrixXd M = tire.node_mass().replicate(N, 1).asDiagonal();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> dense(0.5 * (K + K.transpose()),
+                                                                        M);
+  for (int i = 0; i < 12; ++i) {
+    const double expected = std::sqrt(dense.eigenvalues()[i]) / (2.0 * M_PI);
+    EXPECT_NEAR((*modes)[static_cast<std::size_t>(i)].frequency / expected, 1.0, 1e-7) << i;
+  }
 }
 
 // Steady rolling: momentum stays, so hub and road balance.

@@ -24,7 +24,10 @@ Matrix4d along_axes(const Matrix4d& axes, const Vector4d& values) {
 void TreadContact::add_sticking(const NodeValues& q, CyclicBand& K, CyclicBand& C) const {
   see_touching(q, [&](const BlockState& block) {
     const int segment = patches_[block.patch].segment;
-    const Arms arms = arms_of(block);
+    const Arms arms = arms_at(block.patch,
+                              block.station,
+                              height(segment, block.line, block.station),
+                              line_y_[static_cast<std::size_t>(block.line)]);
     const Eigen::Matrix3d spring =
         tangential_ * Eigen::Matrix3d::Identity() +
         (normal_ - tangential_) * block.normal * block.normal.transpose();

@@ -174,9 +174,11 @@ class TreadContact {
   void place_ground(std::size_t patch, int block, const road::GroundPoint& ground, double level);
   SegmentStations stations_of(std::size_t patch, const NodeValues& q, const NodeValues& v) const;
   void add_stations(std::size_t patch, int first, Eigen::Matrix4d* pairs);
-  struct BlockState;  // touching_blocks.h
-  struct Arms;        // block_arms.h
-  Arms arms_of(const BlockState& block) const;
+  struct BlockState;     // touching_blocks.h
+  struct Arms;           // block_arms.h
+  struct StationBorder;  // section_contact.cpp
+  std::vector<StationBorder> station_borders(const NodeValues& q, bool all_stick) const;
+  Arms arms_at(std::size_t patch, int station, double H, double y) const;
   template <class See>
   void see_blocks(const NodeValues& q, const See& see) const;
   template <class See>
@@ -199,7 +201,8 @@ class TreadContact {
   std::vector<double> line_y_, line_height_;
   std::vector<double> weights_;  // of position and of its derivative by s: eight columns
   std::vector<double> lift_;
-  std::vector<double> share_;  // s of each station
+  std::vector<double> share_;                 // s of each station
+  std::vector<Eigen::Vector3d> line_shapes_;  // q_i at the lines
   std::vector<double> rises_;  // two a line of a segment; empty: sections are straight
   // Persistent, one a block: the tip on the road and whether it is there.
   std::array<std::vector<double>, 3> tip_;
