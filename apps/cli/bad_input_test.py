@@ -19,6 +19,18 @@ class BadInput(Coarse):
         text = self.latsch("runn", code=WRONG_INPUT)
         self.assert_says(text, 'no verb "runn"', 'did you mean "run"?', "--help")
 
+    def test_unknown_option_and_missing_study(self):
+        text = self.latsch("run", self.study, "--wrkers", "2", code=WRONG_INPUT)
+        self.assert_says(text, 'latsch run: no option "--wrkers"', 'did you mean "--workers"?', "latsch run --help")
+        self.assert_says(self.latsch("run", code=WRONG_INPUT), "latsch run: study is required")
+        self.assert_says(self.latsch("run", self.study, "more", code=WRONG_INPUT), 'unexpected argument "more"')
+        self.assert_says(self.latsch("check", self.folder, code=WRONG_INPUT), "is a folder, expected a file")
+
+    def test_misspelled_table(self):
+        edit(self.study, (r"\[variable\.carcass\]", "[variables.carcass]"))
+        edit(self.study, (r"\[experiment\.", "[experiments."))
+        self.rejected("check", "study.toml", "unknown table [variables]", 'did you mean "variable"?')
+
     def test_negative_thickness(self):
         edit(self.folder / "tire.toml", (r'\[0.0, "6 mm"\]', '[0.0, "-6 mm"]'))
         self.rejected("check", "tire.toml", "thickness")

@@ -24,6 +24,21 @@ bool known(const CLI::App& app, const std::string& word) {
   return false;
 }
 
+/// The arguments a verb did not expect, with what an option may have been; otherwise what the
+/// parser says.
+std::string complaint(const CLI::App* verb, const CLI::ParseError& error) {
+  if (!verb || !dynamic_cast<const CLI::ExtrasError*>(&error)) return error.what();
+  std::vector<std::string> options;
+  for (const CLI::Option* option : verb->get_options()) {
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  }
+  const std::vector<std::string> extras = verb->remaining();
+  for (const std::string& word : extras) {
+    if (word.starts_with('-')) return "no option " + in_quotes(word) + did_you_mean(word, options);
+  }
+  return "unexpected argument " + in_quotes(extras.empty() ? "" : extras.front());
+}
+
 }  // namespace
 
 Option& Option::required() {
@@ -90,7 +105,16 @@ bool CommandLine::run(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app_->exit(error) == 0;
+    if (error.get_exit_code() == 0) return app_->exit(error) == 0;  // --help, --version
+    const std::vector<CLI::App*> verbs = app_->get_subcommands();
+    const CLI::App* verb = verbs.empty() ? nullptr : verbs.front();
+    const std::string name = verb ? "latsch " + verb->get_name() : "latsch";
+    std::fprintf(stderr,
+                 "%s: %s\n%s --help lists what it takes\n",
+                 name.c_str(),
+                 complaint(verb, error).c_str(),
+                 name.c_str());
+    return false;
   }
   return true;
 }

@@ -64,6 +64,9 @@ std::string read_text_file(const std::filesystem::path& file, std::size_t limit)
     char block[1 << 16];
     const ssize_t read = ::read(open.number(), block, sizeof(block));
     if (read < 0 && errno == EINTR) continue;
+    if (read < 0 && errno == EISDIR) {
+      throw InputError({file.string(), 0}, "is a folder, expected a file in it");
+    }
     if (read < 0) fail(file, "cannot be read", errno);
     if (read == 0) return text;
     text.append(block, read);

@@ -130,6 +130,9 @@ TEST_F(RollingStudy, PredictionsAreTrialsOfTheirOwn) {
 TEST_F(RollingStudy, ComplaintsSayWhereAndWhatIsExpected) {
   EXPECT_NE(complaint("\"magic_formula\"", "\"mf\"").find("expected \"ring_tire\""),
             std::string::npos);
+  EXPECT_NE(complaint("[experiment.side", "[experiments.side")
+                .find("unknown table [experiments], did you mean \"experiment\"?"),
+            std::string::npos);
   EXPECT_NE(complaint("steady/Fy\"", "steady/FY\"").find("steady/Fy"), std::string::npos);
   EXPECT_NE(complaint("file = \"steady.toml\"", "file = \"stead.toml\"").find("does not exist"),
             std::string::npos);

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/file.h"
 #include "base/text.h"
 #include "correlation/linear_constraints.h"
 #include "correlation/variables.h"
@@ -190,10 +191,33 @@ StudyModel read_model(const Node& root, const std::filesystem::path& folder) {
   return model;
 }
 
-}  // namespace
+/// A misspelled table leaves something else missing: names the first of them that a study has not.
+void reject_unknown_table(const std::filesystem::path& file) {
+  static const std::vector<std::string> kTables{"model",
+                                                "simulator",
+                                                "test",
+                                                "variable",
+                                                "linear_constraint",
+                                                "constraint",
+                                                "experiment",
+                                                "target",
+                                                "optimizer",
+                                                "doe",
+                                                "run"};
+  std::istringstream lines(read_text_file(file));
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    const auto from = line.find_first_not_of('[');
+    if (from == 0 || from == std::string::npos) continue;
+    const std::string name = line.substr(from, line.find_first_of(".]", from) - from);
+    if (std::find(kTables.begin(), kTables.end(), name) != kTables.end()) continue;
+    const std::string meant = did_you_mean(name, kTables);
+    if (meant.empty()) continue;
+    throw InputError({file.string(), number}, "unknown table [" + name + "]" + meant);
+  }
+}
 
-Study read_study(const std::filesystem::path& file, Measurements measurements) {
-  const Document document = Document::read(file);
+Study read(const Document& document, const std::filesystem::path& file, Measurements measurements) {
   const Node root = document.root();
   const auto folder = file.parent_path();
   const auto table = root.find_table("simulator");
@@ -236,6 +260,18 @@ Study read_study(const std::filesystem::path& file, Measurements measurements) {
   study.simulator = std::move(model.simulator);
   study.rolling = std::move(model.rolling);
   return study;
+}
+
+}  // namespace
+
+Study read_study(const std::filesystem::path& file, Measurements measurements) {
+  const Document document = Document::read(file);
+  try {
+    return read(document, file, measurements);
+  } catch (const InputError&) {
+    reject_unknown_table(file);
+    throw;
+  }
 }
 
 std::vector<std::string> tests_asked_for(const Study& study) {

@@ -73,9 +73,10 @@ int variable_named(const DesignSpace& space, const Hole& hole, const Place& plac
     if (space[i].name == hole.name) return i;
     names.push_back(space[i].name);
   }
+  const std::string meant = did_you_mean(hole.name, names);
   throw InputError(place,
                    "the hole {" + hole.name + "} names no variable of the study" +
-                       did_you_mean(hole.name, names) + " Write {{" + hole.name +
+                       (meant.empty() ? "." : meant) + " Write {{" + hole.name +
                        "}} where no hole is meant");
 }
 
