@@ -118,14 +118,11 @@ std::string picture(const Footprint& print, double most) {
 }
 
 std::string page(const std::string& tire, const std::vector<StandingFootprint>& states) {
-  std::string text = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>Footprint of {0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n"
-      "<h1>Footprint of {0}</h1>\n<p>Seen from above, forward to the right. Pressure is over the "
-      "tread with its grooves; one scale for all pictures.</p>\n",
-      report::escape(tire),
-      report::style_sheet());
+  const std::string title = "Footprint of " + std::filesystem::path(tire).filename().string();
+  std::string text = report::page_begin(title);
+  text += "<h1>" + report::escape(title) +
+          "</h1>\n<p>Seen from above, forward to the right. Pressure is over the tread with its "
+          "grooves; one scale for all pictures.</p>\n";
   double most = 1e-9;
   for (const StandingFootprint& state : states)
     for (const FootprintElement& at : state.footprint.elements) most = std::max(most, at.pressure);
@@ -142,7 +139,7 @@ std::string page(const std::string& tire, const std::vector<StandingFootprint>& 
         print.mean_pressure() / 1e5,
         picture(print, most));
   }
-  return text + "</main>\n</body>\n</html>\n";
+  return text.append(report::kPageEnd);
 }
 
 int footprint(const Options& options) {

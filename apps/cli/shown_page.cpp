@@ -42,19 +42,15 @@ std::string plots_html(const ShownFile& shown) {
 }  // namespace
 
 std::string shown_page(const std::filesystem::path& file, const ShownFile& shown) {
-  std::string text = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n<h1>{0}</h1>\n"
-      "<p>{2}</p>\n<p>{3}</p>\n",
-      escape(file.filename().string()),
-      report::style_sheet(),
-      escape(shown.kind),
-      escape(file.string()));
+  std::string text = report::page_begin(file.filename().string());
+  text += fmt::format("<h1>{}</h1>\n<p>{}</p>\n<p>{}</p>\n",
+                      escape(file.filename().string()),
+                      escape(shown.kind),
+                      escape(file.string()));
   for (const std::string& fact : shown.facts) text += "<p>" + escape(fact) + "</p>\n";
   text += plots_html(shown);
   for (const ShownTable& table : shown.tables) text += table_html(table);
-  return text + "</main>\n</body>\n</html>\n";
+  return text.append(report::kPageEnd);
 }
 
 }  // namespace latsch::cli

@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/report/page_style.h"
 
+#include <fmt/format.h>
+
+#include "correlation/report/html_text.h"
+
 namespace latsch::report {
+
+std::string page_begin(std::string_view title) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n",
+      escape(title),
+      style_sheet());
+}
 
 std::string_view style_sheet() {
   return R"css(

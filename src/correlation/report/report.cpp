@@ -310,13 +310,7 @@ std::string header(const StudyReport& report, const std::vector<Chapter>& all) {
 
 std::string html(const StudyReport& report) {
   const std::vector<Chapter> all = chapters(report);
-  std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, "
-      "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n"
-      "</head>\n<body>\n<main>\n",
-      escape(report.title),
-      style_sheet());
+  std::string page = page_begin(report.title);
   page += header(report, all);
   for (const Chapter& chapter : all) {
     page += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}\n</section>\n",
@@ -325,11 +319,11 @@ std::string html(const StudyReport& report) {
                         chapter.body);
   }
   page += fmt::format(
-      "<footer>Latsch{}{}</footer>\n</main>\n",
+      "<footer>Latsch{}{}</footer>\n",
       report.version.empty() ? "" : fmt::format(" {}", escape(report.version)),
       report.model_file.empty() ? "" : fmt::format(" · model {}", escape(report.model_file)));
   if (report.pictures) page += fmt::format("<script>{}</script>\n", viewer_script());
-  return page + "</body>\n</html>\n";
+  return page.append(kPageEnd);
 }
 
 }  // namespace latsch::report

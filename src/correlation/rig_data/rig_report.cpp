@@ -291,17 +291,14 @@ std::string chapter(const std::string& title, const std::string& body) {
 }  // namespace
 
 std::string rig_page(const RigFile& rig, const RigResults& results) {
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-      "<title>{0}</title><style>{1}</style></head><body><main><header><h1>{0}</h1>"
-      "<p>{2}; spectra by Welch as {3}; {4} to {5} Hz.</p></header>\n",
-      escape(rig.title),
-      report::style_sheet(),
-      escape(rig.file.filename().string()),
-      escape(rig.convention_name),
-      significant(rig.band.lower, 4),
-      significant(rig.band.upper, 4));
+  std::string html = report::page_begin(rig.title);
+  html +=
+      fmt::format("<header><h1>{}</h1><p>{}; spectra by Welch as {}; {} to {} Hz.</p></header>\n",
+                  escape(rig.title),
+                  escape(rig.file.filename().string()),
+                  escape(rig.convention_name),
+                  significant(rig.band.lower, 4),
+                  significant(rig.band.upper, 4));
   html += chapter("Plateaus and passages", plateau_table(results) + speed_figures(rig, results));
   html += chapter("Average passages", average_figures(rig, results));
   html += chapter("Spectra", spectrum_figures(rig, results));
@@ -311,7 +308,7 @@ std::string rig_page(const RigFile& rig, const RigResults& results) {
   if (results.compensation && !results.compensation->cases.empty()) {
     html += chapter("Dummy rim against real rim", case_chapter(rig, results));
   }
-  return html + "</main></body></html>\n";
+  return html.append(report::kPageEnd);
 }
 
 }  // namespace latsch::correlation

@@ -222,22 +222,19 @@ std::string verdict_chapter(const ComparisonFile& file, const TireComparison& co
 }  // namespace
 
 std::string comparison_page(const ComparisonFile& file, const TireComparison& comparison) {
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-      "<title>{0}</title><style>{1}</style></head><body><main><header><h1>{0}</h1>"
-      "<p>{2}; measured: {3}.</p></header>\n",
-      escape(file.title),
-      report::style_sheet(),
-      escape(file.file.filename().string()),
-      file.specimen ? escape("the specimen " + file.specimen->tire.file.filename().string() +
-                             ", a simulated tire with noise")
-                    : "recordings");
+  std::string html = report::page_begin(file.title);
+  html += fmt::format("<header><h1>{}</h1><p>{}; measured: {}.</p></header>\n",
+                      escape(file.title),
+                      escape(file.file.filename().string()),
+                      file.specimen
+                          ? escape("the specimen " + file.specimen->tire.file.filename().string() +
+                                   ", a simulated tire with noise")
+                          : "recordings");
   html += verdict_chapter(file, comparison);
   html +=
       "<section><h2>Errors over frequency</h2>" + level_figures(file, comparison) + "</section>\n";
   for (std::size_t t = 0; t < file.tests.size(); ++t) html += test_chapter(file, comparison, t);
-  return html + "</main></body></html>\n";
+  return html.append(report::kPageEnd);
 }
 
 }  // namespace latsch::correlation
