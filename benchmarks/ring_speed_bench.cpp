@@ -172,8 +172,6 @@ int ring_speed() {
             fmt::format("{:.2f} x the time", double_nodes / whole),
             "<= 2.1",
             double_nodes <= 2.1 * whole);
-  // How many evaluations a step needs goes up and down with the segments: 3.5, 4.0, 3.9. Two
-  // doublings and the time of one evaluation tell how much of the growth that is.
   table.note("four times the segments", fmt::format("{:.2f} x the time", costs[5].time / whole));
   table.note("four times the segments, an evaluation of all forces",
              fmt::format("{:.2f} x the time",

@@ -63,6 +63,7 @@ RingTire::RingTire(const RingParameters& parameters, const RingSettings& setting
                              &q_predicted_,
                              &v_predicted_,
                              &a_,
+                             &a1_,
                              &inner_,
                              &total_,
                              &residual_})
@@ -83,11 +84,15 @@ void RingTire::place_at_rest() {
   tread_.bend(section_);
 }
 
-void RingTire::evaluate(const NodeValues& q, const NodeValues& v) {
-  ++counts_.evaluations;
+void RingTire::evaluate_inner(const NodeValues& q, const NodeValues& v) {
   inner_.setZero();
   belt_.add_force(q, rim_, inner_);
   wall_.add_force(q, v, rim_, rule_, inner_);
+}
+
+void RingTire::evaluate(const NodeValues& q, const NodeValues& v) {
+  ++counts_.evaluations;
+  evaluate_inner(q, v);
   total_ = inner_;
   if (section_.on()) tread_.bend(section_);
   tread_.add_force(q, v, total_);
@@ -214,30 +219,27 @@ std::string RingTire::go(const WheelMotion& from,
 
 /// Where Newton's method starts: in a rolling tire accelerations stand in space rather than at a
 /// node, which flows through them by `turn` in the step.
-void RingTire::guess_end(double turn, double of_mass) {
+void RingTire::guess_end(double turn) {
   const int N = angles_.nodes();
   const double segments = turn * N / (2.0 * std::numbers::pi), whole = std::floor(segments);
   const double part = segments - whole;
   const int shift = static_cast<int>(whole) % N;
   for (int k = 0; k < N; ++k) {
     const auto a = [&](int back) { return a_.col((k - shift - back + 2 * N) % N); };
-    q1_.col(k) = q_predicted_.col(k) + ((1.0 - part) * a(0) + part * a(1) - a_.col(k)) / of_mass;
+    const Eigen::Vector4d more = (1.0 - part) * a(0) + part * a(1) - a_.col(k);
+    q1_.col(k) = q_predicted_.col(k) + more / rule_.acceleration;
   }
 }
 
-/// One step of (16), (17). Empty, or why there is no solution.
-std::string RingTire::step_forward(const WheelMotion& motion,
-                                   const road::Road& road,
-                                   double time,
-                                   double h) {
+/// What of (16) stands before the step's end is known, and the road there.
+void RingTire::predict(const WheelMotion& motion, const road::Road& road, double time, double h) {
   const double theta = settings_.dissipation, gamma = 0.5 + theta;
   const double beta = 0.25 * (1.0 + theta) * (1.0 + theta);
-  const double of_mass = 1.0 / (beta * h * h), of_rate = gamma / (beta * h);
   rim_ = RimFrame::of(motion);
-  rule_ = {.step = h, .velocity = of_rate};
+  rule_ = {.step = h, .velocity = gamma / (beta * h), .acceleration = 1.0 / (beta * h * h)};
   q_predicted_ = q_ + h * v_ + 0.5 * h * h * a_;
   v_predicted_ = v_ + h * a_;
-  guess_end(motion.spin_rate * h, of_mass);
+  guess_end(motion.spin_rate * h);
   if (section_.on()) {
     section_.restart();
     section_.flow(motion.spin_rate * h * angles_.nodes() / (2.0 * std::numbers::pi));
@@ -245,34 +247,73 @@ std::string RingTire::step_forward(const WheelMotion& motion,
   }
   tread_.approach(q_predicted_, rim_, road, time, rule_);
   if (section_.on()) section_.touch(tread_.nodes_near_road());
+}
+
+/// v1_ and a1_ of (16) at q1_.
+void RingTire::follow() {
+  v1_ = v_predicted_ + rule_.velocity * (q1_ - q_predicted_);
+  a1_ = a_ + rule_.acceleration * (q1_ - q_predicted_);
+}
+
+/// The tangent at q1_, with more mass where that alone would not be definite.
+bool RingTire::renew_tangent() {
+  constexpr double kMostMass = 64.0;
+  for (double more = 1.0; more <= kMostMass; more *= 2.0)
+    if (factorize(q1_, more * rule_.acceleration, 1.0 - settings_.dissipation, rule_)) return true;
+  return false;
+}
+
+/// Forces after a correction that is known to leave less than the tolerance: belt and sidewall
+/// anew, all together by (17). The blocks, most of the work, need not be asked again.
+void RingTire::balance() {
+  const double theta = settings_.dissipation;
+  follow();
+  evaluate_inner(q1_, v1_);
+  total_ = (mass_.asDiagonal() * a1_ - theta * force_) / (1.0 - theta);
+}
+
+/// The step is done.
+void RingTire::keep() {
+  q_ = q1_;
+  v_ = v1_;
+  a_ = a1_;
+  force_ = total_;
+  wall_.commit(q_, rim_, rule_);
+  tread_.commit();
+  if (section_.on()) section_.keep();
+}
+
+/// One step of (16), (17). Empty, or why there is no solution.
+std::string RingTire::step_forward(const WheelMotion& motion,
+                                   const road::Road& road,
+                                   double time,
+                                   double h) {
+  constexpr double kSlow = 0.2;  // a tangent that reduces less than to that is renewed
+  const double theta = settings_.dissipation;
+  predict(motion, road, time, h);
   ++counts_.steps;
   double last = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
-    // a1 = a0 + (q1 - predicted)/(β h²), v1 to match.
-    v1_ = v_predicted_ + of_rate * (q1_ - q_predicted_);
+    follow();
     evaluate(q1_, v1_);
-    residual_ = (1.0 - theta) * total_ + theta * force_ -
-                mass_.asDiagonal() * (a_ + of_mass * (q1_ - q_predicted_));
+    residual_ = (1.0 - theta) * total_ + theta * force_ - mass_.asDiagonal() * a1_;
     const double left = left_at_a_node();
     if (!std::isfinite(left)) break;
     if (left <= settings_.tolerance) {
-      a_ += of_mass * (q1_ - q_predicted_);
-      q_ = q1_;
-      v_ = v1_;
-      force_ = total_;
-      wall_.commit(q_, rim_, rule_);
-      tread_.commit();
-      if (section_.on()) section_.keep();
+      keep();
       return {};
     }
-    constexpr double kSlow = 0.2;  // a tangent that reduces less than to that is renewed
-    if (left > kSlow * last || iteration == 0)
-      for (double held = 1.0; !factorize(q1_, held * of_mass, 1.0 - theta, rule_); held *= 2.0)
-        if (held > 64.0) return lost(time, "its tangent is not definite");
+    const bool reduces = iteration > 0 && left <= kSlow * last;
+    if (!reduces && !renew_tangent()) return lost(time, "its tangent is not definite");
     last = left;
     solve();
     q1_ += residual_;
     if (section_.on()) section_.set_values(section_.values() + section_.direction());
+    if (reduces && left <= settings_.tolerance / kSlow) {
+      balance();
+      keep();
+      return {};
+    }
   }
   return lost(time, fmt::format("{:.3g} N are left at a node", last));
 }

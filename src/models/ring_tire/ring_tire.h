@@ -82,11 +82,18 @@ class RingTire final : public Tire {
  private:
   /// f of (15) at q, v, on the rim where it stands: inner forces, then those of the road.
   void evaluate(const NodeValues& q, const NodeValues& v);
+  /// Of belt and sidewall alone.
+  void evaluate_inner(const NodeValues& q, const NodeValues& v);
   Result<bool> equilibrate(const road::Road& road, double time);
   bool relax();
   bool advance_along(const NodeValues& direction);
   Result<bool> lower(double from, double to, const road::Road& road, double time, int halvings);
-  void guess_end(double turn, double of_mass);
+  void guess_end(double turn);
+  void predict(const WheelMotion& motion, const road::Road& road, double time, double h);
+  void follow();
+  bool renew_tangent();
+  void balance();
+  void keep();
   void roll_on(const WheelMotion& motion);
   std::string go(const WheelMotion& from,
                  const WheelMotion& to,
@@ -120,7 +127,7 @@ class RingTire final : public Tire {
   RimFrame rim_;
   StepRule rule_;
   NodeValues q_, v_, force_;  // at the end of the last step; f of (15)
-  NodeValues q1_, v1_, q_predicted_, v_predicted_, a_;
+  NodeValues q1_, v1_, a1_, q_predicted_, v_predicted_, a_;
   NodeValues inner_, total_, residual_;
   CyclicBand K_;
   CyclicBandFactor factor_;

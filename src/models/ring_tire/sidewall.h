@@ -19,8 +19,9 @@ namespace latsch::ring_tire {
 
 /// How the end of a step hangs on its unknowns.
 struct StepRule {
-  double step = 0.0;      // s; 0: statics, where dampers and Maxwell elements are at rest
-  double velocity = 0.0;  // dv/dq, 1/s
+  double step = 0.0;          // s; 0: statics, where dampers and Maxwell elements are at rest
+  double velocity = 0.0;      // dv/dq, 1/s
+  double acceleration = 0.0;  // da/dq, 1/s^2
 
   bool statics() const { return step == 0.0; }
 };
