@@ -41,11 +41,16 @@ void Table::row(std::string_view what, std::string_view value, std::string_view 
   print(what, value, reach, ok ? "yes" : "NO");
 }
 
-void Table::note(std::string_view what, std::string_view value) { print(what, value, "", ""); }
+void Table::note(std::string_view what, std::string_view value) {
+  ++notes_;
+  print(what, value, "", "");
+}
 
 int Table::exit_code() const {
   if (rows_ == 0) {
-    fmt::print("{}: nothing was measured\n", name_);
+    fmt::print("{}: {}\n",
+               name_,
+               notes_ > 0 ? "nothing that has a reach was measured" : "nothing was measured");
   } else if (short_ > 0) {
     fmt::print("{}: {} of {} rows fall short\n", name_, short_, rows_);
   } else {

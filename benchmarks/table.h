@@ -28,6 +28,7 @@ class Table {
  private:
   std::string name_;
   int rows_ = 0;
+  int notes_ = 0;
   int short_ = 0;
 };
 

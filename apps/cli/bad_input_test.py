@@ -31,6 +31,17 @@ class BadInput(Coarse):
         edit(self.study, (r"\[experiment\.", "[experiments."))
         self.rejected("check", "study.toml", "unknown table [variables]", 'did you mean "variable"?')
 
+    def test_settings_in_the_wrong_table(self):
+        edit(self.study, (r"\[run\]", "[run]\nmax_steps = 5"))
+        self.rejected("check", "study.toml:", "run.max_steps belongs into [optimizer]")
+
+    def test_doctor_of_a_study_that_never_ran(self):
+        self.rejected("doctor", "study.toml", "study.latsch is not there", "latsch run")
+
+    def test_an_option_without_its_unit(self):
+        text = self.latsch("mesh", self.folder / "tire.toml", "--convergence", "--deflection", "8", code=WRONG_INPUT)
+        self.assert_says(text, '--deflection is "8", expected a length such as')
+
     def test_negative_thickness(self):
         edit(self.folder / "tire.toml", (r'\[0.0, "6 mm"\]', '[0.0, "-6 mm"]'))
         self.rejected("check", "tire.toml", "thickness")

@@ -2,7 +2,9 @@
 // latsch doctor: is this journal as it was written, what is damaged, what can be saved.
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "cli/verbs.h"
+#include "correlation/run_settings.h"
 #include "correlation/study.h"
 #include "evaluation/journal_doctor.h"
 
@@ -18,7 +20,21 @@ void print_findings(const std::string& file, const JournalReport& report) {
   if (report.healthy()) fmt::print("Every page and every hash is in order.\n");
 }
 
-int examine(const std::string& file, const std::string& salvaged, const std::string& study) {
+/// The journal itself, or that of a study.
+std::string journal_of(const std::string& file) {
+  if (std::filesystem::path(file).extension() != ".toml") return file;
+  const Document study = Document::read(file);
+  const auto run = study.root().find_table("run");
+  const auto journal = correlation::read_run_settings(run ? &*run : nullptr, file).journal;
+  if (!std::filesystem::exists(journal))
+    throw InputError({file, 0},
+                     "is a study without a journal: " + journal.string() +
+                         " is not there, and comes with the first latsch run");
+  return journal.string();
+}
+
+int examine(const std::string& named, const std::string& salvaged, const std::string& study) {
+  const std::string file = journal_of(named);
   const JournalReport report = examine_journal(file);
   print_findings(file, report);
   if (!salvaged.empty()) {
@@ -48,7 +64,7 @@ void add_doctor(CommandLine& app, int& exit_code) {
   auto file = std::make_shared<std::string>();
   auto salvaged = std::make_shared<std::string>();
   auto study = std::make_shared<std::string>();
-  verb.add_option("journal", *file, "Journal of a study").required();
+  verb.add_option("journal", *file, "Journal of a study (.latsch), or the study").required();
   verb.add_option("--salvage", *salvaged, "Write the intact trials to this new journal");
   verb.add_option("--study", *study, "The study it belongs to, where the journal cannot say");
   verb.callback([=, &exit_code] { exit_code = examine(*file, *salvaged, *study); });

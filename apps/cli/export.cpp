@@ -36,9 +36,9 @@ struct State {
 State state_of(const Options& options, const TireDescription& tire) {
   State state;
   state.pressure =
-      options.pressure.empty() ? tire.pressure : parse_option("pressure", options.pressure, "Pa");
+      options.pressure.empty() ? tire.pressure : parse_option("--pressure", options.pressure, "Pa");
   if (!options.deflection.empty()) {
-    state.deflection = parse_option("deflection", options.deflection, "m");
+    state.deflection = parse_option("--deflection", options.deflection, "m");
   }
   return state;
 }

@@ -95,6 +95,31 @@ class Files(unittest.TestCase):
         self.assertEqual([float(cell) for cell in rows[1][7:]], [0.5, 0.5])
         self.assertIn("2 rows, 2 long sections", self.latsch("show", road))
 
+    def test_what_cannot_be_evaluated_is_said(self):
+        tir = pathlib.Path(__file__).resolve().parents[2] / "studies" / "tire_model_comparison" / "magic_formula.tir"
+        states = self.write("states.csv", "Fz,alpha [deg]\n4000,2\n")
+        self.assertIn("Fy [N]", self.latsch("evaluate", tir, states))
+        for text, said in (("Fz,alpha\n", "no row follows the header"), ("alpha\n1\n", "there is no column Fz"),
+                           ("Fz [m]\n1\n", "expected a force"), ("Fz,alpha\n4000\n", "has 1 field, expected 2")):
+            states.write_text(text)
+            self.assertRegex(self.latsch("evaluate", tir, states, code=WRONG_INPUT), r"states\.csv:\d: .*" + said)
+        states.write_text("Fz\n4000\n")
+        bare = self.write("bare.tir", re.sub("(?m)^UNLOADED_RADIUS.*$", "", tir.read_text()))
+        self.assertIn("there is no UNLOADED_RADIUS", self.latsch("evaluate", bare, states, code=WRONG_INPUT))
+        ring = self.write("ring.toml", 'kind = "ring_tire"\n')
+        self.assertIn("of another kind", self.latsch("evaluate", ring, states, code=WRONG_INPUT))
+
+    def test_a_road_without_a_model_or_a_column_is_said(self):
+        self.assertIn("is this an Adams road file", self.latsch(
+            "road", self.write("cut.rdf", "[UNITS]\n LENGTH = 'mm'\n"), self.write("p.csv", "x,y\n0,0\n"),
+            code=WRONG_INPUT))
+        flat = self.write("flat.toml", 'kind = "flat"\n')
+        self.assertIn('"y" is missing (columns: "x")', self.latsch(
+            "road", flat, self.write("p.csv", "x\n0\n"), code=WRONG_INPUT))
+        points = self.write("p.csv", "x,y\n0,0\n")
+        self.assertIn('--time is "3", expected a time', self.latsch(
+            "road", flat, points, "--time", "3", code=WRONG_INPUT))
+
     def test_show_says_what_was_read_and_draws_it(self):
         tydex = self.write("test.tdx", "**HEADER\n**CONSTANTS\n"
                                        "INFLPRES  Inflation pressure            bar       2.5\n**MEASURCHANNELS\n"
@@ -112,6 +137,8 @@ class Files(unittest.TestCase):
         self.assertIn("FYW [N] over RUNTIME [s]", page.read_text())
         table = self.write("table.csv", "Fz [kN],t [ms]\n1,0\n2,5\n")
         self.assertRegex(self.latsch("show", table), r"Fz +N +2 +0 +1000 +1500 +2000")
+        ring = self.write("ring.toml", 'kind = "ring_tire"\n[belt]\nradius = "305 mm"\n')
+        self.assertRegex(self.latsch("show", ring), r"belt\.radius +0\.305 +m")
 
     def test_a_table_with_texts_is_shown_as_written(self):
         text = self.latsch("show", self.write("kerbs.csv", "name,width [mm]\nexit,800\n"))

@@ -36,11 +36,11 @@ experiment::FootprintTest test_of(const Options& options) {
     throw InputError("--load or --deflection has to be given, one of the two, as often as wanted");
   experiment::FootprintTest test;
   for (const std::string& load : options.loads)
-    test.loads.push_back(parse_option("load", load, "N"));
+    test.loads.push_back(parse_option("--load", load, "N"));
   for (const std::string& deflection : options.deflections)
-    test.deflections.push_back(parse_option("deflection", deflection, "m"));
+    test.deflections.push_back(parse_option("--deflection", deflection, "m"));
   if (!options.camber.empty())
-    test.camber = parse_option("camber", options.camber, "rad", Range::between(-0.5, 0.5));
+    test.camber = parse_option("--camber", options.camber, "rad", Range::between(-0.5, 0.5));
   return test;
 }
 

@@ -73,7 +73,7 @@ int print_convergence(const TireDescription& tire, const Options& options) {
   settings.refinements.resize(options.finest);
   std::iota(settings.refinements.begin(), settings.refinements.end(), 1);
   if (!options.deflection.empty()) {
-    settings.deflection = parse_option("deflection", options.deflection, "m");
+    settings.deflection = parse_option("--deflection", options.deflection, "m");
   }
   const auto study = study_discretization(
       tire, settings, [](const std::string& mesh) { fmt::print(stderr, "{}\n", mesh); });

@@ -10,8 +10,7 @@ double parse_option(const std::string& option,
                     const std::string& unit,
                     Range range) {
   const bool plain = unit == "1";
-  const Document line =
-      Document::parse(option + " = " + (plain ? text : '"' + text + '"'), "command line");
+  const Document line = Document::parse(option + " = " + (plain ? text : '"' + text + '"'), "");
   return line.root().quantity(option, unit, range);
 }
 

@@ -78,7 +78,7 @@ int road(const Options& options) {
   if (points.has("time")) {
     time = points.si_numbers("time", "s");
   } else if (!options.time.empty()) {
-    time.assign(x.size(), parse_option("time", options.time, "s", Range{}));
+    time.assign(x.size(), parse_option("--time", options.time, "s", Range{}));
   }
   const std::string text = formats::csv_text(ask(file, x, y, time));
   if (options.output.empty()) {

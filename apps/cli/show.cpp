@@ -65,8 +65,8 @@ int show(const std::string& file, const std::string& html, const std::string& ax
 void add_show(CommandLine& app, int& exit_code) {
   Verb verb = app.add_subcommand("show", "What was read from a file: units, axes, channels");
   verb.footer(
-      "Reads TYDEX (.tdx), tables (.csv), tires (.tir), roads (.crg, .rdf, .toml), decks "
-      "(.inp).\n\n"
+      "Reads TYDEX (.tdx), tables (.csv), MATLAB (.mat), tires (.tir), roads (.crg, .rdf, .toml),\n"
+      "decks (.inp); of any other .toml its numbers in SI.\n\n"
       "Example:\n  latsch show cornering.tdx --axes sae --html cornering.html");
   auto file = std::make_shared<std::string>();
   auto html = std::make_shared<std::string>();

@@ -14,6 +14,7 @@
 #include "formats/inp_deck.h"
 #include "formats/mat_file.h"
 #include "formats/tydex_file.h"
+#include "models/road/road_reader.h"
 
 namespace latsch::cli {
 namespace {
@@ -135,7 +136,7 @@ ShownFile show_mat(const std::filesystem::path& path, AxisConvention axes) {
 ShownFile show_document(const std::filesystem::path& path) {
   const Document document = Document::read(path);
   const Node root = document.root();
-  if (root.has("kind") && !root.has("section")) return shown_road(path);
+  if (root.has("kind") && road::is_road(root)) return shown_road(path);
   ShownFile shown;
   shown.kind = "Document (TOML)";
   ShownTable table{"Numbers, in SI", {"path", "value", "unit"}, {}};

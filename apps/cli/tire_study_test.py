@@ -97,6 +97,7 @@ class GoodInput(Coarse):
         self.latsch("doe", self.study, "--levels", "2")
         journal, saved = self.folder / "study.latsch", self.folder / "saved.latsch"
         self.assert_says(self.latsch("doctor", journal), "4 of 4 trials", "in order")
+        self.assert_says(self.latsch("doctor", self.study), str(journal), "4 of 4 trials")
         with contextlib.closing(sqlite3.connect(journal)) as rows, rows:
             rows.execute("update trials set point = zeroblob(24) where number = 3")
         self.latsch("resume", self.study, code=FAILED)
@@ -117,7 +118,8 @@ class GoodInput(Coarse):
         self.assertIn("*NODE", deck.read_text().upper())
 
     def test_every_verb_has_help_with_an_example(self):
-        for verb in ("new", "check", "mesh", "simulate", "evaluate", "doe", "run", "resume", "identify", "report", "export", "doctor"):
+        for verb in ("new", "check", "mesh", "simulate", "evaluate", "doe", "run", "resume", "identify", "report", "export", "doctor",
+                     "process", "road", "drum", "footprint", "ring", "compare", "show"):
             self.assert_says(self.latsch(verb, "--help"), "xample", f"latsch {verb}")
 
 

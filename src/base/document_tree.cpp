@@ -205,8 +205,9 @@ DocumentTree::DocumentTree(std::string_view source, std::string file) : file_(st
     const toml::table table = toml::parse(std::string_view(source_), std::string_view(file_));
     DocumentBuilder(*this).add(table, "", "", 0);
   } catch (const toml::parse_error& error) {
-    throw InputError({file_, static_cast<int>(error.source().begin.line)},
-                     "not valid TOML: " + std::string(error.description()));
+    std::string what = "not valid TOML: " + std::string(error.description());
+    if (what.find("utf-8") != what.npos) what += "; save the file as UTF-8";
+    throw InputError({file_, static_cast<int>(error.source().begin.line)}, what);
   }
 }
 

@@ -48,7 +48,8 @@ std::optional<std::string> nearest(std::string_view name,
   for (const std::string& candidate : candidates) {
     if (candidate.size() > kLongestName) continue;
     const int distance = edit_distance(wanted, lower_case(candidate));
-    const int tolerated = static_cast<int>(std::max(name.size(), candidate.size()) + 2) / 3;
+    const std::size_t longer = std::max(name.size(), candidate.size());
+    const int tolerated = longer < 2 ? 0 : static_cast<int>(longer + 2) / 3;  // x is no slip of y
     if (distance <= tolerated && (!best || distance < least)) {
       best = candidate;
       least = distance;

@@ -45,5 +45,11 @@ TEST(Text, NumbersComeBackWithTheSameBits) {
   EXPECT_FALSE(parse_number("+-1"));
 }
 
+TEST(DidYouMean, OneLetterIsNoSlipOfAnother) {
+  EXPECT_EQ(did_you_mean("y", {"x"}), "");
+  EXPECT_EQ(did_you_mean("Y", {"y"}), ", did you mean \"y\"?");
+  EXPECT_EQ(did_you_mean("k", {"k2"}), ", did you mean \"k2\"?");
+}
+
 }  // namespace
 }  // namespace latsch

@@ -5,10 +5,10 @@
 //   [run]
 //   workers = 2                        # processes
 //   timeout = "10 min"                 # a trial; then its whole process group is killed
-//   memory = "4 GB"                    # a worker and each program it starts; unlimited unless
-//   given on_failure = "proceed"             # a failed point is worse than any other intervals =
-//   true                   # after a fit: confidence intervals, a trial a variable journal =
-//   "study.latsch"           # beside the study
+//   memory = "4 GB"                    # a worker and each program it starts; else unlimited
+//   on_failure = "proceed"             # a failed point is worse than any other
+//   intervals = true                   # after a fit: confidence intervals, a trial a variable
+//   journal = "study.latsch"           # beside the study
 //
 // What else on_failure may be:
 //   on_failure = "abort"               # the run ends

@@ -74,7 +74,13 @@ class Examination {
     try {
       action();
     } catch (const SQLite::Exception& error) {
-      find(fmt::format("{} cannot be read: {}", what, error.what()));
+      const bool foreign = error.getErrorCode() == SQLITE_NOTADB;
+      find(fmt::format("{} cannot be read: {}{}",
+                       what,
+                       error.what(),
+                       foreign ? ": damaged at its beginning, or of another kind than the "
+                                 "journal, STUDY.latsch, beside a study"
+                               : ""));
     }
   }
 

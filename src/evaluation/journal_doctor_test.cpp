@@ -138,6 +138,7 @@ TEST(JournalDoctor, ForeignFilesAndOtherVersionsAreNamed) {
   };
   write_bytes(folder / "text", "this is no database at all, but a text that is long enough");
   EXPECT_NE(findings("text").find("not a database"), std::string::npos) << findings("text");
+  EXPECT_NE(findings("text").find("STUDY.latsch"), std::string::npos) << findings("text");
   SQLite::Database((folder / "other").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
       .exec("CREATE TABLE t (a)");
   EXPECT_NE(findings("other").find("does not say that it is a journal"), std::string::npos);

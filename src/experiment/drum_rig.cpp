@@ -14,6 +14,8 @@ namespace latsch::experiment {
 namespace {
 
 constexpr double kFirstStiffness = 2.0e5;  // N/m, for a first guess of the deflection
+constexpr double kFirstShare = 0.25;       // of the radius: no first guess is deeper
+constexpr double kFastest = 200.0;         // m/s; beyond the file means another unit
 
 road::DrumRoad drum_of(const DrumTest& test) {
   road::DrumRoad::Settings settings;
@@ -129,7 +131,7 @@ Result<Record> passage(Tire& tire,
 DrumTest read_drum_test(const Node& root) {
   root.choice("kind", {"drum_cleat"});
   DrumTest test;
-  test.speed = root.quantity("speed", "m/s", Range::positive());
+  test.speed = root.quantity("speed", "m/s", {0.0, kFastest, true});
   if (root.has("load") == root.has("deflection"))
     root.reject("load", "or deflection has to be there, one of the two");
   if (root.has("load")) test.load = root.quantity("load", "N", Range::positive());
@@ -154,6 +156,13 @@ DrumTest read_drum_test(const Node& root) {
     cleat.bevel = table->quantity("bevel", "m", Range::between(0.0, 0.5 * cleat.length), 0.0);
     cleat.angle = table->quantity("angle", "rad", Range::between(-1.4, 1.4), 0.0);
     test.cleat = cleat;
+    if (test.duration <= test.lead)
+      root.reject(root.has("duration") ? "duration" : "lead",
+                  fmt::format("ends the record before the cleat is below the axle: {:g} s are "
+                              "recorded, {:g} s of them ahead of it; make duration longer or lead "
+                              "shorter",
+                              test.duration,
+                              test.lead));
   }
   root.close();
   return test;
@@ -165,10 +174,19 @@ Result<double> height_under_load(Tire& tire,
                                  double load) {
   constexpr int kMost = 12;
   constexpr double kClose = 1e-3;  // of the load
-  double z0 = tire.free_radius(), F0 = 0.0, z = z0 - load / kFirstStiffness;
+  const double free = tire.free_radius();
+  const auto failure = [&](double height, const std::string& why) {
+    return Failure{
+        fmt::format("no height of the axle was found under a load of {:g} N: pressed by "
+                    "{:.3g} mm {}; is it a load this tire can carry?",
+                    load,
+                    1e3 * (free - height),
+                    why)};
+  };
+  double z0 = free, F0 = 0.0, z = z0 - std::min(load / kFirstStiffness, kFirstShare * free);
   for (int i = 0; i < kMost; ++i) {
     const auto hub = tire.settle(standing(z, carrier), road, 0.0);
-    if (!hub) return hub.failure();
+    if (!hub) return failure(z, "there is " + hub.failure().reason);
     const double F = (carrier * hub->force).z();
     if (std::abs(F - load) <= kClose * load) return z;
     const double slope = z != z0 && F != F0 ? (F - F0) / (z - z0) : -kFirstStiffness;
@@ -176,7 +194,7 @@ Result<double> height_under_load(Tire& tire,
     F0 = F;
     z += std::clamp((load - F) / std::min(slope, -0.1 * kFirstStiffness), -0.02, 0.02);
   }
-  return Failure{fmt::format("no height of the axle was found under a load of {:.0f} N", load)};
+  return failure(z0, fmt::format("it carries {:.4g} N", F0));
 }
 
 Result<Channels> run(Tire& tire, const DrumTest& test) {

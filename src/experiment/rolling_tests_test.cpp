@@ -210,6 +210,14 @@ TEST_F(RollingTests, ComplaintsSayWhatIsExpected) {
   EXPECT_NE(complaint("kind = \"static_stiffness\"\nload = \"4 kN\"\ndirections = [\"up\"]\n")
                 .find("\"longitudinal\""),
             std::string::npos);
+  const std::string drum =
+      "kind = \"drum_cleat\"\nload = \"4 kN\"\ndrum_diameter = \"2.5 m\"\n"
+      "lead = \"50 ms\"\nduration = \"50 ms\"\n";
+  const std::string cleat = "[cleat]\nheight = \"10 mm\"\nlength = \"20 mm\"\n";
+  EXPECT_NE(complaint(drum + "speed = \"30 km/h\"\n" + cleat).find("before the cleat"),
+            std::string::npos);
+  EXPECT_NE(complaint(drum + "speed = \"3000 km/h\"\n").find("at most 720 km/h"),
+            std::string::npos);
   EXPECT_NE(complaint("kind = \"static_stiffness\"\n").find("one of the two"), std::string::npos);
 }
 

@@ -60,6 +60,8 @@ bool same_name(const std::string& a, const std::string& b) {
 
 SlipStates slip_states(const formats::CsvTable& table, const Parameters& tire) {
   State fallback{0.0, 0.0, 0.0, 0.0, 0.0, tire.LONGVL, tire.INFLPRES};
+  if (table.rows() == 0)
+    throw InputError(table.header_place(), "no row follows the header, expected a state a row");
   SlipStates result;
   result.states.assign(table.rows(), fallback);
   std::array<bool, kStateColumns.size()> found{};

@@ -57,8 +57,9 @@ CsvTable CsvTable::parse(std::string text, std::string file_name) {
   for (bool first = true; fields.next(row); first = false) {
     if (row.cells.size() != table.columns_.size())
       throw InputError({table.file_, row.line},
-                       fmt::format("has {} fields, expected {} as in the header (line {})",
+                       fmt::format("has {} {}, expected {} as in the header (line {})",
                                    row.cells.size(),
+                                   row.cells.size() == 1 ? "field" : "fields",
                                    table.columns_.size(),
                                    table.header_line_));
     if (first && table.take_units(row)) continue;

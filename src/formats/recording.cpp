@@ -113,10 +113,11 @@ void take_row(const CsvFields::Row& row,
               std::vector<Column>& columns,
               std::string& scratch) {
   if (row.cells.size() != columns.size()) {
-    throw InputError(
-        {file, row.line},
-        fmt::format(
-            "has {} fields, expected {} as in the header", row.cells.size(), columns.size()));
+    throw InputError({file, row.line},
+                     fmt::format("has {} {}, expected {} as in the header",
+                                 row.cells.size(),
+                                 row.cells.size() == 1 ? "field" : "fields",
+                                 columns.size()));
   }
   for (std::size_t i = 0; i < columns.size(); ++i) {
     double value = number(row.cells[i], decimal_comma, scratch);

@@ -41,7 +41,13 @@ RoadFile read_road_file(const std::filesystem::path& file) {
   for (char& c : ending)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   if (ending == ".crg") return read_crg(file);
-  if (ending == ".rdf") return read_rdf(TeimOrbit::read(file));
+  if (ending == ".rdf") {
+    const TeimOrbit data = TeimOrbit::read(file);
+    if (!data.find("MODEL"))
+      throw InputError({file.string(), 0},
+                       "there is no section [MODEL]: is this an Adams road file, and all of it?");
+    return read_rdf(data);
+  }
   if (ending == ".toml") {
     const Node root = Document::read(file).root();
     RoadFile result;

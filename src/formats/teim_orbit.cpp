@@ -110,7 +110,8 @@ class TeimOrbitReader {
   }
 
   TeimOrbitSection& section() {
-    if (into_.sections_.empty()) reject("this stands before the first [SECTION]");
+    if (into_.sections_.empty())
+      reject("this stands before the first [SECTION]: is it a file of another kind?");
     return into_.sections_.back();
   }
 

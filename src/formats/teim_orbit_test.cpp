@@ -88,7 +88,7 @@ TEST(TeimOrbit, ReplacedValuesLeaveEveryOtherByte) {
 TEST(TeimOrbit, ComplaintsNameFileLineAndWhatWasExpected) {
   EXPECT_EQ(complaint("[A]\nB = 'x\n"), "t.tir:2: a quote is not closed: \"B = 'x\"");
   EXPECT_EQ(complaint("[A\n"), "t.tir:1: \"[A\" has no \"]\"");
-  EXPECT_EQ(complaint("A = 1\n"), "t.tir:1: this stands before the first [SECTION]");
+  EXPECT_EQ(complaint("A = 1\n"), "t.tir:1: this stands before the first [SECTION]: is it a file of another kind?");
   EXPECT_EQ(complaint("[A]\nFNOMIN 3\n"),
             "t.tir:2: \"FNOMIN 3\" is no KEY = value, [SECTION], {heads} or row of a table");
   const auto fnomin = [](const TeimOrbit& file) { file.section("A").number("FNOMIN"); };

@@ -192,8 +192,16 @@ class Reading {
   /// Throws for no unit and for one of the wrong dimension where the name tells it.
   Unit unit_of(const std::string& name, const std::string& written, bool strict) const {
     const auto unit = find_lab_unit(written);
-    if (!unit) fail(line_, name + " has " + unknown_unit(written));
     const TydexName* known = find_tydex_name(name);
+    if (!unit) {
+      const bool told = known && !known->si_unit.empty();
+      const Unit si = Unit::of(told ? known->si_unit : "1");
+      fail(line_,
+           name +
+               (told ? fmt::format(" ({}, such as \"{}\")", words_for(si).noun, known->si_unit)
+                     : "") +
+               " has " + unknown_unit(written));
+    }
     if (!strict || !known || known->si_unit.empty()) return *unit;
     const Unit expected = Unit::of(known->si_unit);
     if (unit->same_dimension(expected)) return *unit;

@@ -115,7 +115,10 @@ RigCase read_case(const Node& table, const RigFile& rig) {
   const auto found = std::find_if(rig.speeds.begin(), rig.speeds.end(), [&](double v) {
     return std::abs(v - speed) <= kSameSpeed * v;
   });
-  if (found == rig.speeds.end()) table.reject("speed", "is none of plateaus.speeds");
+  if (found == rig.speeds.end())
+    table.reject("speed",
+                 "is " + in_quotes(table.text("speed")) +
+                     ", which is none of plateaus.speeds: correct it, or add it there");
   one.speed = static_cast<int>(found - rig.speeds.begin());
   return one;
 }

@@ -105,6 +105,7 @@ DrumRecord read_record(const RigFile& rig,
 
 ProcessedRun process_run(const RigFile& rig, const std::string& name, DrumRecord record) {
   expect_quantity(record, rig.speed, "m/s");
+  expect_quantity(record, rig.force, "N");
   expect_varying(record, rig.force);
   for (const std::string& channel : rig.also) (void)record.channel(channel);
   ProcessedRun run{name, std::move(record), {}};

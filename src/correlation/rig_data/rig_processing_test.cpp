@@ -164,10 +164,12 @@ TEST_F(RigData, WhatCannotBeProcessedIsRefusedInWords) {
   refused(replaced(kRig, "circumference = \"6 m\"\n[plat", "circumference = \"4 m\"\n[plat"),
           "does not repeat itself on the plateau at 40 km/h");
   refused(replaced(kRig, "force = \"Fz\"", "force = \"Fy\""), "channel \"Fy\" is missing");
+  refused(replaced(kRig, "force = \"Fz\"", "force = \"speed\""),
+          "channel \"speed\" is in m/s, expected a force");
   refused(replaced(kRig, "fit = [\"slow\"]", "fit = [\"quick\"]"),
           "names \"quick\", expected \"slow\" or \"fast\"");
   refused(replaced(kRig, "speed = \"80 km/h\"", "speed = \"70 km/h\""),
-          "is none of plateaus.speeds");
+          "which is none of plateaus.speeds");
   refused(replaced(kRig, "file = \"dummy.csv\"", "file = \"absent.csv\""), "absent.csv");
   refused(replaced(kRig, "[hammer]", "[hammmer]"), "needs a start by hand");
   refused(replaced(kRig, "input = \"hammer\"", "input = \"hammer\"\nwindow = \"30 s\""),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/road/road_reader.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,6 +15,7 @@
 namespace latsch::road {
 namespace {
 
+constexpr std::array kKinds = {"flat", "cleat", "drum", "kerb", "wave"};
 constexpr double kSteepest = 10.0;
 constexpr double kLargest = 1e4;                            // m
 constexpr double kShortest = 1e-6;                          // m
@@ -156,8 +159,12 @@ Kerb read_kerb(const Node& table) {
   return kerb;
 }
 
+bool is_road(const Node& table) {
+  return std::find(kKinds.begin(), kKinds.end(), table.text("kind")) != kKinds.end();
+}
+
 std::unique_ptr<Road> read_road(const Node& table) {
-  const std::string kind = table.choice("kind", {"flat", "cleat", "drum", "kerb", "wave"});
+  const std::string kind = table.choice("kind", {kKinds.begin(), kKinds.end()});
   std::unique_ptr<Road> road = kind == "flat"    ? read_plane(table)
                                : kind == "cleat" ? read_cleat_road(table)
                                : kind == "drum"  ? read_drum(table)

@@ -42,6 +42,9 @@ namespace latsch::road {
 /// Throws InputError naming the place; unknown keys too.
 std::unique_ptr<Road> read_road(const Node& table);
 
+/// Whether `kind` is that of a road.
+bool is_road(const Node& table);
+
 /// Of kind "kerb" alone.
 Kerb read_kerb(const Node& table);
 
