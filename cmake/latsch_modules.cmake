@@ -22,6 +22,13 @@ if(LATSCH_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
+# For what is compiled more often than its speed is felt.
+function(latsch_optimize_little)
+  foreach(target ${ARGN})
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endforeach()
+endfunction()
+
 function(latsch_sources out folder)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
@@ -34,8 +41,7 @@ function(latsch_tests folder name library)
     add_executable(${name}_test ${tests})
     target_link_libraries(${name}_test PRIVATE ${library} GTest::gtest_main)
     target_compile_definitions(${name}_test PRIVATE LATSCH_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-    # A test is compiled more often than it is run. No precompiled headers: GCC 12 fails on Eigen's.
-    target_compile_options(${name}_test PRIVATE $<$<CONFIG:Release>:-O1>)
+    latsch_optimize_little(${name}_test)
     gtest_discover_tests(${name}_test TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
                          PROPERTIES TIMEOUT 600)
   endif()

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/mac.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 
+#include "numerics/orthogonal_factors.h"
+
 namespace latsch::correlation {
-namespace {
-
-Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& A) {
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(A.rows(), qr.rank());
-}
-
-}  // namespace
 
 double mac(const Eigen::VectorXd& phi, const Eigen::VectorXd& psi) {
   assert(phi.size() == psi.size());
@@ -24,7 +17,7 @@ double mac(const Eigen::VectorXd& phi, const Eigen::VectorXd& psi) {
 
 double subspace_mac(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
   assert(A.rows() == B.rows());
-  const Eigen::MatrixXd Q_A = orthonormal_basis(A), Q_B = orthonormal_basis(B);
+  const Eigen::MatrixXd Q_A = numerics::range_basis(A), Q_B = numerics::range_basis(B);
   const auto dimension = std::min(Q_A.cols(), Q_B.cols());
   if (dimension == 0) return 0.0;
   return (Q_A.transpose() * Q_B).squaredNorm() / static_cast<double>(dimension);

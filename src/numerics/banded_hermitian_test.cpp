@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
-
 namespace latsch::numerics {
 namespace {
 

@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include "numerics/cholesky.h"
+#include "numerics/orthogonal_factors.h"
 
 namespace latsch::numerics {
 namespace {
@@ -17,8 +18,7 @@ TEST(ConjugateGradients,
      NeedsAsManyIterationsAsThereAreDistinctEigenvalues) {  // Nocedal & Wright, theorem 5.4
   Eigen::VectorXd lambda(60);
   for (int k = 0; k < 60; ++k) lambda[k] = 1.0 + k % 4;
-  const Eigen::MatrixXd Q =
-      Eigen::HouseholderQR<Eigen::MatrixXd>(Eigen::MatrixXd::Random(60, 60)).householderQ();
+  const Eigen::MatrixXd Q = HouseholderQr(Eigen::MatrixXd::Random(60, 60)).Q();
   const Eigen::MatrixXd A = Q * lambda.asDiagonal() * Q.transpose();
   const Eigen::VectorXd b = Eigen::VectorXd::Random(60);
   Eigen::VectorXd x;
@@ -32,12 +32,12 @@ TEST(ConjugateGradients,
 TEST(ConjugateGradients, IsDoneAtOnceWithTheMatrixAsItsOwnPreconditioner) {
   const Eigen::MatrixXd B = Eigen::MatrixXd::Random(30, 30);
   const Eigen::MatrixXd A = B * B.transpose() + Eigen::MatrixXd::Identity(30, 30);
-  const Eigen::LLT<Eigen::MatrixXd> factor(A);
+  const Cholesky factor(A);
   const Eigen::VectorXd b = Eigen::VectorXd::Random(30);
   Eigen::VectorXd x;
   ConjugateGradients cg(30);
   const auto outcome = cg.solve(
-      times(A), [&](Eigen::VectorXd& z) { factor.solveInPlace(z); }, b, 1e-10, 9, x);
+      times(A), [&](Eigen::VectorXd& z) { z = factor.solve(z); }, b, 1e-10, 9, x);
   EXPECT_EQ(outcome.iterations, 1);
 }
 

@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
-
 #include "numerics/conjugate_gradients.h"
 #include "numerics/lattice_testing.h"
+#include "numerics/self_adjoint_eigen.h"
 
 namespace latsch::numerics {
 namespace {
@@ -67,8 +66,7 @@ TEST(Factorization, CountsNegativeEigenvalues) {  // Sylvester's law of inertia
   const SymmetricPattern pattern(lattice.size(), lattice.elements());
   SymmetricMatrix A(pattern);
   lattice.assemble_random(A, 3);
-  const Eigen::VectorXd lambda =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense(A)).eigenvalues();
+  const Eigen::VectorXd lambda = self_adjoint_eigenvalues(dense(A));
   Factorization factor(pattern);
   for (int count : {1, 2, 5, 40}) {
     SymmetricMatrix shifted = A;

@@ -9,13 +9,13 @@
 // (theta, V s) is |B s|: no vector work to judge convergence.
 #include "numerics/lanczos.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
 
 #include "numerics/dense_products.h"
+#include "numerics/self_adjoint_eigen.h"
 
 namespace latsch::numerics {
 namespace {
@@ -108,14 +108,14 @@ typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::new_directions(Matrix W) {
     MW.resize(n_, W.cols());
     problem_.mass(W, MW);
     const Matrix gram = overlaps<Scalar>(W, MW);
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(gram);
-    const Eigen::VectorXd& square = eigen.eigenvalues();
+    const SelfAdjointEigen<Scalar> eigen = self_adjoint_eigen(gram);
+    const Eigen::VectorXd& square = eigen.values;
     if (pass == 0) smallest = kDependent * kDependent * std::max(square.maxCoeff(), 0.0);
     int first = 0;
     while (first < square.size() && !(square[first] > smallest)) ++first;
     const auto kept = square.size() - first;
     const Eigen::VectorXd norm = square.tail(kept).cwiseSqrt();
-    const Matrix U = eigen.eigenvectors().rightCols(kept);
+    const Matrix U = eigen.vectors.rightCols(kept);
     const Matrix scaled = U * norm.cwiseInverse().template cast<Scalar>().asDiagonal();
     C = (norm.template cast<Scalar>().asDiagonal() * U.adjoint() * C).eval();
     W = product(W, scaled);
@@ -197,8 +197,8 @@ void Lanczos<Scalar>::rotate_pool(int width) {
       errors.col(k) /= theta;
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(errors * errors.adjoint());
-  const Matrix U = eigen.eigenvectors().rowwise().reverse();
+  const Matrix U =
+      self_adjoint_eigen(Matrix(errors * errors.adjoint())).vectors.rowwise().reverse();
   V_.middleCols(done_, pool_) = product(V_.middleCols(done_, pool_), U);
   MV_.middleCols(done_, pool_) = product(MV_.middleCols(done_, pool_), U);
   B_ = (U.adjoint() * B_).eval();
@@ -235,9 +235,9 @@ void Lanczos<Scalar>::step(int width) {
 
 template <class Scalar>
 void Lanczos<Scalar>::solve_small_problem() {
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(T_);
-  theta_ = eigen.eigenvalues();
-  S_ = eigen.eigenvectors();
+  SelfAdjointEigen<Scalar> eigen = self_adjoint_eigen(T_);
+  theta_ = std::move(eigen.values);
+  S_ = std::move(eigen.vectors);
 }
 
 template <class Scalar>

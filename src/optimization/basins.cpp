@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numeric>
+
+#include "numerics/orthogonal_factors.h"
 
 namespace latsch {
 namespace {
@@ -228,7 +229,7 @@ std::string scatter_doubt(const std::vector<double>& values,
       A.row(k).tail(n) = (u[neighbors[p][k]] - u[p]).transpose();
       b[k] = f[neighbors[p][k]];
     }
-    const double predicted = A.completeOrthogonalDecomposition().solve(b)[0];
+    const double predicted = numerics::shortest_solution(A, b)[0];
     missed += (f[p] - predicted) * (f[p] - predicted);
     variance += (f[p] - mean) * (f[p] - mean);
   }

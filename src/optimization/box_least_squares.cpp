@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/box_least_squares.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <vector>
 
+#include "numerics/cholesky.h"
 #include "optimization/damped_descent.h"
 
 namespace latsch {
@@ -43,7 +43,7 @@ Eigen::VectorXd solve_free(Eigen::MatrixXd A,
     A(i, i) = 1.0;
     b[i] = p[i];
   }
-  return A.ldlt().solve(b);
+  return numerics::PivotedCholesky(A).solve(b);
 }
 
 /// The step with matrix A, variables that would leave the room held at its face.

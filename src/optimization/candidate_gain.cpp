@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/candidate_gain.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+
+#include "numerics/cholesky.h"
+#include "numerics/self_adjoint_eigen.h"
 
 namespace latsch {
 namespace {
@@ -17,17 +18,12 @@ Eigen::MatrixXd information(const Eigen::MatrixXd& J) {
 }
 
 double widest(const Eigen::MatrixXd& M) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(M, Eigen::EigenvaluesOnly);
-  return 1.0 / std::sqrt(eigen.eigenvalues()[0]);
+  return 1.0 / std::sqrt(numerics::self_adjoint_eigenvalues(M)[0]);
 }
 
 Eigen::VectorXd deviations(const Eigen::MatrixXd& M) {
-  const Eigen::MatrixXd C = M.ldlt().solve(Eigen::MatrixXd::Identity(M.rows(), M.cols()));
-  return C.diagonal().cwiseSqrt();
-}
-
-double log_determinant(const Eigen::MatrixXd& M) {
-  return 2.0 * M.llt().matrixLLT().diagonal().array().log().sum();
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(M.rows(), M.cols());
+  return numerics::PivotedCholesky(M).solve(one).diagonal().cwiseSqrt();
 }
 
 }  // namespace
@@ -35,12 +31,14 @@ double log_determinant(const Eigen::MatrixXd& M) {
 std::vector<CandidateGain> candidate_gains(const Eigen::MatrixXd& J,
                                            const std::vector<Candidate>& candidates) {
   const Eigen::MatrixXd M = information(J);
+  const double log_determinant = numerics::Cholesky(M).log_determinant();
   std::vector<CandidateGain> gains;
   for (size_t c = 0; c < candidates.size(); ++c) {
     assert(candidates[c].J.cols() == J.cols());
     const Eigen::MatrixXd with = M + candidates[c].J.transpose() * candidates[c].J;
+    const double log_determinant_with = numerics::Cholesky(with).log_determinant();
     gains.push_back({.candidate = static_cast<int>(c),
-                     .shrinkage = std::exp(0.5 * (log_determinant(with) - log_determinant(M))),
+                     .shrinkage = std::exp(0.5 * (log_determinant_with - log_determinant)),
                      .widest_before = widest(M),
                      .widest_after = widest(with),
                      .deviations = deviations(with)});

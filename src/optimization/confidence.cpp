@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/confidence.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
+#include "numerics/singular_values.h"
 #include "numerics/student_t.h"
 
 namespace latsch {
@@ -31,9 +31,9 @@ struct Spectrum {
 /// n of each, also where there are fewer rows than columns.
 Spectrum spectrum(const Eigen::MatrixXd& J) {
   const Eigen::Index n = J.cols();
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeFullV);
-  Spectrum s{Eigen::VectorXd::Zero(n), svd.matrixV()};
-  s.values.head(svd.singularValues().size()) = svd.singularValues();
+  const auto [values, V] = numerics::singular_values(J);
+  Spectrum s{Eigen::VectorXd::Zero(n), V};
+  s.values.head(values.size()) = values;
   return s;
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/difference_directions.h"
 
-#include <Eigen/QR>
-
+#include "numerics/orthogonal_factors.h"
 #include "optimization/tangent_cone.h"
 
 namespace latsch {
@@ -47,10 +46,9 @@ Eigen::MatrixXd difference_directions(const FeasibleRegion& region,
   if (along_axes.cols() == u.size()) return along_axes;
   const Eigen::MatrixXd all = generators(region, u, step);
   if (all.cols() == 0) return all;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(all);
-  qr.setThreshold(kIndependent);
-  Eigen::MatrixXd D(u.size(), qr.rank());
-  for (Eigen::Index k = 0; k < D.cols(); ++k) D.col(k) = all.col(qr.colsPermutation().indices()[k]);
+  const numerics::PivotedQr qr = numerics::pivoted_qr(all, kIndependent);
+  Eigen::MatrixXd D(u.size(), qr.rank);
+  for (int k = 0; k < qr.rank; ++k) D.col(k) = all.col(qr.order[static_cast<size_t>(k)]);
   return D;
 }
 

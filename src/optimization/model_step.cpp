@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/model_step.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "numerics/self_adjoint_eigen.h"
 #include "optimization/quadratic_program.h"
 
 namespace latsch {
@@ -31,8 +31,7 @@ Eigen::VectorXd among_constraints(const QuadraticModel& model,
                                   const FeasibleRegion& region,
                                   const Eigen::VectorXd& x) {
   const auto n = x.size();
-  const Eigen::VectorXd curvature =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(model.H, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::VectorXd curvature = numerics::self_adjoint_eigenvalues(model.H);
   const double size = std::max(curvature.cwiseAbs().maxCoeff(), model.g.norm());
   if (!(size > 0.0)) return Eigen::VectorXd::Zero(n);
   const double shift = std::max(mu, kConvex * size - curvature[0]);

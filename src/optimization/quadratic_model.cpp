@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/quadratic_model.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "numerics/orthogonal_factors.h"
+#include "numerics/self_adjoint_eigen.h"
 
 namespace latsch {
 namespace {
@@ -73,7 +74,7 @@ std::optional<QuadraticModel> fit_quadratic(const std::vector<Sample>& samples,
     b[r] = weight * chosen[r]->value;
   }
   for (int k = 0; k < ridge_rows; ++k) A(rows + k, n + 1 + k) = kRidge;
-  const Eigen::VectorXd x = A.colPivHouseholderQr().solve(b);
+  const Eigen::VectorXd x = numerics::least_squares_solution(A, b);
 
   QuadraticModel model{x.segment(1, n) / scale, Eigen::MatrixXd(n, n), 0.0};
   if (rows > coefficients) model.misfit = unexplained(A.topRows(rows), b.head(rows), x);
@@ -86,9 +87,9 @@ std::optional<QuadraticModel> fit_quadratic(const std::vector<Sample>& samples,
 }
 
 BallStep minimize_in_ball(const QuadraticModel& model, double radius) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(model.H);
-  const Eigen::VectorXd& lambda = eigen.eigenvalues();
-  const Eigen::VectorXd g = eigen.eigenvectors().transpose() * model.g;
+  const auto eigen = numerics::self_adjoint_eigen(model.H);
+  const Eigen::VectorXd& lambda = eigen.values;
+  const Eigen::VectorXd g = eigen.vectors.transpose() * model.g;
   const auto step = [&](double mu) -> Eigen::VectorXd {
     return -(g.array() / (lambda.array() + mu)).matrix();
   };
@@ -96,7 +97,7 @@ BallStep minimize_in_ball(const QuadraticModel& model, double radius) {
   if (!(scale > 0.0)) return {Eigen::VectorXd::Zero(g.size()), 0.0};
   const double smallest = lambda[0];
   const bool convex = smallest > 1e-12 * scale;
-  if (convex && step(0.0).norm() <= radius) return {eigen.eigenvectors() * step(0.0), 0.0};
+  if (convex && step(0.0).norm() <= radius) return {eigen.vectors * step(0.0), 0.0};
   // |s(mu)| falls from infinity (or from too long) to below the radius on this interval. In the
   // hard case, g orthogonal to the lowest eigenvector, the step stays short: still downhill.
   double low = std::max(0.0, -smallest) + 1e-12 * scale;
@@ -105,7 +106,7 @@ BallStep minimize_in_ball(const QuadraticModel& model, double radius) {
     const double middle = 0.5 * (low + high);
     (step(middle).norm() > radius ? low : high) = middle;
   }
-  return {eigen.eigenvectors() * step(high), high};
+  return {eigen.vectors * step(high), high};
 }
 
 }  // namespace latsch

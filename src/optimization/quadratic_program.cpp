@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/quadratic_program.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
+
+#include "numerics/cholesky.h"
+#include "numerics/orthogonal_factors.h"
 
 namespace latsch {
 namespace {
@@ -23,11 +24,10 @@ class DualActiveSet {
       : qp_(qp),
         equations_(static_cast<int>(qp.E.rows())),
         count_(equations_ + static_cast<int>(qp.A.rows())),
-        sign_(static_cast<size_t>(count_), 1.0) {
-    const Eigen::LLT<Eigen::MatrixXd> cholesky(qp.G);
-    assert(cholesky.info() == Eigen::Success);
-    L_ = cholesky.matrixL();
-    x_ = -cholesky.solve(qp.g);
+        sign_(static_cast<size_t>(count_), 1.0),
+        cholesky_(qp.G) {
+    assert(cholesky_.is_positive_definite());
+    x_ = -cholesky_.solve(qp.g);
   }
 
   QuadraticSolution run() {
@@ -97,22 +97,21 @@ class DualActiveSet {
   /// z = H n: how x moves for constraint n in the space of the active ones; r = N* n: how their
   /// multipliers do.
   void directions(const Eigen::VectorXd& n) {
-    const auto triangle = L_.triangularView<Eigen::Lower>();
-    const Eigen::VectorXd d = triangle.solve(n);
+    const Eigen::VectorXd d = cholesky_.solve_lower(n);
     Eigen::VectorXd rest = d;
     r_.resize(0);
     if (!active_.empty()) {
       Eigen::MatrixXd N(n.size(), active_.size());
       for (size_t k = 0; k < active_.size(); ++k) N.col(k) = normal(active_[k]);
-      const Eigen::HouseholderQR<Eigen::MatrixXd> qr(triangle.solve(N));
+      const numerics::HouseholderQr qr(cholesky_.solve_lower(N));
       const int q = static_cast<int>(active_.size());
-      Eigen::VectorXd rotated = qr.householderQ().transpose() * d;
-      r_ = qr.matrixQR().topRows(q).triangularView<Eigen::Upper>().solve(rotated.head(q));
+      Eigen::VectorXd rotated = qr.times_Q_transposed(d);
+      r_ = qr.solve_R(rotated);
       rotated.head(q).setZero();
-      rest = qr.householderQ() * rotated;
+      rest = qr.times_Q(rotated);
     }
     is_dependent_ = rest.norm() <= kDependent * d.norm();
-    z_ = L_.transpose().triangularView<Eigen::Upper>().solve(rest);
+    z_ = cholesky_.solve_upper(rest);
   }
 
   /// Steps 2a to 2c of the paper. False where constraint p cannot be fulfilled.
@@ -159,8 +158,8 @@ class DualActiveSet {
 
   const QuadraticProgram& qp_;
   int equations_, count_;
-  std::vector<double> sign_;  // of equations
-  Eigen::MatrixXd L_;         // G = L L'
+  std::vector<double> sign_;     // of equations
+  numerics::Cholesky cholesky_;  // G = L L'
   Eigen::VectorXd x_;
   std::vector<int> active_;
   std::vector<double> u_;

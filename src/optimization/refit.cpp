@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/refit.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
+#include "numerics/orthogonal_factors.h"
 #include "optimization/quadratic_program.h"
 
 namespace latsch {
@@ -36,7 +36,7 @@ Eigen::VectorXd bounded_step(const Linearization& at,
     A.bottomRows(k) = std::sqrt(lambda) * Eigen::MatrixXd::Identity(k, k);
     Eigen::VectorXd b = Eigen::VectorXd::Zero(m + k);
     b.head(m) = -(r + at.J * d);
-    const Eigen::VectorXd step = A.completeOrthogonalDecomposition().solve(b);
+    const Eigen::VectorXd step = numerics::shortest_solution(A, b);
     std::vector<int> inside;
     for (Eigen::Index a = 0; a < k; ++a) {
       const double u = at.u[free[a]];

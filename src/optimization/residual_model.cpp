@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/residual_model.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "numerics/self_adjoint_eigen.h"
 
 namespace latsch {
 namespace {
@@ -37,12 +38,11 @@ double slope_prior(const ResidualSamples& samples) {
 /// Logarithm of the likelihood of the columns of D, each with the amplitude it is most likely
 /// with.
 double likelihood(const Eigen::MatrixXd& K, const Eigen::MatrixXd& D, double floor) {
-  const Eigen::LLT<Eigen::MatrixXd> factors(K);
-  if (factors.info() != Eigen::Success) return -std::numeric_limits<double>::infinity();
-  const Eigen::MatrixXd half = factors.matrixL().solve(D);
+  const numerics::Cholesky factors(K);
+  if (!factors.is_positive_definite()) return -std::numeric_limits<double>::infinity();
+  const Eigen::MatrixXd half = factors.solve_lower(D);
   const Eigen::ArrayXd square = half.colwise().squaredNorm().transpose().array() + floor;
-  const double determinant = factors.matrixLLT().diagonal().array().log().sum();
-  return -static_cast<double>(D.cols()) * determinant -
+  return -0.5 * static_cast<double>(D.cols()) * factors.log_determinant() -
          0.5 * static_cast<double>(D.rows()) * square.log().sum();
 }
 
@@ -53,7 +53,8 @@ ScaledFactors::ScaledFactors(const Eigen::MatrixXd& K)
       factors_(scale_.asDiagonal() * K * scale_.asDiagonal()) {}
 
 Eigen::MatrixXd ScaledFactors::solve(const Eigen::MatrixXd& D) const {
-  return scale_.asDiagonal() * factors_.solve(scale_.asDiagonal() * D);
+  const Eigen::MatrixXd scaled = scale_.asDiagonal() * D;
+  return scale_.asDiagonal() * factors_.solve(scaled);
 }
 
 SlopeVariance slope_variance(const Eigen::MatrixXd& Z) {
@@ -62,8 +63,8 @@ SlopeVariance slope_variance(const Eigen::MatrixXd& Z) {
     const Eigen::MatrixXd K = covariance(Z, kSlopeVariance, kCubicVariance, 0.0);
     left -= kSlopeVariance * Z.transpose() * ScaledFactors(K).solve(Z);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(left);
-  return {eigen.eigenvalues(), eigen.eigenvectors()};
+  const auto [values, vectors] = numerics::self_adjoint_eigen(left);
+  return {values, vectors};
 }
 
 ResidualModel::ResidualModel(const ResidualSamples& samples, double noise)

@@ -26,8 +26,9 @@
 // sample has shown, the less it promises.
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
+
+#include "numerics/cholesky.h"
 
 namespace latsch {
 
@@ -58,7 +59,7 @@ class ScaledFactors {
 
  private:
   Eigen::VectorXd scale_;
-  Eigen::LDLT<Eigen::MatrixXd> factors_;
+  numerics::PivotedCholesky factors_;
 };
 
 class ResidualModel {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/smooth_values.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <vector>
+
+#include "numerics/orthogonal_factors.h"
 
 namespace latsch {
 namespace {
@@ -57,8 +58,8 @@ SmoothSlopes slopes_at(const SmoothValues& values, const Eigen::MatrixXd& J) {
 }
 
 Eigen::MatrixXd jacobian_of(const Eigen::MatrixXd& S, const Eigen::MatrixXd& D) {
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> columns(D.transpose());
-  return columns.solve(S.transpose()).transpose();
+  const Eigen::MatrixXd values = S.transpose();
+  return numerics::shortest_solution(D.transpose(), values).transpose();
 }
 
 }  // namespace latsch

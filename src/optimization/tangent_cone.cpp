@@ -2,8 +2,9 @@
 #include "optimization/tangent_cone.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
+
+#include "numerics/orthogonal_factors.h"
 
 namespace latsch {
 namespace {
@@ -19,15 +20,8 @@ struct Basis {
 Basis split(const Eigen::MatrixXd& M) {
   const auto n = M.rows();
   if (M.cols() == 0) return {Eigen::MatrixXd(n, 0), Eigen::MatrixXd::Identity(n, n), {}};
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(M);
-  qr.setThreshold(kZero);
-  const auto rank = qr.rank();
-  const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(n, n);
-  Basis basis{Q.leftCols(rank), Q.rightCols(n - rank), {}};
-  for (Eigen::Index k = 0; k < rank; ++k) {
-    basis.independent.push_back(qr.colsPermutation().indices()[k]);
-  }
-  return basis;
+  const auto [Q, order, rank] = numerics::pivoted_qr(M, kZero);
+  return {Q.leftCols(rank), Q.rightCols(n - rank), {order.begin(), order.begin() + rank}};
 }
 
 /// A ray and the planes it lies in.

@@ -6,7 +6,6 @@
 // rounding times the bulk modulus.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <string>
 

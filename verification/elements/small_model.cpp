@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "small_model.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <utility>
+
+#include "numerics/cholesky.h"
+#include "numerics/self_adjoint_eigen.h"
 
 namespace latsch::verification {
 namespace {
@@ -103,7 +104,7 @@ int SmallModel::solve(Eigen::VectorXd& u,
     const Eigen::VectorXd r = (load - f)(free);
     residuals_.push_back(r.norm());
     if (r.norm() <= 1e-12 * (f.norm() + load.norm())) return iteration;
-    u(free) += K(free, free).ldlt().solve(r);
+    u(free) += numerics::PivotedCholesky(K(free, free)).solve(r);
   }
   return -1;
 }
@@ -113,9 +114,9 @@ std::vector<double> eigenvalues(const Eigen::MatrixXd& K,
                                 const std::vector<char>& held,
                                 int count) {
   const std::vector<int> free = free_of(held);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-      K(free, free), M(free, free), Eigen::EigenvaluesOnly);
-  return {solver.eigenvalues().begin(), solver.eigenvalues().begin() + count};
+  const Eigen::MatrixXd K_free = K(free, free), M_free = M(free, free);
+  const Eigen::VectorXd values = numerics::generalized_eigenvalues(K_free, M_free);
+  return {values.begin(), values.begin() + count};
 }
 
 }  // namespace latsch::verification

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "more_wild/varied_problems.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "base/random.h"
+#include "numerics/orthogonal_factors.h"
 
 namespace latsch::more_wild {
 namespace {
@@ -53,8 +53,7 @@ std::vector<Problem> rotated(std::uint64_t seed) {
   return varied(seed, [](const Problem& problem, RandomStream& random) {
     Eigen::MatrixXd A(problem.n(), problem.n());
     for (double& a : A.reshaped()) a = random.normal();
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(A);
-    return in_other_variables(problem, qr.householderQ());
+    return in_other_variables(problem, numerics::HouseholderQr(A).Q());
   });
 }
 

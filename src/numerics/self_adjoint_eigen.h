@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eigenvalues of dense symmetric and Hermitian matrices of up to some hundred rows: Eigen's
+// tridiagonalization and implicit QR steps, compiled here once for all who ask. Sparse matrices:
+// lanczos.h.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace latsch::numerics {
+
+template <class Scalar>
+struct SelfAdjointEigen {
+  Eigen::VectorXd values;                                         // ascending
+  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> vectors;  // columns of length 1, in order
+};
+
+/// A = V diag(values) V*; only the lower triangle of A is read.
+SelfAdjointEigen<double> self_adjoint_eigen(const Eigen::MatrixXd& A);
+SelfAdjointEigen<std::complex<double>> self_adjoint_eigen(const Eigen::MatrixXcd& A);
+
+/// Ascending, without the vectors.
+Eigen::VectorXd self_adjoint_eigenvalues(const Eigen::MatrixXd& A);
+
+/// The lambda of K x = lambda M x, ascending; M positive definite.
+Eigen::VectorXd generalized_eigenvalues(const Eigen::MatrixXd& K, const Eigen::MatrixXd& M);
+Eigen::VectorXd generalized_eigenvalues(const Eigen::MatrixXcd& K, const Eigen::MatrixXcd& M);
+
+}  // namespace latsch::numerics
