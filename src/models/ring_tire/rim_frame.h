@@ -20,6 +20,9 @@ struct RimFrame {
 
   static RimFrame of(const WheelMotion& motion);
 
+  /// Columns X, a, Z.
+  Eigen::Matrix3d axes() const { return (Eigen::Matrix3d() << X, a, Z).finished(); }
+
   /// Velocity of the rim's material at an inertial point.
   Eigen::Vector3d velocity_at(const Eigen::Vector3d& point) const {
     return velocity + angular_velocity.cross(point - center);

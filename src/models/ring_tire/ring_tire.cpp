@@ -116,6 +116,13 @@ void RingTire::solve() {
     factor_.solve(residual_);
 }
 
+void RingTire::solve_turned() {
+  const Eigen::Matrix3d turn = reuse_.turn(rim_);
+  residual_.topRows<3>() = (turn.transpose() * residual_.topRows<3>()).eval();
+  factor_.solve(residual_);
+  residual_.topRows<3>() = (turn * residual_.topRows<3>()).eval();
+}
+
 bool RingTire::factorize(const NodeValues& q,
                          double mass_factor,
                          double scale,
@@ -258,8 +265,11 @@ void RingTire::follow() {
 /// The tangent at q1_, with more mass where that alone would not be definite.
 bool RingTire::renew_tangent() {
   constexpr double kMostMass = 64.0;
-  for (double more = 1.0; more <= kMostMass; more *= 2.0)
-    if (factorize(q1_, more * rule_.acceleration, 1.0 - settings_.dissipation, rule_)) return true;
+  for (double more = 1.0; more <= kMostMass; more *= 2.0) {
+    if (!factorize(q1_, more * rule_.acceleration, 1.0 - settings_.dissipation, rule_)) continue;
+    reuse_.made(rim_, more * rule_.acceleration);
+    return true;
+  }
   return false;
 }
 
@@ -288,10 +298,30 @@ std::string RingTire::step_forward(const WheelMotion& motion,
                                    const road::Road& road,
                                    double time,
                                    double h) {
-  constexpr double kSlow = 0.2;  // a tangent that reduces less than to that is renewed
-  const double theta = settings_.dissipation;
   predict(motion, road, time, h);
   ++counts_.steps;
+  // The border that bending sections add to a tangent is not turned.
+  const bool held = reuse_.serves(rule_.acceleration) && !section_.on();
+  const int age = reuse_.age();
+  const long before = counts_.evaluations;
+  const std::string trouble = solve_step(held, time);
+  if (!trouble.empty()) {
+    reuse_.forget();
+    return trouble;
+  }
+  const int evaluations = static_cast<int>(counts_.evaluations - before);
+  if (held)
+    reuse_.took(evaluations, age);
+  else
+    reuse_.took_alone(evaluations);
+  keep();
+  return {};
+}
+
+/// (17) by Newton's method, at first with the tangent held from an earlier step.
+std::string RingTire::solve_step(bool held, double time) {
+  constexpr double kSlow = 0.2;  // a tangent that reduces less than to that is renewed
+  const double theta = settings_.dissipation;
   double last = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
     follow();
@@ -299,19 +329,21 @@ std::string RingTire::step_forward(const WheelMotion& motion,
     residual_ = (1.0 - theta) * total_ + theta * force_ - mass_.asDiagonal() * a1_;
     const double left = left_at_a_node();
     if (!std::isfinite(left)) break;
-    if (left <= settings_.tolerance) {
-      keep();
-      return {};
-    }
+    if (left <= settings_.tolerance) return {};
     const bool reduces = iteration > 0 && left <= kSlow * last;
-    if (!reduces && !renew_tangent()) return lost(time, "its tangent is not definite");
+    if (!reduces && !(held && iteration == 0)) {
+      held = false;
+      if (!renew_tangent()) return lost(time, "its tangent is not definite");
+    }
     last = left;
-    solve();
+    if (held)
+      solve_turned();
+    else
+      solve();
     q1_ += residual_;
     if (section_.on()) section_.set_values(section_.values() + section_.direction());
     if (reduces && left <= settings_.tolerance / kSlow) {
       balance();
-      keep();
       return {};
     }
   }

@@ -22,6 +22,7 @@
 #include "models/ring_tire/ring_parameters.h"
 #include "models/ring_tire/section_bending.h"
 #include "models/ring_tire/sidewall.h"
+#include "models/ring_tire/tangent_reuse.h"
 #include "models/ring_tire/tread_contact.h"
 #include "models/tire/tire.h"
 
@@ -105,10 +106,13 @@ class RingTire final : public Tire {
                            const road::Road& road,
                            double time,
                            double step);
+  std::string solve_step(bool held, double time);
   std::string lost(double time, const std::string& why) const;
   bool factorize(const NodeValues& q, double mass_factor, double scale, const StepRule& rule);
   /// residual_, and the section's, become Newton's step.
   void solve();
+  /// The same with the tangent of an earlier step, turned on with the rim.
+  void solve_turned();
   /// The largest force left, N; on the section's unknowns too.
   double left_at_a_node() const;
   /// Of all together.
@@ -131,6 +135,7 @@ class RingTire final : public Tire {
   NodeValues inner_, total_, residual_;
   CyclicBand K_;
   CyclicBandFactor factor_;
+  TangentReuse reuse_;
   WheelMotion last_motion_;
   bool settled_ = false;
   RingCounts counts_;

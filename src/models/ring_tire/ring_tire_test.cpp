@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "models/ring_tire/ring_parameters_testing.h"
 #include "models/road/plane_road.h"
@@ -99,6 +101,46 @@ TEST(RingTire, RollsInBalance) {
   }
   EXPECT_LT((hub.force - ground.force).norm(), 2e-3 * hub.force.z());
   EXPECT_NEAR(hub.moment.y(), ground.moment.y(), 2.0);
+}
+
+/// Hub forces over a cleat in steps of h.
+std::vector<Vector3d> over_a_cleat(double tolerance, double h) {
+  const road::ProfileRoad road = road::cleat_road(0.3, 0.015, 0.03, 0.005);
+  RingTire tire(passenger_ring(), {.tolerance = tolerance});
+  WheelMotion motion = rolling(tire.free_radius() - 0.020, 40.0 / 3.6, 0.309);
+  EXPECT_TRUE(tire.settle(motion, road, 0.0));
+  std::vector<Vector3d> forces;
+  for (int i = 0; i < std::lround(0.05 / h); ++i)
+    forces.push_back(roll(tire, motion, road, 1, h).force);
+  return forces;
+}
+
+// Steps end with a correction whose forces are not computed, short ones begin with an earlier
+// tangent: neither shows beyond the tolerance, which is what may be left at a node.
+TEST(RingTire, LeavesNoMoreThanItsTolerance) {
+  constexpr double kTolerance = 0.1;  // N
+  for (double h : {5e-4, 1e-4}) {
+    const auto loose = over_a_cleat(kTolerance, h), tight = over_a_cleat(1e-6, h);
+    double most = 0.0;
+    for (std::size_t i = 0; i < loose.size(); ++i)
+      most = std::max(most, (loose[i] - tight[i]).norm());
+    EXPECT_LT(most, kTolerance) << h;
+    EXPECT_GT(most, 0.0);
+  }
+}
+
+// An earlier tangent is tried where it saves work: in steps that turn the wheel by little.
+TEST(RingTire, HoldsItsTangentInShortSteps) {
+  for (const auto& [h, most] : {std::pair{5e-4, 1.2}, {5e-5, 0.3}}) {
+    RingTire tire(passenger_ring());
+    const road::PlaneRoad road;
+    WheelMotion motion = rolling(tire.free_radius() - 0.020, 40.0 / 3.6, 0.309);
+    ASSERT_TRUE(tire.settle(motion, road, 0.0));
+    const RingCounts before = tire.counts();
+    roll(tire, motion, road, 200, h);
+    const auto made = static_cast<double>(tire.counts().factorizations - before.factorizations);
+    EXPECT_LT(made, most * static_cast<double>(tire.counts().steps - before.steps)) << h;
+  }
 }
 
 // Turned by one node the ring is the same ring.

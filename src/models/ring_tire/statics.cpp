@@ -130,6 +130,7 @@ Result<bool> RingTire::lower(
 
 Result<HubForces> RingTire::settle(const WheelMotion& motion, const road::Road& road, double time) {
   rim_ = RimFrame::of(motion);
+  reuse_.forget();
   place_at_rest();
   const double end = rim_.center.z();
   const double depth = std::max(0.0, tread_.deepest(q_, rim_, road, time));
