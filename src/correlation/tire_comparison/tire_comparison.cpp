@@ -134,7 +134,7 @@ TireRun compared_run(const ComparedTire& tire,
     const double spent = cpu_seconds() - begin;
     least = i == 0 ? spent : std::min(least, spent);
   }
-  run.cpu_over_time = least / (test.drum.run_in + test.drum.duration);
+  run.cpu_over_time = least / (test.drum.passages * (test.drum.run_in + test.drum.duration));
   for (std::size_t c = 0; c < file.channels.size(); ++c) {
     run.channels.push_back(
         record_of(channels[file.channels[c]], 1.0 / test.drum.sample_step, bands));
