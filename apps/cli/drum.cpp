@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "cli/verbs.h"
+#include "experiment/drum_convergence.h"
 #include "experiment/rolling_tests.h"
 #include "formats/csv_table.h"
 
@@ -16,13 +17,46 @@ namespace {
 
 struct Options {
   std::string tire, test, output, kind;
+  bool convergence = false;
 };
+
+/// What step and segments change, beside what there is to see.
+int say_convergence(const experiment::TireKind& kind,
+                    const Document& numbers,
+                    const experiment::RollingTest& test) {
+  const auto* drum = std::get_if<experiment::DrumTest>(&test);
+  if (!drum)
+    throw InputError("--convergence: expected a test of kind \"drum_cleat\", which steps in time");
+  const auto found = experiment::drum_convergence(kind, numbers, *drum);
+  if (!found) {
+    fmt::print(stderr, "latsch drum: {}\n", found.failure().reason);
+    return kFailed;
+  }
+  fmt::print("{}\nroot mean square over the record, of\n{:4}{:>14}{:>20}{:>32}\n",
+             experiment::in_words(test),
+             "",
+             "all about mean",
+             "change, half step",
+             "change, half more segments");
+  for (const auto& one : *found)
+    fmt::print("{:4}{:>14}{:>20}{:>32}\n",
+               one.name,
+               fmt::format("{:.1f} {}", one.about_mean, one.unit),
+               fmt::format("{:.2f} {}", one.by_step, one.unit),
+               fmt::format("{:.2f} {}", one.by_segments, one.unit));
+  fmt::print(
+      "A step changes four times less where it is halved, segments about twice less where there "
+      "are\n"
+      "half as many again. Both should stay below the noise of what they are compared with.\n");
+  return kDone;
+}
 
 int drum(const Options& options) {
   const experiment::TireKind& kind = options.kind.empty()
                                          ? experiment::kind_of_file(options.tire)
                                          : *experiment::find_tire_kind(options.kind);
   const auto test = experiment::read_rolling_test(options.test);
+  if (options.convergence) return say_convergence(kind, kind.read(options.tire), test);
   const auto channels = experiment::run(kind, kind.read(options.tire), test);
   if (!channels) {
     fmt::print(stderr, "latsch drum: {}\n", channels.failure().reason);
@@ -59,13 +93,17 @@ void add_drum(CommandLine& app, int& exit_code) {
       "kind = \"footprint\" (loads or deflections; pictures: latsch footprint), or of a flexible\n"
       "ring kind = \"modes\" (load, deflection or neither; count).\n\n"
       "Examples:\n  latsch drum tire.toml test.toml > forces.csv\n"
-      "  latsch drum tire.tir test.toml --kind rigid_ring -o forces.csv");
+      "  latsch drum tire.tir test.toml --kind rigid_ring -o forces.csv\n"
+      "  latsch drum tire.toml test.toml --convergence");
   auto options = std::make_shared<Options>();
   verb.add_option("tire", options->tire, "Tire file").required();
   verb.add_option("test", options->test, "Test file").required();
   verb.add_option("-o,--output", options->output, "CSV file to write; else the terminal");
   verb.add_option("--kind", options->kind, "Of a .tir: magic_formula unless given")
       .one_of(experiment::tire_kind_names());
+  verb.add_flag("--convergence",
+                options->convergence,
+                "Instead of the forces: what half the step and half as many segments again change");
   verb.callback([=, &exit_code] { exit_code = drum(*options); });
 }
 
