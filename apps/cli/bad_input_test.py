@@ -31,6 +31,15 @@ class BadInput(Coarse):
         edit(self.study, (r"\[experiment\.", "[experiments."))
         self.rejected("check", "study.toml", "unknown table [variables]", 'did you mean "variable"?')
 
+    def test_files_of_another_kind(self):
+        ring = self.folder / "ring.toml"
+        ring.write_text('kind = "ring_tire"\n')
+        self.assert_says(self.latsch("check", ring, code=WRONG_INPUT), "ring.toml:1: ", '"ring_tire"', "expected a study")
+        self.assert_says(self.latsch("mesh", ring, code=WRONG_INPUT), "ring.toml:1: ", "a tire of finite elements")
+        tir = self.folder / "tire.tir"
+        tir.write_text("$ a comment\n[MODEL]\n")
+        self.assert_says(self.latsch("check", tir, code=WRONG_INPUT), 'ends in ".tir", expected a .toml')
+
     def test_settings_in_the_wrong_table(self):
         edit(self.study, (r"\[run\]", "[run]\nmax_steps = 5"))
         self.rejected("check", "study.toml:", "run.max_steps belongs into [optimizer]")

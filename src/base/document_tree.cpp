@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "base/text.h"
 
@@ -207,6 +208,9 @@ DocumentTree::DocumentTree(std::string_view source, std::string file) : file_(st
   } catch (const toml::parse_error& error) {
     std::string what = "not valid TOML: " + std::string(error.description());
     if (what.find("utf-8") != what.npos) what += "; save the file as UTF-8";
+    const std::string ending = std::filesystem::path(file_).extension().string();
+    if (!ending.empty() && ending != ".toml")
+      what += "; it ends in " + in_quotes(ending) + ", expected a .toml";
     throw InputError({file_, static_cast<int>(error.source().begin.line)}, what);
   }
 }

@@ -268,6 +268,11 @@ Study read(const Document& document, const std::filesystem::path& file, Measurem
 
 Study read_study(const std::filesystem::path& file, Measurements measurements) {
   const Document document = Document::read(file);
+  if (document.root().has("kind"))
+    document.root().reject("kind",
+                           "is " + in_quotes(document.root().text("kind")) +
+                               ": that is a tire, a road or a test, expected a study, which has a "
+                               "model, [variable.NAME] and [experiment.NAME]");
   try {
     return read(document, file, measurements);
   } catch (const InputError&) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/text.h"
 #include "models/fe_tire/section_check.h"
 #include "models/fe_tire/section_plan.h"
 #include "models/fe_tire/size_designation.h"
@@ -263,6 +264,10 @@ void check_plan(const Node& root, const TireDescription& tire) {
 }  // namespace
 
 TireDescription read_tire(const Node& root) {
+  if (root.has("kind"))
+    root.reject("kind",
+                "is " + in_quotes(root.text("kind")) +
+                    ", expected a tire of finite elements, which has no kind but a [mesh]");
   TireDescription tire;
   tire.place = root.place();
   tire.name = root.text("name");
