@@ -29,6 +29,15 @@ function(latsch_optimize_little)
   endforeach()
 endfunction()
 
+# Eight files at a time as one, so that what they include is read once: names in their anonymous namespaces have to
+# differ from file to file. Not for what is computed a million times, where each file has its own options.
+function(latsch_compile_together)
+  set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON)
+  foreach(target ${ARGN})  # a header that is none: classes may have members of anonymous types in it
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endforeach()
+endfunction()
+
 function(latsch_sources out folder)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")

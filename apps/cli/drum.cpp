@@ -15,7 +15,7 @@
 namespace latsch::cli {
 namespace {
 
-struct Options {
+struct DrumOptions {
   std::string tire, test, output, kind;
   bool convergence = false;
 };
@@ -51,7 +51,7 @@ int say_convergence(const experiment::TireKind& kind,
   return kDone;
 }
 
-int drum(const Options& options) {
+int drum(const DrumOptions& options) {
   const experiment::TireKind& kind = options.kind.empty()
                                          ? experiment::kind_of_file(options.tire)
                                          : *experiment::find_tire_kind(options.kind);
@@ -95,7 +95,7 @@ void add_drum(CommandLine& app, int& exit_code) {
       "Examples:\n  latsch drum tire.toml test.toml > forces.csv\n"
       "  latsch drum tire.tir test.toml --kind rigid_ring -o forces.csv\n"
       "  latsch drum tire.toml test.toml --convergence");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DrumOptions>();
   verb.add_option("tire", options->tire, "Tire file").required();
   verb.add_option("test", options->test, "Test file").required();
   verb.add_option("-o,--output", options->output, "CSV file to write; else the terminal");

@@ -14,12 +14,12 @@ using magic_formula::Angles;
 using magic_formula::Conventions;
 using magic_formula::MagicFormula;
 
-struct Options {
+struct EvaluateOptions {
   std::string tire, states, output;
   std::string limits = "on", angles = "direct", turn_slip = "off", side = "measured";
 };
 
-Conventions conventions(const Options& options) {
+Conventions conventions(const EvaluateOptions& options) {
   Conventions c;
   c.limits = options.limits == "on";
   c.angles = options.angles == "direct" ? Angles::direct : Angles::tangent;
@@ -28,7 +28,7 @@ Conventions conventions(const Options& options) {
   return c;
 }
 
-int evaluate(const Options& options) {
+int evaluate(const EvaluateOptions& options) {
   const formats::TirFile tir = formats::read_tir(options.tire);
   const SlipStates given = slip_states(formats::CsvTable::read(options.states), tir.parameters);
   for (const std::string& note : tir.notes) fmt::print(stderr, "latsch: {}\n", note);
@@ -67,7 +67,7 @@ void add_evaluate(CommandLine& app, int& exit_code) {
       "order, in SI or in the unit in brackets behind the name: \"alpha [deg]\".\n"
       "Examples:\n  latsch evaluate tire.tir states.csv\n"
       "  latsch evaluate tire.tir states.csv --angles tangent --turn-slip on -o forces.csv");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EvaluateOptions>();
   verb.add_option("tire", options->tire, "Tire property file (.tir; MF 5.2, 6.1, 6.2)").required();
   verb.add_option("states", options->states, "States (CSV)").required();
   verb.add_option("-o,--output", options->output, "CSV file to write; else the terminal");

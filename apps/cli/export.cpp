@@ -22,7 +22,7 @@ using fe_tire::TireDescription;
 
 constexpr int kLoadSteps = 5;
 
-struct Options {
+struct ExportOptions {
   std::string file, vtu, ccx, tire, pressure, deflection;
   int modes = 0;
   bool measurements = false;
@@ -33,7 +33,7 @@ struct State {
   double deflection = 0.0;  // 0: not on the ground
 };
 
-State state_of(const Options& options, const TireDescription& tire) {
+State state_of(const ExportOptions& options, const TireDescription& tire) {
   State state;
   state.pressure =
       options.pressure.empty() ? tire.pressure : parse_option("--pressure", options.pressure, "Pa");
@@ -58,7 +58,7 @@ void add_modes(std::vector<formats::VtuField>& fields, const std::vector<fe_tire
   }
 }
 
-void write_vtu(const Options& options, const TireDescription& tire) {
+void write_vtu(const ExportOptions& options, const TireDescription& tire) {
   const State state = state_of(options, tire);
   fe_tire::SolverSettings settings;
   settings.element = tire.element;
@@ -81,7 +81,7 @@ void write_vtu(const Options& options, const TireDescription& tire) {
   fmt::print("wrote {}\n", options.vtu);
 }
 
-void write_ccx(const Options& options, TireDescription tire) {
+void write_ccx(const ExportOptions& options, TireDescription tire) {
   const State state = state_of(options, tire);
   if (tire.cord_model == fe_tire::CordModel::rebar) {
     fmt::print("CalculiX has no rebars: the deck carries the cords smeared over their elements\n");
@@ -106,7 +106,7 @@ void write_ccx(const Options& options, TireDescription tire) {
              fs::path(options.ccx).replace_extension().string());
 }
 
-void write_tire_file(const Options& options, const std::string& text) {
+void write_tire_file(const ExportOptions& options, const std::string& text) {
   std::ofstream out(options.tire, std::ios::binary);
   out << text;
   out.close();
@@ -129,7 +129,7 @@ bool is_rolling_study(const std::string& file) {
   return document.root().has("model") && document.root().has("test");
 }
 
-void export_files(const Options& options) {
+void export_files(const ExportOptions& options) {
   if (options.measurements) return write_measurements(options.file);
   if (options.vtu.empty() && options.ccx.empty() && options.tire.empty()) {
     throw InputError("export: say what to write: --vtu, --ccx, --tire or --measurements");
@@ -164,7 +164,7 @@ void add_export(CommandLine& app, int&) {
       "  latsch export studies/tire_b_twin/study.toml --tire identified.toml\n"
       "  latsch export studies/tire_b_twin/study.toml --measurements\n"
       "      what the laboratory would have measured on the model as its file describes it");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   verb.add_option("file", options->file, "Tire file or study file (TOML)").required();
   verb.add_option("--vtu", options->vtu, "ParaView file to write");
   verb.add_option("--ccx", options->ccx, "CalculiX deck to write");

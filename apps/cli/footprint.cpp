@@ -26,12 +26,12 @@ namespace {
 using experiment::StandingFootprint;
 using report::Axis;
 
-struct Options {
+struct FootprintOptions {
   std::string tire, kind, camber, output, elements, html;
   std::vector<std::string> loads, deflections;
 };
 
-experiment::FootprintTest test_of(const Options& options) {
+experiment::FootprintTest test_of(const FootprintOptions& options) {
   if (options.loads.empty() == options.deflections.empty())
     throw InputError("--load or --deflection has to be given, one of the two, as often as wanted");
   experiment::FootprintTest test;
@@ -45,13 +45,13 @@ experiment::FootprintTest test_of(const Options& options) {
 }
 
 /// A file without `kind`, or a study: finite elements.
-bool of_finite_elements(const Options& options) {
+bool of_finite_elements(const FootprintOptions& options) {
   if (!options.kind.empty() || std::filesystem::path(options.tire).extension() == ".tir")
     return false;
   return !Document::read(options.tire).root().has("kind");
 }
 
-Result<std::vector<StandingFootprint>> footprints_of(const Options& options) {
+Result<std::vector<StandingFootprint>> footprints_of(const FootprintOptions& options) {
   const auto test = test_of(options);
   if (!of_finite_elements(options)) {
     const experiment::TireKind& kind = options.kind.empty()
@@ -142,7 +142,7 @@ std::string page(const std::string& tire, const std::vector<StandingFootprint>& 
   return text.append(report::kPageEnd);
 }
 
-int footprint(const Options& options) {
+int footprint(const FootprintOptions& options) {
   const auto states = footprints_of(options);
   if (!states) {
     fmt::print(stderr, "latsch footprint: {}\n", states.failure().reason);
@@ -191,7 +191,7 @@ void add_footprint(CommandLine& app, int& exit_code) {
       "  latsch footprint tire.toml --load \"2 kN\" --load \"4 kN\" --html footprint.html\n"
       "  latsch footprint tire.toml --deflection \"20 mm\" --camber \"2 deg\" --elements "
       "blocks.csv");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FootprintOptions>();
   verb.add_option("tire", options->tire, "Tire file").required();
   verb.add_option("--load", options->loads, "As \"4 kN\"; as often as wanted");
   verb.add_option("--deflection", options->deflections, "As \"20 mm\", from first touch");

@@ -20,7 +20,7 @@ namespace {
 
 using fe_tire::TireDescription;
 
-struct Options {
+struct MeshOptions {
   std::string file, vtu, deflection;
   int refinement = 1;
   int modes = 20;
@@ -65,7 +65,7 @@ void print_rows(const std::string& title, const std::vector<DiscretizationRow>& 
   }
 }
 
-int print_convergence(const TireDescription& tire, const Options& options) {
+int print_convergence(const TireDescription& tire, const MeshOptions& options) {
   DiscretizationSettings settings;
   settings.element = tire.element;
   settings.pressure = tire.pressure;
@@ -86,7 +86,7 @@ int print_convergence(const TireDescription& tire, const Options& options) {
   return kDone;
 }
 
-int mesh(const Options& options) {
+int mesh(const MeshOptions& options) {
   const TireDescription tire = fe_tire::read_tire(tire_source(options.file).root());
   const fe_tire::Mesh mesh = fe_tire::build_mesh(tire, options.refinement);
   fe_tire::check(mesh);
@@ -109,7 +109,7 @@ void add_mesh(CommandLine& app, int& exit_code) {
       "  latsch mesh studies/tires/passenger_225_50R16.toml --convergence --deflection \"25 mm\"\n"
       "      the same tire on finer meshes, extrapolated: the error a fit would hide in the "
       "moduli");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MeshOptions>();
   verb.add_option("file", options->file, "Tire file or study file (TOML)").required();
   verb.add_option("--refinement", options->refinement, "Splits every element so often each way")
       .between(1, 8);

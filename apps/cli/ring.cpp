@@ -12,12 +12,12 @@
 namespace latsch::cli {
 namespace {
 
-struct Options {
+struct RingOptions {
   std::string data, output;
   int evaluations = 400;
 };
 
-int ring(const Options& options) {
+int ring(const RingOptions& options) {
   const auto data = correlation::read_ring_data(options.data);
   const auto fit = correlation::fit_ring(data, options.evaluations);
   if (!fit) {
@@ -69,7 +69,7 @@ void add_ring(CommandLine& app, int& exit_code) {
       "Says which targets the tire misses, what would mend each and which other pays for it, and\n"
       "what of the variables the data leave open.\n\n"
       "Example:\n  latsch ring data.toml --output tire.toml");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RingOptions>();
   verb.add_option("data", options->data, "Data file").required();
   verb.add_option("--output", options->output, "Tire file to write");
   verb.add_option("--evaluations", options->evaluations, "At most").between(1, 100000);

@@ -17,7 +17,7 @@
 namespace latsch::cli {
 namespace {
 
-struct Options {
+struct RoadOptions {
   std::string road, points, output, time, triangles;
 };
 
@@ -55,7 +55,7 @@ Channels ask(const formats::RoadFile& file,
 }
 
 /// A kerb in words as a road file of triangles.
-void write_triangles(const Options& options) {
+void write_triangles(const RoadOptions& options) {
   constexpr double kApproach = 3.0;  // m: a car stands on it before the kerb
   const Node root = Document::read(options.road).root();
   const auto mesh = road::kerb_triangles(road::read_kerb(root), kApproach);
@@ -64,7 +64,7 @@ void write_triangles(const Options& options) {
   fmt::print("wrote {}\n", options.triangles);
 }
 
-int road(const Options& options) {
+int road(const RoadOptions& options) {
   if (!options.triangles.empty()) write_triangles(options);
   if (options.points.empty()) {
     if (options.triangles.empty()) throw InputError("expected POINTS.csv or --triangles FILE.rdf");
@@ -107,7 +107,7 @@ void add_road(CommandLine& app, int& exit_code) {
       "and are SI where none is given.\n\n"
       "Examples:\n  latsch road track.crg points.csv > ground.csv\n"
       "  latsch road kerb.toml --triangles kerb.rdf");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RoadOptions>();
   verb.add_option("road", options->road, "Road file").required();
   verb.add_option("points", options->points, "Table of points (CSV)");
   verb.add_option("--time", options->time, "Time of all points, such as \"0.2 s\"");

@@ -18,14 +18,14 @@ using magic_formula::SteadyState;
 using report::LinePlot;
 using report::PlotLine;
 
-constexpr int kPoints = 121;
+constexpr int kTirePoints = 121;
 constexpr double kDegree = 0.017453292519943295;
 constexpr double kMostAlpha = 15.0 * kDegree, kMostKappa = 0.3;
 constexpr std::array kLoads = {0.5, 1.0, 1.5};          // of the nominal one
 constexpr std::array kCombined = {0.0, 2.0, 4.0, 8.0};  // deg, side slip of the friction ellipse
 
 /// From -1 to 1.
-double swept(int i) { return 2.0 * i / (kPoints - 1) - 1.0; }
+double swept(int i) { return 2.0 * i / (kTirePoints - 1) - 1.0; }
 
 std::vector<LinePlot> plots(const MagicFormula& tire) {
   const auto& p = tire.parameters();
@@ -40,7 +40,7 @@ std::vector<LinePlot> plots(const MagicFormula& tire) {
     state.Fz = load * p.FNOMIN;
     const PlotLine line{fmt::format("{:.0f} N", state.Fz), {}, {}, color++, {}};
     for (LinePlot* plot : {&lateral, &aligning, &longitudinal}) plot->lines.push_back(line);
-    for (int i = 0; i < kPoints; ++i) {
+    for (int i = 0; i < kTirePoints; ++i) {
       state.kappa = 0.0;
       state.alpha = kMostAlpha * swept(i);
       const SteadyState sideways = tire.evaluate(state);
@@ -60,7 +60,7 @@ std::vector<LinePlot> plots(const MagicFormula& tire) {
     combined.lines.push_back({fmt::format("{} deg", alpha), {}, {}, color++, {}});
     State state = nominal;
     state.alpha = alpha * kDegree;
-    for (int i = 0; i < kPoints; ++i) {
+    for (int i = 0; i < kTirePoints; ++i) {
       state.kappa = kMostKappa * swept(i);
       const SteadyState both = tire.evaluate(state);
       combined.lines.back().x.push_back(both.Fx);

@@ -15,7 +15,7 @@ namespace {
 using Targets = std::map<std::string, double>;  // by the bits of the point
 
 constexpr double kLeastShare = 0.9;  // of a design's points that have a target
-constexpr int kMostLevels = 41;
+constexpr int kMostSampledLevels = 41;
 constexpr int kMostScattered = 10'000;  // the search for neighbors costs their square
 
 Targets targets_of(const std::vector<RatedTrial>& trials) {
@@ -87,7 +87,7 @@ std::optional<StudyDesign> evaluated_design(const Study& study,
                                             const std::vector<RatedTrial>& trials) {
   const Targets targets = targets_of(trials);
   if (study.doe && complete(values_of(plan(*study.doe, study.space), targets))) return study.doe;
-  for (int n = kMostLevels; n >= 3; --n) {
+  for (int n = kMostSampledLevels; n >= 3; --n) {
     const StudyDesign grid{.levels = std::vector<int>(study.space.size(), n)};
     if (std::pow(n, study.space.size()) * kLeastShare > static_cast<double>(targets.size()))
       continue;

@@ -17,8 +17,8 @@ namespace {
 
 using Targets = std::map<std::string, double>;  // by the bits of the point
 
-constexpr int kMostLevels = 41;
-constexpr double kLeastShare =
+constexpr int kMostDrawnLevels = 41;
+constexpr double kLeastShareDrawn =
     0.9;  // of a grid's points that succeeded; below, it is no grid of this journal
 
 struct Grid {
@@ -31,7 +31,7 @@ std::optional<Grid> grid_with(const Study& study,
                               const Targets& targets) {
   double points = 1.0;
   for (int n : levels) points *= n;
-  if (points > static_cast<double>(targets.size()) / kLeastShare) return std::nullopt;
+  if (points > static_cast<double>(targets.size()) / kLeastShareDrawn) return std::nullopt;
   const SamplingPlan plan = full_factorial(study.space, levels);
   Grid grid{levels, {}};
   double least = std::numeric_limits<double>::infinity();
@@ -45,7 +45,7 @@ std::optional<Grid> grid_with(const Study& study,
       grid.best = point;
     }
   }
-  if (static_cast<double>(known) < kLeastShare * static_cast<double>(plan.points.size())) {
+  if (static_cast<double>(known) < kLeastShareDrawn * static_cast<double>(plan.points.size())) {
     return std::nullopt;
   }
   return grid;
@@ -57,7 +57,7 @@ std::optional<Grid> find_grid(const Study& study, const Targets& targets) {
   if (study.doe && study.doe->kind == DesignKind::full_factorial) {
     found = grid_with(study, study.doe->levels, targets);
   }
-  for (int n = kMostLevels; n >= 3 && !found; --n) {
+  for (int n = kMostDrawnLevels; n >= 3 && !found; --n) {
     found = grid_with(study, std::vector<int>(study.space.size(), n), targets);
   }
   return found;

@@ -13,7 +13,7 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr long kMostLevels = 1000;
+constexpr long kMostFactorialLevels = 1000;
 constexpr long kMostDesignPoints = 100'000;
 constexpr int kFewestTrajectories = 2;  // sigma needs two
 
@@ -41,11 +41,11 @@ DesignKind read_kind(const Node& doe) {
 }
 
 std::vector<int> read_levels(const Node& doe, const DesignSpace& space) {
-  const int all = static_cast<int>(doe.integer("levels", 1, kMostLevels));
+  const int all = static_cast<int>(doe.integer("levels", 1, kMostFactorialLevels));
   std::vector<int> levels(space.size(), all);
   if (const auto table = doe.find_table("levels_of")) {
     for (int i = 0; i < space.size(); ++i) {
-      levels[i] = static_cast<int>(table->integer(space[i].name, 1, kMostLevels, all));
+      levels[i] = static_cast<int>(table->integer(space[i].name, 1, kMostFactorialLevels, all));
     }
   }
   return levels;

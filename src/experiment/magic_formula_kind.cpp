@@ -10,7 +10,7 @@ namespace {
 
 using magic_formula::MagicFormulaTire;
 
-std::unique_ptr<Tire> build(const Document& numbers) {
+std::unique_ptr<Tire> build_magic_formula(const Document& numbers) {
   return std::make_unique<MagicFormulaTire>(parameters_of(numbers));
 }
 
@@ -26,7 +26,12 @@ Channels steady(const Document& numbers, const formats::CsvTable& table) {
 }  // namespace
 
 extern const TireKind kMagicFormulaKind;
-const TireKind kMagicFormulaKind = {
-    "magic_formula", "Magic Formula", "a .tir file", read_tir_numbers, build, tir_text_of, steady};
+const TireKind kMagicFormulaKind = {"magic_formula",
+                                    "Magic Formula",
+                                    "a .tir file",
+                                    read_tir_numbers,
+                                    build_magic_formula,
+                                    tir_text_of,
+                                    steady};
 
 }  // namespace latsch::experiment

@@ -7,7 +7,7 @@
 namespace latsch::experiment {
 namespace {
 
-std::unique_ptr<Tire> build(const Document& numbers) {
+std::unique_ptr<Tire> build_rigid_ring(const Document& numbers) {
   auto tire = rigid_ring::RigidRingTire::make(parameters_of(numbers));
   if (!tire) throw InputError({numbers.file(), 0}, "makes no rigid ring: " + tire.failure().reason);
   return std::move(*tire);
@@ -20,7 +20,7 @@ const TireKind kRigidRingKind = {"rigid_ring",
                                  "rigid ring",
                                  "a .tir file with belt and stiffnesses (MF 6.1, 6.2)",
                                  read_tir_numbers,
-                                 build,
+                                 build_rigid_ring,
                                  tir_text_of};
 
 }  // namespace latsch::experiment

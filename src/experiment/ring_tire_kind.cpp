@@ -13,7 +13,7 @@ Document read(const std::filesystem::path& file) {
   return document;
 }
 
-std::unique_ptr<Tire> build(const Document& numbers) {
+std::unique_ptr<Tire> build_ring_tire(const Document& numbers) {
   return std::make_unique<ring_tire::RingTire>(ring_tire::read_ring_tire(numbers.root()));
 }
 
@@ -31,7 +31,7 @@ const TireKind kRingTireKind = {"ring_tire",
                                 "flexible ring",
                                 "a TOML file with kind = \"ring_tire\"",
                                 read,
-                                build,
+                                build_ring_tire,
                                 text,
                                 nullptr,
                                 modes};

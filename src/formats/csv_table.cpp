@@ -17,7 +17,7 @@
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kLargestFile = 16u << 20;  // bytes
+constexpr std::size_t kLargestTable = 16u << 20;  // bytes
 constexpr std::size_t kMostCells = 1000000;
 
 /// "force [N]" -> "force", "N".
@@ -30,7 +30,7 @@ std::pair<std::string_view, std::string_view> split_unit(std::string_view cell) 
           trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2))};
 }
 
-std::string_view without_brackets(std::string_view unit) {
+std::string_view without_square_brackets(std::string_view unit) {
   unit = trimmed(unit);
   if (unit.size() >= 2 && unit.front() == '[' && unit.back() == ']')
     unit = trimmed(unit.substr(1, unit.size() - 2));
@@ -42,13 +42,13 @@ std::string called(std::string_view column) { return "column " + in_quotes(colum
 }  // namespace
 
 CsvTable CsvTable::read(const std::filesystem::path& file) {
-  return parse(read_text_file(file, kLargestFile), file.string());
+  return parse(read_text_file(file, kLargestTable), file.string());
 }
 
 CsvTable CsvTable::parse(std::string text, std::string file_name) {
   CsvTable table;
   table.file_ = std::move(file_name);
-  CsvFields fields(std::move(text), table.file_, kLargestFile);
+  CsvFields fields(std::move(text), table.file_, kLargestTable);
   table.decimal_comma_ = fields.separator() != ',';
   CsvFields::Row row;
   if (!fields.next(row))
@@ -88,7 +88,7 @@ bool CsvTable::take_units(const CsvFields::Row& row) {
     if (!column.unit.empty()) return false;
   bool any = false;
   for (const std::string_view cell : row.cells) {
-    const std::string_view unit = without_brackets(cell);
+    const std::string_view unit = without_square_brackets(cell);
     if (unit.empty() || unit == "-") continue;
     if (unit != "1" && parse_number(unit)) return false;
     if (!Unit::find(unit)) return false;
@@ -96,7 +96,7 @@ bool CsvTable::take_units(const CsvFields::Row& row) {
   }
   if (!any) return false;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const std::string_view unit = without_brackets(row.cells[i]);
+    const std::string_view unit = without_square_brackets(row.cells[i]);
     columns_[i].unit = unit == "-" ? "" : unit;
   }
   return true;

@@ -11,7 +11,7 @@
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kLongestLine = 4096;
+constexpr std::size_t kLongestCard = 4096;
 
 std::string_view strip(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -130,10 +130,10 @@ std::vector<InpCard> split_cards(std::string_view text, const std::string& file_
     const std::string_view line = strip(text.substr(0, end));
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     const Place place{file_name, number};
-    if (line.size() > kLongestLine)
+    if (line.size() > kLongestCard)
       throw InputError(
           place,
-          fmt::format("a line of {} characters, expected at most {}", line.size(), kLongestLine));
+          fmt::format("a line of {} characters, expected at most {}", line.size(), kLongestCard));
     if (std::any_of(line.begin(), line.end(), [](unsigned char c) { return c < 32 && c != '\t'; }))
       throw InputError(place, "a control character, expected a text file");
     if (line.empty() || line.starts_with("**")) continue;

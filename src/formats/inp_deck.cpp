@@ -14,7 +14,7 @@
 namespace latsch::formats {
 namespace {
 
-constexpr std::uintmax_t kLargestFile = 256u << 20;
+constexpr std::uintmax_t kLargestDeck = 256u << 20;
 constexpr std::size_t kLargestSet = 2'000'000;
 
 bool is_number(const std::string& field) {
@@ -444,9 +444,9 @@ InpDeck read_inp(const std::filesystem::path& file) {
   std::error_code error;
   const auto size = std::filesystem::file_size(file, error);
   if (error) throw InputError({file.string(), 0}, "cannot be read: " + error.message());
-  if (size > kLargestFile)
+  if (size > kLargestDeck)
     throw InputError({file.string(), 0},
-                     fmt::format("has {} bytes, expected at most {}", size, kLargestFile));
+                     fmt::format("has {} bytes, expected at most {}", size, kLargestDeck));
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/text.h"
+#include "formats/letter_case.h"
 
 namespace latsch::formats {
 namespace {
@@ -35,13 +36,6 @@ constexpr std::array<std::string_view, 31> kUsual = {
     "m",   "mm",  "cm",   "km",  "in",   "inch", "ft",  "N",   "kN", "daN", "Nm",
     "kNm", "Pa",  "kPa",  "hPa", "MPa",  "bar",  "psi", "s",   "ms", "h",   "min",
     "deg", "rad", "km/h", "kph", "degC", "K",    "kg",  "rpm", "m/s"};
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
 
 std::string_view without_brackets(std::string_view text) {
   text = trimmed(text);

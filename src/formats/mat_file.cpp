@@ -17,8 +17,8 @@
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kLargestFile = 512u << 20;  // bytes
-constexpr int kDeepest = 16;
+constexpr std::size_t kLargestMatFile = 512u << 20;  // bytes
+constexpr int kDeepestStruct = 16;
 
 /// What matio read of a file of version 7.3.
 class Hdf5Reading {
@@ -50,9 +50,9 @@ class Hdf5Reading {
       variable.size.push_back(from.dims[i]);
       count *= from.dims[i];
     }
-    if (from.class_type == MAT_C_STRUCT && depth < kDeepest)
+    if (from.class_type == MAT_C_STRUCT && depth < kDeepestStruct)
       return take_struct(from, path, count, depth);
-    if (from.class_type == MAT_C_CELL && depth < kDeepest)
+    if (from.class_type == MAT_C_CELL && depth < kDeepestStruct)
       return take_cells(from, path, count, depth);
     const bool known = !from.isComplex && from.data && from.nbytes == count * from.data_size;
     if (!known || !copy_numbers(from, count, variable)) {
@@ -141,7 +141,7 @@ bool MatVariable::is_vector() const {
 }
 
 MatFile MatFile::read(const std::filesystem::path& file) {
-  std::string bytes = read_text_file(file, kLargestFile);
+  std::string bytes = read_text_file(file, kLargestMatFile);
   if (bytes.starts_with("MATLAB 7.3")) {
     MatFile result;
     result.file = file.string();

@@ -52,7 +52,7 @@ enum Class : std::uint32_t {
 };
 constexpr std::uint32_t kComplex = 0x0800;
 
-struct Element {
+struct MatElement {
   std::uint32_t type = 0;
   std::string_view contents;
 };
@@ -69,11 +69,11 @@ class MatReading {
     swapped_ = (mark == "MI") == (std::endian::native == std::endian::little);
     bytes.remove_prefix(kHeader);
     while (!bytes.empty()) {
-      const Element element = next(bytes, /*aligned=*/true);
+      const MatElement element = next(bytes, /*aligned=*/true);
       if (element.type == miCOMPRESSED) {
         const std::string unpacked = unpack(element.contents);
         std::string_view rest = unpacked;
-        const Element inner = next(rest, true);
+        const MatElement inner = next(rest, true);
         if (inner.type != miMATRIX) fail("has a compressed element that is no array");
         take_array(inner.contents, "", 0);
       } else if (element.type == miMATRIX) {
@@ -100,12 +100,12 @@ class MatReading {
   }
 
   /// The element at the begin of `bytes`, which are then what follows it.
-  Element next(std::string_view& bytes, bool aligned) const {
+  MatElement next(std::string_view& bytes, bool aligned) const {
     if (bytes.size() < 8) fail("ends within the head of an element");
     const auto first = number_at<std::uint32_t>(bytes, 0);
     if (const std::uint32_t size = first >> 16; size > 0) {  // a small element: all in eight bytes
       if (size > 4) fail(fmt::format("has a small element of {} bytes, expected at most 4", size));
-      const Element element{first & 0xffff, bytes.substr(4, size)};
+      const MatElement element{first & 0xffff, bytes.substr(4, size)};
       bytes.remove_prefix(8);
       return element;
     }
@@ -113,7 +113,7 @@ class MatReading {
     if (size > bytes.size() - 8) {
       fail(fmt::format("has an element of {} bytes where {} are left", size, bytes.size() - 8));
     }
-    const Element element{first, bytes.substr(8, size)};
+    const MatElement element{first, bytes.substr(8, size)};
     // Elements begin at multiples of eight, except behind compressed ones.
     const std::size_t padded = first == miCOMPRESSED || !aligned ? size : (size + 7) / 8 * 8;
     bytes.remove_prefix(std::min(bytes.size(), 8 + padded));
@@ -147,13 +147,13 @@ class MatReading {
   void take_array(std::string_view bytes, const std::string& path, int depth) {
     if (bytes.empty()) return;  // an empty place in a cell
     if (depth > kDeepest) fail("has structs in structs deeper than 16");
-    const Element flags = next(bytes, true);
+    const MatElement flags = next(bytes, true);
     if (flags.type != miUINT32 || flags.contents.size() != 8) fail("has an array without flags");
     const auto word = number_at<std::uint32_t>(flags.contents, 0);
     const std::uint32_t kind = word & 0xff;
     MatVariable variable;
     variable.size = size_of(next(bytes, true));
-    const Element name = next(bytes, true);
+    const MatElement name = next(bytes, true);
     variable.name = path.empty() ? std::string(name.contents.substr(0, 63)) : path;
     if (kind == mxSTRUCT) return take_struct(bytes, variable, depth);
     if (kind == mxCELL) return take_cells(bytes, variable, depth);
@@ -161,7 +161,7 @@ class MatReading {
       file_.left_out.push_back(printable(variable.name));
       return;
     }
-    const Element data = next(bytes, true);
+    const MatElement data = next(bytes, true);
     const std::vector<double> values = data.type == miUTF8 ? characters(data) : numbers(data);
     if (values.size() != count(variable)) {
       fail(in_quotes(variable.name) +
@@ -189,7 +189,7 @@ class MatReading {
     return name;
   }
 
-  std::vector<std::size_t> size_of(const Element& element) const {
+  std::vector<std::size_t> size_of(const MatElement& element) const {
     const std::size_t dimensions = element.contents.size() / 4;
     if (element.type != miINT32 || dimensions < 2 || dimensions > kMostDimensions) {
       fail("has an array without a size");
@@ -222,7 +222,7 @@ class MatReading {
   }
 
   /// The codes of UTF-8 text.
-  static std::vector<double> characters(const Element& element) {
+  static std::vector<double> characters(const MatElement& element) {
     std::vector<double> codes;
     for (std::string_view rest = element.contents; !rest.empty();) {
       const std::string_view character = columns_of(rest, 0, 1);
@@ -236,7 +236,7 @@ class MatReading {
     return codes;
   }
 
-  std::vector<double> numbers(const Element& element) const {
+  std::vector<double> numbers(const MatElement& element) const {
     switch (element.type) {
       case miINT8:
         return numbers_as<std::int8_t>(element.contents);
@@ -287,10 +287,10 @@ class MatReading {
   }
 
   void take_struct(std::string_view bytes, const MatVariable& owner, int depth) {
-    const Element length = next(bytes, true);
+    const MatElement length = next(bytes, true);
     if (length.type != miINT32 || length.contents.size() != 4) fail("has a struct without fields");
     const auto width = number_at<std::int32_t>(length.contents, 0);
-    const Element names = next(bytes, true);
+    const MatElement names = next(bytes, true);
     if (width <= 0 || width > 64) fail(fmt::format("has names of fields of {} bytes", width));
     const std::size_t fields = names.contents.size() / width;
     const std::size_t members = count(owner);
@@ -313,7 +313,7 @@ class MatReading {
   /// Every member takes bytes of the file: a size in a header alone makes no loop long.
   void take_member(std::string_view& bytes, const std::string& path, int depth) {
     if (bytes.empty()) fail(in_quotes(path) + " is missing: the file is cut off");
-    const Element member = next(bytes, true);
+    const MatElement member = next(bytes, true);
     if (member.type != miMATRIX) fail(in_quotes(path) + " is no array");
     take_array(member.contents, path, depth + 1);
   }

@@ -14,7 +14,7 @@
 namespace latsch::formats {
 namespace {
 
-const std::vector<std::string> kTypes = {"torsional", "lateral", "radial"};
+const std::vector<std::string> kModeTypes = {"torsional", "lateral", "radial"};
 constexpr long kMostWaves = 1000;
 
 template <class Measurement>
@@ -43,8 +43,9 @@ MeasuredMode read_label(const CsvTable& table, int row) {
     mode.n = static_cast<int>(*waves);
   }
   mode.type = cell("type");
-  if (!mode.type.empty() && std::find(kTypes.begin(), kTypes.end(), mode.type) == kTypes.end())
-    reject("type", list_of(kTypes) + " or nothing" + did_you_mean(mode.type, kTypes));
+  if (!mode.type.empty() &&
+      std::find(kModeTypes.begin(), kModeTypes.end(), mode.type) == kModeTypes.end())
+    reject("type", list_of(kModeTypes) + " or nothing" + did_you_mean(mode.type, kModeTypes));
   const std::string phase = cell("phase");
   if (!phase.empty() && phase != "s" && phase != "a") reject("phase", "s, a or nothing");
   if (!phase.empty()) mode.phase = phase[0];
@@ -72,7 +73,7 @@ ModeTable read_mode_toml(const std::filesystem::path& file) {
     MeasuredMode mode;
     mode.frequency = node.quantity("frequency", "Hz", Range::positive());
     if (node.has("n")) mode.n = static_cast<int>(node.integer("n", 0, kMostWaves));
-    if (node.has("type")) mode.type = node.choice("type", kTypes);
+    if (node.has("type")) mode.type = node.choice("type", kModeTypes);
     if (node.has("phase")) mode.phase = node.choice("phase", {"s", "a"})[0];
     table.modes.push_back(mode);
   }

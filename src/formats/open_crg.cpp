@@ -13,11 +13,11 @@
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kLargestFile = 256u << 20;  // bytes
-constexpr int kDeepest = 4;                       // files that refer to each other
+constexpr std::size_t kLargestCrg = 256u << 20;  // bytes
+constexpr int kDeepestReference = 4;             // files that refer to each other
 
 void check_size(std::string_view bytes, const std::string& file) {
-  if (bytes.size() > kLargestFile) throw InputError({file, 0}, "is larger than 256 MB");
+  if (bytes.size() > kLargestCrg) throw InputError({file, 0}, "is larger than 256 MB");
 }
 
 /// The file itself, or what it includes with its own options and modifiers in the place of those.
@@ -47,13 +47,14 @@ OpenCrg assemble(const std::string& bytes, const OpenCrgHeader& header) {
 }
 
 OpenCrg read_included(const std::filesystem::path& file, const OpenCrgHeader* outer, int depth) {
-  const std::string bytes = read_text_file(file, kLargestFile);
+  const std::string bytes = read_text_file(file, kLargestCrg);
   OpenCrgHeader header = read_open_crg_header(bytes, file.string());
   if (outer && !outer->options.empty()) header.options = outer->options;
   if (outer && !outer->modifiers.empty()) header.modifiers = outer->modifiers;
   if (header.include.empty()) return assemble(bytes, header);
   const Place place{header.file, header.include_line};
-  if (depth == kDeepest) throw InputError(place, "refers to a file that refers to files, too deep");
+  if (depth == kDeepestReference)
+    throw InputError(place, "refers to a file that refers to files, too deep");
   if (header.include.find('$') != header.include.npos) {
     throw InputError(place, "has " + in_quotes(header.include) + ", expected a path without $");
   }

@@ -18,7 +18,7 @@ using Kind = OpenCrgHeader::Channel::Kind;
 constexpr double kDefaultIncrement = 0.01;  // m, of OpenCRG, along u and v
 constexpr double kLeastSpacing = 1e-6;      // m, of OpenCRG
 constexpr double kEvenLine = 3e-2;          // relative, of OpenCRG: spacing of points of the line
-constexpr double kLargest = 1e9;            // m: no road is longer, no place further away
+constexpr double kLargestPlace = 1e9;       // m: no road is longer, no place further away
 constexpr double kMostRows = 1e8;
 
 Vector2d direction(double phi) { return {std::cos(phi), std::sin(phi)}; }
@@ -67,7 +67,7 @@ class GridBuilding {
     std::vector<double> values(records_.rows);
     for (int row = 0; row < records_.rows; ++row) {
       values[row] = records_.at(row, at);
-      if (row >= first && !(std::abs(values[row]) < kLargest)) {
+      if (row >= first && !(std::abs(values[row]) < kLargestPlace)) {
         fail(fmt::format("record {} has no {} of the reference line", row + 1, name));
       }
     }
@@ -95,14 +95,14 @@ class GridBuilding {
     if (!(grid_.u_increment >= kLeastSpacing)) {
       fail(fmt::format("has rows every {} m, expected at least 1e-6 m", grid_.u_increment));
     }
-    if (!(std::abs(grid_.u_begin) + grid_.u_increment * records_.rows < kLargest)) {
+    if (!(std::abs(grid_.u_begin) + grid_.u_increment * records_.rows < kLargestPlace)) {
       fail("goes further than 1e9 m");
     }
   }
 
   double positive_scale(const char* name) const {
     const double scale = modifier(name, 1.0);
-    if (scale <= 0.0 || scale > kLargest) {
+    if (scale <= 0.0 || scale > kLargestPlace) {
       header_.reject(header_.modifiers, name, "expected a number above 0");
     }
     return scale;
@@ -136,7 +136,7 @@ class GridBuilding {
       }
       const double place = by_number ? first + step * static_cast<double>(i) : channel.place;
       grid_.v.push_back(scale * place);
-      if (!(std::abs(grid_.v[i]) < kLargest)) fail("is a section too far aside", channel.line);
+      if (!(std::abs(grid_.v[i]) < kLargestPlace)) fail("is a section too far aside", channel.line);
       if (i > 0 && !(grid_.v[i] - grid_.v[i - 1] >= kLeastSpacing)) {
         fail("is a long section less than 1e-6 m beside another", channel.line);
       }
@@ -171,7 +171,7 @@ class GridBuilding {
     const bool has_end = has_road("reference_line_end_x") && has_road("reference_line_end_y");
     const Vector2d end(road("reference_line_end_x", 0.0), road("reference_line_end_y", 0.0));
     for (const double place : {begin.x(), begin.y(), end.x(), end.y()}) {
-      if (std::abs(place) > kLargest) fail("has a reference line further away than 1e9 m");
+      if (std::abs(place) > kLargestPlace) fail("has a reference line further away than 1e9 m");
     }
     std::vector<double> phi = column(Kind::phi, "phi", 1);
     const bool bent = !phi.empty();
@@ -268,11 +268,11 @@ class GridBuilding {
 
   void scale_grid() {
     for (const double z : grid_.z) {
-      if (std::abs(z) > kLargest) fail("has a height above 1e9 m");
+      if (std::abs(z) > kLargestPlace) fail("has a height above 1e9 m");
     }
     for (const auto* heights : {&grid_.line_height, &grid_.banking}) {
       for (const double z : *heights)
-        if (!(std::abs(z) < kLargest)) fail("has a reference line higher than 1e9 m");
+        if (!(std::abs(z) < kLargestPlace)) fail("has a reference line higher than 1e9 m");
     }
   }
 
@@ -325,7 +325,7 @@ class GridBuilding {
     grid_.border_v = border("border_mode_v");
     const auto length = [&](const char* name, double fallback, bool negative) {
       const double value = header_.value(header_.options, name, fallback);
-      if (std::abs(value) > kLargest || (value < 0.0 && !negative)) {
+      if (std::abs(value) > kLargestPlace || (value < 0.0 && !negative)) {
         header_.reject(header_.options, name, "expected a length");
       }
       return value;
@@ -351,7 +351,7 @@ class GridBuilding {
 
   void move() {
     for (const auto& [name, value] : header_.modifiers) {
-      if (std::abs(value.number) > kLargest) {
+      if (std::abs(value.number) > kLargestPlace) {
         header_.reject(header_.modifiers, name, "expected a number below 1e9");
       }
     }

@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "formats/letter_case.h"
 
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kMostChannels = 20000;
-constexpr std::size_t kLongestLine = 1000;
+constexpr std::size_t kMostRoadChannels = 20000;
+constexpr std::size_t kLongestHeaderLine = 1000;
 
 const std::vector<std::string> kRoad = {
     "reference_line_start_u",    "reference_line_start_x",   "reference_line_start_y",
@@ -55,13 +56,6 @@ const std::vector<std::string> kModifiers = {
     "refpoint_u",          "refpoint_v_fraction", "refpoint_v_offset",   "refpoint_v",
     "refpoint_x",          "refpoint_y",          "refpoint_z",          "refpoint_phi"};
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
-
 class HeaderReading {
  public:
   HeaderReading(std::string_view bytes, OpenCrgHeader& header) : bytes_(bytes), header_(header) {}
@@ -98,7 +92,7 @@ class HeaderReading {
     ++line_;
     if (line_ == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
     if (line.ends_with('\r')) line.remove_suffix(1);
-    if (line.size() > kLongestLine) fail("is a line of the header too long, expected text");
+    if (line.size() > kLongestHeaderLine) fail("is a line of the header too long, expected text");
     if (line.find('\0') != line.npos) fail("has a zero byte before the data, expected text");
     return true;
   }
@@ -151,7 +145,7 @@ class HeaderReading {
       header_.format = trimmed(text.substr(2));
       header_.format_line = line_;
     } else if (text.starts_with("D:") || text.starts_with("d:")) {
-      if (header_.channels.size() == kMostChannels) fail("has too many channels");
+      if (header_.channels.size() == kMostRoadChannels) fail("has too many channels");
       header_.channels.push_back(channel_of(lower(trimmed(text.substr(2)))));
     } else if (!text.starts_with("U:") && !text.starts_with("u:")) {
       fail("is " + in_quotes(text) + ", expected #:, D: or U:");

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/text.h"
+#include "formats/letter_case.h"
 #include "formats/rdf_spline.h"
 #include "formats/road_file.h"
 #include "models/road/drum_road.h"
@@ -23,28 +24,21 @@ namespace {
 
 using road::Profile;
 
-constexpr double kLargest = 1e7;  // m: no road is longer
+constexpr double kLargestRoad = 1e7;  // m: no road is longer
 constexpr double kMostCleats = 1e4;
 constexpr double kMostOblique = 80.0 / 180.0 * std::numbers::pi;  // rad, of a bar
 constexpr double kSmoothest = 1e-6;  // m: the least length of an obstacle or wave
 
-const std::vector<std::string> kTypes = {"flat",
-                                         "plank",
-                                         "pothole",
-                                         "ramp",
-                                         "roof",
-                                         "sine",
-                                         "sweep",
-                                         "poly_line",
-                                         "drum",
-                                         "stochastic_uneven"};
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
+const std::vector<std::string> kRoadTypes = {"flat",
+                                             "plank",
+                                             "pothole",
+                                             "ramp",
+                                             "roof",
+                                             "sine",
+                                             "sweep",
+                                             "poly_line",
+                                             "drum",
+                                             "stochastic_uneven"};
 
 class RdfReading {
  public:
@@ -97,11 +91,11 @@ class RdfReading {
   double number(const char* key, double unit, double low, double high, double fallback) {
     return find(key) ? number(key, unit, low, high) : fallback;
   }
-  double length(const char* key) { return number(key, units_.length, kSmoothest, kLargest); }
+  double length(const char* key) { return number(key, units_.length, kSmoothest, kLargestRoad); }
   double place(const char* key, double fallback = 0.0) {
-    return number(key, units_.length, -kLargest, kLargest, fallback);
+    return number(key, units_.length, -kLargestRoad, kLargestRoad, fallback);
   }
-  double height(const char* key) { return number(key, units_.length, -kLargest, kLargest); }
+  double height(const char* key) { return number(key, units_.length, -kLargestRoad, kLargestRoad); }
   double friction(const char* key) { return number(key, 1.0, 0.0, 100.0, 1.0); }
 
   void read_2d() {
@@ -146,7 +140,8 @@ class RdfReading {
                        "ROAD_TYPE is \"stochastic_uneven\", whose random numbers only the program "
                        "that made it knows; expected the road itself, as poly_line or OpenCRG");
     }
-    throw InputError(where, "unknown ROAD_TYPE " + in_quotes(type) + did_you_mean(type, kTypes));
+    throw InputError(where,
+                     "unknown ROAD_TYPE " + in_quotes(type) + did_you_mean(type, kRoadTypes));
   }
 
   std::unique_ptr<road::Road> obstacle(Profile profile, double x, double angle = 0.0) {
@@ -162,7 +157,7 @@ class RdfReading {
   Profile bar(const char* height_key, const char* length_key, const char* bevel_key, double angle) {
     const double high = height(height_key);
     const double across = length(length_key) * std::cos(angle);
-    const double bevel = number(bevel_key, units_.length, 0.0, kLargest, 0.0) * std::cos(angle);
+    const double bevel = number(bevel_key, units_.length, 0.0, kLargestRoad, 0.0) * std::cos(angle);
     if (bevel > std::abs(high) || bevel > across / 2.0) {
       reject(bevel_key, "expected at most the height and half of the length");
     }
@@ -229,7 +224,7 @@ class RdfReading {
       std::vector<double> numbers = parameters_->numbers(row, units.size());
       for (std::size_t i = 0; i < units.size(); ++i) {
         numbers[i] *= units[i];
-        if (!(std::abs(numbers[i]) <= kLargest)) {
+        if (!(std::abs(numbers[i]) <= kLargestRoad)) {
           throw InputError(parameters_->place(row.line), "has a number beyond 1e7 in SI units");
         }
       }
@@ -272,7 +267,7 @@ class RdfReading {
 
   std::unique_ptr<road::Road> read_drum() {
     road::DrumRoad::Settings settings;
-    const double diameter = number("DIAMETER", units_.length, -kLargest, kLargest);
+    const double diameter = number("DIAMETER", units_.length, -kLargestRoad, kLargestRoad);
     if (std::abs(diameter) < 1e-3) reject("DIAMETER", "expected the diameter of a drum");
     settings.diameter = std::abs(diameter);
     settings.inner = diameter > 0.0;
@@ -361,7 +356,7 @@ class RdfReading {
         const auto numbers = nodes.numbers(row, 4);
         const Eigen::Vector3d place =
             units_.length * Eigen::Vector3d(numbers[1], numbers[2], numbers[3]);
-        if (!(place.cwiseAbs().maxCoeff() <= kLargest)) {
+        if (!(place.cwiseAbs().maxCoeff() <= kLargestRoad)) {
           throw InputError(nodes.place(row.line), "has a node further away than 1e7 m");
         }
         const long number = id(nodes, row, numbers[0]);
@@ -424,7 +419,7 @@ class RdfReading {
           std::cos(angle);
     }
     offset *= units_.length;
-    if (!(offset.cwiseAbs().maxCoeff() <= kLargest)) {
+    if (!(offset.cwiseAbs().maxCoeff() <= kLargestRoad)) {
       throw InputError(model_.place(), "has an offset beyond 1e7 m");
     }
     return offset;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "formats/letter_case.h"
 
 namespace latsch::formats {
 namespace {
@@ -14,21 +15,15 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kStation = 0.5;       // m, between cross-sections
-constexpr double kMostPieces = 200.0;  // of an interval; a longer one has longer stations
-constexpr double kLargest = 1e6;       // m
-constexpr double kLeastStep = 1e-3;    // m, between points in plan
+constexpr double kStation = 0.5;        // m, between cross-sections
+constexpr double kMostPieces = 200.0;   // of an interval; a longer one has longer stations
+constexpr double kLargestSpline = 1e6;  // m
+constexpr double kLeastStep = 1e-3;     // m, between points in plan
 
 struct DataPoint {
   Vector3d center = Vector3d::Zero();
   double width = 0.0, mu_left = 1.0, mu_right = 1.0;
 };
-
-std::string lower(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
 
 class SplineReading {
  public:
@@ -100,9 +95,9 @@ class SplineReading {
     point.width = units_.length * own(numbers, 3, global("WIDTH", 0.0));
     point.mu_left = own(numbers, 5, global("MU_LEFT", 1.0));
     point.mu_right = own(numbers, 6, global("MU_RIGHT", 1.0));
-    if (!(point.center.cwiseAbs().maxCoeff() <= kLargest))
+    if (!(point.center.cwiseAbs().maxCoeff() <= kLargestSpline))
       throw InputError(place, "has a point further away than 1e6 m");
-    if (!(point.width >= 1e-3 && point.width <= kLargest))
+    if (!(point.width >= 1e-3 && point.width <= kLargestSpline))
       throw InputError(place, "has a width that is not between 1 mm and 1e6 m");
     if (!(std::min(point.mu_left, point.mu_right) >= 0.0 &&
           std::max(point.mu_left, point.mu_right) <= 100.0))

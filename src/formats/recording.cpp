@@ -19,7 +19,7 @@
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{2} << 30;  // bytes
+constexpr std::size_t kLargestRecording = std::size_t{2} << 30;  // bytes
 
 struct Column {
   std::string name;
@@ -39,7 +39,7 @@ Column column_of(std::string_view cell) {
       std::string(trimmed(cell.substr(0, bracket))), std::string(unit), Unit::of("1"), true, {}};
 }
 
-std::vector<Column> columns_of(const CsvFields::Row& row, const Place& place) {
+std::vector<Column> titles_of(const CsvFields::Row& row, const Place& place) {
   std::vector<Column> columns;
   std::set<std::string> names;
   for (const std::string_view cell : row.cells) {
@@ -131,12 +131,12 @@ void take_row(const CsvFields::Row& row,
 
 Channels parse_recording(std::string text, const std::string& file) {
   const std::size_t size = text.size();
-  CsvFields fields(std::move(text), file, kLargestFile);
+  CsvFields fields(std::move(text), file, kLargestRecording);
   const bool decimal_comma = fields.separator() != ',';
   CsvFields::Row row;
   if (!fields.next(row)) throw InputError({file, 0}, "is empty, expected a line of column names");
   const Place header{file, row.line};
-  std::vector<Column> columns = columns_of(row, header);
+  std::vector<Column> columns = titles_of(row, header);
   std::string scratch;
   bool more = fields.next(row);
   if (more && row.cells.size() == columns.size() && take_units(row, columns)) {
@@ -159,7 +159,7 @@ Channels read_recording(const std::filesystem::path& file,
   if (ending == ".tdx" || ending == ".TDX") return TydexFile::read(file).channels;
   if (ending == ".mat") return MatFile::read(file).channels(units);
   if (ending == ".csv" || ending == ".txt" || ending == ".CSV" || ending == ".TXT") {
-    return parse_recording(read_text_file(file, kLargestFile), file.string());
+    return parse_recording(read_text_file(file, kLargestRecording), file.string());
   }
   throw InputError({file.string(), 0},
                    "ends in " + in_quotes(ending) + ", expected .csv, .txt, .tdx or .mat");

@@ -9,18 +9,12 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "formats/letter_case.h"
 
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kLongestLine = 64u << 10;
-
-std::string capitals(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return result;
-}
+constexpr std::size_t kLongestOrbitLine = 64u << 10;
 
 bool blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == ',' || c == ';'; }
 
@@ -52,7 +46,7 @@ class TeimOrbitReader {
     while (begin < text.size()) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
       ++line_;
-      if (end - begin > kLongestLine) reject("a line longer than 64 kB");
+      if (end - begin > kLongestOrbitLine) reject("a line longer than 64 kB");
       read_line(text.substr(begin, end - begin), begin);
       begin = end + 1;
     }

@@ -12,12 +12,13 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "formats/lab_units.h"
+#include "formats/letter_case.h"
 #include "formats/text_encoding.h"
 
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kLargestFile = 512u << 20;  // an hour of ten channels at 1 kHz
+constexpr std::size_t kLargestTydex = 512u << 20;  // an hour of ten channels at 1 kHz
 constexpr std::size_t kMostChannels = 1000;
 constexpr std::size_t kNameEnd = 10, kCommentEnd = 40, kUnitEnd = 50, kField = 10;
 constexpr double kNotAvailable = std::numeric_limits<double>::quiet_NaN();
@@ -34,13 +35,6 @@ const std::vector<std::string> kKeywords = {"**HEADER",
                                             "**MODELOUTPUTS",
                                             "**MODELEND",
                                             "**END"};
-
-std::string capitals(std::string_view text) {
-  std::string result(trimmed(text));
-  for (char& c : result)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return result;
-}
 
 void split_words(std::string_view line, std::vector<std::string_view>& words) {
   words.clear();
@@ -64,7 +58,7 @@ std::vector<std::string_view> words_of(std::string_view line) {
 std::optional<long double> number_of(std::string_view text) {
   text = trimmed(text);
   if (const auto parts = split_number(text); parts && parts->rest.empty()) return parts->number;
-  const std::string word = capitals(text);
+  const std::string word = capitals(trimmed(text));
   if (word == "NOTAVAIL" || word == "NAN") return kNotAvailable;
   std::string plain(text);
   std::replace(plain.begin(), plain.end(), ',', '.');
@@ -151,7 +145,7 @@ class Reading {
   TydexFile::Entry entry_of(std::string_view line) const {
     TydexFile::Entry entry;
     entry.line = line_;
-    entry.name = capitals(columns_of(line, 0, kNameEnd));
+    entry.name = capitals(trimmed(columns_of(line, 0, kNameEnd)));
     entry.comment = trimmed(columns_of(line, kNameEnd, kCommentEnd - kNameEnd));
     entry.unit = trimmed(columns_of(line, kCommentEnd, kUnitEnd - kCommentEnd));
     entry.text = trimmed(columns_of(line, kUnitEnd, line.size()));
@@ -297,7 +291,7 @@ class Reading {
 }  // namespace
 
 TydexFile TydexFile::read(const std::filesystem::path& file) {
-  return parse(read_text_file(file, kLargestFile), file.string());
+  return parse(read_text_file(file, kLargestTydex), file.string());
 }
 
 TydexFile TydexFile::parse(std::string text, std::string file_name) {

@@ -9,8 +9,6 @@
 namespace latsch {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
-
 /// s^2 + 2 f zeta s + f^2, from the constant upward.
 std::vector<double> resonance(const RigResponse& r) { return {r.f * r.f, 2.0 * r.f * r.zeta, 1.0}; }
 

@@ -16,12 +16,15 @@
 #pragma once
 
 #include <complex>
+#include <numbers>
 #include <optional>
 
 #include "base/result.h"
 #include "numerics/bilinear.h"
 
 namespace latsch {
+
+inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 struct RigResponse {
   double A = 0.0;     // 1/s^2

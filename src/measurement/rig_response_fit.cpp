@@ -18,7 +18,6 @@ namespace latsch {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr int kFewestLines = 8;
 
 /// One frequency of the fit: what is compared, and in which unit.

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "base/error.h"
@@ -23,7 +22,6 @@
 namespace latsch {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 const RigResponse kTruth = RigResponse::of(0.55, kTwoPi * 92.0, 0.06, 0.55);
 
 std::complex<double> answer(const numerics::RationalFilter& filter, double omega, double rate) {

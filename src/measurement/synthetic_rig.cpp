@@ -12,7 +12,6 @@ namespace latsch {
 namespace {
 
 using numerics::Spectrum;
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kRamp = 4.0;           // s between plateaus
 constexpr double kPulseSeconds = 2.0;   // a hit has died out by then
 constexpr double kBefore = 0.1;         // s of a pulse in front of its hit

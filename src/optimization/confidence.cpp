@@ -8,13 +8,13 @@
 
 #include "numerics/singular_values.h"
 #include "numerics/student_t.h"
+#include "optimization/infinity.h"
 
 namespace latsch {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNearBound = 1e-6;  // of the range: a variable so near lies on its bound
-constexpr double kRounding = 1e-13;  // of the largest singular value: less is zero
+constexpr double kNearBound = 1e-6;          // of the range: a variable so near lies on its bound
+constexpr double kRoundingOfValues = 1e-13;  // of the largest singular value: less is zero
 
 /// On a bound, with S growing inward.
 Bound held_at(double u, double gradient) {
@@ -41,7 +41,8 @@ Spectrum spectrum(const Eigen::MatrixXd& J) {
 Eigen::MatrixXd inverse_normal_matrix(const Eigen::MatrixXd& J) {
   if (J.cols() == 0) return {};
   const Spectrum s = spectrum(J);
-  const double least = std::max(kRounding * s.values[0], std::numeric_limits<double>::min());
+  const double least =
+      std::max(kRoundingOfValues * s.values[0], std::numeric_limits<double>::min());
   const Eigen::VectorXd scale = s.values.cwiseMax(least).cwiseInverse();
   const Eigen::MatrixXd W = s.directions * scale.asDiagonal();
   return W * W.transpose();

@@ -13,7 +13,7 @@
 namespace latsch {
 namespace {
 
-constexpr double kRounding = 1e-9;  // in the unit cube, after some thousand operations
+constexpr double kRoundingInCube = 1e-9;  // in the unit cube, after some thousand operations
 constexpr double kOnFace = 1e-11;
 constexpr double kParallel = 1e-10;  // of a step: along a face, not toward it
 
@@ -104,7 +104,9 @@ double FeasibleRegion::violation(const Eigen::VectorXd& u) const {
   return std::max(worst, (A_ * u - b_).maxCoeff());
 }
 
-bool FeasibleRegion::contains(const Eigen::VectorXd& u) const { return violation(u) <= kRounding; }
+bool FeasibleRegion::contains(const Eigen::VectorXd& u) const {
+  return violation(u) <= kRoundingInCube;
+}
 
 Eigen::MatrixXd FeasibleRegion::normals_within(const Eigen::VectorXd& u, double distance) const {
   const Eigen::VectorXd away = b_ - A_ * u;

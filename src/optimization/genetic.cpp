@@ -4,17 +4,15 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/random.h"
 #include "optimization/feasible_region.h"
+#include "optimization/infinity.h"
 #include "optimization/option_check.h"
 
 namespace latsch {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Individual {
   std::vector<double> u;

@@ -4,20 +4,20 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cassert>
-#include <limits>
 #include <optional>
 #include <string>
 #include <unordered_map>
 
 #include "optimization/conforming_set.h"
 #include "optimization/feasible_region.h"
+#include "optimization/infinity.h"
 #include "optimization/model_step.h"
 #include "optimization/option_check.h"
+#include "optimization/point_vector.h"
 
 namespace latsch {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kReach = 0.8;         // of the step: how far the model is trusted
 constexpr double kNew = 0.05;          // of the step: nearer to a known point, nothing is learned
 constexpr double kLongestStep = 0.25;  // a quarter of every variable's range
@@ -34,17 +34,13 @@ struct Direction {
 };
 
 /// A point whose outcome the method waits for.
-struct Wanted {
+struct Proposal {
   Eigen::VectorXd u;
   DesignPoint point;
   double step;                   // for the sufficient decrease
   int direction = kNoDirection;  // of set number `set`; none for the start and for a model step
   int set = 0;
 };
-
-Eigen::VectorXd to_vector(const std::vector<double>& u) {
-  return Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
-}
 
 void check(const GssOptions& options) {
   const OptionCheck check("GSS");
@@ -78,8 +74,8 @@ struct Gss::State {
 
   std::vector<Sample> samples;                     // finite values
   std::unordered_map<std::string, double> values;  // of all points, by their bits
-  bool model_is_new = false;   // something was learned since the last model step
-  std::vector<Wanted> wanted;  // in the order proposed; empty: converged
+  bool model_is_new = false;     // something was learned since the last model step
+  std::vector<Proposal> wanted;  // in the order proposed; empty: converged
 
   State(const DesignSpace& s, const GssOptions& o)
       : space(s),
@@ -129,7 +125,7 @@ struct Gss::State {
   }
 
   /// What the outcome of `tried` means for the search.
-  void take(const Wanted& tried, double value) {
+  void take(const Proposal& tried, double value) {
     if (is_better(value, tried.step) && region.contains(tried.u)) {
       move_to(tried.u, value);
     } else if (tried.direction == kNoDirection) {
@@ -141,7 +137,7 @@ struct Gss::State {
   }
 
   /// On the way from x to u, as far as the constraints allow.
-  Wanted toward(const Eigen::VectorXd& u, double step) const {
+  Proposal toward(const Eigen::VectorXd& u, double step) const {
     const Eigen::VectorXd inside =
         region.snapped(region.cut_off(x, u), kSnap * options.step_tolerance);
     return {inside, space.from_unit({inside.begin(), inside.end()}), step};
@@ -149,14 +145,14 @@ struct Gss::State {
 
   bool is_wanted(const DesignPoint& point) const {
     return std::any_of(
-        wanted.begin(), wanted.end(), [&](const Wanted& w) { return w.point == point; });
+        wanted.begin(), wanted.end(), [&](const Proposal& w) { return w.point == point; });
   }
 
-  std::optional<Wanted> model_step() const {
+  std::optional<Proposal> model_step() const {
     const double reach = kReach * length;
     const auto s = latsch::model_step(samples, region, x, reach);
     if (!s) return std::nullopt;
-    Wanted step = toward(x + *s, length);
+    Proposal step = toward(x + *s, length);
     const auto near = [&](const auto& known) { return (known.u - step.u).norm() < kNew * length; };
     if (std::any_of(samples.begin(), samples.end(), near)) return std::nullopt;
     if (std::any_of(wanted.begin(), wanted.end(), near)) return std::nullopt;
@@ -166,24 +162,24 @@ struct Gss::State {
 
   /// The direction with the longest step that is not being tried; nullopt where there is none or
   /// its step is below the tolerance.
-  std::optional<Wanted> poll_step() const {
+  std::optional<Proposal> poll_step() const {
     int longest = kNoDirection;
     for (int i = 0; i < std::ssize(directions); ++i) {
-      const auto is_tried = [&](const Wanted& w) { return w.set == set && w.direction == i; };
+      const auto is_tried = [&](const Proposal& w) { return w.set == set && w.direction == i; };
       if (std::any_of(wanted.begin(), wanted.end(), is_tried)) continue;
       if (longest == kNoDirection || directions[i].step > directions[longest].step) longest = i;
     }
     if (longest == kNoDirection) return std::nullopt;
     const Direction& direction = directions[longest];
     if (direction.step < options.step_tolerance) return std::nullopt;
-    Wanted step = toward(x + direction.step * direction.d, direction.step);
+    Proposal step = toward(x + direction.step * direction.d, direction.step);
     step.direction = longest;
     step.set = set;
     return step;
   }
 
   /// The next point that is neither known nor wanted yet.
-  std::optional<Wanted> next() {
+  std::optional<Proposal> next() {
     if (std::exchange(model_is_new, false)) {
       if (auto step = model_step()) return step;
     }
@@ -210,9 +206,9 @@ struct Gss::State {
 
   void observe(const DesignPoint& point, double value) {
     const auto found = std::find_if(
-        wanted.begin(), wanted.end(), [&](const Wanted& w) { return w.point == point; });
-    const Wanted tried =
-        found != wanted.end() ? *found : Wanted{to_vector(space.to_unit(point)), point, length};
+        wanted.begin(), wanted.end(), [&](const Proposal& w) { return w.point == point; });
+    const Proposal tried =
+        found != wanted.end() ? *found : Proposal{to_vector(space.to_unit(point)), point, length};
     if (found != wanted.end()) wanted.erase(found);
     values.insert_or_assign(point.bits(), value);
     if (value < kInfinity) {
@@ -234,7 +230,7 @@ Gss::~Gss() = default;
 std::vector<DesignPoint> Gss::propose(int count) const {
   assert(count >= 1);
   std::vector<DesignPoint> plan;
-  for (const Wanted& wanted : state_->wanted) {
+  for (const Proposal& wanted : state_->wanted) {
     if (std::ssize(plan) < count) plan.push_back(wanted.point);
   }
   if (plan.empty() || std::ssize(plan) == count) return plan;

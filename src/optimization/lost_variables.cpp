@@ -6,17 +6,15 @@
 #include <cassert>
 #include <numeric>
 
+#include "optimization/point_vector.h"
+
 namespace latsch {
 namespace {
 
 /// Toward zero farther than away: there most parts of a model are neutral, far out they vanish.
 constexpr std::array kFactors{0.5, 2.0, 0.25, 4.0, 0.125, 8.0, 0.0625, 16.0, 0.03125, 0.015625};
 
-constexpr double kSame = 1e-9;  // of the ranges: bounds stopped the move
-
-Eigen::VectorXd to_vector(const std::vector<double>& u) {
-  return Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
-}
+constexpr double kSamePlace = 1e-9;  // of the ranges: bounds stopped the move
 
 }  // namespace
 
@@ -55,7 +53,7 @@ void LostVariables::find_places() {
   const auto add = [&](const Eigen::VectorXd& moved) {
     const Eigen::VectorXd place = region_.nearest(moved);
     const auto is_near = [&](const Eigen::VectorXd& other) {
-      return (place - other).lpNorm<Eigen::Infinity>() < kSame;
+      return (place - other).lpNorm<Eigen::Infinity>() < kSamePlace;
     };
     if (!is_near(u_) && std::none_of(places.begin(), places.end(), is_near)) {
       places.push_back(place);

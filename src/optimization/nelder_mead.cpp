@@ -4,16 +4,14 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cassert>
-#include <limits>
 
 #include "optimization/feasible_region.h"
+#include "optimization/infinity.h"
 #include "optimization/option_check.h"
 #include "optimization/tangent_cone.h"
 
 namespace latsch {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Vertex {
   Eigen::VectorXd u;
@@ -21,7 +19,7 @@ struct Vertex {
   double f = kInfinity;
 };
 
-enum class Phase { simplex, reflection, expansion, contraction, ended };
+enum class SimplexPhase { simplex, reflection, expansion, contraction, ended };
 
 void check(const NelderMeadOptions& options) {
   OptionCheck("Nelder-Mead").lengths(options.initial_step, options.step_tolerance, 0.5);
@@ -35,7 +33,7 @@ struct NelderMead::State {
   NelderMeadOptions options;
   double beta, gamma, delta;
 
-  Phase phase = Phase::simplex;
+  SimplexPhase phase = SimplexPhase::simplex;
   std::vector<Vertex> known;   // vertices, best first once all are known
   std::vector<Vertex> wanted;  // vertices of the simplex or the trial point
   Eigen::VectorXd centroid;
@@ -82,8 +80,8 @@ struct NelderMead::State {
     const bool is_small = std::all_of(known.begin(), known.end(), [&](const Vertex& v) {
       return (v.u - best().u).lpNorm<Eigen::Infinity>() < options.step_tolerance;
     });
-    phase = is_small || best().f == kInfinity ? Phase::ended : Phase::reflection;
-    if (phase == Phase::ended) return;
+    phase = is_small || best().f == kInfinity ? SimplexPhase::ended : SimplexPhase::reflection;
+    if (phase == SimplexPhase::ended) return;
     centroid = Eigen::VectorXd::Zero(space.size());
     for (std::size_t i = 0; i + 1 < known.size(); ++i) centroid += known[i].u;
     centroid /= static_cast<double>(known.size() - 1);
@@ -98,19 +96,19 @@ struct NelderMead::State {
   void take_reflection(const Vertex& r) {
     reflected = r;
     if (r.f < best().f) {
-      phase = Phase::expansion;
+      phase = SimplexPhase::expansion;
       wanted = {at(centroid + beta * (r.u - centroid))};
     } else if (r.f < second_worst()) {
       replace_worst(r);
     } else {
-      phase = Phase::contraction;
+      phase = SimplexPhase::contraction;
       const double side = r.f < worst().f ? 1.0 : -1.0;
       wanted = {at(centroid + side * gamma * (centroid - worst().u))};
     }
   }
 
   void shrink() {
-    phase = Phase::simplex;
+    phase = SimplexPhase::simplex;
     wanted.clear();
     for (std::size_t i = 1; i < known.size(); ++i) {
       wanted.push_back(at(best().u + delta * (known[i].u - best().u)));
@@ -120,17 +118,17 @@ struct NelderMead::State {
 
   void take(const Vertex& tried) {
     switch (phase) {
-      case Phase::simplex:
+      case SimplexPhase::simplex:
         known.push_back(tried);
         if (wanted.empty()) reflect();
         return;
-      case Phase::reflection:
+      case SimplexPhase::reflection:
         return take_reflection(tried);
-      case Phase::expansion:
+      case SimplexPhase::expansion:
         return replace_worst(tried.f < reflected.f ? tried : reflected);
-      case Phase::contraction:
+      case SimplexPhase::contraction:
         return tried.f < std::min(reflected.f, worst().f) ? replace_worst(tried) : shrink();
-      case Phase::ended:
+      case SimplexPhase::ended:
         return;
     }
   }
@@ -151,7 +149,7 @@ std::vector<DesignPoint> NelderMead::propose(int count) const {
     if (std::ssize(plan) < count && !is_named) plan.push_back(v.point);
   };
   for (const Vertex& v : state_->wanted) add(v);
-  if (state_->phase == Phase::reflection) {  // what may follow: expansion, contraction
+  if (state_->phase == SimplexPhase::reflection) {  // what may follow: expansion, contraction
     const Eigen::VectorXd away = state_->centroid - state_->worst().u;
     add(state_->at(state_->centroid - state_->gamma * away));
     add(state_->at(state_->centroid + state_->beta * away));

@@ -10,7 +10,7 @@ namespace latsch {
 namespace {
 
 // Beside the largest eigenvalue: the quadratic program wants a matrix that is positive definite.
-constexpr double kLeastCurvature = 1e-10;
+constexpr double kLeastPolytopeCurvature = 1e-10;
 
 /// Rows of length 1, so that rounding means the same in all of them.
 void scale_rows(Eigen::MatrixXd& A, Eigen::VectorXd& b) {
@@ -48,7 +48,7 @@ Eigen::VectorXd minimize_in_polytope(const ResidualModel& model,
                      const Eigen::VectorXd& g) -> Eigen::VectorXd {
                    const double scale = H.diagonal().maxCoeff();
                    if (!std::isnormal(scale)) return z;
-                   H.diagonal().array() += kLeastCurvature * scale;
+                   H.diagonal().array() += kLeastPolytopeCurvature * scale;
                    qp.G = H / scale;
                    qp.g = g / scale;
                    qp.b = (room - qp.A * z).cwiseMax(0.0);

@@ -4,19 +4,19 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
+
+#include "optimization/infinity.h"
 
 namespace latsch {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kShortestRung = 0.005;  // of the range
 constexpr double kLongestRung = 0.1;
 constexpr double kFirstRung = 0.5;  // of the linear interval's half width
 constexpr double kLonger = 1.6;     // from rung to rung
 // A refit need not be better than this share of the threshold, which shifts the end of an interval
 // by half of it; nor of the rise of S, far out where only the shape matters.
-constexpr double kTolerance = 0.02;
+constexpr double kProfileTolerance = 0.02;
 constexpr int kEvaluationsOfARung = 30;
 constexpr double kLeap = 4.0;  // thresholds: between two rungs the root of S is no straight line
 constexpr int kHalvings = 3;
@@ -177,7 +177,7 @@ void ProfileBranch::climb(const Linearization& from, double to) {
   const double rise = from.sum_of_squares() - least_;
   refit_.emplace(from,
                  free_,
-                 RefitOptions{.tolerance = kTolerance * std::max(threshold_, rise),
+                 RefitOptions{.tolerance = kProfileTolerance * std::max(threshold_, rise),
                               .most_evaluations = kEvaluationsOfARung,
                               .region = region_},
                  variable_,

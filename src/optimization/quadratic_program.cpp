@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "numerics/cholesky.h"
 #include "numerics/orthogonal_factors.h"
+#include "optimization/infinity.h"
 
 namespace latsch {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kViolated = 1e-11;   // of the size of a row's terms
 constexpr double kDependent = 1e-10;  // share of a normal that is not made of active ones
 constexpr int kMostSteps = 100;  // for every constraint; rounding could make it turn in circles

@@ -12,11 +12,11 @@
 namespace latsch {
 namespace {
 
-constexpr double kDifference = 1e-3;    // of the range
-constexpr double kShortestStep = 1e-9;  // of the range
-constexpr double kLongestStep = 0.25;   // of the range, in one variable: J holds near by
-constexpr int kFailedSteps = 2;         // before J is taken anew
-constexpr double kFirstLambda = 1e-3;   // of the largest entry of J'J
+constexpr double kDifference = 1e-3;        // of the range
+constexpr double kShortestStep = 1e-9;      // of the range
+constexpr double kLongestRefitStep = 0.25;  // of the range, in one variable: J holds near by
+constexpr int kFailedSteps = 2;             // before J is taken anew
+constexpr double kFirstLambda = 1e-3;       // of the largest entry of J'J
 constexpr double kLambdaFactor = 10.0;
 constexpr double kLeastCurvature = 1e-12;  // of the largest: a quadratic program wants some
 
@@ -40,7 +40,8 @@ Eigen::VectorXd bounded_step(const Linearization& at,
     std::vector<int> inside;
     for (Eigen::Index a = 0; a < k; ++a) {
       const double u = at.u[free[a]];
-      const double low = std::max(-u, -kLongestStep), high = std::min(1.0 - u, kLongestStep);
+      const double low = std::max(-u, -kLongestRefitStep),
+                   high = std::min(1.0 - u, kLongestRefitStep);
       if (step[a] >= low && step[a] <= high) {
         inside.push_back(free[a]);
       } else {
@@ -76,7 +77,7 @@ std::optional<Eigen::VectorXd> constrained_step(const Eigen::MatrixXd& J,
   qp.A.resize(rows + 2 * k, k);
   qp.A << region.A()(Eigen::all, free), one, -one;
   qp.b.resize(rows + 2 * k);
-  qp.b << region.b() - region.A() * u, Eigen::VectorXd::Constant(2 * k, kLongestStep);
+  qp.b << region.b() - region.A() * u, Eigen::VectorXd::Constant(2 * k, kLongestRefitStep);
   const QuadraticSolution solution = solve(qp);
   if (!solution.is_feasible()) return std::nullopt;
   Eigen::VectorXd d = Eigen::VectorXd::Zero(u.size());

@@ -2,13 +2,13 @@
 #include "optimization/residual_memory.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
+
+#include "optimization/infinity.h"
 
 namespace latsch {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAvoided = 0.25;  // of the distance to the nearest success
 constexpr double kExploded = 1e6;  // times the median of the values around: no model reaches so far
 

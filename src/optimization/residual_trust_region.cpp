@@ -9,6 +9,7 @@
 #include "optimization/flat_directions.h"
 #include "optimization/lost_variables.h"
 #include "optimization/option_check.h"
+#include "optimization/point_vector.h"
 #include "optimization/trust_region_run.h"
 
 namespace latsch {
@@ -18,10 +19,6 @@ constexpr double kTest = 0.1;  // of the initial radius: moves that tell which v
 /// Of n + 1 evaluations, to each place where lost variables are felt: one of them are the probes,
 /// so two are left for steps.
 constexpr int kAllotment = 3;
-
-Eigen::VectorXd to_vector(const std::vector<double>& u) {
-  return Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
-}
 
 void check(const ResidualTrustRegionOptions& options) {
   const OptionCheck check("residual trust region");

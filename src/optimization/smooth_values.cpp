@@ -5,16 +5,9 @@
 #include <vector>
 
 #include "numerics/orthogonal_factors.h"
+#include "optimization/point_vector.h"
 
 namespace latsch {
-namespace {
-
-Eigen::VectorXd to_vector(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-}  // namespace
-
 double SmoothValues::violation() const {
   double worst = 0.0;
   for (const double value : c) worst = std::max(worst, value);

@@ -14,7 +14,7 @@ namespace latsch {
 namespace {
 
 constexpr int kBits = 32;
-constexpr int kMostPoints = 1'000'000;
+constexpr int kMostSobolPoints = 1'000'000;
 
 /// s: degree; a: the inner coefficients a_1 .. a_(s-1) as binary digits; m: m_1 .. m_s.
 struct Generator {
@@ -74,8 +74,8 @@ std::array<std::uint32_t, kBits> direction_numbers(int dimension) {
 }  // namespace
 
 SamplingPlan sobol(const DesignSpace& space, int points, std::uint64_t seed) {
-  if (points < 1 || points > kMostPoints) {
-    throw InputError(fmt::format("Sobol: {} points, expected 1 to {}", points, kMostPoints));
+  if (points < 1 || points > kMostSobolPoints) {
+    throw InputError(fmt::format("Sobol: {} points, expected 1 to {}", points, kMostSobolPoints));
   }
   if (space.size() > kMostSobolVariables) {
     throw InputError(

@@ -11,6 +11,7 @@
 #include "optimization/difference_directions.h"
 #include "optimization/l1_merit.h"
 #include "optimization/option_check.h"
+#include "optimization/point_vector.h"
 #include "optimization/sqp_step.h"
 
 namespace latsch {
@@ -19,23 +20,19 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kEta = 1e-4;       // of the predicted gain of merit
-constexpr double kShorter = 0.5;    // after a step that brings nothing
-constexpr double kFailed = 0.25;    // after one that fails
-constexpr double kLongest = 0.5;    // half of every range
-constexpr double kGrowth = 4.0;     // of the longest step, over the one that was taken
-constexpr double kExhausted = 0.1;  // of the tolerance: a search ends with so short a step
+constexpr double kEta = 1e-4;         // of the predicted gain of merit
+constexpr double kShorter = 0.5;      // after a step that brings nothing
+constexpr double kFailed = 0.25;      // after one that fails
+constexpr double kLongest = 0.5;      // half of every range
+constexpr double kReachGrowth = 4.0;  // of the longest step, over the one that was taken
+constexpr double kExhausted = 0.1;    // of the tolerance: a search ends with so short a step
 constexpr std::array kAttempts{1.0, -1.0, 0.25, -0.25};    // at a difference that fails
 constexpr std::array kTowardMiddle{0.25, 0.5, 0.75, 1.0};  // for a start that fails
 
 enum class Phase { start, differences, search, ended };
 
-VectorXd to_vector(const std::vector<double>& u) {
-  return Eigen::Map<const VectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
-}
-
 /// A point whose outcome it waits for.
-struct Wanted {
+struct WantedPoint {
   VectorXd u;
   DesignPoint point;
   int column = 0;   // of the difference
@@ -65,7 +62,7 @@ struct Sqp::State {
   FeasibleRegion region;
   SqpOptions options;
   Phase phase = Phase::start;
-  std::vector<Wanted> wanted;  // in the order proposed; empty: converged
+  std::vector<WantedPoint> wanted;  // in the order proposed; empty: converged
 
   Iterate x;                       // the present point
   std::optional<Iterate> foreign;  // the best point of others
@@ -87,13 +84,13 @@ struct Sqp::State {
     wanted.push_back({to_vector(space.to_unit(space.initial())), space.initial()});
   }
 
-  Wanted at(const VectorXd& u, int column = 0, int attempt = 0) const {
+  WantedPoint at(const VectorXd& u, int column = 0, int attempt = 0) const {
     return {u, space.from_unit({u.begin(), u.end()}), column, attempt};
   }
 
   // Start ------------------------------------------------------------------------------------
 
-  void take_start(const Wanted& tried, const std::optional<Iterate>& known) {
+  void take_start(const WantedPoint& tried, const std::optional<Iterate>& known) {
     if (known) return begin(*known);
     if (foreign) return begin(*std::exchange(foreign, std::nullopt));
     const VectorXd start = to_vector(space.to_unit(space.initial()));
@@ -116,8 +113,8 @@ struct Sqp::State {
            at.score.equations.empty();
   }
 
-  std::vector<Wanted> differences_at(const VectorXd& u) const {
-    std::vector<Wanted> points;
+  std::vector<WantedPoint> differences_at(const VectorXd& u) const {
+    std::vector<WantedPoint> points;
     const MatrixXd directions = difference_directions(region, u, options.difference);
     for (int k = 0; k < directions.cols(); ++k) {
       points.push_back(at(u + options.difference * directions.col(k), k));
@@ -146,7 +143,7 @@ struct Sqp::State {
     if (wanted.empty()) phase = Phase::ended;  // a region of one point
   }
 
-  void take_difference(const Wanted& tried, const std::optional<Iterate>& known) {
+  void take_difference(const WantedPoint& tried, const std::optional<Iterate>& known) {
     if (known && same_shape(known->values, x.values)) {
       const double length = options.difference * kAttempts[tried.attempt];
       S.col(tried.column) = (all_values(known->values) - all_values(x.values)) / length;
@@ -212,7 +209,7 @@ struct Sqp::State {
     return step.d.lpNorm<Eigen::Infinity>() < options.step_tolerance && !b_is_new;
   }
 
-  void take_step(const Wanted& tried, const std::optional<Iterate>& known) {
+  void take_step(const WantedPoint& tried, const std::optional<Iterate>& known) {
     const double predicted = merit.slope(x.values, slopes, step.d);
     const bool fits = known && same_shape(known->values, x.values);
     const double gain = fits ? merit(x.values) - merit(known->values) : 0.0;
@@ -240,11 +237,11 @@ struct Sqp::State {
     wanted = {at(region.nearest(x.u + *bent))};
   }
 
-  void accept(const Wanted& tried, const Iterate& known) {
+  void accept(const WantedPoint& tried, const Iterate& known) {
     last_move = tried.u - x.u;
     const double length = last_move.lpNorm<Eigen::Infinity>();
     const bool ends = is_last();
-    longest = share == 1.0 ? std::min(std::max(longest, kGrowth * length), kLongest)
+    longest = share == 1.0 ? std::min(std::max(longest, kReachGrowth * length), kLongest)
                            : std::max(2.0 * length, options.step_tolerance);
     x = known;
     wanted.clear();
@@ -271,14 +268,14 @@ struct Sqp::State {
 
   void observe(const DesignPoint& point, const Result<Score>& outcome) {
     std::optional<Iterate> known;
-    const auto is_it = [&](const Wanted& w) { return w.point == point; };
+    const auto is_it = [&](const WantedPoint& w) { return w.point == point; };
     const auto found = std::find_if(wanted.begin(), wanted.end(), is_it);
     const VectorXd u = found != wanted.end() ? found->u : to_vector(space.to_unit(point));
     if (outcome) {
       if (auto values = smooth_values(*outcome)) known = Iterate{u, point, *outcome, *values};
     }
     if (found == wanted.end()) return look_at_foreign(known);
-    const Wanted tried = *found;
+    const WantedPoint tried = *found;
     wanted.erase(found);
     switch (phase) {
       case Phase::start:
@@ -298,9 +295,9 @@ struct Sqp::State {
   }
 
   /// What it may ask for when the points it waits for are known.
-  std::vector<Wanted> speculation() const {
+  std::vector<WantedPoint> speculation() const {
     if (phase != Phase::start && phase != Phase::search) return {};
-    std::vector<Wanted> points = differences_at(wanted.front().u);
+    std::vector<WantedPoint> points = differences_at(wanted.front().u);
     if (phase == Phase::search) {
       points.push_back(at(region.nearest(x.u + kShorter * share * step.d)));
     }
@@ -318,13 +315,13 @@ Sqp::~Sqp() = default;
 std::vector<DesignPoint> Sqp::propose(int count) const {
   assert(count >= 1);
   std::vector<DesignPoint> plan;
-  const auto add = [&](const Wanted& w) {
+  const auto add = [&](const WantedPoint& w) {
     const bool is_named = std::find(plan.begin(), plan.end(), w.point) != plan.end();
     if (std::ssize(plan) < count && !is_named) plan.push_back(w.point);
   };
-  for (const Wanted& wanted : state_->wanted) add(wanted);
+  for (const WantedPoint& wanted : state_->wanted) add(wanted);
   if (!plan.empty() && std::ssize(plan) < count) {
-    for (const Wanted& wanted : state_->speculation()) add(wanted);
+    for (const WantedPoint& wanted : state_->speculation()) add(wanted);
   }
   return plan;
 }

@@ -12,14 +12,14 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kFlat = 1e-12;    // a row without slope is left at its length
-constexpr double kConvex = 1e-7;   // of the largest curvature: the least one
-constexpr double kRelaxed = 10.0;  // price of t over the steepest slope of the target
+constexpr double kWithoutSlope = 1e-12;  // a row without slope is left at its length
+constexpr double kLeastConvex = 1e-7;    // of the largest curvature: the least one
+constexpr double kRelaxed = 10.0;        // price of t over the steepest slope of the target
 
 /// B, whose curvatures are kept within the range that the program can be solved for.
 MatrixXd convex(const MatrixXd& B) {
   const double size = std::max(B.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
-  return B + kConvex * size * MatrixXd::Identity(B.rows(), B.cols());
+  return B + kLeastConvex * size * MatrixXd::Identity(B.rows(), B.cols());
 }
 
 /// Rows and bounds one below the other; rows of constraints have length 1.
@@ -42,7 +42,7 @@ class Rows {
 
 VectorXd lengths(const MatrixXd& J) {
   VectorXd length = J.rowwise().norm();
-  for (double& value : length) value = value > kFlat ? value : 1.0;
+  for (double& value : length) value = value > kWithoutSlope ? value : 1.0;
   return length;
 }
 
@@ -73,7 +73,7 @@ SqpStep relaxed(const MatrixXd& B,
                 const VectorXd& u,
                 double longest) {
   const auto n = u.size(), m_c = linear.c.size(), m_h = linear.h.size();
-  const double price = kRelaxed * std::max(g.cwiseAbs().maxCoeff(), kFlat);
+  const double price = kRelaxed * std::max(g.cwiseAbs().maxCoeff(), kWithoutSlope);
   QuadraticProgram qp;
   qp.G = MatrixXd::Zero(n + 1, n + 1);
   qp.G.topLeftCorner(n, n) = convex(B);

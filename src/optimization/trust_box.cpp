@@ -3,17 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "optimization/box_least_squares.h"
+#include "optimization/infinity.h"
+#include "optimization/point_vector.h"
 #include "optimization/polytope_least_squares.h"
 #include "optimization/tangent_cone.h"
 
 namespace latsch {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Of the radius: a probe's length. Shorter ones are nearer to the slope, longer ones rise above
 // noise; a third of this or three times it change little.
@@ -23,10 +22,6 @@ constexpr double kShort = 0.01;   // of the radius: a step not worth an evaluati
 constexpr double kFlat = 1e-6;    // of f: a predicted decrease that is none
 constexpr double kBackOff = 0.5;  // of a step that would end in a failed region
 constexpr double kSame = 0.1;     // of a step: nearer to a known point nothing is learned
-
-Eigen::VectorXd to_vector(const std::vector<double>& u) {
-  return Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
-}
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "optimization/flat_directions.h"
+#include "optimization/point_vector.h"
 
 namespace latsch {
 namespace {
@@ -38,10 +39,6 @@ constexpr std::array kBoxes{1.0, 0.25, 2.0, 0.5, 0.1, 4.0, 0.03, 0.01};
 constexpr std::array kJumps{0.1, 1.0, 0.03, 0.3};
 
 constexpr double kWorthALook = 0.9;  // of the value when it last had settled
-
-Eigen::VectorXd to_vector(const std::vector<double>& u) {
-  return Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
-}
 
 }  // namespace
 

@@ -12,15 +12,15 @@
 namespace latsch::report {
 namespace {
 
-constexpr std::size_t kCorners = 1500;  // of a line: more than a picture shows
+constexpr std::size_t kLineCorners = 1500;  // of a line: more than a picture shows
 constexpr double kLeft = 78.0, kTop = 34.0, kRight = 14.0, kBottom = 46.0;  // pixels
 
 /// In each of equal stretches the least and the greatest value, so that no peak is lost.
 PlotLine thinned(const PlotLine& line) {
   const std::size_t count = std::min(line.x.size(), line.y.size());
-  if (count <= kCorners) return line;
+  if (count <= kLineCorners) return line;
   PlotLine thin{line.name, {}, {}, line.color, {}};
-  const std::size_t stretches = kCorners / 2;
+  const std::size_t stretches = kLineCorners / 2;
   for (std::size_t s = 0; s < stretches; ++s) {
     const std::size_t first = s * count / stretches, end = (s + 1) * count / stretches;
     std::size_t low = first, high = first;

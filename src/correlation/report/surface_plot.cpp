@@ -21,7 +21,7 @@ namespace {
 constexpr int kBands = 14;
 constexpr double kEverything = -1e300;
 constexpr int kFineCells = 40;  // about so many along each side
-constexpr double kLeft = 82, kRight = 492, kTop = 26, kBottom = 376;
+constexpr double kSurfaceLeft = 82, kSurfaceRight = 492, kSurfaceTop = 26, kSurfaceBottom = 376;
 
 struct Corner {
   Point at;
@@ -82,13 +82,13 @@ SurfacePlot::SurfacePlot(const Surface& s)
     : surface_(s),
       x_(in_unit(s.x.front(), s.x_unit),
          in_unit(s.x.back(), s.x_unit),
-         kLeft,
-         kRight,
+         kSurfaceLeft,
+         kSurfaceRight,
          s.x_logarithmic),
       y_(in_unit(s.y.front(), s.y_unit),
          in_unit(s.y.back(), s.y_unit),
-         kBottom,
-         kTop,
+         kSurfaceBottom,
+         kSurfaceTop,
          s.y_logarithmic),
       svg_(620, 424, "Target over " + s.x_name + " and " + s.y_name) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -101,7 +101,7 @@ SurfacePlot::SurfacePlot(const Surface& s)
   // The valley is what matters: colors go with the logarithm where the target spans more than a
   // factor of 5.
   const bool logarithmic = low > 1e-9 * high && high > 5.0 * low;
-  levels_ = Axis(100.0 * low, 100.0 * high, kBottom, kTop, logarithmic);
+  levels_ = Axis(100.0 * low, 100.0 * high, kSurfaceBottom, kSurfaceTop, logarithmic);
 }
 
 void SurfacePlot::cut_into_quads() {
@@ -211,7 +211,9 @@ std::string SurfacePlot::describe(int i, int j) const {
 
 void SurfacePlot::mark(const Eigen::Vector2d& si, std::string_view words, bool cross) {
   const double px = x_at(si[0]), py = y_at(si[1]);
-  if (!(px >= kLeft - 1 && px <= kRight + 1 && py >= kTop - 1 && py <= kBottom + 1)) return;
+  if (!(px >= kSurfaceLeft - 1 && px <= kSurfaceRight + 1 && py >= kSurfaceTop - 1 &&
+        py <= kSurfaceBottom + 1))
+    return;
   if (cross) {
     const std::string data = fmt::format("M{:.1f} {:.1f}l12 12m0 -12l-12 12", px - 6, py - 6);
     svg_.path(data, "class=\"halo\"");
@@ -220,7 +222,7 @@ void SurfacePlot::mark(const Eigen::Vector2d& si, std::string_view words, bool c
     svg_.circle({px, py}, 5.5, "class=\"halo\"");
     svg_.circle({px, py}, 5.5, "class=\"mark\"");
   }
-  const bool right = px > 0.75 * kRight;
+  const bool right = px > 0.75 * kSurfaceRight;
   svg_.text(
       {right ? px - 10 : px + 10, py - 8}, words, right ? Anchor::end : Anchor::start, "on-field");
 }
@@ -245,7 +247,7 @@ void SurfacePlot::mark_points() {
                 lowest ? 7.5 : 6,
                 lowest ? "class=\"minimum lowest\"" : "class=\"minimum\"",
                 describe(m.i, m.j));
-    const bool right = at.x() > 0.75 * kRight;
+    const bool right = at.x() > 0.75 * kSurfaceRight;
     svg_.text({right ? at.x() - 12 : at.x() + 12, at.y() + 16},
               (lowest ? "lowest " : "local ") + percent(m.target),
               right ? Anchor::end : Anchor::start,
@@ -268,7 +270,8 @@ std::string SurfacePlot::draw() {
              title(surface_.y_name, surface_.y_unit));
   fill_bands();
   mark_points();
-  draw_color_bar(svg_, {kRight + 26, kTop}, kBottom - kTop, levels_, "Target [%]");
+  draw_color_bar(
+      svg_, {kSurfaceRight + 26, kSurfaceTop}, kSurfaceBottom - kSurfaceTop, levels_, "Target [%]");
   return svg_.str();
 }
 

@@ -18,12 +18,12 @@
 namespace latsch::report {
 namespace {
 
-constexpr double kMillimeter = 1e-3;
+constexpr double kOneMillimeter = 1e-3;
 constexpr std::array<int, 4> kSectionNodes = {0, 3, 7, 4};  // face xi = -1: inner - +, outer + -
 
 /// Position in the section: y and radius, mm.
 Point in_section(const Eigen::Vector3d& X) {
-  return {X.y() / kMillimeter, std::hypot(X.x(), X.z()) / kMillimeter};
+  return {X.y() / kOneMillimeter, std::hypot(X.x(), X.z()) / kOneMillimeter};
 }
 
 /// A box of the real world fitted into a box of the picture, same scale both ways, second
@@ -169,7 +169,7 @@ Eigen::AlignedBox2d cell_of(const std::vector<fe_tire::ContactPatch::Point>& poi
     cell.min()[axis] = here[axis] - 0.5 * (behind < largest ? behind : nearest);
     cell.max()[axis] = here[axis] + 0.5 * (ahead < largest ? ahead : nearest);
   }
-  return {cell.min() / kMillimeter, cell.max() / kMillimeter};
+  return {cell.min() / kOneMillimeter, cell.max() / kOneMillimeter};
 }
 
 }  // namespace
@@ -225,7 +225,7 @@ std::string loaded_section_picture(const fe_tire::Mesh& mesh,
   Eigen::AlignedBox2d box;
   for (int k = 0; k < mesh.nodes_per_sector(); ++k) {  // sector 0: at the bottom, radius downward
     const auto upright = [&](const Eigen::Vector3d& u) -> Point {
-      return Point(mesh.X(1, k) + u.y(), mesh.X(2, k) + u.z()) / kMillimeter;
+      return Point(mesh.X(1, k) + u.y(), mesh.X(2, k) + u.z()) / kOneMillimeter;
     };
     before.push_back(upright(inflated.u.col(k)));
     after.push_back(upright(loaded.u.col(k)));
@@ -239,7 +239,7 @@ std::string loaded_section_picture(const fe_tire::Mesh& mesh,
     svg.line(
         window(before[element.node[4]]), window(before[element.node[7]]), "class=\"inflated\"");
   }
-  const double ground = window({0.0, -loaded.curve.back().loaded_radius / kMillimeter}).y();
+  const double ground = window({0.0, -loaded.curve.back().loaded_radius / kOneMillimeter}).y();
   svg.line({4, ground}, {window.width() + 24, ground}, "class=\"ground\"");
   scale_bar(svg, {window.corner.x(), window.height() + 40}, window.scale);
   return svg.str();
@@ -274,8 +274,8 @@ std::string patch_picture(const fe_tire::ContactPatch& patch) {
                               viridis(p.pressure / 1e3 / kPa.upper())),
                   fmt::format("{} kPa at ({}, {}) mm",
                               fixed(p.pressure / 1e3, 0),
-                              fixed(p.x / kMillimeter, 1),
-                              fixed(p.y / kMillimeter, 1)));
+                              fixed(p.x / kOneMillimeter, 1),
+                              fixed(p.y / kOneMillimeter, 1)));
   }
   draw_color_bar(svg, {right + 26, window.corner.y()}, window.height(), kPa, "Pressure [kPa]");
   return svg.str();

@@ -132,13 +132,6 @@ numerics::RationalFilter checked(const RigFile& rig, Result<numerics::RationalFi
   throw InputError({rig.file.string(), 0}, "compensation: " + filter.failure().reason);
 }
 
-numerics::Density density_of(const RigFile& rig, const std::vector<double>& x, double rate) {
-  std::optional<int> segment;
-  if (rig.segment) segment = static_cast<int>(std::lround(*rig.segment * rate));
-  return numerics::power_density(
-      x, rate, numerics::welch_settings(rig.convention, static_cast<int>(x.size()), segment));
-}
-
 /// Of two averages without means; `other` is moved onto `real` first: a few segments of a passage
 /// see a hit through the slope of their windows, so a delay changes a density.
 RimDifference difference(const RigFile& rig,

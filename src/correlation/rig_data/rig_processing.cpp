@@ -47,15 +47,6 @@ Period period_of(const RigFile& rig, const DrumRecord& record, const Plateau& pl
   return *period;
 }
 
-/// Of the average force; as long as the convention wants it, a passage at most.
-numerics::Density density_of(const RigFile& rig, const std::vector<double>& force, double rate) {
-  const int samples = static_cast<int>(force.size());
-  std::optional<int> segment;
-  if (rig.segment) segment = static_cast<int>(std::lround(*rig.segment * rate));
-  return numerics::power_density(
-      force, rate, numerics::welch_settings(rig.convention, samples, segment));
-}
-
 ProcessedPlateau process_plateau(const RigFile& rig,
                                  const DrumRecord& record,
                                  const Plateau& plateau) {
@@ -102,6 +93,14 @@ DrumRecord read_record(const RigFile& rig,
 }
 
 }  // namespace
+
+numerics::Density density_of(const RigFile& rig, const std::vector<double>& force, double rate) {
+  const int samples = static_cast<int>(force.size());
+  std::optional<int> segment;
+  if (rig.segment) segment = static_cast<int>(std::lround(*rig.segment * rate));
+  return numerics::power_density(
+      force, rate, numerics::welch_settings(rig.convention, samples, segment));
+}
 
 ProcessedRun process_run(const RigFile& rig, const std::string& name, DrumRecord record) {
   expect_quantity(record, rig.speed, "m/s");

@@ -89,6 +89,9 @@ RigResults process(const RigFile& rig, const RigProgress& progress);
 /// One recording; its channels may come from anywhere.
 ProcessedRun process_run(const RigFile& rig, const std::string& name, DrumRecord record);
 
+/// As long as the rig file's convention wants it, `force` at most.
+numerics::Density density_of(const RigFile& rig, const std::vector<double>& force, double rate);
+
 /// The last step: fits the filter and compares the cases.
 CompensationResult compensate(const RigFile& rig,
                               const std::vector<ProcessedRun>& runs,

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "base/units.h"
 #include "correlation/report/html_text.h"
@@ -17,7 +16,6 @@ namespace {
 
 using report::escape;
 using report::significant;
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 std::string figure(const std::string& heading,
                    const report::LinePlot& plot,

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -15,7 +14,6 @@ namespace latsch::correlation {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// Takes tables and names the files.
 class Folder {

@@ -13,8 +13,6 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> kForces = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
 
-const char* unit_of(const std::string& channel) { return channel[0] == 'F' ? "N" : "N m"; }
-
 fs::path existing(const Node& table, const char* key, const fs::path& folder) {
   const fs::path file = (folder / table.text(key)).lexically_normal();
   if (!fs::exists(file))
@@ -62,6 +60,8 @@ ComparisonTest read_test(const Node& table, const fs::path& folder, bool specime
 }
 
 }  // namespace
+
+const char* unit_of(const std::string& channel) { return channel[0] == 'F' ? "N" : "N m"; }
 
 ComparisonFile read_comparison_file(const fs::path& file) {
   const Document document = Document::read(file);

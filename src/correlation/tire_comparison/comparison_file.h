@@ -73,6 +73,9 @@ struct ComparisonFile {
   std::vector<ComparedTire> tires;
 };
 
+/// Of a force or moment by its name.
+const char* unit_of(const std::string& channel);
+
 /// Throws InputError naming the place.
 ComparisonFile read_comparison_file(const std::filesystem::path& file);
 

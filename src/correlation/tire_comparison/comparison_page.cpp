@@ -20,8 +20,6 @@ constexpr int kMeasuredColor = 1;
 /// A color a tire keeps on the whole page, other than that of the measurement.
 int color_of(std::size_t tire) { return tire == 0 ? 0 : static_cast<int>(tire) + 1; }
 
-std::string unit_of(const std::string& channel) { return channel[0] == 'F' ? "N" : "N m"; }
-
 std::string figure(const std::string& heading,
                    const report::LinePlot& plot,
                    const std::string& caption) {

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words of file formats in one case: the letters a to z, whatever the locale.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace latsch::formats {
+
+std::string lower(std::string_view text);
+std::string capitals(std::string_view text);
+
+}  // namespace latsch::formats
