@@ -13,7 +13,7 @@
 namespace latsch::experiment {
 namespace {
 
-ring_tire::RingTire example_tire() {
+ring_tire::RingTire tire_on_drum() {
   const auto file =
       std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/ring_tires/passenger_205_55R16.toml";
   return ring_tire::RingTire(ring_tire::read_ring_tire(Document::read(file).root()));
@@ -29,7 +29,7 @@ DrumTest quick_test() {
 }
 
 TEST(DrumTest, AFreeWheelRollsUnderItsLoadAndFeelsTheCleatWhenItIsBelow) {
-  ring_tire::RingTire tire = example_tire();
+  ring_tire::RingTire tire = tire_on_drum();
   const auto channels = run(tire, quick_test());
   ASSERT_TRUE(channels) << channels.failure().reason;
   const auto& time = (*channels)["time"];
@@ -54,7 +54,7 @@ TEST(DrumTest, AFreeWheelRollsUnderItsLoadAndFeelsTheCleatWhenItIsBelow) {
 TEST(DrumTest, ATurnByASegmentChangesNothing) {
   constexpr double kSegment = 2.0 * M_PI / 80.0;
   DrumTest test = quick_test();
-  ring_tire::RingTire tire = example_tire();
+  ring_tire::RingTire tire = tire_on_drum();
   const auto one = run(tire, test);
   test.passages = 2;
   test.wheel_step = kSegment;

@@ -12,8 +12,9 @@
 namespace latsch::experiment {
 namespace {
 
-ring_tire::RingTire example_tire() {
-  const auto file = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/ring_tires/passenger_205_55R16.toml";
+ring_tire::RingTire tire_on_track() {
+  const auto file =
+      std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/ring_tires/passenger_205_55R16.toml";
   auto ring = ring_tire::read_ring_tire(Document::read(file).root());
   ring.tread.blocks = 6;
   return ring_tire::RingTire(ring);
@@ -22,7 +23,7 @@ ring_tire::RingTire example_tire() {
 // The wheel slides to its left (α > 0): the road pushes it to the right, with a trail that turns it
 // into its velocity; the force ends at friction times load.
 TEST(SlipSweep, SideForceGrowsWithTheAngleAndEndsAtFriction) {
-  ring_tire::RingTire tire = example_tire();
+  ring_tire::RingTire tire = tire_on_track();
   const auto channels = run(tire, SlipSweep{.alpha_to = 0.25, .duration = 0.6});
   ASSERT_TRUE(channels) << channels.failure().reason;
   const auto& alpha = (*channels)["alpha"];
@@ -42,7 +43,7 @@ TEST(SlipSweep, SideForceGrowsWithTheAngleAndEndsAtFriction) {
 }
 
 TEST(SlipSweep, BrakingForceEndsAtFriction) {
-  ring_tire::RingTire tire = example_tire();
+  ring_tire::RingTire tire = tire_on_track();
   const auto channels = run(tire, SlipSweep{.kappa_to = -0.4, .duration = 0.5});
   ASSERT_TRUE(channels) << channels.failure().reason;
   const auto& Fx = (*channels)["Fx"];

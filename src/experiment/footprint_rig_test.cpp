@@ -16,7 +16,7 @@ namespace {
 using fe_tire::FeTire;
 using fe_tire::Ground;
 
-constexpr double kPressure = 2.6e5;
+constexpr double kFootprintPressure = 2.6e5;
 
 /// Tire B on a mesh of a few hundred elements: coarse, but all its physics.
 fe_tire::TireDescription coarse_tire_b() {
@@ -40,7 +40,7 @@ std::vector<StandingFootprint> standing(const fe_tire::TireDescription& descript
                                         const FootprintTest& test,
                                         const Ground& ground = {}) {
   FeTire tire = build(description);
-  auto states = footprints(tire, kPressure, ground, test);
+  auto states = footprints(tire, kFootprintPressure, ground, test);
   EXPECT_TRUE(states) << states.failure().reason;
   return *states;
 }
@@ -79,7 +79,7 @@ TEST(FeFootprint, CarriesTheLoadBelowTheAxle) {
 TEST(FeFootprint, CarriesWhatTheTireLeavesUnbalanced) {
   const auto description = coarse_tire_b();
   FeTire tire = build(description);
-  const auto inflated = tire.inflate(kPressure);
+  const auto inflated = tire.inflate(kFootprintPressure);
   ASSERT_TRUE(inflated) << inflated.failure().reason;
   const auto loaded = tire.load(*inflated, {0.012}, Ground{});
   ASSERT_TRUE(loaded) << loaded.failure().reason;
@@ -90,8 +90,8 @@ TEST(FeFootprint, CarriesWhatTheTireLeavesUnbalanced) {
   fe_tire::RingState state = assembly.zero_state();
   state.x = whole.compress(loaded->u);
   Eigen::VectorXd unbalanced;
-  ASSERT_TRUE(
-      assembly.assemble(tire.materials(), state, kPressure, nullptr, unbalanced, nullptr, nullptr));
+  ASSERT_TRUE(assembly.assemble(
+      tire.materials(), state, kFootprintPressure, nullptr, unbalanced, nullptr, nullptr));
   Eigen::Matrix3Xd rise(3, ring.mesh().nodes());
   const int n = ring.mesh().nodes_per_sector();
   for (int s = 0; s < ring.sectors(); ++s)
@@ -116,7 +116,7 @@ TEST(FeFootprint, OnNextToNoGroundIsTheContourItself) {
   const Footprint print =
       standing(description, at_deflections({delta}), Ground{stiffness, 0.0})[0].footprint;
   FeTire tire = build(description);
-  const auto inflated = tire.inflate(kPressure);
+  const auto inflated = tire.inflate(kFootprintPressure);
   ASSERT_TRUE(inflated) << inflated.failure().reason;
   const double R = inflated->radius;
   int at_crown = 0;
