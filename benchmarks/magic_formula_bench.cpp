@@ -87,7 +87,7 @@ void speed(benchmarks::Table& table) {
   constexpr std::size_t kOnes = 100000, kMany = 1000000;
   const std::vector<State> states = random_states(kMany, *sample);
   double sum = 0.0;
-  const double one = fastest(10,
+  const double one = fastest(30,
                              [&] {
                                for (std::size_t i = 0; i < kOnes; ++i)
                                  sum += tire.evaluate(states[i]).Fy;
