@@ -8,6 +8,8 @@
 #include <cmath>
 #include <optional>
 
+#include "formats/letter_case.h"
+
 namespace latsch::formats {
 namespace {
 
@@ -20,18 +22,11 @@ std::string_view strip(std::string_view text) {
   return text;
 }
 
-std::string upper(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return result;
-}
-
 std::vector<std::string> split(std::string_view line) {
   std::vector<std::string> fields;
   while (true) {
     const auto comma = line.find(',');
-    fields.push_back(upper(strip(line.substr(0, comma))));
+    fields.push_back(capitals(strip(line.substr(0, comma))));
     if (comma == std::string_view::npos) break;
     line.remove_prefix(comma + 1);
   }
