@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/answers.h"
+#include "cli/console.h"
 #include "cli/tables.h"
 #include "cli/verbs.h"
 #include "correlation/study.h"
@@ -46,21 +49,21 @@ std::string what(const experiment::ModalTest& test) {
 
 void print_experiment(const StudyExperiment& experiment, const fe_tire::Mesh& mesh) {
   const auto& test = experiment.load_case.test;
-  fmt::print("  {:<16} {}; {} values from {}; {}, weight {:g}, exponent {:g}\n",
-             experiment.name,
-             std::visit([](const auto& t) { return what(t); }, test),
-             experiment.modal() ? experiment.modes.size() : experiment.forces.size(),
-             experiment.measurement_file.filename().string(),
-             experiment.fitted ? "fitted" : "predicted",
-             experiment.objective.weight,
-             experiment.objective.exponent);
+  say("  {:<16} {}; {} values from {}; {}, weight {:g}, exponent {:g}\n",
+      experiment.name,
+      std::visit([](const auto& t) { return what(t); }, test),
+      experiment.modal() ? experiment.modes.size() : experiment.forces.size(),
+      experiment.measurement_file.filename().string(),
+      experiment.fitted ? "fitted" : "predicted",
+      experiment.objective.weight,
+      experiment.objective.exponent);
   if (const auto* modal = std::get_if<experiment::ModalTest>(&test);
       modal && modal->points.cols()) {
     const double distance = experiment::nearest_sensors(mesh, modal->points).largest_distance;
     if (distance > kFarSensor) {
-      fmt::print("  {:<16} a measured point lies {:.0f} mm from the outer surface of the model\n",
-                 "",
-                 distance * 1e3);
+      say("  {:<16} a measured point lies {:.0f} mm from the outer surface of the model\n",
+          "",
+          distance * 1e3);
     }
   }
 }
@@ -76,40 +79,40 @@ void print_simulator(const Study& study) {
                     program,
                     program.starts_with('/') ? "there" : "in PATH"));
   }
-  fmt::print("{}\n\nSimulator: {}{}\n",
-             study.title,
-             fmt::join(simulator.arguments, " "),
-             simulator.timeout > 0.0 ? fmt::format(", {:g} s at most", simulator.timeout) : "");
+  say("{}\n\nSimulator: {}{}\n",
+      study.title,
+      fmt::join(simulator.arguments, " "),
+      simulator.timeout > 0.0 ? fmt::format(", {:g} s at most", simulator.timeout) : "");
   for (const OutputReader& output : simulator.outputs) {
     std::string quantities;
     for (const auto& quantity : output.quantities) {
       quantities += fmt::format(" {} [{}]", quantity.name, quantity.unit);
     }
-    fmt::print("  {:<16} from {}:{}\n", output.name, output.file.string(), quantities);
+    say("  {:<16} from {}:{}\n", output.name, output.file.string(), quantities);
   }
 }
 
 void print_rolling_tire(const Study& study) {
-  fmt::print("{}\n\nModel {}: {}, {} numbers\n\nTests\n",
-             study.title,
-             study.model_file.string(),
-             study.rolling->kind->in_words,
-             study.model.paths().size());
+  say("{}\n\nModel {}: {}, {} numbers\n\nTests\n",
+      study.title,
+      study.model_file.string(),
+      study.rolling->kind->in_words,
+      study.model.paths().size());
   for (const auto& test : study.rolling->tests) {
-    fmt::print("  {:<16} {}\n", test.name, experiment::in_words(test.test));
+    say("  {:<16} {}\n", test.name, experiment::in_words(test.test));
   }
 }
 
 void print_curves(const Study& study) {
   for (const StudyExperiment& experiment : study.experiments) {
-    fmt::print("  {:<16} {} {}; {} values from {}; {}, weight {:g}\n",
-               experiment.name,
-               experiment.curve->compared_name,
-               experiment.curve->x.empty() ? "sample by sample" : "over " + experiment.curve->x,
-               experiment.curve->y_compared.size(),
-               experiment.measurement_file.filename().string(),
-               experiment.fitted ? "fitted" : "predicted",
-               experiment.objective.weight);
+    say("  {:<16} {} {}; {} values from {}; {}, weight {:g}\n",
+        experiment.name,
+        experiment.curve->compared_name,
+        experiment.curve->x.empty() ? "sample by sample" : "over " + experiment.curve->x,
+        experiment.curve->y_compared.size(),
+        experiment.measurement_file.filename().string(),
+        experiment.fitted ? "fitted" : "predicted",
+        experiment.objective.weight);
   }
 }
 
@@ -119,8 +122,7 @@ fe_tire::Mesh print_tire(const Study& study) {
   const auto tire = fe_tire::read_tire(initial.root());
   const fe_tire::Mesh mesh = fe_tire::build_mesh(tire);
 
-  fmt::print(
-      "{}\n\nModel {}: {}, {}\n  {} HEX8, {} nodes, {} free degrees of freedom, {} sectors\n",
+  say("{}\n\nModel {}: {}, {}\n  {} HEX8, {} nodes, {} free degrees of freedom, {} sectors\n",
       study.title,
       study.model_file.string(),
       tire.name,
@@ -140,6 +142,28 @@ std::string journal_in_words(const Study& study) {
              : file;
 }
 
+void answer_check(const Study& study) {
+  answer() = {{"title", study.title},
+              {"model", study.model_file.string()},
+              {"variables", answer_of(study.space)},
+              {"method", in_words(method_of(study).method)},
+              {"max_steps", study.max_steps},
+              {"workers", study.run.workers},
+              {"timeout_s", study.run.timeout},
+              {"journal", study.run.journal.string()}};
+  for (const StudyExperiment& experiment : study.experiments) {
+    const std::size_t values = experiment.curve     ? experiment.curve->y_compared.size()
+                               : experiment.modal() ? experiment.modes.size()
+                                                    : experiment.forces.size();
+    answer()["experiments"].push_back({{"name", experiment.name},
+                                       {"kind", kind_of(experiment)},
+                                       {"values", values},
+                                       {"measurement", experiment.measurement_file.string()},
+                                       {"fitted", experiment.fitted},
+                                       {"weight", experiment.objective.weight}});
+  }
+}
+
 void check(const std::string& file) {
   const Study study = correlation::read_study(file);
   std::optional<fe_tire::Mesh> mesh;
@@ -150,22 +174,22 @@ void check(const std::string& file) {
   } else {
     mesh = print_tire(study);
   }
-  fmt::print("\nVariables\n");
+  answer_check(study);
+  say("\nVariables\n");
   print_variables(study.space);
-  if (!study.space.constraints().empty()) fmt::print("\nLinear constraints\n");
+  if (!study.space.constraints().empty()) say("\nLinear constraints\n");
   print_constraints(study.space);
-  fmt::print("\nExperiments\n");
+  say("\nExperiments\n");
   if (!mesh) print_curves(study);
   for (const StudyExperiment& experiment : study.experiments) {
     if (mesh) print_experiment(experiment, *mesh);
   }
-  if (!study.constraints.empty()) fmt::print("\nConstraints on channels\n");
+  if (!study.constraints.empty()) say("\nConstraints on channels\n");
   for (const auto& constraint : study.constraints) {
-    fmt::print("  {:<16} {}\n", constraint.name, in_words(constraint));
+    say("  {:<16} {}\n", constraint.name, in_words(constraint));
   }
   const MethodChoice choice = method_of(study);
-  fmt::print(
-      "\nOptimizer {}, at most {} steps: {}\n"
+  say("\nOptimizer {}, at most {} steps: {}\n"
       "Workers {}, {:g} s a trial at most, journal {}\n"
       "Where a trial fails, {}\n"
       "\nEverything is in order. Next: latsch run {}\n",

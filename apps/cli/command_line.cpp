@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/text.h"
+#include "cli/console.h"
 
 namespace latsch::cli {
 namespace {
@@ -17,10 +18,8 @@ bool known(const CLI::App& app, const std::string& word) {
     if (verb->get_name() == word) return true;
     if (!verb->get_group().empty()) shown.push_back(verb->get_name());
   }
-  std::fprintf(stderr,
-               "latsch: no verb %s%s\nlatsch --help lists the verbs\n",
-               in_quotes(word).c_str(),
-               did_you_mean(word, shown).c_str());
+  complain("no verb " + in_quotes(word) + did_you_mean(word, shown) +
+           "\nlatsch --help lists the verbs");
   return false;
 }
 
@@ -81,14 +80,19 @@ void Verb::add_flag(const std::string& name, bool& value, const std::string& hel
 
 void Verb::footer(const std::string& text) { app_->footer(text); }
 
-void Verb::hide() { app_->group(""); }
+void Verb::hide() {
+  app_->group("");
+  for (const char* option : {"--json", "--quiet", "--log"})
+    app_->remove_option(app_->get_option(option));
+}
 
 void Verb::callback(std::function<void()> run) { app_->callback(std::move(run)); }
 
 CommandLine::CommandLine(const std::string& description,
                          const std::string& footer,
                          const std::string& version)
-    : app_(std::make_unique<CLI::App>(description, "latsch")) {
+    : app_(std::make_unique<CLI::App>(description, "latsch")),
+      common_(std::make_unique<CommonOptions>()) {
   app_->footer(footer);
   app_->set_version_flag("--version", version);
   app_->require_subcommand(1);
@@ -97,11 +101,54 @@ CommandLine::CommandLine(const std::string& description,
 CommandLine::~CommandLine() = default;
 
 Verb CommandLine::add_subcommand(const std::string& name, const std::string& description) {
-  return Verb(app_->add_subcommand(name, description));
+  CLI::App* verb = app_->add_subcommand(name, description);
+  add_common_options(*verb);
+  return Verb(verb);
 }
 
+void CommandLine::add_common_options(CLI::App& verb) {
+  constexpr const char* kGroup = "Options of every verb";
+  verb.add_flag("--json", common_->json, "Prints the results as one JSON object")->group(kGroup);
+  verb.add_flag("--quiet", common_->quiet, "Prints nothing but warnings, errors and data asked for")
+      ->group(kGroup);
+  verb.add_option("--log", common_->log, "File to which all that is said is added")->group(kGroup);
+}
+
+std::optional<std::string> CommandLine::help(const std::string& verb) const {
+  if (verb.empty()) return general_help_;
+  for (const CLI::App* found : app_->get_subcommands({}))
+    if (found->get_name() == verb) return found->help("latsch");
+  return std::nullopt;
+}
+
+std::vector<std::string> CommandLine::verbs() const {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app_->get_subcommands({}))
+    if (!verb->get_group().empty()) names.push_back(verb->get_name());
+  return names;
+}
+
+namespace {
+
+std::string as_typed(int argc, char** argv) {
+  std::string line = "latsch";
+  for (int i = 1; i < argc; ++i) line += std::string(" ") + argv[i];
+  return line;
+}
+
+}  // namespace
+
 bool CommandLine::run(int argc, char** argv) {
+  // A line that is not understood is answered in the form that it asks for.
+  CommonOptions asked;
+  for (int i = 2; i < argc; ++i) asked.json = asked.json || std::string_view(argv[i]) == "--json";
+  open_console(asked, argc > 1 ? argv[1] : "", "");
   if (argc > 1 && !known(*app_, argv[1])) return false;
+  general_help_ = app_->help();
+  app_->parse_complete_callback([&] {
+    const auto verbs = app_->get_subcommands();
+    if (!verbs.empty()) open_console(*common_, verbs[0]->get_name(), as_typed(argc, argv));
+  });
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -109,11 +156,8 @@ bool CommandLine::run(int argc, char** argv) {
     const std::vector<CLI::App*> verbs = app_->get_subcommands();
     const CLI::App* verb = verbs.empty() ? nullptr : verbs.front();
     const std::string name = verb ? "latsch " + verb->get_name() : "latsch";
-    std::fprintf(stderr,
-                 "%s: %s\n%s --help lists what it takes\n",
-                 name.c_str(),
-                 complaint(verb, error).c_str(),
-                 name.c_str());
+    complain((verb ? name + ": " : "") + complaint(verb, error) + "\n" + name +
+             " --help lists what it takes");
     return false;
   }
   return true;

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ class Verb {
                     const std::string& help);
   void add_flag(const std::string& name, bool& value, const std::string& help);
   void footer(const std::string& text);
+  /// A part of the program itself: neither listed nor with the options every verb has.
   void hide();
   void callback(std::function<void()> run);
 
@@ -49,6 +51,7 @@ class Verb {
   CLI::App* app_;
 };
 
+/// Every verb has --json, --quiet and --log FILE, see console.h.
 class CommandLine {
  public:
   CommandLine(const std::string& description,
@@ -58,12 +61,22 @@ class CommandLine {
 
   Verb add_subcommand(const std::string& name, const std::string& description);
 
+  /// What `latsch VERB --help` prints; of all verbs together where `verb` is empty. Nothing where
+  /// there is no such verb.
+  std::optional<std::string> help(const std::string& verb) const;
+  /// Names of the verbs that are listed.
+  std::vector<std::string> verbs() const;
+
   /// Runs the verb that was chosen. False where the line was not understood, after saying why;
   /// --help and --version are true.
   bool run(int argc, char** argv);
 
  private:
+  void add_common_options(CLI::App& verb);
+
   std::unique_ptr<CLI::App> app_;
+  std::unique_ptr<struct CommonOptions> common_;
+  std::string general_help_;  // taken before a verb is chosen, of which the parser then speaks
 };
 
 }  // namespace latsch::cli

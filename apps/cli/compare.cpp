@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <filesystem>
-#include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "base/file.h"
-#include "base/progress.h"
+#include "cli/console.h"
 #include "cli/verbs.h"
 #include "correlation/tire_comparison/comparison_page.h"
 #include "correlation/tire_comparison/tire_comparison.h"
@@ -36,7 +36,7 @@ void write_measurements(const ComparisonFile& file, const fs::path& folder) {
     }
     const fs::path to = folder / (file.tests[t].name + ".csv");
     write_text_file(to, formats::csv_text(kept));
-    fmt::print("wrote {}\n", to.string());
+    say_written(to.string());
   }
 }
 
@@ -45,7 +45,7 @@ void compare(const std::string& name, const std::string& measurements, std::stri
   if (!measurements.empty()) return write_measurements(file, measurements);
   TireComparison comparison;
   {
-    Progress progress(std::cerr, is_terminal());
+    RunningNote progress;
     long done = 0;
     comparison = correlation::compare_tires(file, [&](const std::string& test) {
       progress.update(done++, static_cast<long>(file.tests.size()), test);
@@ -53,9 +53,19 @@ void compare(const std::string& name, const std::string& measurements, std::stri
   }
   if (output.empty()) output = fs::path(name).replace_extension(".html").string();
   write_text_file(output, comparison_page(file, comparison));
-  fmt::print("{}\n\n", file.title);
-  for (const std::string& sentence : verdicts(file, comparison)) fmt::print("{}\n", sentence);
-  fmt::print("\nReport: {}\n", output);
+  say("{}\n\n", file.title);
+  for (std::size_t t = 0; t < file.tires.size(); ++t) {
+    const auto& of_tire = comparison.tires[t];
+    answer()["tires"].push_back({{"name", file.tires[t].name},
+                                 {"channels", file.channels},
+                                 {"time_error", of_tire.time_error},
+                                 {"psd_error", of_tire.psd_error},
+                                 {"cpu_over_time", of_tire.cpu_over_time}});
+  }
+  answer()["verdicts"] = verdicts(file, comparison);
+  answer()["report"] = output;
+  for (const std::string& sentence : verdicts(file, comparison)) say("{}\n", sentence);
+  say("\nReport: {}\n", output);
 }
 
 }  // namespace

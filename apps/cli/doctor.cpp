@@ -2,7 +2,10 @@
 // latsch doctor: is this journal as it was written, what is damaged, what can be saved.
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.h"
+#include "cli/console.h"
 #include "cli/verbs.h"
 #include "correlation/run_settings.h"
 #include "correlation/study.h"
@@ -12,12 +15,18 @@ namespace latsch::cli {
 namespace {
 
 void print_findings(const std::string& file, const JournalReport& report) {
+  answer() = {{"journal", file},
+              {"healthy", report.healthy()},
+              {"intact_trials", report.rows.size()},
+              {"expected_trials", report.expected >= 0 ? Json(report.expected) : Json(nullptr)},
+              {"notes", report.notes},
+              {"damage", report.findings}};
   const std::string expected =
       report.expected >= 0 ? fmt::format(" of {}", report.expected) : std::string();
-  fmt::print("{}: {}{} trials are as they were written\n", file, report.rows.size(), expected);
-  for (const std::string& note : report.notes) fmt::print("  note: {}\n", note);
-  for (const std::string& finding : report.findings) fmt::print("  damage: {}\n", finding);
-  if (report.healthy()) fmt::print("Every page and every hash is in order.\n");
+  say("{}: {}{} trials are as they were written\n", file, report.rows.size(), expected);
+  for (const std::string& note : report.notes) say("  note: {}\n", note);
+  for (const std::string& finding : report.findings) say("  damage: {}\n", finding);
+  if (report.healthy()) say("Every page and every hash is in order.\n");
 }
 
 /// The journal itself, or that of a study.
@@ -41,13 +50,12 @@ int examine(const std::string& named, const std::string& salvaged, const std::st
     std::optional<StudyIdentity> identity;
     if (!study.empty()) identity = correlation::identity(correlation::read_study(study));
     salvage_journal(report, identity, salvaged);
-    fmt::print(
-        "{} trials are saved in {}; put it in the place of the damaged file and go on with "
+    say("{} trials are saved in {}; put it in the place of the damaged file and go on with "
         "latsch resume\n",
         report.rows.size(),
         salvaged);
   } else if (!report.healthy() && !report.rows.empty()) {
-    fmt::print("Save the intact trials with: latsch doctor {} --salvage NEW.latsch\n", file);
+    say("Save the intact trials with: latsch doctor {} --salvage NEW.latsch\n", file);
   }
   return report.healthy() ? kDone : kFailed;
 }

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/answers.h"
+#include "cli/console.h"
 #include "cli/interrupt.h"
 #include "cli/tables.h"
 #include "cli/trials.h"
@@ -60,24 +63,27 @@ void print_basins(const Study& study, const StudyDesign& design, const Journal& 
   const auto found =
       correlation::doe_basins(study, design, correlation::rated_trials(study, journal));
   if (!found) return;
-  fmt::print("\n{} minim{} among the points:\n",
-             found->basins.size(),
-             found->basins.size() == 1 ? "um" : "a");
+  say("\n{} minim{} among the points:\n",
+      found->basins.size(),
+      found->basins.size() == 1 ? "um" : "a");
+  for (const auto& basin : found->basins)
+    answer()["minima"].push_back({{"target", basin.target},
+                                  {"points", basin.points},
+                                  {"variables", answer_of(study.space, basin.lowest)}});
   for (size_t k = 0; k < std::min(kShownPoints, found->basins.size()); ++k) {
-    fmt::print("target {:.4f} %, {} points lead there\n",
-               found->basins[k].target * 100.0,
-               found->basins[k].points);
+    say("target {:.4f} %, {} points lead there\n",
+        found->basins[k].target * 100.0,
+        found->basins[k].points);
     print_point(study.space, found->basins[k].lowest);
   }
-  if (!found->doubt.empty()) fmt::print("Too coarse to trust: {}.\n", found->doubt);
+  if (!found->doubt.empty()) say("Too coarse to trust: {}.\n", found->doubt);
 }
 
 void print_effects(const Study& study, const StudyDesign& design, const Journal& journal) {
   const auto effects =
       correlation::doe_effects(study, design, correlation::rated_trials(study, journal));
   if (effects.empty()) return;
-  fmt::print(
-      "\nMorris' elementary effects: change of the target over a variable's whole range, "
+  say("\nMorris' elementary effects: change of the target over a variable's whole range, "
       "in points of %\n  {:<16} {:>10} {:>10} {:>10} {:>8}\n",
       "variable",
       "mu*",
@@ -85,12 +91,17 @@ void print_effects(const Study& study, const StudyDesign& design, const Journal&
       "sigma",
       "effects");
   for (int i = 0; i < study.space.size(); ++i) {
-    fmt::print("  {:<16} {:10.3f} {:10.3f} {:10.3f} {:8}\n",
-               study.space[i].name,
-               100.0 * effects[i].mu_star,
-               100.0 * effects[i].mu,
-               100.0 * effects[i].sigma,
-               effects[i].effects);
+    answer()["effects"].push_back({{"name", study.space[i].name},
+                                   {"mu_star", effects[i].mu_star},
+                                   {"mu", effects[i].mu},
+                                   {"sigma", effects[i].sigma},
+                                   {"effects", effects[i].effects}});
+    say("  {:<16} {:10.3f} {:10.3f} {:10.3f} {:8}\n",
+        study.space[i].name,
+        100.0 * effects[i].mu_star,
+        100.0 * effects[i].mu,
+        100.0 * effects[i].sigma,
+        effects[i].effects);
   }
 }
 
@@ -106,8 +117,7 @@ std::optional<Trial> first_failure(const Journal& journal) {
 void print_policy_of_designs(const FailurePolicy& policy) {
   using Then = FailurePolicy::Then;
   if (policy.then != Then::recover && policy.then != Then::continuation) return;
-  fmt::print(
-      "on_failure = \"{}\" is an answer to an optimizer; in a design a failed point just "
+  say("on_failure = \"{}\" is an answer to an optimizer; in a design a failed point just "
       "stays failed\n",
       policy.then == Then::recover ? "recover" : "continuation");
 }
@@ -120,11 +130,11 @@ int doe(const std::string& file, int levels, int workers) {
   Workers workers_of_study;
   if (workers_of_study.served(study)) return kDone;
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
-  fmt::print("{}, {} points; {} finished trials in {}\n",
-             design.name(),
-             plan.points.size(),
-             journal.size(),
-             study.run.journal.string());
+  say("{}, {} points; {} finished trials in {}\n",
+      design.name(),
+      plan.points.size(),
+      journal.size(),
+      study.run.journal.string());
   print_policy_of_designs(study.run.on_failure);
 
   catch_interrupts();
@@ -132,7 +142,7 @@ int doe(const std::string& file, int levels, int workers) {
   Executor& executor = workers_of_study.start(study);
   const RunEnd end = run_doe(plan, executor, journal, run_options(study, /*length_known=*/true));
   if (end == RunEnd::stopped) {
-    fmt::print("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
+    say("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
     return kFailed;
   }
   if (end == RunEnd::aborted) {
@@ -150,9 +160,13 @@ int doe(const std::string& file, int levels, int workers) {
         trial ? trial->outcome.result.failure().reason : "its channels give no target");
     return kFailed;
   }
-  fmt::print("\n{} of {} points succeeded; the best:\n", points.size(), plan.points.size());
+  answer()["design"] = design.name();
+  for (const RatedTrial& trial : points)
+    answer()["points"].push_back(
+        {{"target", trial.target}, {"variables", answer_of(study.space, trial.point)}});
+  say("\n{} of {} points succeeded; the best:\n", points.size(), plan.points.size());
   for (size_t i = 0; i < std::min(kShownPoints, points.size()); ++i) {
-    fmt::print("target {:.4f} %\n", points[i].target * 100.0);
+    say("target {:.4f} %\n", points[i].target * 100.0);
     print_point(study.space, points[i].point);
   }
   print_basins(study, design, journal);

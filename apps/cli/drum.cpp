@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/document.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "cli/answers.h"
+#include "cli/console.h"
 #include "cli/verbs.h"
 #include "experiment/drum_convergence.h"
 #include "experiment/rolling_tests.h"
@@ -29,23 +32,29 @@ int say_convergence(const experiment::TireKind& kind,
     throw InputError("--convergence: expected a test of kind \"drum_cleat\", which steps in time");
   const auto found = experiment::drum_convergence(kind, numbers, *drum);
   if (!found) {
-    fmt::print(stderr, "latsch drum: {}\n", found.failure().reason);
+    complain(found.failure().reason);
     return kFailed;
   }
-  fmt::print("{}\nroot mean square over the record, of\n{:4}{:>14}{:>20}{:>32}\n",
-             experiment::in_words(test),
-             "",
-             "all about mean",
-             "change, half step",
-             "change, half more segments");
+  Json& rows = answer()["changes"] = Json::array();
   for (const auto& one : *found)
-    fmt::print("{:4}{:>14}{:>20}{:>32}\n",
-               one.name,
-               fmt::format("{:.1f} {}", one.about_mean, one.unit),
-               fmt::format("{:.2f} {}", one.by_step, one.unit),
-               fmt::format("{:.2f} {}", one.by_segments, one.unit));
-  fmt::print(
-      "A step changes four times less where it is halved, segments about twice less where there "
+    rows.push_back({{"channel", one.name},
+                    {"unit", one.unit},
+                    {"about_mean", one.about_mean},
+                    {"by_half_step", one.by_step},
+                    {"by_half_more_segments", one.by_segments}});
+  say("{}\nroot mean square over the record, of\n{:4}{:>14}{:>20}{:>32}\n",
+      experiment::in_words(test),
+      "",
+      "all about mean",
+      "change, half step",
+      "change, half more segments");
+  for (const auto& one : *found)
+    say("{:4}{:>14}{:>20}{:>32}\n",
+        one.name,
+        fmt::format("{:.1f} {}", one.about_mean, one.unit),
+        fmt::format("{:.2f} {}", one.by_step, one.unit),
+        fmt::format("{:.2f} {}", one.by_segments, one.unit));
+  say("A step changes four times less where it is halved, segments about twice less where there "
       "are\n"
       "half as many again. Both should stay below the noise of what they are compared with.\n");
   return kDone;
@@ -59,16 +68,10 @@ int drum(const DrumOptions& options) {
   if (options.convergence) return say_convergence(kind, kind.read(options.tire), test);
   const auto channels = experiment::run(kind, kind.read(options.tire), test);
   if (!channels) {
-    fmt::print(stderr, "latsch drum: {}\n", channels.failure().reason);
+    complain(channels.failure().reason);
     return kFailed;
   }
-  const std::string text = formats::csv_text(*channels);
-  if (options.output.empty()) {
-    fmt::print("{}", text);
-  } else {
-    write_text_file(options.output, text);
-    fmt::print("wrote {}\n", options.output);
-  }
+  give(*channels, options.output);
   return kDone;
 }
 

@@ -2,7 +2,11 @@
 // latsch evaluate: forces, moments, radii and contact patch of a steady-state tire, state by state.
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "base/file.h"
+#include "cli/answers.h"
+#include "cli/console.h"
 #include "cli/verbs.h"
 #include "experiment/slip_states.h"
 #include "formats/tir_file.h"
@@ -31,29 +35,24 @@ Conventions conventions(const EvaluateOptions& options) {
 int evaluate(const EvaluateOptions& options) {
   const formats::TirFile tir = formats::read_tir(options.tire);
   const SlipStates given = slip_states(formats::CsvTable::read(options.states), tir.parameters);
-  for (const std::string& note : tir.notes) fmt::print(stderr, "latsch: {}\n", note);
+  for (const std::string& note : tir.notes) warn(note, {options.tire, 0});
   for (const std::string& column : given.unused)
-    fmt::print(stderr, "latsch: {}: column \"{}\" is not used\n", options.states, column);
+    warn(fmt::format("{}: column \"{}\" is not used", options.states, column));
   const Conventions chosen = conventions(options);
   const int outside = outside_of_ranges(given.states, tir.parameters);
   if (chosen.limits && outside > 0)
-    fmt::print(stderr,
-               "latsch: {} of {} states lie outside of the ranges of {} and are limited to them "
-               "(--limits off takes them as they are)\n",
-               outside,
-               given.states.size(),
-               options.tire);
+    warn(
+        fmt::format("{} of {} states lie outside of the ranges of {} and are limited to them "
+                    "(--limits off takes them as they are)",
+                    outside,
+                    given.states.size(),
+                    options.tire));
   const MagicFormula tire(tir.parameters, chosen);
   if (chosen.turn_slip && !tire.conventions().turn_slip)
-    fmt::print(
-        stderr, "latsch: {} has no turn slip coefficients: evaluated without\n", options.tire);
+    warn(options.tire + " has no turn slip coefficients: evaluated without");
   std::vector<magic_formula::SteadyState> results(given.states.size());
   tire.evaluate(given.states, results);
-  const std::string text = formats::csv_text(answers(results));
-  if (options.output.empty())
-    fmt::print("{}", text);
-  else
-    write_text_file(options.output, text);
+  give(answers(results), options.output);
   return kDone;
 }
 

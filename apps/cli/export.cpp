@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "cli/console.h"
 #include "cli/parsed.h"
 #include "cli/tire_source.h"
 #include "cli/verbs.h"
@@ -75,16 +76,16 @@ void write_vtu(const ExportOptions& options, const TireDescription& tire) {
     if (options.modes > 0) add_modes(fields, required(model.modes(loaded, options.modes)));
     const fs::path patch = fs::path(options.vtu).replace_extension(".patch.vtu");
     formats::write_patch_vtu(patch, loaded.curve.back());
-    fmt::print("wrote {}\n", patch.string());
+    say_written(patch.string());
   }
   formats::write_tire_vtu(options.vtu, model.mesh(), fields);
-  fmt::print("wrote {}\n", options.vtu);
+  say_written(options.vtu);
 }
 
 void write_ccx(const ExportOptions& options, TireDescription tire) {
   const State state = state_of(options, tire);
   if (tire.cord_model == fe_tire::CordModel::rebar) {
-    fmt::print("CalculiX has no rebars: the deck carries the cords smeared over their elements\n");
+    say("CalculiX has no rebars: the deck carries the cords smeared over their elements\n");
     tire.cord_model = fe_tire::CordModel::smeared;
   }
   const auto mesh = fe_tire::build_mesh(tire);
@@ -101,9 +102,9 @@ void write_ccx(const ExportOptions& options, TireDescription tire) {
     run.ground = formats::CcxGround{inflated.radius, state.deflection};
   }
   formats::write_ccx_deck(fs::path(options.ccx), mesh, materials, run);
-  fmt::print("wrote {}; run it with: ccx {}\n",
-             options.ccx,
-             fs::path(options.ccx).replace_extension().string());
+  say("wrote {}; run it with: ccx {}\n",
+      options.ccx,
+      fs::path(options.ccx).replace_extension().string());
 }
 
 void write_tire_file(const ExportOptions& options, const std::string& text) {
@@ -111,7 +112,7 @@ void write_tire_file(const ExportOptions& options, const std::string& text) {
   out << text;
   out.close();
   if (!out) throw InputError(Place{options.tire, 0}, "cannot be written");
-  fmt::print("wrote {}\n", options.tire);
+  say_written(options.tire);
 }
 
 void write_measurements(const std::string& file) {
@@ -120,7 +121,7 @@ void write_measurements(const std::string& file) {
     throw InputError({file, 0}, "has no tire of finite elements: only of one a twin is written");
   }
   for (const auto& path : required(correlation::write_twin(study))) {
-    fmt::print("wrote {}\n", path.string());
+    say_written(path.string());
   }
 }
 

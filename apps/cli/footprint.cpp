@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "cli/answers.h"
+#include "cli/console.h"
 #include "cli/parsed.h"
 #include "cli/tire_source.h"
 #include "cli/verbs.h"
@@ -145,30 +148,31 @@ std::string page(const std::string& tire, const std::vector<StandingFootprint>& 
 int footprint(const FootprintOptions& options) {
   const auto states = footprints_of(options);
   if (!states) {
-    fmt::print(stderr, "latsch footprint: {}\n", states.failure().reason);
+    complain(states.failure().reason);
     return kFailed;
   }
-  fmt::print("{:>9} {:>16} {:>12} {:>11} {:>11} {:>20}\n",
-             "load [N]",
-             "deflection [mm]",
-             "length [mm]",
-             "width [mm]",
-             "area [cm²]",
-             "mean pressure [bar]");
+  say("{:>9} {:>16} {:>12} {:>11} {:>11} {:>20}\n",
+      "load [N]",
+      "deflection [mm]",
+      "length [mm]",
+      "width [mm]",
+      "area [cm²]",
+      "mean pressure [bar]");
+  answer()["channels"] = answer_of(experiment::to_channels(*states));
   for (const StandingFootprint& state : *states) {
     const Footprint& print = state.footprint;
-    fmt::print("{:9.1f} {:16.3f} {:12.2f} {:11.2f} {:10.2f} {:20.3f}\n",
-               print.load,
-               1e3 * state.deflection,
-               1e3 * print.length,
-               1e3 * print.width,
-               1e4 * print.area,
-               print.mean_pressure() / 1e5);
+    say("{:9.1f} {:16.3f} {:12.2f} {:11.2f} {:10.2f} {:20.3f}\n",
+        print.load,
+        1e3 * state.deflection,
+        1e3 * print.length,
+        1e3 * print.width,
+        1e4 * print.area,
+        print.mean_pressure() / 1e5);
   }
   const auto write = [](const std::string& file, const std::string& text) {
     if (file.empty()) return;
     write_text_file(file, text);
-    fmt::print("wrote {}\n", file);
+    say_written(file);
   };
   if (!options.output.empty())
     write(options.output, formats::csv_text(experiment::to_channels(*states)));

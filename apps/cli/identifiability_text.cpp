@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/console.h"
 #include "cli/tables.h"
 #include "correlation/report_identifiability.h"
 
@@ -24,14 +25,14 @@ std::string note_on(const DesignVariable& v, const Confidence& c, int i, const D
 }
 
 void print_spectrum(const Study& study, const Confidence& c) {
-  fmt::print("\nDirections of the variables, from the best determined to the least\n");
-  fmt::print("  {:>15} {:>22}  {}\n", "singular value", "deviation, % of range", "direction");
+  say("\nDirections of the variables, from the best determined to the least\n");
+  say("  {:>15} {:>22}  {}\n", "singular value", "deviation, % of range", "direction");
   for (Eigen::Index k = 0; k < c.singular_values.size(); ++k) {
     const double deviation = c.deviation(static_cast<int>(k));
-    fmt::print("  {:15.4g} {:>22}  {}\n",
-               c.singular_values[k],
-               deviation < 1.0 ? fmt::format("{:.2f}", 100.0 * deviation) : "more than 100: flat",
-               correlation::direction_text(study.space, c.directions.col(k)));
+    say("  {:15.4g} {:>22}  {}\n",
+        c.singular_values[k],
+        deviation < 1.0 ? fmt::format("{:.2f}", 100.0 * deviation) : "more than 100: flat",
+        correlation::direction_text(study.space, c.directions.col(k)));
   }
 }
 
@@ -40,43 +41,43 @@ void print_correlations(const Study& study, const Confidence& c) {
   for (int i = 0; i < study.space.size(); ++i) {
     for (int j = i + 1; j < study.space.size(); ++j) {
       if (std::abs(c.correlation(i, j)) < kStrongCorrelation) continue;
-      fmt::print("{}  {} and {}: {:+.3f}\n",
-                 any ? "" : "\nVariables that the data hardly tell apart, by their correlation\n",
-                 study.space[i].name,
-                 study.space[j].name,
-                 c.correlation(i, j));
+      say("{}  {} and {}: {:+.3f}\n",
+          any ? "" : "\nVariables that the data hardly tell apart, by their correlation\n",
+          study.space[i].name,
+          study.space[j].name,
+          c.correlation(i, j));
       any = true;
     }
   }
 }
 
 void print_verdicts(const Study& study, const std::vector<Profile>& profiles) {
-  fmt::print("\nProfiles: each variable held at other values, all others fitted anew\n");
+  say("\nProfiles: each variable held at other values, all others fitted anew\n");
   for (const Profile& profile : profiles) {
     const DesignVariable& v = study.space[profile.variable];
-    fmt::print("  {:<16} {}\n", v.name, in_words(profile));
-    fmt::print("  {:<16} 95 %: {}\n",
-               "",
-               correlation::interval_text(study.space, profile.variable, profile.interval));
+    say("  {:<16} {}\n", v.name, in_words(profile));
+    say("  {:<16} 95 %: {}\n",
+        "",
+        correlation::interval_text(study.space, profile.variable, profile.interval));
     for (int place : profile.other_minima) {
       const ProfilePoint& at = profile.points[place];
       std::vector<double> u(at.u.begin(), at.u.end());
-      fmt::print("  {:<16} another minimum near {}, {}\n",
-                 "",
-                 shown(v, study.space.from_unit(u).values[profile.variable]),
-                 at.S - profile.least <= profile.threshold ? "as good" : "not as good");
+      say("  {:<16} another minimum near {}, {}\n",
+          "",
+          shown(v, study.space.from_unit(u).values[profile.variable]),
+          at.S - profile.least <= profile.threshold ? "as good" : "not as good");
     }
   }
 }
 
 void print_cross_validation(const Study& study, const CrossValidation& validation) {
-  fmt::print("\nCross-validation: each experiment predicted from the fit of the others\n");
-  fmt::print("  {:<16} {:>14} {:>16}\n", "left out", "rms fitted", "rms predicted");
+  say("\nCross-validation: each experiment predicted from the fit of the others\n");
+  say("  {:<16} {:>14} {:>16}\n", "left out", "rms fitted", "rms predicted");
   for (const LeftOut& fold : validation.left_out()) {
-    fmt::print("  {:<16} {:14.4g} {:16.4g}\n",
-               study.experiments[fold.group].name,
-               fold.fitted,
-               fold.predicted);
+    say("  {:<16} {:14.4g} {:16.4g}\n",
+        study.experiments[fold.group].name,
+        fold.fitted,
+        fold.predicted);
   }
 }
 
@@ -86,17 +87,17 @@ void print_gains(const Study& study,
                  const std::string& title,
                  const std::vector<correlation::MeasurementGain>& gains) {
   if (gains.empty()) return;
-  fmt::print("\n{}\n  {:<42} {:>18}  helps most, deviation in % of range\n",
-             title,
-             "measurement",
-             "confidence region");
+  say("\n{}\n  {:<42} {:>18}  helps most, deviation in % of range\n",
+      title,
+      "measurement",
+      "confidence region");
   for (size_t k = 0; k < std::min(kShownGains, gains.size()); ++k) {
-    fmt::print("  {:<42} {:>18}  {}: {:.3g} -> {:.3g}\n",
-               gains[k].measurement,
-               fmt::format("1 / {:.3g}", gains[k].shrinkage),
-               study.space[gains[k].helps].name,
-               100.0 * gains[k].before,
-               100.0 * gains[k].after);
+    say("  {:<42} {:>18}  {}: {:.3g} -> {:.3g}\n",
+        gains[k].measurement,
+        fmt::format("1 / {:.3g}", gains[k].shrinkage),
+        study.space[gains[k].helps].name,
+        100.0 * gains[k].before,
+        100.0 * gains[k].after);
   }
 }
 
@@ -104,14 +105,14 @@ void print_intervals(const Study& study, const Identifiability& result) {
   const Confidence& c = result.identification.confidence();
   for (int i = 0; i < study.space.size(); ++i) {
     const DesignVariable& v = study.space[i];
-    fmt::print("  {:<16} {:<16} 95 %: {}{}\n",
-               v.name,
-               shown(v, result.point.values[i]),
-               correlation::interval_text(study.space, i, c.intervals[i]),
-               note_on(v, c, i, result.point));
+    say("  {:<16} {:<16} 95 %: {}{}\n",
+        v.name,
+        shown(v, result.point.values[i]),
+        correlation::interval_text(study.space, i, c.intervals[i]),
+        note_on(v, c, i, result.point));
   }
   if (std::isnan(c.sigma)) {
-    fmt::print("  No more measured values than variables: state the noise of the experiments\n");
+    say("  No more measured values than variables: state the noise of the experiments\n");
   }
 }
 

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
+#include <nlohmann/json.hpp>
 
-#include "base/progress.h"
+#include "cli/answers.h"
+#include "cli/console.h"
 #include "cli/identifiability_text.h"
 #include "cli/interrupt.h"
 #include "cli/trials.h"
@@ -46,7 +47,7 @@ bool rank_predictions(const Study& study, const correlation::Identifiability& wh
   }
   const auto channels = correlation::predicted_channels(study, points);
   if (!channels) {
-    fmt::print("\nThe predicted experiments fail beside the best point; their gain is not known\n");
+    say("\nThe predicted experiments fail beside the best point; their gain is not known\n");
     return true;
   }
   print_gains(study,
@@ -67,7 +68,7 @@ int identify(const std::string& file, int workers, bool profiles) {
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
   const auto best = correlation::best_trial(study, journal);
   if (!best) {
-    fmt::print(stderr, "latsch: no trial in {} succeeded\n", study.run.journal.string());
+    complain("no trial in " + study.run.journal.string() + " succeeded");
     return kFailed;
   }
   const DesignPoint point = start(study, journal, best->point);
@@ -82,20 +83,23 @@ int identify(const std::string& file, int workers, bool profiles) {
                             journal,
                             counting_options(study, "trials around the best one"));
   if (!result) {
-    fmt::print("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
+    say("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
     return kFailed;
   }
   if (!*result) {
-    fmt::print(stderr, "latsch: {}\n", result->failure().reason);
+    complain(result->failure().reason);
     return kFailed;
   }
-  fmt::print("\nValues and their confidence intervals, from {} measured values\n",
-             (*result)->identification.residuals_used().size());
+  answer()["variables"] = answer_of(study, **result);
+  for (const Profile& profile : (*result)->identification.profiles())
+    answer()["variables"][profile.variable]["verdict"] = in_words(profile);
+  say("\nValues and their confidence intervals, from {} measured values\n",
+      (*result)->identification.residuals_used().size());
   print_intervals(study, **result);
   print_identifiability(study, **result);
   workers_of_study.end();
   if (profiles && !rank_predictions(study, **result)) {
-    fmt::print("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
+    say("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
     return kFailed;
   }
   return write_report(study, journal);

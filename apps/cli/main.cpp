@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch: the command line. See `latsch --help`.
-#include <cstdio>
 #include <exception>
 
 #include "base/error.h"
+#include "cli/console.h"
 #include "cli/verbs.h"
 
 namespace {
@@ -21,7 +21,8 @@ Start here:
   latsch check my_tire/study.toml       reads all of it and says what it understood
   latsch run my_tire/study.toml         fits, and ends by naming the result and the report
 
-Every verb has a --help with an example. A study can be interrupted (Ctrl-C, even kill -9) and goes on with
+`latsch help VERB` shows what a verb takes, with an example; `latsch help study` all that may stand in
+a study. Every verb has --json, --quiet and --log FILE. A study can be interrupted (Ctrl-C, even kill -9) and goes on with
 `latsch resume`; the result is the same to the last bit.
 
 Exit codes: 0 done; 1 the run failed or was interrupted; 2 wrong input, with file, line, what was found, what was expected.)";
@@ -30,25 +31,10 @@ int run(int argc, char** argv) {
   using namespace latsch::cli;
   CommandLine app(kDescription, kFooter, "latsch 0.1.0");
   int exit_code = kDone;
-  for (const auto add : {add_new,
-                         add_check,
-                         add_mesh,
-                         add_simulate,
-                         add_evaluate,
-                         add_doe,
-                         add_run,
-                         add_identify,
-                         add_report,
-                         add_export,
-                         add_process,
-                         add_doctor,
-                         add_road,
-                         add_drum,
-                         add_footprint,
-                         add_ring,
-                         add_compare,
-                         add_show,
-                         add_worker}) {
+  for (const auto add :
+       {add_new,       add_check,  add_mesh,    add_simulate, add_evaluate, add_doe,   add_run,
+        add_identify,  add_report, add_export,  add_process,  add_doctor,   add_road,  add_drum,
+        add_footprint, add_ring,   add_compare, add_show,     add_help,     add_worker}) {
     add(app, exit_code);
   }
   if (!app.run(argc, argv)) return kWrongInput;
@@ -58,13 +44,14 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  using namespace latsch::cli;
   try {
-    return run(argc, argv);
+    return close_console(run(argc, argv));
   } catch (const latsch::InputError& error) {
-    std::fprintf(stderr, "latsch: %s\n", error.what());
-    return latsch::cli::kWrongInput;
+    complain(error.what(), error.place());
+    return close_console(kWrongInput);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "latsch: %s\n", error.what());
-    return latsch::cli::kFailed;
+    complain(error.what());
+    return close_console(kFailed);
   }
 }

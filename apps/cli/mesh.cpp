@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "base/units.h"
+#include "cli/console.h"
 #include "cli/parsed.h"
 #include "cli/tire_source.h"
 #include "cli/verbs.h"
@@ -35,10 +37,18 @@ void print_counts(const TireDescription& tire, const fe_tire::Mesh& mesh, double
     elements_of_region[element.region] += mesh.sectors;
     rebars += element.rebars.size() * static_cast<size_t>(mesh.sectors);
   }
+  answer() = {{"name", tire.name},
+              {"size", tire.size},
+              {"elements", mesh.element_count()},
+              {"sectors", mesh.sectors},
+              {"nodes", mesh.nodes()},
+              {"free_degrees_of_freedom", mesh.free_dofs()},
+              {"outer_radius_m", mesh.outer_radius()},
+              {"mass_kg", mass}};
   const auto line = [](const std::string& what, const std::string& value) {
-    fmt::print("  {:<28} {}\n", what, value);
+    say("  {:<28} {}\n", what, value);
   };
-  fmt::print("{}, {}\n", tire.name, tire.size);
+  say("{}, {}\n", tire.name, tire.size);
   line("elements (HEX8)", std::to_string(mesh.element_count()));
   line("sectors", std::to_string(mesh.sectors));
   line("nodes", std::to_string(mesh.nodes()));
@@ -53,15 +63,23 @@ void print_counts(const TireDescription& tire, const fe_tire::Mesh& mesh, double
 
 void print_rows(const std::string& title, const std::vector<DiscretizationRow>& rows) {
   if (rows.empty()) return;
-  fmt::print("\n{:<24}", title);
+  for (const DiscretizationRow& row : rows)
+    answer()["convergence"].push_back({{"state", title},
+                                       {"name", row.name},
+                                       {"unit", row.unit},
+                                       {"values", row.values},
+                                       {"converged", row.converged},
+                                       {"order", row.order},
+                                       {"error", row.error()}});
+  say("\n{:<24}", title);
   for (size_t i = 0; i < rows.front().values.size(); ++i) {
-    fmt::print(" {:>10}", fmt::format("mesh {}", i + 1));
+    say(" {:>10}", fmt::format("mesh {}", i + 1));
   }
-  fmt::print(" {:>11} {:>6} {:>14}\n", "converged", "order", "error of mesh 1");
+  say(" {:>11} {:>6} {:>14}\n", "converged", "order", "error of mesh 1");
   for (const DiscretizationRow& row : rows) {
-    fmt::print("{:<24}", fmt::format("{} [{}]", row.name, row.unit));
-    for (double value : row.values) fmt::print(" {:>10.5g}", value);
-    fmt::print(" {:>11.5g} {:>6.2f} {:>13.2f} %\n", row.converged, row.order, 100.0 * row.error());
+    say("{:<24}", fmt::format("{} [{}]", row.name, row.unit));
+    for (double value : row.values) say(" {:>10.5g}", value);
+    say(" {:>11.5g} {:>6.2f} {:>13.2f} %\n", row.converged, row.order, 100.0 * row.error());
   }
 }
 
@@ -75,10 +93,12 @@ int print_convergence(const TireDescription& tire, const MeshOptions& options) {
   if (!options.deflection.empty()) {
     settings.deflection = parse_option("--deflection", options.deflection, "m");
   }
+  RunningNote note;
+  long done = 0;
   const auto study = study_discretization(
-      tire, settings, [](const std::string& mesh) { fmt::print(stderr, "{}\n", mesh); });
+      tire, settings, [&](const std::string& mesh) { note.update(done++, 0, mesh); });
   if (!study) {
-    fmt::print(stderr, "latsch: {}\n", study.failure().reason);
+    complain(study.failure().reason);
     return kFailed;
   }
   print_rows("Inflated", study->unloaded);
@@ -93,7 +113,7 @@ int mesh(const MeshOptions& options) {
   print_counts(tire, mesh, fe_tire::FeTire(mesh, fe_tire::build_materials(tire)).total_mass());
   if (!options.vtu.empty()) {
     formats::write_tire_vtu(std::filesystem::path(options.vtu), mesh, {});
-    fmt::print("wrote {}\n", options.vtu);
+    say_written(options.vtu);
   }
   return options.convergence ? print_convergence(tire, options) : kDone;
 }

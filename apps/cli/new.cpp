@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "base/error.h"
+#include "cli/console.h"
 #include "cli/study_template.h"
 #include "cli/verbs.h"
 
@@ -19,7 +20,7 @@ void write(const fs::path& file, std::string_view text) {
   out << text;
   out.close();
   if (!out) throw InputError(Place{file.string(), 0}, "cannot be written");
-  fmt::print("wrote {}\n", file.string());
+  say_written(file.string());
 }
 
 const TireTemplate& find_tire(const std::string& name) {
@@ -39,8 +40,7 @@ void start_study(const std::string& folder, const std::string& tire) {
   write(fs::path(folder) / "stiffness.csv", stiffness_template());
   write(fs::path(folder) / "modes.csv", modes_template());
   write(fs::path(folder) / "study.toml", study_template(tire));
-  fmt::print(
-      "\nReplace the example values of the .csv files by your measurements, then\n"
+  say("\nReplace the example values of the .csv files by your measurements, then\n"
       "  latsch check {0}/study.toml\n  latsch run {0}/study.toml\n",
       folder);
 }

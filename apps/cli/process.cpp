@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <iostream>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "base/file.h"
-#include "base/progress.h"
 #include "base/units.h"
+#include "cli/console.h"
 #include "cli/verbs.h"
 #include "correlation/rig_data/rig_processing.h"
 #include "correlation/rig_data/rig_report.h"
@@ -22,27 +22,36 @@ using correlation::RigFile;
 using correlation::RigResults;
 
 void print_passages(const RigResults& results) {
-  fmt::print(
-      "{:<18} {:>10} {:>12} {:>9} {:>9}\n", "run", "speed", "period ms", "passages", "left out");
+  say("{:<18} {:>10} {:>12} {:>9} {:>9}\n", "run", "speed", "period ms", "passages", "left out");
   for (const auto& run : results.runs) {
     for (const auto& p : run.plateaus) {
-      fmt::print("{:<18} {:>10} {:>12.5f} {:>9} {:>9}\n",
-                 run.name,
-                 format_quantity(p.plateau.target, "km/h", 4),
-                 p.period.samples / run.record.rate * 1e3,
-                 p.passages.starts.size(),
-                 p.passages.left_out);
+      answer()["plateaus"].push_back({{"run", run.name},
+                                      {"speed_m_per_s", p.plateau.target},
+                                      {"period_s", p.period.samples / run.record.rate},
+                                      {"passages", p.passages.starts.size()},
+                                      {"left_out", p.passages.left_out}});
+      say("{:<18} {:>10} {:>12.5f} {:>9} {:>9}\n",
+          run.name,
+          format_quantity(p.plateau.target, "km/h", 4),
+          p.period.samples / run.record.rate * 1e3,
+          p.passages.starts.size(),
+          p.passages.left_out);
     }
   }
 }
 
 void print_response(const char* name, const RigResponse& r) {
-  fmt::print("{:<28} f = {:.3f} Hz, zeta = {:.5f}, A/f^2 = {:.4f}, c = {:.4f}\n",
-             name,
-             r.f / (2.0 * std::numbers::pi),
-             r.zeta,
-             r.gain(),
-             r.c);
+  answer()["responses"].push_back({{"name", name},
+                                   {"f_Hz", r.f / (2.0 * std::numbers::pi)},
+                                   {"zeta", r.zeta},
+                                   {"gain", r.gain()},
+                                   {"c", r.c}});
+  say("{:<28} f = {:.3f} Hz, zeta = {:.5f}, A/f^2 = {:.4f}, c = {:.4f}\n",
+      name,
+      r.f / (2.0 * std::numbers::pi),
+      r.zeta,
+      r.gain(),
+      r.c);
 }
 
 void print_compensation(const RigFile& rig, const RigResults& results) {
@@ -54,18 +63,23 @@ void print_compensation(const RigFile& rig, const RigResults& results) {
     print_response("filter, truth", *back);
   }
   if (results.compensation->cases.empty()) return;
-  fmt::print(
-      "\n{:<10} {:>9} {:>26} {:>30}\n", "case", "", "RMS of time series N", "RMS of PSD N^2/Hz");
+  say("\n{:<10} {:>9} {:>26} {:>30}\n", "case", "", "RMS of time series N", "RMS of PSD N^2/Hz");
   for (const auto& row : results.compensation->cases) {
-    fmt::print("{:<10} {:>9} {:>10.2f} -> {:>8.2f} {:>+4.0f}% {:>12.3f} -> {:>10.3f} {:>+4.0f}%\n",
-               row.name,
-               row.fitted ? "fitted" : "",
-               row.dummy.time,
-               row.filtered.time,
-               100.0 * (row.filtered.time / row.dummy.time - 1.0),
-               row.dummy.psd,
-               row.filtered.psd,
-               100.0 * (row.filtered.psd / row.dummy.psd - 1.0));
+    answer()["cases"].push_back({{"name", row.name},
+                                 {"fitted", row.fitted},
+                                 {"time_rms_before_N", row.dummy.time},
+                                 {"time_rms_after_N", row.filtered.time},
+                                 {"psd_rms_before_N2_per_Hz", row.dummy.psd},
+                                 {"psd_rms_after_N2_per_Hz", row.filtered.psd}});
+    say("{:<10} {:>9} {:>10.2f} -> {:>8.2f} {:>+4.0f}% {:>12.3f} -> {:>10.3f} {:>+4.0f}%\n",
+        row.name,
+        row.fitted ? "fitted" : "",
+        row.dummy.time,
+        row.filtered.time,
+        100.0 * (row.filtered.time / row.dummy.time - 1.0),
+        row.dummy.psd,
+        row.filtered.psd,
+        100.0 * (row.filtered.psd / row.dummy.psd - 1.0));
   }
 }
 
@@ -73,7 +87,7 @@ void write_synthetic(const RigFile& rig) {
   if (!rig.truth) {
     throw InputError({rig.file.string(), 0}, "has no [truth] to write recordings from");
   }
-  for (const std::string& file : write_synthetic_files(rig)) fmt::print("wrote {}\n", file);
+  for (const std::string& file : write_synthetic_files(rig)) say_written(file);
 }
 
 void process(const std::string& file, bool synthetic, const std::string& output) {
@@ -81,7 +95,7 @@ void process(const std::string& file, bool synthetic, const std::string& output)
   if (synthetic) write_synthetic(rig);
   RigResults results;
   {
-    Progress progress(std::cerr, is_terminal());
+    RunningNote progress;
     results = correlation::process(rig, [&](long done, long total, const std::string& note) {
       progress.update(done, total, note);
     });
@@ -92,11 +106,13 @@ void process(const std::string& file, bool synthetic, const std::string& output)
   const auto files = write_rig_tables(rig, results, folder);
   const fs::path page = folder / "report.html";
   write_text_file(page, rig_page(rig, results));
-  fmt::print("{}\n\n", rig.title);
+  for (const fs::path& table : files) answer()["tables"].push_back(table.string());
+  answer()["report"] = page.string();
+  say("{}\n\n", rig.title);
   print_passages(results);
-  fmt::print("\n");
+  say("\n");
   print_compensation(rig, results);
-  fmt::print("\n{} tables in {}\nReport: {}\n", files.size(), folder.string(), page.string());
+  say("\n{} tables in {}\nReport: {}\n", files.size(), folder.string(), page.string());
 }
 
 }  // namespace

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/file.h"
 #include "base/units.h"
+#include "cli/answers.h"
+#include "cli/console.h"
 #include "cli/verbs.h"
 #include "correlation/ring_data.h"
 
@@ -21,40 +24,47 @@ int ring(const RingOptions& options) {
   const auto data = correlation::read_ring_data(options.data);
   const auto fit = correlation::fit_ring(data, options.evaluations);
   if (!fit) {
-    fmt::print(stderr, "latsch ring: {}\n", fit.failure().reason);
+    complain(fit.failure().reason);
     return kFailed;
   }
-  fmt::print("{} evaluations\n\n{:24} {:>14} {:>14} {:>9}\n",
-             fit->evaluations,
-             "target",
-             "measured",
-             "tire",
-             "error");
+  say("{} evaluations\n\n{:24} {:>14} {:>14} {:>9}\n",
+      fit->evaluations,
+      "target",
+      "measured",
+      "tire",
+      "error");
   for (std::size_t i = 0; i < data.targets.size(); ++i) {
     const auto& target = data.targets[i];
-    fmt::print("{:24} {:14.6g} {:14.6g} {:8.2f} %{}\n",
-               target.name,
-               target.value,
-               fit->values[i],
-               100.0 * (fit->values[i] / target.value - 1.0),
-               target.weight > 0.0 ? "" : "  (not fitted)");
+    answer()["targets"].push_back({{"name", target.name},
+                                   {"measured", target.value},  // SI
+                                   {"tire", fit->values[i]},
+                                   {"error", fit->values[i] / target.value - 1.0},
+                                   {"fitted", target.weight > 0.0}});
+    say("{:24} {:14.6g} {:14.6g} {:8.2f} %{}\n",
+        target.name,
+        target.value,
+        fit->values[i],
+        100.0 * (fit->values[i] / target.value - 1.0),
+        target.weight > 0.0 ? "" : "  (not fitted)");
   }
-  fmt::print("\n");
+  say("\n");
   for (int i = 0; i < data.space.size(); ++i)
-    fmt::print("{:24} {}\n",
-               data.space[i].name,
-               format_quantity(fit->point.values[static_cast<std::size_t>(i)], data.space[i].unit));
+    say("{:24} {}\n",
+        data.space[i].name,
+        format_quantity(fit->point.values[static_cast<std::size_t>(i)], data.space[i].unit));
+  answer()["variables"] = answer_of(data.space, fit->point);
+  answer()["evaluations"] = fit->evaluations;
   const auto missed = correlation::missed(data, *fit);
-  if (!missed.empty()) fmt::print("\nMissed by more than 3 %, to first order:\n");
-  for (const std::string& sentence : missed) fmt::print("  {}\n", sentence);
+  if (!missed.empty()) say("\nMissed by more than 3 %, to first order:\n");
+  for (const std::string& sentence : missed) say("  {}\n", sentence);
   const auto open = correlation::left_open(data, fit->confidence);
-  fmt::print("\nLeft open by data of {:.0f} % error: {}\n",
-             100.0 * correlation::kTypicalError,
-             open.empty() ? "nothing" : "");
-  for (const std::string& sentence : open) fmt::print("  {}\n", sentence);
+  say("\nLeft open by data of {:.0f} % error: {}\n",
+      100.0 * correlation::kTypicalError,
+      open.empty() ? "nothing" : "");
+  for (const std::string& sentence : open) say("  {}\n", sentence);
   if (!options.output.empty()) {
     write_text_file(options.output, fit->tire.text());
-    fmt::print("wrote {}\n", options.output);
+    say_written(options.output);
   }
   return kDone;
 }

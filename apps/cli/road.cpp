@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "base/document.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/units.h"
+#include "cli/answers.h"
+#include "cli/console.h"
 #include "cli/parsed.h"
 #include "cli/verbs.h"
 #include "formats/csv_table.h"
@@ -61,7 +64,7 @@ void write_triangles(const RoadOptions& options) {
   const auto mesh = road::kerb_triangles(road::read_kerb(root), kApproach);
   root.close();
   write_text_file(options.triangles, formats::rdf_text(mesh, "made from " + options.road));
-  fmt::print("wrote {}\n", options.triangles);
+  say_written(options.triangles);
 }
 
 int road(const RoadOptions& options) {
@@ -80,13 +83,7 @@ int road(const RoadOptions& options) {
   } else if (!options.time.empty()) {
     time.assign(x.size(), parse_option("--time", options.time, "s", Range{}));
   }
-  const std::string text = formats::csv_text(ask(file, x, y, time));
-  if (options.output.empty()) {
-    fmt::print("{}", text);
-  } else {
-    write_text_file(options.output, text);
-    fmt::print("wrote {}\n", options.output);
-  }
+  give(ask(file, x, y, time), options.output);
   return kDone;
 }
 

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "cli/answers.h"
+#include "cli/console.h"
 #include "cli/identifiability_text.h"
 #include "cli/interrupt.h"
 #include "cli/tables.h"
@@ -20,14 +23,19 @@ using correlation::Study;
 
 void print_result(const Study& study, const Run& run, const Journal& journal) {
   const Step& best = *run.best();
-  fmt::print("\n{} trials in {}\n\nBest of {} steps: target {:.4f} %\n",
-             journal.size(),
-             study.run.journal.string(),
-             run.steps.size(),
-             best.outcome->value * 100.0);
+  answer()["target"] = best.outcome->value;
+  answer()["steps"] = run.steps.size();
+  answer()["trials"] = journal.size();
+  answer()["journal"] = study.run.journal.string();
+  answer()["variables"] = answer_of(study.space, best.point);
+  say("\n{} trials in {}\n\nBest of {} steps: target {:.4f} %\n",
+      journal.size(),
+      study.run.journal.string(),
+      run.steps.size(),
+      best.outcome->value * 100.0);
   const double off = violation(*best.outcome);
   if (off > kFulfilled) {
-    fmt::print("No step fulfills all constraints; the best one is off by {:.2g} of a scale\n", off);
+    say("No step fulfills all constraints; the best one is off by {:.2g} of a scale\n", off);
   }
 }
 
@@ -49,14 +57,15 @@ bool print_values(const Study& study,
                                             counting_options(study, "trials around the best one"));
   if (!result) {
     print_point(study.space, point);
-    fmt::print("Interrupted before the intervals; the same command goes on.\n");
+    say("Interrupted before the intervals; the same command goes on.\n");
     return false;
   }
   if (*result) {
+    answer()["variables"] = answer_of(study, **result);
     print_intervals(study, **result);
   } else {
     print_point(study.space, point);
-    fmt::print("  No confidence intervals: {}\n", result->failure().reason);
+    say("  No confidence intervals: {}\n", result->failure().reason);
   }
   return true;
 }
@@ -71,7 +80,7 @@ int fit(const std::string& file, int workers, bool resuming) {
   Workers workers_of_study;
   if (workers_of_study.served(study)) return kDone;
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
-  if (journal.size() > 0) fmt::print("{} finished trials are reused\n", journal.size());
+  if (journal.size() > 0) say("{} finished trials are reused\n", journal.size());
 
   catch_interrupts();
   const TrialsRun trials(workers_of_study, study);
@@ -83,8 +92,7 @@ int fit(const std::string& file, int workers, bool resuming) {
                                 &journal,
                                 run_options(study, /*length_known=*/false));
   if (run.end == RunEnd::stopped) {
-    fmt::print(
-        "Interrupted; {} trials are safe. Go on with: latsch resume {}\n", journal.size(), file);
+    say("Interrupted; {} trials are safe. Go on with: latsch resume {}\n", journal.size(), file);
     return kFailed;
   }
   if (run.end == RunEnd::aborted) {

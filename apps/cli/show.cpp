@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "base/file.h"
+#include "cli/console.h"
 #include "cli/shown_page.h"
 #include "cli/verbs.h"
 
@@ -30,7 +32,7 @@ std::string plain(const std::string& text, std::size_t widest = kWidest) {
 }
 
 void print_table(const ShownTable& table) {
-  fmt::print("\n{}\n", table.title);
+  say("\n{}\n", table.title);
   std::vector<std::size_t> widths;
   for (const std::string& head : table.heads) widths.push_back(characters(head));
   for (const auto& row : table.rows)
@@ -43,7 +45,7 @@ void print_table(const ShownTable& table) {
       line += "  " + cell + std::string(widths[i] - std::min(widths[i], characters(cell)), ' ');
     }
     line.erase(line.find_last_not_of(' ') + 1);
-    fmt::print("{}\n", line);
+    say("{}\n", line);
   };
   print_row(table.heads);
   for (const auto& row : table.rows) print_row(row);
@@ -53,10 +55,18 @@ int show(const std::string& file, const std::string& html, const std::string& ax
   const ShownFile shown = shown_file(file, axis_convention_of(axes));
   // First the page: `latsch show FILE --html PAGE | head` ends the program at the tenth line.
   if (!html.empty()) write_text_file(html, shown_page(file, shown));
-  fmt::print("{}\n{}\n", file, shown.kind);
-  for (const std::string& fact : shown.facts) fmt::print("  {}\n", plain(fact, kLongest));
+  answer()["kind"] = shown.kind;
+  answer()["facts"] = shown.facts;
+  for (const ShownTable& table : shown.tables)
+    answer()["tables"].push_back(
+        {{"title", table.title}, {"heads", table.heads}, {"rows", table.rows}});
+  say("{}\n{}\n", file, shown.kind);
+  for (const std::string& fact : shown.facts) say("  {}\n", plain(fact, kLongest));
   for (const ShownTable& table : shown.tables) print_table(table);
-  if (!html.empty()) fmt::print("\nwrote {}\n", html);
+  if (!html.empty()) {
+    say("\n");
+    say_written(html);
+  }
   return kDone;
 }
 

@@ -2,6 +2,10 @@
 // latsch simulate: one trial, every experiment beside its measurement.
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
+#include "cli/answers.h"
+#include "cli/console.h"
 #include "cli/parsed.h"
 #include "cli/tables.h"
 #include "cli/verbs.h"
@@ -16,18 +20,23 @@ int simulate(const std::string& file, const std::vector<std::string>& assignment
   const Study study = correlation::read_study(file);
   DesignPoint point = study.space.initial();
   for (const std::string& assignment : assignments) set_variable(study.space, assignment, point);
-  fmt::print("{}\n\n", study.title);
+  say("{}\n\n", study.title);
   print_point(study.space, point);
+  answer()["variables"] = answer_of(study.space, point);
 
   const auto channels = correlation::simulate_all(study, point);
   if (!channels) {
-    fmt::print(stderr, "latsch: {}\n", channels.failure().reason);
+    complain(channels.failure().reason);
     return kFailed;
   }
   for (const auto& experiment : study.experiments) {
-    print_comparison(experiment, channels_of(experiment, *channels));
+    const Channels own = channels_of(experiment, *channels);
+    print_comparison(experiment, own);
+    answer()["experiments"].push_back(answer_of(experiment, own));
   }
-  fmt::print("\ntarget {:.4f} %\n", correlation::objective(study)(*channels)->value * 100.0);
+  const double target = correlation::objective(study)(*channels)->value;
+  answer()["target"] = target;
+  say("\ntarget {:.4f} %\n", target * 100.0);
   return kDone;
 }
 

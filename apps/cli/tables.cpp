@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "cli/console.h"
 #include "correlation/linear_constraints.h"
 #include "experiment/mode_record.h"
 
@@ -16,25 +17,25 @@ using correlation::StudyExperiment;
 void print_forces(const StudyExperiment& experiment,
                   const Channels& channels,
                   const Comparison& comparison) {
-  fmt::print("  {:>13} {:>16} {:>13} {:>13} {:>9} {:>10} {:>9} {:>10}\n",
-             "deflection mm",
-             "loaded radius mm",
-             "measured N",
-             "simulated N",
-             "error %",
-             "length mm",
-             "width mm",
-             "area cm^2");
+  say("  {:>13} {:>16} {:>13} {:>13} {:>9} {:>10} {:>9} {:>10}\n",
+      "deflection mm",
+      "loaded radius mm",
+      "measured N",
+      "simulated N",
+      "error %",
+      "length mm",
+      "width mm",
+      "area cm^2");
   for (size_t j = 0; j < experiment.forces.size(); ++j) {
-    fmt::print("  {:13.3f} {:16.3f} {:13.1f} {:13.1f} {:9.2f} {:10.1f} {:9.1f} {:10.1f}\n",
-               channels["deflection"][j] * 1e3,
-               channels["loaded_radius"][j] * 1e3,
-               experiment.forces[j],
-               channels["force"][j],
-               comparison.errors[j] * 100.0,
-               channels["patch_length"][j] * 1e3,
-               channels["patch_width"][j] * 1e3,
-               channels["patch_area"][j] * 1e4);
+    say("  {:13.3f} {:16.3f} {:13.1f} {:13.1f} {:9.2f} {:10.1f} {:9.1f} {:10.1f}\n",
+        channels["deflection"][j] * 1e3,
+        channels["loaded_radius"][j] * 1e3,
+        experiment.forces[j],
+        channels["force"][j],
+        comparison.errors[j] * 100.0,
+        channels["patch_length"][j] * 1e3,
+        channels["patch_width"][j] * 1e3,
+        channels["patch_area"][j] * 1e4);
   }
 }
 
@@ -42,62 +43,62 @@ void print_curve(const StudyExperiment& experiment, const Channels& channels) {
   const correlation::CurveExperiment& curve = *experiment.curve;
   const Comparison comparison = compare(experiment, channels);
   const auto simulated = simulated_curve(curve, channels);
-  fmt::print("\n{}{}\n", experiment.name, experiment.fitted ? "" : " (predicted)");
-  fmt::print("  {:>16} {:>18} {:>18} {:>9}\n",
-             curve.x_compared.empty() ? "sample" : "at " + curve.x_compared_unit,
-             "measured " + curve.y_compared_unit,
-             "simulated " + curve.y_compared_unit,
-             "error %");
+  say("\n{}{}\n", experiment.name, experiment.fitted ? "" : " (predicted)");
+  say("  {:>16} {:>18} {:>18} {:>9}\n",
+      curve.x_compared.empty() ? "sample" : "at " + curve.x_compared_unit,
+      "measured " + curve.y_compared_unit,
+      "simulated " + curve.y_compared_unit,
+      "error %");
   for (size_t i = 0; i < simulated->size(); ++i) {
-    fmt::print("  {:16.6g} {:18.6g} {:18.6g} {:9.2f}\n",
-               curve.x_compared.empty() ? static_cast<double>(i + 1) : curve.x_compared[i],
-               curve.y_compared[i],
-               (*simulated)[i],
-               comparison.errors[i] * 100.0);
+    say("  {:16.6g} {:18.6g} {:18.6g} {:9.2f}\n",
+        curve.x_compared.empty() ? static_cast<double>(i + 1) : curve.x_compared[i],
+        curve.y_compared[i],
+        (*simulated)[i],
+        comparison.errors[i] * 100.0);
   }
-  fmt::print("  mean |d| {:.3f} %, largest {:.3f} % of {:g} {}\n",
-             comparison.mean_error * 100.0,
-             comparison.largest_error * 100.0,
-             curve.scale,
-             curve.y_compared_unit);
+  say("  mean |d| {:.3f} %, largest {:.3f} % of {:g} {}\n",
+      comparison.mean_error * 100.0,
+      comparison.largest_error * 100.0,
+      curve.scale,
+      curve.y_compared_unit);
 }
 
 void print_modes(const StudyExperiment& experiment,
                  const Channels& channels,
                  const Comparison& comparison) {
   const auto simulated = experiment::mode_records(channels);
-  fmt::print("  {:>12} {:>13} {:>9} {:>6}  {:<22} {}\n",
-             "measured Hz",
-             "simulated Hz",
-             "error %",
-             "MAC",
-             "measured as",
-             "simulated as");
+  say("  {:>12} {:>13} {:>9} {:>6}  {:<22} {}\n",
+      "measured Hz",
+      "simulated Hz",
+      "error %",
+      "MAC",
+      "measured as",
+      "simulated as");
   for (const auto& pair : comparison.pairing.pairs) {
-    fmt::print("  {:12.2f} {:13.2f} {:9.2f} {:6.2f}  {:<22} {}\n",
-               experiment.modes[pair.measured].frequency,
-               simulated[pair.simulated].frequency,
-               comparison.errors[pair.measured] * 100.0,
-               pair.likeness,
-               experiment.modes[pair.measured].label(),
-               simulated[pair.simulated].label());
+    say("  {:12.2f} {:13.2f} {:9.2f} {:6.2f}  {:<22} {}\n",
+        experiment.modes[pair.measured].frequency,
+        simulated[pair.simulated].frequency,
+        comparison.errors[pair.measured] * 100.0,
+        pair.likeness,
+        experiment.modes[pair.measured].label(),
+        simulated[pair.simulated].label());
   }
   for (int i : comparison.pairing.missing) {
-    fmt::print("  {:12.2f} {:>13} {:9.2f} {:>6}  {:<22} no simulated mode is like it\n",
-               experiment.modes[i].frequency,
-               "-",
-               comparison.errors[i] * 100.0,
-               "-",
-               experiment.modes[i].label());
+    say("  {:12.2f} {:>13} {:9.2f} {:>6}  {:<22} no simulated mode is like it\n",
+        experiment.modes[i].frequency,
+        "-",
+        comparison.errors[i] * 100.0,
+        "-",
+        experiment.modes[i].label());
   }
   for (int j : comparison.pairing.extra) {
-    fmt::print("  {:>12} {:13.2f} {:>9} {:>6}  {:<22} {}\n",
-               "-",
-               simulated[j].frequency,
-               "-",
-               "-",
-               "not measured",
-               simulated[j].label());
+    say("  {:>12} {:13.2f} {:>9} {:>6}  {:<22} {}\n",
+        "-",
+        simulated[j].frequency,
+        "-",
+        "-",
+        "not measured",
+        simulated[j].label());
   }
 }
 
@@ -109,45 +110,45 @@ std::string shown(const DesignVariable& variable, double value) {
 
 void print_variables(const DesignSpace& space) {
   for (const DesignVariable& variable : space.variables()) {
-    fmt::print("  {:<16} {} from {} to {}, {}, at {}\n",
-               variable.name,
-               shown(variable, variable.initial),
-               shown(variable, variable.lower),
-               shown(variable, variable.upper),
-               variable.scale == Scale::linear ? "linear" : "logarithmic",
-               variable.paths.empty() ? "a hole in an input file"
-                                      : fmt::format("{}", fmt::join(variable.paths, ", ")));
+    say("  {:<16} {} from {} to {}, {}, at {}\n",
+        variable.name,
+        shown(variable, variable.initial),
+        shown(variable, variable.lower),
+        shown(variable, variable.upper),
+        variable.scale == Scale::linear ? "linear" : "logarithmic",
+        variable.paths.empty() ? "a hole in an input file"
+                               : fmt::format("{}", fmt::join(variable.paths, ", ")));
   }
 }
 
 void print_constraints(const DesignSpace& space) {
   for (const LinearConstraint& constraint : space.constraints()) {
-    fmt::print("  {:<16} {}; {} at the initial point\n",
-               constraint.name,
-               correlation::in_words(constraint, space),
-               format_quantity(constraint.sum(space.initial().values), constraint.unit));
+    say("  {:<16} {}; {} at the initial point\n",
+        constraint.name,
+        correlation::in_words(constraint, space),
+        format_quantity(constraint.sum(space.initial().values), constraint.unit));
   }
 }
 
 void print_point(const DesignSpace& space, const DesignPoint& point) {
   for (int i = 0; i < space.size(); ++i) {
-    fmt::print("  {:<16} {}\n", space[i].name, shown(space[i], point.values[i]));
+    say("  {:<16} {}\n", space[i].name, shown(space[i], point.values[i]));
   }
 }
 
 void print_comparison(const StudyExperiment& experiment, const Channels& channels) {
   if (experiment.curve) return print_curve(experiment, channels);
   const Comparison comparison = compare(experiment, channels);
-  fmt::print("\n{}{}\n", experiment.name, experiment.fitted ? "" : " (predicted)");
+  say("\n{}{}\n", experiment.name, experiment.fitted ? "" : " (predicted)");
   if (experiment.modal()) {
     print_modes(experiment, channels, comparison);
   } else {
     print_forces(experiment, channels, comparison);
   }
-  fmt::print("  mean |{}| {:.3f} %, largest {:.3f} %\n",
-             experiment.modal() ? "df" : "dF",
-             comparison.mean_error * 100.0,
-             comparison.largest_error * 100.0);
+  say("  mean |{}| {:.3f} %, largest {:.3f} %\n",
+      experiment.modal() ? "df" : "dF",
+      comparison.mean_error * 100.0,
+      comparison.largest_error * 100.0);
 }
 
 }  // namespace latsch::cli

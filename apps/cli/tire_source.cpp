@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "cli/console.h"
 #include "correlation/best_trial.h"
 #include "correlation/study.h"
 #include "correlation/variables.h"
@@ -32,7 +33,7 @@ Document model_of(const correlation::Study& study) {
   if (std::filesystem::exists(study.run.journal)) {
     const auto best = correlation::best_trial(study, Journal::read(study.run.journal));
     if (best) point = best->point;
-    fmt::print("{} at {}\n", study.title, best ? "its best point" : "its initial values");
+    say("{} at {}\n", study.title, best ? "its best point" : "its initial values");
   }
   return correlation::at(study.model, study.space, point);
 }

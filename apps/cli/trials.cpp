@@ -5,11 +5,11 @@
 
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/file.h"
-#include "base/progress.h"
+#include "cli/console.h"
 #include "cli/interrupt.h"
 #include "cli/tables.h"
 #include "cli/verbs.h"
@@ -39,7 +39,7 @@ RunOptions run_options(const correlation::Study& study, bool length_known) {
   options.max_steps = study.max_steps;
   options.on_failure = study.run.on_failure;
   options.stop_requested = interrupted;
-  auto bar = std::make_shared<Progress>(std::cerr, is_terminal());
+  auto bar = std::make_shared<RunningNote>();
   options.on_progress = [bar, length_known](const RunProgress& progress) {
     std::string note;
     if (progress.best) note = fmt::format("best target {:.3f} %, ", *progress.best * 100.0);
@@ -52,31 +52,31 @@ RunOptions run_options(const correlation::Study& study, bool length_known) {
 void print_aborted(const correlation::Study& study,
                    const DesignPoint& point,
                    const Failure& failure) {
-  fmt::print("Aborted, as {} asks for where a trial fails: {}\nIt failed at\n",
-             study.file.string(),
-             failure.reason);
+  say("Aborted, as {} asks for where a trial fails: {}\nIt failed at\n",
+      study.file.string(),
+      failure.reason);
   print_point(study.space, point);
-  fmt::print("What was evaluated is in {}; with on_failure = \"proceed\" latsch resume goes on.\n",
-             study.run.journal.string());
+  say("What was evaluated is in {}; with on_failure = \"proceed\" latsch resume goes on.\n",
+      study.run.journal.string());
 }
 
 void print_no_success(const correlation::Study& study,
                       const Journal& journal,
                       const std::string& reason) {
   const bool folder_goes = study.simulator && !study.simulator->keep_failed;
-  fmt::print(stderr,
-             "latsch: no trial succeeded, of {} in {}; the first failed because: {}\n"
-             "See what becomes of one: latsch simulate {}{}\n",
-             journal.size(),
-             study.run.journal.string(),
-             reason,
-             study.file.string(),
-             folder_goes ? "; keep_failed = true in [simulator] keeps its folder" : "");
+  complain(
+      fmt::format("no trial succeeded, of {} in {}; the first failed because: {}\n"
+                  "See what becomes of one: latsch simulate {}{}",
+                  journal.size(),
+                  study.run.journal.string(),
+                  reason,
+                  study.file.string(),
+                  folder_goes ? "; keep_failed = true in [simulator] keeps its folder" : ""));
 }
 
 RunOptions counting_options(const correlation::Study& study, const std::string& what) {
   RunOptions options = run_options(study, /*length_known=*/false);
-  auto bar = std::make_shared<Progress>(std::cerr, is_terminal());
+  auto bar = std::make_shared<RunningNote>();
   options.on_progress = [bar, what](const RunProgress& progress) {
     bar->update(progress.known, 0, what);
   };
@@ -94,10 +94,10 @@ void print_mesh_error(const report::StudyReport& page) {
     sum += std::abs(row.error);
   }
   if (!worst) return;
-  fmt::print("\nMesh against the converged tire: {:.1f} % in the mean, worst {:+.1f} % ({})\n",
-             100.0 * sum / static_cast<double>(page.discretization.size()),
-             100.0 * worst->error,
-             worst->quantity);
+  say("\nMesh against the converged tire: {:.1f} % in the mean, worst {:+.1f} % ({})\n",
+      100.0 * sum / static_cast<double>(page.discretization.size()),
+      100.0 * worst->error,
+      worst->quantity);
 }
 
 }  // namespace
@@ -107,13 +107,15 @@ int write_report(const correlation::Study& study,
                  correlation::MeshError mesh_error) {
   const auto page = correlation::study_report(study, journal, mesh_error);
   if (!page) {
-    fmt::print(stderr, "latsch: {}\n", page.failure().reason);
+    complain(page.failure().reason);
     return kFailed;
   }
   print_mesh_error(*page);
   const auto file = std::filesystem::path(study.run.journal).replace_extension(".html");
   write_text_file(file, report::html(*page));
-  fmt::print("\nReport: {}\n", file.string());
+  answer()["target"] = page->target;
+  answer()["report"] = file.string();
+  say("\nReport: {}\n", file.string());
   return kDone;
 }
 

@@ -30,6 +30,7 @@ void add_drum(CommandLine& app, int& exit_code);
 void add_footprint(CommandLine& app, int& exit_code);
 void add_ring(CommandLine& app, int& exit_code);
 void add_show(CommandLine& app, int& exit_code);
+void add_help(CommandLine& app, int& exit_code);
 void add_process(CommandLine& app, int& exit_code);
 void add_worker(CommandLine& app, int& exit_code);  // hidden: what run and doe start
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/workers.h"
 
+#include "cli/console.h"
 #include "cli/trials.h"
 #include "evaluation/process_executor.h"
 
@@ -20,6 +21,7 @@ Workers::Workers() {
 
 bool Workers::served(const correlation::Study& study) {
   if (!job_ || job_->rank() == 0) return false;
+  be_silent();
   serve_rank(*job_, worker_processes(study));
   return true;
 }

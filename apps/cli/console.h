@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the program says, to whom, and in which form: one terminal, as there is one standard output.
+//
+//   say      a sentence or a table for a person: standard output; not with --quiet or --json
+//   put      data that was asked for, a table to be piped on: standard output, also with --quiet
+//   warn     what a person should know: standard error; "warnings" of the JSON answer
+//   complain why it ended: standard error; "error" of the JSON answer
+//   answer   the same results for a program, printed at the end with --json
+//
+// With --json standard output is one JSON object whatever happens:
+//   {"verb": "run", "exit_code": 0, "warnings": [], "result": {...}}
+//   {"verb": "run", "exit_code": 2, "warnings": [], "error": {"message": "...", "file": "...",
+//    "line": 7}}
+// A log file gets all of say, warn, complain and the progress, appended, with the time of the start
+// and of the end.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "base/error.h"
+
+namespace latsch::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// What every verb takes.
+struct CommonOptions {
+  bool json = false, quiet = false;
+  std::string log;  // file; empty: none
+};
+
+/// Once, before the verb runs. InputError where the log file cannot be written.
+void open_console(const CommonOptions& options, const std::string& verb, const std::string& line);
+/// Prints the JSON answer and ends the log; gives the exit code back.
+int close_console(int exit_code);
+
+/// Of this process nobody wants an answer: it works for another one.
+void be_silent();
+
+void say_text(std::string_view text);
+template <class... Arguments>
+void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+  say_text(fmt::format(format, std::forward<Arguments>(arguments)...));
+}
+
+void put(std::string_view data);
+
+/// One sentence, without "latsch: " and line end.
+void warn(const std::string& sentence, const Place& place = {});
+void complain(const std::string& sentence, const Place& place = {});
+
+/// What a program gets; empty until a verb fills it.
+Json& answer();
+/// Whether anybody reads the answer.
+bool answers_in_json();
+/// Says "wrote FILE" and names it in the answer.
+void say_written(const std::string& file);
+
+/// How far a run is: on standard error unless --quiet, and in the log.
+class RunningNote {
+ public:
+  RunningNote();
+  ~RunningNote();
+  /// `total` 0: nobody knows.
+  void update(long done, long total, const std::string& note);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace latsch::cli

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch help: what the program can do, what a verb takes, what may stand in a study.
+#include "base/text.h"
+#include "cli/console.h"
+#include "cli/verbs.h"
+
+namespace latsch::cli {
+namespace {
+
+void help(const CommandLine& app, const std::string& topic) {
+  const auto text = app.help(topic);
+  if (!text) {
+    throw InputError("no help on " + in_quotes(topic) + did_you_mean(topic, app.verbs()) +
+                     "\nlatsch help lists the verbs");
+  }
+  put(*text);
+}
+
+}  // namespace
+
+void add_help(CommandLine& app, int&) {
+  Verb verb = app.add_subcommand("help", "What a verb takes, or what may stand in a study");
+  verb.footer("Examples:\n  latsch help run\n  latsch help study");
+  auto topic = std::make_shared<std::string>();
+  verb.add_option("topic", *topic, "A verb, or \"study\"; without it all verbs");
+  verb.callback([&app, topic] { help(app, *topic); });
+}
+
+}  // namespace latsch::cli
