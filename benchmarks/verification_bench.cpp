@@ -111,7 +111,11 @@ void add_rows(const std::string& name,
       where = row.name;
     }
   }
-  table.row(fmt::format("{}: worst of {} {} modes", name, modes, state),
+  table.row(fmt::format("{}: {} modes found on every mesh", name, state),
+            fmt::format("{}", modes),
+            fmt::format("{}", kModes),
+            modes == kModes);
+  table.row(fmt::format("{}: worst of them", name),
             fmt::format("{:+.2f} % ({}), mean {:.2f} %", 100 * worst, where, 100 * sum / modes),
             "<= 2 %",
             modes > 0 && std::abs(worst) <= kReach);

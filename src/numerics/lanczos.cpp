@@ -294,6 +294,7 @@ EigenPairs<Scalar> Lanczos<Scalar>::run(const Matrix& start) {
     if (converged()) break;
     if (done_ + settings_.block > capacity_ && done_ < n_) restart();
   }
+  if (done_ == 0) return {{}, Matrix(n_, 0), false, solves_};  // M is zero, or not a number
   solve_small_problem();
   return result();
 }

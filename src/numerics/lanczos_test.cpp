@@ -194,6 +194,18 @@ TEST(Lanczos, EndsUnconvergedWhereTheSolutionsAreNotNumbers) {
   EXPECT_FALSE(lanczos(problem, {.count = 5, .max_steps = 50}).converged);
 }
 
+TEST(Lanczos, EndsUnconvergedWhereNothingHasMass) {
+  EigenProblem<double> problem;
+  problem.size = 30;
+  problem.solve = [](Eigen::Ref<Eigen::MatrixXd>) {};
+  problem.mass = [](const Eigen::Ref<const Eigen::MatrixXd>&, Eigen::Ref<Eigen::MatrixXd> Y) {
+    Y.setZero();
+  };
+  const auto pairs = lanczos(problem, {.count = 5, .max_steps = 50});
+  EXPECT_FALSE(pairs.converged);
+  EXPECT_EQ(pairs.values.size(), 0);
+}
+
 TEST(Lanczos, EigenvalueErrorGoesWithTheSquareOfTheResidual) {
   const Eigen::VectorXd lambda = Eigen::VectorXd::LinSpaced(200, 1.0, 200.0);
   const auto [K, M] = with_spectrum<double>(lambda);

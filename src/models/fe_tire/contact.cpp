@@ -187,10 +187,11 @@ void GroundContact::settle(const Eigen::VectorXd& x) {
         Point& point = points_[point_index(s, k, q)];
         const Eigen::Vector3d at = face * faces(s)[k].N[q];
         if (at.z() >= height_) {
-          point.anchored = false;
+          point = Point();
           continue;
         }
         const Traction on = traction(at, point, false);
+        point.slid = point.anchored && !on.sticks;
         point.anchor = at.head<2>() + on.t / stiffness;
         point.anchored = true;
       }
@@ -210,7 +211,9 @@ ContactPatch GroundContact::patch(const Eigen::VectorXd& x, double* Fz) const {
       for (int q = 0; q < 4; ++q) {
         const Eigen::Vector3d at = face * faces(s)[k].N[q];
         if (at.z() >= height_) continue;
-        const Traction on = traction(at, points_[point_index(s, k, q)], false);
+        // Its anchor has followed: whether it slides, the tractions there would tell by rounding.
+        const Point& point = points_[point_index(s, k, q)];
+        const Traction on = traction(at, point, false);
         const double area = std::abs(area_vector(face, gauss_xi(q), gauss_eta(q)).z());
         const double stretch = faces(s)[k].dA[q] / area;  // tractions per current, flat area
         patch.points.push_back({at.x(),
@@ -219,7 +222,7 @@ ContactPatch GroundContact::patch(const Eigen::VectorXd& x, double* Fz) const {
                                 on.t.x() * stretch,
                                 on.t.y() * stretch,
                                 area,
-                                on.sticks});
+                                ground_.mu > 0.0 && !point.slid});
         force += on.p * faces(s)[k].dA[q];
       }
     }

@@ -52,6 +52,7 @@ class GroundContact {
   struct Point {
     Eigen::Vector2d anchor = Eigen::Vector2d::Zero();
     bool anchored = false;
+    bool slid = false;  // in the step that ended with the last equilibrium
   };
   struct Traction {
     double p;               // normal, Pa per reference area

@@ -46,7 +46,7 @@ std::optional<Failure> EquilibriumSolver::solve(const Materials& materials,
       state = std::move(now);
       return std::nullopt;
     }
-    assemble(now, true);
+    if (!assemble(now, true)) return failure(step, "its tangent does not exist");
     const double ratio = iteration == 0 ? 0.1 : norm / previous;
     // Solve only as exactly as Newton's own convergence deserves (Eisenstat and Walker 1996, choice
     // 2).
@@ -138,13 +138,7 @@ std::string EquilibriumSolver::worst_place() const {
       }
     }
   }
-  const int section_element = element % ring.elements_per_sector();
-  const Element& e = ring.mesh().elements[section_element];
-  return fmt::format("element {} (sector {}, section element {}, {})",
-                     element + 1,
-                     element / ring.elements_per_sector(),
-                     section_element,
-                     ring.mesh().region_names.at(e.region));
+  return ring.place(element);
 }
 
 Failure EquilibriumSolver::failure(const std::string& step, const std::string& what) const {

@@ -48,29 +48,43 @@ struct FeTire::Impl {
   std::optional<Ring> even;  // all sectors equally wide, where those of `ring` are not
   Materials materials;
   SolverSettings settings;
-  bool symmetric = false;
-  std::unique_ptr<Systems> systems;
 
   Impl(Mesh mesh, Materials given, const SolverSettings& s)
       : ring(std::move(mesh), s.element), materials(std::move(given)), settings(s) {
     if (ring.widths() > 1) even.emplace(ring.mesh().evenly_divided(), s.element);
-    prepare();
   }
 
-  /// Symbolic work; done again only where new materials make or break the symmetry.
-  void prepare() {
+  void set(Materials given) {
+    materials = std::move(given);
+    is_symmetry_known_ = false;
+  }
+
+  /// Symbolic work, for whoever needs more than one sector; done again only where new materials
+  /// make or break the symmetry.
+  Systems& systems() {
+    if (is_symmetry_known_) return *systems_;
     const auto mirror = find_mirror(ring.mesh(), materials);
-    if (systems && symmetric == mirror.has_value()) return;
-    symmetric = mirror.has_value();
-    systems = std::make_unique<Systems>(ring, settings, mirror);
+    if (!systems_ || systems_->odd.has_value() != mirror.has_value()) {
+      SolverCounts before = counts();
+      systems_ = std::make_unique<Systems>(ring, settings, mirror);
+      ++before.analyses;
+      systems_->solver.counts() = before;
+    }
+    is_symmetry_known_ = true;
+    return *systems_;
+  }
+
+  SolverCounts counts() const { return systems_ ? systems_->solver.counts() : SolverCounts{}; }
+  void reset_counts() {
+    if (systems_) systems_->solver.counts() = {};
   }
 
   /// What inflation and unloaded modes see: one sector stands for the ring.
   const Ring& even_ring() const { return even ? *even : ring; }
 
   /// The inflated state in all sectors that are assembled.
-  RingState replicate(const Inflated& inflated) const {
-    const RingUnknowns& unknowns = systems->unknowns;
+  RingState replicate(const Inflated& inflated) {
+    const RingUnknowns& unknowns = systems().unknowns;
     const int S = ring.sectors();
     return {unknowns.compress(inflated.u.replicate(1, S)),
             inflated.alpha.replicate(unknowns.sectors(), 1)};
@@ -87,6 +101,10 @@ struct FeTire::Impl {
                                      const Ground* ground,
                                      double ground_height,
                                      int count);
+
+ private:
+  std::unique_ptr<Systems> systems_;
+  bool is_symmetry_known_ = false;
 };
 
 namespace {
@@ -118,20 +136,17 @@ FeTire& FeTire::operator=(FeTire&&) noexcept = default;
 
 const Mesh& FeTire::mesh() const { return impl_->ring.mesh(); }
 const Materials& FeTire::materials() const { return impl_->materials; }
-const SolverCounts& FeTire::counts() const { return impl_->systems->solver.counts(); }
-void FeTire::reset_counts() { impl_->systems->solver.counts() = {}; }
+SolverCounts FeTire::counts() const { return impl_->counts(); }
+void FeTire::reset_counts() { impl_->reset_counts(); }
 
-void FeTire::set(Materials materials) {
-  impl_->materials = std::move(materials);
-  impl_->prepare();
-}
+void FeTire::set(Materials materials) { impl_->set(std::move(materials)); }
 
 Result<Inflated> FeTire::inflate(double pressure) {
   Impl& tire = *impl_;
   if (tire.ring.sectors() > 1) {
     return inflate_sector(tire.even_ring(), tire.materials, pressure, tire.settings);
   }
-  return inflate_ring(tire.systems->solver,
+  return inflate_ring(tire.systems().solver,
                       tire.materials,
                       pressure,
                       pressure_force(tire.ring, tire.materials, pressure));
@@ -141,12 +156,12 @@ Result<Loaded> FeTire::load(const Inflated& inflated,
                             const std::vector<double>& deflections,
                             const Ground& ground) {
   Impl& tire = *impl_;
-  EquilibriumSolver& solver = tire.systems->solver;
+  EquilibriumSolver& solver = tire.systems().solver;
   solver.set_reference(pressure_force(tire.even_ring(), tire.materials, inflated.pressure));
   // Start every load case from scratch, so that its result does not depend on what was solved
   // before.
   solver.forget_factor();
-  GroundContact contact(tire.systems->unknowns, ground);
+  GroundContact contact(tire.systems().unknowns, ground);
   RingState state = tire.replicate(inflated);
   Result<std::vector<LoadPoint>> curve =
       load_steps(solver, tire.materials, inflated, deflections, ground.mu > 0.0, contact, state);
@@ -155,7 +170,7 @@ Result<Loaded> FeTire::load(const Inflated& inflated,
   loaded.inflated = inflated;
   loaded.ground = ground;
   loaded.curve = std::move(*curve);
-  loaded.u = tire.systems->unknowns.expand(state.x);
+  loaded.u = tire.systems().unknowns.expand(state.x);
   return loaded;
 }
 
@@ -175,7 +190,10 @@ Result<std::vector<Mode>> FeTire::modes_full(const Inflated& inflated, int count
   state.x = whole.compress(inflated.u.replicate(1, tire.ring.sectors()));
   Eigen::VectorXd f;
   numerics::SymmetricMatrix K(*assembly.pattern());
-  assembly.assemble(tire.materials, state, inflated.pressure, nullptr, f, &K, nullptr);
+  int worst = 0;
+  if (!assembly.assemble(tire.materials, state, inflated.pressure, nullptr, f, &K, &worst)) {
+    return no_tangent(whole.ring(), worst);
+  }
   numerics::Factorization factor(*assembly.pattern());
   if (!factor.factorize(K).definite()) return unstable();
   return ring_modes(assembly, factor, assembly.mass(tire.materials), count);
@@ -211,12 +229,12 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const Eigen::Matrix3Xd& u,
                                                  const Ground* ground,
                                                  double ground_height,
                                                  int count) {
-  const RingAssembly& even = systems->solver.assembly();
-  if (!systems->odd) return modes_of(even, u, pressure, ground, ground_height, count);
+  const RingAssembly& even = systems().solver.assembly();
+  if (!systems().odd) return modes_of(even, u, pressure, ground, ground_height, count);
   for (int each = count / 2 + 3;; each = std::min(count, 2 * each)) {
     auto modes = modes_of(even, u, pressure, ground, ground_height, each);
     if (!modes) return modes;
-    auto odd = modes_of(*systems->odd, u, pressure, ground, ground_height, each);
+    auto odd = modes_of(*systems().odd, u, pressure, ground, ground_height, each);
     if (!odd) return odd;
     const double sure = std::min(modes->back().frequency, odd->back().frequency);
     modes->insert(modes->end(), odd->begin(), odd->end());
@@ -236,23 +254,27 @@ Result<std::vector<Mode>> FeTire::Impl::modes_of(const RingAssembly& assembly,
                                                  int count) {
   // The state is even; odd unknowns hold only what may vibrate about it. So elements see the state
   // of the even numbering, and the tangent is gathered in the numbering asked for.
-  EquilibriumSolver& solver = systems->solver;
-  RingState state = solver.assembly().zero_state();
-  state.x = systems->unknowns.compress(u);
+  Systems& all = systems();
+  RingState state = all.solver.assembly().zero_state();
+  state.x = all.unknowns.compress(u);
   std::optional<GroundContact> contact;
   if (ground) {
-    contact.emplace(systems->unknowns, *ground);
+    contact.emplace(all.unknowns, *ground);
     contact->set_height(ground_height);
   }
-  solver.assembly().assemble_tangent(materials,
-                                     state,
-                                     pressure,
-                                     contact ? &*contact : nullptr,
-                                     assembly.unknowns(),
-                                     systems->tangent);
-  ++solver.counts().factorizations;
-  if (!systems->factor.factorize(systems->tangent).definite()) return unstable();
-  return ring_modes(assembly, systems->factor, assembly.mass(materials), count);
+  int worst = 0;
+  if (!all.solver.assembly().assemble_tangent(materials,
+                                              state,
+                                              pressure,
+                                              contact ? &*contact : nullptr,
+                                              assembly.unknowns(),
+                                              all.tangent,
+                                              &worst)) {
+    return no_tangent(all.unknowns.ring(), worst);
+  }
+  ++all.solver.counts().factorizations;
+  if (!all.factor.factorize(all.tangent).definite()) return unstable();
+  return ring_modes(assembly, all.factor, assembly.mass(materials), count);
 }
 
 }  // namespace latsch::fe_tire

@@ -6,8 +6,8 @@
 //   auto loaded   = tire.load(*inflated, {0.005, 0.010, 0.025}, ground);
 //   auto modes    = tire.modes(*loaded, 20);
 //
-// The symbolic work (sparsity, ordering) depends on the mesh alone and is done once; set() changes
-// only the values.
+// The symbolic work (sparsity, ordering) depends on the mesh alone and is done once, when first
+// more than a sector is needed; set() changes only the values.
 #pragma once
 
 #include <Eigen/Core>
@@ -91,6 +91,7 @@ struct SolverSettings {
 
 /// What a trial cost: for benchmarks and for the report.
 struct SolverCounts {
+  int analyses = 0;  // symbolic ones, of the ring
   int assemblies = 0, factorizations = 0, cg_iterations = 0, solves = 0, shifts = 0;
 };
 
@@ -121,7 +122,7 @@ class FeTire {
   Result<std::vector<Mode>> modes(const Loaded& loaded, int count);
 
   double total_mass() const;  // kg
-  const SolverCounts& counts() const;
+  SolverCounts counts() const;
   void reset_counts();
 
  private:

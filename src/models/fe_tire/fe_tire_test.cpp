@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "models/fe_tire/contact.h"
 #include "models/fe_tire/reference_tires.h"
@@ -110,14 +112,10 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
   numerics::SymmetricMatrix K(*assembly.pattern());
   Eigen::VectorXd f, above, below;
   assembly.assemble(tire.materials(), state, kPressure, &contact, f, &K, nullptr);
-  // A smooth direction that keeps every point on its side of the ground. The pressure tangent is
-  // symmetrized: exact for directions that vanish at the free inner edge of the bead, so the test
-  // moves the tread alone.
-  Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, ring.mesh().nodes());
+  // All nodes move, those of the bead's free inner edge too, too little to cross the ground.
+  Eigen::Matrix3Xd u(3, ring.mesh().nodes());
   for (int k = 0; k < u.cols(); ++k) {
-    const Eigen::Vector3d X = ring.mesh().X.col(k % ring.mesh().nodes_per_sector());
-    if (-X.z() > 0.28)
-      u.col(k) = Eigen::Vector3d(std::sin(k), std::cos(3 * k), std::sin(2 * k + 1));
+    u.col(k) = Eigen::Vector3d(std::sin(k), std::cos(3 * k), std::sin(2 * k + 1));
   }
   const Eigen::VectorXd d = whole.compress(u);
   Eigen::MatrixXd Kd(d.size(), 1);
@@ -130,6 +128,47 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
   assembly.assemble(tire.materials(), moved, kPressure, &contact, below, nullptr, nullptr);
   const Eigen::VectorXd difference = (above - below) / (2 * h);
   EXPECT_LT((Kd.col(0) - difference).norm(), 1e-5 * difference.norm());
+}
+
+TEST(FeTire, TangentOfThePressureIsExactAtAnOpenEdgeToo) {
+  // Nothing but the free nodes of the bead's inner edge moves: on soft rubber under much gas their
+  // load is a share of the tangent that shows.
+  const TireDescription description = small_tire();
+  const Ring ring(build_mesh(description), ElementKind::full_integration);
+  const RingUnknowns whole(ring, RingSymmetry::none, {});
+  const RingAssembly assembly(whole);
+  Materials soft = build_materials(description);
+  for (Solid& solid : soft.solids) solid.law = Hyperelastic::from_young_modulus(1e5, 0.45);
+  Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, ring.mesh().nodes());
+  const int n = ring.mesh().nodes_per_sector();
+  int moved_nodes = 0;
+  for (int e = 0; e < ring.elements_per_sector(); ++e) {
+    for (int k = 0; k < 4; ++k) {
+      if (!ring.is_edge_open(e, k)) continue;
+      for (int s = 0; s < ring.sectors(); ++s) {
+        const int node = s * n + ring.mesh().elements[e].node[k] % n;
+        u.col(node) = Eigen::Vector3d(std::sin(s), std::cos(3 * s), std::sin(2 * s + 1));
+        ++moved_nodes;
+      }
+    }
+  }
+  ASSERT_EQ(moved_nodes, 2 * ring.sectors());  // of both beads
+  const Eigen::VectorXd d = whole.compress(u);
+  RingState state = assembly.zero_state();
+  state.x = 1e-4 * d;
+  numerics::SymmetricMatrix K(*assembly.pattern());
+  Eigen::VectorXd f, above, below;
+  ASSERT_TRUE(assembly.assemble(soft, state, 1e6, nullptr, f, &K, nullptr));
+  Eigen::MatrixXd Kd(d.size(), 1);
+  K.multiply(d, Kd);
+  const double h = 1e-7;
+  RingState moved = state;
+  moved.x = state.x + h * d;
+  ASSERT_TRUE(assembly.assemble(soft, moved, 1e6, nullptr, above, nullptr, nullptr));
+  moved.x = state.x - h * d;
+  ASSERT_TRUE(assembly.assemble(soft, moved, 1e6, nullptr, below, nullptr, nullptr));
+  const Eigen::VectorXd difference = (above - below) / (2 * h);
+  EXPECT_LT((Kd.col(0) - difference).norm(), 1e-6 * difference.norm());
 }
 
 TEST(FeTire, HalfTheRingGivesWhatTheWholeRingGives) {
@@ -220,6 +259,8 @@ TEST(FeTire, GradedSectorsGiveWhatTheSameMeshGivesWithoutThem) {
   for (int k = 0; k < 10; ++k) {
     EXPECT_NEAR((*modes)[k].frequency, (*modes_whole)[k].frequency, 1e-4) << (*modes)[k].label();
     EXPECT_NE((*modes)[k].type, ModeType::other);
+    EXPECT_EQ((*modes)[k].phase, (*modes_whole)[k].phase) << (*modes)[k].label();
+    EXPECT_NE((*modes)[k].phase, ' ') << (*modes)[k].label();
   }
 }
 
@@ -254,18 +295,59 @@ TEST(FeTire, CordsKeepTheHalfTurnSymmetryAndALopsidedSectionDoesNot) {
   EXPECT_FALSE(find_mirror(build_mesh(tire), materials).has_value());
 }
 
-TEST(FeTire, GroundForceIsTheContactPressureOverThePatch) {
-  FeTire tire = make(small_tire());
-  const auto inflated = tire.inflate(kPressure);
-  ASSERT_TRUE(inflated);
-  const auto loaded = tire.load(*inflated, {0.005, 0.01}, Ground{});
-  ASSERT_TRUE(loaded) << loaded.failure().reason;
-  double sum = 0.0;
-  for (const ContactPatch::Point& point : loaded->curve.back().patch.points) {
-    sum += point.pressure * point.area;
+/// What the rim holds: the forces of elements and gas on the nodes it clamps, wheel frame, N; and
+/// those of the gas on all of the wall.
+struct RimForces {
+  Eigen::Vector3d held = Eigen::Vector3d::Zero(), gas = Eigen::Vector3d::Zero();
+};
+
+RimForces rim_forces(const Ring& ring, const Materials& materials, const Loaded& loaded) {
+  const Mesh& mesh = ring.mesh();
+  const int n = mesh.nodes_per_sector();
+  RimForces sum;
+  std::vector<double> alpha(ring.alphas_per_element() + 1);
+  for (int s = 0; s < ring.sectors(); ++s) {
+    for (int e = 0; e < ring.elements_per_sector(); ++e) {
+      Matrix38 u;
+      for (int a = 0; a < 8; ++a) {
+        const int node = mesh.elements[e].node[a];
+        const int plane = (s + node / n) % mesh.sectors;
+        u.col(a) =
+            mesh.frame(s).transpose() * mesh.frame(plane) * loaded.u.col(plane * n + node % n);
+      }
+      Vector24 f, wall;
+      std::fill(alpha.begin(), alpha.end(), 0.0);
+      EXPECT_TRUE(pressurized_element(
+          ring, materials, s, e, u, loaded.inflated.pressure, alpha.data(), f, nullptr));
+      EXPECT_TRUE(
+          evaluate(ring.shape(s, e), materials, mesh.elements[e], u, alpha.data(), wall, nullptr));
+      for (int a = 0; a < 8; ++a) {
+        sum.gas -= mesh.frame(s) * (f - wall).segment<3>(3 * a);
+        const int node = mesh.elements[e].node[a] % n;
+        const bool is_held = std::binary_search(mesh.clamped.begin(), mesh.clamped.end(), node);
+        if (is_held) sum.held += mesh.frame(s) * f.segment<3>(3 * a);
+      }
+    }
   }
-  EXPECT_NEAR(sum, loaded->curve.back().Fz, 1e-9 * sum);
-  EXPECT_GT(loaded->curve[1].Fz, loaded->curve[0].Fz);
+  return sum;
+}
+
+TEST(FeTire, GroundAndGasTogetherAreWhatTheRimHolds) {
+  // Global balance: what the ground pushes up and the gas pushes out arrives at the rim.
+  const TireDescription description = small_tire();
+  for (const double mu : {0.0, 0.5}) {
+    FeTire tire = make(description);
+    const auto inflated = tire.inflate(kPressure);
+    ASSERT_TRUE(inflated);
+    const auto loaded = tire.load(*inflated, {0.005, 0.01}, Ground{2e10, mu});
+    ASSERT_TRUE(loaded) << loaded.failure().reason;
+    const Ring ring(build_mesh(description), ElementKind::full_integration);
+    const RimForces rim = rim_forces(ring, tire.materials(), *loaded);
+    const double Fz = loaded->curve.back().Fz;
+    EXPECT_GT(Fz, 1000.0);
+    EXPECT_NEAR(Fz, -rim.held.z() - rim.gas.z(), 1e-4 * Fz) << mu;  // SolverSettings::tolerance
+    EXPECT_NEAR(0.0, rim.held.x() + rim.gas.x(), 1e-4 * Fz) << mu;
+  }
 }
 
 TEST(FeTire, FrictionStiffensTheLoadedModesAndHoldsTheTreadBack) {
@@ -275,13 +357,83 @@ TEST(FeTire, FrictionStiffensTheLoadedModesAndHoldsTheTreadBack) {
   const auto slick = tire.load(*inflated, {0.01, 0.02}, Ground{2e10, 0.0});
   const auto rough = tire.load(*inflated, {0.01, 0.02}, Ground{2e10, 0.8});
   ASSERT_TRUE(slick && rough);
-  EXPECT_GT(rough->curve.back().Fz, slick->curve.back().Fz);
-  for (const ContactPatch::Point& point : rough->curve.back().patch.points) {
-    EXPECT_LE(std::hypot(point.shear_x, point.shear_y), 0.8 * point.pressure * (1 + 1e-9));
-  }
+  // An independent prototype with other elements found +3.1 % in force and +15 % in the lowest
+  // frequency of this tire with mu = 0.8 on a finer mesh and at 25 mm.
+  const double gain = rough->curve.back().Fz / slick->curve.back().Fz - 1.0;
+  EXPECT_GT(gain, 0.005);
+  EXPECT_LT(gain, 0.06);
   const auto slick_modes = tire.modes(*slick, 5), rough_modes = tire.modes(*rough, 5);
   ASSERT_TRUE(slick_modes && rough_modes);
-  EXPECT_GT((*rough_modes)[0].frequency, (*slick_modes)[0].frequency);
+  const double stiffer = (*rough_modes)[0].frequency / (*slick_modes)[0].frequency - 1.0;
+  EXPECT_GT(stiffer, 0.05);
+  EXPECT_LT(stiffer, 0.3);
+}
+
+TEST(FeTire, PointsOfThePatchSlideExactlyWhereShearIsAtTheLimitOfFriction) {
+  FeTire tire = make(small_tire());
+  const auto inflated = tire.inflate(kPressure);
+  ASSERT_TRUE(inflated);
+  constexpr double kMu = 0.8;
+  const auto loaded = tire.load(*inflated, {0.005, 0.012}, Ground{2e10, kMu});
+  ASSERT_TRUE(loaded) << loaded.failure().reason;
+  int sliding = 0, sticking = 0;
+  for (const ContactPatch::Point& point : loaded->curve.back().patch.points) {
+    const double used = std::hypot(point.shear_x, point.shear_y) / (kMu * point.pressure);
+    if (point.sticks) {
+      EXPECT_LT(used, 1.0 - 1e-9);
+    } else {
+      EXPECT_NEAR(used, 1.0, 1e-9);
+    }
+    ++(point.sticks ? sticking : sliding);
+  }
+  EXPECT_GE(sliding, 4);
+  EXPECT_GE(sticking, 4);
+}
+
+TEST(FeTire, AStateWithAnInvertedElementHasNoModesAndSaysWhere) {
+  const TireDescription description = small_tire();
+  FeTire tire = make(description);
+  auto inflated = tire.inflate(kPressure);
+  ASSERT_TRUE(inflated);
+  auto loaded = tire.load(*inflated, {0.005}, Ground{});
+  ASSERT_TRUE(loaded);
+  const int node = tire.mesh().elements[5].node[4];  // through the wall
+  inflated->u.col(node).z() += 0.1;
+  loaded->u.col(node).z() += 0.1;
+  for (const auto& modes :
+       {tire.modes(*inflated, 4), tire.modes_full(*inflated, 4), tire.modes(*loaded, 4)}) {
+    ASSERT_FALSE(modes);
+    EXPECT_NE(modes.failure().reason.find("inverted"), std::string::npos) << modes.failure().reason;
+    EXPECT_NE(modes.failure().reason.find("element"), std::string::npos) << modes.failure().reason;
+    EXPECT_EQ(modes.failure().reason.find("buckles"), std::string::npos) << modes.failure().reason;
+  }
+}
+
+TEST(FeTire, ModesThatLanczosDoesNotFindAreAFailure) {
+  // Without mass nothing vibrates.
+  FeTire tire = make(small_tire());
+  const auto inflated = tire.inflate(kPressure);
+  ASSERT_TRUE(inflated);
+  Materials weightless = tire.materials();
+  for (Solid& solid : weightless.solids) solid.density = 0.0;
+  for (CordLayer& layer : weightless.layers) layer.density = 0.0;
+  tire.set(weightless);
+  const auto modes = tire.modes(*inflated, 4);
+  ASSERT_FALSE(modes);
+  EXPECT_NE(modes.failure().reason.find("0 of"), std::string::npos) << modes.failure().reason;
+}
+
+TEST(FeTire, OneSectorsWorkAnalyzesNoRing) {
+  FeTire tire = make(small_tire());
+  const auto inflated = tire.inflate(kPressure);
+  ASSERT_TRUE(inflated);
+  ASSERT_TRUE(tire.modes(*inflated, 4));
+  EXPECT_EQ(tire.counts().analyses, 0);
+  ASSERT_TRUE(tire.load(*inflated, {0.002}, Ground{}));
+  EXPECT_EQ(tire.counts().analyses, 1);
+  tire.set(tire.materials());
+  ASSERT_TRUE(tire.load(*inflated, {0.002}, Ground{}));
+  EXPECT_EQ(tire.counts().analyses, 1);  // once a mesh
 }
 
 TEST(FeTire, SolvingTwiceGivesTheSameBits) {

@@ -15,6 +15,10 @@
 
 namespace latsch::fe_tire {
 
+/// Shares of a mode's kinetic energy by direction [x, y, z of sector frames]:  Re phi_k* (M phi)_k
+/// summed over the unknowns k of a direction. Their sum is phi* M phi, whatever the mesh.
+Eigen::Vector3d kinetic_energy(const Eigen::VectorXcd& phi, const Eigen::VectorXcd& M_phi);
+
 /// Type of a mode of circumferential number n by its kinetic energy around, along and across [x, y,
 /// z of sector frames].
 ModeType type_of(int n, const Eigen::Vector3d& kinetic_energy);
@@ -28,7 +32,8 @@ void name_after(const std::vector<Mode>& unloaded,
                 const Eigen::VectorXd& nodal_mass,
                 std::vector<Mode>& loaded);
 
-/// 's', 'a' or ' ' by the overlap of a shape [3 x nodes] with its mirror image in the plane x = 0.
+/// 's', 'a' or ' ' by the overlap of a shape [3 x nodes] with its mirror image in the plane x = 0;
+/// ' ' where the mesh is not its own mirror image.
 char phase_of(const Mesh& mesh, const Eigen::Matrix3Xd& shape);
 
 }  // namespace latsch::fe_tire

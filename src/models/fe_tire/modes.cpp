@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "models/fe_tire/mode_label.h"
 #include "models/fe_tire/sector.h"
@@ -30,18 +31,29 @@ struct HarmonicMode {
   double frequency;
   int n;
   Eigen::VectorXcd phi;
+  Eigen::Vector3d energy;  // kinetic, by direction
 };
 
-/// The lowest modes of circumferential number n; false where the harmonic tangent is not positive
-/// definite.
-bool solve_harmonic(const SectorBlocks& K,
-                    const SectorBlocks& M,
-                    int n,
-                    int count,
-                    std::vector<HarmonicMode>& modes) {
+Failure unfinished(const std::string& what, Eigen::Index found, int count, int solves) {
+  return Failure{
+      fmt::format("modes: Lanczos found {} of {} {} in {} solves", found, count, what, solves)};
+}
+
+/// The lowest modes of circumferential number n; a Failure where the harmonic tangent is not
+/// positive definite, or where not all of them are found.
+std::optional<Failure> solve_harmonic(const SectorBlocks& K,
+                                      const SectorBlocks& M,
+                                      int n,
+                                      int count,
+                                      std::vector<HarmonicMode>& modes) {
   modes.clear();
   numerics::BandedCholesky cholesky;
-  if (!cholesky.factorize(K.harmonic(n))) return false;
+  if (!cholesky.factorize(K.harmonic(n))) {
+    return Failure{fmt::format(
+        "modes: the inflated tire is not stable in circumferential number {}: it buckles; check "
+        "pressure, thicknesses and moduli",
+        n)};
+  }
   const numerics::BandedHermitian mass = M.harmonic(n);
   numerics::EigenProblem<std::complex<double>> problem;
   problem.size = K.size();
@@ -54,10 +66,17 @@ bool solve_harmonic(const SectorBlocks& K,
   settings.tolerance = kTolerance;
   settings.block = 1;
   const auto pairs = numerics::lanczos(problem, settings);
-  for (int k = 0; k < pairs.values.size(); ++k) {
-    modes.push_back({to_hertz(pairs.values[k]), n, pairs.vectors.col(k)});
+  if (!pairs.converged) {
+    const std::string what = fmt::format("modes of circumferential number {}", n);
+    return unfinished(what, pairs.values.size(), settings.count, pairs.solves);
   }
-  return true;
+  Eigen::MatrixXcd M_phi(K.size(), 1);
+  for (int k = 0; k < pairs.values.size(); ++k) {
+    const Eigen::VectorXcd phi = pairs.vectors.col(k);
+    mass.multiply(phi, M_phi);
+    modes.push_back({to_hertz(pairs.values[k]), n, phi, kinetic_energy(phi, M_phi.col(0))});
+  }
+  return std::nullopt;
 }
 
 /// Modes of n = 0 and, where S is even, n = S / 2 are single; all others are pairs.
@@ -85,13 +104,6 @@ Eigen::Matrix3Xd unfold(const Ring& ring,
     }
   }
   return shape;
-}
-
-/// Kinetic energy in the three directions of the sector frame, by the magnitudes at the nodes.
-Eigen::Vector3d directional_energy(const Eigen::VectorXcd& phi) {
-  Eigen::Vector3d energy = Eigen::Vector3d::Zero();
-  for (int k = 0; k < phi.size(); ++k) energy[k % 3] += std::norm(phi[k]);
-  return energy;
 }
 
 /// A complex vector's phase is arbitrary: turn the largest entry onto the real axis, so that
@@ -130,7 +142,7 @@ std::vector<Mode> named_modes(const Ring& ring,
     Mode result;
     result.frequency = mode.frequency;
     result.n = mode.n;
-    result.type = type_of(mode.n, directional_energy(mode.phi));
+    result.type = type_of(mode.n, mode.energy);
     for (int member = 0; member < (single(mode.n, ring.sectors()) ? 1 : 2); ++member) {
       if (static_cast<int>(modes.size()) == count) break;
       result.shape = unfold(ring, mesh, mode, member == 1);
@@ -143,6 +155,13 @@ std::vector<Mode> named_modes(const Ring& ring,
 
 }  // namespace
 
+Failure no_tangent(const Ring& ring, int element) {
+  return Failure{
+      fmt::format("modes: the state has no tangent: {} is inverted or its law has no "
+                  "value there; check pressure, deflection, thicknesses and moduli",
+                  ring.place(element))};
+}
+
 Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
                                          const Mesh& mesh,
                                          const Materials& materials,
@@ -150,8 +169,11 @@ Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
                                          int count) {
   SectorBlocks K(ring);
   Eigen::VectorXd f, alpha = inflated.alpha;
-  assemble_sector(
-      ring, materials, ring.compress(inflated.u), inflated.pressure, alpha, f, &K, nullptr);
+  int worst = 0;
+  if (!assemble_sector(
+          ring, materials, ring.compress(inflated.u), inflated.pressure, alpha, f, &K, &worst)) {
+    return no_tangent(ring, worst);
+  }
   const SectorBlocks M = sector_mass(ring, materials);
   const int S = ring.sectors();
 
@@ -160,13 +182,7 @@ Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
   int beyond = 0;  // successive harmonics whose lowest mode lies above all that are wanted
   for (int n = 0; n <= S / 2 && beyond < 2; ++n) {
     by_n.emplace_back();
-    if (!solve(n, kPerHarmonic)) {
-      return Failure{fmt::format(
-          "modes: the inflated tire is not stable in circumferential number {} at {:.4g} bar: it "
-          "buckles; check pressure, thicknesses and moduli",
-          n,
-          inflated.pressure / 1e5)};
-    }
+    if (auto failure = solve(n, kPerHarmonic)) return *failure;
     beyond = by_n[n].front().frequency > cutoff(by_n, S, count) ? beyond + 1 : 0;
   }
   // A harmonic of which every mode found is among the lowest may hold more of them.
@@ -174,7 +190,7 @@ Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
     for (int known = kPerHarmonic;
          known < K.size() && by_n[n].back().frequency < cutoff(by_n, S, count);
          known *= 2) {
-      solve(n, 2 * known);
+      if (auto failure = solve(n, 2 * known)) return *failure;
     }
   }
   std::vector<HarmonicMode> found;
@@ -198,10 +214,7 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
   settings.block = kRingBlock;
   const auto pairs = numerics::lanczos(problem, settings);
   if (!pairs.converged) {
-    return Failure{fmt::format("modes: Lanczos found {} of {} modes in {} solves",
-                               pairs.values.size(),
-                               count,
-                               pairs.solves)};
+    return unfinished("modes", pairs.values.size(), settings.count, pairs.solves);
   }
   const RingUnknowns& unknowns = assembly.unknowns();
   std::vector<Mode> modes(pairs.values.size());

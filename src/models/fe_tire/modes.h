@@ -11,6 +11,9 @@
 
 namespace latsch::fe_tire {
 
+/// What is said where a state has no tangent because an element (sector by sector) fails.
+Failure no_tangent(const Ring& ring, int element);
+
 /// Modes of the inflated ring by circumferential harmonics n = 0, 1, ...: one small Hermitian
 /// problem each, until no further n can hold one of the `count` lowest. A mode of n > 0 comes as an
 /// orthogonal pair. Sectors of `ring` are equally wide; shapes are given on the planes of `mesh`,

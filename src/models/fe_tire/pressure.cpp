@@ -2,7 +2,8 @@
 // Follower pressure on a bilinear face, 2x2 Gauss points: n dA = (x_xi cross x_eta) dxi deta.
 // The gas has the potential -p V; over a closed boundary, or one held at its rim, the load
 // stiffness is therefore symmetric, and its symmetric part a face is all of it. [Schweizerhof &
-// Ramm 1984, Computers & Structures 18]
+// Ramm 1984, Computers & Structures 18] An edge that neither closes nor is held would leave the
+// volume, and so the load, undefined: a seal closes it.
 #include "models/fe_tire/pressure.h"
 
 #include <Eigen/Geometry>
@@ -45,6 +46,24 @@ void add_pressure(const Matrix34& x, double p, Vector12& f, Matrix12* K) {
         const double t = -0.5 * p * (N[a] * N_xi[b] - N[b] * N_xi[a]);
         K->block<3, 3>(3 * a, 3 * b) += s * c_xi - t * c_eta;
       }
+    }
+  }
+}
+
+void add_sealed_edge(
+    const Matrix34& X, const Matrix34& x, int k, double p, Vector12& f, Matrix12* K) {
+  const int a = k, b = (k + 1) % 4;
+  Matrix34 strip;  // passes the edge the other way round than the face does
+  strip << x.col(b), x.col(a), X.col(a), X.col(b);
+  Vector12 f_strip = Vector12::Zero();
+  Matrix12 K_strip = Matrix12::Zero();
+  add_pressure(strip, p, f_strip, K ? &K_strip : nullptr);
+  const int moving[2] = {b, a};
+  for (int i = 0; i < 2; ++i) {
+    f.segment<3>(3 * moving[i]) += f_strip.segment<3>(3 * i);
+    if (K == nullptr) continue;
+    for (int j = 0; j < 2; ++j) {
+      K->block<3, 3>(3 * moving[i], 3 * moving[j]) += K_strip.block<3, 3>(3 * i, 3 * j);
     }
   }
 }

@@ -16,4 +16,10 @@ using Matrix12 = Eigen::Matrix<double, 12, 12>;
 /// that f and K add up like those of the elements.
 void add_pressure(const Matrix34& x, double p, Vector12& f, Matrix12* K);
 
+/// The same on the seal of the face's open edge from node k to node k + 1 (mod 4): the strip from
+/// where the edge is, x, to where the rim has it in the undeformed tire, X. It closes the gas, so
+/// that the load has a potential and the symmetric parts of all faces are all of its stiffness.
+void add_sealed_edge(
+    const Matrix34& X, const Matrix34& x, int k, double p, Vector12& f, Matrix12* K);
+
 }  // namespace latsch::fe_tire

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/fe_tire/ring.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "models/fe_tire/pressure.h"
 
@@ -26,6 +30,31 @@ std::vector<int> different_sectors(const Mesh& mesh, std::vector<int>& width) {
   return first;
 }
 
+/// Edges of inner faces that no other inner face shares and that the rim does not hold.
+std::vector<std::array<bool, 4>> open_edges(const Mesh& mesh) {
+  const int n = mesh.nodes_per_sector();
+  // The two ends; those of a sector's last plane are the next one's first.
+  const auto ends = [n](const Element& element, int k) -> std::pair<int, int> {
+    return std::minmax({element.node[k] % n, element.node[(k + 1) % 4] % n});
+  };
+  std::map<std::pair<int, int>, int> faces;
+  for (const Element& element : mesh.elements) {
+    for (int k = 0; k < 4 && element.inner; ++k) ++faces[ends(element, k)];
+  }
+  const auto is_held = [&](int node) {
+    return std::binary_search(mesh.clamped.begin(), mesh.clamped.end(), node);
+  };
+  std::vector<std::array<bool, 4>> open(mesh.elements.size());
+  for (std::size_t e = 0; e < open.size(); ++e) {
+    open[e].fill(false);
+    for (int k = 0; k < 4 && mesh.elements[e].inner; ++k) {
+      const auto [a, b] = ends(mesh.elements[e], k);
+      open[e][k] = faces[{a, b}] == 1 && !(is_held(a) && is_held(b));
+    }
+  }
+  return open;
+}
+
 }  // namespace
 
 Ring::Ring(Mesh mesh, ElementKind kind) : mesh_(std::move(mesh)) {
@@ -38,6 +67,7 @@ Ring::Ring(Mesh mesh, ElementKind kind) : mesh_(std::move(mesh)) {
     }
   }
   alphas_ = internal_parameters(kind);
+  open_edges_ = open_edges(mesh_);
   const int n = mesh_.nodes_per_sector();
   first_dof_.assign(n, 0);
   for (int node : mesh_.clamped) first_dof_[node] = -1;
@@ -108,6 +138,15 @@ Eigen::VectorXd Ring::compress(const Eigen::Matrix3Xd& u) const {
   return x;
 }
 
+std::string Ring::place(int element) const {
+  const int in_section = element % elements_per_sector();
+  return fmt::format("element {} (sector {}, section element {}, {})",
+                     element + 1,
+                     element / elements_per_sector(),
+                     in_section,
+                     mesh_.region_names.at(mesh_.elements[in_section].region));
+}
+
 bool pressurized_element(const Ring& ring,
                          const Materials& materials,
                          int sector,
@@ -121,10 +160,15 @@ bool pressurized_element(const Ring& ring,
   if (!evaluate(ring.shape(sector, element), materials, e, u, alpha, f, K)) return false;
   if (!e.inner || pressure == 0.0) return true;
 
-  const Matrix34 x = (ring.shape(sector, element).X + u).leftCols<4>();
+  const Matrix34 X = ring.shape(sector, element).X.leftCols<4>(), x = X + u.leftCols<4>();
   Vector12 f_p = Vector12::Zero();
   Matrix12 K_p = Matrix12::Zero();
   add_pressure(x, pressure, f_p, K ? &K_p : nullptr);
+  for (int k = 0; k < 4; ++k) {
+    if (ring.is_edge_open(element, k)) {
+      add_sealed_edge(X, x, k, pressure, f_p, K ? &K_p : nullptr);
+    }
+  }
   f.head<12>() += f_p;
   if (K) K->topLeftCorner<12, 12>() += K_p;
   return true;

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "models/fe_tire/hex8.h"
@@ -30,6 +31,12 @@ class Ring {
   int sectors() const { return mesh_.sectors; }
   int elements_per_sector() const { return static_cast<int>(mesh_.elements.size()); }
   int alphas_per_element() const { return alphas_; }
+  /// Whether the pressurized surface ends at the edge from node k to node k + 1 (mod 4) of an
+  /// element's inner face, and the rim does not hold it there.
+  bool is_edge_open(int element, int k) const { return open_edges_[element][k]; }
+  /// Where an element is, for messages; elements count sector by sector: "element 61 (sector 2,
+  /// section element 2, belt)".
+  std::string place(int element) const;
 
   /// Unknowns of one sector.
   int sector_unknowns() const { return 3 * free_nodes_; }
@@ -60,6 +67,7 @@ class Ring {
   std::vector<int> first_dof_;
   std::vector<std::vector<HexShape>> shapes_;  // of every width
   std::vector<std::array<int, 24>> local_dofs_;
+  std::vector<std::array<bool, 4>> open_edges_;
 };
 
 /// Forces f - including the follower pressure on inner faces - and tangent K of one element of

@@ -44,14 +44,15 @@ bool RingAssembly::assemble(const Materials& materials,
   return sum_elements(materials, state, pressure, contact, false, unknowns_, f, K, worst);
 }
 
-void RingAssembly::assemble_tangent(const Materials& materials,
+bool RingAssembly::assemble_tangent(const Materials& materials,
                                     RingState& state,
                                     double pressure,
                                     const GroundContact* contact,
                                     const RingUnknowns& vibration,
-                                    numerics::SymmetricMatrix& K) const {
+                                    numerics::SymmetricMatrix& K,
+                                    int* worst) const {
   Eigen::VectorXd unused = Eigen::VectorXd::Zero(unknowns_.size());
-  sum_elements(materials, state, pressure, contact, true, vibration, unused, &K, nullptr);
+  return sum_elements(materials, state, pressure, contact, true, vibration, unused, &K, worst);
 }
 
 bool RingAssembly::sum_elements(const Materials& materials,

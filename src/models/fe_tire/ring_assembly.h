@@ -41,13 +41,14 @@ class RingAssembly {
                 int* worst) const;
 
   /// Tangent at `state` in the numbering `vibration` of the motions about it (even or odd ones),
-  /// all contact sticking.
-  void assemble_tangent(const Materials& materials,
+  /// all contact sticking. False as for assemble().
+  bool assemble_tangent(const Materials& materials,
                         RingState& state,
                         double pressure,
                         const GroundContact* contact,
                         const RingUnknowns& vibration,
-                        numerics::SymmetricMatrix& K) const;
+                        numerics::SymmetricMatrix& K,
+                        int* worst) const;
 
   /// Consistent mass matrix, kg.
   numerics::SymmetricMatrix mass(const Materials& materials) const;
