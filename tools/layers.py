@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks that every #include follows the architecture: a folder may use itself and what is listed here."""
+"""Checks that every #include follows the architecture: a folder may use itself and what is listed here; and that what
+is written for the user goes through base/file.h, which knows of links, pipes, devices and full disks."""
 import pathlib
 import re
 import sys
@@ -24,6 +25,7 @@ EVERY_TIRE = ["road", "tire"]
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent / "src"
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
+WRITING = re.compile(r"\b(ofstream|fopen|rename)\b(?!\))")
 
 
 def model_of(path):
@@ -49,7 +51,18 @@ def faults():
                 yield f"{here}:{number}: model {model_of(here)} may not use model {model_of(used)}"
 
 
+def writers():
+    for folder in (SOURCE, SOURCE.parent / "apps"):
+        for file in sorted([*folder.rglob("*.h"), *folder.rglob("*.cpp")]):
+            if file == SOURCE / "base/file.cpp" or re.search("_test(ing)?[.]", file.name):
+                continue
+            for number, line in enumerate(file.read_text().splitlines(), 1):
+                match = WRITING.search(line.split("//")[0])
+                if match:
+                    yield f"{file.relative_to(SOURCE.parent)}:{number}: {match[1]}: files are written by base/file.h"
+
+
 if __name__ == "__main__":
-    found = list(faults())
+    found = [*faults(), *writers()]
     print("\n".join(found) or "layers: every #include follows the architecture")
     sys.exit(1 if found else 0)

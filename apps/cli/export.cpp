@@ -3,8 +3,7 @@
 // the model itself.
 #include <fmt/format.h>
 
-#include <fstream>
-
+#include "base/file.h"
 #include "cli/console.h"
 #include "cli/parsed.h"
 #include "cli/tire_source.h"
@@ -59,6 +58,14 @@ void add_modes(std::vector<formats::VtuField>& fields, const std::vector<fe_tire
   }
 }
 
+/// Beside the tire's file, where that is one: a device has no place beside it.
+void write_patch(const fs::path& tire, const fe_tire::LoadPoint& point) {
+  if (fs::exists(tire) && !fs::is_regular_file(tire)) return;
+  const fs::path patch = fs::path(tire).replace_extension(".patch.vtu");
+  formats::write_patch_vtu(patch, point);
+  say_written(patch.string());
+}
+
 void write_vtu(const ExportOptions& options, const TireDescription& tire) {
   const State state = state_of(options, tire);
   fe_tire::SolverSettings settings;
@@ -74,9 +81,7 @@ void write_vtu(const ExportOptions& options, const TireDescription& tire) {
     const auto loaded = required(model.load(inflated, steps, fe_tire::Ground{}));
     fields.push_back({"displacement", loaded.u});
     if (options.modes > 0) add_modes(fields, required(model.modes(loaded, options.modes)));
-    const fs::path patch = fs::path(options.vtu).replace_extension(".patch.vtu");
-    formats::write_patch_vtu(patch, loaded.curve.back());
-    say_written(patch.string());
+    write_patch(options.vtu, loaded.curve.back());
   }
   formats::write_tire_vtu(options.vtu, model.mesh(), fields);
   say_written(options.vtu);
@@ -108,10 +113,7 @@ void write_ccx(const ExportOptions& options, TireDescription tire) {
 }
 
 void write_tire_file(const ExportOptions& options, const std::string& text) {
-  std::ofstream out(options.tire, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw InputError(Place{options.tire, 0}, "cannot be written");
+  write_text_file(options.tire, text);
   say_written(options.tire);
 }
 

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "cli/console.h"
 #include "cli/study_template.h"
 #include "cli/verbs.h"
@@ -16,10 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void write(const fs::path& file, std::string_view text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw InputError(Place{file.string(), 0}, "cannot be written");
+  write_text_file(file, text);
   say_written(file.string());
 }
 

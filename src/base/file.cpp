@@ -3,10 +3,20 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <cstring>
+#include <ctime>
+#include <optional>
+#include <ostream>
+#include <streambuf>
+#include <utility>
 
 #include "base/error.h"
 
@@ -20,8 +30,8 @@ class Descriptor {
   ~Descriptor() {
     if (number_ >= 0) ::close(number_);
   }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&&) = delete;
   int number() const { return number_; }
   bool close() {
     const int number = number_;
@@ -37,14 +47,93 @@ class Descriptor {
   throw InputError({file.string(), 0}, fmt::format("{}: {}", what, std::strerror(error)));
 }
 
-bool write_all(int descriptor, std::string_view text) {
+/// While it lives, a pipe whose reader has gone is an error of write(2) and does not end the
+/// program.
+class NoPipeSignal {
+ public:
+  NoPipeSignal() {
+    ::sigemptyset(&pipe_);
+    ::sigaddset(&pipe_, SIGPIPE);
+    sigset_t pending;
+    ::sigpending(&pending);
+    was_pending_ = ::sigismember(&pending, SIGPIPE) == 1;
+    ::pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+  }
+  ~NoPipeSignal() {
+    const timespec no_time{};
+    const int error = errno;
+    if (!was_pending_) ::sigtimedwait(&pipe_, nullptr, &no_time);
+    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    errno = error;
+  }
+  NoPipeSignal(const NoPipeSignal&) = delete;
+  NoPipeSignal& operator=(const NoPipeSignal&) = delete;
+
+ private:
+  sigset_t pipe_, before_;
+  bool was_pending_ = false;
+};
+
+/// 0, or the errno of what went wrong.
+int write_all(int descriptor, std::string_view text) {
+  const NoPipeSignal quiet;
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    text.remove_prefix(written);
+    if (written >= 0) {
+      text.remove_prefix(written);
+    } else if (errno == EAGAIN) {  // our output may be a pipe that somebody else made so
+      pollfd room{descriptor, POLLOUT, 0};
+      ::poll(&room, 1, -1);
+    } else if (errno != EINTR) {
+      return errno;
+    }
   }
-  return true;
+  return 0;
+}
+
+/// What is written to a stream, into an open file. Remembers the first error.
+class FileBuffer : public std::streambuf {
+ public:
+  explicit FileBuffer(int descriptor) : descriptor_(descriptor) { start_again(); }
+
+  /// 0, or the errno of what went wrong first.
+  int finish() {
+    sync();
+    return error_;
+  }
+
+ protected:
+  int sync() override {
+    if (error_ == 0) {
+      error_ = write_all(descriptor_, {pbase(), static_cast<std::size_t>(pptr() - pbase())});
+    }
+    start_again();
+    return error_ == 0 ? 0 : -1;
+  }
+  int_type overflow(int_type character) override {
+    if (sync() != 0) return traits_type::eof();
+    if (!traits_type::eq_int_type(character, traits_type::eof())) {
+      sputc(traits_type::to_char_type(character));
+    }
+    return traits_type::not_eof(character);
+  }
+
+ private:
+  void start_again() { setp(block_.data(), block_.data() + block_.size()); }
+
+  int descriptor_;
+  int error_ = 0;
+  std::array<char, 1 << 16> block_;
+};
+
+using Write = std::function<void(std::ostream&)>;
+
+/// 0, or the errno of what went wrong. Throws what `write` throws.
+int write_into(int descriptor, const Write& write) {
+  FileBuffer buffer(descriptor);
+  std::ostream out(&buffer);
+  write(out);
+  return buffer.finish();
 }
 
 /// The new name must survive a power loss as well as the data. A file system that cannot flush a
@@ -52,6 +141,96 @@ bool write_all(int descriptor, std::string_view text) {
 void flush_folder(const std::filesystem::path& folder) {
   const Descriptor open(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC));
   if (open.number() >= 0) (void)::fsync(open.number());
+}
+
+constexpr const char* kNotWritten = "cannot be written";
+constexpr int kMostLinks = 40;  // as the system follows
+
+/// The file a chain of links leads to, which need not exist; nullopt where it leads through /proc
+/// to an open file, whose name says nothing.
+std::optional<std::filesystem::path> followed(std::filesystem::path file) {
+  const std::filesystem::path asked = file;
+  for (int links = 0; links <= kMostLinks; ++links) {
+    std::error_code none;
+    const std::filesystem::path next = std::filesystem::read_symlink(file, none);
+    if (none) return file;
+    const auto folder = std::filesystem::canonical(
+        file.has_parent_path() ? file.parent_path() : std::filesystem::path("."), none);
+    if (folder.string().starts_with("/proc/")) return std::nullopt;
+    file = file.parent_path() / next;
+  }
+  fail(asked, kNotWritten, ELOOP);
+}
+
+bool is_open_as(int descriptor, const struct stat& file) {
+  struct stat open {};
+  return ::fstat(descriptor, &open) == 0 && open.st_dev == file.st_dev &&
+         open.st_ino == file.st_ino && (::fcntl(descriptor, F_GETFL) & O_ACCMODE) != O_RDONLY;
+}
+
+/// Into what cannot be replaced: a device, a pipe, an open file.
+void write_through(const std::filesystem::path& file, Descriptor open, const Write& write) {
+  if (open.number() < 0) fail(file, kNotWritten, errno);
+  if (const int error = write_into(open.number(), write)) fail(file, kNotWritten, error);
+  // A device that cannot be flushed says so by one of the first two.
+  if (::fsync(open.number()) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP) {
+    fail(file, kNotWritten, errno);
+  }
+  if (!open.close()) fail(file, kNotWritten, errno);
+}
+
+/// A new file beside that one, of a name that nobody has.
+Descriptor open_beside(const std::filesystem::path& file, std::string& name) {
+  for (int i = 0;; ++i) {
+    name = fmt::format("{}.{}.{}.tmp", file.string(), ::getpid(), i);
+    const int open = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (open >= 0 || errno != EEXIST) return Descriptor(open);
+  }
+}
+
+void write_in_place(const std::filesystem::path& file, const Write& write) {
+  write_through(file, Descriptor(::open(file.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC)), write);
+}
+
+/// `target`: the file itself, where `file` may be a link; `before`: what it was, nullptr: nothing.
+void replace(const std::filesystem::path& file,
+             const std::filesystem::path& target,
+             const struct stat* before,
+             const Write& write) {
+  // A file that is protected against writing is not replaced because its folder allows that.
+  if (before && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) {
+    fail(file, kNotWritten, errno);
+  }
+  std::string temporary;
+  Descriptor open = open_beside(target, temporary);
+  if (open.number() < 0) {
+    if (before && (errno == EACCES || errno == EPERM)) return write_in_place(target, write);
+    fail(file, kNotWritten, errno);
+  }
+  const auto give_up = [&](int error) {
+    ::unlink(temporary.c_str());
+    fail(file, kNotWritten, error);
+  };
+  try {
+    if (const int error = write_into(open.number(), write)) give_up(error);
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+  if (before) {
+    // Only root may give a file away; whoever else replaces one owns it.
+    if (::fchown(open.number(), before->st_uid, before->st_gid) != 0) errno = 0;
+    if (::fchmod(open.number(), before->st_mode & 07777) != 0) give_up(errno);
+  }
+  if (::fsync(open.number()) != 0 || !open.close()) give_up(errno);
+  if (::rename(temporary.c_str(), target.c_str()) != 0) {
+    const int error = errno;
+    // A file that was mounted by itself, as containers do, cannot be replaced.
+    if (error != EBUSY || !before) give_up(error);
+    ::unlink(temporary.c_str());
+    return write_in_place(target, write);
+  }
+  flush_folder(target.parent_path());
 }
 
 }  // namespace
@@ -75,18 +254,31 @@ std::string read_text_file(const std::filesystem::path& file, std::size_t limit)
   }
 }
 
+void write_file(const std::filesystem::path& file, const Write& write) {
+  struct stat there {};
+  if (::stat(file.c_str(), &there) != 0) {
+    if (errno != ENOENT) fail(file, kNotWritten, errno);
+    const auto target = followed(file);
+    if (!target) fail(file, kNotWritten, ENOENT);
+    return replace(file, *target, nullptr, write);
+  }
+  if (S_ISDIR(there.st_mode)) {
+    throw InputError({file.string(), 0}, "is a folder, expected a file to write");
+  }
+  if (S_ISBLK(there.st_mode)) {
+    throw InputError({file.string(), 0}, "is a disk (a block device), expected a file to write");
+  }
+  std::fflush(stdout);  // what was printed before stands before it
+  for (const int printed : {STDOUT_FILENO, STDERR_FILENO}) {
+    if (is_open_as(printed, there)) return write_through(file, Descriptor(::dup(printed)), write);
+  }
+  const auto target = followed(file);
+  if (target && S_ISREG(there.st_mode)) return replace(file, *target, &there, write);
+  write_through(file, Descriptor(::open(file.c_str(), O_WRONLY | O_CLOEXEC)), write);
+}
+
 void write_text_file(const std::filesystem::path& file, std::string_view text) {
-  const std::string temporary = file.string() + fmt::format(".{}.tmp", ::getpid());
-  const auto give_up = [&](int error) {
-    ::unlink(temporary.c_str());
-    fail(file, "cannot be written", error);
-  };
-  Descriptor open(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (open.number() < 0) fail(file, "cannot be written", errno);
-  if (!write_all(open.number(), text) || ::fsync(open.number()) != 0) give_up(errno);
-  if (!open.close()) give_up(errno);
-  if (::rename(temporary.c_str(), file.c_str()) != 0) give_up(errno);
-  flush_folder(file.parent_path());
+  write_file(file, [&](std::ostream& out) { out.write(text.data(), std::ssize(text)); });
 }
 
 }  // namespace latsch

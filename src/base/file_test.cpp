@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <ostream>
+#include <thread>
 
 #include "base/error.h"
 
@@ -71,15 +80,176 @@ TEST_F(File, AWriteThatEndsEarlyLeavesTheOldFile) {
   EXPECT_EQ(entries(), 1);
 }
 
-TEST_F(File, AFullDiskIsNamed) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
-  // A temporary file that leads to the full device.
+/// A device in our own folder: only root makes one, and some systems let nobody use it there.
+bool make_device(const std::filesystem::path& file, mode_t kind, unsigned major, unsigned minor) {
+  return ::mknod(file.c_str(), kind | 0666, makedev(major, minor)) == 0 &&
+         (kind == S_IFBLK || std::ifstream(file).good());
+}
+
+struct stat status_of(const std::filesystem::path& file) {
+  struct stat status {};
+  EXPECT_EQ(::lstat(file.c_str(), &status), 0) << file;
+  return status;
+}
+
+/// Runs it in a process of its own, whose answer is whether it gave back true.
+bool elsewhere(const std::function<bool()>& action) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const bool done = action();
+    std::fflush(nullptr);
+    ::_exit(done ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return status == 0;
+}
+
+// Numbers of the devices: Linux' Documentation/admin-guide/devices.txt, 1:3 null and 1:7 full.
+TEST_F(File, ADeviceIsWrittenToAndStays) {
+  const auto null = folder_ / "null", full = folder_ / "full", link = folder_ / "link";
+  if (!make_device(null, S_IFCHR, 1, 3) || !make_device(full, S_IFCHR, 1, 7)) {
+    GTEST_SKIP() << "devices cannot be made here";
+  }
+  std::filesystem::create_symlink("full", link);
+  EXPECT_EQ(complaint_of_writing(null, std::string(200000, 'x')), "");
+  for (const auto& file : {full, link}) {
+    EXPECT_EQ(complaint_of_writing(file, "x"),
+              file.string() + ": cannot be written: No space left on device");
+  }
+  EXPECT_TRUE(S_ISCHR(status_of(null).st_mode));
+  EXPECT_TRUE(S_ISCHR(status_of(full).st_mode));
+  EXPECT_TRUE(S_ISLNK(status_of(link).st_mode));
+  EXPECT_EQ(entries(), 3);
+}
+
+TEST_F(File, ADiskIsRefused) {
+  const auto disk = folder_ / "disk";  // 42 is for demonstration: no driver has it
+  if (!make_device(disk, S_IFBLK, 42, 0)) GTEST_SKIP() << "devices cannot be made here";
+  EXPECT_NE(complaint_of_writing(disk, "x").find("is a disk"), std::string::npos);
+  EXPECT_TRUE(S_ISBLK(status_of(disk).st_mode));
+  EXPECT_NE(complaint_of_writing(folder_, "x").find("is a folder"), std::string::npos);
+}
+
+TEST_F(File, APipeIsWrittenToAndStays) {
+  const auto pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const std::string text(300000, 'x');  // more than a pipe holds
+  std::string read;
+  std::thread reader([&] { read = read_text_file(pipe); });
+  EXPECT_EQ(complaint_of_writing(pipe, text), "");
+  reader.join();
+  EXPECT_EQ(read, text);
+  EXPECT_TRUE(S_ISFIFO(status_of(pipe).st_mode));
+}
+
+TEST_F(File, APipeWhoseReaderGoesIsAnErrorAndNotTheEnd) {
+  const auto pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::thread reader([&] { ::close(::open(pipe.c_str(), O_RDONLY)); });
+  EXPECT_EQ(complaint_of_writing(pipe, std::string(300000, 'x')),
+            pipe.string() + ": cannot be written: Broken pipe");
+  reader.join();
+}
+
+TEST_F(File, LinksStayAndTheFileTheyLeadToIsReplaced) {
+  std::filesystem::create_directory(folder_ / "deep");
+  const auto file = folder_ / "deep" / "file";
+  write_text_file(file, "old");
+  ASSERT_EQ(::chmod(file.c_str(), 0640), 0);
+  std::filesystem::create_symlink("deep/second", folder_ / "first");
+  std::filesystem::create_symlink("../third", folder_ / "deep" / "second");
+  std::filesystem::create_symlink(std::filesystem::absolute(file), folder_ / "third");
+  EXPECT_EQ(complaint_of_writing(folder_ / "first", "new"), "");
+  EXPECT_EQ(read_text_file(file), "new");
+  EXPECT_EQ(status_of(file).st_mode & 07777, 0640u);
+  for (const char* link : {"first", "deep/second", "third"}) {
+    EXPECT_TRUE(S_ISLNK(status_of(folder_ / link).st_mode)) << link;
+  }
+  EXPECT_EQ(entries(), 3);
+}
+
+TEST_F(File, ALinkToNothingMakesTheFileItNames) {
+  std::filesystem::create_directory(folder_ / "deep");
+  std::filesystem::create_symlink("deep/file", folder_ / "link");
+  EXPECT_EQ(complaint_of_writing(folder_ / "link", "new"), "");
+  EXPECT_EQ(read_text_file(folder_ / "deep" / "file"), "new");
+  EXPECT_TRUE(S_ISLNK(status_of(folder_ / "link").st_mode));
+}
+
+TEST_F(File, LinksInACircleAreNamed) {
+  std::filesystem::create_symlink("b", folder_ / "a");
+  std::filesystem::create_symlink("a", folder_ / "b");
+  EXPECT_EQ(complaint_of_writing(folder_ / "a", "x"),
+            (folder_ / "a").string() + ": cannot be written: Too many levels of symbolic links");
+  EXPECT_EQ(entries(), 2);
+}
+
+// With the names a temporary file may have taken by links to a file of somebody else.
+TEST_F(File, NoTemporaryFileFollowsALink) {
+  write_text_file(folder_ / "theirs", "theirs");
   const auto file = folder_ / "a";
-  std::filesystem::create_symlink("/dev/full",
-                                  file.string() + "." + std::to_string(::getpid()) + ".tmp");
-  EXPECT_EQ(complaint_of_writing(file, "x"),
-            file.string() + ": cannot be written: No space left on device");
-  EXPECT_EQ(entries(), 0);
+  for (int i = 0; i < 3; ++i) {
+    const std::string number = i == 0 ? "" : "." + std::to_string(i - 1);
+    std::filesystem::create_symlink(
+        "theirs", file.string() + "." + std::to_string(::getpid()) + number + ".tmp");
+  }
+  EXPECT_EQ(complaint_of_writing(file, "x"), "");
+  EXPECT_EQ(read_text_file(folder_ / "theirs"), "theirs");
+  EXPECT_TRUE(S_ISREG(status_of(file).st_mode));
+}
+
+TEST_F(File, PermissionsHoldForWhoeverIsNotRoot) {
+  if (::geteuid() != 0) GTEST_SKIP() << "needs root to become somebody else";
+  constexpr uid_t kNobody = 65534;
+  const auto guarded = folder_ / "guarded";  // whose folder may be written
+  write_text_file(guarded, "old");
+  ASSERT_EQ(::chmod(guarded.c_str(), 0444), 0);
+  ASSERT_EQ(::chmod(folder_.c_str(), 0777), 0);
+  EXPECT_TRUE(elsewhere([&] {
+    return ::setuid(kNobody) == 0 && complaint_of_writing(guarded, "x").ends_with("denied");
+  }));
+  EXPECT_EQ(read_text_file(guarded), "old");
+
+  const auto given = folder_ / "given";  // whose folder may not
+  write_text_file(given, "old and longer");
+  ASSERT_EQ(::chmod(given.c_str(), 0666), 0);
+  ASSERT_EQ(::chmod(folder_.c_str(), 0755), 0);
+  EXPECT_TRUE(elsewhere(
+      [&] { return ::setuid(kNobody) == 0 && complaint_of_writing(given, "new").empty(); }));
+  EXPECT_EQ(read_text_file(given), "new");
+
+  ASSERT_EQ(::chown(given.c_str(), kNobody, kNobody), 0);
+  EXPECT_EQ(complaint_of_writing(given, "by root"), "");
+  EXPECT_EQ(status_of(given).st_uid, kNobody);
+}
+
+TEST_F(File, WhatIsPrintedToIsWrittenToInItsTurn) {
+  const auto file = folder_ / "printed", ours = folder_ / "stdout";  // as /dev/stdout is
+  std::filesystem::create_symlink("/proc/self/fd/1", ours);
+  for (const auto& name : {ours, file}) {
+    EXPECT_TRUE(elsewhere([&] {
+      const int open = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+      if (::dup2(open, STDOUT_FILENO) < 0) return false;
+      std::printf("before\n");
+      const bool done = complaint_of_writing(name, "text\n").empty();
+      std::printf("after\n");
+      return done;
+    }));
+    EXPECT_EQ(read_text_file(file), "before\ntext\nafter\n") << name;
+  }
+  EXPECT_TRUE(S_ISLNK(status_of(ours).st_mode));
+}
+
+TEST_F(File, AWriterThatThrowsLeavesTheOldFile) {
+  write_text_file(folder_ / "a", "old");
+  const auto throwing = [](std::ostream& out) {
+    out << std::string(200000, 'x');
+    throw InputError("no");
+  };
+  EXPECT_THROW(write_file(folder_ / "a", throwing), InputError);
+  EXPECT_EQ(read_text_file(folder_ / "a"), "old");
+  EXPECT_EQ(entries(), 1);
 }
 
 }  // namespace

@@ -5,11 +5,11 @@
 #include <fmt/ostream.h>
 
 #include <cmath>
-#include <fstream>
 #include <numeric>
 #include <vector>
 
 #include "base/error.h"
+#include "base/file.h"
 
 namespace latsch::formats {
 namespace {
@@ -240,10 +240,7 @@ void write_ccx_deck(const std::filesystem::path& file,
                     const fe_tire::Mesh& mesh,
                     const fe_tire::Materials& materials,
                     const CcxRun& run) {
-  std::ofstream out(file);
-  write_ccx_deck(out, mesh, materials, run);
-  out.close();
-  if (!out) throw InputError({file.string(), 0}, "cannot be written");
+  write_file(file, [&](std::ostream& out) { write_ccx_deck(out, mesh, materials, run); });
 }
 
 }  // namespace latsch::formats

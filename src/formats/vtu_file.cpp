@@ -5,10 +5,10 @@
 #include <fmt/ostream.h>
 
 #include <cassert>
-#include <fstream>
 #include <functional>
 
 #include "base/error.h"
+#include "base/file.h"
 
 namespace latsch::formats {
 namespace {
@@ -112,14 +112,6 @@ std::string region_comment(const Mesh& mesh) {
   for (auto at = text.find("--", 4); at != std::string::npos; at = text.find("--", at))
     text.erase(at, 1);
   return text + " -->\n";
-}
-
-void write_file(const std::filesystem::path& file,
-                const std::function<void(std::ostream&)>& write) {
-  std::ofstream out(file);
-  write(out);
-  out.close();
-  if (!out) throw InputError({file.string(), 0}, "cannot be written");
 }
 
 }  // namespace
