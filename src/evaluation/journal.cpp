@@ -24,6 +24,22 @@ namespace {
 constexpr int kBusyTimeout = 2000;       // ms
 constexpr int kReaderPatience = 60'000;  // ms, of a commit for those who read a rollback journal
 
+/// What was packed counts once it is committed; else the next row must not refer to it.
+class PackedForGood {
+ public:
+  explicit PackedForGood(OutcomePacker& packer) : packer_(packer) {}
+  ~PackedForGood() {
+    if (!kept_) packer_.begin_anew();
+  }
+  PackedForGood(const PackedForGood&) = delete;
+  PackedForGood& operator=(const PackedForGood&) = delete;
+  void keep() { kept_ = true; }
+
+ private:
+  OutcomePacker& packer_;
+  bool kept_ = false;
+};
+
 }  // namespace
 
 struct Journal::Impl {
@@ -33,8 +49,9 @@ struct Journal::Impl {
   std::optional<SQLite::Statement> insert;  // after the database: it ends before it
   int format = kFormat;
   StudyIdentity identity;
-  std::uint64_t last_hash = kHashStart;
-  long trials = 0;
+  Tally tally;
+  std::vector<JournalMark> marks;
+  OutcomePacker packer;
 
   [[noreturn]] void refuse(const std::string& message) const {
     throw InputError({file.string(), 0}, message);
@@ -58,7 +75,7 @@ struct Journal::Impl {
                         "The {} trials in it are safe; make room and resume",
                         name,
                         error.what(),
-                        trials));
+                        tally.trials));
       case SQLITE_NOTADB:
         refuse("is not a journal (nor any other SQLite database)");
       case SQLITE_CANTOPEN:
@@ -147,15 +164,23 @@ struct Journal::Impl {
   }
 
   void read_tally() {
-    SQLite::Statement select(*database, "SELECT trials, hash FROM tally");
-    if (!select.executeStep()) {
+    const auto read = journal_format::read_tally(*database, format);
+    if (!read) {
       throw JournalError(
           fmt::format("{}: the tally of its trials is missing: the file is damaged; "
                       "go back to a copy",
                       file.string()));
     }
-    trials = select.getColumn(0).getInt64();
-    last_hash = static_cast<std::uint64_t>(select.getColumn(1).getInt64());
+    tally = *read;
+    if (format < 4) return;
+    auto read_too = read_marks(*database, tally);
+    if (!read_too) {
+      throw JournalError(
+          fmt::format("{}: its marks do not agree with their hashes: the file is damaged; go back "
+                      "to a copy",
+                      file.string()));
+    }
+    marks = std::move(*read_too);
   }
 
   [[noreturn]] void damaged(std::int64_t number, const char* what) const {
@@ -182,16 +207,16 @@ struct Journal::Impl {
       }
       visit(row);
     }
-    SQLite::Statement tally(*database, "SELECT trials, hash FROM tally");
-    if (!tally.executeStep() || tally.getColumn(0).getInt64() != number ||
-        tally.getColumn(1).getInt64() != stored(state)) {
+    const auto counted = journal_format::read_tally(*database, format);
+    if (!counted || counted->trials != number || counted->hash != state) {
       damaged(number + 1, "is missing or the tally of the trials is wrong");
     }
   }
 
   void for_each(const std::function<void(const Trial&)>& visit) const {
+    RowDecoder decoder(format);
     for_each_row([&](const Row& row) {
-      const auto trial = row.decode();
+      const auto trial = decoder.decode(row);
       if (!trial) damaged(row.number, "cannot be decoded");
       visit(*trial);
     });
@@ -208,20 +233,31 @@ struct Journal::Impl {
   void append(std::span<const Trial> more) {
     if (!insert) insert.emplace(*database, kInsert);
     SQLite::Transaction transaction(*database);
-    std::int64_t number = trials;
-    std::uint64_t state = last_hash;
+    PackedForGood guard{packer};
+    Tally next = tally;
     for (const Trial& trial : more) {
-      const Row row = make_row(++number, trial, state);
+      const Row row = make_row(++next.trials, trial, next.hash, packer);
       insert->tryReset();  // whatever became of the one before
       bind_row(*insert, row);
       insert->exec();
       insert->tryReset();
-      state = static_cast<std::uint64_t>(row.hash);
+      next.hash = static_cast<std::uint64_t>(row.hash);
     }
-    write_tally(*database, number, state);
+    write_tally(*database, next);
     transaction.commit();
-    trials = number;
-    last_hash = state;
+    tally = next;
+    guard.keep();
+  }
+
+  void mark(const std::string& kind, const std::string& text) {
+    SQLite::Transaction transaction(*database);
+    Tally next = tally;
+    const JournalMark mark{kind, text, static_cast<long>(next.trials)};
+    write_mark(*database, mark, next);
+    write_tally(*database, next);
+    transaction.commit();
+    tally = next;
+    marks.push_back(mark);
   }
 };
 
@@ -291,7 +327,14 @@ std::vector<Trial> Journal::trials() const {
   return all;
 }
 
-long Journal::size() const { return impl_->trials; }
+void Journal::mark(const std::string& kind, const std::string& text) {
+  assert(impl_->lock && "opened for reading");
+  impl_->guarded([&] { impl_->mark(kind, text); });
+}
+
+const std::vector<JournalMark>& Journal::marks() const { return impl_->marks; }
+
+long Journal::size() const { return static_cast<long>(impl_->tally.trials); }
 
 const StudyIdentity& Journal::identity() const { return impl_->identity; }
 

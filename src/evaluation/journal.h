@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/journal_mark.h"
 #include "evaluation/study_identity.h"
 #include "evaluation/trial_store.h"
 
@@ -50,6 +51,11 @@ class Journal : public TrialStore {
   /// Throws JournalError naming the row that does not agree with its hash.
   void for_each(const std::function<void(const Trial&)>& visit) const override;
   std::vector<Trial> trials() const;
+
+  /// On the disk when it returns. In the order they were made.
+  void mark(const std::string& kind, const std::string& text);
+  const std::vector<JournalMark>& marks() const;
+
   long size() const;
 
   const StudyIdentity& identity() const;

@@ -123,10 +123,14 @@ class Examination {
   }
 
   void read_tally() {
-    SQLite::Statement select(*database_, "SELECT trials, hash FROM tally");
-    if (!select.executeStep()) return find("the tally of its trials is missing");
-    report_.expected = select.getColumn(0).getInt64();
-    tally_hash_ = select.getColumn(1).getInt64();
+    const auto tally = journal_format::read_tally(*database_, report_.format);
+    if (!tally) return find("the tally of its trials is missing");
+    report_.expected = tally->trials;
+    tally_hash_ = stored(tally->hash);
+    if (report_.format < 4) return;
+    auto marks = read_marks(*database_, *tally);
+    if (!marks) return find("its marks do not agree with their hashes");
+    report_.marks = std::move(*marks);
   }
 
   std::int64_t last_number() {
@@ -145,7 +149,7 @@ class Examination {
         return;
       }
       Row row = read_row(select, report_.format);
-      if (row.content == stored(row.own_hash()) && row.decode()) {
+      if (row.content == stored(row.own_hash())) {
         rows_.emplace(number, std::move(row));
       } else {
         unreadable_.push_back(number);
@@ -169,8 +173,26 @@ class Examination {
 
   void add_rows_on_pages() {
     for (Row& row : rows_on_pages(bytes_, log_)) {
-      if (row.decode()) rows_.emplace(row.number, std::move(row));
+      rows_.emplace(row.number, std::move(row));
     }
+  }
+
+  /// Rows whose trial cannot be read, because one they refer to is lost, are lost too.
+  void unpack_rows() {
+    RowDecoder decoder(report_.format ? report_.format : kFormat);
+    std::vector<std::int64_t> useless;
+    for (const auto& [number, row] : rows_) {
+      auto trial = decoder.decode(row);
+      if (!trial && report_.format == 0) trial = row.decode();  // older than this one?
+      if (trial) {
+        report_.rows.push_back(unpacked(row, *trial));
+      } else {
+        useless.push_back(number);
+      }
+    }
+    if (useless.empty()) return;
+    find(fmt::format("trials that cannot be read without those lost before them: {}",
+                     ranges(useless)));
   }
 
   /// Missing numbers, and the chain from row to row.
@@ -203,7 +225,7 @@ class Examination {
       drop_unproven(untied);
     }
     check_tally();
-    for (auto& [found, row] : rows_) report_.rows.push_back(std::move(row));
+    unpack_rows();
   }
 
   /// In format 1 a row has no hash of its own: the chain alone proves it.
@@ -295,7 +317,10 @@ void salvage_journal(const JournalReport& report,
     SQLite::Database database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     SQLite::Transaction transaction(database);
     create_tables(database);
-    write_journal_rows(database, *study, report.rows);
+    // Marks count trials: none may be missing before them.
+    const bool all = std::ssize(report.rows) == report.expected;
+    write_journal_rows(
+        database, *study, report.rows, all ? report.marks : std::vector<JournalMark>{});
     transaction.commit();
   } catch (const SQLite::Exception& error) {
     throw InputError({file.string(), 0}, std::string("cannot be written: ") + error.what());

@@ -18,7 +18,8 @@ struct JournalReport {
   int format = 0;                          // 0: not known, or not a journal at all
   long expected = -1;                      // trials by its own tally; -1: not readable
   std::optional<StudyIdentity> identity;   // where it is intact
-  std::vector<journal_format::Row> rows;   // intact ones, in the order of their numbers
+  std::vector<journal_format::Row> rows;   // intact ones, unpacked, in the order of their numbers
+  std::vector<JournalMark> marks = {};     // where all of them are intact
   std::vector<std::string> findings = {};  // a sentence each; empty: everything is as written
   std::vector<std::string> notes = {};     // worth knowing, but no damage
 

@@ -9,6 +9,11 @@
 //   format 1   no `content`; `hash` is over the columns and the hash before
 //   format 2   as above; failures say their cause
 //   format 3   outcomes say the CPU time of outside programs
+//   format 4   outcomes are packed (outcome_packing.h); there are marks
+//
+// A mark says what happened between two trials: that a search began which knew all of those before
+// it, that failed ones are to be tried again, which limits hold from here on. So a run that goes on
+// knows what it knew at first.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -18,13 +23,16 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/encoding.h"
+#include "evaluation/journal_mark.h"
+#include "evaluation/outcome_packing.h"
 #include "evaluation/study_identity.h"
 #include "evaluation/trial.h"
 
 namespace latsch::journal_format {
 
 inline constexpr int kApplicationId = 0x4C747368;  // "Ltsh", so that file(1) and we know our own
-inline constexpr int kFormat = 3;
+inline constexpr int kFormat = 4;
 
 /// Creates the tables; the file says it is a journal of kFormat.
 void create_tables(SQLite::Database& database);
@@ -48,11 +56,27 @@ struct Row {
   std::uint64_t own_hash() const;
   /// What `hash` has to be after a row with that hash.
   std::uint64_t chained(int format, std::uint64_t before) const;
+  /// Where its outcome is not packed.
   std::optional<Trial> decode() const;
 };
 
 /// A new row for a trial that has just finished.
-Row make_row(std::int64_t number, const Trial& trial, std::uint64_t before);
+Row make_row(std::int64_t number, const Trial& trial, std::uint64_t before, OutcomePacker& packer);
+
+/// Trials of rows of one journal, in the order of their numbers.
+class RowDecoder {
+ public:
+  explicit RowDecoder(int format) : format_(format) {}
+  /// nullopt also where the row refers to one that is missing.
+  std::optional<Trial> decode(const Row& row);
+
+ private:
+  int format_;
+  OutcomeUnpacker unpacker_;
+};
+
+/// With its outcome as it was before it was packed.
+Row unpacked(Row row, const Trial& trial);
 
 /// Columns of a row in the order of Row, for a journal of that format.
 std::string columns(int format);
@@ -62,13 +86,28 @@ inline constexpr const char* kInsert = "INSERT INTO trials VALUES (?, ?, ?, ?, ?
 
 /// Writes the identity and an empty tally.
 void write_identity(SQLite::Database& database, const StudyIdentity& identity);
-/// Counts the trials and keeps the last hash, so that a lost last row is seen.
-void write_tally(SQLite::Database& database, std::int64_t trials, std::uint64_t last_hash);
+/// How many rows there are, and the hash of the last one: so a lost last row is seen.
+struct Tally {
+  std::int64_t trials = 0;
+  std::uint64_t hash = 0;
+  std::int64_t marks = 0;
+  std::uint64_t marks_hash = kHashStart;
+};
+void write_tally(SQLite::Database& database, const Tally& tally);
+/// nullopt where it is missing.
+std::optional<Tally> read_tally(SQLite::Database& database, int format);
 
-/// Writes identity, trials, numbered anew from 1, and tally into empty tables.
+/// Writes identity, trials, numbered anew from 1, marks and tally into empty tables. The outcomes
+/// of the rows are not packed.
 void write_journal_rows(SQLite::Database& database,
                         const StudyIdentity& identity,
-                        std::vector<Row> rows);
+                        std::vector<Row> rows,
+                        const std::vector<JournalMark>& marks = {});
+
+/// Adds a mark and counts it; the tally is left to the caller to write.
+void write_mark(SQLite::Database& database, const JournalMark& mark, Tally& tally);
+/// nullopt where one does not agree with its hash, or with the tally.
+std::optional<std::vector<JournalMark>> read_marks(SQLite::Database& database, const Tally& tally);
 
 std::string text_of(const SQLite::Column& column);
 

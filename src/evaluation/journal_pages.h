@@ -15,8 +15,8 @@
 
 namespace latsch {
 
-/// Rows of format 2 whose content agrees with its hash, in the order of their numbers, each once.
-/// `database` and `log` are the bytes of the journal and of the "-wal" file beside it.
+/// Rows of format 2 and later whose content agrees with its hash, in the order of their numbers,
+/// each once. `database` and `log` are the bytes of the journal and of the "-wal" file beside it.
 std::vector<journal_format::Row> rows_on_pages(const std::string& database, const std::string& log);
 
 struct LogState {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <cmath>
 #include <csignal>
 #include <fstream>
 #include <sstream>
@@ -181,6 +182,55 @@ TEST(Journal, AnOlderFormatIsReadAndMigratedWithABackup) {
     expect_same(trials[i - 1], i % 2 ? trial(i) : failed_trial(i));
   }
   EXPECT_EQ(Journal::read(folder / "old.format1").trials().size(), 6u);
+}
+
+// As trial(), but long enough to be packed, each nearly a multiple of the one before.
+Trial long_trial(int number) {
+  Trial t = trial(number);
+  std::vector<double> force;
+  for (int i = 0; i < 400; ++i) force.push_back((1.0 + 0.01 * number) * std::sin(0.1 * i));
+  Channels channels = *t.outcome.result;
+  channels.add({"Fy", "N", force});
+  t.outcome.result = channels;
+  return t;
+}
+
+TEST(Journal, PackedTrialsAreTheSameAfterAnyNumberOfOpenings) {
+  const ScratchFolder folder;
+  constexpr int kTrials = 150;  // more than a block
+  for (int i = 0; i < kTrials;) {
+    Journal journal = Journal::open(folder / "a", kStudy);
+    for (int group = 0; group < 40 && i < kTrials; ++group) journal.append(long_trial(i++));
+  }
+  const std::vector<Trial> trials = Journal::read(folder / "a").trials();
+  ASSERT_EQ(std::ssize(trials), kTrials);
+  for (int i = 0; i < kTrials; ++i) expect_same(trials[i], long_trial(i));
+  EXPECT_LT(std::filesystem::file_size(folder / "a"), kTrials * 400 * sizeof(double) / 2);
+}
+
+TEST(Journal, RemembersItsMarksAndDetectsThatOneIsSpoiled) {
+  const ScratchFolder folder;
+  {
+    Journal journal = Journal::open(folder / "a", kStudy);
+    journal.append(trial(1));
+    journal.mark("start", "study A");
+    journal.append(trial(2));
+    journal.append(trial(3));
+    journal.mark("retry", "all");
+  }
+  const std::vector<JournalMark> marks{{"start", "study A", 1}, {"retry", "all", 3}};
+  EXPECT_EQ(Journal::open(folder / "a", kStudy).marks(), marks);
+  EXPECT_EQ(examine_journal(folder / "a").marks, marks);
+  for (const char* spoiled : {"UPDATE marks SET text = 'none' WHERE number = 2",
+                              "UPDATE marks SET trials = 2 WHERE number = 1",
+                              "DELETE FROM marks WHERE number = 2"}) {
+    std::filesystem::copy_file(
+        folder / "a", folder / "b", std::filesystem::copy_options::overwrite_existing);
+    SQLite::Database((folder / "b").string(), SQLite::OPEN_READWRITE).exec(spoiled);
+    expect_contains(complaint([&] { Journal::read(folder / "b"); }), "marks");
+    EXPECT_FALSE(examine_journal(folder / "b").healthy());
+    EXPECT_EQ(examine_journal(folder / "b").rows.size(), 3u);
+  }
 }
 
 TEST(Journal, ADamagedOlderFormatIsNotMigrated) {
