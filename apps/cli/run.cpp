@@ -82,6 +82,9 @@ int fit(const std::string& file, int workers, bool resuming) {
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
   if (journal.size() > 0) say("{} finished trials are reused\n", journal.size());
 
+  const MethodChoice choice = correlation::method_of(study);
+  fmt::print("Optimizer {}: {}\n", in_words(choice.method), choice.reason);
+
   catch_interrupts();
   const TrialsRun trials(workers_of_study, study);
   Executor& executor = workers_of_study.start(study);

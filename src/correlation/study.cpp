@@ -249,10 +249,6 @@ Study read(const Document& document, const std::filesystem::path& file, Measurem
       if (optimizer->has(key)) optimizer->reject(key, "belongs into [run]");
     study.optimizer = read_optimizer(*optimizer, study.space, !study.constraints.empty());
     study.max_steps = optimizer->integer("max_steps", 1, kMostSteps, study.max_steps);
-  } else if (!study.constraints.empty()) {
-    root.reject("optimizer",
-                "is missing: there are constraints on channels, expected [optimizer] with "
-                "method = \"auto\", \"gss_nlc\" or \"sqp\"");
   }
   if (const auto doe = root.find_table("doe")) study.doe = read_design(*doe, study.space);
   const auto run = root.find_table("run");

@@ -2,8 +2,9 @@
 // The optimizer of a study.
 //
 //   [optimizer]
-//   method = "gss"                # or residual_trust_region, sqp, gss_nlc, nelder_mead, genetic,
-//                                 # ensemble, auto
+//   method = "auto"               # residual_trust_region, or sqp where there are constraints on
+//                                 # channels, which is also what a study without [optimizer] gets;
+//                                 # or gss, gss_nlc, nelder_mead, genetic, ensemble
 //   step_tolerance = 0.001        # of the range of a variable, as initial_step = 0.1
 //   outstanding = 1               # points decided on at once: gss, gss_nlc, residual_trust_region
 //   max_steps = 1000              # outcomes the optimizer may observe

@@ -18,9 +18,14 @@ OptimizerSettings read(const std::string& text, bool constrained = false) {
   return settings;
 }
 
-TEST(StudyOptimizer, IsASearchByDirectionsUnlessTheStudySaysOtherwise) {
-  EXPECT_EQ(read("").method, "gss");
-  const OptimizerSettings gss = read("initial_step = 0.2\ncontraction = 0.6");
+TEST(StudyOptimizer, MakesUseOfTheResidualsUnlessTheStudySaysOtherwise) {
+  EXPECT_EQ(read("").method, "auto");
+  EXPECT_EQ(OptimizerSettings().method, "auto");  // of a study without [optimizer]
+  const auto choice =
+      latsch::method_of(read("restarts = 2"), {.variables = 3, .has_residuals = true});
+  EXPECT_EQ(choice.method, Method::residual_trust_region);
+  EXPECT_THAT(choice.reason, testing::HasSubstr("sum over residuals"));
+  const OptimizerSettings gss = read("method = \"gss\"\ninitial_step = 0.2\ncontraction = 0.6");
   EXPECT_EQ(gss.gss.initial_step, 0.2);
   EXPECT_EQ(gss.gss.contraction, 0.6);
 }

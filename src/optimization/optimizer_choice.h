@@ -55,7 +55,7 @@ MethodChoice choose_method(const ProblemTraits& traits);
 struct MemberSettings;
 
 struct OptimizerSettings {
-  std::string method = "gss";  // one of method_names()
+  std::string method = "auto";  // one of method_names()
   GssOptions gss = {};
   ResidualTrustRegionOptions residual_trust_region = {};
   NelderMeadOptions nelder_mead = {};
