@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <exception>
 
+#include "numerics/kernel_set.h"
+
 namespace latsch::benchmarks {
 namespace {
 
@@ -31,6 +33,7 @@ void print(std::string_view what,
 }  // namespace
 
 Table::Table(std::string_view name) : name_(name) {
+  fmt::print("{} on {}, kernels {}\n", name, processor_name(), latsch::name(kernel_set()));
   print("what", "value", "reach", "ok");
   print(std::string(58, '-'), std::string(26, '-'), std::string(14, '-'), "---");
 }

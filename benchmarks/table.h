@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table every benchmark ends in: what was measured, the value, what it has to reach, and
-// whether it does.
+// The table every benchmark ends in: processor and kernel set, then what was measured, the value,
+// what it has to reach, and whether it does.
 //
 //   Table table("ccx");
 //   table.row("Fz against the deck", fmt::format("{:.3f} %", 100 * error), "<= 0.2 %", error <=

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "numerics/kernel_set.h"
+
 namespace latsch::benchmarks {
 namespace {
 
@@ -31,7 +33,16 @@ TEST(BenchmarkTable, PrintsOneLineARowWithFourColumns) {
   const std::string printed = testing::internal::GetCapturedStdout();
   EXPECT_NE(printed.find("contact \xC3\xA4rea" + std::string(46, ' ') + " | 1 %"),
             std::string::npos);
-  EXPECT_EQ(std::count(printed.begin(), printed.end(), '\n'), 3);
+  EXPECT_EQ(std::count(printed.begin(), printed.end(), '\n'), 4);
+}
+
+TEST(BenchmarkTable, BeginsWithTheProcessorAndTheKernelSet) {
+  testing::internal::CaptureStdout();
+  Table table("example");
+  const std::string printed = testing::internal::GetCapturedStdout();
+  EXPECT_TRUE(printed.starts_with("example on " + processor_name() + ", kernels " +
+                                  std::string(name(kernel_set())) + "\n"))
+      << printed;
 }
 
 TEST(GuardedBenchmark, SaysInWordsWhatStoppedItAndEndsWith2) {

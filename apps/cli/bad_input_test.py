@@ -3,9 +3,11 @@
 
     bad_input_test.py PATH/TO/latsch
 """
+import os
 import resource
 import signal
 import unittest
+import unittest.mock
 
 from cli_testing import FAILED, WRONG_INPUT, Coarse, edit
 
@@ -25,6 +27,13 @@ class BadInput(Coarse):
         self.assert_says(self.latsch("run", code=WRONG_INPUT), "latsch run: study is required")
         self.assert_says(self.latsch("run", self.study, "more", code=WRONG_INPUT), 'unexpected argument "more"')
         self.assert_says(self.latsch("check", self.folder, code=WRONG_INPUT), "is a folder, expected a file")
+
+    def test_a_kernel_set_that_is_none(self):
+        self.assert_says(self.latsch("--version"), "latsch 0.1.0 (", "kernels ")
+        with unittest.mock.patch.dict(os.environ, LATSCH_KERNELS="avx9"):
+            self.rejected("check", 'LATSCH_KERNELS is "avx9"', "expected one of: baseline")
+        with unittest.mock.patch.dict(os.environ, LATSCH_KERNELS="baseline"):
+            self.assert_says(self.latsch("--version"), "kernels baseline")
 
     def test_misspelled_table(self):
         edit(self.study, (r"\[variable\.carcass\]", "[variables.carcass]"))

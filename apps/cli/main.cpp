@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch: the command line. See `latsch --help`.
+#include <fmt/format.h>
+
 #include <exception>
 
 #include "base/error.h"
 #include "cli/console.h"
 #include "cli/verbs.h"
+#include "numerics/kernel_set.h"
 
 namespace {
 
@@ -29,7 +32,11 @@ Exit codes: 0 done; 1 the run failed or was interrupted; 2 wrong input, with fil
 
 int run(int argc, char** argv) {
   using namespace latsch::cli;
-  CommandLine app(kDescription, kFooter, "latsch 0.1.0");
+  // An impossible LATSCH_KERNELS ends every verb here.
+  const auto kernels = latsch::name(latsch::kernel_set());
+  CommandLine app(kDescription,
+                  kFooter,
+                  fmt::format("latsch 0.1.0 ({}, kernels {})", latsch::processor_name(), kernels));
   int exit_code = kDone;
   for (const auto add :
        {add_new,       add_check,  add_mesh,    add_simulate, add_evaluate, add_doe,   add_run,
