@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -33,6 +34,7 @@
 #include "evaluation/scratch_folder_testing.h"
 #include "evaluation/worker.h"
 #include "fit_study.h"
+#include "killed_study.h"
 #include "table.h"
 
 namespace latsch::benchmarks {
@@ -161,6 +163,132 @@ void evaluator_faults(Table& table) {
             fmt::format("{:.2f} s", longest),
             "<= 1 s",
             longest <= 1.0);
+}
+
+/// A point after the other, nothing else to propose: a point that hangs has all workers to itself.
+class OneByOne : public Optimizer {
+ public:
+  explicit OneByOne(std::vector<DesignPoint> points) : points_(std::move(points)) {}
+  std::vector<DesignPoint> propose(int) const override { return {points_[next_]}; }
+  void observe(const DesignPoint&, const Result<Score>& outcome) override {
+    ++next_;
+    expired_ += !outcome && outcome.failure().cause == Cause::timeout;
+  }
+  bool converged() const override { return next_ == points_.size(); }
+  int expired() const { return expired_; }
+
+ private:
+  std::vector<DesignPoint> points_;
+  std::size_t next_ = 0;
+  int expired_ = 0;
+};
+
+/// So many points without a fault and `hanging` ones that hang, these at the end.
+std::vector<DesignPoint> points_with_hangs(int good, int hanging) {
+  std::vector<DesignPoint> points, last;
+  for (int i = 0; good > 0 || hanging > 0; ++i) {
+    if (fault_of(i) == none && good-- > 0) points.push_back({{1.0 * i}});
+    if (fault_of(i) == hang && hanging-- > 0) last.push_back({{1.0 * i}});
+  }
+  points.insert(points.end(), last.begin(), last.end());
+  return points;
+}
+
+/// A search that comes to points which always hang; what it starts beyond the first of each.
+void hanging_points(Table& table) {
+  constexpr int kGood = 20, kHanging = 3;
+  for (const int count : {1, 2, 4}) {
+    ProcessOptions options = workers();
+    options.workers = count;
+    ProcessExecutor executor(options);
+    OneByOne optimizer(points_with_hangs(kGood, kHanging));
+    long again = 0;
+    RunOptions run;
+    run.on_progress = [&](const RunProgress& progress) {
+      again = progress.copied + progress.repeated;
+    };
+    const auto start = std::chrono::steady_clock::now();
+    run.stop_requested = [&] {
+      return std::chrono::steady_clock::now() - start > std::chrono::seconds(20);
+    };
+    const Objective any = [](const Channels&) -> Result<Score> { return Score{}; };
+    const Run ended = run_optimizer(optimizer, any, executor, nullptr, run);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    table.row(
+        fmt::format("{} points that always hang, {} worker{}: each expires (F3)",
+                    kHanging,
+                    count,
+                    count > 1 ? "s" : ""),
+        fmt::format(
+            "{} expired, {} started again, {:.1f} s", optimizer.expired(), again, time.count()),
+        fmt::format("{}, <= {}, <= 5 s", kHanging, kHanging),
+        ended.end == RunEnd::converged && optimizer.expired() == kHanging && again <= kHanging &&
+            time.count() <= 5.0);
+  }
+}
+
+/// kill -9 of a worker of ours, whatever it is at.
+void kill_a_worker(RandomStream& random) {
+  std::vector<pid_t> children;
+  for (const pid_t pid : processes_with(std::string("\0worker", 7))) {
+    std::ifstream stat(fs::path("/proc") / std::to_string(pid) / "stat");
+    std::string number, name, state;
+    pid_t parent = 0;
+    if (stat >> number >> name >> state >> parent && parent == ::getpid()) children.push_back(pid);
+  }
+  if (!children.empty()) ::kill(children[random.below(children.size())], SIGKILL);
+}
+
+/// Points hang, their workers are killed and the disk becomes full, all at once; then it is
+/// resumed.
+void several_at_once(Table& table) {
+  constexpr int kGood = 200, kHanging = 6;
+  SamplingPlan plan;
+  plan.points = points_with_hangs(kGood, kHanging);
+  const ScratchFolder folder;
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  std::atomic<bool> ended = false;
+  std::thread killer([&] {
+    RandomStream random(3, 0);
+    while (!ended) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20 + random.below(60)));
+      kill_a_worker(random);
+    }
+  });
+  int full = 0;
+  long kept = 0, lost = 0;
+  for (rlim_t size = 60'000;; size += 20'000) {
+    Journal journal = Journal::open(folder / "j", kStudy);
+    lost += journal.size() < kept;
+    const rlimit tight{size, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &tight);
+    ProcessExecutor executor(workers());
+    bool done = false;
+    try {
+      done = run_doe(plan, executor, journal) == RunEnd::converged;
+    } catch (const JournalError&) {
+      ++full;
+    }
+    kept = journal.size();
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    if (done || size > 10'000'000) break;
+  }
+  ended = true;
+  killer.join();
+  long right = 0, failed = 0;
+  for (const Trial& trial : Journal::read(folder / "j").trials()) {
+    const bool hangs = fault_of(static_cast<int>(trial.point.values[0])) == hang;
+    right += !hangs && trial.outcome.result && *trial.outcome.result == *square(trial.point);
+    failed += hangs && !trial.outcome.result;
+  }
+  table.note("hanging points, workers killed, disk full at once: full",
+             fmt::format("{} times", full));
+  table.row("at once: right, hanging ones failed, lost",
+            fmt::format("{}, {}, {}", right, failed, lost),
+            fmt::format("{}, {}, 0", kGood, kHanging),
+            right == kGood && failed == kHanging && lost == 0 && full > 0);
 }
 
 void full_disk(Table& table) {
@@ -385,6 +513,8 @@ void signals(Table& table) {
 int run() {
   Table table("faults");
   evaluator_faults(table);
+  hanging_points(table);
+  several_at_once(table);
   full_disk(table);
   damaged_journal(table);
   power_losses(table, Journal::Log::write_ahead, "write-ahead");

@@ -5,10 +5,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <stdexcept>
+#include <thread>
 
 #include "base/file.h"
 #include "correlation/tire_trials.h"
@@ -90,6 +93,23 @@ int end_of(pid_t child) {
 std::vector<Trial> trials_of(const correlation::Study& study) {
   if (!fs::exists(study.run.journal)) return {};
   return Journal::open(study.run.journal, correlation::identity(study)).trials();
+}
+
+void wait_for_trials(const correlation::Study& study, long count) {
+  const auto known = [&]() -> long {
+    try {
+      return fs::exists(study.run.journal) ? Journal::read(study.run.journal).size() : 0;
+    } catch (const std::exception&) {  // is being created
+      return 0;
+    }
+  };
+  const auto start = std::chrono::steady_clock::now();
+  while (known() < count) {
+    if (std::chrono::steady_clock::now() - start > std::chrono::minutes(1)) {
+      throw std::runtime_error("no trials come");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
 }
 
 std::string trajectory(const correlation::Study& study) {

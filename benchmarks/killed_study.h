@@ -29,6 +29,10 @@ int end_of(pid_t child);
 /// None while there is no journal.
 std::vector<Trial> trials_of(const correlation::Study& study);
 
+/// Until the journal, read beside the run that writes it, has so many. Throws std::runtime_error
+/// after a minute.
+void wait_for_trials(const correlation::Study& study, long count);
+
 /// The whole trajectory, bit by bit; empty where it did not converge.
 std::string trajectory(const correlation::Study& study);
 

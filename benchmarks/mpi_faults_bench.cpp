@@ -64,21 +64,6 @@ pid_t process_of(const fs::path& study, int rank, const std::string& verb) {
   throw std::runtime_error(fmt::format("the job has no {} on rank {}", verb, rank));
 }
 
-void wait_for_trials(const correlation::Study& study, long count) {
-  const auto known = [&]() -> long {
-    try {
-      return fs::exists(study.run.journal) ? Journal::read(study.run.journal).size() : 0;
-    } catch (const std::exception&) {  // is being created
-      return 0;
-    }
-  };
-  const auto start = Clock::now();
-  while (known() < count) {
-    if (Clock::now() - start > std::chrono::minutes(1)) throw std::runtime_error("no trials come");
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-}
-
 struct Fault {
   std::string name;
   Recovery recovery;

@@ -9,11 +9,13 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
+#include "base/progress.h"
 #include "cli/console.h"
 #include "cli/interrupt.h"
 #include "cli/tables.h"
 #include "cli/verbs.h"
 #include "correlation/study_report.h"
+#include "evaluation/local_file_system.h"
 
 namespace latsch::cli {
 
@@ -34,16 +36,47 @@ void clear_scratch(const correlation::Study& study) {
   std::filesystem::remove_all(study.simulator->scratch, ignored);
 }
 
+void say_kind_of_journal(const correlation::Study& study) {
+  const auto shared = shared_file_system(study.run.journal);
+  if (!shared) return;
+  say("{} lies on {}: a rollback log, safe there and slower than the write-ahead log of a local "
+      "disk\n",
+      study.run.journal.string(),
+      *shared);
+}
+
+namespace {
+
+/// What goes otherwise than expected: ", 2 failed, 1 repeated; 1 slow, the longest for 12 s".
+std::string troubles(const RunProgress& progress) {
+  std::string text = fmt::format("{} failed", progress.failed);
+  const auto add = [&](long number, const char* what) {
+    if (number > 0) text += fmt::format(", {} {}", number, what);
+  };
+  add(progress.repeated, "repeated");
+  add(progress.copied, "slow started twice");
+  add(progress.stopped, "slow stopped");
+  if (progress.straggling > 0) {
+    text +=
+        fmt::format(", {} slow now: {}", progress.straggling, format_duration(progress.slowest));
+  }
+  return text;
+}
+
+}  // namespace
+
 RunOptions run_options(const correlation::Study& study, bool length_known) {
   RunOptions options;
   options.max_steps = study.max_steps;
   options.on_failure = study.run.on_failure;
+  options.straggler_factor = study.run.straggler_factor;
+  options.look_ahead = study.run.look_ahead;
   options.stop_requested = interrupted;
   auto bar = std::make_shared<RunningNote>();
   options.on_progress = [bar, length_known](const RunProgress& progress) {
     std::string note;
     if (progress.best) note = fmt::format("best target {:.3f} %, ", *progress.best * 100.0);
-    note += fmt::format("{} failed", progress.failed);
+    note += troubles(progress);
     bar->update(progress.known, length_known ? progress.planned : 0, note);
   };
   return options;
@@ -78,7 +111,7 @@ RunOptions counting_options(const correlation::Study& study, const std::string& 
   RunOptions options = run_options(study, /*length_known=*/false);
   auto bar = std::make_shared<RunningNote>();
   options.on_progress = [bar, what](const RunProgress& progress) {
-    bar->update(progress.known, 0, what);
+    bar->update(progress.known, 0, what + ", " + troubles(progress));
   };
   return options;
 }

@@ -13,8 +13,10 @@ namespace {
 
 constexpr long kMostWorkers = 1024;
 constexpr long kMostRetries = 100;
-constexpr long kMostHalvings = 52;     // then nothing lies between two numbers any more
-constexpr double kLeastMemory = 16e6;  // bytes; with less a worker does not even start
+constexpr long kMostHalvings = 52;      // then nothing lies between two numbers any more
+constexpr double kMostStraggler = 1e6;  // times the median
+constexpr long kMostLookAhead = 1000;   // points a worker: each is computed at every step
+constexpr double kLeastMemory = 16e6;   // bytes; with less a worker does not even start
 
 double read_memory(const Node& table) {
   if (!table.has("memory")) return 0.0;
@@ -59,6 +61,17 @@ FailurePolicy read_policy(const Node& table) {
         static_cast<int>(table.integer("halvings", 1, kMostHalvings, policy.halvings));
   }
   return policy;
+}
+
+/// 0: nothing is a straggler.
+double read_straggler_factor(const Node& table, double usual) {
+  if (table.flag("stragglers", true)) {
+    return table.quantity("straggler_factor", "1", {1.0, kMostStraggler}, usual);
+  }
+  if (table.has("straggler_factor")) {
+    table.reject("straggler_factor", "stands beside stragglers = false");
+  }
+  return 0.0;
 }
 
 }  // namespace
@@ -106,6 +119,9 @@ RunSettings read_run_settings(const Node* table, const std::filesystem::path& st
   run.timeout = table->quantity("timeout", "s", Range::positive(), run.timeout);
   run.memory = read_memory(*table);
   run.on_failure = read_policy(*table);
+  run.straggler_factor = read_straggler_factor(*table, run.straggler_factor);
+  run.look_ahead =
+      static_cast<int>(table->integer("look_ahead", 1, kMostLookAhead, run.look_ahead));
   run.intervals = table->flag("intervals", run.intervals);
   run.journal = folder / table->text("journal", run.journal.filename().string());
   return run;

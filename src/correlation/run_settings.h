@@ -9,6 +9,10 @@
 //   on_failure = "proceed"             # a failed point is worse than any other
 //   intervals = true                   # after a fit: confidence intervals, a trial a variable
 //   journal = "study.latsch"           # beside the study
+//   stragglers = true                  # what runs long is started twice or stopped, where a worker
+//                                      # is idle or a point that is wanted waits; docs/trials.md
+//   straggler_factor = 3               # so many times longer than the median
+//   look_ahead = 4                     # points proposed ahead for every worker of several
 //
 // What else on_failure may be:
 //   on_failure = "abort"               # the run ends
@@ -21,7 +25,7 @@
 //
 // The journal and the report show the trial as failed in any case. A design of experiments has no
 // optimizer to be answered: to it "recover" and "continuation" are "proceed". A trial whose worker
-// was killed from outside is repeated in any case, at most twice.
+// was killed from outside is repeated in any case; no point is started more than retries + 2 times.
 #pragma once
 
 #include <filesystem>
@@ -41,6 +45,8 @@ struct RunSettings {
   FailurePolicy on_failure;
   bool intervals = true;  // after a fit
   std::filesystem::path journal;
+  double straggler_factor = RunOptions{}.straggler_factor;  // 0: nothing is one
+  int look_ahead = RunOptions{}.look_ahead;
 };
 
 /// `table`: [run], nullptr where the study has none; `study`: its file.

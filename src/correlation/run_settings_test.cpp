@@ -33,6 +33,8 @@ TEST(RunSettings, WithoutATableOneWorkerRunsTenMinutesATrialAndGoesOnAfterFailur
   EXPECT_EQ(run.on_failure.then, FailurePolicy::Then::proceed);
   EXPECT_EQ(run.on_failure.retries, 0);
   EXPECT_EQ(run.journal, "folder/study.latsch");
+  EXPECT_EQ(run.straggler_factor, 3.0);
+  EXPECT_EQ(run.look_ahead, 4);
 }
 
 TEST(RunSettings, AreReadWithTheirUnits) {
@@ -58,6 +60,14 @@ TEST(RunSettings, AFailedPointIsAnsweredByAPenaltyOrApproached) {
   EXPECT_NE(in_words(halvings).find("6 halvings"), std::string::npos);
 }
 
+TEST(RunSettings, StragglersAndLookAheadAreTheUsers) {
+  const RunSettings run = read("straggler_factor = 1.5\nlook_ahead = 9\n");
+  EXPECT_EQ(run.straggler_factor, 1.5);
+  EXPECT_EQ(run.look_ahead, 9);
+  EXPECT_EQ(read("stragglers = true").straggler_factor, 3.0);
+  EXPECT_EQ(read("stragglers = false").straggler_factor, 0.0);
+}
+
 TEST(RunSettings, WhatMakesNoSenseIsRefusedInWords) {
   const auto says = [](const std::string& text, const std::string& part) {
     EXPECT_NE(complaint(text).find(part), std::string::npos) << complaint(text);
@@ -71,6 +81,10 @@ TEST(RunSettings, WhatMakesNoSenseIsRefusedInWords) {
   says("on_failure = \"recover\"\nhalvings = 2", "without on_failure = \"continuation\"");
   says("on_failure = \"recover\"\npenalty = -1", "penalty");
   says("on_failure = \"continuation\"\nhalvings = 0", "halvings");
+  says("straggler_factor = 0.5", "straggler_factor");
+  says("stragglers = false\nstraggler_factor = 3", "stands beside stragglers = false");
+  says("look_ahead = 0", "look_ahead");
+  says("lookahead = 2", "lookahead");
 }
 
 TEST(RunSettings, MemoryIsCountedInPowersOfAThousand) {

@@ -245,7 +245,8 @@ Study read(const Document& document, const std::filesystem::path& file, Measurem
     study.constraints.push_back(read_channel_constraint(constraint, study.experiments, known));
   }
   if (const auto optimizer = root.find_table("optimizer")) {
-    for (const char* key : {"workers", "timeout", "memory", "on_failure", "journal"})
+    for (const char* key :
+         {"workers", "timeout", "memory", "on_failure", "journal", "stragglers", "look_ahead"})
       if (optimizer->has(key)) optimizer->reject(key, "belongs into [run]");
     study.optimizer = read_optimizer(*optimizer, study.space, !study.constraints.empty());
     study.max_steps = optimizer->integer("max_steps", 1, kMostSteps, study.max_steps);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -11,7 +12,6 @@ namespace latsch {
 namespace {
 
 constexpr double kPatience = 0.1;  // s between two looks at the stop request and the progress bar
-constexpr int kMostLosses = 2;     // of the workers of one trial, before the point counts as failed
 constexpr std::size_t kTimesForMedian = 5;  // fewer say nothing about what is usual
 constexpr std::size_t kRecentTimes = 101;   // a model may become slower on the way
 
@@ -117,7 +117,19 @@ void Dispatcher::report() {
   if (!options_.on_progress) return;
   progress_.running = static_cast<int>(running_.size());
   progress_.elapsed = executor_.now() - start_;
+  count_stragglers();
   options_.on_progress(progress_);
+}
+
+void Dispatcher::count_stragglers() {
+  progress_.straggling = 0;
+  progress_.slowest = 0.0;
+  const auto limit = straggling_since();
+  for (const auto& [bits, running] : running_) {
+    if (running.copies == 0) continue;
+    progress_.slowest = std::max(progress_.slowest, executor_.now() - running.since);
+    progress_.straggling += limit && running.since <= *limit;
+  }
 }
 
 bool Dispatcher::stop_requested() const {
@@ -140,12 +152,16 @@ void Dispatcher::start_idle_workers(std::span<const DesignPoint> wanted) {
   for (const DesignPoint& point : wanted) {
     if (executor_.idle() == 0) return;
     if (is_under_way(point)) continue;
-    start(running_.emplace(point.bits(), Running{point}).first->second);
+    Running& running = running_.emplace(point.bits(), Running{point}).first->second;
+    if (const auto before = stopped_.extract(point.bits())) running.attempts = before.mapped();
+    start(running);
   }
   start_stragglers_again();
 }
 
 void Dispatcher::start(Running& running) {
+  assert(running.attempts.starts < most_starts());
+  ++running.attempts.starts;
   if (running.copies++ == 0) running.since = executor_.now();
   executor_.start(running.point);
 }
@@ -155,7 +171,9 @@ void Dispatcher::stop_unwanted_stragglers(std::span<const DesignPoint> wanted) {
   const auto limit = straggling_since();
   if (!limit) return;
   const auto straggles = [&](const auto& entry) {
-    return entry.second.copies > 0 && entry.second.since <= *limit;
+    // What has no start left is let run: it may be wanted again.
+    return entry.second.copies > 0 && entry.second.since <= *limit &&
+           entry.second.attempts.starts < most_starts();
   };
   if (std::none_of(running_.begin(), running_.end(), straggles)) return;
   std::set<std::string> named;
@@ -170,6 +188,7 @@ void Dispatcher::stop_unwanted_stragglers(std::span<const DesignPoint> wanted) {
       continue;
     }
     executor_.withdraw(entry->second.point);
+    stopped_.emplace(entry->first, std::move(entry->second.attempts));
     ++progress_.stopped;
     entry = running_.erase(entry);
   }
@@ -181,8 +200,11 @@ void Dispatcher::start_stragglers_again() {
   if (!limit) return;
   for (auto& [bits, running] : running_) {
     if (executor_.idle() == 0) return;
-    if (running.copies != 1 || running.since > *limit) continue;
-    ++progress_.repeated;
+    Attempts& attempts = running.attempts;
+    if (running.copies != 1 || running.since > *limit || attempts.copied) continue;
+    if (attempts.failures > 0 || attempts.starts >= most_starts()) continue;
+    attempts.copied = true;
+    ++progress_.copied;
     start(running);
   }
 }
@@ -210,36 +232,46 @@ void Dispatcher::receive(std::vector<Trial> trials) {
     if (entry == running_.end()) continue;  // a second answer, or one nobody waits for any more
     Running& running = entry->second;
     --running.copies;
-    if (is_repeated(running, trial)) continue;
-    if (running.copies > 0) executor_.withdraw(trial.point);
-    const int attempts = 1 + running.losses + running.failures;
-    if (!trial.outcome.result && attempts > 1) {
-      Failure failure = trial.outcome.result.failure();
-      failure.reason += fmt::format(" (attempt {} of {})", attempts, attempts);
-      trial.outcome.result = std::move(failure);
+    if (is_repeated(running, trial)) {
+      // The run that resumes tries it.
+      if (stopping_ && running.copies == 0) running_.erase(entry);
+      continue;
     }
+    if (running.copies > 0) executor_.withdraw(trial.point);
+    finished.push_back(final_of(running, std::move(trial)));
+    count_trial(finished.back());
     running_.erase(entry);
     committing_.insert(bits);
-    count_trial(trial);
-    finished.push_back(std::move(trial));
   }
   commits_.add(std::move(finished));
 }
 
+int Dispatcher::most_starts() const { return options_.on_failure.retries + 2; }
+
 /// Whether this outcome does not count, because another copy runs or the trial is started again.
 bool Dispatcher::is_repeated(Running& running, const Trial& trial) {
   if (trial.outcome.result) return false;
+  Attempts& attempts = running.attempts;
   const Cause cause = trial.outcome.result.failure().cause;
-  const bool lost = cause == Cause::transient;
-  if (running.copies > 0 && (lost || cause == Cause::timeout)) return true;
-  if (lost ? running.losses >= kMostLosses : running.failures >= options_.on_failure.retries) {
-    return false;
+  if (cause != Cause::transient) {
+    ++attempts.failures;
+    attempts.failure = trial;
   }
-  ++(lost ? running.losses : running.failures);
-  if (running.copies > 0) executor_.withdraw(running.point);
-  running.copies = 0;
-  if (stopping_) running_.erase(running.point.bits());  // the run that resumes tries it
-  return true;
+  // A worker may have been slow where the other one is not; other failures belong to the point.
+  const bool is_told = cause != Cause::transient && cause != Cause::timeout;
+  if (running.copies > 0) return !is_told || attempts.failures <= options_.on_failure.retries;
+  return attempts.failures <= options_.on_failure.retries && attempts.starts < most_starts();
+}
+
+/// What is kept of an outcome that counts: of several failures the last that tells something.
+Trial Dispatcher::final_of(const Running& running, Trial trial) const {
+  const Attempts& attempts = running.attempts;
+  if (trial.outcome.result || attempts.starts == 1) return trial;
+  if (attempts.failure) trial = *attempts.failure;
+  Failure failure = trial.outcome.result.failure();
+  failure.reason += fmt::format(" (attempt {0} of {0})", attempts.starts);
+  trial.outcome.result = std::move(failure);
+  return trial;
 }
 
 void Dispatcher::count_trial(const Trial& trial) {

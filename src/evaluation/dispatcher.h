@@ -3,13 +3,16 @@
 //
 // - A point that was evaluated, is being evaluated or is on its way to the disk is not started
 // again.
-// - A trial whose worker was lost (Cause::transient) says nothing about its point and is repeated,
-// at
-//   most kMostLosses times: where a point needs too much memory, the system kills every worker that
+// - A point is started at most `retries` + 2 times, whatever becomes of its copies: once, once more
+//   for what is not its own fault, and so often as the failure policy asks for.
+// - A trial whose worker was lost (Cause::transient) says nothing about its point and is repeated
+// as
+//   far as its starts last: where a point needs too much memory, the system kills every worker that
 //   tries it. Other failures are repeated as the failure policy says.
 // - A straggler, running much longer than the median while a worker has nothing to do, is started a
-//   second time. Evaluators are pure, so whichever copy ends first gives the same bits; a copy that
-//   is lost or times out does not count while the other one runs.
+//   second time, once. Evaluators are pure, so whichever copy ends first with channels gives the
+//   same bits. A copy that is lost or expires counts, and the other one goes on; there is no new
+//   one behind a point that has expired or failed: it does so again.
 // - An outcome counts once it is on the disk.
 //
 // - What was wanted and is not any more is withdrawn by not being named again, if it has not
@@ -71,12 +74,18 @@ class Dispatcher {
   void report();
 
  private:
+  /// What has become of the attempts at a point.
+  struct Attempts {
+    int starts = 0;
+    int failures = 0;                   // that did not count
+    bool copied = false;                // as a straggler
+    std::optional<Trial> failure = {};  // the last that says something about the point
+  };
   struct Running {
     DesignPoint point;
+    Attempts attempts = {};
     int copies = 0;      // 0: waits for a worker, to be repeated
     double since = 0.0;  // of the first copy
-    int losses = 0;      // attempts that were lost
-    int failures = 0;    // attempts that failed and did not count
   };
 
   bool stop_requested() const;
@@ -87,8 +96,11 @@ class Dispatcher {
   void start_stragglers_again();
   std::optional<double> straggling_since() const;
   double median_time() const;
+  void count_stragglers();
   void receive(std::vector<Trial> trials);
+  int most_starts() const;
   bool is_repeated(Running& running, const Trial& trial);
+  Trial final_of(const Running& running, Trial trial) const;
   void count_trial(const Trial& trial);
   void take_committed();
   void give_running_a_moment();
@@ -97,9 +109,10 @@ class Dispatcher {
   const RunOptions& options_;
   GroupCommit commits_;
   KnownScores known_;
-  std::map<std::string, Running> running_;  // by the bits of the point
-  std::set<std::string> committing_;        // finished, not yet on the disk
-  std::vector<double> recent_times_;        // s, of the trials that succeeded last
+  std::map<std::string, Running> running_;   // by the bits of the point
+  std::map<std::string, Attempts> stopped_;  // of points that were withdrawn while they ran
+  std::set<std::string> committing_;         // finished, not yet on the disk
+  std::vector<double> recent_times_;         // s, of the trials that succeeded last
   bool stopping_ = false;
   RunProgress progress_;
   std::optional<Score> best_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // For tests: workers, messages and a store in virtual time, in which everything goes wrong that
-// may: workers die or stall, messages are late, overtake each other and come twice, the store
-// refuses, the master dies. All of it is a function of the seed.
+// may: points hang or fail, workers die or stall, messages are late, overtake each other and come
+// twice, the store refuses, the master dies. All of it is a function of the seed.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <cstring>
 #include <exception>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,15 +23,18 @@ namespace latsch {
 /// The master is gone: what is not in the store is lost.
 struct MasterDied : std::exception {};
 
-/// Shares of trials, messages, commits or waits with which it happens.
+/// Shares of trials, messages or commits with which it happens.
 struct Faults {
-  double failure = 0.0;  // of the points; belongs to the point, not to the history
-  double death = 0.0;
-  double stall = 0.0;  // takes kStall times longer
+  double failure = 0.0;   // of the points; belongs to the point, not to the history
+  double hang = 0.0;      // of the points, likewise: every attempt overruns the timeout
+  double timeout = 20.0;  // s; beyond what stalls unless it is made shorter
+  int retries = 0;        // of failed trials
+  double death = 0.0;     // of the workers, as often as a point may be started again
+  double stall = 0.0;     // takes kStall times longer
   double late = 0.0;
   double twice = 0.0;
   double store = 0.0;
-  double master = 0.0;
+  double master = 0.0;  // while it listens
 };
 
 /// Keeps what it acknowledged; counts what must never happen.
@@ -87,12 +91,17 @@ class FaultyWorld : public Executor {
     busy_[worker] = true;
     double time = 0.05 + 0.1 * random_.uniform();
     if (happens(faults_.stall)) time *= kStall;
+    if (is_among(point, faults_.hang, 4)) time = 1e9;
+    const bool expires = time > faults_.timeout;
+    time = std::min(time, faults_.timeout);
     // As often as the dispatcher forgives; then it would be the point's fault.
-    const bool dies = happens(faults_.death) && deaths_[point.bits()]++ < 2;
+    const int starts = ++starts_[point.bits()];
+    most_starts_ = std::max(most_starts_, starts);
+    const bool dies = happens(faults_.death) && starts < faults_.retries + 2;
     if (dies) time *= random_.uniform();
     double arrival = now_ + time;
     if (happens(faults_.late)) arrival += 0.3 * random_.uniform();
-    Trial trial{point, outcome(point, dies)};
+    Trial trial{point, dies ? lost() : expires ? expired() : outcome(point)};
     trial.outcome.wall_time = time;
     // That a worker died is seen, not told: it cannot come twice.
     if (!dies && happens(faults_.twice)) {
@@ -102,13 +111,14 @@ class FaultyWorld : public Executor {
   }
 
   std::vector<Trial> wait(double patience) override {
-    if (happens(faults_.master)) throw MasterDied();
+    if (now_ > kTooLong) throw std::runtime_error("the search does not come to its end");
     const auto by_time = [](const Message& a, const Message& b) { return a.arrival < b.arrival; };
     const auto next = std::min_element(messages_.begin(), messages_.end(), by_time);
     if (next == messages_.end() || next->arrival > now_ + patience) {
       now_ += patience;
       return {};
     }
+    if (happens(faults_.master)) throw MasterDied();
     now_ = std::max(now_, next->arrival);
     std::vector<Trial> arrived{next->trial};
     if (next->worker != kNobody) busy_[next->worker] = false;
@@ -130,7 +140,11 @@ class FaultyWorld : public Executor {
   /// Trials that were started although the store had them.
   long started_again() const { return started_again_; }
 
+  /// Of the point that was started most often.
+  int most_starts() const { return most_starts_; }
+
   static constexpr double kStall = 50.0;
+  static constexpr double kTooLong = 1e5;  // s; a search takes some ten
 
  private:
   static constexpr int kNobody = -1;
@@ -147,14 +161,17 @@ class FaultyWorld : public Executor {
     message.worker = kNobody;
   }
 
-  Outcome outcome(const DesignPoint& point, bool dies) const {
-    if (dies) return {.result = Failure{"the worker died", Cause::transient}};
-    // Of the bits of the first value: the same points fail in every history.
+  /// The same points in every history, of the bits of the first value.
+  static bool is_among(const DesignPoint& point, double share, std::uint64_t lot) {
     std::uint64_t key = 0;
     std::memcpy(&key, point.values.data(), sizeof key);
-    if (RandomStream(3, key).uniform() < faults_.failure) {
-      return {.result = Failure{"no equilibrium"}};
-    }
+    return RandomStream(lot, key).uniform() < share;
+  }
+
+  static Outcome lost() { return {.result = Failure{"the worker died", Cause::transient}}; }
+  static Outcome expired() { return {.result = Failure{"took too long", Cause::timeout}}; }
+  Outcome outcome(const DesignPoint& point) const {
+    if (is_among(point, faults_.failure, 3)) return {.result = Failure{"no equilibrium"}};
     return evaluate(evaluator_, point);
   }
 
@@ -164,7 +181,8 @@ class FaultyWorld : public Executor {
   RandomStream random_;
   std::vector<bool> busy_;
   std::vector<Message> messages_;
-  std::map<std::string, int> deaths_;
+  std::map<std::string, int> starts_;  // by the bits of the point
+  int most_starts_ = 0;
   double now_ = 0.0;
   long started_again_ = 0;
 };

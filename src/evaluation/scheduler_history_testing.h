@@ -3,11 +3,15 @@
 // every death of the master, and what it has to fulfill.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "evaluation/faulty_world_testing.h"
 #include "evaluation/scheduler.h"
@@ -54,6 +58,8 @@ struct History {
   int restarts = 0;      // after the master died or the store refused
   long evaluations = 0;  // kept
   long repeats = 0;      // copies of stragglers, trials of lost workers
+  long expired = 0;      // of those kept
+  int most_starts = 0;   // of one point in one run
   std::string wrong;     // empty where every invariant holds
   std::string bits;      // of the trajectory
 };
@@ -77,23 +83,78 @@ class Witness : public Optimizer {
   long unkept_ = 0;
 };
 
-/// Every fault with a share of its own, from none to many.
-inline Faults faults_of(std::uint64_t seed, double failure) {
+/// Of hanging points, lost workers, stalls and failing points each mix; every other fault with a
+/// share of its own, from none to many.
+inline Faults faults_of(std::uint64_t seed) {
   RandomStream random(seed, 4);
-  Faults faults{.failure = failure};
-  faults.death = 0.2 * random.uniform();
-  faults.stall = 0.1 * random.uniform();
+  const auto in_mix = [&](int kind, double share) { return seed >> kind & 1 ? share : 0.0; };
+  Faults faults;
+  faults.hang = in_mix(0, 0.03);
+  faults.death = in_mix(1, 0.2 * random.uniform());
+  faults.stall = in_mix(2, 0.1 * random.uniform());
+  faults.failure = in_mix(3, 0.05);
+  faults.retries = static_cast<int>(random.below(4));
   faults.late = 0.5 * random.uniform();
   faults.twice = 0.3 * random.uniform();
   faults.store = 0.03 * random.uniform();
   faults.master = 0.02 * random.uniform();
+  // What stalls may expire too: how a point ends is then chance, once it is kept it is not.
+  if (seed >> 4 & 1) faults.timeout = 0.2 + 3.0 * random.uniform();
   return faults;
 }
 
-inline History live_through(const SearchProblem& problem, std::uint64_t seed, double failure) {
+/// Whether the trajectory is that of the undisturbed search to the last bit.
+inline bool is_comparable(const Faults& faults) {
+  return faults.stall == 0.0 || faults.timeout > 0.15 * FaultyWorld::kStall;
+}
+
+/// The trajectory of one worker in a world where points hang and fail and nothing else does.
+inline std::string undisturbed(const SearchProblem& problem, const Faults& faults) {
+  FaultyStore store(0.0, 0);
+  FaultyWorld world(
+      problem.evaluator, 1, {.failure = faults.failure, .hang = faults.hang}, store, 0);
+  RunOptions options;
+  options.commit_in_background = false;
+  const auto optimizer = problem.optimizer();
+  return bits_of(run_optimizer(*optimizer, problem.objective, world, &store, options));
+}
+
+/// Every undisturbed trajectory there is, each computed once.
+class Undisturbed {
+ public:
+  explicit Undisturbed(SearchProblem problem) : problem_(std::move(problem)) {}
+  const SearchProblem& problem() const { return problem_; }
+  const std::string& like(const Faults& faults) {
+    std::string& bits = bits_[{faults.hang > 0.0, faults.failure > 0.0}];
+    if (bits.empty()) bits = undisturbed(problem_, faults);
+    return bits;
+  }
+
+ private:
+  SearchProblem problem_;
+  std::map<std::pair<bool, bool>, std::string> bits_;
+};
+
+/// What does not hold of a search that has come to its end.
+inline std::string fault_of(const History& history,
+                            const Faults& faults,
+                            const FaultyStore& store,
+                            Undisturbed& reference) {
+  const auto optimizer = reference.problem().optimizer();
+  if (bits_of(replay(*optimizer, reference.problem().objective, store)) != history.bits) {
+    return "the store tells another search";
+  }
+  if (is_comparable(faults) && history.bits != reference.like(faults)) {
+    return "other bits than undisturbed";
+  }
+  return "";
+}
+
+inline History live_through(Undisturbed& reference, std::uint64_t seed) {
+  const SearchProblem& problem = reference.problem();
   History history;
   history.seed = seed;
-  const Faults faults = faults_of(seed, failure);
+  const Faults faults = faults_of(seed);
   RandomStream random(seed, 5);
   FaultyStore store(faults.store, seed);
   while (history.bits.empty() && history.wrong.empty()) {
@@ -106,16 +167,24 @@ inline History live_through(const SearchProblem& problem, std::uint64_t seed, do
     Witness optimizer(problem.optimizer(), store);
     RunOptions options;
     options.commit_in_background = false;
+    options.on_failure.retries = faults.retries;
     long repeats = 0;
-    options.on_progress = [&](const RunProgress& progress) { repeats = progress.repeated; };
+    options.on_progress = [&](const RunProgress& p) { repeats = p.repeated + p.copied; };
     const long before = store.size();
     try {
-      const Run run = run_optimizer(optimizer, problem.objective, world, &store, options);
-      history.bits = bits_of(run);
+      history.bits = bits_of(run_optimizer(optimizer, problem.objective, world, &store, options));
+      history.wrong = fault_of(history, faults, store, reference);
     } catch (const MasterDied&) {
     } catch (const JournalError&) {
+    } catch (const std::runtime_error& error) {
+      history.wrong = error.what();
     }
     history.repeats += repeats;
+    history.most_starts = std::max(history.most_starts, world.most_starts());
+    if (world.most_starts() > faults.retries + 2) {
+      history.wrong = "a point was started " + std::to_string(world.most_starts()) + " times, " +
+                      std::to_string(faults.retries) + " retries allowed";
+    }
     if (store.size() < before) history.wrong = "a kept evaluation was lost";
     if (store.repeated() > 0) history.wrong = "an evaluation was kept twice";
     if (world.started_again() > 0) history.wrong = "a kept evaluation was repeated";
@@ -123,17 +192,11 @@ inline History live_through(const SearchProblem& problem, std::uint64_t seed, do
     if (history.restarts > 1000) history.wrong = "the search does not come to its end";
   }
   history.evaluations = store.size();
+  store.for_each([&](const Trial& trial) {
+    const auto& result = trial.outcome.result;
+    history.expired += !result && result.failure().cause == Cause::timeout;
+  });
   return history;
-}
-
-/// The trajectory of one worker in a world without faults.
-inline std::string undisturbed(const SearchProblem& problem, double failure) {
-  FaultyStore store(0.0, 0);
-  FaultyWorld world(problem.evaluator, 1, {.failure = failure}, store, 0);
-  RunOptions options;
-  options.commit_in_background = false;
-  const auto optimizer = problem.optimizer();
-  return bits_of(run_optimizer(*optimizer, problem.objective, world, &store, options));
 }
 
 }  // namespace latsch
