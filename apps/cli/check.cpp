@@ -12,7 +12,7 @@
 #include "cli/verbs.h"
 #include "correlation/study.h"
 #include "correlation/variables.h"
-#include "evaluation/network_file_system.h"
+#include "evaluation/local_file_system.h"
 #include "evaluation/outside_program.h"
 #include "experiment/tire_rig.h"
 #include "models/fe_tire/tire_description.h"
@@ -136,10 +136,9 @@ fe_tire::Mesh print_tire(const Study& study) {
 
 std::string journal_in_words(const Study& study) {
   const std::string file = study.run.journal.string();
-  const auto network = network_file_system(study.run.journal);
-  return network
-             ? fmt::format("{} ({}: a rollback log, slower than on a local disk)", file, *network)
-             : file;
+  const auto shared = shared_file_system(study.run.journal);
+  return shared ? fmt::format("{} ({}: a rollback log, slower than on a local disk)", file, *shared)
+                : file;
 }
 
 void answer_check(const Study& study) {

@@ -127,9 +127,10 @@ int doe(const std::string& file, int levels, int workers) {
   if (workers > 0) study.run.workers = workers;
   const StudyDesign design = design_of(study, levels);
   const SamplingPlan plan = correlation::plan(design, study.space);
-  Workers workers_of_study;
+  Workers workers_of_study(study);
   if (workers_of_study.served(study)) return kDone;
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
+  say_kind_of_journal(study);
   say("{}, {} points; {} finished trials in {}\n",
       design.name(),
       plan.points.size(),

@@ -63,9 +63,10 @@ int identify(const std::string& file, int workers, bool profiles) {
     throw InputError(study.run.journal.string() +
                      " does not exist: there is nothing to analyze; start with latsch run");
   }
-  Workers workers_of_study;
+  Workers workers_of_study(study);
   if (workers_of_study.served(study)) return kDone;
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
+  say_kind_of_journal(study);
   const auto best = correlation::best_trial(study, journal);
   if (!best) {
     complain("no trial in " + study.run.journal.string() + " succeeded");

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/interrupt.h"
 
+#include <sys/time.h>
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
+
+#include "cli/verbs.h"
 
 namespace latsch::cli {
 namespace {
@@ -10,11 +15,20 @@ namespace {
 std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler may not touch it
 
+constexpr itimerval kPatience{.it_interval = {}, .it_value = {.tv_sec = 1, .tv_usec = 800'000}};
+
+void on_alarm(int) {
+  constexpr char kSaid[] = "latsch: interrupted; what is in the journal is safe\n";
+  if (::write(STDERR_FILENO, kSaid, sizeof kSaid - 1) < 0) ::_exit(kFailed);
+  ::_exit(kFailed);
+}
+
 void on_signal(int signal) {
   if (stop_requested.exchange(true)) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
+  ::setitimer(ITIMER_REAL, &kPatience, nullptr);
 }
 
 }  // namespace
@@ -22,6 +36,7 @@ void on_signal(int signal) {
 void catch_interrupts() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  std::signal(SIGALRM, on_alarm);
 }
 
 bool interrupted() { return stop_requested; }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ctrl-C and SIGTERM: the first asks the run to stop, the second ends the program at once.
+// Ctrl-C and SIGTERM: the first asks the run to stop, the second ends the program at once. What
+// cannot be asked just now (it reads a large journal, computes a step, writes to a pipe that nobody
+// reads) is ended after two seconds; the journal stands that.
 #pragma once
 
 namespace latsch::cli {

@@ -6,6 +6,7 @@
 import os
 import re
 import shutil
+import signal
 import subprocess
 import time
 import unittest
@@ -109,6 +110,23 @@ class Simulators(Outside):
             self.assert_says(self.latsch("doe", study, "--levels", "2"), "in a design a failed point just stays failed")
             shutil.rmtree(study.parent)
 
+    def test_an_interrupt_also_ends_what_cannot_be_asked(self):
+        """Here it writes its page to a pipe that nobody reads."""
+        study = self.study("quarter_car")
+        edit(study, ("step_tolerance = .*", "max_steps = 3"), (r"\[run\]", "[run]\nintervals = false"))
+        os.mkfifo(study.parent / "study.html")
+        run = subprocess.Popen([LATSCH, "run", study], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(run.kill)
+        while trials_of(study.parent / "study.latsch") < 3:
+            self.assertIsNone(run.poll(), "the run ended before it was stopped")
+            time.sleep(0.01)
+        time.sleep(1.0)
+        begin = time.monotonic()
+        run.send_signal(signal.SIGINT)
+        self.assertIn("what is in the journal is safe", run.communicate(timeout=10)[1])
+        self.assertEqual(run.returncode, FAILED)
+        self.assertLess(time.monotonic() - begin, 2.0)
+
     def test_there_is_no_tire_to_export(self):
         for arguments in (("--vtu", "a.vtu"), ("--measurements",)):
             self.assert_says(self.latsch("export", self.study("quarter_car" if "--vtu" in arguments else
@@ -138,7 +156,9 @@ class OnAnotherFileSystem(Outside):
         edit(study, ("step_tolerance = .*", "max_steps = 30"), (r"\[run\]", "[run]\nintervals = false"))
         result = re.compile(r"Best of .*?\n\n", re.S)
         self.assert_says(self.latsch("check", study), "study.latsch (FUSE: a rollback log")
-        whole = result.search(self.latsch("run", study))[0]
+        said = self.latsch("run", study)
+        self.assert_says(said, "study.latsch lies on FUSE: a rollback log")
+        whole = result.search(said)[0]
         journal.unlink()
         run = subprocess.Popen([LATSCH, "run", study], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.addCleanup(run.wait)

@@ -77,9 +77,10 @@ int fit(const std::string& file, int workers, bool resuming) {
     throw InputError(study.run.journal.string() +
                      " does not exist: there is nothing to resume; start with latsch run");
   }
-  Workers workers_of_study;
+  Workers workers_of_study(study);
   if (workers_of_study.served(study)) return kDone;
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
+  say_kind_of_journal(study);
   if (journal.size() > 0) say("{} finished trials are reused\n", journal.size());
 
   const MethodChoice choice = correlation::method_of(study);
@@ -120,8 +121,16 @@ void add_run(CommandLine& app, int& exit_code) {
         resuming ? "resume" : "run",
         resuming ? "Goes on with an interrupted run; the result is the same to the last bit"
                  : "Fits the variables to the measurements");
-    verb.footer(fmt::format("Example:\n  latsch {} studies/tire_b_twin/study.toml --workers 2",
-                            resuming ? "resume" : "run"));
+    verb.footer(fmt::format(
+        "[run] in the study says how trials are run: workers, timeout, memory, on_failure, "
+        "retries,\n"
+        "stragglers = false (what runs long is left alone), straggler_factor = 3 (times the "
+        "median),\n"
+        "look_ahead = 4 (points ahead for every worker); none of it changes what is found.\n\n"
+        "Examples:\n  latsch {0} studies/tire_b_twin/study.toml --workers 2\n"
+        "  mpirun -n 8 latsch {0} study.toml           on a cluster: one searches, seven evaluate\n"
+        "  srun -n 8 --mpi=pmix latsch {0} study.toml  the same below Slurm",
+        resuming ? "resume" : "run"));
     auto file = std::make_shared<std::string>();
     auto workers = std::make_shared<int>(0);
     verb.add_option("study", *file, "Study file (TOML)").required();

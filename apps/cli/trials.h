@@ -19,6 +19,9 @@ ProcessOptions worker_processes(const correlation::Study& study);
 /// Removes what killed workers of an outside program left behind. The journal is held meanwhile.
 void clear_scratch(const correlation::Study& study);
 
+/// Why the journal keeps a slower log than on a local disk, where it does.
+void say_kind_of_journal(const correlation::Study& study);
+
 /// On standard error: nothing succeeded, why the first trial did not, and what to try.
 void print_no_success(const correlation::Study& study,
                       const Journal& journal,

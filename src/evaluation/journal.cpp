@@ -13,7 +13,7 @@
 #include "evaluation/journal_format.h"
 #include "evaluation/journal_lock.h"
 #include "evaluation/journal_migration.h"
-#include "evaluation/network_file_system.h"
+#include "evaluation/local_file_system.h"
 
 namespace latsch {
 
@@ -267,7 +267,7 @@ Journal& Journal::operator=(Journal&&) noexcept = default;
 Journal::~Journal() = default;
 
 Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& identity) {
-  return open(file, identity, network_file_system(file) ? Log::rollback : Log::write_ahead);
+  return open(file, identity, shared_file_system(file) ? Log::rollback : Log::write_ahead);
 }
 
 Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& identity, Log log) {

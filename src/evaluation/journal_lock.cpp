@@ -44,23 +44,47 @@ bool is_current(int fd, const std::filesystem::path& file) {
          opened.st_ino == present.st_ino && opened.st_dev == present.st_dev;
 }
 
+[[noreturn]] void refuse(const std::filesystem::path& journal, const std::string& what) {
+  throw InputError({journal.string(), 0}, what);
+}
+
+/// `error`: of flock(2), of which one alone says that somebody holds it.
+std::string complaint(int error, const std::string& holder) {
+  if (error == EWOULDBLOCK) {
+    return fmt::format(
+        "is in use by {}; wait until it ends or stop it. Reading it, as a report does, is possible "
+        "meanwhile",
+        holder.empty() ? "another process" : holder);
+  }
+  return fmt::format(
+      "cannot be locked ({}): its file system gives no locks, and two runs at once would spoil it. "
+      "Nobody holds it; name a journal on a local disk, journal = \"...\" in [run]",
+      std::strerror(error));
+}
+
+/// Beside the file itself: links to one journal have one lock.
+std::filesystem::path lock_of(const std::filesystem::path& journal) {
+  std::error_code none;
+  std::filesystem::path file = std::filesystem::weakly_canonical(journal, none);
+  if (none) file = journal;
+  file += ".lock";
+  return file;
+}
+
 }  // namespace
 
-JournalLock::JournalLock(const std::filesystem::path& journal) : file_(journal) {
-  file_ += ".lock";
+JournalLock::JournalLock(const std::filesystem::path& journal) : file_(lock_of(journal)) {
   while (true) {
     fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (fd_ < 0) {
-      throw InputError({journal.string(), 0},
-                       fmt::format("cannot write beside it: {}", std::strerror(errno)));
+    if (fd_ < 0) refuse(journal, fmt::format("cannot write beside it: {}", std::strerror(errno)));
+    int locked = 0;
+    while ((locked = ::flock(fd_, LOCK_EX | LOCK_NB)) != 0 && errno == EINTR) {
     }
-    if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+    if (locked != 0) {
+      const int error = errno;
       const std::string holder = read_all(fd_);
       ::close(fd_);
-      throw InputError({journal.string(), 0},
-                       fmt::format("is in use by {}; wait until it ends or stop it. Reading it, as "
-                                   "a report does, is possible meanwhile",
-                                   holder.empty() ? "another process" : holder));
+      refuse(journal, complaint(error, holder));
     }
     if (is_current(fd_, file_)) break;
     ::close(fd_);

@@ -10,7 +10,7 @@ namespace latsch {
 class JournalLock {
  public:
   /// Throws InputError naming the holder, with its machine, where another process (or another
-  /// Journal of this one) has it.
+  /// Journal of this one) has it, or the reason where the file system gives no locks.
   explicit JournalLock(const std::filesystem::path& journal);
   ~JournalLock();
   JournalLock(const JournalLock&) = delete;
