@@ -80,5 +80,25 @@ class Ranks(Outside):
         self.fail(f"there is no rank {rank}")
 
 
+class Tasks(Outside):
+    """Several tasks that nothing makes one job of, as srun --mpi=none starts them; ./bench.sh slurm does that for real."""
+
+    def test_one_says_what_works_and_none_touches_the_journal(self):
+        study = self.study("quarter_car")
+        slurm = {"SLURM_STEP_NUM_TASKS": "3", "SLURM_NTASKS": "3"}
+        for verb in (("run", study), ("doe", study, "--levels", "2")):
+            said = [self.latsch(*verb, code=WRONG_INPUT if task == 0 else DONE,
+                                env={**os.environ, **slurm, "SLURM_PROCID": str(task)}) for task in range(3)]
+            self.assert_says(said[0], "3 tasks were started by srun", "srun --mpi=pmix latsch run", "sbatch --array")
+            self.assertEqual(said[1:], ["", ""])
+            self.assertFalse((study.parent / "study.latsch").exists())
+
+    def test_a_batch_script_is_one_process(self):
+        study = self.study("quarter_car")
+        edit(study, ("step_tolerance = .*", "max_steps = 2"), (r"\[run\]", "[run]\nintervals = false"))
+        self.assert_says(self.latsch("run", study, env={**os.environ, "SLURM_NTASKS": "3", "SLURM_PROCID": "0"}),
+                         "Best of 2 steps")
+
+
 if __name__ == "__main__":
     unittest.main()

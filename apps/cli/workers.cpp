@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/workers.h"
 
+#include <cstdint>
+
+#include "base/error.h"
 #include "cli/console.h"
 #include "cli/trials.h"
+#include "evaluation/encoding.h"
+#include "evaluation/launch.h"
 #include "evaluation/process_executor.h"
 
 #ifdef LATSCH_MPI
@@ -11,15 +16,50 @@
 
 namespace latsch::cli {
 
+namespace {
+
+#ifdef LATSCH_MPI
+constexpr bool kMpi = true;
+#else
+constexpr bool kMpi = false;
+#endif
+
+std::uint64_t hash_of(const StudyIdentity& identity) {
+  std::uint64_t state = kHashStart;
+  for (const IdentityPart& part : identity) state = hash(part.text, hash(part.name, state));
+  return state;
+}
+
+/// Of several tasks the first one speaks; whether this is another one.
+bool refuse(const Launch& launch, const std::string& why) {
+  if (launch.task == 0) throw InputError(why);
+  be_silent();
+  return true;
+}
+
+}  // namespace
+
 #ifdef LATSCH_MPI
 
 struct Workers::Job : MpiJob {};
 
-Workers::Workers() {
-  if (MpiJob::is_rank_of_many()) job_ = std::make_unique<Job>();
+Workers::Workers(const correlation::Study& study) {
+  const Launch started = launch();
+  if (started.tasks == 1) return;
+  if (started.is_job) job_ = std::make_unique<Job>();
+  if (!job_ || job_->size() != started.tasks) {
+    job_.reset();
+    refused_ = refuse(started, not_one_job(started, study.file.string(), kMpi));
+  } else if (!job_->agrees(hash_of(correlation::identity(study)))) {
+    job_.reset();
+    refused_ = refuse(started,
+                      "the ranks of the job were given different studies, or read different "
+                      "versions of one; a study a task: an array of jobs (sbatch --array)");
+  }
 }
 
 bool Workers::served(const correlation::Study& study) {
+  if (refused_) return true;
   if (!job_ || job_->rank() == 0) return false;
   be_silent();
   serve_rank(*job_, worker_processes(study));
@@ -36,6 +76,11 @@ Executor& Workers::start(const correlation::Study& study) {
   return *executor_;
 }
 
+void Workers::end() {
+  executor_.reset();
+  if (started_) job_.reset();
+}
+
 Workers::~Workers() {
   if (job_ && job_->rank() == 0 && !started_) MpiExecutor{*job_};  // whose end tells the ranks
 }
@@ -44,14 +89,20 @@ Workers::~Workers() {
 
 struct Workers::Job {};
 
-Workers::Workers() = default;
+Workers::Workers(const correlation::Study& study) {
+  const Launch started = launch();
+  if (started.tasks == 1) return;
+  refused_ = refuse(started, not_one_job(started, study.file.string(), kMpi));
+}
 
-bool Workers::served(const correlation::Study&) { return false; }
+bool Workers::served(const correlation::Study&) { return refused_; }
 
 Executor& Workers::start(const correlation::Study& study) {
   executor_ = std::make_unique<ProcessExecutor>(worker_processes(study));
   return *executor_;
 }
+
+void Workers::end() { executor_.reset(); }
 
 Workers::~Workers() = default;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where run, resume, doe and identify evaluate: worker processes of this machine or, below mpirun,
-// the ranks of its job.
+// Where run, resume, doe and identify evaluate: worker processes of this machine or, below mpirun
+// or srun, the ranks of one job. Tasks that are no job are refused: each would lead a run of its
+// own on the same journal.
 #pragma once
 
 #include <memory>
@@ -12,7 +13,9 @@ namespace latsch::cli {
 
 class Workers {
  public:
-  Workers();
+  /// Throws InputError, on the first of several tasks, where nothing makes one job of them or they
+  /// were given different studies.
+  explicit Workers(const correlation::Study& study);
   /// Below mpirun the other ranks are told to end, also where nothing was ever started.
   ~Workers();
   Workers(const Workers&) = delete;
@@ -25,14 +28,15 @@ class Workers {
   /// Of the process that leads the run.
   Executor& start(const correlation::Study& study);
 
-  /// Lets the workers go: what comes now needs none of them.
-  void end() { executor_.reset(); }
+  /// Lets the workers go: what comes now needs none of them, and may take longer than they wait.
+  void end();
 
  private:
   struct Job;
   std::unique_ptr<Job> job_;  // before the executor, which talks through it to its end
   std::unique_ptr<Executor> executor_;
   bool started_ = false;
+  bool refused_ = false;  // and another task says so
 };
 
 /// In its lifetime trials are run. However it ends, a full disk among them, the workers go and then

@@ -5,9 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <chrono>
-#include <cstdlib>
+#include <cmath>
 #include <list>
 #include <string>
 #include <thread>
@@ -22,41 +23,12 @@ namespace {
 
 enum Tag { kPoint = 1, kOutcome = 2, kAlive = 3, kWithdraw = 4, kEnd = 5, kEnded = 6, kLeave = 7 };
 constexpr const char* kAlone = "alone";  // with kLeave: another rank is lost, wait for none
-constexpr double kHeartbeat = 1.0;       // s
 constexpr auto kPause = std::chrono::microseconds(500);  // between two looks for a message
 constexpr double kLocalPatience = 0.01;                  // s, of a rank for its own worker
 
-struct Message {
-  int rank;
-  int tag;
-  std::string bytes;
-};
-
-/// A message that has arrived; nullopt where there is none.
-std::optional<Message> poll_message() {
-  int there = 0;
-  MPI_Status status;
-  MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &status);
-  if (!there) return std::nullopt;
-  int size = 0;
-  MPI_Get_count(&status, MPI_BYTE, &size);
-  Message message{status.MPI_SOURCE, status.MPI_TAG, std::string(size, '\0')};
-  MPI_Recv(message.bytes.data(),
-           size,
-           MPI_BYTE,
-           message.rank,
-           message.tag,
-           MPI_COMM_WORLD,
-           MPI_STATUS_IGNORE);
-  return message;
-}
+std::chrono::duration<double> seconds(double s) { return std::chrono::duration<double>(s); }
 
 }  // namespace
-
-bool MpiJob::is_rank_of_many() {
-  const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");
-  return size && std::atoi(size) > 1;
-}
 
 struct MpiJob::Outbox {
   struct Letter {
@@ -66,23 +38,78 @@ struct MpiJob::Outbox {
   std::list<Letter> letters;  // whose bytes MPI may still need
 };
 
-MpiJob::MpiJob() : outbox_(std::make_unique<Outbox>()) {
-  MPI_Init(nullptr, nullptr);
+MpiJob::MpiJob(const MpiPatience& patience)
+    : patience_(patience), outbox_(std::make_unique<Outbox>()) {
+  int threads = MPI_THREAD_SINGLE;  // one call at a time, from any thread
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &threads);
   MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
+  if (threads < MPI_THREAD_SERIALIZED) throw InputError("this MPI knows no threads");
+  if (rank_ == 0 && size_ > 1) heart_ = std::thread([this] { beat(); });
 }
 
+namespace {
+
+/// While it lives this process may wait for the others, but not longer: one may be lost just now.
+class LongestWait {
+ public:
+  explicit LongestWait(double patience) : before_(::alarm(0)) {
+    const auto ours = static_cast<unsigned>(std::ceil(patience));
+    ::alarm(before_ > 0 ? std::min(before_, ours) : ours);
+  }
+  ~LongestWait() { ::alarm(before_); }
+  LongestWait(const LongestWait&) = delete;
+  LongestWait& operator=(const LongestWait&) = delete;
+
+ private:
+  unsigned before_;  // s, of somebody else's alarm
+};
+
+}  // namespace
+
 MpiJob::~MpiJob() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  end_.notify_one();
+  if (heart_.joinable()) heart_.join();
   // MPI_Finalize waits for every rank, also for one that is lost.
   if (ends_alone_) return;
-  ::alarm(static_cast<unsigned>(kMasterSilence));  // one may be lost at this very moment
+  const LongestWait wait(patience_.master_silence);
   for (Outbox::Letter& letter : outbox_->letters) MPI_Wait(&letter.request, MPI_STATUS_IGNORE);
   MPI_Finalize();
-  ::alarm(0);
+}
+
+bool MpiJob::agrees(std::uint64_t value) {
+  const std::lock_guard lock(mutex_);
+  const LongestWait wait(patience_.master_silence);
+  const std::array<std::uint64_t, 2> mine{value, ~value};
+  std::array<std::uint64_t, 2> least{};
+  MPI_Allreduce(mine.data(), least.data(), 2, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
+  return least[0] == ~least[1];  // the least is the greatest
+}
+
+void MpiJob::beat() {
+  std::unique_lock lock(mutex_);
+  while (!end_.wait_for(lock, seconds(patience_.heartbeat), [&] { return ending_; })) {
+    for (int rank = 1; rank < size_; ++rank) say(rank, kAlive, {});
+  }
 }
 
 void MpiJob::send(int rank, int tag, std::string bytes) {
+  const std::lock_guard lock(mutex_);
+  say(rank, tag, std::move(bytes));
+}
+
+void MpiJob::lose(int rank) {
+  const std::lock_guard lock(mutex_);
+  lost_.insert(rank);
+}
+
+void MpiJob::say(int rank, int tag, std::string bytes) {
+  if (lost_.contains(rank)) return;
   std::erase_if(outbox_->letters, [](Outbox::Letter& letter) {
     int done = 0;
     MPI_Test(&letter.request, &done, MPI_STATUS_IGNORE);
@@ -98,15 +125,33 @@ void MpiJob::send(int rank, int tag, std::string bytes) {
             &letter.request);
 }
 
+std::optional<MpiMessage> MpiJob::poll() {
+  const std::lock_guard lock(mutex_);
+  int there = 0;
+  MPI_Status status;
+  MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &status);
+  if (!there) return std::nullopt;
+  int size = 0;
+  MPI_Get_count(&status, MPI_BYTE, &size);
+  MpiMessage message{status.MPI_SOURCE, status.MPI_TAG, std::string(size, '\0')};
+  MPI_Recv(message.bytes.data(),
+           size,
+           MPI_BYTE,
+           message.rank,
+           message.tag,
+           MPI_COMM_WORLD,
+           MPI_STATUS_IGNORE);
+  return message;
+}
+
 namespace {
 
 /// Says that this rank has come to its end and waits to be told whether the others have, too.
 void leave(MpiJob& job) {
   job.send(0, kEnded, {});
-  const auto until =
-      std::chrono::steady_clock::now() + std::chrono::duration<double>(kMasterSilence);
+  const auto until = std::chrono::steady_clock::now() + seconds(job.patience().master_silence);
   while (std::chrono::steady_clock::now() < until) {
-    while (const auto message = poll_message()) {
+    while (const auto message = job.poll()) {
       if (message->tag != kLeave) continue;
       if (message->bytes == kAlone) job.ends_alone();
       return;
@@ -122,8 +167,8 @@ void serve(MpiJob& job, ProcessOptions options) {
   std::uint64_t trial = 0;
   double said = worker.now(), heard = worker.now();
   while (true) {
-    if (worker.now() - heard > kMasterSilence) return job.ends_alone();
-    while (const auto message = poll_message()) {
+    if (worker.now() - heard > job.patience().master_silence) return job.ends_alone();
+    while (const auto message = job.poll()) {
       heard = worker.now();
       if (message->tag == kEnd) {
         worker.abandon();
@@ -140,7 +185,7 @@ void serve(MpiJob& job, ProcessOptions options) {
     for (const Trial& done : worker.wait(worker.idle() > 0 ? 0.0 : kLocalPatience)) {
       job.send(0, kOutcome, numbered(trial, encode(done.outcome)));
     }
-    if (worker.now() - said < kHeartbeat) continue;
+    if (worker.now() - said < job.patience().heartbeat) continue;
     said = worker.now();
     job.send(0, kAlive, {});
   }
@@ -159,24 +204,24 @@ void serve_rank(MpiJob& job, ProcessOptions options) {
 
 MpiExecutor::MpiExecutor(MpiJob& job) : job_(job), ranks_(job.size() - 1) {
   assert(job.rank() == 0 && job.size() > 1);
-  for (Rank& rank : ranks_) rank.heard = now();
+  listened_ = now();
+  for (Rank& rank : ranks_) rank.heard = listened_;
 }
 
 // A rank that was lost unnoticed would keep all others waiting in the end of MPI: so they are asked
 // first whether they have come to theirs.
 MpiExecutor::~MpiExecutor() {
   tell_all(kEnd, {});
+  for (Rank& rank : ranks_) rank.heard = now();  // nobody may have listened for long
   const auto awaited = [](const Rank& rank) { return !rank.lost && !rank.ended; };
   while (std::any_of(ranks_.begin(), ranks_.end(), awaited)) {
-    while (const auto message = poll_message()) {
+    while (const auto message = job_.poll()) {
       Rank& rank = ranks_[message->rank - 1];
       rank.heard = now();
       rank.ended = rank.ended || message->tag == kEnded;
     }
-    for (Rank& rank : ranks_) {
-      if (!awaited(rank) || now() - rank.heard < kSilence) continue;
-      rank.lost = true;
-      job_.ends_alone();
+    for (std::size_t i = 0; i < ranks_.size(); ++i) {
+      if (awaited(ranks_[i]) && now() - ranks_[i].heard > job_.patience().silence) lose(i);
     }
     std::this_thread::sleep_for(kPause);
   }
@@ -206,25 +251,27 @@ void MpiExecutor::start(const DesignPoint& point) {
 
 std::vector<Trial> MpiExecutor::wait(double patience) {
   const double until = now() + patience;
+  const double away = now() - listened_;
+  for (Rank& rank : ranks_) rank.heard += away;
   std::vector<Trial> finished;
   while (finished.empty() && now() < until) {
-    say_alive();
     while (auto trial = receive()) finished.push_back(std::move(*trial));
     if (auto trial = lose_silent()) finished.push_back(std::move(*trial));
     if (finished.empty()) std::this_thread::sleep_for(kPause);
   }
+  listened_ = now();
   return finished;
 }
 
-void MpiExecutor::say_alive() {
-  if (now() - said_ < kHeartbeat) return;
-  said_ = now();
-  tell_all(kAlive, {});
+void MpiExecutor::lose(std::size_t worker) {
+  ranks_[worker].lost = true;
+  job_.lose(static_cast<int>(worker) + 1);
+  job_.ends_alone();
 }
 
 /// The next outcome that has arrived.
 std::optional<Trial> MpiExecutor::receive() {
-  while (const auto message = poll_message()) {
+  while (const auto message = job_.poll()) {
     Rank& rank = ranks_[message->rank - 1];
     rank.heard = now();
     if (message->tag != kOutcome || rank.lost) continue;
@@ -240,10 +287,10 @@ std::optional<Trial> MpiExecutor::receive() {
 
 /// The trial of a rank that has not been heard for too long, which is not used any more.
 std::optional<Trial> MpiExecutor::lose_silent() {
-  for (Rank& rank : ranks_) {
-    if (rank.lost || now() - rank.heard < kSilence) continue;
-    rank.lost = true;
-    job_.ends_alone();
+  for (std::size_t i = 0; i < ranks_.size(); ++i) {
+    Rank& rank = ranks_[i];
+    if (rank.lost || now() - rank.heard < job_.patience().silence) continue;
+    lose(i);
     const bool any =
         std::any_of(ranks_.begin(), ranks_.end(), [](const Rank& r) { return !r.lost; });
     if (!any) throw InputError("every rank of the MPI job is lost; resume with the same command");
