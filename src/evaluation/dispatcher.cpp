@@ -231,7 +231,9 @@ void Dispatcher::receive(std::vector<Trial> trials) {
     const auto entry = running_.find(bits);
     if (entry == running_.end()) continue;  // a second answer, or one nobody waits for any more
     Running& running = entry->second;
-    --running.copies;
+    // Told twice, or by an attempt that was withdrawn: it waits for a worker already.
+    if (running.copies == 0 && !trial.outcome.result) continue;
+    running.copies = std::max(running.copies - 1, 0);
     if (is_repeated(running, trial)) {
       // The run that resumes tries it.
       if (stopping_ && running.copies == 0) running_.erase(entry);

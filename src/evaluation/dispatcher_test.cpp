@@ -326,8 +326,8 @@ TEST(Stragglers, AreStoppedWhereNobodyNamesThemAndAWantedPointWaits) {
   EXPECT_EQ(without, 0);
 }
 
-// The short form of ./bench.sh scheduler_simulation: each mix of hanging points, lost workers, stalls
-// and failing points eight times.
+// The short form of ./bench.sh scheduler_simulation: each mix of hanging points, lost workers,
+// stalls and failing points eight times.
 TEST(SchedulerInVirtualTime, LosesAndRepeatsNothingAndGivesTheSameBitsInEveryHistory) {
   Undisturbed reference(two_variable_search());
   long expired = 0, repeats = 0;
@@ -343,6 +343,12 @@ TEST(SchedulerInVirtualTime, LosesAndRepeatsNothingAndGivesTheSameBitsInEveryHis
   EXPECT_GT(expired, 60);
   EXPECT_GT(repeats, 300);
   EXPECT_GE(most, 4);  // the bound is reached where failures are tried again
+}
+
+// An answer that came twice, the second time while its point waited for a worker, was counted.
+TEST(SchedulerInVirtualTime, WhatIsToldTwiceStartsNothing) {
+  Undisturbed reference(two_variable_search());
+  EXPECT_EQ(live_through(reference, 2430).wrong, "");
 }
 
 TEST(SchedulerInVirtualTime, ASeedIsOneHistory) {
