@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files `latsch new` writes. Tires are those of studies/tires, built into the program.
+// The study `latsch new` writes for a tire: which of its numbers vary, and between which bounds.
+// Tires are those of studies/tires, built into the program.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "base/document.h"
 
 namespace latsch::cli {
 
@@ -16,11 +19,19 @@ struct TireTemplate {
 /// Generated from studies/tires/*.toml when the program is built.
 const std::vector<TireTemplate>& tire_templates();
 
-/// The study file, with variables that the tire has.
-std::string study_template(std::string_view tire);
+/// One number of the study, which may stand for several of the tire.
+struct StarterVariable {
+  std::string name;
+  std::vector<std::string> paths;
+  double initial = 0.0;  // Pa; the geometric mean of those the tire has
+  double example = 0.0;  // of that value the example's measurements are made of it
+};
 
-/// The example measurements, published for a 205/55R16 at 2.4 bar.
-std::string_view stiffness_template();
-std::string_view modes_template();
+/// The moduli that decide how stiff a tire is, as far as it has them: of the sidewalls' rubber, of
+/// the carcass with its turnups, of the belts. Throws InputError where it has none of them.
+std::vector<StarterVariable> starter_variables(const Document& tire);
+
+/// The study file of that tire.
+std::string study_template(const Document& tire);
 
 }  // namespace latsch::cli
