@@ -84,7 +84,7 @@ int fit(const std::string& file, int workers, bool resuming) {
   if (journal.size() > 0) say("{} finished trials are reused\n", journal.size());
 
   const MethodChoice choice = correlation::method_of(study);
-  fmt::print("Optimizer {}: {}\n", in_words(choice.method), choice.reason);
+  say("Optimizer {}: {}\n", in_words(choice.method), choice.reason);
 
   catch_interrupts();
   const TrialsRun trials(workers_of_study, study);

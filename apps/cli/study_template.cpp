@@ -106,7 +106,8 @@ std::string deflections_of(const fe_tire::TireDescription& tire) {
   const double height = tire.section.contour.front().r - tire.section.contour.back().r;
   std::string list;
   for (int i = 1; i <= 5; ++i)
-    list += fmt::format("{}{:.0f}", i > 1 ? ", " : "", std::round(1e3 * height * (0.04 + 0.04 * i)));
+    list +=
+        fmt::format("{}{:.0f}", i > 1 ? ", " : "", std::round(1e3 * height * (0.04 + 0.04 * i)));
   return list;
 }
 
