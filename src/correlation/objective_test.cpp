@@ -16,6 +16,14 @@ ModeRecord mode(double frequency, int n, ModeType type, char phase = ' ') {
   return {frequency, n, type, phase, {}};
 }
 
+/// (3) of one mode and one force that are off by so much.
+double target_of_errors(double frequency, double force) {
+  const Comparison modes = compare_modes({mode(100.0, 0, ModeType::lateral)},
+                                         {mode(100.0 * (1.0 - frequency), 0, ModeType::lateral)});
+  const Comparison stiffness = compare_forces({1000.0}, {1000.0 * (1.0 - force)});
+  return target({modes, stiffness}, {1.0, 1.0});
+}
+
 TEST(CompareForces, IsEquationTwo) {
   const Comparison c = compare_forces({1000.0, 2000.0}, {900.0, 2100.0});
   ASSERT_EQ(c.errors.size(), 2u);
@@ -70,20 +78,19 @@ TEST(CompareModes, CountsAMissingModeAsSet) {
   EXPECT_EQ(c.pairing.extra, std::vector<int>{1});
 }
 
-// The published results: frequencies 13 % and forces 2 % make 7.4 %, 25 % and 2 % make 15 %, 2 %
-// and 2 % make 2 %. Errors and targets are printed in whole or half percent, hence half a percent
-// of tolerance (one for the rounded 15 %).
+// The published results: frequencies 13 % and forces 2 % make 7.4 %, 2 % and 2 % make 2 %. Errors
+// are printed in whole percent, so a mean of two of them is known to half a percent.
 TEST(Target, OfThePublishedErrorsIsThePublishedTarget) {
-  const auto published = [](double frequencies, double forces) {
-    const Comparison modes =
-        compare_modes({mode(100.0, 0, ModeType::lateral)},
-                      {mode(100.0 * (1.0 - frequencies), 0, ModeType::lateral)});
-    const Comparison stiffness = compare_forces({1000.0}, {1000.0 * (1.0 - forces)});
-    return target({modes, stiffness}, {1.0, 1.0});
-  };
-  EXPECT_NEAR(published(0.13, 0.02), 0.074, 0.005);
-  EXPECT_NEAR(published(0.02, 0.02), 0.02, 0.005);
-  EXPECT_NEAR(published(0.25, 0.02), 0.15, 0.0151);
+  EXPECT_NEAR(target_of_errors(0.13, 0.02), 0.074, 0.005);
+  EXPECT_NEAR(target_of_errors(0.02, 0.02), 0.02, 0.005);
+}
+
+// A third row, 25 % and 2 % make 15 %, does not come out of the same formula, which gives 13.5 %,
+// nor of a root of the force error, which gives 19.6 %: it is further off than its digits allow.
+TEST(Target, DoesNotExplainThePublishedRowOfTwentyFivePercent) {
+  EXPECT_NEAR(target_of_errors(0.25, 0.02), 0.135, kRound);
+  EXPECT_GT(0.15 - target_of_errors(0.25, 0.02), 0.005 + 0.005);
+  EXPECT_NEAR(0.5 * (0.25 + std::sqrt(0.02)), 0.196, 0.001);
 }
 
 TEST(WeightedResiduals, TheirSquaresAreTheTargetOfSquares) {
