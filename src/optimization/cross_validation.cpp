@@ -9,7 +9,7 @@
 namespace latsch {
 namespace {
 
-constexpr int kEvaluationsOfARefit = 30;
+constexpr int kEvaluationsOfARefit = 30;  // and two a variable
 
 double root_mean_square(const Eigen::VectorXd& r) {
   return std::sqrt(r.squaredNorm() / static_cast<double>(r.size()));
@@ -37,7 +37,8 @@ CrossValidation::CrossValidation(const DesignSpace& space,
                       Refit(without,
                             all,
                             {.tolerance = tolerance,
-                             .most_evaluations = kEvaluationsOfARefit,
+                             .most_evaluations = kEvaluationsOfARefit + 2 * space.size(),
+                             .refresh = all,
                              .region = FeasibleRegion(space)}),
                       {left, best.u, now, now}});
   }
@@ -69,7 +70,10 @@ void CrossValidation::ask() {
     wanted_.push_back(space_.from_unit({u->begin(), u->end()}));
   }
   if (!wanted_.empty()) return;
-  for (const Fold& fold : folds_) left_out_.push_back(fold.result);
+  for (const Fold& fold : folds_) {
+    left_out_.push_back(fold.result);
+    if (!fold.refit.converged()) left_out_.back().predicted = std::nan("");
+  }
 }
 
 }  // namespace latsch

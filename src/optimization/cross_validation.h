@@ -4,7 +4,8 @@
 // The residuals fall into groups, load cases for example. Each group is left out in turn, the
 // variables are refitted (refit.h) to the rest, and the residuals of the group are taken there.
 // Where they are much larger than in the common fit, the group holds what no other one tells, or
-// the model cannot have both. [Stone, J. R. Statist. Soc. B 36 (1974) 111]
+// the model cannot have both. A refit that does not converge, because its evaluations fail or
+// because it ran out of them, predicts nothing. [Stone, J. R. Statist. Soc. B 36 (1974) 111]
 //
 // Ask and tell in rounds, as Identification: the groups go side by side.
 #pragma once
@@ -21,7 +22,7 @@ struct LeftOut {
   int group = 0;
   Eigen::VectorXd u;       // refitted without the group
   double fitted = 0.0;     // root mean square of the group's residuals in the common fit
-  double predicted = 0.0;  // and without it
+  double predicted = 0.0;  // and without it; NaN where the refit did not converge
 };
 
 class CrossValidation {

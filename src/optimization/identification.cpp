@@ -57,6 +57,7 @@ void Identification::differences_observed(const std::vector<Result<Eigen::Vector
     return;
   }
   for (Eigen::VectorXd& r : all) r = Eigen::VectorXd(r(rows_));
+  options_.confidence.traits = options_.confidence.traits.of(rows_);
   at_ = differences(space_, wanted_, all);
   confidence_ = latsch::confidence(*at_, options_.confidence);
   wanted_.clear();
@@ -88,13 +89,13 @@ void Identification::begin_profiles() {
   best_ = refit_->best();
   refit_.reset();
   const Confidence at_best = latsch::confidence(*best_, options_.confidence);
-  threshold_ = at_best.threshold();
-  const FeasibleRegion region(space_);
+  thresholds_ = at_best.thresholds;
+  const ProfileSettings settings{FeasibleRegion(space_), {}};
   for (int i = 0; i < space_.size(); ++i) {
     const Interval& interval = at_best.intervals[i];
     const double half = std::min(interval.upper - best_->u[i], best_->u[i] - interval.lower);
     for (int direction : {-1, +1}) {
-      branches_.emplace_back(*best_, i, direction, half, threshold_, region);
+      branches_.emplace_back(*best_, i, direction, half, thresholds_[i], settings);
     }
   }
   ask_branches();
@@ -111,7 +112,7 @@ void Identification::ask_branches() {
   }
   if (!wanted_.empty()) return;
   for (int i = 0; i < space_.size(); ++i) {
-    profiles_.push_back(judge(*best_, i, branches_[2 * i], branches_[2 * i + 1], threshold_));
+    profiles_.push_back(judge(*best_, i, branches_[2 * i], branches_[2 * i + 1], thresholds_[i]));
   }
 }
 

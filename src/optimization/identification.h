@@ -70,7 +70,7 @@ class Identification {
   std::vector<ProfileBranch> branches_;  // down and up, variable by variable
   std::vector<int> asked_;               // branches that `wanted_` belongs to
   std::vector<Profile> profiles_;
-  double threshold_ = 0.0;
+  std::vector<double> thresholds_;  // one a variable
 };
 
 }  // namespace latsch

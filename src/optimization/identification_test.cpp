@@ -130,6 +130,26 @@ TEST(Identification, ASignThatCannotBeSeenMakesTwoMinima) {
   EXPECT_EQ(a.identification.profiles()[1].verdict, Verdict::identifiable);
 }
 
+// y has a well at -1 and one at +1, worse by 4 / 100. Away from x = 0 the first one rises by 16 x^2
+// until it is gone, the second one by x^2: the least S over y is  0.04 + x^2  outside |x| = 0.05, and
+// rises once on each side, though refits that start in the first well climb it and fall.
+TEST(Identification, ARiseThatGoesAwayFromBehindIsNoOtherMinimum) {
+  const DesignSpace space({{.name = "x", .lower = -1, .upper = 1, .initial = 0},
+                           {.name = "y", .lower = -2, .upper = 2, .initial = -1}});
+  const auto a = analyze(
+      space,
+      [](const auto& x) {
+        const double y = x[1];
+        return Eigen::VectorXd{{y * y - 1, 2 * x[0] * (y - 1), 0.1 * (y + 1), x[0]}};
+      },
+      {.confidence = {.sigma = 0.3}});
+  const Profile& p = a.identification.profiles()[0];
+  EXPECT_EQ(p.verdict, Verdict::identifiable);
+  const double end = std::sqrt(0.09 * 1.959964 * 1.959964 - 0.04);
+  EXPECT_NEAR(p.interval.lower, 0.5 - 0.5 * end, 0.01);
+  EXPECT_NEAR(p.interval.upper, 0.5 + 0.5 * end, 0.01);
+}
+
 // Rosenbrock's valley as residuals, 10 (x1 - x0^2) and 1 - x0, is curved: nuisance variables have
 // to be refitted along it. Everywhere on the profile of x0 the other is x0^2, so S = (1 - x0)^2.
 TEST(Identification, FollowsACurvedValley) {
@@ -158,7 +178,9 @@ TEST(Identification, RefitsAPointThatIsNotTheLeast) {
   EXPECT_NEAR(a.identification.refitted().u[1], 0.6, 1e-3);
 }
 
-TEST(Identification, ModelsThatFailFurtherOutEndTheLadder) {
+// The data hold x weakly, and from 0.7 on the model fails: nothing says that values there would
+// fit.
+TEST(Identification, WhereTheModelFailsAProfileIsNotEvaluableRatherThanFlat) {
   const auto a = analyze(
       box({0.5}, 0, 1),
       [](const auto& x) {
@@ -166,8 +188,23 @@ TEST(Identification, ModelsThatFailFurtherOutEndTheLadder) {
         return Eigen::VectorXd{{0.01 * (x[0] - 0.5), 0.02 * (x[0] - 0.5)}};
       },
       kNoise);
-  EXPECT_LE(a.identification.profiles()[0].points.back().u[0], 0.7);
-  EXPECT_EQ(a.identification.profiles()[0].verdict, Verdict::flat);
+  const Profile& p = a.identification.profiles()[0];
+  EXPECT_EQ(p.verdict, Verdict::not_evaluable);
+  EXPECT_GT(p.points.back().u[0], 0.68);  // the edge is sought
+}
+
+// Behind the end of the interval a failure changes nothing.
+TEST(Identification, AFailureBeyondTheIntervalLeavesItIdentifiable) {
+  const auto a = analyze(
+      box({0.5}, 0, 1),
+      [](const auto& x) {
+        if (x[0] > 0.53) return Eigen::VectorXd();
+        return Eigen::VectorXd{{x[0] - 0.5}};
+      },
+      kNoise);
+  const Profile& p = a.identification.profiles()[0];
+  EXPECT_EQ(p.verdict, Verdict::identifiable);
+  EXPECT_NEAR(p.interval.upper, 0.5 + 1.959964 * 0.01, 1e-4);
 }
 
 // r = (exp(20 (x - 0.5)) - 1) / 100 with noise 1: S stays below t^2 up to x = 0.5 + ln(100 t + 1) /

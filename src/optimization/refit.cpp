@@ -12,7 +12,7 @@
 namespace latsch {
 namespace {
 
-constexpr double kDifference = 1e-3;        // of the range
+constexpr double kDifference = 1e-3;        // of the range, where no length is given
 constexpr double kShortestStep = 1e-9;      // of the range
 constexpr double kLongestRefitStep = 0.25;  // of the range, in one variable: J holds near by
 constexpr int kFailedSteps = 2;             // before J is taken anew
@@ -105,20 +105,26 @@ Refit::Refit(const Linearization& start,
   const double shift = value - best_.u[i];
   Eigen::VectorXd to = best_.u;
   to[i] = value;
-  const auto d = step_from(to, best_.r + best_.J.col(i) * shift);
+  const auto d = step_from(to, best_.r + best_.J.col(i) * shift, 0.0);
   if (d) wanted_ = to + *d;
 }
 
 std::optional<Eigen::VectorXd> Refit::step_from(const Eigen::VectorXd& u,
-                                                const Eigen::VectorXd& r) const {
-  if (!is_constrained()) return bounded_step({u, r, best_.J}, r, free_, lambda_);
-  return constrained_step(best_.J, u, r, free_, lambda_, *options_.region);
+                                                const Eigen::VectorXd& r,
+                                                double lambda) const {
+  if (!is_constrained()) return bounded_step({u, r, best_.J}, r, free_, lambda);
+  return constrained_step(best_.J, u, r, free_, lambda, *options_.region);
+}
+
+bool Refit::promises(const Eigen::VectorXd& d) const {
+  const double promised = best_.sum_of_squares() - (best_.r + best_.J * d).squaredNorm();
+  return d.lpNorm<Eigen::Infinity>() >= kShortestStep && promised > options_.tolerance;
 }
 
 void Refit::observe(const std::optional<Eigen::VectorXd>& residuals) {
   assert(wanted_);
   ++evaluations_;
-  if (difference_ >= 0) {
+  if (!columns_.empty()) {
     difference_observed(residuals);
   } else {
     step_observed(residuals);
@@ -143,8 +149,7 @@ void Refit::step_observed(const std::optional<Eigen::VectorXd>& residuals) {
     const double least = kFirstLambda * best_.J.colwise().squaredNorm().maxCoeff();
     lambda_ = std::max(least, lambda_ * kLambdaFactor);
     if (++failed_steps_ == kFailedSteps) {
-      difference_ = 0;
-      plan_difference();
+      begin_differences(free_);
       return;
     }
   }
@@ -152,16 +157,26 @@ void Refit::step_observed(const std::optional<Eigen::VectorXd>& residuals) {
 }
 
 void Refit::difference_observed(const std::optional<Eigen::VectorXd>& residuals) {
-  const int i = free_[difference_];
+  const int i = columns_[difference_];
   if (residuals) best_.J.col(i) = (*residuals - best_.r) / ((*wanted_)[i] - best_.u[i]);
   ++difference_;
   plan_difference();
 }
 
+double Refit::difference_of(int variable) const {
+  return options_.differences.size() > 0 ? options_.differences[variable] : kDifference;
+}
+
+void Refit::begin_differences(const std::vector<int>& columns) {
+  columns_ = columns;
+  difference_ = 0;
+  plan_difference();
+}
+
 void Refit::plan_difference() {
-  for (; difference_ < static_cast<int>(free_.size()); ++difference_) {
-    const int i = free_[difference_];
-    for (const double side : {kDifference, -kDifference}) {
+  for (; difference_ < static_cast<int>(columns_.size()); ++difference_) {
+    const int i = columns_[difference_];
+    for (const double side : {difference_of(i), -difference_of(i)}) {
       Eigen::VectorXd to = best_.u;
       to[i] += side;
       if (to[i] < 0.0 || to[i] > 1.0 || (is_constrained() && !options_.region->contains(to))) {
@@ -171,17 +186,28 @@ void Refit::plan_difference() {
       return;
     }
   }
-  difference_ = -1;
+  columns_.clear();
   plan_step();
 }
 
 void Refit::plan_step() {
   wanted_.reset();
-  if (evaluations_ >= options_.most_evaluations || free_.empty()) return;
-  const auto d = step_from(best_.u, best_.r);
-  if (!d) return;
-  const double promised = best_.sum_of_squares() - (best_.r + best_.J * *d).squaredNorm();
-  if (d->lpNorm<Eigen::Infinity>() < kShortestStep || !(promised > options_.tolerance)) return;
+  converged_ = free_.empty();
+  if (converged_) return;
+  // A step that lambda has made short promises little wherever it is: the full one is asked.
+  const auto full = step_from(best_.u, best_.r, 0.0);
+  if (!full) return;
+  const bool has_enough = !promises(*full);
+  if (has_enough && !options_.refresh.empty() && !verified_ &&
+      evaluations_ < options_.most_evaluations) {
+    verified_ = true;
+    begin_differences(options_.refresh);
+    return;
+  }
+  converged_ = has_enough;
+  if (converged_ || evaluations_ >= options_.most_evaluations) return;
+  const auto d = lambda_ > 0.0 ? step_from(best_.u, best_.r, lambda_) : full;
+  if (!d || !promises(*d)) return;
   wanted_ = (best_.u + *d).cwiseMax(0.0).cwiseMin(1.0);
 }
 

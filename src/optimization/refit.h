@@ -8,9 +8,13 @@
 // Every residual vector corrects J by the least change that explains it,
 //   J <- J + (r(u + d) - r(u) - J d) d' / d'd          [Broyden, Math. Comp. 19 (1965) 577]
 // so no derivatives are evaluated, until two steps in a row fail: then J is taken anew by
-// differences. It ends where a step promises less than `tolerance` of S, or at `most_evaluations`.
-// Among linear constraints the step is a quadratic program, and a difference for which neither
-// side has room leaves its column of J to the corrections.
+// differences, each as long as `differences` says. Corrections know J only along the way that was
+// gone; `refresh` names
+// the variables whose columns are taken anew once before it may converge elsewhere. It has
+// converged where a step promises less than `tolerance` of S; at `most_evaluations`, or where
+// evaluations fail whatever the step, it ends without. Among linear constraints the step is a
+// quadratic program, and a difference for which neither side has room leaves its column of J to the
+// corrections.
 //
 // Ask and tell: evaluate wanted(), observe() its residuals, until wanted() is empty.
 #pragma once
@@ -26,6 +30,8 @@ namespace latsch {
 struct RefitOptions {
   double tolerance = 0.0;  // of S
   int most_evaluations = 20;
+  std::vector<int> refresh = {};     // of the free variables
+  Eigen::VectorXd differences = {};  // of the range, a length a variable; none: 0.001 each
   std::optional<FeasibleRegion> region = std::nullopt;  // none: the unit cube
 };
 
@@ -49,16 +55,22 @@ class Refit {
 
   /// False where a moved variable's point failed: there is no fit at its value.
   bool fitted() const { return !moving_; }
+  /// Nothing more was promised. False while it wants something, and where it had to give up.
+  bool converged() const { return converged_; }
   /// The least S so far, with J as far as it is known there.
   const Linearization& best() const { return best_; }
   int evaluations() const { return evaluations_; }
 
  private:
   void plan_step();
+  void begin_differences(const std::vector<int>& columns);
   void plan_difference();
+  double difference_of(int variable) const;
   bool is_constrained() const { return options_.region && !options_.region->is_cube(); }
   std::optional<Eigen::VectorXd> step_from(const Eigen::VectorXd& u,
-                                           const Eigen::VectorXd& r) const;
+                                           const Eigen::VectorXd& r,
+                                           double lambda) const;
+  bool promises(const Eigen::VectorXd& d) const;
   void step_observed(const std::optional<Eigen::VectorXd>& residuals);
   void difference_observed(const std::optional<Eigen::VectorXd>& residuals);
 
@@ -68,8 +80,10 @@ class Refit {
   std::optional<Eigen::VectorXd> wanted_;
   bool moving_ = false;  // the first point is under way; it counts whatever its S
   double lambda_ = 0.0;
-  int failed_steps_ = 0;  // in a row
-  int difference_ = -1;   // place in free_ of the derivative under way; -1: none
+  bool converged_ = false, verified_ = false;
+  int failed_steps_ = 0;      // in a row
+  std::vector<int> columns_;  // of J that are taken anew; empty: none
+  int difference_ = 0;        // place in columns_ of the derivative under way
   int evaluations_ = 0;
 };
 
