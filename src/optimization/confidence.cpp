@@ -63,9 +63,84 @@ double reach(double g, double h, double threshold) {
 
 }  // namespace
 
+namespace {
+
+/// What a sum of squares of nu squared standard normal numbers exceeds once in a thousand, over nu
+/// [Wilson, Hilferty, Proc. Nat. Acad. Sci. 17 (1931) 684].
+double rare_ratio(double nu) {
+  constexpr double kNormal = 3.090232;  // exceeded by one in a thousand
+  const double k = 2.0 / (9.0 * nu);
+  return std::pow(1.0 - k + kNormal * std::sqrt(k), 3.0);
+}
+
+void take_spread(const ResidualNoise& noise, const ConfidenceOptions& options, Confidence& c) {
+  const double seen = noise.sigma(), nu = noise.freedom();
+  c.sigma = options.sigma ? *options.sigma : std::max(options.least_sigma, seen);
+  c.is_colored = !noise.is_white();
+  if (nu <= 0.0 && !options.sigma) c.sigma = std::numeric_limits<double>::quiet_NaN();
+  if (!options.sigma || nu <= 0.0) return;
+  const double ratio = seen * seen / (*options.sigma * *options.sigma);
+  if (ratio <= rare_ratio(nu)) return;
+  c.excess = std::sqrt(ratio);
+  c.sigma = seen;
+}
+
+/// The part of each direction's deviation that is noise: of J v_k over its length.
+Eigen::VectorXd along_directions(const Eigen::MatrixXd& J,
+                                 const ResidualNoise& noise,
+                                 const Confidence& c) {
+  Eigen::VectorXd deviations(c.singular_values.size());
+  for (Eigen::Index k = 0; k < deviations.size(); ++k) {
+    const double length = c.singular_values[k];
+    if (!(length > kRoundingOfValues * c.singular_values[0])) {
+      deviations[k] = kInfinity;
+      continue;
+    }
+    const Eigen::VectorXd felt = J * c.directions.col(k) / length;
+    deviations[k] = c.sigma * noise.colored(felt).norm() / length;
+  }
+  return deviations;
+}
+
+}  // namespace
+
+namespace {
+
+/// The variables as sums of residuals, direction by direction:  u = -W felt' r.
+struct Estimates {
+  Eigen::MatrixXd W;     // n x n
+  Eigen::MatrixXd felt;  // m x n, orthonormal columns; 0 for a direction that no residual feels
+  std::vector<Eigen::Index> flat;
+
+  Eigen::MatrixXd covariance(const ResidualNoise& noise) const {
+    const Eigen::MatrixXd colored = noise.colored(felt);
+    Eigen::MatrixXd K = colored.transpose() * colored;
+    for (const Eigen::Index k : flat) K(k, k) = 1.0;
+    return W * K * W.transpose();
+  }
+};
+
+Estimates estimates_of(const Eigen::MatrixXd& J) {
+  if (J.cols() == 0) return {};
+  const Spectrum s = spectrum(J);
+  const double least =
+      std::max(kRoundingOfValues * s.values[0], std::numeric_limits<double>::min());
+  const Eigen::VectorXd scale = s.values.cwiseMax(least).cwiseInverse();
+  Estimates estimates{s.directions * scale.asDiagonal(), {}, {}};
+  estimates.felt = J * estimates.W;
+  for (Eigen::Index k = 0; k < s.values.size(); ++k) {
+    if (s.values[k] > least) continue;
+    estimates.felt.col(k).setZero();
+    estimates.flat.push_back(k);
+  }
+  return estimates;
+}
+
+}  // namespace
+
 Confidence confidence(const Linearization& at, const ConfidenceOptions& options) {
-  const Eigen::Index m = at.r.size(), n = at.u.size();
-  assert(m > 0 && at.J.rows() == m && at.J.cols() == n);
+  const Eigen::Index n = at.u.size();
+  assert(at.r.size() > 0 && at.J.rows() == at.r.size() && at.J.cols() == n);
   Confidence c;
   const Eigen::VectorXd gradient = at.J.transpose() * at.r;
   std::vector<int> free;
@@ -73,35 +148,51 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
     c.held.push_back(held_at(at.u[i], gradient[i]));
     if (c.held.back() == Bound::none) free.push_back(i);
   }
-  const auto nu = static_cast<double>(m) - static_cast<double>(free.size());
-  c.sigma = options.sigma ? *options.sigma
-            : nu > 0.0    ? std::max(options.least_sigma, std::sqrt(at.sum_of_squares() / nu))
-                          : std::numeric_limits<double>::quiet_NaN();
-  c.t = numerics::student_t_quantile(0.5 + 0.5 * options.level,
-                                     options.sigma || nu <= 0.0 ? kInfinity : nu);
+  const Eigen::MatrixXd J_free = at.J(Eigen::all, free);
+  const ResidualNoise noise(at.r, J_free, options.traits);
+  take_spread(noise, options, c);
+  const bool stated = options.sigma && c.excess == 1.0;
+  const double p = 0.5 + 0.5 * options.level, nu = noise.freedom();
+  c.t = numerics::student_t_quantile(p, stated || nu <= 0.0 ? kInfinity : nu);
+  c.noise = c.sigma * noise.effective_deviations();
   const Spectrum all = spectrum(at.J);
   c.singular_values = all.values;
   c.directions = all.directions;
+  c.direction_deviations = along_directions(at.J, noise, c);
 
-  const Eigen::MatrixXd J_free = at.J(Eigen::all, free);
   const Eigen::MatrixXd inverse = inverse_normal_matrix(J_free);
   const Eigen::VectorXd left = -inverse * gradient(free);  // to the least S
+  const Estimates estimates = estimates_of(J_free);
+  const Eigen::MatrixXd C = estimates.covariance(noise);
+  /// t^2 times the variance of y' r for a y of length 1: what S has risen by at the ends of an
+  /// interval.
+  const auto threshold_of = [&](const Eigen::VectorXd& y) {
+    const double freedom = std::min(nu > 0.0 ? nu : kInfinity, noise.freedom_of(y, stated));
+    const double t =
+        c.is_colored ? numerics::student_t_quantile(p, stated ? noise.freedom_of(y, true) : freedom)
+                     : c.t;
+    const double share = noise.colored(y).squaredNorm() / y.squaredNorm();
+    return std::isfinite(share) ? c.sigma * c.sigma * t * t * share : c.threshold();
+  };
   c.covariance = Eigen::MatrixXd::Zero(n, n);
   c.correlation = Eigen::MatrixXd::Zero(n, n);
   c.intervals.resize(n);
+  c.thresholds.resize(n);
   for (size_t a = 0; a < free.size(); ++a) {
     for (size_t b = 0; b < free.size(); ++b) {
-      c.covariance(free[a], free[b]) = c.sigma * c.sigma * inverse(a, b);
-      c.correlation(free[a], free[b]) = inverse(a, b) / std::sqrt(inverse(a, a) * inverse(b, b));
+      c.covariance(free[a], free[b]) = c.sigma * c.sigma * C(a, b);
+      c.correlation(free[a], free[b]) = C(a, b) / std::sqrt(C(a, a) * C(b, b));
     }
-    double half = c.t * c.sigma * std::sqrt(inverse(a, a)) + std::abs(left[a]);
+    c.thresholds[free[a]] = threshold_of(estimates.felt * estimates.W.row(a).transpose());
+    double half = std::sqrt(c.thresholds[free[a]] * inverse(a, a)) + std::abs(left[a]);
     if (!std::isfinite(half)) half = kInfinity;
     c.intervals[free[a]] = {at.u[free[a]] - half, at.u[free[a]] + half};
   }
   for (int i = 0; i < n; ++i) {
     if (c.held[i] == Bound::none) continue;
-    const double h = beside(J_free, at.J.col(i)).squaredNorm();
-    const double inward = reach(std::abs(gradient[i]), h, c.threshold());
+    const Eigen::VectorXd own = beside(J_free, at.J.col(i));
+    c.thresholds[i] = threshold_of(own);
+    const double inward = reach(std::abs(gradient[i]), own.squaredNorm(), c.thresholds[i]);
     c.intervals[i] = c.held[i] == Bound::lower ? Interval{-kInfinity, at.u[i] + inward}
                                                : Interval{at.u[i] - inward, kInfinity};
   }

@@ -4,17 +4,23 @@
 // Residuals r(u) of m measured values, each divided by its noise or weighted alike, in n variables
 // u of the unit cube; J = dr/du at, or near, the least sum of squares S = r' r. In linear
 // approximation
-//   s^2 = S / (m - n)                 variance of a residual, where it is not given
-//   C   = s^2 (J' J)^-1               covariance of the variables
-//   u_i +- (t sqrt(C_ii) + |d_i|)     confidence interval, t of Student's distribution
-//   d = -(J' J)^-1 J' r               what the search left of the way to the least S
+//   s^2 V                               covariance of the residuals (residual_noise.h), V = 1 where
+//                                       they are alike and independent, s^2 = S / (m - n) then
+//   C = s^2 (J' J)^-1 J' V J (J' J)^-1  covariance of the variables
+//   u_i +- (t sqrt(C_ii) + |d_i|)       confidence interval, t of Student's distribution
+//   d = -(J' J)^-1 J' r                 what the search left of the way to the least S
 // [Bard, Nonlinear Parameter Estimation, 1974, ch. 7; Seber, Wild, Nonlinear Regression, 1989, ch.
 // 5]
 //
 // Singular values of J tell how strongly the data hold the directions of the unit cube: along
 // direction v_k the standard deviation is s / sigma_k; where that is more than the range itself the
 // data say nothing. A variable at a bound towards which S falls is held there; its interval is
-// one-sided, from  S(u_i) - S <= s^2 t^2  with the others refitted.
+// one-sided, from  S(u_i) - S <= threshold  with the others refitted, the threshold being that S at
+// the ends of a two-sided interval: s^2 t^2 where residuals are alike and independent.
+//
+// Where s is stated and the residuals are larger than that explains, once in a thousand, either the
+// model cannot follow the measurement or the search has ended early: intervals then take the
+// spread that is seen, and `excess` says by how much it is larger.
 //
 // Exact for linear models and Gaussian noise; elsewhere a profile (profile.h) tells more. The
 // interval is that of the least-squares fit of these residuals.
@@ -26,6 +32,7 @@
 
 #include "optimization/design_space.h"
 #include "optimization/generating_set.h"
+#include "optimization/residual_noise.h"
 
 namespace latsch {
 
@@ -44,6 +51,7 @@ struct ConfidenceOptions {
   /// Where the spread is estimated: no residual is computed more exactly. Keeps the intervals of a
   /// perfect fit, a model fitted to itself, from having no width at all.
   double least_sigma = 1e-9;
+  ResidualTraits traits = {};
 };
 
 /// Two ends in the unit cube, not cut off at its faces; infinite where nothing holds the variable.
@@ -53,18 +61,27 @@ struct Interval {
 
 struct Confidence {
   double sigma;             // of a residual; NaN where there are no more residuals than variables
-  double t;                 // Student's quantile, two-sided
+  double t;                 // Student's quantile, two-sided, of independent residuals
   std::vector<Bound> held;  // variables that their bound keeps from a better fit
   Eigen::VectorXd singular_values;  // descending, of all variables
   Eigen::MatrixXd directions;       // a column of the unit cube each
   Eigen::MatrixXd covariance;       // 0 in rows and columns of held variables
   Eigen::MatrixXd correlation;      // as well
   std::vector<Interval> intervals;
+  /// Of every variable: the S above its least that still belongs to its interval.
+  std::vector<double> thresholds;
+  Eigen::VectorXd direction_deviations;
+  /// Standard deviation of every residual as the variables feel it: a share in what its neighbors
+  /// have in common included.
+  Eigen::VectorXd noise;
+  /// The residuals' spread over the one stated, where that cannot be chance; 1 otherwise.
+  double excess = 1.0;
+  bool is_colored = false;  // neighbors share noise
 
-  /// s^2 t^2: the S above its least that still belongs to the interval.
+  /// s^2 t^2: of independent residuals.
   double threshold() const { return sigma * sigma * t * t; }
-  /// Standard deviation along direction k, in ranges of the variables.
-  double deviation(int k) const { return sigma / singular_values[k]; }
+  /// Standard deviation along direction k, in ranges of the variables; infinite where flat.
+  double deviation(int k) const { return direction_deviations[k]; }
 };
 
 /// Needs a residual at least.

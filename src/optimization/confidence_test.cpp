@@ -6,6 +6,8 @@
 #include <Eigen/QR>
 #include <cmath>
 
+#include "base/random.h"
+
 namespace latsch {
 namespace {
 
@@ -83,6 +85,55 @@ TEST(Confidence, AsManyResidualsAsVariablesLeaveNothingToEstimateTheirSpreadFrom
   Linearization at{Eigen::Vector2d(0.5, 0.4), Eigen::Vector2d::Zero(), Eigen::Matrix2d::Identity()};
   EXPECT_TRUE(std::isnan(confidence(at).sigma));
   EXPECT_TRUE(std::isinf(confidence(at).intervals[0].upper));
+}
+
+/// Noise of variance 1 that neighbors share: an autoregression of order 1.
+Eigen::VectorXd colored_noise(int count, double kappa, RandomStream random) {
+  Eigen::VectorXd e(count);
+  e[0] = random.normal();
+  for (int j = 1; j < count; ++j) {
+    e[j] = kappa * e[j - 1] + std::sqrt(1.0 - kappa * kappa) * random.normal();
+  }
+  return e;
+}
+
+// The level and slope of a line under noise that neighbors share. Over 300 data sets a share of
+// 0.95 is known to 0.0126.
+TEST(Confidence, NeighborsThatShareNoiseAreNotIndependent) {
+  constexpr int kSets = 300, kSamples = 200;
+  int held[2] = {};
+  const Eigen::VectorXd truth =
+      Eigen::VectorXd::LinSpaced(kSamples, 0.5, 0.5 + 0.5 * (kSamples - 1));
+  for (int set = 0; set < kSets; ++set) {
+    const Linearization at =
+        line(truth + 0.05 * colored_noise(kSamples, 0.8, RandomStream(7, set)));
+    const Confidence c = confidence(at, {.traits = {.curves = std::vector<int>(kSamples, 0)}});
+    EXPECT_TRUE(c.is_colored);
+    for (int i = 0; i < 2; ++i) {
+      held[i] += c.intervals[i].lower <= 0.5 && 0.5 <= c.intervals[i].upper;
+    }
+  }
+  for (const int count : held) EXPECT_NEAR(static_cast<double>(count) / kSets, 0.95, 0.025);
+}
+
+// Twice the stated noise in 100 values is no chance: the interval is that of the spread seen.
+TEST(Confidence, ResidualsLargerThanTheirStatedNoiseWidenTheIntervals) {
+  Linearization at = line(2.0 * colored_noise(100, 0.0, RandomStream(3, 1)));
+  at.u.setConstant(0.5);  // inside its bounds
+  const Confidence stated = confidence(at, {.sigma = 1.0}), seen = confidence(at);
+  EXPECT_NEAR(stated.excess, 2.0, 0.3);
+  EXPECT_NEAR(stated.intervals[1].upper, seen.intervals[1].upper, 1e-12);
+  EXPECT_EQ(confidence(at, {.sigma = 2.0}).excess, 1.0);
+}
+
+// A weight of 4 makes a residual twice as large as its noise: the fit listens to it more than its
+// noise deserves, and the interval knows the noise. Mean of two values with weights 4 and 1:
+// variance (16 + 1) / 25.
+TEST(Confidence, AWeightIsNotTakenForExactness) {
+  Linearization at{Eigen::VectorXd::Constant(1, 0.5), Eigen::Vector2d::Zero(), {}};
+  at.J = Eigen::Vector2d(2, 1);
+  const Confidence c = confidence(at, {.sigma = 1.0, .traits = {.deviations = {2.0, 1.0}}});
+  EXPECT_NEAR(c.covariance(0, 0), 17.0 / 25.0, 1e-12);
 }
 
 // Differences of a linear function are exact; at the upper bound they are taken inward.
