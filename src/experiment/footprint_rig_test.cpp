@@ -90,8 +90,9 @@ TEST(FeFootprint, CarriesWhatTheTireLeavesUnbalanced) {
   fe_tire::RingState state = assembly.zero_state();
   state.x = whole.compress(loaded->u);
   Eigen::VectorXd unbalanced;
+  const fe_tire::RingElements elements(ring, tire.materials());
   ASSERT_TRUE(assembly.assemble(
-      tire.materials(), state, kFootprintPressure, nullptr, unbalanced, nullptr, nullptr));
+      elements, state, kFootprintPressure, nullptr, unbalanced, nullptr, nullptr));
   Eigen::Matrix3Xd rise(3, ring.mesh().nodes());
   const int n = ring.mesh().nodes_per_sector();
   for (int s = 0; s < ring.sectors(); ++s)

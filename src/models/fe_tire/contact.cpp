@@ -148,10 +148,9 @@ GroundContact::Traction GroundContact::traction(const Eigen::Vector3d& x,
 
 void GroundContact::add(
     int sector, int element, const Matrix38& u, bool stuck, Vector24& f, Matrix24* K) const {
+  if (!touches(sector, element, u)) return;
   const int k = face_of_element_[element];
-  if (k < 0) return;
   const Matrix34 x = world_face(sector, element, u);
-  if (x.row(2).minCoeff() >= height_) return;
 
   const Eigen::Matrix3d& R = frames_[sector];
   const Face& face = faces(sector)[k];
@@ -175,6 +174,22 @@ void GroundContact::add(
       }
     }
   }
+}
+
+bool GroundContact::touches(int sector, int element, const Matrix38& u) const {
+  return face_of_element_[element] >= 0 &&
+         world_face(sector, element, u).row(2).minCoeff() < height_;
+}
+
+void GroundContact::add_turned(
+    int sector, int element, const Matrix38& u, bool stuck, Vector24& f, Matrix24* K) const {
+  if (!touches(sector, element, u)) return;
+  Vector24 force = Vector24::Zero();
+  Matrix24 stiffness = Matrix24::Zero();
+  add(sector, element, u, stuck, force, K ? &stiffness : nullptr);
+  ring_.turn_to_node_frames(sector, element, force, K ? &stiffness : nullptr);
+  f += force;
+  if (K) *K += stiffness;
 }
 
 void GroundContact::settle(const Eigen::VectorXd& x) {

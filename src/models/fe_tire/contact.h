@@ -37,6 +37,10 @@ class GroundContact {
   /// where `stuck`.
   void add(int sector, int element, const Matrix38& u, bool stuck, Vector24& f, Matrix24* K) const;
 
+  /// The same for f and K in the frames of their nodes.
+  void add_turned(
+      int sector, int element, const Matrix38& u, bool stuck, Vector24& f, Matrix24* K) const;
+
   /// Takes the state x as an equilibrium: anchors follow, new points in contact get theirs.
   void settle(const Eigen::VectorXd& x);
 
@@ -65,6 +69,7 @@ class GroundContact {
   const std::vector<Face>& faces(int sector) const { return faces_[ring_.width(sector)]; }
   Matrix34 world_face(int sector, int element, const Matrix38& u) const;
   Face face_of(int sector, int element) const;
+  bool touches(int sector, int element, const Matrix38& u) const;
   int point_index(int sector, int face, int q) const;
 
   const RingUnknowns& unknowns_;

@@ -18,6 +18,7 @@ struct CordStress {
   double S = 0.0;        // second Piola-Kirchhoff stress along the cord, Pa
   double tangent = 0.0;  // dS/de, Pa
 };
+/// As the elements see it (hex8_cords.h).
 CordStress stress(const CordLayer& layer, double e);
 
 }  // namespace latsch::fe_tire

@@ -28,12 +28,12 @@ EquilibriumSolver::EquilibriumSolver(const RingUnknowns& unknowns, const SolverS
       f_(unknowns.size()),
       d_(unknowns.size()) {}
 
-std::optional<Failure> EquilibriumSolver::solve(const Materials& materials,
+std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
                                                 RingState& state,
                                                 double pressure,
                                                 const GroundContact* contact,
                                                 const std::string& step) {
-  materials_ = &materials;
+  elements_ = &elements;
   contact_ = contact;
   pressure_ = pressure;
   shift_ = 0.0;
@@ -61,7 +61,7 @@ bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
   failed_element_ = -1;
   if (with_tangent) ++counts_.assemblies;
   return assembly_.assemble(
-      *materials_, state, pressure_, contact_, f_, with_tangent ? &K_ : nullptr, &failed_element_);
+      *elements_, state, pressure_, contact_, f_, with_tangent ? &K_ : nullptr, &failed_element_);
 }
 
 bool EquilibriumSolver::factorize() {

@@ -31,7 +31,7 @@ class EquilibriumSolver {
 
   /// Brings `state` into equilibrium under pressure and contact (may be null). A Failure names
   /// `step`, the residual and the worst element; `state` then is as it was.
-  std::optional<Failure> solve(const Materials& materials,
+  std::optional<Failure> solve(const RingElements& elements,
                                RingState& state,
                                double pressure,
                                const GroundContact* contact,
@@ -65,7 +65,7 @@ class EquilibriumSolver {
   SolverCounts counts_;
 
   // The equilibrium being solved.
-  const Materials* materials_ = nullptr;
+  const RingElements* elements_ = nullptr;
   const GroundContact* contact_ = nullptr;
   double pressure_ = 0.0;
   double reference_ = 0.0;

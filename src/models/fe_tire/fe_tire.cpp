@@ -11,6 +11,7 @@
 #include "models/fe_tire/mode_label.h"
 #include "models/fe_tire/modes.h"
 #include "models/fe_tire/ring.h"
+#include "models/fe_tire/ring_elements.h"
 #include "models/fe_tire/ring_unknowns.h"
 #include "models/fe_tire/sector.h"
 
@@ -46,24 +47,27 @@ struct Systems {
 struct FeTire::Impl {
   Ring ring;                 // pressed on the ground
   std::optional<Ring> even;  // all sectors equally wide, where those of `ring` are not
-  Materials materials;
   SolverSettings settings;
 
-  Impl(Mesh mesh, Materials given, const SolverSettings& s)
-      : ring(std::move(mesh), s.element), materials(std::move(given)), settings(s) {
+  Impl(Mesh mesh, const Materials& materials, const SolverSettings& s)
+      : ring(std::move(mesh), s.element), settings(s) {
     if (ring.widths() > 1) even.emplace(ring.mesh().evenly_divided(), s.element);
+    set(materials);
   }
 
-  void set(Materials given) {
-    materials = std::move(given);
+  void set(const Materials& materials) {
+    elements_.emplace(ring, materials);
+    if (even) even_elements_.emplace(*even, materials);
     is_symmetry_known_ = false;
   }
+
+  const RingElements& elements() const { return *elements_; }
 
   /// Symbolic work, for whoever needs more than one sector; done again only where new materials
   /// make or break the symmetry.
   Systems& systems() {
     if (is_symmetry_known_) return *systems_;
-    const auto mirror = find_mirror(ring.mesh(), materials);
+    const auto mirror = find_mirror(ring.mesh(), elements().materials());
     if (!systems_ || systems_->odd.has_value() != mirror.has_value()) {
       SolverCounts before = counts();
       systems_ = std::make_unique<Systems>(ring, settings, mirror);
@@ -81,6 +85,7 @@ struct FeTire::Impl {
 
   /// What inflation and unloaded modes see: one sector stands for the ring.
   const Ring& even_ring() const { return even ? *even : ring; }
+  const RingElements& even_elements() const { return even ? *even_elements_ : *elements_; }
 
   /// The inflated state in all sectors that are assembled.
   RingState replicate(const Inflated& inflated) {
@@ -103,6 +108,7 @@ struct FeTire::Impl {
                                      int count);
 
  private:
+  std::optional<RingElements> elements_, even_elements_;  // of `ring`, of `even`
   std::unique_ptr<Systems> systems_;
   bool is_symmetry_known_ = false;
 };
@@ -110,13 +116,14 @@ struct FeTire::Impl {
 namespace {
 
 /// Force norm of the pressure on the undeformed tire: what the solver's tolerance is relative to.
-double pressure_force(const Ring& ring, const Materials& materials, double pressure) {
+double pressure_force(const RingElements& elements, double pressure) {
+  const Ring& ring = elements.ring();
   Eigen::VectorXd alpha =
       Eigen::VectorXd::Zero(ring.alphas_per_element() * ring.elements_per_sector());
   const Eigen::VectorXd x = Eigen::VectorXd::Zero(ring.sector_unknowns());
   Eigen::VectorXd with, without;
-  assemble_sector(ring, materials, x, pressure, alpha, with, nullptr, nullptr);
-  assemble_sector(ring, materials, x, 0.0, alpha, without, nullptr, nullptr);
+  assemble_sector(elements, x, pressure, alpha, with, nullptr, nullptr);
+  assemble_sector(elements, x, 0.0, alpha, without, nullptr, nullptr);
   return (with - without).norm() * std::sqrt(static_cast<double>(ring.sectors()));
 }
 
@@ -129,27 +136,25 @@ Failure unstable() {
 }  // namespace
 
 FeTire::FeTire(Mesh mesh, Materials materials, SolverSettings settings)
-    : impl_(std::make_unique<Impl>(std::move(mesh), std::move(materials), settings)) {}
+    : impl_(std::make_unique<Impl>(std::move(mesh), materials, settings)) {}
 FeTire::~FeTire() = default;
 FeTire::FeTire(FeTire&&) noexcept = default;
 FeTire& FeTire::operator=(FeTire&&) noexcept = default;
 
 const Mesh& FeTire::mesh() const { return impl_->ring.mesh(); }
-const Materials& FeTire::materials() const { return impl_->materials; }
+const Materials& FeTire::materials() const { return impl_->elements().materials(); }
 SolverCounts FeTire::counts() const { return impl_->counts(); }
 void FeTire::reset_counts() { impl_->reset_counts(); }
 
-void FeTire::set(Materials materials) { impl_->set(std::move(materials)); }
+void FeTire::set(Materials materials) { impl_->set(materials); }
 
 Result<Inflated> FeTire::inflate(double pressure) {
   Impl& tire = *impl_;
   if (tire.ring.sectors() > 1) {
-    return inflate_sector(tire.even_ring(), tire.materials, pressure, tire.settings);
+    return inflate_sector(tire.even_elements(), pressure, tire.settings);
   }
-  return inflate_ring(tire.systems().solver,
-                      tire.materials,
-                      pressure,
-                      pressure_force(tire.ring, tire.materials, pressure));
+  return inflate_ring(
+      tire.systems().solver, tire.elements(), pressure, pressure_force(tire.elements(), pressure));
 }
 
 Result<Loaded> FeTire::load(const Inflated& inflated,
@@ -157,14 +162,14 @@ Result<Loaded> FeTire::load(const Inflated& inflated,
                             const Ground& ground) {
   Impl& tire = *impl_;
   EquilibriumSolver& solver = tire.systems().solver;
-  solver.set_reference(pressure_force(tire.even_ring(), tire.materials, inflated.pressure));
+  solver.set_reference(pressure_force(tire.even_elements(), inflated.pressure));
   // Start every load case from scratch, so that its result does not depend on what was solved
   // before.
   solver.forget_factor();
   GroundContact contact(tire.systems().unknowns, ground);
   RingState state = tire.replicate(inflated);
   Result<std::vector<LoadPoint>> curve =
-      load_steps(solver, tire.materials, inflated, deflections, ground.mu > 0.0, contact, state);
+      load_steps(solver, tire.elements(), inflated, deflections, ground.mu > 0.0, contact, state);
   if (!curve) return curve.failure();
   Loaded loaded;
   loaded.inflated = inflated;
@@ -177,7 +182,7 @@ Result<Loaded> FeTire::load(const Inflated& inflated,
 Result<std::vector<Mode>> FeTire::modes(const Inflated& inflated, int count) {
   Impl& tire = *impl_;
   if (tire.ring.sectors() > 1) {
-    return harmonic_modes(tire.even_ring(), tire.ring.mesh(), tire.materials, inflated, count);
+    return harmonic_modes(tire.even_elements(), tire.ring.mesh(), inflated, count);
   }
   return modes_full(inflated, count);
 }
@@ -191,12 +196,12 @@ Result<std::vector<Mode>> FeTire::modes_full(const Inflated& inflated, int count
   Eigen::VectorXd f;
   numerics::SymmetricMatrix K(*assembly.pattern());
   int worst = 0;
-  if (!assembly.assemble(tire.materials, state, inflated.pressure, nullptr, f, &K, &worst)) {
+  if (!assembly.assemble(tire.even_elements(), state, inflated.pressure, nullptr, f, &K, &worst)) {
     return no_tangent(whole.ring(), worst);
   }
   numerics::Factorization factor(*assembly.pattern());
   if (!factor.factorize(K).definite()) return unstable();
-  return ring_modes(assembly, factor, assembly.mass(tire.materials), count);
+  return ring_modes(assembly, factor, assembly.mass(tire.even_elements()), count);
 }
 
 Result<std::vector<Mode>> FeTire::modes(const Loaded& loaded, int count) {
@@ -210,17 +215,15 @@ Result<std::vector<Mode>> FeTire::modes(const Loaded& loaded, int count) {
   for (Mode& mode : *modes) mode.phase = phase_of(tire.ring.mesh(), mode.shape);
   if (tire.ring.sectors() > 1) {
     // Half as many again: some of the unloaded modes that the loaded ones resemble lie higher.
-    const auto unloaded = harmonic_modes(
-        tire.even_ring(), tire.ring.mesh(), tire.materials, loaded.inflated, count + count / 2);
+    const auto unloaded =
+        harmonic_modes(tire.even_elements(), tire.ring.mesh(), loaded.inflated, count + count / 2);
     if (!unloaded) return unloaded.failure();
-    name_after(*unloaded, nodal_masses(tire.ring, tire.materials), *modes);
+    name_after(*unloaded, nodal_masses(tire.elements()), *modes);
   }
   return modes;
 }
 
-double FeTire::total_mass() const {
-  return nodal_masses(impl_->even_ring(), impl_->materials).sum();
-}
+double FeTire::total_mass() const { return nodal_masses(impl_->even_elements()).sum(); }
 
 /// Modes of even and odd states together, the lowest `count`. Each kind is asked for somewhat more
 /// than its half; where one may hold more of the lowest than it was asked for, again.
@@ -263,7 +266,7 @@ Result<std::vector<Mode>> FeTire::Impl::modes_of(const RingAssembly& assembly,
     contact->set_height(ground_height);
   }
   int worst = 0;
-  if (!all.solver.assembly().assemble_tangent(materials,
+  if (!all.solver.assembly().assemble_tangent(elements(),
                                               state,
                                               pressure,
                                               contact ? &*contact : nullptr,
@@ -274,7 +277,7 @@ Result<std::vector<Mode>> FeTire::Impl::modes_of(const RingAssembly& assembly,
   }
   ++all.solver.counts().factorizations;
   if (!all.factor.factorize(all.tangent).definite()) return unstable();
-  return ring_modes(assembly, all.factor, assembly.mass(materials), count);
+  return ring_modes(assembly, all.factor, assembly.mass(elements()), count);
 }
 
 }  // namespace latsch::fe_tire

@@ -58,12 +58,13 @@ TEST(FeTire, HarmonicShapesAreModesOfTheRingsOwnMatrices) {
   const Ring ring(build_mesh(description), ElementKind::full_integration);
   const RingUnknowns whole(ring, RingSymmetry::none, {});
   const RingAssembly assembly(whole);
+  const RingElements elements(ring, tire.materials());
   RingState state = assembly.zero_state();
   state.x = whole.compress(inflated->u.replicate(1, ring.sectors()));
   numerics::SymmetricMatrix K(*assembly.pattern());
   Eigen::VectorXd f;
-  ASSERT_TRUE(assembly.assemble(tire.materials(), state, kPressure, nullptr, f, &K, nullptr));
-  const numerics::SymmetricMatrix M = assembly.mass(tire.materials());
+  ASSERT_TRUE(assembly.assemble(elements, state, kPressure, nullptr, f, &K, nullptr));
+  const numerics::SymmetricMatrix M = assembly.mass(elements);
   for (const Mode& mode : *modes) {
     const Eigen::VectorXd phi = whole.compress(mode.shape);
     Eigen::MatrixXd K_phi(phi.size(), 1), M_phi(phi.size(), 1);
@@ -83,14 +84,14 @@ TEST(FeTire, InflatedSectorIsAnEquilibriumOfTheWholeRing) {
   const Ring ring(build_mesh(description), ElementKind::full_integration);
   const RingUnknowns whole(ring, RingSymmetry::none, {});
   const RingAssembly assembly(whole);
+  const RingElements elements(ring, tire.materials());
   RingState state = assembly.zero_state();
   state.x = whole.compress(inflated->u.replicate(1, ring.sectors()));
   Eigen::VectorXd residual, pressure_alone;
-  ASSERT_TRUE(
-      assembly.assemble(tire.materials(), state, kPressure, nullptr, residual, nullptr, nullptr));
+  ASSERT_TRUE(assembly.assemble(elements, state, kPressure, nullptr, residual, nullptr, nullptr));
   RingState undeformed = assembly.zero_state();
   ASSERT_TRUE(assembly.assemble(
-      tire.materials(), undeformed, kPressure, nullptr, pressure_alone, nullptr, nullptr));
+      elements, undeformed, kPressure, nullptr, pressure_alone, nullptr, nullptr));
   EXPECT_LT(residual.norm(), 1e-9 * pressure_alone.norm());
 }
 
@@ -102,6 +103,7 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
   const Ring ring(build_mesh(description), ElementKind::full_integration);
   const RingUnknowns whole(ring, RingSymmetry::none, {});
   const RingAssembly assembly(whole);
+  const RingElements elements(ring, tire.materials());
   GroundContact contact(
       whole, {2e8, 5.0});  // soft ground and no slip: the kink at first touch is out of the way
   contact.set_height(-inflated->radius + 0.01);
@@ -111,7 +113,7 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
 
   numerics::SymmetricMatrix K(*assembly.pattern());
   Eigen::VectorXd f, above, below;
-  assembly.assemble(tire.materials(), state, kPressure, &contact, f, &K, nullptr);
+  assembly.assemble(elements, state, kPressure, &contact, f, &K, nullptr);
   // All nodes move, those of the bead's free inner edge too, too little to cross the ground.
   Eigen::Matrix3Xd u(3, ring.mesh().nodes());
   for (int k = 0; k < u.cols(); ++k) {
@@ -123,9 +125,9 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
   const double h = 1e-8;
   RingState moved = state;
   moved.x = state.x + h * d;
-  assembly.assemble(tire.materials(), moved, kPressure, &contact, above, nullptr, nullptr);
+  assembly.assemble(elements, moved, kPressure, &contact, above, nullptr, nullptr);
   moved.x = state.x - h * d;
-  assembly.assemble(tire.materials(), moved, kPressure, &contact, below, nullptr, nullptr);
+  assembly.assemble(elements, moved, kPressure, &contact, below, nullptr, nullptr);
   const Eigen::VectorXd difference = (above - below) / (2 * h);
   EXPECT_LT((Kd.col(0) - difference).norm(), 1e-5 * difference.norm());
 }
@@ -139,6 +141,7 @@ TEST(FeTire, TangentOfThePressureIsExactAtAnOpenEdgeToo) {
   const RingAssembly assembly(whole);
   Materials soft = build_materials(description);
   for (Solid& solid : soft.solids) solid.law = Hyperelastic::from_young_modulus(1e5, 0.45);
+  const RingElements elements(ring, soft);
   Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, ring.mesh().nodes());
   const int n = ring.mesh().nodes_per_sector();
   int moved_nodes = 0;
@@ -158,15 +161,15 @@ TEST(FeTire, TangentOfThePressureIsExactAtAnOpenEdgeToo) {
   state.x = 1e-4 * d;
   numerics::SymmetricMatrix K(*assembly.pattern());
   Eigen::VectorXd f, above, below;
-  ASSERT_TRUE(assembly.assemble(soft, state, 1e6, nullptr, f, &K, nullptr));
+  ASSERT_TRUE(assembly.assemble(elements, state, 1e6, nullptr, f, &K, nullptr));
   Eigen::MatrixXd Kd(d.size(), 1);
   K.multiply(d, Kd);
   const double h = 1e-7;
   RingState moved = state;
   moved.x = state.x + h * d;
-  ASSERT_TRUE(assembly.assemble(soft, moved, 1e6, nullptr, above, nullptr, nullptr));
+  ASSERT_TRUE(assembly.assemble(elements, moved, 1e6, nullptr, above, nullptr, nullptr));
   moved.x = state.x - h * d;
-  ASSERT_TRUE(assembly.assemble(soft, moved, 1e6, nullptr, below, nullptr, nullptr));
+  ASSERT_TRUE(assembly.assemble(elements, moved, 1e6, nullptr, below, nullptr, nullptr));
   const Eigen::VectorXd difference = (above - below) / (2 * h);
   EXPECT_LT((Kd.col(0) - difference).norm(), 1e-6 * difference.norm());
 }
@@ -305,7 +308,9 @@ RimForces rim_forces(const Ring& ring, const Materials& materials, const Loaded&
   const Mesh& mesh = ring.mesh();
   const int n = mesh.nodes_per_sector();
   RimForces sum;
-  std::vector<double> alpha(ring.alphas_per_element() + 1);
+  const RingElements elements(ring, materials);
+  ElementBatch batch;
+  batch.count = 1;
   for (int s = 0; s < ring.sectors(); ++s) {
     for (int e = 0; e < ring.elements_per_sector(); ++e) {
       Matrix38 u;
@@ -316,16 +321,17 @@ RimForces rim_forces(const Ring& ring, const Materials& materials, const Loaded&
             mesh.frame(s).transpose() * mesh.frame(plane) * loaded.u.col(plane * n + node % n);
       }
       Vector24 f, wall;
-      std::fill(alpha.begin(), alpha.end(), 0.0);
-      EXPECT_TRUE(pressurized_element(
-          ring, materials, s, e, u, loaded.inflated.pressure, alpha.data(), f, nullptr));
-      EXPECT_TRUE(
-          evaluate(ring.shape(s, e), materials, mesh.elements[e], u, alpha.data(), wall, nullptr));
-      for (int a = 0; a < 8; ++a) {
-        sum.gas -= mesh.frame(s) * (f - wall).segment<3>(3 * a);
+      batch.set(0, u, nullptr, 0);
+      EXPECT_EQ(elements.evaluate(s, e, loaded.inflated.pressure, false, batch), 1u);
+      batch.take(0, f, nullptr, nullptr, 0);
+      EXPECT_EQ(elements.evaluate(s, e, 0.0, false, batch), 1u);
+      batch.take(0, wall, nullptr, nullptr, 0);
+      for (int a = 0; a < 8; ++a) {  // each in its node's frame
         const int node = mesh.elements[e].node[a] % n;
+        const int plane = (s + mesh.elements[e].node[a] / n) % mesh.sectors;
+        sum.gas -= mesh.frame(plane) * (f - wall).segment<3>(3 * a);
         const bool is_held = std::binary_search(mesh.clamped.begin(), mesh.clamped.end(), node);
-        if (is_held) sum.held += mesh.frame(s) * f.segment<3>(3 * a);
+        if (is_held) sum.held += mesh.frame(plane) * f.segment<3>(3 * a);
       }
     }
   }

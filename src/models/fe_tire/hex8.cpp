@@ -2,9 +2,11 @@
 // The two element kinds behind one interface, and the mass.
 #include "models/fe_tire/hex8.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
-#include "models/fe_tire/hex8_full_integration.h"
+#include "base/error.h"
+#include "models/fe_tire/element_law.h"
+#include "models/fe_tire/hex8_batch.h"
 #include "models/fe_tire/hex8_rebar.h"
 #include "models/fe_tire/hex8_shape.h"
 #include "models/fe_tire/hex8_solid_shell.h"
@@ -17,35 +19,36 @@ namespace {
 /// waves cancel to fourth order in the element's length [Guddati & Yue 2004, CMAME 193].
 constexpr double kMassPoint = 0.81649658092772603273;
 
-void set(PointLaw& law, const Matrix6& D) { Matrix6::Map(&law.D[0][0]) = D; }
-
-bool add_solid_and_cords(const HexShape& shape,
-                         const Solid& solid,
-                         int layer_rows,
-                         const Matrix38& x,
-                         Cords& cords,
-                         double* alpha,
-                         bool stiffness,
-                         NodalSums& sums) {
-  PointLaw law;
-  law.rubber = std::get_if<Hyperelastic>(&solid.law);
-  const auto* linear = std::get_if<StVenantKirchhoff>(&solid.law);
-  if (linear) set(law, linear->D);
-  if (shape.kind == ElementKind::full_integration) {
-    stretch(cords, nullptr);
-    add_cords(cords, stiffness, sums, nullptr);
-    return add_full_integration(shape, law, x, stiffness, sums);
-  }
-  if (linear) set(law, layer_stiffness(linear->D, shape.solid_shell, layer_rows));
-  const double shear_modulus = linear ? linear->D.diagonal().tail<3>().minCoeff()
-                                      : 2.0 * (law.rubber->C10 + law.rubber->C01);
-  return add_solid_shell(shape, law, shear_modulus, x, cords, alpha, stiffness, sums);
-}
-
 }  // namespace
 
 int internal_parameters(ElementKind kind) {
   return kind == ElementKind::solid_shell ? SolidShellShape::kEnhanced : 0;
+}
+
+ElementLaw element_law(const HexShape& shape, const Materials& materials, const Element& element) {
+  if (element.rebars.size() > ElementLaw::kCordLayers) {
+    throw InputError(
+        fmt::format("mesh: an element holds {} cord layers, expected at most {}; use more "
+                    "rows of elements through the wall",
+                    element.rebars.size(),
+                    ElementLaw::kCordLayers));
+  }
+  ElementLaw law;
+  law.shape = &shape;
+  law.cords = cord_sheets(shape, materials, element);
+  const Solid& solid = materials.solids[element.solid];
+  if (const auto* rubber = std::get_if<Hyperelastic>(&solid.law)) {
+    law.rubber = *rubber;
+    law.relaxation = 2.0 * (rubber->C10 + rubber->C01);
+    return law;
+  }
+  const Matrix6& D = std::get<StVenantKirchhoff>(solid.law).D;
+  law.linear = true;
+  law.relaxation = D.diagonal().tail<3>().minCoeff();
+  Matrix6::Map(&law.D[0][0]) = shape.kind == ElementKind::solid_shell
+                                   ? layer_stiffness(D, shape.solid_shell, element.layer_rows)
+                                   : D;
+  return law;
 }
 
 bool evaluate(const HexShape& shape,
@@ -55,15 +58,12 @@ bool evaluate(const HexShape& shape,
               double* alpha,
               Vector24& f,
               Matrix24* K) {
-  const bool stiffness = K != nullptr;
-  const Matrix38 x = shape.X + u;
-  NodalSums sums;
-  sums.set_zero(stiffness);
-  const Solid& solid = materials.solids[element.solid];
-  Cords cords(shape, materials, element, x);
-  if (!add_solid_and_cords(shape, solid, element.layer_rows, x, cords, alpha, stiffness, sums))
-    return false;
-  sums.write(f, K);
+  ElementBatch batch;
+  batch.count = 1;
+  const int alphas = internal_parameters(shape.kind);
+  batch.set(0, u, alpha, alphas);
+  if (!evaluate(element_law(shape, materials, element), {}, K != nullptr, batch)) return false;
+  batch.take(0, f, K, alpha, alphas);
   return true;
 }
 

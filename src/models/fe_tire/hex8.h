@@ -17,7 +17,8 @@ using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
 enum class ElementKind {
   full_integration,  // 2x2x2 displacement element, CalculiX' C3D8: for comparison, it locks
-  solid_shell,       // the default: assumed and enhanced strains, see hex8_solid_shell.cpp
+  solid_shell,       // the default: assumed and enhanced strains, see
+                     // hex8_solid_shell_kernel.h
 };
 
 /// Everything about an element that does not change with the displacement: gradients, weights,

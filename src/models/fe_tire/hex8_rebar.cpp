@@ -22,14 +22,11 @@
 // slip.
 #include "models/fe_tire/hex8_rebar.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 
-#include "base/error.h"
-#include "models/fe_tire/cord_law.h"
+#include "models/fe_tire/element_law.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -70,22 +67,20 @@ Direction direction(const Surface& surface, double xi, double eta, double angle)
   return {d.cross(G2).dot(n) / dA, G1.cross(d).dot(n) / dA, dA};
 }
 
-/// The surface zeta = const and its n_m.
-Surface set_surface(const Matrix38& X, double zeta, Lanes* n) {
+Surface surface_at(const Matrix38& X, double zeta) {
   Surface surface{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero()};
   for (int a = 0; a < 8; ++a) {
     const double h = 0.125 * (1.0 + kZeta[a] * zeta);
     surface.X0 += h * X.col(a);
-    n[0][a] = h * kXi[a];
-    n[1][a] = h * kEta[a];
-    n[2][a] = h * kXi[a] * kEta[a];
-    for (int m = 0; m < 3; ++m) surface.Y.col(m) += n[m][a] * X.col(a);
+    surface.Y.col(0) += h * kXi[a] * X.col(a);
+    surface.Y.col(1) += h * kEta[a] * X.col(a);
+    surface.Y.col(2) += h * kXi[a] * kEta[a] * X.col(a);
   }
   return surface;
 }
 
 /// Equation (1): W, dA (in dV) at the four points. Returns the mean of (xi, eta) over the area.
-Eigen::Vector2d set_points(const Surface& surface, double angle, CordPoint* points) {
+Eigen::Vector2d set_points(const Surface& surface, double angle, CordSheet::Point* points) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   double area = 0.0;
   for (int q = 0; q < 4; ++q) {
@@ -108,7 +103,7 @@ void assume(const Surface& surface,
             double angle,
             const Eigen::Vector2d& mean,
             const SolidShellShape& shape,
-            CordPoint* points) {
+            CordSheet::Point* points) {
   const Direction center = direction(surface, 0.0, 0.0, angle);
   const Eigen::Matrix3d& Y = surface.Y;
   const Eigen::Matrix2d metric = Y.leftCols<2>().transpose() * Y.leftCols<2>();
@@ -130,102 +125,24 @@ void assume(const Surface& surface,
   }
 }
 
-LATSCH_CLONES
-void add(const CordSheet& sheet, bool stiffness, NodalSums& sums, Lanes (*coupling)[3]) {
-  double f[3][3] = {}, K[3][3][3][3] = {}, c[2][3][3] = {};  // [m][i], [m][i][n][j], [alpha][m][i]
-  for (const CordPoint& point : sheet.points) {
-    double b[3][3];  // de / dy_m, [m][i]
-    for (int m = 0; m < 3; ++m) {
-      for (int i = 0; i < 3; ++i) {
-        b[m][i] = sheet.y[i][0] * point.W[0][m] + sheet.y[i][1] * point.W[1][m] +
-                  sheet.y[i][2] * point.W[2][m];
-        f[m][i] += point.dV * point.S * b[m][i];
-      }
-    }
-    if (!stiffness) continue;
-    const double k = point.dV * point.tangent;
-    for (int m = 0; m < 3; ++m) {
-      for (int i = 0; i < 3; ++i) {
-        for (int l = 0; l < 2; ++l) c[l][m][i] += k * point.p[l] * b[m][i];
-        for (int n = 0; n < 3; ++n) {
-          for (int j = i; j < 3; ++j) K[m][i][n][j] += k * b[m][i] * b[n][j];
-          K[m][i][n][i] += point.dV * point.S * point.W[m][n];
-        }
-      }
-    }
-  }
-  const Lanes* n = sheet.n;
-  for (int i = 0; i < 3; ++i) {
-    for (int m = 0; m < 3; ++m) sums.f[i] += f[m][i] * n[m];
-    if (!stiffness) continue;
-    for (int l = 0; coupling != nullptr && l < 2; ++l) {
-      for (int m = 0; m < 3; ++m) coupling[l][i] += c[l][m][i] * n[m];
-    }
-    for (int j = i; j < 3; ++j) {
-      Lanes t[3] = {};
-      for (int m = 0; m < 3; ++m) {
-        for (int k = 0; k < 3; ++k) t[m] += K[m][i][k][j] * n[k];
-      }
-      for (int a = 0; a < 8; ++a) {
-        sums.K[8 * i + a][j] += n[0][a] * t[0] + n[1][a] * t[1] + n[2][a] * t[2];
-      }
-    }
-  }
-}
-
 }  // namespace
 
-Cords::Cords(const HexShape& shape,
-             const Materials& materials,
-             const Element& element,
-             const Matrix38& x) {
-  if (element.rebars.size() > kLayers) {
-    throw InputError(
-        fmt::format("mesh: an element holds {} cord layers, expected at most {}; use more "
-                    "rows of elements through the wall",
-                    element.rebars.size(),
-                    kLayers));
-  }
+std::vector<CordSheet> cord_sheets(const HexShape& shape,
+                                   const Materials& materials,
+                                   const Element& element) {
+  std::vector<CordSheet> sheets;
   for (const RebarPlacement& rebar : element.rebars) {
-    CordSheet& sheet = sheets[count++];
-    sheet.layer = &materials.layers[rebar.layer];
-    const Surface surface = set_surface(shape.X, rebar.zeta, sheet.n);
-    const Eigen::Vector2d mean = set_points(surface, sheet.layer->angle, sheet.points);
+    CordSheet& sheet = sheets.emplace_back();
+    sheet.zeta = rebar.zeta;
+    sheet.layer = materials.layers[rebar.layer];
+    const Surface surface = surface_at(shape.X, rebar.zeta);
+    const Eigen::Vector2d mean = set_points(surface, sheet.layer.angle, sheet.points);
     if (shape.kind == ElementKind::solid_shell) {
-      assume(surface, sheet.layer->angle, mean, shape.solid_shell, sheet.points);
+      assume(surface, sheet.layer.angle, mean, shape.solid_shell, sheet.points);
     }
-    Eigen::Matrix3d y = Eigen::Matrix3d::Zero();
-    for (int a = 0; a < 8; ++a) {
-      for (int m = 0; m < 3; ++m) y.col(m) += sheet.n[m][a] * x.col(a);
-    }
-    const Eigen::Matrix3d yy = y.transpose() * y;
-    for (int i = 0; i < 3; ++i) {
-      for (int m = 0; m < 3; ++m) sheet.y[i][m] = y(i, m);
-    }
-    for (CordPoint& point : sheet.points) {
-      double square = 0.0;
-      for (int m = 0; m < 3; ++m) {
-        for (int n = 0; n < 3; ++n) square += point.W[m][n] * yy(m, n);
-      }
-      point.e = 0.5 * (square - 1.0);
-      point.dV *= sheet.layer->thickness;
-    }
+    for (CordSheet::Point& point : sheet.points) point.dV *= sheet.layer.thickness;
   }
-}
-
-void stretch(Cords& cords, const double* alpha) {
-  for (int k = 0; k < cords.count; ++k) {
-    for (CordPoint& point : cords.sheets[k].points) {
-      const double enhanced = alpha ? point.p[0] * alpha[0] + point.p[1] * alpha[1] : 0.0;
-      const CordStress cord = stress(*cords.sheets[k].layer, point.e + enhanced);
-      point.S = cord.S;
-      point.tangent = cord.tangent;
-    }
-  }
-}
-
-void add_cords(const Cords& cords, bool stiffness, NodalSums& sums, Lanes (*coupling)[3]) {
-  for (int k = 0; k < cords.count; ++k) add(cords.sheets[k], stiffness, sums, coupling);
+  return sheets;
 }
 
 Matrix8 rebar_mass(const Matrix38& X,
@@ -235,8 +152,7 @@ Matrix8 rebar_mass(const Matrix38& X,
   Matrix8 M = Matrix8::Zero();
   for (const RebarPlacement& rebar : element.rebars) {
     const CordLayer& layer = materials.layers[rebar.layer];
-    Lanes n[3];
-    const Surface surface = set_surface(X, rebar.zeta, n);
+    const Surface surface = surface_at(X, rebar.zeta);
     for (int q = 0; q < 4; ++q) {
       const double dA = direction(surface, kGauss * kXi4[q], kGauss * kEta4[q], 0.0).dA;
       const Vector8 N = shape_functions(point * kXi4[q], point * kEta4[q], rebar.zeta);

@@ -10,7 +10,6 @@
 #include <array>
 
 #include "models/fe_tire/hex8.h"
-#include "numerics/lanes.h"
 
 namespace latsch::fe_tire {
 
@@ -23,22 +22,24 @@ inline constexpr double kZeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
 
 using Vector8 = Eigen::Matrix<double, 8, 1>;
 
-/// Strain operators of the solid-shell, see hex8_solid_shell.cpp for the letters.
+/// Strain operators of the solid-shell, see hex8_solid_shell.h for the letters. Vectors of the
+/// nodes are written in the modal vectors h_m (hex8_solid_shell_modes.h): v = sum_m v[m] h_m.
 struct SolidShellShape {
+  static constexpr int kModes = 7;
   static constexpr int kStrains = 18;  // E_c (6) and e (12), the generalized strains
   static constexpr int kEnhanced = 8;  // alpha
   static constexpr int kSquares = 7;   // see solid_shell::kSquares
-  static constexpr int kColumns = 32;  // strains in columns 0-17, alpha in 24-31, the rest zero
+  static constexpr int kColumns = kStrains + kEnhanced;
 
-  Lanes b[3];             // 1/m, mean gradients of the shape functions in the triad of the center
-  Lanes gamma[3];         // hourglass vectors z_m = sum_a x_a gamma_m[a], zero for a constant F
-  double axis[3][3];      // unit vectors along xi, across it and normal to both, in that triad
-  double w[6][kSquares];  // 1/m^2, what the squares of z_m along the axes add to E_c
-  double e0[12];          // m^2, reference values of e
-  Lanes Pt[kColumns][6];  // E[r][point] = sum_j Pt[j][r][point] (E_c, e, alpha)_j
-  Lanes P[48][kColumns / 8];  // the same, rows 8 r + point
-  double volume;              // m^3
-  double L2[2];               // m^2, |X_1|^2 and |X_2|^2
+  double b[kModes][3];       // 1/m, mean gradients of the shape functions in the center's triad
+  double gamma[kModes][3];   // hourglass vectors, z_j = sum_m x_m gamma[m][j]
+  double along[kModes][3];   // F a_j = sum_m x_m along[m][j], a_j: unit vectors along xi, across it
+                             // and normal to both
+  double w[6][kSquares];     // 1/m^2, what the squares of z_m along the axes add to E_c
+  double e0[12];             // m^2, reference values of e
+  double P[8][6][kColumns];  // E[point][r] = sum_j P[point][r][j] (E_c, e, alpha)_j
+  double volume;             // m^3
+  double L2[2];              // m^2, |X_1|^2 and |X_2|^2
   /// Dyads (Voigt, of stress) of the element's axes meridional 2 and normal 3 in the center's
   /// triad.
   Vector6 d22, d33, d23, d13;
@@ -49,7 +50,7 @@ struct HexShape {
   ElementKind kind = ElementKind::full_integration;
   Matrix38 X;                   // m
   std::array<double, 8> dV;     // m^3, volume of a Gauss point; not positive where inverted
-  std::array<Lanes, 3> dN[8];   // 1/m, gradients of the shape functions in the point's triad
+  double dN[8][3][8];           // 1/m, [point][direction][node], gradients in the point's triad
   SolidShellShape solid_shell;  // only filled for that kind
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The solid-shell's strain operators from its reference coordinates; letters as in
-// hex8_solid_shell.cpp.
+// hex8_solid_shell.h.
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
@@ -10,6 +10,16 @@
 #include "models/fe_tire/hex8_solid_shell_modes.h"
 
 namespace latsch::fe_tire {
+
+Eigen::Matrix<double, 7, 8> solid_shell::modal_matrix() {
+  Eigen::Matrix<double, 7, 8> h;
+  for (int a = 0; a < 8; ++a) {
+    const double x = kXi[a], y = kEta[a], z = kZeta[a];
+    h.col(a) << x, y, z, x * y, y * z, x * z, x * y * z;
+  }
+  return 0.125 * h;
+}
+
 namespace {
 
 constexpr int kRow[6] = {0, 1, 2, 0, 1, 0};
@@ -68,7 +78,9 @@ Eigen::Matrix<double, 6, kSquareCount> mean_of_squares() {
   return W;
 }
 
-void set_axes(SolidShellShape& s, const Eigen::Matrix3d& J0, const Eigen::Matrix3d& R) {
+/// The element's unit axes along xi, across it and normal to both (columns, in the center's triad)
+/// and what is measured along them.
+Eigen::Matrix3d set_axes(SolidShellShape& s, const Eigen::Matrix3d& J0, const Eigen::Matrix3d& R) {
   const Eigen::Vector3d n3 = R.transpose() * J0.col(0).cross(J0.col(1)).normalized();
   const Eigen::Vector3d n1 = R.transpose() * J0.col(0).normalized();
   const Eigen::Vector3d n2 = n3.cross(n1);
@@ -76,13 +88,11 @@ void set_axes(SolidShellShape& s, const Eigen::Matrix3d& J0, const Eigen::Matrix
   s.d33 = unit_strain(n3, n3);
   s.d23 = unit_strain(n2, n3);
   s.d13 = unit_strain(n1, n3);
-  for (int i = 0; i < 3; ++i) {
-    s.axis[0][i] = n1[i];
-    s.axis[1][i] = n2[i];
-    s.axis[2][i] = n3[i];
-  }
   s.length = 2.0 * J0.col(1).norm();
   s.thickness = 2.0 * std::abs(n3.dot(R.transpose() * J0.col(2)));
+  Eigen::Matrix3d axes;
+  axes << n1, n2, n3;
+  return axes;
 }
 
 }  // namespace
@@ -125,31 +135,27 @@ SolidShellShape make_solid_shell_shape(const Matrix38& X) {
     const Vector8 N = shape_functions(kGauss * kXi[q], kGauss * kEta[q], kGauss * kZeta[q]);
     const Matrix6 turn = strain_transform(R.transpose() * cylindrical_triad(X * N));
     const ModeOperator fluctuation = A[q] - mean;
-    Eigen::Matrix<double, 6, SolidShellShape::kColumns> P =
-        Eigen::Matrix<double, 6, SolidShellShape::kColumns>::Zero();
+    Eigen::Matrix<double, 6, SolidShellShape::kColumns, Eigen::RowMajor> P;
     P.leftCols<6>() = turn * (Matrix6::Identity() - fluctuation.leftCols<12>() * H);
     P.middleCols<12>(6) = turn * fluctuation.leftCols<12>();
     P.rightCols<SolidShellShape::kEnhanced>() =
         turn * fluctuation.rightCols<SolidShellShape::kEnhanced>();
-    for (int r = 0; r < 6; ++r) {
-      for (int j = 0; j < SolidShellShape::kColumns; ++j) {
-        s.Pt[j][r][q] = s.P[8 * r + q][j / 8][j % 8] = P(r, j);
-      }
-    }
+    Eigen::Map<decltype(P)>(&s.P[q][0][0]) = P;
   }
 
   const Eigen::Matrix<double, 4, 8> gamma = h.bottomRows<4>() - G.rightCols<4>().transpose() * b;
   const Eigen::Matrix3d J0 = X * parent_gradients(0.0, 0.0, 0.0).transpose();
   const Eigen::Matrix<double, 6, kSquareCount> w =
       strain_transform(J0.inverse() * R) * mean_of_squares();
-  for (int a = 0; a < 8; ++a) {
-    for (int i = 0; i < 3; ++i) s.b[i][a] = b(i, a);
-    for (int m = 0; m < 3; ++m) s.gamma[m][a] = gamma(m, a);
-  }
+  // In the modal vectors, whose products with each other are 1/8 or nothing.
+  using ModalVectors = Eigen::Matrix<double, SolidShellShape::kModes, 3, Eigen::RowMajor>;
+  const ModalVectors modal_b = 8.0 * h * b.transpose();
+  Eigen::Map<ModalVectors>(&s.b[0][0]) = modal_b;
+  Eigen::Map<ModalVectors>(&s.gamma[0][0]) = 8.0 * h * gamma.topRows<3>().transpose();
+  Eigen::Map<ModalVectors>(&s.along[0][0]) = modal_b * set_axes(s, J0, R);
   for (int r = 0; r < 6; ++r) {
     for (int k = 0; k < kSquareCount; ++k) s.w[r][k] = w(r, k);
   }
-  set_axes(s, J0, R);
   return s;
 }
 

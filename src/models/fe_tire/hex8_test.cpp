@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "models/fe_tire/hex8_batch.h"
 #include "models/fe_tire/hex8_shape.h"
 #include "models/fe_tire/hyperelastic.h"
+#include "numerics/kernel_set.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -145,6 +147,50 @@ TEST_P(Hex8, AnInvertedElementIsRefused) {
   Vector24 f;
   std::vector<double> alpha(internal_parameters(GetParam().kind) + 1, 0.0);
   EXPECT_FALSE(evaluate(shape, m, e, u, alpha.data(), f, nullptr));
+}
+
+/// Five elements of the same law, their displacements from none to 0.2 mm, with pressure on their
+/// inner faces and the nodes of one side in another frame.
+ElementBatch evaluated_batch(const ElementLaw& law, int first, int count) {
+  const ElementSurroundings around{
+      .pressure = 2e5, .turned = 0b01100110, .cosine = std::cos(0.1), .sine = -std::sin(0.1)};
+  ElementBatch batch;
+  batch.count = count;
+  const double none[8] = {};
+  for (int k = 0; k < count; ++k) {
+    batch.set(
+        k, random_displacement(5e-5 * (first + k)), none, internal_parameters(law.shape->kind));
+  }
+  EXPECT_EQ(evaluate(law, around, true, batch), (1u << count) - 1);
+  return batch;
+}
+
+TEST_P(Hex8, NeighborsInABatchDoNotChangeABit) {
+  const ElementLaw law = element_law(shape, m, e);
+  const ElementBatch together = evaluated_batch(law, 0, 5);
+  for (int k = 0; k < 5; ++k) {
+    const ElementBatch alone = evaluated_batch(law, k, 1);
+    for (int i = 0; i < 24; ++i) EXPECT_EQ(together.f[i][k], alone.f[i][0]);
+    for (int i = 0; i < ElementBatch::kEntries; ++i) EXPECT_EQ(together.K[i][k], alone.K[i][0]);
+    for (int i = 0; i < internal_parameters(shape.kind); ++i) {
+      EXPECT_EQ(together.alpha[i][k], alone.alpha[i][0]);
+    }
+  }
+}
+
+// Kernel sets with a fused multiply-add have the same bits; the baseline rounds more often.
+TEST_P(Hex8, KernelSetsAgree) {
+  const ElementLaw law = element_law(shape, m, e);
+  const ElementBatch best = evaluated_batch(law, 0, 5);
+  const double size = std::abs(best.K[0][4]);
+  for (const KernelSet set : kernel_sets()) {
+    const WithKernelSet with(set);
+    const ElementBatch other = evaluated_batch(law, 0, 5);
+    const double tolerance = set == KernelSet::baseline ? 1e-10 * size : 0.0;
+    for (int i = 0; i < ElementBatch::kEntries; ++i) {
+      for (int k = 0; k < 5; ++k) EXPECT_NEAR(other.K[i][k], best.K[i][k], tolerance);
+    }
+  }
 }
 
 TEST_P(Hex8, MassIsThatOfRubberAndCords) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "models/fe_tire/rubber_law.h"
+#include "models/fe_tire/hex8_batch.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -32,7 +32,7 @@ Hyperelastic Hyperelastic::from_young_modulus(double E, double nu, double ratio)
 
 bool stress(const Hyperelastic& law, const Vector6& E, Vector6& S, Matrix6* D) {
   double tangent[6][6];
-  if (!rubber_law::stress(law, E.data(), S.data(), tangent)) return false;
+  if (!(rubber_stress(law, E.data(), S.data(), tangent) > 0.0)) return false;
   if (D != nullptr) *D = Matrix6::Map(&tangent[0][0]);
   return true;
 }

@@ -43,18 +43,17 @@ Eigen::VectorXd newton_direction(const SectorBlocks& tangent, const Eigen::Vecto
 
 /// One pressure step. True: `state` is the equilibrium. False: `state` is unchanged and `why` says
 /// what happened.
-bool newton(const Ring& ring,
-            const Materials& materials,
+bool newton(const RingElements& elements,
             double pressure,
             double reference,
             int max_iterations,
             SectorState& state,
             std::string& why) {
   SectorState now = state;
-  SectorBlocks tangent(ring);
+  SectorBlocks tangent(elements.ring());
   Eigen::VectorXd f;
   int worst = 0;
-  if (!assemble_sector(ring, materials, now.x, pressure, now.alpha, f, &tangent, &worst)) {
+  if (!assemble_sector(elements, now.x, pressure, now.alpha, f, &tangent, &worst)) {
     why = fmt::format("section element {} is inverted", worst);
     return false;
   }
@@ -73,7 +72,7 @@ bool newton(const Ring& ring,
     for (int back = 0;; ++back, s *= 0.5) {
       trial = {now.x - s * d, now.alpha};
       const bool valid =
-          assemble_sector(ring, materials, trial.x, pressure, trial.alpha, f, &tangent, &worst);
+          assemble_sector(elements, trial.x, pressure, trial.alpha, f, &tangent, &worst);
       if (valid && (f.norm() < norm || std::abs(d.dot(f)) < 0.9 * slope)) break;
       if (back == kMaxBacktracks) {
         if (norm <= kRoundOff * reference) {
@@ -111,15 +110,15 @@ void measure_growth(const Mesh& mesh, Inflated& inflated) {
   }
 }
 
-Result<Inflated> inflate_sector(const Ring& ring,
-                                const Materials& materials,
+Result<Inflated> inflate_sector(const RingElements& elements,
                                 double pressure,
                                 const SolverSettings& settings) {
+  const Ring& ring = elements.ring();
   SectorState state{Eigen::VectorXd::Zero(ring.sector_unknowns()),
                     Eigen::VectorXd::Zero(ring.alphas_per_element() * ring.elements_per_sector())};
   Eigen::VectorXd f, alpha = state.alpha;
   int worst = 0;
-  if (!assemble_sector(ring, materials, state.x, pressure, alpha, f, nullptr, &worst)) {
+  if (!assemble_sector(elements, state.x, pressure, alpha, f, nullptr, &worst)) {
     return Failure{fmt::format("inflation: section element {} is inverted before any load", worst)};
   }
   const double reference = f.norm();
@@ -130,7 +129,7 @@ Result<Inflated> inflate_sector(const Ring& ring,
     const double next =
         std::abs(pressure - reached) < 1.001 * std::abs(step) ? pressure : reached + step;
     std::string why;
-    if (newton(ring, materials, next, reference, settings.max_iterations, state, why)) {
+    if (newton(elements, next, reference, settings.max_iterations, state, why)) {
       reached = next;
     } else if (++halvings > kMaxHalvings) {
       return Failure{
@@ -152,7 +151,7 @@ Result<Inflated> inflate_sector(const Ring& ring,
 }
 
 Result<Inflated> inflate_ring(EquilibriumSolver& solver,
-                              const Materials& materials,
+                              const RingElements& elements,
                               double pressure,
                               double reference) {
   const RingUnknowns& unknowns = solver.assembly().unknowns();
@@ -162,7 +161,7 @@ Result<Inflated> inflate_ring(EquilibriumSolver& solver,
   for (int k = 1; k <= kFirstSteps; ++k) {
     const double p = pressure * k / kFirstSteps;
     const std::string step = fmt::format("inflation to {:.4g} bar", p / 1e5);
-    if (auto failure = solver.solve(materials, state, p, nullptr, step)) return *failure;
+    if (auto failure = solver.solve(elements, state, p, nullptr, step)) return *failure;
   }
   Inflated inflated;
   inflated.pressure = pressure;

@@ -11,14 +11,13 @@ namespace latsch::fe_tire {
 
 /// Newton's method on the axisymmetric equilibrium f(x; p) = 0, the pressure raised in steps that
 /// halve where a step does not converge. Failure names pressure, residual and worst element.
-Result<Inflated> inflate_sector(const Ring& ring,
-                                const Materials& materials,
+Result<Inflated> inflate_sector(const RingElements& elements,
                                 double pressure,
                                 const SolverSettings& settings);
 
 /// The same on a mesh without symmetry; `reference` is the force norm of the pressure, N.
 Result<Inflated> inflate_ring(EquilibriumSolver& solver,
-                              const Materials& materials,
+                              const RingElements& elements,
                               double pressure,
                               double reference);
 

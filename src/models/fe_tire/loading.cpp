@@ -33,7 +33,7 @@ struct Path {
 std::optional<Failure> go_to(double target,
                              double max_step,
                              EquilibriumSolver& solver,
-                             const Materials& materials,
+                             const RingElements& elements,
                              const Inflated& inflated,
                              const std::string& name,
                              GroundContact& contact,
@@ -48,7 +48,7 @@ std::optional<Failure> go_to(double target,
     contact.set_height(-(inflated.radius - next));
     RingState trial{path.predict(next), state.alpha};
     std::optional<Failure> failure =
-        solver.solve(materials, trial, inflated.pressure, &contact, name);
+        solver.solve(elements, trial, inflated.pressure, &contact, name);
     if (!failure) {
       state = std::move(trial);
       contact.settle(state.x);
@@ -67,7 +67,7 @@ std::optional<Failure> go_to(double target,
 }  // namespace
 
 Result<std::vector<LoadPoint>> load_steps(EquilibriumSolver& solver,
-                                          const Materials& materials,
+                                          const RingElements& elements,
                                           const Inflated& inflated,
                                           const std::vector<double>& deflections,
                                           bool friction,
@@ -84,7 +84,7 @@ Result<std::vector<LoadPoint>> load_steps(EquilibriumSolver& solver,
                                          deflections[k] * 1e3,
                                          inflated.pressure / 1e5);
     if (auto failure = go_to(
-            deflections[k], max_step, solver, materials, inflated, name, contact, state, path)) {
+            deflections[k], max_step, solver, elements, inflated, name, contact, state, path)) {
       return *failure;
     }
     LoadPoint point;

@@ -15,7 +15,7 @@ namespace latsch::fe_tire {
 /// `contact` keeps the friction history. A step that does not converge is halved; the Failure names
 /// the deflection where that did not help either.
 Result<std::vector<LoadPoint>> load_steps(EquilibriumSolver& solver,
-                                          const Materials& materials,
+                                          const RingElements& elements,
                                           const Inflated& inflated,
                                           const std::vector<double>& deflections,
                                           bool friction,

@@ -162,19 +162,19 @@ Failure no_tangent(const Ring& ring, int element) {
                   ring.place(element))};
 }
 
-Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
+Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
                                          const Mesh& mesh,
-                                         const Materials& materials,
                                          const Inflated& inflated,
                                          int count) {
+  const Ring& ring = elements.ring();
   SectorBlocks K(ring);
   Eigen::VectorXd f, alpha = inflated.alpha;
   int worst = 0;
   if (!assemble_sector(
-          ring, materials, ring.compress(inflated.u), inflated.pressure, alpha, f, &K, &worst)) {
+          elements, ring.compress(inflated.u), inflated.pressure, alpha, f, &K, &worst)) {
     return no_tangent(ring, worst);
   }
-  const SectorBlocks M = sector_mass(ring, materials);
+  const SectorBlocks M = sector_mass(elements);
   const int S = ring.sectors();
 
   std::vector<std::vector<HarmonicMode>> by_n;
@@ -225,7 +225,8 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
   return modes;
 }
 
-Eigen::VectorXd nodal_masses(const Ring& ring, const Materials& materials) {
+Eigen::VectorXd nodal_masses(const RingElements& elements) {
+  const Ring& ring = elements.ring();
   const Mesh& mesh = ring.mesh();
   const int n = mesh.nodes_per_sector(), S = ring.sectors();
   // The masses of one sector of every width: its own plane's nodes, then the next plane's.
@@ -236,7 +237,7 @@ Eigen::VectorXd nodal_masses(const Ring& ring, const Materials& materials) {
     if (sector.size() == 0) {
       sector.setZero(2 * n);
       for (int e = 0; e < ring.elements_per_sector(); ++e) {
-        const Matrix8 m = mass(ring.shape(s, e), materials, mesh.elements[e]);
+        const Matrix8 m = mass(ring.shape(s, e), elements.materials(), mesh.elements[e]);
         for (int a = 0; a < 8; ++a) sector[mesh.elements[e].node[a]] += m.row(a).sum();
       }
     }

@@ -16,11 +16,10 @@ Failure no_tangent(const Ring& ring, int element);
 
 /// Modes of the inflated ring by circumferential harmonics n = 0, 1, ...: one small Hermitian
 /// problem each, until no further n can hold one of the `count` lowest. A mode of n > 0 comes as an
-/// orthogonal pair. Sectors of `ring` are equally wide; shapes are given on the planes of `mesh`,
+/// orthogonal pair. Sectors of the ring are equally wide; shapes are given on the planes of `mesh`,
 /// which is the same tire, however divided.
-Result<std::vector<Mode>> harmonic_modes(const Ring& ring,
+Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
                                          const Mesh& mesh,
-                                         const Materials& materials,
                                          const Inflated& inflated,
                                          int count);
 
@@ -32,6 +31,6 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      int count);
 
 /// Mass of each node of the ring, kg: rows of the mass matrix summed.
-Eigen::VectorXd nodal_masses(const Ring& ring, const Materials& materials);
+Eigen::VectorXd nodal_masses(const RingElements& elements);
 
 }  // namespace latsch::fe_tire

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inflation pressure on a four-node face, following the deformation, with its load stiffness.
+// Inflation pressure on a four-node face, following the deformation, with its load stiffness:
+// pressure_kernel.h, here for one face.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,11 +16,5 @@ using Matrix12 = Eigen::Matrix<double, 12, 12>;
 /// where given, receives the symmetric part of df/dx (exact over a closed or held boundary), so
 /// that f and K add up like those of the elements.
 void add_pressure(const Matrix34& x, double p, Vector12& f, Matrix12* K);
-
-/// The same on the seal of the face's open edge from node k to node k + 1 (mod 4): the strip from
-/// where the edge is, x, to where the rim has it in the undeformed tire, X. It closes the gas, so
-/// that the load has a potential and the symmetric parts of all faces are all of its stiffness.
-void add_sealed_edge(
-    const Matrix34& X, const Matrix34& x, int k, double p, Vector12& f, Matrix12* K);
 
 }  // namespace latsch::fe_tire

@@ -9,8 +9,6 @@
 #include <map>
 #include <utility>
 
-#include "models/fe_tire/pressure.h"
-
 namespace latsch::fe_tire {
 
 namespace {
@@ -145,33 +143,6 @@ std::string Ring::place(int element) const {
                      element / elements_per_sector(),
                      in_section,
                      mesh_.region_names.at(mesh_.elements[in_section].region));
-}
-
-bool pressurized_element(const Ring& ring,
-                         const Materials& materials,
-                         int sector,
-                         int element,
-                         const Matrix38& u,
-                         double pressure,
-                         double* alpha,
-                         Vector24& f,
-                         Matrix24* K) {
-  const Element& e = ring.mesh().elements[element];
-  if (!evaluate(ring.shape(sector, element), materials, e, u, alpha, f, K)) return false;
-  if (!e.inner || pressure == 0.0) return true;
-
-  const Matrix34 X = ring.shape(sector, element).X.leftCols<4>(), x = X + u.leftCols<4>();
-  Vector12 f_p = Vector12::Zero();
-  Matrix12 K_p = Matrix12::Zero();
-  add_pressure(x, pressure, f_p, K ? &K_p : nullptr);
-  for (int k = 0; k < 4; ++k) {
-    if (ring.is_edge_open(element, k)) {
-      add_sealed_edge(X, x, k, pressure, f_p, K ? &K_p : nullptr);
-    }
-  }
-  f.head<12>() += f_p;
-  if (K) K->topLeftCorner<12, 12>() += K_p;
-  return true;
 }
 
 }  // namespace latsch::fe_tire

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole ring: element shapes of its sectors, unknowns of one of them, and the internal forces
-// of an element in place.
+// The whole ring: element shapes of its sectors, unknowns of one of them, and the frames between
+// them.
 //
 // Unknowns are the displacements of the nodes the rim does not hold, in sector frames, ordered
 // sector, section node, direction. An element sees its own sector's frame: the displacements of the
@@ -45,6 +45,8 @@ class Ring {
   int sector_dof(int section_node) const { return first_dof_[section_node]; }
   /// The 24 unknowns of an element of sector 0, counting through sectors 0 and 1; -1: held.
   const std::array<int, 24>& local_dofs(int element) const { return local_dofs_[element]; }
+  /// Turns a vector of the next sector's frame into this sector's frame: about the spin axis.
+  const Eigen::Matrix3d& rotation(int sector) const { return Q_[width_[sector]]; }
   /// Displacements given in node frames turned into the element's (its sector's) frame.
   Matrix38 in_element_frame(int sector, int element, Matrix38 u) const;
   /// Element displacements [3 x 8] of a state equal in all sectors, x of one sector; these are
@@ -69,17 +71,5 @@ class Ring {
   std::vector<std::array<int, 24>> local_dofs_;
   std::vector<std::array<bool, 4>> open_edges_;
 };
-
-/// Forces f - including the follower pressure on inner faces - and tangent K of one element of
-/// displacement u, in its sector's frame. False as for evaluate().
-bool pressurized_element(const Ring& ring,
-                         const Materials& materials,
-                         int sector,
-                         int element,
-                         const Matrix38& u,
-                         double pressure,
-                         double* alpha,
-                         Vector24& f,
-                         Matrix24* K);
 
 }  // namespace latsch::fe_tire

@@ -33,7 +33,7 @@ RingState RingAssembly::zero_state() const {
                                 unknowns_.sectors())};
 }
 
-bool RingAssembly::assemble(const Materials& materials,
+bool RingAssembly::assemble(const RingElements& elements,
                             RingState& state,
                             double pressure,
                             const GroundContact* contact,
@@ -41,10 +41,10 @@ bool RingAssembly::assemble(const Materials& materials,
                             numerics::SymmetricMatrix* K,
                             int* worst) const {
   f.setZero(unknowns_.size());
-  return sum_elements(materials, state, pressure, contact, false, unknowns_, f, K, worst);
+  return sum_elements(elements, state, pressure, contact, false, unknowns_, f, K, worst);
 }
 
-bool RingAssembly::assemble_tangent(const Materials& materials,
+bool RingAssembly::assemble_tangent(const RingElements& elements,
                                     RingState& state,
                                     double pressure,
                                     const GroundContact* contact,
@@ -52,10 +52,10 @@ bool RingAssembly::assemble_tangent(const Materials& materials,
                                     numerics::SymmetricMatrix& K,
                                     int* worst) const {
   Eigen::VectorXd unused = Eigen::VectorXd::Zero(unknowns_.size());
-  return sum_elements(materials, state, pressure, contact, true, vibration, unused, &K, worst);
+  return sum_elements(elements, state, pressure, contact, true, vibration, unused, &K, worst);
 }
 
-bool RingAssembly::sum_elements(const Materials& materials,
+bool RingAssembly::sum_elements(const RingElements& elements,
                                 RingState& state,
                                 double pressure,
                                 const GroundContact* contact,
@@ -65,20 +65,32 @@ bool RingAssembly::sum_elements(const Materials& materials,
                                 numerics::SymmetricMatrix* K,
                                 int* worst) const {
   if (K) K->set_zero();
+  const int per_sector = ring_.elements_per_sector(), alphas = ring_.alphas_per_element();
+  ElementBatch batch;
   Vector24 fe;
   Matrix24 Ke;
   Matrix24* Ke_wanted = K ? &Ke : nullptr;
-  for (int s = 0, global = 0; s < unknowns_.sectors(); ++s) {
-    for (int e = 0; e < ring_.elements_per_sector(); ++e, ++global) {
-      const Matrix38 u = unknowns_.gather(s, e, state.x);
-      double* alpha = state.alpha.data() + global * ring_.alphas_per_element();
-      if (!pressurized_element(ring_, materials, s, e, u, pressure, alpha, fe, Ke_wanted)) {
-        if (worst) *worst = global;
-        return false;
+  for (const auto& [first, count] : elements.groups(unknowns_.sectors())) {
+    batch.count = count;
+    for (int e = 0; e < per_sector; ++e) {
+      std::array<Matrix38, ElementBatch::kLanes> u;
+      for (int lane = 0; lane < count; ++lane) {
+        u[lane] = unknowns_.gather(first + lane, e, state.x);
+        batch.set(
+            lane, u[lane], state.alpha.data() + ((first + lane) * per_sector + e) * alphas, alphas);
       }
-      if (contact) contact->add(s, e, u, stuck, fe, Ke_wanted);
-      rows.scatter(s, e, fe, Ke_wanted, f);
-      if (K) K->add_element(global, Ke.data());
+      const unsigned valid = elements.evaluate(first, e, pressure, K != nullptr, batch);
+      for (int lane = 0; lane < count; ++lane) {
+        const int s = first + lane, global = s * per_sector + e;
+        if (!(valid >> lane & 1)) {
+          if (worst) *worst = global;
+          return false;
+        }
+        batch.take(lane, fe, Ke_wanted, state.alpha.data() + global * alphas, alphas);
+        if (contact) contact->add_turned(s, e, u[lane], stuck, fe, Ke_wanted);
+        rows.scatter(s, e, fe, Ke_wanted, f);
+        if (K) K->add_element(global, Ke.data());
+      }
     }
   }
   if (K) {
@@ -87,7 +99,7 @@ bool RingAssembly::sum_elements(const Materials& materials,
   return true;
 }
 
-numerics::SymmetricMatrix RingAssembly::mass(const Materials& materials) const {
+numerics::SymmetricMatrix RingAssembly::mass(const RingElements& elements) const {
   numerics::SymmetricMatrix M(*pattern_);
   Vector24 no_force = Vector24::Zero();
   Eigen::VectorXd unused = Eigen::VectorXd::Zero(unknowns_.size());
@@ -96,7 +108,8 @@ numerics::SymmetricMatrix RingAssembly::mass(const Materials& materials) const {
     std::vector<Matrix24>& masses = of_width[ring_.width(s)];
     for (int e = 0; e < ring_.elements_per_sector(); ++e, ++global) {
       if (static_cast<int>(masses.size()) == e) {
-        masses.push_back(element_mass(ring_, materials, s, e));
+        masses.push_back(element_mass(ring_, elements.materials(), s, e));
+        ring_.turn_to_node_frames(s, e, no_force, &masses.back());
       }
       Matrix24 Me = masses[e];
       unknowns_.scatter(s, e, no_force, &Me, unused);

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "models/fe_tire/contact.h"
+#include "models/fe_tire/ring_elements.h"
 #include "models/fe_tire/ring_unknowns.h"
 #include "numerics/symmetric_matrix.h"
 
@@ -32,7 +33,7 @@ class RingAssembly {
   /// Forces f(x) = internal - pressure - ground, zero in equilibrium; K = df/dx (symmetric part)
   /// where given. Contact may be null. False where an element fails; `worst` then is sector *
   /// elements_per_sector + element.
-  bool assemble(const Materials& materials,
+  bool assemble(const RingElements& elements,
                 RingState& state,
                 double pressure,
                 const GroundContact* contact,
@@ -42,7 +43,7 @@ class RingAssembly {
 
   /// Tangent at `state` in the numbering `vibration` of the motions about it (even or odd ones),
   /// all contact sticking. False as for assemble().
-  bool assemble_tangent(const Materials& materials,
+  bool assemble_tangent(const RingElements& elements,
                         RingState& state,
                         double pressure,
                         const GroundContact* contact,
@@ -51,10 +52,10 @@ class RingAssembly {
                         int* worst) const;
 
   /// Consistent mass matrix, kg.
-  numerics::SymmetricMatrix mass(const Materials& materials) const;
+  numerics::SymmetricMatrix mass(const RingElements& elements) const;
 
  private:
-  bool sum_elements(const Materials& materials,
+  bool sum_elements(const RingElements& elements,
                     RingState& state,
                     double pressure,
                     const GroundContact* contact,

@@ -172,7 +172,6 @@ Matrix38 RingUnknowns::gather(int sector, int element, const Eigen::VectorXd& x)
 
 void RingUnknowns::scatter(
     int sector, int element, Vector24& f, Matrix24* K, Eigen::VectorXd& sum) const {
-  ring_.turn_to_node_frames(sector, element, f, K);
   const int n = ring_.mesh().nodes_per_sector();
   for (int a = 0; a < 8; ++a) {
     const int node = ring_.mesh().elements[element].node[a];

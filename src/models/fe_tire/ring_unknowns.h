@@ -47,8 +47,8 @@ class RingUnknowns {
 
   /// Element displacements [3 x 8] in its sector's frame.
   Matrix38 gather(int sector, int element, const Eigen::VectorXd& x) const;
-  /// Adds element forces, in the sector's frame, to those of the unknowns, and brings K to their
-  /// order and signs.
+  /// Adds element forces, in the frames of their nodes, to those of the unknowns, and brings K to
+  /// their order and signs.
   void scatter(int sector, int element, Vector24& f, Matrix24* K, Eigen::VectorXd& sum) const;
 
   /// Displacements of all nodes of the ring [3 x nodes], sector frames; and back.

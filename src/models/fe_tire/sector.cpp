@@ -66,33 +66,29 @@ numerics::BandedHermitian SectorBlocks::harmonic(int n) const {
   return K;
 }
 
-bool assemble_sector(const Ring& ring,
-                     const Materials& materials,
+bool assemble_sector(const RingElements& elements,
                      const Eigen::VectorXd& x,
                      double pressure,
                      Eigen::VectorXd& alpha,
                      Eigen::VectorXd& f,
                      SectorBlocks* tangent,
                      int* worst) {
+  const Ring& ring = elements.ring();
+  const int alphas = ring.alphas_per_element();
   f.setZero(ring.sector_unknowns());
   if (tangent) tangent->set_zero();
+  ElementBatch batch;
+  batch.count = 1;
   Vector24 fe;
   Matrix24 Ke;
   for (int e = 0; e < ring.elements_per_sector(); ++e) {
-    double* alpha_e = alpha.data() + e * ring.alphas_per_element();
-    if (!pressurized_element(ring,
-                             materials,
-                             0,
-                             e,
-                             ring.gather_axisymmetric(e, x),
-                             pressure,
-                             alpha_e,
-                             fe,
-                             tangent ? &Ke : nullptr)) {
+    double* alpha_e = alpha.data() + e * alphas;
+    batch.set(0, ring.gather_axisymmetric(e, x), alpha_e, alphas);
+    if (elements.evaluate(0, e, pressure, tangent != nullptr, batch) == 0) {
       if (worst) *worst = e;
       return false;
     }
-    ring.turn_to_node_frames(0, e, fe, tangent ? &Ke : nullptr);
+    batch.take(0, fe, tangent ? &Ke : nullptr, alpha_e, alphas);
     const std::array<int, 24>& dofs = ring.local_dofs(e);
     for (int k = 0; k < 24; ++k) {
       if (dofs[k] >= 0) f[dofs[k] % ring.sector_unknowns()] += fe[k];
@@ -111,10 +107,11 @@ Matrix24 element_mass(const Ring& ring, const Materials& materials, int sector, 
   return M;
 }
 
-SectorBlocks sector_mass(const Ring& ring, const Materials& materials) {
+SectorBlocks sector_mass(const RingElements& elements) {
+  const Ring& ring = elements.ring();
   SectorBlocks M(ring);
   for (int e = 0; e < ring.elements_per_sector(); ++e) {
-    Matrix24 Me = element_mass(ring, materials, 0, e);
+    Matrix24 Me = element_mass(ring, elements.materials(), 0, e);
     Vector24 no_force = Vector24::Zero();
     ring.turn_to_node_frames(0, e, no_force, &Me);
     M.add(ring.local_dofs(e), Me);

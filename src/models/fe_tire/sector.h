@@ -14,7 +14,7 @@
 
 #include <Eigen/Core>
 
-#include "models/fe_tire/ring.h"
+#include "models/fe_tire/ring_elements.h"
 #include "numerics/banded_hermitian.h"
 
 namespace latsch::fe_tire {
@@ -46,8 +46,7 @@ int sector_band(const Ring& ring);
 /// Internal forces per sector (pressure included) of the axisymmetric state x [sector unknowns],
 /// and, where given, the blocks of its tangent. False where an element fails; `worst` then names
 /// it.
-bool assemble_sector(const Ring& ring,
-                     const Materials& materials,
+bool assemble_sector(const RingElements& elements,
                      const Eigen::VectorXd& x,
                      double pressure,
                      Eigen::VectorXd& alpha,
@@ -59,6 +58,6 @@ bool assemble_sector(const Ring& ring,
 Matrix24 element_mass(const Ring& ring, const Materials& materials, int sector, int element);
 
 /// Blocks of the consistent mass matrix.
-SectorBlocks sector_mass(const Ring& ring, const Materials& materials);
+SectorBlocks sector_mass(const RingElements& elements);
 
 }  // namespace latsch::fe_tire
