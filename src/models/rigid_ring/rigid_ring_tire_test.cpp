@@ -175,37 +175,6 @@ TEST(RigidRing, InTheAirItRingsAtTheFrequenciesOfTheFile) {
   EXPECT_NEAR(ringing(*tire, {0, 0, 0}, {0, 1.0, 0}, wind_up), 70.0 * damped, 0.05);
 }
 
-TEST(TandemCams, APlainSlopeIsItself) {
-  PlaneRoad::Settings slope;
-  slope.grade = 0.08;
-  slope.bank = 0.03;
-  const PlaneRoad road(slope);
-  const TandemCams cams(ring_tire());
-  const Vector3d center(2.0, 1.0, 0.6);
-  const auto plane = cams.plane(center, Vector3d::UnitX(), 0.06, 0.08, road, 0.0);
-  const road::GroundPoint ground = road.at(2.0, 1.0, 0.0);
-  EXPECT_NEAR(plane.point.z(), ground.height, 2e-5);  // cams touch between their points
-  EXPECT_NEAR((plane.normal - ground.normal).norm(), 0.0, 1e-6);
-}
-
-TEST(TandemCams, AStepIsFeltBeforeAndClimbedSmoothly) {
-  const StepRoad road(0.02);
-  const Parameters p = ring_tire();
-  const TandemCams cams(p);
-  const auto deflection = [&](double x) {  // of a wheel whose center is a free radius high
-    const Vector3d center(x, 0.0, p.UNLOADED_RADIUS);
-    const auto plane = cams.plane(center, Vector3d::UnitX(), 0.05, 0.08, road, 0.0);
-    return p.UNLOADED_RADIUS - plane.normal.dot(center - plane.point);
-  };
-  EXPECT_NEAR(deflection(-0.3), 0.0, 1e-12);
-  EXPECT_GT(deflection(-0.1), 1e-4);
-  EXPECT_NEAR(deflection(0.3), 0.02, 1e-12);
-  for (double x = -0.3; x < 0.3; x += 0.005) {
-    EXPECT_LT(deflection(x + 0.005) - deflection(x), 0.004);  // the sharp edge is rounded
-    EXPECT_GT(deflection(x + 0.005) - deflection(x), -5e-4);
-  }
-}
-
 TEST(RigidRing, OverAStepTheLoadRisesAndSettlesAgain) {
   const Parameters p = ring_tire();
   const auto tire = make(p);

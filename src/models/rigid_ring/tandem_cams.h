@@ -4,20 +4,21 @@
 //   |x/a_e|^c + |z/b_e|^c = 1     outline of a cam: ELLIPS_LENGTH, ELLIPS_HEIGHT (times R0),
 //                                 ELLIPS_ORDER
 //   l_s = ELLIPS_SHIFT 2a         their distance; a: half length of the patch
-//   Z   = least height of a cam's center on the road
+//   Z   = least height of a cam's middle on the road [cam_contact.h]
 //   w   = (Z_f + Z_r)/2 - b_e     effective height
 //   tan beta_y = (Z_r - Z_f)/l_s  effective slope, positive downhill
 // [Schmeitz 2004; Pacejka 2012, 10.1.6]
 //
-// Over the width, ELLIPS_NWIDTH pairs stand side by side; their mean counts, and their inclination
-// as effective camber. A kerb that is thinner than the spacing of the samples is not seen.
+// On a plain slope a cam touches uphill of its middle, so w is above the slope there by what the
+// definition says: 0.5 mm at 8 %. Over the width, ELLIPS_NWIDTH pairs stand side by side; their
+// mean counts, and their inclination as effective camber.
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "models/magic_formula/parameters.h"
 #include "models/magic_formula/wheel_contact.h"
+#include "models/rigid_ring/cam_outline.h"
 #include "models/road/road.h"
 
 namespace latsch::rigid_ring {
@@ -36,15 +37,9 @@ class TandemCams {
                                  double time) const;
 
  private:
-  double lowest(double x,
-                double y,
-                const Eigen::Vector2d& heading,
-                const road::Road& road,
-                double time) const;
-
-  double shift_, b_e_;
+  CamOutline cam_;
+  double shift_;
   int tracks_;
-  std::vector<double> x_, z_;  // points of the outline, z above the lowest
 };
 
 }  // namespace latsch::rigid_ring

@@ -75,8 +75,40 @@ DrumRoad::Surface DrumRoad::locate(double x, double y, double time) const {
 
 double DrumRoad::height(double x, double y, double time) const { return locate(x, y, time).z; }
 
-/// Highest at the top of an outer drum, at the sides of an inner one; a cleat that may be seen in
-/// the box adds its height, radially.
+/// Of a cleat where it may be seen between x0 and x1, its middle between the angles `first` and
+/// `last`: of one angle exact, of several the highest corner of every edge that may be there.
+double DrumRoad::highest(
+    const Cleat& cleat, double x0, double x1, double first, double last) const {
+  const double stretch = 1.0 / (R_ * std::cos(cleat.angle));
+  struct Swept {
+    double left, right, z;
+  };
+  const auto swept = [&](const Profile::Point& corner) {
+    const double r = R_ - up_ * corner.z;
+    const double from = first + corner.s * stretch, to = last + corner.s * stretch;
+    const double nearest = std::clamp(0.0, from, to);
+    const double farthest = std::abs(from) > std::abs(to) ? from : to;
+    const double z = up_ * (R_ - r * std::cos(up_ < 0.0 ? nearest : farthest));
+    return Swept{r * std::sin(from), r * std::sin(to), z};
+  };
+  double most = -std::numeric_limits<double>::infinity();
+  const auto& points = cleat.profile.points();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Swept a = swept(points[i - 1]), b = swept(points[i]);
+    if (std::max(a.right, b.right) < x0 || std::min(a.left, b.left) > x1) continue;
+    const double run = b.left - a.left;
+    if (first < last || std::abs(run) < kVertical) {
+      most = std::max({most, a.z, b.z});
+      continue;
+    }
+    const auto [left, right] = std::minmax(a.left, b.left);
+    for (const double x : {std::clamp(x0, left, right), std::clamp(x1, left, right)})
+      most = std::max(most, a.z + (b.z - a.z) * (x - a.left) / run);
+  }
+  return most;
+}
+
+/// Highest at the top of an outer drum, at the sides of an inner one, or on a cleat.
 GroundBounds DrumRoad::bounds(const GroundBox& box, double time) const {
   const double nearest = std::clamp(0.0, box.x0, box.x1);
   const double farthest = std::max(std::abs(box.x0), std::abs(box.x1));
@@ -92,7 +124,8 @@ GroundBounds DrumRoad::bounds(const GroundBox& box, double time) const {
     const double middle = cleat.starting_angle - turned;
     const double theta = middle - kTurn * std::round((middle - 0.5 * (first + last)) / kTurn);
     if (theta + lean1 + windows_[i] < first || theta + lean0 - windows_[i] > last) continue;
-    bounds.highest += cleat.profile.reach() / std::cos(last > -first ? last : -first);
+    bounds.highest =
+        std::max(bounds.highest, highest(cleat, box.x0, box.x1, theta + lean0, theta + lean1));
   }
   return bounds;
 }

@@ -46,6 +46,18 @@ Profile::Value Profile::at(double s) const {
   return value;
 }
 
+Profile::Extremes Profile::between(double s0, double s1) const {
+  const double z0 = at(s0).height, z1 = at(s1).height;
+  Extremes extremes{std::min(z0, z1), std::max(z0, z1)};
+  const auto first = std::lower_bound(
+      points_.begin(), points_.end(), s0, [](const Point& p, double s) { return p.s < s; });
+  for (auto p = first; p != points_.end() && p->s <= s1; ++p) {
+    extremes.lowest = std::min(extremes.lowest, p->z);
+    extremes.highest = std::max(extremes.highest, p->z);
+  }
+  return extremes;
+}
+
 Profile cleat_profile(double height, double length, double bevel) {
   assert(length > 0.0 && bevel >= 0.0 && bevel <= std::abs(height) && bevel <= length / 2.0);
   const double half = length / 2.0;

@@ -31,6 +31,11 @@ class Profile {
   explicit Profile(std::vector<Point> points);
 
   Value at(double s) const;
+  struct Extremes {
+    double lowest, highest;  // m
+  };
+  /// Over s0 <= s <= s1.
+  Extremes between(double s0, double s1) const;
   const std::vector<Point>& points() const { return points_; }
   bool empty() const { return points_.empty(); }
   double begin() const { return points_.front().s; }

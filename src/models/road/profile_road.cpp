@@ -53,42 +53,49 @@ GroundPoint ProfileRoad::at(double x, double y, double time) const {
 
 /// A plane where the whole box is beside the sections or on one straight piece of an endless one.
 GroundBounds ProfileRoad::bounds(const GroundBox& box, double time) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double shift = settings_.belt.distance(time) - settings_.origin.x();
-  double s0 = std::numeric_limits<double>::infinity(), s1 = -s0;
+  Span s{kInfinity, -kInfinity}, t = s;
   for (const double x : {box.x0, box.x1})
     for (const double y : {box.y0, box.y1}) {
-      const double s = (x + shift) * cos_ + (y - settings_.origin.y()) * sin_;
-      s0 = std::min(s0, s);
-      s1 = std::max(s1, s);
+      const double forward = x + shift, left = y - settings_.origin.y();
+      s.add(forward * cos_ + left * sin_);
+      t.add(left * cos_ - forward * sin_);
     }
-  if (settings_.pitch > 0.0) {
-    const double number = std::floor(s0 / settings_.pitch);
-    // Near the first and the last of a row of sections nothing is promised but the height.
-    if (settings_.count > 0 || std::floor(s1 / settings_.pitch) != number)
-      return {settings_.along.reach(), false};
-    s0 -= number * settings_.pitch;
-    s1 -= number * settings_.pitch;
-  }
-  return bounds_between(s0, s1);
+  if (settings_.pitch == 0.0) return bounds_between(s, t);
+  const auto number_at = [&](double place) {
+    const double number = std::floor(place / settings_.pitch);
+    return settings_.count > 0 ? std::clamp(number, 0.0, settings_.count - 1.0) : number;
+  };
+  const double first = number_at(s.from), last = number_at(s.to);
+  if (first == last)
+    return bounds_between({s.from - first * settings_.pitch, s.to - first * settings_.pitch}, t);
+  const bool two = last - first == 1.0;
+  const double rear = two ? s.from - first * settings_.pitch : 0.0;
+  const double front = two ? s.to - last * settings_.pitch : settings_.pitch;
+  const Span beyond{std::min(0.0, s.from - first * settings_.pitch),
+                    std::max(settings_.pitch, s.to - last * settings_.pitch)};
+  return {std::max({bounds_between({rear, two ? settings_.pitch : beyond.to}, t).highest,
+                    bounds_between({two ? 0.0 : beyond.from, front}, t).highest}),
+          false};
 }
 
-GroundBounds ProfileRoad::bounds_between(double s0, double s1) const {
-  if (s1 < settings_.along.begin()) {
-    const double z = settings_.along.at(s1).height;
-    return {settings_.across ? std::max(z, 0.0) : z, !settings_.across || z == 0.0};
+GroundBounds ProfileRoad::bounds_between(Span s, Span t) const {
+  const bool beside = s.to < settings_.along.begin() || s.from > settings_.along.end();
+  const Profile::Extremes along = settings_.along.between(s.from, s.to);
+  if (!settings_.across) {
+    const auto& points = settings_.along.points();
+    const bool piece = std::none_of(points.begin(), points.end(), [&](const Profile::Point& p) {
+      return p.s >= s.from && p.s <= s.to;
+    });
+    return {along.highest, beside || piece};
   }
-  if (s0 > settings_.along.end()) {
-    const double z = settings_.along.at(s0).height;
-    return {settings_.across ? std::max(z, 0.0) : z, !settings_.across || z == 0.0};
-  }
-  double highest = std::max(settings_.along.at(s0).height, settings_.along.at(s1).height);
-  bool piece = s0 > settings_.along.begin() && s1 < settings_.along.end();
-  for (const Profile::Point& corner : settings_.along.points())
-    if (corner.s >= s0 && corner.s <= s1) {
-      highest = std::max(highest, corner.z);
-      piece = false;
-    }
-  return {settings_.across ? settings_.along.reach() : highest, piece && !settings_.across};
+  const Profile::Extremes across = settings_.across->between(t.from, t.to);
+  return {std::max({along.highest * across.highest,
+                    along.highest * across.lowest,
+                    along.lowest * across.highest,
+                    along.lowest * across.lowest}),
+          beside && along.highest == 0.0 && along.lowest == 0.0};
 }
 
 ProfileRoad cleat_road(double x, double height, double length, double bevel, double angle) {

@@ -10,6 +10,7 @@
 // none is 1 everywhere. A road of its own cleat is level elsewhere, without end.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "models/road/profile.h"
@@ -43,7 +44,15 @@ class ProfileRoad final : public Road {
     Profile::Value along, across;
     bool on_obstacle = false;
   };
-  GroundBounds bounds_between(double s0, double s1) const;
+  struct Span {
+    double from, to;
+
+    void add(double at) {
+      from = std::min(from, at);
+      to = std::max(to, at);
+    }
+  };
+  GroundBounds bounds_between(Span s, Span t) const;
   Place locate(double x, double y, double time) const;
 
   Settings settings_;

@@ -277,7 +277,14 @@ TEST(Road, BoundsHoldInTheWholeBox) {
   const DrumRoad drum({.diameter = 2.0,
                        .surface = 3.0,
                        .cleats = {{.profile = cleat_profile(0.02, 0.03, 0.005), .angle = 0.6}}});
-  const DrumRoad inner({.diameter = 3.0, .inner = true, .surface = 3.0});
+  const DrumRoad inner({.diameter = 3.0,
+                        .inner = true,
+                        .surface = 3.0,
+                        .cleats = {{.profile = cleat_profile(0.02, 0.03, 0.005), .angle = -0.3}}});
+  const DrumRoad straight(
+      {.diameter = 2.0, .cleats = {{.profile = cleat_profile(0.02, 0.03, 0.005)}}});
+  Kerb saw{.pitch = 0.1, .width = 0.2, .height = 0.02, .count = 3, .ramp = 0.05};
+  const ProfileRoad kerb = kerb_road(saw);
   const ProfileRoad cleat = cleat_road(0.3, 0.02, 0.03, 0.005, 0.5);
   const ProfileRoad row({.along = cleat_profile(0.02, 0.03, 0.005), .pitch = 0.2, .belt = 2.0});
   const PlaneRoad plane({.grade = 0.1, .bank = -0.05});
@@ -293,8 +300,18 @@ TEST(Road, BoundsHoldInTheWholeBox) {
   const CrgRoad grid(banked_grid());
   RandomStream random(3, 1);
   int planes = 0;
-  for (const Road* road : std::initializer_list<const Road*>{
-           &drum, &inner, &cleat, &row, &plane, &wave, &placed, &level, &hills, &grid})
+  for (const Road* road : std::initializer_list<const Road*>{&drum,
+                                                             &inner,
+                                                             &straight,
+                                                             &kerb,
+                                                             &cleat,
+                                                             &row,
+                                                             &plane,
+                                                             &wave,
+                                                             &placed,
+                                                             &level,
+                                                             &hills,
+                                                             &grid})
     for (int i = 0; i < 400; ++i) {
       const double x = 0.8 * (random.uniform() - 0.5), y = 0.4 * (random.uniform() - 0.5);
       const double a = 0.1 * random.uniform(), b = 0.1 * random.uniform(), t = random.uniform();
@@ -312,6 +329,30 @@ TEST(Road, BoundsHoldInTheWholeBox) {
       }
     }
   EXPECT_GT(planes, 500);
+}
+
+// A box that shrinks on a point in the end promises its height: what finds the highest point of a
+// road by halving comes to an end.
+TEST(Road, BoundsCloseInOnAPoint) {
+  const DrumRoad drum(
+      {.diameter = 2.0,
+       .cleats = {{.profile = cleat_profile(0.02, 0.03, 0.005)},
+                  {.profile = cleat_profile(0.02, 0.03, 0.005), .starting_angle = 0.2}}});
+  const DrumRoad inner(
+      {.diameter = 3.0, .inner = true, .cleats = {{.profile = cleat_profile(0.02, 0.03, 0.005)}}});
+  const ProfileRoad cleat = cleat_road(0.3, 0.02, 0.03, 0.005, 0.5);
+  const ProfileRoad row({.along = cleat_profile(0.02, 0.03, 0.005), .pitch = 0.2});
+  const ProfileRoad kerb =
+      kerb_road({.pitch = 0.1, .width = 0.2, .height = 0.02, .count = 3, .ramp = 0.05});
+  RandomStream random(4, 1);
+  for (const Road* road : std::initializer_list<const Road*>{&drum, &inner, &cleat, &row, &kerb})
+    for (int i = 0; i < 400; ++i) {
+      const double x = 0.8 * (random.uniform() - 0.5), y = 0.4 * (random.uniform() - 0.5);
+      constexpr double kSmall = 1e-6;
+      const double highest = road->bounds({x, x + kSmall, y, y}, 0.0).highest;
+      const double there = std::max(road->height(x, y, 0.0), road->height(x + kSmall, y, 0.0));
+      EXPECT_NEAR(highest, there, 2.0 * kSmall) << x << " " << y;
+    }
 }
 
 }  // namespace
