@@ -63,6 +63,7 @@ ShownFile shown_road(const std::filesystem::path& road) {
   ShownFile shown;
   shown.kind = "Road (" + file.kind + ")";
   shown.facts = file.facts;
+  for (const std::string& warning : file.warnings) shown.facts.push_back("warning: " + warning);
   for (const std::string& key : file.unused) shown.facts.push_back("not used: " + key);
   add_heights(file, shown);
   return shown;

@@ -35,6 +35,7 @@ OpenCrg assemble(const std::string& bytes, const OpenCrgHeader& header) {
   result.file = header.file;
   result.comment = utf8_text(header.comment, header.file);
   result.format = header.format;
+  result.warnings = header.warnings;
   for (const auto* values : {&header.options, &header.modifiers}) {
     for (const auto& [name, value] : *values) {
       result.statements.push_back(name + " = " + format_number(value.number));
@@ -59,6 +60,7 @@ OpenCrg read_included(const std::filesystem::path& file, const OpenCrgHeader* ou
     throw InputError(place, "has " + in_quotes(header.include) + ", expected a path without $");
   }
   OpenCrg result = read_included(file.parent_path() / header.include, &header, depth + 1);
+  result.warnings.insert(result.warnings.begin(), header.warnings.begin(), header.warnings.end());
   return result;
 }
 

@@ -18,10 +18,12 @@
 // summed up along the line; where the header also names the end, forward and backward sums are
 // blended linearly, so that both ends are met.
 //
-// Three choices where readers differ. Modifiers are applied as the file states them; without a
+// Four choices where readers differ. Modifiers are applied as the file states them; without a
 // statement the only one is grid_nan_mode = 2: gaps are filled from the side in their row. Without
 // long_section_v_right, numbered sections lie symmetric to the line, as OpenCRG's own examples say
-// of themselves. Points x, y of the line, where the file has them, are taken as they are.
+// of themselves. Points x, y of the line, where the file has them, are taken as they are. Of an
+// option or a modifier that comes twice, as LOG_EVAL does in a sample of the standard, the last one
+// counts, with a warning; a statement of $ROAD_CRG that comes twice is refused.
 #pragma once
 
 #include <filesystem>
@@ -37,7 +39,8 @@ struct OpenCrg {
   std::string comment;                  // $CT
   std::string format;                   // "LRFI"
   std::vector<std::string> statements;  // options and modifiers as written
-  int gaps = 0;                         // heights that were missing in the file
+  std::vector<std::string> warnings;  // for the user: what was read otherwise than it may be meant
+  int gaps = 0;                       // heights that were missing in the file
   road::CrgGrid grid;
 
   /// Throw InputError naming file, line (of digits) or record (of binary data), what was found and

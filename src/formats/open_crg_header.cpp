@@ -80,6 +80,9 @@ class HeaderReading {
   }
 
  private:
+  /// What a statement means that comes a second time.
+  enum class Twice { refused, last };
+
   [[noreturn]] void fail(const std::string& message) const {
     throw InputError({header_.file, line_}, message);
   }
@@ -110,9 +113,11 @@ class HeaderReading {
   void take(std::string_view line) {
     const std::string_view text = trimmed(line.substr(0, line.find('!')));
     if (text.empty() || text.starts_with('*')) return;
-    if (section_ == "$road_crg") return take_value(text, kRoad, header_.road);
-    if (section_ == "$road_crg_opts") return take_value(text, kOptions, header_.options);
-    if (section_ == "$road_crg_mods") return take_value(text, kModifiers, header_.modifiers);
+    if (section_ == "$road_crg") return take_value(text, kRoad, header_.road, Twice::refused);
+    if (section_ == "$road_crg_opts")
+      return take_value(text, kOptions, header_.options, Twice::last);
+    if (section_ == "$road_crg_mods")
+      return take_value(text, kModifiers, header_.modifiers, Twice::last);
     if (section_ == "$kd_definition") return take_definition(text);
     if (section_ == "$road_crg_file") {
       header_.include += text;
@@ -124,7 +129,8 @@ class HeaderReading {
 
   void take_value(std::string_view text,
                   const std::vector<std::string>& known,
-                  OpenCrgHeader::Values& values) {
+                  OpenCrgHeader::Values& values,
+                  Twice twice) {
     const std::size_t middle = text.find('=');
     const std::string name = lower(trimmed(text.substr(0, middle)));
     if (std::find(known.begin(), known.end(), name) == known.end()) {
@@ -136,7 +142,18 @@ class HeaderReading {
            in_quotes(middle == text.npos ? std::string_view() : trimmed(text.substr(middle + 1))) +
            ", expected a number");
     }
-    if (!values.insert({name, {*number, line_, header_.file}}).second) fail(name + " comes twice");
+    const auto [place, first] = values.insert({name, {*number, line_, header_.file}});
+    if (first) return;
+    if (twice == Twice::refused) fail(name + " comes twice");
+    warn_of_two(name, place->second, *number);
+    place->second = {*number, line_, header_.file};
+  }
+
+  void warn_of_two(const std::string& name, const OpenCrgHeader::Value& before, double now) {
+    header_.warnings.push_back(header_.file + ":" + std::to_string(line_) + ": " + name +
+                               " comes a second time: " + format_number(now) + " counts, " +
+                               format_number(before.number) + " of line " +
+                               std::to_string(before.line) + " does not");
   }
 
   void take_definition(std::string_view text) {

@@ -32,7 +32,8 @@ struct OpenCrgHeader {
   std::string format;               // "LRFI"
   int format_line = 0;
   std::vector<Channel> channels;
-  std::string include;  // of $ROAD_CRG_FILE
+  std::vector<std::string> warnings;  // file, line and what was read in what way
+  std::string include;                // of $ROAD_CRG_FILE
   int include_line = 0;
   std::size_t data_begin = 0;  // first byte behind the line $$$$; npos: there is none
   int data_line = 0;
@@ -45,7 +46,8 @@ struct OpenCrgHeader {
                            const std::string& message) const;
 };
 
-/// Throws InputError for a statement that is unknown, comes twice or has no number.
+/// Throws InputError for a statement that is unknown or has no number, and for one of $ROAD_CRG
+/// that comes twice; of options and modifiers the last one counts, with a warning.
 OpenCrgHeader read_open_crg_header(std::string_view bytes, const std::string& file);
 
 }  // namespace latsch::formats

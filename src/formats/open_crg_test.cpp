@@ -289,6 +289,24 @@ TEST(OpenCrg, SaysWhereAndWhatIsWrong) {
   expect_message(with_section("$ROAD_CGR\n"), "road.crg:8: ", "did you mean \"$road_crg\"");
 }
 
+// A sample of the standard states LOG_EVAL twice.
+TEST(OpenCrg, OfAnOptionThatComesTwiceTheLastOneCountsWithAWarning) {
+  const OpenCrg file = OpenCrg::parse(
+      with_section("$ROAD_CRG_OPTS\nLOG_EVAL = 1\nLOG_EVAL_FREQ = 10\nlog_eval = 0\n$\n"
+                   "$ROAD_CRG_MODS\nSCALE_Z_GRID = 3\nscale_z_grid = 2\n"),
+      "road.crg");
+  EXPECT_DOUBLE_EQ(z(CrgRoad(file.grid), 2.0, 0.5), 0.18);
+  EXPECT_EQ(file.warnings,
+            (std::vector<std::string>{
+                "road.crg:11: log_eval comes a second time: 0 counts, 1 of line 9 does not",
+                "road.crg:15: scale_z_grid comes a second time: 2 counts, 3 of line 14 does not"}));
+  EXPECT_TRUE(OpenCrg::parse(kPlain, "road.crg").warnings.empty());
+  // Of the surface itself two statements contradict each other.
+  expect_message(with("$ROAD_CRG\n", "$ROAD_CRG\nreference_line_increment = 2\n"),
+                 "road.crg:6: ",
+                 "comes twice");
+}
+
 TEST(OpenCrg, FollowsAFileFromTheFolderOfTheOneThatNamesIt) {
   const auto folder = std::filesystem::temp_directory_path() / ("crg" + std::to_string(::getpid()));
   std::filesystem::create_directory(folder);
@@ -297,6 +315,9 @@ TEST(OpenCrg, FollowsAFileFromTheFolderOfTheOneThatNamesIt) {
                                         "$ROAD_CRG_MODS\nscale_z_grid = 3\n$\n";
   std::ofstream(folder / "self.crg") << "$ROAD_CRG_FILE\n self.crg\n$\n";
   EXPECT_DOUBLE_EQ(z(CrgRoad(OpenCrg::read(folder / "file.crg").grid), 2.0, 0.5), 0.27);
+  std::ofstream(folder / "twice.crg") << "$ROAD_CRG_OPTS\nlog_eval = 1\nlog_eval = 1\n$\n"
+                                         "$ROAD_CRG_FILE\n data.crg\n$\n";
+  EXPECT_EQ(OpenCrg::read(folder / "twice.crg").warnings.size(), 1u);
   EXPECT_THROW(OpenCrg::read(folder / "self.crg"), InputError);
   std::filesystem::remove_all(folder);
 }

@@ -15,6 +15,7 @@ RoadFile read_crg(const std::filesystem::path& file) {
   OpenCrg crg = OpenCrg::read(file);
   RoadFile result;
   result.kind = "OpenCRG";
+  result.warnings = crg.warnings;
   const road::CrgGrid& grid = crg.grid;
   result.facts.push_back(fmt::format("format {}, {} rows, {} long sections, {} heights missing",
                                      crg.format,

@@ -3,12 +3,12 @@
 // models/road/road_reader.h).
 //
 // Of .rdf: METHOD '2D' with ROAD_TYPE flat, plank, pothole, ramp, roof, sine, sweep, poly_line and
-// drum; METHOD '3D' with [NODES] and [ELEMENTS]; '3D_SPLINE' (rdf_spline.h). As their manuals say [Adams Tire, 2D Road Model;
-// Altair, TeimOrbit 2D road types]: lengths in [UNITS]; DIAMETER < 0 is an outer drum; a bevel is
-// measured along the road; DIRECTION and CLEAT_DIRECTION turn a bar counterclockwise from the axle;
-// ROTATION_ANGLE_XY_PLANE turns the road about z; OFFSET lifts it. CLEAT_STARTING_ANGLE counts from
-// the tire against the rotation of the drum, DEPTH downward. Not read: stochastic_uneven, whose
-// random numbers are those of the program that made it.
+// drum; METHOD '3D' with [NODES] and [ELEMENTS]; '3D_SPLINE' (rdf_spline.h). As their manuals say
+// [Adams Tire, 2D Road Model; Altair, TeimOrbit 2D road types]: lengths in [UNITS]; DIAMETER < 0 is
+// an outer drum; a bevel is measured along the road; DIRECTION and CLEAT_DIRECTION turn a bar
+// counterclockwise from the axle; ROTATION_ANGLE_XY_PLANE turns the road about z; OFFSET lifts it.
+// CLEAT_STARTING_ANGLE counts from the tire against the rotation of the drum, DEPTH downward. Not
+// read: stochastic_uneven, whose random numbers are those of the program that made it.
 #pragma once
 
 #include <filesystem>
@@ -25,9 +25,10 @@
 namespace latsch::formats {
 
 struct RoadFile {
-  std::string kind;                 // "OpenCRG", "Adams drum", "Adams triangles", "drum"
-  std::vector<std::string> facts;   // what was read, for a person
-  std::vector<std::string> unused;  // keys of a .rdf that have no meaning here
+  std::string kind;                   // "OpenCRG", "Adams drum", "Adams triangles", "drum"
+  std::vector<std::string> facts;     // what was read, for a person
+  std::vector<std::string> unused;    // keys of a .rdf that have no meaning here
+  std::vector<std::string> warnings;  // with file and line
   std::unique_ptr<const road::Road> road;
   const road::CrgRoad* crg = nullptr;             // where it is one
   const road::TriangleRoad* triangles = nullptr;  // likewise
