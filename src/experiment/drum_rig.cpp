@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "experiment/free_wheel.h"
 #include "models/road/drum_road.h"
 
 namespace latsch::experiment {
@@ -38,12 +39,12 @@ WheelMotion standing(double height, const Eigen::Matrix3d& carrier) {
   return motion;
 }
 
-/// 1/s, of the wheel's speed to that of its start, `before` the cleat is below the axle. The first
-/// guess of the speed is a percent off; a wheel let go at once would ring with its tread for half a
-/// second. Held and let go slowly it comes to its own speed quietly.
-double run_in_hold(const DrumTest& test, double before) {
+/// 1/s, of the wheel's speed to that of its start, at `time` before the cleat is below the axle.
+/// The first guess of the speed is a percent off; a wheel let go at once would ring with its tread
+/// for half a second. Held and let go slowly it comes to its own speed quietly.
+double run_in_hold(const DrumTest& test, double time) {
   constexpr double kFirst = 100.0;  // 1/s, near to critical for 10 to 40 Hz
-  const double left = (before - test.lead) / test.run_in;
+  const double left = (-time - test.lead) / test.run_in;
   return left > 0.0 && left <= 1.0 ? kFirst * left * left : 0.0;
 }
 
@@ -54,7 +55,7 @@ struct Record {
       "s", "N", "N", "N", "N m", "N m", "N m", "m/s", "rad/s"};
   std::array<std::vector<double>, 9> values;
 
-  void add(double time, const HubForces& hub, double speed, double wheel_speed) {
+  void add(double time, const Wrench& hub, double speed, double wheel_speed) {
     const std::array<double, 9> row = {time,
                                        hub.force.x(),
                                        hub.force.y(),
@@ -94,37 +95,59 @@ struct Surfaces {
   road::DrumRoad drum, smooth;
 };
 
-/// One passage of the cleat; `start`: the wheel at rest under its load.
-Result<Record> passage(Tire& tire,
-                       const DrumTest& test,
-                       const Surfaces& surfaces,
-                       const WheelMotion& start) {
-  WheelMotion motion = start;
-  // A belt of fixed length rolls with nearly its free radius; the wheel finds the rest itself.
-  const double deflection = tire.free_radius() - start.center.z();
-  motion.spin_rate = test.speed / (tire.free_radius() - 0.35 * deflection);
-  auto hub = tire.settle(motion, surfaces.smooth, 0.0);
-  const long first = std::lround((test.run_in + test.lead) / test.step);
-  const long every = std::lround(test.sample_step / test.step);
-  const long lead = std::lround(test.lead / test.step);
-  const long last = std::lround((test.duration - test.lead) / test.step);
-  const double rolled = motion.spin_rate;
-  Record record;
-  for (long i = -first + 1; hub && i <= last; ++i) {
-    const double held = run_in_hold(test, -(static_cast<double>(i) - 0.5) * test.step);
-    motion.spin_rate += test.step * hub->moment.y() / test.wheel_inertia;
-    motion.spin_rate -= test.step * held * (motion.spin_rate - rolled);
-    motion.spin += test.step * motion.spin_rate;
-    const double time = static_cast<double>(i) * test.step;
-    // Far from the axle the cleat cannot touch; the smooth drum answers faster.
-    const bool away = std::abs(time) * test.speed > 0.5 * tire.free_radius() + 0.5;
-    hub = tire.advance(motion, away ? surfaces.smooth : surfaces.drum, time, test.step);
-    if (hub && i > -lead && (i + lead) % every == 0)
-      record.add(time, *hub, test.speed, motion.spin_rate);
+/// A tire on the drum and its wheel, from rest under its load.
+class Passage {
+ public:
+  Passage(Tire& tire, const DrumTest& test, const Surfaces& surfaces, const WheelMotion& start)
+      : tire_(tire), test_(test), surfaces_(surfaces), motion_(start) {
+    // A belt of fixed length rolls with nearly its free radius; the wheel finds the rest itself.
+    const double deflection = tire.free_radius() - start.center.z();
+    motion_.spin_rate = test.speed / (tire.free_radius() - 0.35 * deflection);
   }
-  if (!hub) return hub.failure();
-  return record;
-}
+
+  Result<Record> run() {
+    auto hub = tire_.settle(motion_, surfaces_.smooth, 0.0);
+    if (!hub) return hub.failure();
+    const double rolled = motion_.spin_rate;
+    FreeWheel wheel(motion_, test_.wheel_inertia, hub->moment.y());
+    const long first = std::lround((test_.run_in + test_.lead) / test_.step);
+    const long every = std::lround(test_.sample_step / test_.step);
+    const long lead = std::lround(test_.lead / test_.step);
+    const long last = std::lround((test_.duration - test_.lead) / test_.step);
+    const int parts = std::max(1, static_cast<int>(std::ceil(test_.step / kLongestStep - 1e-9)));
+    const double h = test_.step / parts;
+    Record record;
+    for (long i = -first + 1; i <= last; ++i) {
+      for (int part = 1; part <= parts; ++part) {
+        const double time =
+            (static_cast<double>(i - 1) + static_cast<double>(part) / parts) * test_.step;
+        wheel.predict(h, motion_);
+        hub = advance(time, h);
+        if (!hub) return hub.failure();
+        const double slower = run_in_hold(test_, time) * (motion_.spin_rate - rolled);
+        wheel.correct(h, hub->moment.y() - test_.wheel_inertia * slower);
+      }
+      if (i > -lead && (i + lead) % every == 0)
+        record.add(static_cast<double>(i) * test_.step,
+                   in_frame(*hub, motion_, test_.frame),
+                   test_.speed,
+                   wheel.rate());
+    }
+    return record;
+  }
+
+ private:
+  Result<HubForces> advance(double time, double h) {
+    // Far from the axle the cleat cannot touch; the smooth drum answers faster.
+    const bool away = std::abs(time) * test_.speed > 0.5 * tire_.free_radius() + 0.5;
+    return tire_.advance(motion_, away ? surfaces_.smooth : surfaces_.drum, time, h);
+  }
+
+  Tire& tire_;
+  const DrumTest& test_;
+  const Surfaces& surfaces_;
+  WheelMotion motion_;
+};
 
 }  // namespace
 
@@ -146,6 +169,7 @@ DrumTest read_drum_test(const Node& root) {
   test.sample_step = root.quantity("sample_step", "s", {0.0, 0.1, true}, test.step);
   test.passages = static_cast<int>(root.integer("passages", 1, 100, 1));
   test.wheel_step = root.quantity("wheel_step", "rad", {}, 0.0);
+  test.frame = read_frame(root, test.frame);
   const double ratio = test.sample_step / test.step;
   if (std::abs(ratio - std::round(ratio)) > 1e-6 || ratio < 0.5)
     root.reject("sample_step", "is no multiple of step");
@@ -210,7 +234,7 @@ Result<Channels> run(Tire& tire, const DrumTest& test) {
   std::vector<Record> passages;
   for (int k = 0; k < test.passages; ++k) {
     start.spin = k * test.wheel_step;
-    auto record = passage(tire, test, surfaces, start);
+    auto record = Passage(tire, test, surfaces, start).run();
     if (!record) return Failure{"on the drum: " + record.failure().reason};
     passages.push_back(std::move(*record));
   }

@@ -15,20 +15,25 @@
 //   sample_step = "1 ms"             # of the record; a multiple of step, default step
 //   passages = 4                     # of the cleat, averaged; default 1
 //   wheel_step = "0.75 deg"          # the wheel is turned on by so much at every further passage
+//   frame = "W"                      # of the forces recorded: W, H or C (hub_frame.h), that of the
+//                                    # measurement; default C, the axes of a hub's load cell
 //   [cleat]                          # none: a smooth drum
 //   height = "15 mm"
 //   length = "30 mm"
 //   bevel = "5 mm"                   # default 0
 //   angle = "30 deg"                 # against the axle, default 0
 //
-// Channels: "time" (0 when the cleat is below the axle), hub forces "Fx" .. "Mz" in C, "speed" of
-// the drum's surface and "wheel_speed" (rad/s).
+// Channels: "time" (0 when the cleat is below the axle), hub forces "Fx" .. "Mz" in that frame,
+// "speed" of the drum's surface and "wheel_speed" (rad/s). W stands where the wheel plane meets the
+// smooth drum. The wheel turns with the step, of order 2 (followed_state.h); steps longer than 1 ms
+// are divided.
 #pragma once
 
 #include <optional>
 
 #include "base/document.h"
 #include "base/result.h"
+#include "experiment/hub_frame.h"
 #include "measurement/channels.h"
 #include "models/tire/tire.h"
 
@@ -50,6 +55,7 @@ struct DrumTest {
   std::optional<DrumCleat> cleat = {};
   int passages = 1;
   double wheel_step = 0.0;  // rad
+  AxisFrame frame = AxisFrame::C;
 };
 
 /// Throws InputError naming the place; unknown keys too.

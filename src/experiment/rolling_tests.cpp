@@ -32,6 +32,8 @@ SampledSweep read_slip_sweep(const Node& root) {
   sweep.speed = root.quantity("speed", "m/s", Range::positive());
   sweep.load = root.quantity("load", "N", Range::positive());
   sweep.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
+  if (root.choice("axle", {"load", "height"}, "load") == "height") sweep.axle = Axle::height;
+  sweep.frame = read_frame(root, sweep.frame);
   if (root.has("alpha") == root.has("kappa"))
     root.reject("alpha", "or kappa has to be there, one of the two");
   const auto alpha = ends(root, "alpha", "rad", Range::between(-1.0, 1.0));
@@ -211,7 +213,8 @@ std::vector<RecordedChannel> channels_of(const SampledSweep&) {
           {"Fz", "N"},
           {"Mx", "N m"},
           {"My", "N m"},
-          {"Mz", "N m"}};
+          {"Mz", "N m"},
+          {"loaded_radius", "m"}};
 }
 
 std::vector<RecordedChannel> channels_of(const StaticTest& test) {

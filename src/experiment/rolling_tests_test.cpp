@@ -19,26 +19,7 @@ namespace {
 const std::filesystem::path kStudies = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies";
 const std::filesystem::path kRing = kStudies / "ring_tires/passenger_205_55R16.toml";
 
-/// What a rigid ring needs beside a Magic Formula of little else; frequencies as of section 2 of
-/// Pacejka's chapter 9.
-const std::string kTir = sparse_tir(std::string(R"([INERTIA]
-BELT_MASS = 7
-BELT_IXX = 0.33
-BELT_IYY = 0.6
-[STRUCTURAL]
-LONGITUDINAL_STIFFNESS = 300000
-LATERAL_STIFFNESS = 110000
-YAW_STIFFNESS = 5000
-FREQ_LONG = 77
-FREQ_LAT = 42
-FREQ_YAW = 53
-FREQ_WINDUP = 58
-DAMP_LONG = 0.05
-DAMP_LAT = 0.05
-DAMP_YAW = 0.05
-DAMP_WINDUP = 0.05
-DAMP_RESIDUAL = 0.002
-)") + kLongitudinalForce + kSideForce);
+const std::string kTir = tir_with_a_belt();
 
 class RollingTests : public testing::Test {
  protected:

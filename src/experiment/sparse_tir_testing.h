@@ -40,4 +40,28 @@ PDX1 = 1.1
 PKX1 = 22
 )";
 
+/// What a rigid ring needs beside a Magic Formula of little else; frequencies as of section 2 of
+/// Pacejka's chapter 9.
+inline std::string tir_with_a_belt() {
+  return sparse_tir(std::string(R"([INERTIA]
+BELT_MASS = 7
+BELT_IXX = 0.33
+BELT_IYY = 0.6
+[STRUCTURAL]
+LONGITUDINAL_STIFFNESS = 300000
+LATERAL_STIFFNESS = 110000
+YAW_STIFFNESS = 5000
+FREQ_LONG = 77
+FREQ_LAT = 42
+FREQ_YAW = 53
+FREQ_WINDUP = 58
+DAMP_LONG = 0.05
+DAMP_LAT = 0.05
+DAMP_YAW = 0.05
+DAMP_WINDUP = 0.05
+DAMP_RESIDUAL = 0.002
+)") + kLongitudinalForce +
+                    kSideForce);
+}
+
 }  // namespace latsch::experiment

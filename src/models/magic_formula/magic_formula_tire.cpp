@@ -9,7 +9,7 @@
 namespace latsch::magic_formula {
 namespace {
 
-constexpr double kNoSlip = 1e-4;      // below it the formula is taken as linear
+constexpr double kNoSlip = 1e-4;      // below it the formula is straight
 constexpr double kLeastSigma = 0.01;  // m: shorter than any contact patch
 constexpr double kMostSlip = 3.0;     // of u/sigma and v/sigma: far in the sliding region
 
@@ -25,12 +25,6 @@ double interpolated(const std::vector<double>& x, const std::vector<double>& y, 
   auto i = std::upper_bound(x.begin(), x.end(), at) - x.begin();
   i = std::clamp<std::ptrdiff_t>(i, 1, std::ssize(x) - 1);  // beyond the ends as the last piece
   return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
-}
-
-/// sigma such that the carcass carries, at this slip, the force the formula gives.
-double sliding_sigma(double sigma, double force, double stiffness, double slip) {
-  if (std::abs(slip) < kNoSlip || stiffness <= 0.0) return sigma;
-  return std::clamp(std::abs(force) / (stiffness * std::abs(slip)), kLeastSigma, sigma);
 }
 
 }  // namespace
@@ -86,13 +80,20 @@ double MagicFormulaTire::vertical_force(const WheelContact& contact, double spin
   return std::max(Fz + p.VERTICAL_DAMPING * contact.approach, 0.0);
 }
 
-SteadyState MagicFormulaTire::evaluate(const WheelContact& contact, double Fz) const {
+SteadyState MagicFormulaTire::evaluate(const WheelContact& contact,
+                                       double Fz,
+                                       const Slips& slips) const {
   const bool lags = transient(settings_.use_mode);
   const double Vx = lags ? formula_speed(contact.Vx, parameters_.VXLOW) : contact.Vx;
   const double phit = std::abs(Vx) > 0.0 ? -contact.yaw_rate / std::abs(Vx) : 0.0;
   // The formula's kappa is (omega R_e - Vx)/Vx, which changes sign backwards.
-  State state{
-      Fz, std::copysign(1.0, Vx) * kappa_, alpha_, contact.gamma, phit, Vx, settings_.pressure};
+  State state{Fz,
+              std::copysign(1.0, Vx) * slips.kappa,
+              slips.alpha,
+              contact.gamma,
+              phit,
+              Vx,
+              settings_.pressure};
   const int forces = settings_.use_mode % 10;
   if (forces == 1) state.alpha = 0.0;
   if (forces == 2) state.kappa = 0.0;
@@ -112,28 +113,84 @@ SteadyState MagicFormulaTire::evaluate(const WheelContact& contact, double Fz) c
   return s;
 }
 
-void MagicFormulaTire::lag(const WheelContact& contact, double Fz, double spin_rate, double step) {
-  const double V = std::max(std::abs(contact.Vx), 1e-9);
-  SteadyState here = evaluate(contact, Fz);
-  const double Vsx = contact.Vx - spin_rate * here.R_e, Vsy = contact.Vy;
-  if (!transient(settings_.use_mode)) {
-    const double floor = std::max(V, parameters_.VXLOW);
-    kappa_ = std::clamp(-Vsx / floor, -kMostSlip, kMostSlip);
-    alpha_ = std::atan(Vsy / floor);
-    return;
-  }
-  double sigma_x = std::max(here.sigma_x, kLeastSigma);
-  double sigma_y = std::max(here.sigma_y, kLeastSigma);
-  if (settings_.use_mode / 10 % 10 >= 2) {
-    sigma_x = sliding_sigma(sigma_x, here.Fx, here.Cx, kappa_);
-    sigma_y = sliding_sigma(sigma_y, here.Fy, here.Cy, std::tan(alpha_));
-  }
+/// Relaxation lengths at these slips: that of the secant from no slip, where ply steer, conicity
+/// and camber leave a force that needs no deflection. Of the tangent where the slip is next to
+/// none.
+MagicFormulaTire::Lengths MagicFormulaTire::lengths(const WheelContact& contact,
+                                                    double Fz,
+                                                    const Slips& slips) const {
+  const SteadyState here = evaluate(contact, Fz, slips);
+  Lengths sigma{std::max(here.sigma_x, kLeastSigma), std::max(here.sigma_y, kLeastSigma)};
+  if (settings_.use_mode / 10 % 10 < 2) return sigma;
+  const auto secant = [&](double slip, double longest, double stiffness, auto force_at) {
+    if (stiffness <= 0.0) return longest;
+    const double far = std::abs(slip) < kNoSlip ? std::copysign(kNoSlip, slip) : slip;
+    const double length = std::abs((force_at(far) - force_at(0.0)) / (stiffness * far));
+    return std::clamp(length, kLeastSigma, longest);
+  };
+  sigma.x = secant(slips.kappa, sigma.x, here.Cx, [&](double kappa) {
+    return evaluate(contact, Fz, {kappa, slips.alpha}).Fx;
+  });
+  sigma.y = secant(std::tan(slips.alpha), sigma.y, here.Cy, [&](double tan_alpha) {
+    return evaluate(contact, Fz, {slips.kappa, std::atan(tan_alpha)}).Fy;
+  });
+  return sigma;
+}
+
+/// The slips `step` later where the patch slides with `at`; exact for constant velocities.
+MagicFormulaTire::Slips MagicFormulaTire::relaxed_slips(const Sliding& at,
+                                                        const Lengths& sigma,
+                                                        double step) const {
   // The states are slips: a relaxation length that changes with the load moves no force by itself.
-  const double u = relaxed(kappa_ * sigma_x, -Vsx, contact.Vx, sigma_x, kMostSlip * sigma_x, step);
+  const double u =
+      relaxed(slips_.kappa * sigma.x, -at.Vsx, at.Vx, sigma.x, kMostSlip * sigma.x, step);
   const double v =
-      relaxed(std::tan(alpha_) * sigma_y, Vsy, contact.Vx, sigma_y, kMostSlip * sigma_y, step);
-  kappa_ = u / sigma_x;
-  alpha_ = std::atan(v / sigma_y);
+      relaxed(std::tan(slips_.alpha) * sigma.y, at.Vsy, at.Vx, sigma.y, kMostSlip * sigma.y, step);
+  return {u / sigma.x, std::atan(v / sigma.y)};
+}
+
+/// The exponential midpoint rule: velocities and relaxation lengths of the middle of the step.
+MagicFormulaTire::Slips MagicFormulaTire::lag(const WheelContact& contact,
+                                              const Sliding& now,
+                                              double step) const {
+  if (!transient(settings_.use_mode)) {
+    const double floor = std::max(std::abs(contact.Vx), parameters_.VXLOW);
+    return {std::clamp(-now.Vsx / floor, -kMostSlip, kMostSlip), std::atan(now.Vsy / floor)};
+  }
+  const Sliding& before = before_ ? *before_ : now;
+  const Sliding middle{0.5 * (before.Vx + now.Vx),
+                       0.5 * (before.Vsx + now.Vsx),
+                       0.5 * (before.Vsy + now.Vsy),
+                       0.5 * (before.Fz + now.Fz)};
+  const Slips half = relaxed_slips(before, lengths(contact, before.Fz, slips_), 0.5 * step);
+  return relaxed_slips(middle, lengths(contact, middle.Fz, half), step);
+}
+
+/// Load and slips at the end of a step; where forces along the road lower the load, the ones there.
+void MagicFormulaTire::roll(const WheelContact& contact, double spin_rate, double step) {
+  constexpr int kMost = 20;
+  constexpr double kClose = 1e-9;  // of the load
+  const bool coupled = parameters_.Q_FCX != 0.0 || parameters_.Q_FCY != 0.0;
+  Slips slips = slips_;
+  Sliding now;
+  for (int i = 0; i < kMost; ++i) {
+    const double Fz = vertical_force(contact, spin_rate);
+    if (Fz <= 0.0) {
+      slips_ = {};
+      before_.reset();
+      forces_ = {};
+      return;
+    }
+    const bool settled = std::abs(Fz - now.Fz) <= kClose * Fz;
+    const double R_e = evaluate(contact, Fz, slips_).R_e;
+    now = {contact.Vx, contact.Vx - spin_rate * R_e, contact.Vy, Fz};
+    slips = lag(contact, now, step);
+    forces_ = evaluate(contact, Fz, slips);
+    forces_.Fz = Fz;  // also beyond FZMAX, where the formula's is limited
+    if (settled || !coupled) break;
+  }
+  slips_ = slips;
+  before_ = now;
 }
 
 HubForces MagicFormulaTire::hub_forces(const WheelMotion& motion,
@@ -145,7 +202,8 @@ HubForces MagicFormulaTire::hub_forces(const WheelMotion& motion,
 Result<HubForces> MagicFormulaTire::settle(const WheelMotion& motion,
                                            const road::Road& road,
                                            double time) {
-  kappa_ = alpha_ = 0.0;
+  slips_ = {};
+  before_.reset();
   forces_ = {};
   const RoadPlane plane = tangent_plane(motion, road, time);
   auto contact = touch(motion, plane);
@@ -165,15 +223,8 @@ Result<HubForces> MagicFormulaTire::advance(const WheelMotion& motion,
   const auto contact = touch(motion, plane);
   if (!contact) return Failure{"the wheel lies flat: its spin axis stands on the road"};
   take_friction(contact->friction);
-  const double Fz = vertical_force(*contact, motion.spin_rate);
-  if (Fz <= 0.0) {
-    kappa_ = alpha_ = 0.0;
-    forces_ = {};
-    return HubForces{};
-  }
-  lag(*contact, Fz, motion.spin_rate, step);
-  forces_ = evaluate(*contact, Fz);
-  forces_.Fz = Fz;  // also beyond FZMAX, where the formula's is limited
+  roll(*contact, motion.spin_rate, step);
+  if (forces_.Fz <= 0.0) return HubForces{};
   const HubForces hub = hub_forces(motion, *contact);
   if (!hub.force.allFinite() || !hub.moment.allFinite())
     return Failure{"the Magic Formula gives no finite force: check the tire's coefficients"};

@@ -11,8 +11,10 @@
 // USE_MODE of the file (or of the settings), tens: 0 steady state, kappa' and alpha' those of the
 // wheel; 1 relaxation with sigma = K/C at the load (19); 2 and above also with the slip,
 // sigma = |F - F(0)|/(C slip), as the sliding part of the patch needs no deflection
-// [Pacejka 2012, 7.2.3]. Units: 0 vertical force alone, 1 Fx and My, 2 Fy, Mx, Mz, 3 all without
-// interaction of the slips, 4 and 5 all (5: with turn slip).
+// [Pacejka 2012, 7.2.3]; F(0) is the force that ply steer, conicity, camber and the other slip
+// leave without this slip. A step is of order 2 in its length, and exact where velocities and load
+// stand. Units: 0 vertical force alone, 1 Fx and My, 2 Fy, Mx, Mz, 3 all without interaction of the
+// slips, 4 and 5 all (5: with turn slip).
 #pragma once
 
 #include "models/magic_formula/magic_formula.h"
@@ -44,21 +46,37 @@ class MagicFormulaTire final : public Tire {
 
   /// Of the last step: load, lagged slips, forces in W.
   const SteadyState& contact_forces() const { return forces_; }
-  double lagged_kappa() const { return kappa_; }
-  double lagged_alpha() const { return alpha_; }
+  double lagged_kappa() const { return slips_.kappa; }
+  double lagged_alpha() const { return slips_.alpha; }
 
  private:
+  struct Slips {
+    double kappa = 0.0, alpha = 0.0;
+  };
+  /// m: relaxation lengths.
+  struct Lengths {
+    double x, y;
+  };
+  /// The patch over the ground, m/s, and its load, N.
+  struct Sliding {
+    double Vx = 0.0, Vsx = 0.0, Vsy = 0.0, Fz = 0.0;
+  };
+
   double vertical_force(const WheelContact& contact, double spin_rate) const;
-  void lag(const WheelContact& contact, double Fz, double spin_rate, double step);
-  SteadyState evaluate(const WheelContact& contact, double Fz) const;
+  SteadyState evaluate(const WheelContact& contact, double Fz, const Slips& slips) const;
+  Lengths lengths(const WheelContact& contact, double Fz, const Slips& slips) const;
+  Slips relaxed_slips(const Sliding& at, const Lengths& sigma, double step) const;
+  Slips lag(const WheelContact& contact, const Sliding& now, double step) const;
+  void roll(const WheelContact& contact, double spin_rate, double step);
   HubForces hub_forces(const WheelMotion& motion, const WheelContact& contact) const;
   void take_friction(double friction);
 
   Parameters parameters_;
   MagicFormulaTireSettings settings_;
   MagicFormula formula_;
-  double friction_ = 1.0;             // of the road, in formula_
-  double kappa_ = 0.0, alpha_ = 0.0;  // lagged
+  double friction_ = 1.0;          // of the road, in formula_
+  Slips slips_;                    // lagged
+  std::optional<Sliding> before_;  // at the end of the last step; nothing in the air
   SteadyState forces_{};
 };
 

@@ -5,6 +5,9 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 #include "models/magic_formula/round_tire_testing.h"
 #include "models/road/plane_road.h"
@@ -59,6 +62,89 @@ TEST(MagicFormulaTire, ASmallStepInSlipAngleRelaxesOverItsLength) {
   MagicFormulaTire coarse(p);
   ASSERT_TRUE(coarse.advance(motion, road, 0.0, time).ok());
   EXPECT_NEAR(coarse.lagged_alpha(), tire.lagged_alpha(), 1e-12);
+}
+
+// A force that is there without slip needs no deflection: with ply steer, conicity and camber a
+// small step in slip angle relaxes over the same length K/C, also where the force passes through
+// zero on the way. Within what the formula bends up to that slip.
+TEST(MagicFormulaTire, AForceWithoutSlipDoesNotShortenTheRelaxation) {
+  const road::PlaneRoad road;
+  MagicFormulaTireSettings settings;
+  settings.use_mode = 24;
+  for (const auto& [shift, camber] :
+       {std::pair{0.0, 0.0}, {0.02, 0.0}, {-0.02, 0.0}, {0.0, 0.04}}) {
+    Parameters p = round_tire();
+    p.PVY1 = shift;
+    const MagicFormula formula(p);
+    MagicFormulaTire tire(p, settings);
+    constexpr double kAlpha = 3e-3;
+    WheelMotion motion = rolling(formula, 4000.0, kAlpha, 0.0);
+    motion.carrier = AngleAxisd(camber, Vector3d::UnitX()).toRotationMatrix();
+    ASSERT_TRUE(tire.advance(motion, road, 0.0, 1e-9).ok());  // where it stands
+    const SteadyState s =
+        formula.evaluate({tire.contact_forces().Fz, 0.0, 0.0, camber, 0.0, kSpeed, 2.2e5});
+    const double time = s.sigma_y / kSpeed;
+    for (int i = 0; i < 200; ++i) ASSERT_TRUE(tire.advance(motion, road, 0.0, time / 200).ok());
+    EXPECT_NEAR(tire.lagged_alpha() / kAlpha, 1.0 - std::exp(-1.0), 0.01) << shift << " " << camber;
+  }
+}
+
+// Along the wheel the same: a force without slip, here that of a shifted curve.
+TEST(MagicFormulaTire, ABrakingForceWithoutSlipDoesNotShortenTheRelaxation) {
+  Parameters p = round_tire();
+  p.PVX1 = 0.03;
+  const MagicFormula formula(p);
+  MagicFormulaTireSettings settings;
+  settings.use_mode = 24;
+  MagicFormulaTire tire(p, settings);
+  constexpr double kKappa = -3e-3;
+  const WheelMotion motion = rolling(formula, 4000.0, 0.0, kKappa);
+  const SteadyState s = formula.evaluate({4000.0, 0.0, 0.0, 0.0, 0.0, kSpeed, 2.2e5});
+  const double time = s.sigma_x / kSpeed;
+  for (int i = 0; i < 200; ++i)
+    ASSERT_TRUE(tire.advance(motion, road::PlaneRoad(), 0.0, time / 200).ok());
+  EXPECT_NEAR(tire.lagged_kappa() / kKappa, 1.0 - std::exp(-1.0), 0.01);
+}
+
+/// The force on a hub that heaves, drifts and is braked, after `parts` steps.
+Vector3d after_a_ride(const Parameters& p, int use_mode, int parts) {
+  MagicFormulaTireSettings settings;
+  settings.use_mode = use_mode;
+  MagicFormulaTire tire(p, settings);
+  const road::PlaneRoad road;
+  constexpr double kTime = 0.04, omega = 2.0 * std::numbers::pi * 12.0;
+  WheelMotion motion;
+  Vector3d force;
+  for (int i = 0; i <= parts; ++i) {
+    const double t = kTime * i / parts, h = kTime / parts;
+    motion.center = {kSpeed * t, 0.0, 0.28 + 0.004 * std::cos(omega * t)};
+    motion.velocity = {kSpeed, 0.8 * std::sin(omega * t), -0.004 * omega * std::sin(omega * t)};
+    motion.spin_rate = kSpeed / 0.295 * (1.0 - 0.05 * std::sin(0.7 * omega * t));
+    const auto hub = i == 0 ? tire.settle(motion, road, 0.0) : tire.advance(motion, road, t, h);
+    EXPECT_TRUE(hub.ok());
+    force = hub->force;
+  }
+  return force;
+}
+
+// Halving the step quarters the error of the forces along the road, with constant and with
+// slip-dependent relaxation lengths, and where they lower the load.
+TEST(MagicFormulaTire, IsOfOrderTwoInItsStep) {
+  Parameters p = round_tire();
+  p.PVY1 = 0.02;
+  p.Q_FCX = 0.2;
+  p.Q_FCY = 0.3;
+  for (const int mode : {14, 24}) {
+    std::vector<Vector3d> forces;
+    for (const int parts : {40, 80, 160, 320}) forces.push_back(after_a_ride(p, mode, parts));
+    for (std::size_t i = 0; i < 2; ++i)
+      for (const int axis : {0, 1}) {
+        const double one = std::abs((forces[i + 1] - forces[i])[axis]);
+        const double other = std::abs((forces[i + 2] - forces[i + 1])[axis]);
+        EXPECT_GT(one, 3.4 * other) << "mode " << mode << ", axis " << axis << ", " << i;
+      }
+    EXPECT_GT((forces[1] - forces[0]).norm(), 1e-3);  // there is something to see
+  }
 }
 
 TEST(MagicFormulaTire, HubForcesBalanceTheContactOnACamberedWheelAndASlope) {

@@ -18,6 +18,7 @@ using magic_formula::WheelContact;
 namespace {
 
 constexpr double kLeastSigma = 0.01;  // m
+constexpr double kLeastShare = 0.05;  // of the nominal load: a patch that lifts off has that length
 constexpr double kMostSlip = 3.0;     // of u/sigma and v/sigma: far in the sliding region
 
 /// The loaded radius at the nominal load, standing.
@@ -132,28 +133,33 @@ void RigidRingTire::slip(const WheelContact& wheel, double spin_rate, Contact& c
 
 RigidRingTire::Contact RigidRingTire::contact(const State& y,
                                               const WheelMotion& rim,
+                                              const magic_formula::RoadPlane& plane,
                                               bool rolling) {
   const Parameters& p = parameters_;
   const WheelMotion belt = belt_motion(y, rim);
-  const auto wheel = touch(belt, plane_);
+  const auto wheel = touch(belt, plane);
   Contact c;
   if (!wheel) return c;
   const double speed = belt.spin_rate * p.UNLOADED_RADIUS / p.LONGVL;
   const double R_omega = p.UNLOADED_RADIUS * (p.Q_RE0 + p.Q_V1 * speed * speed);
-  forces_.Fz =
-      load(R_omega - wheel->height, rolling ? wheel->approach : 0.0, belt.spin_rate, wheel->gamma);
-  if (forces_.Fz <= 0.0) {
-    forces_ = {};
-    c.u_rate = -y[12] / 1e-3;  // what was sheared springs back within a millisecond
-    c.v_rate = -y[13] / 1e-3;
-    return c;
-  }
-  if (rolling) {
-    slip(*wheel, belt.spin_rate, c, y);
-  } else {
-    const double Fz = forces_.Fz;
-    forces_ = {};
+  // Where forces along the road lower the load, those that it makes.
+  const bool coupled = rolling && (p.Q_FCX != 0.0 || p.Q_FCY != 0.0);
+  constexpr int kMost = 20;
+  constexpr double kClose = 1e-9;  // of the load
+  for (int i = 0; i < (coupled ? kMost : 1); ++i) {
+    const double Fz = load(
+        R_omega - wheel->height, rolling ? wheel->approach : 0.0, belt.spin_rate, wheel->gamma);
+    if (Fz <= 0.0) {
+      forces_ = {};
+      c.u_rate = -y[12] / 1e-3;  // what was sheared springs back within a millisecond
+      c.v_rate = -y[13] / 1e-3;
+      return c;
+    }
+    const bool settled = i > 0 && std::abs(Fz - forces_.Fz) <= kClose * Fz;
+    if (!rolling) forces_ = {};
     forces_.Fz = Fz;
+    if (rolling) slip(*wheel, belt.spin_rate, c, y);
+    if (settled) break;
   }
   const Vector3d force = wheel->axes * Vector3d(forces_.Fx, forces_.Fy, forces_.Fz);
   const Vector3d moment = wheel->axes * Vector3d(forces_.Mx, forces_.My, forces_.Mz) +
@@ -179,7 +185,7 @@ void RigidRingTire::springs(const State& y,
 }
 
 RigidRingTire::State RigidRingTire::rate(const State& y, const Rim& rim) {
-  const Contact c = contact(y, rim.motion, true);
+  const Contact c = contact(y, rim.motion, rim.plane, true);
   const double spin_rate = rim.motion.spin_rate;
   Vector3d force, moment;
   springs(y, spin_rate, force, moment);
@@ -206,17 +212,26 @@ HubForces RigidRingTire::hub_forces(const State& y, double spin_rate) const {
   return hub;
 }
 
-void RigidRingTire::see_road(const WheelMotion& motion, const road::Road& road, double time) {
-  const WheelMotion belt = belt_motion(state_, motion);
+/// The effective plane under the wheel at `motion`, where the belt is `ahead` s later than now and
+/// the patch carries what it will by then.
+magic_formula::RoadPlane RigidRingTire::plane_ahead(const WheelMotion& motion,
+                                                    double ahead,
+                                                    const road::Road& road,
+                                                    double time) const {
+  State then = state_;
+  then.head<6>() += ahead * state_.segment<6>(6);
+  const WheelMotion belt = belt_motion(then, motion);
   const Vector3d forward = belt.carrier.col(1).cross(Vector3d::UnitZ());
-  if (forward.norm() < 1e-3) return;  // lies flat: `touch` will say so
-  const double Fz = forces_.Fz > 0.0 ? forces_.Fz : 0.05 * parameters_.FNOMIN;
+  if (forward.norm() < 1e-3) return plane_;  // lies flat: `touch` will say so
+  const double Fz = std::max(forces_.Fz + ahead * load_rate_, kLeastShare * parameters_.FNOMIN);
   const SteadyState patch =
       formula_.evaluate({Fz, 0.0, 0.0, 0.0, 0.0, parameters_.LONGVL, settings_.pressure});
-  plane_ = cams_.plane(belt.center, forward, patch.a, patch.b, road, time);
-  if (plane_.friction != formula_.parameters().LMUY / parameters_.LMUY)
-    formula_ =
-        MagicFormula(magic_formula::on_road(parameters_, plane_.friction), formula_.conventions());
+  return cams_.plane(belt.center, forward, patch.a, patch.b, road, time);
+}
+
+void RigidRingTire::take_friction(double friction) {
+  if (friction != formula_.parameters().LMUY / parameters_.LMUY)
+    formula_ = MagicFormula(magic_formula::on_road(parameters_, friction), formula_.conventions());
 }
 
 int RigidRingTire::substeps(double step, double Vx) const {
@@ -239,10 +254,12 @@ Result<HubForces> RigidRingTire::settle(const WheelMotion& motion,
   rest.spin_rate = 0.0;
   state_.setZero();
   forces_ = {};
+  load_rate_ = 0.0;
   constexpr int kRounds = 80;  // each leaves a third of the error at most
   for (int round = 0; round < kRounds; ++round) {
-    see_road(rest, road, time);
-    const Contact c = contact(state_, rest, false);
+    plane_ = plane_ahead(rest, 0.0, road, time);
+    take_friction(plane_.friction);
+    const Contact c = contact(state_, rest, plane_, false);
     const Vector3d weight =
         rest.carrier.transpose() * Vector3d(0.0, 0.0, ring_.m_b * parameters_.GRAVITY);
     state_.segment<3>(0) =
@@ -256,38 +273,59 @@ Result<HubForces> RigidRingTire::settle(const WheelMotion& motion,
   return hub_forces(state_, 0.0);
 }
 
+/// Rim and plane in between, all of them straight on from the last step's end to this one's.
+RigidRingTire::Rim RigidRingTire::between(const WheelMotion& motion,
+                                          const magic_formula::RoadPlane& plane,
+                                          double step,
+                                          double share) const {
+  Rim rim;
+  rim.acceleration = (motion.velocity - before_.velocity) / step;
+  rim.spin_acceleration = (motion.spin_rate - before_.spin_rate) / step;
+  rim.motion = motion;
+  const auto mix = [share](const auto& from, const auto& to) {
+    return (from + share * (to - from)).eval();
+  };
+  rim.motion.center = mix(before_.center, motion.center);
+  rim.motion.velocity = mix(before_.velocity, motion.velocity);
+  rim.motion.angular_velocity = mix(before_.angular_velocity, motion.angular_velocity);
+  rim.motion.carrier = Eigen::Quaterniond(before_.carrier)
+                           .slerp(share, Eigen::Quaterniond(motion.carrier))
+                           .toRotationMatrix();
+  rim.motion.spin_rate = before_.spin_rate + share * (motion.spin_rate - before_.spin_rate);
+  rim.plane = plane;
+  rim.plane.point = mix(plane_.point, plane.point);
+  rim.plane.normal = mix(plane_.normal, plane.normal).normalized();
+  rim.plane.velocity = mix(plane_.velocity, plane.velocity);
+  return rim;
+}
+
 Result<HubForces> RigidRingTire::advance(const WheelMotion& motion,
                                          const road::Road& road,
                                          double time,
                                          double step) {
-  if (!moving_) before_ = motion;
+  if (!moving_) {
+    before_ = motion;
+    plane_ = plane_ahead(motion, 0.0, road, time);
+  }
   moving_ = true;
-  see_road(motion, road, time);
-  if (!touch(belt_motion(state_, motion), plane_))
-    return Failure{"the wheel lies flat: its spin axis stands on the road"};
-  const int n = substeps(step, motion.velocity.norm());
-  const double h = step / n;
-  Rim rim;
-  rim.acceleration = (motion.velocity - before_.velocity) / step;
-  rim.spin_acceleration = (motion.spin_rate - before_.spin_rate) / step;
-  const auto at = [&](double share) {
-    rim.motion = motion;
-    rim.motion.center += (share - 1.0) * (motion.center - before_.center);
-    rim.motion.velocity += (share - 1.0) * (motion.velocity - before_.velocity);
-    rim.motion.angular_velocity +=
-        (share - 1.0) * (motion.angular_velocity - before_.angular_velocity);
-    rim.motion.spin_rate += (share - 1.0) * (motion.spin_rate - before_.spin_rate);
-    return rim;
-  };
+  const magic_formula::RoadPlane plane = plane_ahead(motion, step, road, time);
+  const auto wheel = touch(belt_motion(state_, motion), plane);
+  if (!wheel) return Failure{"the wheel lies flat: its spin axis stands on the road"};
+  take_friction(plane.friction);
+  const int n = substeps(step, wheel->Vx);
+  const double h = step / n, load_before = forces_.Fz;
+  const auto at = [&](double share) { return between(motion, plane, step, share); };
   for (int i = 0; i < n; ++i) {
-    const double t0 = double(i) / n, t1 = (i + 0.5) / n, t2 = (i + 1.0) / n;
-    const State k1 = rate(state_, at(t0));
-    const State k2 = rate(state_ + 0.5 * h * k1, at(t1));
-    const State k3 = rate(state_ + 0.5 * h * k2, at(t1));
-    const State k4 = rate(state_ + h * k3, at(t2));
+    const Rim begin = at(double(i) / n), middle = at((i + 0.5) / n), end = at((i + 1.0) / n);
+    const State k1 = rate(state_, begin);
+    const State k2 = rate(state_ + 0.5 * h * k1, middle);
+    const State k3 = rate(state_ + 0.5 * h * k2, middle);
+    const State k4 = rate(state_ + h * k3, end);
     state_ += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
   }
   before_ = motion;
+  plane_ = plane;
+  load_rate_ = (forces_.Fz - load_before) / step;
   if (!state_.allFinite()) return Failure{"the ring left its springs: take smaller steps"};
   return hub_forces(state_, motion.spin_rate);
 }

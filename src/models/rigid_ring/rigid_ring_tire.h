@@ -13,8 +13,9 @@
 // stiffness and the Magic Formula of the file. Springs and dampers turn with the rim: v_rel = d. -
 // Omega y x d, of which the dampers' part is kept. Slips, camber and height are those of the belt
 // over the effective plane of tandem_cams.h. Integrated by the classical Runge-Kutta method in
-// substeps.
-// [Zegelaar 1998; Maurice 2000; Schmeitz 2004; Pacejka 2012, ch. 9 and 10]
+// substeps short for the ring's springs and for the way the patch rolls over the road; rim and
+// plane go straight on in a step, which makes it of order 2. [Zegelaar 1998; Maurice 2000; Schmeitz
+// 2004; Pacejka 2012, ch. 9 and 10]
 //
 // Limits: the variation of the effective rolling radius over an obstacle and the residual yaw
 // stiffness are left out; small rotations of the belt; Q_BVX and Q_BVT (stiffness over speed) are
@@ -55,11 +56,12 @@ class RigidRingTire final : public Tire {
  private:
   /// d, phi, their rates, u, v.
   using State = Eigen::Matrix<double, 14, 1>;
-  /// The rim between two steps.
+  /// Rim and effective plane at a time of the step.
   struct Rim {
     WheelMotion motion;
     Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  // m/s^2, inertial
     double spin_acceleration = 0.0;
+    magic_formula::RoadPlane plane;
   };
   struct Contact {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();   // on the belt, C
@@ -73,7 +75,10 @@ class RigidRingTire final : public Tire {
 
   WheelMotion belt_motion(const State& y, const WheelMotion& rim) const;
   double load(double rho, double approach, double spin_rate, double gamma) const;
-  Contact contact(const State& y, const WheelMotion& rim, bool rolling);
+  Contact contact(const State& y,
+                  const WheelMotion& rim,
+                  const magic_formula::RoadPlane& plane,
+                  bool rolling);
   void slip(const magic_formula::WheelContact& wheel, double spin_rate, Contact& c, State y);
   State rate(const State& y, const Rim& rim);
   void springs(const State& y,
@@ -81,7 +86,15 @@ class RigidRingTire final : public Tire {
                Eigen::Vector3d& force,
                Eigen::Vector3d& moment) const;
   HubForces hub_forces(const State& y, double spin_rate) const;
-  void see_road(const WheelMotion& motion, const road::Road& road, double time);
+  magic_formula::RoadPlane plane_ahead(const WheelMotion& motion,
+                                       double ahead,
+                                       const road::Road& road,
+                                       double time) const;
+  void take_friction(double friction);
+  Rim between(const WheelMotion& motion,
+              const magic_formula::RoadPlane& plane,
+              double step,
+              double share) const;
   int substeps(double step, double Vx) const;
 
   magic_formula::Parameters parameters_;
@@ -91,8 +104,9 @@ class RigidRingTire final : public Tire {
   TandemCams cams_;
   State state_ = State::Zero();
   WheelMotion before_;
-  bool moving_ = false;  // before_ is known
-  magic_formula::RoadPlane plane_;
+  bool moving_ = false;             // before_ is known
+  magic_formula::RoadPlane plane_;  // at the end of the last step
+  double load_rate_ = 0.0;          // N/s, over the last step
   magic_formula::SteadyState forces_{};
 };
 

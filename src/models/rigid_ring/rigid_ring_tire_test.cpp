@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "models/magic_formula/round_tire_testing.h"
 #include "models/road/plane_road.h"
@@ -194,6 +196,82 @@ TEST(RigidRing, OverAStepTheLoadRisesAndSettlesAgain) {
   }
   EXPECT_GT(highest, 5000.0);                 // more than the static 200 N/mm times 25 mm
   EXPECT_NEAR(hub->force.z(), 5000.0, 50.0);  // where it ends
+}
+
+/// A wave, smooth where the cams touch it.
+class SineRoad : public road::Road {
+ public:
+  road::GroundPoint at(double x, double, double) const override {
+    return {.height = 0.004 * std::sin(4.0 * x)};
+  }
+  road::GroundBounds bounds(const road::GroundBox& box, double) const override {
+    const double quarter = 0.5 * std::numbers::pi, turn = 4.0 * quarter;
+    const double crest = turn * std::ceil((4.0 * box.x0 - quarter) / turn) + quarter;
+    if (crest <= 4.0 * box.x1) return {0.004, false};
+    return {0.004 * std::max(std::sin(4.0 * box.x0), std::sin(4.0 * box.x1)), false};
+  }
+};
+
+/// Hub force after 0.04 s over a smooth wave, drifting, braked, in `parts` steps.
+Vector3d after_a_ride(const Parameters& p, int parts) {
+  constexpr double kTime = 0.04, kSpeed = 20.0, omega = 2.0 * std::numbers::pi * 12.0;
+  const auto tire = make(p);
+  const SineRoad road;
+  WheelMotion motion;
+  Vector3d force;
+  for (int i = 0; i <= parts; ++i) {
+    const double t = kTime * i / parts;
+    motion.center = {kSpeed * t, 0.0, 0.28 + 0.002 * std::cos(omega * t)};
+    motion.velocity = {kSpeed, 0.5 * std::sin(omega * t), -0.002 * omega * std::sin(omega * t)};
+    motion.carrier =
+        Eigen::AngleAxisd(0.02 * std::sin(omega * t), Vector3d::UnitX()).toRotationMatrix();
+    motion.angular_velocity.x() = 0.02 * omega * std::cos(omega * t);
+    motion.spin_rate = kSpeed / 0.295 * (1.0 - 0.03 * std::sin(0.7 * omega * t));
+    const auto hub =
+        i == 0 ? tire->settle(motion, road, 0.0) : tire->advance(motion, road, t, kTime / parts);
+    EXPECT_TRUE(hub.ok());
+    force = hub->force;
+  }
+  return force;
+}
+
+TEST(RigidRing, IsOfOrderTwoInItsStep) {
+  Parameters p = ring_tire();
+  p.Q_FCX = 0.2;
+  p.Q_FCY = 0.3;
+  std::vector<Vector3d> forces;
+  for (const int parts : {160, 320, 640}) forces.push_back(after_a_ride(p, parts));
+  for (int axis = 0; axis < 3; ++axis) {
+    const double one = std::abs((forces[1] - forces[0])[axis]);
+    const double other = std::abs((forces[2] - forces[1])[axis]);
+    EXPECT_GT(one, 3.4 * other) << "axis " << axis << ": " << one << " " << other;
+  }
+}
+
+// How far the patch rolls in a step decides how often the step is divided, not how far the wheel
+// does: on a belt the wheel stands.
+TEST(RigidRing, OnAFastBeltItRollsAsOverAFastRoad) {
+  Parameters p = ring_tire();
+  p.PKX1 = 2.0;  // relaxation lengths of a centimeter
+  p.PKY1 = -2.0;
+  constexpr double kSpeed = 80.0, kStep = 1e-3;
+  Vector3d forces[2];
+  for (const bool belt : {false, true}) {
+    const auto tire = make(p);
+    const PlaneRoad road({.belt = belt ? kSpeed : 0.0});
+    WheelMotion motion = standing(0.28);
+    motion.spin_rate = kSpeed / 0.295;
+    motion.velocity = {belt ? 0.0 : kSpeed, 1.0, 0.0};
+    ASSERT_TRUE(tire->settle(motion, road, 0.0).ok());
+    Result<HubForces> hub = HubForces{};
+    for (int i = 1; i <= 60; ++i) {
+      motion.center += kStep * motion.velocity;
+      hub = tire->advance(motion, road, i * kStep, kStep);
+      ASSERT_TRUE(hub.ok());
+    }
+    forces[belt] = hub->force;
+  }
+  EXPECT_LT((forces[1] - forces[0]).norm(), 1e-9 * forces[0].norm());
 }
 
 }  // namespace

@@ -51,7 +51,9 @@ magic_formula::RoadPlane TandemCams::plane(const Eigen::Vector3d& center,
       Eigen::Vector3d(
           -slope * heading.x() - bank * left.x(), -slope * heading.y() - bank * left.y(), 1.0)
           .normalized();
-  plane.velocity = ground.velocity;
+  // Of the ground at the effective height: over a cleat on a drum it changes as smoothly as that.
+  plane.velocity =
+      ground.velocity + ground.turning.cross(Eigen::Vector3d(0.0, 0.0, w - ground.height));
   plane.friction = ground.friction;
   return plane;
 }

@@ -147,6 +147,7 @@ GroundPoint DrumRoad::at(double x, double y, double time) const {
       surface.cleat >= 0 ? settings_.cleats[surface.cleat].friction : settings_.friction;
   const double rate = up_ * settings_.surface.speed(time) / R_;  // about +y
   ground.velocity = {rate * above_axis, 0.0, -rate * x};
+  ground.turning.y() = rate;
   return ground;
 }
 

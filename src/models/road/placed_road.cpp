@@ -30,6 +30,7 @@ GroundPoint PlacedRoad::at(double x, double y, double time) const {
   ground.height += origin_.z();
   ground.normal.head<2>() = (turn_ * ground.normal.head<2>()).eval();
   ground.velocity.head<2>() = (turn_ * ground.velocity.head<2>()).eval();
+  ground.turning.head<2>() = (turn_ * ground.turning.head<2>()).eval();
   return ground;
 }
 

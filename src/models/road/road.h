@@ -14,6 +14,7 @@ struct GroundPoint {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   // unit, upward
   double friction = 1.0;                               // factor on the tire's own friction
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m/s, of the ground's material
+  Eigen::Vector3d turning = Eigen::Vector3d::Zero();   // rad/s, of it: what stands higher is faster
 };
 
 /// A rectangle of the ground, m.
