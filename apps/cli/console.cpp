@@ -3,7 +3,9 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <ctime>
 #include <fstream>
 #include <iostream>
@@ -11,6 +13,7 @@
 #include <optional>
 
 #include "base/progress.h"
+#include "cli/verbs.h"
 
 namespace latsch::cli {
 namespace {
@@ -53,6 +56,16 @@ void to_standard_error(const std::string& sentence) {
   log(line);
 }
 
+/// The exit code, or that of a failure where what was printed did not arrive: a full disk, a closed
+/// terminal.
+int printed(FILE* out, int exit_code) {
+  errno = 0;
+  if (std::fflush(out) == 0 && !std::ferror(out)) return exit_code;
+  const char* why = errno == 0 ? "an error of the device" : std::strerror(errno);
+  std::fprintf(stderr, "latsch: the standard output cannot be written: %s\n", why);
+  return exit_code == kDone ? kFailed : exit_code;
+}
+
 /// What is printed past this file goes to standard error: it would spoil the JSON.
 void keep_standard_output() {
   std::fflush(stdout);
@@ -75,7 +88,7 @@ void open_console(const CommonOptions& options, const std::string& verb, const s
 
 int close_console(int exit_code) {
   Console& c = console();
-  std::fflush(stdout);
+  exit_code = printed(stdout, exit_code);
   log(fmt::format("# {} ended with exit code {}\n", now(), exit_code));
   if (!c.answers) return exit_code;
   c.head["exit_code"] = exit_code;
@@ -83,6 +96,7 @@ int close_console(int exit_code) {
   const auto replace = nlohmann::detail::error_handler_t::replace;  // a name that is no UTF-8
   const std::string text = c.head.dump(2, ' ', false, replace) + "\n";
   std::fwrite(text.data(), 1, text.size(), c.answers);
+  exit_code = printed(c.answers, exit_code);
   std::fclose(c.answers);
   c.answers = nullptr;
   return exit_code;

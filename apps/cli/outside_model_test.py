@@ -110,6 +110,25 @@ class Simulators(Outside):
             self.assert_says(self.latsch("doe", study, "--levels", "2"), "in a design a failed point just stays failed")
             shutil.rmtree(study.parent)
 
+    def test_points_that_always_hang_expire_and_the_run_ends(self):
+        (self.folder / "model.awk").write_text('{ if ($1 > 0.55) system("sleep 1000");'
+                                               ' printf "y [1]\\n%.17g\\n", $1 - 0.6 > "out.csv" }\n')
+        (self.folder / "in.txt").write_text("{x}\n")
+        (self.folder / "measured.csv").write_text("y [1]\n0.5\n")
+        study = self.folder / "study.toml"
+        study.write_text('[simulator]\ncommand = ["awk", "-f", "{study}/model.awk", "in.txt"]\ninputs = ["in.txt"]\n'
+                         '[simulator.output.out]\nfile = "out.csv"\nreader = "table"\nquantities = ["y [1]"]\n'
+                         '[variable.x]\nlower = 0\nupper = 1\ninitial = 0.1\n'
+                         '[experiment.e]\nkind = "curve"\ny = "out/y"\nmeasurement = "measured.csv"\n'
+                         '[optimizer]\nmethod = "gss"\nstep_tolerance = 0.02\n'
+                         '[run]\nworkers = 2\ntimeout = "0.7 s"\nintervals = false\nstraggler_factor = 2\n')
+        begin = time.monotonic()
+        text = self.latsch("run", study)
+        self.assertLess(time.monotonic() - begin, 40.0)
+        self.assertGreater(self.found(text, "x"), 0.5)
+        self.assert_says((self.folder / "study.html").read_text(), "took more than the 0.7 s allowed")
+        self.assertRegex(text, r"[1-9]\d* failed, [1-9]\d* slow started twice")
+
     def test_an_interrupt_also_ends_what_cannot_be_asked(self):
         """Here it writes its page to a pipe that nobody reads."""
         study = self.study("quarter_car")

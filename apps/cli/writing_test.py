@@ -12,7 +12,7 @@ import tempfile
 import threading
 import unittest
 
-from cli_testing import DONE, LATSCH, WRONG_INPUT
+from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT
 
 STUDIES = pathlib.Path(__file__).resolve().parents[2] / "studies"
 
@@ -73,6 +73,11 @@ class Writing(unittest.TestCase):
             os.close(os.open(full, os.O_WRONLY))  # some systems let nobody use it here
         except OSError as error:
             self.skipTest(f"devices cannot be made here: {error}")
+        with full.open("w") as output:
+            for verb in (self.verbs[0][:3], (*self.verbs[0][:3], "--json")):
+                run = subprocess.run([LATSCH, *map(str, verb)], stdout=output, stderr=subprocess.PIPE, text=True)
+                self.assertIn("the standard output cannot be written: No space left on device", run.stderr)
+                self.assertEqual(run.returncode, FAILED, verb)
         for verb in self.verbs:
             self.assertIn("No space left on device", self.latsch(*verb, full, code=WRONG_INPUT), verb)
             self.assertTrue(stat.S_ISCHR(full.lstat().st_mode), verb)
