@@ -15,11 +15,14 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <random>
 #include <stdexcept>
 #include <thread>
 
 #include "base/file.h"
+
+extern char** environ;
 
 namespace latsch::benchmarks {
 namespace {
@@ -61,6 +64,18 @@ void make_folder(const fs::path& folder, mode_t mode) {
   ::chmod(folder.c_str(), mode);
 }
 
+/// What the job says in which this very program may run.
+void forget_other_launchers() {
+  std::vector<std::string> names;
+  for (char** entry = environ; *entry; ++entry) {
+    const std::string name(*entry, std::strcspn(*entry, "="));
+    for (const char* start : {"SLURM", "PMI", "OMPI_"}) {
+      if (name.starts_with(start)) names.push_back(name);
+    }
+  }
+  for (const std::string& name : names) ::unsetenv(name.c_str());
+}
+
 void end_daemon(pid_t daemon) {
   ::kill(daemon, SIGTERM);
   const auto until = Clock::now() + kEnd;
@@ -97,6 +112,7 @@ std::optional<std::string> OneNodeSlurm::missing() {
 
 OneNodeSlurm::OneNodeSlurm(const fs::path& folder, int cores) : folder_(folder) {
   try {
+    forget_other_launchers();
     write_settings(cores);
     ::setenv("SLURM_CONF", (folder_ / "slurm.conf").c_str(), 1);
     const auto at = [&](const char* name) { return (folder_ / "munge" / name).string(); };
