@@ -12,6 +12,7 @@ namespace latsch {
 namespace {
 
 constexpr double kPatience = 0.1;  // s between two looks at the stop request and the progress bar
+constexpr double kLeastStraggling = 0.05;   // s; what takes less waits for the system now and then
 constexpr std::size_t kTimesForMedian = 5;  // fewer say nothing about what is usual
 constexpr std::size_t kRecentTimes = 101;   // a model may become slower on the way
 
@@ -214,7 +215,7 @@ std::optional<double> Dispatcher::straggling_since() const {
   if (options_.straggler_factor <= 0.0 || recent_times_.size() < kTimesForMedian) {
     return std::nullopt;
   }
-  return executor_.now() - options_.straggler_factor * median_time();
+  return executor_.now() - std::max(kLeastStraggling, options_.straggler_factor * median_time());
 }
 
 double Dispatcher::median_time() const {

@@ -246,6 +246,16 @@ TEST(Stragglers, ASearchGoesOnBehindAPointThatHangs) {
   EXPECT_EQ(executor.attempts(17.0), 2);
 }
 
+// A model of a tenth of a millisecond waits for the system now and then: that is none.
+TEST(Stragglers, AreNoneBelowWhatTheSystemTakes) {
+  FaultyStore store(0.0, 0);
+  Scripted executor(2, [](const DesignPoint& point, int) -> Scripted::Answer {
+    return {point.values[0] == 9.0 ? 0.04 : 1e-4};
+  });
+  EXPECT_EQ(run_doe(plan(10), executor, store, virtual_time()), RunEnd::converged);
+  EXPECT_EQ(executor.attempts(9.0), 1);
+}
+
 // A copy that expires says what its point is; one whose worker is lost behind it says nothing.
 TEST(Stragglers, WhatIsKeptOfTwoCopiesIsWhatTellsMore) {
   FaultyStore store(0.0, 0);
