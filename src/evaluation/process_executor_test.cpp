@@ -216,7 +216,7 @@ TEST(ProcessExecutor, ATrialWhoseWorkerIsStoppedFromOutsideIsRepeated) {
   const Failure failure = trials[1].outcome.result.failure();
   EXPECT_EQ(failure.cause, Cause::transient);
   expect_contains(failure.reason, "killed by signal 15");
-  expect_contains(failure.reason, "attempt 3 of 3");
+  expect_contains(failure.reason, "attempt 2 of 2");
 }
 
 TEST(ProcessExecutor, AnEvaluatorThatForksAnswersOnce) {
