@@ -73,11 +73,12 @@ std::vector<double> frequencies(const Hoop& hoop, int n, ElementKind kind) {
   Eigen::VectorXd alpha =
       Eigen::VectorXd::Zero(ring.alphas_per_element() * ring.elements_per_sector() + 1);
   Eigen::VectorXd f;
+  const RingElements elements(ring, materials);
   SectorBlocks K(ring);
   int worst = -1;
   EXPECT_TRUE(assemble_sector(
-      ring, materials, Eigen::VectorXd::Zero(ring.sector_unknowns()), 0.0, alpha, f, &K, &worst));
-  const SectorBlocks M = sector_mass(ring, materials);
+      elements, Eigen::VectorXd::Zero(ring.sector_unknowns()), 0.0, alpha, f, &K, &worst));
+  const SectorBlocks M = sector_mass(elements);
   std::vector<double> found;
   for (double square :
        numerics::generalized_eigenvalues(dense(K.harmonic(n)), dense(M.harmonic(n)))) {
