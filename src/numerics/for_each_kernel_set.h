@@ -22,10 +22,10 @@
 // inlined must not come out with instructions that another processor lacks. Headers made for
 // kernels are read once a set; kernel_lanes.h shows how they guard themselves.
 // The options of the .cpp file (-O2, -O3) hold for all sets.
-#if LATSCH_X86_KERNELS_KNOWN
+#ifdef LATSCH_KERNEL_FILE_READ
 #error "one file of kernels a .cpp file"
 #endif
-#define LATSCH_X86_KERNELS_KNOWN 1
+#define LATSCH_KERNEL_FILE_READ
 
 #include <bit>
 #include <cmath>

@@ -12,6 +12,7 @@
 //
 // Doubles become lanes of equal numbers by themselves. Comparisons give masks for select(), any(),
 // every(). sum() adds in one order: ((0+4) + (2+6)) + ((1+5) + (3+7)).
+// v.at(i) is one of them, i known to the compiler or in an unrolled loop; else store() and read.
 // Lanes are for registers: what is kept lies in arrays of doubles, read by lanes(), lanes4().
 //
 // Read once a kernel set, by for_each_kernel_set.h alone.
@@ -51,6 +52,7 @@ struct Twice : Arithmetic<Twice<T>> {
     lo.save(p);
     hi.save(p + T::kWidth);
   }
+  LATSCH_INLINE double at(int i) const { return i < T::kWidth ? lo.at(i) : hi.at(i - T::kWidth); }
   LATSCH_INLINE static Twice add(const Twice& a, const Twice& b) {
     return {T::add(a.lo, b.lo), T::add(a.hi, b.hi)};
   }
@@ -184,15 +186,6 @@ lanes(double a, double b, double c, double d, double e, double f, double g, doub
 }
 LATSCH_INLINE double sum(const Lanes4& v) { return sum_of_four(v); }
 LATSCH_INLINE double sum(const Lanes& v) { return sum_of_four(low_half(v) + high_half(v)); }
-
-/// One of them. In a loop over all, rather store() and read.
-template <class T>
-LATSCH_INLINE double lane(const T& v, int i) {
-  double x;
-  std::memcpy(
-      &x, reinterpret_cast<const char*>(&v) + sizeof x * static_cast<unsigned>(i), sizeof x);
-  return x;
-}
 
 }  // namespace latsch::LATSCH_KERNELS
 #endif

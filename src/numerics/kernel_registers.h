@@ -40,6 +40,7 @@ struct Register1 : Arithmetic<Register1> {
 
   LATSCH_INLINE static Self load(const double* p) { return *p; }
   LATSCH_INLINE void save(double* p) const { *p = v; }
+  LATSCH_INLINE double at(int) const { return v; }
   LATSCH_BINARY(add, x.v + y.v)
   LATSCH_BINARY(sub, x.v - y.v)
   LATSCH_BINARY(mul, x.v* y.v)
@@ -92,13 +93,17 @@ LATSCH_INLINE Mask4 operator|(Mask4 a, Mask4 b) { return {static_cast<__mmask8>(
 LATSCH_INLINE bool any(Mask4 m) { return (m.v & 0xF) != 0; }
 LATSCH_INLINE bool every(Mask4 m) { return (m.v & 0xF) == 0xF; }
 #else
+// A comparison of the compiler's own, which it can see through: where it knows the mask to come
+// from one, a choice needs no second comparison with zero.
+using Ints4 = std::int64_t __attribute__((vector_size(32)));
 struct Mask4 {
-  __m256d v;
+  Ints4 v;
 };
-LATSCH_INLINE Mask4 operator&(const Mask4& a, const Mask4& b) { return {_mm256_and_pd(a.v, b.v)}; }
-LATSCH_INLINE Mask4 operator|(const Mask4& a, const Mask4& b) { return {_mm256_or_pd(a.v, b.v)}; }
-LATSCH_INLINE bool any(const Mask4& m) { return _mm256_movemask_pd(m.v) != 0; }
-LATSCH_INLINE bool every(const Mask4& m) { return _mm256_movemask_pd(m.v) == 0xF; }
+LATSCH_INLINE Mask4 operator&(const Mask4& a, const Mask4& b) { return {a.v & b.v}; }
+LATSCH_INLINE Mask4 operator|(const Mask4& a, const Mask4& b) { return {a.v | b.v}; }
+LATSCH_INLINE int signs(const Mask4& m) { return _mm256_movemask_pd(std::bit_cast<__m256d>(m.v)); }
+LATSCH_INLINE bool any(const Mask4& m) { return signs(m) != 0; }
+LATSCH_INLINE bool every(const Mask4& m) { return signs(m) == 0xF; }
 #endif
 
 /// Four doubles of AVX2.
@@ -115,6 +120,7 @@ struct Register4 : Arithmetic<Register4> {
 
   LATSCH_INLINE static Self load(const double* p) { return _mm256_loadu_pd(p); }
   LATSCH_INLINE void save(double* p) const { _mm256_storeu_pd(p, v); }
+  LATSCH_INLINE double at(int i) const { return v[i]; }
   LATSCH_BINARY(add, _mm256_add_pd(x.v, y.v))
   LATSCH_BINARY(sub, _mm256_sub_pd(x.v, y.v))
   LATSCH_BINARY(mul, _mm256_mul_pd(x.v, y.v))
@@ -150,13 +156,12 @@ struct Register4 : Arithmetic<Register4> {
     return _mm256_mask_blend_pd(m.v, no.v, yes.v);
   }
 #else
-  LATSCH_COMPARE(less, _mm256_cmp_pd(x.v, y.v, _CMP_LT_OQ))
-  LATSCH_COMPARE(less_equal, _mm256_cmp_pd(x.v, y.v, _CMP_LE_OQ))
-  LATSCH_COMPARE(equal, _mm256_cmp_pd(x.v, y.v, _CMP_EQ_OQ))
-  // Blending looks at the sign bit alone.
-  LATSCH_INLINE static Mask negative(const Self& x) { return {x.v}; }
+  LATSCH_COMPARE(less, x.v < y.v)
+  LATSCH_COMPARE(less_equal, x.v <= y.v)
+  LATSCH_COMPARE(equal, x.v == y.v)
+  LATSCH_INLINE static Mask negative(const Self& x) { return {std::bit_cast<Ints4>(x.v) < 0}; }
   LATSCH_INLINE static Self choose(const Mask4& m, const Self& yes, const Self& no) {
-    return _mm256_blendv_pd(no.v, yes.v, m.v);
+    return m.v ? yes.v : no.v;
   }
 #endif
 };
@@ -196,6 +201,7 @@ struct Register8 : Arithmetic<Register8> {
 
   LATSCH_INLINE static Self load(const double* p) { return _mm512_loadu_pd(p); }
   LATSCH_INLINE void save(double* p) const { _mm512_storeu_pd(p, v); }
+  LATSCH_INLINE double at(int i) const { return v[i]; }
   LATSCH_BINARY(add, _mm512_add_pd(x.v, y.v))
   LATSCH_BINARY(sub, _mm512_sub_pd(x.v, y.v))
   LATSCH_BINARY(mul, _mm512_mul_pd(x.v, y.v))
@@ -265,6 +271,7 @@ struct Register2 : Arithmetic<Register2> {
     return x;
   }
   LATSCH_INLINE void save(double* p) const { std::memcpy(p, &v, sizeof v); }
+  LATSCH_INLINE double at(int i) const { return v[i]; }
   LATSCH_BINARY(add, x.v + y.v)
   LATSCH_BINARY(sub, x.v - y.v)
   LATSCH_BINARY(mul, x.v* y.v)

@@ -6,11 +6,16 @@
 // (A56). The trail carries LFZO, as in MF-Tyre. MF 5.2 multiplies the trail with the side force as
 // it is, 6.1 and 6.2 with that at gamma = 0 (4.E74). The torque of turning on the spot and of turn
 // slip is (4.91)-(4.103); (4.99) stands as MF-Tyre evaluates it.
-#pragma once
+#if defined(LATSCH_MAGIC_FORMULA_ALIGNING) == defined(LATSCH_KERNEL_TOGGLE)
+#ifdef LATSCH_MAGIC_FORMULA_ALIGNING
+#undef LATSCH_MAGIC_FORMULA_ALIGNING
+#else
+#define LATSCH_MAGIC_FORMULA_ALIGNING
+#endif
 
 #include "models/magic_formula/lateral.h"
 
-namespace latsch::magic_formula::kernel {
+namespace latsch::magic_formula::LATSCH_KERNELS {
 
 template <class R>
 struct Aligning {
@@ -28,9 +33,9 @@ struct SpinTorque {
 /// cos(2/pi acos(x) a), continued analytically for x > 1 (acos x = i arcosh x).
 template <class R>
 LATSCH_INLINE R cosine_of_share(const R& x, const R& a) {
-  const R inside = smaller(x, constant<R>(1.0));
+  const R inside = smaller(x, R(1.0));
   const R angle = 2.0 * atan(sqrt((1.0 - inside) / (1.0 + inside)));  // acos
-  const R above = larger(x, constant<R>(1.0));
+  const R above = larger(x, R(1.0));
   const R y = 2.0 / kPi * log(above + sqrt(above * above - 1.0)) * a;
   return select(x > 1.0, 0.5 * (exp(y) + exp(-y)), cos(2.0 / kPi * angle * a));
 }
@@ -45,11 +50,11 @@ LATSCH_INLINE SpinTorque<R> spin_torque(const TireConstants& tire,
   SpinTorque<R> s;
   s.zeta6 = cos_atan(p.QBRP1 * R0 * o.phi);  // (4.102)
   const R& Fz = o.Fz_moment;
-  const R none = constant<R>(kEpsilon);
+  const R none = R(kEpsilon);
   const R at_rest = p.QCRP1 * abs(y.muy) * R0 * Fz * sqrt(Fz * tire.per_Fz0_prime) * p.LMP;
   const R Mzp_inf = select(at_rest > 0.0, at_rest, none);  // (4.95)
   const double CDrp = p.QDRP1;                             // (4.96)
-  const R DDrp = Mzp_inf / sin(0.5 * kPi * CDrp);          // (4.94)
+  const R DDrp = Mzp_inf / sin(R(0.5 * kPi * CDrp));       // (4.94)
   const R Kzgr0 = Fz * R0 * (p.QDZ8 * p.QDZ9 * o.dfz + (p.QDZ10 + p.QDZ11 * o.dfz * abs(o.gamma))) *
                   p.LKZC;                                                          // (4.99)
   const R BDrp = Kzgr0 / (CDrp * DDrp * (1.0 - o.epsilon_gamma));                  // (4.98)
@@ -78,15 +83,15 @@ LATSCH_INLINE R residual_peak(const TireConstants& tire,
 }
 
 /// atan sqrt(tan^2 angle + drag^2) of two slip angles, and the arc tangent of `third`.
-LATSCH_INLINE void equivalent_angles(const double (&angles)[2],
-                                     double drag,
-                                     double third,
-                                     double (&arcs)[3]) {
-  const SinCos<Lanes> a = sin_cos(gathered(angles));
-  const Lanes slope = a.sin / a.cos;
-  Lanes x = sqrt(slope * slope + drag * drag);
-  x[2] = third;
-  scatter(atan(x), arcs);
+LATSCH_INLINE void equivalent_angles(const Lane (&angles)[2],
+                                     const Lane& drag,
+                                     const Lane& third,
+                                     Lane (&arcs)[3]) {
+  const SinCos<Lanes4> a = sin_cos(four(angles[0].v, angles[1].v, 0.0, 0.0));
+  const Lanes4 slope = a.sin / a.cos, of_drag(drag.v);
+  const Lanes4 x = sqrt(slope * slope + of_drag * of_drag);
+  const Lanes4 arc = atan(four(x.at(0), x.at(1), third.v, 0.0));
+  for (int i = 0; i < 3; ++i) arcs[i] = arc.at(i);
 }
 LATSCH_INLINE void equivalent_angles(const Lanes (&angles)[2],
                                      const Lanes& drag,
@@ -117,7 +122,7 @@ LATSCH_INLINE Aligning<R> aligning_terms(const TireConstants& tire,
   const R alphar = o.alpha_star + pure.SHy + pure.SVy * pure.per_Kya_prime;      // (4.E37), (4.E38)
   const R Bt = (p.QBZ1 + p.QBZ2 * dfz + p.QBZ3 * dfz * dfz) *
                (1.0 + p.QBZ4 * gamma + p.QBZ5 * abs(gamma)) * p.LKY * o.per_LMUY_star;  // (A58)
-  const R Ct = constant<R>(p.QCZ1);                                                     // (4.E41)
+  const R Ct = R(p.QCZ1);                                                               // (4.E41)
   z.Dt = (p.QDZ1 + p.QDZ2 * dfz) * (1.0 - p.PPZ1 * dpi) *
          (1.0 + p.QDZ3 * gamma + p.QDZ4 * gamma * gamma) * o.Fz_moment *
          (p.UNLOADED_RADIUS * tire.per_Fz0_prime) * p.LTR;  // (A60)
@@ -130,7 +135,7 @@ LATSCH_INLINE Aligning<R> aligning_terms(const TireConstants& tire,
   const R alphat_eq = arcs[1] * sign(alphat);  // (A55)
   R Et = (p.QEZ1 + p.QEZ2 * dfz + p.QEZ3 * dfz * dfz) *
          (1.0 + (p.QEZ4 + p.QEZ5 * o.gamma_star) * (2.0 / kPi) * arcs[2]);
-  if (conventions.limits) Et = smaller(Et, constant<R>(1.0));  // (4.E44)
+  if (conventions.limits) Et = smaller(Et, R(1.0));  // (4.E44)
   shapes.set(Shapes<R>::kTrail, Bt * alphat_eq, Ct, Et);
   return z;
 }
@@ -148,8 +153,8 @@ LATSCH_INLINE void finish(const TireConstants& tire,
   const Parameters& p = tire.p;
   const double R0 = p.UNLOADED_RADIUS;
   const R gamma = o.gamma * (tire.mf52 ? p.LGAZ : 1.0);
-  SpinTorque<R> turning{constant<R>(1.0), constant<R>(0.0), constant<R>(0.0)};
-  R zeta5 = constant<R>(1.0);
+  SpinTorque<R> turning{R(1.0), R(0.0), R(0.0)};
+  R zeta5 = R(1.0);
   if (conventions.turn_slip) {
     zeta5 = cos_atan(p.QDTP1 * R0 * o.phi);  // (4.91)
     turning = spin_torque(tire, o, pure, combined.Gyk);
@@ -169,4 +174,5 @@ LATSCH_INLINE void finish(const TireConstants& tire,
   z.Mz = -z.t * side + z.Mzr + s * Fx;                                                  // (4.E71)
 }
 
-}  // namespace latsch::magic_formula::kernel
+}  // namespace latsch::magic_formula::LATSCH_KERNELS
+#endif

@@ -5,11 +5,16 @@
 // force's effect growing with it; MF 5.2 has own relaxation lengths (PTX, PTY) and an own patch
 // length (Q_A1, Q_A2). Two sign rules keep what is divided by above zero; a load that none of the
 // deflections carries has no loaded radius (0).
-#pragma once
+#if defined(LATSCH_MAGIC_FORMULA_GEOMETRY) == defined(LATSCH_KERNEL_TOGGLE)
+#ifdef LATSCH_MAGIC_FORMULA_GEOMETRY
+#undef LATSCH_MAGIC_FORMULA_GEOMETRY
+#else
+#define LATSCH_MAGIC_FORMULA_GEOMETRY
+#endif
 
 #include "models/magic_formula/operating_point.h"
 
-namespace latsch::magic_formula::kernel {
+namespace latsch::magic_formula::LATSCH_KERNELS {
 
 template <class R>
 struct Deflection {
@@ -32,28 +37,15 @@ LATSCH_INLINE Deflection<R> deflection(const TireConstants& tire,
   const R external =
       stiffening<R>(tire, o.omega, p.Q_FCX * Fx * tire.per_FNOMIN, p.Q_FCY * Fy * tire.per_FNOMIN) *
       (1.0 + p.PFZ1 * o.dpi) * p.FNOMIN;
-  const R load = larger(o.Fz, constant<R>(p.FZMIN));
+  const R load = larger(o.Fz, R(p.FZMIN));
   const R share = load / external;
   const R root = tire.Q_FZ1 * tire.Q_FZ1 + 4.0 * p.Q_FZ2 * share;
-  const R x = 2.0 * share / (tire.Q_FZ1 + sqrt(larger(root, constant<R>(0.0))));
+  const R x = 2.0 * share / (tire.Q_FZ1 + sqrt(larger(root, R(0.0))));
   Deflection<R> d;
-  d.rho = larger(x * p.UNLOADED_RADIUS, constant<R>(0.0));
-  d.R_l = larger(o.R_omega - d.rho, constant<R>(0.0));
+  d.rho = larger(x * p.UNLOADED_RADIUS, R(0.0));
+  d.R_l = larger(o.R_omega - d.rho, R(0.0));
   return d;
 }
-
-/// The same with the camber and side force terms of MF 6.2, by bisection and Newton's method.
-Deflection<double> deflection_62(const TireConstants& tire,
-                                 const OperatingPoint<double>& o,
-                                 double Fx,
-                                 double Fy);
-/// The vertical force of MF 6.2 at a loaded radius.
-double vertical_force_62(const TireConstants& tire,
-                         const OperatingPoint<double>& o,
-                         double R_l,
-                         double Fx,
-                         double Fy,
-                         double* rho);
 
 template <class R>
 struct Patch {
@@ -69,7 +61,7 @@ LATSCH_INLINE Patch<R> contact_patch(const TireConstants& tire, const OperatingP
     const R Cz = p.VERTICAL_STIFFNESS * (1.0 + p.PFZ1 * o.dpi);  // (5)
     const R load = o.patch_load * (Cz * R0) * tire.per_FNOMIN;
     patch.a = R0 * (tire.Q_A2 * load + tire.Q_A1 * sqrt(load));
-    patch.b = constant<R>(0.5 * p.WIDTH);
+    patch.b = R(0.5 * p.WIDTH);
   } else {
     const R& load = o.patch_load;
     patch.a = R0 * (p.Q_RA2 * load + p.Q_RA1 * sqrt(load));         // (9)
@@ -99,14 +91,15 @@ LATSCH_INLINE Relaxation<R> relaxation(const TireConstants& tire,
     r.sigma_x =
         (p.PTX1 + p.PTX2 * dfz) * o.exp_PTX3 * p.LSGKP * p.UNLOADED_RADIUS * o.Fz * tire.per_FNOMIN;
     r.sigma_y = p.PTY2 == 0.0
-                    ? constant<R>(0.0)
+                    ? R(0.0)
                     : p.PTY1 * sin(2.0 * atan(o.Fz / (p.PTY2 * tire.Fz0_prime))) *
                           (1.0 - p.PKY3 * abs(o.gamma)) * p.UNLOADED_RADIUS * p.LFZO * p.LSGAL;
   } else {
-    r.sigma_x = p.LONGITUDINAL_STIFFNESS == 0.0 ? constant<R>(0.0) : abs(Kxk / r.Cx);  // (19)
-    r.sigma_y = p.LATERAL_STIFFNESS == 0.0 ? constant<R>(0.0) : abs(Kya / r.Cy);
+    r.sigma_x = p.LONGITUDINAL_STIFFNESS == 0.0 ? R(0.0) : abs(Kxk / r.Cx);  // (19)
+    r.sigma_y = p.LATERAL_STIFFNESS == 0.0 ? R(0.0) : abs(Kya / r.Cy);
   }
   return r;
 }
 
-}  // namespace latsch::magic_formula::kernel
+}  // namespace latsch::magic_formula::LATSCH_KERNELS
+#endif

@@ -2,11 +2,16 @@
 // The side force, pure (4.E19)-(4.E30) and combined (4.E58)-(4.E67) [Pacejka 2012], with the
 // spin terms zeta_0, zeta_2, zeta_3, zeta_4 (4.77)-(4.90). The camber stiffness K_yg0 carries
 // (1 + p_py5 dp), and MF 5.2 has its shift from PHY3 in place of (4.E27).
-#pragma once
+#if defined(LATSCH_MAGIC_FORMULA_LATERAL) == defined(LATSCH_KERNEL_TOGGLE)
+#ifdef LATSCH_MAGIC_FORMULA_LATERAL
+#undef LATSCH_MAGIC_FORMULA_LATERAL
+#else
+#define LATSCH_MAGIC_FORMULA_LATERAL
+#endif
 
 #include "models/magic_formula/operating_point.h"
 
-namespace latsch::magic_formula::kernel {
+namespace latsch::magic_formula::LATSCH_KERNELS {
 
 template <class R>
 struct PureLateral {
@@ -57,14 +62,14 @@ LATSCH_INLINE R shift_by_spin(const TireConstants& tire,
                               const OperatingPoint<R>& o,
                               const R& Kya0) {
   const Parameters& p = tire.p;
-  const R CHyp = constant<R>(p.PHYP1);                                              // (4.85)
-  const R DHyp = (p.PHYP2 + p.PHYP3 * o.dfz) * o.sign_Vx;                           // (4.86)
-  const R EHyp = constant<R>(conventions.limits && p.PHYP4 > 1.0 ? 1.0 : p.PHYP4);  // (4.87)
-  const R KyRp0 = camber_stiffness(tire, o) / (1.0 - o.epsilon_gamma);              // (4.89)
-  const R BHyp = KyRp0 / (CHyp * DHyp * with_epsilon(Kya0));                        // (4.88)
+  const R CHyp = R(p.PHYP1);                                              // (4.85)
+  const R DHyp = (p.PHYP2 + p.PHYP3 * o.dfz) * o.sign_Vx;                 // (4.86)
+  const R EHyp = R(conventions.limits && p.PHYP4 > 1.0 ? 1.0 : p.PHYP4);  // (4.87)
+  const R KyRp0 = camber_stiffness(tire, o) / (1.0 - o.epsilon_gamma);    // (4.89)
+  const R BHyp = KyRp0 / (CHyp * DHyp * with_epsilon(Kya0));              // (4.88)
   const R x = BHyp * p.UNLOADED_RADIUS * o.phi;
   const R SHyp = DHyp * sine_shape(x, CHyp, EHyp) * o.sign_Vx;  // (4.80)
-  return select(o.sign_Vx == 0.0, constant<R>(0.0), SHyp);
+  return select(o.sign_Vx == 0.0, R(0.0), SHyp);
 }
 
 template <class R>
@@ -78,7 +83,7 @@ LATSCH_INLINE R shift_by_camber(const TireConstants& tire,
   const Parameters& p = tire.p;
   if (tire.mf52) return p.PHY3 * gamma_star * p.LKYC;
   if (conventions.turn_slip) {  // zeta_0 = 0 (4.83); this is zeta_4 - 1 (4.84)
-    const R Kya0 = cornering_stiffness<R>(tire, o, constant<R>(0.0), o.sin_K0, zeta3);
+    const R Kya0 = cornering_stiffness<R>(tire, o, R(0.0), o.sin_K0, zeta3);
     return shift_by_spin(tire, conventions, o, Kya0) - SVyg * per_Kya_prime;
   }
   return (camber_stiffness(tire, o) * gamma_star - SVyg) * per_Kya_prime;
@@ -95,8 +100,8 @@ LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireConstants& tire,
   const R &dfz = o.dfz, &dpi = o.dpi;
   const R gamma_star = o.gamma_star * (upright ? 0.0 : tire.mf52 ? p.LGAY : 1.0);
   PureLateral<R> y;
-  R zeta3 = constant<R>(1.0);
-  y.zeta2 = constant<R>(1.0);
+  R zeta3 = R(1.0);
+  y.zeta2 = R(1.0);
   if (conventions.turn_slip) {
     zeta3 = cos_atan(p.PKYP1 * p.UNLOADED_RADIUS * p.UNLOADED_RADIUS * o.phi * o.phi);  // (4.79)
     y.zeta2 = peak_reduction_by_spin(p, o);
@@ -111,7 +116,7 @@ LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireConstants& tire,
   y.SVy =
       (o.Fz * (p.PVY1 + p.PVY2 * dfz) * p.LVY * o.LMUY_prime * y.zeta2 + SVyg) * o.fade;  // (4.E29)
   const R alphay = o.alpha_star + y.SHy;                                                  // (4.E20)
-  y.Cy = constant<R>(p.PCY1 * p.LCY);                                                     // (4.E21)
+  y.Cy = R(p.PCY1 * p.LCY);                                                               // (4.E21)
   y.muy = (p.PDY1 + p.PDY2 * dfz) * (1.0 + p.PPY3 * dpi + p.PPY4 * dpi * dpi) *
           (1.0 - p.PDY3 * gamma_star * gamma_star) * o.LMUY_star;  // (4.E23)
   y.Dy = y.muy * o.Fz * y.zeta2;                                   // (4.E22)
@@ -119,10 +124,10 @@ LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireConstants& tire,
          (1.0 + p.PEY5 * gamma_star * gamma_star -
           (p.PEY3 + p.PEY4 * gamma_star) * sign_or_one(alphay)) *
          p.LEY;  // (4.E24)
-  if (conventions.limits) Ey = smaller(Ey, constant<R>(1.0));
+  if (conventions.limits) Ey = smaller(Ey, R(1.0));
   y.By = y.Kya / (y.Cy * y.Dy + kEpsilon * sign_or_one(y.Dy));  // (4.E26)
   shapes.set(upright ? Shapes<R>::kFyUpright : Shapes<R>::kFy, y.By * alphay, y.Cy, Ey);
-  y.muy = select(o.Fz == 0.0, constant<R>(0.0), y.muy);
+  y.muy = select(o.Fz == 0.0, R(0.0), y.muy);
   return y;
 }
 
@@ -154,8 +159,8 @@ LATSCH_INLINE CombinedLateral<R> combined_lateral_terms(const TireConstants& tir
   y.SVyk = DVyk * o.sin_RVY * p.LVYKA * o.fade;                 // (4.E66)
   const R SHyk = p.RHY1 + p.RHY2 * o.dfz;                       // (4.E65)
   R Eyk = p.REY1 + p.REY2 * o.dfz;                              // (4.E64)
-  if (conventions.limits) Eyk = smaller(Eyk, constant<R>(1.0));
-  const R Cyk = constant<R>(p.RCY1);  // (4.E63)
+  if (conventions.limits) Eyk = smaller(Eyk, R(1.0));
+  const R Cyk = R(p.RCY1);  // (4.E63)
   const R Byk = (p.RBY1 + p.RBY4 * o.gamma_star * o.gamma_star) *
                 cos_atan(p.RBY2 * (o.alpha_star - p.RBY3)) * p.LYKA;  // (4.E62)
   shapes.set(Shapes<R>::kGy0, Byk * SHyk, Cyk, Eyk);
@@ -171,4 +176,5 @@ LATSCH_INLINE void finish(const Shapes<R>& shapes,
   y.Fy = y.Gyk * pure.Fy0 + y.SVyk;                                        // (4.E58)
 }
 
-}  // namespace latsch::magic_formula::kernel
+}  // namespace latsch::magic_formula::LATSCH_KERNELS
+#endif

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The longitudinal force, pure (4.E9)-(4.E18) and combined (4.E50)-(4.E57) [Pacejka 2012].
-#pragma once
+#if defined(LATSCH_MAGIC_FORMULA_LONGITUDINAL) == defined(LATSCH_KERNEL_TOGGLE)
+#ifdef LATSCH_MAGIC_FORMULA_LONGITUDINAL
+#undef LATSCH_MAGIC_FORMULA_LONGITUDINAL
+#else
+#define LATSCH_MAGIC_FORMULA_LONGITUDINAL
+#endif
 
 #include "models/magic_formula/operating_point.h"
 
-namespace latsch::magic_formula::kernel {
+namespace latsch::magic_formula::LATSCH_KERNELS {
 
 template <class R>
 struct Longitudinal {
@@ -22,15 +27,15 @@ LATSCH_INLINE Longitudinal<R> longitudinal_terms(const TireConstants& tire,
   const R &dfz = o.dfz, &dpi = o.dpi;
   const R gamma = o.gamma * (tire.mf52 ? p.LGAX : 1.0);
   Longitudinal<R> x;
-  R zeta1 = constant<R>(1.0);
+  R zeta1 = R(1.0);
   if (conventions.turn_slip) {
     const R Bxp = p.PDXP1 * (1.0 + p.PDXP2 * dfz) * cos_atan(p.PDXP3 * o.kappa);  // (4.106)
     zeta1 = cos_atan(Bxp * p.UNLOADED_RADIUS * o.phi);                            // (4.105)
   }
-  const R Cx = constant<R>(p.PCX1 * p.LCX);  // (4.E11)
+  const R Cx = R(p.PCX1 * p.LCX);  // (4.E11)
   x.mux = (p.PDX1 + p.PDX2 * dfz) * (1.0 + p.PPX3 * dpi + p.PPX4 * dpi * dpi) *
           (1.0 - p.PDX3 * gamma * gamma) * o.LMUX_star;  // (4.E13)
-  x.mux = select(o.Fz == 0.0, constant<R>(0.0), x.mux);
+  x.mux = select(o.Fz == 0.0, R(0.0), x.mux);
   x.Dx = x.mux * o.Fz * zeta1;  // (4.E12)
   x.Kxk = o.Fz * (p.PKX1 + p.PKX2 * dfz) * o.exp_PKX3 * (1.0 + p.PPX1 * dpi + p.PPX2 * dpi * dpi) *
           p.LKX;                                                                   // (4.E15)
@@ -44,7 +49,7 @@ LATSCH_INLINE Longitudinal<R> longitudinal_terms(const TireConstants& tire,
 
   const R Bxa = (p.RBX1 + p.RBX3 * o.gamma_star * o.gamma_star) * cos_atan(p.RBX2 * o.kappa) *
                 p.LXAL;                 // (4.E54)
-  const R Cxa = constant<R>(p.RCX1);    // (4.E55)
+  const R Cxa = R(p.RCX1);              // (4.E55)
   const R Exa = p.REX1 + p.REX2 * dfz;  // (4.E56)
   const double SHxa = p.RHX1;           // (4.E57)
   shapes.set(Shapes<R>::kGx0, Bxa * SHxa, Cxa, Exa);
@@ -59,4 +64,5 @@ LATSCH_INLINE void finish(const OperatingPoint<R>& o, const Shapes<R>& shapes, L
   x.Fx = Gxa * select(o.Vx < 0.0, -Fx0, Fx0);                                    // (4.E50)
 }
 
-}  // namespace latsch::magic_formula::kernel
+}  // namespace latsch::magic_formula::LATSCH_KERNELS
+#endif

@@ -5,12 +5,14 @@
 // Axes: ISO-W at the contact point (NOTATION.md). alpha > 0 gives Fy < 0, kappa = -1 is a locked
 // wheel, Vsx = -kappa |Vx|. Sources and the places where implementations differ:
 // docs/magic_formula.md. The equations stand in operating_point.h, longitudinal.h, lateral.h,
-// aligning.h, moments.h and geometry.h, once for one state and for eight side by side.
+// aligning.h, moments.h and geometry.h, once for one state and for eight side by side and for each
+// kernel set (kernel_set.h).
 #pragma once
 
 #include <span>
 
-#include "models/magic_formula/operating_point.h"
+#include "models/magic_formula/conventions.h"
+#include "models/magic_formula/tire_constants.h"
 
 namespace latsch::magic_formula {
 
@@ -47,7 +49,7 @@ class MagicFormula {
   const Conventions& conventions() const { return conventions_; }
 
   SteadyState evaluate(const State& state) const;
-  /// The same to the last digits (contraction differs), several times faster.
+  /// The same to the last bit, several times faster.
   void evaluate(std::span<const State> states, std::span<SteadyState> results) const;
   /// Forces and moments alone.
   void forces(const StateColumns& states, const ForceColumns& results) const;
@@ -58,7 +60,7 @@ class MagicFormula {
       double rho, double omega, double gamma, double p, double Fx, double Fy) const;
 
  private:
-  kernel::TireConstants tire_;
+  TireConstants tire_;
   Conventions conventions_;
 };
 

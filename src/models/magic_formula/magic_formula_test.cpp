@@ -6,10 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 #include "base/random.h"
 #include "models/magic_formula/round_tire_testing.h"
+#include "numerics/kernel_set.h"
 
 namespace latsch::magic_formula {
 namespace {
@@ -109,38 +111,90 @@ TEST(MagicFormula, FiniteWhereverAWheelCanBe) {
   }
 }
 
-TEST(MagicFormula, ManyStatesAtOnceGiveWhatEachGivesAlone) {
-  for (const Angles angles : {Angles::direct, Angles::tangent}) {
-    Conventions c;
-    c.angles = angles;
-    c.turn_slip = true;
-    const MagicFormula tire(round_tire(), c);
-    std::vector<State> states;
-    for (int i = 0; i < 1003; ++i) states.push_back(random_state(i));
-    std::vector<SteadyState> results(states.size());
-    tire.evaluate(states, results);
-    const auto column = [&](double State::*member) {
-      std::vector<double> values;
-      for (const State& s : states) values.push_back(s.*member);
-      return values;
-    };
-    const auto Fz = column(&State::Fz), kappa = column(&State::kappa),
-               alpha = column(&State::alpha), gamma = column(&State::gamma),
-               phit = column(&State::phit), Vx = column(&State::Vx), p = column(&State::p);
-    std::vector<double> Fx(Fz.size()), Fy(Fz.size()), Mx(Fz.size()), My(Fz.size()), Mz(Fz.size());
-    tire.forces({Fz, kappa, alpha, gamma, phit, Vx, p}, {Fx, Fy, Mx, My, Mz});
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      const SteadyState alone = tire.evaluate(states[i]);
-      const auto near = [](double a, double b) { EXPECT_NEAR(a, b, 1e-11 * (1.0 + std::abs(b))); };
-      near(results[i].Fx, alone.Fx);
-      near(results[i].Fy, alone.Fy);
-      near(results[i].Mz, alone.Mz);
-      near(results[i].sigma_y, alone.sigma_y);
-      near(Fx[i], alone.Fx);
-      near(Fy[i], alone.Fy);
-      near(Mx[i], alone.Mx);
-      near(My[i], alone.My);
-      near(Mz[i], alone.Mz);
+struct Columns {
+  explicit Columns(std::size_t count) : Fx(count), Fy(count), Mx(count), My(count), Mz(count) {}
+  std::vector<double> Fx, Fy, Mx, My, Mz;
+};
+
+Columns forces(const MagicFormula& tire, const std::vector<State>& states) {
+  const auto column = [&](double State::*member) {
+    std::vector<double> values;
+    for (const State& s : states) values.push_back(s.*member);
+    return values;
+  };
+  const auto Fz = column(&State::Fz), kappa = column(&State::kappa), alpha = column(&State::alpha),
+             gamma = column(&State::gamma), phit = column(&State::phit), Vx = column(&State::Vx),
+             p = column(&State::p);
+  Columns f(states.size());
+  tire.forces({Fz, kappa, alpha, gamma, phit, Vx, p}, {f.Fx, f.Fy, f.Mx, f.My, f.Mz});
+  return f;
+}
+
+MagicFormula tire_of(Version version, Angles angles) {
+  Conventions c;
+  c.angles = angles;
+  c.turn_slip = true;
+  Parameters p = round_tire();
+  p.version = version;
+  return MagicFormula(p, c);
+}
+
+constexpr Version kVersions[] = {Version::mf52, Version::mf61, Version::mf62};
+
+class OfKernelSet : public testing::TestWithParam<KernelSet> {
+ protected:
+  WithKernelSet with_{GetParam()};
+};
+
+TEST_P(OfKernelSet, ManyStatesAtOnceGiveTheBitsThatEachGivesAlone) {
+  for (const Version version : kVersions)
+    for (const Angles angles : {Angles::direct, Angles::tangent}) {
+      const MagicFormula tire = tire_of(version, angles);
+      std::vector<State> states;
+      for (int i = 0; i < 1003; ++i) states.push_back(random_state(i));
+      std::vector<SteadyState> results(states.size());
+      tire.evaluate(states, results);
+      const Columns f = forces(tire, states);
+      for (std::size_t i = 0; i < states.size(); ++i) {
+        const SteadyState alone = tire.evaluate(states[i]);
+        EXPECT_EQ(std::memcmp(&results[i], &alone, sizeof alone), 0) << i;
+        EXPECT_EQ(f.Fx[i], alone.Fx);
+        EXPECT_EQ(f.Fy[i], alone.Fy);
+        EXPECT_EQ(f.Mx[i], alone.Mx);
+        EXPECT_EQ(f.My[i], alone.My);
+        EXPECT_EQ(f.Mz[i], alone.Mz);
+      }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(MagicFormula,
+                         OfKernelSet,
+                         testing::ValuesIn(kernel_sets()),
+                         [](const auto& info) { return std::string(name(info.param)); });
+
+// Same bits where both have a fused multiply-add; against the baseline, which has none, to what
+// the rounding of a chain of some hundred operations leaves.
+TEST(MagicFormula, EveryKernelSetGivesTheSameForces) {
+  for (const Version version : kVersions) {
+    const MagicFormula tire = tire_of(version, Angles::direct);
+    for (int i = 0; i < 500; ++i) {
+      const State state = random_state(i);
+      const auto by = [&](KernelSet set) {
+        const WithKernelSet with(set);
+        return tire.evaluate(state);
+      };
+      const SteadyState best = by(kernel_sets().back()), baseline = by(KernelSet::baseline);
+      const auto near = [](double a, double b) { EXPECT_NEAR(a, b, 1e-11 * (1e3 + std::abs(b))); };
+      near(best.Fx, baseline.Fx);
+      near(best.Fy, baseline.Fy);
+      near(best.Mx, baseline.Mx);
+      near(best.My, baseline.My);
+      near(best.Mz, baseline.Mz);
+      for (const KernelSet set : kernel_sets()) {
+        if (set == KernelSet::baseline) continue;
+        const SteadyState here = by(set);
+        EXPECT_EQ(std::memcmp(&here, &best, sizeof best), 0) << name(set);
+      }
     }
   }
 }

@@ -2,11 +2,16 @@
 // Overturning moment (4.E69) with the terms QSX12-QSX14 of MF-Tyre 6.1, and rolling resistance
 // moment (A48) of [Besselink et al. 2010], of MF 5.2 without pressure. Below FZMIN both fade with
 // the load; the rolling resistance also with the sliding of a locked wheel.
-#pragma once
+#if defined(LATSCH_MAGIC_FORMULA_MOMENTS) == defined(LATSCH_KERNEL_TOGGLE)
+#ifdef LATSCH_MAGIC_FORMULA_MOMENTS
+#undef LATSCH_MAGIC_FORMULA_MOMENTS
+#else
+#define LATSCH_MAGIC_FORMULA_MOMENTS
+#endif
 
 #include "models/magic_formula/operating_point.h"
 
-namespace latsch::magic_formula::kernel {
+namespace latsch::magic_formula::LATSCH_KERNELS {
 
 template <class R>
 LATSCH_INLINE R overturning(const TireConstants& tire, const OperatingPoint<R>& o, const R& Fy) {
@@ -41,7 +46,7 @@ LATSCH_INLINE R rolling_resistance(const TireConstants& tire,
   }
   My = My * o.sign_Vx;
   // Between rolling and locked the moment fades; it turns where the wheel spins backwards.
-  const R high = p.VXLOW / select(o.Vx == 0.0, constant<R>(kEpsilon), abs(o.Vx)) - 1.0;
+  const R high = p.VXLOW / select(o.Vx == 0.0, R(kEpsilon), abs(o.Vx)) - 1.0;
   const R low = -1.0 - p.VXLOW - high;
   const R& kappa = o.kappa_given;
   const auto fading = ((kappa >= low) & (kappa <= high));
@@ -52,4 +57,5 @@ LATSCH_INLINE R rolling_resistance(const TireConstants& tire,
   return select(kappa < low, -My, My);
 }
 
-}  // namespace latsch::magic_formula::kernel
+}  // namespace latsch::magic_formula::LATSCH_KERNELS
+#endif

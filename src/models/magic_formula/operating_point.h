@@ -4,29 +4,20 @@
 //
 // (4.E...), (4.76) ...: [Pacejka 2012, ch. 4.3]; (A..) and (1)-(19): [Besselink et al. 2010].
 // Signs: ISO-W (NOTATION.md), while the book's are adapted SAE: Vsy = + tan(alpha) |Vx| here.
-#pragma once
+#if defined(LATSCH_MAGIC_FORMULA_OPERATING_POINT) == defined(LATSCH_KERNEL_TOGGLE)
+#ifdef LATSCH_MAGIC_FORMULA_OPERATING_POINT
+#undef LATSCH_MAGIC_FORMULA_OPERATING_POINT
+#else
+#define LATSCH_MAGIC_FORMULA_OPERATING_POINT
+#endif
 
 #include "models/magic_formula/conventions.h"
-#include "models/magic_formula/parameters.h"
-#include "numerics/lane_math.h"
+#include "models/magic_formula/side_by_side.h"
+#include "models/magic_formula/tire_constants.h"
 
-namespace latsch::magic_formula {
+namespace latsch::magic_formula::LATSCH_KERNELS {
 
-/// What a steady-state tire is asked. SI, ISO-W.
-template <class R>
-struct StateOf {
-  R Fz;     // N
-  R kappa;  // -1: locked
-  R alpha;  // rad
-  R gamma;  // rad
-  R phit;   // turn slip, 1/m
-  R Vx;     // m/s
-  R p;      // Pa
-};
-
-namespace kernel {
-
-using namespace lane_math;
+using namespace latsch::LATSCH_KERNELS;
 
 constexpr double kPi = 3.14159265358979323846;
 /// Keeps quotients finite; the book's epsilon_x, _K, _y, _V (4.E6a, 4.E16, 4.E26, 4.E39).
@@ -37,20 +28,10 @@ template <class R>
 LATSCH_INLINE R cos_atan(const R& x) {
   return 1.0 / sqrt(1.0 + x * x);
 }
-
-/// What depends on the parameters alone.
-struct TireConstants {
-  explicit TireConstants(const Parameters& parameters);
-
-  Parameters p;
-  bool mf52;
-  double Fz0_prime;  // (4.E1)
-  double Q_FZ1;      // (4)
-  double Q_A1, Q_A2;
-  // What every state would divide by.
-  double per_FNOMIN, per_Fz0_prime, per_NOMPRES, per_LONGVL, per_VXLOW, per_FZMIN;
-  double R0_per_V0;
-};
+template <class R>
+LATSCH_INLINE R cos_atan(const Product<R>& x) {
+  return cos_atan(R(x));
+}
 
 template <class R>
 struct OperatingPoint {
@@ -78,7 +59,7 @@ struct OperatingPoint {
 
 template <class R>
 LATSCH_INLINE R clamped(const R& x, double lower, double upper) {
-  return larger(smaller(x, constant<R>(upper)), constant<R>(lower));
+  return larger(smaller(x, R(upper)), R(lower));
 }
 
 template <class R>
@@ -86,16 +67,15 @@ LATSCH_INLINE void apply_limits(const TireConstants& tire,
                                 const Conventions& conventions,
                                 OperatingPoint<R>& o) {
   const Parameters& p = tire.p;
-  const R slow =
-      p.VXLOW > 0.0 ? smaller(abs(o.Vx) * tire.per_VXLOW, constant<R>(1.0)) : constant<R>(1.0);
+  const R slow = p.VXLOW > 0.0 ? smaller(abs(o.Vx) * tire.per_VXLOW, R(1.0)) : R(1.0);
   const auto crawls = slow < 1.0;
-  o.fade = constant<R>(1.0);
+  o.fade = R(1.0);
   if (any(crawls)) {
     o.fade = select(crawls, 0.5 * (1.0 - cos(kPi * slow)), o.fade);
     const SinCos<R> a = sin_cos(o.alpha);
     const R speed = abs(o.Vx) + abs(a.sin / a.cos * o.Vx);
     o.phit = o.phit * slow;
-    o.alpha = o.alpha * smaller(speed * tire.per_VXLOW, constant<R>(1.0));
+    o.alpha = o.alpha * smaller(speed * tire.per_VXLOW, R(1.0));
     o.kappa = o.kappa * slow;
   }
   if (conventions.turn_slip) o.phit = o.phit * sign_or_one(o.Vx);
@@ -103,8 +83,8 @@ LATSCH_INLINE void apply_limits(const TireConstants& tire,
   o.gamma = clamped(o.gamma, p.CAMMIN, p.CAMMAX);
   o.kappa = clamped(o.kappa, p.KPUMIN, p.KPUMAX);
   o.p = clamped(o.p, p.PRESMIN, p.PRESMAX);
-  o.Fz = smaller(o.Fz, constant<R>(p.FZMAX));
-  o.Fz_moment = select(o.Fz > 0.0, larger(o.Fz, constant<R>(p.FZMIN)), constant<R>(0.0));
+  o.Fz = smaller(o.Fz, R(p.FZMAX));
+  o.Fz_moment = select(o.Fz > 0.0, larger(o.Fz, R(p.FZMIN)), R(0.0));
 }
 
 /// Below FZMIN the load counts less and less: by a power of its share.
@@ -126,12 +106,10 @@ LATSCH_INLINE R bend(const TireConstants& tire, const OperatingPoint<R>& o, cons
 template <class R>
 LATSCH_INLINE void powers(const TireConstants& tire, OperatingPoint<R>& o) {
   const Parameters& p = tire.p;
-  const R one = constant<R>(1.0), zero = constant<R>(0.0);
+  const R one = R(1.0), zero = R(0.0);
   const double R0 = p.UNLOADED_RADIUS;
   // On its rim the patch grows no more.
-  o.patch_load =
-      smaller<R>(o.Fz_given * o.per_Cz, constant<R>(R0 - p.RIM_RADIUS - p.BOTTOM_OFFST)) *
-      (1.0 / R0);
+  o.patch_load = smaller(o.Fz_given * o.per_Cz, R(R0 - p.RIM_RADIUS - p.BOTTOM_OFFST)) * (1.0 / R0);
   o.Fz_My = faded_load(tire, o.Fz_given, false);
   const R load = o.Fz_My * tire.per_FNOMIN, pressure = o.p * tire.per_NOMPRES;
   const R bases[3] = {select(load > 0.0, load, one),
@@ -155,7 +133,7 @@ LATSCH_INLINE void functions_of_state(const TireConstants& tire, OperatingPoint<
   const R fz = o.Fz_Mx * tire.per_FNOMIN;
   const R gamma_star = o.gamma_star * (tire.mf52 ? p.LGAY : 1.0);
   const R arguments[6] = {bend(tire, o, gamma_star),
-                          bend<R>(tire, o, constant<R>(0.0)),
+                          bend<R>(tire, o, R(0.0)),
                           p.RVY6 * o.kappa,
                           p.QSX6 * fz * (p.QSX6 * fz),
                           p.BREFF * (o.Fz_given * tire.per_FNOMIN),
@@ -202,7 +180,7 @@ LATSCH_INLINE void roll(const TireConstants& tire, OperatingPoint<R>& o) {
   // A load that no tire carries still rolls.
   constexpr double kSmallestRadius = 0.01;
   const R still =
-      larger(p.UNLOADED_RADIUS * p.Q_RE0 - slack, constant<R>(kSmallestRadius * p.UNLOADED_RADIUS));
+      larger(p.UNLOADED_RADIUS * p.Q_RE0 - slack, R(kSmallestRadius * p.UNLOADED_RADIUS));
   o.Re = still * stretched(growth / (still * still * still));
   o.omega = speed / o.Re;
   o.R_omega = o.Re + slack;
@@ -221,8 +199,8 @@ LATSCH_INLINE void spin(const Parameters& p, OperatingPoint<R>& o) {
 template <class R>
 LATSCH_INLINE void friction_scales(const TireConstants& tire, double A_mu, OperatingPoint<R>& o) {
   const Parameters& p = tire.p;
-  o.LMUX_star = constant<R>(p.LMUX);
-  o.LMUY_star = constant<R>(p.LMUY);
+  o.LMUX_star = R(p.LMUX);
+  o.LMUY_star = R(p.LMUY);
   if (p.LMUV != 0.0) {
     const R Vs = abs(o.Vx) * sqrt(o.kappa * o.kappa + o.tan_alpha * o.tan_alpha);
     const R slippery = 1.0 + p.LMUV * Vs * tire.per_LONGVL;
@@ -238,24 +216,25 @@ LATSCH_INLINE void friction_scales(const TireConstants& tire, double A_mu, Opera
 }
 
 template <class R>
-LATSCH_INLINE OperatingPoint<R> operating_point(const TireConstants& tire,
-                                                const Conventions& conventions,
-                                                const StateOf<R>& given) {
+LATSCH_INLINE void find_operating_point(const TireConstants& tire,
+                                        const Conventions& conventions,
+                                        const StateOf<R>& given,
+                                        OperatingPoint<R>& o) {
   const Parameters& p = tire.p;
-  OperatingPoint<R> o;
-  o.Fz = o.Fz_given = o.Fz_moment = larger(given.Fz, constant<R>(0.0));
+  o.Fz = o.Fz_given = o.Fz_moment = larger(given.Fz, R(0.0));
   o.kappa = o.kappa_given = given.kappa;
   o.alpha = given.alpha;
   o.gamma = given.gamma;
   o.phit = given.phit;
   o.Vx = given.Vx;
   o.p = given.p;
-  o.fade = constant<R>(1.0);
+  o.fade = R(1.0);
   if (conventions.limits) {
     if (conventions.turn_slip) o.phit = o.phit * cos(o.alpha);
     apply_limits(tire, conventions, o);
   }
   o.sign_Vx = sign(o.Vx);
+  o.epsilon_gamma = o.phi = R(0.0);
   const bool tangent = conventions.angles == Angles::tangent;
   o.gamma_star = tangent ? sin(o.gamma) : o.gamma;                   // (4.E4)
   o.dfz = (o.Fz - tire.Fz0_prime) * tire.per_Fz0_prime;              // (4.E2a)
@@ -269,7 +248,6 @@ LATSCH_INLINE OperatingPoint<R> operating_point(const TireConstants& tire,
   friction_scales(tire, conventions.A_mu, o);
   roll(tire, o);
   if (conventions.turn_slip) spin(p, o);
-  return o;
 }
 
 /// The curves of one state, C atan(Bx - E (Bx - atan Bx)) of each (4.E9), evaluated together.
@@ -292,5 +270,5 @@ template <class R>
 LATSCH_INLINE R sine_shape(const R& Bx, const R& C, const R& E) {
   return sin(C * atan(Bx - E * (Bx - atan(Bx))));
 }
-}  // namespace kernel
-}  // namespace latsch::magic_formula
+}  // namespace latsch::magic_formula::LATSCH_KERNELS
+#endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/magic_formula/geometry.h"
+#include "models/magic_formula/deflection_62.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,12 +7,19 @@
 #include "models/magic_formula/magic_formula.h"
 
 namespace latsch::magic_formula {
-namespace kernel {
+namespace {
+
+/// 1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - (q_FCy Fy/Fz0)^2 (3)
+double stiffening(const TireConstants& tire, double omega, double x, double y) {
+  return 1.0 + tire.p.Q_V2 * tire.R0_per_V0 * std::abs(omega) - x * x - y * y;
+}
+
+}  // namespace
 
 /// rho_z = rho_zfr + rho_zg; Fz = [1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - ((rho_z/R0)^q_FCy2
 /// q_FCy (Fy - S_Fyg)/Fz0)^2] (q_Fz1 rho_z/R0 + q_Fz2 (rho_z/R0)^2) (1 + p_Fz1 dp) Fz0.
 double vertical_force_62(const TireConstants& tire,
-                         const OperatingPoint<double>& o,
+                         const WheelUnderLoad& o,
                          double R_l,
                          double Fx,
                          double Fy,
@@ -37,10 +44,10 @@ double vertical_force_62(const TireConstants& tire,
          (tire.Q_FZ1 * rho_z / R0 + p.Q_FZ2 * (rho_z / R0) * (rho_z / R0)) * p.FNOMIN;
 }
 
-Deflection<double> deflection_62(const TireConstants& tire,
-                                 const OperatingPoint<double>& o,
-                                 double Fx,
-                                 double Fy) {
+Deflection62 deflection_62(const TireConstants& tire,
+                           const WheelUnderLoad& o,
+                           double Fx,
+                           double Fy) {
   const auto surplus = [&](double R_l) {
     return vertical_force_62(tire, o, R_l, Fx, Fy, nullptr) - o.Fz_given;
   };
@@ -63,7 +70,7 @@ Deflection<double> deflection_62(const TireConstants& tire,
     f_above = surplus(above);
   }
   if (f_above > 0.0) above = below = o.R_omega;
-  Deflection<double> d;
+  Deflection62 d;
   if (f_below < 0.0) {  // no radius carries it
     d.R_l = 0.0;
   } else {
@@ -88,11 +95,9 @@ Deflection<double> deflection_62(const TireConstants& tire,
   return d;
 }
 
-}  // namespace kernel
-
 double MagicFormula::vertical_force(
     double rho, double omega, double gamma, double p, double Fx, double Fy) const {
-  kernel::OperatingPoint<double> o{};
+  WheelUnderLoad o{};
   const Parameters& q = tire_.p;
   o.omega = omega;
   o.gamma = conventions_.mirrored ? -gamma : gamma;
@@ -101,10 +106,10 @@ double MagicFormula::vertical_force(
   o.R_omega = q.UNLOADED_RADIUS * (q.Q_RE0 + q.Q_V1 * speed * speed);  // (1)
   if (rho <= 0.0) return 0.0;
   if (q.version == Version::mf62)
-    return kernel::vertical_force_62(
+    return vertical_force_62(
         tire_, o, o.R_omega - rho, Fx, conventions_.mirrored ? -Fy : Fy, nullptr);
   const double x = rho / q.UNLOADED_RADIUS;
-  return kernel::stiffening(tire_, omega, q.Q_FCX * Fx / q.FNOMIN, q.Q_FCY * Fy / q.FNOMIN) *
+  return stiffening(tire_, omega, q.Q_FCX * Fx / q.FNOMIN, q.Q_FCY * Fy / q.FNOMIN) *
          (tire_.Q_FZ1 * x + q.Q_FZ2 * x * x) * (1.0 + q.PFZ1 * o.dpi) * q.FNOMIN;
 }
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The deflection of MF 6.2, with camber and side force, by a walk and the secant: one state at a
+// time, in plain doubles. Those of 5.2 and 6.1 have a closed form in geometry.h.
+#pragma once
+
+#include "models/magic_formula/tire_constants.h"
+
+namespace latsch::magic_formula {
+
+/// What of a state the deflection hangs on.
+template <class R>
+struct WheelUnderLoadOf {
+  R Fz, Fz_given;  // N, limited; as given
+  R omega, gamma;  // rad/s, rad
+  R dpi;           // (4.E2b)
+  R R_omega;       // m, free radius at speed
+};
+using WheelUnderLoad = WheelUnderLoadOf<double>;
+
+struct Deflection62 {
+  double rho, R_l;  // m
+};
+
+Deflection62 deflection_62(const TireConstants& tire,
+                           const WheelUnderLoad& o,
+                           double Fx,
+                           double Fy);
+/// The vertical force of MF 6.2 at a loaded radius.
+double vertical_force_62(const TireConstants& tire,
+                         const WheelUnderLoad& o,
+                         double R_l,
+                         double Fx,
+                         double Fy,
+                         double* rho);
+
+}  // namespace latsch::magic_formula
