@@ -6,7 +6,24 @@
 #include <numbers>
 
 #include "models/ring_tire/rim_rows.h"
-#include "numerics/lanes.h"
+
+namespace latsch::ring_tire {
+
+struct BeltLaw {
+  double R, L0, T0, EA, EI, EI_lateral, GJ, pressure_width, s0;
+};
+
+/// What the elements of node k carry: the string to node k + 1 (three components), (3) along x and
+/// z with the turning of n with the chord, (4), (5).
+struct Elements {
+  enum { kString = 0, kBendX = 3, kBendZ, kTurning, kLateral, kTwist, kRows };
+  double* row[kRows];
+};
+
+}  // namespace latsch::ring_tire
+
+#define LATSCH_KERNELS_IN "models/ring_tire/belt_kernels.h"
+#include "numerics/for_each_kernel_set.h"
 
 namespace latsch::ring_tire {
 namespace {
@@ -45,86 +62,6 @@ Bend bend_at(const Vector3d& before, const Vector3d& x, const Vector3d& after, c
 void add_block(CyclicBand& K, int k, int i, int j, const Matrix3d& B) {
   const int first = (k + i - 1 + K.nodes()) % K.nodes();
   K.block(first, j - i).topLeftCorner<3, 3>() += B;
-}
-
-struct BeltLaw {
-  double R, L0, T0, EA, EI, EI_lateral, GJ, pressure_width, s0;
-};
-
-/// What the elements of node k carry: the string to node k + 1 (three components), (3) along x and
-/// z with the turning of n with the chord, (4), (5).
-struct Elements {
-  enum { kString = 0, kBendX = 3, kBendZ, kTurning, kLateral, kTwist, kRows };
-  double* row[kRows];
-};
-
-/// Elements -1 .. nodes of nodes at x, y, z with torsions (rows of rim_rows.h). In the rim's axes
-/// a × (t_x, 0, t_z) = (t_z, 0, -t_x).
-LATSCH_CLONES void strain(int nodes,
-                          const BeltLaw& of,
-                          const double* const rows[4],
-                          const Elements& elements) {
-  const BeltLaw law = of;
-  const Elements e = elements;
-  const double *x = rows[0], *y = rows[1], *z = rows[2], *psi = rows[3];
-  const double spring = law.EA / law.L0, bend = law.EI / (law.L0 * law.L0 * law.L0);
-  const double over = 1.0 / (law.L0 * law.L0), of_psi = 1.0 / law.R;
-  const double of_travel = 1.0 / (law.L0 * law.R);
-#pragma GCC ivdep
-  for (int k = -1; k <= nodes; ++k) {
-    const double dx = x[k + 1] - x[k], dy = y[k + 1] - y[k], dz = z[k + 1] - z[k];
-    const double chord = __builtin_sqrt(dx * dx + dy * dy + dz * dz);
-    const double tension = (law.T0 + spring * (chord - law.L0)) / chord;  // (1)
-    e.row[Elements::kString][k] = tension * dx;
-    e.row[Elements::kString + 1][k] = tension * dy;
-    e.row[Elements::kString + 2][k] = tension * dz;
-    const double cx = x[k + 1] - x[k - 1], cz = z[k + 1] - z[k - 1];
-    const double sx = x[k + 1] + x[k - 1] - 2.0 * x[k], sz = z[k + 1] + z[k - 1] - 2.0 * z[k];
-    const double shorter = 1.0 / __builtin_sqrt(cx * cx + cz * cz);
-    const double tx = cx * shorter, tz = cz * shorter;
-    const double moment = bend * (sx * tz - sz * tx - law.s0);  // (3)
-    e.row[Elements::kBendX][k] = moment * tz;
-    e.row[Elements::kBendZ][k] = -moment * tx;
-    e.row[Elements::kTurning][k] = (sx * tx + sz * tz) * shorter;
-    e.row[Elements::kLateral][k] =
-        law.EI_lateral * ((y[k + 1] + y[k - 1] - 2.0 * y[k]) * over + psi[k] * of_psi);       // (4)
-    e.row[Elements::kTwist][k] = law.GJ * ((psi[k + 1] - psi[k]) / law.L0 - dy * of_travel);  // (5)
-  }
-}
-
-/// What the elements do to the nodes, and the pressure (2).
-LATSCH_CLONES void gather(int nodes,
-                          const BeltLaw& of,
-                          const double* const rows[4],
-                          const Elements& elements,
-                          double* const forces[4]) {
-  const BeltLaw law = of;
-  const Elements e = elements;
-  const double *x = rows[0], *z = rows[2];
-  double *Fx = forces[0], *Fy = forces[1], *Fz = forces[2], *M = forces[3];
-  const double half = 0.5 * law.pressure_width, length = law.L0 / law.R;
-  const double by_L = 1.0 / law.L0, by_R = 1.0 / law.R;
-#pragma GCC ivdep
-  for (int k = 0; k < nodes; ++k) {
-    const auto at = [&](int row, int node) { return e.row[row][node]; };
-    // At k itself, from the node behind, from the node ahead.
-    const double behind = 1.0 - at(Elements::kTurning, k - 1),
-                 ahead = 1.0 + at(Elements::kTurning, k + 1);
-    const auto bending = [&](int row) {
-      return 2.0 * at(row, k) - behind * at(row, k - 1) - ahead * at(row, k + 1);
-    };
-    Fx[k] = at(Elements::kString, k) - at(Elements::kString, k - 1) + half * (z[k + 1] - z[k - 1]) +
-            bending(Elements::kBendX);
-    Fz[k] = at(Elements::kString + 2, k) - at(Elements::kString + 2, k - 1) -
-            half * (x[k + 1] - x[k - 1]) + bending(Elements::kBendZ);
-    const double lateral = at(Elements::kLateral, k);
-    const double curving =
-        2.0 * lateral - at(Elements::kLateral, k - 1) - at(Elements::kLateral, k + 1);
-    const double twisting = at(Elements::kTwist, k) - at(Elements::kTwist, k - 1);
-    Fy[k] = at(Elements::kString + 1, k) - at(Elements::kString + 1, k - 1) + curving * by_L -
-            twisting * by_R;
-    M[k] = twisting - lateral * length;
-  }
 }
 
 }  // namespace
@@ -170,8 +107,8 @@ void BeltForces::add_force(const NodeValues& q, const RimFrame& rim, NodeValues&
   double* const to[4] = {
       f.row(RimRows::kX), f.row(RimRows::kY), f.row(RimRows::kZ), f.row(RimRows::kTorsion)};
   const BeltLaw law{R_, L0_, T0_, EA_, EI_, EI_lateral_, GJ_, pressure_width_, s0_};
-  strain(nodes_, law, x, e);
-  gather(nodes_, law, x, e, to);
+  LATSCH_KERNEL(strain)(nodes_, law, x, e);
+  LATSCH_KERNEL(gather)(nodes_, law, x, e, to);
   f.add_to(force, rim);
 }
 

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eight stations of a segment at once: from the belt's four nodes to the tips of a line's blocks
 // and back (10). What a block does in between is told by `Blocks`.
-#pragma once
+#if defined(LATSCH_RING_BLOCK_LANES) == defined(LATSCH_KERNEL_TOGGLE)
+#ifdef LATSCH_RING_BLOCK_LANES
+#undef LATSCH_RING_BLOCK_LANES
+#else
+#define LATSCH_RING_BLOCK_LANES
+#endif
 
 #include "models/ring_tire/block_forces.h"
-#include "numerics/lane_math.h"
+#include "numerics/kernel_lanes.h"
 
-namespace latsch::ring_tire {
+namespace latsch::ring_tire::LATSCH_KERNELS {
+
+using namespace latsch::LATSCH_KERNELS;
 
 constexpr int kWide = 8;
 
@@ -154,4 +161,5 @@ LATSCH_INLINE void add_block_forces(const SegmentStations& at,
   add_to_nodes(to_node, force);
 }
 
-}  // namespace latsch::ring_tire
+}  // namespace latsch::ring_tire::LATSCH_KERNELS
+#endif

@@ -12,6 +12,7 @@
 #include "models/ring_tire/ring_parameters_testing.h"
 #include "models/road/plane_road.h"
 #include "models/road/profile_road.h"
+#include "numerics/kernel_set.h"
 
 namespace latsch::ring_tire {
 namespace {
@@ -230,6 +231,54 @@ TEST(RingTire, RollsOnLevelGroundAsOnAnyGround) {
   }
   EXPECT_LT((forces[0].force - forces[1].force).norm(), 1e-9 * forces[0].force.norm());
   EXPECT_LT((forces[0].moment - forces[1].moment).norm(), 1e-9 * forces[0].force.norm());
+}
+
+/// Fx and Fz over a cleat, with everything that has a kernel: damping with memory, friction,
+/// progressive springs, camber; 80 nodes or 83, which are no multiple of eight.
+std::vector<double> over_a_cleat(KernelSet set, int nodes) {
+  const WithKernelSet with(set);
+  RingParameters ring = passenger_ring();
+  ring.nodes = nodes;
+  ring.sidewall.progressivity = 0.5;
+  for (SidewallElement* e : {&ring.sidewall.radial, &ring.sidewall.tangential}) {
+    e->dynamic_stiffening = 0.2;
+    e->friction_stiffening = 0.1;
+    e->friction_force = 300.0;
+  }
+  ring.tread.damping_time = 1e-4;
+  RingTire tire(ring);
+  const road::ProfileRoad road = road::cleat_road(0.12, 0.01, 0.03, 0.005);
+  WheelMotion motion = rolling(tire.free_radius() - 0.02, 12.0, 0.3085);
+  motion.carrier = Eigen::AngleAxisd(0.03, Vector3d::UnitX()).toRotationMatrix();
+  EXPECT_TRUE(tire.settle(motion, road, 0.0));
+  std::vector<double> forces;
+  for (int i = 1; i <= 40; ++i) {
+    motion = later(motion, 5e-4);
+    const auto hub = tire.advance(motion, road, i * 5e-4, 5e-4);
+    EXPECT_TRUE(hub);
+    if (!hub) break;
+    forces.insert(forces.end(), {hub->force.x(), hub->force.z(), hub->moment.y()});
+  }
+  return forces;
+}
+
+// Same bits where both sets have a fused multiply-add. The baseline has none: Newton's method ends
+// elsewhere within its tolerance of 0.1 N at a node.
+TEST(RingTire, EveryKernelSetRollsTheSame) {
+  for (const int nodes : {80, 83}) {
+    const std::vector<double> best = over_a_cleat(kernel_sets().back(), nodes);
+    ASSERT_EQ(best.size(), 120u);
+    for (const KernelSet set : kernel_sets()) {
+      const std::vector<double> forces = over_a_cleat(set, nodes);
+      ASSERT_EQ(forces.size(), best.size());
+      for (std::size_t i = 0; i < best.size(); ++i) {
+        if (set == KernelSet::baseline)
+          EXPECT_NEAR(forces[i], best[i], 1e-2) << i;
+        else
+          EXPECT_EQ(forces[i], best[i]) << name(set) << " " << i;
+      }
+    }
+  }
 }
 
 // Forces of this program of November 2026 over an oblique cleat with side slip, N and N m.

@@ -5,7 +5,9 @@
 #include <numbers>
 
 #include "models/ring_tire/rim_rows.h"
-#include "numerics/lane_math.h"
+
+#define LATSCH_KERNELS_IN "models/ring_tire/sidewall_kernels.h"
+#include "numerics/for_each_kernel_set.h"
 
 namespace latsch::ring_tire {
 
@@ -13,64 +15,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 namespace {
-
-// Loops around the ring, one value a node.
-
-LATSCH_CLONES void add_multiple(int nodes, double k, const double* u, double* F) {
-#pragma GCC ivdep
-  for (int i = 0; i < nodes; ++i) F[i] += k * u[i];
-}
-
-LATSCH_CLONES void add_progressive(
-    int nodes, double k, double P, double up, const double* u, double* F) {
-#pragma GCC ivdep
-  for (int i = 0; i < nodes; ++i)
-    F[i] -= k * (u[i] + P * (u[i] - up * lane_math::atan(u[i] / up)));  // (7)
-}
-
-/// (6) by the trapezoidal rule: u - u_i at the end of the step; half: h/(2 τ).
-LATSCH_INLINE double maxwell_end(double half, double before, double stretch, double u) {
-  return ((1.0 - half) * stretch + u - before) / (1.0 + half);
-}
-/// (8): stretch of a friction spring at the end.
-LATSCH_INLINE double friction_end(double most, double before, double stretch, double u) {
-  const double trial = stretch + u - before;
-  return trial > most ? most : trial < -most ? -most : trial;
-}
-
-LATSCH_CLONES void add_maxwell(int nodes,
-                               double k,
-                               double half,
-                               const double* before,
-                               const double* stretch,
-                               const double* u,
-                               double* F) {
-#pragma GCC ivdep
-  for (int i = 0; i < nodes; ++i) F[i] -= k * maxwell_end(half, before[i], stretch[i], u[i]);
-}
-
-LATSCH_CLONES void go_on_maxwell(
-    int nodes, double half, const double* before, const double* u, double* stretch) {
-#pragma GCC ivdep
-  for (int i = 0; i < nodes; ++i) stretch[i] = maxwell_end(half, before[i], stretch[i], u[i]);
-}
-
-LATSCH_CLONES void add_friction(int nodes,
-                                double k,
-                                double most,
-                                const double* before,
-                                const double* stretch,
-                                const double* u,
-                                double* F) {
-#pragma GCC ivdep
-  for (int i = 0; i < nodes; ++i) F[i] -= k * friction_end(most, before[i], stretch[i], u[i]);
-}
-
-LATSCH_CLONES void go_on_friction(
-    int nodes, double most, const double* before, const double* u, double* stretch) {
-#pragma GCC ivdep
-  for (int i = 0; i < nodes; ++i) stretch[i] = friction_end(most, before[i], stretch[i], u[i]);
-}
 
 /// Along e_r = (sin, 0, -cos), less R, e_t = (cos, 0, sin) and a: three rows one after the other.
 void to_polar(int nodes, const NodeAngles& angles, double R, RimRows& at, double* polar) {
@@ -157,9 +101,9 @@ void SidewallForces::add_spring(int direction, const double* u, double* F) const
   const int nodes = angles_.nodes();
   const double k = direction_[direction].k;
   if (direction == 0 && progressivity_ > 0.0)
-    add_progressive(nodes, k, progressivity_, progressive_travel_, u, F);
+    LATSCH_KERNEL(add_progressive)(nodes, k, progressivity_, progressive_travel_, u, F);
   else
-    add_multiple(nodes, -k, u, F);
+    LATSCH_KERNEL(add_multiple)(nodes, -k, u, F);
 }
 
 void SidewallForces::add_memory(int direction,
@@ -169,11 +113,11 @@ void SidewallForces::add_memory(int direction,
   const int nodes = angles_.nodes();
   const double* before = u_.data() + direction * nodes;
   if (const double kM = direction_[direction].k_maxwell; kM > 0.0 && !rule.statics())
-    add_maxwell(nodes, kM, half_step(rule), before, &maxwell_(direction, 0), u, F);
+    LATSCH_KERNEL(add_maxwell)(nodes, kM, half_step(rule), before, &maxwell_(direction, 0), u, F);
   for (int i = 0; i < kFrictions; ++i) {
     const Friction& f = friction_[i];
     if (f.direction == direction && f.k > 0.0)
-      add_friction(nodes, f.k, most_stretch(f), before, &slip_(i, 0), u, F);
+      LATSCH_KERNEL(add_friction)(nodes, f.k, most_stretch(f), before, &slip_(i, 0), u, F);
   }
 }
 
@@ -192,7 +136,7 @@ void SidewallForces::add_force(const NodeValues& q,
   for (int i = 0; i < 3; ++i) {
     add_spring(i, &u(i, 0), &F(i, 0));
     if (has_memory_) add_memory(i, &u(i, 0), rule, &F(i, 0));
-    if (!rule.statics()) add_multiple(nodes, -direction_[i].d, &w(i, 0), &F(i, 0));
+    if (!rule.statics()) LATSCH_KERNEL(add_multiple)(nodes, -direction_[i].d, &w(i, 0), &F(i, 0));
   }
   from_polar(nodes, angles_, F.data(), f);
   const double* psi = at.row(RimRows::kTorsion);
@@ -248,10 +192,11 @@ void SidewallForces::commit(const NodeValues& q, const RimFrame& rim, const Step
     // Nothing is left of Maxwell's forces at rest.
     if (rule.statics()) maxwell_.setZero();
     for (int i = 0; i < 3 && !rule.statics(); ++i)
-      go_on_maxwell(nodes, half_step(rule), &u_(i, 0), &u(i, 0), &maxwell_(i, 0));
+      LATSCH_KERNEL(go_on_maxwell)(nodes, half_step(rule), &u_(i, 0), &u(i, 0), &maxwell_(i, 0));
     for (int i = 0; i < kFrictions; ++i) {
       const Friction& f = friction_[i];
-      go_on_friction(nodes, most_stretch(f), &u_(f.direction, 0), &u(f.direction, 0), &slip_(i, 0));
+      LATSCH_KERNEL(go_on_friction)
+      (nodes, most_stretch(f), &u_(f.direction, 0), &u(f.direction, 0), &slip_(i, 0));
     }
   }
   u_ = u;

@@ -8,6 +8,9 @@
 #include "models/ring_tire/ring_parameters_testing.h"
 #include "models/road/plane_road.h"
 
+#define LATSCH_KERNELS_IN "models/ring_tire/friction_testing.h"
+#include "numerics/for_each_kernel_set.h"
+
 namespace latsch::ring_tire {
 namespace {
 
@@ -28,11 +31,17 @@ TEST(FrictionLaw, GoesThroughItsTable) {
 TEST(FrictionLaw, SlidingTipIsInBalance) {
   const FrictionLaw law{TreadFriction{}};
   const double slope = 2.0, Fn = 10.0, p = 1.5e5;
-  EXPECT_EQ(law.sliding_speed(0.99 * law.adhesion(p) * Fn, slope, Fn, p, 1.0), 0.0);
-  for (double T : {12.0, 13.0, 20.0, 40.0, 90.0}) {
-    const double v = law.sliding_speed(T, slope, Fn, p, 1.0);
-    EXPECT_GT(v, 0.0);
-    EXPECT_NEAR(T - slope * v, law.mu(v, p) * Fn, 1e-12 * T);
+  for (const KernelSet set : kernel_sets()) {
+    const WithKernelSet with(set);
+    const auto speed = [&](double T) {
+      return LATSCH_KERNEL(sliding_speed_of)(law, T, slope, Fn, p);
+    };
+    EXPECT_EQ(speed(0.99 * law.mu(0.0, p) * Fn), 0.0);
+    for (double T : {12.0, 13.0, 20.0, 40.0, 90.0}) {
+      const double v = speed(T);
+      EXPECT_GT(v, 0.0);
+      EXPECT_NEAR(T - slope * v, law.mu(v, p) * Fn, 1e-12 * T);
+    }
   }
 }
 

@@ -8,7 +8,18 @@
 // slopes. Where a segment has many stations, some neighbors count as one for the same reason.
 #include "models/ring_tire/block_forces.h"
 #include "models/ring_tire/tread_contact.h"
-#include "numerics/lanes.h"
+
+namespace latsch::ring_tire {
+
+struct StationStiffness {
+  Eigen::Matrix4d ww = Eigen::Matrix4d::Zero(), wd = Eigen::Matrix4d::Zero(),
+                  dd = Eigen::Matrix4d::Zero();
+};
+
+}  // namespace latsch::ring_tire
+
+#define LATSCH_KERNELS_IN "models/ring_tire/stiffness_kernels.h"
+#include "numerics/for_each_kernel_set.h"
 
 namespace latsch::ring_tire {
 namespace {
@@ -22,10 +33,6 @@ Matrix3d symmetric(const double* of) {
   K << of[0], of[1], of[2], of[1], of[3], of[4], of[2], of[4], of[5];
   return K;
 }
-
-struct StationStiffness {
-  Matrix4d ww = Matrix4d::Zero(), wd = Matrix4d::Zero(), dd = Matrix4d::Zero();
-};
 
 StationStiffness station_stiffness(const Matrix3d& K,
                                    const Matrix3d& Ky,
@@ -52,41 +59,6 @@ StationStiffness station_stiffness(const Matrix3d& K,
   M.dd.topLeftCorner<3, 3>() = nn * en * en.transpose() + aa * ea * ea.transpose() +
                                na * (en * ea.transpose() + ea * en.transpose());
   return M;
-}
-
-/// B += x X + y Y + z Z + u U.
-LATSCH_INLINE void add_scaled(double* B,
-                              const double* X,
-                              double x,
-                              const double* Y,
-                              double y,
-                              const double* Z,
-                              double z,
-                              const double* U,
-                              double u) {
-  for (int c = 0; c < 16; c += 4)
-    store(lanes4(B + c) + lanes4(X + c) * x + lanes4(Y + c) * y + lanes4(Z + c) * z +
-              lanes4(U + c) * u,
-          B + c);
-}
-
-/// The ten pairs of the four nodes, pair (m, m') at 4 m + m'.
-LATSCH_CLONES void add_pairs(const StationStiffness& M,
-                             const double* w,
-                             const double* d,
-                             Matrix4d* pairs) {
-  const Matrix4d dw = M.wd.transpose();
-  for (int m = 0; m < 4; ++m)
-    for (int o = m; o < 4; ++o)
-      add_scaled(pairs[4 * m + o].data(),
-                 M.ww.data(),
-                 w[m] * w[o],
-                 M.wd.data(),
-                 w[m] * d[o],
-                 dw.data(),
-                 d[m] * w[o],
-                 M.dd.data(),
-                 d[m] * d[o]);
 }
 
 }  // namespace
@@ -126,17 +98,18 @@ void TreadContact::add_stations(std::size_t patch, int first, Matrix4d* pairs) {
   }
   if (weight == 0.0) return;
   for (double& value : mean) value /= weight;
-  add_pairs(station_stiffness(symmetric(sums),
-                              symmetric(sums + 6),
-                              symmetric(sums + 12),
-                              height_,
-                              Vector3d(mean[8], mean[9], mean[10]),
-                              Vector3d(mean[11], mean[12], mean[13]),
-                              a_,
-                              mean[14]),
-            mean,
-            mean + 4,
-            pairs);
+  LATSCH_KERNEL(add_pairs)
+  (station_stiffness(symmetric(sums),
+                     symmetric(sums + 6),
+                     symmetric(sums + 12),
+                     height_,
+                     Vector3d(mean[8], mean[9], mean[10]),
+                     Vector3d(mean[11], mean[12], mean[13]),
+                     a_,
+                     mean[14]),
+   mean,
+   mean + 4,
+   pairs);
 }
 
 }  // namespace latsch::ring_tire
