@@ -2,6 +2,7 @@
 #include "evaluation/launch.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <charconv>
 #include <cstdlib>
@@ -22,10 +23,11 @@ int number(const Value& value, const char* name, int otherwise) {
 
 }  // namespace
 
-Launch launch_of(const Value& value) {
+Launch launch_of(const Value& value, bool at_terminal) {
   if (const int tasks = number(value, "OMPI_COMM_WORLD_SIZE", 0)) {
     return {tasks, number(value, "OMPI_COMM_WORLD_RANK", 0), "mpirun", tasks > 1};
   }
+  if (at_terminal) return {};
   if (const int tasks = number(value, "SLURM_STEP_NUM_TASKS", 0)) {
     const bool joined = value("PMIX_NAMESPACE") && value("PMIX_RANK");
     return {tasks, number(value, "SLURM_PROCID", 0), "srun", tasks > 1 && joined};
@@ -37,7 +39,8 @@ Launch launch_of(const Value& value) {
 }
 
 Launch launch() {
-  return launch_of([](const char* name) -> const char* { return std::getenv(name); });
+  return launch_of([](const char* name) -> const char* { return std::getenv(name); },
+                   ::isatty(STDIN_FILENO) == 1);
 }
 
 std::string not_one_job(const Launch& launch, const std::string& study, bool with_mpi) {

@@ -8,6 +8,7 @@
 //   PMI_SIZE                another MPI's mpirun, with which Open MPI makes no job
 //
 // Where nothing makes one job of them, each task would be a master of its own, all on one journal.
+// Who sits at a terminal (srun --pty bash) starts one process, whatever the step around it has.
 // [Slurm 22.05: srun(1), "OUTPUT ENVIRONMENT VARIABLES"; Open MPI 4.1: mpirun(1)]
 #pragma once
 
@@ -23,8 +24,9 @@ struct Launch {
   bool is_job = false;  // MPI makes one job of them
 };
 
-/// `value`: of an environment variable, nullptr where there is none.
-Launch launch_of(const std::function<const char*(const char*)>& value);
+/// `value`: of an environment variable, nullptr where there is none; `at_terminal`: it is read
+/// from.
+Launch launch_of(const std::function<const char*(const char*)>& value, bool at_terminal = false);
 /// Of this process.
 Launch launch();
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <string_view>
 
 namespace latsch {
 namespace {
@@ -43,6 +44,15 @@ TEST(Launch, AScriptOfABatchJobIsOneProcess) {
   const Launch script = of({{"SLURM_NTASKS", "3"}, {"SLURM_NPROCS", "3"}, {"SLURM_PROCID", "0"}});
   EXPECT_EQ(script.tasks, 1);
   EXPECT_FALSE(script.is_job);
+}
+
+// srun -n 8 --pty bash, and there latsch run: MPI would wait for seven that never come.
+TEST(Launch, WhoSitsAtATerminalStartsOneProcess) {
+  const auto value = [](const char* name) -> const char* {
+    return std::string_view(name) == "SLURM_STEP_NUM_TASKS" ? "8" : "0";
+  };
+  EXPECT_EQ(launch_of(value, true).tasks, 1);
+  EXPECT_EQ(launch_of(value, false).tasks, 8);
 }
 
 TEST(Launch, AnOrteOnANodeOfSlurmIsMpiruns) {
