@@ -52,6 +52,16 @@ class Ranks(Outside):
         edit(self.quarter_car, ('"quarter_car.py", "car.txt"', '"quarter_car.py", "./car.txt"'))
         self.assert_says(self.mpi("run", self.quarter_car, code=WRONG_INPUT), "another study")
 
+    def test_ranks_of_different_studies_are_refused(self):
+        other = self.folder / "other"
+        shutil.copytree(self.quarter_car.parent, other)
+        edit(other / "study.toml", ('"quarter_car.py", "car.txt"', '"quarter_car.py", "./car.txt"'))
+        run = subprocess.run([*self.job("run", self.quarter_car), ":", "-n", "1", LATSCH, "run", other / "study.toml"],
+                             capture_output=True, text=True, timeout=60)
+        self.assert_says(run.stderr, "were given different studies", "sbatch --array")
+        self.assertEqual(run.returncode, WRONG_INPUT)
+        self.assertFalse(self.journal.exists() or (other / "study.latsch").exists())
+
     def test_a_rank_or_the_master_is_killed_and_the_resumed_result_is_the_same(self):
         alone = self.RESULT.search(self.latsch("run", self.quarter_car))[0]
         for victim in (1, 0):
