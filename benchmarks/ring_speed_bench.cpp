@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <ctime>
 #include <vector>
 
 #include "models/ring_tire/ring_parameters_testing.h"
@@ -11,6 +10,7 @@
 #include "models/road/plane_road.h"
 #include "models/road/profile_road.h"
 #include "table.h"
+#include "yardstick.h"
 
 namespace {
 
@@ -26,12 +26,6 @@ RingParameters tire_of(int nodes, int blocks, int lines) {
   ring.tread.blocks = blocks;
   ring.tread.damping_time = 1e-4;
   return ring;
-}
-
-double cpu_seconds() {
-  timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return now.tv_sec + 1e-9 * now.tv_nsec;
 }
 
 WheelMotion rolling(double height, double speed) {
@@ -61,7 +55,7 @@ Cost run(const RingParameters& ring, bool show) {
   const double h = 5e-4, duration = 0.3;
   const int steps = static_cast<int>(std::lround(duration / h));
   const long evaluations = tire.counts().evaluations, factors = tire.counts().factorizations;
-  const double start = cpu_seconds();
+  const double start = benchmarks::cpu_time();
   double most = 0.0;
   for (int i = 1; i <= steps; ++i) {
     motion.center.x() += h * motion.velocity.x();
@@ -73,7 +67,7 @@ Cost run(const RingParameters& ring, bool show) {
     }
     most = std::max(most, hub->force.z());
   }
-  const Cost cost{(cpu_seconds() - start) / duration,
+  const Cost cost{(benchmarks::cpu_time() - start) / duration,
                   static_cast<double>(tire.counts().evaluations - evaluations) / steps};
   if (show)
     fmt::print(
@@ -161,6 +155,9 @@ int ring_speed() {
             fmt::format("{:.3f} x real time", whole),
             "<= 0.5",
             whole <= 0.5);
+  const double atan = benchmarks::beside(benchmarks::Yardstick::atan, 20, [] {}).yardstick;
+  table.note("the same in arc tangents of the C library a simulated second",
+             fmt::format("{:.1f} million", 1e-6 * whole / atan));
   table.note("80 segments x 50 blocks in all, on 10 lines",
              fmt::format("{:.3f} x real time", costs[3].time));
   table.note("the same with sections that bend", fmt::format("{:.3f} x real time", costs[4].time));
