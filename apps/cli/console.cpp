@@ -90,6 +90,10 @@ int close_console(int exit_code) {
   Console& c = console();
   exit_code = printed(stdout, exit_code);
   log(fmt::format("# {} ended with exit code {}\n", now(), exit_code));
+  if (c.log.is_open() && !c.log.flush()) {
+    std::fprintf(
+        stderr, "latsch: %s: the log cannot be written to its end\n", c.options.log.c_str());
+  }
   if (!c.answers) return exit_code;
   c.head["exit_code"] = exit_code;
   if (!c.result.empty()) c.head["result"] = c.result;

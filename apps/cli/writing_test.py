@@ -73,6 +73,7 @@ class Writing(unittest.TestCase):
             os.close(os.open(full, os.O_WRONLY))  # some systems let nobody use it here
         except OSError as error:
             self.skipTest(f"devices cannot be made here: {error}")
+        self.assertIn(f"{full}: the log cannot be written", self.latsch(*self.verbs[0][:3], "--log", full))
         with full.open("w") as output:
             for verb in (self.verbs[0][:3], (*self.verbs[0][:3], "--json")):
                 run = subprocess.run([LATSCH, *map(str, verb)], stdout=output, stderr=subprocess.PIPE, text=True)
