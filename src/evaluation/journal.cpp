@@ -59,6 +59,12 @@ struct Journal::Impl {
 
   void expect(const StudyIdentity& wanted) const {
     if (const auto what = difference(identity, wanted)) {
+      if (is_same_but_for_versions(identity, wanted)) {
+        refuse("was made by another version of the model or of the program: " + *what +
+               ". Its trials may not be what this one gives. Either begin anew, with the old "
+               "journal kept beside: latsch run STUDY --anew; or, where you know that the results "
+               "are the same, keep its trials: latsch resume STUDY --adopt");
+      }
       refuse("belongs to another study: " + *what +
              ". Take the study it was made with, or another journal");
     }
@@ -222,10 +228,17 @@ struct Journal::Impl {
     });
   }
 
-  void migrate() {
+  /// With that identity, in the present format.
+  void rewrite(const StudyIdentity& as, const std::filesystem::path& backup) {
     std::vector<Row> rows;
-    for_each_row([&](const Row& row) { rows.push_back(row); });
-    migrate_journal(*database, file, format, identity, std::move(rows));
+    RowDecoder decoder(format);
+    for_each_row([&](const Row& row) {
+      const auto trial = decoder.decode(row);
+      if (!trial) damaged(row.number, "cannot be decoded");
+      rows.push_back(unpacked(row, *trial));
+    });
+    rewrite_journal(*database, backup, as, std::move(rows), marks);
+    identity = as;
     format = kFormat;
     read_tally();
   }
@@ -286,10 +299,23 @@ Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& id
     if (is_new) impl->create(identity);
     impl->read_identity();
     impl->read_tally();
-    if (impl->format != kFormat) impl->migrate();
+    if (impl->format != kFormat) {
+      const StudyIdentity same = impl->identity;
+      impl->rewrite(same, migration_backup(file, impl->format));
+    }
   });
   impl->expect(identity);
   return Journal(std::move(impl));
+}
+
+bool Journal::adopt(const std::filesystem::path& file, const StudyIdentity& identity) {
+  const StudyIdentity own = read(file).identity();
+  if (!difference(own, identity)) return false;
+  Journal journal = open(file, own);
+  if (!is_same_but_for_versions(own, identity)) journal.impl_->expect(identity);
+  journal.impl_->guarded(
+      [&] { journal.impl_->rewrite(identity, file.string() + ".before_adoption"); });
+  return true;
 }
 
 Journal Journal::read(const std::filesystem::path& file) {
@@ -308,7 +334,10 @@ Journal Journal::read(const std::filesystem::path& file) {
 
 Journal Journal::read(const std::filesystem::path& file, const StudyIdentity& identity) {
   Journal journal = read(file);
-  journal.impl_->expect(identity);
+  const StudyIdentity whole = journal.impl_->identity;
+  journal.impl_->identity = without_program_files(whole);
+  journal.impl_->expect(without_program_files(identity));
+  journal.impl_->identity = whole;
   return journal;
 }
 

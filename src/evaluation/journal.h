@@ -35,9 +35,15 @@ class Journal : public TrialStore {
   /// With that log, wherever it lies.
   static Journal open(const std::filesystem::path& file, const StudyIdentity& identity, Log log);
 
+  /// Takes the trials of a journal for those of this study although the version of the model or of
+  /// an outside program was another one; a copy as it was stays beside it. False where nothing
+  /// differs. Throws InputError where more does.
+  static bool adopt(const std::filesystem::path& file, const StudyIdentity& identity);
+
   /// Opens for reading, also while another process writes. append() is not allowed.
   static Journal read(const std::filesystem::path& file);
-  /// Throws InputError where it belongs to another study, as open() does.
+  /// Throws InputError where it belongs to another study, as open() does, the files of an outside
+  /// program aside.
   static Journal read(const std::filesystem::path& file, const StudyIdentity& identity);
 
   Journal(Journal&&) noexcept;

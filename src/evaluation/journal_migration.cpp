@@ -12,22 +12,22 @@ std::filesystem::path migration_backup(const std::filesystem::path& journal, int
   return journal.string() + ".format" + std::to_string(format);
 }
 
-void migrate_journal(SQLite::Database& database,
-                     const std::filesystem::path& file,
-                     int format,
+void rewrite_journal(SQLite::Database& database,
+                     const std::filesystem::path& backup,
                      const StudyIdentity& identity,
-                     std::vector<Row> rows) {
+                     std::vector<Row> rows,
+                     const std::vector<JournalMark>& marks) {
   // With VACUUM INTO what still lies in the write-ahead log is copied too.
-  const auto backup = migration_backup(file, format);
   std::filesystem::remove(backup);  // of an attempt that did not come to its end
   SQLite::Statement copy(database, "VACUUM INTO ?");
   copy.bind(1, backup.string());
   copy.exec();
 
   SQLite::Transaction transaction(database);
-  database.exec("DROP TABLE trials; DROP TABLE identity; DROP TABLE tally");
+  database.exec(
+      "DROP TABLE trials; DROP TABLE identity; DROP TABLE tally; DROP TABLE IF EXISTS marks");
   create_tables(database);
-  write_journal_rows(database, identity, std::move(rows));
+  write_journal_rows(database, identity, std::move(rows), marks);
   transaction.commit();
 }
 

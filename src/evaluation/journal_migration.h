@@ -14,12 +14,12 @@ namespace latsch {
 /// Where the journal stays as it was: "study.latsch.format1".
 std::filesystem::path migration_backup(const std::filesystem::path& journal, int format);
 
-/// Copies the journal to its backup, then rewrites the trials in one transaction. `rows` are those
-/// of the journal, checked.
-void migrate_journal(SQLite::Database& database,
-                     const std::filesystem::path& file,
-                     int format,
+/// Copies the journal to that backup, then rewrites it in one transaction. `rows` are those of the
+/// journal, checked and unpacked.
+void rewrite_journal(SQLite::Database& database,
+                     const std::filesystem::path& backup,
                      const StudyIdentity& identity,
-                     std::vector<journal_format::Row> rows);
+                     std::vector<journal_format::Row> rows,
+                     const std::vector<JournalMark>& marks);
 
 }  // namespace latsch

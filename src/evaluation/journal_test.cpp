@@ -249,6 +249,52 @@ TEST(Journal, RemembersItsMarksAndDetectsThatOneIsSpoiled) {
   }
 }
 
+TEST(Journal, OfAnotherVersionOfTheModelItIsRefusedAndMayBeAdopted) {
+  const ScratchFolder folder;
+  const auto file = folder / "a";
+  const auto versioned = [](const std::string& text) {
+    StudyIdentity study = kStudy;
+    study.push_back({kModelVersionPart, text});
+    return study;
+  };
+  {
+    Journal journal = Journal::open(file, kStudy);  // of a program that kept no versions
+    journal.append(trial(1));
+    journal.mark("start", "x");
+    journal.append(failed_trial(2));
+  }
+  expect_contains(complaint([&] { Journal::open(file, versioned("tire 2\n")); }),
+                  "does not say its \"model version\", being older than that");
+  expect_contains(complaint([&] { Journal::open(file, versioned("tire 2\n")); }), "--adopt");
+  EXPECT_TRUE(Journal::adopt(file, versioned("tire 2\n")));
+  EXPECT_FALSE(Journal::adopt(file, versioned("tire 2\n")));
+  expect_contains(complaint([&] { Journal::open(file, versioned("tire 3\n")); }),
+                  "the journal has `tire 2`, the study has `tire 3`");
+  {
+    Journal journal = Journal::open(file, versioned("tire 2\n"));
+    EXPECT_EQ(journal.marks(), (std::vector<JournalMark>{{"start", "x", 1}}));
+    journal.append(trial(3));
+  }
+  const std::vector<Trial> trials = Journal::read(file, versioned("tire 2\n")).trials();
+  ASSERT_EQ(trials.size(), 3u);
+  expect_same(trials[0], trial(1));
+  expect_same(trials[1], failed_trial(2));
+  EXPECT_TRUE(examine_journal(file).healthy());
+  EXPECT_EQ(Journal::read(folder / "a.before_adoption", kStudy).size(), 2);
+  StudyIdentity other = versioned("tire 3\n");
+  other.front().text += "c = 3\n";
+  expect_contains(complaint([&] { Journal::adopt(file, other); }), "belongs to another study");
+}
+
+TEST(Journal, IsReadWhereItsProgramIsNotInstalled) {
+  const ScratchFolder folder;
+  StudyIdentity with = kStudy;
+  with.push_back({kProgramFilesPart, "ccx: 9 bytes, 0123\n"});
+  { Journal::open(folder / "a", with); }
+  EXPECT_EQ(Journal::read(folder / "a", kStudy).identity(), with);
+  expect_contains(complaint([&] { Journal::open(folder / "a", kStudy); }), "program files");
+}
+
 TEST(Journal, ADamagedOlderFormatIsNotMigrated) {
   const ScratchFolder folder;
   write_format_1(folder / "old", 6);

@@ -110,17 +110,26 @@ std::optional<Failure> run_program(const std::vector<std::string>& arguments,
 }
 
 bool can_be_found(const std::string& program) {
+  const bool is_relative = !program.starts_with('/') && program.find('/') != std::string::npos;
+  return is_relative || file_of_program(program);
+}
+
+std::optional<std::filesystem::path> file_of_program(const std::string& program) {
   const auto runs = [](const std::filesystem::path& file) {
     return !std::filesystem::is_directory(file) && ::access(file.c_str(), X_OK) == 0;
   };
-  if (program.starts_with('/')) return runs(program);
-  if (program.find('/') != std::string::npos) return true;
+  if (program.find('/') != std::string::npos) {
+    return program.starts_with('/') && runs(program) ? std::optional(std::filesystem::path(program))
+                                                     : std::nullopt;
+  }
   const char* path = std::getenv("PATH");
   std::istringstream folders(path ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');) {
-    if (runs(std::filesystem::path(folder) / program)) return true;
+    if (runs(std::filesystem::path(folder) / program)) {
+      return std::filesystem::path(folder) / program;
+    }
   }
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace latsch

@@ -20,6 +20,9 @@ std::optional<Failure> run_program(const std::vector<std::string>& arguments,
                                    const std::filesystem::path& printed,
                                    double timeout = 0.0);
 
+/// The file of such a program, where it is known: in PATH or, with a path from the root, there.
+std::optional<std::filesystem::path> file_of_program(const std::string& program);
+
 /// Whether there is such a program: in PATH or, with a path from the root, there. Of another path
 /// it is not known before there is a folder it starts from: true.
 bool can_be_found(const std::string& program);

@@ -173,6 +173,41 @@ Evaluator evaluator(const Simulator& simulator, const DesignSpace& space) {
   };
 }
 
+namespace {
+
+constexpr std::uintmax_t kLargestRead = std::uintmax_t{256} << 20;
+
+/// "python3: 6831736 bytes, 0123456789abcdef": where it lies does not matter.
+std::string told(const std::string& argument, const fs::path& file) {
+  std::error_code error;
+  const auto size = fs::file_size(file, error);
+  if (error) return "";
+  if (size > kLargestRead) {  // a program with all it needs in one: its date has to do
+    const auto time = fs::last_write_time(file, error).time_since_epoch().count();
+    return fmt::format("{}: {} bytes, written {}\n", argument, size, time);
+  }
+  return fmt::format(
+      "{}: {} bytes, {:016x}\n", argument, size, hash(read_text_file(file, kLargestRead)));
+}
+
+/// The program and the files among its arguments. This program itself is known by its versions.
+std::string program_files(const Simulator& simulator) {
+  const std::vector<std::string> arguments = command(simulator);
+  std::string text;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& written = simulator.arguments[i];
+    if (written.find("{latsch}") != std::string::npos) continue;
+    std::optional<fs::path> file;
+    if (i == 0) file = file_of_program(arguments[i]);
+    if (i > 0 && arguments[i].starts_with('/')) file = arguments[i];
+    std::error_code ignored;
+    if (file && fs::is_regular_file(*file, ignored)) text += told(written, *file);
+  }
+  return text;
+}
+
+}  // namespace
+
 StudyIdentity identity(const Simulator& simulator, const DesignSpace& space) {
   std::string inputs, readers, variables;
   for (const Simulator::Input& input : simulator.inputs) {
@@ -202,7 +237,8 @@ StudyIdentity identity(const Simulator& simulator, const DesignSpace& space) {
   return {{"program", fmt::format("{}\n", fmt::join(simulator.arguments, "\n"))},
           {"inputs", inputs},
           {"outputs", readers},
-          {"variables", variables}};
+          {"variables", variables},
+          {kProgramFilesPart, program_files(simulator)}};
 }
 
 }  // namespace latsch

@@ -36,14 +36,15 @@ struct Simulator {
   bool keep_failed = false;  // folders of trials that failed
 };
 
-/// The argument list with the folder of the study in the place of {study} and this program itself in
-/// that of {latsch}.
+/// The argument list with the folder of the study in the place of {study} and this program itself
+/// in that of {latsch}.
 std::vector<std::string> command(const Simulator& simulator);
 
 /// The channels of all outputs. Throws InputError for files that cannot be copied.
 Evaluator evaluator(const Simulator& simulator, const DesignSpace& space);
 
-/// What its channels depend on: program, inputs, copied files, readers, units.
+/// What its channels depend on: arguments, the program among them and every file they name by its
+/// content, inputs, copied files, readers, units.
 StudyIdentity identity(const Simulator& simulator, const DesignSpace& space);
 
 }  // namespace latsch

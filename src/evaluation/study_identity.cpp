@@ -25,7 +25,23 @@ std::string first_difference(const std::string& journal, const std::string& stud
   }
 }
 
+bool is_version(const IdentityPart& part) {
+  return part.name == kModelVersionPart || part.name == kProgramFilesPart;
+}
+
 }  // namespace
+
+StudyIdentity without_program_files(StudyIdentity identity) {
+  std::erase_if(identity, [](const auto& part) { return part.name == kProgramFilesPart; });
+  return identity;
+}
+
+bool is_same_but_for_versions(const StudyIdentity& journal, const StudyIdentity& study) {
+  StudyIdentity a = journal, b = study;
+  std::erase_if(a, is_version);
+  std::erase_if(b, is_version);
+  return !difference(a, b);
+}
 
 std::optional<std::string> difference(const StudyIdentity& journal, const StudyIdentity& study) {
   const auto find = [](const StudyIdentity& identity, const std::string& name) {
@@ -36,6 +52,9 @@ std::optional<std::string> difference(const StudyIdentity& journal, const StudyI
   };
   for (const IdentityPart& part : study) {
     const IdentityPart* other = find(journal, part.name);
+    if (!other && is_version(part)) {
+      return fmt::format("it does not say its \"{}\", being older than that", part.name);
+    }
     if (!other) return fmt::format("it has no \"{}\"", part.name);
     if (other->text != part.text) {
       return fmt::format(

@@ -18,6 +18,17 @@ struct IdentityPart {
 };
 using StudyIdentity = std::vector<IdentityPart>;
 
+/// Parts that change where a study does not: the model of this program or an outside program has
+/// become another one. A person may know that its results have not.
+inline constexpr const char* kModelVersionPart = "model version";
+inline constexpr const char* kProgramFilesPart = "program files";
+
+/// The same without the files of an outside program: for reading, also where it is not installed.
+StudyIdentity without_program_files(StudyIdentity identity);
+
+/// Whether nothing but those parts differs.
+bool is_same_but_for_versions(const StudyIdentity& journal, const StudyIdentity& study);
+
 /// What differs between the study of a journal and the one at hand, naming the part and the line;
 /// nullopt where nothing does.
 std::optional<std::string> difference(const StudyIdentity& journal, const StudyIdentity& study);

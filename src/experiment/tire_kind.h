@@ -37,6 +37,9 @@ struct TireKind {
   Channels (*steady)(const Document& numbers, const formats::CsvTable& states) = nullptr;
   /// nullptr: a tire without a belt that vibrates.
   Result<Channels> (*modes)(const Document& numbers, const VibrationTest& test) = nullptr;
+  /// Raised whenever a tire of the same numbers answers other than before: trials of another
+  /// version are not taken for this one's.
+  int version = 2;
 };
 
 /// In the order in which people read of them.

@@ -212,6 +212,9 @@ void TrustRegionRun::observe(const DesignPoint& point,
   if (found != wanted_.end()) {
     tried = *found;
     wanted_.erase(found);
+  } else if (!sample) {  // whoever asked for it: it says nothing about the steps of this run
+    box_.memory.add_failure(to_vector(box_.space.to_unit(point)));
+    return;
   } else {
     tried = {to_vector(box_.space.to_unit(point)), point, Kind::probe, box_.center(), box_.f()};
   }
