@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -11,7 +13,11 @@
 #include "cli/tables.h"
 #include "cli/verbs.h"
 #include "correlation/study.h"
+#include "correlation/study_stages.h"
+#include "correlation/study_start.h"
+#include "correlation/tire_trials.h"
 #include "correlation/variables.h"
+#include "evaluation/journal.h"
 #include "evaluation/local_file_system.h"
 #include "evaluation/outside_program.h"
 #include "experiment/tire_rig.h"
@@ -163,6 +169,49 @@ void answer_check(const Study& study) {
   }
 }
 
+/// What earlier trials tell: how many failed, why most of them did, and whether the measurements
+/// can be compared with those that succeeded.
+void print_trials_so_far(const Study& study) {
+  if (!std::filesystem::exists(study.run.journal)) return;
+  const Journal journal = Journal::read(study.run.journal);
+  if (const auto what = difference(journal.identity(), correlation::identity(study))) {
+    say("Its journal was made otherwise: {}\n", *what);
+    return;
+  }
+  const Objective target = correlation::objective(study);
+  std::map<std::string, long> reasons;
+  journal.for_each([&](const Trial& trial) {
+    const auto& result = trial.outcome.result;
+    const auto score = result ? target(*result) : Result<Score>(result.failure());
+    if (!score) ++reasons[score.failure().reason];
+  });
+  long failed = 0;
+  const std::pair<const std::string, long>* most = nullptr;
+  for (const auto& reason : reasons) {
+    failed += reason.second;
+    if (!most || reason.second > most->second) most = &reason;
+  }
+  say("{} trials so far, {} of them without a target{}\n",
+      journal.size(),
+      failed,
+      most ? ", most often because: " + most->first : "");
+}
+
+void print_stages(const Study& study) {
+  if (!study.stages.empty()) say("\nStages\n");
+  for (int k = 0; k < std::ssize(study.stages); ++k) {
+    const Study stage = correlation::stage(study, k);
+    say("  {:<16} {}; {}, at most {} steps; {}\n",
+        stage.stage,
+        in_words(study.stages[static_cast<std::size_t>(k)]),
+        in_words(method_of(stage).method),
+        stage.max_steps,
+        stage.run.journal.filename().string());
+  }
+  const std::string start = in_words(study.start);
+  if (!start.empty()) say("\nThe search starts at {}\n", start);
+}
+
 void check(const std::string& file) {
   const Study study = correlation::read_study(file);
   std::optional<fe_tire::Mesh> mesh;
@@ -187,19 +236,20 @@ void check(const std::string& file) {
   for (const auto& constraint : study.constraints) {
     say("  {:<16} {}\n", constraint.name, in_words(constraint));
   }
+  print_stages(study);
   const MethodChoice choice = method_of(study);
   say("\nOptimizer {}, at most {} steps: {}\n"
       "Workers {}, {:g} s a trial at most, journal {}\n"
-      "Where a trial fails, {}\n"
-      "\nEverything is in order. Next: latsch run {}\n",
+      "Where a trial fails, {}\n",
       in_words(choice.method),
       study.max_steps,
       choice.reason,
       study.run.workers,
       study.run.timeout,
       journal_in_words(study),
-      correlation::in_words(study.run.on_failure),
-      file);
+      correlation::in_words(study.run.on_failure));
+  print_trials_so_far(study);
+  say("\nEverything is in order. Next: latsch run {}\n", file);
 }
 
 }  // namespace

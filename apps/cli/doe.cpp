@@ -17,6 +17,7 @@
 #include "correlation/best_trial.h"
 #include "correlation/doe_basins.h"
 #include "correlation/doe_effects.h"
+#include "evaluation/retried_failures.h"
 
 namespace latsch::cli {
 namespace {
@@ -122,14 +123,14 @@ void print_policy_of_designs(const FailurePolicy& policy) {
       policy.then == Then::recover ? "recover" : "continuation");
 }
 
-int doe(const std::string& file, int levels, int workers) {
+int doe(const std::string& file, int levels, int workers, bool retries_failed) {
   Study study = correlation::read_study(file);
   if (workers > 0) study.run.workers = workers;
   const StudyDesign design = design_of(study, levels);
   const SamplingPlan plan = correlation::plan(design, study.space);
   Workers workers_of_study(study);
   if (workers_of_study.served(study)) return kDone;
-  Journal journal = Journal::open(study.run.journal, correlation::identity(study));
+  Journal journal = open_for_trials(study, retries_failed);
   say_kind_of_journal(study);
   say("{}, {} points; {} finished trials in {}\n",
       design.name(),
@@ -141,7 +142,8 @@ int doe(const std::string& file, int levels, int workers) {
   catch_interrupts();
   const TrialsRun trials(workers_of_study, study);
   Executor& executor = workers_of_study.start(study);
-  const RunEnd end = run_doe(plan, executor, journal, run_options(study, /*length_known=*/true));
+  TrialsThatCount counting(journal);
+  const RunEnd end = run_doe(plan, executor, counting, run_options(study, /*length_known=*/true));
   if (end == RunEnd::stopped) {
     say("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
     return kFailed;
@@ -195,7 +197,11 @@ void add_doe(CommandLine& app, int& exit_code) {
       .between(2, 1000);
   verb.add_option("--workers", *workers, "Worker processes, instead of the study's")
       .between(1, 1024);
-  verb.callback([=, &exit_code] { exit_code = doe(*file, *levels, *workers); });
+  auto retries_failed = std::make_shared<bool>(false);
+  verb.add_flag("--retry-failed",
+                *retries_failed,
+                "Tries the points that failed so far again, once their cause is mended");
+  verb.callback([=, &exit_code] { exit_code = doe(*file, *levels, *workers, *retries_failed); });
 }
 
 }  // namespace latsch::cli

@@ -146,6 +146,68 @@ class Simulators(Outside):
         self.assertEqual(run.returncode, FAILED)
         self.assertLess(time.monotonic() - begin, 2.0)
 
+    def test_a_run_in_which_everything_fails_alike_ends_soon_and_goes_on_once_that_is_mended(self):
+        study = self.study("quarter_car")
+        script, journal = study.parent / "quarter_car.py", study.parent / "study.latsch"
+        whole = script.read_text()
+        edit(study, ("step_tolerance = .*", "step_tolerance = 0.02"), (r"\[run\]", "[run]\nintervals = false"),
+             (r'"quarter_car.py", "car.txt"', '"{study}/licensed.py", "car.txt"'), (r'files = \["quarter_car.py"\]\n', ""))
+        licensed = study.parent / "licensed.py"
+        licensed.write_text("print('no license for 2 seats'); raise SystemExit(4)")
+        text = self.latsch("run", study, code=FAILED)
+        self.assert_says(text, "no trial succeeded", "no license", "nothing to do with the point", "--retry-failed")
+        self.assertLess(trials_of(journal), 30)
+        licensed.write_text(whole)  # another program: its trials are not those of the old one
+        self.assert_says(self.latsch("resume", study, code=WRONG_INPUT), "program files", "licensed.py", "--adopt", "--anew")
+        self.assert_says(self.latsch("report", study, code=FAILED), "succeeded")  # reading is not refused
+        text = self.latsch("resume", study, "--adopt", "--retry-failed")
+        self.assert_says(text, "failed points are tried again", "Report: ")
+        self.assertAlmostEqual(self.found(text, "spring"), 25, delta=0.5)
+        self.assert_says(self.latsch("run", study, "--anew"), "kept as", "study.1.latsch")
+
+    def test_what_a_raised_timeout_concerns_is_tried_again_at_once(self):
+        study = self.study("quarter_car")
+        edit(study, ("step_tolerance = .*", "max_steps = 12"), (r"\[run\]", "[run]\nintervals = false"), ("timeout = .*", 'timeout = "0.6 s"'))
+        edit(study.parent / "quarter_car.py", (r"    state = \(", '    if car["damper"] < 2500: import time; time.sleep(1.2)\n    state = ('))
+        self.latsch("run", study)
+        self.assert_says((study.parent / "study.html").read_text(), "took more than the 0.6 s")
+        edit(study, ("timeout = .*", 'timeout = "20 s"'))
+        self.assert_says(self.latsch("resume", study), "failed for a limit which is raised now")
+
+    def test_stages_and_a_start_in_the_journal_survive_a_kill(self):
+        study = self.study("quarter_car")
+        edit(study, (r"\[optimizer\](\n.*)*?\n\n", """[doe]
+design = "latin_hypercube"
+points = 8
+
+[optimizer]
+start = "basins"
+starts = 2
+
+[stage.wide]
+step_tolerance = 0.05
+
+[stage.narrow]
+bounds = 0.2
+step_tolerance = 0.002
+
+"""), (r"\[run\]", "[run]\nintervals = false"))
+        self.assert_says(self.latsch("check", study), "wide", "bounds 0.2 as wide", "the 2 lowest minima of the design")
+        result = re.compile(r"Best of .*?\n\nReport", re.S)
+        journal = study.parent / "study.latsch"
+        whole = self.latsch("run", study)
+        self.assert_says(whole, "Stage 1 of 2, wide", "Stage 2 of 2, narrow")
+        trials = trials_of(journal)
+        for killed_at in (4, trials - 3):
+            journal.unlink()
+            run = subprocess.Popen([LATSCH, "run", study], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            while trials_of(journal) < killed_at and run.poll() is None:
+                time.sleep(0.005)
+            run.kill()
+            run.wait()
+            self.assertEqual(result.search(self.latsch("resume", study))[0], result.search(whole)[0])
+        self.assert_says(journal.with_suffix(".html").read_text(), "stage narrow, after wide")
+
     def test_there_is_no_tire_to_export(self):
         for arguments in (("--vtu", "a.vtu"), ("--measurements",)):
             self.assert_says(self.latsch("export", self.study("quarter_car" if "--vtu" in arguments else

@@ -78,6 +78,13 @@ class Ranks(Outside):
             self.assert_says(resumed, f"{kept} finished trials are reused")
             self.assertEqual(self.RESULT.search(resumed)[0], alone)
 
+    def test_stages_are_served_one_after_the_other(self):
+        edit(self.quarter_car, (r"\[optimizer\]", '[stage.wide]\nstep_tolerance = 0.1\n[stage.narrow]\nbounds = 0.3\n[optimizer]'))
+        alone = self.RESULT.search(self.latsch("run", self.quarter_car))[0]
+        self.journal.unlink()
+        self.assertEqual(self.RESULT.search(self.mpi("run", self.quarter_car))[0], alone)
+        self.assert_says(self.mpi("doe", self.quarter_car, "--levels", "2"), "of 4 points")
+
     def kill(self, rank):
         """kill -9 of `latsch run` on that rank of the job."""
         for process in pathlib.Path("/proc").glob("[0-9]*"):

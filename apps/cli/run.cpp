@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/answers.h"
 #include "cli/console.h"
@@ -14,7 +15,10 @@
 #include "cli/trials.h"
 #include "cli/verbs.h"
 #include "cli/workers.h"
+#include "correlation/study_stages.h"
+#include "correlation/study_start.h"
 #include "correlation/tire_trials.h"
+#include "evaluation/journal_lock.h"
 
 namespace latsch::cli {
 namespace {
@@ -70,47 +74,138 @@ bool print_values(const Study& study,
   return true;
 }
 
-int fit(const std::string& file, int workers, bool resuming) {
-  Study study = correlation::read_study(file);
-  if (workers > 0) study.run.workers = workers;
-  if (resuming && !std::filesystem::exists(study.run.journal)) {
-    throw InputError(study.run.journal.string() +
-                     " does not exist: there is nothing to resume; start with latsch run");
+/// What a person asks of run and resume beyond the study.
+struct Asked {
+  std::string file;
+  int workers = 0;  // 0: as the study says
+  bool resuming = false;
+  bool retries_failed = false;
+  bool adopts = false;
+  bool anew = false;
+};
+
+/// "study.latsch" becomes "study.1.latsch", the first number that is free.
+void set_aside(const std::filesystem::path& journal) {
+  if (!std::filesystem::exists(journal)) return;
+  for (int number = 1;; ++number) {
+    auto aside = journal;
+    aside.replace_extension(fmt::format(".{}{}", number, journal.extension().string()));
+    if (std::filesystem::exists(aside)) continue;
+    const JournalLock nobody_writes(journal);
+    for (const char* part : {"", "-wal", "-shm", "-journal"}) {  // SQLite's, after a kill
+      if (!std::filesystem::exists(journal.string() + part)) continue;
+      std::filesystem::rename(journal.string() + part, aside.string() + part);
+    }
+    say("The old journal is kept as {}\n", aside.string());
+    return;
   }
-  Workers workers_of_study(study);
-  if (workers_of_study.served(study)) return kDone;
-  Journal journal = Journal::open(study.run.journal, correlation::identity(study));
-  say_kind_of_journal(study);
+}
+
+Journal open_journal(const Study& stage, const Asked& asked) {
+  if (asked.anew) set_aside(stage.run.journal);
+  const StudyIdentity identity = correlation::identity(stage);
+  if (asked.adopts && std::filesystem::exists(stage.run.journal) &&
+      Journal::adopt(stage.run.journal, identity)) {
+    say("The trials in {0} are taken over; as it was it stays as {0}.before_adoption\n",
+        stage.run.journal.string());
+  }
+  Journal journal = open_for_trials(stage, asked.retries_failed);
+  say_kind_of_journal(stage);
   if (journal.size() > 0) say("{} finished trials are reused\n", journal.size());
+  return journal;
+}
 
-  const MethodChoice choice = correlation::method_of(study);
+void print_beginning(const Study& study, int k, const Study& stage) {
+  if (!study.stages.empty()) {
+    const auto& settings = study.stages[static_cast<std::size_t>(k)];
+    say("\nStage {} of {}, {}: {}\n",
+        k + 1,
+        study.stages.size(),
+        settings.name,
+        correlation::in_words(settings));
+  }
+  const MethodChoice choice = correlation::method_of(stage);
   say("Optimizer {}: {}\n", in_words(choice.method), choice.reason);
+  const std::string start = correlation::in_words(stage.start);
+  if (!start.empty()) say("It starts at {}\n", start);
+}
 
-  catch_interrupts();
-  const TrialsRun trials(workers_of_study, study);
-  Executor& executor = workers_of_study.start(study);
-  const auto optimizer = correlation::make_optimizer(study);
-  const Run run = run_optimizer(*optimizer,
-                                correlation::objective(study),
-                                executor,
-                                &journal,
-                                run_options(study, /*length_known=*/false));
+void print_hopeless(const Study& study, const Journal& journal, const std::string& reason) {
+  complain(fmt::format(
+      "no trial succeeded, of {} in {}, also not far from the start: every one failed for one "
+      "reason, which has nothing to do with the point: {}\n"
+      "See what becomes of one: latsch simulate {}{}. Once that is mended, go on with: latsch "
+      "resume {} --retry-failed",
+      journal.size(),
+      study.run.journal.string(),
+      reason,
+      study.file.string(),
+      study.simulator && !study.simulator->keep_failed
+          ? "; keep_failed = true in [simulator] keeps its folder"
+          : "",
+      study.file.string()));
+}
+
+/// Whether a fit ended with a best point, after saying why where not.
+bool has_found(const Study& stage, const correlation::Fit& fit, const Journal& journal) {
+  const Run& run = fit.run;
   if (run.end == RunEnd::stopped) {
-    say("Interrupted; {} trials are safe. Go on with: latsch resume {}\n", journal.size(), file);
-    return kFailed;
+    say("Interrupted; {} trials are safe. Go on with: latsch resume {}\n",
+        journal.size(),
+        stage.file.string());
+    return false;
   }
   if (run.end == RunEnd::aborted) {
-    print_aborted(study, run.steps.back().point, run.steps.back().outcome.failure());
-    return kFailed;
+    print_aborted(stage, run.steps.back().point, run.steps.back().outcome.failure());
+    return false;
   }
-  if (!run.best()) {
-    print_no_success(study, journal, run.steps.front().outcome.failure().reason);
-    return kFailed;
+  if (run.best()) return true;
+  if (fit.hopeless) {
+    print_hopeless(stage, journal, *fit.hopeless);
+  } else {
+    print_no_success(stage, journal, run.steps.front().outcome.failure().reason);
   }
-  print_result(study, run, journal);
-  if (!print_values(study, run.best()->point, executor, journal)) return kFailed;
-  workers_of_study.end();
-  return write_report(study, journal);
+  return false;
+}
+
+int fit(const Asked& asked) {
+  Study study = correlation::read_study(asked.file);
+  if (asked.workers > 0) study.run.workers = asked.workers;
+  const auto first_journal = correlation::stage(study, 0).run.journal;
+  if (asked.resuming && !std::filesystem::exists(first_journal)) {
+    throw InputError(first_journal.string() +
+                     " does not exist: there is nothing to resume; start with latsch run");
+  }
+  Workers workers(study);
+  if (workers.served(study, /*in_stages=*/true)) return kDone;
+  catch_interrupts();
+  std::optional<DesignPoint> best;
+  Asked once = asked;
+  for (int k = 0;; ++k) {
+    const Study stage = correlation::stage(study, k, best);
+    Journal journal = open_journal(stage, once);
+    print_beginning(study, k, stage);
+    const TrialsRun trials(workers, stage);
+    Executor& executor = workers.start(stage);
+    const correlation::Fit fitted =
+        correlation::fit(stage, executor, journal, run_options(stage, /*length_known=*/false));
+    if (!has_found(stage, fitted, journal)) return kFailed;
+    best = fitted.run.best()->point;
+    if (k + 1 == correlation::stage_count(study)) {
+      print_result(study, fitted.run, journal);
+      if (!print_values(study, *best, executor, journal)) return kFailed;
+      workers.end();
+      return write_report(study, journal);
+    }
+    say("Best of {} steps: target {:.4f} %\n",
+        fitted.run.steps.size(),
+        100.0 * fitted.run.best()->outcome->value);
+    print_point(study.space, *best);
+    // Stages that share a journal: what was set aside or tried again stays so.
+    const bool shares = correlation::stage(study, k + 1).run.journal == stage.run.journal;
+    once.anew = asked.anew && !shares;
+    once.retries_failed = asked.retries_failed && !shares;
+  }
 }
 
 }  // namespace
@@ -131,12 +226,23 @@ void add_run(CommandLine& app, int& exit_code) {
         "  mpirun -n 8 latsch {0} study.toml           on a cluster: one searches, seven evaluate\n"
         "  srun -n 8 --mpi=pmix latsch {0} study.toml  the same below Slurm",
         resuming ? "resume" : "run"));
-    auto file = std::make_shared<std::string>();
-    auto workers = std::make_shared<int>(0);
-    verb.add_option("study", *file, "Study file (TOML)").required();
-    verb.add_option("--workers", *workers, "Worker processes, instead of the study's")
+    auto asked = std::make_shared<Asked>();
+    asked->resuming = resuming;
+    verb.add_option("study", asked->file, "Study file (TOML)").required();
+    verb.add_option("--workers", asked->workers, "Worker processes, instead of the study's")
         .between(1, 1024);
-    verb.callback([=, &exit_code] { exit_code = fit(*file, *workers, resuming); });
+    if (resuming) {
+      verb.add_flag("--retry-failed",
+                    asked->retries_failed,
+                    "Tries the points that failed so far again, once their cause is mended");
+      verb.add_flag("--adopt",
+                    asked->adopts,
+                    "Keeps the trials of another version of the model or the outside program");
+    } else {
+      verb.add_flag(
+          "--anew", asked->anew, "Begins with an empty journal; the old one is kept beside");
+    }
+    verb.callback([=, &exit_code] { exit_code = fit(*asked); });
   }
 }
 

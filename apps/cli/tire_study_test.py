@@ -35,6 +35,28 @@ class GoodInput(Coarse):
         self.assertIn("<html", report.read_text()[:500])
         self.assert_says(self.latsch("report", self.study), str(report))
 
+    def test_a_coarse_mesh_comes_first_and_two_experiments_are_weighed_without_a_trial(self):
+        edit(self.study, (r"\[optimizer\]", """[stage.coarse]
+model.mesh.sectors = 12
+model.mesh.meridional = 10
+step_tolerance = 0.1
+
+[stage.fine]
+bounds = 0.4
+
+[optimizer]"""), (r"\[run\]", "[run]\nintervals = false"))
+        text = self.latsch("run", self.study)
+        self.assert_says(text, "Stage 1 of 2, coarse: mesh.sectors = 12, mesh.meridional = 10", "Stage 2 of 2, fine", "Report")
+        self.assertTrue((self.folder / "study.coarse.latsch").exists())
+        trials = trials_of(self.folder / "study.latsch")
+        names = re.findall(r"\[experiment\.(\w+)\]", self.study.read_text())[:2]
+        edit(self.study, (rf"\[experiment\.{names[0]}\]", f"[experiment.{names[0]}]\nweight = 5"))
+        text = self.latsch("pareto", self.study, *names)
+        self.assert_says(text, "Best by the weights", "Pareto front", f"{names[0]} %", "best")
+        self.assertIn("<svg", (self.folder / "study.pareto.html").read_text())
+        self.assertEqual(trials_of(self.folder / "study.latsch"), trials)
+        self.assert_says(self.latsch("report", self.study), "Report")
+
     def test_killed_and_resumed_gives_the_same_result(self):
         whole = self.latsch("run", self.study)
         (self.folder / "study.latsch").unlink()
@@ -118,7 +140,7 @@ class GoodInput(Coarse):
         self.assertIn("*NODE", deck.read_text().upper())
 
     def test_every_verb_has_help_with_an_example(self):
-        for verb in ("new", "check", "mesh", "simulate", "evaluate", "doe", "run", "resume", "identify", "report", "export", "doctor",
+        for verb in ("new", "check", "mesh", "simulate", "evaluate", "doe", "run", "resume", "identify", "report", "pareto", "export", "doctor",
                      "process", "road", "drum", "footprint", "ring", "compare", "show"):
             self.assert_says(self.latsch(verb, "--help"), "xample", f"latsch {verb}")
 

@@ -16,6 +16,7 @@
 #include "cli/verbs.h"
 #include "correlation/study_report.h"
 #include "evaluation/local_file_system.h"
+#include "evaluation/retried_failures.h"
 
 namespace latsch::cli {
 
@@ -24,10 +25,26 @@ ProcessOptions worker_processes(const correlation::Study& study) {
   options.arguments = {std::filesystem::read_symlink("/proc/self/exe").string(),
                        "worker",
                        std::filesystem::absolute(study.file).string()};
+  if (!study.stage.empty()) {
+    options.arguments.emplace_back("--stage");
+    options.arguments.push_back(study.stage);
+  }
   options.workers = study.run.workers;
   options.timeout = study.run.timeout;
   options.memory_limit = study.run.memory;
   return options;
+}
+
+Journal open_for_trials(const correlation::Study& study, bool retries_failed) {
+  Journal journal = Journal::open(study.run.journal, correlation::identity(study));
+  const TrialLimits limits{.timeout = study.run.timeout,
+                           .program_timeout = study.simulator ? study.simulator->timeout : 0.0,
+                           .memory = study.run.memory};
+  if (const long again = retry_what_limits_forbade(journal, limits)) {
+    say("{} points that failed for a limit which is raised now are tried again\n", again);
+  }
+  if (retries_failed) say("{} failed points are tried again\n", retry_failures(journal));
+  return journal;
 }
 
 void clear_scratch(const correlation::Study& study) {

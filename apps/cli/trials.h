@@ -16,6 +16,10 @@ namespace latsch::cli {
 /// This program as `latsch worker STUDY`.
 ProcessOptions worker_processes(const correlation::Study& study);
 
+/// The journal of the study. What failed for a limit that is raised now is tried again, with
+/// `retries_failed` all that failed.
+Journal open_for_trials(const correlation::Study& study, bool retries_failed);
+
 /// Removes what killed workers of an outside program left behind. The journal is held meanwhile.
 void clear_scratch(const correlation::Study& study);
 

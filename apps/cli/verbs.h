@@ -21,6 +21,7 @@ void add_evaluate(CommandLine& app, int& exit_code);
 void add_doe(CommandLine& app, int& exit_code);
 void add_run(CommandLine& app, int& exit_code);  // run and resume
 void add_identify(CommandLine& app, int& exit_code);
+void add_pareto(CommandLine& app, int& exit_code);
 void add_report(CommandLine& app, int& exit_code);
 void add_doctor(CommandLine& app, int& exit_code);
 void add_export(CommandLine& app, int& exit_code);

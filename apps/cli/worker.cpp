@@ -4,6 +4,7 @@
 
 #include "cli/verbs.h"
 #include "correlation/predictions.h"
+#include "correlation/study_stages.h"
 #include "correlation/tire_trials.h"
 
 namespace latsch::cli {
@@ -14,13 +15,16 @@ void add_worker(CommandLine& app, int& exit_code) {
   auto file = std::make_shared<std::string>();
   verb.add_option("study", *file, "Study file (TOML)").required();
   auto all = std::make_shared<bool>(false);
+  auto stage = std::make_shared<std::string>();
+  verb.add_option("--stage", *stage, "The model as that [stage.NAME] has it");
   verb.add_flag("--predictions", *all, "The experiments with use = \"predict\" too");
   verb.footer(
       "Started by the program itself, one process a worker: it reads points from its standard "
       "input\nand writes their outcomes to its standard output. To try it by hand there is latsch "
       "simulate.");
   verb.callback([=, &exit_code] {
-    const correlation::Study study = correlation::read_study(*file);
+    correlation::Study study = correlation::read_study(*file);
+    if (!stage->empty()) study = correlation::stage_called(study, *stage);
     exit_code = serve(correlation::evaluator(*all ? correlation::with_predictions(study) : study));
   });
 }

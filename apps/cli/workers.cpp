@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "cli/console.h"
 #include "cli/trials.h"
+#include "correlation/study_stages.h"
 #include "evaluation/encoding.h"
 #include "evaluation/launch.h"
 #include "evaluation/process_executor.h"
@@ -58,16 +59,20 @@ Workers::Workers(const correlation::Study& study) {
   }
 }
 
-bool Workers::served(const correlation::Study& study) {
+bool Workers::served(const correlation::Study& study, bool in_stages) {
   if (refused_) return true;
+  if (in_stages) expected_ = correlation::stage_count(study);
   if (!job_ || job_->rank() == 0) return false;
   be_silent();
-  serve_rank(*job_, worker_processes(study));
+  for (int k = 0; k < expected_; ++k) {
+    serve_rank(*job_, worker_processes(in_stages ? correlation::stage(study, k) : study));
+  }
   return true;
 }
 
 Executor& Workers::start(const correlation::Study& study) {
-  started_ = true;
+  end();
+  ++started_;
   if (job_) {
     executor_ = std::make_unique<MpiExecutor>(*job_);
   } else {
@@ -78,11 +83,13 @@ Executor& Workers::start(const correlation::Study& study) {
 
 void Workers::end() {
   executor_.reset();
-  if (started_) job_.reset();
+  if (started_ >= expected_) job_.reset();
 }
 
 Workers::~Workers() {
-  if (job_ && job_->rank() == 0 && !started_) MpiExecutor{*job_};  // whose end tells the ranks
+  end();
+  if (!job_ || job_->rank() != 0) return;
+  for (; started_ < expected_; ++started_) MpiExecutor{*job_};  // whose end tells the ranks
 }
 
 #else
@@ -95,9 +102,10 @@ Workers::Workers(const correlation::Study& study) {
   refused_ = refuse(started, not_one_job(started, study.file.string(), kMpi));
 }
 
-bool Workers::served(const correlation::Study&) { return refused_; }
+bool Workers::served(const correlation::Study&, bool) { return refused_; }
 
 Executor& Workers::start(const correlation::Study& study) {
+  end();
   executor_ = std::make_unique<ProcessExecutor>(worker_processes(study));
   return *executor_;
 }

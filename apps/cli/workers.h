@@ -23,7 +23,8 @@ class Workers {
 
   /// On a rank that works for another one: does so until that ends, then true. False where this
   /// process itself leads the run.
-  bool served(const correlation::Study& study);
+  /// `in_stages`: where the leader starts its workers stage by stage.
+  bool served(const correlation::Study& study, bool in_stages = false);
 
   /// Of the process that leads the run.
   Executor& start(const correlation::Study& study);
@@ -35,7 +36,8 @@ class Workers {
   struct Job;
   std::unique_ptr<Job> job_;  // before the executor, which talks through it to its end
   std::unique_ptr<Executor> executor_;
-  bool started_ = false;
+  int started_ = 0;
+  int expected_ = 1;       // how often the other ranks are started
   bool refused_ = false;  // and another task says so
 };
 

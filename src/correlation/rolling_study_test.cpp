@@ -122,6 +122,36 @@ TEST_F(RollingStudy, TheJournalKnowsModelTestsAndStates) {
   EXPECT_NE(identity(read()), before);
 }
 
+// Else every trial of a run fails.
+TEST_F(RollingStudy, AMeasurementThatReachesBeyondItsTestIsRefusedBeforeTheFirstTrial) {
+  const auto says = [&](const std::string& part) {
+    try {
+      read();
+      ADD_FAILURE() << part;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  write("standing.csv", "deflection [mm],force [N]\n10,1900\n25,3800\n");
+  says(
+      "experiment.load.measurement reaches from 0.01 to 0.025 m, but the test \"standing\" from "
+      "0.01 to 0.02");
+  write("standing.csv", "deflection [mm],force [N]\n10,1900\n20,3800\n");
+  write("measured.csv", "Fy [N]\n-3000\n3000\n");
+  says("has 2 values, but the test \"steady\" gives 3");
+}
+
+TEST_F(RollingStudy, TheJournalKnowsTheVersionOfTheModel) {
+  Study study = read();
+  const StudyIdentity before = identity(study);
+  experiment::TireKind newer = *study.rolling->kind;
+  ++newer.version;
+  study.rolling->kind = &newer;
+  const auto what = difference(before, identity(study));
+  ASSERT_TRUE(what);
+  EXPECT_NE(what->find("model version"), std::string::npos) << *what;
+}
+
 TEST_F(RollingStudy, PredictionsAreTrialsOfTheirOwn) {
   const Study study = read();
   EXPECT_NE(identity(with_predictions(study)), identity(study));

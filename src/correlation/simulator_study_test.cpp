@@ -100,6 +100,17 @@ TEST_F(SimulatorStudy, TheJournalOfAnotherProgramIsNotReused) {
   EXPECT_FALSE(difference(before, identity(read())));
 }
 
+// A script that lies beside the study or anywhere: what matters is what stands in it.
+TEST_F(SimulatorStudy, AProgramThatChangedMakesAnotherIdentityAndSaysWhichFileItIs) {
+  const StudyIdentity before = identity(read());
+  write("program.sh", "read k < in.txt; printf 't [s],z [mm]\\n0,0\\n2,%s\\n' $k > out.csv");
+  const auto what = difference(before, identity(read()));
+  ASSERT_TRUE(what);
+  EXPECT_NE(what->find("program files"), std::string::npos) << *what;
+  EXPECT_NE(what->find("{study}/program.sh"), std::string::npos) << *what;
+  EXPECT_TRUE(is_same_but_for_versions(before, identity(read())));
+}
+
 TEST_F(SimulatorStudy, WhatMakesNoSenseIsRefusedInWords) {
   refused("\"in.txt\"", "\"absent.txt\"", "absent.txt");
   refused("[variable.k]", "[variable.k2]", "names no variable of the study, did you mean \"k2\"");

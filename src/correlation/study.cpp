@@ -10,13 +10,15 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "correlation/linear_constraints.h"
+#include "correlation/study_stages.h"
+#include "correlation/study_start.h"
 #include "correlation/variables.h"
+#include "evaluation/encoding.h"
+#include "models/fe_tire/model_version.h"
 #include "models/fe_tire/tire_description.h"
 
 namespace latsch::correlation {
 namespace {
-
-constexpr long kMostSteps = 1'000'000;
 
 std::filesystem::path find_model(const Node& root, const std::filesystem::path& folder) {
   const auto file = (folder / root.text("model")).lexically_normal();
@@ -145,6 +147,8 @@ std::string without_notes(const std::string& text) {
 
 namespace {
 
+constexpr std::size_t kLargestMeasurement = std::size_t{2} << 30;
+
 /// What stands in the model's place, and its variables.
 struct StudyModel {
   std::filesystem::path file;
@@ -202,6 +206,7 @@ void reject_unknown_table(const std::filesystem::path& file) {
                                                 "experiment",
                                                 "target",
                                                 "optimizer",
+                                                "stage",
                                                 "doe",
                                                 "run"};
   std::istringstream lines(read_text_file(file));
@@ -214,6 +219,60 @@ void reject_unknown_table(const std::filesystem::path& file) {
     const std::string meant = did_you_mean(name, kTables);
     if (meant.empty()) continue;
     throw InputError({file.string(), number}, "unknown table [" + name + "]" + meant);
+  }
+}
+
+/// The study as it is written, but for what changes no step of a search, and its measurements.
+std::string search_key(const Study& study) {
+  std::istringstream lines(without_notes(read_text_file(study.file)));
+  std::uint64_t state = kHashStart;
+  bool counts = true;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('[')) counts = !line.starts_with("[run") && !line.starts_with("[doe");
+    if (counts && !line.starts_with("title")) state = hash(line + "\n", state);
+  }
+  for (const StudyExperiment& experiment : study.experiments) {
+    for (const auto& file : {experiment.measurement_file, experiment.shapes_file}) {
+      if (std::filesystem::is_regular_file(file)) {
+        state = hash(read_text_file(file, kLargestMeasurement), state);
+      }
+    }
+  }
+  return fmt::format("{:016x}", state);
+}
+
+/// What a trial would complain of, every one of them.
+void check_reach(const Node& root, const RollingModel& rolling, const StudyExperiment& experiment) {
+  const CurveExperiment& curve = *experiment.curve;
+  const std::string& channel = curve.x.empty() ? curve.y : curve.x;
+  const std::string name = test_of(channel);
+  for (const RollingModel::Test& test : rolling.tests) {
+    if (test.name != name) continue;
+    const Node table = root.table("experiment").table(experiment.name);
+    const auto count = experiment::samples(test.test);
+    if (curve.x.empty() && count && *count != std::ssize(curve.y_measured)) {
+      table.reject("measurement",
+                   fmt::format("has {} values, but the test \"{}\" gives {}: without x they are "
+                               "compared one by one",
+                               curve.y_measured.size(),
+                               name,
+                               *count));
+    }
+    if (curve.x.empty() || curve.comparison.what == ComparedCurve::path) return;
+    const auto reach = experiment::reach(test.test, channel.substr(name.size() + 1));
+    if (!reach) return;
+    const auto [least, most] =
+        std::minmax_element(curve.x_measured.begin(), curve.x_measured.end());
+    if (reach->from <= *least && *most <= reach->to) return;
+    table.reject("measurement",
+                 fmt::format("reaches from {:g} to {:g} {}, but the test \"{}\" from {:g} to {:g}; "
+                             "make the test longer or the measurement shorter",
+                             *least,
+                             *most,
+                             curve.x_unit,
+                             name,
+                             reach->from,
+                             reach->to));
   }
 }
 
@@ -250,14 +309,21 @@ Study read(const Document& document, const std::filesystem::path& file, Measurem
       if (optimizer->has(key)) optimizer->reject(key, "belongs into [run]");
     study.optimizer = read_optimizer(*optimizer, study.space, !study.constraints.empty());
     study.max_steps = optimizer->integer("max_steps", 1, kMostSteps, study.max_steps);
+    study.start = read_start(*optimizer, folder, root.has("doe"));
   }
   if (const auto doe = root.find_table("doe")) study.doe = read_design(*doe, study.space);
   const auto run = root.find_table("run");
   study.run = read_run_settings(run ? &*run : nullptr, file);
   study.run.on_failure.space = study.space;
-  root.close();
   study.simulator = std::move(model.simulator);
   study.rolling = std::move(model.rolling);
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (!study.rolling || !experiment.curve || measurements != Measurements::required) continue;
+    if (!experiment.curve->y_measured.empty()) check_reach(root, *study.rolling, experiment);
+  }
+  study.stages = read_stages(root, document, study);
+  root.close();
+  study.search_key = search_key(study);
   return study;
 }
 
@@ -308,8 +374,14 @@ StudyIdentity identity(const Study& study) {
     if (!experiment.fitted || experiment.curve) continue;
     cases += fmt::format("{}: {}\n", experiment.name, text_of(experiment.load_case));
   }
-  return {
-      {"model", without_notes(study.model.text())}, {"variables", varied}, {"experiments", cases}};
+  const std::string version =
+      study.rolling
+          ? fmt::format("{} {}\n", study.rolling->kind->name, study.rolling->kind->version)
+          : fmt::format("fe_tire {}\n", fe_tire::kModelVersion);
+  return {{"model", without_notes(study.model.text())},
+          {"variables", varied},
+          {"experiments", cases},
+          {kModelVersionPart, version}};
 }
 
 }  // namespace latsch::correlation

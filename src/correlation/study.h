@@ -12,7 +12,8 @@
 //   [experiment.stiffness]                    # see study_experiment.h
 //   [constraint.stiff_enough]                 # see channel_constraint.h
 //
-//   [optimizer]                               # see study_optimizer.h
+//   [optimizer]                               # see study_optimizer.h; where it starts:
+//   study_start.h [stage.coarse]                            # see study_stages.h
 //
 //   [doe]                                     # see study_design.h
 //
@@ -23,6 +24,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/document.h"
@@ -38,6 +40,26 @@
 
 namespace latsch::correlation {
 
+/// Where a search begins: study_start.h.
+struct StartSettings {
+  enum class From { values, journal, basins };
+  From from = From::values;
+  int starts = 1;
+  std::filesystem::path journal = {};  // another one; empty: the study's own
+};
+
+/// One [stage.NAME]: study_stages.h.
+struct StageSettings {
+  std::string name;
+  OptimizerSettings optimizer;
+  long max_steps = 1000;
+  StartSettings start = {};
+  double bounds = 1.0;                                       // width over that of the study's
+  std::vector<std::pair<std::string, double>> numbers = {};  // of the model, by path, SI
+};
+
+constexpr long kMostSteps = 1'000'000;
+
 struct Study {
   std::filesystem::path file;
   std::string title;
@@ -52,6 +74,11 @@ struct Study {
   std::optional<Simulator> simulator = {};          // in the model's place, which is then empty
   std::vector<ChannelConstraint> constraints = {};  // on channels; linear ones are of the space
   std::optional<RollingModel> rolling = {};         // drives `model`; else it is of finite elements
+
+  StartSettings start = {};
+  std::vector<StageSettings> stages = {};  // none: one run, as [optimizer] says
+  std::string stage = {};                  // which of them this study is; empty: none
+  std::string search_key = {};             // what a search depends on, for the journal's marks
 
   bool has_fe_tire() const { return !simulator && !rolling; }
 };

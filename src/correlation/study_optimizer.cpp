@@ -205,6 +205,16 @@ OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space, bo
       table, space, traits_of(space, constrained), OptimizerSettings().method, method_names());
 }
 
+bool has_optimizer_keys(const Node& table) {
+  if (table.has("method")) return true;
+  for (const auto& [method, keys] : keys_of_methods()) {
+    if (std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return table.has(key); })) {
+      return true;
+    }
+  }
+  return false;
+}
+
 namespace {
 
 ProblemTraits traits_of(const Study& study) {

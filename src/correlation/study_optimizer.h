@@ -51,6 +51,9 @@ namespace latsch::correlation {
 /// constraints on channels.
 OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space, bool constrained);
 
+/// Whether the table has a key that read_optimizer reads, but for max_steps.
+bool has_optimizer_keys(const Node& table);
+
 struct Study;
 
 /// Does not depend on what the journal holds: a resumed run uses the same method.

@@ -12,6 +12,7 @@
 #include "correlation/doe_surface.h"
 #include "correlation/found_tire.h"
 #include "correlation/report_identifiability.h"
+#include "correlation/study_stages.h"
 #include "correlation/tire_trials.h"
 #include "evaluation/scheduler.h"
 
@@ -230,20 +231,36 @@ void add_variables(const Study& study, const DesignPoint& found, StudyReport& pa
   }
 }
 
+/// "; stage fine, after coarse (40 steps, target 3.2 %)"
+std::string stages_before(const Study& study, const std::vector<Fit>& fits) {
+  if (study.stages.empty()) return "";
+  std::string text = "; stage " + study.stages[fits.size() - 1].name;
+  for (std::size_t k = 0; k + 1 < fits.size(); ++k) {
+    text += fmt::format("{}{} ({} steps, target {:.4f} %)",
+                        k == 0 ? ", after " : ", ",
+                        study.stages[k].name,
+                        fits[k].run.steps.size(),
+                        100.0 * fits[k].run.best()->outcome->value);
+  }
+  return text;
+}
+
 /// The optimizer's trajectory as far as the journal knows it; none where it was never run.
 void add_convergence(const Study& study, const Journal& journal, StudyReport& page) {
-  const auto optimizer = make_optimizer(study);
-  const Run run =
-      replay(*optimizer, objective(study), journal, study.max_steps, study.run.on_failure);
-  if (run.steps.empty()) return;
+  const std::vector<Fit> fits = recorded_fit(study, journal);
+  if (fits.empty()) return;
+  const Run& run = fits.back().run;
   report::Convergence convergence;
   for (const Step& step : run.steps) {
     convergence.target.push_back(step.outcome ? step.outcome->value
                                               : std::numeric_limits<double>::quiet_NaN());
   }
   page.convergence = std::move(convergence);
-  page.run->method =
-      fmt::format("{}, {} steps", in_words(method_of(study).method), run.steps.size());
+  const Study last = stage(study, static_cast<int>(fits.size()) - 1);
+  page.run->method = fmt::format("{}, {} steps{}",
+                                 in_words(method_of(last).method),
+                                 run.steps.size(),
+                                 stages_before(study, fits));
   page.run->ended = run.end == RunEnd::converged   ? "step tolerance reached"
                     : run.end == RunEnd::max_steps ? "largest number of steps reached"
                                                    : "not finished";

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -260,6 +261,37 @@ RollingTest read_rolling_test(const std::filesystem::path& file) {
 
 std::vector<RecordedChannel> recorded(const RollingTest& test) {
   return std::visit([](const auto& of) { return channels_of(of); }, test);
+}
+
+std::optional<Reach> reach(const RollingTest& test, const std::string& channel) {
+  if (const auto* drum = std::get_if<DrumTest>(&test); drum && channel == "time") {
+    // As drum_rig.cpp records: the first sample one sample step behind the beginning.
+    const auto steps = [&](double time) { return std::lround(time / drum->step); };
+    const long every = steps(drum->sample_step), lead = steps(drum->lead);
+    const long last = steps(drum->duration - drum->lead);
+    const auto time = [&](long i) { return static_cast<double>(i) * drum->step; };
+    return Reach{time(every - lead), time((last + lead) / every * every - lead)};
+  }
+  if (const auto* sampled = std::get_if<SampledSweep>(&test); sampled && channel == "time") {
+    const SlipSweep& sweep = sampled->sweep;
+    const auto steps = [&](double time) { return std::lround(time / sweep.step); };
+    const long every = steps(sampled->sample_step);
+    const long before = steps(sweep.run_in) + steps(0.5 * sweep.run_in);
+    const auto time = [&](long i) { return static_cast<double>(before + i) * sweep.step; };
+    return Reach{time(every), time(steps(sweep.duration) / every * every)};
+  }
+  const auto* standing = std::get_if<StaticTest>(&test);
+  if (standing && channel == "deflection" && !standing->deflections.empty()) {
+    const auto [least, most] =
+        std::minmax_element(standing->deflections.begin(), standing->deflections.end());
+    return Reach{*least, *most};
+  }
+  return std::nullopt;
+}
+
+std::optional<long> samples(const RollingTest& test) {
+  const auto* steady = std::get_if<SteadyStates>(&test);
+  return steady ? std::optional<long>(steady->states.rows()) : std::nullopt;
 }
 
 std::string in_words(const RollingTest& test) {

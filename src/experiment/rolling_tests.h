@@ -26,6 +26,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -66,6 +67,16 @@ struct RecordedChannel {
 };
 /// What run() of this test gives.
 std::vector<RecordedChannel> recorded(const RollingTest& test);
+
+struct Reach {
+  double from, to;  // SI
+};
+/// From where to where a channel goes by which others are told (time, deflection), as far as the
+/// test alone says; nullopt where a run has to.
+std::optional<Reach> reach(const RollingTest& test, const std::string& channel);
+
+/// How many values its channels have; nullopt where a run has to tell.
+std::optional<long> samples(const RollingTest& test);
 
 /// A sentence for people: "drum, 60 km/h, 4500 N, cleat 15 mm x 30 mm".
 std::string in_words(const RollingTest& test);

@@ -211,5 +211,36 @@ TEST_F(RollingTests, AFileThatDoesNotSayItsKindIsToldHow) {
   }
 }
 
+// As far as a test says where its record begins and ends, it is the record's own.
+TEST(RollingTests, TheReachOfATestIsThatOfItsRecord) {
+  char pattern[] = "/tmp/latsch_reach_XXXXXX";
+  ASSERT_TRUE(mkdtemp(pattern));
+  const std::filesystem::path file = std::filesystem::path(pattern) / "test.toml";
+  const TireKind& kind = *find_tire_kind("ring_tire");
+  const Document numbers = kind.read(kRing);
+  for (const char* sampling : {"0.5 ms", "1.5 ms", "3.5 ms"}) {
+    std::ofstream(file) << "kind = \"drum_cleat\"\nspeed = \"30 km/h\"\nload = \"4 kN\"\n"
+                        << "run_in = \"5 ms\"\nlead = \"4 ms\"\nduration = \"31 ms\"\n"
+                        << "step = \"0.5 ms\"\nsample_step = \"" << sampling << "\"\n";
+    const RollingTest test = read_rolling_test(file);
+    const auto channels = run(kind, numbers, test);
+    ASSERT_TRUE(channels) << channels.failure().reason;
+    const auto& time = (*channels)["time"];
+    const auto known = reach(test, "time");
+    ASSERT_TRUE(known);
+    EXPECT_NEAR(known->from, time.front(), 1e-12) << sampling;
+    EXPECT_NEAR(known->to, time.back(), 1e-12) << sampling;
+  }
+  std::ofstream(file) << "kind = \"slip_sweep\"\nspeed = \"30 km/h\"\nload = \"4 kN\"\n"
+                      << "alpha = [\"-1 deg\", \"1 deg\"]\nrun_in = \"5 ms\"\n"
+                      << "duration = \"20 ms\"\nsample_step = \"1.5 ms\"\n";
+  const RollingTest sweep = read_rolling_test(file);
+  const auto channels = run(kind, numbers, sweep);
+  ASSERT_TRUE(channels) << channels.failure().reason;
+  EXPECT_EQ(reach(sweep, "time")->from, (*channels)["time"].front());
+  EXPECT_EQ(reach(sweep, "time")->to, (*channels)["time"].back());
+  std::filesystem::remove_all(pattern);
+}
+
 }  // namespace
 }  // namespace latsch::experiment
