@@ -204,7 +204,7 @@ TEST(Journal, AnOlderFormatIsReadAndMigratedWithABackup) {
 Trial long_trial(int number) {
   Trial t = trial(number);
   std::vector<double> force;
-  for (int i = 0; i < 400; ++i) force.push_back((1.0 + 0.01 * number) * std::sin(0.1 * i));
+  for (int i = 0; i < 1200; ++i) force.push_back((1.0 + 0.01 * number) * std::sin(0.1 * i));
   Channels channels = *t.outcome.result;
   channels.add({"Fy", "N", force});
   t.outcome.result = channels;
@@ -221,7 +221,7 @@ TEST(Journal, PackedTrialsAreTheSameAfterAnyNumberOfOpenings) {
   const std::vector<Trial> trials = Journal::read(folder / "a").trials();
   ASSERT_EQ(std::ssize(trials), kTrials);
   for (int i = 0; i < kTrials; ++i) expect_same(trials[i], long_trial(i));
-  EXPECT_LT(std::filesystem::file_size(folder / "a"), kTrials * 400 * sizeof(double) / 2);
+  EXPECT_LT(std::filesystem::file_size(folder / "a"), kTrials * 1200 * sizeof(double) / 2);
 }
 
 TEST(Journal, RemembersItsMarksAndDetectsThatOneIsSpoiled) {

@@ -18,12 +18,14 @@
 namespace latsch {
 namespace {
 
-enum class Kind : std::uint8_t { plain, alone, referring };
+// single: alone, and none may refer to it.
+enum class Kind : std::uint8_t { plain, alone, referring, single };
 
 // How a channel is told: kDifferences + order, or by rows before it.
 enum Coding : std::uint8_t { kDifferences = 0, kSame = 8, kCombined = 9 };
 
-constexpr std::size_t kLeastValues = 64;                   // fewer are not worth the effort
+constexpr std::size_t kLeastValues = 64;     // fewer are not worth the effort
+constexpr std::size_t kLeastToRefer = 1000;  // below, room is not worth what a damaged row costs
 constexpr std::size_t kMostValues = std::size_t{8} << 20;  // of a block: 64 MB
 constexpr std::size_t kLeastSamples = 32;                  // of a channel to be told by combination
 constexpr int kHighestOrder = 2;
@@ -343,8 +345,9 @@ std::string OutcomePacker::pack(std::int64_t number, const Outcome& outcome) {
     put(bytes, Kind::plain);
     return bytes + whole;
   }
-  if (is_full(block_, number)) block_ = {};
-  put(bytes, block_.rows.empty() ? Kind::alone : Kind::referring);
+  const bool is_single = values_of(*outcome.result) < kLeastToRefer;
+  if (is_single || is_full(block_, number)) block_ = {};
+  put(bytes, is_single ? Kind::single : block_.rows.empty() ? Kind::alone : Kind::referring);
   put(bytes, checksum(whole));
   std::string body;
   const std::string head = encode(without_values(outcome));
@@ -356,7 +359,7 @@ std::string OutcomePacker::pack(std::int64_t number, const Outcome& outcome) {
   }
   put(bytes, static_cast<std::uint64_t>(body.size()));
   bytes += deflated(body);
-  remember(block_, number, *outcome.result);
+  if (!is_single) remember(block_, number, *outcome.result);
   return bytes;
 }
 
@@ -367,7 +370,7 @@ std::optional<Outcome> OutcomeUnpacker::unpack(std::int64_t number, std::string_
   std::uint32_t sum = 0;
   std::uint64_t size = 0, head_size = 0;
   if (!take(bytes, sum) || !take(bytes, size)) return std::nullopt;
-  if (kind == Kind::alone) block_ = {};
+  if (kind == Kind::alone || kind == Kind::single) block_ = {};
   const auto body = inflated(bytes, size);
   if (!body) return std::nullopt;
   std::string_view rest = *body;
@@ -383,7 +386,7 @@ std::optional<Outcome> OutcomeUnpacker::unpack(std::int64_t number, std::string_
   }
   outcome->result = std::move(channels);
   if (!rest.empty() || checksum(encode(*outcome)) != sum) return std::nullopt;
-  remember(block_, number, *outcome->result);
+  if (kind != Kind::single) remember(block_, number, *outcome->result);
   return outcome;
 }
 

@@ -13,7 +13,7 @@
 // (zlib). What a prediction cannot tell, the rounding of a simulation say, takes its full room.
 //
 // A row refers to at most kLongestBlock - 1 rows before it, back to the last one that stands alone:
-// as many trials can a damaged row cost. Outcomes of few numbers always stand alone.
+// as many trials can a damaged row cost. Outcomes of less than a thousand numbers stand alone.
 //
 // Predictions are plain sums in a fixed order; this file is compiled without contraction, so every
 // machine computes the same. A checksum of the outcome itself is kept for proof.

@@ -212,7 +212,7 @@ TEST_F(RollingTests, AFileThatDoesNotSayItsKindIsToldHow) {
 }
 
 // As far as a test says where its record begins and ends, it is the record's own.
-TEST(RollingTests, TheReachOfATestIsThatOfItsRecord) {
+TEST(ReachOfATest, IsThatOfItsRecord) {
   char pattern[] = "/tmp/latsch_reach_XXXXXX";
   ASSERT_TRUE(mkdtemp(pattern));
   const std::filesystem::path file = std::filesystem::path(pattern) / "test.toml";
