@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr long kTrials = 2000;
-constexpr int kRings = 40;
+constexpr int kRings = 12;
 constexpr double kRipple = 1e-6;  // of every value
 
 double now() {

@@ -79,7 +79,7 @@ class Ranks(Outside):
             self.assertEqual(self.RESULT.search(resumed)[0], alone)
 
     def test_stages_are_served_one_after_the_other(self):
-        edit(self.quarter_car, (r"\[optimizer\]", '[stage.wide]\nstep_tolerance = 0.1\n[stage.narrow]\nbounds = 0.3\n[optimizer]'))
+        edit(self.quarter_car, (r"\[optimizer\]", '[stage.wide]\nstep_tolerance = 0.05\n[stage.narrow]\nbounds = 0.3\n[optimizer]'))
         alone = self.RESULT.search(self.latsch("run", self.quarter_car))[0]
         self.journal.unlink()
         self.assertEqual(self.RESULT.search(self.mpi("run", self.quarter_car))[0], alone)

@@ -11,7 +11,9 @@
 //   bounds = 0.25                   # width of the bounds over those of the study, around the best
 //                                   # point of the stage before; 1: those of the study
 //
-// The last stage has the model as it is: what is found is found with it. A stage with other numbers
+// The last stage has the model as it is: what is found is found with it. A coarse mesh moves what
+// the measurements hardly hold by more than a tight bound allows: choose `bounds` wide then, or
+// leave it out. A stage with other numbers
 // is another model and has a journal of its own, STUDY.NAME.latsch; the others share that of the
 // study. Every stage can be interrupted and resumed as a fit without stages: what went before is
 // read from the journals. [Hempel, Oertel, KGK 04/2016: cascades with tightened bounds]
