@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/file.h"
 #include "cli/answers.h"
 #include "cli/console.h"
 #include "cli/identifiability_text.h"
@@ -94,7 +95,7 @@ void set_aside(const std::filesystem::path& journal) {
     const JournalLock nobody_writes(journal);
     for (const char* part : {"", "-wal", "-shm", "-journal"}) {  // SQLite's, after a kill
       if (!std::filesystem::exists(journal.string() + part)) continue;
-      std::filesystem::rename(journal.string() + part, aside.string() + part);
+      move_file(journal.string() + part, aside.string() + part);
     }
     say("The old journal is kept as {}\n", aside.string());
     return;

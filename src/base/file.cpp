@@ -281,4 +281,13 @@ void write_text_file(const std::filesystem::path& file, std::string_view text) {
   write_file(file, [&](std::ostream& out) { out.write(text.data(), std::ssize(text)); });
 }
 
+void move_file(const std::filesystem::path& file, const std::filesystem::path& to) {
+  std::error_code error;
+  std::filesystem::rename(file, to, error);
+  if (error) {
+    throw InputError({file.string(), 0},
+                     "cannot be renamed to " + to.string() + ": " + error.message());
+  }
+}
+
 }  // namespace latsch

@@ -35,4 +35,7 @@ void write_file(const std::filesystem::path& file, const std::function<void(std:
 /// The same of a text.
 void write_text_file(const std::filesystem::path& file, std::string_view text);
 
+/// Gives a file another name in its folder. Throws InputError.
+void move_file(const std::filesystem::path& file, const std::filesystem::path& to);
+
 }  // namespace latsch
