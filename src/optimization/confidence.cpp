@@ -162,6 +162,7 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
 
   const Eigen::MatrixXd inverse = inverse_normal_matrix(J_free);
   const Eigen::VectorXd left = -inverse * gradient(free);  // to the least S
+  c.left_to_gain = free.empty() ? 0.0 : -gradient(free).dot(left);
   const Estimates estimates = estimates_of(J_free);
   const Eigen::MatrixXd C = estimates.covariance(noise);
   /// t^2 times the variance of y' r for a y of length 1: what S has risen by at the ends of an

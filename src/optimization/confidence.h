@@ -76,7 +76,8 @@ struct Confidence {
   Eigen::VectorXd noise;
   /// The residuals' spread over the one stated, where that cannot be chance; 1 otherwise.
   double excess = 1.0;
-  bool is_colored = false;  // neighbors share noise
+  bool is_colored = false;    // neighbors share noise
+  double left_to_gain = 0.0;  // S - least S, as J promises inside the bounds of held variables
 
   /// s^2 t^2: of independent residuals.
   double threshold() const { return sigma * sigma * t * t; }

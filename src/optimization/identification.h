@@ -3,10 +3,15 @@
 // for every variable.
 //
 // Ask and tell, like an optimizer, but in rounds: all points of wanted() may be evaluated at once.
-//   1. the point and one step in each variable: the derivatives (confidence.h), n + 1 points
+//   1. the point and a step to both sides in each variable: the derivatives (slope_search.h), 2n +
+//   1
+//      points, and more where these tell that another length is better
 //   2. a refit of all variables (refit.h), because the fit may have ended early or have minimized
 //      another target over the same residuals
 //   3. the profiles, two branches a variable side by side (profile.h)
+// Where 2 or 3 finds a point better than the center by more than kWorthwhile of the threshold of an
+// interval, all begins again there, kMostCenters times at most: intervals and profiles belong to
+// the best point known.
 //
 //   Identification identification(space, best_point);
 //   while (!identification.wanted().empty()) identification.observe(evaluate(wanted()));
@@ -20,13 +25,14 @@
 #include "base/result.h"
 #include "optimization/confidence.h"
 #include "optimization/profile.h"
+#include "optimization/slope_search.h"
 
 namespace latsch {
 
 struct IdentificationOptions {
   ConfidenceOptions confidence = {};
   bool profiles = true;  // false: ends after round 1
-  double step = 0.01;    // of the differences, in the unit cube
+  double step = 0.01;    // first length of the differences, in the unit cube
 };
 
 class Identification {
@@ -42,7 +48,13 @@ class Identification {
 
   /// The Failure that made round 1 impossible.
   const std::optional<Failure>& failure() const { return failure_; }
-  /// At the point, after round 1.
+  /// What linearization, confidence and profiles belong to: the point, or a better one since.
+  const DesignPoint& center() const { return center_; }
+  /// How good the derivatives are, a variable each.
+  const std::vector<SlopeQuality>& slopes() const { return qualities_; }
+  /// Of the differences, a variable each, in the unit cube.
+  const Eigen::VectorXd& lengths() const { return lengths_; }
+  /// At the center.
   const Linearization& linearization() const { return *at_; }
   const Confidence& confidence() const { return *confidence_; }
   /// Places of the residuals used.
@@ -53,7 +65,15 @@ class Identification {
   const std::vector<Profile>& profiles() const { return profiles_; }
 
  private:
-  void differences_observed(const std::vector<Result<Eigen::VectorXd>>& residuals);
+  void begin_at(const DesignPoint& center);
+  void slopes_observed(const std::vector<Result<Eigen::VectorXd>>& residuals);
+  bool center_observed(const std::vector<Result<Eigen::VectorXd>>& residuals);
+  void ask_slopes();
+  void take_slopes();
+  double felt() const;
+  void look_for_better(const std::vector<Result<Eigen::VectorXd>>& residuals);
+  bool continues_at_better_point();
+  DesignPoint moved(int variable, double offset) const;
   void refit_observed(const std::optional<Eigen::VectorXd>& residuals);
   void begin_profiles();
   void ask_branches();
@@ -61,8 +81,18 @@ class Identification {
 
   DesignSpace space_;
   IdentificationOptions options_;
+  DesignPoint center_;
+  int centers_ = 1;
   std::vector<DesignPoint> wanted_;
   std::optional<Failure> failure_;
+  std::vector<SlopeSearch> searches_;  // one a variable
+  std::vector<int> owners_;            // of wanted_ without the center: places in searches_
+  std::optional<Eigen::VectorXd> r_;   // at the center, rows used
+  Eigen::VectorXd scale_;              // deviations of the rows used
+  std::vector<SlopeQuality> qualities_;
+  Eigen::VectorXd lengths_;
+  double least_ = 0.0;  // S of the best point evaluated
+  DesignPoint least_point_;
   std::vector<Eigen::Index> rows_;
   std::optional<Linearization> at_, best_;
   std::optional<Confidence> confidence_;
