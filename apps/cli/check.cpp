@@ -182,7 +182,7 @@ void print_trials_so_far(const Study& study) {
   std::map<std::string, long> reasons;
   journal.for_each([&](const Trial& trial) {
     const auto& result = trial.outcome.result;
-    const auto score = result ? target(*result) : Result<Score>(result.failure());
+    const auto score = result ? target(trial.point, *result) : Result<Score>(result.failure());
     if (!score) ++reasons[score.failure().reason];
   });
   long failed = 0;

@@ -34,7 +34,7 @@ int simulate(const std::string& file, const std::vector<std::string>& assignment
     print_comparison(experiment, own);
     answer()["experiments"].push_back(answer_of(experiment, own));
   }
-  const double target = correlation::objective(study)(*channels)->value;
+  const double target = correlation::objective(study)(point, *channels)->value;
   answer()["target"] = target;
   say("\ntarget {:.4f} %\n", target * 100.0);
   return kDone;

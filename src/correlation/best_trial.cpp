@@ -13,7 +13,7 @@ std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal)
   std::vector<RatedTrial> rated;
   journal.for_each([&](const Trial& trial) {
     if (!trial.outcome.result) return;
-    const auto score = target(*trial.outcome.result);
+    const auto score = target(trial.point, *trial.outcome.result);
     if (score) rated.push_back({trial.point, score->value, violation(*score)});
   });
   return rated;

@@ -40,7 +40,7 @@ std::vector<ParetoTrial> all_trials(const Study& study,
   journal.for_each([&](const Trial& trial) {
     if (!trial.outcome.result || !study.space.contains(trial.point)) return;
     const Channels& channels = *trial.outcome.result;
-    const auto score = target(channels);
+    const auto score = target(trial.point, channels);
     if (!score || violation(*score) > kFulfilled) return;
     trials.push_back({trial.point, part(a, channels), part(b, channels), score->value});
   });

@@ -308,7 +308,8 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
   page.study_file = study.file.string();
   page.model_file = study.model_file.string();
   page.target = best->target;
-  if (initial.channels) page.initial_target = objective(study)(*initial.channels)->value;
+  if (initial.channels)
+    page.initial_target = objective(study)(initial.point, *initial.channels)->value;
   page.target_definition = "weighted mean over the experiments of mean |relative error|^exponent";
   add_variables(study, best->point, page);
   add_experiments(study, found, initial, page);

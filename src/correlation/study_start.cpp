@@ -37,7 +37,7 @@ std::vector<Known> known_points(const Study& study, const Journal& journal, long
   TrialsThatCount(journal, trials).for_each([&](const Trial& trial) {
     if (!study.space.contains(trial.point)) return;
     const auto& result = trial.outcome.result;
-    Result<Score> score = result ? target(*result) : Result<Score>(result.failure());
+    Result<Score> score = result ? target(trial.point, *result) : Result<Score>(result.failure());
     if (score && !std::isfinite(score->value)) score = Failure{"the target is not finite"};
     known.insert_or_assign(trial.point.bits(), Known{trial.point, std::move(score)});
   });

@@ -17,10 +17,10 @@ constexpr std::size_t kTimesForMedian = 5;  // fewer say nothing about what is u
 constexpr std::size_t kRecentTimes = 101;   // a model may become slower on the way
 
 /// The target function of an outcome; a score that is not a number is no score.
-Result<Score> score(const Objective& objective, const Outcome& outcome) {
+Result<Score> score(const Objective& objective, const DesignPoint& point, const Outcome& outcome) {
   if (!outcome.result) return outcome.result.failure();
   if (!objective) return Score{};
-  Result<Score> result = objective(*outcome.result);
+  Result<Score> result = objective(point, *outcome.result);
   if (result && !std::isfinite(result->value)) {
     return Failure{"the target function is not finite", Cause::bad_output};
   }
@@ -30,7 +30,7 @@ Result<Score> score(const Objective& objective, const Outcome& outcome) {
 }  // namespace
 
 void KnownScores::add(const Trial& trial) {
-  scores_.insert_or_assign(trial.point.bits(), score(objective_, trial.outcome));
+  scores_.insert_or_assign(trial.point.bits(), score(objective_, trial.point, trial.outcome));
 }
 
 const Result<Score>* KnownScores::find(const DesignPoint& point) const {

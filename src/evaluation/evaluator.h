@@ -7,6 +7,8 @@
 #pragma once
 
 #include <functional>
+#include <type_traits>
+#include <utility>
 
 #include "base/result.h"
 #include "measurement/channels.h"
@@ -19,7 +21,34 @@ namespace latsch {
 /// exception counts as one too, with its text as the reason.
 using Evaluator = std::function<Result<Channels>(const DesignPoint&)>;
 
-/// The target function. A score that is not finite counts as a failure.
-using Objective = std::function<Result<Score>(const Channels&)>;
+/// The target function: of the channels, and where something is known of the values beforehand, of
+/// the point too. A score that is not finite counts as a failure.
+class Objective {
+  template <class F>
+  using IfOfChannels = std::enable_if_t<
+      std::conjunction_v<std::negation<std::is_same<F, Objective>>,
+                         std::is_invocable_r<Result<Score>, const F&, const Channels&>>>;
+
+ public:
+  using OfTrial = std::function<Result<Score>(const DesignPoint&, const Channels&)>;
+
+  Objective() = default;
+  Objective(OfTrial of_trial) : of_trial_(std::move(of_trial)) {}
+  template <class OfChannels, class = IfOfChannels<OfChannels>>
+  Objective(OfChannels of_channels)
+      : of_trial_([of_channels](const DesignPoint&, const Channels& channels) {
+          return of_channels(channels);
+        }) {}
+
+  explicit operator bool() const { return static_cast<bool>(of_trial_); }
+  Result<Score> operator()(const DesignPoint& point, const Channels& channels) const {
+    return of_trial_(point, channels);
+  }
+  /// For one that does not ask for the point.
+  Result<Score> operator()(const Channels& channels) const { return of_trial_({}, channels); }
+
+ private:
+  OfTrial of_trial_;
+};
 
 }  // namespace latsch
