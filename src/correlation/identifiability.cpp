@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "base/units.h"
@@ -56,7 +57,8 @@ class InRounds : public Optimizer {
 using Drive = std::function<bool(Optimizer&)>;
 
 IdentificationOptions options_for(const Study& study, Depth depth) {
-  return {.confidence = {.sigma = residual_sigma(study)}, .profiles = depth == Depth::profiles};
+  return {.confidence = {.sigma = residual_sigma(study), .traits = residual_traits(study)},
+          .profiles = depth == Depth::profiles};
 }
 
 /// Leaves every experiment out in turn; the residuals not used by the identification stay out.
@@ -83,7 +85,9 @@ bool cross_validate(const Study& study, Identifiability& result, const Drive& dr
   const auto rows = residual_rows(study);
   std::vector<int> group;
   for (Eigen::Index row : identification.residuals_used()) group.push_back(rows[row].experiment);
-  if (std::set<int>(group.begin(), group.end()).size() < 2) return true;
+  std::set<int> groups(group.begin(), group.end());
+  groups.erase(-1);  // priors
+  if (groups.size() < 2) return true;
   result.cross_validation.emplace(study.space,
                                   identification.refitted(),
                                   group,
@@ -101,7 +105,80 @@ bool analyze(const Study& study, Identifiability& result, const Drive& drive) {
   return cross_validate(study, result, drive);
 }
 
+DesignPoint best_of(const Study& study, const Journal& journal, const DesignPoint& otherwise) {
+  const auto best = best_trial(study, journal);
+  return best ? best->point : otherwise;
+}
+
+/// "a, b and c"
+std::string names_where(const Study& study, const std::function<bool(int)>& holds) {
+  std::vector<std::string> names;
+  for (int i = 0; i < study.space.size(); ++i) {
+    if (holds(i)) names.push_back(study.space[i].name);
+  }
+  if (names.size() < 2) return names.empty() ? "" : names.front();
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("{} and {}", fmt::join(names, ", "), last);
+}
+
 }  // namespace
+
+Interval reported_interval(const Study& study, const Identifiability& what, int variable) {
+  Interval interval = what.identification.confidence().intervals[static_cast<size_t>(variable)];
+  const double u = study.space.to_unit(what.best)[static_cast<size_t>(variable)];
+  interval.lower = std::min(interval.lower, u);
+  interval.upper = std::max(interval.upper, u);
+  return interval;
+}
+
+std::vector<std::string> remarks(const Study& study, const Identifiability& what) {
+  constexpr double kEarly = 1.0;  // of a threshold: as far as the end of an interval
+  const Identification& identification = what.identification;
+  const Confidence& c = identification.confidence();
+  std::vector<std::string> all;
+  if (c.excess > 1.0) {
+    all.push_back(fmt::format(
+        "The residuals are {:.2g} times their stated noise: the model cannot follow the "
+        "measurement, or the search ended early. The intervals are those of the spread seen.",
+        c.excess));
+  }
+  if (c.is_colored) {
+    all.emplace_back(
+        "Neighboring values share noise: the intervals count them as the fewer that they are "
+        "worth.");
+  }
+  const auto& slopes = identification.slopes();
+  const std::string rough = names_where(
+      study, [&](int i) { return slopes[static_cast<size_t>(i)] == SlopeQuality::rough; });
+  if (!rough.empty()) {
+    all.push_back("No step gives a straight difference in " + rough +
+                  ": the model is rough or strongly curved there, its linear interval a guess.");
+  }
+  const std::string one_sided = names_where(
+      study, [&](int i) { return slopes[static_cast<size_t>(i)] == SlopeQuality::one_sided; });
+  if (!one_sided.empty()) {
+    all.push_back("Beside the point the model fails in " + one_sided +
+                  ": its derivative is that of a single step.");
+  }
+  if (c.left_to_gain > kEarly * c.threshold()) {
+    all.emplace_back(
+        "The search ended early: its own derivatives promise more than an interval's worth. latsch "
+        "identify goes on from there.");
+  }
+  int refits = 0, failed = 0;
+  for (const Profile& profile : identification.profiles()) {
+    refits += static_cast<int>(profile.points.size());
+    failed += profile.unconverged();
+  }
+  if (failed > 0) {
+    all.push_back(fmt::format(
+        "{} of {} refits of the profiles did not converge; intervals there may be wider.",
+        failed,
+        refits));
+  }
+  return all;
+}
 
 std::optional<Result<Identifiability>> identify(const Study& study,
                                                 const DesignPoint& point,
@@ -119,6 +196,8 @@ std::optional<Result<Identifiability>> identify(const Study& study,
   Identifiability result{
       point, Identification(study.space, point, options_for(study, depth)), std::nullopt};
   if (!analyze(study, result, run)) return std::nullopt;
+  result.point = result.identification.center();
+  result.best = best_of(study, journal, result.point);
   std::optional<Result<Identifiability>> answer(std::in_place, std::move(result));
   const Result<Identifiability>& found = *answer;
   if (const auto& failure = found->identification.failure()) answer.emplace(Failure(*failure));
@@ -133,7 +212,8 @@ std::optional<Identifiability> recorded_identifiability(const Study& study,
   std::set<std::string> known;
   for (const RatedTrial& trial : rated) known.insert(trial.point.bits());
   const auto has_neighbors = [&](const RatedTrial& trial) {
-    const auto points = difference_points(study.space, trial.point);
+    const auto points =
+        Identification(study.space, trial.point, options_for(study, Depth::profiles)).wanted();
     return std::all_of(points.begin(), points.end(), [&](const DesignPoint& point) {
       return known.contains(point.bits());
     });
@@ -154,7 +234,25 @@ std::optional<Identifiability> recorded_identifiability(const Study& study,
     result.cross_validation.reset();
   }
   if (result.identification.failure()) return std::nullopt;
+  result.point = result.identification.center();
+  result.best = best_of(study, journal, result.point);
   return result;
+}
+
+std::string profile_text(const DesignSpace& space, const Profile& profile) {
+  const Interval beyond_bounds{-1.0, 2.0};
+  std::string text = interval_text(space, profile.variable, profile.interval);
+  const auto add = [&](const std::optional<double>& end, bool lower) {
+    if (!end) return;
+    Interval at = beyond_bounds;
+    (lower ? at.lower : at.upper) = *end;
+    std::string value = interval_text(space, profile.variable, at);
+    value = value.substr(value.find(' ', value.find(' ') + 1) + 1);  // without "at least"
+    text += (lower ? "; below " : "; above ") + value + " the model fails";
+  };
+  add(profile.lower_end, true);
+  add(profile.upper_end, false);
+  return text;
 }
 
 std::string interval_text(const DesignSpace& space, int variable, const Interval& interval) {

@@ -20,10 +20,19 @@ namespace latsch::correlation {
 enum class Depth { intervals, profiles };
 
 struct Identifiability {
-  DesignPoint point;
+  DesignPoint point;  // what it belongs to: where it began, or a better one found since
   Identification identification;
   std::optional<CrossValidation> cross_validation;  // with two experiments or more
+  DesignPoint best = {};  // of the journal, by the target: what every reader shows
 };
+
+/// The interval around the center, as wide as to hold the best trial too: that can be another point
+/// where the target is no sum of squares.
+Interval reported_interval(const Study& study, const Identifiability& what, int variable);
+
+/// What to mind, a sentence each: residuals larger than their stated noise, noise that neighbors
+/// share, derivatives that are rough, a search that ended early, refits that did not converge.
+std::vector<std::string> remarks(const Study& study, const Identifiability& what);
 
 /// Runs what is missing. nullopt where a stop was requested; a Failure where the model fails beside
 /// the point.
@@ -41,5 +50,8 @@ std::optional<Identifiability> recorded_identifiability(const Study& study, cons
 /// "9.8 .. 10.3 N/mm^2" in the variable's unit; "at least 9.8 N/mm^2" where the other end lies
 /// beyond the bounds, "anywhere" where both do.
 std::string interval_text(const DesignSpace& space, int variable, const Interval& interval);
+
+/// The interval of a profile, and beyond which values the model fails.
+std::string profile_text(const DesignSpace& space, const Profile& profile);
 
 }  // namespace latsch::correlation

@@ -28,23 +28,32 @@ std::vector<MeasurementGain> gains(const Eigen::MatrixXd& J,
   return rows;
 }
 
-/// Mean of the noise that the fitted experiments state; nullopt where they do not.
-std::optional<double> typical_noise(const Study& study) {
-  double sum = 0.0;
-  int count = 0;
+/// Mean of the noise that the values of the fitted experiments state, relative; nullopt where they
+/// do not.
+std::optional<MeasurementNoise> typical_noise(const Study& study) {
+  double sum = 0.0, count = 0.0;
   for (const StudyExperiment& experiment : study.experiments) {
-    if (!experiment.fitted || !experiment.noise) continue;
-    sum += *experiment.noise;
-    ++count;
+    if (!experiment.fitted) continue;
+    for (const double sigma : stated_deviations(experiment)) {
+      sum += sigma;
+      count += 1.0;
+    }
   }
-  return count > 0 ? std::optional(sum / count) : std::nullopt;
+  return count > 0.0 ? std::optional(MeasurementNoise{.relative = sum / count}) : std::nullopt;
 }
 
-/// Derivatives in units of the residuals' spread; nullopt where that is not known or zero.
+/// Derivatives in units of what noise the variables feel; nullopt where that is not known or zero.
 std::optional<Eigen::MatrixXd> in_units_of_noise(const Identifiability& what) {
-  const double sigma = what.identification.confidence().sigma;
-  if (!(sigma > 0.0)) return std::nullopt;
-  return Eigen::MatrixXd(what.identification.linearization().J / sigma);
+  const Confidence& c = what.identification.confidence();
+  if (!(c.sigma > 0.0)) return std::nullopt;
+  return Eigen::MatrixXd(c.noise.cwiseInverse().asDiagonal() *
+                         what.identification.linearization().J);
+}
+
+DesignSpace without_priors(const DesignSpace& space) {
+  std::vector<DesignVariable> variables = space.variables();
+  for (DesignVariable& variable : variables) variable.prior.reset();
+  return DesignSpace(std::move(variables), space.constraints());
 }
 
 }  // namespace
@@ -86,6 +95,7 @@ std::vector<MeasurementGain> prediction_gains(const Study& study,
     alone.experiments[0].fitted = true;
     alone.experiments[0].objective.weight = 1.0;
     if (!experiment.noise) alone.experiments[0].noise = typical_noise(study);
+    alone.space = without_priors(study.space);
     const Objective residuals = residual_objective(alone);
     std::vector<Eigen::VectorXd> r;
     for (const Channels& channels : at_points) {

@@ -11,6 +11,7 @@
 #include "correlation/doe_effects.h"
 #include "correlation/measurement_gains.h"
 #include "correlation/predictions.h"
+#include "correlation/residuals.h"
 
 namespace latsch::correlation {
 namespace {
@@ -35,14 +36,8 @@ report::ProfileCurve curve(const Study& study, const Profile& profile, const Des
   }
   curve.found = found.values[profile.variable];
   curve.verdict = name(profile.verdict);
-  curve.interval = interval_text(study.space, profile.variable, profile.interval);
+  curve.interval = profile_text(study.space, profile);
   return curve;
-}
-
-/// Relative errors again, where residuals are errors in units of their noise.
-double relative(const StudyExperiment& experiment, double residual) {
-  return experiment.noise ? residual * *experiment.noise
-                          : residual / std::sqrt(experiment.objective.weight);
 }
 
 std::vector<report::LeftOutExperiment> left_out(const Study& study,
@@ -50,8 +45,9 @@ std::vector<report::LeftOutExperiment> left_out(const Study& study,
   std::vector<report::LeftOutExperiment> rows;
   for (const LeftOut& fold : validation.left_out()) {
     const StudyExperiment& experiment = study.experiments[fold.group];
-    rows.push_back(
-        {experiment.name, relative(experiment, fold.fitted), relative(experiment, fold.predicted)});
+    rows.push_back({experiment.name,
+                    difference_of(study, fold.group, fold.fitted),
+                    difference_of(study, fold.group, fold.predicted)});
   }
   return rows;
 }
@@ -104,18 +100,19 @@ std::optional<report::Identifiability> identifiability_of(const Study& study,
   for (int i = 0; i < study.space.size(); ++i) {
     const DesignVariable& v = study.space[i];
     page.variables.push_back(v.name);
-    page.values.push_back(format_quantity(what->point.values[i], v.unit, kDigits));
-    page.intervals.push_back(interval_text(study.space, i, c.intervals[i]));
+    page.values.push_back(format_quantity(what->best.values[i], v.unit, kDigits));
+    page.intervals.push_back(interval_text(study.space, i, reported_interval(study, *what, i)));
     page.deviations.push_back(c.deviation(i));
     page.directions.push_back(direction_text(study.space, c.directions.col(i)));
   }
   page.residuals = static_cast<int>(identification.residuals_used().size());
   page.correlation = c.correlation;
   for (const Profile& profile : identification.profiles()) {
-    page.profiles.push_back(curve(study, profile, what->point));
+    page.profiles.push_back(curve(study, profile, what->best));
   }
   if (what->cross_validation) page.left_out = left_out(study, *what->cross_validation);
   page.gains = gains(study, *what);
+  page.remarks = remarks(study, *what);
   return page;
 }
 

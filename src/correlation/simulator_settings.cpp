@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/variables.h"
 
 namespace latsch::correlation {
 namespace {
@@ -141,6 +142,7 @@ DesignVariable read_free_variable(const Node& table) {
   variable.scale = table.choice("scale", {"linear", "logarithmic"}, "linear") == "linear"
                        ? Scale::linear
                        : Scale::logarithmic;
+  read_prior(table, si, variable);
   return variable;
 }
 

@@ -34,6 +34,12 @@ DesignSpace read_variables(const Node& root, const Document* model) {
   for (const Node& table : root.named_tables("variable")) {
     variables.push_back(model ? read_variable(table, *model) : read_free_variable(table));
   }
+  if (model) {
+    read_ties(root, *model, variables);
+  } else if (root.has("tie")) {
+    root.reject("tie",
+                "needs a model: in the inputs of an outside program write its value instead");
+  }
   if (variables.empty())
     root.reject("variable", "is missing, expected at least one [variable.NAME]");
   std::vector<LinearConstraint> constraints;
@@ -85,6 +91,23 @@ void check_noise(const Node& root, const std::vector<StudyExperiment>& experimen
   for (size_t e = 0; e < experiments.size(); ++e) {
     if (!some || !experiments[e].fitted || experiments[e].noise) continue;
     tables[e].reject("noise", "is missing: another experiment states it, expected all or none");
+  }
+}
+
+/// Against what a prior is weighed has to be known.
+void check_priors(const Node& root,
+                  const DesignSpace& space,
+                  const std::vector<StudyExperiment>& experiments) {
+  const bool stated = std::all_of(experiments.begin(), experiments.end(), [](const auto& e) {
+    return e.noise || !e.fitted || !(e.objective.weight > 0.0);
+  });
+  const auto tables = root.named_tables("variable");
+  for (int i = 0; i < space.size(); ++i) {
+    if (stated || !space[i].prior) continue;
+    tables[static_cast<size_t>(i)].reject(
+        "prior",
+        "is weighed against the measured values, expected noise in every fitted "
+        "experiment, such as noise = \"2 %\"");
   }
 }
 
@@ -202,6 +225,7 @@ void reject_unknown_table(const std::filesystem::path& file) {
                                                 "test",
                                                 "variable",
                                                 "linear_constraint",
+                                                "tie",
                                                 "constraint",
                                                 "experiment",
                                                 "target",
@@ -300,6 +324,7 @@ Study read(const Document& document, const std::filesystem::path& file, Measurem
               1000,
               std::nullopt,
               {}};
+  check_priors(root, study.space, study.experiments);
   for (const Node& constraint : root.named_tables("constraint")) {
     study.constraints.push_back(read_channel_constraint(constraint, study.experiments, known));
   }
@@ -361,6 +386,9 @@ StudyIdentity identity(const Study& study) {
   std::string varied, cases;
   for (const DesignVariable& variable : study.space.variables()) {
     varied += fmt::format("{}: {}\n", variable.name, fmt::join(variable.paths, ", "));
+    for (const Follower& follower : variable.followers) {
+      varied += fmt::format("  {} times: {}\n", follower.factor, fmt::join(follower.paths, ", "));
+    }
   }
   if (study.rolling) {
     const auto asked = tests_asked_for(study);

@@ -7,7 +7,7 @@
 //                                             # see rolling_model.h; or [simulator], an outside
 //                                             # program, see simulator_settings.h
 //
-//   [variable.matrix]                         # see variables.h
+//   [variable.matrix]                         # see variables.h, as [tie.NAME]
 //   [linear_constraint.belt_softer]           # see linear_constraints.h
 //   [experiment.stiffness]                    # see study_experiment.h
 //   [constraint.stiff_enough]                 # see channel_constraint.h

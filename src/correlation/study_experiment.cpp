@@ -117,6 +117,16 @@ void read_modal(const Node& table,
 
 }  // namespace
 
+namespace {
+
+/// SI, of what an absolute noise stands beside.
+std::string compared_unit(const StudyExperiment& experiment) {
+  if (experiment.curve) return experiment.curve->y_compared_unit;
+  return experiment.modal() ? "Hz" : "N";
+}
+
+}  // namespace
+
 StudyExperiment read_experiment(const Node& table,
                                 const std::filesystem::path& folder,
                                 Measurements measurements,
@@ -125,7 +135,6 @@ StudyExperiment read_experiment(const Node& table,
   experiment.name = table.name();
   experiment.load_case.name = table.name();
   experiment.objective = read_objective(table);
-  if (table.has("noise")) experiment.noise = table.quantity("noise", "1", Range::positive());
   experiment.fitted = table.choice("use", {"fit", "predict"}, "fit") == "fit";
   experiment.measurement_file = folder / table.text("measurement");
   if (known) {
@@ -137,7 +146,29 @@ StudyExperiment read_experiment(const Node& table,
   } else {
     read_load_deflection(table, folder, measurements, experiment);
   }
+  experiment.noise = read_noise(table, compared_unit(experiment));
+  experiment.loss = read_loss(table, experiment.noise.has_value());
   return experiment;
+}
+
+std::vector<double> stated_deviations(const StudyExperiment& experiment) {
+  if (!experiment.noise) return {};
+  const auto [relative, absolute] = *experiment.noise;
+  std::vector<double> deviations;
+  const auto add = [&](double whole) {
+    deviations.push_back(std::hypot(relative, absolute / whole));
+  };
+  if (experiment.curve) {
+    for (size_t k = 0; k < experiment.values(); ++k) add(experiment.curve->scale);
+    return deviations;
+  }
+  for (const ModeRecord& mode : experiment.modes) add(mode.frequency);
+  for (const double force : experiment.forces) add(force);
+  // A root is off by half as much, relative.
+  if (experiment.objective.compared == Compared::root_force) {
+    for (double& deviation : deviations) deviation *= 0.5;
+  }
+  return deviations;
 }
 
 Comparison compare(const StudyExperiment& experiment, const Channels& channels) {

@@ -10,7 +10,9 @@
 //   compare = "force"                  # or "root_force", see objective.h
 //   exponent = 1
 //   weight = 1
-//   noise = "1 %"                      # of a measured value, where known; for confidence intervals
+//   noise = "1 %"                      # of a measured value, where known: weights the fit and
+//   gives
+//                                      # the intervals; also "20 N", and loss: measurement_noise.h
 //   use = "fit"                        # or "predict": compared in the report, not fitted
 //
 //   [experiment.modes]
@@ -34,6 +36,7 @@
 
 #include "base/document.h"
 #include "correlation/curve_experiment.h"
+#include "correlation/measurement_noise.h"
 #include "correlation/objective.h"
 #include "experiment/load_case.h"
 #include "measurement/channels.h"
@@ -47,8 +50,9 @@ struct StudyExperiment {
   std::string name;
   experiment::LoadCase load_case;  // at the measured deflections, radii and sensor points
   ObjectiveSettings objective;
-  bool fitted = true;           // false: predicted only
-  std::optional<double> noise;  // standard deviation of a measured value, relative
+  bool fitted = true;                     // false: predicted only
+  std::optional<MeasurementNoise> noise;  // standard deviation of a measured value
+  RobustLoss loss = {};
   std::filesystem::path measurement_file;
   std::filesystem::path shapes_file;          // empty: no shapes
   std::vector<double> forces;                 // N, measured; load-deflection experiments
@@ -56,6 +60,10 @@ struct StudyExperiment {
   int measured_modes = 0;                     // how many there are, or will be in a twin
   std::optional<CurveExperiment> curve = {};  // of known channels, in the place of all these
 
+  /// Measured values compared.
+  size_t values() const {
+    return curve ? curve->y_compared.size() : modal() ? modes.size() : forces.size();
+  }
   bool modal() const { return std::holds_alternative<experiment::ModalTest>(load_case.test); }
 };
 
@@ -65,6 +73,10 @@ StudyExperiment read_experiment(const Node& table,
                                 const std::filesystem::path& folder,
                                 Measurements measurements,
                                 const std::vector<KnownChannel>* known = nullptr);
+
+/// The stated deviation of every value in units of its difference d as compared; empty where no
+/// noise is stated.
+std::vector<double> stated_deviations(const StudyExperiment& experiment);
 
 /// How the channels of its load case differ from the measurement. Throws InputError where channels
 /// of a curve do not reach as far as the measurement.

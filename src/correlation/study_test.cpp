@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 #include "base/file.h"
+#include "correlation/residuals.h"
 #include "correlation/variables.h"
 
 namespace latsch::correlation {
@@ -215,7 +217,96 @@ TEST_F(StudyFile, ReadsTheNoiseOfAnExperiment) {
   replace("study.toml",
           "measurement = \"stiffness.csv\"",
           "measurement = \"stiffness.csv\"\nnoise = \"2 %\"");
-  EXPECT_DOUBLE_EQ(*read().experiments[0].noise, 0.02);  // the other one is only predicted
+  EXPECT_DOUBLE_EQ(read().experiments[0].noise->relative, 0.02);  // the other one is only predicted
+}
+
+TEST_F(StudyFile, ReadsAbsoluteNoiseAndBoth) {
+  const std::string file = "measurement = \"stiffness.csv\"";
+  replace("study.toml", file, file + "\nnoise = \"20 N\"");
+  EXPECT_EQ(*read().experiments[0].noise, (MeasurementNoise{.absolute = 20.0}));
+  replace("study.toml", "\"20 N\"", "\"0.02 kN + 2 %\"");
+  EXPECT_EQ(*read().experiments[0].noise, (MeasurementNoise{.relative = 0.02, .absolute = 20.0}));
+  const auto forces = read().experiments[0].forces;
+  EXPECT_DOUBLE_EQ(stated_deviations(read().experiments[0])[0], std::hypot(0.02, 20.0 / forces[0]));
+}
+
+TEST_F(StudyFile, RejectsNoiseThatIsNone) {
+  const std::string file = "measurement = \"stiffness.csv\"";
+  replace("study.toml", file, file + "\nnoise = \"0 N\"");
+  EXPECT_SAYS(complaint(), "noise is \"0 N\", of which \"0 N\" is not above 0");
+  replace("study.toml", "\"0 N\"", "\"-2 %\"");
+  EXPECT_SAYS(complaint(), "is not above 0");
+  replace("study.toml", "\"-2 %\"", "\"3 mm\"");
+  EXPECT_SAYS(complaint(), "noise is \"3 mm\", but what is compared is in N");
+  replace("study.toml", "\"3 mm\"", "\"3 N + 4 N\"");
+  EXPECT_SAYS(complaint(), "says the same twice");
+}
+
+TEST_F(StudyFile, ReadsARobustLossAndItsScale) {
+  const std::string file = "measurement = \"stiffness.csv\"";
+  replace("study.toml", file, file + "\nloss = \"huber\"");
+  EXPECT_SAYS(complaint(), "from where values count less is not known");
+  replace("study.toml", "\"huber\"", "\"huber\"\nloss_scale = \"5 %\"");
+  EXPECT_DOUBLE_EQ(read().experiments[0].loss.scale, 0.05);
+  replace("study.toml", "\"huber\"", "\"huger\"");
+  EXPECT_SAYS(complaint(), "did you mean \"huber\"");
+}
+
+TEST_F(StudyFile, ReadsWhatIsKnownOfAVariable) {
+  const std::string file = "measurement = \"stiffness.csv\"";
+  replace("study.toml", "initial = \"24 deg\"\n", "initial = \"24 deg\"\nprior = \"22 deg\"\n");
+  EXPECT_SAYS(complaint(), "variable.angle.prior_sigma is missing");
+  replace("study.toml", "\"22 deg\"\n", "\"22 deg\"\nprior_sigma = \"0 deg\"\n");
+  EXPECT_SAYS(complaint(), "study.toml:16: variable.angle.prior_sigma is");
+  replace("study.toml", "\"0 deg\"", "\"2 mm\"");
+  EXPECT_SAYS(complaint(), "variable.angle.prior_sigma is \"2 mm\"");
+  replace("study.toml", "\"2 mm\"", "\"2 deg\"");
+  EXPECT_SAYS(complaint(), "variable.angle.prior is weighed against the measured values");
+  replace("study.toml", file, file + "\nnoise = \"2 %\"");
+  const Study study = read();
+  const double degree = M_PI / 180.0;
+  EXPECT_NEAR(study.space[1].prior->residual(26.0 * degree), 2.0, 1e-12);
+  EXPECT_EQ(residual_traits(study).deviations.size(), 3u);  // two forces and the prior
+}
+
+TEST_F(StudyFile, AShareIsAPriorsDeviationOfALogarithm) {
+  const std::string file = "measurement = \"stiffness.csv\"";
+  replace("study.toml", file, file + "\nnoise = \"2 %\"");
+  replace("study.toml",
+          "scale = \"logarithmic\"",
+          "scale = \"logarithmic\"\nprior = \"4 N/mm^2\"\nprior_sigma = \"50 %\"");
+  EXPECT_NEAR(read().space[0].prior->residual(6e6), 1.0, 1e-12);
+  EXPECT_NEAR(read().space[0].prior->residual(4e6 / 1.5), -1.0, 1e-12);
+}
+
+TEST_F(StudyFile, TiesMoveWithWhatTheyFollow) {
+  replace("study.toml",
+          "[experiment.stiffness]",
+          "[tie.outer]\npath = \"layer.belt_2.angle\"\nfollows = \"angle\"\nfactor = -1\n\n"
+          "[experiment.stiffness]");
+  const Study study = read();
+  DesignPoint point = study.space.initial();
+  point.values[1] = 0.4;
+  EXPECT_DOUBLE_EQ(at(study.model, study.space, point).get("layer.belt_2.angle"), -0.4);
+  EXPECT_NE(identity(study), [&] {
+    replace("study.toml", "factor = -1", "factor = -0.9");
+    return identity(read());
+  }());
+}
+
+TEST_F(StudyFile, RejectsTiesThatFollowNothingOrThemselves) {
+  replace("study.toml",
+          "[experiment.stiffness]",
+          "[tie.outer]\npath = \"layer.belt_2.angle\"\nfollows = \"angel\"\n\n"
+          "[experiment.stiffness]");
+  EXPECT_SAYS(complaint(), "tie.outer.follows is \"angel\", which is no variable and no tie");
+  replace("study.toml", "\"angel\"", "\"outer\"");
+  EXPECT_SAYS(complaint(), "study.toml:18: tie.outer.follows goes in a circle");
+  replace("study.toml", "\"outer\"", "\"sidewall\"");
+  EXPECT_SAYS(complaint(), "tie.outer.path leads to a number in rad, but sidewall");
+  replace("study.toml", "\"sidewall\"", "\"angle\"");
+  replace("study.toml", "\"layer.belt_2.angle\"", "\"layer.belt_1.angle\"");
+  EXPECT_SAYS(complaint(), "which variable angle moves already");
 }
 
 TEST_F(StudyFile, RejectsNoiseOfOneFittedExperimentAlone) {

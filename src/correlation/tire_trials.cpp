@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/tire_trials.h"
 
+#include <cmath>
+#include <numeric>
+#include <optional>
+
 #include "correlation/predictions.h"
 #include "correlation/variables.h"
 #include "experiment/tire_rig.h"
@@ -113,35 +117,93 @@ Channels channels_of(const StudyExperiment& experiment, const Channels& trial) {
   return own;
 }
 
+namespace {
+
+/// The deviation that all values together have in the mean of their weights 1 / sigma^2; nullopt
+/// where noise is not stated.
+std::optional<double> common_deviation(const std::vector<StudyExperiment>& fitted) {
+  double weights = 0.0, count = 0.0;
+  for (const StudyExperiment& experiment : fitted) {
+    if (!(experiment.objective.weight > 0.0)) continue;
+    if (!experiment.noise) return std::nullopt;
+    for (const double sigma : stated_deviations(experiment)) {
+      weights += 1.0 / (sigma * sigma);
+      count += 1.0;
+    }
+  }
+  return std::sqrt(count / weights);
+}
+
+/// Differences as the fit counts them: by their noise, so that one of common deviation keeps its
+/// size, and less where a robust loss finds them far off.
+void weigh(const StudyExperiment& experiment,
+           const std::optional<double>& common,
+           Comparison& comparison) {
+  if (!common && experiment.loss.loss == Loss::squares) return;
+  const std::vector<double> sigma = stated_deviations(experiment);
+  comparison.value = 0.0;
+  for (size_t k = 0; k < comparison.differences.size(); ++k) {
+    double& d = comparison.differences[k];
+    d = common && !sigma.empty() ? *common * experiment.loss(d / sigma[k]) : experiment.loss(d);
+    comparison.value += std::pow(std::abs(d), experiment.objective.exponent);
+  }
+  comparison.value /= static_cast<double>(comparison.differences.size());
+}
+
+/// Each as one value more.
+void add_priors(const DesignSpace& space,
+                const DesignPoint& point,
+                double common,
+                const std::vector<double>& weights,
+                double exponent,
+                Score& score) {
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (int i = 0; i < space.size(); ++i) {
+    if (!space[i].prior) continue;
+    const double d = common * space[i].prior->residual(point.values[static_cast<size_t>(i)]);
+    score.value += std::pow(std::abs(d), exponent) / total;
+    score.residuals.push_back(d / std::sqrt(total));
+  }
+}
+
+}  // namespace
+
 Objective objective(const Study& study) {
   std::vector<StudyExperiment> fitted;
-  std::vector<double> weights;
   for (const StudyExperiment& experiment : study.experiments) {
-    if (!experiment.fitted) continue;
-    fitted.push_back(experiment);
-    weights.push_back(experiment.objective.weight);
+    if (experiment.fitted) fitted.push_back(experiment);
   }
-  return [fitted, weights, constraints = study.constraints](
-             const Channels& channels) -> Result<Score> {
-    std::vector<Comparison> comparisons;
-    Score score;
-    for (const StudyExperiment& experiment : fitted) {
-      if (experiment.curve) {  // a measurement may have grown since the trial
-        const auto simulated = simulated_curve(*experiment.curve, channels);
-        if (!simulated) return simulated.failure();
-      }
-      comparisons.push_back(compare(experiment, channels_of(experiment, channels)));
-    }
-    score.value = target(comparisons, weights);
-    score.residuals = weighted_residuals(comparisons, weights);
-    for (const Comparison& comparison : comparisons) {
-      score.stand_ins += static_cast<int>(comparison.pairing.missing.size());
-    }
-    for (const ChannelConstraint& constraint : constraints) {
-      if (auto failure = apply(constraint, channels, score)) return *failure;
-    }
-    return score;
-  };
+  const auto common = common_deviation(fitted);
+  std::vector<double> weights;  // with noise every value counts, not every experiment
+  for (const StudyExperiment& experiment : fitted) {
+    const double values = common ? static_cast<double>(experiment.values()) : 1.0;
+    weights.push_back(experiment.objective.weight * values);
+  }
+  return Objective::OfTrial(
+      [fitted, weights, common, space = study.space, constraints = study.constraints](
+          const DesignPoint& point, const Channels& channels) -> Result<Score> {
+        std::vector<Comparison> comparisons;
+        Score score;
+        for (const StudyExperiment& experiment : fitted) {
+          if (experiment.curve) {  // a measurement may have grown since the trial
+            const auto simulated = simulated_curve(*experiment.curve, channels);
+            if (!simulated) return simulated.failure();
+          }
+          comparisons.push_back(compare(experiment, channels_of(experiment, channels)));
+          weigh(experiment, common, comparisons.back());
+        }
+        score.value = target(comparisons, weights);
+        score.residuals = weighted_residuals(comparisons, weights);
+        if (common)
+          add_priors(space, point, *common, weights, fitted.front().objective.exponent, score);
+        for (const Comparison& comparison : comparisons) {
+          score.stand_ins += static_cast<int>(comparison.pairing.missing.size());
+        }
+        for (const ChannelConstraint& constraint : constraints) {
+          if (auto failure = apply(constraint, channels, score)) return *failure;
+        }
+        return score;
+      });
 }
 
 }  // namespace latsch::correlation

@@ -41,7 +41,9 @@ Evaluator evaluator(const Study& study);
 Result<Channels> simulate_all(const Study& study, const DesignPoint& point);
 
 /// The target over the fitted experiments, with its weighted residuals and the constraints on
-/// channels.
+/// channels. Where the experiments state their noise it is the weighted mean over all values of
+/// |d s / sigma|^k, with s^2 the mean of sigma^2 in which every value has the weight 1 / sigma^2:
+/// the same as without noise where all values are equally exact.
 Objective objective(const Study& study);
 
 /// The channels of one experiment out of those of a trial, under their own names; curves take

@@ -26,6 +26,7 @@ CrossValidation::CrossValidation(const DesignSpace& space,
   std::vector<int> all(space.size());
   std::iota(all.begin(), all.end(), 0);
   for (int left : std::set<int>(group.begin(), group.end())) {
+    if (left < 0) continue;
     std::vector<Eigen::Index> rest, out;
     for (size_t row = 0; row < group.size(); ++row)
       (group[row] == left ? out : rest).push_back(row);

@@ -27,8 +27,8 @@ struct LeftOut {
 
 class CrossValidation {
  public:
-  /// `group` of every residual of the common fit `best`; at least two groups. `tolerance` as in
-  /// RefitOptions.
+  /// `group` of every residual of the common fit `best`, < 0 for what is never left out; at least
+  /// two groups. `tolerance` as in RefitOptions.
   CrossValidation(const DesignSpace& space,
                   const Linearization& best,
                   const std::vector<int>& group,

@@ -7,16 +7,25 @@
 // magnitude.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
 #include "optimization/design_point.h"
 #include "optimization/linear_constraint.h"
+#include "optimization/prior.h"
 
 namespace latsch {
 
 enum class Scale { linear, logarithmic };
+
+/// A number of the model that moves with a variable: factor times its value.
+struct Follower {
+  std::string name;
+  std::vector<std::string> paths;
+  double factor = 1.0;
+};
 
 struct DesignVariable {
   std::string name;
@@ -28,6 +37,8 @@ struct DesignVariable {
   std::string unit =
       "1";           // the unit in which a person reads it; says nothing about the values above
   Place place = {};  // where the study declares it
+  std::optional<Prior> prior = {};
+  std::vector<Follower> followers = {};
 };
 
 class DesignSpace {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "correlation/report/html_text.h"
 #include "correlation/report/identifiability_plots.h"
@@ -60,10 +61,11 @@ std::string left_out_table(const Identifiability& what) {
       "<div class=\"scroll\"><table><thead><tr><th>Left out</th><th class=\"n\">Error, fitted</th>"
       "<th class=\"n\">Error, predicted</th></tr></thead><tbody>\n";
   for (const LeftOutExperiment& row : what.left_out) {
-    html += fmt::format("<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
-                        escape(row.name),
-                        percent(row.fitted),
-                        percent(row.predicted));
+    html +=
+        fmt::format("<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+                    escape(row.name),
+                    percent(row.fitted),
+                    std::isnan(row.predicted) ? "refit did not converge" : percent(row.predicted));
   }
   return html +
          "</tbody></table></div><p class=\"quiet\">Root mean square of the relative "
@@ -94,7 +96,11 @@ std::string identifiability_chapter(const Identifiability& what) {
                   what.residuals,
                   what.variables.size(),
                   what.variables.size() == 1 ? "" : "s");
-  html += interval_table(what) + "<div class=\"figures\">";
+  html += interval_table(what);
+  for (const std::string& remark : what.remarks) {
+    html += fmt::format("<p class=\"quiet\">{}</p>", escape(remark));
+  }
+  html += "<div class=\"figures\">";
   html += figure("Directions",
                  "from the best determined to the least",
                  spectrum_plot(what),

@@ -24,7 +24,7 @@ struct ProfileCurve {
 
 struct LeftOutExperiment {
   std::string name;
-  double fitted = 0.0, predicted = 0.0;  // root mean square of the relative errors
+  double fitted = 0.0, predicted = 0.0;  // root mean square of the relative errors; NaN: unknown
 };
 
 struct Gain {
@@ -44,6 +44,7 @@ struct Identifiability {
   std::vector<ProfileCurve> profiles;       // may be empty
   std::vector<LeftOutExperiment> left_out;  // may be empty
   std::vector<Gain> gains;                  // most useful first; may be empty
+  std::vector<std::string> remarks;         // what to mind; may be empty
 };
 
 /// The chapter's body.

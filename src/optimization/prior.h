@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is known of a variable before anything is fitted: a value and its standard deviation. It
+// counts as a measurement of the variable itself, one residual more:
+//   r = (x - value) / sigma                    or, where sigma is a share of the value and the
+//   r = ln(x / value) / ln(1 + sigma)          variable logarithmic
+// so beside residuals in units of their noise. [Tarantola, Inverse Problem Theory, 2005, ch. 3.2]
+#pragma once
+
+#include <cmath>
+
+namespace latsch {
+
+struct Prior {
+  double value = 0.0;  // SI
+  double sigma = 1.0;  // SI; of a logarithm a share of the value
+  bool of_logarithm = false;
+
+  double residual(double x) const {
+    return of_logarithm ? std::log(x / value) / std::log1p(sigma) : (x - value) / sigma;
+  }
+  bool operator==(const Prior&) const = default;
+};
+
+}  // namespace latsch
