@@ -114,9 +114,9 @@ Json answer_of(const DesignSpace& space) {
 }
 
 Json answer_of(const correlation::Study& study, const correlation::Identifiability& result) {
-  Json all = answer_of(study.space, result.point);
-  const Confidence& c = result.identification.confidence();
+  Json all = answer_of(study.space, result.best);
   for (int i = 0; i < study.space.size(); ++i) {
+    const Interval interval = correlation::reported_interval(study, result, i);
     const auto end = [&](double u) -> Json {
       if (!(u >= 0.0 && u <= 1.0)) return nullptr;  // beyond the bounds: they hold it, not the data
       DesignPoint point = result.point;
@@ -124,7 +124,7 @@ Json answer_of(const correlation::Study& study, const correlation::Identifiabili
       at[i] = u;
       return in_unit_of(study.space[i], study.space.from_unit(at).values[i]);
     };
-    all[i]["interval"] = {end(c.intervals[i].lower), end(c.intervals[i].upper)};
+    all[i]["interval"] = {end(interval.lower), end(interval.upper)};
   }
   return all;
 }

@@ -56,9 +56,7 @@ void print_verdicts(const Study& study, const std::vector<Profile>& profiles) {
   for (const Profile& profile : profiles) {
     const DesignVariable& v = study.space[profile.variable];
     say("  {:<16} {}\n", v.name, in_words(profile));
-    say("  {:<16} 95 %: {}\n",
-        "",
-        correlation::interval_text(study.space, profile.variable, profile.interval));
+    say("  {:<16} 95 %: {}\n", "", correlation::profile_text(study.space, profile));
     for (int place : profile.other_minima) {
       const ProfilePoint& at = profile.points[place];
       std::vector<double> u(at.u.begin(), at.u.end());
@@ -74,10 +72,11 @@ void print_cross_validation(const Study& study, const CrossValidation& validatio
   say("\nCross-validation: each experiment predicted from the fit of the others\n");
   say("  {:<16} {:>14} {:>16}\n", "left out", "rms fitted", "rms predicted");
   for (const LeftOut& fold : validation.left_out()) {
-    say("  {:<16} {:14.4g} {:16.4g}\n",
+    say("  {:<16} {:14.4g} {:>16}\n",
         study.experiments[fold.group].name,
         fold.fitted,
-        fold.predicted);
+        std::isnan(fold.predicted) ? "refit did not converge"
+                                   : fmt::format("{:.4g}", fold.predicted));
   }
 }
 
@@ -107,10 +106,12 @@ void print_intervals(const Study& study, const Identifiability& result) {
     const DesignVariable& v = study.space[i];
     say("  {:<16} {:<16} 95 %: {}{}\n",
         v.name,
-        shown(v, result.point.values[i]),
-        correlation::interval_text(study.space, i, c.intervals[i]),
-        note_on(v, c, i, result.point));
+        shown(v, result.best.values[i]),
+        correlation::interval_text(
+            study.space, i, correlation::reported_interval(study, result, i)),
+        note_on(v, c, i, result.best));
   }
+  for (const std::string& remark : correlation::remarks(study, result)) say("  {}\n", remark);
   if (std::isnan(c.sigma)) {
     say("  No more measured values than variables: state the noise of the experiments\n");
   }

@@ -94,6 +94,14 @@ int identify(const std::string& file, int workers, bool profiles) {
   answer()["variables"] = answer_of(study, **result);
   for (const Profile& profile : (*result)->identification.profiles())
     answer()["variables"][profile.variable]["verdict"] = in_words(profile);
+  if (const auto now = correlation::best_trial(study, journal); now->point != best->point) {
+    answer()["target"] = now->target;
+    say("\nA better point was found: target {:.4f} % instead of {:.4f} %. Values, report and "
+        "latsch "
+        "export are of it from now on.\n",
+        100.0 * now->target,
+        100.0 * best->target);
+  }
   say("\nValues and their confidence intervals, from {} measured values\n",
       (*result)->identification.residuals_used().size());
   print_intervals(study, **result);

@@ -16,6 +16,7 @@
 #include "cli/trials.h"
 #include "cli/verbs.h"
 #include "cli/workers.h"
+#include "correlation/best_trial.h"
 #include "correlation/study_stages.h"
 #include "correlation/study_start.h"
 #include "correlation/tire_trials.h"
@@ -66,6 +67,12 @@ bool print_values(const Study& study,
     return false;
   }
   if (*result) {
+    if ((*result)->best != point) {
+      const auto better = correlation::best_trial(study, journal);
+      answer()["target"] = better->target;
+      say("A trial beside it is better: target {:.4f} %; the values are its\n",
+          better->target * 100.0);
+    }
     answer()["variables"] = answer_of(study, **result);
     print_intervals(study, **result);
   } else {
@@ -73,6 +80,18 @@ bool print_values(const Study& study,
     say("  No confidence intervals: {}\n", result->failure().reason);
   }
   return true;
+}
+
+/// The one best point of all readers, said where another command has found it.
+DesignPoint best_of_journal(const Study& study, const DesignPoint& of_run, const Journal& journal) {
+  const auto best = correlation::best_trial(study, journal);
+  if (!best || best->point == of_run) return of_run;
+  answer()["target"] = best->target;
+  answer()["variables"] = answer_of(study.space, best->point);
+  say("The journal knows a better trial, of another command: target {:.4f} %. Values, report and "
+      "latsch export are of it.\n",
+      best->target * 100.0);
+  return best->point;
 }
 
 /// What a person asks of run and resume beyond the study.
@@ -194,7 +213,8 @@ int fit(const Asked& asked) {
     best = fitted.run.best()->point;
     if (k + 1 == correlation::stage_count(study)) {
       print_result(study, fitted.run, journal);
-      if (!print_values(study, *best, executor, journal)) return kFailed;
+      const DesignPoint shown = best_of_journal(study, *best, journal);
+      if (!print_values(study, shown, executor, journal)) return kFailed;
       workers.end();
       return write_report(study, journal);
     }
