@@ -262,7 +262,8 @@ double scatter(const std::vector<Case>& all, bool fitted) {
 
 class Fit {
  public:
-  Fit(std::vector<Case> all, Document known) : cases_(std::move(all)), known_(std::move(known)) {}
+  Fit(std::vector<Case> all, Document known, const DesignSpace& space)
+      : cases_(std::move(all)), known_(std::move(known)), space_(space) {}
 
   Result<Score> score(const DesignPoint& point, Compared compared) {
     ++evaluations_;
@@ -345,16 +346,16 @@ class Fit {
   int evaluations() const { return evaluations_; }
 
  private:
-  /// What was known before, the range of a number as its standard deviation.
+  /// What was known before.
   void add_known(const DesignPoint& point, std::vector<double>& residuals) const {
-    for (std::size_t i = 0; i < point.values.size(); ++i) {
-      const double known = known_.get(kNumbers[i].path);
-      residuals.push_back(std::log(point.values[i] / known) / std::log(kNumbers[i].range));
+    for (int i = 0; i < space_.size(); ++i) {
+      residuals.push_back(space_[i].prior->residual(point.values[static_cast<std::size_t>(i)]));
     }
   }
 
   std::vector<Case> cases_;
   Document known_;
+  DesignSpace space_;
   int evaluations_ = 0;
   double best_ = 0.0;
 };
@@ -367,7 +368,8 @@ DesignSpace space_of(const Document& known) {
                          .lower = value / number.range,
                          .upper = value * number.range,
                          .initial = value,
-                         .scale = Scale::logarithmic});
+                         .scale = Scale::logarithmic,
+                         .prior = Prior{value, number.range - 1.0, /*of_logarithm=*/true}});
   }
   return DesignSpace(std::move(variables));
 }
@@ -392,7 +394,7 @@ void fit_specimen(const std::string& name,
   const DesignPoint truth = truth_of(space);
   std::vector<Case> all = cases();
   measure(all, tire_at(known, truth));
-  Fit fit(all, known);
+  Fit fit(all, known, space);
   table.note(name + ": PSD RMS", "fitted, held out");
   table.note("noise alone", fmt::format("{:.3f}, {:.3f}", scatter(all, true), scatter(all, false)));
   table.note(

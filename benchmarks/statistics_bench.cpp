@@ -2,15 +2,29 @@
 // Whether 95 % intervals hold the truth 95 times of 100, and every verdict is the right one
 //
 // 500 synthetic data sets of a decay y = A exp(-k t) + c, observed at 20 times with Gaussian noise
-// of 2 % of A. Each is fitted by least squares and asked for its intervals. The standard error of a
-// coverage of 0.95 over 500 data sets is 0.0097: 93 to 97 % is two of them.
+// of 2 % of A, by linear interval and profile. Then three models, a decay, a damped oscillation and
+// a force over slip, under noise
+//   independent   200 samples
+//   colored       200 samples, neighbors correlated by 0.8
+//   oversampled   a tenth as many samples would do: noise through a low pass of the second order
+//                 whose corner is at a fortieth of the rate, 400 samples
+// of unknown size, and a twin: five numbers of a Magic Formula tire from its own side force and
+// moment with 2 % of noise, fitted by auto from their usual initial values. Each is fitted by least
+// squares and asked for its intervals. The standard error of a coverage of 0.95 over 500 data sets
+// is 0.0097: 93 to 97 % is two of them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 #include "base/random.h"
+#include "correlation/residuals.h"
+#include "correlation/study.h"
+#include "correlation/tire_trials.h"
 #include "optimization/identification.h"
 #include "table.h"
 
@@ -135,6 +149,191 @@ void coverage_rows(Table& table, bool noise_is_known) {
              fmt::format("{:.0f}", static_cast<double>(coverage.evaluations) / kDataSets));
 }
 
+struct Curve {
+  std::string name;
+  DesignSpace space;  // its initial values are near the truth
+  std::vector<double> truth;
+  std::function<double(const std::vector<double>&, double)> y;  // over 0 ... 1
+};
+
+std::vector<Curve> curves() {
+  return {{"decay",
+           decay_space(),
+           kTruth,
+           [](const auto& x, double t) { return x[0] * std::exp(-3.0 * x[1] * t) + x[2]; }},
+          {"oscillation",
+           DesignSpace({{.name = "A", .lower = 0.2, .upper = 3, .initial = 0.9},
+                        {.name = "damping", .lower = 0.2, .upper = 8, .initial = 2.2},
+                        {.name = "omega", .lower = 15, .upper = 25, .initial = 20.4}}),
+           {1.0, 2.0, 20.0},
+           [](const auto& x, double t) { return x[0] * std::exp(-x[1] * t) * std::sin(x[2] * t); }},
+          {"slip curve",
+           DesignSpace({{.name = "B", .lower = 2, .upper = 20, .initial = 9},
+                        {.name = "C", .lower = 1, .upper = 2, .initial = 1.4},
+                        {.name = "D", .lower = 0.3, .upper = 2, .initial = 1.1}}),
+           {8.0, 1.5, 1.0},
+           [](const auto& x, double t) {
+             return x[2] * std::sin(x[1] * std::atan(x[0] * (2.0 * t - 1.0)));
+           }}};
+}
+
+struct Noise {
+  std::string name;
+  int samples;
+  std::function<Eigen::VectorXd(int, RandomStream&)> draw;  // of variance 1
+};
+
+std::vector<Noise> noises() {
+  const auto white = [](int count, RandomStream& random) {
+    Eigen::VectorXd e(count);
+    for (double& value : e) value = random.normal();
+    return e;
+  };
+  const auto colored = [](int count, RandomStream& random) {
+    constexpr double kRho = 0.8;
+    Eigen::VectorXd e(count);
+    e[0] = random.normal();
+    for (int j = 1; j < count; ++j) {
+      e[j] = kRho * e[j - 1] + std::sqrt(1.0 - kRho * kRho) * random.normal();
+    }
+    return e;
+  };
+  // Two equal poles p: variance (1 + p^2) / (1 - p^2)^3 of its output.
+  const auto low_pass = [](int count, RandomStream& random) {
+    constexpr int kRunUp = 400;
+    const double p = std::exp(-2.0 * M_PI / 40.0);
+    const double deviation = std::sqrt((1.0 + p * p) / std::pow(1.0 - p * p, 3.0));
+    Eigen::VectorXd e(count);
+    double one = 0.0, two = 0.0;
+    for (int j = -kRunUp; j < count; ++j) {
+      one = p * one + random.normal();
+      two = p * two + one;
+      if (j >= 0) e[j] = two / deviation;
+    }
+    return e;
+  };
+  return {{"independent", 200, white}, {"colored", 200, colored}, {"oversampled", 400, low_pass}};
+}
+
+void noise_rows(Table& table, const Curve& curve, const Noise& noise) {
+  const int n = curve.space.size();
+  const std::vector<double> truth = curve.space.to_unit({curve.truth});
+  std::vector<int> held(static_cast<size_t>(n));
+  for (int set = 0; set < kDataSets; ++set) {
+    RandomStream random(kSeed + 1, set);
+    const Eigen::VectorXd e = noise.draw(noise.samples, random);
+    const Model model = [&](const std::vector<double>& x) {
+      Eigen::VectorXd r(noise.samples);
+      for (int j = 0; j < noise.samples; ++j) {
+        const double t = j / (noise.samples - 1.0);
+        r[j] = curve.y(curve.truth, t) + kNoise * e[j] - curve.y(x, t);
+      }
+      return r;
+    };
+    IdentificationOptions options{.profiles = false};
+    options.confidence.traits.curves.assign(static_cast<size_t>(noise.samples), 0);
+    const Analyzed a = analyze(curve.space, fitted(curve.space, model), model, options);
+    for (size_t i = 0; i < held.size(); ++i) {
+      held[i] += holds(a.identification.confidence().intervals[i], truth[i]);
+    }
+  }
+  std::string shares;
+  bool ok = true;
+  for (int i = 0; i < n; ++i) {
+    const double share = static_cast<double>(held[static_cast<size_t>(i)]) / kDataSets;
+    shares += fmt::format("{}{} {:.1f}", i > 0 ? ", " : "", curve.space[i].name, 100 * share);
+    ok = ok && 0.93 <= share && share <= 0.97;
+  }
+  table.row(fmt::format("{}, {} noise: intervals hold the truth", curve.name, noise.name),
+            shares + " %",
+            "93 - 97 %",
+            ok);
+}
+
+constexpr int kTwins = 100;
+constexpr int kMostEvaluations = 200;
+
+/// The study of a race tire with five of its numbers.
+correlation::Study twin_study() {
+  correlation::Study study = correlation::read_study(std::filesystem::path(LATSCH_SOURCE_DIR) /
+                                                     "studies" / "race_tire_mf" / "study.toml");
+  std::vector<DesignVariable> five;
+  for (const DesignVariable& v : study.space.variables()) {
+    for (const char* name : {"PCY1", "PDY1", "PEY1", "PKY1", "PKY2"}) {
+      if (v.name == name) five.push_back(v);
+    }
+  }
+  study.space = DesignSpace(five);
+  for (auto& experiment : study.experiments) {
+    experiment.noise = correlation::MeasurementNoise{.relative = kNoise};
+  }
+  return study;
+}
+
+/// The best point that the study's own optimizer finds.
+DesignPoint fitted_by_auto(const correlation::Study& study, const Evaluator& evaluate) {
+  const Objective objective = correlation::objective(study);
+  const auto optimizer = correlation::make_optimizer(study);
+  DesignPoint best = study.space.initial();
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kMostEvaluations && !optimizer->converged(); ++k) {
+    const DesignPoint point = optimizer->propose(1).front();
+    const auto channels = evaluate(point);
+    const Result<Score> score = channels ? objective(*channels) : Result<Score>(channels.failure());
+    if (score && score->value < least) {
+      least = score->value;
+      best = point;
+    }
+    optimizer->observe(point, score);
+  }
+  return best;
+}
+
+void twin_row(Table& table) {
+  correlation::Study study = twin_study();
+  const Evaluator evaluate = correlation::evaluator(study);
+  DesignPoint truth = study.space.initial();
+  for (int i = 0; i < study.space.size(); ++i) {
+    const DesignVariable& v = study.space[i];
+    truth.values[static_cast<size_t>(i)] = v.initial + 0.2 * (v.upper - v.initial);
+  }
+  const auto exact = evaluate(truth);
+  if (!exact) throw InputError("the twin: " + exact.failure().reason);
+  const auto u = study.space.to_unit(truth);
+  std::vector<int> held(u.size());
+  for (int set = 0; set < kTwins; ++set) {
+    RandomStream random(kSeed + 2, set);
+    for (auto& experiment : study.experiments) {
+      auto& curve = *experiment.curve;
+      curve.y_compared = *correlation::simulated_curve(curve, *exact);
+      for (double& value : curve.y_compared) value += kNoise * curve.scale * random.normal();
+    }
+    const Objective residuals = correlation::residual_objective(study);
+    const Model model = [&](const std::vector<double>& x) {
+      const auto r = residuals(*evaluate({x}))->residuals;
+      return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(r.data(), std::ssize(r)));
+    };
+    const IdentificationOptions options{
+        .confidence = {.sigma = correlation::residual_sigma(study),
+                       .traits = correlation::residual_traits(study)},
+        .profiles = false};
+    const Analyzed a = analyze(study.space, fitted_by_auto(study, evaluate), model, options);
+    for (size_t i = 0; i < held.size(); ++i) {
+      held[i] += holds(a.identification.confidence().intervals[i], u[i]);
+    }
+  }
+  std::string counts;
+  for (size_t i = 0; i < held.size(); ++i) {
+    counts +=
+        fmt::format("{}{} {}", i > 0 ? ", " : "", study.space[static_cast<int>(i)].name, held[i]);
+  }
+  const int least = *std::min_element(held.begin(), held.end());
+  table.row("twin of a Magic Formula tire with 2 % of noise: of 100 intervals hold the truth",
+            counts,
+            ">= 90",
+            least >= 90);
+}
+
 struct Case {
   std::string name;
   std::vector<DesignVariable> variables;  // initial: the fitted point
@@ -210,6 +409,10 @@ int run() {
   Table table("statistics");
   coverage_rows(table, /*noise_is_known=*/false);
   coverage_rows(table, /*noise_is_known=*/true);
+  for (const Curve& curve : curves()) {
+    for (const Noise& noise : noises()) noise_rows(table, curve, noise);
+  }
+  twin_row(table);
   for (const Case& c : constructed_cases()) {
     const DesignSpace space(c.variables);
     const Analyzed a = analyze(space, space.initial(), c.model, {.confidence = {.sigma = 0.01}});
