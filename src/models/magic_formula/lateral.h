@@ -107,12 +107,15 @@ LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireConstants& tire,
     y.zeta2 = peak_reduction_by_spin(p, o);
   }
   y.Kya = cornering_stiffness(tire, o, gamma_star, upright ? o.sin_K0 : o.sin_K, zeta3);  // (4.E25)
-  y.per_Kya_prime = 1.0 / with_epsilon(y.Kya);                                            // (4.E39)
+  if (!upright || conventions.turn_slip) y.per_Kya_prime = 1.0 / with_epsilon(y.Kya);     // (4.E39)
   const R SVyg =
       o.Fz * (p.PVY3 + p.PVY4 * dfz) * gamma_star * p.LKYC * o.LMUY_prime * y.zeta2;  // (4.E28)
-  y.SHy = ((p.PHY1 + p.PHY2 * dfz) * p.LHY +
-           shift_by_camber(tire, conventions, o, gamma_star, SVyg, y.per_Kya_prime, zeta3)) *
-          o.fade;  // (4.E27)
+  // Upright and on a straight path camber shifts nothing.
+  const R by_camber =
+      upright && !conventions.turn_slip
+          ? R(0.0)
+          : shift_by_camber(tire, conventions, o, gamma_star, SVyg, y.per_Kya_prime, zeta3);
+  y.SHy = ((p.PHY1 + p.PHY2 * dfz) * p.LHY + by_camber) * o.fade;  // (4.E27)
   y.SVy =
       (o.Fz * (p.PVY1 + p.PVY2 * dfz) * p.LVY * o.LMUY_prime * y.zeta2 + SVyg) * o.fade;  // (4.E29)
   const R alphay = o.alpha_star + y.SHy;                                                  // (4.E20)
@@ -154,15 +157,14 @@ LATSCH_INLINE CombinedLateral<R> combined_lateral_terms(const TireConstants& tir
                                                         Shapes<R>& shapes) {
   const Parameters& p = tire.p;
   CombinedLateral<R> y;
-  const R DVyk = pure.muy * o.Fz * (p.RVY1 + p.RVY2 * o.dfz + p.RVY3 * o.gamma_star) *
-                 cos_atan(p.RVY4 * o.alpha_star) * pure.zeta2;  // (4.E67)
-  y.SVyk = DVyk * o.sin_RVY * p.LVYKA * o.fade;                 // (4.E66)
-  const R SHyk = p.RHY1 + p.RHY2 * o.dfz;                       // (4.E65)
-  R Eyk = p.REY1 + p.REY2 * o.dfz;                              // (4.E64)
+  const R DVyk = pure.muy * o.Fz * (p.RVY1 + p.RVY2 * o.dfz + p.RVY3 * o.gamma_star) * o.cos_RVY4 *
+                 pure.zeta2;                     // (4.E67)
+  y.SVyk = DVyk * o.sin_RVY * p.LVYKA * o.fade;  // (4.E66)
+  const R SHyk = p.RHY1 + p.RHY2 * o.dfz;        // (4.E65)
+  R Eyk = p.REY1 + p.REY2 * o.dfz;               // (4.E64)
   if (conventions.limits) Eyk = smaller(Eyk, R(1.0));
-  const R Cyk = R(p.RCY1);  // (4.E63)
-  const R Byk = (p.RBY1 + p.RBY4 * o.gamma_star * o.gamma_star) *
-                cos_atan(p.RBY2 * (o.alpha_star - p.RBY3)) * p.LYKA;  // (4.E62)
+  const R Cyk = R(p.RCY1);                                                              // (4.E63)
+  const R Byk = (p.RBY1 + p.RBY4 * o.gamma_star * o.gamma_star) * o.cos_RBY2 * p.LYKA;  // (4.E62)
   shapes.set(Shapes<R>::kGy0, Byk * SHyk, Cyk, Eyk);
   shapes.set(Shapes<R>::kGy, Byk * (o.kappa + SHyk), Cyk, Eyk);  // (4.E61)
   return y;

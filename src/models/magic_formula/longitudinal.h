@@ -47,11 +47,10 @@ LATSCH_INLINE Longitudinal<R> longitudinal_terms(const TireConstants& tire,
                p.LEX;  // (4.E14)
   shapes.set(Shapes<R>::kFx, Bx * kappax, Cx, Ex);
 
-  const R Bxa = (p.RBX1 + p.RBX3 * o.gamma_star * o.gamma_star) * cos_atan(p.RBX2 * o.kappa) *
-                p.LXAL;                 // (4.E54)
-  const R Cxa = R(p.RCX1);              // (4.E55)
-  const R Exa = p.REX1 + p.REX2 * dfz;  // (4.E56)
-  const double SHxa = p.RHX1;           // (4.E57)
+  const R Bxa = (p.RBX1 + p.RBX3 * o.gamma_star * o.gamma_star) * o.cos_RBX2 * p.LXAL;  // (4.E54)
+  const R Cxa = R(p.RCX1);                                                              // (4.E55)
+  const R Exa = p.REX1 + p.REX2 * dfz;                                                  // (4.E56)
+  const double SHxa = p.RHX1;                                                           // (4.E57)
   shapes.set(Shapes<R>::kGx0, Bxa * SHxa, Cxa, Exa);
   shapes.set(Shapes<R>::kGx, Bxa * (o.alpha_star + SHxa), Cxa, Exa);  // (4.E53)
   return x;

@@ -20,6 +20,7 @@ TireConstants::TireConstants(const Parameters& parameters)
   per_LONGVL = 1.0 / p.LONGVL;
   per_VXLOW = 1.0 / p.VXLOW;
   per_FZMIN = 1.0 / p.FZMIN;
+  per_LMUY = 1.0 / p.LMUY;
   R0_per_V0 = p.UNLOADED_RADIUS / p.LONGVL;
   Q_A1 = p.Q_A1;
   Q_A2 = p.Q_A2;
@@ -56,7 +57,7 @@ MagicFormula::MagicFormula(const Parameters& parameters, const Conventions& conv
 SteadyState MagicFormula::evaluate(const State& state) const {
   SteadyState result;
   WheelUnderLoad wheel;
-  LATSCH_KERNEL(evaluate_one)(tire_, conventions_, state, result, &wheel);
+  LATSCH_KERNEL(evaluate_one)(tire_, conventions_, state, result, wheel);
   if (tire_.p.version == Version::mf62) add_deflection(tire_, conventions_, wheel, result);
   return result;
 }

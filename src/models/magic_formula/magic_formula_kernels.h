@@ -70,10 +70,11 @@ LATSCH_INLINE Forces<R> forces_of(const TireConstants& tire,
 
 /// Everything but the deflection of MF 6.2, which hangs on `wheel`.
 template <class R>
-LATSCH_INLINE SteadyStateOf<R> steady_state(const TireConstants& tire,
-                                            const Conventions& conventions,
-                                            const StateOf<R>& state,
-                                            WheelUnderLoadOf<R>& wheel) {
+LATSCH_INLINE void steady_state(const TireConstants& tire,
+                                const Conventions& conventions,
+                                const StateOf<R>& state,
+                                SteadyStateOf<R>& s,
+                                WheelUnderLoadOf<R>& wheel) {
   Everything<R> e;
   find_everything(tire, conventions, state, e);
   const auto& [o, x, pure, y, z] = e;
@@ -82,7 +83,6 @@ LATSCH_INLINE SteadyStateOf<R> steady_state(const TireConstants& tire,
   const Patch<R> patch = contact_patch(tire, o);
   const Relaxation<R> r = relaxation(tire, o, x.Kxk, pure.Kya);
   const double side = conventions.mirrored ? -1.0 : 1.0;
-  SteadyStateOf<R> s;
   s.Fx = x.Fx;
   s.Fy = side * y.Fy;
   s.Fz = o.Fz;
@@ -106,7 +106,6 @@ LATSCH_INLINE SteadyStateOf<R> steady_state(const TireConstants& tire,
   s.Cz = select(d.rho > 0.0, o.Fz / d.rho, R(tire.p.VERTICAL_STIFFNESS));
   s.sigma_x = r.sigma_x;
   s.sigma_y = r.sigma_y;
-  return s;
 }
 
 // States and results lie in memory as structs of doubles; side by side, field by field.
@@ -148,17 +147,19 @@ LATSCH_INLINE void one_by_one(const Wide& wide, Narrow* eight) {
   }
 }
 
-/// `wheel`: what the deflection of MF 6.2 hangs on, or nullptr.
+/// `wheel`: what the deflection of MF 6.2 hangs on.
 void evaluate_one(const TireConstants& tire,
                   const Conventions& conventions,
                   const State& state,
                   SteadyState& result,
-                  WheelUnderLoad* wheel) {
-  WheelUnderLoadOf<Lane> at;
-  const SteadyStateOf<Lane> s =
-      steady_state(tire, conventions, std::bit_cast<StateOf<Lane>>(state), at);
-  std::memcpy(&result, &s, sizeof result);
-  if (wheel != nullptr) *wheel = std::bit_cast<WheelUnderLoad>(at);
+                  WheelUnderLoad& wheel) {
+  // Written where they stay: copies of what was just written would wait for it to arrive.
+  static_assert(sizeof(Lane) == sizeof(double));
+  steady_state(tire,
+               conventions,
+               std::bit_cast<StateOf<Lane>>(state),
+               reinterpret_cast<SteadyStateOf<Lane>&>(result),
+               reinterpret_cast<WheelUnderLoadOf<Lane>&>(wheel));
 }
 
 void evaluate_eight(const TireConstants& tire,
@@ -167,8 +168,8 @@ void evaluate_eight(const TireConstants& tire,
                     SteadyState* results,
                     WheelUnderLoad* wheels) {
   WheelUnderLoadOf<Lanes> at;
-  const SteadyStateOf<Lanes> s =
-      steady_state(tire, conventions, side_by_side<StateOf<Lanes>>(states), at);
+  SteadyStateOf<Lanes> s;
+  steady_state(tire, conventions, side_by_side<StateOf<Lanes>>(states), s, at);
   one_by_one(s, results);
   if (wheels != nullptr) one_by_one(at, wheels);
 }

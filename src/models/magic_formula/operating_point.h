@@ -33,6 +33,21 @@ LATSCH_INLINE R cos_atan(const Product<R>& x) {
   return cos_atan(R(x));
 }
 
+/// Of three at once.
+LATSCH_INLINE void cosines_of_atan(
+    const Lane& x, const Lane& y, const Lane& z, Lane& of_x, Lane& of_y, Lane& of_z) {
+  const Lanes4 cosine = cos_atan(four(number(x), number(y), number(z), 0.0));
+  of_x = cosine.at(0);
+  of_y = cosine.at(1);
+  of_z = cosine.at(2);
+}
+LATSCH_INLINE void cosines_of_atan(
+    const Lanes& x, const Lanes& y, const Lanes& z, Lanes& of_x, Lanes& of_y, Lanes& of_z) {
+  of_x = cos_atan(x);
+  of_y = cos_atan(y);
+  of_z = cos_atan(z);
+}
+
 template <class R>
 struct OperatingPoint {
   R Fz, Fz_given;  // limited to FZMAX; as given
@@ -43,6 +58,7 @@ struct OperatingPoint {
   R tan_alpha;
   R alpha_star, gamma_star, dfz, dpi;
   R cos_alpha, cos_alpha_star, cos_alpha_prime;
+  R cos_RBX2, cos_RBY2, cos_RVY4;  // cos atan of (4.E54), (4.E62), (4.E67)
   R LMUX_star, LMUY_star, LMUX_prime, LMUY_prime, per_LMUY_star;
   R per_Cz;  // m/N
   R Re, R_omega, omega;
@@ -201,13 +217,14 @@ LATSCH_INLINE void friction_scales(const TireConstants& tire, double A_mu, Opera
   const Parameters& p = tire.p;
   o.LMUX_star = R(p.LMUX);
   o.LMUY_star = R(p.LMUY);
+  o.per_LMUY_star = R(tire.per_LMUY);
   if (p.LMUV != 0.0) {
     const R Vs = abs(o.Vx) * sqrt(o.kappa * o.kappa + o.tan_alpha * o.tan_alpha);
     const R slippery = 1.0 + p.LMUV * Vs * tire.per_LONGVL;
     o.LMUX_star = p.LMUX / slippery;  // (4.E7)
     o.LMUY_star = p.LMUY / slippery;
+    o.per_LMUY_star = 1.0 / o.LMUY_star;
   }
-  o.per_LMUY_star = 1.0 / o.LMUY_star;
   o.LMUX_prime = o.LMUX_star;
   o.LMUY_prime = o.LMUY_star;
   if (A_mu == 1.0) return;
@@ -243,6 +260,12 @@ LATSCH_INLINE void find_operating_point(const TireConstants& tire,
   functions_of_state(tire, o);
   o.alpha_star = tangent ? o.tan_alpha * o.sign_Vx : o.alpha;  // (4.E3)
   o.cos_alpha_star = tangent ? cos(o.alpha_star) : o.cos_alpha;
+  cosines_of_atan(p.RBX2 * o.kappa,
+                  p.RBY2 * (o.alpha_star - p.RBY3),
+                  p.RVY4 * o.alpha_star,
+                  o.cos_RBX2,
+                  o.cos_RBY2,
+                  o.cos_RVY4);
   const R Vc = abs(o.Vx) * sqrt(1.0 + o.tan_alpha * o.tan_alpha);
   o.cos_alpha_prime = o.Vx / (Vc + kEpsilon);  // (4.E6)
   friction_scales(tire, conventions.A_mu, o);
@@ -262,7 +285,7 @@ struct Shapes {
     C[which] = C_;
     E[which] = E_;
   }
-  LATSCH_INLINE void evaluate() { magic_all(Bx, C, E, sine, cosine); }
+  LATSCH_INLINE void evaluate() { magic_of_eight(Bx, C, E, sine, cosine); }
 };
 
 /// sin(C atan(Bx - E (Bx - atan Bx))) of one alone

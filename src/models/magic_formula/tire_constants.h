@@ -28,7 +28,7 @@ struct TireConstants {
   double Q_FZ1;      // (4)
   double Q_A1, Q_A2;
   // What every state would divide by.
-  double per_FNOMIN, per_Fz0_prime, per_NOMPRES, per_LONGVL, per_VXLOW, per_FZMIN;
+  double per_FNOMIN, per_Fz0_prime, per_NOMPRES, per_LONGVL, per_VXLOW, per_FZMIN, per_LMUY;
   double R0_per_V0;
 };
 
