@@ -187,7 +187,11 @@ void Identification::take_slopes() {
   }
   at_ = std::move(at);
   confidence_ = latsch::confidence(*at_, options_.confidence);
-  if (!options_.profiles || !std::isfinite(confidence_->sigma)) return;
+  if (!std::isfinite(confidence_->sigma)) return;
+  if (!options_.profiles) {
+    continues_at_better_point();
+    return;
+  }
   std::vector<int> every(static_cast<size_t>(n));
   std::iota(every.begin(), every.end(), 0);
   refit_.emplace(*at_,

@@ -9,9 +9,9 @@
 //   2. a refit of all variables (refit.h), because the fit may have ended early or have minimized
 //      another target over the same residuals
 //   3. the profiles, two branches a variable side by side (profile.h)
-// Where 2 or 3 finds a point better than the center by more than kWorthwhile of the threshold of an
-// interval, all begins again there, kMostCenters times at most: intervals and profiles belong to
-// the best point known.
+// Where any of them finds a point better than the center by more than kWorthwhile of the threshold
+// of an interval, all begins again there, kMostCenters times at most: intervals and profiles belong
+// to the best point known.
 //
 //   Identification identification(space, best_point);
 //   while (!identification.wanted().empty()) identification.observe(evaluate(wanted()));

@@ -301,11 +301,12 @@ TEST(Identification, SaysWhyItCannotBegin) {
 }
 
 TEST(Identification, TheShortFormCostsTwoEvaluationsAVariable) {
-  const auto a = analyze(box({0.5, 0.5, 0.5}, 0, 1),
-                         [](const auto& x) {
-                           return Eigen::VectorXd{{x[0], x[1], x[2], x[0] + x[1], x[2] - x[0]}};
-                         },
-                         {.confidence = {.sigma = 0.001}, .profiles = false});
+  const auto a = analyze(
+      box({0.5, 0.5, 0.5}, 0, 1),
+      [](const auto& x) {
+        return Eigen::VectorXd{{x[0] - 0.5, x[1] - 0.5, x[2] - 0.5, x[0] + x[1] - 1, x[2] - x[0]}};
+      },
+      {.confidence = {.sigma = 0.001}, .profiles = false});
   EXPECT_EQ(a.evaluations, 1 + 2 * 3);
 }
 
