@@ -175,11 +175,6 @@ void take_over(const Study& study, Journal& journal) {
 
 }  // namespace
 
-const std::vector<std::string>& start_keys() {
-  static const std::vector<std::string> keys{"start", "starts", "start_journal"};
-  return keys;
-}
-
 StartSettings read_start(const Node& table, const std::filesystem::path& folder, bool has_design) {
   using From = StartSettings::From;
   StartSettings start;

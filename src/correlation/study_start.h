@@ -33,9 +33,6 @@ namespace latsch::correlation {
 /// Reads the keys above. Throws InputError.
 StartSettings read_start(const Node& table, const std::filesystem::path& folder, bool has_design);
 
-/// Every key of read_start.
-const std::vector<std::string>& start_keys();
-
 /// The optimizer of the study with what it knows. Takes trials of another journal over and marks
 /// the start in the journal, where it has not been. Throws InputError where the other journal is of
 /// another model.
