@@ -101,7 +101,7 @@ struct Mask4 {
 };
 LATSCH_INLINE Mask4 operator&(const Mask4& a, const Mask4& b) { return {a.v & b.v}; }
 LATSCH_INLINE Mask4 operator|(const Mask4& a, const Mask4& b) { return {a.v | b.v}; }
-LATSCH_INLINE int signs(const Mask4& m) { return _mm256_movemask_pd(std::bit_cast<__m256d>(m.v)); }
+LATSCH_INLINE int signs(const Mask4& m) { return _mm256_movemask_pd((__m256d)m.v); }
 LATSCH_INLINE bool any(const Mask4& m) { return signs(m) != 0; }
 LATSCH_INLINE bool every(const Mask4& m) { return signs(m) == 0xF; }
 #endif
@@ -159,7 +159,7 @@ struct Register4 : Arithmetic<Register4> {
   LATSCH_COMPARE(less, x.v < y.v)
   LATSCH_COMPARE(less_equal, x.v <= y.v)
   LATSCH_COMPARE(equal, x.v == y.v)
-  LATSCH_INLINE static Mask negative(const Self& x) { return {std::bit_cast<Ints4>(x.v) < 0}; }
+  LATSCH_INLINE static Mask negative(const Self& x) { return {(Ints4)x.v < 0}; }
   LATSCH_INLINE static Self choose(const Mask4& m, const Self& yes, const Self& no) {
     return m.v ? yes.v : no.v;
   }
@@ -283,8 +283,8 @@ struct Register2 : Arithmetic<Register2> {
   LATSCH_BINARY(least, x.v < y.v ? x.v : y.v)
   LATSCH_BINARY(most, x.v > y.v ? x.v : y.v)
 
-  LATSCH_INLINE static Bits2 bits(const Self& x) { return std::bit_cast<Bits2>(x.v); }
-  LATSCH_INLINE static Self of_bits(const Bits2& x) { return std::bit_cast<Doubles2>(x); }
+  LATSCH_INLINE static Bits2 bits(const Self& x) { return (Bits2)x.v; }
+  LATSCH_INLINE static Self of_bits(const Bits2& x) { return (Doubles2)x; }
   LATSCH_BINARY(bit_and, of_bits(bits(x) & bits(y)))
   LATSCH_BINARY(bit_or, of_bits(bits(x) | bits(y)))
   LATSCH_BINARY(bit_xor, of_bits(bits(x) ^ bits(y)))
@@ -301,7 +301,7 @@ struct Register2 : Arithmetic<Register2> {
   LATSCH_COMPARE(less, x.v < y.v)
   LATSCH_COMPARE(less_equal, x.v <= y.v)
   LATSCH_COMPARE(equal, x.v == y.v)
-  LATSCH_INLINE static Mask negative(const Self& x) { return {std::bit_cast<Ints2>(x.v) < 0}; }
+  LATSCH_INLINE static Mask negative(const Self& x) { return {(Ints2)x.v < 0}; }
   LATSCH_INLINE static Self choose(const Mask2& m, const Self& yes, const Self& no) {
     return m.v ? yes.v : no.v;
   }
