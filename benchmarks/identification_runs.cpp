@@ -127,89 +127,13 @@ std::vector<double> nlopt_values(int algorithm, const DisturbedProblem& problem)
   return exact;
 }
 
-// SciPy ---------------------------------------------------------------------------------------
-
-namespace {
-
-// Reads "n difference" and the start, then asks with "? u ..." and reads residuals, "failed" or
-// "stop", and says "." at the end.
-constexpr const char* kScript = R"(
-import sys, numpy as np
-from scipy.optimize import least_squares
-class Stop(Exception): pass
-def say(words): sys.stdout.write(words + "\n"); sys.stdout.flush()
-while True:
-    head = sys.stdin.readline().split()
-    if not head: break
-    n, difference = int(head[0]), float(head[1])
-    start = np.array([float(v) for v in head[2:]])
-    size = [1]
-    def r(u):
-        say("? " + " ".join(repr(float(v)) for v in u))
-        line = sys.stdin.readline().split()
-        if not line or line[0] == "stop": raise Stop
-        if line[0] == "failed": return np.full(size[0], np.nan)
-        size[0] = len(line)
-        return np.array([float(v) for v in line])
-    try:
-        least_squares(r, start, bounds=(np.zeros(n), np.ones(n)),
-                      diff_step=difference if difference > 0 else None)
-    except (Stop, ValueError, np.linalg.LinAlgError):
-        pass
-    say(".")
-)";
-
-}  // namespace
-
-SciPy::SciPy() {
-  int down[2], up[2];
-  if (pipe(down) != 0 || pipe(up) != 0) throw InputError("no pipes to SciPy can be had");
-  child_ = fork();
-  if (child_ == 0) {
-    dup2(down[0], STDIN_FILENO);
-    dup2(up[1], STDOUT_FILENO);
-    for (const int end : {down[0], down[1], up[0], up[1]}) close(end);
-    execl("/usr/bin/python3", "python3", "-c", kScript, nullptr);
-    _exit(127);
-  }
-  close(down[0]);
-  close(up[1]);
-  to_ = fdopen(down[1], "w");
-  from_ = fdopen(up[0], "r");
-}
-
-SciPy::~SciPy() {
-  std::fclose(to_);
-  std::fclose(from_);
-  waitpid(child_, nullptr, 0);
-}
-
-void SciPy::solve(Recorded& recorded, double difference) {
-  const auto say = [&](const std::string& words) {
-    std::fputs((words + "\n").c_str(), to_);
-    std::fflush(to_);
-  };
-  const auto in_words = [](const std::vector<double>& values) {
-    std::string words;
-    for (const double value : values) words += fmt::format(" {}", value);
-    return words;
-  };
+void solve_by_scipy(SciPy& scipy, Recorded& recorded, double difference) {
   const DesignSpace& space = recorded.problem().space;
-  say(fmt::format("{} {}{}", space.size(), difference, in_words(space.to_unit(space.initial()))));
-  std::vector<char> line(1 << 16);
-  while (std::fgets(line.data(), static_cast<int>(line.size()), from_)) {
-    if (line[0] == '.') return;
-    std::vector<double> u;
-    char* at = line.data() + 1;
-    for (int i = 0; i < space.size(); ++i) u.push_back(std::strtod(at, &at));
-    if (recorded.is_spent()) {
-      say("stop");
-      continue;
-    }
-    const auto r = recorded.at_unit(u);
-    say(r ? in_words(*r) : "failed");
-  }
-  throw InputError("SciPy ended early; python3-scipy is what it needs");
+  const auto ask = [&](const std::vector<double>& u) -> SciPy::Answer {
+    if (recorded.is_spent()) return {.is_spent = true};
+    return {recorded.at_unit(u)};
+  };
+  scipy.solve(space.to_unit(space.initial()), true, difference, ask);
 }
 
 // The least value known -----------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "identification_set/disturbed_problem.h"
+#include "scipy_peer.h"
 
 namespace latsch::benchmarks {
 
@@ -47,21 +48,8 @@ Solve shipped();
 std::vector<double> nlopt_values(int algorithm,
                                  const identification_set::DisturbedProblem& problem);
 
-/// SciPy's least_squares, in a process of its own; differences of this relative step, 0: its own.
-class SciPy {
- public:
-  SciPy();
-  ~SciPy();
-  SciPy(const SciPy&) = delete;
-  SciPy& operator=(const SciPy&) = delete;
-
-  void solve(Recorded& recorded, double difference);
-
- private:
-  int child_ = -1;
-  std::FILE* to_ = nullptr;
-  std::FILE* from_ = nullptr;
-};
+/// SciPy's least_squares in the unit cube; differences of this relative step, 0: its own.
+void solve_by_scipy(SciPy& scipy, Recorded& recorded, double difference);
 
 /// The least undisturbed value of points that do not fail, by a method that is told where they do.
 double reference(const identification_set::DisturbedProblem& problem);

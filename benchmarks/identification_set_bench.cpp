@@ -72,7 +72,7 @@ Trial run(const DisturbedProblem& problem, SciPy& scipy) {
   trial.exact[kOurs] = ours.exact();
   for (const auto& [solver, difference] : kSciPy) {
     Recorded recorded(problem);
-    scipy.solve(recorded, difference);
+    solve_by_scipy(scipy, recorded, difference);
     trial.exact[solver] = recorded.exact();
   }
   for (const auto& [solver, algorithm] : kNlopt) {
@@ -150,7 +150,11 @@ void list_unsolved(const std::vector<Trial>& trials) {
     const double at_1e3 = trial.solved(kOurs, 1e-3), at_1e5 = trial.solved(kOurs, 1e-5);
     const auto& exact = trial.exact.at(kOurs);
     const double end = *std::min_element(exact.begin(), exact.end());
-    fmt::print("{:36} {:2} {:14} {:6.1f} {:6.1f} of {:5.1f}  left {:8.1e}{}\n",
+    std::string others;
+    for (const auto& [solver, values] : trial.exact) {
+      if (solver != kOurs) others += fmt::format(" {:5.1f}", trial.solved(solver, 1e-5));
+    }
+    fmt::print("{:36} {:2} {:14} {:6.1f} {:6.1f} of {:5.1f}  left {:8.1e}  others {}{}\n",
                trial.problem,
                trial.n,
                name(trial.variant),
@@ -158,6 +162,7 @@ void list_unsolved(const std::vector<Trial>& trials) {
                at_1e5,
                static_cast<double>(exact.size()) / (trial.n + 1),
                (end - trial.least) / (trial.start - trial.least),
+               others,
                at_1e5 > 20.0 ? "  *" : "");
   }
 }

@@ -162,7 +162,7 @@ Result<std::vector<double>> shown(const RingData& data, const DesignPoint& point
 }
 
 Result<RingFit> fit_ring(const RingData& data, int most_evaluations) {
-  ResidualTrustRegion optimizer(data.space, {.step_tolerance = 1e-4});
+  ResidualTrustRegion optimizer(data.space, {.step_tolerance = 1e-4, .restarts = 0});
   DesignPoint best = data.space.initial();
   double least = std::numeric_limits<double>::infinity();
   int evaluations = 0;

@@ -221,6 +221,7 @@ SlipFit fit(const Parameters& start, const SlipRecord& record, const SlipFitStag
   const DesignSpace space(variables);
   Sweep sweep(record, stage.channel, &stage, start);
   ResidualTrustRegionOptions options;
+  options.restarts = 0;
   options.step_tolerance = 1e-5;
   ResidualTrustRegion optimizer(space, options);
   constexpr int kMost = 300;

@@ -31,6 +31,7 @@ class Cascade : public Optimizer {
   std::vector<DesignPoint> propose(int count) const override;
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
+  std::string ending() const override { return optimizer_->ending(); }
 
   /// 1, 2, ...
   int stage() const { return stage_; }

@@ -32,6 +32,14 @@ void check(const DesignVariable& v) {
                     "scale",
                     shown(v.lower)));
   }
+  const double span = v.scale == Scale::logarithmic ? v.upper / v.lower : v.upper - v.lower;
+  if (!std::isfinite(span)) {
+    reject(
+        fmt::format("bounds {} and {} are so far apart that numbers between them cannot be told, "
+                    "expected narrower ones",
+                    shown(v.lower),
+                    shown(v.upper)));
+  }
   if (!(v.lower <= v.initial && v.initial <= v.upper)) {
     reject(fmt::format("initial value {} is outside its bounds {} to {}",
                        shown(v.initial),
@@ -40,12 +48,12 @@ void check(const DesignVariable& v) {
   }
 }
 
-double to_unit(const DesignVariable& v, double x) {
-  const double u = v.scale == Scale::logarithmic
-                       ? std::log(x / v.lower) / std::log(v.upper / v.lower)
-                       : (x - v.lower) / (v.upper - v.lower);
-  return std::clamp(u, 0.0, 1.0);
+double place(const DesignVariable& v, double x) {
+  return v.scale == Scale::logarithmic ? std::log(x / v.lower) / std::log(v.upper / v.lower)
+                                       : (x - v.lower) / (v.upper - v.lower);
 }
+
+double to_unit(const DesignVariable& v, double x) { return std::clamp(place(v, x), 0.0, 1.0); }
 
 double from_unit(const DesignVariable& v, double u) {
   if (!(u > 0.0)) return v.lower;
@@ -174,6 +182,20 @@ bool DesignSpace::contains(const DesignPoint& point) const {
   if (constraints_.empty()) return true;
   const std::vector<double> u = to_unit(point);
   return FeasibleRegion(*this).contains(Eigen::Map<const Eigen::VectorXd>(u.data(), size()));
+}
+
+std::optional<std::vector<double>> DesignSpace::place(const DesignPoint& point) const {
+  if (point.values.size() != variables_.size()) {
+    throw InputError(fmt::format("a point of the design space has {} values, expected {}",
+                                 point.values.size(),
+                                 variables_.size()));
+  }
+  std::vector<double> u(variables_.size());
+  for (int i = 0; i < size(); ++i) {
+    u[i] = latsch::place(variables_[i], point.values[i]);
+    if (!std::isfinite(u[i])) return std::nullopt;
+  }
+  return u;
 }
 
 std::vector<double> DesignSpace::to_unit(const DesignPoint& point) const {

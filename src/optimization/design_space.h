@@ -43,7 +43,8 @@ struct DesignVariable {
 
 class DesignSpace {
  public:
-  /// Throws InputError where bounds are crossed or not finite, the initial value lies outside them,
+  /// Throws InputError where bounds are crossed or not finite or so far apart that their distance
+  /// or ratio is not a number, the initial value lies outside them,
   /// a logarithmic variable has a lower bound that is not positive, a name comes twice or no
   /// variable is given; where a constraint has no variable, a logarithmic one, crossed bounds or
   /// none, where constraints contradict each other, and where the initial point violates one: the
@@ -61,7 +62,13 @@ class DesignSpace {
   /// Inside the bounds and, up to rounding, the constraints.
   bool contains(const DesignPoint& point) const;
 
-  /// Into the unit cube and back. from_unit clamps to the cube; its faces give the bits of the
+  /// Where any point lies: outside of 0 ... 1 where a value is outside of its bounds; nullopt where
+  /// one has no place, not finite or not positive on a logarithmic scale. Throws InputError for
+  /// another number of values than there are variables.
+  std::optional<std::vector<double>> place(const DesignPoint& point) const;
+
+  /// Into the unit cube and back; to_unit is for points that have a place, and clamps like
+  /// from_unit. from_unit clamps to the cube; its faces give the bits of the
   /// bounds.
   std::vector<double> to_unit(const DesignPoint& point) const;
   DesignPoint from_unit(const std::vector<double>& u) const;

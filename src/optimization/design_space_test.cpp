@@ -118,5 +118,30 @@ TEST(FullFactorial, RejectsPlansThatMakeNoSense) {
   EXPECT_THROW(full_factorial(space, {2000, 2000}), InputError);
 }
 
+TEST(DesignSpace, RefusesBoundsWhoseDistanceOverflows) {
+  EXPECT_THROW(DesignSpace({{.name = "x", .lower = -1e308, .upper = 1e308, .initial = 0.0}}),
+               InputError);
+  EXPECT_THROW(DesignSpace({{.name = "x",
+                             .lower = 1e-300,
+                             .upper = 1e300,
+                             .initial = 1.0,
+                             .scale = Scale::logarithmic}}),
+               InputError);
+}
+
+TEST(DesignSpace, SaysWhereForeignPointsLie) {
+  const DesignSpace space(
+      {{.name = "x", .lower = 0.0, .upper = 2.0, .initial = 1.0},
+       {.name = "y", .lower = 1.0, .upper = 100.0, .initial = 10.0, .scale = Scale::logarithmic}});
+  const auto outside = space.place({{3.0, 10.0}});
+  ASSERT_TRUE(outside);
+  EXPECT_DOUBLE_EQ((*outside)[0], 1.5);
+  EXPECT_DOUBLE_EQ((*outside)[1], 0.5);
+  EXPECT_FALSE(space.place({{std::nan(""), 10.0}}));
+  EXPECT_FALSE(space.place({{1.0, 0.0}}));
+  EXPECT_FALSE(space.place({{1.0, -3.0}}));
+  EXPECT_THROW(space.place({{1.0}}), InputError);
+}
+
 }  // namespace
 }  // namespace latsch

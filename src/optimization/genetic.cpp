@@ -157,6 +157,7 @@ void Genetic::observe(const DesignPoint& point, const Result<Score>& outcome) {
   auto& wanted = state_->wanted;
   const auto is_it = [&](const Individual& w) { return w.point == point; };
   const auto found = std::find_if(wanted.begin(), wanted.end(), is_it);
+  if (!state_->space.place(point)) return;
   Individual tried =
       found != wanted.end() ? *found : Individual{state_->space.to_unit(point), point};
   tried.f = state_->space.contains(point) ? f : kInfinity;

@@ -6,7 +6,6 @@
 #include <cassert>
 #include <optional>
 #include <string>
-#include <unordered_map>
 
 #include "optimization/conforming_set.h"
 #include "optimization/feasible_region.h"
@@ -14,6 +13,7 @@
 #include "optimization/model_step.h"
 #include "optimization/option_check.h"
 #include "optimization/point_vector.h"
+#include "optimization/shared_history.h"
 
 namespace latsch {
 namespace {
@@ -56,6 +56,13 @@ void check(const GssOptions& options) {
   check.require(options.outstanding >= 1, "outstanding", options.outstanding, "1 or more");
 }
 
+bool has_place_inside(const DesignSpace& space, const DesignPoint& point) {
+  const auto place = space.place(point);
+  if (!place) return false;
+  const auto is_inside = [](double u) { return u >= 0.0 && u <= 1.0; };
+  return std::all_of(place->begin(), place->end(), is_inside);
+}
+
 }  // namespace
 
 struct Gss::State {
@@ -72,10 +79,10 @@ struct Gss::State {
   Eigen::VectorXd last_move;
   int successes = 0;  // in a row
 
-  std::vector<Sample> samples;                     // finite values
-  std::unordered_map<std::string, double> values;  // of all points, by their bits
-  bool model_is_new = false;     // something was learned since the last model step
-  std::vector<Proposal> wanted;  // in the order proposed; empty: converged
+  SharedHistory<Sample> samples;  // finite values
+  SharedTable values;             // of all points
+  bool model_is_new = false;      // something was learned since the last model step
+  std::vector<Proposal> wanted;   // in the order proposed; empty: converged
 
   State(const DesignSpace& s, const GssOptions& o)
       : space(s),
@@ -154,9 +161,11 @@ struct Gss::State {
     if (!s) return std::nullopt;
     Proposal step = toward(x + *s, length);
     const auto near = [&](const auto& known) { return (known.u - step.u).norm() < kNew * length; };
-    if (std::any_of(samples.begin(), samples.end(), near)) return std::nullopt;
+    for (int i = 0; i < samples.size(); ++i) {
+      if (near(samples[i])) return std::nullopt;
+    }
     if (std::any_of(wanted.begin(), wanted.end(), near)) return std::nullopt;
-    if (values.contains(step.point.bits())) return std::nullopt;
+    if (values.find(step.point.bits())) return std::nullopt;
     return step;
   }
 
@@ -189,9 +198,9 @@ struct Gss::State {
         contract(directions[step->direction]);
         continue;
       }
-      const auto known = values.find(step->point.bits());
-      if (known == values.end()) return step;
-      take(*step, known->second);
+      const double* known = values.find(step->point.bits());
+      if (!known) return step;
+      take(*step, *known);
     }
     return std::nullopt;
   }
@@ -207,10 +216,12 @@ struct Gss::State {
   void observe(const DesignPoint& point, double value) {
     const auto found = std::find_if(
         wanted.begin(), wanted.end(), [&](const Proposal& w) { return w.point == point; });
+    // A foreign point outside of the bounds has no value for a search inside of them.
+    if (found == wanted.end() && !has_place_inside(space, point)) return;
     const Proposal tried =
         found != wanted.end() ? *found : Proposal{to_vector(space.to_unit(point)), point, length};
     if (found != wanted.end()) wanted.erase(found);
-    values.insert_or_assign(point.bits(), value);
+    values.set(point.bits(), value);
     if (value < kInfinity) {
       samples.push_back({tried.u, value});
       model_is_new = true;
@@ -247,6 +258,12 @@ std::vector<DesignPoint> Gss::propose(int count) const {
 
 void Gss::observe(const DesignPoint& point, const Result<Score>& outcome) {
   state_->observe(point, outcome ? outcome->value : kInfinity);
+}
+
+std::string Gss::ending() const {
+  if (!converged()) return {};
+  return state_->f < kInfinity ? "at a minimum: no direction gains with a step of the tolerance"
+                               : "without a result: every trial failed";
 }
 
 bool Gss::converged() const { return state_->wanted.empty(); }

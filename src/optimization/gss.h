@@ -60,6 +60,7 @@ class Gss : public Optimizer {
   std::vector<DesignPoint> propose(int count) const override;
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
+  std::string ending() const override;
 
  private:
   struct State;

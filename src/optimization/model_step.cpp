@@ -12,13 +12,15 @@ namespace {
 constexpr double kClearlyBetter = 0.1;  // of the other model's misfit
 constexpr double kConvex = 1e-8;        // of the largest curvature: the least one a program gets
 
-std::optional<QuadraticModel> model(const std::vector<Sample>& samples,
+std::optional<QuadraticModel> model(const SharedHistory<Sample>& samples,
                                     const Eigen::VectorXd& x,
                                     double reach) {
-  auto of_f = fit_quadratic(samples, x, reach);
-  const auto is_negative = [](const Sample& sample) { return sample.value < 0.0; };
-  if (std::any_of(samples.begin(), samples.end(), is_negative)) return of_f;
-  std::vector<Sample> squares = samples;
+  const std::vector<Sample> chosen = nearest_samples(samples, x);
+  auto of_f = fit_quadratic(chosen, x, reach);
+  for (int i = 0; i < samples.size(); ++i) {
+    if (samples[i].value < 0.0) return of_f;
+  }
+  std::vector<Sample> squares = chosen;
   for (Sample& sample : squares) sample.value *= sample.value;
   auto of_square = fit_quadratic(squares, x, reach);
   if (!of_f || !of_square) return of_f ? of_f : of_square;
@@ -47,7 +49,7 @@ Eigen::VectorXd among_constraints(const QuadraticModel& model,
 
 }  // namespace
 
-std::optional<Eigen::VectorXd> model_step(const std::vector<Sample>& samples,
+std::optional<Eigen::VectorXd> model_step(const SharedHistory<Sample>& samples,
                                           const FeasibleRegion& region,
                                           const Eigen::VectorXd& x,
                                           double reach) {

@@ -17,7 +17,7 @@
 namespace latsch {
 
 /// nullopt with too few samples. In a cube the step may lead over the bounds.
-std::optional<Eigen::VectorXd> model_step(const std::vector<Sample>& samples,
+std::optional<Eigen::VectorXd> model_step(const SharedHistory<Sample>& samples,
                                           const FeasibleRegion& region,
                                           const Eigen::VectorXd& x,
                                           double reach);

@@ -28,6 +28,7 @@ class MultiStart : public Optimizer {
   std::vector<DesignPoint> propose(int count) const override;
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
+  std::string ending() const override { return optimizer_->ending(); }
 
   /// 1, 2, ...
   int run() const { return run_; }

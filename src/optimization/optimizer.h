@@ -17,6 +17,7 @@
 // time.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/result.h"
@@ -37,6 +38,10 @@ class Optimizer {
   virtual void observe(const DesignPoint& point, const Result<Score>& outcome) = 0;
 
   virtual bool converged() const = 0;
+
+  /// Why it converged, in words that go on after "the search ended: "; empty before, and where a
+  /// method does not say.
+  virtual std::string ending() const { return {}; }
 };
 
 }  // namespace latsch

@@ -11,24 +11,12 @@
 namespace latsch {
 namespace {
 
-constexpr int kSpareSamples = 4;  // beyond as many as coefficients: smooths kinks, stays local
+constexpr int kSpareSamples = 4;   // beyond as many as coefficients: smooths kinks, stays local
+constexpr int kMostSamples = 100;  // or two a variable: far more would be far away, and slow
 constexpr double kNearest = 1.0 / 32.0;  // of the scale; points nearer than this weigh alike
 constexpr double kRidge = 1e-3;          // prefers a small H where samples leave it open
 
-std::vector<const Sample*> nearest(const std::vector<Sample>& samples,
-                                   const Eigen::VectorXd& center,
-                                   int count) {
-  std::vector<std::pair<double, const Sample*>> order;  // samples lie in a row: ties by their age
-  order.reserve(samples.size());
-  for (const Sample& sample : samples) {
-    order.emplace_back((sample.u - center).squaredNorm(), &sample);
-  }
-  const auto end = order.begin() + std::min<std::ptrdiff_t>(count, std::ssize(order));
-  std::partial_sort(order.begin(), end, order.end());
-  std::vector<const Sample*> chosen;
-  for (auto it = order.begin(); it != end; ++it) chosen.push_back(it->second);
-  return chosen;
-}
+int coefficients(int n) { return (n + 1) * (n + 2) / 2; }
 
 /// The monomials 1, z_i, 1/2 z_i^2 and z_i z_j.
 Eigen::VectorXd monomials(const Eigen::VectorXd& z) {
@@ -51,37 +39,98 @@ double unexplained(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eig
   return spread > 0.0 ? (A * x - b).squaredNorm() / spread : 0.0;
 }
 
+/// Samples in z = (u - center) / scale with their weights.
+struct Weighted {
+  Eigen::MatrixXd Z;  // one a row
+  Eigen::VectorXd w, y;
+};
+
+/// All coefficients by linear least squares, a row a sample and one for every curvature.
+QuadraticModel by_coefficients(const Weighted& data) {
+  const auto n = static_cast<int>(data.Z.cols()), rows = static_cast<int>(data.Z.rows());
+  const int count = coefficients(n), ridge_rows = count - n - 1;
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(rows + ridge_rows, count);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(rows + ridge_rows);
+  for (int r = 0; r < rows; ++r) A.row(r) = data.w[r] * monomials(data.Z.row(r)).transpose();
+  b.head(rows) = data.w.cwiseProduct(data.y);
+  for (int k = 0; k < ridge_rows; ++k) A(rows + k, n + 1 + k) = kRidge;
+  const Eigen::VectorXd x = numerics::least_squares_solution(A, b);
+  QuadraticModel model{x.segment(1, n), Eigen::MatrixXd(n, n), 0.0};
+  if (rows > count) model.misfit = unexplained(A.topRows(rows), b.head(rows), x);
+  int k = n + 1;
+  for (int i = 0; i < n; ++i) {
+    for (int j = i; j < n; ++j) model.H(i, j) = model.H(j, i) = x[k++];
+  }
+  return model;
+}
+
+/// The same least squares with fewer samples than coefficients, by an unknown a sample instead of
+/// one a curvature: with Q and P the weighted monomials of order two and below,
+///   (Q Q' + ridge^2 I) alpha + P p = W y,   P' alpha = 0,   h = Q' alpha
+/// Q Q' is w w' (1/2 (z'z)^2 - 1/4 sum z_i^2 z_i^2).
+QuadraticModel by_samples(const Weighted& data) {
+  const auto n = data.Z.cols(), rows = data.Z.rows();
+  const Eigen::ArrayXXd inner = (data.Z * data.Z.transpose()).array();
+  const Eigen::MatrixXd squares = data.Z.cwiseAbs2();
+  const Eigen::ArrayXXd kernel =
+      0.5 * inner.square() - 0.25 * (squares * squares.transpose()).array();
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(rows + n + 1, rows + n + 1);
+  K.topLeftCorner(rows, rows) = data.w.asDiagonal() * kernel.matrix() * data.w.asDiagonal();
+  K.diagonal().head(rows).array() += kRidge * kRidge;
+  Eigen::MatrixXd P(rows, n + 1);
+  P << data.w, data.w.asDiagonal() * data.Z;
+  K.topRightCorner(rows, n + 1) = P;
+  K.bottomLeftCorner(n + 1, rows) = P.transpose();
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(rows + n + 1);
+  b.head(rows) = data.w.cwiseProduct(data.y);
+  const Eigen::VectorXd x = numerics::least_squares_solution(K, b);
+  const Eigen::VectorXd alpha = data.w.cwiseProduct(x.head(rows));
+  QuadraticModel model{x.tail(n), data.Z.transpose() * alpha.asDiagonal() * data.Z, 0.0};
+  model.H.diagonal() *= 0.5;
+  return model;
+}
+
 }  // namespace
 
-std::optional<QuadraticModel> fit_quadratic(const std::vector<Sample>& samples,
+std::vector<Sample> nearest_samples(const SharedHistory<Sample>& samples,
+                                    const Eigen::VectorXd& center) {
+  const int n = static_cast<int>(center.size());
+  const int most = std::max(kMostSamples, 2 * (n + 1));
+  std::vector<std::pair<double, int>> order;  // ties by their age
+  order.reserve(static_cast<std::size_t>(samples.size()));
+  for (int i = 0; i < samples.size(); ++i) {
+    order.emplace_back((samples[i].u - center).squaredNorm(), i);
+  }
+  const auto count =
+      std::min<std::ptrdiff_t>(std::min(coefficients(n) + kSpareSamples, most), std::ssize(order));
+  std::partial_sort(order.begin(), order.begin() + count, order.end());
+  std::vector<Sample> chosen;
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    chosen.push_back(samples[order[static_cast<std::size_t>(k)].second]);
+  }
+  return chosen;
+}
+
+std::optional<QuadraticModel> fit_quadratic(const std::vector<Sample>& chosen,
                                             const Eigen::VectorXd& center,
                                             double radius) {
   const int n = static_cast<int>(center.size());
-  const int coefficients = (n + 1) * (n + 2) / 2;
-  if (std::ssize(samples) < n + 2) return std::nullopt;
-  const auto chosen = nearest(samples, center, coefficients + kSpareSamples);
-  const int rows = static_cast<int>(chosen.size());
-  const double middle = (chosen[rows / 2]->u - center).norm();
+  const auto rows = std::ssize(chosen);
+  if (rows < n + 2) return std::nullopt;
+  const double middle = (chosen[static_cast<std::size_t>(rows / 2)].u - center).norm();
   const double scale = std::max(radius, middle);
-
-  const int ridge_rows = coefficients - n - 1;
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(rows + ridge_rows, coefficients);
-  Eigen::VectorXd b = Eigen::VectorXd::Zero(rows + ridge_rows);
-  for (int r = 0; r < rows; ++r) {
-    const Eigen::VectorXd z = (chosen[r]->u - center) / scale;
-    const double weight = 1.0 / std::max(z.norm(), kNearest);
-    A.row(r) = weight * monomials(z).transpose();
-    b[r] = weight * chosen[r]->value;
+  Weighted data{Eigen::MatrixXd(rows, n), Eigen::VectorXd(rows), Eigen::VectorXd(rows)};
+  for (std::ptrdiff_t r = 0; r < rows; ++r) {
+    const Sample& sample = chosen[static_cast<std::size_t>(r)];
+    const Eigen::VectorXd z = (sample.u - center) / scale;
+    data.Z.row(r) = z.transpose();
+    data.w[r] = 1.0 / std::max(z.norm(), kNearest);
+    data.y[r] = sample.value;
   }
-  for (int k = 0; k < ridge_rows; ++k) A(rows + k, n + 1 + k) = kRidge;
-  const Eigen::VectorXd x = numerics::least_squares_solution(A, b);
-
-  QuadraticModel model{x.segment(1, n) / scale, Eigen::MatrixXd(n, n), 0.0};
-  if (rows > coefficients) model.misfit = unexplained(A.topRows(rows), b.head(rows), x);
-  int k = n + 1;
-  for (int i = 0; i < n; ++i) {
-    for (int j = i; j < n; ++j) model.H(i, j) = model.H(j, i) = x[k++] / (scale * scale);
-  }
+  const bool is_large = coefficients(n) > std::max(kMostSamples, 2 * (n + 1));
+  QuadraticModel model = is_large ? by_samples(data) : by_coefficients(data);
+  model.g /= scale;
+  model.H /= scale * scale;
   if (!model.g.allFinite() || !model.H.allFinite()) return std::nullopt;
   return model;
 }

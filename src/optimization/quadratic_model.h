@@ -11,6 +11,8 @@
 #include <optional>
 #include <vector>
 
+#include "optimization/shared_history.h"
+
 namespace latsch {
 
 struct Sample {
@@ -26,9 +28,13 @@ struct QuadraticModel {
   double misfit;
 };
 
-/// Of the values around `center`; lengths are told to it by `radius`. nullopt with fewer than n + 2
-/// samples.
-std::optional<QuadraticModel> fit_quadratic(const std::vector<Sample>& samples,
+/// Those nearest to `center`, as many as a model is made of.
+std::vector<Sample> nearest_samples(const SharedHistory<Sample>& samples,
+                                    const Eigen::VectorXd& center);
+
+/// Of such samples, nearest first; lengths are told to it by `radius`. nullopt with fewer than n +
+/// 2 samples.
+std::optional<QuadraticModel> fit_quadratic(const std::vector<Sample>& chosen,
                                             const Eigen::VectorXd& center,
                                             double radius);
 

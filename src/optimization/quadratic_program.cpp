@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kViolated = 1e-11;   // of the size of a row's terms
 constexpr double kDependent = 1e-10;  // share of a normal that is not made of active ones
-constexpr int kMostSteps = 100;  // for every constraint; rounding could make it turn in circles
 
 /// The letters of the paper: constraints n_j'x >= b_j, the active ones in N, their multipliers u.
 class DualActiveSet {
@@ -29,11 +28,15 @@ class DualActiveSet {
     x_ = -cholesky_.solve(qp.g);
   }
 
-  QuadraticSolution run() {
+  QuadraticSolution run(int most_steps) {
     QuadraticSolution solution;
-    for (long steps = 0; steps < long{kMostSteps} * (count_ + 1); ++steps) {
+    for (long steps = 0;; ++steps) {
       const int p = most_violated();
       if (p == kNone) break;
+      if (steps == long{most_steps} * (count_ + 1)) {
+        solution.is_out_of_steps = true;
+        break;
+      }
       if (!take_in(p)) {
         solution.contradiction = contradiction(p);
         break;
@@ -168,9 +171,9 @@ class DualActiveSet {
 
 }  // namespace
 
-QuadraticSolution solve(const QuadraticProgram& program) {
+QuadraticSolution solve(const QuadraticProgram& program, int most_steps) {
   assert(program.E.rows() == program.f.size() && program.A.rows() == program.b.size());
-  return DualActiveSet(program).run();
+  return DualActiveSet(program).run(most_steps);
 }
 
 }  // namespace latsch

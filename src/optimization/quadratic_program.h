@@ -28,13 +28,17 @@ struct QuadraticSolution {
   Eigen::VectorXd x;
   /// Of the Lagrangian 1/2 x'G x + g'x + lambda'(E x - f) + mu'(A x - b),  mu >= 0.
   Eigen::VectorXd lambda, mu;
-  /// Empty where x is the solution; else rows of E, then of A, counted on, that no x fulfills
-  /// together.
+  /// Empty where x is the solution or none was found; else rows of E, then of A, counted on, that
+  /// no x fulfills together.
   std::vector<int> contradiction;
 
-  bool is_feasible() const { return contradiction.empty(); }
+  /// Rounding made it turn in circles until it was out of steps: x fulfills not all constraints.
+  bool is_out_of_steps = false;
+
+  bool is_feasible() const { return contradiction.empty() && !is_out_of_steps; }
 };
 
-QuadraticSolution solve(const QuadraticProgram& program);
+/// `most_steps`: for every constraint and one more.
+QuadraticSolution solve(const QuadraticProgram& program, int most_steps = 100);
 
 }  // namespace latsch

@@ -97,5 +97,18 @@ TEST(QuadraticProgram, BearsRepeatedAndDependentRows) {
   EXPECT_LT((s.x - Eigen::Vector3d(0.5, 0.5, 0.5)).norm(), 1e-13);
 }
 
+TEST(QuadraticProgram, OutOfStepsIsNotFeasible) {
+  QuadraticProgram program;
+  program.G = Eigen::Matrix2d::Identity();
+  program.g = Eigen::Vector2d::Zero();
+  program.E.resize(0, 2);
+  program.A = Eigen::MatrixXd{{-1.0, 0.0}};
+  program.b = Eigen::VectorXd::Constant(1, -1.0);  // x_1 >= 1
+  EXPECT_TRUE(solve(program).is_feasible());
+  const QuadraticSolution cut_short = solve(program, 0);
+  EXPECT_TRUE(cut_short.is_out_of_steps);
+  EXPECT_FALSE(cut_short.is_feasible());
+}
+
 }  // namespace
 }  // namespace latsch

@@ -9,7 +9,10 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "optimization/failure_edges.h"
+#include "optimization/natural_frame.h"
 #include "optimization/residual_model.h"
+#include "optimization/shared_history.h"
 
 namespace latsch {
 
@@ -23,30 +26,46 @@ struct ResidualSample {
 
 class ResidualMemory {
  public:
-  int size() const { return static_cast<int>(samples_.size()); }
+  int size() const { return samples_.size(); }
   const ResidualSample& operator[](int i) const { return samples_[i]; }
 
-  void add(ResidualSample sample) { samples_.push_back(std::move(sample)); }
-  void add_failure(const Eigen::VectorXd& u) { failures_.push_back(u); }
+  void add(ResidualSample sample);
+  void add_failure(const Eigen::VectorXd& u);
 
   /// The samples nearest to one, as many as a quadratic has coefficients and as there are
   /// variables; without those that exploded or have other stand-ins. Distances are told by the half
   /// widths h of a box.
   std::vector<int> near(int center, const Eigen::VectorXd& h) const;
-  /// From here on a value counts as exploded, beside those near `center`.
+  /// From here on a value counts as exploded, beside those near `center` and its own.
   double explosion(int center, const Eigen::VectorXd& h) const;
   /// Those near `center` in z = (u - center) / h.
   ResidualSamples around(int center, const Eigen::VectorXd& h) const;
+  /// Those in its neighborhood in y, without those so near that they tell of noise alone.
+  ResidualSamples around(int center, const NaturalFrame& frame) const;
 
-  bool has_failed_near(const Eigen::VectorXd& u) const;
+  /// The edges of failed regions around `center`, in (u - center) / widths.
+  std::vector<Edge> edges(int center, const Eigen::VectorXd& widths) const;
+  bool has_failed_near(const Eigen::VectorXd& u) const { return failure_near(u) >= 0; }
+  /// The failure whose ball u lies in; -1: none.
+  int failure_near(const Eigen::VectorXd& u) const;
+  const Eigen::VectorXd& failure(int i) const { return failures_[i].u; }
+  int failures() const { return static_cast<int>(failures_.size()); }
+  /// Of the ball around it.
+  double avoided(int i) const;
   /// Whether a sample is nearer than `distance` in every variable.
   bool knows(const Eigen::VectorXd& u, const Eigen::VectorXd& distance) const;
 
  private:
+  /// Indices by their distance; `center` is not among them.
   std::vector<int> nearest(int center, const Eigen::VectorXd& h) const;
 
-  std::vector<ResidualSample> samples_;
-  std::vector<Eigen::VectorXd> failures_;
+  struct FailedPoint {
+    Eigen::VectorXd u;
+    double success;  // its distance to the nearest point that succeeded
+  };
+
+  SharedHistory<ResidualSample> samples_;
+  std::vector<FailedPoint> failures_;
 };
 
 }  // namespace latsch

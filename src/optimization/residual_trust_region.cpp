@@ -23,6 +23,7 @@ constexpr int kAllotment = 3;
 void check(const ResidualTrustRegionOptions& options) {
   const OptionCheck check("residual trust region");
   check.lengths(options.initial_radius, options.step_tolerance, 0.5, "initial radius");
+  check.require(options.explained >= 0.0, "explained", options.explained, "0 or more");
   check.require(options.restarts >= 0, "restarts", options.restarts, "0 or more");
   check.require(options.outstanding >= 1, "outstanding", options.outstanding, "1 or more");
 }
@@ -40,6 +41,7 @@ Eigen::MatrixXd slopes(const DesignSpace& space, const DesignPoint& point, const
 
 std::optional<ResidualSample> sample(const TrustBox& box,
                                      const DesignPoint& point,
+                                     const Eigen::VectorXd& u,
                                      const Result<Score>& outcome) {
   if (!outcome) return std::nullopt;
   if (outcome->residuals.empty()) {
@@ -50,11 +52,8 @@ std::optional<ResidualSample> sample(const TrustBox& box,
   const Eigen::VectorXd r = to_vector(outcome->residuals);
   const bool is_odd = box.memory.size() > 0 && r.size() != box.memory[0].r.size();
   if (is_odd || !std::isfinite(r.squaredNorm())) return std::nullopt;
-  return ResidualSample{to_vector(box.space.to_unit(point)),
-                        r,
-                        slopes(box.space, point, *outcome),
-                        r.squaredNorm(),
-                        outcome->stand_ins};
+  return ResidualSample{
+      u, r, slopes(box.space, point, *outcome), r.squaredNorm(), outcome->stand_ins};
 }
 
 }  // namespace
@@ -76,15 +75,17 @@ struct ResidualTrustRegion::State {
     return allotted > 0 ? trials.back().wanted() : run.wanted();
   }
 
-  void observe(const DesignPoint& point, const std::optional<ResidualSample>& sample) {
+  void observe(const DesignPoint& point,
+               const Eigen::VectorXd& u,
+               const std::optional<ResidualSample>& sample) {
     const auto is_it = [&](const Wanted& w) { return w.point == point; };
     if (std::any_of(look.begin(), look.end(), is_it)) {
       take_look(point, sample);
     } else if (std::any_of(wanted().begin(), wanted().end(), is_it)) {
-      active().observe(point, sample);
+      active().observe(point, u, sample);
       if (allotted > 0) --allotted;
     } else {
-      run.observe(point, sample);
+      run.observe(point, u, sample);
     }
     if (allotted > 0 && trials.back().wanted().empty()) allotted = 0;
     if (allotted == 0 && look.empty()) look_for_lost_variables();
@@ -114,11 +115,11 @@ struct ResidualTrustRegion::State {
     lost->observe(is_felt);
     look.clear();
     if (!is_felt || !sample) return;
-    if (was_test) return run.observe(point, sample);
+    if (was_test) return run.observe(point, sample->u, sample);
     ResidualTrustRegionOptions options = run.options();
     options.restarts = 0;
     trials.emplace_back(run.box().space.starting_at(point), options);
-    trials.back().observe(point, sample);
+    trials.back().observe(point, sample->u, sample);
     if (!trials.back().box().has_center()) return trials.pop_back();
     allotted = kAllotment * (run.box().n() + 1) + options.outstanding - 1;
   }
@@ -168,14 +169,23 @@ std::vector<DesignPoint> ResidualTrustRegion::propose(int count) const {
   }
   while (std::ssize(plan) < count && future.run.box().has_center() && !future.wanted().empty()) {
     const DesignPoint first = future.wanted().front().point;
-    future.observe(first, future.expected(first));
+    const ResidualSample expected = future.expected(first);
+    future.observe(first, expected.u, expected);
     take(future.wanted());
   }
   return plan;
 }
 
 void ResidualTrustRegion::observe(const DesignPoint& point, const Result<Score>& outcome) {
-  state_->observe(point, sample(state_->run.box(), point, outcome));
+  const TrustBox& box = state_->run.box();
+  const auto place = box.space.place(point);
+  if (!place) return;  // foreign: nothing can be learned of it
+  const Eigen::VectorXd u = to_vector(*place);
+  state_->observe(point, u, sample(box, point, u, outcome));
+}
+
+std::string ResidualTrustRegion::ending() const {
+  return converged() ? in_words(state_->run.ending()) : std::string();
 }
 
 bool ResidualTrustRegion::converged() const { return state_->wanted().empty(); }

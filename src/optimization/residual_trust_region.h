@@ -14,21 +14,25 @@
 //             polytope_least_squares.h.
 //             gain = (f(c) - f(u)) / (f(c) - expected(u))
 //   radius    grows with steps whose gain is good, shrinks with steps whose gain is bad.
-//   end       where neither a step of the tolerance nor a model of good geometry promises anything.
+//   verify    where neither a step of the tolerance nor a model of good geometry promises anything,
+//             slopes are taken afresh, at lengths that noise and ripple allow (natural_frame.h);
+//             steps of the model they make are gone as long as they gain.
+//   end       when they promise nothing any more. ending() says how.
 //
-// A Failure closes off the region around it (residual_memory.h): the next step ends before it, and
-// a second failure in a row halves the radius. So does a point where residuals leap because values
-// they are made of are gone (stand-ins, score.h); models are made of samples with as many of these.
-// Noise shows in models that disappoint again and again although they interpolate: then they
-// smooth, with the variance that is likeliest, and the radius grows where noise drowns the slopes.
-// `restarts` starts again near the best point, a share of the initial radius off: out of a local
-// minimum or out of the noise. Where the run ended with directions of which the residuals feel
-// nothing (flat_directions.h), n + 1 single points scout along them first, and the run starts from
-// the one that is felt. Single variables of which nothing is felt are looked for farther off before
-// that (lost_variables.h): from every place where they are felt again a trial of 3 (n + 1)
-// evaluations starts afresh and counts as a restart; the best of the trials and the run goes on.
-// Where a Score brings a Jacobian, its slopes take the place of the geometry: Levenberg-Marquardt
-// with bounds.
+// A Failure closes off the region around it (residual_memory.h), failures together the half space
+// behind a plane that parts them from successes (failure_edges.h): the step is looked for again
+// among what is left, along the edge. A second failure in a row halves the radius. So does a point
+// where residuals leap because values they are made of are gone (stand-ins, score.h); models are
+// made of samples with as many of these. Noise shows in models that disappoint again and again
+// although they interpolate: then they smooth, with the variance that is likeliest, and the radius
+// grows where noise drowns the slopes. `restarts` starts again near the best point, a share of the
+// initial radius off: out of a local minimum or out of the noise. Where the run ended with
+// directions of which the residuals feel nothing (flat_directions.h), n + 1 single points scout
+// along them first, and the run starts from the one that is felt. Single variables of which nothing
+// is felt are looked for farther off before that (lost_variables.h): from every place where they
+// are felt again a trial of 3 (n + 1) evaluations starts afresh and counts as a restart; the best
+// of the trials and the run goes on. Where a Score brings a Jacobian, its slopes take the place of
+// the geometry: Levenberg-Marquardt with bounds.
 //
 // Several at once: `outstanding` points are under way at any time. The second and later ones are
 // steps in boxes of other sizes, then points around the best predicted one. Idle workers get what
@@ -52,8 +56,10 @@ namespace latsch {
 struct ResidualTrustRegionOptions {
   double initial_radius = 0.1;
   double step_tolerance = 1e-3;
-  /// How often it starts again after it ended.
-  int restarts = 0;
+  /// How often it starts again after it ended, unless what is left of the sum of squares is less
+  /// than `explained` of its first value: then it has found what it was sent for.
+  int restarts = 3;
+  double explained = 1e-3;
   /// Points the method decides on before it knows the outcome of the first of them: part of the
   /// method, so that its trajectory does not depend on the workers. 1 needs the fewest evaluations,
   /// a quarter more than there are workers the least time.
@@ -73,6 +79,7 @@ class ResidualTrustRegion : public Optimizer {
   /// first counts as a Failure.
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
+  std::string ending() const override;
 
  private:
   struct State;

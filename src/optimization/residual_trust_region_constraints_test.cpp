@@ -50,8 +50,10 @@ Found minimize(const DesignSpace& space,
 TEST(TrustRegionAmongConstraints, SolvesProblemsOfHockAndSchittkowski) {
   for (const LeastSquaresProblem& problem : constrained_least_squares_problems()) {
     for (const int outstanding : {1, 4}) {
-      const Found found = minimize(
-          problem.space, problem.residuals, {.step_tolerance = 1e-6, .outstanding = outstanding});
+      const Found found =
+          minimize(problem.space,
+                   problem.residuals,
+                   {.step_tolerance = 1e-6, .restarts = 0, .outstanding = outstanding});
       EXPECT_NEAR(found.f, problem.least, 1e-6 * std::max(1.0, problem.least)) << problem.name;
       for (size_t i = 0; i < found.x.size(); ++i) {
         EXPECT_NEAR(found.x[i], problem.x[i], 2e-3 * std::max(1.0, std::abs(problem.x[i])))
@@ -72,7 +74,7 @@ TEST(TrustRegionAmongConstraints, AnEquationIsWorthAVariable) {
     }
     return r;
   };
-  const Options fine{.step_tolerance = 1e-7};
+  const Options fine{.step_tolerance = 1e-7, .restarts = 0};
   const Found three = minimize(
       space_of({0.5, 1, 0.5}, {{0, 2}, {0, 5}, {0, 2}}, {equal({1, 0, 1}, 1)}),
       [&](const auto& x) { return decay(x[0], x[1], x[2]); },

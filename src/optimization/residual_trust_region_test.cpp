@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <functional>
+#include <set>
+#include <string>
 
 #include "base/random.h"
 #include "optimization/full_factorial.h"
@@ -154,10 +156,93 @@ TEST(ResidualTrustRegion, GoesAroundAFailedRegion) {
   EXPECT_NEAR(found.x[2], 0.4, 2e-3);
 }
 
-TEST(ResidualTrustRegion, EndsWhereEverythingFails) {
-  const Found found = minimize(box({0.5, 0.5}, 0.0, 1.0, Scale::linear),
-                               [](const auto&) { return std::vector{std::nan("")}; });
-  EXPECT_TRUE(std::isinf(found.f));
+TEST(ResidualTrustRegion, EndsAtTheEdgeOfAFailedRegionNotBeforeIt) {
+  // Least |x - (0.8, 0.7)|^2 with x + y / 2 <= 0.9, where everything beyond fails: the foot of the
+  // perpendicular, (0.8, 0.7) - 0.25 / 1.25 (1, 0.5).
+  const DesignSpace space = box({0.1, 0.9}, 0.0, 1.0, Scale::linear);
+  ResidualTrustRegion method(space);
+  const Found found = minimize(method, space, [](const std::vector<double>& x) {
+    const double none = x[0] + 0.5 * x[1] > 0.9 ? std::nan("") : 0.0;
+    return std::vector{x[0] - 0.8 + none, x[1] - 0.7};
+  });
+  EXPECT_NEAR(found.x[0], 0.6, 5e-3);
+  EXPECT_NEAR(found.x[1], 0.6, 5e-3);
+  EXPECT_LT(found.f, 0.05 * (1.0 + 1e-2));
+  EXPECT_NE(method.ending().find("edge of failed"), std::string::npos) << method.ending();
+}
+
+TEST(ResidualTrustRegion, VerifiesBeforeItEndsOnRoughGround) {
+  // Two directions, one felt a hundredth as much as the other, under a ripple of 1e-3: differences
+  // over short moves show the ripple alone.
+  const DesignSpace space = box({0.2, 0.8}, 0.0, 1.0, Scale::linear);
+  ResidualTrustRegion method(space);
+  double best = INFINITY;  // without the ripple
+  const Found found = minimize(method, space, [&](const std::vector<double>& x) {
+    std::vector<double> r;
+    double exact = 0.0;
+    for (int i = 0; i < 20; ++i) {
+      const double t = 0.05 * i, s = x[0] + x[1] - 1.1, d = x[0] - x[1] + 0.1;
+      const double smooth = s * (1.0 + t) + 0.03 * std::sin(6.0 * t) * d + 0.2 * s * s * t;
+      exact += smooth * smooth;
+      r.push_back(smooth + 1e-3 * std::sin(300.0 * x[0] * (1.0 + t) + 200.0 * x[1] + 5.0 * i));
+    }
+    best = std::min(best, exact);
+    return r;
+  });
+  EXPECT_LT(best, 20 * 1e-6);            // below the ripple itself
+  EXPECT_LT(found.evaluations, 50 * 3);  // 50 (n + 1)
+}
+
+TEST(ResidualTrustRegion, SaysWhyItEnded) {
+  const DesignSpace space = box({0.3, 0.6}, 0.0, 1.0, Scale::linear);
+  ResidualTrustRegion smooth(space);
+  EXPECT_EQ(smooth.ending(), "");
+  minimize(smooth, space, [](const auto& x) {
+    return std::vector{std::exp(x[0]) - 1.5, x[1] - 0.3, 0.5 * x[0] * x[1]};
+  });
+  EXPECT_NE(smooth.ending().find("at a minimum"), std::string::npos) << smooth.ending();
+  ResidualTrustRegion failing(space);
+  minimize(failing, space, [](const auto&) { return std::vector{std::nan("")}; });
+  EXPECT_NE(failing.ending().find("every trial failed"), std::string::npos) << failing.ending();
+}
+
+TEST(ResidualTrustRegion, EndsWhereEverythingFailsWithoutAskingTwice) {
+  const DesignSpace space = box({0.5, 0.5}, 0.0, 1.0, Scale::linear);
+  ResidualTrustRegion method(space);
+  std::set<std::string> asked;
+  int count = 0;
+  for (; !method.converged() && count < 2000; ++count) {
+    const DesignPoint point = method.propose(1).front();
+    asked.insert(point.bits());
+    method.observe(point, Failure{"failed"});
+  }
+  EXPECT_TRUE(method.converged());
+  EXPECT_EQ(static_cast<int>(asked.size()), count);
+}
+
+TEST(ResidualTrustRegion, ForeignPointsOutsideOfTheBoundsAreNotTakenForPointsOnAFace) {
+  const DesignSpace space = box({0.3, 0.6}, 0.0, 1.0, Scale::linear);
+  const Residuals residuals = [](const auto& x) { return std::vector{x[0] - 2.0, x[1] - 0.3}; };
+  ResidualTrustRegion method(space);
+  method.observe({{2.0, 0.3}}, score({0.0, 0.0}));
+  const Found found = minimize(method, space, residuals);
+  EXPECT_EQ(found.x[0], 1.0);
+  EXPECT_NEAR(found.f, 1.0, 1e-5);
+}
+
+TEST(ResidualTrustRegion, ForeignPointsWithoutAPlaceAreLeftAlone) {
+  const DesignSpace space = box({3.0, 0.4}, 0.2, 4.0, Scale::logarithmic);
+  const Residuals residuals = [](const auto& x) {
+    return std::vector{std::log(x[0]), x[0] * x[1] - 1.0};
+  };
+  ResidualTrustRegion method(space);
+  method.observe({{std::nan(""), 1.0}}, score({0.0, 0.0}));
+  method.observe({{-1.0, 1.0}}, score({0.1, 0.1}));
+  method.observe({{0.0, 1.0}}, Failure{"failed"});
+  const Found found = minimize(method, space, residuals);
+  EXPECT_NEAR(found.x[0], 1.0, 1e-3);
+  EXPECT_NEAR(found.x[1], 1.0, 1e-3);
+  EXPECT_THROW(method.observe({{1.0}}, score({0.0, 0.0})), InputError);
 }
 
 TEST(ResidualTrustRegion, ComesCloseUnderNoise) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <optional>
 
 #include "optimization/damped_bfgs.h"
@@ -109,8 +110,10 @@ struct Sqp::State {
   /// The model's own derivatives are enough where it has no constraints to differentiate.
   bool knows_slopes(const Iterate& at) const {
     const size_t entries = at.score.residuals.size() * at.point.values.size();
-    return entries > 0 && at.score.jacobian.size() == entries && at.score.constraints.empty() &&
-           at.score.equations.empty();
+    const auto& J = at.score.jacobian;
+    return entries > 0 && J.size() == entries && at.score.constraints.empty() &&
+           at.score.equations.empty() &&
+           std::all_of(J.begin(), J.end(), [](double slope) { return std::isfinite(slope); });
   }
 
   std::vector<WantedPoint> differences_at(const VectorXd& u) const {
@@ -270,7 +273,9 @@ struct Sqp::State {
     std::optional<Iterate> known;
     const auto is_it = [&](const WantedPoint& w) { return w.point == point; };
     const auto found = std::find_if(wanted.begin(), wanted.end(), is_it);
-    const VectorXd u = found != wanted.end() ? found->u : to_vector(space.to_unit(point));
+    const auto place = space.place(point);
+    if (!place) return;
+    const VectorXd u = found != wanted.end() ? found->u : to_vector(*place);
     if (outcome) {
       if (auto values = smooth_values(*outcome)) known = Iterate{u, point, *outcome, *values};
     }

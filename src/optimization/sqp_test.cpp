@@ -192,5 +192,25 @@ TEST(Sqp, RejectsOptionsOutOfRange) {
   EXPECT_THROW(Sqp(space, {.difference = 0.01}), InputError);
 }
 
+TEST(Sqp, TakesDifferencesWhereTheJacobianIsNotFinite) {
+  const DesignSpace space = space_of({0.2, 0.9}, {{0, 1}});
+  Sqp sqp(space, kExact);
+  double least = INFINITY;
+  int evaluations = 0;
+  for (; !sqp.converged() && evaluations < 200; ++evaluations) {
+    const DesignPoint point = sqp.propose(1).front();
+    const auto& x = point.values;
+    Score score{0.0, {std::exp(x[0]) - 1.5, x[1] - 0.3, 0.1 * x[0] * x[1]}};
+    for (const double r : score.residuals) score.value += r * r;
+    score.jacobian = {std::exp(x[0]), 0.0, 0.0, NAN, 0.1 * x[1], 0.1 * x[0]};
+    least = std::min(least, score.value);
+    EXPECT_TRUE(std::isfinite(x[0]) && std::isfinite(x[1]));
+    sqp.observe(point, score);
+  }
+  EXPECT_TRUE(sqp.converged());
+  // A search by differences alone ends here: (0.405, 0.3) but for the small third residual.
+  EXPECT_LT(least, 2e-4);
+}
+
 }  // namespace
 }  // namespace latsch

@@ -17,11 +17,15 @@ namespace {
 // Of the radius: a probe's length. Shorter ones are nearer to the slope, longer ones rise above
 // noise; a third of this or three times it change little.
 constexpr double kProbe = 0.03;
-constexpr double kRoom = 0.5;     // of a probe's length: what has to be left of it
-constexpr double kShort = 0.01;   // of the radius: a step not worth an evaluation in this box
-constexpr double kFlat = 1e-6;    // of f: a predicted decrease that is none
-constexpr double kBackOff = 0.5;  // of a step that would end in a failed region
-constexpr double kSame = 0.1;     // of a step: nearer to a known point nothing is learned
+constexpr double kRoom = 0.5;          // of a probe's length: what has to be left of it
+constexpr double kShort = 0.01;        // of the radius: a step not worth an evaluation in this box
+constexpr double kFlat = 1e-6;         // of f: a predicted decrease that is none
+constexpr double kBackOff = 0.5;       // of a step that no cut keeps out of a failed region
+constexpr double kBeyondBall = 1.001;  // of its radius: a step on the cut is outside of it
+constexpr int kMostCuts = 20;
+constexpr double kLongestProbe = 0.2;  // of a range: fresh slopes where little is felt
+constexpr int kProbeShortenings = 3;
+constexpr double kSame = 0.1;  // of a step: nearer to a known point nothing is learned
 
 }  // namespace
 
@@ -87,6 +91,7 @@ ResidualModel TrustBox::model(bool is_noisy) {
     const ResidualModel here(samples(), noise);
     const Eigen::MatrixXd J = here.jacobian(Eigen::VectorXd::Zero(n()));  // dr/dz
     scale_.learn(J * h().cwiseInverse().asDiagonal());
+    edges_of_[0] = -1;  // they are in widths
   }
   const ResidualSamples around = samples();
   if (is_noisy || noise > 0.0) noise = likeliest_noise(around);
@@ -111,6 +116,13 @@ Wanted TrustBox::at(const Eigen::VectorXd& u, Wanted::Kind kind) const {
           center_,
           f(),
           scale_.length(inside - c())};
+}
+
+bool TrustBox::is_beyond_edge(const Eigen::VectorXd& u) const {
+  if (!has_center()) return false;
+  const Eigen::VectorXd x = (u - c()).cwiseQuotient(scale_.widths());
+  return std::any_of(
+      edges().begin(), edges().end(), [&](const Edge& edge) { return edge.a.dot(x) > edge.b; });
 }
 
 /// Whether to ask there would be to ask again, or for a failure.
@@ -145,29 +157,99 @@ std::optional<Wanted> TrustBox::probe(Eigen::VectorXd direction,
   return std::nullopt;
 }
 
-Eigen::VectorXd TrustBox::least_expected(const ResidualModel& m, double box) const {
-  const Eigen::VectorXd lower = (-c()).cwiseQuotient(h()).cwiseMax(-box);
-  const Eigen::VectorXd upper = (1.0 - c().array()).matrix().cwiseQuotient(h()).cwiseMin(box);
-  if (region.is_cube()) return minimize_in_box(m, lower, upper);
-  const Eigen::Index rows = region.A().rows() - 2 * n();  // behind them the faces of the cube
-  const Eigen::MatrixXd A = region.A().topRows(rows);
-  return minimize_in_polytope(m,
-                              lower,
-                              upper,
-                              region.E() * h().asDiagonal(),
-                              A * h().asDiagonal(),
-                              region.b().head(rows) - A * c());
+// Where the least value lies in a failed region, it is looked for again on this side of it: with a
+// half space that closes off the ball around that failure and all behind it, as seen from c. So
+// steps go on along the edge.
+Eigen::VectorXd TrustBox::least_expected(const ResidualModel& m,
+                                         const Eigen::MatrixXd& T,
+                                         double box) const {
+  const bool is_aligned =
+      region.is_cube() && T.isDiagonal() && T.diagonal().minCoeff() > 0.0 && edges().empty();
+  const Eigen::VectorXd reach = Eigen::VectorXd::Constant(T.cols(), box);
+  Eigen::MatrixXd A = region.A();
+  Eigen::VectorXd room = (region.b() - A * c()).cwiseMax(0.0);
+  const auto close_off = [&](const Eigen::VectorXd& a, double distance) {
+    A.conservativeResize(A.rows() + 1, Eigen::NoChange);
+    A.row(A.rows() - 1) = a.transpose();
+    room.conservativeResize(A.rows());
+    room[A.rows() - 1] = std::max(0.0, distance);
+  };
+  for (const Edge& edge : edges()) close_off(edge.a.cwiseQuotient(scale_.widths()), edge.b);
+  const auto least = [&](bool is_cut) {
+    if (is_aligned && !is_cut) {
+      const Eigen::ArrayXd h = T.diagonal();
+      return minimize_in_box(
+          m, (-c().array() / h).max(-box).matrix(), ((1.0 - c().array()) / h).min(box).matrix());
+    }
+    return minimize_in_polytope(m, -reach, reach, region.E() * T, A * T, room);
+  };
+  Eigen::VectorXd z = least(false);
+  int last = -1;
+  for (int cuts = 0; cuts < kMostCuts; ++cuts) {
+    const int failed = memory.failure_near(c() + T * z);
+    if (failed < 0) return z;
+    if (failed == last) break;
+    last = failed;
+    const Eigen::VectorXd away = memory.failure(failed) - c();
+    const double distance = away.norm();
+    close_off(away / distance, distance - kBeyondBall * memory.avoided(failed));
+    z = least(true);
+  }
+  while (memory.has_failed_near(c() + T * z)) z *= kBackOff;
+  return z;
+}
+
+const std::vector<Edge>& TrustBox::edges() const {
+  const std::array now{center_, memory.size(), memory.failures()};
+  if (std::exchange(edges_of_, now) != now) edges_ = memory.edges(center_, scale_.widths());
+  return edges_;
 }
 
 Wanted TrustBox::step(const ResidualModel& m, double box, const std::vector<Wanted>& wanted) const {
-  Eigen::VectorXd z = least_expected(m, box);
-  while (memory.has_failed_near(c() + h().cwiseProduct(z))) z *= kBackOff;
+  const Eigen::VectorXd z = least_expected(m, h().asDiagonal(), box);
   Wanted step = at(c() + h().cwiseProduct(z), Wanted::Kind::step);
   step.predicted = m.expected(z);
   if (step.length < kShort * radius || is_pointless(step.u, kSame * step.length, wanted) ||
       !promises(step)) {
     step.length = 0.0;
   }
+  return step;
+}
+
+NaturalFrame TrustBox::natural_frame(const Eigen::MatrixXd& J, double shortest) const {
+  return latsch::natural_frame(
+      J, memory[center_].r.norm(), c(), scale_.widths(), along(), {shortest, kLongestProbe});
+}
+
+std::optional<Wanted> TrustBox::probe_by(const Eigen::VectorXd& move,
+                                         const std::vector<Wanted>& wanted) const {
+  double share = 1.0;
+  for (int k = 0; k < kProbeShortenings; ++k, share *= 0.5) {
+    for (const double side : {share, -share}) {
+      const Eigen::VectorXd u = region.nearest(c() + side * move);
+      const bool has_room = scale_.norm(u - c()) > 0.5 * share * scale_.norm(move);
+      const double distance = kSame * share * scale_.norm(move);
+      if (!has_room || is_beyond_edge(u)) continue;
+      if (!is_pointless(u, distance, wanted)) return at(u, Wanted::Kind::probe);
+    }
+  }
+  return std::nullopt;
+}
+
+ResidualModel TrustBox::natural_model(const NaturalFrame& frame, double& noise) const {
+  const ResidualSamples around = memory.around(center_, frame);
+  noise = likeliest_noise(around);
+  return ResidualModel(around, noise);
+}
+
+Wanted TrustBox::natural_step(const ResidualModel& m,
+                              const NaturalFrame& frame,
+                              double reach,
+                              const std::vector<Wanted>& wanted) const {
+  const Eigen::VectorXd z = least_expected(m, frame.T, reach);
+  Wanted step = at(c() + frame.T * z, Wanted::Kind::step);
+  step.predicted = m.expected(z);
+  if (is_pointless(step.u, 0.0, wanted) || !promises(step)) step.length = 0.0;
   return step;
 }
 
@@ -205,6 +287,16 @@ Eigen::VectorXd TrustBox::moved(const Eigen::VectorXd& u,
 Eigen::VectorXd TrustBox::moved(const Eigen::VectorXd& u, double reach) {
   RandomStream numbers(seed_, drawn_++);
   return moved(u, reach, numbers);
+}
+
+Eigen::VectorXd TrustBox::drawn_near(const Eigen::VectorXd& u, double reach) {
+  RandomStream numbers(seed_, drawn_++);
+  Eigen::VectorXd next = u;
+  for (double& value : next) {
+    const double lower = std::max(0.0, value - reach), upper = std::min(1.0, value + reach);
+    value = lower + numbers.uniform() * (upper - lower);
+  }
+  return region.nearest(next);
 }
 
 Eigen::VectorXd TrustBox::draw() {

@@ -10,6 +10,7 @@
 // region help the models and are never the center.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "base/random.h"
 #include "optimization/design_space.h"
 #include "optimization/feasible_region.h"
+#include "optimization/natural_frame.h"
 #include "optimization/residual_memory.h"
 #include "optimization/variable_scale.h"
 
@@ -47,6 +49,8 @@ class TrustBox {
   double noise = 0.0;  // of the model, in its units
 
   int n() const { return space.size(); }
+  /// The equations leave nothing to vary.
+  bool is_point() const { return region.E().rows() > 0 && along().cols() == 0; }
   const Eigen::VectorXd& c() const { return center_ >= 0 ? memory[center_].u : start_; }
   double f() const;
   /// The best sample inside the region since the last `move_to`; -1: none.
@@ -83,10 +87,25 @@ class TrustBox {
   Wanted step(const ResidualModel& m, double box, const std::vector<Wanted>& wanted) const;
   /// Whether the value to be expected of it is less.
   bool promises(const Wanted& step) const;
+  /// Where fresh slopes at c are to be taken; `J`: dr/du there.
+  NaturalFrame natural_frame(const Eigen::MatrixXd& J, double shortest) const;
+  /// By `move` from c or back, as far as the region and failures leave room; nullopt: no room.
+  std::optional<Wanted> probe_by(const Eigen::VectorXd& move,
+                                 const std::vector<Wanted>& wanted) const;
+  /// Of the samples which the frame brings near.
+  ResidualModel natural_model(const NaturalFrame& frame, double& noise) const;
+  /// The step of that model as far as `reach` along the axes.
+  Wanted natural_step(const ResidualModel& m,
+                      const NaturalFrame& frame,
+                      double reach,
+                      const std::vector<Wanted>& wanted) const;
   /// Near the point predicted to be the best, at a distance of any magnitude.
   std::optional<Wanted> explore(const std::vector<Wanted>& wanted);
   /// u with every variable moved at random by up to `reach` widths, inside the region.
   Eigen::VectorXd moved(const Eigen::VectorXd& u, double reach);
+  /// A point of the region, up to `reach` from u in every variable, equally likely anywhere there
+  /// inside the bounds.
+  Eigen::VectorXd drawn_near(const Eigen::VectorXd& u, double reach);
   /// Numbers in -1 ... 1, one a variable.
   Eigen::VectorXd draw();
 
@@ -99,13 +118,20 @@ class TrustBox {
   bool is_pointless(const Eigen::VectorXd& u,
                     double distance,
                     const std::vector<Wanted>& wanted) const;
-  Eigen::VectorXd least_expected(const ResidualModel& m, double box) const;
+  const std::vector<Edge>& edges() const;
+  bool is_beyond_edge(const Eigen::VectorXd& u) const;
+  /// Least value expected at c + T z with |z_i| <= box, outside of failed regions.
+  Eigen::VectorXd least_expected(const ResidualModel& m,
+                                 const Eigen::MatrixXd& T,
+                                 double box) const;
   Eigen::VectorXd moved(const Eigen::VectorXd& u, double reach, RandomStream& numbers) const;
 
   Eigen::VectorXd start_;
   int center_ = -1;
   int best_ = -1;
   VariableScale scale_;
+  mutable std::vector<Edge> edges_;                // around the center, in widths
+  mutable std::array<int, 3> edges_of_{-1, 0, 0};  // center, samples and failures they were made of
   int scaled_for_ = -1;  // the center whose Jacobian the scale learned last
   std::uint64_t seed_;
   std::uint64_t drawn_ = 0;  // random points so far

@@ -38,9 +38,41 @@ constexpr std::array kBoxes{1.0, 0.25, 2.0, 0.5, 0.1, 4.0, 0.03, 0.01};
 /// Of the initial radius: how far from the best point restarts begin, one after the other.
 constexpr std::array kJumps{0.1, 1.0, 0.03, 0.3};
 
+// Verification:
+constexpr double kSharp = 0.1;  // of the step tolerance: the shortest move for fresh slopes
+constexpr double kReach = 2.0;  // of the frame's axes: the longest step
+constexpr int kMostMisses = 3;  // in a row: steps that fail or disappoint
+constexpr double kWorthARound = 1.0 - 1e-5;  // of the value: another one
+constexpr int kMostRounds = 8;
+constexpr double kWorthASearch = 0.5;
+constexpr double kNothingLeft = 1e-8;  // of the first value: a ten-thousandth of the residuals
+
 constexpr double kWorthALook = 0.9;  // of the value when it last had settled
 
 }  // namespace
+
+std::string in_words(Ending ending) {
+  switch (ending) {
+    case Ending::none:
+      return "";
+    case Ending::verified:
+      return "at a minimum: slopes taken afresh around the best point promise nothing better";
+    case Ending::noise:
+      return "in the noise: slopes taken afresh around the best point promise nothing above noise "
+             "and ripple of the simulations";
+    case Ending::edge:
+      return "at the edge of failed trials: steps that would gain fail";
+    case Ending::rough:
+      return "on rough ground: steps do not bring what slopes around the best point promise";
+    case Ending::known:
+      return "at a minimum: the slopes the model brings promise nothing better";
+    case Ending::explained:
+      return "with nothing left: less than a ten-thousandth of the first residuals";
+    case Ending::hopeless:
+      return "without a result: every trial failed";
+  }
+  return "";
+}
 
 TrustRegionRun::TrustRegionRun(const DesignSpace& space, const ResidualTrustRegionOptions& options)
     : options_(options), box_(space, options.initial_radius, options.seed) {
@@ -68,6 +100,17 @@ bool TrustRegionRun::is_step_awaited() const {
 /// The next point, after those already wanted_; nullopt at the end.
 std::optional<Wanted> TrustRegionRun::next() {
   if (is_over_ || has_settled_) return std::nullopt;
+  if (verification_) return next_to_verify();
+  if (auto point = next_of_search()) return point;
+  if (is_hopeless() || !box_.has_center()) return std::nullopt;
+  if (wanted_.empty() && begin_verification()) return next_to_verify();
+  if (wanted_.empty()) return restart();
+  // Those under way may lead on; meanwhile idle workers look around, each once.
+  return explored_++ < options_.outstanding ? box_.explore(wanted_) : std::nullopt;
+}
+
+/// nullopt where nothing is promised any more.
+std::optional<Wanted> TrustRegionRun::next_of_search() {
   while (box_.radius >= options_.step_tolerance && !is_hopeless()) {
     const bool bears_probes = !box_.has_center() || failures_ < kFailuresToGiveUp;
     const OpenDirection open = open_direction();
@@ -93,10 +136,71 @@ std::optional<Wanted> TrustRegionRun::next() {
     if (!box_.promises(first) && box_.radius < kSettled * options_.initial_radius) break;
     box_.radius *= 0.1;
   }
-  if (is_hopeless()) return std::nullopt;
-  if (wanted_.empty()) return restart();
-  // Those under way may lead on; meanwhile idle workers look around, each once.
-  return explored_++ < options_.outstanding ? box_.explore(wanted_) : std::nullopt;
+  return std::nullopt;
+}
+
+/// False where nothing is left to gain, the last one still holds, the model brings its slopes, or
+/// the region is a point.
+bool TrustRegionRun::begin_verification() {
+  if (box_.memory[box_.center()].J.size() > 0 || box_.f() >= f_verified_) return false;
+  if (box_.f() < kNothingLeft * f_first_) {
+    ending_ = Ending::explained;
+    return false;
+  }
+  verification_ = Verification{};
+  new_round(box_.slopes());
+  if (verification_->frame.axes() == 0) {
+    ending_ = Ending::verified;
+    verification_.reset();
+  }
+  return verification_.has_value();
+}
+
+void TrustRegionRun::new_round(const Eigen::MatrixXd& J) {
+  Verification& v = *verification_;
+  v.frame = box_.natural_frame(J, kSharp * options_.step_tolerance);
+  v.axis = 0;
+  v.misses = 0;
+  v.has_failed = false;
+  v.has_disappointed = false;
+  v.reach = kReach;
+  v.f_begin = box_.f();
+  ++v.rounds;
+}
+
+/// Probes along the axes of the frame, then steps until one promises nothing or several were in
+/// vain; another round where it gained, or where slopes were wrong: probes then go to other places.
+std::optional<Wanted> TrustRegionRun::next_to_verify() {
+  while (true) {
+    Verification& v = *verification_;
+    while (v.axis < v.frame.axes()) {
+      if (auto probe = box_.probe_by(v.frame.T.col(v.axis++), wanted_)) return probe;
+    }
+    if (!wanted_.empty()) {
+      return explored_++ < options_.outstanding ? box_.explore(wanted_) : std::nullopt;
+    }
+    double noise = 0.0;
+    const ResidualModel m = box_.natural_model(v.frame, noise);
+    const Wanted step = box_.natural_step(m, v.frame, v.reach, wanted_);
+    if (step.length > 0.0 && v.misses < kMostMisses) return step;
+    const bool has_gained =
+        box_.f() < kWorthARound * v.f_begin && box_.f() > kNothingLeft * f_first_;
+    if ((has_gained || v.has_disappointed) && v.rounds < kMostRounds) {
+      const Eigen::MatrixXd J = m.jacobian(Eigen::VectorXd::Zero(v.frame.axes()));
+      new_round(J * v.frame.inverse);
+      continue;
+    }
+    if (box_.center() == box_.best()) {
+      const bool is_in_vain = step.length > 0.0;
+      ending_ = is_in_vain && v.has_failed ? Ending::edge
+                : noise > 0.0              ? Ending::noise
+                : is_in_vain               ? Ending::rough
+                                           : Ending::verified;
+    }
+    f_verified_ = box_.f();
+    verification_.reset();
+    return restart();
+  }
 }
 
 /// The one least known; none where the model brought its slopes, or the region is a point.
@@ -117,7 +221,8 @@ std::optional<Wanted> TrustRegionRun::another_step(const ResidualModel& m) {
 }
 
 std::optional<Wanted> TrustRegionRun::restart() {
-  if (restarts_ >= options_.restarts || box_.best() < 0) return std::nullopt;
+  if (restarts_ >= options_.restarts || box_.best() < 0 || box_.is_point()) return std::nullopt;
+  if (best().f < options_.explained * f_first_) return std::nullopt;
   if (box_.center() == box_.best()) {
     if (best().f < kWorthALook * f_settled_) {
       f_settled_ = best().f;
@@ -167,14 +272,28 @@ void TrustRegionRun::start_again(const Eigen::VectorXd& failed) {
     if (another) wanted_.push_back(*another);
     return;
   }
-  box_.move_to(box_.moved(failed, options_.initial_radius * (1.0 + failures_ / n())));
-  wanted_.push_back(box_.at(box_.c(), Kind::start));
+  const double reach = options_.initial_radius * (1.0 + failures_ / n());
+  constexpr int kTries = 100;  // the region may be thin
+  for (int k = 0; k < kTries; ++k) {
+    const Eigen::VectorXd u = box_.drawn_near(failed, reach);
+    if (box_.memory.has_failed_near(u)) continue;  // the same bits again
+    box_.move_to(u);
+    wanted_.push_back(box_.at(u, Kind::start));
+    return;
+  }
 }
 
 void TrustRegionRun::take_failure(const Wanted& tried) {
   box_.memory.add_failure(tried.u);
   ++failures_;
   if (tried.kind == Kind::start && !box_.has_center()) return start_again(tried.u);
+  if (verification_) {
+    if (tried.kind == Kind::step) {
+      ++verification_->misses;
+      verification_->has_failed = true;
+    }
+    return;
+  }
   if (failures_ >= kFailuresToGiveUp) {
     box_.radius *= 0.1;
   } else if (tried.kind == Kind::step && failures_ >= kFailuresToShrink) {
@@ -190,9 +309,12 @@ void TrustRegionRun::take(const Wanted& tried, ResidualSample sample) {
     wanted_.push_back(start());
     return;
   }
+  const bool is_known = f_first_ < std::numeric_limits<double>::infinity();
+  if (restarts_ == 0 && (tried.kind == Kind::start || !is_known)) f_first_ = sample.f;
   const bool is_best = box_.take(std::move(sample));
   if (is_best) explored_ = 0;
   if (tried.kind != Kind::step) return;
+  if (verification_) return judge_verifying_step(gain);
   if (gain > kGoodGain) disappointments_ = 0;
   if (is_best && gain > kGoodGain) {
     box_.radius = std::clamp(box_.radius, kGrowth * tried.length, kMostGrowth * tried.length);
@@ -204,7 +326,24 @@ void TrustRegionRun::take(const Wanted& tried, ResidualSample sample) {
   }
 }
 
+/// Where it gained much, a search begins anew.
+void TrustRegionRun::judge_verifying_step(double gain) {
+  Verification& v = *verification_;
+  v.misses = gain < kBadGain ? v.misses + 1 : 0;
+  v.has_failed = false;
+  if (gain < kBadGain) {
+    v.has_disappointed = true;
+    v.reach *= 0.3;
+  }
+  if (gain > kGoodGain && box_.f() < kWorthASearch * v.f_begin) {
+    box_.radius = kSettled * options_.initial_radius;
+    disappointments_ = 0;
+    verification_.reset();
+  }
+}
+
 void TrustRegionRun::observe(const DesignPoint& point,
+                             const Eigen::VectorXd& u,
                              const std::optional<ResidualSample>& sample) {
   const auto found = std::find_if(
       wanted_.begin(), wanted_.end(), [&](const Wanted& w) { return w.point == point; });
@@ -216,7 +355,7 @@ void TrustRegionRun::observe(const DesignPoint& point,
     box_.memory.add_failure(to_vector(box_.space.to_unit(point)));
     return;
   } else {
-    tried = {to_vector(box_.space.to_unit(point)), point, Kind::probe, box_.center(), box_.f()};
+    tried = {u, point, Kind::probe, box_.center(), box_.f()};
   }
   has_widened_ = false;
   if (sample && sample->f < box_.explosion() && !box_.leaps(*sample)) {

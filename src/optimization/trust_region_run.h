@@ -6,12 +6,26 @@
 #include <Eigen/Core>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "optimization/residual_trust_region.h"
 #include "optimization/trust_box.h"
 
 namespace latsch {
+
+/// Why a run ended.
+enum class Ending {
+  none,       // it has not
+  verified,   // fresh slopes promise nothing
+  noise,      // nor do they above noise and ripple
+  edge,       // steps that gain fail
+  rough,      // steps do not bring what fresh slopes promise
+  known,      // the model's own slopes promise nothing
+  explained,  // next to nothing is left of the residuals
+  hopeless    // nothing ever succeeded
+};
+std::string in_words(Ending ending);
 
 class TrustRegionRun {
  public:
@@ -21,10 +35,15 @@ class TrustRegionRun {
   /// In the order proposed; empty: ended, or it has settled.
   const std::vector<Wanted>& wanted() const { return wanted_; }
   /// `sample`: none for a failure.
-  void observe(const DesignPoint& point, const std::optional<ResidualSample>& sample);
+  /// `u`: its place, outside of the unit cube for a foreign point outside of the bounds.
+  void observe(const DesignPoint& point,
+               const Eigen::VectorXd& u,
+               const std::optional<ResidualSample>& sample);
 
   /// Before a restart from a value clearly better than at the last time: it waits for `go_on`.
   bool has_settled() const { return has_settled_; }
+  /// Of the search that led to the best point.
+  Ending ending() const { return is_hopeless() ? Ending::hopeless : ending_; }
   int restarts_left() const { return options_.restarts - restarts_; }
   void go_on(int restarts_left);
   /// Wants `count` points at a time from here on.
@@ -46,6 +65,11 @@ class TrustRegionRun {
   bool is_step_awaited() const;
   bool is_hopeless() const;
   std::optional<Wanted> next();
+  std::optional<Wanted> next_of_search();
+  bool begin_verification();
+  std::optional<Wanted> next_to_verify();
+  void new_round(const Eigen::MatrixXd& J);
+  void judge_verifying_step(double gain);
   OpenDirection open_direction() const;
   std::optional<Wanted> another_step(const ResidualModel& m);
   std::optional<Wanted> restart();
@@ -55,8 +79,24 @@ class TrustRegionRun {
   void take_failure(const Wanted& tried);
   void take(const Wanted& tried, ResidualSample sample);
 
+  /// Fresh slopes at the end of a search, one round after the other.
+  struct Verification {
+    NaturalFrame frame;
+    int axis = 0;  // the next to be probed
+    int rounds = 0;
+    int misses = 0;                 // steps in a row
+    bool has_failed = false;        // the last step
+    bool has_disappointed = false;  // in this round
+    double reach = 0.0;
+    double f_begin = 0.0;  // of this round
+  };
+
   ResidualTrustRegionOptions options_;
   TrustBox box_;
+  std::optional<Verification> verification_;
+  Ending ending_ = Ending::known;
+  double f_first_ = std::numeric_limits<double>::infinity();  // of the start, or the first success
+  double f_verified_ = std::numeric_limits<double>::infinity();
   bool is_geometry_doubted_ = false;  // a step disappointed
   bool has_widened_ = false;          // the radius, for noise, since the last outcome
   int disappointments_ = 0;           // in a row

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scipy_peer.h"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "base/error.h"
+
+namespace latsch::benchmarks {
+namespace {
+
+// Reads "n bounds difference" and the start, then asks with "? x ..." and reads residuals, "failed"
+// or "stop", and says "." at the end.
+constexpr const char* kScript = R"(
+import sys, numpy as np
+from scipy.optimize import least_squares
+class Stop(Exception): pass
+def say(words): sys.stdout.write(words + "\n"); sys.stdout.flush()
+while True:
+    head = sys.stdin.readline().split()
+    if not head: break
+    n, bounded, difference = int(head[0]), int(head[1]), float(head[2])
+    start = np.array([float(v) for v in head[3:]])
+    bounds = (np.zeros(n), np.ones(n)) if bounded else (-np.inf, np.inf)
+    size = [1]
+    def r(x):
+        say("? " + " ".join(repr(float(v)) for v in x))
+        line = sys.stdin.readline().split()
+        if not line or line[0] == "stop": raise Stop
+        if line[0] == "failed": return np.full(size[0], np.nan)
+        size[0] = len(line)
+        return np.array([float(v) for v in line])
+    try:
+        least_squares(r, start, bounds=bounds, diff_step=difference if difference > 0 else None)
+    except (Stop, ValueError, np.linalg.LinAlgError):
+        pass
+    say(".")
+)";
+
+std::string in_words(const std::vector<double>& values) {
+  std::string words;
+  for (const double value : values) words += fmt::format(" {}", value);
+  return words;
+}
+
+}  // namespace
+
+SciPy::SciPy() {
+  int down[2], up[2];
+  if (pipe(down) != 0 || pipe(up) != 0) throw InputError("no pipes to SciPy can be had");
+  child_ = fork();
+  if (child_ == 0) {
+    dup2(down[0], STDIN_FILENO);
+    dup2(up[1], STDOUT_FILENO);
+    for (const int end : {down[0], down[1], up[0], up[1]}) close(end);
+    execl("/usr/bin/python3", "python3", "-c", kScript, nullptr);
+    _exit(127);
+  }
+  close(down[0]);
+  close(up[1]);
+  to_ = fdopen(down[1], "w");
+  from_ = fdopen(up[0], "r");
+}
+
+SciPy::~SciPy() {
+  std::fclose(to_);
+  std::fclose(from_);
+  waitpid(child_, nullptr, 0);
+}
+
+void SciPy::solve(const std::vector<double>& start,
+                  bool in_cube,
+                  double difference,
+                  const Ask& ask) {
+  const auto say = [&](const std::string& words) {
+    std::fputs((words + "\n").c_str(), to_);
+    std::fflush(to_);
+  };
+  say(fmt::format("{} {} {}{}", start.size(), in_cube ? 1 : 0, difference, in_words(start)));
+  std::vector<char> line(1 << 16);
+  while (std::fgets(line.data(), static_cast<int>(line.size()), from_)) {
+    if (line[0] == '.') return;
+    std::vector<double> x;
+    char* at = line.data() + 1;
+    for (std::size_t i = 0; i < start.size(); ++i) x.push_back(std::strtod(at, &at));
+    const Answer answer = ask(x);
+    say(answer.is_spent ? "stop" : answer.residuals ? in_words(*answer.residuals) : "failed");
+  }
+  throw InputError("SciPy ended early; python3-scipy is what it needs");
+}
+
+}  // namespace latsch::benchmarks
