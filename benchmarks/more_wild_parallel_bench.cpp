@@ -62,7 +62,6 @@ Solved run(const more_wild::Problem& problem, Busy& busy) {
   ResidualTrustRegion method(more_wild::space(problem),
                              {.initial_radius = 1.0 / more_wild::kBoxWidth,
                               .step_tolerance = 1e-12,
-                              .restarts = 1'000'000,
                               .outstanding = kOutstanding});
   RunOptions options;
   options.max_steps = 1'000'000;

@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "base/random.h"
 #include "optimization/gss.h"
 #include "optimization/residual_trust_region.h"
+#include "scipy_peer.h"
 
 namespace latsch::benchmarks {
 namespace {
@@ -81,11 +83,8 @@ bool Observed::is_done() const { return solved_.at_1e5 < kInfinity; }
 
 Solver residual_trust_region() {
   return [](Observed& observed, int most_evaluations) {
-    constexpr int kUntilTheBudgetEnds = 1'000'000;
     ResidualTrustRegion method(more_wild::space(observed.problem()),
-                               {.initial_radius = kStartStep,
-                                .step_tolerance = kTolerance,
-                                .restarts = kUntilTheBudgetEnds});
+                               {.initial_radius = kStartStep, .step_tolerance = kTolerance});
     run(method, observed, most_evaluations);
   };
 }
@@ -93,10 +92,7 @@ Solver residual_trust_region() {
 Solver gss() {
   return [](Observed& observed, int most_evaluations) {
     Gss method(more_wild::space(observed.problem()),
-               {.initial_step = kStartStep,
-                .step_tolerance = kTolerance,
-                .contraction = 0.25,  // start steps are far from the scale of many problems
-                .outstanding = 1});
+               {.initial_step = kStartStep, .step_tolerance = kTolerance});
     run(method, observed, most_evaluations);
   };
 }
@@ -114,6 +110,25 @@ Solver nlopt(int algorithm) {
     double value = 0.0;
     nlopt_optimize(solver, x.data(), &value);
     nlopt_destroy(solver);
+  };
+}
+
+Solver scipy() {
+  const auto peer = std::make_shared<SciPy>();
+  return [peer](Observed& observed, int most_evaluations) {
+    const more_wild::Problem& problem = observed.problem();
+    const std::vector<double> steps = more_wild::start_steps(problem);
+    const auto ask = [&](const std::vector<double>& moved) -> SciPy::Answer {
+      if (observed.is_done() || observed.evaluations() >= most_evaluations) {
+        return {.is_spent = true};
+      }
+      std::vector<double> x = problem.start;
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += steps[i] * moved[i];
+      const Result<Score> outcome = observed(x);
+      if (!outcome) return {};
+      return {outcome->residuals};
+    };
+    peer->solve(std::vector<double>(problem.start.size(), 0.0), false, 0.0, ask);
   };
 }
 

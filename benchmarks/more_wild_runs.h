@@ -59,6 +59,8 @@ Solver residual_trust_region();
 Solver gss();
 /// Only where nothing fails: nlopt_algorithm by its number.
 Solver nlopt(int algorithm);
+/// SciPy's least_squares with its own differences, in start steps from the start.
+Solver scipy();
 
 struct Profile {
   std::vector<double> budgets;  // k

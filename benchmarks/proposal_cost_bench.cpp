@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a proposal of a search costs, by the number of variables and of points already known
+//
+// Times are of this machine; what has to hold anywhere is that the cost of a proposal does not grow
+// with the history as copying it would, and that many variables are no trap.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "base/random.h"
+#include "optimization/gss.h"
+#include "optimization/residual_trust_region.h"
+#include "table.h"
+
+namespace {
+
+using namespace latsch;
+
+DesignSpace cube(int n) {
+  std::vector<DesignVariable> variables;
+  for (int i = 0; i < n; ++i) variables.push_back({.name = std::to_string(i), .initial = 0.2});
+  return DesignSpace(variables);
+}
+
+Score valley(const std::vector<double>& x) {
+  Score score;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    score.residuals.push_back(x[i] - 0.6);
+    if (i > 0) score.residuals.push_back(x[i] - x[i - 1] * x[i - 1] - 0.2);
+  }
+  for (const double r : score.residuals) score.value += r * r;
+  return score;
+}
+
+double seconds(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Steps until converged or `most`: seconds a step.
+double a_step(Optimizer& method, int look_ahead, int most, int& steps) {
+  steps = 0;
+  const double time = seconds([&] {
+    for (; steps < most && !method.converged(); ++steps) {
+      const DesignPoint point = method.propose(look_ahead).front();
+      method.observe(point, valley(point.values));
+    }
+  });
+  return time / std::max(1, steps);
+}
+
+/// Seconds a look ahead of four proposals takes when `known` points are known.
+double with_history(Optimizer& method, const DesignSpace& space, int known) {
+  RandomStream random(7, 0);
+  for (int k = 0; k < known; ++k) {
+    DesignPoint point = space.initial();
+    for (double& x : point.values) x = random.uniform();
+    method.observe(point, valley(point.values));
+  }
+  constexpr int kCalls = 20;
+  return seconds([&] {
+           for (int k = 0; k < kCalls; ++k) method.propose(4);
+         }) /
+         kCalls;
+}
+
+int bench() {
+  benchmarks::Table table("proposal_cost");
+  for (const int n : {20, 30, 40}) {
+    Gss gss(cube(n));
+    int steps = 0;
+    const double step = a_step(gss, 1, 3000, steps);
+    table.row(fmt::format("GSS, {} variables, a step", n),
+              fmt::format("{:.2f} ms, {} steps", 1e3 * step, steps),
+              "<= 10 ms",
+              step <= 10e-3);
+  }
+  constexpr int kMany = 20'000, kFew = 200;
+  const DesignSpace space = cube(6);
+  for (const bool is_gss : {true, false}) {
+    const auto make = [&]() -> std::unique_ptr<Optimizer> {
+      if (is_gss) return std::make_unique<Gss>(space);
+      return std::make_unique<ResidualTrustRegion>(space);
+    };
+    const double few = with_history(*make(), space, kFew);
+    const double many = with_history(*make(), space, kMany);
+    table.row(
+        fmt::format("{}, four proposals, {} points known", is_gss ? "GSS" : "trust region", kMany),
+        fmt::format("{:.2f} ms, {:.2f} with {}", 1e3 * many, 1e3 * few, kFew),
+        "<= 10 ms",
+        many <= 10e-3);
+  }
+  return table.exit_code();
+}
+
+}  // namespace
+
+int main() { return latsch::benchmarks::guarded(bench); }
