@@ -26,6 +26,9 @@ class HopelessStart : public Optimizer {
   std::vector<DesignPoint> propose(int count) const override;
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
+  std::string ending() const override {
+    return reason_ ? "without a result: " + *reason_ : optimizer_->ending();
+  }
 
   /// Why nothing can succeed; nullopt where it may.
   const std::optional<std::string>& reason() const { return reason_; }

@@ -352,7 +352,7 @@ void TrustRegionRun::observe(const DesignPoint& point,
     tried = *found;
     wanted_.erase(found);
   } else if (!sample) {  // whoever asked for it: it says nothing about the steps of this run
-    box_.memory.add_failure(to_vector(box_.space.to_unit(point)));
+    box_.memory.add_failure(u);
     return;
   } else {
     tried = {u, point, Kind::probe, box_.center(), box_.f()};
