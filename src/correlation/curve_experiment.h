@@ -6,12 +6,11 @@
 //   x = "response/time"                # channels: OUTPUT/QUANTITY; without x, sample by sample
 //   y = "response/z"
 //   measurement = "step.csv"           # columns time and z, as the channels are called
-//   scale = "10 mm"                    # what counts as an error of 100 %; the largest |y| unless
-//   given
-//
+//   scale = "10 mm"                    # an error of 100 %; the largest |y| unless given
 //   compare = "values"                 # or "about_mean", "psd", "band_levels", "path": what of it
-//   is
-//                                      # compared, see curve_comparison.h
+//                                      # is compared, see curve_comparison.h
+//
+// An error is
 //
 //   d_i = (y_i^mea - y^sim(x_i^mea)) / scale       the simulated curve linear between its samples
 #pragma once

@@ -3,9 +3,10 @@
 //
 //   [variable.matrix]
 //   path = "rubber.matrix.young_modulus"     # or paths = ["...", "..."]: one value for several
-//   numbers lower = "5 N/mm^2" upper = "50 N/mm^2" initial = "10 N/mm^2" scale = "logarithmic" # or
-//   "linear"
-//
+//   lower = "5 N/mm^2"
+//   upper = "50 N/mm^2"
+//   initial = "10 N/mm^2"
+//   scale = "logarithmic"                    # or "linear"
 //   prior = "10 N/mm^2"                      # what is known before: a value and its standard
 //   prior_sigma = "20 %"                     # deviation, a quantity or a share of the value
 //

@@ -1,0 +1,30 @@
+#!/usr/bin/env python3
+"""The study reference is what the readers of a study say.
+
+    reference_test.py PATH/TO/latsch
+"""
+import pathlib
+import subprocess
+import sys
+import unittest
+
+TREE = pathlib.Path(__file__).resolve().parents[2]
+PAGE = TREE / "docs" / "study_reference.md"
+
+
+class Reference(unittest.TestCase):
+    def test_the_page_is_what_the_readers_say(self):
+        made = subprocess.run([sys.executable, TREE / "tools" / "study_reference.py", "--check"], capture_output=True, text=True)
+        self.assertEqual(made.returncode, 0, made.stderr)
+
+    def test_every_key_of_the_studies_that_are_shipped_is_on_it(self):
+        page = PAGE.read_text()
+        for study in (TREE / "studies").glob("*/study.toml"):
+            for line in study.read_text().splitlines():
+                key, equal, _ = line.partition(" = ")
+                if equal and key.isidentifier():
+                    self.assertRegex(page, rf"\b{key}\b", f"{study}: {key}")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

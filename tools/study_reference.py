@@ -1,0 +1,219 @@
+#!/usr/bin/env python3
+"""docs/study_reference.md: all that may stand in a study, from the readers themselves.
+
+    tools/study_reference.py           writes the page
+    tools/study_reference.py --check   ends with 1 where the page is not what the readers say
+
+Keys, what is expected of them and what holds unless they are given are taken from the calls that read them and that
+write the error messages; the examples from the heads of their headers. So neither can be forgotten here.
+"""
+import pathlib
+import re
+import sys
+
+TREE = pathlib.Path(__file__).resolve().parents[1]
+FOLDER = TREE / "src" / "correlation"
+PAGE = TREE / "docs" / "study_reference.md"
+
+# Heading, name of header and source. A reader of a study that is missing here ends the program with a complaint.
+SECTIONS = [
+    ("A study", "study"),
+    ("[model], [test.NAME]: a tire that rolls", "rolling_model"),
+    ("[simulator]: an outside program in the model's place", "simulator_settings"),
+    ("[variable.NAME], [tie.NAME]", "variables"),
+    ("[linear_constraint.NAME]", "linear_constraints"),
+    ("[experiment.NAME]", "study_experiment"),
+    ("[experiment.NAME] with kind = \"curve\"", "curve_experiment"),
+    ("What of a curve is compared", "curve_comparison"),
+    ("The noise of what was measured", "measurement_noise"),
+    ("[constraint.NAME]: on channels", "channel_constraint"),
+    ("[optimizer]", "study_optimizer"),
+    ("[optimizer] start: where a search begins", "study_start"),
+    ("[stage.NAME]: one fit after the other", "study_stages"),
+    ("[doe]", "study_design"),
+    ("[run]", "run_settings"),
+]
+OTHER_FILES = {"ring_data"}  # they read files that are no studies
+
+GETTER = re.compile(r"\b\w+(?:->|\.)(quantity|quantities|choice|integer|flag|texts?|rows)\(\s*(\w+|\"[^\"]*\")\s*([,)])")
+
+
+def arguments(text, start):
+    """The arguments of a call from behind its first one, split at commas of their own level."""
+    parts, depth, begin, quoted = [], 0, start, False
+    for i in range(start, len(text)):
+        c = text[i]
+        if c == '"' and text[i - 1] != "\\":
+            quoted = not quoted
+        if quoted:
+            continue
+        if c in "({":
+            depth += 1
+        elif c in ")}":
+            if depth == 0:
+                parts.append(text[begin:i])
+                return [" ".join(part.split()) for part in parts if part.strip()]
+            depth -= 1
+        elif c == "," and depth == 0:
+            parts.append(text[begin:i])
+            begin = i + 1
+    return parts
+
+
+WORDS = {"1": "a plain number", "Pa": "a pressure or modulus", "m": "a length", "N": "a force", "s": "a time", "rad": "an angle",
+         "Hz": "a frequency", "m/s": "a velocity"}
+EXAMPLES = {"Pa": "2.6 bar", "m": "25 mm", "N": "4 kN", "s": "0.1 s", "rad": "22 deg", "Hz": "80 Hz", "m/s": "40 km/h"}
+
+
+def constants(text):
+    return dict(re.findall(r"constexpr \w+(?: \w+)* (k\w+) = ([\d.e+'_-]+);", text))
+
+
+def literal(text, known):
+    for name, value in known.items():
+        text = re.sub(rf"\b{name}\b", value.replace("'", ""), text)
+    return text
+
+
+def unit_words(unit):
+    if not unit.startswith('"'):
+        return "a quantity in the unit of what it belongs to"
+    unit = unit.strip('"')
+    word = WORDS.get(unit, f"a quantity in {unit}")
+    return word + (f" such as `\"{EXAMPLES[unit]}\"`" if unit in EXAMPLES else "")
+
+
+def range_words(text):
+    if not text:
+        return ""
+    if text == "Range::positive()":
+        return ", above 0"
+    if text == "Range::not_negative()":
+        return ", 0 or more"
+    match = re.match(r"(?:Range::between\(|Range)?[{(]?\s*([\d.e-]+), ([\w.\->]+)(, true)?", text.removeprefix("Range::between("))
+    if match and re.match(r"[\d.]", match[2]):
+        return f", {'above ' if match[3] else ''}{float(match[1]):g} to {float(match[2]):g}"
+    return ""
+
+
+def fallback_words(text):
+    if text is None:
+        return ""
+    if re.fullmatch(r"-?[\d.e+-]+|true|false|\"[^\"]*\"", text):
+        return f"`{text}`"
+    return "the program's own"
+
+
+def described(kind, rest, known):
+    """What is expected, what holds unless given."""
+    rest = [literal(part, known) for part in rest]
+    if kind in ("quantity", "quantities"):
+        unit, extra = rest[0] if rest else '"1"', rest[1] if len(rest) > 1 else ""
+        words = unit_words(unit) + range_words(extra)
+        return ("a list, each " if kind == "quantities" else "") + words, rest[2] if len(rest) > 2 else None
+    if kind == "integer":
+        limits = [part for part in rest[:2]]
+        shown = f" from {limits[0]} to {limits[1]}" if all(re.fullmatch(r"[\d']+", p) for p in limits) else ""
+        return "an integer" + shown.replace("'", ""), rest[2] if len(rest) > 2 else None
+    if kind == "choice":
+        words = re.findall(r'"([^"]+)"', rest[0])
+        return (", ".join(f"`\"{word}\"`" for word in words) if words else "one of the names above"), rest[1] if len(rest) > 1 else None
+    if kind == "flag":
+        return "`true` or `false`", rest[0] if rest else None
+    if kind == "texts":
+        return "a list of texts in quotes", None
+    if kind == "rows":
+        return "a list of rows", None
+    return "a text in quotes", rest[0] if rest else None
+
+
+def keys_of(source):
+    text = re.sub(r"//.*", "", source)
+    known, found = constants(text), {}
+    for match in GETTER.finditer(text):
+        kind, key, behind = match[1], match[2], match[3]
+        if not key.startswith('"') or not re.fullmatch(r'"[a-z_A-Z]+"', key):
+            continue
+        rest = arguments(text, match.end()) if behind == "," else []
+        expected, fallback = described(kind, rest, known)
+        entry = found.setdefault(key.strip('"'), [])
+        if (expected, fallback) not in entry:
+            entry.append((expected, fallback))
+    return found
+
+
+def head_of(header):
+    """The comment a header begins with: prose, and examples indented by two blanks more."""
+    lines = []
+    for line in header.splitlines()[1:]:
+        if not line.startswith("//"):
+            break
+        lines.append(line[2:].removeprefix(" "))
+    return lines
+
+
+def without_pointers(line):
+    """A page for users names no headers."""
+    header = r"(?:\w+/)*\w+\.h"
+    line = re.sub(rf"\s*\({header}\)", "", line)
+    line = re.sub(rf"see {header}; ", "", line)
+    return re.sub(rf"[,:;]? ?(?:see )?{header}\b", "", line).rstrip()
+
+
+def section(heading, name):
+    lines, code = [f"## {heading}", ""], False
+    for line in head_of((FOLDER / f"{name}.h").read_text()):
+        indented = line.startswith("  ")
+        if indented and not code:
+            toml = re.match(r"  +(\[|[\w.]+ = )", line)
+            lines += ([""] if lines[-1] else []) + ["```toml" if toml else "```"]
+        if not indented and code and line:
+            while not lines[-1]:
+                lines.pop()
+            lines += ["```", ""]
+        code = indented or (code and not line)
+        shown = without_pointers(line[2:] if code else line)
+        if shown.startswith(":"):  # what stood in parentheses before it was a header
+            lines[-1] += shown
+            continue
+        lines.append(re.sub(r"#\s*$", "", shown).rstrip())
+    while not lines[-1]:
+        lines.pop()
+    if code:
+        lines.append("```")
+    keys = keys_of((FOLDER / f"{name}.cpp").read_text())
+    if keys:
+        lines += ["", "| key | expected | unless given |", "| --- | --- | --- |"]
+        for key, ways in keys.items():
+            expected = "; or ".join(dict.fromkeys(way[0] for way in ways))
+            fallback = " or ".join(dict.fromkeys(filter(None, (fallback_words(way[1]) for way in ways))))
+            lines.append(f"| `{key}` | {expected} | {fallback} |")
+    return "\n".join(lines) + "\n"
+
+
+def page():
+    listed = {name for _, name in SECTIONS}
+    for file in sorted(FOLDER.glob("*.cpp")):
+        if file.stem.endswith("_test") or file.stem in listed | OTHER_FILES:
+            continue
+        if keys_of(file.read_text()):
+            sys.exit(f"tools/study_reference.py: {file.stem}.cpp reads keys of a study, but is no section of the reference; "
+                     "add it to SECTIONS")
+    text = ("# What may stand in a study\n\nMade from the readers by `tools/study_reference.py`. "
+            "A study is a TOML file. Quantities are\ntexts with their unit, such as `\"2.6 bar\"`; any unit of the dimension will "
+            "do. A key that is not known ends in an error that\nnames its line. `latsch new` writes a study to start from, "
+            "`latsch check` says what it understood.\n\n")
+    return text + "\n".join(section(*one) for one in SECTIONS)
+
+
+def main():
+    made = page()
+    if sys.argv[1:] == ["--check"]:
+        if not PAGE.exists() or PAGE.read_text() != made:
+            sys.exit("docs/study_reference.md is not what the readers say: run tools/study_reference.py and look at what changed")
+        return
+    PAGE.write_text(made)
+
+
+if __name__ == "__main__":
+    main()
