@@ -23,17 +23,23 @@
 // algorithm fits the densities, as the thesis did. The floor is what the model shows at the
 // specimen's own numbers; "noise alone", what another draw of the noise would change.
 //
-// "--genetic N": evaluations of the genetic algorithm, 0 leaves it out; "--specimen ring" or "fe":
+// "--genetic N": N evaluations of the genetic algorithm besides; "--specimen ring" or "fe":
 // one of the two; "--write": the ring's measurements for studies/cleat_fit, whose load cases these
 // are.
+//
+// What has to be reached is told in units of the floor: a fit that is worse everywhere does not
+// pass because it is equally bad in all cases. Cases are simulated at once, one a core; nothing
+// depends on how many there are.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <thread>
 
 #include "base/document.h"
 #include "base/file.h"
@@ -58,6 +64,8 @@ constexpr double kHighest = 200.0;           // Hz, compared up to
 constexpr double kNoise[2] = {50.0, 100.0};  // N, of Fx and Fz in one passage, every sample
 constexpr double kRecord = 24.5;             // s, of one load case
 constexpr int kMostEvaluations = 250, kPopulation = 60;
+constexpr int kReachEvaluations = 200;     // of the residual method
+constexpr double kReach[2] = {1.25, 1.5};  // times the floor: fitted cases, held-out ones
 constexpr int kRestarts = 3;
 constexpr const char* kChannels[2] = {"Fx", "Fz"};
 
@@ -67,6 +75,18 @@ struct Numerics {
 };
 constexpr Numerics kModel{200, 10, 4}, kSpecimen{240, 12, 6};
 constexpr int kPassages = 8;  // of the specimen, at half the model's step
+
+/// `work` of 0 .. count - 1, on all cores.
+template <class Work>
+void at_once(std::size_t count, const Work& work) {
+  std::atomic<std::size_t> next = 0;
+  const auto go = [&] {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  };
+  std::vector<std::jthread> others;
+  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) others.emplace_back(go);
+  go();
+}
 
 ring_tire::RingParameters with(ring_tire::RingParameters ring, const Numerics& numerics) {
   ring.nodes = numerics.nodes;
@@ -188,15 +208,10 @@ void add_densities(const std::vector<double>& model,
 }
 
 /// Of both forces.
-Result<std::vector<double>> differences(const ring_tire::RingParameters& ring,
-                                        const Case& of,
-                                        Compared compared = Compared::densities) {
-  ring_tire::RingTire tire(ring);
-  const auto channels = experiment::run(tire, of.test);
-  if (!channels) return channels.failure();
+std::vector<double> differences(const Channels& channels, const Case& of, Compared compared) {
   std::vector<double> all;
   for (int c = 0; c < 2; ++c) {
-    const auto& force = (*channels)[kChannels[c]];
+    const auto& force = channels[kChannels[c]];
     if (compared == Compared::times) {
       add_times(force, of.force[c], noise(of.test, c), all);
     } else {
@@ -211,22 +226,34 @@ std::vector<double> with_noise(std::vector<double> force, double deviation, Rand
   return force;
 }
 
+/// Upright on a straight cleat all lines across the width see the same: one does.
+Numerics enough(Numerics numerics, const Case& of) {
+  if (of.test.camber == 0.0 && of.test.cleat->angle == 0.0) numerics.lines = 1;
+  return numerics;
+}
+
 void measure(std::vector<Case>& all, const ring_tire::RingParameters& specimen) {
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  std::vector<std::string> failures(all.size());
+  at_once(all.size(), [&](std::size_t i) {
     experiment::DrumTest test = all[i].test;
     test.step *= 0.5;
     test.passages = kPassages;
     test.wheel_step = 2.0 * M_PI / (kSpecimen.nodes * kPassages);
-    ring_tire::RingTire tire(with(specimen, kSpecimen));
+    ring_tire::RingTire tire(with(specimen, enough(kSpecimen, all[i])));
     const auto channels = experiment::run(tire, test);
-    if (!channels) throw InputError("the specimen: " + channels.failure().reason);
+    if (!channels) {
+      failures[i] = channels.failure().reason;
+      return;
+    }
     for (int c = 0; c < 2; ++c) {
       const RandomStream random(2024, 2 * i + static_cast<std::size_t>(c));
       all[i].noiseless[c] = (*channels)[kChannels[c]];
       all[i].force[c] = with_noise(all[i].noiseless[c], noise(all[i].test, c), random);
       all[i].measured[c] = density(all[i].force[c]);
     }
-  }
+  });
+  for (const std::string& failure : failures)
+    if (!failure.empty()) throw InputError("the specimen: " + failure);
 }
 
 /// The measurements of the study.
@@ -268,11 +295,12 @@ class Fit {
   Result<Score> score(const DesignPoint& point, Compared compared) {
     ++evaluations_;
     Score score;
-    for (const Case& one : cases_) {
-      if (!one.fitted) continue;
-      const auto found = differences(tire(point, one), one, compared);
-      if (!found) return found.failure();
-      score.residuals.insert(score.residuals.end(), found->begin(), found->end());
+    const auto runs = simulate(point, /*fitted_alone=*/true);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (!cases_[i].fitted) continue;
+      if (!runs[i]) return runs[i].failure();
+      const auto found = differences(*runs[i], cases_[i], compared);
+      score.residuals.insert(score.residuals.end(), found.begin(), found.end());
     }
     if (compared == Compared::times) add_known(point, score.residuals);
     score.value = rms(score.residuals);
@@ -298,38 +326,22 @@ class Fit {
     return best;
   }
 
-  /// What mesh and step of the model change in forces over time, in units of their noise: against
-  /// the specimen without noise, at its own numbers.
-  double mesh_over_noise(const DesignPoint& truth, bool fitted) const {
-    std::vector<double> all;
-    for (const Case& one : cases_) {
-      if (one.fitted != fitted) continue;
-      ring_tire::RingTire model(tire(truth, one));
-      const auto channels = experiment::run(model, one.test);
-      if (!channels) return 1e9;
-      for (int c = 0; c < 2; ++c)
-        add_times((*channels)[kChannels[c]], one.noiseless[c], noise(one.test, c), all);
-    }
-    return rms(all);
-  }
-
-  /// Upright on a straight cleat all lines across the width see the same: one does.
-  ring_tire::RingParameters tire(const DesignPoint& point, const Case& of) const {
-    Numerics numerics = kModel;
-    if (of.test.camber == 0.0 && of.test.cleat->angle == 0.0) numerics.lines = 1;
-    return with(tire_at(known_, point), numerics);
-  }
-
   struct Errors {
-    double fitted, held_out, worst;
+    double fitted = 0.0, held_out = 0.0, worst = 0.0;
     std::string worst_case;
+    double mesh_over_noise[2] = {};  // held out, fitted
   };
+  /// Densities against the measured ones. Beside them, what forces over time are off from the
+  /// specimen's without noise, in units of their noise: at its own numbers what mesh and step
+  /// change.
   Errors errors(const DesignPoint& point) {
     double sums[2] = {}, counts[2] = {};
-    Errors errors{};
-    for (const Case& one : cases_) {
-      const auto found = differences(tire(point, one), one);
-      const double error = found ? rms(*found) : 1e9;
+    std::vector<double> times[2];
+    Errors errors;
+    const auto runs = simulate(point, /*fitted_alone=*/false);
+    for (std::size_t i = 0; i < cases_.size(); ++i) {
+      const Case& one = cases_[i];
+      const double error = runs[i] ? rms(differences(*runs[i], one, Compared::densities)) : 1e9;
       fmt::print("  {:80} {} {:.4f}\n", one.words, one.fitted ? "fitted  " : "held out", error);
       sums[one.fitted] += error * error;
       counts[one.fitted] += 1.0;
@@ -337,15 +349,31 @@ class Fit {
         errors.worst = error;
         errors.worst_case = one.name;
       }
+      for (int c = 0; c < 2 && runs[i]; ++c)
+        add_times(
+            (*runs[i])[kChannels[c]], one.noiseless[c], noise(one.test, c), times[one.fitted]);
     }
     errors.fitted = std::sqrt(sums[1] / counts[1]);
     errors.held_out = std::sqrt(sums[0] / counts[0]);
+    for (const int fitted : {0, 1}) errors.mesh_over_noise[fitted] = rms(times[fitted]);
     return errors;
   }
 
   int evaluations() const { return evaluations_; }
 
  private:
+  /// Of every case, or of the fitted ones alone; of the others nothing but a Failure.
+  std::vector<Result<Channels>> simulate(const DesignPoint& point, bool fitted_alone) const {
+    std::vector<Result<Channels>> runs(cases_.size(), Failure{"not asked"});
+    at_once(cases_.size(), [&](std::size_t i) {
+      const Case& one = cases_[i];
+      if (fitted_alone && !one.fitted) return;
+      ring_tire::RingTire tire(with(tire_at(known_, point), enough(kModel, one)));
+      runs[i] = experiment::run(tire, one.test);
+    });
+    return runs;
+  }
+
   /// What was known before.
   void add_known(const DesignPoint& point, std::vector<double>& residuals) const {
     for (int i = 0; i < space_.size(); ++i) {
@@ -397,12 +425,11 @@ void fit_specimen(const std::string& name,
   Fit fit(all, known, space);
   table.note(name + ": PSD RMS", "fitted, held out");
   table.note("noise alone", fmt::format("{:.3f}, {:.3f}", scatter(all, true), scatter(all, false)));
-  table.note(
-      "mesh and step over noise",
-      fmt::format(
-          "{:.2f}, {:.2f}", fit.mesh_over_noise(truth, true), fit.mesh_over_noise(truth, false)));
   say_errors(table, "before", fit.errors(space.initial()));
-  say_errors(table, "floor: the model at the specimen's numbers", fit.errors(truth));
+  const auto floor = fit.errors(truth);
+  table.note("mesh and step over noise",
+             fmt::format("{:.2f}, {:.2f}", floor.mesh_over_noise[1], floor.mesh_over_noise[0]));
+  say_errors(table, "floor: the model at the specimen's numbers", floor);
 
   ResidualTrustRegion method(space, {.restarts = kRestarts});
   const DesignPoint found = fit.run(method, kMostEvaluations, space.initial(), Compared::times);
@@ -413,14 +440,16 @@ void fit_specimen(const std::string& name,
         "  {:40} {:.3f} of the specimen's\n", kNumbers[i].path, found.values[i] / truth.values[i]);
   say_errors(table, "residual method", errors);
   table.note("worst held out", fmt::format("{:.3f}: {}", errors.worst, errors.worst_case));
-  table.row(name + ": held out over fitted",
-            fmt::format("{:.2f}", errors.held_out / errors.fitted),
-            "<= 1.5",
-            errors.held_out <= 1.5 * errors.fitted);
+  const double over_floor[2] = {errors.held_out / floor.held_out, errors.fitted / floor.fitted};
+  for (const int fitted : {1, 0})
+    table.row(name + (fitted ? ": fitted over floor" : ": held out over floor"),
+              fmt::format("{:.2f}", over_floor[fitted]),
+              fmt::format("<= {}", kReach[1 - fitted]),
+              over_floor[fitted] <= kReach[1 - fitted]);
   table.row(name + ": evaluations, residual method",
             fmt::format("{}", evaluations),
-            fmt::format("<= {}", kMostEvaluations),
-            evaluations <= kMostEvaluations);
+            fmt::format("<= {}", kReachEvaluations),
+            evaluations <= kReachEvaluations);
   if (genetic <= 0) return;
   const int generations = std::max(1, genetic / kPopulation - 1);
   Genetic algorithm(space, {.population = kPopulation, .generations = generations});
@@ -471,7 +500,7 @@ int cleat_fit(int genetic, const std::string& specimen) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  int genetic = 240;
+  int genetic = 0;
   std::string specimen = "both";
   for (int i = 1; i + 1 < argc; i += 2) {
     if (std::strcmp(argv[i], "--genetic") == 0) genetic = std::atoi(argv[i + 1]);

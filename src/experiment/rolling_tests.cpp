@@ -149,6 +149,7 @@ std::string words(const DrumTest& test) {
       ", cleat {:.3g} mm x {:.3g} mm", test.cleat->height * 1e3, test.cleat->length * 1e3);
   if (test.cleat->angle != 0.0) text += fmt::format(" at {}", degrees(test.cleat->angle));
   if (test.passages > 1) text += fmt::format(", {} passages", test.passages);
+  if (test.frame != DrumTest().frame) text += fmt::format(", axes {}", name_of(test.frame));
   return text;
 }
 
@@ -193,29 +194,37 @@ std::string words(const SteadyStates& test) {
   return fmt::format("{} steady states", test.states.rows());
 }
 
-std::vector<RecordedChannel> channels_of(const DrumTest&) {
-  return {{"time", "s"},
-          {"Fx", "N"},
-          {"Fy", "N"},
-          {"Fz", "N"},
-          {"Mx", "N m"},
-          {"My", "N m"},
-          {"Mz", "N m"},
-          {"speed", "m/s"},
-          {"wheel_speed", "rad/s"}};
+std::vector<RecordedChannel> framed(std::vector<RecordedChannel> channels, AxisFrame frame) {
+  for (RecordedChannel& channel : channels)
+    if (channel.unit == "N" || channel.unit == "N m") channel.frame = name_of(frame);
+  return channels;
 }
 
-std::vector<RecordedChannel> channels_of(const SampledSweep&) {
-  return {{"time", "s"},
-          {"alpha", "rad"},
-          {"kappa", "1"},
-          {"Fx", "N"},
-          {"Fy", "N"},
-          {"Fz", "N"},
-          {"Mx", "N m"},
-          {"My", "N m"},
-          {"Mz", "N m"},
-          {"loaded_radius", "m"}};
+std::vector<RecordedChannel> channels_of(const DrumTest& test) {
+  return framed({{"time", "s"},
+                 {"Fx", "N"},
+                 {"Fy", "N"},
+                 {"Fz", "N"},
+                 {"Mx", "N m"},
+                 {"My", "N m"},
+                 {"Mz", "N m"},
+                 {"speed", "m/s"},
+                 {"wheel_speed", "rad/s"}},
+                test.frame);
+}
+
+std::vector<RecordedChannel> channels_of(const SampledSweep& test) {
+  return framed({{"time", "s"},
+                 {"alpha", "rad"},
+                 {"kappa", "1"},
+                 {"Fx", "N"},
+                 {"Fy", "N"},
+                 {"Fz", "N"},
+                 {"Mx", "N m"},
+                 {"My", "N m"},
+                 {"Mz", "N m"},
+                 {"loaded_radius", "m"}},
+                test.sweep.frame);
 }
 
 std::vector<RecordedChannel> channels_of(const StaticTest& test) {

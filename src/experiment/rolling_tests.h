@@ -64,6 +64,7 @@ RollingTest read_rolling_test(const std::filesystem::path& file);
 
 struct RecordedChannel {
   std::string name, unit;  // SI
+  std::string frame = "";  // "W", "H" or "C" of a force or moment
 };
 /// What run() of this test gives.
 std::vector<RecordedChannel> recorded(const RollingTest& test);
