@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <iterator>
 #include <numbers>
 
 #include "models/fe_tire/ring.h"
@@ -131,13 +132,19 @@ TEST(Ring, WavesAlongTheRingHaveFourthOrderDispersion) {
 
 // NAFEMS FV41, free cylinder, axisymmetric vibration [NAFEMS R0015, 1989]: length 10 m, mean radius
 // 2 m, thickness 0.4 m, E = 200 GPa, nu = 0.3, 8000 kg/m^3. The reference values are closed forms
-// of shell theory; 1 % for a wall of t / R = 1/5.
+// of shell theory; 1 % for a wall of t / R = 1/5. Between them lie the torsional modes, in which
+// NAFEMS is not interested: k/(2 L) sqrt(G/rho), exact for any wall. Together they are all there
+// is, one by one in this order.
 TEST(Fv41, FreeCylinderAxisymmetric) {
   const Hoop cylinder{
       .radius = 2.0, .thickness = 0.4, .width = 10.0, .sectors = 120, .along = 32, .through = 2};
-  const double expected[] = {243.53, 377.41, 394.11, 397.72, 405.28};
+  const double G = cylinder.E / (2.0 * (1.0 + cylinder.nu));
+  const double torsion = std::sqrt(G / cylinder.density) / (2.0 * cylinder.width);
+  const double expected[] = {torsion, 243.53, 2.0 * torsion, 377.41, 394.11, 397.72, 405.28};
   const std::vector<double> found = frequencies(cylinder, 0, ElementKind::solid_shell);
-  for (double value : expected) EXPECT_NEAR(nearest(found, value), value, 0.01 * value);
+  ASSERT_GE(found.size(), std::size(expected));
+  for (std::size_t i = 0; i < std::size(expected); ++i)
+    EXPECT_NEAR(found[i], expected[i], 0.01 * expected[i]) << i;
 }
 
 }  // namespace
