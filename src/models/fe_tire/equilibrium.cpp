@@ -38,7 +38,7 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
   pressure_ = pressure;
   shift_ = 0.0;
   RingState now = state;
-  if (!assemble(now, false)) return failure(step, "the start is inverted");
+  if (!assemble(now, true)) return failure(step, "the start is inverted");
   double previous = f_.norm();
   for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
     const double norm = f_.norm();
@@ -46,7 +46,9 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
       state = std::move(now);
       return std::nullopt;
     }
-    if (!assemble(now, true)) return failure(step, "its tangent does not exist");
+    if (!has_tangent_ && !assemble(now, true)) {
+      return failure(step, "its tangent does not exist");
+    }
     const double ratio = iteration == 0 ? 0.1 : norm / previous;
     // Solve only as exactly as Newton's own convergence deserves (Eisenstat and Walker 1996, choice
     // 2).
@@ -59,6 +61,7 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
 
 bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
   failed_element_ = -1;
+  has_tangent_ = with_tangent;
   if (with_tangent) ++counts_.assemblies;
   return assembly_.assemble(
       *elements_, state, pressure_, contact_, f_, with_tangent ? &K_ : nullptr, &failed_element_);
@@ -112,7 +115,8 @@ bool EquilibriumSolver::line_search(RingState& state) {
   for (int back = 0; back <= kMaxBacktracks; ++back, s *= 0.5) {
     trial_.x = state.x - s * d_;
     trial_.alpha = state.alpha;
-    const bool valid = assemble(trial_, false);
+    // The full step is taken nearly always: its tangent comes in the same pass.
+    const bool valid = assemble(trial_, back == 0);
     if (valid && (f_.norm() < norm || std::abs(d_.dot(f_)) <= kSlopeDecrease * slope)) {
       std::swap(state, trial_);
       return true;

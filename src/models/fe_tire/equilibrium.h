@@ -71,6 +71,7 @@ class EquilibriumSolver {
   double reference_ = 0.0;
   double shift_ = 0.0;  // on the diagonal of its last indefinite tangent, N/m
   bool has_factor_ = false;
+  bool has_tangent_ = false;  // K_ is that of f_
   int last_cg_iterations_ = 0;
   int failed_element_ = -1;
   Eigen::VectorXd f_, d_;
