@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "base/text.h"
@@ -13,14 +14,13 @@
 namespace latsch::correlation {
 namespace {
 
-/// The unit in which people read a channel.
-std::string unit_of(const Node& table,
-                    const char* key,
-                    const std::vector<KnownChannel>& channels,
-                    const std::string& channel) {
+const KnownChannel& known_channel(const Node& table,
+                                  const char* key,
+                                  const std::vector<KnownChannel>& channels,
+                                  const std::string& channel) {
   std::vector<std::string> names;
   for (const KnownChannel& known : channels) {
-    if (known.name == channel) return known.unit;
+    if (known.name == channel) return known;
     names.push_back(known.name);
   }
   table.reject(key, "is " + in_quotes(channel) + ", expected " + list_of(names));
@@ -30,6 +30,52 @@ std::string si_of(const std::string& unit) { return si_unit(Unit::of(unit).dimen
 
 std::string last_part(const std::string& channel) {
   return channel.substr(channel.find_last_of('/') + 1);
+}
+
+/// A column of a measurement; the name of a force or moment may say its frame: "Fy", "FyW", "FZH".
+struct MeasuredColumn {
+  std::string name, frame;
+};
+MeasuredColumn column_of(const formats::CsvTable& table, const std::string& channel) {
+  const auto same = [](const std::string& a, const std::string& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
+      return std::tolower(x) == std::tolower(y);
+    });
+  };
+  if (!table.has(channel)) {
+    for (const std::string& column : table.columns())
+      for (const char* frame : {"W", "H", "C"})
+        if (same(column, channel + frame)) return {column, frame};
+  }
+  return {channel, ""};
+}
+
+/// Forces are compared in the frame of the measurement, which the rig records them in.
+void check_frame(const Node& table, const MeasuredColumn& measured, const KnownChannel& channel) {
+  std::string frame = measured.frame;
+  if (table.has("frame")) {
+    frame = table.choice("frame", {"W", "H", "C"});
+    if (!measured.frame.empty() && measured.frame != frame)
+      table.reject("frame",
+                   fmt::format("is {}, but the measurement has the column {}",
+                               in_quotes(frame),
+                               in_quotes(measured.name)));
+  }
+  if (frame.empty() || frame == channel.frame) return;
+  const std::string test = channel.name.substr(0, channel.name.find('/'));
+  const char* key = table.has("frame") ? "frame" : "measurement";
+  if (channel.frame.empty())
+    table.reject(key,
+                 fmt::format("is in axes {}, but {} is no force or moment in a frame",
+                             frame,
+                             in_quotes(channel.name)));
+  table.reject(key,
+               fmt::format("is in axes {0}, but {1} is recorded in axes {2}; put frame = \"{0}\" "
+                           "into the file of [test.{3}]",
+                           frame,
+                           in_quotes(channel.name),
+                           channel.frame,
+                           test));
 }
 
 double largest(const std::vector<double>& values) {
@@ -97,13 +143,16 @@ CurveExperiment read_curve(const Node& table,
   CurveExperiment curve;
   curve.x = table.text("x", "");
   curve.y = table.text("y");
-  if (!curve.x.empty()) curve.x_shown = unit_of(table, "x", channels, curve.x);
-  curve.y_shown = unit_of(table, "y", channels, curve.y);
+  if (!curve.x.empty()) curve.x_shown = known_channel(table, "x", channels, curve.x).unit;
+  const KnownChannel& y = known_channel(table, "y", channels, curve.y);
+  curve.y_shown = y.unit;
   curve.x_unit = si_of(curve.x_shown);
   curve.y_unit = si_of(curve.y_shown);
   const auto columns = formats::CsvTable::read(measurement);
   if (!curve.x.empty()) curve.x_measured = columns.numbers(last_part(curve.x), curve.x_unit);
-  curve.y_measured = columns.numbers(last_part(curve.y), curve.y_unit);
+  const MeasuredColumn column = column_of(columns, last_part(curve.y));
+  check_frame(table, column, y);
+  curve.y_measured = columns.numbers(column.name, curve.y_unit);
   if (curve.y_measured.empty()) table.reject("measurement", "has no row of numbers");
   curve.comparison = read_comparison(table, curve.x_measured, curve.y_measured, curve.x_unit);
   take_what_is_compared(table, curve);

@@ -6,6 +6,9 @@
 //   x = "response/time"                # channels: OUTPUT/QUANTITY; without x, sample by sample
 //   y = "response/z"
 //   measurement = "step.csv"           # columns time and z, as the channels are called
+//   frame = "W"                        # of a measured force or moment; a column may say it itself
+//                                      # ("FyW"). Not that of the test (experiment/hub_frame.h):
+//                                      # refused. Default: taken for the test's
 //   scale = "10 mm"                    # an error of 100 %; the largest |y| unless given
 //   compare = "values"                 # or "about_mean", "psd", "band_levels", "path": what of it
 //                                      # is compared, see curve_comparison.h

@@ -10,8 +10,9 @@
 namespace latsch::correlation {
 
 struct KnownChannel {
-  std::string name;  // "response/z": OUTPUT/QUANTITY
-  std::string unit;  // in which people read it
+  std::string name;        // "response/z": OUTPUT/QUANTITY
+  std::string unit;        // in which people read it
+  std::string frame = "";  // "W", "H" or "C" of a force or moment that a rig records
 };
 
 std::vector<KnownChannel> known_channels(const Simulator& simulator);

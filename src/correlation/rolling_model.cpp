@@ -71,7 +71,7 @@ std::vector<KnownChannel> known_channels(const RollingModel& model) {
   std::vector<KnownChannel> channels;
   for (const RollingModel::Test& test : model.tests) {
     for (const auto& channel : experiment::recorded(test.test)) {
-      channels.push_back({test.name + "/" + channel.name, channel.unit});
+      channels.push_back({test.name + "/" + channel.name, channel.unit, channel.frame});
     }
   }
   return channels;

@@ -157,6 +157,37 @@ TEST_F(RollingStudy, PredictionsAreTrialsOfTheirOwn) {
   EXPECT_NE(identity(with_predictions(study)), identity(study));
 }
 
+// A force is compared in the frame its measurement stands in; another frame is no small error.
+TEST_F(RollingStudy, AMeasurementInOtherAxesThanTheTestIsRefused) {
+  write("sweep.toml",
+        "kind = \"slip_sweep\"\nspeed = \"40 km/h\"\nload = \"4 kN\"\n"
+        "alpha = [\"-6 deg\", \"6 deg\"]\nduration = \"10 ms\"\nsample_step = \"5 ms\"\n");
+  write("axes.csv", "time [s],FyW [N],FYC [N]\n0.46,-3000,-3000\n");
+  write("other.csv", "time [s],FYC [N]\n0.46,-3000\n");
+  const std::string steady = "[test.steady]\nfile = \"steady.toml\"\n";
+  const auto with = [&](const std::string& measurement, const std::string& more) {
+    std::string text = kStudy;
+    const std::string experiment = "y = \"steady/Fy\"\nmeasurement = \"measured.csv\"\n";
+    text.replace(
+        text.find(experiment),
+        experiment.size(),
+        "x = \"sweep/time\"\ny = \"sweep/Fy\"\nmeasurement = \"" + measurement + "\"\n" + more);
+    text.replace(text.find(steady), steady.size(), "[test.sweep]\nfile = \"sweep.toml\"\n");
+    write("study.toml", text);
+    try {
+      read();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(with("axes.csv", ""), "");
+  EXPECT_EQ(with("axes.csv", "frame = \"W\"\n"), "");
+  EXPECT_NE(with("other.csv", "").find("put frame = \"C\" into the file of [test.sweep]"),
+            std::string::npos);
+  EXPECT_NE(with("other.csv", "frame = \"W\"\n").find("has the column \"FYC\""), std::string::npos);
+}
+
 TEST_F(RollingStudy, ComplaintsSayWhereAndWhatIsExpected) {
   EXPECT_NE(complaint("\"magic_formula\"", "\"mf\"").find("expected \"ring_tire\""),
             std::string::npos);

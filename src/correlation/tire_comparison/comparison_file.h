@@ -17,7 +17,8 @@
 //
 //   [test.slow]
 //   file = "slow.toml"                   # experiment/drum_rig.h
-//   measurement = "slow_measured.csv"    # time and the channels; not beside [specimen]
+//   measurement = "slow_measured.csv"    # time and the channels, in the frame of the test
+//                                        # (experiment/hub_frame.h); not beside [specimen]
 //   fitted = true                        # the tires were fitted to it: only told; default false
 //
 //   [tire.rigid_ring]                    # as many as there are
