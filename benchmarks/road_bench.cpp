@@ -6,17 +6,24 @@
 // are those of the process, the best of five. The indices keep their promise where a road of a
 // hundred times the data costs at most twice as much a question: a search through all of it would
 // cost a hundred times, a tree's one level for every doubling.
+//
+// The tandem cams of the rigid ring over the same roads: effective height and slope against the
+// definition taken by its word, the highest of points 0.01 mm apart and of those beside the edges.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <memory>
 #include <numbers>
+#include <string>
 
+#include "models/rigid_ring/tandem_cams.h"
 #include "models/road/crg_road.h"
 #include "models/road/drum_road.h"
 #include "models/road/kerb.h"
 #include "models/road/plane_road.h"
+#include "models/road/profile_road.h"
 #include "models/road/triangle_road.h"
 #include "table.h"
 
@@ -80,8 +87,69 @@ CrgRoad track(int rows) {
   return CrgRoad(std::move(grid));
 }
 
+struct Effective {
+  double w, slope;
+};
+
+/// A cam with half axes a, b of order c, its middle over x, by its word; `edges`: of the road.
+double standing(
+    const Road& road, double a, double b, double c, double x, const double (&edges)[2]) {
+  constexpr double kApart = 1e-5;
+  double highest = -1e300;
+  const auto look = [&](double at) {
+    const double xi = std::abs(at - x) / a;
+    if (xi > 1.0) return;
+    const double depth = b * std::pow(1.0 - std::pow(xi, c), 1.0 / c);
+    highest = std::max(highest, road.height(at, 0.0, 0.0) + depth);
+  };
+  for (double at = x - a; at <= x + a; at += kApart) look(at);
+  for (const double edge : edges)
+    for (const double side : {-1e-9, 0.0, 1e-9}) look(edge + side);
+  return highest;
+}
+
+/// Largest differences over the places of a wheel.
+void cams(Table& table, const std::string& what, const Road& road, const double (&edges)[2]) {
+  magic_formula::Parameters p;
+  p.UNLOADED_RADIUS = 0.31;
+  p.ELLIPS_NWIDTH = 1.0;
+  constexpr double kHalf = 0.055;  // m, of the patch
+  const double a = p.ELLIPS_LENGTH * p.UNLOADED_RADIUS, b = p.ELLIPS_HEIGHT * p.UNLOADED_RADIUS;
+  const double l_s = p.ELLIPS_SHIFT * 2.0 * kHalf;
+  const rigid_ring::TandemCams cams(p);
+  Effective worst{0.0, 0.0};
+  double spent = 0.0;
+  int places = 0;
+  for (double x = edges[0] - 0.4; x < edges[0] + 0.4; x += 0.0117, ++places) {
+    const double front = standing(road, a, b, p.ELLIPS_ORDER, x + 0.5 * l_s, edges);
+    const double rear = standing(road, a, b, p.ELLIPS_ORDER, x - 0.5 * l_s, edges);
+    const std::clock_t begin = std::clock();
+    const auto plane = cams.plane({x, 0.0, 0.3}, Eigen::Vector3d::UnitX(), kHalf, 0.1, road, 0.0);
+    spent += static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    const double slope = -plane.normal.x() / plane.normal.z();
+    worst.w = std::max(worst.w, std::abs(plane.point.z() - 0.5 * (front + rear) + b));
+    worst.slope = std::max(worst.slope, std::abs(slope - (front - rear) / l_s));
+  }
+  table.row("tandem cams, " + what + ": height",
+            fmt::format("{:.1e} mm", 1e3 * worst.w),
+            "<= 0.1 mm",
+            worst.w <= 1e-4);
+  table.row("tandem cams, " + what + ": slope",
+            fmt::format("{:.1e}", worst.slope),
+            "<= 0.002",
+            worst.slope <= 2e-3);
+  table.note("a pair of cams there", fmt::format("{:.1f} us", 1e6 * spent / places));
+}
+
 int road_bench() {
   Table table("road");
+  cams(table,
+       "step of 20 mm",
+       ProfileRoad({.along = Profile({{0.0, 0.0}, {0.0, 0.02}})}),
+       {0.0, 0.0});
+  cams(table, "cleat 10 x 50 mm", cleat_road(0.025, 0.01, 0.05, 0.0), {0.0, 0.05});
+  const Kerb saw{.height = 0.025, .start = {0.0, -0.4}};
+  cams(table, "kerb of 800 x 25 mm, triangles", TriangleRoad(kerb_triangles(saw, 3.0)), {0.8, 1.6});
   const auto nanoseconds = [](double time) { return fmt::format("{:.0f} ns", 1e9 * time); };
   const auto ahead = [](double length) {
     return [=](double part) { return Eigen::Vector2d(part * length, -0.1); };
