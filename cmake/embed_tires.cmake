@@ -21,3 +21,16 @@ const std::vector<latsch::cli::TireTemplate>& latsch::cli::tire_templates() {
 ")
   target_sources(${program} PRIVATE ${CMAKE_BINARY_DIR}/generated/tire_templates.cpp)
 endfunction()
+
+# docs/study_reference.md, for `latsch help study`.
+function(latsch_embed_study_reference program)
+  set(page ${CMAKE_SOURCE_DIR}/docs/study_reference.md)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page})
+  file(READ ${page} text)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/study_reference.cpp @ONLY CONTENT
+"#include \"cli/study_reference.h\"
+
+std::string_view latsch::cli::study_reference() { return R\"page(@text@)page\"; }
+")
+  target_sources(${program} PRIVATE ${CMAKE_BINARY_DIR}/generated/study_reference.cpp)
+endfunction()

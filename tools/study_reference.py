@@ -199,7 +199,7 @@ def page():
         if keys_of(file.read_text()):
             sys.exit(f"tools/study_reference.py: {file.stem}.cpp reads keys of a study, but is no section of the reference; "
                      "add it to SECTIONS")
-    text = ("# What may stand in a study\n\nMade from the readers by `tools/study_reference.py`. "
+    text = ("# What may stand in a study\n\nMade from the readers by `tools/study_reference.py`; `latsch help study` prints it. "
             "A study is a TOML file. Quantities are\ntexts with their unit, such as `\"2.6 bar\"`; any unit of the dimension will "
             "do. A key that is not known ends in an error that\nnames its line. `latsch new` writes a study to start from, "
             "`latsch check` says what it understood.\n\n")

@@ -10,6 +10,7 @@
 
 #include "cli/answers.h"
 #include "cli/console.h"
+#include "cli/implausible.h"
 #include "cli/tables.h"
 #include "cli/verbs.h"
 #include "correlation/study.h"
@@ -214,6 +215,7 @@ void print_stages(const Study& study) {
 
 void check(const std::string& file) {
   const Study study = correlation::read_study(file);
+  reject_implausible(study);
   std::optional<fe_tire::Mesh> mesh;
   if (study.simulator) {
     print_simulator(study);

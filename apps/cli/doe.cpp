@@ -9,6 +9,7 @@
 
 #include "cli/answers.h"
 #include "cli/console.h"
+#include "cli/implausible.h"
 #include "cli/interrupt.h"
 #include "cli/tables.h"
 #include "cli/trials.h"
@@ -130,6 +131,7 @@ int doe(const std::string& file, int levels, int workers, bool retries_failed) {
   const SamplingPlan plan = correlation::plan(design, study.space);
   Workers workers_of_study(study);
   if (workers_of_study.served(study)) return kDone;
+  reject_implausible(study);
   Journal journal = open_for_trials(study, retries_failed);
   say_kind_of_journal(study);
   say("{}, {} points; {} finished trials in {}\n",

@@ -2,7 +2,9 @@
 // latsch evaluate: forces, moments, radii and contact patch of a steady-state tire, state by state.
 #include <fmt/format.h>
 
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "base/file.h"
 #include "cli/answers.h"
@@ -32,27 +34,82 @@ Conventions conventions(const EvaluateOptions& options) {
   return c;
 }
 
+/// Block by block, so that a table of any length takes the same memory.
+class Evaluation {
+ public:
+  Evaluation(const magic_formula::Parameters& tire, const Conventions& conventions)
+      : tire_(tire, conventions) {}
+
+  /// Tells what is computed, block by block.
+  void run(const formats::CsvTable& table, const std::function<void(const Channels&)>& tell) {
+    constexpr int kBlock = 8192;  // states
+    unused_ = for_slip_states(table, tire_.parameters(), kBlock, [&](auto& states) {
+      results_.resize(states.size());
+      tire_.evaluate(states, results_);
+      outside_ += outside_of_ranges(states, tire_.parameters());
+      count_ += static_cast<long>(states.size());
+      tell(answers(results_));
+    });
+  }
+
+  void warn_of(const EvaluateOptions& options) const {
+    for (const std::string& column : unused_)
+      warn(fmt::format("{}: column \"{}\" is not used", options.states, column));
+    if (tire_.conventions().limits && outside_ > 0)
+      warn(
+          fmt::format("{} of {} states lie outside of the ranges of {} and are limited to them "
+                      "(--limits off takes them as they are)",
+                      outside_,
+                      count_,
+                      options.tire));
+    if (options.turn_slip == "on" && !tire_.conventions().turn_slip)
+      warn(options.tire + " has no turn slip coefficients: evaluated without");
+  }
+
+ private:
+  MagicFormula tire_;
+  std::vector<magic_formula::SteadyState> results_;
+  std::vector<std::string> unused_;
+  long count_ = 0, outside_ = 0;
+};
+
+/// CSV, its header before the first block.
+void write_table(Evaluation& evaluation,
+                 const formats::CsvTable& table,
+                 const std::function<void(const std::string&)>& to) {
+  bool first = true;
+  evaluation.run(table, [&](const Channels& block) {
+    if (first) to(formats::csv_header(block));
+    first = false;
+    to(formats::csv_rows(block));
+  });
+}
+
 int evaluate(const EvaluateOptions& options) {
   const formats::TirFile tir = formats::read_tir(options.tire);
-  const SlipStates given = slip_states(formats::CsvTable::read(options.states), tir.parameters);
   for (const std::string& note : tir.notes) warn(note, {options.tire, 0});
-  for (const std::string& column : given.unused)
-    warn(fmt::format("{}: column \"{}\" is not used", options.states, column));
-  const Conventions chosen = conventions(options);
-  const int outside = outside_of_ranges(given.states, tir.parameters);
-  if (chosen.limits && outside > 0)
-    warn(
-        fmt::format("{} of {} states lie outside of the ranges of {} and are limited to them "
-                    "(--limits off takes them as they are)",
-                    outside,
-                    given.states.size(),
-                    options.tire));
-  const MagicFormula tire(tir.parameters, chosen);
-  if (chosen.turn_slip && !tire.conventions().turn_slip)
-    warn(options.tire + " has no turn slip coefficients: evaluated without");
-  std::vector<magic_formula::SteadyState> results(given.states.size());
-  tire.evaluate(given.states, results);
-  give(answers(results), options.output);
+  const auto table = formats::CsvTable::read(options.states);
+  Evaluation evaluation(tir.parameters, conventions(options));
+  if (!options.output.empty()) {
+    write_file(options.output, [&](std::ostream& out) {
+      write_table(evaluation, table, [&](const std::string& text) { out << text; });
+    });
+    say_written(options.output);
+  } else if (answers_in_json()) {
+    Json& all = answer()["channels"] = Json::array();
+    evaluation.run(table, [&](const Channels& block) {
+      const Json more = answer_of(block);
+      if (all.empty()) {
+        all = more;
+        return;
+      }
+      for (std::size_t i = 0; i < more.size(); ++i)
+        for (const Json& value : more[i]["values"]) all[i]["values"].push_back(value);
+    });
+  } else {
+    write_table(evaluation, table, [](const std::string& text) { put(text); });
+  }
+  evaluation.warn_of(options);
   return kDone;
 }
 

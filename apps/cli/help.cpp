@@ -2,15 +2,19 @@
 // latsch help: what the program can do, what a verb takes, what may stand in a study.
 #include "base/text.h"
 #include "cli/console.h"
+#include "cli/study_reference.h"
 #include "cli/verbs.h"
 
 namespace latsch::cli {
 namespace {
 
 void help(const CommandLine& app, const std::string& topic) {
+  if (topic == "study") return put(study_reference());
   const auto text = app.help(topic);
   if (!text) {
-    throw InputError("no help on " + in_quotes(topic) + did_you_mean(topic, app.verbs()) +
+    std::vector<std::string> topics = app.verbs();
+    topics.emplace_back("study");
+    throw InputError("no help on " + in_quotes(topic) + did_you_mean(topic, topics) +
                      "\nlatsch help lists the verbs");
   }
   put(*text);

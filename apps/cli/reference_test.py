@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The study reference is what the readers of a study say.
+"""The study reference is what the readers of a study say, and the program prints it.
 
     reference_test.py PATH/TO/latsch
 """
@@ -7,6 +7,8 @@ import pathlib
 import subprocess
 import sys
 import unittest
+
+from cli_testing import LATSCH
 
 TREE = pathlib.Path(__file__).resolve().parents[2]
 PAGE = TREE / "docs" / "study_reference.md"
@@ -25,6 +27,10 @@ class Reference(unittest.TestCase):
                 if equal and key.isidentifier():
                     self.assertRegex(page, rf"\b{key}\b", f"{study}: {key}")
 
+    def test_the_program_prints_it(self):
+        run = subprocess.run([LATSCH, "help", "study"], capture_output=True, text=True)
+        self.assertEqual(run.stdout, PAGE.read_text())
+
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main()

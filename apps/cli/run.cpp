@@ -11,6 +11,7 @@
 #include "cli/answers.h"
 #include "cli/console.h"
 #include "cli/identifiability_text.h"
+#include "cli/implausible.h"
 #include "cli/interrupt.h"
 #include "cli/tables.h"
 #include "cli/trials.h"
@@ -198,6 +199,7 @@ int fit(const Asked& asked) {
   }
   Workers workers(study);
   if (workers.served(study, /*in_stages=*/true)) return kDone;
+  reject_implausible(study);
   catch_interrupts();
   std::optional<DesignPoint> best;
   Asked once = asked;

@@ -36,7 +36,9 @@ int simulate(const std::string& file, const std::vector<std::string>& assignment
   }
   const double target = correlation::objective(study)(point, *channels)->value;
   answer()["target"] = target;
-  say("\ntarget {:.4f} %\n", target * 100.0);
+  say("\ntarget {:.4f} %, {}\n",
+      target * 100.0,
+      correlation::target_in_words(correlation::fitted_exponents(study.experiments), target));
   return kDone;
 }
 

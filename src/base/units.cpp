@@ -251,6 +251,22 @@ std::string Unit::exact_number(double value) const {
   return digits;
 }
 
+void Unit::append_exact_number(double value, std::string& text) const {
+  // In SI the fewest digits that give the bits of a double are what is wanted; they are read again,
+  // for numbers are read with more bits and rounded once more.
+  if (factor_ == 1.0L && offset_ == 0.0L) {
+    char digits[32];
+    const auto end = fmt::format_to(digits, "{}", value);
+    const std::string_view written(digits, static_cast<std::size_t>(end - digits));
+    const auto read = split_number(written);
+    if (read && to_si(read->number) == value) {
+      text += written;
+      return;
+    }
+  }
+  text += exact_number(value);
+}
+
 namespace {
 
 /// A number of digits and a point alone, which most numbers of a file are, without strtold behind

@@ -36,6 +36,7 @@ class Unit {
   /// The number, without the unit, with the fewest digits for which to_si gives the bits of
   /// `value`.
   std::string exact_number(double value) const;
+  void append_exact_number(double value, std::string& text) const;
 
  private:
   std::string text_;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/objective.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace latsch::correlation {
@@ -86,6 +89,19 @@ std::vector<double> weighted_residuals(const std::vector<Comparison>& comparison
     for (double difference : d) residuals.push_back(factor * difference);
   }
   return residuals;
+}
+
+std::string target_in_words(const std::vector<double>& exponents, double target) {
+  const bool alike =
+      std::adjacent_find(exponents.begin(), exponents.end(), std::not_equal_to<>()) ==
+      exponents.end();
+  if (exponents.empty()) return "";
+  const double k = exponents.front();
+  if (alike && k == 1.0) return "mean of the errors";
+  if (!alike) return "mean of the errors, each to the exponent of its experiment";
+  const double root = 100.0 * std::pow(target, 1.0 / k);
+  if (k == 2.0) return fmt::format("mean square of the errors, its root {:.3g} %", root);
+  return fmt::format("mean of the errors to the power {:g}, its root {:.3g} %", k, root);
 }
 
 }  // namespace latsch::correlation

@@ -114,5 +114,13 @@ TEST(Target, IsTheWeightedMean) {
   EXPECT_NEAR(target({a, b}, {2.0, 1.0}), 0.2, kRound);
 }
 
+TEST(Target, SaysWhatItIsTheMeanOf) {
+  EXPECT_EQ(target_in_words({1.0, 1.0}, 0.03), "mean of the errors");
+  EXPECT_EQ(target_in_words({2.0}, 6e-4), "mean square of the errors, its root 2.45 %");
+  EXPECT_EQ(target_in_words({0.5}, 0.1), "mean of the errors to the power 0.5, its root 1 %");
+  EXPECT_EQ(target_in_words({1.0, 2.0}, 0.1),
+            "mean of the errors, each to the exponent of its experiment");
+}
+
 }  // namespace
 }  // namespace latsch::correlation

@@ -171,6 +171,13 @@ std::vector<double> stated_deviations(const StudyExperiment& experiment) {
   return deviations;
 }
 
+std::vector<double> fitted_exponents(const std::vector<StudyExperiment>& experiments) {
+  std::vector<double> exponents;
+  for (const StudyExperiment& experiment : experiments)
+    if (experiment.fitted) exponents.push_back(experiment.objective.exponent);
+  return exponents;
+}
+
 Comparison compare(const StudyExperiment& experiment, const Channels& channels) {
   if (experiment.curve) {
     const auto comparison = compare_curve(*experiment.curve, channels, experiment.objective);

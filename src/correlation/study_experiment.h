@@ -78,6 +78,9 @@ StudyExperiment read_experiment(const Node& table,
 /// noise is stated.
 std::vector<double> stated_deviations(const StudyExperiment& experiment);
 
+/// Exponents of a study's fitted experiments, for target_in_words().
+std::vector<double> fitted_exponents(const std::vector<StudyExperiment>& experiments);
+
 /// How the channels of its load case differ from the measurement. Throws InputError where channels
 /// of a curve do not reach as far as the measurement.
 Comparison compare(const StudyExperiment& experiment, const Channels& channels);

@@ -12,9 +12,12 @@
 #include "correlation/doe_surface.h"
 #include "correlation/found_tire.h"
 #include "correlation/report_identifiability.h"
+#include "correlation/slip_plots.h"
 #include "correlation/study_stages.h"
 #include "correlation/tire_trials.h"
+#include "correlation/variables.h"
 #include "evaluation/scheduler.h"
+#include "experiment/tir_numbers.h"
 
 namespace latsch::correlation {
 namespace {
@@ -310,6 +313,11 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
   page.target = best->target;
   if (initial.channels)
     page.initial_target = objective(study)(initial.point, *initial.channels)->value;
+  page.target_in_words = target_in_words(fitted_exponents(study.experiments), best->target);
+  if (study.rolling && study.rolling->kind->steady) {
+    page.slip_plots = slip_plots(magic_formula::MagicFormula(
+        experiment::parameters_of(at(study.model, study.space, best->point))));
+  }
   page.target_definition = "weighted mean over the experiments of mean |relative error|^exponent";
   add_variables(study, best->point, page);
   add_experiments(study, found, initial, page);

@@ -58,33 +58,51 @@ bool same_name(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-SlipStates slip_states(const formats::CsvTable& table, const Parameters& tire) {
-  State fallback{0.0, 0.0, 0.0, 0.0, 0.0, tire.LONGVL, tire.INFLPRES};
+std::vector<std::string> for_slip_states(const formats::CsvTable& table,
+                                         const Parameters& tire,
+                                         int rows,
+                                         const std::function<void(std::vector<State>&)>& block) {
+  const State fallback{0.0, 0.0, 0.0, 0.0, 0.0, tire.LONGVL, tire.INFLPRES};
   if (table.rows() == 0)
     throw InputError(table.header_place(), "no row follows the header, expected a state a row");
-  SlipStates result;
-  result.states.assign(table.rows(), fallback);
+  std::vector<std::string> unused;
+  std::vector<formats::CsvTable::Wanted> wanted;
+  std::vector<double State::*> members;
   std::array<bool, kStateColumns.size()> found{};
   for (const std::string& column : table.columns()) {
-    const auto wanted = std::find_if(kStateColumns.begin(), kStateColumns.end(), [&](auto& c) {
+    const auto known = std::find_if(kStateColumns.begin(), kStateColumns.end(), [&](auto& c) {
       return same_name(column, c.name);
     });
-    if (wanted == kStateColumns.end()) {
-      result.unused.push_back(column);
+    if (known == kStateColumns.end()) {
+      unused.push_back(column);
       continue;
     }
-    bool& before = found[wanted - kStateColumns.begin()];
+    bool& before = found[known - kStateColumns.begin()];
     if (before)
       throw InputError(table.header_place(), fmt::format("{} comes twice", in_quotes(column)));
     before = true;
-    const std::vector<double> values = table.si_numbers(column, wanted->unit);
-    for (std::size_t i = 0; i < values.size(); ++i) result.states[i].*wanted->member = values[i];
+    wanted.push_back({column, table.si_or_plain(column, known->unit)});
+    members.push_back(known->member);
   }
   if (!found[0])
     throw InputError(table.header_place(),
                      "there is no column Fz; a table of states has Fz and any of kappa, alpha, "
                      "gamma, phit, Vx, p");
-  return result;
+  std::vector<State> states;
+  table.for_blocks(wanted, rows, [&](const std::vector<std::vector<double>>& values) {
+    states.assign(values.front().size(), fallback);
+    for (std::size_t k = 0; k < members.size(); ++k)
+      for (std::size_t i = 0; i < states.size(); ++i) states[i].*members[k] = values[k][i];
+    block(states);
+  });
+  return unused;
+}
+
+SlipStates slip_states(const formats::CsvTable& table, const Parameters& tire) {
+  SlipStates all;
+  all.unused = for_slip_states(
+      table, tire, std::max(table.rows(), 1), [&](auto& states) { all.states.swap(states); });
+  return all;
 }
 
 Channels answers(const std::vector<SteadyState>& results) {

@@ -8,6 +8,7 @@
 // (LONGVL), the pressure the file's own (INFLPRES). Columns of other names are not used.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,15 @@ struct SlipStates {
   std::vector<std::string> unused;  // columns
 };
 
-/// Throws InputError naming file and line.
+/// Of a table of any length, so many states at once. Throws InputError naming file and line.
+/// Gives back the columns that are not used.
+std::vector<std::string> for_slip_states(
+    const formats::CsvTable& table,
+    const magic_formula::Parameters& tire,
+    int rows,
+    const std::function<void(std::vector<magic_formula::State>&)>& block);
+
+/// All of them. Throws InputError naming file and line.
 SlipStates slip_states(const formats::CsvTable& table, const magic_formula::Parameters& tire);
 
 /// Fx Fy Fz Mx My Mz R_e R_l rho length width t Mzr mux muy omega Kxk Kya Cx Cy Cz sigma_x sigma_y,

@@ -12,21 +12,23 @@ namespace latsch::formats {
 namespace {
 
 constexpr std::size_t kMostFields = 10000;  // in a row
+constexpr std::size_t kKept = 32u << 20;    // bytes of a large file that stay in memory
 
 }  // namespace
 
-CsvFields::CsvFields(std::string text, std::string file, std::size_t limit)
-    : file_(std::move(file)), source_(std::make_shared<Source>()) {
-  if (text.size() > limit)
-    throw InputError({file_, 0}, fmt::format("is larger than {} bytes", limit));
-  if (const auto zero = text.find('\0'); zero != text.npos)
-    throw InputError(
-        {file_, 1 + static_cast<int>(std::count(text.begin(), text.begin() + zero, '\n'))},
-        "holds a zero byte, expected a text file in UTF-8");
-  source_->text = std::move(text);
-  text_ = source_->text;
+CsvFields::CsvFields(std::shared_ptr<const MappedFile> source, std::string file)
+    : file_(std::move(file)), source_(std::move(source)), text_(source_->text()) {
   if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
   if (skip_to_row()) separator_ = find_separator();
+}
+
+void CsvFields::expect_text() const {
+  const auto zero = text_.find('\0');
+  source_->let_go(text_.size());
+  if (zero == text_.npos) return;
+  throw InputError(
+      {file_, 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + zero, '\n'))},
+      "holds a zero byte, expected a text file in UTF-8");
 }
 
 void CsvFields::skip_line() {
@@ -81,7 +83,7 @@ std::string_view CsvFields::quoted_field() {
     ++at_;
   }
   if (!doubled) return field;
-  std::string& text = source_->unquoted.emplace_back();
+  std::string& text = unquoted_.emplace_back();
   for (std::size_t i = 0; i < field.size(); ++i) {
     text += field[i];
     if (field[i] == '"') ++i;
@@ -95,8 +97,19 @@ std::string_view CsvFields::plain_field() {
   return trimmed(text_.substr(begin, at_ - begin));
 }
 
+void CsvFields::go_to(const Mark& mark) {
+  at_ = mark.at;
+  line_ = mark.line;
+  let_go_ = std::min(let_go_, at_);
+}
+
 bool CsvFields::next(Row& row) {
   row.cells.clear();
+  unquoted_.clear();
+  if (at_ > let_go_ + kKept) {
+    source_->let_go(at_);
+    let_go_ = at_;
+  }
   if (!skip_to_row()) return false;
   row.line = line_;
   for (;;) {

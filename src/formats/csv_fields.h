@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/mapped_file.h"
+
 namespace latsch::formats {
 
 class CsvFields {
@@ -17,21 +19,26 @@ class CsvFields {
     int line = 0;
     std::vector<std::string_view> cells;  // without quotes; blanks around unquoted fields removed
   };
-  /// What the fields point into.
-  struct Source {
-    std::string text;
-    std::deque<std::string> unquoted;  // fields that held doubled quotes
+  /// A place between two rows, to go on from.
+  struct Mark {
+    std::size_t at = 0;
+    int line = 1;
   };
 
-  /// Throws InputError over the limit and for a zero byte.
-  CsvFields(std::string text, std::string file, std::size_t limit);
+  /// The text is not copied.
+  CsvFields(std::shared_ptr<const MappedFile> source, std::string file);
+  /// Throws InputError for a zero byte anywhere.
+  void expect_text() const;
 
   /// ';', tab or ',': the first of them that stands outside of quotes in the first row.
   char separator() const { return separator_; }
   /// The next row that is neither empty nor a comment; false at the end. Throws InputError for a
-  /// quote that is not closed or followed by more text and for more than 10,000 fields.
+  /// quote that is not closed or followed by more text and for more than 10,000 fields. The cells
+  /// are valid until the next call.
   bool next(Row& row);
-  std::shared_ptr<const Source> source() const { return source_; }
+  /// Where the next row begins, and to go on there.
+  Mark mark() const { return {at_, line_}; }
+  void go_to(const Mark& mark);
 
  private:
   void skip_line();
@@ -41,8 +48,10 @@ class CsvFields {
   std::string_view plain_field();
 
   std::string file_;
-  std::shared_ptr<Source> source_;
+  std::shared_ptr<const MappedFile> source_;
+  std::deque<std::string> unquoted_;  // fields of this row that held doubled quotes
   std::string_view text_;
+  std::size_t let_go_ = 0;  // of the text, behind what is read
   std::size_t at_ = 0;
   int line_ = 1;
   char separator_ = ',';

@@ -17,8 +17,8 @@
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kLargestTable = 16u << 20;  // bytes
-constexpr std::size_t kMostCells = 1000000;
+constexpr std::size_t kLargestTable = 1u << 30;  // bytes
+constexpr int kStride = 1024;                    // rows between two places that are kept
 
 /// "force [N]" -> "force", "N".
 std::pair<std::string_view, std::string_view> split_unit(std::string_view cell) {
@@ -42,18 +42,25 @@ std::string called(std::string_view column) { return "column " + in_quotes(colum
 }  // namespace
 
 CsvTable CsvTable::read(const std::filesystem::path& file) {
-  return parse(read_text_file(file, kLargestTable), file.string());
+  return parse(std::make_shared<const MappedFile>(file, kLargestTable), file.string());
 }
 
 CsvTable CsvTable::parse(std::string text, std::string file_name) {
+  return parse(std::make_shared<const MappedFile>(std::move(text)), std::move(file_name));
+}
+
+CsvTable CsvTable::parse(std::shared_ptr<const MappedFile> source, std::string file_name) {
   CsvTable table;
   table.file_ = std::move(file_name);
-  CsvFields fields(std::move(text), table.file_, kLargestTable);
+  table.source_ = std::move(source);
+  CsvFields fields(table.source_, table.file_);
+  fields.expect_text();
   table.decimal_comma_ = fields.separator() != ',';
   CsvFields::Row row;
   if (!fields.next(row))
     throw InputError({table.file_, 0}, "is empty, expected a line of column names");
   table.read_header(row);
+  CsvFields::Mark mark = fields.mark();
   for (bool first = true; fields.next(row); first = false) {
     if (row.cells.size() != table.columns_.size())
       throw InputError({table.file_, row.line},
@@ -62,14 +69,30 @@ CsvTable CsvTable::parse(std::string text, std::string file_name) {
                                    row.cells.size() == 1 ? "field" : "fields",
                                    table.columns_.size(),
                                    table.header_line_));
-    if (first && table.take_units(row)) continue;
-    if (table.cells_.size() + row.cells.size() > kMostCells)
-      throw InputError({table.file_, row.line}, fmt::format("more than {} cells", kMostCells));
-    table.lines_.push_back(row.line);
-    table.cells_.insert(table.cells_.end(), row.cells.begin(), row.cells.end());
+    const bool units = first && table.take_units(row);
+    if (!units && table.rows_++ % kStride == 0) table.marks_.push_back(mark);
+    mark = fields.mark();
   }
-  table.source_ = fields.source();
   return table;
+}
+
+CsvFields CsvTable::data() const {
+  CsvFields fields(source_, file_);
+  if (!marks_.empty()) fields.go_to(marks_.front());
+  return fields;
+}
+
+Place CsvTable::place(int wanted) const {
+  CsvFields fields = data();
+  return {file_, row_of(fields, wanted).line};
+}
+
+CsvFields::Row CsvTable::row_of(CsvFields& fields, int wanted) const {
+  assert(wanted >= 0 && wanted < rows_);
+  fields.go_to(marks_[static_cast<std::size_t>(wanted / kStride)]);
+  CsvFields::Row row;
+  for (int i = wanted / kStride * kStride; i <= wanted; ++i) fields.next(row);
+  return row;
 }
 
 void CsvTable::read_header(const CsvFields::Row& row) {
@@ -125,40 +148,73 @@ int CsvTable::index(std::string_view column) const {
                        " (columns: " + list_of(columns()) + ")");
 }
 
-std::string_view CsvTable::cell(int column, int row) const {
-  return cells_[static_cast<std::size_t>(row) * columns_.size() + column];
+double CsvTable::number(const CsvFields::Row& row, int column, const Unit& unit) const {
+  const std::string_view cell = trimmed(row.cells[static_cast<std::size_t>(column)]);
+  const auto read = [&](std::string_view digits) {
+    const auto parts = split_number(digits);
+    return parts && parts->rest.empty() ? unit.to_si(parts->number) : std::nan("");
+  };
+  double si = std::nan("");
+  if (decimal_comma_ && cell.find('.') == cell.npos) {
+    std::string digits(cell);
+    std::replace(digits.begin(), digits.end(), ',', '.');
+    si = read(digits);
+  } else {
+    si = read(cell);
+  }
+  if (std::isfinite(si)) return si;
+  throw InputError({file_, row.line},
+                   columns_[static_cast<std::size_t>(column)].name + " " +
+                       (cell.empty() ? "is empty" : "is " + in_quotes(cell)) +
+                       ", expected a finite number");
 }
 
-double CsvTable::number(int column, int row, const Unit& unit) const {
-  std::string digits(trimmed(cell(column, row)));
-  if (decimal_comma_ && digits.find('.') == digits.npos)
-    std::replace(digits.begin(), digits.end(), ',', '.');
-  const auto parts = split_number(digits);
-  const double si = parts && parts->rest.empty() ? unit.to_si(parts->number) : std::nan("");
-  if (std::isfinite(si)) return si;
-  const std::string found =
-      digits.empty() ? "is empty" : "is " + in_quotes(trimmed(cell(column, row)));
-  throw InputError(place(row), columns_[column].name + " " + found + ", expected a finite number");
+Unit CsvTable::unit_of(int column, std::string_view unit) const {
+  const Unit expected = Unit::of(unit);
+  const auto& [name, given] = columns_[static_cast<std::size_t>(column)];
+  const auto written = Unit::find(given.empty() ? "1" : given);
+  if (!written) throw InputError(header_place(), called(name) + " has " + unknown_unit(given));
+  if (written->same_dimension(expected)) return *written;
+  const DimensionWords words = words_for(expected);
+  throw InputError(header_place(),
+                   called(name) + (given.empty() ? " has no unit" : " is in " + in_quotes(given)) +
+                       ", expected " + words.noun + ", such as " +
+                       in_quotes(name + " [" + std::string(unit) + "]"));
+}
+
+void CsvTable::for_blocks(
+    const std::vector<Wanted>& wanted,
+    int most,
+    const std::function<void(std::vector<std::vector<double>>&)>& block) const {
+  std::vector<int> places;
+  std::vector<Unit> units;
+  for (const Wanted& one : wanted) {
+    places.push_back(index(one.column));
+    units.push_back(unit_of(places.back(), one.unit));
+  }
+  std::vector<std::vector<double>> values(wanted.size());
+  const auto expected = static_cast<std::size_t>(std::min(most, rows_));
+  for (auto& column : values) column.reserve(expected);
+  CsvFields fields = data();
+  CsvFields::Row row;
+  for (int i = 0; i < rows_; ++i) {
+    fields.next(row);
+    for (std::size_t k = 0; k < places.size(); ++k)
+      values[k].push_back(number(row, places[k], units[k]));
+    if ((i + 1) % most != 0 && i + 1 < rows_) continue;
+    block(values);
+    for (auto& column : values) column.clear();
+  }
+}
+
+std::vector<std::vector<double>> CsvTable::numbers(const std::vector<Wanted>& wanted) const {
+  std::vector<std::vector<double>> all(wanted.size());
+  for_blocks(wanted, std::max(rows_, 1), [&](auto& block) { all.swap(block); });
+  return all;
 }
 
 std::vector<double> CsvTable::numbers(std::string_view column, std::string_view unit) const {
-  const int at = index(column);
-  const Unit expected = Unit::of(unit);
-  const std::string& given = columns_[at].unit;
-  const auto written = Unit::find(given.empty() ? "1" : given);
-  if (!written) throw InputError(header_place(), called(column) + " has " + unknown_unit(given));
-  if (!written->same_dimension(expected)) {
-    const DimensionWords words = words_for(expected);
-    throw InputError(header_place(),
-                     called(column) +
-                         (given.empty() ? " has no unit" : " is in " + in_quotes(given)) +
-                         ", expected " + words.noun + ", such as " +
-                         in_quotes(std::string(column) + " [" + std::string(unit) + "]"));
-  }
-  std::vector<double> values;
-  values.reserve(lines_.size());
-  for (int row = 0; row < rows(); ++row) values.push_back(number(at, row, *written));
-  return values;
+  return numbers({{std::string(column), std::string(unit)}}).front();
 }
 
 std::vector<double> CsvTable::si_numbers(std::string_view column, std::string_view unit) const {
@@ -179,24 +235,31 @@ std::vector<int> CsvTable::integers(std::string_view column) const {
 }
 
 std::vector<std::string> CsvTable::texts(std::string_view column) const {
-  const int at = index(column);
+  const auto at = static_cast<std::size_t>(index(column));
   std::vector<std::string> texts;
-  texts.reserve(lines_.size());
-  for (int row = 0; row < rows(); ++row) texts.emplace_back(cell(at, row));
+  texts.reserve(static_cast<std::size_t>(rows_));
+  CsvFields fields = data();
+  CsvFields::Row row;
+  for (int i = 0; i < rows_ && fields.next(row); ++i) texts.emplace_back(row.cells[at]);
   return texts;
 }
 
-std::string CsvTable::text(std::string_view column, int row) const {
-  return std::string(cell(index(column), row));
+std::string CsvTable::text(std::string_view column, int wanted) const {
+  const auto at = static_cast<std::size_t>(index(column));
+  CsvFields fields = data();  // the cells live as long as it stands there
+  return std::string(row_of(fields, wanted).cells[at]);
 }
 
 Channels CsvTable::channels() const {
-  Channels channels;
+  std::vector<Wanted> wanted;
   for (const Column& column : columns_) {
     const auto unit = Unit::find(column.unit.empty() ? "1" : column.unit);
-    const std::string si = unit ? si_unit(unit->dimension()) : "1";
-    channels.add({column.name, si, numbers(column.name, si)});
+    wanted.push_back({column.name, unit ? si_unit(unit->dimension()) : "1"});
   }
+  auto values = numbers(wanted);
+  Channels channels;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    channels.add({wanted[i].column, wanted[i].unit, std::move(values[i])});
   return channels;
 }
 
@@ -219,28 +282,50 @@ std::string csv_field(std::string_view text) {
   return field + "\"";
 }
 
-std::string csv_text(const Channels& channels, const std::vector<std::string>& units) {
+namespace {
+
+Unit unit_written(const Channels& channels, const std::vector<std::string>& units, std::size_t i) {
   assert(units.empty() || units.size() == channels.all().size());
-  std::vector<Unit> written;
+  const Channel& channel = channels.all()[i];
+  const Unit written = Unit::of(units.empty() ? channel.unit : units[i]);
+  assert(written.same_dimension(Unit::of(channel.unit)));
+  return written;
+}
+
+}  // namespace
+
+std::string csv_header(const Channels& channels, const std::vector<std::string>& units) {
   std::string text;
   for (std::size_t i = 0; i < channels.all().size(); ++i) {
-    const Channel& channel = channels.all()[i];
-    assert(channel.values.size() == channels.all()[0].values.size());
-    written.push_back(Unit::of(units.empty() ? channel.unit : units[i]));
-    assert(written[i].same_dimension(Unit::of(channel.unit)));
     if (i > 0) text += ',';
-    text += csv_field(fmt::format("{} [{}]", channel.name, written[i].text()));
+    text += csv_field(
+        fmt::format("{} [{}]", channels.all()[i].name, unit_written(channels, units, i).text()));
   }
-  text += '\n';
+  return text + '\n';
+}
+
+std::string csv_rows(const Channels& channels, const std::vector<std::string>& units) {
+  constexpr std::size_t kUsualCell = 18;  // bytes
+  std::vector<Unit> written;
+  for (std::size_t i = 0; i < channels.all().size(); ++i) {
+    assert(channels.all()[i].values.size() == channels.all()[0].values.size());
+    written.push_back(unit_written(channels, units, i));
+  }
   const std::size_t rows = channels.empty() ? 0 : channels.all()[0].values.size();
+  std::string text;
+  text.reserve(rows * written.size() * kUsualCell);
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t i = 0; i < written.size(); ++i) {
       if (i > 0) text += ',';
-      text += written[i].exact_number(channels.all()[i].values[row]);
+      written[i].append_exact_number(channels.all()[i].values[row], text);
     }
     text += '\n';
   }
   return text;
+}
+
+std::string csv_text(const Channels& channels, const std::vector<std::string>& units) {
+  return csv_header(channels, units) + csv_rows(channels, units);
 }
 
 }  // namespace latsch::formats

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/csv_table.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+
+#include "base/file.h"
 
 namespace latsch::formats {
 namespace {
@@ -97,10 +102,47 @@ TEST(CsvTableComplaint, NamesFileLineFoundAndExpected) {
 TEST(CsvTableComplaint, FloodsEndEarly) {
   const auto nothing = [](const CsvTable&) {};
   EXPECT_EQ(complaint(std::string(15 << 20, ','), nothing), "t.csv:1: has more than 10000 fields");
-  std::string cells = "a,b\n";
-  for (int i = 0; i < 500001; ++i) cells += "1,2\n";
-  EXPECT_EQ(complaint(cells, nothing), "t.csv:500002: more than 1000000 cells");
-  EXPECT_EQ(complaint(std::string(17 << 20, '1'), nothing), "t.csv: is larger than 16777216 bytes");
+}
+
+// Of a long table only some places are kept: every way to its rows gives the same.
+TEST(CsvTable, LongTablesAreReadByColumnsByBlocksAndByRows) {
+  constexpr int kRows = 5000;
+  std::string text = "n [mm], half, word\n";
+  for (int i = 0; i < kRows; ++i) {
+    if (i % 700 == 0) text += "# a comment\n\n";
+    text += fmt::format("{}, {}, {}\n", i, 0.5 * i, i % 3 == 0 ? "\"a \"\"b\"\"\"" : "c");
+  }
+  const CsvTable table = CsvTable::parse(text, "long.csv");
+  ASSERT_EQ(table.rows(), kRows);
+  const auto n = table.numbers("n", "m");
+  const auto both = table.numbers({{"half", "1"}, {"n", "m"}});
+  EXPECT_EQ(both[1], n);
+  EXPECT_EQ(table.texts("word")[3], "a \"b\"");
+  std::vector<double> joined;
+  int blocks = 0;
+  table.for_blocks({{"n", "m"}}, 999, [&](const auto& block) {
+    joined.insert(joined.end(), block[0].begin(), block[0].end());
+    ++blocks;
+  });
+  EXPECT_EQ(joined, n);
+  EXPECT_EQ(blocks, 6);
+  for (const int row : {0, 1, 1023, 1024, 3499, 3500, kRows - 1}) {
+    EXPECT_EQ(table.text("n", row), std::to_string(row));
+    EXPECT_EQ(table.place(row).line, 2 + row + 2 * (row / 700 + 1)) << row;
+    EXPECT_EQ(n[static_cast<std::size_t>(row)], row / 1000.0);
+  }
+}
+
+TEST(CsvTable, FilesAreMapped) {
+  const auto file =
+      std::filesystem::temp_directory_path() / fmt::format("latsch_csv_{}.csv", ::getpid());
+  write_text_file(file, "a [kN]\n1\n2.5\n");
+  EXPECT_EQ(CsvTable::read(file).numbers("a", "N"), (std::vector<double>{1000.0, 2500.0}));
+  write_text_file(file, "");
+  EXPECT_THROW(CsvTable::read(file), InputError);
+  std::filesystem::remove(file);
+  EXPECT_THROW(CsvTable::read(file), InputError);
+  EXPECT_THROW(CsvTable::read(file.parent_path()), InputError);
 }
 
 // Property: what is written in any unit is read back bit for bit.

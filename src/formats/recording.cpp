@@ -129,9 +129,12 @@ void take_row(const CsvFields::Row& row,
 
 }  // namespace
 
-Channels parse_recording(std::string text, const std::string& file) {
-  const std::size_t size = text.size();
-  CsvFields fields(std::move(text), file, kLargestRecording);
+namespace {
+
+Channels parse(std::shared_ptr<const MappedFile> source, const std::string& file) {
+  const std::size_t size = source->text().size();
+  CsvFields fields(std::move(source), file);
+  fields.expect_text();
   const bool decimal_comma = fields.separator() != ',';
   CsvFields::Row row;
   if (!fields.next(row)) throw InputError({file, 0}, "is empty, expected a line of column names");
@@ -153,13 +156,19 @@ Channels parse_recording(std::string text, const std::string& file) {
   return channels;
 }
 
+}  // namespace
+
+Channels parse_recording(std::string text, const std::string& file) {
+  return parse(std::make_shared<const MappedFile>(std::move(text)), file);
+}
+
 Channels read_recording(const std::filesystem::path& file,
                         const std::map<std::string, std::string>& units) {
   const std::string ending = file.extension().string();
   if (ending == ".tdx" || ending == ".TDX") return TydexFile::read(file).channels;
   if (ending == ".mat") return MatFile::read(file).channels(units);
   if (ending == ".csv" || ending == ".txt" || ending == ".CSV" || ending == ".TXT") {
-    return parse_recording(read_text_file(file, kLargestRecording), file.string());
+    return parse(std::make_shared<const MappedFile>(file, kLargestRecording), file.string());
   }
   throw InputError({file.string(), 0},
                    "ends in " + in_quotes(ending) + ", expected .csv, .txt, .tdx or .mat");

@@ -16,7 +16,9 @@ std::string figure(const std::string& heading,
                    const std::string& quiet,
                    const std::string& picture,
                    const std::string& caption) {
-  return fmt::format("<figure><b>{} <span>{}</span></b>{}<figcaption>{}</figcaption></figure>\n",
+  const bool wide = picture.find("viewBox=\"0 0 520 ") == picture.npos;  // takes the whole row
+  return fmt::format("<figure{}><b>{} <span>{}</span></b>{}<figcaption>{}</figcaption></figure>\n",
+                     wide ? " style=\"grid-column: 1 / -1\"" : "",
                      escape(heading),
                      escape(quiet),
                      picture,

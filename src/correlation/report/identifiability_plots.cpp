@@ -15,6 +15,17 @@ namespace {
 constexpr double kLeastDeviation = 1e-6;  // of the range: what lies below is drawn there
 constexpr double kHighestRise = 8.0;      // thresholds shown; the curve leaves the frame above
 
+constexpr double kLetter = 6.5;    // pixels, about
+constexpr double kColumn = 520.0;  // the width of a picture that stands beside another one
+
+/// Room for the longest of the words left of a picture.
+double room_for(const std::vector<std::string>& words, double least) {
+  double widest = least;
+  for (const std::string& word : words)
+    widest = std::max(widest, 16.0 + kLetter * static_cast<double>(word.size()));
+  return widest;
+}
+
 /// White at 0, the measured color (warm) at +1, the found color (cold) at -1.
 std::string cell_style(double correlation) {
   return fmt::format("class=\"{}\" fill-opacity=\"{:.3f}\"",
@@ -25,14 +36,17 @@ std::string cell_style(double correlation) {
 }  // namespace
 
 std::string spectrum_plot(const Identifiability& what) {
-  constexpr double kRow = 28.0, kTop = 14.0, kLeft = 210.0, kRight = 500.0;
+  constexpr double kRow = 28.0, kTop = 14.0, kBars = 290.0;
+  const double kLeft = room_for(what.directions, 210.0), kRight = kLeft + kBars;
   const auto rows = static_cast<double>(what.deviations.size());
   std::vector<double> percents{100.0};
   for (double d : what.deviations) percents.push_back(100.0 * std::clamp(d, kLeastDeviation, 1.0));
   const Axis x(
       0.5 * *std::min_element(percents.begin(), percents.end()), 200.0, kLeft, kRight, true);
   const double bottom = kTop + kRow * rows;
-  Svg svg(520, bottom + 50, "Standard deviation along the directions of the variables");
+  Svg svg(std::max(kColumn, kRight + 20.0),
+          bottom + 50,
+          "Standard deviation along the directions of the variables");
   for (const auto& tick : x.ticks()) {
     svg.line({x.at(tick.value), kTop}, {x.at(tick.value), bottom}, "class=\"grid\"");
     svg.text({x.at(tick.value), bottom + 16}, tick.label, Anchor::middle);
@@ -57,17 +71,21 @@ std::string spectrum_plot(const Identifiability& what) {
 }
 
 std::string correlation_plot(const Identifiability& what) {
-  constexpr double kLeft = 130.0, kTop = 34.0;
+  constexpr double kTop = 34.0;
+  std::vector<std::string> rows;
+  for (const std::string& variable : what.variables) rows.push_back(variable + " (22)");
+  const double kLeft = room_for(rows, 130.0);
   const auto n = static_cast<Eigen::Index>(what.variables.size());
-  const double cell = std::clamp(300.0 / static_cast<double>(n), 22.0, 64.0);
+  const double cell = std::clamp(300.0 / static_cast<double>(n), 26.0, 64.0);
   // Names above the columns where all of them fit, else numbers that the rows have too.
-  constexpr double kLetter = 6.5;
   const bool are_short =
       std::all_of(what.variables.begin(), what.variables.end(), [&](const std::string& variable) {
         return kLetter * static_cast<double>(variable.size()) <= cell;
       });
   const auto column_number = [](Eigen::Index i) { return fmt::format("({})", i + 1); };
-  Svg svg(520, kTop + cell * static_cast<double>(n) + 12, "Correlations of the variables");
+  const double width = cell * static_cast<double>(n);
+  Svg svg(
+      std::max(kColumn, kLeft + width + 8.0), kTop + width + 12, "Correlations of the variables");
   for (Eigen::Index i = 0; i < n; ++i) {
     const double y = kTop + cell * static_cast<double>(i);
     const std::string row =

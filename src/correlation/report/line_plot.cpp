@@ -14,6 +14,22 @@ namespace {
 
 constexpr std::size_t kLineCorners = 1500;  // of a line: more than a picture shows
 constexpr double kLeft = 78.0, kTop = 34.0, kRight = 14.0, kBottom = 46.0;  // pixels
+constexpr double kLegendRow = 18.0;
+
+/// Where the names of the lines stand, left ends: as many rows as they need.
+std::vector<Point> legend_places(const std::vector<PlotLine>& lines, double width) {
+  constexpr double kLetter = 6.6, kGap = 44.0;  // pixels
+  std::vector<Point> places;
+  Point at(kLeft, 16.0);
+  for (const PlotLine& line : lines) {
+    const double needed =
+        line.name.empty() ? 0.0 : kGap + kLetter * static_cast<double>(line.name.size());
+    if (at.x() > kLeft && at.x() + needed > width) at = {kLeft, at.y() + kLegendRow};
+    places.push_back(at);
+    at.x() += needed;
+  }
+  return places;
+}
 
 /// In each of equal stretches the least and the greatest value, so that no peak is lost.
 PlotLine thinned(const PlotLine& line) {
@@ -76,24 +92,25 @@ std::string line_plot(const LinePlot& plot) {
     }
   }
   if (xs.empty() || ys.empty()) return "";
-  const double bottom = plot.height - kBottom;
+  const auto legend = legend_places(lines, plot.width);
+  const double more = legend.back().y() - legend.front().y();  // rows of names beyond the first
+  const double top = kTop + more, bottom = plot.height + more - kBottom;
   const auto [lowest, highest] = std::minmax_element(xs.begin(), xs.end());
   const Axis x(*lowest, *highest, kLeft, plot.width - kRight);
-  const Axis y = plot.logarithmic_y ? Axis::logarithmic_around(ys, bottom, kTop)
-                                    : Axis::around(ys, bottom, kTop);
-  Svg svg(plot.width, plot.height, plot.description);
+  const Axis y = plot.logarithmic_y ? Axis::logarithmic_around(ys, bottom, top)
+                                    : Axis::around(ys, bottom, top);
+  Svg svg(plot.width, plot.height + more, plot.description);
   draw_frame(svg, x, y, plot.x_title, plot.y_title);
-  double at = kLeft;
-  for (const PlotLine& line : lines) {
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const PlotLine& line = lines[k];
     draw_spread(svg, x, y, line);
     const auto stroke =
         fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"", category(line.color));
     svg.polyline(points_of(x, y, line.x, line.y), stroke);
     if (line.name.empty()) continue;
-    svg.line({at, 16.0}, {at + 18.0, 16.0}, stroke);
-    svg.text({at + 24.0, 20.0}, line.name);
-    constexpr double kLetter = 6.6, kGap = 44.0;  // pixels
-    at += kGap + kLetter * static_cast<double>(line.name.size());
+    const Point at = legend[k];
+    svg.line({at.x(), at.y()}, {at.x() + 18.0, at.y()}, stroke);
+    svg.text({at.x() + 24.0, at.y() + 4.0}, line.name);
   }
   return svg.str();
 }

@@ -270,6 +270,16 @@ std::string pictures(const TirePictures& p) {
          fmt::format("<script type=\"application/json\" id=\"tire-data\">{}</script>", scene);
 }
 
+std::string slip_chapter(const StudyReport& report) {
+  if (report.slip_plots.empty()) return "";
+  std::string html =
+      "<p class=\"lead\">The tire found, from its nominal state: load, camber and pressure varied "
+      "each alone.</p><div class=\"figures\">";
+  for (const LinePlot& plot : report.slip_plots)
+    html += figure(plot.description, "", line_plot(plot), "");
+  return html + "</div>";
+}
+
 std::vector<Chapter> chapters(const StudyReport& report) {
   std::vector<Chapter> all;
   const auto add = [&all](const char* id, const char* title, std::string body) {
@@ -279,6 +289,7 @@ std::vector<Chapter> chapters(const StudyReport& report) {
   add("experiments", "Experiments", report.experiments.empty() ? "" : experiment_table(report));
   add("forces", "Forces", report.forces.empty() ? "" : forces(report));
   add("curves", "Curves", report.curves.empty() ? "" : curves(report));
+  add("slip", "Force over slip", slip_chapter(report));
   add("frequencies", "Frequencies", report.modes.empty() ? "" : frequencies(report));
   add("surface", "Target surface", surface_chapter(report));
   add("sensitivity", "Sensitivity", report.effects.empty() ? "" : effects(report));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "correlation/report/identifiability.h"
+#include "correlation/report/line_plot.h"
 #include "models/fe_tire/fe_tire.h"
 #include "models/fe_tire/mesh.h"
 
@@ -167,6 +168,8 @@ struct StudyReport {
   std::string version;                 // of the program; may be empty
   double target = 0.0;                 // at the found point
   std::optional<double> initial_target;
+  std::vector<LinePlot> slip_plots;  // what the found tire does, force over slip
+  std::string target_in_words;       // "mean square of the errors, its root 2.45 %"; may be empty
   std::string target_definition;     // one line, "1/2 (mean |df| + mean |dF|)"; may be empty
   std::vector<std::string> remarks;  // what is assumed, what to mind
 

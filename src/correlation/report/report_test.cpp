@@ -18,6 +18,8 @@
 
 #include "correlation/report/curve_plot.h"
 #include "correlation/report/html_text.h"
+#include "correlation/report/identifiability_plots.h"
+#include "correlation/report/line_plot.h"
 #include "correlation/report/surface_plot.h"
 #include "correlation/report/tables.h"
 #include "correlation/report/tire_scene.h"
@@ -404,6 +406,69 @@ TEST(Report, SaysWhatTheDataDetermine) {
   EXPECT_EQ(page.find("<b>\""), std::string::npos);
   EXPECT_EQ(page.find("matrix <b>"), std::string::npos);
   EXPECT_EQ(page.find("nan"), std::string::npos);
+}
+
+/// Left and right end of every text and rectangle of a picture lie inside its own width.
+void expect_nothing_cut(const std::string& svg) {
+  std::smatch box;
+  ASSERT_TRUE(std::regex_search(svg, box, std::regex("viewBox=\"0 0 ([0-9.]+) ")));
+  const double width = std::stod(box[1]);
+  constexpr double kLetter = 6.0;  // pixels of the font, on average
+  static const std::regex kText("<text x=\"([-0-9.]+)\"([^>]*)>([^<]*)<");
+  for (std::sregex_iterator at(svg.begin(), svg.end(), kText), end; at != end; ++at) {
+    const std::string how = (*at)[2], element = (*at)[0];
+    if (how.find("transform") != how.npos) continue;
+    const double x = std::stod((*at)[1]), length = kLetter * static_cast<double>((*at)[3].length());
+    const double before = how.find("\"end\"") != how.npos      ? length
+                          : how.find("\"middle\"") != how.npos ? 0.5 * length
+                                                               : 0.0;
+    EXPECT_GE(x - before, 0.0) << element;
+    EXPECT_LE(x - before + length, width) << element;
+  }
+  static const std::regex kRectangle("<rect x=\"([-0-9.]+)\"[^>]*? width=\"([0-9.]+)\"");
+  for (std::sregex_iterator at(svg.begin(), svg.end(), kRectangle), end; at != end; ++at)
+    EXPECT_LE(std::stod((*at)[1]) + std::stod((*at)[2]), width) << (*at)[0];
+}
+
+// As many as a Magic Formula has in a fit of pure slips.
+Identifiability of_many_variables(int count) {
+  Identifiability what;
+  what.residuals = 400;
+  for (int i = 0; i < count; ++i) {
+    what.variables.push_back(fmt::format("lateral_peak_{}", i));
+    what.values.push_back("1.234");
+    what.intervals.push_back("1.1 .. 1.3");
+    what.deviations.push_back(std::pow(10.0, -3.0 + 0.1 * i));
+    what.directions.push_back("0.71 lateral_peak_1 - 0.69 lateral_peak_17, 0.1 others");
+  }
+  what.correlation = Eigen::MatrixXd::Identity(count, count);
+  return what;
+}
+
+TEST(IdentifiabilityChapter, NothingIsCutAtTwentyTwoVariables) {
+  for (const int count : {2, 5, 22, 40}) {
+    SCOPED_TRACE(count);
+    const Identifiability what = of_many_variables(count);
+    expect_nothing_cut(correlation_plot(what));
+    expect_nothing_cut(spectrum_plot(what));
+    EXPECT_EQ(fault_in_tags(identifiability_chapter(what)), "");
+  }
+}
+
+TEST(LinePlot, LegendsTakeTheRowsTheyNeed) {
+  LinePlot plot{"many lines", "x", "y", {}};
+  for (int i = 0; i < 14; ++i)
+    plot.lines.push_back(
+        {fmt::format("load of {} N at 2.4 bar", 500 * i), {0.0, 1.0}, {0.0, 1.0 * i}, i, {}});
+  expect_nothing_cut(line_plot(plot));
+}
+
+TEST(Report, TheTargetSaysWhatItSquares) {
+  StudyReport report;
+  report.title = "t";
+  report.target = 6e-4;
+  report.target_in_words = "mean square of the errors, its root 2.45 %";
+  EXPECT_NE(html(report).find("its root 2.45 %"), std::string::npos);
 }
 
 }  // namespace

@@ -70,9 +70,10 @@ AtBound at_bound(const Variable& variable) {
 std::string key_numbers(const StudyReport& report) {
   const std::string kind = report.is_of_design ? "compared " : "fitted ";
   std::string html = "<div class=\"key\">";
-  html += key(percent(report.target),
-              "Target",
-              report.initial_target ? "from " + percent(*report.initial_target) : "");
+  std::string about = report.target_in_words;
+  if (report.initial_target)
+    about += (about.empty() ? "from " : "; from ") + percent(*report.initial_target);
+  html += key(percent(report.target), "Target", about);
   if (const auto dF = mean_error(report, is_force))
     html += key(percent(*dF), "Mean |ΔF|", kind + "forces");
   if (const auto df = mean_error(report, is_frequency))

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// A text file of any size as one text, without a copy in memory: its pages come from the disk where
+// they are read and can be let go behind.
+//
+// The file must not be cut short while it is read: the system then ends the program. What cannot be
+// mapped (a pipe) is read into memory.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace latsch {
+
+class MappedFile {
+ public:
+  /// Throws InputError naming the path and the reason: missing, a folder, no permission, over the
+  /// limit.
+  MappedFile(const std::filesystem::path& file, std::size_t limit);
+  /// A text that is in memory already.
+  explicit MappedFile(std::string text);
+  ~MappedFile();
+  MappedFile(const MappedFile&) = delete;
+  MappedFile& operator=(const MappedFile&) = delete;
+
+  std::string_view text() const { return view_; }
+  /// What lies before `end` is not needed for now; it comes back where it is read again.
+  void let_go(std::size_t end) const;
+
+ private:
+  std::string text_;
+  void* mapping_ = nullptr;
+  std::string_view view_;
+};
+
+}  // namespace latsch
