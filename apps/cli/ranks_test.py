@@ -80,9 +80,11 @@ class Ranks(Outside):
 
     def test_stages_are_served_one_after_the_other(self):
         edit(self.quarter_car, (r"\[optimizer\]", '[stage.wide]\nstep_tolerance = 0.05\n[stage.narrow]\nbounds = 0.3\n[optimizer]'))
-        alone = self.RESULT.search(self.latsch("run", self.quarter_car))[0]
+        # How many trials the second stage finds depends on how many workers looked ahead in the first.
+        result = lambda text: re.sub(r"\d+ finished trials are reused\n", "", self.RESULT.search(text)[0])
+        alone = result(self.latsch("run", self.quarter_car))
         self.journal.unlink()
-        self.assertEqual(self.RESULT.search(self.mpi("run", self.quarter_car))[0], alone)
+        self.assertEqual(result(self.mpi("run", self.quarter_car)), alone)
         self.assert_says(self.mpi("doe", self.quarter_car, "--levels", "2"), "of 4 points")
 
     def kill(self, rank):

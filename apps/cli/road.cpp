@@ -74,7 +74,7 @@ int road(const RoadOptions& options) {
     return kDone;
   }
   const formats::RoadFile file = formats::read_road_file(options.road);
-  for (const std::string& warning : file.warnings) fmt::print(stderr, "latsch: {}\n", warning);
+  for (const std::string& warning : file.warnings) warn(warning);
   const auto points = formats::CsvTable::read(options.points);
   points.expect_only({"x", "y", "time"});
   const auto x = points.si_numbers("x", "m"), y = points.si_numbers("y", "m");

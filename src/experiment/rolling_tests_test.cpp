@@ -220,6 +220,7 @@ TEST(ReachOfATest, IsThatOfItsRecord) {
   const Document numbers = kind.read(kRing);
   for (const char* sampling : {"0.5 ms", "1.5 ms", "3.5 ms"}) {
     std::ofstream(file) << "kind = \"drum_cleat\"\nspeed = \"30 km/h\"\nload = \"4 kN\"\n"
+                        << "drum_diameter = \"2.5 m\"\n"
                         << "run_in = \"5 ms\"\nlead = \"4 ms\"\nduration = \"31 ms\"\n"
                         << "step = \"0.5 ms\"\nsample_step = \"" << sampling << "\"\n";
     const RollingTest test = read_rolling_test(file);
