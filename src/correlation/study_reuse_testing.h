@@ -46,14 +46,14 @@ measurement = "measured.csv"
 
   FittedStudy() {
     write("tire.tir", experiment::sparse_tir(experiment::kSideForce));
-    std::string states = "Fz [N],alpha [deg]\n", placeholder = "Fy [N]\n";
+    std::string states = "Fz [N],alpha [deg]\n", unmeasured = "Fy [N]\n";
     for (int i = -12; i <= 12; ++i) {
       states += std::to_string(3000 + 500 * (i % 3)) + "," + std::to_string(i) + "\n";
-      placeholder += std::to_string(-10 * i) + "\n";
+      unmeasured += std::to_string(-10 * i) + "\n";
     }
     write("states.csv", states);
     write("steady.toml", "kind = \"steady_states\"\nstates = \"states.csv\"\n");
-    write("measured.csv", placeholder);
+    write("measured.csv", unmeasured);
     const Study study = read("");
     Channels measured;
     measured.add({"Fy", "N", (*evaluator(study)({{1.3, -22.0}}))["steady/Fy"]});

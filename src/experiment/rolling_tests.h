@@ -7,11 +7,14 @@
 //   speed = "60 km/h"
 //   load = "4 kN"
 //   camber = "2 deg"                 # default 0
-//   axle = "load"                    # what it keeps; default, or "height", that of the load at
-//   rest frame = "W"                      # of the forces recorded (hub_frame.h): W, the default, H
-//   or C alpha = ["-10 deg", "10 deg"]    # from, to kappa = [-0.1, 0.1] run_in = "0.3 s" #
-//   default, as the next three duration = "1 s" step = "0.5 ms" sample_step = "5 ms"             #
-//   of the record; a multiple of step, default step
+//   axle = "load"                    # what it keeps; "height": the axle's
+//   frame = "W"                      # of the forces recorded (hub_frame.h); "W", "H" or "C"
+//   alpha = ["-10 deg", "10 deg"]    # from, to
+//   kappa = [-0.1, 0.1]              # from, to
+//   run_in = "0.3 s"                 # default, as the next three
+//   duration = "1 s"
+//   step = "0.5 ms"
+//   sample_step = "5 ms"             # of the record; a multiple of step, default step
 //
 //   kind = "static_stiffness"        # static_stiffness.h
 //   deflections = ["10 mm", "20 mm"] # channels "deflection" and "force"
