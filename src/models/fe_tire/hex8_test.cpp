@@ -181,6 +181,7 @@ TEST_P(Hex8, NeighborsInABatchDoNotChangeABit) {
 // Kernel sets with a fused multiply-add have the same bits; the baseline rounds more often.
 TEST_P(Hex8, KernelSetsAgree) {
   const ElementLaw law = element_law(shape, m, e);
+  const WithKernelSet fused(kernel_sets().back());  // whatever LATSCH_KERNELS forces
   const ElementBatch best = evaluated_batch(law, 0, 5);
   const double size = std::abs(best.K[0][4]);
   for (const KernelSet set : kernel_sets()) {
