@@ -95,17 +95,8 @@ struct FeTire::Impl {
             inflated.alpha.replicate(unknowns.sectors(), 1)};
   }
 
-  Result<std::vector<Mode>> modes_at(const Eigen::Matrix3Xd& u,
-                                     double pressure,
-                                     const Ground* ground,
-                                     double ground_height,
-                                     int count);
-  Result<std::vector<Mode>> modes_of(const RingAssembly& assembly,
-                                     const Eigen::Matrix3Xd& u,
-                                     double pressure,
-                                     const Ground* ground,
-                                     double ground_height,
-                                     int count);
+  Result<std::vector<Mode>> modes_at(const Loaded& loaded, int count);
+  Result<std::vector<Mode>> modes_of(const RingAssembly& assembly, const Loaded& loaded, int count);
 
  private:
   std::optional<RingElements> elements_, even_elements_;  // of `ring`, of `even`
@@ -176,6 +167,7 @@ Result<Loaded> FeTire::load(const Inflated& inflated,
   loaded.ground = ground;
   loaded.curve = std::move(*curve);
   loaded.u = tire.systems().unknowns.expand(state.x);
+  loaded.alpha = std::move(state.alpha);
   return loaded;
 }
 
@@ -193,6 +185,7 @@ Result<std::vector<Mode>> FeTire::modes_full(const Inflated& inflated, int count
   const RingAssembly assembly(whole);
   RingState state = assembly.zero_state();
   state.x = whole.compress(inflated.u.replicate(1, tire.ring.sectors()));
+  state.alpha = inflated.alpha.replicate(tire.ring.sectors(), 1);
   Eigen::VectorXd f;
   numerics::SymmetricMatrix K(*assembly.pattern());
   int worst = 0;
@@ -206,11 +199,7 @@ Result<std::vector<Mode>> FeTire::modes_full(const Inflated& inflated, int count
 
 Result<std::vector<Mode>> FeTire::modes(const Loaded& loaded, int count) {
   Impl& tire = *impl_;
-  Result<std::vector<Mode>> modes = tire.modes_at(loaded.u,
-                                                  loaded.inflated.pressure,
-                                                  &loaded.ground,
-                                                  -loaded.curve.back().loaded_radius,
-                                                  count);
+  Result<std::vector<Mode>> modes = tire.modes_at(loaded, count);
   if (!modes) return modes;
   for (Mode& mode : *modes) mode.phase = phase_of(tire.ring.mesh(), mode.shape);
   if (tire.ring.sectors() > 1) {
@@ -227,17 +216,13 @@ double FeTire::total_mass() const { return nodal_masses(impl_->even_elements()).
 
 /// Modes of even and odd states together, the lowest `count`. Each kind is asked for somewhat more
 /// than its half; where one may hold more of the lowest than it was asked for, again.
-Result<std::vector<Mode>> FeTire::Impl::modes_at(const Eigen::Matrix3Xd& u,
-                                                 double pressure,
-                                                 const Ground* ground,
-                                                 double ground_height,
-                                                 int count) {
+Result<std::vector<Mode>> FeTire::Impl::modes_at(const Loaded& loaded, int count) {
   const RingAssembly& even = systems().solver.assembly();
-  if (!systems().odd) return modes_of(even, u, pressure, ground, ground_height, count);
+  if (!systems().odd) return modes_of(even, loaded, count);
   for (int each = count / 2 + 3;; each = std::min(count, 2 * each)) {
-    auto modes = modes_of(even, u, pressure, ground, ground_height, each);
+    auto modes = modes_of(even, loaded, each);
     if (!modes) return modes;
-    auto odd = modes_of(*systems().odd, u, pressure, ground, ground_height, each);
+    auto odd = modes_of(*systems().odd, loaded, each);
     if (!odd) return odd;
     const double sure = std::min(modes->back().frequency, odd->back().frequency);
     modes->insert(modes->end(), odd->begin(), odd->end());
@@ -250,26 +235,24 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const Eigen::Matrix3Xd& u,
 }
 
 Result<std::vector<Mode>> FeTire::Impl::modes_of(const RingAssembly& assembly,
-                                                 const Eigen::Matrix3Xd& u,
-                                                 double pressure,
-                                                 const Ground* ground,
-                                                 double ground_height,
+                                                 const Loaded& loaded,
                                                  int count) {
   // The state is even; odd unknowns hold only what may vibrate about it. So elements see the state
   // of the even numbering, and the tangent is gathered in the numbering asked for.
   Systems& all = systems();
-  RingState state = all.solver.assembly().zero_state();
-  state.x = all.unknowns.compress(u);
-  std::optional<GroundContact> contact;
-  if (ground) {
-    contact.emplace(all.unknowns, *ground);
-    contact->set_height(ground_height);
+  RingState state{all.unknowns.compress(loaded.u), loaded.alpha};
+  if (state.alpha.size() != all.solver.assembly().zero_state().alpha.size()) {
+    return Failure{
+        "modes: the tire was loaded with other materials (or another symmetry of them); "
+        "load it again"};
   }
+  GroundContact contact(all.unknowns, loaded.ground);
+  contact.set_height(-loaded.curve.back().loaded_radius);
   int worst = 0;
   if (!all.solver.assembly().assemble_tangent(elements(),
                                               state,
-                                              pressure,
-                                              contact ? &*contact : nullptr,
+                                              loaded.inflated.pressure,
+                                              &contact,
                                               assembly.unknowns(),
                                               all.tangent,
                                               &worst)) {

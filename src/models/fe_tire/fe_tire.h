@@ -65,6 +65,8 @@ struct Loaded {
   Ground ground;
   std::vector<LoadPoint> curve;  // one a requested deflection, in the order solved
   Eigen::Matrix3Xd u;            // [3 x nodes], sector frames, m, at the last deflection
+  Eigen::VectorXd alpha;  // internal parameters there, of the elements solved for (half the ring
+                          // where it is symmetric): part of the state, found only from near it
 };
 
 enum class ModeType { torsional, lateral, radial, other };
