@@ -1,7 +1,7 @@
 # What Latsch stands on; Debian 12 packages, installed by tools/install_packages.sh from these lines:
 # apt: g++ cmake ninja-build python3
 # apt: libfmt-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
-# apt: libsqlitecpp-dev libsqlite3-dev libudunits2-dev libopenblas-serial-dev libmumps-seq-dev libmetis-dev
+# apt: libsqlitecpp-dev libsqlite3-dev libudunits2-dev libopenblas-serial-dev libmetis-dev
 # MAT files: version 5 needs zlib, version 7.3 is HDF5 and read by matio:
 # apt: zlib1g-dev libmatio-dev
 # For runs on the ranks of an MPI job; the program is built without it where it is not there:
@@ -41,16 +41,14 @@ find_library(OPENBLAS_LIBRARY openblas REQUIRED
              PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/openblas-serial NO_DEFAULT_PATH)
 add_library(lapack_blas INTERFACE IMPORTED)
 # Always a direct dependency of the program and found by its own path: so it comes before whatever the system's
-# alternatives of libblas.so.3 and libopenblas.so.0 point to, for MUMPS too.
+# alternatives of libblas.so.3 and libopenblas.so.0 point to.
 target_link_libraries(lapack_blas INTERFACE
   -Wl,--push-state,--no-as-needed ${OPENBLAS_LIBRARY} -Wl,--pop-state ${CMAKE_DL_LIBS})
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 
-# Sequential MUMPS, double and single precision, with the METIS ordering.
-find_library(DMUMPS_LIBRARY dmumps_seq REQUIRED)
-find_library(SMUMPS_LIBRARY smumps_seq REQUIRED)
+# Nested dissection of sparse matrices.
 find_library(METIS_LIBRARY metis REQUIRED)
-find_path(DMUMPS_INCLUDE dmumps_c.h REQUIRED)
-add_library(mumps INTERFACE IMPORTED)
-target_link_libraries(mumps INTERFACE ${DMUMPS_LIBRARY} ${SMUMPS_LIBRARY} ${METIS_LIBRARY} lapack_blas)
-target_include_directories(mumps INTERFACE ${DMUMPS_INCLUDE})
+find_path(METIS_INCLUDE metis.h REQUIRED)
+add_library(metis INTERFACE IMPORTED)
+target_link_libraries(metis INTERFACE ${METIS_LIBRARY})
+target_include_directories(metis INTERFACE ${METIS_INCLUDE})

@@ -6,15 +6,11 @@ if(MPI_CXX_FOUND)
   add_library(latsch_mpi STATIC ${CMAKE_SOURCE_DIR}/src/evaluation/mpi/mpi_executor.cpp)
   target_link_libraries(latsch_mpi PUBLIC latsch::evaluation MPI::MPI_CXX)
   target_link_libraries(latsch PRIVATE latsch_mpi)
-  # Sequential MUMPS brings empty MPI functions under the same names; the real ones have to come before it.
-  target_link_options(latsch PRIVATE LINKER:--push-state,--no-as-needed ${MPI_CXX_LIBRARIES} LINKER:--pop-state)
   set_source_files_properties(${CMAKE_SOURCE_DIR}/apps/cli/workers.cpp
                               PROPERTIES COMPILE_DEFINITIONS LATSCH_MPI)
   if(LATSCH_TESTS)
     add_executable(mpi_executor_test ${CMAKE_SOURCE_DIR}/src/evaluation/mpi/mpi_executor_test.cpp)
     target_link_libraries(mpi_executor_test PRIVATE latsch_mpi GTest::gtest)
-    target_link_options(mpi_executor_test PRIVATE LINKER:--push-state,--no-as-needed ${MPI_CXX_LIBRARIES}
-                        LINKER:--pop-state)
     latsch_optimize_little(mpi_executor_test)
     add_test(NAME mpi_executor COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe --allow-run-as-root -n 3
                                        $<TARGET_FILE:mpi_executor_test>)

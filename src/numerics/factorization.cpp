@@ -1,221 +1,355 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "numerics/factorization.h"
 
-#include <dmumps_c.h>
-#include <metis.h>
-#include <smumps_c.h>
-
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstring>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "numerics/blas_core.h"
+#include "numerics/elimination.h"
+#include "numerics/front_algebra.h"
 
 namespace latsch::numerics {
-namespace {
-
-constexpr int kUseCommWorld = -987654;  // what the sequential MUMPS wants as communicator
-constexpr int kRightHandSideBlock = 32;
-constexpr int kMoreMemory =
-    30;  // percent over MUMPS' estimate, so that delayed pivots do not end a factorization
-constexpr int kNumericallySingular = -10;
-constexpr int kMemoryTooSmall = -9;
-constexpr int kIntegerMemoryTooSmall = -8;
-
-enum Job { kStart = -1, kEnd = -2, kAnalyze = 1, kFactorize = 2, kSolve = 3 };
-
-void call(DMUMPS_STRUC_C& mumps) { dmumps_c(&mumps); }
-void call(SMUMPS_STRUC_C& mumps) { smumps_c(&mumps); }
-
-/// Nested dissection of the graph of block rows: position of every block row in the elimination.
-std::vector<idx_t> dissect(const SymmetricPattern& pattern) {
-  const int n = pattern.block_rows();
-  const auto start = pattern.row_start();
-  const auto column = pattern.column();
-  std::vector<idx_t> degree(n + 1, 0);
-  for (int i = 0; i < n; ++i) {
-    for (int k = start[i]; k < start[i + 1] - 1; ++k) {
-      ++degree[i + 1];
-      ++degree[column[k] + 1];
-    }
-  }
-  std::vector<idx_t> first(degree);
-  for (int i = 0; i < n; ++i) first[i + 1] += first[i];
-  std::vector<idx_t> neighbor(first[n]), next(first.begin(), first.end() - 1);
-  for (int i = 0; i < n; ++i) {
-    for (int k = start[i]; k < start[i + 1] - 1; ++k) {
-      neighbor[next[i]++] = column[k];
-      neighbor[next[column[k]]++] = i;
-    }
-  }
-  std::vector<idx_t> order(n), position(n);
-  if (neighbor.empty()) {
-    for (int i = 0; i < n; ++i) position[i] = i;
-    return position;
-  }
-  idx_t options[METIS_NOPTIONS];
-  METIS_SetDefaultOptions(options);
-  idx_t vertices = n;
-  METIS_NodeND(
-      &vertices, first.data(), neighbor.data(), nullptr, options, order.data(), position.data());
-  return position;
-}
-
-}  // namespace
 
 struct Factorization::Impl {
   bool ready = false;
   virtual ~Impl() = default;
   virtual FactorStatus factorize(const SymmetricMatrix& A) = 0;
   virtual void solve(Eigen::Ref<Eigen::MatrixXd> X) = 0;
-  virtual double flops() const = 0;
-  virtual long long entries() const = 0;
+  double flops = 0.0;
+  long long entries = 0;
 };
 
 namespace {
 
+constexpr int kColumnsTogether = 32;  // right-hand sides
+
+/// Successive rows of a front's update that are successive in their place, too.
+struct Run {
+  int start, target, length;
+};
+
+/// What is known of a front before any number: sizes in unknowns.
+struct FrontPlan {
+  int first, pivots, rows;
+  int parent;
+  size_t panel;                // where its columns of the factor start
+  size_t first_entry;          // of the matrix, see Entry; the next front's is the end
+  std::vector<Run> in_vector;  // rows below the pivots, in the order of elimination
+  std::vector<Run> in_parent;  // the same, in the parent's front
+
+  int below() const { return rows - pivots; }
+};
+
+/// A block of the matrix, column-major, and where its first number goes in the panel.
+struct Entry {
+  int source;
+  bool transposed;
+  size_t target;
+};
+
+std::vector<Run> runs(const std::vector<int>& places, int block) {
+  std::vector<Run> result;
+  for (int i = 0; i < static_cast<int>(places.size()); ++i) {
+    if (i > 0 && places[i] == places[i - 1] + 1) {
+      result.back().length += block;
+    } else {
+      result.push_back({i * block, places[i] * block, block});
+    }
+  }
+  return result;
+}
+
 template <class Real>
-class Mumps final : public Factorization::Impl {
+class Multifrontal final : public Factorization::Impl {
  public:
-  explicit Mumps(const SymmetricPattern& pattern);
-  ~Mumps() override { run(kEnd); }
+  explicit Multifrontal(const SymmetricPattern& pattern);
   FactorStatus factorize(const SymmetricMatrix& A) override;
   void solve(Eigen::Ref<Eigen::MatrixXd> X) override;
-  double flops() const override { return mumps_.rinfog[0]; }
-  long long entries() const override {
-    const int entries = infog(20);  // negative: in millions
-    return entries < 0 ? -1000000LL * entries : entries;
-  }
 
  private:
-  int run(Job job) {
-    mumps_.job = job;
-    call(mumps_);
-    return infog(1);
-  }
-  MUMPS_INT& icntl(int k) { return mumps_.icntl[k - 1]; }
-  int infog(int k) const { return mumps_.infog[k - 1]; }
-  void choose_options();
-  void list_entries(const SymmetricPattern& pattern);
+  void plan(const Elimination& elimination);
+  void list_entries(const SymmetricPattern& pattern, const Elimination& elimination);
+  void enter(const SymmetricMatrix& A, int front);
+  void add_update(const FrontPlan& child, const Real* update, bool to_panel, Real* own);
+  bool eliminate_front(int front);
+  void forward(int columns);
+  void backward(int columns);
 
-  std::conditional_t<std::is_same_v<Real, float>, SMUMPS_STRUC_C, DMUMPS_STRUC_C> mumps_;
-  std::vector<MUMPS_INT> row_, column_, pivot_position_;  // one-based
-  std::vector<int> source_;  // where entry k stands in the matrix' values
-  std::vector<Real> value_, right_hand_side_;
+  Real* panel(const FrontPlan& front) { return factor_.data() + front.panel; }
+
+  int size_, block_;
+  std::vector<int> position_;  // of every unknown
+  std::vector<FrontPlan> fronts_;
+  std::vector<std::vector<int>> children_;
+  std::vector<Entry> entries_;
+  std::vector<Real> factor_;
+  std::vector<Real> stack_;           // updates that wait for their parents, the last on top
+  std::vector<size_t> stacked_;       // where the update of a front starts there
+  size_t top_ = 0;                    // of the stack
+  std::vector<Real> vector_, below_;  // right-hand sides, and their rows below one front
 };
 
 template <class Real>
-Mumps<Real>::Mumps(const SymmetricPattern& pattern) {
+Multifrontal<Real>::Multifrontal(const SymmetricPattern& pattern)
+    : size_(pattern.size()), block_(pattern.block_size()), position_(size_) {
   choose_blas_core();
-  std::memset(&mumps_, 0, sizeof mumps_);
-  mumps_.par = 1;
-  mumps_.sym =
-      2;  // symmetric indefinite: as fast as the definite kind, and it counts the negative pivots
-  mumps_.comm_fortran = kUseCommWorld;
-  run(kStart);
-  choose_options();
-  list_entries(pattern);
-  const int b = pattern.block_size();
-  const auto position = dissect(pattern);
-  pivot_position_.resize(pattern.size());
-  for (int i = 0; i < pattern.size(); ++i) {
-    pivot_position_[i] = static_cast<MUMPS_INT>(position[i / b] * b + i % b + 1);
+  const Elimination elimination = eliminate(pattern);
+  for (int i = 0; i < size_; ++i) {
+    position_[i] = elimination.position[i / block_] * block_ + i % block_;
   }
-  mumps_.n = pattern.size();
-  mumps_.nnz = static_cast<MUMPS_INT8>(row_.size());
-  mumps_.irn = row_.data();
-  mumps_.jcn = column_.data();
-  mumps_.a = value_.data();
-  mumps_.perm_in = pivot_position_.data();
-  [[maybe_unused]] const int error = run(kAnalyze);
-  assert(error >= 0);
+  plan(elimination);
+  list_entries(pattern, elimination);
 }
 
 template <class Real>
-void Mumps<Real>::choose_options() {
-  for (int k : {1, 2, 3}) icntl(k) = -1;  // prints nothing
-  icntl(4) = 0;
-  icntl(6) = 0;   // no permutation for large diagonals: the pattern is symmetric
-  icntl(7) = 1;   // the ordering is ours
-  icntl(8) = 0;   // no scaling
-  icntl(10) = 0;  // no iterative refinement
-  icntl(12) = 1;  // no compressed ordering
-  icntl(13) = 1;  // no parallel root
-  icntl(14) = kMoreMemory;
-  icntl(27) = kRightHandSideBlock;
+void Multifrontal<Real>::plan(const Elimination& elimination) {
+  const std::vector<Front>& fronts = elimination.fronts;
+  children_.resize(fronts.size());
+  size_t panels = 0, stack = 0, highest = 0;
+  for (int s = 0; s < static_cast<int>(fronts.size()); ++s) {
+    const Front& front = fronts[s];
+    FrontPlan plan{front.first * block_,
+                   front.columns * block_,
+                   front.rows() * block_,
+                   front.parent,
+                   panels,
+                   0,
+                   runs(front.below, block_),
+                   {}};
+    if (front.parent >= 0) {
+      children_[front.parent].push_back(s);
+      const Front& parent = fronts[front.parent];
+      std::vector<int> places;
+      for (int row : front.below) {
+        const int pivot = row - parent.first;
+        const auto found = std::lower_bound(parent.below.begin(), parent.below.end(), row);
+        places.push_back(pivot < parent.columns
+                             ? pivot
+                             : parent.columns + static_cast<int>(found - parent.below.begin()));
+      }
+      plan.in_parent = runs(places, block_);
+    }
+    const double k = plan.pivots, u = plan.below();
+    panels += static_cast<size_t>(plan.pivots) * plan.rows;
+    entries += static_cast<long long>(0.5 * k * (k + 1.0) + k * u);
+    flops += k * k * k / 3.0 + k * k * u + k * u * (u + 1.0);
+    // The update is made above those of the children, then takes their place.
+    const size_t update = static_cast<size_t>(plan.below()) * plan.below();
+    highest = std::max(highest, stack + update);
+    for (int child : children_[s]) {
+      const size_t its = fronts_[child].below();
+      stack -= its * its;
+    }
+    stack += update;
+    fronts_.push_back(std::move(plan));
+  }
+  factor_.resize(panels);
+  stack_.resize(highest);
+  stacked_.resize(fronts_.size());
 }
 
 template <class Real>
-void Mumps<Real>::list_entries(const SymmetricPattern& pattern) {
-  const int b = pattern.block_size();
+void Multifrontal<Real>::list_entries(const SymmetricPattern& pattern,
+                                      const Elimination& elimination) {
+  const std::vector<Front>& fronts = elimination.fronts;
+  std::vector<int> front_of(pattern.block_rows());
+  for (int s = 0; s < static_cast<int>(fronts.size()); ++s) {
+    std::fill_n(front_of.begin() + fronts[s].first, fronts[s].columns, s);
+  }
+  std::vector<std::vector<Entry>> of_front(fronts.size());
   for (int i = 0; i < pattern.block_rows(); ++i) {
     for (int k = pattern.row_start()[i]; k < pattern.row_start()[i + 1]; ++k) {
-      const int j = pattern.column()[k];
-      for (int c = 0; c < b; ++c) {
-        for (int r = i == j ? c : 0; r < b; ++r) {
-          row_.push_back(b * i + r + 1);
-          column_.push_back(b * j + c + 1);
-          source_.push_back(k * b * b + c * b + r);
-        }
+      const int a = elimination.position[i], b = elimination.position[pattern.column()[k]];
+      const auto [column, row] = std::minmax(a, b);
+      const Front& front = fronts[front_of[column]];
+      const auto found = std::lower_bound(front.below.begin(), front.below.end(), row);
+      const int place = row - front.first < front.columns
+                            ? row - front.first
+                            : front.columns + static_cast<int>(found - front.below.begin());
+      const FrontPlan& plan = fronts_[front_of[column]];
+      of_front[front_of[column]].push_back(
+          {k * block_ * block_,
+           a < b,
+           plan.panel + static_cast<size_t>(column - front.first) * block_ * plan.rows +
+               static_cast<size_t>(place) * block_});
+    }
+  }
+  for (size_t s = 0; s < fronts.size(); ++s) {
+    fronts_[s].first_entry = entries_.size();
+    entries_.insert(entries_.end(), of_front[s].begin(), of_front[s].end());
+  }
+}
+
+template <class Real>
+void Multifrontal<Real>::enter(const SymmetricMatrix& A, int front) {
+  const FrontPlan& plan = fronts_[front];
+  std::fill_n(panel(plan), static_cast<size_t>(plan.pivots) * plan.rows, Real(0));
+  const size_t end = front + 1 < static_cast<int>(fronts_.size()) ? fronts_[front + 1].first_entry
+                                                                  : entries_.size();
+  for (size_t e = plan.first_entry; e < end; ++e) {
+    const auto& [source, transposed, target] = entries_[e];
+    const double* from = A.values().data() + source;
+    const int across = transposed ? block_ : 1, down = transposed ? 1 : block_;
+    for (int c = 0; c < block_; ++c) {
+      Real* to = factor_.data() + target + static_cast<size_t>(c) * plan.rows;
+      for (int r = 0; r < block_; ++r) to[r] = static_cast<Real>(from[r * across + c * down]);
+    }
+  }
+}
+
+/// Adds those columns of a child's update that fall on pivots of its parent, or those that do not,
+/// to the parent's panel or own update.
+template <class Real>
+void Multifrontal<Real>::add_update(const FrontPlan& child,
+                                    const Real* update,
+                                    bool to_panel,
+                                    Real* own) {
+  const FrontPlan& parent = fronts_[child.parent];
+  const int u = child.below(), skipped = to_panel ? 0 : parent.pivots;
+  const size_t stride = to_panel ? parent.rows : parent.below();
+  const std::vector<Run>& all = child.in_parent;
+  for (size_t across = 0; across < all.size(); ++across) {
+    for (int c = 0; c < all[across].length; ++c) {
+      const int column = all[across].target + c;
+      if ((column < parent.pivots) != to_panel) continue;
+      const Real* from = update + static_cast<size_t>(all[across].start + c) * u;
+      Real* to = own + (column - skipped) * stride - skipped;
+      for (size_t down = across; down < all.size(); ++down) {
+        const int first = down == across ? c : 0;
+        const Real* source = from + all[down].start;
+        Real* target = to + all[down].target;
+        for (int r = first; r < all[down].length; ++r) target[r] += source[r];
       }
     }
   }
-  value_.resize(row_.size());
 }
 
 template <class Real>
-FactorStatus Mumps<Real>::factorize(const SymmetricMatrix& A) {
-  const auto values = A.values();
-  for (size_t k = 0; k < value_.size(); ++k) value_[k] = static_cast<Real>(values[source_[k]]);
-  icntl(14) = kMoreMemory;
-  int error = run(kFactorize);
-  while ((error == kMemoryTooSmall || error == kIntegerMemoryTooSmall) && icntl(14) < 1000) {
-    icntl(14) *= 2;
-    error = run(kFactorize);
+bool Multifrontal<Real>::eliminate_front(int s) {
+  const FrontPlan& plan = fronts_[s];
+  Real* L = panel(plan);
+  for (int child : children_[s]) {
+    add_update(fronts_[child], stack_.data() + stacked_[child], true, L);
   }
-  ready = error >= 0;
+  if (!cholesky(plan.pivots, L, plan.rows)) return false;
+  const int u = plan.below();
+  Real* update = stack_.data() + top_;
+  const size_t length = static_cast<size_t>(u) * u;
+  if (u > 0) {
+    solve_right_transposed(u, plan.pivots, L, plan.rows, L + plan.pivots);
+    negative_square(u, plan.pivots, L + plan.pivots, plan.rows, update);
+  }
+  for (int child : children_[s]) {
+    add_update(fronts_[child], stack_.data() + stacked_[child], false, update);
+  }
+  const size_t place = children_[s].empty() ? top_ : stacked_[children_[s].front()];
+  if (place != top_) std::memmove(stack_.data() + place, update, length * sizeof(Real));
+  stacked_[s] = place;
+  top_ = place + length;
+  return true;
+}
+
+template <class Real>
+FactorStatus Multifrontal<Real>::factorize(const SymmetricMatrix& A) {
+  ready = false;
   FactorStatus status;
-  if (error == kNumericallySingular) {
-    status.outcome = FactorStatus::Outcome::singular;
-    status.reason = "the matrix is singular";
-  } else if (error < 0) {
-    status.reason =
-        "MUMPS ended with error " + std::to_string(error) + " (" + std::to_string(infog(2)) + ")";
-  } else {
-    status.negative_pivots = infog(12);
-    status.outcome = status.negative_pivots == 0 ? FactorStatus::Outcome::definite
-                                                 : FactorStatus::Outcome::indefinite;
+  double sum = 0.0;
+  for (double value : A.values()) sum += std::abs(value);
+  if (!std::isfinite(sum)) {
+    status.reason = "the matrix holds values that are not numbers";
+    return status;
   }
+  top_ = 0;
+  for (int s = 0; s < static_cast<int>(fronts_.size()); ++s) {
+    enter(A, s);
+    if (!eliminate_front(s)) {
+      status.outcome = FactorStatus::Outcome::not_positive;
+      status.reason = "the matrix is not positive definite";
+      return status;
+    }
+  }
+  ready = true;
+  status.outcome = FactorStatus::Outcome::definite;
   return status;
 }
 
 template <class Real>
-void Mumps<Real>::solve(Eigen::Ref<Eigen::MatrixXd> X) {
-  assert(ready && X.rows() == mumps_.n);
-  mumps_.nrhs = static_cast<MUMPS_INT>(X.cols());
-  if constexpr (std::is_same_v<Real, double>) {
-    mumps_.lrhs = static_cast<MUMPS_INT>(X.outerStride());
-    mumps_.rhs = X.data();
-    run(kSolve);
-  } else {
-    // Scaled to the middle of the exponents: a residual of 1e-40 is none.
-    right_hand_side_.resize(X.size());
-    Eigen::Map<Eigen::MatrixXf> Y(right_hand_side_.data(), X.rows(), X.cols());
-    const double largest = X.cwiseAbs().maxCoeff();
-    if (largest == 0.0) return;
-    Y = (X / largest).template cast<float>();
-    mumps_.lrhs = mumps_.n;
-    mumps_.rhs = right_hand_side_.data();
-    run(kSolve);
-    X = largest * Y.template cast<double>();
+void Multifrontal<Real>::forward(int columns) {
+  for (const FrontPlan& front : fronts_) {
+    Real* x = vector_.data() + front.first;
+    const Real* L = panel(front);
+    solve_lower(front.pivots, columns, L, front.rows, x, size_);
+    const int u = front.below();
+    if (u == 0) continue;
+    multiply(u, columns, front.pivots, L + front.pivots, front.rows, x, size_, below_.data());
+    for (int j = 0; j < columns; ++j) {
+      const Real* from = below_.data() + static_cast<size_t>(j) * u;
+      Real* to = vector_.data() + static_cast<size_t>(j) * size_;
+      for (const auto& [start, target, length] : front.in_vector) {
+        for (int r = 0; r < length; ++r) to[target + r] -= from[start + r];
+      }
+    }
+  }
+}
+
+template <class Real>
+void Multifrontal<Real>::backward(int columns) {
+  for (size_t s = fronts_.size(); s-- > 0;) {
+    const FrontPlan& front = fronts_[s];
+    Real* x = vector_.data() + front.first;
+    const Real* L = panel(front);
+    const int u = front.below();
+    for (int j = 0; j < columns && u > 0; ++j) {
+      Real* to = below_.data() + static_cast<size_t>(j) * u;
+      const Real* from = vector_.data() + static_cast<size_t>(j) * size_;
+      for (const auto& [start, target, length] : front.in_vector) {
+        for (int r = 0; r < length; ++r) to[start + r] = from[target + r];
+      }
+    }
+    if (u > 0) {
+      subtract_transposed(
+          front.pivots, columns, u, L + front.pivots, front.rows, below_.data(), x, size_);
+    }
+    solve_lower_transposed(front.pivots, columns, L, front.rows, x, size_);
+  }
+}
+
+template <class Real>
+void Multifrontal<Real>::solve(Eigen::Ref<Eigen::MatrixXd> X) {
+  assert(ready && X.rows() == size_);
+  int tallest = 0;
+  for (const FrontPlan& front : fronts_) tallest = std::max(tallest, front.below());
+  for (Eigen::Index first = 0; first < X.cols(); first += kColumnsTogether) {
+    const int columns =
+        static_cast<int>(std::min<Eigen::Index>(kColumnsTogether, X.cols() - first));
+    vector_.resize(static_cast<size_t>(size_) * columns);
+    below_.resize(static_cast<size_t>(tallest) * columns);
+    Eigen::VectorXd scale(columns);
+    for (int j = 0; j < columns; ++j) {
+      // Scaled to the middle of the exponents: a residual of 1e-40 is none.
+      const double largest = X.col(first + j).cwiseAbs().maxCoeff();
+      scale[j] = std::is_same_v<Real, float> && largest > 0.0 ? largest : 1.0;
+      Real* to = vector_.data() + static_cast<size_t>(j) * size_;
+      for (int i = 0; i < size_; ++i) {
+        to[position_[i]] = static_cast<Real>(X(i, first + j) / scale[j]);
+      }
+    }
+    forward(columns);
+    backward(columns);
+    for (int j = 0; j < columns; ++j) {
+      const Real* from = vector_.data() + static_cast<size_t>(j) * size_;
+      for (int i = 0; i < size_; ++i) X(i, first + j) = scale[j] * from[position_[i]];
+    }
   }
 }
 
 std::unique_ptr<Factorization::Impl> make(const SymmetricPattern& pattern, Precision precision) {
-  if (precision == Precision::single) return std::make_unique<Mumps<float>>(pattern);
-  return std::make_unique<Mumps<double>>(pattern);
+  if (precision == Precision::single) return std::make_unique<Multifrontal<float>>(pattern);
+  return std::make_unique<Multifrontal<double>>(pattern);
 }
 
 }  // namespace
@@ -234,7 +368,7 @@ void Factorization::solve(Eigen::Ref<Eigen::VectorXd> x) const {
 void Factorization::solve_columns(Eigen::Ref<Eigen::MatrixXd> X) const {
   impl_->solve(std::move(X));
 }
-double Factorization::flops() const { return impl_->flops(); }
-long long Factorization::entries() const { return impl_->entries(); }
+double Factorization::flops() const { return impl_->flops; }
+long long Factorization::entries() const { return impl_->entries; }
 
 }  // namespace latsch::numerics

@@ -61,19 +61,28 @@ TEST(Factorization,
   }
 }
 
-TEST(Factorization, CountsNegativeEigenvalues) {  // Sylvester's law of inertia
+TEST(Factorization, IsThatOfAPositiveMatrixAndOfNoOther) {
+  // Shifted to either side of its lowest eigenvalue, and far into the spectrum.
   const Lattice lattice({4, 3, 3}, 3);
   const SymmetricPattern pattern(lattice.size(), lattice.elements());
   SymmetricMatrix A(pattern);
   lattice.assemble_random(A, 3);
   const Eigen::VectorXd lambda = self_adjoint_eigenvalues(dense(A));
-  Factorization factor(pattern);
-  for (int count : {1, 2, 5, 40}) {
-    SymmetricMatrix shifted = A;
-    shifted.add_to_diagonal(-0.5 * (lambda[count - 1] + lambda[count]));
-    const FactorStatus status = factor.factorize(shifted);
-    EXPECT_EQ(status.outcome, FactorStatus::Outcome::indefinite);
-    EXPECT_EQ(status.negative_pivots, count);
+  for (Precision precision : {Precision::full, Precision::single}) {
+    Factorization factor(pattern, precision);
+    const double gap = precision == Precision::full ? 1e-9 : 1e-3;
+    for (double shift : {(1.0 - gap) * lambda[0],
+                         (1.0 + gap) * lambda[0],
+                         0.5 * (lambda[1] + lambda[2]),
+                         2.0 * lambda.tail(1)[0]}) {
+      SymmetricMatrix shifted = A;
+      shifted.add_to_diagonal(-shift);
+      const FactorStatus status = factor.factorize(shifted);
+      EXPECT_EQ(status.outcome,
+                shift < lambda[0] ? FactorStatus::Outcome::definite
+                                  : FactorStatus::Outcome::not_positive);
+      EXPECT_EQ(factor.ready(), status.definite());
+    }
   }
 }
 
@@ -83,10 +92,46 @@ TEST(Factorization, SaysThatAMatrixIsSingular) {
   const double K[4] = {1, -1, -1, 1};
   A.add_element(0, K);
   Factorization factor(pattern);
-  EXPECT_EQ(factor.factorize(A).outcome, FactorStatus::Outcome::singular);
+  EXPECT_EQ(factor.factorize(A).outcome, FactorStatus::Outcome::not_positive);
   EXPECT_FALSE(factor.ready());
   A.add_to_diagonal(1.0);
   EXPECT_TRUE(factor.factorize(A).definite());
+}
+
+TEST(Factorization, SolvesWhereUnknownsStandAloneOrInParts) {
+  // No couplings at all; two bodies that do not touch; one unknown a node.
+  const SymmetricPattern alone(7, {});
+  SymmetricMatrix D(alone);
+  D.add_to_diagonal(4.0);
+  Factorization of_alone(alone);
+  ASSERT_TRUE(of_alone.factorize(D).definite());
+  Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(7, 1.0, 7.0);
+  of_alone.solve(x);
+  EXPECT_LT((4.0 * x - Eigen::VectorXd::LinSpaced(7, 1.0, 7.0)).norm(), 1e-14);
+
+  for (int per_node : {1, 3}) {
+    const Lattice lattice({5, 4, 3}, per_node);
+    auto elements = lattice.elements();
+    const auto one = elements;
+    for (auto unknowns : one) {
+      for (int& unknown : unknowns) unknown += lattice.size();
+      elements.push_back(unknowns);
+    }
+    const SymmetricPattern pattern(2 * lattice.size(), elements);
+    SymmetricMatrix A(pattern);
+    lattice.assemble_random(A, 5);
+    for (int e = 0; e < static_cast<int>(one.size()); ++e) {
+      const Eigen::MatrixXd I = (1.0 + e) * Eigen::MatrixXd::Identity(8 * per_node, 8 * per_node) +
+                                Eigen::MatrixXd::Ones(8 * per_node, 8 * per_node);
+      A.add_element(static_cast<int>(one.size()) + e, I.data());
+    }
+    Factorization factor(pattern);
+    ASSERT_TRUE(factor.factorize(A).definite());
+    const Eigen::MatrixXd B = Eigen::MatrixXd::Random(A.size(), 70);  // more than go together
+    Eigen::MatrixXd X = B;
+    factor.solve_columns(X);
+    EXPECT_LT((dense(A) * X - B).norm(), 1e-11 * B.norm());
+  }
 }
 
 TEST(Factorization,
@@ -117,7 +162,7 @@ TEST(Factorization, LeavesNoFactorOfAMatrixThatIsNotNumbers) {
   A.values()[17] = std::nan("");
   for (Precision precision : {Precision::full, Precision::single}) {
     Factorization factor(pattern, precision);
-    EXPECT_FALSE(factor.factorize(A).usable());
+    EXPECT_EQ(factor.factorize(A).outcome, FactorStatus::Outcome::failed);
     EXPECT_FALSE(factor.ready());
   }
 }

@@ -4,8 +4,7 @@
 //
 // Law: the operator (K - sigma M)^-1 M is self-adjoint in the M-inner product; its largest
 // eigenvalues theta give lambda = sigma + 1 / theta. A block of start vectors finds multiplicities
-// up to the block size; further copies come by rounding alone, so choose the block no smaller, and
-// count negative pivots (Factorization) where none may be missed.
+// up to the block size; further copies come by rounding alone, so choose the block no smaller.
 // [Wu & Simon, Thick-restart Lanczos method for large symmetric eigenvalue problems,
 //  SIAM J. Matrix Anal. Appl. 22 (2000)]
 // [Grimes, Lewis & Simon, A shifted block Lanczos algorithm for solving sparse symmetric

@@ -167,10 +167,14 @@ TEST(Lanczos, MissesNoneBelowTheLastByInertia) {  // sparse ring: pairs everywhe
     shifted.add(-pairs.values[k] * (1.0 + 1e-7), M);
     int below = 0;
     for (double value : pairs.values) below += value <= pairs.values[k] * (1.0 + 1e-7);
-    const FactorStatus status = factor.factorize(shifted);
-    EXPECT_GE(status.negative_pivots, below);
+    Eigen::MatrixXd dense(K.size(), K.size());
+    for (int i = 0; i < K.size(); ++i) {
+      for (int j = 0; j < K.size(); ++j) dense(i, j) = shifted.coefficient(i, j);
+    }
+    const auto negative = (self_adjoint_eigenvalues(dense).array() < 0.0).count();
+    EXPECT_GE(negative, below);
     if (k < 19) {
-      EXPECT_EQ(status.negative_pivots, below);
+      EXPECT_EQ(negative, below);
     }
   }
 }

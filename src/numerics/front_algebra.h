@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dense products and solutions on a front of a sparse factor, in float and double, by BLAS and
+// LAPACK. Matrices are column-major; L is the panel's pivot block (lower triangle), one column
+// every `ld` numbers. One right-hand side takes matrix-vector functions, several matrix products.
+#pragma once
+
+namespace latsch::numerics {
+
+/// L of A = L L', in place in the lower triangle [n x n]; false where A is not positive definite.
+template <class Real>
+bool cholesky(int n, Real* A, int ld);
+
+/// B <- B L^-T, B [rows x n] with the same ld.
+template <class Real>
+void solve_right_transposed(int rows, int n, const Real* L, int ld, Real* B);
+
+/// C <- -B B', the lower triangle; C [rows x rows] compact, B [rows x n].
+template <class Real>
+void negative_square(int rows, int n, const Real* B, int ld, Real* C);
+
+/// X <- L^-1 X and X <- L^-T X; X [n x columns], one column every `ldx` numbers.
+template <class Real>
+void solve_lower(int n, int columns, const Real* L, int ld, Real* X, int ldx);
+template <class Real>
+void solve_lower_transposed(int n, int columns, const Real* L, int ld, Real* X, int ldx);
+
+/// Y = B X; B [rows x n], X [n x columns], Y [rows x columns] compact.
+template <class Real>
+void multiply(int rows, int columns, int n, const Real* B, int ld, const Real* X, int ldx, Real* Y);
+
+/// X <- X - B' Y; B [rows x n], Y [rows x columns] compact, X [n x columns].
+template <class Real>
+void subtract_transposed(
+    int n, int columns, int rows, const Real* B, int ld, const Real* Y, Real* X, int ldx);
+
+}  // namespace latsch::numerics
