@@ -149,7 +149,8 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
     if (c.held.back() == Bound::none) free.push_back(i);
   }
   const Eigen::MatrixXd J_free = at.J(Eigen::all, free);
-  const ResidualNoise noise(at.r, J_free, options.traits);
+  // Of all variables: what one that is held could explain is no noise.
+  const ResidualNoise noise(at.r, at.J, options.traits);
   take_spread(noise, options, c);
   const bool stated = options.sigma && c.excess == 1.0;
   const double p = 0.5 + 0.5 * options.level, nu = noise.freedom();

@@ -16,7 +16,8 @@
 // direction v_k the standard deviation is s / sigma_k; where that is more than the range itself the
 // data say nothing. A variable at a bound towards which S falls is held there; its interval is
 // one-sided, from  S(u_i) - S <= threshold  with the others refitted, the threshold being that S at
-// the ends of a two-sided interval: s^2 t^2 where residuals are alike and independent.
+// the ends of a two-sided interval: s^2 t^2 where residuals are alike and independent. What such a
+// variable would explain if it were let go is no noise: s is estimated from what no variable can.
 //
 // Where s is stated and the residuals are larger than that explains, once in a thousand, either the
 // model cannot follow the measurement or the search has ended early: intervals then take the

@@ -81,6 +81,18 @@ TEST(Confidence, AVariableAtItsBoundHasAOneSidedInterval) {
   EXPECT_NEAR(c.intervals[1].upper, 0.4 + 0.1959964, 1e-6);
 }
 
+// Data that ask for u1 = -0.3 of a noise of 0.01: thirty deviations, of which u1, let go, would
+// leave none. They tell nothing of the noise, and u2 is as sure as before.
+TEST(Confidence, WhatABoundKeepsFromBeingReachedIsNoNoise) {
+  Linearization at{Eigen::Vector2d(0, 0.4), Eigen::VectorXd::Zero(40), Eigen::MatrixXd(40, 2)};
+  for (int j = 0; j < 40; ++j) {
+    at.J.row(j) << (j < 20 ? 1.0 : 0.0), (j < 20 ? 0.0 : 1.0);
+    at.r[j] = 0.01 * (j % 2 == 0 ? 1.0 : -1.0) + (j < 20 ? 0.3 : 0.0);
+  }
+  EXPECT_EQ(confidence(at, {.sigma = 0.01}).excess, 1.0);
+  EXPECT_NEAR(confidence(at).sigma, 0.01 * std::sqrt(40.0 / 38.0), 1e-12);
+}
+
 TEST(Confidence, AsManyResidualsAsVariablesLeaveNothingToEstimateTheirSpreadFrom) {
   Linearization at{Eigen::Vector2d(0.5, 0.4), Eigen::Vector2d::Zero(), Eigen::Matrix2d::Identity()};
   EXPECT_TRUE(std::isnan(confidence(at).sigma));

@@ -36,7 +36,7 @@ struct ResidualTraits {
 
 class ResidualNoise {
  public:
-  /// From the residuals r at a fit and J of the variables that are free to move there.
+  /// From the residuals r at a fit and J of all that might explain them.
   ResidualNoise(const Eigen::VectorXd& r, const Eigen::MatrixXd& J, const ResidualTraits& traits);
 
   /// Standard deviation of a residual of deviation 1; NaN where nothing is left to estimate it
