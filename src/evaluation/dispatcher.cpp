@@ -53,6 +53,7 @@ Dispatcher::Dispatcher(const Objective& objective,
 }
 
 const Result<Score>* Dispatcher::first_of(std::span<const DesignPoint> wanted) {
+  take_finished();
   while (true) {
     take_committed();
     if (stop_requested()) {
@@ -290,6 +291,15 @@ void Dispatcher::count_trial(const Trial& trial) {
     recent_times_.push_back(trial.outcome.wall_time);
   } else {
     recent_times_[place] = trial.outcome.wall_time;
+  }
+}
+
+/// What ended while the optimizer was thinking: it waited to be heard and is no straggler.
+void Dispatcher::take_finished() {
+  while (!running_.empty()) {
+    std::vector<Trial> finished = executor_.wait(0.0);
+    if (finished.empty()) return;
+    receive(std::move(finished));
   }
 }
 

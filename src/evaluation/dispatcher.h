@@ -73,6 +73,9 @@ class Dispatcher {
   void count(const DesignPoint& point, const Result<Score>& outcome, bool is_score);
   void report();
 
+  /// s, the mean over the trials so far; 0 where there is none.
+  double trial_time() const { return progress_.trial_wall_time; }
+
  private:
   /// What has become of the attempts at a point.
   struct Attempts {
@@ -90,6 +93,7 @@ class Dispatcher {
 
   bool stop_requested() const;
   bool is_under_way(const DesignPoint& point) const;
+  void take_finished();
   void start_idle_workers(std::span<const DesignPoint> wanted);
   void start(Running& running);
   void stop_unwanted_stragglers(std::span<const DesignPoint> wanted);

@@ -64,6 +64,8 @@ class Scripted : public Executor {
   }
   void abandon() override { running_.clear(); }
   double now() const override { return now_; }
+  /// Meanwhile the trials go on.
+  void let_pass(double time) { now_ += time; }
 
   static constexpr double kTooLong = 1e4;  // s
 
@@ -211,6 +213,22 @@ struct Insistent : Counting {
   }
 };
 
+/// Takes its time for every point that it proposes.
+struct Thoughtful : Counting {
+  Thoughtful(Scripted& clock_, double time_) : Counting(60.0), clock(clock_), time(time_) {}
+  std::vector<DesignPoint> propose(int count) const override {
+    clock.let_pass(time * count);
+    proposed += count;
+    std::vector<DesignPoint> points;
+    const double x = Counting::propose(1)[0].values[0];
+    for (int i = 0; i < count; ++i) points.push_back({{i == 0 ? x : 1000.0 * x + i}});
+    return points;
+  }
+  Scripted& clock;
+  double time;
+  mutable int proposed = 0;
+};
+
 /// At `x` every attempt hangs until its time is over.
 Scripted::Script hanging_at(double x) {
   return [=](const DesignPoint& point, int) -> Scripted::Answer {
@@ -334,6 +352,30 @@ TEST(Stragglers, AreStoppedWhereNobodyNamesThemAndAWantedPointWaits) {
   EXPECT_LE(time(true, with), time(false, without));
   EXPECT_EQ(with, 1);
   EXPECT_EQ(without, 0);
+}
+
+// Trials that ended while the optimizer was thinking had run "since" before it began to think.
+TEST(Stragglers, AreNotWhatWaitedForTheOptimizer) {
+  RunProgress last;
+  RunOptions options = virtual_time();
+  options.on_progress = [&](const RunProgress& progress) { last = progress; };
+  Scripted executor(2, [](const DesignPoint&, int) -> Scripted::Answer { return {2.0}; });
+  Thoughtful optimizer(executor, 1.0);
+  run_optimizer(optimizer, kAny, executor, nullptr, options);
+  EXPECT_EQ(last.stopped, 0);
+  EXPECT_EQ(last.copied, 0);
+}
+
+// A point ahead that takes a second to think of is not worth a trial of a tenth.
+TEST(LookingAhead, EndsWhereThinkingTakesLongerThanTrials) {
+  const auto proposed = [](double trial) {
+    Scripted executor(4, [=](const DesignPoint&, int) -> Scripted::Answer { return {trial}; });
+    Thoughtful optimizer(executor, 1.0);
+    run_optimizer(optimizer, kAny, executor, nullptr, virtual_time());
+    return optimizer.proposed;
+  };
+  EXPECT_LT(proposed(0.1), 200);
+  EXPECT_EQ(proposed(100.0), 60 * 16);
 }
 
 // The short form of ./bench.sh scheduler_simulation: each mix of hanging points, lost workers,

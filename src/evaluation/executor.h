@@ -25,7 +25,8 @@ class Executor {
   /// Hands the point to an idle worker. It may run on another one already.
   virtual void start(const DesignPoint& point) = 0;
 
-  /// Waits until a trial ends, at most `patience` seconds, and returns those that did. A trial
+  /// Waits until a trial ends, at most `patience` seconds, and returns those that did; with a
+  /// patience of 0 those that have ended already. A trial
   /// whose worker was lost without a fault of its own is a failure with Cause::transient. Never
   /// throws for what an evaluation did; throws InputError where workers cannot be started at all.
   virtual std::vector<Trial> wait(double patience) = 0;

@@ -12,8 +12,8 @@ void InlineExecutor::start(const DesignPoint& point) {
   waiting_ = point;
 }
 
-std::vector<Trial> InlineExecutor::wait(double) {
-  if (!waiting_) return {};
+std::vector<Trial> InlineExecutor::wait(double patience) {
+  if (!waiting_ || patience == 0.0) return {};
   const DesignPoint point = *std::exchange(waiting_, std::nullopt);
   std::vector<Trial> done;
   done.push_back({point, evaluate(evaluator_, point)});  // a list of trials would copy the channels

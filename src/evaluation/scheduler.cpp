@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "evaluation/dispatcher.h"
+#include "evaluation/look_ahead.h"
 
 namespace latsch {
 namespace {
@@ -13,19 +14,19 @@ namespace {
 class Search {
  public:
   using Seen = std::function<void(const Step&)>;
+  using Propose = std::function<std::vector<DesignPoint>(const Optimizer&)>;
 
-  /// `look_ahead`: how many points it proposes at once.
-  Search(Optimizer& optimizer, const FailurePolicy& policy, int look_ahead, Ask ask, Seen seen)
+  Search(Optimizer& optimizer, const FailurePolicy& policy, Propose propose, Ask ask, Seen seen)
       : optimizer_(optimizer),
         policy_(policy),
-        look_ahead_(look_ahead),
+        propose_(std::move(propose)),
         ask_(std::move(ask)),
         seen_(std::move(seen)) {}
 
   Run to_its_end(long max_steps) {
     while (!optimizer_.converged()) {
       if (std::ssize(run_.steps) >= max_steps) return ended(RunEnd::max_steps);
-      const std::vector<DesignPoint> plan = optimizer_.propose(look_ahead_);
+      const std::vector<DesignPoint> plan = propose_(optimizer_);
       const Result<Score>* outcome = ask_(plan);
       if (!outcome) return ended(RunEnd::stopped);
       Step step{plan.front(), *outcome};
@@ -45,7 +46,7 @@ class Search {
     }
     if (policy_.then != FailurePolicy::Then::continuation) return true;
     std::optional<std::span<const DesignPoint>> behind;
-    if (look_ahead_ > 1) behind = plan.subspan(1);
+    if (plan.size() > 1) behind = plan.subspan(1);
     auto continuation = continued(policy_, run_.steps, failed.point, behind, ask_);
     if (!continuation) return false;
     for (Step& step : continuation->steps) observe(std::move(step));
@@ -66,7 +67,7 @@ class Search {
 
   Optimizer& optimizer_;
   const FailurePolicy& policy_;
-  int look_ahead_;
+  Propose propose_;
   Ask ask_;
   Seen seen_;
   Run run_;
@@ -89,11 +90,17 @@ Run run_optimizer(Optimizer& optimizer,
                   const RunOptions& options) {
   Dispatcher dispatcher(objective, executor, journal, options, options.max_steps);
   // One worker has no use for speculation.
-  const int points = executor.workers() > 1 ? executor.workers() * options.look_ahead : 1;
+  LookAhead ahead(executor.workers() > 1 ? executor.workers() * options.look_ahead : 1);
   Search search(
       optimizer,
       options.on_failure,
-      points,
+      [&](const Optimizer& thinking) {
+        const double since = executor.now();
+        const int points = ahead.points(dispatcher.trial_time());
+        std::vector<DesignPoint> plan = thinking.propose(points);
+        ahead.took(points, executor.now() - since);
+        return plan;
+      },
       [&](std::span<const DesignPoint> wanted) { return dispatcher.first_of(wanted); },
       [&](const Step& step) { dispatcher.count(step.point, step.outcome, true); });
   Run run = search.to_its_end(options.max_steps);
@@ -112,7 +119,7 @@ Run replay(Optimizer& optimizer,
   Search search(
       optimizer,
       on_failure,
-      1,
+      [](const Optimizer& thinking) { return thinking.propose(1); },
       [&](std::span<const DesignPoint> wanted) { return known.find(wanted.front()); },
       [](const Step&) {});
   return search.to_its_end(max_steps);

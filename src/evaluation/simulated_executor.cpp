@@ -25,12 +25,13 @@ void SimulatedExecutor::start(const DesignPoint& point) {
   busy_time_ += time;
 }
 
-std::vector<Trial> SimulatedExecutor::wait(double) {
+std::vector<Trial> SimulatedExecutor::wait(double patience) {
   if (running_.empty()) return {};
   const auto first =
       std::min_element(running_.begin(), running_.end(), [](const Running& a, const Running& b) {
         return a.end < b.end;
       });
+  if (patience == 0.0 && first->end > now_) return {};
   const Running ended = *first;
   running_.erase(first);
   now_ = ended.end;

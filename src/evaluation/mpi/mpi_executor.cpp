@@ -254,10 +254,11 @@ std::vector<Trial> MpiExecutor::wait(double patience) {
   const double away = now() - listened_;
   for (Rank& rank : ranks_) rank.heard += away;
   std::vector<Trial> finished;
-  while (finished.empty() && now() < until) {
+  while (true) {
     while (auto trial = receive()) finished.push_back(std::move(*trial));
     if (auto trial = lose_silent()) finished.push_back(std::move(*trial));
-    if (finished.empty()) std::this_thread::sleep_for(kPause);
+    if (!finished.empty() || now() >= until) break;
+    std::this_thread::sleep_for(kPause);
   }
   listened_ = now();
   return finished;
