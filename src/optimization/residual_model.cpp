@@ -15,6 +15,7 @@ constexpr double kSlopeVariance = 1e4;   // V_g
 constexpr double kCubicVariance = 1e-4;  // rho
 constexpr double kRounding = 1e-13;      // of the diagonal of K
 constexpr double kClear = 3.0;           // gain in logarithmic likelihood that speaks for noise
+constexpr Eigen::Index kEnough = 128;    // residuals that tell noise as well as thousands
 
 /// K with its diagonal of (2).
 Eigen::MatrixXd covariance(const Eigen::MatrixXd& Z, double V_g, double rho, double noise) {
@@ -29,6 +30,15 @@ Eigen::MatrixXd covariance(const Eigen::MatrixXd& Z, double V_g, double rho, dou
 Eigen::MatrixXd unexplained(const ResidualSamples& samples) {
   if (samples.slopes.size() == 0) return samples.D;
   return samples.D - samples.Z * samples.slopes.transpose();
+}
+
+/// Columns evenly spread over D, kEnough of them where it has more: neighbors tell the same.
+Eigen::MatrixXd some_of(const Eigen::MatrixXd& D) {
+  const Eigen::Index m = D.cols();
+  if (m <= kEnough) return D;
+  Eigen::MatrixXd some(D.rows(), kEnough);
+  for (Eigen::Index j = 0; j < kEnough; ++j) some.col(j) = D.col(j * m / kEnough);
+  return some;
 }
 
 double slope_prior(const ResidualSamples& samples) {
@@ -147,7 +157,7 @@ double likeliest_noise(const ResidualSamples& samples) {
                                                       {kCubicVariance, 1e6}}};
   // So few samples a quadratic explains whatever they are.
   if (samples.Z.rows() < samples.Z.cols() + 2) return 0.0;
-  const Eigen::MatrixXd D = unexplained(samples);
+  const Eigen::MatrixXd D = some_of(unexplained(samples));
   const double floor = 1e-20 * D.squaredNorm() / kSlopeVariance +
                        std::numeric_limits<double>::min();  // a residual that never changes
   double best = -std::numeric_limits<double>::infinity();
