@@ -18,7 +18,8 @@ class LookAhead {
  private:
   int most_;
   double alone_ = 0.0, ahead_ = 0.0;  // s, when last asked for one point, for most
-  int left_out_ = 0;                  // times in a row
+  int left_out_ = 0;                  // times since it was last tried
+  int patience_ = 0;                  // times before it is tried again
 };
 
 }  // namespace latsch
