@@ -24,6 +24,11 @@ struct NaturalFrame {
   Eigen::MatrixXd inverse;  // axes x n: y of a move along the equations
 
   int axes() const { return static_cast<int>(T.cols()); }
+  /// Makes an axis that many times as long.
+  void stretch(int axis, double factor) {
+    T.col(axis) *= factor;
+    inverse.row(axis) /= factor;
+  }
 };
 
 struct FrameLengths {
@@ -31,8 +36,8 @@ struct FrameLengths {
   double longest;   // of a range, in every variable
 };
 
-/// `J`: dr/du at u; `r`: norm of the residuals; `along`: orthonormal columns, directions along the
-/// equations in widths.
+/// `J`: dr/du at u; `r`: norm of the residuals, or how much they are to change; `along`:
+/// orthonormal columns, directions along the equations in widths.
 NaturalFrame natural_frame(const Eigen::MatrixXd& J,
                            double r,
                            const Eigen::VectorXd& u,

@@ -15,8 +15,10 @@
 //             gain = (f(c) - f(u)) / (f(c) - expected(u))
 //   radius    grows with steps whose gain is good, shrinks with steps whose gain is bad.
 //   verify    where neither a step of the tolerance nor a model of good geometry promises anything,
-//             slopes are taken afresh, at lengths that noise and ripple allow (natural_frame.h);
-//             steps of the model they make are gone as long as they gain.
+//             slopes are taken afresh, at lengths that noise and ripple allow (natural_frame.h),
+//             corrected where the residuals change by other amounts than expected; steps of the
+//             model they make are gone as long as they gain. In the noise once more, three times
+//             as far: noise then counts a third.
 //   end       when they promise nothing any more. ending() says how.
 //
 // A Failure closes off the region around it (residual_memory.h), failures together the half space
@@ -26,7 +28,9 @@
 // made of samples with as many of these. Noise shows in models that disappoint again and again
 // although they interpolate: then they smooth, with the variance that is likeliest, and the radius
 // grows where noise drowns the slopes. `restarts` starts again near the best point, a share of the
-// initial radius off: out of a local minimum or out of the noise. Where the run ended with
+// initial radius off: out of a local minimum or out of the noise. The first one, if the run ended
+// with variables on bounds, begins with these in the middle of their ranges: ranges are wider than
+// what is thought possible, so a bound is mostly where a side valley ends. Where the run ended with
 // directions of which the residuals feel nothing (flat_directions.h), n + 1 single points scout
 // along them first, and the run starts from the one that is felt. Single variables of which nothing
 // is felt are looked for farther off before that (lost_variables.h): from every place where they

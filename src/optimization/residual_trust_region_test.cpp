@@ -193,6 +193,44 @@ TEST(ResidualTrustRegion, VerifiesBeforeItEndsOnRoughGround) {
   EXPECT_LT(found.evaluations, 50 * 3);  // 50 (n + 1)
 }
 
+// A power law whose exponent and factor make up for each other, under a ripple of 1e-3: slopes of
+// the search show the ripple, so the first lengths of fresh ones are wrong by more than ten.
+TEST(ResidualTrustRegion, CorrectsTheLengthsAtWhichItVerifies) {
+  const DesignSpace space = box({0.2, 0.8, 0.9}, 0.0, 1.0, Scale::linear);
+  const auto curve = [](const std::vector<double>& x, double t) {
+    return x[0] * t + std::pow(10.0, 3.0 * x[1] - 2.0) * std::pow(t, 1.0 + 3.0 * x[2]);
+  };
+  double best = INFINITY;  // without the ripple
+  std::set<std::string> asked;
+  const Found found = minimize(space, [&](const std::vector<double>& x) {
+    std::vector<double> r;
+    double exact = 0.0;
+    for (int i = 0; i < 20; ++i) {
+      const double t = 0.05 * (i + 1), smooth = curve(x, t) - curve({0.5, 0.5, 0.4}, t);
+      double phase = 5.0 * i;
+      for (int k = 0; k < 3; ++k) phase += (200 + 70 * k + 11 * ((i * (k + 3)) % 7)) * x[k];
+      exact += smooth * smooth;
+      r.push_back(smooth + 1e-3 * std::sin(phase));
+    }
+    best = std::min(best, exact);
+    asked.insert(DesignPoint{x}.bits());
+    return r;
+  });
+  EXPECT_LT(best, 20 * 0.5e-6);                     // below the ripple itself, from 8.9
+  EXPECT_GE(std::ssize(asked), found.evaluations);  // no point twice
+}
+
+// Two minima: at a bound, small beside the start, and inside. What ended at a bound is looked for
+// from the middle of that range before it is believed.
+TEST(ResidualTrustRegion, LeavesBoundsOnce) {
+  const DesignSpace space = box({0.9, 0.9}, 0.0, 1.0, Scale::linear);
+  const Found found = minimize(space, [](const std::vector<double>& x) {
+    return std::vector{(x[0] - 0.4) * (1.15 - x[0]), 10.0 * (x[1] - 0.3)};
+  });
+  EXPECT_NEAR(found.x[0], 0.4, 1e-3);
+  EXPECT_NEAR(found.x[1], 0.3, 1e-3);
+}
+
 TEST(ResidualTrustRegion, SaysWhyItEnded) {
   const DesignSpace space = box({0.3, 0.6}, 0.0, 1.0, Scale::linear);
   ResidualTrustRegion smooth(space);

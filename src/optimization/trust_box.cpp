@@ -23,7 +23,6 @@ constexpr double kFlat = 1e-6;         // of f: a predicted decrease that is non
 constexpr double kBackOff = 0.5;       // of a step that no cut keeps out of a failed region
 constexpr double kBeyondBall = 1.001;  // of its radius: a step on the cut is outside of it
 constexpr int kMostCuts = 20;
-constexpr double kLongestProbe = 0.2;  // of a range: fresh slopes where little is felt
 constexpr int kProbeShortenings = 3;
 constexpr double kSame = 0.1;  // of a step: nearer to a known point nothing is learned
 
@@ -216,9 +215,15 @@ Wanted TrustBox::step(const ResidualModel& m, double box, const std::vector<Want
   return step;
 }
 
-NaturalFrame TrustBox::natural_frame(const Eigen::MatrixXd& J, double shortest) const {
-  return latsch::natural_frame(
-      J, memory[center_].r.norm(), c(), scale_.widths(), along(), {shortest, kLongestProbe});
+NaturalFrame TrustBox::natural_frame(const Eigen::MatrixXd& J,
+                                     double change,
+                                     double shortest) const {
+  return latsch::natural_frame(J,
+                               change * memory[center_].r.norm(),
+                               c(),
+                               scale_.widths(),
+                               along(),
+                               {shortest, kLongestProbe});
 }
 
 std::optional<Wanted> TrustBox::probe_by(const Eigen::VectorXd& move,
@@ -249,7 +254,11 @@ Wanted TrustBox::natural_step(const ResidualModel& m,
   const Eigen::VectorXd z = least_expected(m, frame.T, reach);
   Wanted step = at(c() + frame.T * z, Wanted::Kind::step);
   step.predicted = m.expected(z);
-  if (is_pointless(step.u, 0.0, wanted) || !promises(step)) step.length = 0.0;
+  // The best of many noisy values is too low: the model's own value there is what a step may gain
+  // on.
+  const double here = std::max(f(), m.expected(Eigen::VectorXd::Zero(z.size())));
+  const bool is_promising = step.predicted < (1.0 - kFlat) * here;
+  if (is_pointless(step.u, kSame * step.length, wanted) || !is_promising) step.length = 0.0;
   return step;
 }
 

@@ -35,10 +35,13 @@ struct Wanted {
   double f_center = 0.0;   // its value
   double length = 0.0;     // |u - center|, largest component in widths of the variables
   double predicted = 0.0;  // value to be expected, of steps
+  int axis = -1;           // of a natural frame, of probes along it
 };
 
 class TrustBox {
  public:
+  static constexpr double kLongestProbe = 0.2;  // of a range: fresh slopes where little is felt
+
   /// Around the initial values of the space.
   TrustBox(const DesignSpace& space, double radius, std::uint64_t seed);
 
@@ -87,8 +90,9 @@ class TrustBox {
   Wanted step(const ResidualModel& m, double box, const std::vector<Wanted>& wanted) const;
   /// Whether the value to be expected of it is less.
   bool promises(const Wanted& step) const;
-  /// Where fresh slopes at c are to be taken; `J`: dr/du there.
-  NaturalFrame natural_frame(const Eigen::MatrixXd& J, double shortest) const;
+  /// Where fresh slopes at c are to be taken; `J`: dr/du there; `change` of the residuals along an
+  /// axis, of what they are.
+  NaturalFrame natural_frame(const Eigen::MatrixXd& J, double change, double shortest) const;
   /// By `move` from c or back, as far as the region and failures leave room; nullopt: no room.
   std::optional<Wanted> probe_by(const Eigen::VectorXd& move,
                                  const std::vector<Wanted>& wanted) const;

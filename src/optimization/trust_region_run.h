@@ -70,9 +70,11 @@ class TrustRegionRun {
   std::optional<Wanted> next_to_verify();
   void new_round(const Eigen::MatrixXd& J);
   void judge_verifying_step(double gain);
+  void judge_verifying_probe(const Wanted& tried, const ResidualSample* sample);
   OpenDirection open_direction() const;
   std::optional<Wanted> another_step(const ResidualModel& m);
   std::optional<Wanted> restart();
+  std::optional<Wanted> release();
   Wanted start();
   void fill();
   void start_again(const Eigen::VectorXd& failed);
@@ -82,8 +84,10 @@ class TrustRegionRun {
   /// Fresh slopes at the end of a search, one round after the other.
   struct Verification {
     NaturalFrame frame;
-    int axis = 0;  // the next to be probed
+    std::vector<int> axes;   // to be probed, the next one last
+    std::vector<int> again;  // how often an axis was probed again
     int rounds = 0;
+    double change = 1.0;            // of the residuals along an axis, of what they are
     int misses = 0;                 // steps in a row
     bool has_failed = false;        // the last step
     bool has_disappointed = false;  // in this round
@@ -108,7 +112,8 @@ class TrustRegionRun {
   bool is_scouting_ = false;  // the start under way is one
   bool is_over_ = false;      // the last restart failed
   bool has_settled_ = false;
-  double f_settled_ = std::numeric_limits<double>::infinity();  // the best value when it last had
+  double f_settled_ = std::numeric_limits<double>::infinity();   // the best value when it last had
+  double f_released_ = std::numeric_limits<double>::infinity();  // the best when bounds were left
   std::vector<Wanted> wanted_;
 };
 
