@@ -17,7 +17,7 @@ std::vector<StudyExperiment> experiments() {
   return {curve, modes};
 }
 
-ChannelConstraint read(const std::string& text) {
+ChannelConstraint channel_constraint_of(const std::string& text) {
   const Document document = Document::parse("[c.row]\n" + text, "study.toml");
   const Node root = document.root();
   const auto constraint =
@@ -28,7 +28,7 @@ ChannelConstraint read(const std::string& text) {
 
 void expect_refused(const std::string& text, const std::string& part) {
   try {
-    read(text);
+    channel_constraint_of(text);
     FAIL() << text;
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
@@ -43,12 +43,13 @@ Channels forces(std::vector<double> values) {
 
 TEST(ChannelConstraint, CountsInSharesOfItsScale) {
   Score score;
-  const auto within =
-      read("channel = \"stiffness/force\"\nlower = \"4 kN\"\nupper = \"5 kN\"\nscale = \"1 kN\"");
+  const auto within = channel_constraint_of(
+      "channel = \"stiffness/force\"\nlower = \"4 kN\"\nupper = \"5 kN\"\nscale = \"1 kN\"");
   EXPECT_FALSE(apply(within, forces({1000, 5500}), score));
   EXPECT_EQ(score.constraints, (std::vector<double>{-1.5, 0.5}));
   EXPECT_EQ(in_words(within), "4 kN <= largest stiffness/force <= 5 kN");
-  const auto equal = read("channel = \"modes/frequency\"\nof = \"smallest\"\nequal = \"50 Hz\"");
+  const auto equal =
+      channel_constraint_of("channel = \"modes/frequency\"\nof = \"smallest\"\nequal = \"50 Hz\"");
   Channels modes;
   modes.add({"modes/frequency", "Hz", {60, 55}});
   EXPECT_FALSE(apply(equal, modes, score));
@@ -59,8 +60,8 @@ TEST(ChannelConstraint, CountsInSharesOfItsScale) {
 TEST(ChannelConstraint, TakesTheValueItNames) {
   const auto value = [](const std::string& of) {
     Score score;
-    const auto constraint = read("channel = \"stiffness/force\"\nof = \"" + of +
-                                 "\"\nupper = \"0 N\"\nscale = \"1 N\"");
+    const auto constraint = channel_constraint_of("channel = \"stiffness/force\"\nof = \"" + of +
+                                                  "\"\nupper = \"0 N\"\nscale = \"1 N\"");
     EXPECT_FALSE(apply(constraint, forces({2, 7, 1, 6}), score));
     return score.constraints.front();
   };
@@ -73,7 +74,7 @@ TEST(ChannelConstraint, TakesTheValueItNames) {
 
 TEST(ChannelConstraint, OfATrialWithoutItsChannelOrWithoutANumberIsAFailure) {
   Score score;
-  const auto constraint = read("channel = \"stiffness/force\"\nupper = \"4 kN\"");
+  const auto constraint = channel_constraint_of("channel = \"stiffness/force\"\nupper = \"4 kN\"");
   EXPECT_TRUE(apply(constraint, Channels(), score));
   EXPECT_TRUE(apply(constraint, forces({}), score));
   EXPECT_TRUE(apply(constraint, forces({NAN}), score));

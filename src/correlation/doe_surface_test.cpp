@@ -12,7 +12,7 @@ namespace latsch::correlation {
 namespace {
 
 /// Three variables; the trials are made up.
-Study study() {
+Study doe_study() {
   DesignVariable a{"a", {"a"}, 0.0, 4.0, 1.0};
   DesignVariable b{"b", {"b"}, 1.0, 100.0, 10.0, Scale::logarithmic};
   DesignVariable c{"c", {"c"}, -1.0, 1.0, 0.0};
@@ -44,7 +44,7 @@ std::vector<RatedTrial> grid(const Study& study, const std::vector<int>& levels)
 const DesignPoint kFound{{2.1, 11.0, 0.9}};
 
 TEST(DoeSurfaces, OneForEveryPairThroughTheBestPointOfTheGrid) {
-  const Study s = study();
+  const Study s = doe_study();
   const auto surfaces = doe_surfaces(s, grid(s, {3, 3, 3}), kFound);
   ASSERT_EQ(surfaces.size(), 3u);
   const report::Surface& ab = surfaces[0];
@@ -57,7 +57,7 @@ TEST(DoeSurfaces, OneForEveryPairThroughTheBestPointOfTheGrid) {
 }
 
 TEST(DoeSurfaces, AFailedTrialIsAHole) {
-  const Study s = study();
+  const Study s = doe_study();
   auto trials = grid(s, {3, 3, 3});
   std::erase_if(trials, [](const RatedTrial& t) {
     return t.point.values == std::vector<double>{0.0, 1.0, 1.0};
@@ -68,7 +68,7 @@ TEST(DoeSurfaces, AFailedTrialIsAHole) {
 }
 
 TEST(DoeSurfaces, AVariableThatWasNotVariedHasNone) {
-  Study s = study();
+  Study s = doe_study();
   s.doe = StudyDesign{.levels = {5, 4, 1}};
   const auto surfaces = doe_surfaces(s, grid(s, s.doe->levels), kFound);
   ASSERT_EQ(surfaces.size(), 1u);
@@ -77,14 +77,14 @@ TEST(DoeSurfaces, AVariableThatWasNotVariedHasNone) {
 }
 
 TEST(DoeSurfaces, NoneWithoutAGrid) {
-  const Study s = study();
+  const Study s = doe_study();
   auto trials = grid(s, {3, 3, 3});
   trials.resize(14);  // half of it
   EXPECT_TRUE(doe_surfaces(s, trials, kFound).empty());
 }
 
 TEST(DoeBasins, AreThoseOfTheGridThatWasEvaluated) {
-  Study s = study();
+  Study s = doe_study();
   const auto trials = grid(s, {5, 5, 5});
   const auto design = evaluated_design(s, trials);
   ASSERT_TRUE(design);
@@ -98,7 +98,7 @@ TEST(DoeBasins, AreThoseOfTheGridThatWasEvaluated) {
 }
 
 TEST(DoeBasins, AreThoseOfAScatteredDesignWhereTheStudyHasOne) {
-  Study s = study();
+  Study s = doe_study();
   s.doe = StudyDesign{.kind = DesignKind::sobol, .points = 64};
   std::vector<RatedTrial> trials;
   for (const DesignPoint& point : plan(*s.doe, s.space).points) {

@@ -19,7 +19,7 @@ namespace latsch::correlation {
 namespace {
 
 /// Two springs in series pressed at two deflections, each measured to 1 %.
-Study study() {
+Study springs_study() {
   StudyExperiment press;
   press.name = "press";
   press.load_case.test =
@@ -50,7 +50,7 @@ Result<Channels> springs(const DesignPoint& point) {
 }
 
 TEST(Residuals, AreRelativeErrorsInUnitsOfTheirNoise) {
-  const Study s = study();
+  const Study s = springs_study();
   const Score score = *residual_objective(s)(*springs({{5e3, 5e3}}));
   ASSERT_EQ(score.residuals.size(), 4u);
   EXPECT_NEAR(score.residuals[0], (20.0 - 25.0) / 20.0 / 0.01, 1e-9);
@@ -64,7 +64,7 @@ TEST(Residuals, AreRelativeErrorsInUnitsOfTheirNoise) {
 // noise of its own for each experiment, weights and numbers of values that differ.
 TEST(Residuals, OfTheFitAndOfTheIntervalsAreInProportion) {
   for (const bool stated : {true, false}) {
-    Study s = study();
+    Study s = springs_study();
     s.experiments[0].noise = {.relative = 0.02, .absolute = 1.0};
     s.experiments[1].noise = {.absolute = 2.0};
     s.experiments[1].objective.weight = 3.0;
@@ -99,7 +99,7 @@ TEST(Residuals, OfTheFitAndOfTheIntervalsAreInProportion) {
 // A value of 4000 +- 400 known of a, beside four values: one residual more, in fit and intervals,
 // in the same proportion.
 TEST(Residuals, APriorIsAMeasurementOfTheVariable) {
-  Study s = study();
+  Study s = springs_study();
   std::vector<DesignVariable> variables = s.space.variables();
   variables[0].prior = Prior{4e3, 400.0};
   s.space = DesignSpace(variables);
@@ -115,7 +115,7 @@ TEST(Residuals, APriorIsAMeasurementOfTheVariable) {
 // Nothing tells the springs in series apart but what is known of one of them.
 TEST(Identifiability, APriorRepairsAValley) {
   const ScratchFolder folder;
-  Study s = study();
+  Study s = springs_study();
   s.experiments.resize(1);
   std::vector<DesignVariable> variables = s.space.variables();
   variables[0].prior = Prior{4e3, 100.0};
@@ -134,7 +134,7 @@ TEST(Identifiability, APriorRepairsAValley) {
 // An early end of a search is continued, and every reader shows the best trial of the journal.
 TEST(Identifiability, ABetterPointFoundOnTheWayIsTheOneThatIsReported) {
   const ScratchFolder folder;
-  Study s = study();
+  Study s = springs_study();
   for (StudyExperiment& experiment : s.experiments) experiment.objective.exponent = 2.0;
   s.run.journal = folder / "springs.latsch";
   Journal journal = Journal::open(s.run.journal, {{"model", "springs"}});
@@ -163,7 +163,7 @@ TEST(Identifiability, ABetterPointFoundOnTheWayIsTheOneThatIsReported) {
 // Values of 10 N and 1000 N, each known to 1 N: the large one is a hundred times as exact,
 // relative.
 TEST(Residuals, NoiseWeightsTheFit) {
-  Study s = study();
+  Study s = springs_study();
   s.experiments.resize(1);
   s.experiments[0].noise = {.absolute = 1.0};
   s.experiments[0].forces = {10.0, 1000.0};
@@ -178,7 +178,7 @@ TEST(Residuals, FarOffValuesCountLessWithARobustLoss) {
   EXPECT_NEAR(huber(1.5), 1.5, 1e-15);
   EXPECT_NEAR(huber(-8.0), -2.0 * std::sqrt(2.0 * 4.0 - 1.0), 1e-12);  // its square grows as |x|
   EXPECT_NEAR(cauchy(8.0), 2.0 * std::sqrt(std::log(17.0)), 1e-12);
-  Study s = study();
+  Study s = springs_study();
   s.experiments[0].loss = huber;
   Channels channels = *springs({{4e3, 4e3}});
   const Score before = *residual_objective(s)(channels);
@@ -186,7 +186,7 @@ TEST(Residuals, FarOffValuesCountLessWithARobustLoss) {
 }
 
 TEST(Residuals, WithoutNoiseWeightsSayHowFarAValueCanBeTrusted) {
-  Study s = study();
+  Study s = springs_study();
   for (StudyExperiment& experiment : s.experiments) experiment.noise.reset();
   s.experiments[0].objective.weight = 4.0;
   const Score score = *residual_objective(s)(*springs({{5e3, 5e3}}));
@@ -200,7 +200,7 @@ TEST(Residuals, WithoutNoiseWeightsSayHowFarAValueCanBeTrusted) {
 // 2 dk / k - da / a: sqrt(5) times as large.
 TEST(Identifiability, OfAStudyFindsTheIntervalsAndReadsThemBackFromTheJournal) {
   const ScratchFolder folder;
-  Study s = study();
+  Study s = springs_study();
   Journal journal = Journal::open(folder / "springs.latsch", {{"model", "springs"}});
   InlineExecutor executor(springs);
   const auto result = identify(s, s.space.initial(), Depth::profiles, executor, journal, {});
@@ -229,7 +229,7 @@ TEST(Identifiability, OfAStudyFindsTheIntervalsAndReadsThemBackFromTheJournal) {
 // experiment on a, were it measured, and not by measuring both together once more.
 TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
   const ScratchFolder folder;
-  Study s = study();
+  Study s = springs_study();
   s.run.journal = folder / "springs.latsch";
   s.experiments[1].fitted = false;
   Journal journal = Journal::open(s.run.journal, {{"model", "springs"}});
@@ -255,7 +255,7 @@ TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
 }
 
 TEST(Identifiability, HasTheSameBitsForAnyNumberOfWorkers) {
-  const Study s = study();
+  const Study s = springs_study();
   std::vector<ProfilePoint> first;
   for (int workers : {1, 2, 4, 8}) {
     const ScratchFolder folder;

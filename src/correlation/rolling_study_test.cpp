@@ -15,7 +15,7 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr const char* kStudy = R"(
+constexpr const char* kRollingStudy = R"(
 [model]
 kind = "magic_formula"
 file = "tire.tir"
@@ -54,14 +54,14 @@ class RollingStudy : public testing::Test {
     write("standing.toml", "kind = \"static_stiffness\"\ndeflections = [\"10 mm\", \"20 mm\"]\n");
     write("measured.csv", "Fy [N]\n-3000\n3000\n-1000\n");
     write("standing.csv", "deflection [mm],force [N]\n10,1900\n20,3800\n");
-    write("study.toml", kStudy);
+    write("study.toml", kRollingStudy);
   }
   void write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;
   }
   Study read() { return read_study(folder_ / "study.toml"); }
   std::string complaint(const std::string& from, const std::string& to) {
-    std::string text = kStudy;
+    std::string text = kRollingStudy;
     text.replace(text.find(from), from.size(), to);
     write("study.toml", text);
     try {
@@ -166,7 +166,7 @@ TEST_F(RollingStudy, AMeasurementInOtherAxesThanTheTestIsRefused) {
   write("other.csv", "time [s],FYC [N]\n0.46,-3000\n");
   const std::string steady = "[test.steady]\nfile = \"steady.toml\"\n";
   const auto with = [&](const std::string& measurement, const std::string& more) {
-    std::string text = kStudy;
+    std::string text = kRollingStudy;
     const std::string experiment = "y = \"steady/Fy\"\nmeasurement = \"measured.csv\"\n";
     text.replace(
         text.find(experiment),
@@ -197,7 +197,7 @@ TEST_F(RollingStudy, ComplaintsSayWhereAndWhatIsExpected) {
   EXPECT_NE(complaint("steady/Fy\"", "steady/FY\"").find("steady/Fy"), std::string::npos);
   EXPECT_NE(complaint("file = \"steady.toml\"", "file = \"stead.toml\"").find("does not exist"),
             std::string::npos);
-  const std::string text = kStudy;
+  const std::string text = kRollingStudy;
   const auto from = text.find("[test.steady]"), to = text.find("[variable.grip]");
   const std::string missing = complaint(text.substr(from, to - from), "");
   EXPECT_NE(missing.find("test is missing"), std::string::npos) << missing;

@@ -8,7 +8,7 @@
 namespace latsch::correlation {
 namespace {
 
-RunSettings read(const std::string& text) {
+RunSettings run_settings_of(const std::string& text) {
   const Document document = Document::parse(text, "study.toml");
   const Node root = document.root();
   const RunSettings settings = read_run_settings(&root, "folder/study.toml");
@@ -16,9 +16,9 @@ RunSettings read(const std::string& text) {
   return settings;
 }
 
-std::string complaint(const std::string& text) {
+std::string run_complaint(const std::string& text) {
   try {
-    read(text);
+    run_settings_of(text);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -38,7 +38,7 @@ TEST(RunSettings, WithoutATableOneWorkerRunsTenMinutesATrialAndGoesOnAfterFailur
 }
 
 TEST(RunSettings, AreReadWithTheirUnits) {
-  const RunSettings run = read(
+  const RunSettings run = run_settings_of(
       "workers = 3\ntimeout = \"2 min\"\nmemory = \"4 GB\"\n"
       "on_failure = \"retry\"\nretries = 2\njournal = \"a.latsch\"\n");
   EXPECT_EQ(run.workers, 3);
@@ -46,31 +46,33 @@ TEST(RunSettings, AreReadWithTheirUnits) {
   EXPECT_EQ(run.memory, 4e9);
   EXPECT_EQ(run.on_failure.retries, 2);
   EXPECT_EQ(run.journal, "folder/a.latsch");
-  EXPECT_EQ(read("on_failure = \"abort\"").on_failure.then, FailurePolicy::Then::abort);
+  EXPECT_EQ(run_settings_of("on_failure = \"abort\"").on_failure.then, FailurePolicy::Then::abort);
 }
 
 TEST(RunSettings, AFailedPointIsAnsweredByAPenaltyOrApproached) {
-  const FailurePolicy penalty = read("on_failure = \"recover\"\npenalty = \"250 %\"").on_failure;
+  const FailurePolicy penalty =
+      run_settings_of("on_failure = \"recover\"\npenalty = \"250 %\"").on_failure;
   EXPECT_EQ(penalty.then, FailurePolicy::Then::recover);
   EXPECT_DOUBLE_EQ(penalty.penalty, 2.5);
   EXPECT_EQ(in_words(penalty), "it counts as a target of 250 %");
-  const FailurePolicy halvings = read("on_failure = \"continuation\"\nhalvings = 6").on_failure;
+  const FailurePolicy halvings =
+      run_settings_of("on_failure = \"continuation\"\nhalvings = 6").on_failure;
   EXPECT_EQ(halvings.then, FailurePolicy::Then::continuation);
   EXPECT_EQ(halvings.halvings, 6);
   EXPECT_NE(in_words(halvings).find("6 halvings"), std::string::npos);
 }
 
 TEST(RunSettings, StragglersAndLookAheadAreTheUsers) {
-  const RunSettings run = read("straggler_factor = 1.5\nlook_ahead = 9\n");
+  const RunSettings run = run_settings_of("straggler_factor = 1.5\nlook_ahead = 9\n");
   EXPECT_EQ(run.straggler_factor, 1.5);
   EXPECT_EQ(run.look_ahead, 9);
-  EXPECT_EQ(read("stragglers = true").straggler_factor, 3.0);
-  EXPECT_EQ(read("stragglers = false").straggler_factor, 0.0);
+  EXPECT_EQ(run_settings_of("stragglers = true").straggler_factor, 3.0);
+  EXPECT_EQ(run_settings_of("stragglers = false").straggler_factor, 0.0);
 }
 
 TEST(RunSettings, WhatMakesNoSenseIsRefusedInWords) {
   const auto says = [](const std::string& text, const std::string& part) {
-    EXPECT_NE(complaint(text).find(part), std::string::npos) << complaint(text);
+    EXPECT_NE(run_complaint(text).find(part), std::string::npos) << run_complaint(text);
   };
   says("memory = \"4 parsec\"", "expected an amount of at least 16 MB such as \"4 GB\"");
   says("memory = \"1 kB\"", "at least 16 MB");

@@ -9,7 +9,7 @@
 namespace latsch::correlation {
 namespace {
 
-OptimizerSettings read(const std::string& text, bool constrained = false) {
+OptimizerSettings optimizer_of(const std::string& text, bool constrained = false) {
   const Document document = Document::parse(text, "study.toml");
   const Node root = document.root();
   const OptimizerSettings settings =
@@ -19,56 +19,58 @@ OptimizerSettings read(const std::string& text, bool constrained = false) {
 }
 
 TEST(StudyOptimizer, MakesUseOfTheResidualsUnlessTheStudySaysOtherwise) {
-  EXPECT_EQ(read("").method, "auto");
+  EXPECT_EQ(optimizer_of("").method, "auto");
   EXPECT_EQ(OptimizerSettings().method, "auto");  // of a study without [optimizer]
   const auto choice =
-      latsch::method_of(read("restarts = 2"), {.variables = 3, .has_residuals = true});
+      latsch::method_of(optimizer_of("restarts = 2"), {.variables = 3, .has_residuals = true});
   EXPECT_EQ(choice.method, Method::residual_trust_region);
   EXPECT_THAT(choice.reason, testing::HasSubstr("sum over residuals"));
-  const OptimizerSettings gss = read("method = \"gss\"\ninitial_step = 0.2\ncontraction = 0.6");
+  const OptimizerSettings gss =
+      optimizer_of("method = \"gss\"\ninitial_step = 0.2\ncontraction = 0.6");
   EXPECT_EQ(gss.gss.initial_step, 0.2);
   EXPECT_EQ(gss.gss.contraction, 0.6);
 }
 
 TEST(StudyOptimizer, ReadsTheOptionsOfItsMethod) {
-  const auto trust =
-      read("method = \"residual_trust_region\"\ninitial_step = 0.2\nrestarts = 2\noutstanding = 8");
+  const auto trust = optimizer_of(
+      "method = \"residual_trust_region\"\ninitial_step = 0.2\nrestarts = 2\noutstanding = 8");
   EXPECT_EQ(trust.residual_trust_region.initial_radius, 0.2);
   EXPECT_EQ(trust.residual_trust_region.restarts, 2);
   EXPECT_EQ(trust.residual_trust_region.outstanding, 8);
-  EXPECT_EQ(read("method = \"genetic\"\npopulation = 12").genetic.population, 12);
-  EXPECT_EQ(read("method = \"nelder_mead\"\nstep_tolerance = 0.01").nelder_mead.step_tolerance,
-            0.01);
-  EXPECT_EQ(read("method = \"auto\"\nrestarts = 1").residual_trust_region.restarts, 1);
+  EXPECT_EQ(optimizer_of("method = \"genetic\"\npopulation = 12").genetic.population, 12);
+  EXPECT_EQ(
+      optimizer_of("method = \"nelder_mead\"\nstep_tolerance = 0.01").nelder_mead.step_tolerance,
+      0.01);
+  EXPECT_EQ(optimizer_of("method = \"auto\"\nrestarts = 1").residual_trust_region.restarts, 1);
 }
 
 TEST(StudyOptimizer, RefusesOtherMethodsAndOptionsOfAnotherMethod) {
-  EXPECT_THROW(read("method = \"newton\""), InputError);
-  EXPECT_THROW(read("method = \"residual_trust_region\"\ncontraction = 0.5"), InputError);
-  EXPECT_THROW(read("method = \"gss\"\nrestarts = 1"), InputError);
-  EXPECT_THROW(read("method = \"residual_trust_region\"\ninitial_step = 0.7"), InputError);
+  EXPECT_THROW(optimizer_of("method = \"newton\""), InputError);
+  EXPECT_THROW(optimizer_of("method = \"residual_trust_region\"\ncontraction = 0.5"), InputError);
+  EXPECT_THROW(optimizer_of("method = \"gss\"\nrestarts = 1"), InputError);
+  EXPECT_THROW(optimizer_of("method = \"residual_trust_region\"\ninitial_step = 0.7"), InputError);
 }
 
 TEST(StudyOptimizer, SaysWhichMethodAKeyBelongsTo) {
-  const auto complaint = [](const std::string& text) {
+  const auto optimizer_complaint = [](const std::string& text) {
     try {
-      read(text);
+      optimizer_of(text);
     } catch (const InputError& error) {
       return std::string(error.what());
     }
     return std::string();
   };
-  EXPECT_THAT(complaint("method = \"sqp\"\nrestarts = 1"),
+  EXPECT_THAT(optimizer_complaint("method = \"sqp\"\nrestarts = 1"),
               testing::HasSubstr("restarts belongs to method = \"residual_trust_region\", the "
                                  "method here is \"sqp\""));
-  EXPECT_THAT(complaint("method = \"nelder_mead\"\noutstanding = 3"),
+  EXPECT_THAT(optimizer_complaint("method = \"nelder_mead\"\noutstanding = 3"),
               testing::HasSubstr("\"gss\", \"gss_nlc\" or \"residual_trust_region\""));
-  EXPECT_THAT(complaint("restart = 1"), testing::HasSubstr("unknown key"));
+  EXPECT_THAT(optimizer_complaint("restart = 1"), testing::HasSubstr("unknown key"));
 }
 
 TEST(StudyOptimizer, IsRefusedBeforeTheFirstTrialWithThePlaceOfItsTable) {
   try {
-    read("initial_step = 0.1\nstep_tolerance = 0.2");
+    optimizer_of("initial_step = 0.1\nstep_tolerance = 0.2");
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(error.place().file, "study.toml");
@@ -76,7 +78,7 @@ TEST(StudyOptimizer, IsRefusedBeforeTheFirstTrialWithThePlaceOfItsTable) {
 }
 
 TEST(StudyOptimizer, ReadsTheMembersOfAnEnsemble) {
-  const OptimizerSettings settings = read(R"(
+  const OptimizerSettings settings = optimizer_of(R"(
 method = "ensemble"
 ends_with = "first"
 [member.wide]
@@ -96,16 +98,18 @@ difference = 1e-5)");
 }
 
 TEST(StudyOptimizer, NeedsAMethodThatKnowsConstraintsOnChannelsWhereThereAreSome) {
-  EXPECT_EQ(read("method = \"gss_nlc\"\npenalty = \"l1\"", true).gss_nlc.penalty, Penalty::l1);
-  EXPECT_THROW(read("method = \"gss\"", true), InputError);
-  EXPECT_THROW(read("method = \"ensemble\"\n[member.a]\nmethod = \"gss\"", true), InputError);
-  EXPECT_NO_THROW(read("method = \"auto\"", true));
-  EXPECT_NO_THROW(read("method = \"ensemble\"\n[member.a]\nmethod = \"sqp\"", true));
+  EXPECT_EQ(optimizer_of("method = \"gss_nlc\"\npenalty = \"l1\"", true).gss_nlc.penalty,
+            Penalty::l1);
+  EXPECT_THROW(optimizer_of("method = \"gss\"", true), InputError);
+  EXPECT_THROW(optimizer_of("method = \"ensemble\"\n[member.a]\nmethod = \"gss\"", true),
+               InputError);
+  EXPECT_NO_THROW(optimizer_of("method = \"auto\"", true));
+  EXPECT_NO_THROW(optimizer_of("method = \"ensemble\"\n[member.a]\nmethod = \"sqp\"", true));
 }
 
-std::string complaint(const std::string& text) {
+std::string optimizer_complaint(const std::string& text) {
   try {
-    read(text);
+    optimizer_of(text);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -114,7 +118,7 @@ std::string complaint(const std::string& text) {
 
 TEST(StudyOptimizer, SaysWhatIsWrongWithAnEnsemble) {
   const auto says = [](const std::string& text, const std::string& part) {
-    EXPECT_NE(complaint(text).find(part), std::string::npos) << complaint(text);
+    EXPECT_NE(optimizer_complaint(text).find(part), std::string::npos) << optimizer_complaint(text);
   };
   says("method = \"ensemble\"", "study.toml:1: method is \"ensemble\" without members");
   says("method = \"ensemble\"\n[member.a]\npriority = 2", "method");

@@ -30,9 +30,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr const char* kJournalVariable = "LATSCH_CRASH_TEST_JOURNAL";
-const StudyIdentity kStudy{{"model", "two variables"}};
+const StudyIdentity kCrashStudy{{"model", "two variables"}};
 
-DesignSpace space() {
+DesignSpace crash_space() {
   return DesignSpace({{.name = "a", .lower = 0.0, .upper = 1.0, .initial = 0.9},
                       {.name = "b", .lower = 0.0, .upper = 1.0, .initial = 0.1}});
 }
@@ -43,7 +43,7 @@ Result<Channels> model(const DesignPoint& point) {
   return channels;
 }
 
-Result<Score> target(const Channels& channels) {
+Result<Score> crash_target(const Channels& channels) {
   const std::vector<double>& y = channels["y"];
   return Score{std::abs(y[0] - 0.3) + std::hypot(y[0] + y[1] - 1.0, 0.1)};
 }
@@ -66,9 +66,9 @@ TEST(CrashTest, DISABLED_Study) {
   const char* file = std::getenv(kJournalVariable);
   ASSERT_NE(file, nullptr);
   ProcessExecutor executor({.arguments = this_program("CrashTest.DISABLED_Worker"), .workers = 2});
-  Journal journal = Journal::open(file, kStudy);
-  Gss gss(space());
-  (void)run_optimizer(gss, target, executor, &journal);
+  Journal journal = Journal::open(file, kCrashStudy);
+  Gss gss(crash_space());
+  (void)run_optimizer(gss, crash_target, executor, &journal);
 }
 
 pid_t start_study() {
@@ -112,8 +112,8 @@ bool run_until(const std::filesystem::path& file, long trials, std::chrono::micr
 
 TEST(CrashTest, KillAtRandomMomentsLosesAndRepeatsNothing) {
   InlineExecutor inline_executor(model);
-  Gss reference_gss(space());
-  const auto reference = run_optimizer(reference_gss, target, inline_executor, nullptr);
+  Gss reference_gss(crash_space());
+  const auto reference = run_optimizer(reference_gss, crash_target, inline_executor, nullptr);
 
   const ScratchFolder folder;
   const std::filesystem::path file = folder / "crash.journal";
@@ -126,7 +126,7 @@ TEST(CrashTest, KillAtRandomMomentsLosesAndRepeatsNothing) {
     const std::chrono::microseconds moment(random.below(5'000));
     ended = run_until(file, std::ssize(before) + more, moment);
     if (!std::filesystem::exists(file)) continue;  // killed before its first act
-    const std::vector<Trial> after = Journal::open(file, kStudy).trials();
+    const std::vector<Trial> after = Journal::open(file, kCrashStudy).trials();
     ASSERT_GE(after.size(), before.size());
     for (std::size_t i = 0; i < before.size(); ++i) {
       ASSERT_EQ(after[i].point.bits(), before[i].point.bits());
@@ -138,8 +138,8 @@ TEST(CrashTest, KillAtRandomMomentsLosesAndRepeatsNothing) {
 
   std::set<std::string> points;
   for (const Trial& trial : before) EXPECT_TRUE(points.insert(trial.point.bits()).second);
-  Gss gss(space());
-  const auto run = replay(gss, target, Journal::read(file));
+  Gss gss(crash_space());
+  const auto run = replay(gss, crash_target, Journal::read(file));
   EXPECT_EQ(run.end, RunEnd::converged);
   ASSERT_EQ(run.steps.size(), reference.steps.size());
   for (std::size_t i = 0; i < run.steps.size(); ++i) {

@@ -20,7 +20,7 @@ using Then = FailurePolicy::Then;
 
 constexpr double kRadius = 0.55;  // around the middle, beyond which the model fails
 
-DesignSpace space() {
+DesignSpace answer_space() {
   return DesignSpace({{.name = "a", .lower = 0.0, .upper = 1.0, .initial = 0.6},
                       {.name = "b", .lower = 0.0, .upper = 1.0, .initial = 0.4}});
 }
@@ -34,7 +34,7 @@ Result<Channels> disk(const DesignPoint& point) {
 }
 
 /// The lowest point lies beyond the edge.
-Result<Score> target(const Channels& channels) {
+Result<Score> answer_target(const Channels& channels) {
   const std::vector<double>& y = channels["y"];
   const std::vector<double> r{y[0] - 1.1, 0.5 * (y[1] - 1.0), 0.1 * y[0]};
   return Score{r[0] * r[0] + r[1] * r[1] + r[2] * r[2], r};
@@ -53,7 +53,7 @@ std::string bits(const latsch::Run& run) {
 RunOptions options(Then then) {
   RunOptions options;
   options.commit_in_background = false;
-  options.on_failure = {.then = then, .penalty = 5.0, .halvings = 6, .space = space()};
+  options.on_failure = {.then = then, .penalty = 5.0, .halvings = 6, .space = answer_space()};
   return options;
 }
 
@@ -70,7 +70,7 @@ class TakesNoFailure : public Optimizer {
   const std::set<std::size_t>& residuals() const { return residuals_; }
 
  private:
-  Gss gss_{space()};
+  Gss gss_{answer_space()};
   std::set<std::size_t> residuals_;  // how many it was told
 };
 
@@ -78,7 +78,8 @@ TEST(Recover, AMethodThatCannotTakeAFailureGoesOnAndTheTrialIsStillAFailedOne) {
   FaultyStore journal(0.0, 0);
   SimulatedExecutor executor(disk, {.workers = 3});
   TakesNoFailure optimizer;
-  const auto run = run_optimizer(optimizer, target, executor, &journal, options(Then::recover));
+  const auto run =
+      run_optimizer(optimizer, answer_target, executor, &journal, options(Then::recover));
   EXPECT_EQ(run.end, RunEnd::converged);
   EXPECT_EQ(optimizer.residuals(), std::set<std::size_t>{3});
   int failed = 0;
@@ -150,8 +151,9 @@ TEST(Continuation, TheFailureStandsWhereNothingOnTheWaySucceeds) {
 TEST(Continuation, ItsTrialsAreInTheJournalAndItsAnswerComesFromTheEdge) {
   FaultyStore journal(0.0, 0);
   SimulatedExecutor executor(disk, {});
-  Gss gss(space());
-  const auto run = run_optimizer(gss, target, executor, &journal, options(Then::continuation));
+  Gss gss(answer_space());
+  const auto run =
+      run_optimizer(gss, answer_target, executor, &journal, options(Then::continuation));
   EXPECT_EQ(journal.size(), std::ssize(run.steps));  // one worker: nothing in vain
   int answered = 0;
   for (std::size_t i = 0; i < run.steps.size(); ++i) {
@@ -172,8 +174,8 @@ class FailureAnswer : public testing::TestWithParam<Then> {};
 TEST_P(FailureAnswer, IsTheSameBitsForAnyNumberOfWorkersAndInAReplay) {
   const auto run_with = [&](const SimulatedOptions& simulated, TrialStore* journal) {
     SimulatedExecutor executor(disk, simulated);
-    Gss gss(space());
-    return bits(run_optimizer(gss, target, executor, journal, options(GetParam())));
+    Gss gss(answer_space());
+    return bits(run_optimizer(gss, answer_target, executor, journal, options(GetParam())));
   };
   const std::string reference = run_with({}, nullptr);
   for (const int workers : {1, 2, 3, 5, 8}) {
@@ -183,15 +185,16 @@ TEST_P(FailureAnswer, IsTheSameBitsForAnyNumberOfWorkersAndInAReplay) {
   }
   FaultyStore journal(0.0, 0);
   EXPECT_EQ(run_with({.workers = 4}, &journal), reference);
-  Gss gss(space());
-  EXPECT_EQ(bits(replay(gss, target, journal, 1000, options(GetParam()).on_failure)), reference);
+  Gss gss(answer_space());
+  EXPECT_EQ(bits(replay(gss, answer_target, journal, 1000, options(GetParam()).on_failure)),
+            reference);
 }
 
 TEST_P(FailureAnswer, IsTheSameBitsAfterInterruptionsAnywhere) {
   SimulatedExecutor whole(disk, {});
-  Gss undisturbed(space());
+  Gss undisturbed(answer_space());
   const std::string reference =
-      bits(run_optimizer(undisturbed, target, whole, nullptr, options(GetParam())));
+      bits(run_optimizer(undisturbed, answer_target, whole, nullptr, options(GetParam())));
   for (std::uint64_t history = 0; history < 10; ++history) {
     FaultyStore journal(0.0, 0);
     RandomStream random(11, history);
@@ -201,8 +204,8 @@ TEST_P(FailureAnswer, IsTheSameBitsAfterInterruptionsAnywhere) {
       RunOptions interrupted = options(GetParam());
       interrupted.stop_patience = 0.0;
       interrupted.stop_requested = [&] { return executor.started() > trials; };
-      Gss gss(space());
-      const auto run = run_optimizer(gss, target, executor, &journal, interrupted);
+      Gss gss(answer_space());
+      const auto run = run_optimizer(gss, answer_target, executor, &journal, interrupted);
       finished = run.end == RunEnd::converged;
       if (finished) {
         EXPECT_EQ(bits(run), reference) << "history " << history;

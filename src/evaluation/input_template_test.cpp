@@ -8,19 +8,20 @@
 namespace latsch {
 namespace {
 
-DesignSpace space() {
+DesignSpace template_space() {
   return DesignSpace(
       {{.name = "modulus", .lower = 1e9, .upper = 1e12, .initial = 2.1e11, .unit = "N/mm^2"},
        {.name = "ratio", .lower = 0.0, .upper = 0.5, .initial = 0.3}});
 }
 
 std::string filled(const std::string& text, double modulus = 2.1e11, double ratio = 0.3) {
-  return InputTemplate(text, "deck.inp", space()).filled(space(), {{modulus, ratio}});
+  return InputTemplate(text, "deck.inp", template_space())
+      .filled(template_space(), {{modulus, ratio}});
 }
 
 std::string complaint(const std::string& text) {
   try {
-    InputTemplate(text, "deck.inp", space());
+    InputTemplate(text, "deck.inp", template_space());
   } catch (const InputError& error) {
     return error.what();
   }
@@ -53,7 +54,7 @@ TEST(InputTemplate, AHoleForNothingIsRefusedWithItsLine) {
 }
 
 TEST(InputTemplate, KnowsWhichVariablesItUses) {
-  const InputTemplate text("{ratio}", "deck.inp", space());
+  const InputTemplate text("{ratio}", "deck.inp", template_space());
   EXPECT_FALSE(text.uses(0));
   EXPECT_TRUE(text.uses(1));
 }

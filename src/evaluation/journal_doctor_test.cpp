@@ -19,11 +19,11 @@
 namespace latsch {
 namespace {
 
-const StudyIdentity kStudy{{"model", "a = 1\nb = 2\n"}, {"variables", "E: layer.E\n"}};
+const StudyIdentity kPatient{{"model", "a = 1\nb = 2\n"}, {"variables", "E: layer.E\n"}};
 
 /// With long channels every second time, of numbers that nothing predicts, so that rows also lie on
 /// overflow pages and none refers to another.
-Trial trial(int number) {
+Trial patient_trial(int number) {
   RandomStream random(static_cast<std::uint64_t>(number), 0);
   std::vector<double> values(number % 2 ? 20 : 1200);
   for (double& value : values) value = random.uniform();
@@ -33,11 +33,11 @@ Trial trial(int number) {
 }
 
 void write_journal(const std::filesystem::path& file, int trials) {
-  Journal journal = Journal::open(file, kStudy);
-  for (int i = 1; i <= trials; ++i) journal.append(trial(i));
+  Journal journal = Journal::open(file, kPatient);
+  for (int i = 1; i <= trials; ++i) journal.append(patient_trial(i));
 }
 
-void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
+void put_bytes(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
@@ -48,8 +48,8 @@ bool all_authentic(const JournalReport& report, int trials, const std::string& w
     EXPECT_TRUE(read) << what;
     if (!read) return false;
     const int number = static_cast<int>(read->point.values[1]);
-    EXPECT_TRUE(encode(read->outcome) == encode(trial(number).outcome)) << what;
-    EXPECT_TRUE(read->point == trial(number).point) << what;
+    EXPECT_TRUE(encode(read->outcome) == encode(patient_trial(number).outcome)) << what;
+    EXPECT_TRUE(read->point == patient_trial(number).point) << what;
   }
   return std::ssize(report.rows) == trials;
 }
@@ -58,8 +58,8 @@ TEST(JournalDoctor, ACommitThatDidNotComeToItsEndIsNoDamage) {
   const ScratchFolder folder;
   const auto file = folder / "a";
   {
-    Journal journal = Journal::open(file, kStudy, Journal::Log::rollback);
-    for (int i = 1; i <= 12; ++i) journal.append(trial(i));
+    Journal journal = Journal::open(file, kPatient, Journal::Log::rollback);
+    for (int i = 1; i <= 12; ++i) journal.append(patient_trial(i));
   }
   const pid_t child = ::fork();
   if (child == 0) {  // ends in a commit that has reached the file already
@@ -81,7 +81,7 @@ TEST(JournalDoctor, ACommitThatDidNotComeToItsEndIsNoDamage) {
   EXPECT_TRUE(all_authentic(report, 12, "unfinished"));
   EXPECT_EQ(report.notes.size(), 1u);
   EXPECT_EQ(read_text_file(file), before);  // the file itself is never changed
-  EXPECT_EQ(Journal::open(file, kStudy).size(), 12);
+  EXPECT_EQ(Journal::open(file, kPatient).size(), 12);
 }
 
 TEST(JournalDoctor, AHealthyJournalIsCalledHealthyAndSalvagedToTheSameTrials) {
@@ -93,10 +93,10 @@ TEST(JournalDoctor, AHealthyJournalIsCalledHealthyAndSalvagedToTheSameTrials) {
   EXPECT_EQ(report.format, 4);
   EXPECT_TRUE(all_authentic(report, 12, "healthy"));
   salvage_journal(report, std::nullopt, folder / "b");
-  const auto trials = Journal::open(folder / "b", kStudy).trials();
+  const auto trials = Journal::open(folder / "b", kPatient).trials();
   ASSERT_EQ(trials.size(), 12u);
   for (int i = 0; i < 12; ++i) {
-    EXPECT_TRUE(encode(trials[i].outcome) == encode(trial(i + 1).outcome));
+    EXPECT_TRUE(encode(trials[i].outcome) == encode(patient_trial(i + 1).outcome));
   }
   EXPECT_THROW(salvage_journal(report, std::nullopt, folder / "b"), InputError);
 }
@@ -111,7 +111,7 @@ TEST(JournalDoctor, NoDamageIsTakenForDataAndIntactTrialsAreSaved) {
   for (int i = 0; i < 100; ++i) {
     std::string bytes = whole;
     bytes[random.below(bytes.size())] ^= static_cast<char>(1u << random.below(8));
-    write_bytes(folder / "b", bytes);
+    put_bytes(folder / "b", bytes);
     const JournalReport report = examine_journal(folder / "b");
     const bool all = all_authentic(report, kTrials, "bit flip");
     EXPECT_TRUE(all || !report.healthy());
@@ -121,12 +121,12 @@ TEST(JournalDoctor, NoDamageIsTakenForDataAndIntactTrialsAreSaved) {
     std::string bytes = whole;
     bytes.replace(at, std::min<std::size_t>(4096, whole.size() - at), 4096, '\0');
     bytes.resize(whole.size());
-    write_bytes(folder / "b", bytes);
+    put_bytes(folder / "b", bytes);
     const JournalReport report = examine_journal(folder / "b");
     const bool all = all_authentic(report, kTrials, "zeroed page");
     EXPECT_TRUE(all || !report.healthy()) << at;
     EXPECT_GE(std::ssize(report.rows), kTrials / 2) << at;
-    write_bytes(folder / "b", whole.substr(0, at));
+    put_bytes(folder / "b", whole.substr(0, at));
     const JournalReport shorter = examine_journal(folder / "b");
     EXPECT_FALSE(shorter.healthy()) << at;
     all_authentic(shorter, kTrials, "truncated");
@@ -140,7 +140,7 @@ TEST(JournalDoctor, ForeignFilesAndOtherVersionsAreNamed) {
     for (const std::string& finding : examine_journal(folder / name).findings) all += finding;
     return all;
   };
-  write_bytes(folder / "text", "this is no database at all, but a text that is long enough");
+  put_bytes(folder / "text", "this is no database at all, but a text that is long enough");
   EXPECT_NE(findings("text").find("not a database"), std::string::npos) << findings("text");
   EXPECT_NE(findings("text").find("STUDY.latsch"), std::string::npos) << findings("text");
   SQLite::Database((folder / "other").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
@@ -162,15 +162,15 @@ TEST(JournalDoctor, ADamagedIdentityNeedsTheStudyToBeSaved) {
   EXPECT_FALSE(report.healthy());
   EXPECT_FALSE(report.identity);
   EXPECT_THROW(salvage_journal(report, std::nullopt, folder / "b"), InputError);
-  salvage_journal(report, kStudy, folder / "b");
-  EXPECT_EQ(Journal::open(folder / "b", kStudy).size(), 4);
+  salvage_journal(report, kPatient, folder / "b");
+  EXPECT_EQ(Journal::open(folder / "b", kPatient).size(), 4);
 }
 
 // The log as it lies there when the process that writes it is killed.
 TEST(JournalDoctor, DamageInTheLogIsFoundAndTheTrialsInItAreSaved) {
   const ScratchFolder folder;
-  Journal journal = Journal::open(folder / "a", kStudy);
-  for (int i = 1; i <= 10; ++i) journal.append(trial(i));
+  Journal journal = Journal::open(folder / "a", kPatient);
+  for (int i = 1; i <= 10; ++i) journal.append(patient_trial(i));
   const std::string database = read_text_file(folder / "a");
   const std::string log = read_text_file(folder / "a-wal");
   ASSERT_GT(log.size(), 50'000u);
@@ -179,8 +179,8 @@ TEST(JournalDoctor, DamageInTheLogIsFoundAndTheTrialsInItAreSaved) {
     std::string bytes = log;
     bytes[random.below(bytes.size())] ^= static_cast<char>(1u << random.below(8));
     std::filesystem::remove(folder / "b-shm");
-    write_bytes(folder / "b", database);
-    write_bytes(folder / "b-wal", bytes);
+    put_bytes(folder / "b", database);
+    put_bytes(folder / "b-wal", bytes);
     const JournalReport report = examine_journal(folder / "b");
     const bool all = all_authentic(report, 10, "log");
     EXPECT_TRUE(all || !report.healthy() || !report.notes.empty());

@@ -9,7 +9,7 @@
 namespace latsch {
 namespace {
 
-DesignSpace space() {
+DesignSpace optimizers_space() {
   return DesignSpace({{.name = "a", .lower = -2.0, .upper = 2.0, .initial = -1.2},
                       {.name = "b", .lower = -2.0, .upper = 2.0, .initial = 1.0},
                       {.name = "c", .lower = -2.0, .upper = 2.0, .initial = 0.5}});
@@ -19,7 +19,7 @@ DesignSpace constrained_space() {
   const LinearConstraint below{.name = "below", .coefficients = {1, 1, 1}, .upper = 1.5};
   const LinearConstraint across{
       .name = "across", .coefficients = {1, 0, -1}, .lower = -1.7, .upper = -0.2};
-  return DesignSpace(space().variables(), {below, across});
+  return DesignSpace(optimizers_space().variables(), {below, across});
 }
 
 Result<Channels> valley(const DesignPoint& point) {
@@ -37,8 +37,11 @@ Result<Score> sum_of_squares(const Channels& channels) {
   return score;
 }
 
-std::vector<DesignPoint> path(
-    const std::string& method, const DesignSpace& space, int outstanding, int workers, int timing) {
+std::vector<DesignPoint> path(const std::string& method,
+                              const DesignSpace& optimizers_space,
+                              int outstanding,
+                              int workers,
+                              int timing) {
   OptimizerSettings settings;
   settings.gss.outstanding = outstanding;
   settings.residual_trust_region.outstanding = outstanding;
@@ -46,9 +49,9 @@ std::vector<DesignPoint> path(
   settings.members = {{"directions", 2, {.method = "gss"}}, {"quadratic", 1, {.method = "sqp"}}};
   const auto optimizer = make_optimizer(
       method_of({.method = method},
-                {.variables = 3, .has_linear_constraints = !space.constraints().empty()})
+                {.variables = 3, .has_linear_constraints = !optimizers_space.constraints().empty()})
           .method,
-      space,
+      optimizers_space,
       settings);
   // Which points fail goes with the seed, so timing is varied by the range of the times.
   SimulatedExecutor executor(
@@ -64,14 +67,14 @@ std::vector<DesignPoint> path(
   return points;
 }
 
-void expect_one_path(const std::string& method, const DesignSpace& space) {
+void expect_one_path(const std::string& method, const DesignSpace& optimizers_space) {
   for (const int outstanding : {1, 5}) {
-    const std::vector<DesignPoint> alone = path(method, space, outstanding, 1, 1);
+    const std::vector<DesignPoint> alone = path(method, optimizers_space, outstanding, 1, 1);
     EXPECT_GT(alone.size(), 10u);
-    for (const DesignPoint& point : alone) EXPECT_TRUE(space.contains(point));
+    for (const DesignPoint& point : alone) EXPECT_TRUE(optimizers_space.contains(point));
     for (const int workers : {2, 4, 8}) {
       for (const int timing : {1, 9, 19}) {
-        EXPECT_EQ(path(method, space, outstanding, workers, timing), alone) << workers;
+        EXPECT_EQ(path(method, optimizers_space, outstanding, workers, timing), alone) << workers;
       }
     }
   }
@@ -80,7 +83,7 @@ void expect_one_path(const std::string& method, const DesignSpace& space) {
 class EveryOptimizer : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryOptimizer, TakesTheSamePathForAnyNumberOfWorkersAndAnyTiming) {
-  expect_one_path(GetParam(), space());
+  expect_one_path(GetParam(), optimizers_space());
 }
 
 INSTANTIATE_TEST_SUITE_P(ByName, EveryOptimizer, testing::ValuesIn(method_names()));

@@ -13,7 +13,7 @@
 namespace latsch {
 namespace {
 
-const StudyIdentity kStudy{{"model", "a"}};
+const StudyIdentity kRetriedStudy{{"model", "a"}};
 const Failure kTooLong{"took more than the 5 s allowed and was killed", Cause::timeout};
 const Failure kProgramTooLong{"\"ccx\" took more than the 2 s allowed to it and was killed",
                               Cause::timeout};
@@ -31,7 +31,7 @@ std::vector<double> counting(const Journal& journal) {
 
 struct Failed : testing::Test {
   ScratchFolder folder;
-  Journal journal = Journal::open(folder / "a", kStudy);
+  Journal journal = Journal::open(folder / "a", kRetriedStudy);
 
   Failed() {
     retry_what_limits_forbade(journal, {.timeout = 5.0, .program_timeout = 2.0, .memory = 1e9});
@@ -69,8 +69,8 @@ TEST_F(Failed, ARaisedLimitConcernsWhatItForbadeAlone) {
 
 TEST_F(Failed, WhatIsToBeTriedAgainIsRemembered) {
   EXPECT_EQ(retry_failures(journal), 4);
-  journal = Journal::open(folder / "b", kStudy);  // lets go of the first one
-  EXPECT_EQ(counting(Journal::open(folder / "a", kStudy)), (Points{1}));
+  journal = Journal::open(folder / "b", kRetriedStudy);  // lets go of the first one
+  EXPECT_EQ(counting(Journal::open(folder / "a", kRetriedStudy)), (Points{1}));
 }
 
 TEST(RetriedFailures, ASearchAsksForThemAnewAndEndsAsIfTheyHadNeverFailed) {
@@ -89,9 +89,9 @@ TEST(RetriedFailures, ASearchAsksForThemAnewAndEndsAsIfTheyHadNeverFailed) {
     return run_optimizer(gss, target, executor, &store);
   };
   const ScratchFolder folder;
-  Journal whole = Journal::open(folder / "whole", kStudy);
+  Journal whole = Journal::open(folder / "whole", kRetriedStudy);
   const auto expected = search(whole);
-  Journal journal = Journal::open(folder / "broken", kStudy);
+  Journal journal = Journal::open(folder / "broken", kRetriedStudy);
   is_broken = true;
   TrialsThatCount counting(journal);
   const auto failed = search(counting);

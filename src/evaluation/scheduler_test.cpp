@@ -20,9 +20,9 @@
 namespace latsch {
 namespace {
 
-const StudyIdentity kStudy{{"model", "a function"}};
+const StudyIdentity kScheduledStudy{{"model", "a function"}};
 
-DesignSpace space() {
+DesignSpace scheduler_space() {
   return DesignSpace(
       {{.name = "a", .lower = 0.1, .upper = 10.0, .initial = 4.0, .scale = Scale::logarithmic},
        {.name = "b", .lower = -1.0, .upper = 1.0, .initial = 0.8}});
@@ -34,7 +34,7 @@ Result<Channels> model(const DesignPoint& point) {
   return channels;
 }
 
-Result<Score> target(const Channels& channels) {
+Result<Score> scheduler_target(const Channels& channels) {
   const std::vector<double>& y = channels["y"];
   return Score{std::abs(y[0] - 0.3) + std::abs(y[0] + y[1]) + 0.1 * y[1] * y[1]};
 }
@@ -52,8 +52,8 @@ std::string bits(const Run& run) {
 Run run_simulated(const SimulatedOptions& simulated, Journal* journal, RunOptions options = {}) {
   options.commit_in_background = false;
   SimulatedExecutor executor(model, simulated);
-  Gss gss(space());
-  return run_optimizer(gss, target, executor, journal, options);
+  Gss gss(scheduler_space());
+  return run_optimizer(gss, scheduler_target, executor, journal, options);
 }
 
 TEST(RunOptimizer, TrajectoryIsTheSameBitsForAnyNumberOfWorkersAndAnyTiming) {
@@ -80,16 +80,16 @@ TEST(RunOptimizer, LookAheadDoesNotReachTheTrajectory) {
 
 TEST(RunOptimizer, OneWorkerEvaluatesNothingInVain) {
   SimulatedExecutor executor(model, {});
-  Gss gss(space());
-  const auto run = run_optimizer(gss, target, executor, nullptr);
+  Gss gss(scheduler_space());
+  const auto run = run_optimizer(gss, scheduler_target, executor, nullptr);
   EXPECT_EQ(executor.started(), std::ssize(run.steps));
 }
 
 TEST(RunOptimizer, MoreWorkersTakeLessTime) {
   const auto time = [](int workers) {
     SimulatedExecutor executor(model, {.workers = workers});
-    Gss gss(space());
-    (void)run_optimizer(gss, target, executor, nullptr);
+    Gss gss(scheduler_space());
+    (void)run_optimizer(gss, scheduler_target, executor, nullptr);
     return executor.now();
   };
   EXPECT_LT(time(2), 0.8 * time(1));
@@ -103,7 +103,7 @@ TEST(RunOptimizer, EndsAfterTheLargestNumberOfSteps) {
 
 TEST(RunOptimizer, AnObjectiveThatIsNotFiniteIsAFailedStep) {
   InlineExecutor executor(model);
-  Gss gss(space());
+  Gss gss(scheduler_space());
   const auto run = run_optimizer(
       gss, [](const Channels&) { return Score{std::nan("")}; }, executor, nullptr);
   EXPECT_EQ(run.best(), nullptr);
@@ -143,8 +143,8 @@ TEST(RunOptimizer, ARunInterruptedAnywhereGivesTheSameBitsAndRepeatsNoFinishedTr
       options.stop_patience = 0.0;
       options.commit_in_background = false;
       options.stop_requested = [&] { return executor.started() > trials; };
-      Gss gss(space());
-      const auto run = run_optimizer(gss, target, executor, &store, options);
+      Gss gss(scheduler_space());
+      const auto run = run_optimizer(gss, scheduler_target, executor, &store, options);
       finished = run.end == RunEnd::converged;
       if (finished) {
         EXPECT_EQ(bits(run), reference) << "history " << history;
@@ -156,22 +156,22 @@ TEST(RunOptimizer, ARunInterruptedAnywhereGivesTheSameBitsAndRepeatsNoFinishedTr
 
 TEST(RunOptimizer, AFinishedStudyIsReplayedWithoutEvaluating) {
   const ScratchFolder folder;
-  Journal journal = Journal::open(folder / "j", kStudy);
+  Journal journal = Journal::open(folder / "j", kScheduledStudy);
   const auto run = run_simulated({.workers = 4}, &journal);
-  Gss again(space());
-  EXPECT_EQ(bits(replay(again, target, journal)), bits(run));
-  Gss part(space());
-  EXPECT_EQ(replay(part, target, journal, 5).steps.size(), 5u);
+  Gss again(scheduler_space());
+  EXPECT_EQ(bits(replay(again, scheduler_target, journal)), bits(run));
+  Gss part(scheduler_space());
+  EXPECT_EQ(replay(part, scheduler_target, journal, 5).steps.size(), 5u);
 }
 
 TEST(RunOptimizer, AnotherObjectiveReusesTheChannels) {
   const ScratchFolder folder;
-  Journal journal = Journal::open(folder / "j", kStudy);
+  Journal journal = Journal::open(folder / "j", kScheduledStudy);
   const auto run = run_simulated({}, &journal);
   const Objective twice = [](const Channels& channels) -> Result<Score> {
-    return Score{2.0 * target(channels)->value};
+    return Score{2.0 * scheduler_target(channels)->value};
   };
-  Gss gss(space(), {.sufficient_decrease = 0.02});
+  Gss gss(scheduler_space(), {.sufficient_decrease = 0.02});
   const auto same = replay(gss, twice, journal);
   ASSERT_EQ(same.steps.size(), run.steps.size());
   EXPECT_EQ(same.steps.back().outcome->value, 2.0 * run.steps.back().outcome->value);
@@ -179,14 +179,14 @@ TEST(RunOptimizer, AnotherObjectiveReusesTheChannels) {
 
 TEST(RunDoe, EvaluatesEveryPointOnceWhateverHappens) {
   const ScratchFolder folder;
-  const SamplingPlan plan = full_factorial(space(), {7, 5});
+  const SamplingPlan plan = full_factorial(scheduler_space(), {7, 5});
   int evaluations = 0;
   const Evaluator counting = [&](const DesignPoint& point) {
     ++evaluations;
     return model(point);
   };
   for (const int workers : {1, 3, 2}) {
-    Journal journal = Journal::open(folder / "j", kStudy);
+    Journal journal = Journal::open(folder / "j", kScheduledStudy);
     SimulatedExecutor executor(counting, {.workers = workers});
     RunOptions options;
     options.stop_patience = 0.0;
@@ -202,9 +202,10 @@ TEST(RunDoe, EvaluatesEveryPointOnceWhateverHappens) {
 
 TEST(RunDoe, KeepsAllWorkersBusy) {
   const ScratchFolder folder;
-  Journal journal = Journal::open(folder / "j", kStudy);
+  Journal journal = Journal::open(folder / "j", kScheduledStudy);
   SimulatedExecutor executor(model, {.workers = 4});
-  ASSERT_EQ(run_doe(full_factorial(space(), {10, 10}), executor, journal), RunEnd::converged);
+  ASSERT_EQ(run_doe(full_factorial(scheduler_space(), {10, 10}), executor, journal),
+            RunEnd::converged);
   // Only while the last trials, of at most 1.5 s, run out may a worker wait.
   EXPECT_GE(executor.busy_time(), 4.0 * (executor.now() - 1.5));
 }

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-DesignSpace space() {
+DesignSpace simulator_space() {
   return DesignSpace({{.name = "k", .lower = 1.0, .upper = 1e4, .initial = 2.0}});
 }
 
@@ -35,14 +35,14 @@ class SimulatorTest : public testing::Test {
     simulator.study_folder = folder_.path();
     simulator.scratch = folder_ / "scratch";
     simulator.arguments = {"/bin/sh", "program.sh", "in.txt"};
-    simulator.inputs.push_back({"in.txt", InputTemplate("k = {k}\n", "in.txt", space())});
+    simulator.inputs.push_back({"in.txt", InputTemplate("k = {k}\n", "in.txt", simulator_space())});
     simulator.copied = {"program.sh"};
     simulator.outputs = {reader_};
     return simulator;
   }
 
   Result<Channels> run(const std::string& script) {
-    return evaluate(evaluator(simulator(script), space()), {{42.0}}).result;
+    return evaluate(evaluator(simulator(script), simulator_space()), {{42.0}}).result;
   }
 
   std::string reason(const std::string& script) {
@@ -77,7 +77,7 @@ TEST_F(SimulatorTest, ADiskFilledByWhatAProgramPrintsIsNamed) {
   ::getrlimit(RLIMIT_FSIZE, &before);
   const rlimit small{64 * 1024, before.rlim_max};
   ::setrlimit(RLIMIT_FSIZE, &small);
-  const auto result = evaluate(evaluator(printing, space()), {{42.0}}).result;
+  const auto result = evaluate(evaluator(printing, simulator_space()), {{42.0}}).result;
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   ASSERT_FALSE(result.ok());
@@ -92,7 +92,7 @@ TEST_F(SimulatorTest, HowAProgramFailedIsToldWithTheLastLineItPrinted) {
   expect_contains(reason("kill -SEGV $$"), "killed by signal 11");
   Simulator absent = simulator("");
   absent.arguments = {"/no/such/program"};
-  const auto result = evaluate(evaluator(absent, space()), {{1.0}}).result;
+  const auto result = evaluate(evaluator(absent, simulator_space()), {{1.0}}).result;
   expect_contains(result.failure().reason, "cannot start \"/no/such/program\"");
 }
 
@@ -110,7 +110,7 @@ TEST_F(SimulatorTest, AProgramThatOverrunsItsTimeoutIsKilledWithAllItStarted) {
   Simulator slow =
       simulator("(sleep 1000; true) & echo $! > ../../child; echo waiting; sleep 1000");
   slow.timeout = 0.3;
-  const auto outcome = evaluate(evaluator(slow, space()), {{42.0}});
+  const auto outcome = evaluate(evaluator(slow, simulator_space()), {{42.0}});
   ASSERT_FALSE(outcome.result.ok());
   EXPECT_EQ(outcome.result.failure().cause, Cause::timeout);
   expect_contains(outcome.result.failure().reason, "took more than the 0.3 s allowed to it");
@@ -127,7 +127,7 @@ TEST_F(SimulatorTest, ItsCpuTimeIsToldApartFromOurs) {
   const auto busy =
       evaluate(evaluator(simulator("i=0; while [ $i -lt 100000 ]; do i=$((i+1)); done; "
                                    "sed 's/k/force/' $1 > out.txt"),
-                         space()),
+                         simulator_space()),
                {{42.0}});
   ASSERT_TRUE(busy.result.ok()) << busy.result.failure().reason;
   EXPECT_GT(busy.program_time, 0.01);
@@ -140,7 +140,7 @@ TEST_F(SimulatorTest, ItsCpuTimeIsToldApartFromOurs) {
 TEST_F(SimulatorTest, TheFolderOfAFailedTrialIsKeptWhereThatIsAskedFor) {
   Simulator keeping = simulator("exit 1");
   keeping.keep_failed = true;
-  const auto result = evaluate(evaluator(keeping, space()), {{42.0}}).result;
+  const auto result = evaluate(evaluator(keeping, simulator_space()), {{42.0}}).result;
   ASSERT_FALSE(result.ok());
   expect_contains(result.failure().reason, "its folder is ");
   const fs::path kept = fs::directory_iterator(folder_ / "scratch")->path();
@@ -170,13 +170,14 @@ TEST_F(SimulatorTest, TheNextTrialRemovesTheFolderOfOneThatWasKilled) {
 TEST_F(SimulatorTest, ItsIdentityIsProgramInputsReadersAndUnits) {
   const Simulator one = simulator("true");
   Simulator other = one;
-  EXPECT_FALSE(difference(identity(one, space()), identity(other, space())));
+  EXPECT_FALSE(difference(identity(one, simulator_space()), identity(other, simulator_space())));
   other.outputs.front().quantities.front().unit = "N";
-  expect_contains(*difference(identity(one, space()), identity(other, space())), "outputs");
+  expect_contains(*difference(identity(one, simulator_space()), identity(other, simulator_space())),
+                  "outputs");
   std::ofstream(folder_ / "program.sh") << "false";
-  expect_contains(
-      *difference(identity(simulator("true"), space()), identity(simulator("false"), space())),
-      "inputs");
+  expect_contains(*difference(identity(simulator("true"), simulator_space()),
+                              identity(simulator("false"), simulator_space())),
+                  "inputs");
 }
 
 }  // namespace

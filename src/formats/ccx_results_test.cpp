@@ -8,11 +8,11 @@
 namespace latsch::formats {
 namespace {
 
-const std::filesystem::path kDecks = LATSCH_SOURCE_DIR "/../shared/data/ccx";
+const std::filesystem::path kResults = LATSCH_SOURCE_DIR "/../shared/data/ccx";
 
 TEST(CcxResults, ForcesAndFrequenciesOfTheLoadedTireB) {
-  if (!std::filesystem::exists(kDecks)) GTEST_SKIP() << "no results in " << kDecks;
-  const CcxResults results = read_ccx_results(kDecks / "tire_b_loaded.dat");
+  if (!std::filesystem::exists(kResults)) GTEST_SKIP() << "no results in " << kResults;
+  const CcxResults results = read_ccx_results(kResults / "tire_b_loaded.dat");
   EXPECT_DOUBLE_EQ(results.total_force.at("NGR").y(), 7428.921);
   ASSERT_EQ(results.frequencies.size(), 20u);
   EXPECT_DOUBLE_EQ(results.frequencies.front(), 32.22207);

@@ -18,7 +18,8 @@ namespace {
 
 CsvTable parse(const std::string& text) { return CsvTable::parse(text, "t.csv"); }
 
-std::string complaint(const std::string& text, const std::function<void(const CsvTable&)>& read) {
+std::string table_complaint(const std::string& text,
+                            const std::function<void(const CsvTable&)>& read) {
   try {
     read(parse(text));
   } catch (const InputError& error) {
@@ -66,42 +67,43 @@ TEST(CsvTable, QuotedFieldsMayHoldLineEndsAndTheLastLineNeedsNone) {
 
 TEST(CsvTableComplaint, NamesFileLineFoundAndExpected) {
   const auto force = [](const CsvTable& t) { t.numbers("force", "N"); };
-  EXPECT_EQ(complaint("", force), "t.csv: is empty, expected a line of column names");
-  EXPECT_EQ(complaint("force [N]\n1\nnan\n", force),
+  EXPECT_EQ(table_complaint("", force), "t.csv: is empty, expected a line of column names");
+  EXPECT_EQ(table_complaint("force [N]\n1\nnan\n", force),
             "t.csv:3: force is \"nan\", expected a finite number");
-  EXPECT_EQ(complaint("force [N],b\n1,2\n,2\n", force),
+  EXPECT_EQ(table_complaint("force [N],b\n1,2\n,2\n", force),
             "t.csv:3: force is empty, expected a finite number");
-  EXPECT_EQ(complaint("force [N]\n1\ninf\n", force),
+  EXPECT_EQ(table_complaint("force [N]\n1\ninf\n", force),
             "t.csv:3: force is \"inf\", expected a finite number");
-  EXPECT_EQ(complaint("force [N];b\n1.234,5;2\n", force),
+  EXPECT_EQ(table_complaint("force [N];b\n1.234,5;2\n", force),
             "t.csv:2: force is \"1.234,5\", expected a finite number");
-  EXPECT_EQ(complaint("force [N],b\n1,2\n1,2,3\n", force),
+  EXPECT_EQ(table_complaint("force [N],b\n1,2\n1,2,3\n", force),
             "t.csv:3: has 3 fields, expected 2 as in the header (line 1)");
-  EXPECT_EQ(complaint("force [kNn]\n1\n", force),
+  EXPECT_EQ(table_complaint("force [kNn]\n1\n", force),
             "t.csv:1: column \"force\" has unknown unit \"kNn\", did you mean \"kN\"?");
-  EXPECT_EQ(complaint("force [bar]\n1\n", force),
+  EXPECT_EQ(table_complaint("force [bar]\n1\n", force),
             "t.csv:1: column \"force\" is in \"bar\", expected a force, such as \"force [N]\"");
-  EXPECT_EQ(complaint("force\n1\n", force),
+  EXPECT_EQ(table_complaint("force\n1\n", force),
             "t.csv:1: column \"force\" has no unit, expected a force, such as \"force [N]\"");
-  EXPECT_EQ(complaint("forse [N],b\n1,2\n", force),
+  EXPECT_EQ(table_complaint("forse [N],b\n1,2\n", force),
             "t.csv:1: column \"force\" is missing, did you mean \"forse\"? (columns: \"forse\" or "
             "\"b\")");
-  EXPECT_EQ(complaint("a,a\n1,2\n", force), "t.csv:1: column \"a\" comes twice");
-  EXPECT_EQ(complaint("a,\n1,2\n", force), "t.csv:1: has a column without a name");
-  EXPECT_EQ(complaint("a,b\n\"1,2\n", force), "t.csv:2: a quote is opened and never closed");
-  EXPECT_EQ(complaint("a,b\n\"1\"x,2\n", force),
+  EXPECT_EQ(table_complaint("a,a\n1,2\n", force), "t.csv:1: column \"a\" comes twice");
+  EXPECT_EQ(table_complaint("a,\n1,2\n", force), "t.csv:1: has a column without a name");
+  EXPECT_EQ(table_complaint("a,b\n\"1,2\n", force), "t.csv:2: a quote is opened and never closed");
+  EXPECT_EQ(table_complaint("a,b\n\"1\"x,2\n", force),
             "t.csv:2: text follows a closing quote, expected \",\"");
-  EXPECT_EQ(complaint(std::string("a,b\n1,\0\n", 8), force),
+  EXPECT_EQ(table_complaint(std::string("a,b\n1,\0\n", 8), force),
             "t.csv:2: holds a zero byte, expected a text file in UTF-8");
-  EXPECT_EQ(complaint("n\n1.5\n", [](const CsvTable& t) { t.integers("n"); }),
+  EXPECT_EQ(table_complaint("n\n1.5\n", [](const CsvTable& t) { t.integers("n"); }),
             "t.csv:2: n is 1.5, expected an integer");
-  EXPECT_EQ(complaint("forse [N]\n1\n", [](const CsvTable& t) { t.expect_only({"force"}); }),
+  EXPECT_EQ(table_complaint("forse [N]\n1\n", [](const CsvTable& t) { t.expect_only({"force"}); }),
             "t.csv:1: unknown column \"forse\", did you mean \"force\"?");
 }
 
 TEST(CsvTableComplaint, FloodsEndEarly) {
   const auto nothing = [](const CsvTable&) {};
-  EXPECT_EQ(complaint(std::string(15 << 20, ','), nothing), "t.csv:1: has more than 10000 fields");
+  EXPECT_EQ(table_complaint(std::string(15 << 20, ','), nothing),
+            "t.csv:1: has more than 10000 fields");
 }
 
 // Of a long table only some places are kept: every way to its rows gives the same.

@@ -166,7 +166,7 @@ TEST(InpTire, UnitsAreConvertedAtTheDoor) {
 }
 
 /// The message for a deck in which every `from` is replaced by `to`.
-std::string complaint(const std::string& from, const std::string& to) {
+std::string deck_complaint(const std::string& from, const std::string& to) {
   std::string text = deck_of(small_tire());
   EXPECT_NE(text.find(from), std::string::npos) << from;
   for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
@@ -185,18 +185,18 @@ TEST(InpTire, ComplaintsNameLineAndReason) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
     EXPECT_EQ(text.rfind("bad.inp:", 0), 0u) << text;
   };
-  says(complaint("TYPE=C3D8", "TYPE=C3D20"), "element type C3D20 is not supported");
-  says(complaint("*STATIC", "*DYNAMIC"), "*DYNAMIC");
-  says(complaint("*DENSITY", "*CONDUCTIVITY"), "*CONDUCTIVITY is not supported");
-  says(complaint("INNER,P1,0.26", "INNER,P7,0.26"), "face \"P7\"");
-  says(complaint("INNER,P1,0.26", "INNER,P1,a"), "\"A\" in field 3");
-  says(complaint("INNER,P1,0.26", "INNER,P1,nan"), "expected a number");
-  says(complaint("INNER,P1,0.26", "OUTER,P1,0.26"), "\"OUTER\" is not defined");
-  says(complaint("RIM,1,3", "RIM,1,4"), "degrees of freedom 1 to 4");
-  says(complaint("NEO HOOKE", "OGDEN"), "expected NEO HOOKE");
-  says(complaint("\n1,1,31,34,4", "\n1,4,34,31,1"), "element 1 is inverted");
-  says(complaint("INNER,P1,0.26", "INNER,P2,0.26"), "on a face inside the wall");
-  says(complaint("\n2,", "\n1,"), "defined twice");
+  says(deck_complaint("TYPE=C3D8", "TYPE=C3D20"), "element type C3D20 is not supported");
+  says(deck_complaint("*STATIC", "*DYNAMIC"), "*DYNAMIC");
+  says(deck_complaint("*DENSITY", "*CONDUCTIVITY"), "*CONDUCTIVITY is not supported");
+  says(deck_complaint("INNER,P1,0.26", "INNER,P7,0.26"), "face \"P7\"");
+  says(deck_complaint("INNER,P1,0.26", "INNER,P1,a"), "\"A\" in field 3");
+  says(deck_complaint("INNER,P1,0.26", "INNER,P1,nan"), "expected a number");
+  says(deck_complaint("INNER,P1,0.26", "OUTER,P1,0.26"), "\"OUTER\" is not defined");
+  says(deck_complaint("RIM,1,3", "RIM,1,4"), "degrees of freedom 1 to 4");
+  says(deck_complaint("NEO HOOKE", "OGDEN"), "expected NEO HOOKE");
+  says(deck_complaint("\n1,1,31,34,4", "\n1,4,34,31,1"), "element 1 is inverted");
+  says(deck_complaint("INNER,P1,0.26", "INNER,P2,0.26"), "on a face inside the wall");
+  says(deck_complaint("\n2,", "\n1,"), "defined twice");
 }
 
 }  // namespace

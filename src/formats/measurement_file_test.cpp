@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/measurement_file.h"
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <functional>
 
@@ -16,7 +15,8 @@ namespace {
 
 class MeasurementFile : public testing::Test {
  protected:
-  MeasurementFile() : folder_(testing::TempDir() + "latsch_measurement_file_test_" + std::to_string(getpid())) {
+  MeasurementFile()
+      : folder_(testing::TempDir() + "latsch_measurement_file_test_" + std::to_string(getpid())) {
     std::filesystem::create_directories(folder_);
   }
   ~MeasurementFile() override { std::filesystem::remove_all(folder_); }

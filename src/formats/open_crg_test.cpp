@@ -15,7 +15,7 @@ namespace {
 
 using road::CrgRoad;
 
-const std::filesystem::path kSamples = LATSCH_SOURCE_DIR "/../shared/data/crg";
+const std::filesystem::path kCrgSamples = LATSCH_SOURCE_DIR "/../shared/data/crg";
 
 /// A straight road of 5 x 3 heights z = u²/100 + v/10 on a grid of 1 m x 0.5 m.
 const std::string kPlain =
@@ -38,7 +38,9 @@ std::string with_section(const std::string& section) { return with("$KD_", secti
 CrgRoad road_of(const std::string& text) { return CrgRoad(OpenCrg::parse(text, "road.crg").grid); }
 double z(const CrgRoad& road, double u, double v) { return road.elevation({u, v}).value_or(-99.0); }
 
-void expect_message(const std::string& text, const std::string& place, const std::string& words) {
+void expect_crg_message(const std::string& text,
+                        const std::string& place,
+                        const std::string& words) {
   try {
     OpenCrg::parse(text, "road.crg");
     FAIL() << words;
@@ -264,29 +266,30 @@ TEST(OpenCrg, ClosedTrackComesRound) {
 }
 
 TEST(OpenCrg, SaysWhereAndWhatIsWrong) {
-  expect_message("", "road.crg: ", "no data");
-  expect_message(with("$$$$$$\n", "$\n"), "road.crg:15: ", "expected a section");
-  expect_message(with("Reference_Line_Increment", "reference_line_incremnet"),
-                 "road.crg:5: ",
-                 "did you mean \"reference_line_increment\"");
-  expect_message(with("= 1.0 !", "= fast !"), "road.crg:5: ", "expected a number");
-  expect_message(with("#:LRFI", "#:LXFI"), "road.crg:9: ", "expected one such as");
-  expect_message(with("#:LRFI\n", ""), "road.crg:13: ", "no format");
-  expect_message(with("section 2,m", "section 2,ft"), "road.crg:11: ", "expected \"m\"");
-  expect_message(with("section 2,m", "section 3,m"), "road.crg:", "section 2");
-  expect_message(with("D:long section 2,m", "D:surface,m"), "road.crg:11: ", "expected \"long");
-  expect_message(with("0.0100000 0.0600000", "0.01x0000 0.0600000"), "road.crg:16: ", "0.01x0000");
-  expect_message(with("0.0100000 0.0600000", "0.0100000"), "road.crg:16: ", "expected 3");
-  expect_message(with("$ROAD_CRG\n", "$ROAD_CRG\nreference_line_end_u = 9\n"),
-                 "road.crg: ",
-                 "5 records, expected 10");
-  expect_message(with("$ROAD_CRG\n", "$ROAD_CRG\nreference_line_end_u = 1e30\n"),
-                 "road.crg:5: ",
-                 "expected 2 to 1e8");
-  expect_message(
+  expect_crg_message("", "road.crg: ", "no data");
+  expect_crg_message(with("$$$$$$\n", "$\n"), "road.crg:15: ", "expected a section");
+  expect_crg_message(with("Reference_Line_Increment", "reference_line_incremnet"),
+                     "road.crg:5: ",
+                     "did you mean \"reference_line_increment\"");
+  expect_crg_message(with("= 1.0 !", "= fast !"), "road.crg:5: ", "expected a number");
+  expect_crg_message(with("#:LRFI", "#:LXFI"), "road.crg:9: ", "expected one such as");
+  expect_crg_message(with("#:LRFI\n", ""), "road.crg:13: ", "no format");
+  expect_crg_message(with("section 2,m", "section 2,ft"), "road.crg:11: ", "expected \"m\"");
+  expect_crg_message(with("section 2,m", "section 3,m"), "road.crg:", "section 2");
+  expect_crg_message(with("D:long section 2,m", "D:surface,m"), "road.crg:11: ", "expected \"long");
+  expect_crg_message(
+      with("0.0100000 0.0600000", "0.01x0000 0.0600000"), "road.crg:16: ", "0.01x0000");
+  expect_crg_message(with("0.0100000 0.0600000", "0.0100000"), "road.crg:16: ", "expected 3");
+  expect_crg_message(with("$ROAD_CRG\n", "$ROAD_CRG\nreference_line_end_u = 9\n"),
+                     "road.crg: ",
+                     "5 records, expected 10");
+  expect_crg_message(with("$ROAD_CRG\n", "$ROAD_CRG\nreference_line_end_u = 1e30\n"),
+                     "road.crg:5: ",
+                     "expected 2 to 1e8");
+  expect_crg_message(
       with_section("$ROAD_CRG_OPTS\nborder_mode_u = 7\n"), "road.crg:9: ", "0, 1, 2, 3 or 4");
-  expect_message(with_section("$ROAD_CRG_FILE\n other.crg\n"), "road.crg:9: ", "other.crg");
-  expect_message(with_section("$ROAD_CGR\n"), "road.crg:8: ", "did you mean \"$road_crg\"");
+  expect_crg_message(with_section("$ROAD_CRG_FILE\n other.crg\n"), "road.crg:9: ", "other.crg");
+  expect_crg_message(with_section("$ROAD_CGR\n"), "road.crg:8: ", "did you mean \"$road_crg\"");
 }
 
 // A sample of the standard states LOG_EVAL twice.
@@ -302,9 +305,9 @@ TEST(OpenCrg, OfAnOptionThatComesTwiceTheLastOneCountsWithAWarning) {
                 "road.crg:15: scale_z_grid comes a second time: 2 counts, 3 of line 14 does not"}));
   EXPECT_TRUE(OpenCrg::parse(kPlain, "road.crg").warnings.empty());
   // Of the surface itself two statements contradict each other.
-  expect_message(with("$ROAD_CRG\n", "$ROAD_CRG\nreference_line_increment = 2\n"),
-                 "road.crg:6: ",
-                 "comes twice");
+  expect_crg_message(with("$ROAD_CRG\n", "$ROAD_CRG\nreference_line_increment = 2\n"),
+                     "road.crg:6: ",
+                     "comes twice");
 }
 
 TEST(OpenCrg, FollowsAFileFromTheFolderOfTheOneThatNamesIt) {
@@ -329,7 +332,7 @@ struct Reference {
 // Numbers by an independent program: the C library of OpenCRG 1.2.0, no modifiers applied, options
 // at their defaults. It keeps heights in single precision.
 void expect_as(const char* name, const std::vector<Reference>& points) {
-  const CrgRoad road(OpenCrg::read(kSamples / name).grid);
+  const CrgRoad road(OpenCrg::read(kCrgSamples / name).grid);
   for (const Reference& point : points) {
     const auto place = road.locate(point.x, point.y);
     EXPECT_NEAR(place.u, point.u, 1e-10) << name << " " << point.x;
@@ -339,7 +342,7 @@ void expect_as(const char* name, const std::vector<Reference>& points) {
 }
 
 TEST(OpenCrg, SamplesHaveTheHeightsOfTheLibraryOfTheStandard) {
-  if (!std::filesystem::exists(kSamples)) GTEST_SKIP() << "no samples in " << kSamples;
+  if (!std::filesystem::exists(kCrgSamples)) GTEST_SKIP() << "no samples in " << kCrgSamples;
   expect_as("handmade_curved_banked_sloped.crg",
             {{3.3, 0.4, 3.3115078613, 0.356893998409, 0.0634654557},
              {10.2, 1.1, 10.2800970146, 0.577942289677, 0.602406927},
@@ -363,9 +366,9 @@ TEST(OpenCrg, SamplesHaveTheHeightsOfTheLibraryOfTheStandard) {
 }
 
 TEST(OpenCrg, TheMinimalistSampleIsTheStraightOneAsItSays) {
-  if (!std::filesystem::exists(kSamples)) GTEST_SKIP() << "no samples in " << kSamples;
-  const OpenCrg a = OpenCrg::read(kSamples / "handmade_straight.crg");
-  const OpenCrg b = OpenCrg::read(kSamples / "handmade_straight_minimalist.crg");
+  if (!std::filesystem::exists(kCrgSamples)) GTEST_SKIP() << "no samples in " << kCrgSamples;
+  const OpenCrg a = OpenCrg::read(kCrgSamples / "handmade_straight.crg");
+  const OpenCrg b = OpenCrg::read(kCrgSamples / "handmade_straight_minimalist.crg");
   EXPECT_EQ(a.grid.v, b.grid.v);
   EXPECT_EQ(a.grid.z, b.grid.z);
   EXPECT_GT(a.gaps, 0);

@@ -14,7 +14,7 @@
 namespace latsch::formats {
 namespace {
 
-const std::filesystem::path kSamples = LATSCH_SOURCE_DIR "/../shared/data/road";
+const std::filesystem::path kRoadSamples = LATSCH_SOURCE_DIR "/../shared/data/road";
 constexpr double kRounding = 1e-13;
 constexpr double kPi = std::numbers::pi;
 
@@ -31,7 +31,9 @@ double z(const RoadFile& file, double x, double y = 0.0, double time = 0.0) {
   return file.road->height(x, y, time);
 }
 
-void expect_message(const std::string& text, const std::string& place, const std::string& words) {
+void expect_road_message(const std::string& text,
+                         const std::string& place,
+                         const std::string& words) {
   try {
     rdf(text);
     FAIL() << words;
@@ -132,28 +134,29 @@ TEST(RdfFile, DrumTurnsItsCleatsUnderTheTire) {
 }
 
 TEST(RdfFile, SaysWhereAndWhatIsWrong) {
-  expect_message("[UNITS]\nLENGTH='mm'\n", "road.rdf", "MODEL");
-  expect_message("[MODEL]\nMETHOD = '2D'\nROAD_TYPE = 'plnak'\n", "road.rdf:3: ", "mean \"plank\"");
-  expect_message(
+  expect_road_message("[UNITS]\nLENGTH='mm'\n", "road.rdf", "MODEL");
+  expect_road_message(
+      "[MODEL]\nMETHOD = '2D'\nROAD_TYPE = 'plnak'\n", "road.rdf:3: ", "mean \"plank\"");
+  expect_road_message(
       "[MODEL]\nMETHOD = '2D'\nROAD_TYPE = 'stochastic_uneven'\n", "road.rdf:3: ", "OpenCRG");
-  expect_message("[MODEL]\nMETHOD = 'spline'\n", "road.rdf:1: ", "expected \"2D\"");
+  expect_road_message("[MODEL]\nMETHOD = 'spline'\n", "road.rdf:1: ", "expected \"2D\"");
   const std::string head =
       "[MODEL]\nMETHOD = '2D'\nROAD_TYPE = 'plank'\n[PARAMETERS]\nHEIGHT = 1\n";
-  expect_message(head, "road.rdf:4: ", "LENGTH is missing");
-  expect_message(head + "LENGTH = -5\n", "road.rdf:6: ", "LENGTH is -5");
-  expect_message(
+  expect_road_message(head, "road.rdf:4: ", "LENGTH is missing");
+  expect_road_message(head + "LENGTH = -5\n", "road.rdf:6: ", "LENGTH is -5");
+  expect_road_message(
       head + "LENGTH = 5\nBEVEL_EDGE_LENGTH = 3\n", "road.rdf:7: ", "half of the length");
-  expect_message(
+  expect_road_message(
       "[MODEL]\nMETHOD = '2D'\nROAD_TYPE = 'sweep'\nAMPLITUDE_AT_START = 1\nAMPLITUDE_AT_END = 2\n"
       "WAVE_LENGTH_AT_START = 1\nWAVE_LENGTH_AT_END = 2\nSTART = 0\nEND = 1e-320\n",
       "road.rdf:9: ",
       "behind START");
   const std::string mesh =
       "[MODEL]\nMETHOD = '3D'\n[NODES]\n1 0 0 0\n2 1 0 0\n3 0 1 0\n[ELEMENTS]\n";
-  expect_message(mesh + "1 2 4 1\n", "road.rdf:8: ", "node 4");
-  expect_message(mesh + "1 2 2 1\n", "road.rdf:7: ", "seen from above");
-  expect_message(mesh + "1 2\n", "road.rdf:8: ", "expected 3 numbers");
-  expect_message(mesh + "NUMBER_OF_ELEMENTS = 5\n1 2 3\n", "road.rdf:8: ", "but 1 follow");
+  expect_road_message(mesh + "1 2 4 1\n", "road.rdf:8: ", "node 4");
+  expect_road_message(mesh + "1 2 2 1\n", "road.rdf:7: ", "seen from above");
+  expect_road_message(mesh + "1 2\n", "road.rdf:8: ", "expected 3 numbers");
+  expect_road_message(mesh + "NUMBER_OF_ELEMENTS = 5\n1 2 3\n", "road.rdf:8: ", "but 1 follow");
 }
 
 TEST(RdfFile, TrianglesInAnyOrderOfNodesAndOfWinding) {
@@ -261,8 +264,8 @@ TEST(RdfFile, KerbsAsTrianglesAreTheSameKerbs) {
 // The sample says of itself: 4 saw-tooth blocks of 800 x 800 x 25 mm; their falling flanks are
 // 0.01 mm long.
 TEST(RdfFile, SampleOfAKerbIsTheKerbOfTheGenerator) {
-  if (!std::filesystem::exists(kSamples)) GTEST_SKIP() << "no samples in " << kSamples;
-  const RoadFile file = read_road_file(kSamples / "kerb_sawtooth_4x800x800x25.rdf");
+  if (!std::filesystem::exists(kRoadSamples)) GTEST_SKIP() << "no samples in " << kRoadSamples;
+  const RoadFile file = read_road_file(kRoadSamples / "kerb_sawtooth_4x800x800x25.rdf");
   EXPECT_EQ(file.kind, "Adams triangles");
   road::Kerb kerb;
   kerb.height = 0.025;
@@ -317,10 +320,11 @@ TEST(RdfSpline, AClosedCircleComesBackToItself) {
 }
 
 TEST(RdfSpline, SaysWhatIsNotReadAndWhy) {
-  expect_message(kSplineHead + "0 0 0 4 5\n3 0 0 4 0\n", "road.rdf:16: ", "bank angle");
-  expect_message(kSplineHead + "0 0 0 4 0 1 1 OBSTACLE1\n3 0 0 4 0\n", "road.rdf:16: ", "obstacle");
-  expect_message(kSplineHead + "0 0 0 4 0\n", "road.rdf:14: ", "expected 2 at least");
-  expect_message(kSplineHead + "0 0 0 4 0\n0 0 1 4 0\n", "road.rdf:17: ", "once more");
+  expect_road_message(kSplineHead + "0 0 0 4 5\n3 0 0 4 0\n", "road.rdf:16: ", "bank angle");
+  expect_road_message(
+      kSplineHead + "0 0 0 4 0 1 1 OBSTACLE1\n3 0 0 4 0\n", "road.rdf:16: ", "obstacle");
+  expect_road_message(kSplineHead + "0 0 0 4 0\n", "road.rdf:14: ", "expected 2 at least");
+  expect_road_message(kSplineHead + "0 0 0 4 0\n0 0 1 4 0\n", "road.rdf:17: ", "once more");
 }
 
 TEST(RoadFile, TomlSaysInWordsWhatStandsOnTheRoad) {

@@ -33,7 +33,7 @@ const std::string kFile =
 
 TeimOrbit parse(const std::string& text) { return TeimOrbit::parse(text, "t.tir"); }
 
-std::string complaint(
+std::string orbit_complaint(
     const std::string& text,
     const std::function<void(const TeimOrbit&)>& read = [](const TeimOrbit&) {}) {
   try {
@@ -86,24 +86,25 @@ TEST(TeimOrbit, ReplacedValuesLeaveEveryOtherByte) {
 }
 
 TEST(TeimOrbit, ComplaintsNameFileLineAndWhatWasExpected) {
-  EXPECT_EQ(complaint("[A]\nB = 'x\n"), "t.tir:2: a quote is not closed: \"B = 'x\"");
-  EXPECT_EQ(complaint("[A\n"), "t.tir:1: \"[A\" has no \"]\"");
-  EXPECT_EQ(complaint("A = 1\n"), "t.tir:1: this stands before the first [SECTION]: is it a file of another kind?");
-  EXPECT_EQ(complaint("[A]\nFNOMIN 3\n"),
+  EXPECT_EQ(orbit_complaint("[A]\nB = 'x\n"), "t.tir:2: a quote is not closed: \"B = 'x\"");
+  EXPECT_EQ(orbit_complaint("[A\n"), "t.tir:1: \"[A\" has no \"]\"");
+  EXPECT_EQ(orbit_complaint("A = 1\n"),
+            "t.tir:1: this stands before the first [SECTION]: is it a file of another kind?");
+  EXPECT_EQ(orbit_complaint("[A]\nFNOMIN 3\n"),
             "t.tir:2: \"FNOMIN 3\" is no KEY = value, [SECTION], {heads} or row of a table");
   const auto fnomin = [](const TeimOrbit& file) { file.section("A").number("FNOMIN"); };
   EXPECT_EQ(
-      complaint("[A]\n\nFNOMIN = 3,5\n", fnomin),
+      orbit_complaint("[A]\n\nFNOMIN = 3,5\n", fnomin),
       "t.tir:3: FNOMIN is \"3,5\", expected a finite number; decimals are written with a point");
-  EXPECT_EQ(complaint("[A]\nFNOMIN = nan\n", fnomin),
+  EXPECT_EQ(orbit_complaint("[A]\nFNOMIN = nan\n", fnomin),
             "t.tir:2: FNOMIN is \"nan\", expected a finite number");
-  EXPECT_EQ(complaint("[A]\nB = 2\n", fnomin), "t.tir:1: [A] has no FNOMIN");
-  EXPECT_EQ(complaint("[A]\nFNOMIN = 2\nfnomin = 3\n", fnomin),
+  EXPECT_EQ(orbit_complaint("[A]\nB = 2\n", fnomin), "t.tir:1: [A] has no FNOMIN");
+  EXPECT_EQ(orbit_complaint("[A]\nFNOMIN = 2\nfnomin = 3\n", fnomin),
             "t.tir:3: FNOMIN is \"3\", but line 2 says \"2\"; keep one of them");
-  EXPECT_NE(complaint("[UNITS]\nLENGTH='furlong'\n", [](const TeimOrbit& f) { f.units(); })
+  EXPECT_NE(orbit_complaint("[UNITS]\nLENGTH='furlong'\n", [](const TeimOrbit& f) { f.units(); })
                 .find("t.tir:2: LENGTH = \"furlong\" is no unit that is known, expected"),
             std::string::npos);
-  EXPECT_EQ(complaint(std::string("[A]\nB\0 = 2\n", 11)),
+  EXPECT_EQ(orbit_complaint(std::string("[A]\nB\0 = 2\n", 11)),
             "t.tir:2: a zero byte: this is no text file");
 }
 
@@ -112,7 +113,7 @@ TEST(TeimOrbit, SpoiledFilesEndInAFileOrAComplaint) {
   for (int i = 0; i < 3000; ++i) {
     RandomStream random(4, i);
     const std::string text = spoiled(kFile, {"[", "{", "(", "'", "=", "1e309", "$"}, random);
-    good += complaint(text, [](const TeimOrbit& file) {
+    good += orbit_complaint(text, [](const TeimOrbit& file) {
               file.units();
               for (const TeimOrbitSection& section : file.sections())
                 for (const TeimOrbitTable& table : section.tables())

@@ -28,7 +28,7 @@ const std::string kSmall =
     "[LATERAL_COEFFICIENTS]\nPCY1=1.3\nPXX9=3\n"
     "[SHAPE]\n{radial width}\n1.0 0.0\n0.9 1.0\n";
 
-std::string complaint(const std::string& text) {
+std::string tir_complaint(const std::string& text) {
   try {
     parse_tir(text, "t.tir");
   } catch (const InputError& error) {
@@ -81,16 +81,16 @@ TEST(TirFile, WhatIsOddIsNamed) {
 }
 
 TEST(TirFile, ComplaintsNameFileLineAndWhatWasExpected) {
-  EXPECT_EQ(complaint(replaced("UNLOADED_RADIUS=300\n", "")),
+  EXPECT_EQ(tir_complaint(replaced("UNLOADED_RADIUS=300\n", "")),
             "t.tir: there is no UNLOADED_RADIUS; it stands in [DIMENSION]");
-  EXPECT_EQ(complaint(replaced("FNOMIN=4", "FNOMIN=-4")),
+  EXPECT_EQ(tir_complaint(replaced("FNOMIN=4", "FNOMIN=-4")),
             "t.tir:19: FNOMIN is -4, expected a positive number");
-  EXPECT_EQ(complaint(replaced("FITTYP=61", "FITTYP=63")),
+  EXPECT_EQ(tir_complaint(replaced("FITTYP=61", "FITTYP=63")),
             "t.tir:9: FITTYP is 63, expected 6 or 21 (MF 5.2), 61 or 62");
-  EXPECT_EQ(complaint(replaced("PXX9=3", "FNOMIN=5")),
+  EXPECT_EQ(tir_complaint(replaced("PXX9=3", "FNOMIN=5")),
             "t.tir:25: FNOMIN is 5, but line 19 says 4; keep one of them");
   EXPECT_EQ(
-      complaint(replaced("PCY1=1.3", "PCY1=1,3")),
+      tir_complaint(replaced("PCY1=1.3", "PCY1=1,3")),
       "t.tir:24: PCY1 is \"1,3\", expected a finite number; decimals are written with a point");
 }
 
@@ -140,8 +140,8 @@ TEST(TirFile, SpoiledFilesEndInATireOrAComplaint) {
   int tires = 0;
   for (int i = 0; i < 2000; ++i) {
     RandomStream random(5, i);
-    tires +=
-        complaint(spoiled(kSmall, {"[MODEL]", "FITTYP=6\n", "1e309", "=", "'"}, random)).empty();
+    tires += tir_complaint(spoiled(kSmall, {"[MODEL]", "FITTYP=6\n", "1e309", "=", "'"}, random))
+                 .empty();
   }
   EXPECT_GT(tires, 0);
   EXPECT_LT(tires, 2000);

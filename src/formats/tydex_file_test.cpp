@@ -12,7 +12,7 @@
 namespace latsch::formats {
 namespace {
 
-const std::filesystem::path kSamples = LATSCH_SOURCE_DIR "/../shared/data/tdx";
+const std::filesystem::path kTydexSamples = LATSCH_SOURCE_DIR "/../shared/data/tdx";
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 const std::string kHead =
@@ -39,7 +39,9 @@ std::string message_of(const std::string& text) {
   return "";
 }
 
-void expect_message(const std::string& text, const std::string& place, const std::string& words) {
+void expect_tydex_message(const std::string& text,
+                          const std::string& place,
+                          const std::string& words) {
   const std::string message = message_of(text);
   EXPECT_EQ(message.find(place), 0u) << message;
   EXPECT_NE(message.find(words), std::string::npos) << message;
@@ -112,29 +114,32 @@ TEST(TydexFile, KeepsTheSectionsOfAModel) {
 }
 
 TEST(TydexFile, SaysWhereAndWhatIsWrong) {
-  expect_message("", "rig.tdx: ", "**HEADER");
-  expect_message(kHead + kChannels + "**MEASURDATA\n0 1 2\n", "rig.tdx:13: ", "incomplete");
-  expect_message(kHead + "**MEASURDATA\n0 1 2\n**END\n", "rig.tdx:8: ", "**MEASURCHANNELS");
-  expect_message(kHead + kChannels + "**MEASURDATA\n**END\n", "rig.tdx:13: ", "without a sample");
-  expect_message(kHead + "**MESURDATA\n**END\n", "rig.tdx:8: ", "mean \"**MEASURDATA\"");
-  expect_message(kHead + kChannels + "**MEASURDATA\n0 1\n**END\n", "rig.tdx:13: ", "3 channels");
-  expect_message(
+  expect_tydex_message("", "rig.tdx: ", "**HEADER");
+  expect_tydex_message(kHead + kChannels + "**MEASURDATA\n0 1 2\n", "rig.tdx:13: ", "incomplete");
+  expect_tydex_message(kHead + "**MEASURDATA\n0 1 2\n**END\n", "rig.tdx:8: ", "**MEASURCHANNELS");
+  expect_tydex_message(
+      kHead + kChannels + "**MEASURDATA\n**END\n", "rig.tdx:13: ", "without a sample");
+  expect_tydex_message(kHead + "**MESURDATA\n**END\n", "rig.tdx:8: ", "mean \"**MEASURDATA\"");
+  expect_tydex_message(
+      kHead + kChannels + "**MEASURDATA\n0 1\n**END\n", "rig.tdx:13: ", "3 channels");
+  expect_tydex_message(
       kHead + kChannels + "**MEASURDATA\n0 1 x7\n**END\n", "rig.tdx:13: ", "FZW is \"x7\"");
-  expect_message(kHead + kChannels + "**MEASURDATA\n0 inf 7\n**END\n", "rig.tdx:13: ", "SLIPANGL");
-  expect_message("FZW 1\n**END\n", "rig.tdx:1: ", "expected **HEADER");
+  expect_tydex_message(
+      kHead + kChannels + "**MEASURDATA\n0 inf 7\n**END\n", "rig.tdx:13: ", "SLIPANGL");
+  expect_tydex_message("FZW 1\n**END\n", "rig.tdx:1: ", "expected **HEADER");
   std::string wrong = kHead + kChannels + kData;
   wrong.replace(wrong.find("kN"), 2, "mm");
-  expect_message(wrong, "rig.tdx:11: ", "FZW is in \"mm\", expected a force");
+  expect_tydex_message(wrong, "rig.tdx:11: ", "FZW is in \"mm\", expected a force");
   wrong = kHead + kChannels + kData;
   wrong.replace(wrong.find("kN"), 2, "kX");
-  expect_message(wrong, "rig.tdx:11: ", "unknown unit \"kX\"");
+  expect_tydex_message(wrong, "rig.tdx:11: ", "unknown unit \"kX\"");
   wrong = kHead + kChannels + kData;
   wrong.replace(wrong.find("deg "), 4, "    ");
-  expect_message(wrong, "rig.tdx:10: ", "SLIPANGL has no unit");
+  expect_tydex_message(wrong, "rig.tdx:10: ", "SLIPANGL has no unit");
   wrong = kHead + kChannels + kData;
   wrong.replace(wrong.find("FZW "), 4, "SLIPANGL");
-  expect_message(wrong, "rig.tdx:11: ", "channel SLIPANGL comes twice");
-  expect_message(kHead + std::string(1, '\0') + kChannels, "rig.tdx:8: ", "zero byte");
+  expect_tydex_message(wrong, "rig.tdx:11: ", "channel SLIPANGL comes twice");
+  expect_tydex_message(kHead + std::string(1, '\0') + kChannels, "rig.tdx:8: ", "zero byte");
   const TydexFile file = TydexFile::parse(kHead + kChannels + kData, "rig.tdx");
   EXPECT_THROW(file.constant("FNOMIN", "N"), InputError);
   EXPECT_THROW(file.constant("INFLPRES", "N"), InputError);
@@ -169,12 +174,12 @@ TEST(LabUnits, AreUnderstoodAsARigMeansThem) {
 
 // Cornering tests on a flat belt at 25 mph; the files' names tell load and pressure.
 TEST(TydexFile, ReadsTheCorneringTestsAsTheyAreNamed) {
-  if (!std::filesystem::exists(kSamples)) GTEST_SKIP() << "no samples in " << kSamples;
+  if (!std::filesystem::exists(kTydexSamples)) GTEST_SKIP() << "no samples in " << kTydexSamples;
   for (const double kilopascal : {69.0, 83.0}) {
     for (const double newton : {1050.0, 1610.0}) {
       const std::string name = "ttc_SA_sweep_P" + std::to_string(static_cast<int>(kilopascal)) +
                                "_IA0_FZ" + std::to_string(static_cast<int>(newton)) + ".tdx";
-      const TydexFile file = TydexFile::read(kSamples / name);
+      const TydexFile file = TydexFile::read(kTydexSamples / name);
       ASSERT_EQ(file.channels.all().size(), 11u);
       EXPECT_GT(file.lines.size(), 1000u);
       EXPECT_EQ(file.constant("INFLPRES", "Pa"), 1000.0 * kilopascal);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/vtu_file.h"
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -17,8 +16,8 @@ namespace {
 /// Runs Python's own XML parser over a file; `claims` are lines of Python on `root`.
 int python_says(const std::filesystem::path& file, const std::string& claims) {
   // Tests may run side by side: each process has a script of its own.
-  const auto script = std::filesystem::path(testing::TempDir()) /
-                      ("vtu_check_" + std::to_string(getpid()) + ".py");
+  const auto script =
+      std::filesystem::path(testing::TempDir()) / ("vtu_check_" + std::to_string(getpid()) + ".py");
   std::ofstream(script)
       << "import sys, math, xml.etree.ElementTree as tree\n"
          "root = tree.parse(sys.argv[1]).getroot()\n"
