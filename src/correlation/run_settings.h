@@ -12,7 +12,8 @@
 //   stragglers = true                  # what runs long is started twice or stopped, where a worker
 //                                      # is idle or a point that is wanted waits; docs/trials.md
 //   straggler_factor = 3               # so many times longer than the median
-//   look_ahead = 4                     # points proposed ahead for every worker of several
+//   look_ahead = 4                     # points proposed ahead for every worker of several, where
+//                                      # that is not slower than the trials themselves
 //
 // What else on_failure may be:
 //   on_failure = "abort"               # the run ends
