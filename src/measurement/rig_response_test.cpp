@@ -75,11 +75,11 @@ TEST(RigResponse, TheRegularizedInverseUndoesItUpToTheLowPass) {
   EXPECT_NE(unstable.failure().reason.find("differ in sign"), std::string::npos);
 }
 
-SyntheticRig rig() { return {2000.0, 6.0, kTruth, 11}; }
+SyntheticRig hammered_rig() { return {2000.0, 6.0, kTruth, 11}; }
 
 // From 20 noisy hits: within three standard deviations of the truth, and those small.
 TEST(HammerTest, FindsTheFourNumbersAgain) {
-  const Channels test = synthetic_hammer(rig(), 20, 2.0);
+  const Channels test = synthetic_hammer(hammered_rig(), 20, 2.0);
   const HammerSettings settings;
   const auto hits = find_hits(test["hammer"], 2000.0, settings);
   ASSERT_EQ(hits.size(), 20u);
@@ -104,7 +104,7 @@ TEST(HammerTest, FindsTheFourNumbersAgain) {
 
 TEST(HammerTest, SaysWhatIsWrong) {
   EXPECT_THROW(find_hits(std::vector<double>(4000, 1.0), 2000.0, {}), InputError);
-  const Channels test = synthetic_hammer(rig(), 3, 0.0);
+  const Channels test = synthetic_hammer(hammered_rig(), 3, 0.0);
   HammerSettings longer;
   longer.window = 60.0;
   EXPECT_THROW(find_hits(test["hammer"], 2000.0, longer), InputError);

@@ -13,7 +13,7 @@
 namespace latsch::ring_tire {
 namespace {
 
-constexpr int kNodes = 16;
+constexpr int kBeltNodes = 16;
 
 RimFrame some_rim() {
   WheelMotion motion;
@@ -24,9 +24,9 @@ RimFrame some_rim() {
 }
 
 NodeValues at_rest(const RimFrame& rim, double radius) {
-  const NodeAngles angles(kNodes);
-  NodeValues q(4, kNodes);
-  for (int k = 0; k < kNodes; ++k) q.col(k) << rim.center + radius * angles.radial(rim, k), 0.0;
+  const NodeAngles angles(kBeltNodes);
+  NodeValues q(4, kBeltNodes);
+  for (int k = 0; k < kBeltNodes; ++k) q.col(k) << rim.center + radius * angles.radial(rim, k), 0.0;
   return q;
 }
 
@@ -34,7 +34,7 @@ NodeValues at_rest(const RimFrame& rim, double radius) {
 NodeValues deformed(const RimFrame& rim, double radius) {
   NodeValues q = at_rest(rim, radius);
   RandomStream random(11, 1);
-  for (int k = 0; k < kNodes; ++k) {
+  for (int k = 0; k < kBeltNodes; ++k) {
     for (int i = 0; i < 3; ++i) q(i, k) += 0.02 * (random.uniform() - 0.5);
     q(3, k) += 0.1 * (random.uniform() - 0.5);
   }
@@ -43,24 +43,24 @@ NodeValues deformed(const RimFrame& rim, double radius) {
 
 TEST(BeltForces, AreTheGradientOfTheEnergyAndTheStiffnessItsHessian) {
   const RingParameters ring = passenger_ring();
-  const BeltForces belt(ring.belt, kNodes);
+  const BeltForces belt(ring.belt, kBeltNodes);
   const RimFrame rim = some_rim();
   const NodeValues q = deformed(rim, ring.belt.radius);
-  NodeValues force = NodeValues::Zero(4, kNodes);
+  NodeValues force = NodeValues::Zero(4, kBeltNodes);
   belt.add_force(q, rim, force);
-  CyclicBand K(kNodes);
+  CyclicBand K(kBeltNodes);
   belt.add_stiffness(q, rim, 1.0, K);
   const double h = 1e-6;
-  for (int k : {0, 5, kNodes - 1})
+  for (int k : {0, 5, kBeltNodes - 1})
     for (int i = 0; i < 4; ++i) {
-      NodeValues plus = q, minus = q, direction = NodeValues::Zero(4, kNodes);
+      NodeValues plus = q, minus = q, direction = NodeValues::Zero(4, kBeltNodes);
       plus(i, k) += h;
       minus(i, k) -= h;
       direction(i, k) = 1.0;
       const double slope = (belt.energy(plus, rim) - belt.energy(minus, rim)) / (2.0 * h);
       // The rounding of an energy of some kJ over 2h.
       EXPECT_NEAR(force(i, k), -slope, 1e-9 * force.norm() + 1e-5);
-      NodeValues f1 = NodeValues::Zero(4, kNodes), f0 = f1;
+      NodeValues f1 = NodeValues::Zero(4, kBeltNodes), f0 = f1;
       belt.add_force(plus, rim, f1);
       belt.add_force(minus, rim, f0);
       const NodeValues column = K.multiply(direction);
@@ -73,19 +73,19 @@ TEST(BeltForces, VanishAtRestAndUnderARigidTilt) {
   RingParameters slack = ring;
   slack.belt.pressure = 0.0;
   const RimFrame rim = some_rim();
-  NodeValues force = NodeValues::Zero(4, kNodes);
-  BeltForces(ring.belt, kNodes).add_force(at_rest(rim, ring.belt.radius), rim, force);
+  NodeValues force = NodeValues::Zero(4, kBeltNodes);
+  BeltForces(ring.belt, kBeltNodes).add_force(at_rest(rim, ring.belt.radius), rim, force);
   EXPECT_LT(force.norm(), 1e-11 * ring.belt.extension);  // rounding of the springs
 
   NodeValues q = at_rest(rim, ring.belt.radius);
   const double tilt = 1e-3;
-  for (int k = 0; k < kNodes; ++k) {
-    const double c = std::cos(2.0 * M_PI * k / kNodes);
+  for (int k = 0; k < kBeltNodes; ++k) {
+    const double c = std::cos(2.0 * M_PI * k / kBeltNodes);
     q.col(k).head<3>() += tilt * ring.belt.radius * c * rim.a;
     q(3, k) = tilt * c;
   }
   force.setZero();
-  const BeltForces belt(slack.belt, kNodes);
+  const BeltForces belt(slack.belt, kBeltNodes);
   belt.add_force(q, rim, force);
   // What is left is of second order in the tilt: the extension of the belt, EA tilt²/2.
   EXPECT_LT(force.row(3).norm(), 1e-9);
@@ -96,23 +96,23 @@ TEST(SidewallForces, AreTheGradientOfTheEnergyAndTheStiffnessItsHessian) {
   RingParameters ring = passenger_ring();
   ring.sidewall.progressivity = 1.2;
   ring.sidewall.torsion_by_lateral = 2.0;
-  const SidewallForces wall(ring.sidewall, ring.belt.radius, kNodes);
+  const SidewallForces wall(ring.sidewall, ring.belt.radius, kBeltNodes);
   const RimFrame rim = some_rim();
-  const NodeValues q = deformed(rim, ring.belt.radius), v = NodeValues::Zero(4, kNodes);
+  const NodeValues q = deformed(rim, ring.belt.radius), v = NodeValues::Zero(4, kBeltNodes);
   const StepRule statics;
-  NodeValues force = NodeValues::Zero(4, kNodes);
+  NodeValues force = NodeValues::Zero(4, kBeltNodes);
   wall.add_force(q, v, rim, statics, force);
-  CyclicBand K(kNodes);
+  CyclicBand K(kBeltNodes);
   wall.add_stiffness(q, rim, statics, 1.0, K);
   const double h = 1e-6;
   for (int i = 0; i < 4; ++i) {
-    NodeValues plus = q, minus = q, direction = NodeValues::Zero(4, kNodes);
+    NodeValues plus = q, minus = q, direction = NodeValues::Zero(4, kBeltNodes);
     plus(i, 3) += h;
     minus(i, 3) -= h;
     direction(i, 3) = 1.0;
     const double slope = (wall.energy(plus, rim) - wall.energy(minus, rim)) / (2.0 * h);
     EXPECT_NEAR(force(i, 3), -slope, 1e-8 * force.norm() + 1e-5);
-    NodeValues f1 = NodeValues::Zero(4, kNodes), f0 = f1;
+    NodeValues f1 = NodeValues::Zero(4, kBeltNodes), f0 = f1;
     wall.add_force(plus, v, rim, statics, f1);
     wall.add_force(minus, v, rim, statics, f0);
     const NodeValues column = K.multiply(direction);
@@ -126,17 +126,17 @@ TEST(SidewallForces, FrictionElementsMakeALoopOfTheirForce) {
   RingParameters ring = passenger_ring();
   ring.sidewall.radial.friction_stiffening = 0.5;
   ring.sidewall.radial.friction_force = 1000.0;
-  SidewallForces wall(ring.sidewall, ring.belt.radius, kNodes);
+  SidewallForces wall(ring.sidewall, ring.belt.radius, kBeltNodes);
   const RimFrame rim = some_rim();
-  const NodeValues v = NodeValues::Zero(4, kNodes);
+  const NodeValues v = NodeValues::Zero(4, kBeltNodes);
   const auto force_at = [&](double radius) {
     const NodeValues q = at_rest(rim, radius);
-    NodeValues force = NodeValues::Zero(4, kNodes);
+    NodeValues force = NodeValues::Zero(4, kBeltNodes);
     wall.add_force(q, v, rim, {}, force);
     wall.commit(q, rim, {});
     double sum = 0.0;
-    const NodeAngles angles(kNodes);
-    for (int k = 0; k < kNodes; ++k) sum += angles.radial(rim, k).dot(force.col(k).head<3>());
+    const NodeAngles angles(kBeltNodes);
+    for (int k = 0; k < kBeltNodes; ++k) sum += angles.radial(rim, k).dot(force.col(k).head<3>());
     return sum;
   };
   force_at(ring.belt.radius - 0.02);

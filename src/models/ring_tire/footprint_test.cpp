@@ -12,7 +12,7 @@
 namespace latsch::ring_tire {
 namespace {
 
-Footprint standing(const RingParameters& ring, double depth, double heading = 0.0) {
+Footprint standing_footprint(const RingParameters& ring, double depth, double heading = 0.0) {
   RingTire tire(ring);
   WheelMotion motion;
   motion.center = {3.0, -2.0, tire.free_radius() - depth};
@@ -42,7 +42,7 @@ RingParameters rigid_wheel() {
 // outline is linear between them, which shortens an arc by an eighth of their square over R δ.
 TEST(RingFootprint, OfARigidWheelIsAnEllipse) {
   const double R = 0.316, crown = 0.6, depth = 0.003;
-  const Footprint print = standing(rigid_wheel(), depth);
+  const Footprint print = standing_footprint(rigid_wheel(), depth);
   const double a = std::sqrt(2.0 * R * depth), b = std::sqrt(2.0 * crown * depth);
   EXPECT_NEAR(print.length, 2.0 * a, 0.01 * a);
   EXPECT_NEAR(print.width, 2.0 * b, 0.01 * b);
@@ -51,7 +51,7 @@ TEST(RingFootprint, OfARigidWheelIsAnEllipse) {
 
 // The sum over the elements is the load, their places are those of the patch below the axle.
 TEST(RingFootprint, CarriesTheLoadBelowTheAxle) {
-  const Footprint print = standing(passenger_ring(), 0.02);
+  const Footprint print = standing_footprint(passenger_ring(), 0.02);
   double load = 0.0, x = 0.0, y = 0.0;
   for (const FootprintElement& at : print.elements) {
     const double F = at.pressure * at.length * at.width;
@@ -68,9 +68,9 @@ TEST(RingFootprint, CarriesTheLoadBelowTheAxle) {
 
 // Steps of the load of a hundredth move the outline by about that, never by a block of 2.4 mm.
 TEST(RingFootprint, GrowsSmoothlyWithTheDeflection) {
-  double last = standing(passenger_ring(), 0.0195).length;
+  double last = standing_footprint(passenger_ring(), 0.0195).length;
   for (const double depth : {0.0197, 0.0199, 0.0201, 0.0203, 0.0205}) {
-    const double length = standing(passenger_ring(), depth).length;
+    const double length = standing_footprint(passenger_ring(), depth).length;
     EXPECT_GT(length, last) << depth;
     EXPECT_LT(length - last, 0.0025) << depth;
     last = length;
@@ -79,8 +79,8 @@ TEST(RingFootprint, GrowsSmoothlyWithTheDeflection) {
 
 // Length is along the wheel, wherever it heads to.
 TEST(RingFootprint, TurnsWithTheWheel) {
-  const Footprint ahead = standing(passenger_ring(), 0.02),
-                  aside = standing(passenger_ring(), 0.02, 1.2);
+  const Footprint ahead = standing_footprint(passenger_ring(), 0.02),
+                  aside = standing_footprint(passenger_ring(), 0.02, 1.2);
   EXPECT_NEAR(aside.length, ahead.length, 1e-6);
   EXPECT_NEAR(aside.width, ahead.width, 1e-6);
 }

@@ -20,13 +20,13 @@ namespace latsch::ring_tire {
 namespace {
 
 constexpr double kWidth = 0.16, kChord = 0.024, kTension = 5800.0;
-constexpr int kNodes = 80;
+constexpr int kBendingNodes = 80;
 
 SectionBending section_of(double bending, double coupling) {
   Belt belt;
   belt.section_bending = bending;
   belt.section_coupling = coupling;
-  return {belt, kWidth, kChord, kTension, kNodes};
+  return {belt, kWidth, kChord, kTension, kBendingNodes};
 }
 
 /// The integral of f over the width, Simpson's rule.
@@ -78,7 +78,7 @@ TEST(SectionBending, BendsAsABeamUnderLineLoads) {
       moment = moment_then;
       slope = slope_then;
     }
-    SectionBending::Field f(SectionBending::kModes, kNodes);
+    SectionBending::Field f(SectionBending::kModes, kBendingNodes);
     for (int i = 0; i < SectionBending::kModes; ++i)
       f.row(i).setConstant(kChord *
                            over_width([&](double y) { return load(y) * section.shape(i, y); }));
@@ -97,16 +97,17 @@ TEST(SectionBending, BendsAsABeamUnderLineLoads) {
 TEST(SectionBending, IsSmoothedAlongTheRingByACyclicTridiagonalSystem) {
   for (const double coupling : {0.0, 1.0, 20.0}) {
     const SectionBending section = section_of(8.0, coupling);
-    SectionBending::Field f = SectionBending::Field::Zero(SectionBending::kModes, kNodes);
+    SectionBending::Field f = SectionBending::Field::Zero(SectionBending::kModes, kBendingNodes);
     f.col(0) << 100.0, -50.0, 20.0;
-    f.col(kNodes - 1) << 30.0, 10.0, 0.0;
+    f.col(kBendingNodes - 1) << 30.0, 10.0, 0.0;
     const SectionBending::Field bent = section.bent_by(f);
     const double beta[] = {4.730040744862704, 7.853204624095838, 10.995607838001671};
     for (int i = 0; i < SectionBending::kModes; ++i) {
       const double own = 8.0 * std::pow(beta[i], 4) / std::pow(kWidth, 3) * kChord;
       const double next = coupling * kTension / kChord;
-      for (int k = 0; k < kNodes; ++k) {
-        const double neighbors = bent(i, (k + 1) % kNodes) + bent(i, (k + kNodes - 1) % kNodes);
+      for (int k = 0; k < kBendingNodes; ++k) {
+        const double neighbors =
+            bent(i, (k + 1) % kBendingNodes) + bent(i, (k + kBendingNodes - 1) % kBendingNodes);
         EXPECT_NEAR((own + 2.0 * next) * bent(i, k) - next * neighbors, f(i, k), 1e-9);
       }
     }
