@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -249,10 +248,9 @@ void several_at_once(Table& table) {
   std::signal(SIGXFSZ, SIG_IGN);
   rlimit before{};
   ::getrlimit(RLIMIT_FSIZE, &before);
-  std::atomic<bool> ended = false;
-  std::thread killer([&] {
+  std::jthread killer([](const std::stop_token& end) {
     RandomStream random(3, 0);
-    while (!ended) {
+    while (!end.stop_requested()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20 + random.below(60)));
       kill_a_worker(random);
     }
@@ -275,7 +273,7 @@ void several_at_once(Table& table) {
     ::setrlimit(RLIMIT_FSIZE, &before);
     if (done || size > 10'000'000) break;
   }
-  ended = true;
+  killer.request_stop();
   killer.join();
   long right = 0, failed = 0;
   for (const Trial& trial : Journal::read(folder / "j").trials()) {
