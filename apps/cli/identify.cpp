@@ -37,7 +37,7 @@ DesignPoint start(const Study& study, const Journal& journal, const DesignPoint&
 /// was interrupted. Workers of this machine, also below mpirun: it is a trial a variable.
 bool rank_predictions(const Study& study, const correlation::Identifiability& what) {
   if (!correlation::has_predictions(study)) return true;
-  const auto points = difference_points(study.space, what.point);
+  const auto points = correlation::prediction_points(study, what);
   ProcessOptions options = worker_processes(study);
   options.arguments.emplace_back("--predictions");
   ProcessExecutor executor(options);

@@ -40,6 +40,8 @@ void print_result(const Study& study, const Run& run, const Journal& journal) {
       study.run.journal.string(),
       run.steps.size(),
       best.outcome->value * 100.0);
+  answer()["ending"] = run.ending;
+  say("The search ended {}\n", run.ending);
   const double off = violation(*best.outcome);
   if (off > kFulfilled) {
     say("No step fulfills all constraints; the best one is off by {:.2g} of a scale\n", off);
@@ -220,9 +222,10 @@ int fit(const Asked& asked) {
       workers.end();
       return write_report(study, journal);
     }
-    say("Best of {} steps: target {:.4f} %\n",
+    say("Best of {} steps: target {:.4f} %\nThe search ended {}\n",
         fitted.run.steps.size(),
-        100.0 * fitted.run.best()->outcome->value);
+        100.0 * fitted.run.best()->outcome->value,
+        fitted.run.ending);
     print_point(study.space, *best);
     // Stages that share a journal: what was set aside or tried again stays so.
     const bool shares = correlation::stage(study, k + 1).run.journal == stage.run.journal;

@@ -4,6 +4,7 @@
     tire_study_test.py PATH/TO/latsch
 """
 import contextlib
+import json
 import pathlib
 import re
 import signal
@@ -30,8 +31,11 @@ class GoodInput(Coarse):
 
     def test_run_ends_with_result_and_report(self):
         text = self.latsch("run", self.study)
-        self.assert_says(text, "Best of", "target", "sidewall", "Report: ")
+        self.assert_says(text, "Best of", "target", "The search ended ", "sidewall", "Report: ")
         report = pathlib.Path(re.search(r"Report: (.*)", text)[1])
+        ending = re.search(r"The search ended (.*)", text)[1]
+        self.assertIn(ending, report.read_text())
+        self.assertEqual(json.loads(self.latsch("resume", self.study, "--json"))["ending"], ending)
         self.assertIn("<html", report.read_text()[:500])
         self.assert_says(self.latsch("report", self.study), str(report))
 

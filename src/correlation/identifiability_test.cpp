@@ -238,7 +238,7 @@ TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
   ASSERT_TRUE(result && *result);
   EXPECT_GT((*result)->identification.confidence().deviation(1), 1.0);  // the valley
 
-  const auto points = difference_points(s.space, (*result)->point);
+  const auto points = prediction_points(s, **result);
   EXPECT_FALSE(predicted_channels(s, points));
   InlineExecutor all(springs);
   ASSERT_TRUE(predict(s, points, all, {}));
@@ -252,6 +252,36 @@ TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
   ASSERT_TRUE(page);
   EXPECT_EQ(page->gains[0].measurement, "alone");
   EXPECT_EQ(page->intervals[0], "anywhere between the bounds");
+}
+
+// Under a ripple of 1 % with 150 waves over the range, differences over a hundredth of it show the
+// ripple: what the predicted experiment would tell is taken over the lengths found for the fitted.
+TEST(Identifiability, RippleLeavesTheGainOfAPredictedExperimentAlone) {
+  double shrinkage[2];
+  for (const bool is_rippled : {false, true}) {
+    const ScratchFolder folder;
+    Study s = study();
+    s.run.journal = folder / "springs.latsch";
+    s.experiments[1].fitted = false;
+    const auto model = [is_rippled](const DesignPoint& point) {
+      const double ripple = is_rippled ? 0.01 * std::sin(0.105 * point.values[0]) : 0.0;
+      const double a = point.values[0], b = point.values[1], k = a * b / (a + b);
+      Channels channels;
+      channels.add({"press/force", "N", {k * 0.01 * (1 + ripple), k * 0.02 * (1 - ripple)}});
+      channels.add({"alone/force", "N", {a * 0.01 * (1 - ripple), a * 0.02 * (1 + ripple)}});
+      return Result<Channels>(channels);
+    };
+    Journal journal = Journal::open(s.run.journal, {{"model", "springs"}});
+    InlineExecutor executor(model);
+    const auto result = identify(s, s.space.initial(), Depth::intervals, executor, journal, {});
+    ASSERT_TRUE(result && *result);
+    const auto points = prediction_points(s, **result);
+    InlineExecutor all(model);
+    ASSERT_TRUE(predict(s, points, all, {}));
+    shrinkage[is_rippled] =
+        prediction_gains(s, **result, *predicted_channels(s, points))[0].shrinkage;
+  }
+  EXPECT_NEAR(shrinkage[1], shrinkage[0], 0.3 * shrinkage[0]);
 }
 
 TEST(Identifiability, HasTheSameBitsForAnyNumberOfWorkers) {

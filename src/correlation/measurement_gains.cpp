@@ -80,12 +80,16 @@ std::vector<MeasurementGain> repetition_gains(const Study& study, const Identifi
   return gains(*J, candidates);
 }
 
+std::vector<DesignPoint> prediction_points(const Study& study, const Identifiability& what) {
+  return difference_points(study.space, what.point, what.identification.lengths());
+}
+
 std::vector<MeasurementGain> prediction_gains(const Study& study,
                                               const Identifiability& what,
                                               const std::vector<Channels>& at_points) {
   const auto J = in_units_of_noise(what);
   if (!J) return {};
-  const auto points = difference_points(study.space, what.point);
+  const auto points = prediction_points(study, what);
   assert(at_points.size() == points.size());
   std::vector<Candidate> candidates;
   for (const StudyExperiment& experiment : study.experiments) {

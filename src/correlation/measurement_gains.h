@@ -26,8 +26,13 @@ struct MeasurementGain {
 /// where the spread of the values is not known.
 std::vector<MeasurementGain> repetition_gains(const Study& study, const Identifiability& what);
 
+/// Where the predicted experiments are to be simulated: the point and a step along every variable,
+/// each as long as that variable's derivative was taken over, which noise and ripple of the fitted
+/// experiments decided.
+std::vector<DesignPoint> prediction_points(const Study& study, const Identifiability& what);
+
 /// Every experiment with use = "predict", from the channels of all experiments at
-/// difference_points(study.space, what.point); most useful first.
+/// prediction_points(study, what); most useful first.
 std::vector<MeasurementGain> prediction_gains(const Study& study,
                                               const Identifiability& what,
                                               const std::vector<Channels>& at_points);

@@ -56,7 +56,7 @@ std::vector<report::LeftOutExperiment> left_out(const Study& study,
 std::vector<report::Gain> gains(const Study& study, const Identifiability& what) {
   auto all = repetition_gains(study, what);
   if (has_predictions(study)) {
-    const auto points = difference_points(study.space, what.point);
+    const auto points = prediction_points(study, what);
     if (const auto channels = predicted_channels(study, points)) {
       const auto predicted = prediction_gains(study, what, *channels);
       all.insert(all.end(), predicted.begin(), predicted.end());

@@ -264,9 +264,7 @@ void add_convergence(const Study& study, const Journal& journal, StudyReport& pa
                                  in_words(method_of(last).method),
                                  run.steps.size(),
                                  stages_before(study, fits));
-  page.run->ended = run.end == RunEnd::converged   ? "step tolerance reached"
-                    : run.end == RunEnd::max_steps ? "largest number of steps reached"
-                                                   : "not finished";
+  page.run->ended = run.ending.empty() ? "not finished" : run.ending;
 }
 
 report::RunFacts run_facts(const Study& study, const Journal& journal) {

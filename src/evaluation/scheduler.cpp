@@ -60,8 +60,25 @@ class Search {
     run_.steps.push_back(std::move(step));
   }
 
+  std::string in_words(RunEnd end) const {
+    switch (end) {
+      case RunEnd::converged: {
+        const std::string why = optimizer_.ending();
+        return why.empty() ? "where its steps are as short as its tolerance" : why;
+      }
+      case RunEnd::max_steps:
+        return "before it had converged: max_steps is reached; with more it goes on from here";
+      case RunEnd::aborted:
+        return "with a trial that failed, as on_failure = \"abort\" asks";
+      case RunEnd::stopped:
+        return {};
+    }
+    return {};
+  }
+
   Run ended(RunEnd end) {
     run_.end = end;
+    run_.ending = in_words(end);
     return std::move(run_);
   }
 

@@ -7,6 +7,7 @@
 // the journal are not evaluated again: resuming is running the same optimizer once more.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "evaluation/executor.h"
@@ -29,7 +30,9 @@ enum class RunEnd {
 /// interruption.
 struct Run {
   RunEnd end = RunEnd::stopped;
-  std::vector<Step> steps;
+  /// Why, in words that go on after "the search ended "; empty where it was stopped on request.
+  std::string ending = {};
+  std::vector<Step> steps = {};
 
   /// The step with the best score; nullptr where all failed.
   const Step* best() const;

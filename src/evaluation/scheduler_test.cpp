@@ -99,6 +99,15 @@ TEST(RunOptimizer, EndsAfterTheLargestNumberOfSteps) {
   const auto run = run_simulated({.workers = 2}, nullptr, {.max_steps = 7});
   EXPECT_EQ(run.end, RunEnd::max_steps);
   EXPECT_EQ(run.steps.size(), 7u);
+  EXPECT_NE(run.ending.find("max_steps"), std::string::npos) << run.ending;
+}
+
+TEST(RunOptimizer, SaysWhyItEnded) {
+  EXPECT_EQ(run_simulated({.workers = 2}, nullptr).ending.find("at a minimum"), 0u);
+  InlineExecutor fails([](const DesignPoint&) { return Result<Channels>(Failure{"no"}); });
+  Gss gss(space());
+  const auto run = run_optimizer(gss, target, fails, nullptr);
+  EXPECT_EQ(run.ending, "without a result: every trial failed");
 }
 
 TEST(RunOptimizer, AnObjectiveThatIsNotFiniteIsAFailedStep) {

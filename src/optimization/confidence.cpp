@@ -203,7 +203,8 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
 
 std::vector<DesignPoint> difference_points(const DesignSpace& space,
                                            const DesignPoint& center,
-                                           double step) {
+                                           const Eigen::VectorXd& steps) {
+  constexpr double kStep = 0.01;
   std::vector<DesignPoint> points{center};
   const std::vector<double> u = space.to_unit(center);
   for (int i = 0; i < space.size(); ++i) {
@@ -214,6 +215,7 @@ std::vector<DesignPoint> difference_points(const DesignSpace& space,
       point.values[i] = space.from_unit(moved).values[i];
       return point;
     };
+    const double step = steps.size() > i && steps[i] > 0.0 ? steps[i] : kStep;
     const double inward = u[i] + step <= 1.0 ? step : -step;
     const DesignPoint first = stepped(inward), other = stepped(-inward);
     const double behind = u[i] - inward;

@@ -90,10 +90,11 @@ struct Confidence {
 Confidence confidence(const Linearization& at, const ConfidenceOptions& options = {});
 
 /// The points of which J is taken by differences: the center, then one step in each variable of the
-/// unit cube, inward, and inside the linear constraints where one of both sides is.
+/// unit cube, inward, and inside the linear constraints where one of both sides is. `steps`: one a
+/// variable; 0, or none at all: 0.01.
 std::vector<DesignPoint> difference_points(const DesignSpace& space,
                                            const DesignPoint& center,
-                                           double step = 0.01);
+                                           const Eigen::VectorXd& steps = {});
 
 /// Places of the residuals that are known, not NaN, at all points.
 std::vector<Eigen::Index> known_residuals(const std::vector<Eigen::VectorXd>& residuals);

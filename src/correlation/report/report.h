@@ -130,7 +130,7 @@ struct EffectRow {
 
 struct RunFacts {
   std::string method;  // "GSS", "full factorial 5 x 5"
-  std::string ended;   // "step tolerance reached"
+  std::string ended;   // "at a minimum: ...", Run::ending
   int trials = 0, failures = 0, workers = 1;
   double wall_time = 0.0;                                    // s
   double cpu_time = 0.0;                                     // s over all trials
