@@ -35,7 +35,8 @@ class GoodInput(Coarse):
         report = pathlib.Path(re.search(r"Report: (.*)", text)[1])
         ending = re.search(r"The search ended (.*)", text)[1]
         self.assertIn(ending, report.read_text())
-        self.assertEqual(json.loads(self.latsch("resume", self.study, "--json"))["ending"], ending)
+        answer, _ = json.JSONDecoder().raw_decode(self.latsch("resume", self.study, "--json"))
+        self.assertEqual(answer["result"]["ending"], ending)
         self.assertIn("<html", report.read_text()[:500])
         self.assert_says(self.latsch("report", self.study), str(report))
 
