@@ -59,9 +59,6 @@ void LostVariables::find_places() {
       places.push_back(place);
     }
   };
-  Eigen::VectorXd middle = u_;
-  for (const int i : lost()) middle[i] = 0.5;
-  add(middle);
   const DesignPoint settled = space_.from_unit({u_.begin(), u_.end()});
   for (const double factor : kFactors) {
     DesignPoint scaled = settled;

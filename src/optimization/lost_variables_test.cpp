@@ -55,7 +55,7 @@ TEST(LostVariables, AreFoundByBisectionInTheOrderOfTheirSlopes) {
   EXPECT_FALSE(none.has_next());
 }
 
-TEST(LostVariables, AreLookedForTogetherInTheMiddleAndByTheirMagnitudeInsideTheBounds) {
+TEST(LostVariables, AreLookedForTogetherByTheirMagnitudeInsideTheBounds) {
   const DesignSpace space = space_of({1.0, 6.0, -4.0}, -10.0, 10.0);
   const FeasibleRegion region(space);
   const Eigen::VectorXd u = unit(space, {1.0, 6.0, -4.0});
@@ -67,14 +67,14 @@ TEST(LostVariables, AreLookedForTogetherInTheMiddleAndByTheirMagnitudeInsideTheB
     const Eigen::VectorXd place = search.next();
     places.push_back(space.from_unit({place.begin(), place.end()}).values);
   }
-  ASSERT_GE(places.size(), 6u);
+  ASSERT_GE(places.size(), 5u);
   const std::vector<std::vector<double>> first{
-      {1, 0, 0}, {1, 3, -2}, {1, 10, -8}, {1, 1.5, -1}, {1, 10, -10}, {1, 0.75, -0.5}};
+      {1, 3, -2}, {1, 10, -8}, {1, 1.5, -1}, {1, 10, -10}, {1, 0.75, -0.5}};
   for (std::size_t k = 0; k < first.size(); ++k) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(places[k][i], first[k][i], 1e-12);
   }
   // Eight and sixteen times as much end at the bounds, where four times ended: not asked again.
-  EXPECT_EQ(places.size(), 9u);
+  EXPECT_EQ(places.size(), 8u);
 }
 
 TEST(LostVariables, KeepToLinearConstraints) {
@@ -122,6 +122,32 @@ Found fit_peaks(int restarts, int outstanding, int most_evaluations) {
     method.observe(plan.front(), score);
   }
   return found;
+}
+
+// A stop that is never touched: gap and stiffness are lost, and where they are looked for does not
+// depend on where the search left them, at the bounds.
+TEST(LostVariables, AreLookedForWhereTheSearchEndedOnBounds) {
+  const DesignSpace space({{.name = "k", .lower = 50, .upper = 500, .initial = 100},
+                           {.name = "gap", .lower = 0, .upper = 0.2, .initial = 0.12},
+                           {.name = "ks", .lower = 10, .upper = 5000, .initial = 3000}});
+  const auto force = [](const std::vector<double>& x, double d) {
+    return x[0] * d + x[2] * std::max(0.0, d - x[1]);
+  };
+  ResidualTrustRegion method(space);
+  double best = INFINITY;
+  for (int k = 0; k < 200 && !method.converged(); ++k) {
+    const DesignPoint point = method.propose(1).front();
+    Score score;
+    score.value = 0.0;
+    for (int i = 0; i <= 24; ++i) {
+      const double d = 0.0025 * i;
+      score.residuals.push_back(force(point.values, d) - force({180, 0.03, 600}, d));
+      score.value += score.residuals.back() * score.residuals.back();
+    }
+    best = std::min(best, score.value);
+    method.observe(point, score);
+  }
+  EXPECT_LT(best, 1e-3);  // of 1e2 without the stop
 }
 
 TEST(LostVariables, PeaksOutsideTheDataAreBroughtBack) {

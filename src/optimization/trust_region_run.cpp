@@ -242,9 +242,8 @@ std::optional<Wanted> TrustRegionRun::another_step(const ResidualModel& m) {
 
 std::optional<Wanted> TrustRegionRun::restart() {
   if (restarts_ >= options_.restarts || box_.best() < 0 || box_.is_point()) return std::nullopt;
-  if (auto released = release()) return released;
-  if (best().f < options_.explained * f_first_) return std::nullopt;
-  if (box_.center() == box_.best()) {
+  const bool is_explained = best().f < options_.explained * f_first_;
+  if (!is_explained && box_.center() == box_.best()) {
     if (best().f < kWorthALook * f_settled_) {
       f_settled_ = best().f;
       has_settled_ = true;
@@ -252,6 +251,8 @@ std::optional<Wanted> TrustRegionRun::restart() {
     }
     flat_ = flat_directions(box_.slopes(), options_.initial_radius, best().r.norm());
   }
+  if (auto released = release()) return released;
+  if (is_explained) return std::nullopt;
   scouts_ = flat_.cols() > 0 ? n() + 1 : 0;
   explored_ = 0;
   const double jump = kJumps[restarts_++ % kJumps.size()] * options_.initial_radius;

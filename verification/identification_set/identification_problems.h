@@ -36,6 +36,8 @@ struct Problem {
 
 std::vector<Problem> tuning_problems();
 std::vector<Problem> held_out_problems();
+/// With variables that are lost at the start (lost_problems.cpp); `is_held_out`: not decided by.
+std::vector<Problem> lost_problems();
 /// The tuning half first.
 std::vector<Problem> problems();
 

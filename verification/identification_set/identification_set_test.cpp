@@ -35,6 +35,29 @@ TEST(IdentificationSet, TheTruthExplainsTheDataAndTheStartDoesNot) {
   }
 }
 
+TEST(IdentificationSet, OfLostVariablesNothingIsFeltAtTheStart) {
+  for (const Problem& problem : lost_problems()) {
+    const DisturbedProblem smooth(problem, Variant::smooth, 0);
+    const std::vector<double> start = problem.space.to_unit(problem.space.initial());
+    EXPECT_LT(smooth.exact(problem.truth), 0.02 * smooth.exact(problem.space.initial().values));
+    const auto norm = [&](int i, double by) {
+      std::vector<double> u = start;
+      u[i] += u[i] > 0.5 ? -by : by;
+      const Vector r = problem.residuals(problem.space.from_unit(u).values);
+      const Vector r0 = problem.residuals(problem.space.initial().values);
+      double sum = 0.0;
+      for (std::size_t k = 0; k < r.size(); ++k) sum += std::pow(r[k] - r0[k], 2);
+      return std::sqrt(sum);
+    };
+    double least = INFINITY, most = 0.0;
+    for (int i = 0; i < problem.n(); ++i) {
+      least = std::min(least, norm(i, 0.01));
+      most = std::max(most, norm(i, 0.01));
+    }
+    EXPECT_LT(least, 0.1 * most) << problem.name;
+  }
+}
+
 TEST(IdentificationSet, ACornerOfTwelveToFifteenPercentFailsNotTheStart) {
   int number = 0, truths = 0;
   for (const Problem& problem : problems()) {
