@@ -19,6 +19,7 @@ struct Factorization::Impl {
   virtual ~Impl() = default;
   virtual FactorStatus factorize(const SymmetricMatrix& A) = 0;
   virtual void solve(Eigen::Ref<Eigen::MatrixXd> X) = 0;
+  std::shared_ptr<const Elimination> elimination;
   double flops = 0.0;
   long long entries = 0;
 };
@@ -66,13 +67,13 @@ std::vector<Run> runs(const std::vector<int>& places, int block) {
 template <class Real>
 class Multifrontal final : public Factorization::Impl {
  public:
-  explicit Multifrontal(const SymmetricPattern& pattern);
+  Multifrontal(const SymmetricPattern& pattern, std::shared_ptr<const Elimination> order);
   FactorStatus factorize(const SymmetricMatrix& A) override;
   void solve(Eigen::Ref<Eigen::MatrixXd> X) override;
 
  private:
-  void plan(const Elimination& elimination);
-  void list_entries(const SymmetricPattern& pattern, const Elimination& elimination);
+  void plan(const Elimination& order);
+  void list_entries(const SymmetricPattern& pattern, const Elimination& order);
   void enter(const SymmetricMatrix& A, int front);
   void add_update(const FrontPlan& child, const Real* update, bool to_panel, Real* own);
   bool eliminate_front(int front);
@@ -94,20 +95,21 @@ class Multifrontal final : public Factorization::Impl {
 };
 
 template <class Real>
-Multifrontal<Real>::Multifrontal(const SymmetricPattern& pattern)
+Multifrontal<Real>::Multifrontal(const SymmetricPattern& pattern,
+                                 std::shared_ptr<const Elimination> order)
     : size_(pattern.size()), block_(pattern.block_size()), position_(size_) {
   choose_blas_core();
-  const Elimination elimination = eliminate(pattern);
+  elimination = std::move(order);
   for (int i = 0; i < size_; ++i) {
-    position_[i] = elimination.position[i / block_] * block_ + i % block_;
+    position_[i] = elimination->position[i / block_] * block_ + i % block_;
   }
-  plan(elimination);
-  list_entries(pattern, elimination);
+  plan(*elimination);
+  list_entries(pattern, *elimination);
 }
 
 template <class Real>
-void Multifrontal<Real>::plan(const Elimination& elimination) {
-  const std::vector<Front>& fronts = elimination.fronts;
+void Multifrontal<Real>::plan(const Elimination& order) {
+  const std::vector<Front>& fronts = order.fronts;
   children_.resize(fronts.size());
   size_t panels = 0, stack = 0, highest = 0;
   for (int s = 0; s < static_cast<int>(fronts.size()); ++s) {
@@ -153,9 +155,8 @@ void Multifrontal<Real>::plan(const Elimination& elimination) {
 }
 
 template <class Real>
-void Multifrontal<Real>::list_entries(const SymmetricPattern& pattern,
-                                      const Elimination& elimination) {
-  const std::vector<Front>& fronts = elimination.fronts;
+void Multifrontal<Real>::list_entries(const SymmetricPattern& pattern, const Elimination& order) {
+  const std::vector<Front>& fronts = order.fronts;
   std::vector<int> front_of(pattern.block_rows());
   for (int s = 0; s < static_cast<int>(fronts.size()); ++s) {
     std::fill_n(front_of.begin() + fronts[s].first, fronts[s].columns, s);
@@ -163,7 +164,7 @@ void Multifrontal<Real>::list_entries(const SymmetricPattern& pattern,
   std::vector<std::vector<Entry>> of_front(fronts.size());
   for (int i = 0; i < pattern.block_rows(); ++i) {
     for (int k = pattern.row_start()[i]; k < pattern.row_start()[i + 1]; ++k) {
-      const int a = elimination.position[i], b = elimination.position[pattern.column()[k]];
+      const int a = order.position[i], b = order.position[pattern.column()[k]];
       const auto [column, row] = std::minmax(a, b);
       const Front& front = fronts[front_of[column]];
       const auto found = std::lower_bound(front.below.begin(), front.below.end(), row);
@@ -347,15 +348,23 @@ void Multifrontal<Real>::solve(Eigen::Ref<Eigen::MatrixXd> X) {
   }
 }
 
-std::unique_ptr<Factorization::Impl> make(const SymmetricPattern& pattern, Precision precision) {
-  if (precision == Precision::single) return std::make_unique<Multifrontal<float>>(pattern);
-  return std::make_unique<Multifrontal<double>>(pattern);
+std::unique_ptr<Factorization::Impl> make(const SymmetricPattern& pattern,
+                                          Precision precision,
+                                          std::shared_ptr<const Elimination> order) {
+  if (precision == Precision::single) {
+    return std::make_unique<Multifrontal<float>>(pattern, std::move(order));
+  }
+  return std::make_unique<Multifrontal<double>>(pattern, std::move(order));
 }
 
 }  // namespace
 
 Factorization::Factorization(const SymmetricPattern& pattern, Precision precision)
-    : impl_(make(pattern, precision)) {}
+    : Factorization(pattern, precision, std::make_shared<const Elimination>(eliminate(pattern))) {}
+Factorization::Factorization(const SymmetricPattern& pattern,
+                             Precision precision,
+                             std::shared_ptr<const Elimination> elimination)
+    : impl_(make(pattern, precision, std::move(elimination))) {}
 Factorization::~Factorization() = default;
 Factorization::Factorization(Factorization&&) noexcept = default;
 Factorization& Factorization::operator=(Factorization&&) noexcept = default;
@@ -367,6 +376,9 @@ void Factorization::solve(Eigen::Ref<Eigen::VectorXd> x) const {
 }
 void Factorization::solve_columns(Eigen::Ref<Eigen::MatrixXd> X) const {
   impl_->solve(std::move(X));
+}
+const std::shared_ptr<const Elimination>& Factorization::elimination() const {
+  return impl_->elimination;
 }
 double Factorization::flops() const { return impl_->flops; }
 long long Factorization::entries() const { return impl_->entries; }

@@ -24,6 +24,8 @@
 
 namespace latsch::numerics {
 
+struct Elimination;  // elimination.h
+
 /// What the numbers of the matrix allowed. Only of a definite one there is a factor to solve with.
 struct FactorStatus {
   enum class Outcome {
@@ -47,6 +49,11 @@ class Factorization {
  public:
   /// Symbolic work. The pattern need not outlive the factorization.
   explicit Factorization(const SymmetricPattern& pattern, Precision precision = Precision::full);
+  /// The same with the order of elimination of another factorization on this pattern: most of the
+  /// symbolic work is in it.
+  Factorization(const SymmetricPattern& pattern,
+                Precision precision,
+                std::shared_ptr<const Elimination> elimination);
   ~Factorization();
   Factorization(Factorization&&) noexcept;
   Factorization& operator=(Factorization&&) noexcept;
@@ -60,6 +67,7 @@ class Factorization {
   /// Every column of X, in place; many columns together are cheaper than one by one.
   void solve_columns(Eigen::Ref<Eigen::MatrixXd> X) const;
 
+  const std::shared_ptr<const Elimination>& elimination() const;
   double flops() const;       // floating-point operations of one factorization
   long long entries() const;  // numbers in L
 

@@ -167,6 +167,21 @@ TEST(Factorization, LeavesNoFactorOfAMatrixThatIsNotNumbers) {
   }
 }
 
+TEST(Factorization, MayShareTheOrderOfElimination) {
+  const Lattice lattice({6, 4, 3}, 3);
+  const SymmetricPattern pattern(lattice.size(), lattice.elements());
+  SymmetricMatrix A(pattern);
+  lattice.assemble_random(A, 9);
+  const Factorization rough(pattern, Precision::single);
+  Factorization alone(pattern), shared(pattern, Precision::full, rough.elimination());
+  ASSERT_TRUE(alone.factorize(A).definite() && shared.factorize(A).definite());
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(A.size());
+  Eigen::VectorXd x = b, y = b;
+  alone.solve(x);
+  shared.solve(y);
+  EXPECT_EQ(x, y);
+}
+
 TEST(Factorization, GivesTheSameBitsTwice) {
   const Lattice lattice({6, 4, 3}, 3);
   const SymmetricPattern pattern(lattice.size(), lattice.elements());

@@ -44,6 +44,7 @@ class EquilibriumSolver {
   void forget_factor() { has_factor_ = false; }
 
   const RingAssembly& assembly() const { return assembly_; }
+  const numerics::Factorization& factor() const { return factor_; }
 
   SolverCounts& counts() { return counts_; }
 

@@ -37,7 +37,9 @@ struct Systems {
                  mirror ? *mirror : std::vector<int>()),
         solver(unknowns, settings),
         tangent(*solver.assembly().pattern()),
-        factor(*solver.assembly().pattern()) {
+        factor(*solver.assembly().pattern(),
+               numerics::Precision::full,
+               solver.factor().elimination()) {
     if (!mirror) return;
     odd_unknowns.emplace(ring, RingSymmetry::odd, *mirror);
     odd.emplace(*odd_unknowns, solver.assembly().pattern());
