@@ -225,15 +225,22 @@ std::optional<Identifiability> recorded_identifiability(const Study& study,
   const auto read = [&](Optimizer& optimizer) {
     return replay(optimizer, residuals, journal, kMostTrials).end == RunEnd::converged;
   };
-  Identifiability result{
-      best->point,
-      Identification(study.space, best->point, options_for(study, Depth::profiles)),
-      std::nullopt};
-  if (!analyze(study, result, read) && result.cross_validation &&
-      result.cross_validation->left_out().empty()) {
-    result.cross_validation.reset();
+  const auto read_from_best = [&](const IdentificationOptions& options) {
+    Identifiability result{
+        best->point, Identification(study.space, best->point, options), std::nullopt};
+    if (!analyze(study, result, read) && result.cross_validation &&
+        result.cross_validation->left_out().empty()) {
+      result.cross_validation.reset();
+    }
+    return result;
+  };
+  IdentificationOptions options = options_for(study, Depth::profiles);
+  Identifiability result = read_from_best(options);
+  if (!result.identification.is_linearized()) {
+    options.most_centers = 1;  // not known or not to be had beside the better point
+    result = read_from_best(options);
   }
-  if (result.identification.failure()) return std::nullopt;
+  if (!result.identification.is_linearized()) return std::nullopt;
   result.point = result.identification.center();
   result.best = best_of(study, journal, result.point);
   return result;

@@ -160,6 +160,44 @@ TEST(Identifiability, ABetterPointFoundOnTheWayIsTheOneThatIsReported) {
             (*result)->identification.profiles()[0].interval.upper);
 }
 
+// A report may be drawn wherever a command was interrupted: also where a better point was found, to
+// which all was to move, and where no derivative is known yet. At the start the force is at its
+// farthest: no slope, and better points on both sides.
+TEST(Identifiability, ReadAtAnyMomentItBelongsToAPointWhoseDerivativesAreKnown) {
+  Study s = springs_study();
+  s.experiments.resize(1);
+  const auto bump = [](const DesignPoint& point) -> Result<Channels> {
+    double force = 30.0;
+    for (const double x : point.values) force -= 1e4 * std::pow((x - 4e3) / 9e3, 2);
+    Channels channels;
+    channels.add({"press/force", "N", {force, 2.0 * force}});
+    return channels;
+  };
+  int read = 0;
+  for (const int until : {3, 6, 10, 14}) {
+    const ScratchFolder folder;
+    s.run.journal = folder / "bump.latsch";
+    Journal journal = Journal::open(s.run.journal, {{"model", "bump"}});
+    int evaluated = 0;
+    InlineExecutor executor([&](const DesignPoint& point) {
+      ++evaluated;
+      return bump(point);
+    });
+    RunOptions options;
+    options.stop_patience = 0.0;
+    options.stop_requested = [&] { return evaluated >= until; };
+    identify(s, s.space.initial(), Depth::profiles, executor, journal, options);
+    const auto what = recorded_identifiability(s, journal);
+    if (!what) continue;
+    ++read;
+    ASSERT_TRUE(what->identification.is_linearized()) << until;
+    const auto& confidence = what->identification.confidence();
+    EXPECT_EQ(what->identification.linearization().J.rows(), confidence.noise.size()) << until;
+    EXPECT_FALSE(repetition_gains(s, *what).empty()) << until;
+  }
+  EXPECT_GT(read, 1);
+}
+
 // Values of 10 N and 1000 N, each known to 1 N: the large one is a hundred times as exact,
 // relative.
 TEST(Residuals, NoiseWeightsTheFit) {

@@ -13,7 +13,6 @@ namespace {
 constexpr double kTolerance = 0.02;
 constexpr int kEvaluationsOfTheRefit = 30;  // and two a variable
 constexpr double kWorthwhile = 0.1;  // of a threshold: less moves an interval by a sixth of itself
-constexpr int kMostCenters = 4;
 
 std::vector<double> numbers(const Eigen::VectorXd& u) { return {u.begin(), u.end()}; }
 
@@ -209,7 +208,8 @@ void Identification::take_slopes() {
 
 bool Identification::continues_at_better_point() {
   const double gain = at_->sum_of_squares() - least_;
-  if (centers_ >= kMostCenters || !(gain > kWorthwhile * confidence_->threshold())) return false;
+  if (centers_ >= options_.most_centers || !(gain > kWorthwhile * confidence_->threshold()))
+    return false;
   ++centers_;
   begin_at(least_point_);
   return true;

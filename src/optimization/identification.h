@@ -10,8 +10,8 @@
 //      another target over the same residuals
 //   3. the profiles, two branches a variable side by side (profile.h)
 // Where any of them finds a point better than the center by more than kWorthwhile of the threshold
-// of an interval, all begins again there, kMostCenters times at most: intervals and profiles belong
-// to the best point known.
+// of an interval, all begins again there, most_centers - 1 times at most: intervals and profiles
+// belong to the best point known.
 //
 //   Identification identification(space, best_point);
 //   while (!identification.wanted().empty()) identification.observe(evaluate(wanted()));
@@ -33,6 +33,7 @@ struct IdentificationOptions {
   ConfidenceOptions confidence = {};
   bool profiles = true;  // false: ends after round 1
   double step = 0.01;    // first length of the differences, in the unit cube
+  int most_centers = 4;  // 1: stays at the point
 };
 
 class Identification {
@@ -54,6 +55,9 @@ class Identification {
   const std::vector<SlopeQuality>& slopes() const { return qualities_; }
   /// Of the differences, a variable each, in the unit cube.
   const Eigen::VectorXd& lengths() const { return lengths_; }
+  /// Whether linearization and confidence are there: not before round 1 is done, nor while it is
+  /// done anew at a better point.
+  bool is_linearized() const { return at_.has_value(); }
   /// At the center.
   const Linearization& linearization() const { return *at_; }
   const Confidence& confidence() const { return *confidence_; }
