@@ -11,7 +11,7 @@ namespace latsch::correlation {
 std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal) {
   const Objective target = objective(study);
   std::vector<RatedTrial> rated;
-  journal.for_each([&](const Trial& trial) {
+  journal.for_each_asked([&](const Trial& trial) {
     if (!trial.outcome.result) return;
     const auto score = target(trial.point, *trial.outcome.result);
     if (score) rated.push_back({trial.point, score->value, violation(*score)});

@@ -37,7 +37,7 @@ std::vector<ParetoTrial> all_trials(const Study& study,
                                     const StudyExperiment& b) {
   const Objective target = objective(study);
   std::vector<ParetoTrial> trials;
-  journal.for_each([&](const Trial& trial) {
+  journal.for_each_asked([&](const Trial& trial) {
     if (!trial.outcome.result || !study.space.contains(trial.point)) return;
     const Channels& channels = *trial.outcome.result;
     const auto score = target(trial.point, channels);

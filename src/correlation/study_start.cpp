@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "correlation/doe_basins.h"
@@ -25,16 +26,28 @@ constexpr long kMostStarts = 100;
 constexpr int kModels = 2;            // quadratic ones, whose points a run is told
 constexpr int kMostScattered = 5000;  // the search for neighbors costs their square
 
+/// How much of a journal there was when a search began.
+struct KnownAtStart {
+  long trials = 0;
+  std::size_t marks = 0;
+};
+
 struct Known {
   DesignPoint point;
   Result<Score> outcome;
 };
 
 /// The last outcome of every point inside the bounds, in an order of their own.
-std::vector<Known> known_points(const Study& study, const Journal& journal, long trials) {
+/// Of the first so many trials, as far as the first so many marks say that they were asked for:
+/// what a search that goes on asks for later was not known at its start.
+std::vector<Known> known_points(const Study& study,
+                                const Journal& journal,
+                                const KnownAtStart& at_start) {
   const Objective target = objective(study);
   std::map<std::string, Known> known;
-  TrialsThatCount(journal, trials).for_each([&](const Trial& trial) {
+  const std::span marks(journal.marks());
+  const AskedTrials asked(marks.first(at_start.marks));
+  TrialsThatCount(journal, at_start.trials, asked).for_each([&](const Trial& trial) {
     if (!study.space.contains(trial.point)) return;
     const auto& result = trial.outcome.result;
     Result<Score> score = result ? target(trial.point, *result) : Result<Score>(result.failure());
@@ -154,10 +167,13 @@ std::unique_ptr<Optimizer> optimizer_knowing(const Study& study, std::vector<Kno
       });
 }
 
-/// How many trials there were when this search began.
-std::optional<long> trials_at_start(const Study& study, const Journal& journal) {
-  for (const JournalMark& mark : journal.marks()) {
-    if (mark.kind == kMark && mark.text == study.search_key) return mark.trials;
+/// nullopt where this search has not begun.
+std::optional<KnownAtStart> known_at_start(const Study& study, const Journal& journal) {
+  const auto& marks = journal.marks();
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (marks[i].kind == kMark && marks[i].text == study.search_key) {
+      return KnownAtStart{marks[i].trials, i};
+    }
   }
   return std::nullopt;
 }
@@ -167,10 +183,15 @@ void take_over(const Study& study, Journal& journal) {
   std::set<std::string> known;
   journal.for_each([&](const Trial& trial) { known.insert(trial.point.bits()); });
   std::vector<Trial> more;
-  other.for_each([&](const Trial& trial) {
+  std::set<std::string> asked;
+  other.for_each_asked([&](const Trial& trial) {
     if (known.insert(trial.point.bits()).second) more.push_back(trial);
+    asked.insert(trial.point.bits());
   });
-  if (!more.empty()) journal.append(more);
+  if (more.empty()) return;
+  journal.begin_asking();
+  journal.append(more);
+  journal.keep_asked(asked);
 }
 
 }  // namespace
@@ -205,7 +226,7 @@ StartSettings read_start(const Node& table, const std::filesystem::path& folder,
 }
 
 std::unique_ptr<Optimizer> begin_search(const Study& study, Journal& journal) {
-  if (study.start.from == StartSettings::From::journal && !trials_at_start(study, journal)) {
+  if (study.start.from == StartSettings::From::journal && !known_at_start(study, journal)) {
     if (!study.start.journal.empty()) take_over(study, journal);
     journal.mark(kMark, study.search_key);
   }
@@ -213,17 +234,18 @@ std::unique_ptr<Optimizer> begin_search(const Study& study, Journal& journal) {
 }
 
 std::unique_ptr<Optimizer> begun_search(const Study& study, const Journal& journal) {
+  const KnownAtStart everything{journal.size(), journal.marks().size()};
   switch (study.start.from) {
     case StartSettings::From::values:
       return make_optimizer(study);
     case StartSettings::From::basins:
-      return optimizer_knowing(study, known_points(study, journal, journal.size()));
+      return optimizer_knowing(study, known_points(study, journal, everything));
     case StartSettings::From::journal:
       break;
   }
-  const auto trials = trials_at_start(study, journal);
-  if (!trials) return nullptr;
-  return optimizer_knowing(study, known_points(study, journal, *trials));
+  const auto at_start = known_at_start(study, journal);
+  if (!at_start) return nullptr;
+  return optimizer_knowing(study, known_points(study, journal, *at_start));
 }
 
 std::string in_words(const StartSettings& start) {

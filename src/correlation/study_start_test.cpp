@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "correlation/best_trial.h"
 #include "correlation/study_reuse_testing.h"
 #include "evaluation/scheduler.h"
 
@@ -84,6 +85,34 @@ TEST_F(StudyStart, NeitherTheWorkersOfTheDesignNorThoseOfTheSearchChangeABit) {
         first = std::move(fits);
       else
         expect_same(fits, first);
+    }
+  }
+}
+
+// What runs ahead of a search may be better than all that it asks for, and is no result: how much
+// of it there is depends on the workers.
+TEST_F(StudyStart, NeitherResultsNorTheNextSearchSeeWhatNobodyAskedFor) {
+  const std::string few = "[optimizer]\nmax_steps = 6\n";
+  const std::string next = "[optimizer]\nstart = \"journal\"\nmax_steps = 20\n";
+  std::set<std::string> first_points;
+  std::vector<Fit> first_next;
+  for (const int workers : {1, 3, 5}) {
+    const Study study = read(few);
+    std::filesystem::remove(study.run.journal);
+    evaluated_ = 0;
+    fit_all(study, workers);
+    if (workers > 1) EXPECT_GT(evaluated_, 6) << "nothing ran ahead";
+    std::set<std::string> points;
+    for (const RatedTrial& trial : rated_trials(study, Journal::read(study.run.journal))) {
+      points.insert(trial.point.bits());
+    }
+    auto fits = fit_all(read(next), workers);
+    if (workers == 1) {
+      first_points = points;
+      first_next = std::move(fits);
+    } else {
+      EXPECT_EQ(points, first_points) << workers;
+      expect_same(fits, first_next);
     }
   }
 }

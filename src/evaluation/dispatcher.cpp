@@ -44,11 +44,15 @@ Dispatcher::Dispatcher(const Objective& objective,
                        const RunOptions& options,
                        long planned)
     : executor_(executor),
+      store_(store),
       options_(options),
       commits_(store, options.commit_in_background),
       known_(objective),
       start_(executor.now()) {
-  if (store) store->for_each([&](const Trial& trial) { known_.add(trial); });
+  if (store) {
+    store->for_each([&](const Trial& trial) { known_.add(trial); });
+    store->begin_asking();
+  }
   progress_.planned = planned;
 }
 
@@ -60,7 +64,10 @@ const Result<Score>* Dispatcher::first_of(std::span<const DesignPoint> wanted) {
       give_running_a_moment();
       return nullptr;
     }
-    if (const Result<Score>* outcome = known_.find(wanted.front())) return outcome;
+    if (const Result<Score>* outcome = known_.find(wanted.front())) {
+      asked_.insert(wanted.front().bits());
+      return outcome;
+    }
     start_idle_workers(wanted);
     if (committing_.contains(wanted.front().bits())) {
       commits_.wait();
@@ -79,6 +86,7 @@ bool Dispatcher::all_of(
     while (!wanted.empty()) {
       const Result<Score>* outcome = known_.find(wanted.front());
       if (!outcome) break;
+      asked_.insert(wanted.front().bits());
       if (!known(wanted.front(), *outcome)) return false;
       wanted = wanted.subspan(1);
     }
@@ -104,6 +112,7 @@ void Dispatcher::finish() {
     commits_.wait();
     take_committed();
   }
+  if (store_) store_->keep_asked(asked_);
 }
 
 void Dispatcher::count(const DesignPoint& point, const Result<Score>& outcome, bool is_score) {

@@ -66,7 +66,8 @@ class Dispatcher {
   bool all_of(std::span<const DesignPoint> wanted,
               const std::function<bool(const DesignPoint&, const Result<Score>&)>& known);
 
-  /// Withdraws what still runs; returns when everything that finished is on the disk.
+  /// Withdraws what still runs; returns when everything that finished is on the disk, and what was
+  /// asked for (asked_trials.h).
   void finish();
 
   /// Tells the progress bar what the optimizer, or the plan, has seen so far.
@@ -110,12 +111,14 @@ class Dispatcher {
   void give_running_a_moment();
 
   Executor& executor_;
+  TrialStore* store_;
   const RunOptions& options_;
   GroupCommit commits_;
   KnownScores known_;
   std::map<std::string, Running> running_;   // by the bits of the point
   std::map<std::string, Attempts> stopped_;  // of points that were withdrawn while they ran
   std::set<std::string> committing_;         // finished, not yet on the disk
+  std::set<std::string> asked_;              // whose outcome was given
   std::vector<double> recent_times_;         // s, of the trials that succeeded last
   bool stopping_ = false;
   RunProgress progress_;

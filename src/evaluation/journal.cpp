@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "evaluation/asked_trials.h"
 #include "evaluation/encoding.h"
 #include "evaluation/journal_format.h"
 #include "evaluation/journal_lock.h"
@@ -354,6 +355,24 @@ std::vector<Trial> Journal::trials() const {
   std::vector<Trial> all;
   for_each([&](const Trial& trial) { all.push_back(trial); });
   return all;
+}
+
+void Journal::for_each_asked(const std::function<void(const Trial&)>& visit) const {
+  const AskedTrials asked(marks());
+  long row = 0;
+  for_each([&](const Trial& trial) {
+    if (asked.contains(row++, trial.point)) visit(trial);
+  });
+}
+
+void Journal::begin_asking() {
+  if (!AskedTrials(marks()).is_marked()) mark(AskedTrials::kKind, "");
+}
+
+void Journal::keep_asked(const std::set<std::string>& points) {
+  if (const auto text = AskedTrials(marks()).mark_for(points, size())) {
+    mark(AskedTrials::kKind, *text);
+  }
 }
 
 void Journal::mark(const std::string& kind, const std::string& text) {

@@ -57,6 +57,12 @@ class Journal : public TrialStore {
   /// Throws JournalError naming the row that does not agree with its hash.
   void for_each(const std::function<void(const Trial&)>& visit) const override;
   std::vector<Trial> trials() const;
+  /// Without what nobody asked for (asked_trials.h): what results are taken from.
+  void for_each_asked(const std::function<void(const Trial&)>& visit) const;
+
+  /// As marks, where they say anything new.
+  void begin_asking() override;
+  void keep_asked(const std::set<std::string>& points) override;
 
   /// On the disk when it returns. In the order they were made.
   void mark(const std::string& kind, const std::string& text);

@@ -117,11 +117,22 @@ void TrialsThatCount::append(std::span<const Trial> trials) {
   written_->append(trials);
 }
 
+void TrialsThatCount::begin_asking() {
+  assert(written_ && "for reading only");
+  written_->begin_asking();
+}
+
+void TrialsThatCount::keep_asked(const std::set<std::string>& points) {
+  assert(written_ && "for reading only");
+  written_->keep_asked(points);
+}
+
 void TrialsThatCount::for_each(const std::function<void(const Trial&)>& visit) const {
   long row = 0;
   read_->for_each([&](const Trial& trial) {
     if (++row > trials_) return;
     const auto& result = trial.outcome.result;
+    if (!asked_.contains(row - 1, trial.point)) return;
     if (!result && is_to_be_tried_again(read_->marks(), row, result.failure())) return;
     visit(trial);
   });

@@ -8,7 +8,9 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 
+#include "evaluation/asked_trials.h"
 #include "evaluation/journal.h"
 
 namespace latsch {
@@ -31,17 +33,22 @@ long retry_what_limits_forbade(Journal& journal, const TrialLimits& limits);
 class TrialsThatCount : public TrialStore {
  public:
   explicit TrialsThatCount(Journal& journal) : read_(&journal), written_(&journal) {}
-  /// For reading; of its first trials alone.
-  explicit TrialsThatCount(const Journal& journal, long trials = std::numeric_limits<long>::max())
-      : read_(&journal), trials_(trials) {}
+  /// For reading; of its first trials alone, and of these what was asked for.
+  explicit TrialsThatCount(const Journal& journal,
+                           long trials = std::numeric_limits<long>::max(),
+                           AskedTrials asked = AskedTrials({}))
+      : read_(&journal), trials_(trials), asked_(std::move(asked)) {}
 
   void append(std::span<const Trial> trials) override;
   void for_each(const std::function<void(const Trial&)>& visit) const override;
+  void begin_asking() override;
+  void keep_asked(const std::set<std::string>& points) override;
 
  private:
   const Journal* read_;
   Journal* written_ = nullptr;
   long trials_ = std::numeric_limits<long>::max();
+  AskedTrials asked_{{}};
 };
 
 }  // namespace latsch

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <span>
 #include <stdexcept>
+#include <string>
 
 #include "evaluation/trial.h"
 
@@ -27,6 +29,12 @@ class TrialStore {
 
   /// Every trial in the order they were kept. Throws JournalError where one is damaged.
   virtual void for_each(const std::function<void(const Trial&)>& visit) const = 0;
+
+  /// From here on it is kept what was asked for (asked_trials.h).
+  virtual void begin_asking() {}
+  /// These points (DesignPoint::bits) were answered to whoever asked; what else was evaluated so
+  /// far was speculation.
+  virtual void keep_asked(const std::set<std::string>& /*points*/) {}
 };
 
 }  // namespace latsch
