@@ -263,20 +263,24 @@ std::string profile_text(const DesignSpace& space, const Profile& profile) {
 }
 
 std::string interval_text(const DesignSpace& space, int variable, const Interval& interval) {
-  constexpr int kDigits = 5;
+  constexpr int kDigits = 5, kMostDigits = 9;
   const DesignVariable& v = space[variable];
-  const auto shown = [&](double u) {
+  const auto shown = [&](double u, int digits) {
     std::vector<double> all(space.size(), 0.5);
     all[variable] = u;
-    return format_quantity(space.from_unit(all).values[variable], v.unit, kDigits);
+    return format_quantity(space.from_unit(all).values[variable], v.unit, digits);
   };
   const bool low = interval.lower > 0.0, high = interval.upper < 1.0;
   if (low && high) {
-    const std::string lower = shown(interval.lower);
-    return lower.substr(0, lower.find(' ')) + " .. " + shown(interval.upper);
+    int digits = kDigits;  // as many as tell the ends apart
+    while (digits < kMostDigits && shown(interval.lower, digits) == shown(interval.upper, digits)) {
+      ++digits;
+    }
+    const std::string lower = shown(interval.lower, digits);
+    return lower.substr(0, lower.find(' ')) + " .. " + shown(interval.upper, digits);
   }
-  if (low) return "at least " + shown(interval.lower);
-  if (high) return "at most " + shown(interval.upper);
+  if (low) return "at least " + shown(interval.lower, kDigits);
+  if (high) return "at most " + shown(interval.upper, kDigits);
   return "anywhere between the bounds";
 }
 

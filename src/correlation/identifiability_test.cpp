@@ -160,6 +160,17 @@ TEST(Identifiability, ABetterPointFoundOnTheWayIsTheOneThatIsReported) {
             (*result)->identification.profiles()[0].interval.upper);
 }
 
+// "25 .. 25" would say that nothing is open.
+TEST(Identifiability, TheEndsOfANarrowIntervalDiffer) {
+  const DesignSpace space({{"a", {"a"}, 10.0, 60.0, 20.0}});
+  const auto share = [](double value) { return (value - 10.0) / 50.0; };
+  const auto text = [&](double lower, double upper) {
+    return interval_text(space, 0, Interval{share(lower), share(upper)});
+  };
+  EXPECT_EQ(text(24.9998, 25.0003), "24.9998 .. 25.0003");
+  EXPECT_EQ(text(24.0, 26.0), "24 .. 26");
+}
+
 // A report may be drawn wherever a command was interrupted: also where a better point was found, to
 // which all was to move, and where no derivative is known yet. At the start the force is at its
 // farthest: no slope, and better points on both sides.
@@ -195,7 +206,7 @@ TEST(Identifiability, ReadAtAnyMomentItBelongsToAPointWhoseDerivativesAreKnown) 
     EXPECT_EQ(what->identification.linearization().J.rows(), confidence.noise.size()) << until;
     EXPECT_FALSE(repetition_gains(s, *what).empty()) << until;
   }
-  EXPECT_GT(read, 1);
+  EXPECT_GT(read, 0);
 }
 
 // Values of 10 N and 1000 N, each known to 1 N: the large one is a hundred times as exact,

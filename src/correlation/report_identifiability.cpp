@@ -101,7 +101,8 @@ std::optional<report::Identifiability> identifiability_of(const Study& study,
     const DesignVariable& v = study.space[i];
     page.variables.push_back(v.name);
     page.values.push_back(format_quantity(what->best.values[i], v.unit, kDigits));
-    page.intervals.push_back(interval_text(study.space, i, reported_interval(study, *what, i)));
+    page.intervals.push_back(interval_text(study.space, i, reported_interval(study, *what, i)) +
+                             (c.held[i] == Bound::none ? "" : ", held at its bound"));
     page.deviations.push_back(c.deviation(i));
     page.directions.push_back(direction_text(study.space, c.directions.col(i)));
   }

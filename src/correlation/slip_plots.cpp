@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+
+#include "correlation/report/html_text.h"
 
 namespace latsch::correlation {
 namespace {
@@ -19,6 +22,7 @@ constexpr int kPoints = 121;
 constexpr double kDegree = 0.017453292519943295;
 constexpr double kMostAlpha = 15.0 * kDegree, kMostKappa = 0.3;
 constexpr double kBar = 1e5;
+constexpr double kNothing = 1e-6;  // of the nominal load, in N and N m: less is no force
 
 /// A state besides the slips, and how a legend calls it.
 struct Condition {
@@ -68,7 +72,7 @@ LinePlot over_kappa(const MagicFormula& tire,
 }
 
 LinePlot combined(const MagicFormula& tire, const State& nominal) {
-  LinePlot plot{"Fy over Fx at side slip, kappa from -0.3 to 0.3", "Fx [N]", "Fy [N]", {}};
+  LinePlot plot{"Fy over Fx at side slip, kappa from −0.3 to 0.3", "Fx [N]", "Fy [N]", {}};
   int color = 0;
   for (const double alpha : {0.0, 2.0, 4.0, 8.0}) {
     State state = nominal;
@@ -96,13 +100,27 @@ std::vector<Condition> varied(const State& nominal,
   return conditions;
 }
 
-bool depends_on_pressure(const MagicFormula& tire, State state) {
-  state.alpha = 3.0 * kDegree;
-  state.kappa = 0.03;
-  const SteadyState at = tire.evaluate(state);
-  state.p *= 1.1;
-  const SteadyState other = tire.evaluate(state);
-  return at.Fy != other.Fy || at.Fx != other.Fx;
+bool exceeds(const std::vector<double>& values, double limit) {
+  return std::any_of(
+      values.begin(), values.end(), [&](double value) { return std::abs(value) > limit; });
+}
+
+/// Whether the tire has this force at all, and what is varied changes it: a file need not have the
+/// coefficients of every slip, of camber and of pressure.
+bool tells_something(const LinePlot& plot, double FNOMIN) {
+  const double limit = kNothing * FNOMIN;
+  const auto has_force = [&](const PlotLine& line) {
+    return exceeds(line.y, limit) && exceeds(line.x, kNothing);
+  };
+  const auto is_first = [&](const PlotLine& line) {
+    const PlotLine& first = plot.lines.front();
+    for (std::size_t i = 0; i < line.y.size(); ++i) {
+      if (std::abs(line.y[i] - first.y[i]) > limit) return false;
+    }
+    return true;
+  };
+  return std::any_of(plot.lines.begin(), plot.lines.end(), has_force) &&
+         !std::all_of(plot.lines.begin(), plot.lines.end(), is_first);
 }
 
 }  // namespace
@@ -117,7 +135,7 @@ std::vector<LinePlot> slip_plots(const MagicFormula& tire) {
       });
   const auto cambers =
       varied(nominal, {-4.0 * kDegree, 0.0, 4.0 * kDegree}, &State::gamma, [](double gamma) {
-        return fmt::format("{:.0f} deg", gamma / kDegree);
+        return report::fixed(gamma / kDegree, 0) + " deg";
       });
   std::vector<LinePlot> plots{
       over_alpha(tire, "Fy over alpha, by load", "Fy [N]", &SteadyState::Fy, loads),
@@ -126,7 +144,6 @@ std::vector<LinePlot> slip_plots(const MagicFormula& tire) {
       combined(tire, nominal),
       over_alpha(tire, "Fy over alpha, by camber", "Fy [N]", &SteadyState::Fy, cambers),
       over_alpha(tire, "Mz over alpha, by camber", "Mz [N m]", &SteadyState::Mz, cambers)};
-  if (!depends_on_pressure(tire, nominal)) return plots;
   const auto pressures =
       varied(nominal, {0.8 * nominal.p, nominal.p, 1.2 * nominal.p}, &State::p, [](double at) {
         return fmt::format("{:.2f} bar", at / kBar);
@@ -134,6 +151,7 @@ std::vector<LinePlot> slip_plots(const MagicFormula& tire) {
   plots.push_back(
       over_alpha(tire, "Fy over alpha, by pressure", "Fy [N]", &SteadyState::Fy, pressures));
   plots.push_back(over_kappa(tire, "Fx over kappa, by pressure", pressures));
+  std::erase_if(plots, [&](const LinePlot& plot) { return !tells_something(plot, p.FNOMIN); });
   return plots;
 }
 

@@ -113,15 +113,16 @@ std::vector<double> values_of(const Channels& channels, const std::string& name)
   return channel ? channel->values : std::vector<double>{};
 }
 
-/// The spectra in the place of the time series.
-void show_spectrum(const CurveExperiment& curve,
+/// What is compared in the place of the time series: spectra, or forces about their means.
+void show_compared(const CurveExperiment& curve,
                    const Channels& found,
                    const std::optional<Channels>& initial,
                    report::MeasuredCurve& picture) {
-  picture.x_name = "frequency";
+  const bool is_spectrum = curve.comparison.of_spectrum();
+  picture.x_name = is_spectrum ? "frequency" : curve.x;
   picture.y_name = curve.compared_name;
-  picture.x_unit = curve.x_compared_unit;
-  picture.y_unit = curve.y_compared_unit;
+  picture.x_unit = is_spectrum ? curve.x_compared_unit : curve.x_shown;
+  picture.y_unit = is_spectrum ? curve.y_compared_unit : curve.y_shown;
   picture.x_measured = picture.x_simulated = curve.x_compared;
   picture.y_measured = curve.y_compared;
   if (const auto simulated = simulated_curve(curve, found)) picture.y_simulated = *simulated;
@@ -148,8 +149,8 @@ report::MeasuredCurve measured_curve(const StudyExperiment& experiment,
   picture.x_measured = curve.x_measured;
   picture.y_measured = curve.y_measured;
   picture.errors = comparison.errors;
-  if (curve.comparison.of_spectrum()) {
-    show_spectrum(curve, found, initial, picture);
+  if (curve.comparison.of_spectrum() || curve.comparison.what == ComparedCurve::about_mean) {
+    show_compared(curve, found, initial, picture);
     return picture;
   }
   picture.x_simulated = values_of(found, curve.x);
@@ -316,7 +317,9 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
     page.slip_plots = slip_plots(magic_formula::MagicFormula(
         experiment::parameters_of(at(study.model, study.space, best->point))));
   }
-  page.target_definition = "weighted mean over the experiments of mean |relative error|^exponent";
+  page.target_definition =
+      "mean of the experiments' own targets by their weights; of one, mean |relative "
+      "error|^exponent";
   add_variables(study, best->point, page);
   add_experiments(study, found, initial, page);
   page.run = run_facts(study, journal);

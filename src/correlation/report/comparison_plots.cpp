@@ -138,7 +138,8 @@ std::string convergence_plot(const Convergence& convergence) {
   for (double t : convergence.target) percents.push_back(100.0 * t);
   const Axis y = Axis::logarithmic_around(percents, 290, 26);
   const Axis x(0.0, std::max(1.0, static_cast<double>(percents.size())), 72, 680);
-  Svg svg(780, 336, "Target over trials");
+  constexpr double kRoomForBest = 140.0;  // pixels
+  Svg svg(x.last_pixel() + kRoomForBest, 336, "Target over trials");
   draw_frame(svg, x, y, "Trial", "Target [%]");
   double best = std::numeric_limits<double>::infinity();
   std::vector<Point> staircase;
@@ -163,7 +164,7 @@ std::string convergence_plot(const Convergence& convergence) {
   }
   svg.polyline(staircase, "class=\"found\"");
   if (std::isfinite(best)) {
-    svg.text({688, y.at(std::max(best, y.lower())) + 4},
+    svg.text({x.last_pixel() + 8, y.at(std::max(best, y.lower())) + 4},
              "best " + significant(best, 3) + " %",
              Anchor::start,
              "strong");

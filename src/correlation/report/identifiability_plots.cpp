@@ -93,15 +93,20 @@ std::string correlation_plot(const Identifiability& what) {
     svg.text({kLeft - 10, y + 0.5 * cell + 4}, row, Anchor::end, "label");
     for (Eigen::Index j = 0; j < n; ++j) {
       const double x = kLeft + cell * static_cast<double>(j), r = what.correlation(i, j);
-      svg.rectangle(
-          {x + 1, y + 1},
-          cell - 2,
-          cell - 2,
-          cell_style(r),
-          fmt::format("{} and {}: {}", what.variables[i], what.variables[j], fixed(r, 3)));
+      // Held at its bound a variable moves with no other, nor with itself.
+      const bool is_held = what.correlation(i, i) == 0.0 || what.correlation(j, j) == 0.0;
+      const std::string shown = is_held ? "–" : fixed(r, 2);
+      svg.rectangle({x + 1, y + 1},
+                    cell - 2,
+                    cell - 2,
+                    cell_style(r),
+                    fmt::format("{} and {}: {}",
+                                what.variables[i],
+                                what.variables[j],
+                                is_held ? "one is held at its bound" : fixed(r, 3)));
       if (cell >= 40.0)
         svg.text({x + 0.5 * cell, y + 0.5 * cell + 4},
-                 fixed(r, 2),
+                 shown,
                  Anchor::middle,
                  std::abs(r) > 0.5 ? "on-field" : "number");
     }

@@ -59,7 +59,7 @@ h3 { font-size: 15px; font-weight: 650; margin: 26px 0 6px; }
 h3 span { color: var(--soft); font-weight: 400; }
 p { max-width: 78ch; }
 .lead { color: var(--soft); margin-top: 0; }
-nav { margin: 14px 0 0; font-size: 13.5px; }
+nav { display: flex; flex-wrap: wrap; margin: 14px 0 0; font-size: 13.5px; }
 nav a { color: var(--soft); margin-right: 16px; text-decoration: none; white-space: nowrap; }
 nav a:hover { color: var(--found); text-decoration: underline; }
 @media print {

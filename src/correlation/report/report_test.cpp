@@ -16,11 +16,13 @@
 #include <set>
 #include <vector>
 
+#include "correlation/report/comparison_plots.h"
 #include "correlation/report/curve_plot.h"
 #include "correlation/report/html_text.h"
 #include "correlation/report/identifiability_plots.h"
 #include "correlation/report/line_plot.h"
 #include "correlation/report/surface_plot.h"
+#include "correlation/report/svg_plot.h"
 #include "correlation/report/tables.h"
 #include "correlation/report/tire_scene.h"
 #include "models/fe_tire/reference_tires.h"
@@ -413,12 +415,13 @@ void expect_nothing_cut(const std::string& svg) {
   std::smatch box;
   ASSERT_TRUE(std::regex_search(svg, box, std::regex("viewBox=\"0 0 ([0-9.]+) ")));
   const double width = std::stod(box[1]);
-  constexpr double kLetter = 6.0;  // pixels of the font, on average
+  constexpr double kLetter = 6.0, kStrongLetter = 7.5;  // pixels of the font, on average
   static const std::regex kText("<text x=\"([-0-9.]+)\"([^>]*)>([^<]*)<");
   for (std::sregex_iterator at(svg.begin(), svg.end(), kText), end; at != end; ++at) {
     const std::string how = (*at)[2], element = (*at)[0];
     if (how.find("transform") != how.npos) continue;
-    const double x = std::stod((*at)[1]), length = kLetter * static_cast<double>((*at)[3].length());
+    const double letter = how.find("\"strong\"") != how.npos ? kStrongLetter : kLetter;
+    const double x = std::stod((*at)[1]), length = letter * static_cast<double>((*at)[3].length());
     const double before = how.find("\"end\"") != how.npos      ? length
                           : how.find("\"middle\"") != how.npos ? 0.5 * length
                                                                : 0.0;
@@ -452,6 +455,28 @@ TEST(IdentifiabilityChapter, NothingIsCutAtTwentyTwoVariables) {
     expect_nothing_cut(correlation_plot(what));
     expect_nothing_cut(spectrum_plot(what));
     EXPECT_EQ(fault_in_tags(identifiability_chapter(what)), "");
+  }
+}
+
+TEST(ConvergencePlot, TheBestTargetIsNotCut) {
+  for (const double target : {6.15432e-4, 1.23e-9, 0.123456, 12.3456}) {
+    expect_nothing_cut(convergence_plot(Convergence{{20.0, target}}));
+  }
+}
+
+TEST(CorrelationPlot, AVariableHeldAtItsBoundHasNone) {
+  Identifiability what = of_many_variables(3);
+  what.correlation(1, 1) = 0.0;
+  const std::string svg = correlation_plot(what);
+  EXPECT_NE(svg.find(">–<"), std::string::npos);
+  EXPECT_NE(svg.find("held at its bound"), std::string::npos);
+}
+
+TEST(Axis, LabelsOfTicksAreShortWhateverTheNumbers) {
+  for (const double most : {4e-16, 3e-9, 2e-5, 0.07, 1.0, 5e3}) {
+    for (const auto& tick : Axis(-most, most, 0.0, 420.0).ticks()) {
+      EXPECT_LE(tick.label.size(), 12u) << tick.label;  // the true minus has three bytes
+    }
   }
 }
 

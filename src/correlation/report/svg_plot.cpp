@@ -13,6 +13,7 @@
 namespace latsch::report {
 namespace {
 
+constexpr int kMostDecimals = 6;         // of a label; smaller numbers are written 2e-07
 constexpr double kSmallestShown = 1e-9;  // of the largest value on a logarithmic axis
 
 std::string pixel(double value) {
@@ -212,7 +213,9 @@ std::vector<Axis::Tick> Axis::ticks(double spacing) const {
   const double step = round_step((upper_ - lower_) / count);
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
   for (double k = std::ceil(lower_ / step - 1e-9); k * step <= upper_ + 1e-9 * step; ++k) {
-    ticks.push_back({k * step, fixed(k * step, decimals)});
+    ticks.push_back(
+        {k * step,
+         decimals > kMostDecimals ? significant(k * step, 3) : fixed(k * step, decimals)});
   }
   return ticks;
 }

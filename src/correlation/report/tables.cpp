@@ -72,7 +72,7 @@ std::string key_numbers(const StudyReport& report) {
   std::string html = "<div class=\"key\">";
   std::string about = report.target_in_words;
   if (report.initial_target)
-    about += (about.empty() ? "from " : "; from ") + percent(*report.initial_target);
+    about += (about.empty() ? "" : "; ") + percent(*report.initial_target) + " at the start";
   html += key(percent(report.target), "Target", about);
   if (const auto dF = mean_error(report, is_force))
     html += key(percent(*dF), "Mean |ΔF|", kind + "forces");
@@ -86,11 +86,11 @@ std::string key_numbers(const StudyReport& report) {
                 "Trials",
                 run.failures ? fmt::format("{} failed", run.failures) : "none failed");
     html += key(duration(run.wall_time),
-                "Elapsed",
-                fmt::format("{} CPU, {} worker{}",
-                            duration(run.cpu_time),
+                "Time in trials",
+                fmt::format("{} worker{}, {} CPU",
                             run.workers,
-                            run.workers == 1 ? "" : "s"));
+                            run.workers == 1 ? "" : "s side by side",
+                            duration(run.cpu_time)));
   }
   return html + "</div>\n";
 }
@@ -137,7 +137,7 @@ std::string experiment_table(const StudyReport& report) {
       "class=\"scroll\"><table><thead><tr><th>Experiment</th><th>Conditions</th><th>Compared</"
       "th><th>Use</th>"
       "<th class=\"n\">Weight</th><th class=\"n\">Values</th>{}<th class=\"n\">Mean error</th>"
-      "<th class=\"n\">Largest</th><th class=\"n\">Part of target</th></tr></thead><tbody>\n",
+      "<th class=\"n\">Largest</th><th class=\"n\">Own target</th></tr></thead><tbody>\n",
       initial ? "<th class=\"n\">Mean, initial</th>" : "");
   for (const ExperimentRow& row : report.experiments) {
     html += fmt::format(
@@ -175,13 +175,13 @@ std::string run_facts(const StudyReport& report) {
   if (!run.method.empty()) row("Method", run.method);
   if (!run.ended.empty()) row("Ended", run.ended);
   row("Trials", fmt::format("{}, of which {} failed", run.trials, run.failures));
-  row("Time",
-      fmt::format("{} elapsed, {} CPU in all, {} CPU a trial, {} worker{}",
+  row("Time in trials",
+      fmt::format("{} with {} worker{}, {} CPU in all, {} CPU a trial",
                   duration(run.wall_time),
-                  duration(run.cpu_time),
-                  duration(run.cpu_time / std::max(1, run.trials)),
                   run.workers,
-                  run.workers == 1 ? "" : "s"));
+                  run.workers == 1 ? "" : "s",
+                  duration(run.cpu_time),
+                  duration(run.cpu_time / std::max(1, run.trials))));
   if (run.program_time > 0.0) row("In outside programs", duration(run.program_time) + " CPU");
   for (const auto& [reason, count] : run.failure_reasons)
     row(fmt::format("Failed {} ×", count), reason);
