@@ -54,12 +54,16 @@ std::string what(const experiment::ModalTest& test) {
                                             : "no shapes: paired by label");
 }
 
+std::string values_in_words(std::size_t count) {
+  return fmt::format("{} value{}", count, count == 1 ? "" : "s");
+}
+
 void print_experiment(const StudyExperiment& experiment, const fe_tire::Mesh& mesh) {
   const auto& test = experiment.load_case.test;
-  say("  {:<16} {}; {} values from {}; {}, weight {:g}, exponent {:g}\n",
+  say("  {:<16} {}; {} from {}; {}, weight {:g}, exponent {:g}\n",
       experiment.name,
       std::visit([](const auto& t) { return what(t); }, test),
-      experiment.modal() ? experiment.modes.size() : experiment.forces.size(),
+      values_in_words(experiment.modal() ? experiment.modes.size() : experiment.forces.size()),
       experiment.measurement_file.filename().string(),
       experiment.fitted ? "fitted" : "predicted",
       experiment.objective.weight,
@@ -106,17 +110,21 @@ void print_rolling_tire(const Study& study) {
       study.rolling->kind->in_words,
       study.model.paths().size());
   for (const auto& test : study.rolling->tests) {
-    say("  {:<16} {}\n", test.name, experiment::in_words(test.test));
+    say("  {:<{}} {}\n",
+        test.name,
+        name_width(study.rolling->tests),
+        experiment::in_words(test.test));
   }
 }
 
 void print_curves(const Study& study) {
   for (const StudyExperiment& experiment : study.experiments) {
-    say("  {:<16} {} {}; {} values from {}; {}, weight {:g}\n",
+    say("  {:<{}} {} {}; {} from {}; {}, weight {:g}\n",
         experiment.name,
+        name_width(study.experiments),
         experiment.curve->compared_name,
         experiment.curve->x.empty() ? "sample by sample" : "over " + experiment.curve->x,
-        experiment.curve->y_compared.size(),
+        values_in_words(experiment.curve->y_compared.size()),
         experiment.measurement_file.filename().string(),
         experiment.fitted ? "fitted" : "predicted",
         experiment.objective.weight);

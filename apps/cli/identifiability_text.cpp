@@ -104,8 +104,9 @@ void print_intervals(const Study& study, const Identifiability& result) {
   const Confidence& c = result.identification.confidence();
   for (int i = 0; i < study.space.size(); ++i) {
     const DesignVariable& v = study.space[i];
-    say("  {:<16} {:<16} 95 %: {}{}\n",
+    say("  {:<{}} {:<16} 95 %: {}{}\n",
         v.name,
+        name_width(study.space.variables()),
         shown(v, result.best.values[i]),
         correlation::interval_text(
             study.space, i, correlation::reported_interval(study, result, i)),

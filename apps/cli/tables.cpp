@@ -110,8 +110,9 @@ std::string shown(const DesignVariable& variable, double value) {
 
 void print_variables(const DesignSpace& space) {
   for (const DesignVariable& variable : space.variables()) {
-    say("  {:<16} {} from {} to {}, {}, at {}\n",
+    say("  {:<{}} {} from {} to {}, {}, at {}\n",
         variable.name,
+        name_width(space.variables()),
         shown(variable, variable.initial),
         shown(variable, variable.lower),
         shown(variable, variable.upper),
@@ -132,7 +133,10 @@ void print_constraints(const DesignSpace& space) {
 
 void print_point(const DesignSpace& space, const DesignPoint& point) {
   for (int i = 0; i < space.size(); ++i) {
-    say("  {:<16} {}\n", space[i].name, shown(space[i], point.values[i]));
+    say("  {:<{}} {}\n",
+        space[i].name,
+        name_width(space.variables()),
+        shown(space[i], point.values[i]));
   }
 }
 

@@ -2,7 +2,9 @@
 // What several verbs print: values of variables with their units, measured beside simulated.
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "correlation/objective.h"
 #include "correlation/study_experiment.h"
@@ -12,6 +14,14 @@ namespace latsch::cli {
 
 /// A value (SI) in the unit of its variable: "22.3 N/mm^2".
 std::string shown(const DesignVariable& variable, double value);
+
+/// Of the column of names in front: the longest of them, 16 letters at least.
+template <class Named>
+int name_width(const std::vector<Named>& all) {
+  std::size_t width = 16;
+  for (const Named& one : all) width = std::max(width, one.name.size());
+  return static_cast<int>(width);
+}
 
 /// Name, bounds, initial value, scale, paths.
 void print_variables(const DesignSpace& space);
