@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "correlation/report/comparison_plots.h"
 #include "correlation/report/curve_plot.h"
@@ -111,6 +112,18 @@ std::string frequencies(const StudyReport& report) {
   return html;
 }
 
+/// The best of the search may not be the best of the page, which knows trials beside it too.
+std::string better_beside(const StudyReport& report) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const double target : report.convergence->target) {
+    if (std::isfinite(target)) best = std::min(best, target);
+  }
+  return report.target < best && percent(report.target, 3) != percent(best, 3)
+             ? " A trial of another command, or beside the best one, has " +
+                   percent(report.target, 3) + ": all else on this page is of it."
+             : "";
+}
+
 std::string search(const StudyReport& report) {
   std::string html;
   if (report.convergence && !report.convergence->target.empty()) {
@@ -118,7 +131,8 @@ std::string search(const StudyReport& report) {
                    "",
                    convergence_plot(*report.convergence),
                    "Target of every trial in the order the optimizer saw them; line: the best so "
-                   "far; crosses: failed.");
+                   "far; crosses: failed." +
+                       better_beside(report));
   }
   return html + run_facts(report);
 }

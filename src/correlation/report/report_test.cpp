@@ -488,6 +488,18 @@ TEST(LinePlot, LegendsTakeTheRowsTheyNeed) {
   expect_nothing_cut(line_plot(plot));
 }
 
+// Two best targets on one page, and no word on why, are two truths.
+TEST(Report, SaysWhereItsBestTrialIsNotOfTheSearch) {
+  StudyReport report;
+  report.title = "t";
+  report.run = RunFacts{};
+  report.convergence = Convergence{{0.2, std::nan(""), 0.143}};
+  report.target = 0.143;
+  EXPECT_EQ(html(report).find("all else on this page"), std::string::npos);
+  report.target = 0.0621;
+  EXPECT_NE(html(report).find("has 6.210 %: all else on this page"), std::string::npos);
+}
+
 TEST(Report, TheTargetSaysWhatItSquares) {
   StudyReport report;
   report.title = "t";
