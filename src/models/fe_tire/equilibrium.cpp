@@ -9,8 +9,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-// One factorization costs as much as about this many conjugate-gradient iterations (measured on
-// tires A and B).
+// A factorization costs as much as about 13 conjugate-gradient iterations (measured on tires A and
+// B); to give up as early as that gained nothing over thirteen tires.
 constexpr int kIterationsWorthAFactor = 20;
 // A solve that needed this many is a sign that the next one will be too slow.
 constexpr int kIterationsOfAStaleFactor = 9;
