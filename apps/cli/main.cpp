@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <filesystem>
+#include <string>
 
 #include "base/error.h"
 #include "cli/console.h"
@@ -57,6 +59,10 @@ int main(int argc, char** argv) {
     return close_console(run(argc, argv));
   } catch (const latsch::InputError& error) {
     complain(error.what(), error.place());
+    return close_console(kWrongInput);
+  } catch (const std::filesystem::filesystem_error& error) {  // a folder that may not be written
+    const std::string path = error.path1().string();
+    complain(path + ": cannot be created or changed: " + error.code().message(), {path, 0});
     return close_console(kWrongInput);
   } catch (const std::exception& error) {
     complain(error.what());

@@ -83,6 +83,11 @@ class New(unittest.TestCase):
         self.assertIn("9.5 inches wide", tire)  # the measuring rim of that size
         self.assertNotIn("# A 205/55R16", tire)
 
+    def test_a_folder_that_cannot_be_made_is_named(self):
+        (self.folder / "file").write_text("no folder")
+        said = self.latsch("new", self.folder / "file" / "x", "--size", "275/35R19", code=WRONG_INPUT)
+        self.assertIn(f"{self.folder}/file/x: cannot be created or changed: Not a directory", said)
+
     def test_sizes_that_make_no_tire(self):
         for size, said in (("275", "expected a size such as"), ("325/80R13", "there is no template near it"),
                            ("205/15R16", "there is no template near it"), ("13x2-10", "there is no template near it")):
