@@ -56,6 +56,8 @@ class Magnitudes(Coarse):
         forces = self.folder / "stiffness.csv"
         forces.write_text("deflection [cm], force [N]\n6, 9000\n12, 21000\n")
         self.said(forces, "12, 21000", "deflection is 120 mm", "deeper than the section", code=WRONG_INPUT)
+        forces.write_text("deflection [cm], force [N]\n7, 9000\n12, 21000\n")  # behind one that is near
+        self.said(forces, "12, 21000", "deflection is 120 mm", "deeper than the section", code=WRONG_INPUT)
         forces.write_text("deflection [mm], force [N]\n70, 15000\n")
         self.said(forces, "70, 15000", "warning: ", "close to the section", code=DONE)
         edit(self.study, ('kind = "modes"', 'kind = "modes"\ndeflection = "20 cm"'))

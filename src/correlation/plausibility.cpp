@@ -274,7 +274,8 @@ void examine_stiffness(const Place& place,
                    seen == Seen::impossible});
 }
 
-/// One finding a table: what is wrong with a column is wrong with all of it.
+/// One finding a table: what is wrong with a column is wrong with all of it. The first that is
+/// impossible, else the first that is unusual.
 void examine_load_deflection(const StudyExperiment& experiment,
                              const TireSize& size,
                              std::vector<Finding>& found) {
@@ -285,28 +286,32 @@ void examine_load_deflection(const StudyExperiment& experiment,
   const auto table = formats::CsvTable::read(experiment.measurement_file);
   const bool radii = !test.loaded_radii.empty();
   const auto& positions = radii ? test.loaded_radii : test.deflections;
-  const std::size_t before = found.size();
-  for (std::size_t i = 0; i < positions.size() && found.size() == before; ++i) {
+  std::vector<Finding> worst;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
     const Place place = table.place(static_cast<int>(i));
+    std::vector<Finding> of_row;
     if (radii && positions[i] > kGrowth * size.outer_radius) {
-      found.push_back(
+      of_row.push_back(
           {place,
            fmt::format("loaded_radius is {:.1f} mm, but this tire has {:.1f} mm without "
                        "load: is it another tire's, or a diameter?",
                        1e3 * positions[i],
                        1e3 * size.outer_radius),
            true});
-      return;
     }
     const double deflection = radii ? size.outer_radius - positions[i] : positions[i];
     examine_deflection(size,
                        place,
                        radii ? "the deflection of this loaded_radius" : "deflection",
                        deflection,
-                       found);
-    if (found.size() == before && deflection > kFirst * size.section_height)
-      examine_stiffness(place, experiment.forces[i], deflection, found);
+                       of_row);
+    if (of_row.empty() && deflection > kFirst * size.section_height)
+      examine_stiffness(place, experiment.forces[i], deflection, of_row);
+    if (of_row.empty() || (!worst.empty() && !of_row.front().impossible)) continue;
+    worst = {of_row.front()};
+    if (worst.front().impossible) break;
   }
+  found.insert(found.end(), worst.begin(), worst.end());
 }
 
 void examine_modes(const StudyExperiment& experiment, std::vector<Finding>& found) {
