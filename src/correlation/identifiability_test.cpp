@@ -309,7 +309,7 @@ TEST(Identifiability, RippleLeavesTheGainOfAPredictedExperimentAlone) {
   double shrinkage[2];
   for (const bool is_rippled : {false, true}) {
     const ScratchFolder folder;
-    Study s = study();
+    Study s = springs_study();
     s.run.journal = folder / "springs.latsch";
     s.experiments[1].fitted = false;
     const auto model = [is_rippled](const DesignPoint& point) {
