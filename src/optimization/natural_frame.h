@@ -24,11 +24,6 @@ struct NaturalFrame {
   Eigen::MatrixXd inverse;  // axes x n: y of a move along the equations
 
   int axes() const { return static_cast<int>(T.cols()); }
-  /// Makes an axis that many times as long.
-  void stretch(int axis, double factor) {
-    T.col(axis) *= factor;
-    inverse.row(axis) /= factor;
-  }
 };
 
 struct FrameLengths {

@@ -15,10 +15,9 @@
 //             gain = (f(c) - f(u)) / (f(c) - expected(u))
 //   radius    grows with steps whose gain is good, shrinks with steps whose gain is bad.
 //   verify    where neither a step of the tolerance nor a model of good geometry promises anything,
-//             slopes are taken afresh, at lengths that noise and ripple allow (natural_frame.h),
-//             corrected where the residuals change by other amounts than expected; steps of the
-//             model they make are gone as long as they gain. In the noise once more, three times
-//             as far: noise then counts a third.
+//             slopes are taken afresh, at lengths that noise and ripple allow (natural_frame.h);
+//             steps of the model they make are gone as long as they gain. In the noise once more,
+//             three times as far: noise then counts a third.
 //   end       when they promise nothing any more. ending() says how.
 //
 // A Failure closes off the region around it (residual_memory.h), failures together the half space

@@ -23,6 +23,7 @@ constexpr double kFlat = 1e-6;         // of f: a predicted decrease that is non
 constexpr double kBackOff = 0.5;       // of a step that no cut keeps out of a failed region
 constexpr double kBeyondBall = 1.001;  // of its radius: a step on the cut is outside of it
 constexpr int kMostCuts = 20;
+constexpr double kLongestProbe = 0.2;  // of a range: fresh slopes where little is felt
 constexpr int kProbeShortenings = 3;
 constexpr double kSame = 0.1;  // of a step: nearer to a known point nothing is learned
 

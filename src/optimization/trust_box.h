@@ -35,13 +35,10 @@ struct Wanted {
   double f_center = 0.0;   // its value
   double length = 0.0;     // |u - center|, largest component in widths of the variables
   double predicted = 0.0;  // value to be expected, of steps
-  int axis = -1;           // of a natural frame, of probes along it
 };
 
 class TrustBox {
  public:
-  static constexpr double kLongestProbe = 0.2;  // of a range: fresh slopes where little is felt
-
   /// Around the initial values of the space.
   TrustBox(const DesignSpace& space, double radius, std::uint64_t seed);
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
 
 #include "optimization/flat_directions.h"
@@ -40,15 +39,10 @@ constexpr std::array kBoxes{1.0, 0.25, 2.0, 0.5, 0.1, 4.0, 0.03, 0.01};
 constexpr std::array kJumps{0.1, 1.0, 0.03, 0.3};
 
 // Verification:
-constexpr double kSharp = 0.1;     // of the step tolerance: the shortest move for fresh slopes
-constexpr double kReach = 2.0;     // of the frame's axes: the longest step
-constexpr double kMostFelt = 3.0;  // of the change expected of a probe
-constexpr double kLeastFelt = 0.3;
-constexpr double kMostStretch = 10.0;  // of an axis at once
-constexpr double kWorthAProbe = 1.5;
-constexpr int kMostProbes = 2;               // of an axis, after the first
-constexpr int kMostMisses = 3;               // in a row: steps that fail or disappoint
-constexpr double kFarther = 3.0;             // in the noise
+constexpr double kSharp = 0.1;    // of the step tolerance: the shortest move for fresh slopes
+constexpr double kReach = 2.0;    // of the frame's axes: the longest step
+constexpr int kMostMisses = 3;    // in a row: steps that fail or disappoint
+constexpr double kFarther = 3.0;  // in the noise
 constexpr double kWorthARound = 1.0 - 1e-5;  // of the value: another one
 constexpr int kMostRounds = 8;
 constexpr double kWorthASearch = 0.5;
@@ -168,9 +162,7 @@ bool TrustRegionRun::begin_verification() {
 void TrustRegionRun::new_round(const Eigen::MatrixXd& J) {
   Verification& v = *verification_;
   v.frame = box_.natural_frame(J, v.change, kSharp * options_.step_tolerance);
-  v.axes.resize(static_cast<std::size_t>(v.frame.axes()));
-  std::iota(v.axes.rbegin(), v.axes.rend(), 0);
-  v.again.assign(v.axes.size(), 0);
+  v.axis = 0;
   v.misses = 0;
   v.has_failed = false;
   v.has_disappointed = false;
@@ -185,12 +177,8 @@ void TrustRegionRun::new_round(const Eigen::MatrixXd& J) {
 std::optional<Wanted> TrustRegionRun::next_to_verify() {
   while (true) {
     Verification& v = *verification_;
-    while (!v.axes.empty()) {
-      const int axis = v.axes.back();
-      v.axes.pop_back();
-      auto probe = box_.probe_by(v.frame.T.col(axis), wanted_);
-      if (probe) probe->axis = axis;
-      if (probe) return probe;
+    while (v.axis < v.frame.axes()) {
+      if (auto probe = box_.probe_by(v.frame.T.col(v.axis++), wanted_)) return probe;
     }
     if (!wanted_.empty()) {
       return explored_++ < options_.outstanding ? box_.explore(wanted_) : std::nullopt;
@@ -336,7 +324,6 @@ void TrustRegionRun::take_failure(const Wanted& tried) {
       ++verification_->misses;
       verification_->has_failed = true;
     }
-    if (tried.axis >= 0) judge_verifying_probe(tried, nullptr);
     return;
   }
   if (failures_ >= kFailuresToGiveUp) {
@@ -356,7 +343,6 @@ void TrustRegionRun::take(const Wanted& tried, ResidualSample sample) {
   }
   const bool is_known = f_first_ < std::numeric_limits<double>::infinity();
   if (restarts_ == 0 && (tried.kind == Kind::start || !is_known)) f_first_ = sample.f;
-  if (verification_ && tried.axis >= 0) judge_verifying_probe(tried, &sample);
   const bool is_best = box_.take(std::move(sample));
   if (is_best) explored_ = 0;
   if (tried.kind != Kind::step) return;
@@ -370,29 +356,6 @@ void TrustRegionRun::take(const Wanted& tried, ResidualSample sample) {
     is_geometry_doubted_ = true;
     ++disappointments_;
   }
-}
-
-/// Where the residuals change by much more or much less than the length of an axis is for, as it
-/// came from slopes that were wrong, the length is corrected and probed again: far outside of that
-/// change they are curved, far inside noise. Where a probe failed, to the other side. `sample`:
-/// none where it did.
-void TrustRegionRun::judge_verifying_probe(const Wanted& tried, const ResidualSample* sample) {
-  Verification& v = *verification_;
-  const auto axis = static_cast<std::size_t>(tried.axis);
-  if (v.again[axis]++ >= kMostProbes) return;
-  if (!sample) return v.axes.push_back(tried.axis);
-  const ResidualSample& from = box_.memory[tried.center];
-  const double moved = std::abs((v.frame.inverse * (sample->u - from.u))[tried.axis]);
-  const double felt = (sample->r - from.r).norm() / (v.change * from.r.norm());
-  const double longest =
-      TrustBox::kLongestProbe / v.frame.T.col(tried.axis).lpNorm<Eigen::Infinity>();
-  const double factor =
-      std::min(std::clamp(moved / felt, 1.0 / kMostStretch, kMostStretch), longest);
-  const bool is_too_long = felt >= kMostFelt * moved;
-  const bool is_too_short = felt <= kLeastFelt * moved && factor > kWorthAProbe;
-  if (!is_too_long && !is_too_short) return;
-  v.frame.stretch(tried.axis, factor);
-  v.axes.push_back(tried.axis);
 }
 
 /// Where it gained much, a search begins anew.

@@ -70,7 +70,6 @@ class TrustRegionRun {
   std::optional<Wanted> next_to_verify();
   void new_round(const Eigen::MatrixXd& J);
   void judge_verifying_step(double gain);
-  void judge_verifying_probe(const Wanted& tried, const ResidualSample* sample);
   OpenDirection open_direction() const;
   std::optional<Wanted> another_step(const ResidualModel& m);
   std::optional<Wanted> restart();
@@ -84,8 +83,7 @@ class TrustRegionRun {
   /// Fresh slopes at the end of a search, one round after the other.
   struct Verification {
     NaturalFrame frame;
-    std::vector<int> axes;   // to be probed, the next one last
-    std::vector<int> again;  // how often an axis was probed again
+    int axis = 0;  // the next to be probed
     int rounds = 0;
     double change = 1.0;            // of the residuals along an axis, of what they are
     int misses = 0;                 // steps in a row
