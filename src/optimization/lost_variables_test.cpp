@@ -128,7 +128,7 @@ Found fit_peaks(int restarts, int outstanding, int most_evaluations) {
 // depend on where the search left them, at the bounds.
 TEST(LostVariables, AreLookedForWhereTheSearchEndedOnBounds) {
   const DesignSpace space({{.name = "k", .lower = 50, .upper = 500, .initial = 100},
-                           {.name = "gap", .lower = 0, .upper = 0.2, .initial = 0.12},
+                           {.name = "gap", .lower = 0, .upper = 0.2, .initial = 0.16},
                            {.name = "ks", .lower = 10, .upper = 5000, .initial = 3000}});
   const auto force = [](const std::vector<double>& x, double d) {
     return x[0] * d + x[2] * std::max(0.0, d - x[1]);
@@ -147,7 +147,7 @@ TEST(LostVariables, AreLookedForWhereTheSearchEndedOnBounds) {
     best = std::min(best, score.value);
     method.observe(point, score);
   }
-  EXPECT_LT(best, 1e-3);  // of 1e2 without the stop
+  EXPECT_LT(best, 1e-3);  // of 3e2 without the stop
 }
 
 TEST(LostVariables, PeaksOutsideTheDataAreBroughtBack) {
