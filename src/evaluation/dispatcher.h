@@ -74,6 +74,7 @@ class Dispatcher {
   void count(const DesignPoint& point, const Result<Score>& outcome, bool is_score);
   void report();
 
+  bool knows(const DesignPoint& point) const { return known_.find(point) != nullptr; }
   /// s, the mean over the trials so far; 0 where there is none.
   double trial_time() const { return progress_.trial_wall_time; }
 

@@ -375,7 +375,18 @@ TEST(LookingAhead, EndsWhereThinkingTakesLongerThanTrials) {
     return optimizer.proposed;
   };
   EXPECT_LT(proposed(0.1), 200);
-  EXPECT_EQ(proposed(100.0), 60 * 16);
+  EXPECT_GT(proposed(100.0), 60 * 16);
+}
+
+// A run that is resumed thought of it all before.
+TEST(LookingAhead, IsLeftOutWhereTheOutcomeIsKnown) {
+  FaultyStore store(0.0, 0);
+  for (const bool resumed : {false, true}) {
+    Scripted executor(4, [](const DesignPoint&, int) -> Scripted::Answer { return {100.0}; });
+    Thoughtful optimizer(executor, 1.0);
+    run_optimizer(optimizer, kAny, executor, &store, virtual_time());
+    EXPECT_EQ(optimizer.proposed > 60, !resumed);
+  }
 }
 
 // The short form of ./bench.sh scheduler_simulation: each mix of hanging points, lost workers,

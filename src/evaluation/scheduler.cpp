@@ -112,9 +112,12 @@ Run run_optimizer(Optimizer& optimizer,
       optimizer,
       options.on_failure,
       [&](const Optimizer& thinking) {
+        // What the journal knows, or ran ahead, needs no thought of what might follow.
+        std::vector<DesignPoint> plan = thinking.propose(1);
+        if (dispatcher.knows(plan.front())) return plan;
         const double since = executor.now();
         const int points = ahead.points(dispatcher.trial_time());
-        std::vector<DesignPoint> plan = thinking.propose(points);
+        if (points > 1) plan = thinking.propose(points);
         ahead.took(points, executor.now() - since);
         return plan;
       },

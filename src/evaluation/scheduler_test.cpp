@@ -105,8 +105,8 @@ TEST(RunOptimizer, EndsAfterTheLargestNumberOfSteps) {
 TEST(RunOptimizer, SaysWhyItEnded) {
   EXPECT_EQ(run_simulated({.workers = 2}, nullptr).ending.find("at a minimum"), 0u);
   InlineExecutor fails([](const DesignPoint&) { return Result<Channels>(Failure{"no"}); });
-  Gss gss(space());
-  const auto run = run_optimizer(gss, target, fails, nullptr);
+  Gss gss(scheduler_space());
+  const auto run = run_optimizer(gss, scheduler_target, fails, nullptr);
   EXPECT_EQ(run.ending, "without a result: every trial failed");
 }
 
