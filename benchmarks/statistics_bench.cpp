@@ -75,7 +75,8 @@ DesignPoint fitted(const DesignSpace& space, const Model& model) {
   std::vector<int> all(space.size());
   std::iota(all.begin(), all.end(), 0);
   for (int round = 0; round < 3; ++round) {
-    const auto points = difference_points(space, point, 1e-4);
+    const auto points =
+        difference_points(space, point, Eigen::VectorXd::Constant(space.size(), 1e-4));
     std::vector<Eigen::VectorXd> residuals;
     for (const DesignPoint& p : points) residuals.push_back(model(p.values));
     Refit refit(differences(space, points, residuals), all, {.most_evaluations = 50});
