@@ -17,7 +17,10 @@ constexpr double kFarInFrame = 5.0;
 
 }  // namespace
 
-std::vector<int> ResidualMemory::nearest(int center, const Eigen::VectorXd& h) const {
+const std::vector<int>& ResidualMemory::nearest(int center, const Eigen::VectorXd& h) const {
+  if (nearest_.center == center && nearest_.size == size() && nearest_.h == h) {
+    return nearest_.indices;
+  }
   std::vector<std::pair<double, int>> order;
   for (int i = 0; i < size(); ++i) {
     if (i == center) continue;
@@ -27,9 +30,9 @@ std::vector<int> ResidualMemory::nearest(int center, const Eigen::VectorXd& h) c
   const std::size_t count = std::min(order.size(), (n + 1) * (n + 2) / 2 + n);
   std::partial_sort(order.begin(), order.begin() + static_cast<long>(count), order.end());
   order.resize(count);
-  std::vector<int> indices;
-  for (const auto& [distance, i] : order) indices.push_back(i);
-  return indices;
+  nearest_ = {center, size(), h, {}};
+  for (const auto& [distance, i] : order) nearest_.indices.push_back(i);
+  return nearest_.indices;
 }
 
 double ResidualMemory::explosion(int center, const Eigen::VectorXd& h) const {

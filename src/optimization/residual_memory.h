@@ -56,8 +56,9 @@ class ResidualMemory {
   bool knows(const Eigen::VectorXd& u, const Eigen::VectorXd& distance) const;
 
  private:
-  /// Indices by their distance; `center` is not among them.
-  std::vector<int> nearest(int center, const Eigen::VectorXd& h) const;
+  /// Indices by their distance; `center` is not among them. Asked again and again between two
+  /// samples: the last answer is kept.
+  const std::vector<int>& nearest(int center, const Eigen::VectorXd& h) const;
 
   struct FailedPoint {
     Eigen::VectorXd u;
@@ -66,6 +67,11 @@ class ResidualMemory {
 
   SharedHistory<ResidualSample> samples_;
   std::vector<FailedPoint> failures_;
+  mutable struct {
+    int center = -1, size = 0;
+    Eigen::VectorXd h;
+    std::vector<int> indices;
+  } nearest_;
 };
 
 }  // namespace latsch
