@@ -19,9 +19,21 @@ struct Product {
   T a, b;
 };
 
+/// Signs of lanes by their bits.
+template <class T>
+struct SignBits {
+  LATSCH_INLINE static T negated(const T& x) { return T::bit_xor(x, T(-0.0)); }
+  LATSCH_INLINE static T absolute(const T& x) {
+    return T::bit_and(x, T(std::bit_cast<double>(~std::uint64_t{0} >> 1)));
+  }
+  LATSCH_INLINE static T with_sign_of(const T& x, const T& sign) {
+    return T::bit_or(x, T::bit_and(sign, T(-0.0)));
+  }
+};
+
 /// T has kWidth, Mask, load, save and the operations named here.
 template <class T>
-struct Arithmetic {
+struct Arithmetic : SignBits<T> {
   LATSCH_INLINE friend Product<T> operator*(const T& a, const T& b) { return {a, b}; }
   LATSCH_INLINE friend T operator/(const T& a, const T& b) { return T::div(a, b); }
 
@@ -47,7 +59,7 @@ struct Arithmetic {
     return T::mul_sub(p.a, p.b, T::mul(q.a, q.b));
   }
 
-  LATSCH_INLINE friend T operator-(const T& a) { return T::bit_xor(a, T(-0.0)); }
+  LATSCH_INLINE friend T operator-(const T& a) { return T::negated(a); }
   LATSCH_INLINE friend Product<T> operator-(const Product<T>& p) { return {-p.a, p.b}; }
 
   LATSCH_INLINE friend T& operator+=(T& c, const T& a) { return c = c + a; }
@@ -68,11 +80,9 @@ struct Arithmetic {
   LATSCH_INLINE friend T smaller(const T& a, const T& b) { return T::least(a, b); }
   /// a > b ? a : b
   LATSCH_INLINE friend T larger(const T& a, const T& b) { return T::most(a, b); }
-  LATSCH_INLINE friend T abs(const T& x) { return T::bit_xor(x, T::bit_and(x, T(-0.0))); }
+  LATSCH_INLINE friend T abs(const T& x) { return T::absolute(x); }
   /// |x| with the sign of `sign`; for x >= 0.
-  LATSCH_INLINE friend T with_sign(const T& x, const T& sign) {
-    return T::bit_or(x, T::bit_and(sign, T(-0.0)));
-  }
+  LATSCH_INLINE friend T with_sign(const T& x, const T& sign) { return T::with_sign_of(x, sign); }
   /// -1 or 1; 1 also at 0, where the sum drops the sign of zero.
   LATSCH_INLINE friend T sign_or_one(const T& x) { return with_sign(T(1.0), x + T(0.0)); }
   /// -1, 0 or 1.

@@ -2,7 +2,7 @@
 // Elementary functions of lanes (kernel_lanes.h), without branches: what a vector unit can do and a
 // processor can overlap. T is Lane, Lanes4 or Lanes; each lane gets the same bits in all three.
 //
-// Accuracy: a few units in the last place. sin_cos holds for |x| <= 1e5 (reduction by pi/2 in three
+// Accuracy: a few units in the last place. sin_cos holds for |x| <= 1e5 (reduction by pi/2 in two
 // parts [Cody, Waite 1980]), exp saturates beyond +-708, power and log take normal x > 0 (power
 // also 0). The series are Taylor's on the reduced interval, long enough for the last bit; that of
 // atan is the Chebyshev interpolant of (atan(sqrt z)/sqrt z - 1)/z on [0, tan^2(pi/8)], error
@@ -24,15 +24,16 @@ LATSCH_INLINE T of_bits(std::uint64_t x) {
   return std::bit_cast<double>(x);
 }
 
+/// atan(y/x) for x >= 0, not both 0.
 template <class T>
-LATSCH_INLINE T atan(const T& x) {
-  // |x| <= tan(pi/8), up to tan(3 pi/8), beyond: atan about 0, 1 and infinity.
+LATSCH_INLINE T atan_of_quotient(const T& y, const T& x) {
+  // |y|/x <= tan(pi/8), up to tan(3 pi/8), beyond: atan about 0, 1 and infinity.
   constexpr double kNear = 0.41421356237309503, kFar = 2.414213562373095;
   constexpr double kPi4 = 0.78539816339744831, kPi4Low = 3.061616997868383e-17;
-  const T a = abs(x);
-  const auto far = a > kFar, middle = a > kNear;
-  const T numerator = select(far, T(-1.0), select(middle, a - 1.0, a));
-  const T denominator = select(far, a, select(middle, a + 1.0, T(1.0)));
+  const T a = abs(y);
+  const auto far = a > kFar * x, middle = a > kNear * x;
+  const T numerator = select(far, -x, select(middle, a - x, a));
+  const T denominator = select(far, a, select(middle, a + x, x));
   const T offset = select(far, T(2.0 * kPi4), select(middle, T(kPi4), T(0.0)));
   const T low = select(far, T(2.0 * kPi4Low), select(middle, T(kPi4Low), T(0.0)));
   const T t = numerator / denominator;
@@ -44,7 +45,11 @@ LATSCH_INLINE T atan(const T& x) {
   const T p2 =
       (-0.050854497379402598613 + 0.039231658295587191303 * z) + z2 * -0.019176887119062258989;
   const T p = p0 + z4 * (p1 + z4 * p2);
-  return with_sign(offset + (t + (low + (t * z) * p)), x);
+  return with_sign((offset + t) + (low + (t * z) * p), y);
+}
+template <class T>
+LATSCH_INLINE T atan(const T& x) {
+  return atan_of_quotient(x, T(1.0));
 }
 
 template <class T>
@@ -57,19 +62,18 @@ inline constexpr double kRounder = 6755399441055744.0;  // 1.5 * 2^52
 
 template <class T>
 LATSCH_INLINE SinCos<T> sin_cos(const T& x) {
-  // pi/2 in parts of 33 bits, so that k times each of the first two is exact
-  constexpr double kHigh = 1.5707963267341256, kMiddle = 6.077100506303966e-11,
-                   kLow = 2.0222662487959506e-21;
+  // pi/2 = its first 33 bits, which k times are exact, and the rest
+  constexpr double kHigh = 1.5707963267341256, kLow = 6.077100506506192e-11;
   const T shifted = x * 0.63661977236758134 + kRounder;
   const T k = shifted - kRounder;
-  const T r = ((x - k * kHigh) - k * kMiddle) - k * kLow;
+  const T r = (x - k * kHigh) - k * kLow;
   const T z = r * r, z2 = z * z, z4 = z2 * z2;
   const T s = ((-1.0 / 6 + z * (1.0 / 120)) + z2 * (-1.0 / 5040 + z * (1.0 / 362880))) +
               z4 * ((-1.0 / 39916800 + z * (1.0 / 6227020800)) + z2 * (-1.0 / 1307674368000));
   const T c = ((1.0 / 24 - z * (1.0 / 720)) + z2 * (1.0 / 40320 - z * (1.0 / 3628800))) +
               z4 * ((1.0 / 479001600 - z * (1.0 / 87178291200)) + z2 * (1.0 / 20922789888000));
   const T sine = r + (r * z) * s;
-  const T cosine = 1.0 - (0.5 * z - z2 * c);
+  const T cosine = (1.0 - 0.5 * z) + z2 * c;
   // The low two bits of `shifted` are the quadrant q: odd ones exchange the two; bit 1 of q turns
   // the sine's sign, of q + 1 the cosine's.
   const auto odd = T::negative(T::template shift_left<63>(shifted));

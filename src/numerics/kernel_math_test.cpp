@@ -14,6 +14,7 @@ namespace latsch::kernel_math_testing {
 
 enum class Which {
   atan,
+  atan_of_quotient,
   sin,
   cos,
   exp,
@@ -54,11 +55,17 @@ constexpr double kTiny = std::numeric_limits<double>::min();
 const Claim kClaims[] = {
     {Which::atan, -4.0, 4.0, [](long double x) { return std::atan(x); }, 1.5, kTiny},
     {Which::atan, -1e6, 1e6, [](long double x) { return std::atan(x); }, 1.5, kTiny},
+    {Which::atan_of_quotient,
+     -20.0,
+     20.0,
+     [](long double x) { return std::atan(x / 3.0L); },
+     1.5,
+     kTiny},
     {Which::sin, -1.0, 1.0, [](long double x) { return std::sin(x); }, 1.5, kTiny},
     {Which::sin, -30.0, 30.0, [](long double x) { return std::sin(x); }, 1.5, 1.0},
-    {Which::sin, -1e4, 1e4, [](long double x) { return std::sin(x); }, 1.5, 1.0},
+    {Which::sin, -1e5, 1e5, [](long double x) { return std::sin(x); }, 1.5, 1.0},
     {Which::cos, -30.0, 30.0, [](long double x) { return std::cos(x); }, 1.5, 1.0},
-    {Which::cos, -1e4, 1e4, [](long double x) { return std::cos(x); }, 1.5, 1.0},
+    {Which::cos, -1e5, 1e5, [](long double x) { return std::cos(x); }, 1.5, 1.0},
     {Which::exp, -50.0, 50.0, [](long double x) { return std::exp(x); }, 2.0, kTiny},
     {Which::log, 1e-3, 5.0, [](long double x) { return std::log(x); }, 3.0, 0.1},
     {Which::log, 1.0, 1e9, [](long double x) { return std::log(x); }, 2.0, kTiny},

@@ -21,6 +21,10 @@ void evaluate(Which which, int width, int n, const double* x, double* y) {
   switch (which) {
     case Which::atan:
       return map(width, n, x, y, [](const auto& v) { return atan(v); });
+    case Which::atan_of_quotient:
+      return map(width, n, x, y, [](const auto& v) {
+        return atan_of_quotient(v, std::remove_cvref_t<decltype(v)>(3.0));
+      });
     case Which::sin:
       return map(width, n, x, y, [](const auto& v) { return sin(v); });
     case Which::cos:

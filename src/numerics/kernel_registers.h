@@ -56,6 +56,11 @@ struct Register1 : Arithmetic<Register1> {
   LATSCH_BINARY(least, x.v < y.v ? x.v : y.v)
   LATSCH_BINARY(most, x.v > y.v ? x.v : y.v)
 
+  // By functions the compiler knows: bits of one double would go through the integer registers.
+  LATSCH_INLINE static Self negated(const Self& x) { return -x.v; }
+  LATSCH_INLINE static Self absolute(const Self& x) { return __builtin_fabs(x.v); }
+  LATSCH_BINARY(with_sign_of, __builtin_copysign(x.v, y.v))
+
   LATSCH_INLINE static std::int64_t bits(const Self& x) { return std::bit_cast<std::int64_t>(x.v); }
   LATSCH_INLINE static Self of_bits(std::int64_t x) { return std::bit_cast<double>(x); }
   LATSCH_BINARY(bit_and, of_bits(bits(x) & bits(y)))

@@ -82,30 +82,38 @@ LATSCH_INLINE R residual_peak(const TireConstants& tire,
          o.cos_alpha_star;  // (4.E47) without zeta_8 - 1
 }
 
-/// atan sqrt(tan^2 angle + drag^2) of two slip angles, and the arc tangent of `third`.
+/// atan sqrt(tan^2 angle + drag^2) of two slip angles, and the arc tangent of `third`. While the
+/// tangents are on their way, the curves of the side force begin.
 LATSCH_INLINE void equivalent_angles(const Lane (&angles)[2],
                                      const Lane& drag,
                                      const Lane& third,
+                                     Shapes<Lane>& shapes,
                                      Lane (&arcs)[3]) {
   const SinCos<Lanes4> a = sin_cos(four(angles[0].v, angles[1].v, 0.0, 0.0));
-  const Lanes4 slope = a.sin / a.cos, of_drag(drag.v);
-  const Lanes4 x = sqrt(slope * slope + of_drag * of_drag);
-  const Lanes4 arc = atan(four(x.at(0), x.at(1), third.v, 0.0));
+  shapes.begin(Shapes<Lane>::kLateral);
+  const Lanes4 of_drag = Lanes4(drag.v) * a.cos;
+  const Lanes4 opposite = sqrt(a.sin * a.sin + of_drag * of_drag), adjacent = abs(a.cos);
+  const auto last = four(0.0, 0.0, 1.0, 1.0) > 0.0;
+  const Lanes4 arc = atan_of_quotient(select(last, Lanes4(third.v), opposite),
+                                      select(last, Lanes4(1.0), adjacent));
   for (int i = 0; i < 3; ++i) arcs[i] = arc.at(i);
 }
 LATSCH_INLINE void equivalent_angles(const Lanes (&angles)[2],
                                      const Lanes& drag,
                                      const Lanes& third,
+                                     Shapes<Lanes>& shapes,
                                      Lanes (&arcs)[3]) {
+  shapes.begin(Shapes<Lanes>::kLateral);
   for (int i = 0; i < 2; ++i) {
     const SinCos<Lanes> a = sin_cos(angles[i]);
-    const Lanes slope = a.sin / a.cos;
-    arcs[i] = atan(sqrt(slope * slope + drag * drag));
+    const Lanes of_drag = drag * a.cos;
+    arcs[i] = atan_of_quotient(sqrt(a.sin * a.sin + of_drag * of_drag), abs(a.cos));
   }
   arcs[2] = atan(third);
 }
 
-/// Everything but what needs the other forces; the curve of the trail goes into `shapes`.
+/// Everything but what needs the other forces; the curve of the trail goes into `shapes`, where
+/// those of the side force must be and begin.
 template <class R>
 LATSCH_INLINE Aligning<R> aligning_terms(const TireConstants& tire,
                                          const Conventions& conventions,
@@ -130,9 +138,9 @@ LATSCH_INLINE Aligning<R> aligning_terms(const TireConstants& tire,
   const R angles[2] = {alphar, alphat};
   const R drag = Kxk * pure.per_Kya_prime * o.kappa;
   R arcs[3];
-  equivalent_angles(angles, drag, Bt * Ct * alphat, arcs);
-  z.alphar_eq = arcs[0] * sign(alphar);        // (A54)
-  const R alphat_eq = arcs[1] * sign(alphat);  // (A55)
+  equivalent_angles(angles, drag, Bt * Ct * alphat, shapes, arcs);
+  z.alphar_eq = select(alphar == 0.0, R(0.0), with_sign(arcs[0], alphar));        // (A54)
+  const R alphat_eq = select(alphat == 0.0, R(0.0), with_sign(arcs[1], alphat));  // (A55)
   R Et = (p.QEZ1 + p.QEZ2 * dfz + p.QEZ3 * dfz * dfz) *
          (1.0 + (p.QEZ4 + p.QEZ5 * o.gamma_star) * (2.0 / kPi) * arcs[2]);
   if (conventions.limits) Et = smaller(Et, R(1.0));  // (4.E44)

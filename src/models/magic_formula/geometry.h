@@ -88,8 +88,8 @@ LATSCH_INLINE Relaxation<R> relaxation(const TireConstants& tire,
   r.Cy = p.LATERAL_STIFFNESS * (1.0 + p.PCFY1 * dfz + p.PCFY2 * dfz * dfz) *
          (1.0 + p.PCFY3 * dpi);  // (18)
   if (tire.mf52) {
-    r.sigma_x =
-        (p.PTX1 + p.PTX2 * dfz) * o.exp_PTX3 * p.LSGKP * p.UNLOADED_RADIUS * o.Fz * tire.per_FNOMIN;
+    r.sigma_x = (p.PTX1 + p.PTX2 * dfz) * exp(-p.PTX3 * dfz) * p.LSGKP * p.UNLOADED_RADIUS * o.Fz *
+                tire.per_FNOMIN;
     r.sigma_y = p.PTY2 == 0.0
                     ? R(0.0)
                     : p.PTY1 * sin(2.0 * atan(o.Fz / (p.PTY2 * tire.Fz0_prime))) *

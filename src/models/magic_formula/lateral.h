@@ -44,7 +44,7 @@ LATSCH_INLINE R camber_stiffness(const TireConstants& tire, const OperatingPoint
 
 template <class R>
 LATSCH_INLINE R with_epsilon(const R& stiffness) {
-  return stiffness + kEpsilon * sign_or_one(stiffness);  // (4.E39)
+  return stiffness + epsilon_for(stiffness);  // (4.E39)
 }
 
 /// zeta_2 (4.77), (4.78)
@@ -98,7 +98,7 @@ LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireConstants& tire,
                                                 Shapes<R>& shapes) {
   const Parameters& p = tire.p;
   const R &dfz = o.dfz, &dpi = o.dpi;
-  const R gamma_star = o.gamma_star * (upright ? 0.0 : tire.mf52 ? p.LGAY : 1.0);
+  const R gamma_star = upright ? R(0.0) : R(o.gamma_star * (tire.mf52 ? p.LGAY : 1.0));
   PureLateral<R> y;
   R zeta3 = R(1.0);
   y.zeta2 = R(1.0);
@@ -128,7 +128,7 @@ LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireConstants& tire,
           (p.PEY3 + p.PEY4 * gamma_star) * sign_or_one(alphay)) *
          p.LEY;  // (4.E24)
   if (conventions.limits) Ey = smaller(Ey, R(1.0));
-  y.By = y.Kya / (y.Cy * y.Dy + kEpsilon * sign_or_one(y.Dy));  // (4.E26)
+  y.By = y.Kya / (y.Cy * y.Dy + epsilon_for(y.Dy));  // (4.E26)
   shapes.set(upright ? Shapes<R>::kFyUpright : Shapes<R>::kFy, y.By * alphay, y.Cy, Ey);
   y.muy = select(o.Fz == 0.0, R(0.0), y.muy);
   return y;

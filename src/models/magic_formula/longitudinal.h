@@ -39,7 +39,7 @@ LATSCH_INLINE Longitudinal<R> longitudinal_terms(const TireConstants& tire,
   x.Dx = x.mux * o.Fz * zeta1;  // (4.E12)
   x.Kxk = o.Fz * (p.PKX1 + p.PKX2 * dfz) * o.exp_PKX3 * (1.0 + p.PPX1 * dpi + p.PPX2 * dpi * dpi) *
           p.LKX;                                                                   // (4.E15)
-  const R Bx = x.Kxk / (Cx * x.Dx + kEpsilon * sign_or_one(x.Dx));                 // (4.E16)
+  const R Bx = x.Kxk / (Cx * x.Dx + epsilon_for(x.Dx));                            // (4.E16)
   const R SHx = (p.PHX1 + p.PHX2 * dfz) * p.LHX * o.fade;                          // (4.E17)
   x.SVx = o.Fz * (p.PVX1 + p.PVX2 * dfz) * p.LVX * o.LMUX_prime * zeta1 * o.fade;  // (4.E18)
   const R kappax = o.kappa + SHx;                                                  // (4.E10)

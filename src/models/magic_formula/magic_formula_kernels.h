@@ -46,7 +46,9 @@ LATSCH_INLINE void find_everything(const TireConstants& tire,
   PureLateral<R> upright = pure_lateral_terms(tire, conventions, e.o, true, shapes);
   e.y = combined_lateral_terms(tire, conventions, e.o, e.pure, shapes);
   e.z = aligning_terms(tire, conventions, e.o, e.pure, e.x.Kxk, shapes);
-  shapes.evaluate();
+  shapes.end(Shapes<R>::kLateral);
+  shapes.begin(Shapes<R>::kOthers);
+  shapes.end(Shapes<R>::kOthers);
   finish(e.o, shapes, e.x);
   finish(conventions, e.o, shapes.sine[Shapes<R>::kFy], e.pure);
   finish(conventions, e.o, shapes.sine[Shapes<R>::kFyUpright], upright);

@@ -13,17 +13,38 @@
 
 namespace latsch::magic_formula::LATSCH_KERNELS {
 
+/// What (4.E69) has of arc tangents: cos(QSX5 atan x[0]), sin(angle + QSX8 atan x[1]), atan x[2].
+template <class R>
+struct OverturningShapes {
+  R cosine, sine, arc;
+};
+LATSCH_INLINE OverturningShapes<Lane> overturning_shapes(const Parameters& p,
+                                                         const Lane (&x)[3],
+                                                         const Lane& angle) {
+  const Lanes4 arcs = atan(gathered<3>(x));
+  // Nothing is added to the first: 0 would change the sign of -0.
+  const SinCos<Lanes4> r =
+      sin_cos(four(p.QSX5, p.QSX8, 0.0, 0.0) * arcs + four(-0.0, angle.v, 0.0, 0.0));
+  return {r.cos.at(0), r.sin.at(1), arcs.at(2)};
+}
+LATSCH_INLINE OverturningShapes<Lanes> overturning_shapes(const Parameters& p,
+                                                          const Lanes (&x)[3],
+                                                          const Lanes& angle) {
+  return {cos(p.QSX5 * atan(x[0])), sin(p.QSX8 * atan(x[1]) + angle), atan(x[2])};
+}
+
 template <class R>
 LATSCH_INLINE R overturning(const TireConstants& tire, const OperatingPoint<R>& o, const R& Fy) {
   const Parameters& p = tire.p;
   const R& gamma = o.gamma;
-  const R& Fz = o.Fz_Mx;
-  const R fy = Fy * tire.per_FNOMIN;
+  const R Fz = faded_load(tire, o.Fz, true);
+  const R fz = Fz * tire.per_FNOMIN, fy = Fy * tire.per_FNOMIN;
   R factor = p.QSX1 * p.LVMX - p.QSX2 * gamma * (1.0 + p.PPMX1 * o.dpi) + p.QSX3 * fy;
-  if (p.QSX4 != 0.0) {
-    factor = factor + p.QSX4 * o.cos_QSX5 * sin(p.QSX7 * gamma + p.QSX8 * atan(p.QSX9 * fy));
+  if (p.QSX4 != 0.0 || p.QSX10 != 0.0) {
+    const R x[3] = {p.QSX6 * fz * (p.QSX6 * fz), p.QSX9 * fy, p.QSX11 * fz};
+    const OverturningShapes<R> shapes = overturning_shapes(p, x, R(p.QSX7 * gamma));
+    factor = factor + p.QSX4 * shapes.cosine * shapes.sine + p.QSX10 * shapes.arc * gamma;
   }
-  if (p.QSX10 != 0.0) factor = factor + p.QSX10 * o.atan_QSX11 * gamma;
   const R sheared = Fy * (p.QSX13 + p.QSX14 * abs(gamma)) - Fz * p.QSX12 * gamma * abs(gamma);
   return p.UNLOADED_RADIUS * p.LMX * (Fz * factor + sheared);  // (4.E69)
 }

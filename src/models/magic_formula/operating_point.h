@@ -23,6 +23,12 @@ constexpr double kPi = 3.14159265358979323846;
 /// Keeps quotients finite; the book's epsilon_x, _K, _y, _V (4.E6a, 4.E16, 4.E26, 4.E39).
 constexpr double kEpsilon = 1e-6;
 
+/// kEpsilon with the sign of the denominator it is added to; at 0 positive.
+template <class R>
+LATSCH_INLINE R epsilon_for(const R& denominator) {
+  return with_sign(R(kEpsilon), denominator + R(0.0));
+}
+
 /// cos(atan x)
 template <class R>
 LATSCH_INLINE R cos_atan(const R& x) {
@@ -67,8 +73,7 @@ struct OperatingPoint {
   R atan_load;      // atan(BREFF Fz/Fz0)
   R sin_K, sin_K0;  // sin(PKY4 atan(...)) of (4.E25), cambered and upright
   R sin_RVY;        // sin(RVY5 atan(RVY6 kappa))
-  R Fz_Mx, cos_QSX5, atan_QSX11;
-  R exp_PKX3, exp_PTX3;
+  R exp_PKX3;
   R Fz_My, load_power, pressure_power;  // (Fz/Fz0)^QSY7 (p/p0)^QSY8
   R patch_load, patch_root;             // Fz/(Cz R0), its cube root
 };
@@ -132,40 +137,30 @@ LATSCH_INLINE void powers(const TireConstants& tire, OperatingPoint<R>& o) {
                       select(pressure > 0.0, pressure, one),
                       select(o.patch_load > 0.0, o.patch_load, one)};
   const double powers[3] = {p.QSY7, p.QSY8, 1.0 / 3.0};
-  const R exponents[2] = {p.PKX3 * o.dfz, -p.PTX3 * o.dfz};
-  R raised[3], exps[2];
-  powers_and_exps(bases, powers, exponents, raised, exps);
-  o.exp_PKX3 = exps[0];
+  R raised[3];
+  powers_and_exp(bases, powers, R(p.PKX3 * o.dfz), raised, o.exp_PKX3);
   o.load_power = p.QSY7 == 0.0 ? one : select(load > 0.0, raised[0], zero);
   o.pressure_power = p.QSY8 == 0.0 ? one : select(pressure > 0.0, raised[1], zero);
   o.patch_root = select(o.patch_load > 0.0, raised[2], zero);
-  o.exp_PTX3 = exps[1];
 }
 
 template <class R>
 LATSCH_INLINE void functions_of_state(const TireConstants& tire, OperatingPoint<R>& o) {
   const Parameters& p = tire.p;
-  o.Fz_Mx = faded_load(tire, o.Fz, true);
-  const R fz = o.Fz_Mx * tire.per_FNOMIN;
   const R gamma_star = o.gamma_star * (tire.mf52 ? p.LGAY : 1.0);
-  const R arguments[6] = {bend(tire, o, gamma_star),
+  const R arguments[4] = {bend(tire, o, gamma_star),
                           bend<R>(tire, o, R(0.0)),
                           p.RVY6 * o.kappa,
-                          p.QSX6 * fz * (p.QSX6 * fz),
-                          p.BREFF * (o.Fz_given * tire.per_FNOMIN),
-                          p.QSX11 * fz};
-  const double factors[4] = {p.PKY4, p.PKY4, p.RVY5, p.QSX5};
-  R arcs[6], sine[5], cosine[5];
+                          p.BREFF * (o.Fz_given * tire.per_FNOMIN)};
+  const double factors[3] = {p.PKY4, p.PKY4, p.RVY5};
+  R arcs[4], sine[4], cosine[4];
   sin_cos_of_atan_all(arguments, factors, o.alpha, arcs, sine, cosine);
-  o.atan_load = arcs[4];
-  o.atan_QSX11 = arcs[5];
+  o.atan_load = arcs[3];
   o.sin_K = sine[0];
   o.sin_K0 = sine[1];
   o.sin_RVY = sine[2];
-  o.cos_QSX5 = cosine[3];
-  o.tan_alpha = sine[4] / cosine[4];
-  o.cos_alpha = cosine[4];
-  powers(tire, o);
+  o.tan_alpha = sine[3] / cosine[3];
+  o.cos_alpha = cosine[3];
 }
 
 /// x >= 1 with x^3 - x^2 = e >= 0, by Newton's method from the first terms of its series, or where
@@ -257,6 +252,7 @@ LATSCH_INLINE void find_operating_point(const TireConstants& tire,
   o.dfz = (o.Fz - tire.Fz0_prime) * tire.per_Fz0_prime;              // (4.E2a)
   o.dpi = (o.p - p.NOMPRES) * tire.per_NOMPRES;                      // (4.E2b)
   o.per_Cz = 1.0 / (p.VERTICAL_STIFFNESS * (1.0 + p.PFZ1 * o.dpi));  // (5)
+  powers(tire, o);
   functions_of_state(tire, o);
   o.alpha_star = tangent ? o.tan_alpha * o.sign_Vx : o.alpha;  // (4.E3)
   o.cos_alpha_star = tangent ? cos(o.alpha_star) : o.cos_alpha;
@@ -273,19 +269,24 @@ LATSCH_INLINE void find_operating_point(const TireConstants& tire,
   if (conventions.turn_slip) spin(p, o);
 }
 
-/// The curves of one state, C atan(Bx - E (Bx - atan Bx)) of each (4.E9), evaluated together.
+/// The curves of one state, C atan(Bx - E (Bx - atan Bx)) of each (4.E9), four at a time.
 template <class R>
 struct Shapes {
-  enum { kFx, kGx, kGx0, kFy, kFyUpright, kGy, kGy0, kTrail, kCount };
+  enum { kFy, kFyUpright, kGy, kGy0, kFx, kGx, kGx0, kTrail, kCount };
+  enum Four { kLateral = kFy, kOthers = kFx };
   R Bx[kCount], C[kCount], E[kCount];
   R sine[kCount], cosine[kCount];
+  decltype(inner_arcs(Bx)) arcs[2];
 
   LATSCH_INLINE void set(int which, const R& Bx_, const R& C_, const R& E_) {
     Bx[which] = Bx_;
     C[which] = C_;
     E[which] = E_;
   }
-  LATSCH_INLINE void evaluate() { magic_of_eight(Bx, C, E, sine, cosine); }
+  LATSCH_INLINE void begin(Four i) { arcs[i / 4] = inner_arcs(Bx + i); }
+  LATSCH_INLINE void end(Four i) {
+    magic_of_four(Bx + i, C + i, E + i, arcs[i / 4], sine + i, cosine + i);
+  }
 };
 
 /// sin(C atan(Bx - E (Bx - atan Bx))) of one alone

@@ -37,97 +37,75 @@ LATSCH_INLINE void scatter(const Lanes4& v, Lane* x) {
   for (int i = 0; i < N; ++i) x[i] = v.at(i);
 }
 
-/// Sine and cosine of C atan(x - E (x - atan x)).
-template <class T>
-LATSCH_INLINE SinCos<T> magic(const T& x, const T& C, const T& E) {
-  return sin_cos(C * atan(x - E * (x - atan(x))));
-}
-LATSCH_INLINE void magic_of_eight(
-    const Lane* x, const Lane* C, const Lane* E, Lane* sine, Lane* cosine) {
-  const SinCos<Lanes> r = magic(joined(gathered<4>(x), gathered<4>(x + 4)),
-                                joined(gathered<4>(C), gathered<4>(C + 4)),
-                                joined(gathered<4>(E), gathered<4>(E + 4)));
-  scatter<4>(low_half(r.sin), sine);
-  scatter<4>(high_half(r.sin), sine + 4);
-  scatter<4>(low_half(r.cos), cosine);
-  scatter<4>(high_half(r.cos), cosine + 4);
-}
-LATSCH_INLINE void magic_of_eight(
-    const Lanes* x, const Lanes* C, const Lanes* E, Lanes* sine, Lanes* cosine) {
-  for (int i = 0; i < 8; ++i) {
-    const SinCos<Lanes> r = magic(x[i], C[i], E[i]);
-    sine[i] = r.sin;
-    cosine[i] = r.cos;
-  }
-}
-/// Of the four curves behind each other.
+// Sine and cosine of four curves C atan(x - E (x - atan x)), in two steps: what one state has to do
+// between them goes on beside the first. Eight states do all of it in the second.
+LATSCH_INLINE Lanes4 inner_arcs(const Lane* x) { return atan(gathered<4>(x)); }
 LATSCH_INLINE void magic_of_four(
-    const Lane* x, const Lane* C, const Lane* E, Lane* sine, Lane* cosine) {
-  const SinCos<Lanes4> r = magic(gathered<4>(x), gathered<4>(C), gathered<4>(E));
+    const Lane* x_, const Lane* C, const Lane* E, const Lanes4& arcs, Lane* sine, Lane* cosine) {
+  const Lanes4 x = gathered<4>(x_);
+  const SinCos<Lanes4> r = sin_cos(gathered<4>(C) * atan(x - gathered<4>(E) * (x - arcs)));
   scatter<4>(r.sin, sine);
   scatter<4>(r.cos, cosine);
 }
+struct ArcsLater {};
+LATSCH_INLINE ArcsLater inner_arcs(const Lanes*) { return {}; }
 LATSCH_INLINE void magic_of_four(
-    const Lanes* x, const Lanes* C, const Lanes* E, Lanes* sine, Lanes* cosine) {
+    const Lanes* x, const Lanes* C, const Lanes* E, const ArcsLater&, Lanes* sine, Lanes* cosine) {
   for (int i = 0; i < 4; ++i) {
-    const SinCos<Lanes> r = magic(x[i], C[i], E[i]);
+    const SinCos<Lanes> r = sin_cos(C[i] * atan(x[i] - E[i] * (x[i] - atan(x[i]))));
     sine[i] = r.sin;
     cosine[i] = r.cos;
   }
 }
 
-/// Arc tangents of six x; sine and cosine of the first four times a factor, and of one more angle.
-LATSCH_INLINE void sin_cos_of_atan_all(const Lane (&x)[6],
-                                       const double (&factor)[4],
+/// Arc tangents of four x; sine and cosine of the first three times a factor, and of one more
+/// angle.
+LATSCH_INLINE void sin_cos_of_atan_all(const Lane (&x)[4],
+                                       const double (&factor)[3],
                                        const Lane& angle,
-                                       Lane (&arc)[6],
-                                       Lane (&sine)[5],
-                                       Lane (&cosine)[5]) {
+                                       Lane (&arc)[4],
+                                       Lane (&sine)[4],
+                                       Lane (&cosine)[4]) {
   const Lanes4 arcs = atan(gathered<4>(x));
-  // Independent of those arcs, so that the two go on side by side.
-  const SinCos<Lanes4> alone = sin_cos(four(angle.v, 0.0, 0.0, 0.0));
-  const SinCos<Lanes4> r = sin_cos(gathered<4>(factor) * arcs);
-  scatter<2>(atan(gathered<2>(x + 4)), arc + 4);
+  const auto last = four(0.0, 0.0, 0.0, 1.0) > 0.0;
+  const SinCos<Lanes4> r = sin_cos(select(last, Lanes4(angle.v), gathered<3>(factor) * arcs));
   scatter<4>(arcs, arc);
   scatter<4>(r.sin, sine);
   scatter<4>(r.cos, cosine);
-  sine[4] = alone.sin.at(0);
-  cosine[4] = alone.cos.at(0);
 }
-LATSCH_INLINE void sin_cos_of_atan_all(const Lanes (&x)[6],
-                                       const double (&factor)[4],
+LATSCH_INLINE void sin_cos_of_atan_all(const Lanes (&x)[4],
+                                       const double (&factor)[3],
                                        const Lanes& angle,
-                                       Lanes (&arc)[6],
-                                       Lanes (&sine)[5],
-                                       Lanes (&cosine)[5]) {
-  for (int i = 0; i < 6; ++i) arc[i] = atan(x[i]);
-  for (int i = 0; i < 5; ++i) {
-    const SinCos<Lanes> r = i < 4 ? sin_cos(factor[i < 4 ? i : 0] * arc[i]) : sin_cos(angle);
+                                       Lanes (&arc)[4],
+                                       Lanes (&sine)[4],
+                                       Lanes (&cosine)[4]) {
+  for (int i = 0; i < 4; ++i) arc[i] = atan(x[i]);
+  for (int i = 0; i < 4; ++i) {
+    const SinCos<Lanes> r = i < 3 ? sin_cos(factor[i < 3 ? i : 0] * arc[i]) : sin_cos(angle);
     sine[i] = r.sin;
     cosine[i] = r.cos;
   }
 }
 
-/// base^power for base > 0, and exponentials.
-template <int N, int M>
-LATSCH_INLINE void powers_and_exps(const Lane (&base)[N],
-                                   const double (&power)[N],
-                                   const Lane (&exponent)[M],
-                                   Lane (&raised)[N],
-                                   Lane (&exps)[M]) {
-  const Lanes4 powers = gathered<N>(power) * log(gathered<N>(base, 1.0));
-  const Lanes r = exp(joined(powers, gathered<M>(exponent)));
-  for (int i = 0; i < N; ++i) raised[i] = r.at(i);
-  for (int i = 0; i < M; ++i) exps[i] = r.at(4 + i);
+/// base^power of three base > 0, and e^exponent.
+LATSCH_INLINE void powers_and_exp(const Lane (&base)[3],
+                                  const double (&power)[3],
+                                  const Lane& exponent,
+                                  Lane (&raised)[3],
+                                  Lane& e_to) {
+  const auto last = four(0.0, 0.0, 0.0, 1.0) > 0.0;
+  const Lanes4 powers = gathered<3>(power) * log(gathered<3>(base, 1.0));
+  const Lanes4 r = exp(select(last, Lanes4(exponent.v), powers));
+  scatter<3>(r, raised);
+  e_to = r.at(3);
 }
-template <int N, int M>
-LATSCH_INLINE void powers_and_exps(const Lanes (&base)[N],
-                                   const double (&power)[N],
-                                   const Lanes (&exponent)[M],
-                                   Lanes (&raised)[N],
-                                   Lanes (&exps)[M]) {
-  for (int i = 0; i < N; ++i) raised[i] = exp(power[i] * log(base[i]));
-  for (int i = 0; i < M; ++i) exps[i] = exp(exponent[i]);
+LATSCH_INLINE void powers_and_exp(const Lanes (&base)[3],
+                                  const double (&power)[3],
+                                  const Lanes& exponent,
+                                  Lanes (&raised)[3],
+                                  Lanes& e_to) {
+  for (int i = 0; i < 3; ++i) raised[i] = exp(power[i] * log(base[i]));
+  e_to = exp(exponent);
 }
 
 }  // namespace latsch::magic_formula::LATSCH_KERNELS
