@@ -81,14 +81,14 @@ LATSCH_INLINE void steady_state(const TireConstants& tire,
   find_everything(tire, conventions, state, e);
   const auto& [o, x, pure, y, z] = e;
   wheel = {o.Fz, o.Fz_given, o.omega, o.gamma, o.dpi, o.R_omega};
+  const double side = conventions.mirrored ? -1.0 : 1.0;
+  s.Mx = side * overturning(tire, o, y.Fy);  // first: the longest chain that hangs on the forces
   const Deflection<R> d = deflection(tire, o, x.Fx, y.Fy);
   const Patch<R> patch = contact_patch(tire, o);
   const Relaxation<R> r = relaxation(tire, o, x.Kxk, pure.Kya);
-  const double side = conventions.mirrored ? -1.0 : 1.0;
   s.Fx = x.Fx;
   s.Fy = side * y.Fy;
   s.Fz = o.Fz;
-  s.Mx = side * overturning(tire, o, y.Fy);
   s.My = rolling_resistance(tire, o, x.Fx);
   s.Mz = side * z.Mz;
   s.R_e = o.Re;
