@@ -11,14 +11,16 @@ namespace {
 
 using Lists = std::vector<std::vector<int>>;
 
-/// Nested dissection of the graph of block rows: position of every block row.
-std::vector<int> dissect(const SymmetricPattern& pattern) {
-  const int n = pattern.block_rows();
+/// Nested dissection of the graph of those block rows that `number` counts (-1: left out): position
+/// of every one.
+std::vector<int> dissect(const SymmetricPattern& pattern, const std::vector<int>& number, int n) {
   Lists neighbors(n);
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < pattern.block_rows(); ++i) {
     for (int k = pattern.row_start()[i]; k < pattern.row_start()[i + 1] - 1; ++k) {
-      neighbors[i].push_back(pattern.column()[k]);
-      neighbors[pattern.column()[k]].push_back(i);
+      const int a = number[i], b = number[pattern.column()[k]];
+      if (a < 0 || b < 0) continue;
+      neighbors[a].push_back(b);
+      neighbors[b].push_back(a);
     }
   }
   std::vector<idx_t> first(1, 0), neighbor;
@@ -38,14 +40,37 @@ std::vector<int> dissect(const SymmetricPattern& pattern) {
   return {position.begin(), position.end()};
 }
 
-/// Rows below the diagonal of every column, in the order of `position`.
-Lists lower_columns(const SymmetricPattern& pattern, const std::vector<int>& position) {
+/// The same of all block rows, those of the interface at the end.
+std::vector<int> order(const SymmetricPattern& pattern, const std::vector<int>& interface) {
+  std::vector<int> number(pattern.block_rows(), 0);
+  for (int row : interface) number[row] = -1;
+  int inside = 0;
+  for (int& row : number) {
+    if (row == 0) row = inside++;
+  }
+  std::vector<int> position = dissect(pattern, number, inside), all(number.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (number[i] >= 0) all[i] = position[number[i]];
+  }
+  for (int row : interface) all[row] = inside++;
+  return all;
+}
+
+/// Rows below the diagonal of every column, in the order of `position`; the last `interface` ones
+/// are all coupled.
+Lists lower_columns(const SymmetricPattern& pattern,
+                    const std::vector<int>& position,
+                    int interface) {
   Lists columns(position.size());
   for (int i = 0; i < pattern.block_rows(); ++i) {
     for (int k = pattern.row_start()[i]; k < pattern.row_start()[i + 1] - 1; ++k) {
       const auto [column, row] = std::minmax(position[i], position[pattern.column()[k]]);
       columns[column].push_back(row);
     }
+  }
+  const int n = pattern.block_rows();
+  for (int j = n - interface; j < n; ++j) {
+    for (int row = j + 1; row < n; ++row) columns[j].push_back(row);
   }
   return columns;
 }
@@ -75,17 +100,21 @@ std::vector<int> fill(Lists& columns) {
   return parent;
 }
 
-/// Children before parents, the child with the most rows last: it may join its parent.
-std::vector<int> postorder(const std::vector<int>& parent, const Lists& columns) {
-  const int n = static_cast<int>(parent.size());
+/// Children before parents, the child with the most rows last: it may join its parent. The last
+/// `interface` ones stay where they are.
+std::vector<int> postorder(const std::vector<int>& parent, const Lists& columns, int interface) {
+  const int all = static_cast<int>(parent.size()), n = all - interface;
   Lists children(n + 1);
-  for (int j = 0; j < n; ++j) children[parent[j] < 0 ? n : parent[j]].push_back(j);
+  for (int j = 0; j < n; ++j) {
+    children[parent[j] < 0 || parent[j] >= n ? n : parent[j]].push_back(j);
+  }
   for (std::vector<int>& some : children) {
     std::stable_sort(some.begin(), some.end(), [&](int a, int b) {
       return columns[a].size() < columns[b].size();
     });
   }
-  std::vector<int> position(n), next(n + 1, 0), path{n};
+  std::vector<int> position(all), next(n + 1, 0), path{n};
+  std::iota(position.begin() + n, position.end(), n);
   int count = 0;
   while (!path.empty()) {
     const int j = path.back();
@@ -100,11 +129,14 @@ std::vector<int> postorder(const std::vector<int>& parent, const Lists& columns)
 }
 
 /// Columns one after the other whose rows are the same.
-std::vector<Front> fundamental_fronts(const std::vector<int>& parent, const Lists& columns) {
+std::vector<Front> fundamental_fronts(const std::vector<int>& parent,
+                                      const Lists& columns,
+                                      int interface) {
   std::vector<Front> fronts;
+  const int first_of_interface = static_cast<int>(parent.size()) - interface;
   for (int j = 0; j < static_cast<int>(parent.size()); ++j) {
-    const bool joins =
-        j > 0 && parent[j - 1] == j && columns[j - 1].size() == columns[j].size() + 1;
+    const bool joins = j > 0 && j != first_of_interface && parent[j - 1] == j &&
+                       columns[j - 1].size() == columns[j].size() + 1;
     if (!joins) fronts.push_back({j, 0, {}, -1});
     ++fronts.back().columns;
     fronts.back().below = columns[j];
@@ -121,12 +153,13 @@ bool may_store(double zeros, int columns) {
 
 /// Joins fronts with the parent that follows them; from the last to the first, so that a parent has
 /// joined its own before.
-std::vector<Front> joined(std::vector<Front> fronts, int block) {
+std::vector<Front> joined(std::vector<Front> fronts, int block, int first_of_interface) {
   std::vector<Front> kept;  // last first
   std::vector<double> zeros;
   for (int s = static_cast<int>(fronts.size()) - 1; s >= 0; --s) {
     Front& front = fronts[s];
-    if (!kept.empty() && !front.below.empty() && front.below.front() == kept.back().first) {
+    if (!kept.empty() && !front.below.empty() && front.below.front() == kept.back().first &&
+        kept.back().first != first_of_interface) {
       Front& parent = kept.back();
       const double columns = front.columns + parent.columns;
       const double height = front.columns + parent.rows();
@@ -158,16 +191,19 @@ void find_parents(std::vector<Front>& fronts, int columns) {
 
 }  // namespace
 
-Elimination eliminate(const SymmetricPattern& pattern) {
+Elimination eliminate(const SymmetricPattern& pattern, const std::vector<int>& interface) {
   Elimination result;
-  result.position = dissect(pattern);
-  Lists columns = lower_columns(pattern, result.position);
+  const int last = static_cast<int>(interface.size());
+  result.interface = last;
+  result.position = order(pattern, interface);
+  Lists columns = lower_columns(pattern, result.position, last);
   std::vector<int> parent = fill(columns);
-  const std::vector<int> order = postorder(parent, columns);
-  for (int& position : result.position) position = order[position];
-  columns = lower_columns(pattern, result.position);
+  const std::vector<int> after = postorder(parent, columns, last);
+  for (int& position : result.position) position = after[position];
+  columns = lower_columns(pattern, result.position, last);
   parent = fill(columns);
-  result.fronts = joined(fundamental_fronts(parent, columns), pattern.block_size());
+  result.fronts = joined(
+      fundamental_fronts(parent, columns, last), pattern.block_size(), pattern.block_rows() - last);
   find_parents(result.fronts, pattern.block_rows());
   return result;
 }

@@ -28,8 +28,10 @@ struct Front {
 struct Elimination {
   std::vector<int> position;  // of every block row of the pattern
   std::vector<Front> fronts;  // children before their parents, the last child right before
+  int interface = 0;          // block rows at the end that make the last front, alone; 0: none
 };
 
-Elimination eliminate(const SymmetricPattern& pattern);
+/// `interface`: block rows that are eliminated last, together, in this order.
+Elimination eliminate(const SymmetricPattern& pattern, const std::vector<int>& interface = {});
 
 }  // namespace latsch::numerics

@@ -17,8 +17,11 @@ namespace latsch::numerics {
 struct Factorization::Impl {
   bool ready = false;
   virtual ~Impl() = default;
-  virtual FactorStatus factorize(const SymmetricMatrix& A) = 0;
+  virtual FactorStatus factorize(const SymmetricMatrix& A, bool but_interface) = 0;
   virtual void solve(Eigen::Ref<Eigen::MatrixXd> X) = 0;
+  virtual Eigen::MatrixXd condensed() const = 0;
+  virtual void reduce(Eigen::Ref<Eigen::VectorXd> x) = 0;
+  virtual void expand(Eigen::Ref<Eigen::VectorXd> x) = 0;
   std::shared_ptr<const Elimination> elimination;
   double flops = 0.0;
   long long entries = 0;
@@ -68,17 +71,26 @@ template <class Real>
 class Multifrontal final : public Factorization::Impl {
  public:
   Multifrontal(const SymmetricPattern& pattern, std::shared_ptr<const Elimination> order);
-  FactorStatus factorize(const SymmetricMatrix& A) override;
+  FactorStatus factorize(const SymmetricMatrix& A, bool but_interface) override;
   void solve(Eigen::Ref<Eigen::MatrixXd> X) override;
+  Eigen::MatrixXd condensed() const override;
+  void reduce(Eigen::Ref<Eigen::VectorXd> x) override;
+  void expand(Eigen::Ref<Eigen::VectorXd> x) override;
 
  private:
   void plan(const Elimination& order);
   void list_entries(const SymmetricPattern& pattern, const Elimination& order);
   void enter(const SymmetricMatrix& A, int front);
   void add_update(const FrontPlan& child, const Real* update, bool to_panel, Real* own);
+  void take_updates(int front);
   bool eliminate_front(int front);
-  void forward(int columns);
-  void backward(int columns);
+  void forward(const FrontPlan& front, int columns);
+  void backward(const FrontPlan& front, int columns);
+  void make_room(int columns);
+  double take(const Eigen::Ref<const Eigen::VectorXd>& x, int column);
+  void give(int column, double scale, Eigen::Ref<Eigen::VectorXd> x) const;
+  /// Fronts that are not the interface.
+  size_t inside() const { return fronts_.size() - (elimination->interface > 0 ? 1 : 0); }
 
   Real* panel(const FrontPlan& front) { return factor_.data() + front.panel; }
 
@@ -230,12 +242,17 @@ void Multifrontal<Real>::add_update(const FrontPlan& child,
 }
 
 template <class Real>
+void Multifrontal<Real>::take_updates(int s) {
+  for (int child : children_[s]) {
+    add_update(fronts_[child], stack_.data() + stacked_[child], true, panel(fronts_[s]));
+  }
+}
+
+template <class Real>
 bool Multifrontal<Real>::eliminate_front(int s) {
   const FrontPlan& plan = fronts_[s];
   Real* L = panel(plan);
-  for (int child : children_[s]) {
-    add_update(fronts_[child], stack_.data() + stacked_[child], true, L);
-  }
+  take_updates(s);
   if (!cholesky(plan.pivots, L, plan.rows)) return false;
   const int u = plan.below();
   Real* update = stack_.data() + top_;
@@ -255,7 +272,7 @@ bool Multifrontal<Real>::eliminate_front(int s) {
 }
 
 template <class Real>
-FactorStatus Multifrontal<Real>::factorize(const SymmetricMatrix& A) {
+FactorStatus Multifrontal<Real>::factorize(const SymmetricMatrix& A, bool but_interface) {
   ready = false;
   FactorStatus status;
   double sum = 0.0;
@@ -267,7 +284,9 @@ FactorStatus Multifrontal<Real>::factorize(const SymmetricMatrix& A) {
   top_ = 0;
   for (int s = 0; s < static_cast<int>(fronts_.size()); ++s) {
     enter(A, s);
-    if (!eliminate_front(s)) {
+    if (but_interface && s == static_cast<int>(inside())) {
+      take_updates(s);
+    } else if (!eliminate_front(s)) {
       status.outcome = FactorStatus::Outcome::not_positive;
       status.reason = "the matrix is not positive definite";
       return status;
@@ -279,73 +298,103 @@ FactorStatus Multifrontal<Real>::factorize(const SymmetricMatrix& A) {
 }
 
 template <class Real>
-void Multifrontal<Real>::forward(int columns) {
-  for (const FrontPlan& front : fronts_) {
-    Real* x = vector_.data() + front.first;
-    const Real* L = panel(front);
-    solve_lower(front.pivots, columns, L, front.rows, x, size_);
-    const int u = front.below();
-    if (u == 0) continue;
-    multiply(u, columns, front.pivots, L + front.pivots, front.rows, x, size_, below_.data());
-    for (int j = 0; j < columns; ++j) {
-      const Real* from = below_.data() + static_cast<size_t>(j) * u;
-      Real* to = vector_.data() + static_cast<size_t>(j) * size_;
-      for (const auto& [start, target, length] : front.in_vector) {
-        for (int r = 0; r < length; ++r) to[target + r] -= from[start + r];
-      }
+void Multifrontal<Real>::forward(const FrontPlan& front, int columns) {
+  Real* x = vector_.data() + front.first;
+  const Real* L = panel(front);
+  solve_lower(front.pivots, columns, L, front.rows, x, size_);
+  const int u = front.below();
+  if (u == 0) return;
+  multiply(u, columns, front.pivots, L + front.pivots, front.rows, x, size_, below_.data());
+  for (int j = 0; j < columns; ++j) {
+    const Real* from = below_.data() + static_cast<size_t>(j) * u;
+    Real* to = vector_.data() + static_cast<size_t>(j) * size_;
+    for (const auto& [start, target, length] : front.in_vector) {
+      for (int r = 0; r < length; ++r) to[target + r] -= from[start + r];
     }
   }
 }
 
 template <class Real>
-void Multifrontal<Real>::backward(int columns) {
-  for (size_t s = fronts_.size(); s-- > 0;) {
-    const FrontPlan& front = fronts_[s];
-    Real* x = vector_.data() + front.first;
-    const Real* L = panel(front);
-    const int u = front.below();
-    for (int j = 0; j < columns && u > 0; ++j) {
-      Real* to = below_.data() + static_cast<size_t>(j) * u;
-      const Real* from = vector_.data() + static_cast<size_t>(j) * size_;
-      for (const auto& [start, target, length] : front.in_vector) {
-        for (int r = 0; r < length; ++r) to[start + r] = from[target + r];
-      }
+void Multifrontal<Real>::backward(const FrontPlan& front, int columns) {
+  Real* x = vector_.data() + front.first;
+  const Real* L = panel(front);
+  const int u = front.below();
+  for (int j = 0; j < columns && u > 0; ++j) {
+    Real* to = below_.data() + static_cast<size_t>(j) * u;
+    const Real* from = vector_.data() + static_cast<size_t>(j) * size_;
+    for (const auto& [start, target, length] : front.in_vector) {
+      for (int r = 0; r < length; ++r) to[start + r] = from[target + r];
     }
-    if (u > 0) {
-      subtract_transposed(
-          front.pivots, columns, u, L + front.pivots, front.rows, below_.data(), x, size_);
-    }
-    solve_lower_transposed(front.pivots, columns, L, front.rows, x, size_);
   }
+  if (u > 0) {
+    subtract_transposed(
+        front.pivots, columns, u, L + front.pivots, front.rows, below_.data(), x, size_);
+  }
+  solve_lower_transposed(front.pivots, columns, L, front.rows, x, size_);
 }
 
 template <class Real>
 void Multifrontal<Real>::solve(Eigen::Ref<Eigen::MatrixXd> X) {
   assert(ready && X.rows() == size_);
-  int tallest = 0;
-  for (const FrontPlan& front : fronts_) tallest = std::max(tallest, front.below());
   for (Eigen::Index first = 0; first < X.cols(); first += kColumnsTogether) {
     const int columns =
         static_cast<int>(std::min<Eigen::Index>(kColumnsTogether, X.cols() - first));
-    vector_.resize(static_cast<size_t>(size_) * columns);
-    below_.resize(static_cast<size_t>(tallest) * columns);
+    make_room(columns);
     Eigen::VectorXd scale(columns);
-    for (int j = 0; j < columns; ++j) {
-      // Scaled to the middle of the exponents: a residual of 1e-40 is none.
-      const double largest = X.col(first + j).cwiseAbs().maxCoeff();
-      scale[j] = std::is_same_v<Real, float> && largest > 0.0 ? largest : 1.0;
-      Real* to = vector_.data() + static_cast<size_t>(j) * size_;
-      for (int i = 0; i < size_; ++i) {
-        to[position_[i]] = static_cast<Real>(X(i, first + j) / scale[j]);
-      }
-    }
-    forward(columns);
-    backward(columns);
-    for (int j = 0; j < columns; ++j) {
-      const Real* from = vector_.data() + static_cast<size_t>(j) * size_;
-      for (int i = 0; i < size_; ++i) X(i, first + j) = scale[j] * from[position_[i]];
-    }
+    for (int j = 0; j < columns; ++j) scale[j] = take(X.col(first + j), j);
+    for (const FrontPlan& front : fronts_) forward(front, columns);
+    for (size_t s = fronts_.size(); s-- > 0;) backward(fronts_[s], columns);
+    for (int j = 0; j < columns; ++j) give(j, scale[j], X.col(first + j));
   }
+}
+
+template <class Real>
+void Multifrontal<Real>::make_room(int columns) {
+  int tallest = 0;
+  for (const FrontPlan& front : fronts_) tallest = std::max(tallest, front.below());
+  vector_.resize(static_cast<size_t>(size_) * columns);
+  below_.resize(static_cast<size_t>(tallest) * columns);
+}
+
+/// A right-hand side in the order of elimination, scaled to the middle of the exponents (a residual
+/// of 1e-40 is none); by how much.
+template <class Real>
+double Multifrontal<Real>::take(const Eigen::Ref<const Eigen::VectorXd>& x, int column) {
+  const double largest = x.cwiseAbs().maxCoeff();
+  const double scale = std::is_same_v<Real, float> && largest > 0.0 ? largest : 1.0;
+  Real* to = vector_.data() + static_cast<size_t>(column) * size_;
+  for (int i = 0; i < size_; ++i) to[position_[i]] = static_cast<Real>(x[i] / scale);
+  return scale;
+}
+
+template <class Real>
+void Multifrontal<Real>::give(int column, double scale, Eigen::Ref<Eigen::VectorXd> x) const {
+  const Real* from = vector_.data() + static_cast<size_t>(column) * size_;
+  for (int i = 0; i < size_; ++i) x[i] = scale * from[position_[i]];
+}
+
+template <class Real>
+Eigen::MatrixXd Multifrontal<Real>::condensed() const {
+  const FrontPlan& front = fronts_.back();
+  using Panel = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+  const Eigen::Map<const Panel> lower(factor_.data() + front.panel, front.rows, front.pivots);
+  return lower.template cast<double>().template selfadjointView<Eigen::Lower>();
+}
+
+template <class Real>
+void Multifrontal<Real>::reduce(Eigen::Ref<Eigen::VectorXd> x) {
+  make_room(1);
+  const double scale = take(x, 0);
+  for (size_t s = 0; s < inside(); ++s) forward(fronts_[s], 1);
+  give(0, scale, x);
+}
+
+template <class Real>
+void Multifrontal<Real>::expand(Eigen::Ref<Eigen::VectorXd> x) {
+  make_room(1);
+  const double scale = take(x, 0);
+  for (size_t s = inside(); s-- > 0;) backward(fronts_[s], 1);
+  give(0, scale, x);
 }
 
 std::unique_ptr<Factorization::Impl> make(const SymmetricPattern& pattern,
@@ -369,7 +418,13 @@ Factorization::~Factorization() = default;
 Factorization::Factorization(Factorization&&) noexcept = default;
 Factorization& Factorization::operator=(Factorization&&) noexcept = default;
 
-FactorStatus Factorization::factorize(const SymmetricMatrix& A) { return impl_->factorize(A); }
+FactorStatus Factorization::factorize(const SymmetricMatrix& A) {
+  return impl_->factorize(A, false);
+}
+FactorStatus Factorization::condense(const SymmetricMatrix& A) { return impl_->factorize(A, true); }
+Eigen::MatrixXd Factorization::condensed() const { return impl_->condensed(); }
+void Factorization::reduce(Eigen::Ref<Eigen::VectorXd> x) const { impl_->reduce(x); }
+void Factorization::expand(Eigen::Ref<Eigen::VectorXd> x) const { impl_->expand(x); }
 bool Factorization::ready() const { return impl_->ready; }
 void Factorization::solve(Eigen::Ref<Eigen::VectorXd> x) const {
   impl_->solve(Eigen::Map<Eigen::MatrixXd>(x.data(), x.size(), 1));

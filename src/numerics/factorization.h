@@ -67,6 +67,21 @@ class Factorization {
   /// Every column of X, in place; many columns together are cheaper than one by one.
   void solve_columns(Eigen::Ref<Eigen::MatrixXd> X) const;
 
+  // With an interface of m unknowns (Elimination::interface), A = [A_ii A_ic; A_ci A_cc] may be
+  // factorized but for it:
+  //   S = A_cc - A_ci A_ii^-1 A_ic
+  // is what the interface feels of the rest, and solving A x = b is reduce(b), S x_c = b_c of what
+  // came out, expand(x). Other matrices on the interface can be added to S at will.
+
+  /// Definite: A_ii is.
+  FactorStatus condense(const SymmetricMatrix& A);
+  /// S [m x m], in the order of the interface's block rows.
+  Eigen::MatrixXd condensed() const;
+  /// b <- (L_ii^-1 b_i, b_c - A_ci A_ii^-1 b_i)
+  void reduce(Eigen::Ref<Eigen::VectorXd> b) const;
+  /// x <- (L_ii^-T (x_i - L_ci' x_c), x_c)
+  void expand(Eigen::Ref<Eigen::VectorXd> x) const;
+
   const std::shared_ptr<const Elimination>& elimination() const;
   double flops() const;       // floating-point operations of one factorization
   long long entries() const;  // numbers in L

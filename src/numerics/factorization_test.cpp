@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "numerics/conjugate_gradients.h"
+#include "numerics/elimination.h"
 #include "numerics/lattice_testing.h"
 #include "numerics/self_adjoint_eigen.h"
 
@@ -180,6 +183,73 @@ TEST(Factorization, MayShareTheOrderOfElimination) {
   alone.solve(x);
   shared.solve(y);
   EXPECT_EQ(x, y);
+}
+
+/// A lattice with an interface of some of its nodes, neither first nor together.
+struct WithInterface {
+  Lattice lattice{{6, 5, 4}, 3};
+  SymmetricPattern pattern{lattice.size(), lattice.elements()};
+  std::vector<int> block_rows = {40, 3, 17, 18, 77, 119};
+  SymmetricMatrix A{pattern};
+  Factorization factor{pattern,
+                       Precision::full,
+                       std::make_shared<const Elimination>(eliminate(pattern, block_rows))};
+
+  WithInterface() { lattice.assemble_random(A, 5); }
+  /// Its unknowns in their order, then all others.
+  Eigen::PermutationMatrix<Eigen::Dynamic> order() const {
+    std::vector<int> unknowns;
+    for (int row : block_rows) {
+      for (int k = 0; k < 3; ++k) unknowns.push_back(3 * row + k);
+    }
+    for (int i = 0; i < A.size(); ++i) {
+      if (std::find(block_rows.begin(), block_rows.end(), i / 3) == block_rows.end()) {
+        unknowns.push_back(i);
+      }
+    }
+    Eigen::PermutationMatrix<Eigen::Dynamic> P(A.size());
+    for (int i = 0; i < A.size(); ++i) P.indices()[unknowns[i]] = i;
+    return P;
+  }
+};
+
+TEST(Factorization, CondensesToItsInterfaceAsTheSchurComplementSays) {
+  WithInterface it;
+  ASSERT_TRUE(it.factor.condense(it.A).definite());
+  const auto P = it.order();
+  const Eigen::MatrixXd A = P * dense(it.A) * P.transpose();
+  const int m = 3 * static_cast<int>(it.block_rows.size()), n = it.A.size() - m;
+  const Eigen::MatrixXd inner = A.bottomRightCorner(n, n);
+  const Eigen::MatrixXd S =
+      A.topLeftCorner(m, m) - A.topRightCorner(m, n) * inner.inverse() * A.bottomLeftCorner(n, m);
+  EXPECT_LT((it.factor.condensed() - S).norm(), 1e-10 * S.norm());
+}
+
+TEST(Factorization, SolvesWithWhateverStandsOnItsInterface) {
+  WithInterface it;
+  ASSERT_TRUE(it.factor.condense(it.A).definite());
+  const auto P = it.order();
+  const int m = 3 * static_cast<int>(it.block_rows.size());
+  const Eigen::MatrixXd spring = 50.0 * Eigen::MatrixXd::Identity(m, m);
+  Eigen::MatrixXd A = P * dense(it.A) * P.transpose();
+  A.topLeftCorner(m, m) += spring;
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(it.A.size());
+  Eigen::VectorXd x = b;
+  it.factor.reduce(x);
+  Eigen::VectorXd all = P * x;
+  all.head(m) = (it.factor.condensed() + spring).inverse() * all.head(m).eval();
+  x = P.transpose() * all;
+  it.factor.expand(x);
+  EXPECT_LT((A * (P * x) - P * b).norm(), 1e-10 * b.norm());
+}
+
+TEST(Factorization, AnInterfaceChangesNoSolution) {
+  WithInterface it;
+  ASSERT_TRUE(it.factor.factorize(it.A).definite());
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(it.A.size());
+  Eigen::VectorXd x = b;
+  it.factor.solve(x);
+  EXPECT_LT((dense(it.A) * x - b).norm(), 1e-10 * b.norm());
 }
 
 TEST(Factorization, GivesTheSameBitsTwice) {

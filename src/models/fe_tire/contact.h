@@ -26,7 +26,17 @@ namespace latsch::fe_tire {
 
 class GroundContact {
  public:
+  struct Face {
+    int element;
+    std::array<Eigen::Vector4d, 4> N;  // shape functions at the 4 Gauss points
+    std::array<double, 4> dA;          // reference area, m^2
+  };
+
   GroundContact(const RingUnknowns& unknowns, const Ground& ground);
+
+  const Ground& ground() const { return ground_; }
+  /// Tread faces of a sector, in the order of its elements.
+  const std::vector<Face>& faces(int sector) const { return faces_[ring_.width(sector)]; }
 
   /// Height of the ground in the wheel frame, m (negative: below the wheel center).
   void set_height(double z) { height_ = z; }
@@ -48,11 +58,6 @@ class GroundContact {
   ContactPatch patch(const Eigen::VectorXd& x, double* Fz) const;
 
  private:
-  struct Face {
-    int element;
-    std::array<Eigen::Vector4d, 4> N;  // shape functions at the 4 Gauss points
-    std::array<double, 4> dA;          // reference area, m^2
-  };
   struct Point {
     Eigen::Vector2d anchor = Eigen::Vector2d::Zero();
     bool anchored = false;
@@ -66,7 +71,6 @@ class GroundContact {
   };
 
   Traction traction(const Eigen::Vector3d& x, const Point& point, bool stuck) const;
-  const std::vector<Face>& faces(int sector) const { return faces_[ring_.width(sector)]; }
   Matrix34 world_face(int sector, int element, const Matrix38& u) const;
   Face face_of(int sector, int element) const;
   bool touches(int sector, int element, const Matrix38& u) const;

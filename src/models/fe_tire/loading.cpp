@@ -46,7 +46,7 @@ std::optional<Failure> go_to(double target,
     const double next =
         std::abs(left) <= 1.001 * step ? target : path.deflection + std::copysign(step, left);
     contact.set_height(-(inflated.radius - next));
-    RingState trial{path.predict(next), state.alpha};
+    RingState trial{solver.solves_contact(&contact) ? path.x : path.predict(next), state.alpha};
     std::optional<Failure> failure =
         solver.solve(elements, trial, inflated.pressure, &contact, name);
     if (!failure) {

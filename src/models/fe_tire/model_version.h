@@ -6,6 +6,6 @@
 
 namespace latsch::fe_tire {
 
-inline constexpr int kModelVersion = 3;
+inline constexpr int kModelVersion = 4;
 
 }  // namespace latsch::fe_tire

@@ -39,9 +39,10 @@ bool RingAssembly::assemble(const RingElements& elements,
                             const GroundContact* contact,
                             Eigen::VectorXd& f,
                             numerics::SymmetricMatrix* K,
-                            int* worst) const {
+                            int* worst,
+                            const ContactWindow* window) const {
   f.setZero(unknowns_.size());
-  return sum_elements(elements, state, pressure, contact, false, unknowns_, f, K, worst);
+  return sum_elements(elements, state, pressure, contact, false, unknowns_, f, K, worst, window);
 }
 
 bool RingAssembly::assemble_tangent(const RingElements& elements,
@@ -52,7 +53,8 @@ bool RingAssembly::assemble_tangent(const RingElements& elements,
                                     numerics::SymmetricMatrix& K,
                                     int* worst) const {
   Eigen::VectorXd unused = Eigen::VectorXd::Zero(unknowns_.size());
-  return sum_elements(elements, state, pressure, contact, true, vibration, unused, &K, worst);
+  return sum_elements(
+      elements, state, pressure, contact, true, vibration, unused, &K, worst, nullptr);
 }
 
 bool RingAssembly::sum_elements(const RingElements& elements,
@@ -63,7 +65,8 @@ bool RingAssembly::sum_elements(const RingElements& elements,
                                 const RingUnknowns& rows,
                                 Eigen::VectorXd& f,
                                 numerics::SymmetricMatrix* K,
-                                int* worst) const {
+                                int* worst,
+                                const ContactWindow* window) const {
   if (K) K->set_zero();
   const int per_sector = ring_.elements_per_sector(), alphas = ring_.alphas_per_element();
   ElementBatch batch;
@@ -87,7 +90,10 @@ bool RingAssembly::sum_elements(const RingElements& elements,
           return false;
         }
         batch.take(lane, fe, Ke_wanted, state.alpha.data() + global * alphas, alphas);
-        if (contact) contact->add_turned(s, e, u[lane], stuck, fe, Ke_wanted);
+        if (contact) {
+          Matrix24* ground = window && window->holds(s) ? nullptr : Ke_wanted;
+          contact->add_turned(s, e, u[lane], stuck, fe, ground);
+        }
         rows.scatter(s, e, fe, Ke_wanted, f);
         if (K) K->add_element(global, Ke.data());
       }

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "models/fe_tire/contact.h"
+#include "models/fe_tire/contact_window.h"
 #include "models/fe_tire/ring_elements.h"
 #include "models/fe_tire/ring_unknowns.h"
 #include "numerics/symmetric_matrix.h"
@@ -31,7 +32,8 @@ class RingAssembly {
   RingState zero_state() const;
 
   /// Forces f(x) = internal - pressure - ground, zero in equilibrium; K = df/dx (symmetric part)
-  /// where given. Contact may be null. False where an element fails; `worst` then is sector *
+  /// where given, without the ground's share in the faces of `window` (may be null). Contact may be
+  /// null. False where an element fails; `worst` then is sector *
   /// elements_per_sector + element.
   bool assemble(const RingElements& elements,
                 RingState& state,
@@ -39,7 +41,8 @@ class RingAssembly {
                 const GroundContact* contact,
                 Eigen::VectorXd& f,
                 numerics::SymmetricMatrix* K,
-                int* worst) const;
+                int* worst,
+                const ContactWindow* window = nullptr) const;
 
   /// Tangent at `state` in the numbering `vibration` of the motions about it (even or odd ones),
   /// all contact sticking. False as for assemble().
@@ -63,7 +66,8 @@ class RingAssembly {
                     const RingUnknowns& rows,
                     Eigen::VectorXd& f,
                     numerics::SymmetricMatrix* K,
-                    int* worst) const;
+                    int* worst,
+                    const ContactWindow* window) const;
 
   const RingUnknowns& unknowns_;
   const Ring& ring_;

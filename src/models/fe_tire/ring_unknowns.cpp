@@ -155,6 +155,12 @@ std::vector<std::vector<int>> RingUnknowns::connectivity() const {
   return lists;
 }
 
+int RingUnknowns::first_unknown(int sector, int element, int corner) const {
+  const int n = ring_.mesh().nodes_per_sector();
+  const int node = ring_.mesh().elements[element].node[corner];
+  return (node < n ? at(sector, node) : at(sector + 1, node - n)).first;
+}
+
 Matrix38 RingUnknowns::gather(int sector, int element, const Eigen::VectorXd& x) const {
   const int n = ring_.mesh().nodes_per_sector();
   Matrix38 u;

@@ -41,6 +41,8 @@ class RingUnknowns {
   /// Unknowns of each element's 24 displacements, -1 where the rim holds them; element index
   /// sector-major.
   std::vector<std::vector<int>> connectivity() const;
+  /// First of the three unknowns of a corner of an element, -1 where the rim holds it.
+  int first_unknown(int sector, int element, int corner) const;
   /// Unknowns that symmetry holds at zero (on the axis of the half turn); they keep a place in the
   /// numbering.
   const std::vector<int>& held() const { return held_; }
