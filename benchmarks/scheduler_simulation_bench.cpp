@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // 10,000 seeded histories of a search in virtual time in which everything goes wrong that may
 //
-// Points hang or fail, workers die or stall, in each of the sixteen mixes of these and with a
+// Points hang or fail, workers die or stall (and in every third history some are lost before they
+// begin), in each of the sixteen mixes of these and with a
 // timeout; messages are late, overtake each other and come twice, the store refuses, the master
 // dies and is started again with another number of workers, one to eight. In every second sixteen
 // of histories the timeout is so short that what stalls expires too.

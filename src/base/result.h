@@ -16,6 +16,7 @@ enum class Cause : std::uint8_t {
   timeout,     // it took longer than it was allowed
   bad_output,  // its answer is missing, cannot be read or holds numbers that are not finite
   transient,   // its worker was killed from outside or is out of reach: nothing about the point
+  not_begun,   // its worker was lost before it began: nothing was tried; never kept
 };
 
 /// Why a simulation gave no result: one sentence naming the step, the residual, the place and a

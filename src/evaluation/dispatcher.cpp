@@ -266,6 +266,10 @@ bool Dispatcher::is_repeated(Running& running, const Trial& trial) {
   if (trial.outcome.result) return false;
   Attempts& attempts = running.attempts;
   const Cause cause = trial.outcome.result.failure().cause;
+  if (cause == Cause::not_begun) {
+    --attempts.starts;
+    return true;
+  }
   if (cause != Cause::transient) {
     ++attempts.failures;
     attempts.failure = trial;

@@ -104,6 +104,34 @@ TEST(FailurePolicy, ALostWorkerIsForgivenOnceMoreThanAFailure) {
   }
 }
 
+// A node that can start no worker any more takes points and loses them. That tries nothing and uses
+// up no start; the limit is for what was tried.
+TEST(FailurePolicy, AWorkerThatIsLostBeforeItBeginsCostsNoStart) {
+  for (const int retries : {0, 1}) {
+    const int losses = retries + 2;
+    const auto script = [&](int allowed) -> Scripted::Script {
+      return [=](const DesignPoint& point, int attempt) -> Scripted::Answer {
+        if (point.values[0] != 3.0) return {};
+        // Every second attempt is tried by a worker, which dies of it.
+        if (attempt % 2 == 1) return {1.0, Failure{"no worker", Cause::not_begun}};
+        if (attempt / 2 <= allowed) return {1.0, Failure{"killed", Cause::transient}};
+        return {};
+      };
+    };
+    for (const int allowed : {0, losses - 1, losses}) {
+      FaultyStore store(0.0, 0);
+      Scripted executor(2, script(allowed));
+      RunOptions options = virtual_time();
+      options.on_failure.retries = retries;
+      EXPECT_EQ(run_doe(plan(6), executor, store, options), RunEnd::converged);
+      int failed = 0;
+      store.for_each([&](const Trial& trial) { failed += !trial.outcome.result; });
+      EXPECT_EQ(failed, allowed >= losses) << retries << " retries, " << allowed << " killed";
+      EXPECT_EQ(executor.attempts(3.0), 2 * std::min(allowed + 1, losses));
+    }
+  }
+}
+
 TEST(FailurePolicy, OtherFailuresAreFinalUnlessRetriesAreAskedFor) {
   for (const Cause cause : {Cause::point, Cause::timeout, Cause::bad_output}) {
     for (const int retries : {0, 1, 2}) {

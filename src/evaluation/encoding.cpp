@@ -72,6 +72,7 @@ enum Kind : std::uint8_t {
   kTimeout = 2,
   kBadOutput = 3,
   kTransient = 4,
+  kNotBegun = 5,
   // Added to the kind where the CPU time of outside programs comes next; not before format 3.
   kWithPrograms = 0x80
 };
@@ -85,6 +86,8 @@ Kind kind_of(const Result<Channels>& result) {
       return kBadOutput;
     case Cause::transient:
       return kTransient;
+    case Cause::not_begun:
+      return kNotBegun;
     case Cause::point:
       break;
   }
@@ -101,6 +104,8 @@ std::optional<Cause> cause_of(std::uint8_t kind) {
       return Cause::bad_output;
     case kTransient:
       return Cause::transient;
+    case kNotBegun:
+      return Cause::not_begun;
     default:
       return std::nullopt;
   }

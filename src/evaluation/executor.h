@@ -26,9 +26,10 @@ class Executor {
   virtual void start(const DesignPoint& point) = 0;
 
   /// Waits until a trial ends, at most `patience` seconds, and returns those that did; with a
-  /// patience of 0 those that have ended already. A trial
-  /// whose worker was lost without a fault of its own is a failure with Cause::transient. Never
-  /// throws for what an evaluation did; throws InputError where workers cannot be started at all.
+  /// patience of 0 those that have ended already. A trial whose worker was lost without a fault of
+  /// its own is a failure with Cause::transient, or with Cause::not_begun where no worker can have
+  /// tried it; of the latter there is an end. Never throws for what an evaluation did; throws
+  /// InputError where workers cannot be started at all.
   virtual std::vector<Trial> wait(double patience) = 0;
 
   /// Forgets the running trials of this point and frees their workers as soon as it can.

@@ -30,6 +30,7 @@ struct Faults {
   double timeout = 20.0;  // s; beyond what stalls unless it is made shorter
   int retries = 0;        // of failed trials
   double death = 0.0;     // of the workers, as often as a point may be started again
+  double refusal = 0.0;   // the worker is lost before it begins
   double stall = 0.0;     // takes kStall times longer
   double late = 0.0;
   double twice = 0.0;
@@ -89,6 +90,10 @@ class FaultyWorld : public Executor {
     const int worker =
         static_cast<int>(std::find(busy_.begin(), busy_.end(), false) - busy_.begin());
     busy_[worker] = true;
+    if (faults_.refusal > 0.0 && happens(faults_.refusal)) {
+      messages_.push_back({now_ + random_.uniform(), worker, Trial{point, not_begun()}});
+      return;
+    }
     double time = 0.05 + 0.1 * random_.uniform();
     if (happens(faults_.stall)) time *= kStall;
     if (is_among(point, faults_.hang, 4)) time = 1e9;
@@ -169,6 +174,7 @@ class FaultyWorld : public Executor {
   }
 
   static Outcome lost() { return {.result = Failure{"the worker died", Cause::transient}}; }
+  static Outcome not_begun() { return {.result = Failure{"no worker", Cause::not_begun}}; }
   static Outcome expired() { return {.result = Failure{"took too long", Cause::timeout}}; }
   Outcome outcome(const DesignPoint& point) const {
     if (is_among(point, faults_.failure, 3)) return {.result = Failure{"no equilibrium"}};

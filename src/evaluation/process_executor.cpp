@@ -22,6 +22,8 @@ using Steady = std::chrono::steady_clock;
 
 // A program that ends before it is ready so often in a row is not a worker.
 constexpr int kMostFailedStarts = 3;
+// Killed from outside so often in a row: what kills it, as a lack of memory, does not pass.
+constexpr int kMostKilledStarts = 20;
 
 Steady::duration seconds(double s) {
   return std::chrono::duration_cast<Steady::duration>(std::chrono::duration<double>(s));
@@ -41,7 +43,8 @@ struct Slot {
 struct ProcessExecutor::Impl {
   ProcessOptions options;
   std::vector<Slot> slots;
-  int failed_starts = 0;
+  int failed_starts = 0;     // in a row, of any worker
+  int killed_starts = 0;     // likewise, from outside
   std::uint64_t trials = 0;  // started so far
 
   void start_process(Slot& slot) {
@@ -81,7 +84,7 @@ struct ProcessExecutor::Impl {
       if (frame->kind == FrameKind::ready) {
         slot.ready = true;
         slot.since = Steady::now();
-        failed_starts = 0;
+        failed_starts = killed_starts = 0;
         continue;
       }
       const auto answer = take_number(frame->bytes);
@@ -105,25 +108,29 @@ struct ProcessExecutor::Impl {
 
   std::optional<Trial> after_end(Slot& slot) {
     const std::string how = slot.process->end();
+    const bool stopped = slot.process->was_stopped_from_outside();
     if (!slot.ready) {
-      restart_or_give_up(slot, how);
+      restart_or_give_up(slot, how, stopped);
       return std::nullopt;
     }
-    const Cause cause = slot.process->was_stopped_from_outside() ? Cause::transient : Cause::point;
+    const Cause cause = stopped ? Cause::transient : Cause::point;
     slot.process.reset();
     if (!slot.point) return std::nullopt;
     return finish_lost(slot, {"the worker " + how, cause});
   }
 
-  void restart_or_give_up(Slot& slot, const std::string& how) {
+  /// `killed`: from outside.
+  void restart_or_give_up(Slot& slot, const std::string& how, bool killed) {
     slot.process.reset();
-    if (++failed_starts >= kMostFailedStarts) {
+    const int times = killed ? ++killed_starts : ++failed_starts;
+    if (times >= (killed ? kMostKilledStarts : kMostFailedStarts)) {
       throw InputError(
           fmt::format("the worker program \"{}\" {} before it was ready, {} times in a "
-                      "row",
+                      "row{}",
                       options.arguments.front(),
                       how,
-                      failed_starts));
+                      times,
+                      killed ? "; is there too little memory for it?" : ""));
     }
     if (slot.point) send_point(slot);
   }
@@ -132,7 +139,7 @@ struct ProcessExecutor::Impl {
     if (Steady::now() < deadline(slot)) return std::nullopt;
     slot.process->end();
     if (!slot.ready) {
-      restart_or_give_up(slot, fmt::format("took more than {} s", options.start_timeout));
+      restart_or_give_up(slot, fmt::format("took more than {} s", options.start_timeout), false);
       return std::nullopt;
     }
     return finish_lost(
@@ -183,6 +190,13 @@ int ProcessExecutor::workers() const { return static_cast<int>(impl_->slots.size
 int ProcessExecutor::idle() const {
   return static_cast<int>(std::count_if(
       impl_->slots.begin(), impl_->slots.end(), [](const Slot& slot) { return !slot.point; }));
+}
+
+int ProcessExecutor::begun() const {
+  return static_cast<int>(
+      std::count_if(impl_->slots.begin(), impl_->slots.end(), [](const Slot& slot) {
+        return slot.point && slot.process && slot.ready;
+      }));
 }
 
 void ProcessExecutor::start(const DesignPoint& point) {

@@ -32,6 +32,8 @@ class ProcessExecutor : public Executor {
 
   int workers() const override;
   int idle() const override;
+  /// Trials in a worker that was ready for them.
+  int begun() const;
   void start(const DesignPoint& point) override;
   std::vector<Trial> wait(double patience) override;
   void withdraw(const DesignPoint& point) override;

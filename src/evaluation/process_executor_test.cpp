@@ -2,6 +2,7 @@
 #include "evaluation/process_executor.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/resource.h>
@@ -289,6 +290,39 @@ TEST(ProcessExecutor, WorkersWorkAtTheSameTime) {
   executor.abandon();
   EXPECT_EQ(executor.idle(), 3);
   EXPECT_TRUE(executor.wait(0.05).empty());
+}
+
+/// A worker that is killed before it is ready, the first `times` times.
+ProcessOptions killed_while_it_starts(const ScratchFolder& folder, int times) {
+  ProcessOptions options = worker_options(1);
+  const std::string script =
+      fmt::format(R"(echo >> "{0}"; [ $(wc -l < "{0}") -gt {1} ] || kill -9 $$; exec "$0" "$@")",
+                  (folder / "starts").string(),
+                  times);
+  options.arguments.insert(options.arguments.begin(), {"/bin/sh", "-c", script});
+  return options;
+}
+
+// Where a system lacks memory, or an administrator ends what he finds, workers die while they
+// start, several times in a row. That says nothing about the program.
+TEST(ProcessExecutor, AWorkerThatIsKilledWhileItStartsIsStartedAgain) {
+  const ScratchFolder folder;
+  ProcessExecutor executor(killed_while_it_starts(folder, 6));
+  const Trial trial = run_one(executor, {{0.0, 3.0}});
+  ASSERT_TRUE(trial.outcome.result) << trial.outcome.result.failure().reason;
+  EXPECT_EQ((*trial.outcome.result)["y"][0], 9.0);
+}
+
+TEST(ProcessExecutor, WorkersThatAreAlwaysKilledWhileTheyStartEndTheRun) {
+  const ScratchFolder folder;
+  ProcessExecutor executor(killed_while_it_starts(folder, 1000));
+  try {
+    run_one(executor, {{0.0, 3.0}});
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    expect_contains(error.what(),
+                    "(Killed) before it was ready, 20 times in a row; is there too little memory");
+  }
 }
 
 TEST(ProcessExecutor, AProgramThatIsNoWorkerIsReportedInWords) {

@@ -100,6 +100,7 @@ inline Faults faults_of(std::uint64_t seed) {
   faults.master = 0.02 * random.uniform();
   // What stalls may expire too: how a point ends is then chance, once it is kept it is not.
   if (seed >> 4 & 1) faults.timeout = 0.2 + 3.0 * random.uniform();
+  if (seed % 3 == 1) faults.refusal = 0.3 * random.uniform();
   return faults;
 }
 

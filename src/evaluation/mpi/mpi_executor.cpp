@@ -21,7 +21,7 @@
 namespace latsch {
 namespace {
 
-enum Tag { kPoint = 1, kOutcome = 2, kAlive = 3, kWithdraw = 4, kEnd = 5, kEnded = 6, kLeave = 7 };
+enum Tag { kPoint = 1, kOutcome, kAlive, kWithdraw, kEnd, kEnded, kLeave, kBegun };
 constexpr const char* kAlone = "alone";  // with kLeave: another rank is lost, wait for none
 constexpr auto kPause = std::chrono::microseconds(500);  // between two looks for a message
 constexpr double kLocalPatience = 0.01;                  // s, of a rank for its own worker
@@ -165,6 +165,7 @@ void serve(MpiJob& job, ProcessOptions options) {
   options.workers = 1;
   ProcessExecutor worker(std::move(options));
   std::uint64_t trial = 0;
+  bool begun = false;  // and said so
   double said = worker.now(), heard = worker.now();
   while (true) {
     if (worker.now() - heard > job.patience().master_silence) return job.ends_alone();
@@ -179,9 +180,14 @@ void serve(MpiJob& job, ProcessOptions options) {
       const auto point = asked ? decode_point(asked->rest) : std::nullopt;
       if (!point) continue;
       trial = asked->number;
+      begun = false;
       worker.start(*point);
     }
     if (worker.idle() > 0) std::this_thread::sleep_for(kPause);
+    if (!begun && worker.begun() > 0) {
+      begun = true;
+      job.send(0, kBegun, numbered(trial, {}));
+    }
     for (const Trial& done : worker.wait(worker.idle() > 0 ? 0.0 : kLocalPatience)) {
       job.send(0, kOutcome, numbered(trial, encode(done.outcome)));
     }
@@ -245,6 +251,7 @@ void MpiExecutor::start(const DesignPoint& point) {
   assert(rank != ranks_.end());
   rank->point = point;
   rank->trial = ++trials_;
+  rank->begun = false;
   job_.send(
       static_cast<int>(rank - ranks_.begin()) + 1, kPoint, numbered(rank->trial, encode(point)));
 }
@@ -275,9 +282,11 @@ std::optional<Trial> MpiExecutor::receive() {
   while (const auto message = job_.poll()) {
     Rank& rank = ranks_[message->rank - 1];
     rank.heard = now();
-    if (message->tag != kOutcome || rank.lost) continue;
+    if ((message->tag != kOutcome && message->tag != kBegun) || rank.lost) continue;
     const auto answer = take_number(message->bytes);
     if (!answer || !rank.point || answer->number != rank.trial) continue;  // was withdrawn
+    rank.begun = true;
+    if (message->tag == kBegun) continue;
     auto outcome = decode_outcome(answer->rest);
     if (!outcome) outcome = Outcome{.result = Failure{"answer not readable", Cause::bad_output}};
     outcome->worker = message->rank;
@@ -296,8 +305,9 @@ std::optional<Trial> MpiExecutor::lose_silent() {
         std::any_of(ranks_.begin(), ranks_.end(), [](const Rank& r) { return !r.lost; });
     if (!any) throw InputError("every rank of the MPI job is lost; resume with the same command");
     if (!rank.point) continue;
+    const Cause cause = rank.begun ? Cause::transient : Cause::not_begun;
     return Trial{*std::exchange(rank.point, std::nullopt),
-                 {.result = Failure{"its MPI rank is out of reach", Cause::transient}}};
+                 {.result = Failure{"its MPI rank is out of reach", cause}}};
   }
   return std::nullopt;
 }

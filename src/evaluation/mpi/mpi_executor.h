@@ -8,7 +8,7 @@
 // that a crash or a timeout costs the trial and not the rank. Every rank says each second that it
 // lives, rank 0 in a thread of its own: reading a journal, proposing a step, writing a page may
 // take it minutes. One that is silent for too long is lost with the trial it had, which is then
-// repeated on another; only the time in which rank 0 listened counts. Without --enable-recovery
+// repeated on another, and counts as tried if the rank had said that its worker is at it; only the time in which rank 0 listened counts. Without --enable-recovery
 // mpirun ends the whole job where a rank dies; the journal is then resumed by the same command.
 #pragma once
 
@@ -106,6 +106,7 @@ class MpiExecutor : public Executor {
   struct Rank {
     std::optional<DesignPoint> point;
     std::uint64_t trial = 0;
+    bool begun = false;  // its worker is at the point
     double heard = 0.0;  // s, when it last said something
     bool lost = false;
     bool ended = false;  // does no trials any more, waits to leave the job
