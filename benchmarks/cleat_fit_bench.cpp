@@ -28,7 +28,7 @@
 // are.
 //
 // What has to be reached is told in units of the floor: a fit that is worse everywhere does not
-// pass because it is equally bad in all cases. Cases are simulated at once, one a core; nothing
+// pass because it is equally bad in all cases. Passages are simulated at once, one a core; nothing
 // depends on how many there are.
 #include <fmt/format.h>
 
@@ -38,8 +38,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <memory>
+#include <span>
 #include <thread>
+#include <utility>
 
 #include "base/document.h"
 #include "base/file.h"
@@ -226,6 +227,23 @@ std::vector<double> with_noise(std::vector<double> force, double deviation, Rand
   return force;
 }
 
+/// Of both forces over several passages.
+Result<Channels> mean(std::span<const Result<Channels>> passages) {
+  Channels mean;
+  for (const char* name : kChannels) {
+    std::vector<double> sum;
+    for (const Result<Channels>& passage : passages) {
+      if (!passage) return passage.failure();
+      const std::vector<double>& force = (*passage)[name];
+      sum.resize(force.size());
+      for (std::size_t i = 0; i < force.size(); ++i) sum[i] += force[i];
+    }
+    for (double& value : sum) value /= static_cast<double>(passages.size());
+    mean.add({name, "N", std::move(sum)});
+  }
+  return mean;
+}
+
 /// Upright on a straight cleat all lines across the width see the same: one does.
 Numerics enough(Numerics numerics, const Case& of) {
   if (of.test.camber == 0.0 && of.test.cleat->angle == 0.0) numerics.lines = 1;
@@ -364,13 +382,25 @@ class Fit {
  private:
   /// Of every case, or of the fitted ones alone; of the others nothing but a Failure.
   std::vector<Result<Channels>> simulate(const DesignPoint& point, bool fitted_alone) const {
-    std::vector<Result<Channels>> runs(cases_.size(), Failure{"not asked"});
-    at_once(cases_.size(), [&](std::size_t i) {
-      const Case& one = cases_[i];
-      if (fitted_alone && !one.fitted) return;
-      ring_tire::RingTire tire(with(tire_at(known_, point), enough(kModel, one)));
-      runs[i] = experiment::run(tire, one.test);
+    std::vector<std::pair<std::size_t, int>> passages;  // every case's
+    for (std::size_t i = 0; i < cases_.size(); ++i) {
+      for (int k = 0; k < cases_[i].test.passages && (cases_[i].fitted || !fitted_alone); ++k)
+        passages.emplace_back(i, k);
+    }
+    std::vector<Result<Channels>> parts(passages.size(), Failure{"not asked"});
+    at_once(passages.size(), [&](std::size_t p) {
+      const auto [i, k] = passages[p];
+      experiment::DrumTest test = cases_[i].test;
+      test.passages = 1;
+      test.wheel_start += k * test.wheel_step;
+      ring_tire::RingTire tire(with(tire_at(known_, point), enough(kModel, cases_[i])));
+      parts[p] = experiment::run(tire, test);
     });
+    std::vector<Result<Channels>> runs(cases_.size(), Failure{"not asked"});
+    for (std::size_t p = 0; p < parts.size(); p += cases_[passages[p].first].test.passages) {
+      const auto [i, k] = passages[p];
+      runs[i] = mean(std::span(parts).subspan(p, cases_[i].test.passages));
+    }
     return runs;
   }
 

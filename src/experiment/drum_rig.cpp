@@ -169,6 +169,7 @@ DrumTest read_drum_test(const Node& root) {
   test.sample_step = root.quantity("sample_step", "s", {0.0, 0.1, true}, test.step);
   test.passages = static_cast<int>(root.integer("passages", 1, 100, 1));
   test.wheel_step = root.quantity("wheel_step", "rad", {}, 0.0);
+  test.wheel_start = root.quantity("wheel_start", "rad", {}, 0.0);
   test.frame = read_frame(root, test.frame);
   const double ratio = test.sample_step / test.step;
   if (std::abs(ratio - std::round(ratio)) > 1e-6 || ratio < 0.5)
@@ -233,7 +234,7 @@ Result<Channels> run(Tire& tire, const DrumTest& test) {
   }
   std::vector<Record> passages;
   for (int k = 0; k < test.passages; ++k) {
-    start.spin = k * test.wheel_step;
+    start.spin = test.wheel_start + k * test.wheel_step;
     auto record = Passage(tire, test, surfaces, start).run();
     if (!record) return Failure{"on the drum: " + record.failure().reason};
     passages.push_back(std::move(*record));

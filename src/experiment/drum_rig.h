@@ -15,6 +15,7 @@
 //   sample_step = "1 ms"             # of the record; a multiple of step, default step
 //   passages = 4                     # of the cleat, averaged; default 1
 //   wheel_step = "0.75 deg"          # the wheel is turned on by so much at every further passage
+//   wheel_start = "0.3 deg"          # and by so much at the first; default 0
 //   frame = "W"                      # of the forces recorded: W, H or C (hub_frame.h), that of the
 //                                    # measurement; default C, the axes of a hub's load cell
 //   [cleat]                          # none: a smooth drum
@@ -54,7 +55,7 @@ struct DrumTest {
   double run_in = 0.2, duration = 0.25, lead = 0.05, step = 5e-4, sample_step = 5e-4;  // s
   std::optional<DrumCleat> cleat = {};
   int passages = 1;
-  double wheel_step = 0.0;  // rad
+  double wheel_step = 0.0, wheel_start = 0.0;  // rad
   AxisFrame frame = AxisFrame::C;
 };
 

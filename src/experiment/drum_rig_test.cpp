@@ -72,6 +72,25 @@ TEST(DrumTest, ATurnByASegmentChangesNothing) {
   EXPECT_GT(distance(*other), 1.0);  // what averages over the wheel's angle take out
 }
 
+// So they may be simulated side by side.
+TEST(DrumTest, PassagesAreThoseOfWheelsThatStartTurnedOn) {
+  DrumTest test = quick_test();
+  test.passages = 2;
+  test.wheel_step = 0.02;
+  ring_tire::RingTire tire = tire_on_drum();
+  const auto both = run(tire, test);
+  test.passages = 1;
+  const auto first = run(tire, test);
+  test.wheel_start = 0.02;
+  const auto second = run(tire, test);
+  ASSERT_TRUE(both && first && second);
+  EXPECT_NE((*first)["Fx"], (*second)["Fx"]);
+  for (const char* name : {"Fx", "Fz", "My"}) {
+    for (std::size_t i = 0; i < (*both)[name].size(); ++i)
+      ASSERT_EQ((*both)[name][i], ((*first)[name][i] + (*second)[name][i]) / 2.0) << name << i;
+  }
+}
+
 TEST(DrumTest, IsReadWithItsUnits) {
   const auto document = Document::parse(
       "kind = \"drum_cleat\"\nspeed = \"36 km/h\"\nload = \"4 kN\"\ncamber = \"2 deg\"\n"
