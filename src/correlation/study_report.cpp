@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <future>
 #include <limits>
 #include <map>
 
@@ -296,13 +297,18 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
 
   std::optional<TireTrials> trials;
   if (study.has_fe_tire()) trials.emplace(study);
-  const auto simulated = [&](const DesignPoint& point) {
-    if (study.simulator) return recorded(journal, point);
-    return simulated_of(
-        trials ? trials->run(point, /*predicted=*/true) : simulate_all(study, point), point);
-  };
-  const Simulated initial = simulated(study.space.initial());
-  const Simulated found = simulated(best->point);
+  // A trial does not depend on others, so the two need not wait for each other.
+  const bool beside = trials && study.run.workers > 1;
+  auto start = std::async(beside ? std::launch::async : std::launch::deferred, [&] {
+    const DesignPoint point = study.space.initial();
+    return study.simulator ? recorded(journal, point)
+                           : simulated_of(simulate_all(study, point), point);
+  });
+  const Simulated found = study.simulator
+                              ? recorded(journal, best->point)
+                              : simulated_of(trials ? trials->run(best->point, /*predicted=*/true)
+                                                    : simulate_all(study, best->point),
+                                             best->point);
   if (!found.channels) return Failure{"the best trial cannot be repeated with the predictions"};
 
   StudyReport page;
@@ -310,8 +316,6 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
   page.study_file = study.file.string();
   page.model_file = study.model_file.string();
   page.target = best->target;
-  if (initial.channels)
-    page.initial_target = objective(study)(initial.point, *initial.channels)->value;
   page.target_in_words = target_in_words(fitted_exponents(study.experiments), best->target);
   if (study.rolling && study.rolling->kind->steady) {
     page.slip_plots = slip_plots(magic_formula::MagicFormula(
@@ -321,6 +325,13 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
       "mean of the experiments' own targets by their weights; of one, mean |relative "
       "error|^exponent";
   add_variables(study, best->point, page);
+  if (trials) {
+    add_found_tire(study, best->point, *trials, page);
+    add_mesh_error(study, best->point, mesh_error, page);
+  }
+  const Simulated initial = start.get();
+  if (initial.channels)
+    page.initial_target = objective(study)(initial.point, *initial.channels)->value;
   add_experiments(study, found, initial, page);
   page.run = run_facts(study, journal);
   add_convergence(study, journal, page);
@@ -332,10 +343,6 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
   page.basins = basins_of(study, rated);
   page.effects = effects_of(study, rated);
   page.identifiability = identifiability_of(study, journal);
-  if (trials) {
-    add_found_tire(study, best->point, *trials, page);
-    add_mesh_error(study, best->point, mesh_error, page);
-  }
   return page;
 }
 
