@@ -53,6 +53,7 @@ class EquilibriumSolver {
   SolverCounts& counts() { return counts_; }
 
  private:
+  void polish(RingState& state);
   bool assemble(RingState& state, bool with_tangent);
   bool renew_factor(const RingState& state, double tolerance);
   bool factorize();

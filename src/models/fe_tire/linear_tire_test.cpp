@@ -64,7 +64,8 @@ TEST(LinearTire, AnswersTheGroundExactly) {
 }
 
 // A coefficient of friction of 1e-12 is none, but its ground stands in the tangent, point by point,
-// as Newton's method alone would have it.
+// as Newton's method alone would have it. Every equilibrium is polished: whichever way led there,
+// the forces agree in more digits than are shown.
 TEST(LinearTire, EquilibriaAreThoseOfNewtonsMethodAlone) {
   for (const TireDescription& description :
        {coarse(reference_tire_a()), coarse(reference_tire_b())}) {
@@ -76,9 +77,9 @@ TEST(LinearTire, EquilibriaAreThoseOfNewtonsMethodAlone) {
     const auto within = tire.load(*inflated, deflections, Ground{2.0e10, 1e-12});
     ASSERT_TRUE(apart && within);
     for (std::size_t k = 0; k < deflections.size(); ++k) {
-      EXPECT_NEAR(apart->curve[k].Fz, within->curve[k].Fz, 1e-5 * within->curve[k].Fz) << k;
+      EXPECT_NEAR(apart->curve[k].Fz, within->curve[k].Fz, 1e-7 * within->curve[k].Fz) << k;
     }
-    EXPECT_LT((apart->u - within->u).norm(), 1e-5 * within->u.norm());
+    EXPECT_LT((apart->u - within->u).norm(), 1e-6 * within->u.norm());
   }
 }
 
