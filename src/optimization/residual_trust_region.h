@@ -26,16 +26,19 @@
 // where residuals leap because values they are made of are gone (stand-ins, score.h); models are
 // made of samples with as many of these. Noise shows in models that disappoint again and again
 // although they interpolate: then they smooth, with the variance that is likeliest, and the radius
-// grows where noise drowns the slopes. `restarts` starts again near the best point, a share of the
-// initial radius off: out of a local minimum or out of the noise. The first one, if the run ended
-// with variables on bounds, begins with these in the middle of their ranges: ranges are wider than
-// what is thought possible, so a bound is mostly where a side valley ends. Where the run ended with
-// directions of which the residuals feel nothing (flat_directions.h), n + 1 single points scout
-// along them first, and the run starts from the one that is felt. Single variables of which nothing
-// is felt are looked for farther off before that (lost_variables.h): from every place where they
-// are felt again a trial of 3 (n + 1) evaluations starts afresh and counts as a restart; the best
-// of the trials and the run goes on. Where a Score brings a Jacobian, its slopes take the place of
-// the geometry: Levenberg-Marquardt with bounds.
+// grows where noise drowns the slopes. A search that chased noise into a small box is not verified
+// at once: up to three times a run the box is widened to where curvature shows as much as noise
+// does, and the search goes on from its best point with all it knows: a soft restart, without new
+// probes. `restarts` starts again near the best point, a share of the initial radius off: out of a
+// local minimum or out of the noise. The first one, if the run ended with variables on bounds,
+// begins with these in the middle of their ranges: ranges are wider than what is thought possible,
+// so a bound is mostly where a side valley ends. Where the run ended with directions of which the
+// residuals feel nothing (flat_directions.h), n + 1 single points scout along them first, and the
+// run starts from the one that is felt. Single variables of which nothing is felt are looked for
+// farther off before that (lost_variables.h): from every place where they are felt again a trial of
+// 3 (n + 1) evaluations starts afresh and counts as a restart; the best of the trials and the run
+// goes on. Where a Score brings a Jacobian, its slopes take the place of the geometry:
+// Levenberg-Marquardt with bounds.
 //
 // Several at once: `outstanding` points are under way at any time. The second and later ones are
 // steps in boxes of other sizes, then points around the best predicted one. Idle workers get what

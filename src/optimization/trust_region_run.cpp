@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "optimization/flat_directions.h"
@@ -32,6 +33,7 @@ constexpr int kFailuresToShrink = 2;
 constexpr int kFailuresToGiveUp = 4;  // in a row: no more probes beside this center
 constexpr int kDisappointments = 3;   // in a row, before noise is looked for
 constexpr double kDrowned = 1e4;      // noise as large as the slopes
+constexpr int kWidenings = 3;         // of a box too small for the noise
 
 /// Boxes for further steps while the outcome of the first one is awaited.
 constexpr std::array kBoxes{1.0, 0.25, 2.0, 0.5, 0.1, 4.0, 0.03, 0.01};
@@ -106,6 +108,9 @@ std::optional<Wanted> TrustRegionRun::next() {
   if (verification_) return next_to_verify();
   if (auto point = next_of_search()) return point;
   if (is_hopeless() || !box_.has_center()) return std::nullopt;
+  if (wanted_.empty() && widen_in_noise()) {
+    if (auto point = next_of_search()) return point;
+  }
   if (wanted_.empty() && begin_verification()) return next_to_verify();
   if (wanted_.empty()) return restart();
   // Those under way may lead on; meanwhile idle workers look around, each once.
@@ -140,6 +145,18 @@ std::optional<Wanted> TrustRegionRun::next_of_search() {
     box_.radius *= 0.1;
   }
   return std::nullopt;
+}
+
+/// Where steps chased noise until the box was too small to show anything else: back to twice the
+/// radius at which curvature, whose variance in the box counts as radius^4, is as large as noise.
+bool TrustRegionRun::widen_in_noise() {
+  if (box_.noise <= 0.0 || box_.radius >= options_.initial_radius) return false;
+  if (widenings_ >= kWidenings) return false;
+  ++widenings_;
+  const double wide = 2.0 * box_.radius * std::pow(std::max(1.0, box_.noise), 0.25);
+  box_.radius = std::min(wide, options_.initial_radius);
+  disappointments_ = 0;
+  return true;
 }
 
 /// False where nothing is left to gain, the last one still holds, the model brings its slopes, or

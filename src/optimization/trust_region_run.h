@@ -66,6 +66,7 @@ class TrustRegionRun {
   bool is_hopeless() const;
   std::optional<Wanted> next();
   std::optional<Wanted> next_of_search();
+  bool widen_in_noise();
   bool begin_verification();
   std::optional<Wanted> next_to_verify();
   void new_round(const Eigen::MatrixXd& J);
@@ -104,6 +105,7 @@ class TrustRegionRun {
   int disappointments_ = 0;           // in a row
   int failures_ = 0;                  // in a row
   int explored_ = 0;                  // points at the end of a run, since its last better one
+  int widenings_ = 0;                 // of the radius, at the end of a search in the noise
   int restarts_ = 0;
   Eigen::MatrixXd flat_;      // directions without effect at the best point of all
   int scouts_ = 0;            // along them, left of this restart
