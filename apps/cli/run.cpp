@@ -52,6 +52,7 @@ void print_result(const Study& study, const Run& run, const Journal& journal) {
 /// was interrupted.
 bool print_values(const Study& study,
                   const DesignPoint& point,
+                  correlation::Depth depth,
                   Executor& executor,
                   Journal& journal) {
   if (!study.run.intervals) {
@@ -60,7 +61,7 @@ bool print_values(const Study& study,
   }
   const auto result = correlation::identify(study,
                                             point,
-                                            correlation::Depth::intervals,
+                                            depth,
                                             executor,
                                             journal,
                                             counting_options(study, "trials around the best one"));
@@ -218,7 +219,9 @@ int fit(const Asked& asked) {
     if (k + 1 == correlation::stage_count(study)) {
       print_result(study, fitted.run, journal);
       const DesignPoint shown = best_of_journal(study, *best, journal);
-      if (!print_values(study, shown, executor, journal)) return kFailed;
+      const auto depth = fitted.run.end == RunEnd::converged ? correlation::Depth::intervals
+                                                             : correlation::Depth::at_the_point;
+      if (!print_values(study, shown, depth, executor, journal)) return kFailed;
       workers.end();
       return write_report(study, journal);
     }

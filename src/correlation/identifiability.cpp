@@ -58,7 +58,8 @@ using Drive = std::function<bool(Optimizer&)>;
 
 IdentificationOptions options_for(const Study& study, Depth depth) {
   return {.confidence = {.sigma = residual_sigma(study), .traits = residual_traits(study)},
-          .profiles = depth == Depth::profiles};
+          .profiles = depth == Depth::profiles,
+          .most_centers = depth == Depth::at_the_point ? 1 : IdentificationOptions{}.most_centers};
 }
 
 /// Leaves every experiment out in turn; the residuals not used by the identification stay out.

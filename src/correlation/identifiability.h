@@ -17,7 +17,12 @@
 
 namespace latsch::correlation {
 
-enum class Depth { intervals, profiles };
+enum class Depth {
+  at_the_point,  // intervals of the point as it is: a search that was not let to its end would be
+                 // gone on with here, by far more trials than it had
+  intervals,     // and of a better point where one is found on the way
+  profiles
+};
 
 struct Identifiability {
   DesignPoint point;  // what it belongs to: where it began, or a better one found since

@@ -160,6 +160,33 @@ TEST(Identifiability, ABetterPointFoundOnTheWayIsTheOneThatIsReported) {
             (*result)->identification.profiles()[0].interval.upper);
 }
 
+// A search that was ended by its limit of steps is not gone on with by the way: twelve numbers of a
+// ring took 285 trials for their intervals after 24 steps.
+TEST(Identifiability, OfAnUnfinishedSearchStaysWhereItIs) {
+  const DesignPoint point{{3.7e3, 4.6e3}};
+  const auto trials = [&](Depth depth) {
+    const ScratchFolder folder;
+    Study s = springs_study();
+    for (StudyExperiment& experiment : s.experiments) experiment.objective.exponent = 2.0;
+    s.run.journal = folder / "springs.latsch";
+    Journal journal = Journal::open(s.run.journal, {{"model", "springs"}});
+    InlineExecutor executor(springs);
+    const auto result = identify(s, point, depth, executor, journal, {});
+    EXPECT_TRUE(result && *result);
+    if (depth == Depth::at_the_point) {
+      EXPECT_EQ((*result)->point, point);
+      EXPECT_EQ((*result)->best, best_trial(s, journal)->point);
+      const auto all = remarks(s, **result);
+      EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const std::string& remark) {
+        return remark.find("ended early") != std::string::npos;
+      }));
+    }
+    return journal.size();
+  };
+  EXPECT_LE(trials(Depth::at_the_point), 1 + 2 * 6);
+  EXPECT_GT(trials(Depth::intervals), 1 + 2 * 6);
+}
+
 // "25 .. 25" would say that nothing is open.
 TEST(Identifiability, TheEndsOfANarrowIntervalDiffer) {
   const DesignSpace space({{"a", {"a"}, 10.0, 60.0, 20.0}});
