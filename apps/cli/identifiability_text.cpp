@@ -104,12 +104,12 @@ void print_intervals(const Study& study, const Identifiability& result) {
   const Confidence& c = result.identification.confidence();
   for (int i = 0; i < study.space.size(); ++i) {
     const DesignVariable& v = study.space[i];
+    const Interval interval = correlation::reported_interval(study, result, i);
     say("  {:<{}} {:<16} 95 %: {}{}\n",
         v.name,
         name_width(study.space.variables()),
-        shown(v, result.best.values[i]),
-        correlation::interval_text(
-            study.space, i, correlation::reported_interval(study, result, i)),
+        correlation::value_text(study.space, i, result.best.values[i], interval),
+        correlation::interval_text(study.space, i, interval),
         note_on(v, c, i, result.best));
   }
   for (const std::string& remark : correlation::remarks(study, result)) say("  {}\n", remark);

@@ -53,6 +53,13 @@ class InRounds : public Optimizer {
   std::vector<Result<Eigen::VectorXd>> seen_;  // of this round
 };
 
+/// SI, where the variable stands at u of its range.
+double value_at(const DesignSpace& space, int variable, double u) {
+  std::vector<double> all(space.size(), 0.5);
+  all[variable] = u;
+  return space.from_unit(all).values[variable];
+}
+
 /// Evaluates, or reads, until the analysis wants nothing more; false where that was stopped.
 using Drive = std::function<bool(Optimizer&)>;
 
@@ -264,25 +271,32 @@ std::string profile_text(const DesignSpace& space, const Profile& profile) {
 }
 
 std::string interval_text(const DesignSpace& space, int variable, const Interval& interval) {
-  constexpr int kDigits = 5, kMostDigits = 9;
-  const DesignVariable& v = space[variable];
-  const auto shown = [&](double u, int digits) {
-    std::vector<double> all(space.size(), 0.5);
-    all[variable] = u;
-    return format_quantity(space.from_unit(all).values[variable], v.unit, digits);
+  const auto shown = [&](double u) {
+    return value_text(space, variable, value_at(space, variable, u), interval);
   };
   const bool low = interval.lower > 0.0, high = interval.upper < 1.0;
   if (low && high) {
-    int digits = kDigits;  // as many as tell the ends apart
-    while (digits < kMostDigits && shown(interval.lower, digits) == shown(interval.upper, digits)) {
-      ++digits;
-    }
-    const std::string lower = shown(interval.lower, digits);
-    return lower.substr(0, lower.find(' ')) + " .. " + shown(interval.upper, digits);
+    const std::string lower = shown(interval.lower);
+    return lower.substr(0, lower.find(' ')) + " .. " + shown(interval.upper);
   }
-  if (low) return "at least " + shown(interval.lower, kDigits);
-  if (high) return "at most " + shown(interval.upper, kDigits);
+  if (low) return "at least " + shown(interval.lower);
+  if (high) return "at most " + shown(interval.upper);
   return "anywhere between the bounds";
+}
+
+std::string value_text(const DesignSpace& space,
+                       int variable,
+                       double value,
+                       const Interval& interval) {
+  constexpr int kMostDigits = 9;
+  const DesignVariable& v = space[variable];
+  const auto in_unit = [&](double si) { return Unit::of(v.unit).from_si(si); };
+  const double lower = in_unit(value_at(space, variable, std::max(interval.lower, 0.0)));
+  const double upper = in_unit(value_at(space, variable, std::min(interval.upper, 1.0)));
+  const auto magnitude = [](double x) { return std::floor(std::log10(std::abs(x))); };
+  const double digits = magnitude(in_unit(value)) - magnitude(0.5 * (upper - lower)) + 2.0;
+  const double shown = std::isfinite(digits) ? std::clamp(digits, 1.0, 1.0 * kMostDigits) : 1.0;
+  return format_quantity(value, v.unit, upper == lower ? kMostDigits : static_cast<int>(shown));
 }
 
 }  // namespace latsch::correlation

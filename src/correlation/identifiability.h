@@ -52,8 +52,15 @@ std::optional<Result<Identifiability>> identify(const Study& study,
 /// nullopt where there is none.
 std::optional<Identifiability> recorded_identifiability(const Study& study, const Journal& journal);
 
+/// The value in its unit, to the second digit of the interval's half width [JCGM 100:2008, 7.2.6].
+/// Further ones say nothing and are others on other processors.
+std::string value_text(const DesignSpace& space,
+                       int variable,
+                       double value,
+                       const Interval& interval);
+
 /// "9.8 .. 10.3 N/mm^2" in the variable's unit; "at least 9.8 N/mm^2" where the other end lies
-/// beyond the bounds, "anywhere" where both do.
+/// beyond the bounds, "anywhere" where both do. Digits as those of the value.
 std::string interval_text(const DesignSpace& space, int variable, const Interval& interval);
 
 /// The interval of a profile, and beyond which values the model fails.

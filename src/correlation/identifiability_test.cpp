@@ -198,6 +198,27 @@ TEST(Identifiability, TheEndsOfANarrowIntervalDiffer) {
   EXPECT_EQ(text(24.0, 26.0), "24 .. 26");
 }
 
+// One fit ended at 73.039 N/mm^2 with one kernel set and at 72.983 with another, its interval 47 ..
+// 114: none of these digits but the first two is known.
+TEST(Identifiability, ValuesHaveTheDigitsThatTheirIntervalLeaves) {
+  const DesignSpace space({{"E", {"E"}, 10e6, 150e6, 25e6, Scale::logarithmic, "N/mm^2"},
+                           {"t", {"t"}, -1.0, 1.0, 0.1}});
+  const auto text = [&](int i, double value, double lower, double upper) {
+    const auto u = [&](double at) {
+      DesignPoint point = space.initial();
+      point.values[i] = at;
+      return space.to_unit(point)[i];
+    };
+    const Interval interval{u(lower), u(upper)};
+    return value_text(space, i, value, interval) + ", " + interval_text(space, i, interval);
+  };
+  EXPECT_EQ(text(0, 73.039e6, 46.629e6, 114.41e6), "73 N/mm^2, 47 .. 114 N/mm^2");
+  EXPECT_EQ(text(0, 72.983e6, 46.613e6, 114.38e6), "73 N/mm^2, 47 .. 114 N/mm^2");
+  EXPECT_EQ(text(0, 73.03912e6, 73.036e6, 73.042e6), "73.0391 N/mm^2, 73.036 .. 73.042 N/mm^2");
+  EXPECT_EQ(text(1, 0.0, -0.012, 0.012), "0, -0.012 .. 0.012");
+  EXPECT_EQ(text(1, 0.001, -0.5, 0.5), "0.001, -0.5 .. 0.5");
+}
+
 // A report may be drawn wherever a command was interrupted: also where a better point was found, to
 // which all was to move, and where no derivative is known yet. At the start the force is at its
 // farthest: no slope, and better points on both sides.

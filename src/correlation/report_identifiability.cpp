@@ -16,7 +16,6 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr int kDigits = 5;
 constexpr size_t kShownGains = 10;
 constexpr size_t kShownBasins = 8;
 
@@ -100,8 +99,9 @@ std::optional<report::Identifiability> identifiability_of(const Study& study,
   for (int i = 0; i < study.space.size(); ++i) {
     const DesignVariable& v = study.space[i];
     page.variables.push_back(v.name);
-    page.values.push_back(format_quantity(what->best.values[i], v.unit, kDigits));
-    page.intervals.push_back(interval_text(study.space, i, reported_interval(study, *what, i)) +
+    const Interval interval = reported_interval(study, *what, i);
+    page.values.push_back(value_text(study.space, i, what->best.values[i], interval));
+    page.intervals.push_back(interval_text(study.space, i, interval) +
                              (c.held[i] == Bound::none ? "" : ", held at its bound"));
     page.deviations.push_back(c.deviation(i));
     page.directions.push_back(direction_text(study.space, c.directions.col(i)));
