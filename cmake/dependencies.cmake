@@ -7,7 +7,7 @@
 # For runs on the ranks of an MPI job; the program is built without it where it is not there:
 # apt: libopenmpi-dev openmpi-bin
 # Tests and benchmarks compare with these independent programs; the product does not use them:
-# apt: libgtest-dev calculix-ccx python3-scipy python3-numpy libnlopt-dev
+# apt: libgtest-dev libgmock-dev calculix-ccx python3-scipy python3-numpy libnlopt-dev
 # ./bench.sh slurm starts a Slurm of one node with these (7 MB; no daemon of theirs has to run):
 # apt: slurmctld slurmd slurm-client munge
 # A file system in user space for the test of a journal on one:
