@@ -486,7 +486,9 @@ double time_to_stop(int signal, int times, int& left) {
   int status = 0;
   ::waitpid(child, &status, 0);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // for the system to end them
+  for (int i = 0; i < 20 && count_left_in(folder.path()) > 0; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));  // for the system to end them
+  }
   left += count_left_in(folder.path());
   return time.count();
 }
