@@ -63,7 +63,9 @@ struct ResidualTrustRegionOptions {
   double initial_radius = 0.1;
   double step_tolerance = 1e-3;
   /// How often it starts again after it ended, unless what is left of the sum of squares is less
-  /// than `explained` of its first value: then it has found what it was sent for.
+  /// than `explained` of its first value and of what a move by the initial radius adds to it, mean
+  /// of all directions, by the slopes at the best point: then it has found what it was sent for. A
+  /// bad start alone explains nothing.
   int restarts = 3;
   double explained = 1e-3;
   /// Points the method decides on before it knows the outcome of the first of them: part of the

@@ -257,6 +257,23 @@ TEST(ResidualTrustRegion, LeavesBoundsOnce) {
   EXPECT_NEAR(found.x[1], 0.3, 1e-3);
 }
 
+/// Minima near 0.5 (sum of squares: 0.6) and at 0.46 (0) of the first variable; 1e6 at its end.
+std::vector<double> two_wells(const std::vector<double>& x) {
+  return {4e3 * (x[0] - 0.46) * (x[0] - 0.5), 20.0 * (x[0] - 0.46), x[1] - 0.3};
+}
+
+// A start may be as bad as it likes: it does not make a local minimum explained.
+TEST(ResidualTrustRegion, LooksFurtherFromALocalMinimumWhereverItStarted) {
+  for (const double start : {0.52, 0.6, 0.75}) {
+    int found = 0;
+    for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+      const DesignSpace space = box({start, 0.6}, 0.0, 1.0, Scale::linear);
+      found += minimize(space, two_wells, {.seed = seed}).f < 1e-3;
+    }
+    EXPECT_GE(found, 2) << start;
+  }
+}
+
 TEST(ResidualTrustRegion, SaysWhyItEnded) {
   const DesignSpace space = box({0.3, 0.6}, 0.0, 1.0, Scale::linear);
   ResidualTrustRegion smooth(space);

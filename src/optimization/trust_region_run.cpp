@@ -54,6 +54,11 @@ constexpr double kOnBound = 1e-9;
 
 constexpr double kWorthALook = 0.9;  // of the value when it last had settled
 
+/// Of the sum of squares, by slopes J, over moves of a length, mean of all directions.
+double mean_rise(const Eigen::MatrixXd& J, double length) {
+  return length * length * J.squaredNorm() / static_cast<double>(J.cols());
+}
+
 }  // namespace
 
 std::string in_words(Ending ending) {
@@ -247,7 +252,8 @@ std::optional<Wanted> TrustRegionRun::another_step(const ResidualModel& m) {
 
 std::optional<Wanted> TrustRegionRun::restart() {
   if (restarts_ >= options_.restarts || box_.best() < 0 || box_.is_point()) return std::nullopt;
-  const bool is_explained = best().f < options_.explained * f_first_;
+  if (box_.center() == box_.best()) rise_ = mean_rise(box_.slopes(), options_.initial_radius);
+  const bool is_explained = best().f < options_.explained * std::min(f_first_, rise_);
   if (!is_explained && box_.center() == box_.best()) {
     if (best().f < kWorthALook * f_settled_) {
       f_settled_ = best().f;

@@ -98,6 +98,7 @@ class TrustRegionRun {
   TrustBox box_;
   std::optional<Verification> verification_;
   Ending ending_ = Ending::known;
+  double rise_ = 0.0;  // of f, an initial radius off the best point, when it last was the center
   double f_first_ = std::numeric_limits<double>::infinity();  // of the start, or the first success
   double f_verified_ = std::numeric_limits<double>::infinity();
   bool is_geometry_doubted_ = false;  // a step disappointed
