@@ -28,8 +28,7 @@ void read_outstanding(const Node& node, int& outstanding) {
   outstanding = static_cast<int>(node.integer("outstanding", 1, kMostOutstanding, outstanding));
 }
 
-GssOptions read_gss(const Node& node) {
-  GssOptions d;
+GssOptions read_gss(const Node& node, GssOptions d = {}) {
   read_lengths(node, 1.0, d.initial_step, d.step_tolerance);
   d.contraction = node.quantity("contraction", "1", Range{0.0, 1.0, true}, d.contraction);
   d.sufficient_decrease =
@@ -71,7 +70,7 @@ GeneticOptions read_genetic(const Node& node) {
 
 GssNlcOptions read_gss_nlc(const Node& node) {
   GssNlcOptions d;
-  d.gss = read_gss(node);
+  d.gss = read_gss(node, d.gss);
   d.penalty = penalty_of(node.choice("penalty", penalty_names(), name(d.penalty)));
   d.rho = node.quantity("penalty_parameter", "1", Range{0.0, d.largest_rho, true}, d.rho);
   return d;

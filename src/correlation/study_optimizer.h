@@ -8,7 +8,7 @@
 //   step_tolerance = 0.001        # of the range of a variable, as initial_step = 0.1
 //   outstanding = 1               # points decided on at once: gss, gss_nlc, residual_trust_region
 //   max_steps = 1000              # outcomes the optimizer may observe
-//   contraction = 0.5             # gss, gss_nlc
+//   contraction = 0.25            # gss; gss_nlc 0.5
 //   sufficient_decrease = 0.01    # gss, gss_nlc
 //   penalty = "l2_squared"        # gss_nlc; or l1, l2, linf, l1_smoothed, l2_smoothed,
 //                                 # linf_smoothed: optimization/penalty.h

@@ -29,6 +29,8 @@ TEST(StudyOptimizer, MakesUseOfTheResidualsUnlessTheStudySaysOtherwise) {
       optimizer_of("method = \"gss\"\ninitial_step = 0.2\ncontraction = 0.6");
   EXPECT_EQ(gss.gss.initial_step, 0.2);
   EXPECT_EQ(gss.gss.contraction, 0.6);
+  EXPECT_EQ(optimizer_of("method = \"gss_nlc\"").gss_nlc.gss.contraction,
+            GssNlcOptions{}.gss.contraction);
 }
 
 TEST(StudyOptimizer, ReadsTheOptionsOfItsMethod) {

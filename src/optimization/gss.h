@@ -43,7 +43,9 @@ namespace latsch {
 struct GssOptions {
   double initial_step = 0.1;
   double step_tolerance = 1e-3;
-  double contraction = 0.5;
+  /// Of 0.5 and 0.25 the latter solves as many or more of 795 varied problems, smooth, noisy and
+  /// failing, at every budget from 10 (n + 1) evaluations on.
+  double contraction = 0.25;
   double sufficient_decrease = 0.01;  // alpha
   /// Points the method decides on before it knows the outcome of the first of them: part of the
   /// method, so that its trajectory does not depend on the workers. 1 needs the fewest evaluations,

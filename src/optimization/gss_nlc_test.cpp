@@ -72,9 +72,15 @@ TEST(Penalty, SmoothedOnesAreAboveTheExactOnesByNoMoreThanTheirBound) {
   }
 }
 
+GssNlcOptions as_shipped(double step_tolerance) {
+  GssNlcOptions options;
+  options.gss.step_tolerance = step_tolerance;
+  return options;
+}
+
 TEST(GssNlc, SolvesProblemsOfHockAndSchittkowski) {
   for (const ConstrainedProblem& problem : nonlinearly_constrained_problems()) {
-    const Found found = minimize(problem, {.gss = {.step_tolerance = 1e-4}});
+    const Found found = minimize(problem, as_shipped(1e-4));
     EXPECT_LE(violation(found.score), kFulfilled) << problem.name;
     // Directions that run into curved walls stop short of the solution: half a percent.
     EXPECT_NEAR(found.score.value, problem.least, 5e-3 * std::abs(problem.least)) << problem.name;
@@ -99,7 +105,7 @@ TEST(GssNlc, EndsInTheFeasibleRegionWithEveryPenalty) {
 
 TEST(GssNlc, WithoutConstraintsIsTheSearchItself) {
   ConstrainedProblem problem = linearly_constrained_problems()[3];  // HS35, a linear row
-  const Found found = minimize(problem, {.gss = {.step_tolerance = 1e-4}});
+  const Found found = minimize(problem, as_shipped(1e-4));
   EXPECT_NEAR(found.score.value, problem.least, 1e-4);
 }
 
