@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -147,7 +146,8 @@ std::vector<pid_t> processes_with(const std::string& text) {
     const std::string name = entry.path().filename().string();
     if (name.find_first_not_of("0123456789") != std::string::npos) continue;
     std::ifstream file(entry.path() / "cmdline", std::ios::binary);
-    const std::string line{std::istreambuf_iterator<char>(file), {}};
+    std::string line, argument;
+    while (std::getline(file, argument, '\0')) line += argument + '\0';
     if (line.find(text) != std::string::npos) found.push_back(std::stoi(name));
   }
   return found;

@@ -14,7 +14,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <thread>
@@ -54,7 +53,9 @@ pid_t process_of(const fs::path& study, int rank, const std::string& verb) {
     const fs::path process = fs::path("/proc") / std::to_string(pid);
     const auto read = [&](const char* name) {
       std::ifstream file(process / name, std::ios::binary);
-      return std::string{std::istreambuf_iterator<char>(file), {}};
+      std::string all, part;
+      while (std::getline(file, part, '\0')) all += part + '\0';
+      return all;
     };
     const std::string wanted = fmt::format("OMPI_COMM_WORLD_RANK={}", rank) + '\0';
     const bool is_verb = read("cmdline").find('\0' + verb + '\0') != std::string::npos &&

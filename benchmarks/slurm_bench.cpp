@@ -13,7 +13,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <thread>
 
@@ -68,7 +67,9 @@ void kill_task(const fs::path& study, int task) {
     const fs::path process = fs::path("/proc") / std::to_string(pid);
     const auto read = [&](const char* name) {
       std::ifstream file(process / name, std::ios::binary);
-      return std::string{std::istreambuf_iterator<char>(file), {}};
+      std::string all, part;
+      while (std::getline(file, part, '\0')) all += part + '\0';
+      return all;
     };
     const std::string line = read("cmdline"), wanted = fmt::format("SLURM_PROCID={}", task) + '\0';
     if (!line.starts_with(program().string()) || line.find(std::string("\0run\0", 5)) == line.npos)
@@ -88,7 +89,8 @@ long processes_of(const fs::path& folder) {
     std::string text;
     for (const char* name : {"cmdline", "environ"}) {
       std::ifstream file(entry.path() / name, std::ios::binary);
-      text += std::string{std::istreambuf_iterator<char>(file), {}};
+      std::string part;
+      while (std::getline(file, part, '\0')) text += part + '\0';
     }
     count += entry.path().filename() != std::to_string(::getpid()) &&
              text.find(folder.string()) != std::string::npos;

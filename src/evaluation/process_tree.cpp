@@ -5,7 +5,6 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
@@ -27,7 +26,8 @@ std::map<pid_t, pid_t> parents() {
     const char* end = name.data() + name.size();
     if (std::from_chars(name.data(), end, pid).ptr != end) continue;
     std::ifstream file(entry.path() / "stat");
-    const std::string stat{std::istreambuf_iterator<char>(file), {}};
+    std::string stat;
+    std::getline(file, stat, '\0');  // where the process ends just now a stream's iterators throw
     const std::size_t after_name = stat.rfind(')');
     if (after_name == std::string::npos) continue;  // it has just ended
     std::istringstream rest(stat.substr(after_name + 1));

@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
+#include <csignal>
 #include <string>
 
 extern char** environ;
@@ -56,6 +59,32 @@ TEST(ProcessTree, WhatDescendsFromAProcessIsKilledAndTheProcessItselfNotEvenStop
   pollfd end{shell.output, POLLIN, 0};
   ASSERT_EQ(::poll(&end, 1, 10'000), 1);
   EXPECT_EQ(end.revents & POLLHUP, POLLHUP);
+}
+
+// Reading of a process that ends just then fails with ESRCH, which a stream's iterators throw.
+TEST(ProcessTree, ProcessesThatEndWhileItLooksDoNotDisturb) {
+  const pid_t churn = ::fork();
+  if (churn == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    while (true) {
+      const pid_t child = ::fork();
+      if (child == 0) ::_exit(0);
+      ::waitpid(child, nullptr, 0);
+    }
+  }
+  const pid_t idle = ::fork();
+  if (idle == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    while (true) ::pause();
+  }
+  const auto start = std::chrono::steady_clock::now();
+  while (std::chrono::steady_clock::now() - start < std::chrono::milliseconds(1500)) {
+    EXPECT_NO_THROW(kill_descendants(idle));
+  }
+  for (const pid_t pid : {churn, idle}) {
+    ::kill(pid, SIGKILL);
+    EXPECT_EQ(::waitpid(pid, nullptr, 0), pid);
+  }
 }
 
 }  // namespace
