@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "base/text.h"
 #include "correlation/slip_fit.h"
 #include "formats/csv_table.h"
 #include "table.h"
@@ -78,8 +79,9 @@ int bench() {
                            found.evaluations));
     for (std::size_t i = 0; stage.name.ends_with("all") && i < found.variables.size(); ++i)
       table.note(fmt::format("  {}", found.variables[i].name),
-                 fmt::format("{:.5g} +- {:.2g}",
-                             found.variables[i].initial,
+                 fmt::format("{} +- {:.2g}",
+                             format_known(found.variables[i].initial,
+                                          found.half_width(static_cast<int>(i))),
                              found.half_width(static_cast<int>(i))));
   }
   const double Fy = relative_error(tire, record, SlipChannel::Fy),

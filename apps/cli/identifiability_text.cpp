@@ -51,9 +51,9 @@ void print_correlations(const Study& study, const Confidence& c) {
   }
 }
 
-void print_verdicts(const Study& study, const std::vector<Profile>& profiles) {
+void print_verdicts(const Study& study, const Identifiability& result) {
   say("\nProfiles: each variable held at other values, all others fitted anew\n");
-  for (const Profile& profile : profiles) {
+  for (const Profile& profile : result.identification.profiles()) {
     const DesignVariable& v = study.space[profile.variable];
     say("  {:<16} {}\n", v.name, in_words(profile));
     say("  {:<16} 95 %: {}\n", "", correlation::profile_text(study.space, profile));
@@ -62,7 +62,10 @@ void print_verdicts(const Study& study, const std::vector<Profile>& profiles) {
       std::vector<double> u(at.u.begin(), at.u.end());
       say("  {:<16} another minimum near {}, {}\n",
           "",
-          shown(v, study.space.from_unit(u).values[profile.variable]),
+          correlation::value_text(study.space,
+                                  profile.variable,
+                                  study.space.from_unit(u).values[profile.variable],
+                                  correlation::reported_interval(study, result, profile.variable)),
           at.S - profile.least <= profile.threshold ? "as good" : "not as good");
     }
   }
@@ -122,9 +125,7 @@ void print_identifiability(const Study& study, const Identifiability& result) {
   const Confidence& c = result.identification.confidence();
   print_spectrum(study, c);
   print_correlations(study, c);
-  if (!result.identification.profiles().empty()) {
-    print_verdicts(study, result.identification.profiles());
-  }
+  if (!result.identification.profiles().empty()) print_verdicts(study, result);
   if (result.cross_validation) print_cross_validation(study, *result.cross_validation);
   print_gains(study,
               "What would tell more: measured once more, the most useful first",

@@ -24,7 +24,7 @@ int pareto(const std::string& file, const std::string& a, const std::string& b) 
       found.front.size() + found.others.size(),
       study.run.journal.string(),
       100.0 * found.best.target);
-  print_point(study.space, found.best.point);
+  print_values(study.space, found.best_values);
   say("\nPareto front: no trial is better in both\n  {:>14} {:>14} {:>14}\n",
       a + " %",
       b + " %",

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/file.h"
+#include "base/text.h"
 #include "base/units.h"
 #include "cli/console.h"
 #include "cli/verbs.h"
@@ -40,25 +41,35 @@ void print_passages(const RigResults& results) {
   }
 }
 
-void print_response(const char* name, const RigResponse& r) {
-  answer()["responses"].push_back({{"name", name},
-                                   {"f_Hz", r.f / (2.0 * std::numbers::pi)},
-                                   {"zeta", r.zeta},
-                                   {"gain", r.gain()},
-                                   {"c", r.c}});
-  say("{:<28} f = {:.3f} Hz, zeta = {:.5f}, A/f^2 = {:.4f}, c = {:.4f}\n",
+/// As far as the hits drawn again leave it known, where they were.
+std::string known(double value, double deviation, int decimals) {
+  return deviation > 0.0 ? format_known(value, deviation) : fmt::format("{:.{}f}", value, decimals);
+}
+
+void print_response(const char* name,
+                    const RigResponse& r,
+                    const correlation::ResponseDeviation& d = {}) {
+  const double Hz = 2.0 * std::numbers::pi;  // rad/s
+  answer()["responses"].push_back(
+      {{"name", name}, {"f_Hz", r.f / Hz}, {"zeta", r.zeta}, {"gain", r.gain()}, {"c", r.c}});
+  say("{:<28} f = {} Hz, zeta = {}, A/f^2 = {}, c = {}\n",
       name,
-      r.f / (2.0 * std::numbers::pi),
-      r.zeta,
-      r.gain(),
-      r.c);
+      known(r.f / Hz, d.f / Hz, 3),
+      known(r.zeta, d.zeta, 5),
+      known(r.gain(), d.gain, 4),
+      known(r.c, d.c, 4));
 }
 
 void print_compensation(const RigFile& rig, const RigResults& results) {
-  if (results.hammer) print_response("rig by the hammer", results.hammer->fit.response);
+  if (results.hammer) {
+    const auto& hammer = *results.hammer;
+    print_response("rig by the hammer", hammer.fit.response, hammer.over_hits);
+  }
   if (rig.truth) print_response("rig, truth", rig.truth->rig.response);
   if (!results.compensation) return;
-  print_response("filter dummy to real", results.compensation->filter_response);
+  print_response("filter dummy to real",
+                 results.compensation->filter_response,
+                 results.compensation->over_hits);
   if (const auto back = rig.truth ? inverse(rig.truth->rig.response) : std::nullopt) {
     print_response("filter, truth", *back);
   }

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
-#include "base/units.h"
 #include "cli/answers.h"
 #include "cli/console.h"
 #include "cli/verbs.h"
+#include "correlation/identifiability.h"
 #include "correlation/ring_data.h"
 
 namespace latsch::cli {
@@ -51,7 +51,10 @@ int ring(const RingOptions& options) {
   for (int i = 0; i < data.space.size(); ++i)
     say("{:24} {}\n",
         data.space[i].name,
-        format_quantity(fit->point.values[static_cast<std::size_t>(i)], data.space[i].unit));
+        correlation::value_text(data.space,
+                                i,
+                                fit->point.values[static_cast<std::size_t>(i)],
+                                fit->confidence.intervals[static_cast<std::size_t>(i)]));
   answer()["variables"] = answer_of(data.space, fit->point);
   answer()["evaluations"] = fit->evaluations;
   const auto missed = correlation::missed(data, *fit);

@@ -131,13 +131,16 @@ void print_constraints(const DesignSpace& space) {
   }
 }
 
-void print_point(const DesignSpace& space, const DesignPoint& point) {
+void print_values(const DesignSpace& space, const std::vector<std::string>& values) {
   for (int i = 0; i < space.size(); ++i) {
-    say("  {:<{}} {}\n",
-        space[i].name,
-        name_width(space.variables()),
-        shown(space[i], point.values[i]));
+    say("  {:<{}} {}\n", space[i].name, name_width(space.variables()), values[i]);
   }
+}
+
+void print_point(const DesignSpace& space, const DesignPoint& point) {
+  std::vector<std::string> values;
+  for (int i = 0; i < space.size(); ++i) values.push_back(shown(space[i], point.values[i]));
+  print_values(space, values);
 }
 
 void print_comparison(const StudyExperiment& experiment, const Channels& channels) {

@@ -29,7 +29,10 @@ void print_variables(const DesignSpace& space);
 /// Name, sum, bounds, value at the initial point of every linear constraint.
 void print_constraints(const DesignSpace& space);
 
-/// Name and value of every variable.
+/// Name and value of every variable, the latter as text: "73 N/mm^2".
+void print_values(const DesignSpace& space, const std::vector<std::string>& values);
+
+/// Of a point of which no uncertainty is known.
 void print_point(const DesignSpace& space, const DesignPoint& point);
 
 /// Measured, simulated, error of every force or mode, then mean and largest error.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace latsch {
 namespace {
@@ -92,6 +93,16 @@ std::string format_number(double value) { return fmt::format("{}", value); }
 
 std::string format_number(double value, int digits) {
   return fmt::format("{:.{}g}", value, digits);
+}
+
+std::string format_known(double value, double uncertainty) {
+  constexpr int kMostDigits = 9;
+  const auto magnitude = [](double x) { return std::floor(std::log10(std::abs(x))); };
+  const double digits = magnitude(value) - magnitude(uncertainty) + 2.0;  // -inf of 0
+  const double known = std::isnan(digits) ? 1.0 : std::clamp(digits, 1.0, 1.0 * kMostDigits);
+  // Rounded first: 1987 known to 300 is 1990, not 1.99e+03.
+  const std::string rounded = fmt::format("{:.{}e}", value, static_cast<int>(known) - 1);
+  return format_number(parse_number(rounded).value_or(value), kMostDigits);
 }
 
 std::optional<double> parse_number(std::string_view text) {

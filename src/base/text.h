@@ -30,6 +30,12 @@ std::string format_number(double value);
 /// At most `digits` significant digits.
 std::string format_number(double value, int digits);
 
+/// The value to the second digit of its uncertainty [JCGM 100:2008, 7.2.6], with one digit of its
+/// own at least and nine at most: "73", "-0.0123", "1990", in any unit that both have. Further
+/// digits say nothing and are others on other processors. As exact as can be where the uncertainty
+/// is 0; one digit where it is not finite.
+std::string format_known(double value, double uncertainty);
+
 /// The whole text as a number in C notation, blanks around it allowed; nothing where it is not one.
 std::optional<double> parse_number(std::string_view text);
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <set>
 
+#include "base/text.h"
 #include "base/units.h"
 #include "correlation/best_trial.h"
 #include "correlation/residuals.h"
@@ -138,6 +139,14 @@ Interval reported_interval(const Study& study, const Identifiability& what, int 
   interval.lower = std::min(interval.lower, u);
   interval.upper = std::max(interval.upper, u);
   return interval;
+}
+
+std::optional<Interval> interval_of(const Study& study,
+                                    const std::optional<Identifiability>& what,
+                                    const DesignPoint& point,
+                                    int variable) {
+  if (!what || what->best != point) return std::nullopt;
+  return reported_interval(study, *what, variable);
 }
 
 std::vector<std::string> remarks(const Study& study, const Identifiability& what) {
@@ -270,33 +279,35 @@ std::string profile_text(const DesignSpace& space, const Profile& profile) {
   return text;
 }
 
-std::string interval_text(const DesignSpace& space, int variable, const Interval& interval) {
-  const auto shown = [&](double u) {
-    return value_text(space, variable, value_at(space, variable, u), interval);
-  };
-  const bool low = interval.lower > 0.0, high = interval.upper < 1.0;
-  if (low && high) {
-    const std::string lower = shown(interval.lower);
-    return lower.substr(0, lower.find(' ')) + " .. " + shown(interval.upper);
-  }
-  if (low) return "at least " + shown(interval.lower);
-  if (high) return "at most " + shown(interval.upper);
-  return "anywhere between the bounds";
+std::string known_digits(const DesignSpace& space,
+                         int variable,
+                         double value,
+                         const Interval& interval) {
+  const Unit unit = Unit::of(space[variable].unit);
+  const double lower = unit.from_si(value_at(space, variable, std::max(interval.lower, 0.0)));
+  const double upper = unit.from_si(value_at(space, variable, std::min(interval.upper, 1.0)));
+  return format_known(unit.from_si(value), 0.5 * (upper - lower));
 }
 
 std::string value_text(const DesignSpace& space,
                        int variable,
                        double value,
                        const Interval& interval) {
-  constexpr int kMostDigits = 9;
-  const DesignVariable& v = space[variable];
-  const auto in_unit = [&](double si) { return Unit::of(v.unit).from_si(si); };
-  const double lower = in_unit(value_at(space, variable, std::max(interval.lower, 0.0)));
-  const double upper = in_unit(value_at(space, variable, std::min(interval.upper, 1.0)));
-  const auto magnitude = [](double x) { return std::floor(std::log10(std::abs(x))); };
-  const double digits = magnitude(in_unit(value)) - magnitude(0.5 * (upper - lower)) + 2.0;
-  const double shown = std::isfinite(digits) ? std::clamp(digits, 1.0, 1.0 * kMostDigits) : 1.0;
-  return format_quantity(value, v.unit, upper == lower ? kMostDigits : static_cast<int>(shown));
+  const std::string& unit = space[variable].unit;
+  return known_digits(space, variable, value, interval) + (unit == "1" ? "" : " " + unit);
+}
+
+std::string interval_text(const DesignSpace& space, int variable, const Interval& interval) {
+  const double lower = value_at(space, variable, interval.lower),
+               upper = value_at(space, variable, interval.upper);
+  const bool low = interval.lower > 0.0, high = interval.upper < 1.0;
+  if (low && high) {
+    return known_digits(space, variable, lower, interval) + " .. " +
+           value_text(space, variable, upper, interval);
+  }
+  if (low) return "at least " + value_text(space, variable, lower, interval);
+  if (high) return "at most " + value_text(space, variable, upper, interval);
+  return "anywhere between the bounds";
 }
 
 }  // namespace latsch::correlation

@@ -35,6 +35,12 @@ struct Identifiability {
 /// where the target is no sum of squares.
 Interval reported_interval(const Study& study, const Identifiability& what, int variable);
 
+/// The same where it is known and belongs to that point.
+std::optional<Interval> interval_of(const Study& study,
+                                    const std::optional<Identifiability>& what,
+                                    const DesignPoint& point,
+                                    int variable);
+
 /// What to mind, a sentence each: residuals larger than their stated noise, noise that neighbors
 /// share, derivatives that are rough, a search that ended early, refits that did not converge.
 std::vector<std::string> remarks(const Study& study, const Identifiability& what);
@@ -52,8 +58,14 @@ std::optional<Result<Identifiability>> identify(const Study& study,
 /// nullopt where there is none.
 std::optional<Identifiability> recorded_identifiability(const Study& study, const Journal& journal);
 
-/// The value in its unit, to the second digit of the interval's half width [JCGM 100:2008, 7.2.6].
-/// Further ones say nothing and are others on other processors.
+/// The value's number in the variable's unit, as far as the interval's half width leaves it known:
+/// format_known(), the one rule of every value that stands beside an uncertainty.
+std::string known_digits(const DesignSpace& space,
+                         int variable,
+                         double value,
+                         const Interval& interval);
+
+/// With its unit: "73 N/mm^2".
 std::string value_text(const DesignSpace& space,
                        int variable,
                        double value,

@@ -202,7 +202,8 @@ TEST(Identifiability, TheEndsOfANarrowIntervalDiffer) {
 // 114: none of these digits but the first two is known.
 TEST(Identifiability, ValuesHaveTheDigitsThatTheirIntervalLeaves) {
   const DesignSpace space({{"E", {"E"}, 10e6, 150e6, 25e6, Scale::logarithmic, "N/mm^2"},
-                           {"t", {"t"}, -1.0, 1.0, 0.1}});
+                           {"t", {"t"}, -1.0, 1.0, 0.1},
+                           {"k", {"k"}, 1e3, 1e4, 2e3}});
   const auto text = [&](int i, double value, double lower, double upper) {
     const auto u = [&](double at) {
       DesignPoint point = space.initial();
@@ -214,6 +215,8 @@ TEST(Identifiability, ValuesHaveTheDigitsThatTheirIntervalLeaves) {
   };
   EXPECT_EQ(text(0, 73.039e6, 46.629e6, 114.41e6), "73 N/mm^2, 47 .. 114 N/mm^2");
   EXPECT_EQ(text(0, 72.983e6, 46.613e6, 114.38e6), "73 N/mm^2, 47 .. 114 N/mm^2");
+  EXPECT_EQ(text(0, 119.87e6, 20e6, 149e6), "120 N/mm^2, 20 .. 149 N/mm^2");
+  EXPECT_EQ(text(2, 1987.3, 1700.0, 2300.0), "1990, 1700 .. 2300");  // and not 1.99e+03
   EXPECT_EQ(text(0, 73.03912e6, 73.036e6, 73.042e6), "73.0391 N/mm^2, 73.036 .. 73.042 N/mm^2");
   EXPECT_EQ(text(1, 0.0, -0.012, 0.012), "0, -0.012 .. 0.012");
   EXPECT_EQ(text(1, 0.001, -0.5, 0.5), "0.001, -0.5 .. 0.5");
@@ -345,10 +348,11 @@ TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
   EXPECT_GT(gains[0].shrinkage, 10 * repetition_gains(s, **result)[0].shrinkage);
   EXPECT_LT(gains[0].after, 0.1 * gains[0].before);
 
-  const auto page = identifiability_of(s, journal);
-  ASSERT_TRUE(page);
-  EXPECT_EQ(page->gains[0].measurement, "alone");
-  EXPECT_EQ(page->intervals[0], "anywhere between the bounds");
+  const auto recorded = recorded_identifiability(s, journal);
+  ASSERT_TRUE(recorded);
+  const report::Identifiability page = identifiability_page(s, *recorded);
+  EXPECT_EQ(page.gains[0].measurement, "alone");
+  EXPECT_EQ(page.intervals[0], "anywhere between the bounds");
 }
 
 // Under a ripple of 1 % with 150 waves over the range, differences over a hundredth of it show the

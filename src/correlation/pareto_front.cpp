@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/identifiability.h"
 #include "correlation/report/html_text.h"
 #include "correlation/report/page_style.h"
 #include "correlation/report/svg_plot.h"
@@ -90,16 +91,27 @@ std::string picture(const ParetoFront& found) {
   return svg.str();
 }
 
-std::string row(const Study& study, const ParetoTrial& trial, bool is_best) {
+/// The values of a trial in their units, to the digits that its uncertainty leaves or, where that
+/// is not known, to five.
+std::vector<std::string> values_of(const Study& study,
+                                   const DesignPoint& point,
+                                   const std::optional<Identifiability>& what) {
+  std::vector<std::string> texts;
+  for (int i = 0; i < study.space.size(); ++i) {
+    const auto interval = interval_of(study, what, point, i);
+    const double value = point.values[i];
+    texts.push_back(interval ? value_text(study.space, i, value, *interval)
+                             : format_quantity(value, study.space[i].unit, 5));
+  }
+  return texts;
+}
+
+std::string row(const ParetoTrial& trial, const std::vector<std::string>& values, bool is_best) {
   std::string cells = fmt::format("<td>{:.4f}</td><td>{:.4f}</td><td>{:.4f}</td>",
                                   100.0 * trial.a,
                                   100.0 * trial.b,
                                   100.0 * trial.target);
-  for (int i = 0; i < study.space.size(); ++i) {
-    cells += "<td>" +
-             report::escape(format_quantity(trial.point.values[i], study.space[i].unit, 5)) +
-             "</td>";
-  }
+  for (const std::string& value : values) cells += "<td>" + report::escape(value) + "</td>";
   return fmt::format("<tr>{}<td>{}</td></tr>\n", cells, is_best ? "best" : "");
 }
 
@@ -121,6 +133,7 @@ ParetoFront pareto_front(const Study& study,
   std::stable_sort(trials.begin(), trials.end(), [](const auto& s, const auto& t) {
     return std::tie(s.a, s.b) < std::tie(t.a, t.b);
   });
+  found.best_values = values_of(study, found.best.point, recorded_identifiability(study, journal));
   for (ParetoTrial& trial : trials) {
     const bool is_better = found.front.empty() || trial.b < found.front.back().b;
     (is_better ? found.front : found.others).push_back(std::move(trial));
@@ -146,7 +159,9 @@ std::string pareto_page(const Study& study, const ParetoFront& found) {
   }
   page += "<th></th></tr>\n";
   for (const ParetoTrial& trial : found.front) {
-    page += row(study, trial, trial.point == found.best.point);
+    const bool is_best = trial.point == found.best.point;
+    page += row(
+        trial, is_best ? found.best_values : values_of(study, trial.point, std::nullopt), is_best);
   }
   return page + "</table>\n" + std::string(report::kPageEnd);
 }

@@ -26,7 +26,8 @@ struct ParetoFront {
   std::string a, b;                     // names of the experiments
   std::vector<ParetoTrial> front = {};  // from the best in a to the best in b
   std::vector<ParetoTrial> others = {};
-  ParetoTrial best = {};  // by the weights of the study
+  ParetoTrial best = {};                      // by the weights of the study
+  std::vector<std::string> best_values = {};  // "73 N/mm^2", a variable each
 };
 
 /// Throws InputError where an experiment of that name is not fitted, so that its channels are not

@@ -23,17 +23,21 @@ double value_at(const DesignSpace& space, const Eigen::VectorXd& u, int variable
   return space.from_unit({u.begin(), u.end()}).values[variable];
 }
 
-report::ProfileCurve curve(const Study& study, const Profile& profile, const DesignPoint& found) {
+report::ProfileCurve curve(const Study& study,
+                           const Identifiability& what,
+                           const Profile& profile) {
   const DesignVariable& v = study.space[profile.variable];
+  const Interval interval = reported_interval(study, what, profile.variable);
   report::ProfileCurve curve;
   curve.variable = v.name;
   curve.unit = v.unit;
   curve.logarithmic = v.scale == Scale::logarithmic;
   for (const ProfilePoint& point : profile.points) {
     curve.x.push_back(value_at(study.space, point.u, profile.variable));
+    curve.shown.push_back(value_text(study.space, profile.variable, curve.x.back(), interval));
     curve.rise.push_back((point.S - profile.least) / profile.threshold);
   }
-  curve.found = found.values[profile.variable];
+  curve.found = what.best.values[profile.variable];
   curve.verdict = name(profile.verdict);
   curve.interval = profile_text(study.space, profile);
   return curve;
@@ -89,18 +93,15 @@ std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& dire
   return text;
 }
 
-std::optional<report::Identifiability> identifiability_of(const Study& study,
-                                                          const Journal& journal) {
-  const auto what = recorded_identifiability(study, journal);
-  if (!what) return std::nullopt;
-  const Identification& identification = what->identification;
+report::Identifiability identifiability_page(const Study& study, const Identifiability& what) {
+  const Identification& identification = what.identification;
   const Confidence& c = identification.confidence();
   report::Identifiability page;
   for (int i = 0; i < study.space.size(); ++i) {
     const DesignVariable& v = study.space[i];
     page.variables.push_back(v.name);
-    const Interval interval = reported_interval(study, *what, i);
-    page.values.push_back(value_text(study.space, i, what->best.values[i], interval));
+    const Interval interval = reported_interval(study, what, i);
+    page.values.push_back(value_text(study.space, i, what.best.values[i], interval));
     page.intervals.push_back(interval_text(study.space, i, interval) +
                              (c.held[i] == Bound::none ? "" : ", held at its bound"));
     page.deviations.push_back(c.deviation(i));
@@ -109,11 +110,11 @@ std::optional<report::Identifiability> identifiability_of(const Study& study,
   page.residuals = static_cast<int>(identification.residuals_used().size());
   page.correlation = c.correlation;
   for (const Profile& profile : identification.profiles()) {
-    page.profiles.push_back(curve(study, profile, what->best));
+    page.profiles.push_back(curve(study, what, profile));
   }
-  if (what->cross_validation) page.left_out = left_out(study, *what->cross_validation);
-  page.gains = gains(study, *what);
-  page.remarks = remarks(study, *what);
+  if (what.cross_validation) page.left_out = left_out(study, *what.cross_validation);
+  page.gains = gains(study, what);
+  page.remarks = remarks(study, what);
   return page;
 }
 

@@ -11,9 +11,8 @@
 
 namespace latsch::correlation {
 
-/// As far as the journal goes; nullopt where no analysis has been made.
-std::optional<report::Identifiability> identifiability_of(const Study& study,
-                                                          const Journal& journal);
+/// The chapter on what the data determine.
+report::Identifiability identifiability_page(const Study& study, const Identifiability& what);
 
 /// The minima of the design that was evaluated; nullopt where there is none.
 std::optional<report::Basins> basins_of(const Study& study, const std::vector<RatedTrial>& trials);

@@ -223,16 +223,22 @@ void add_experiments(const Study& study,
   }
 }
 
-void add_variables(const Study& study, const DesignPoint& found, StudyReport& page) {
+void add_variables(const Study& study,
+                   const DesignPoint& found,
+                   const std::optional<Identifiability>& what,
+                   StudyReport& page) {
   for (int i = 0; i < study.space.size(); ++i) {
     const DesignVariable& variable = study.space[i];
-    page.variables.push_back({variable.name,
-                              variable.unit,
-                              variable.initial,
-                              found.values[i],
-                              variable.lower,
-                              variable.upper,
-                              variable.scale == Scale::logarithmic});
+    const auto interval = interval_of(study, what, found, i);
+    page.variables.push_back(
+        {variable.name,
+         variable.unit,
+         variable.initial,
+         found.values[i],
+         variable.lower,
+         variable.upper,
+         variable.scale == Scale::logarithmic,
+         interval ? known_digits(study.space, i, found.values[i], *interval) : ""});
   }
 }
 
@@ -324,7 +330,8 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
   page.target_definition =
       "mean of the experiments' own targets by their weights; of one, mean |relative "
       "error|^exponent";
-  add_variables(study, best->point, page);
+  const auto what = recorded_identifiability(study, journal);
+  add_variables(study, best->point, what, page);
   if (trials) {
     add_found_tire(study, best->point, *trials, page);
     add_mesh_error(study, best->point, mesh_error, page);
@@ -342,7 +349,7 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
   page.surfaces = doe_surfaces(study, rated, best->point);
   page.basins = basins_of(study, rated);
   page.effects = effects_of(study, rated);
-  page.identifiability = identifiability_of(study, journal);
+  if (what) page.identifiability = identifiability_page(study, *what);
   return page;
 }
 

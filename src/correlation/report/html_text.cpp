@@ -13,15 +13,6 @@ namespace {
 
 constexpr const char* kNothing = "–";
 
-std::string with_true_minus(std::string text) {
-  if (!text.empty() && text[0] == '-') {
-    // "-0.00" is zero
-    if (text.find_first_of("123456789") == std::string::npos) return text.substr(1);
-    return "−" + text.substr(1);
-  }
-  return text;
-}
-
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
   for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
     text.replace(at, from.size(), to);
@@ -56,9 +47,15 @@ std::string escape(std::string_view text) {
   return safe;
 }
 
+std::string true_minus(std::string number) {
+  if (number.empty() || number[0] != '-') return number;
+  number.erase(0, 1);
+  return number.find_first_of("123456789") == std::string::npos ? number : "−" + number;
+}
+
 std::string fixed(double value, int decimals) {
   if (!std::isfinite(value)) return kNothing;
-  return with_true_minus(fmt::format("{:.{}f}", value, decimals));
+  return true_minus(fmt::format("{:.{}f}", value, decimals));
 }
 
 std::string significant(double value, int digits) {
@@ -66,14 +63,14 @@ std::string significant(double value, int digits) {
   if (value == 0.0) return "0";
   const double magnitude = std::abs(value);
   if (magnitude < 1e-4 || magnitude >= 1e6)
-    return with_true_minus(fmt::format("{:.{}g}", value, digits));
+    return true_minus(fmt::format("{:.{}g}", value, digits));
   const int before = static_cast<int>(std::floor(std::log10(magnitude))) + 1;
   std::string text = fmt::format("{:.{}f}", value, std::max(0, digits - before));
   if (text.find('.') != std::string::npos) {
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
   }
-  return with_true_minus(text);
+  return true_minus(text);
 }
 
 std::string percent(double ratio, int decimals) {

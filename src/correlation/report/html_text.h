@@ -10,6 +10,8 @@ namespace latsch::report {
 /// Any text as HTML text or attribute value: & < > " ' become entities, control characters vanish.
 std::string escape(std::string_view text);
 
+/// A number's text with a true minus sign; "-0.0" is zero.
+std::string true_minus(std::string number);
 /// "12.30": a fixed number of decimals, a true minus sign; "–" for what is not finite.
 std::string fixed(double value, int decimals);
 /// At most `digits` significant digits, no exponent between 1e-4 and 1e6: "22.31", "0.00102".

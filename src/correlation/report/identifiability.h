@@ -15,11 +15,12 @@ struct ProfileCurve {
   std::string variable;
   std::string unit = "1";
   bool logarithmic = false;
-  std::vector<double> x;     // SI, ascending
-  std::vector<double> rise;  // S - least over the threshold of the interval: 1 ends it
-  double found = 0.0;        // SI
-  std::string verdict;       // "identifiable"
-  std::string interval;      // "9.8 .. 10.3 N/mm^2"
+  std::vector<double> x;           // SI, ascending
+  std::vector<std::string> shown;  // x as a person reads them, one each: "73 N/mm^2"
+  std::vector<double> rise;        // S - least over the threshold of the interval: 1 ends it
+  double found = 0.0;              // SI
+  std::string verdict;             // "identifiable"
+  std::string interval;            // "9.8 .. 10.3 N/mm^2"
 };
 
 struct LeftOutExperiment {

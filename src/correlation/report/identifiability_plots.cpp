@@ -145,12 +145,12 @@ std::string profile_plot(const ProfileCurve& curve) {
   if (points.size() > 1) svg.polyline(points, "class=\"found\"");
   for (size_t k = 0; k < x.size(); ++k) {
     if (curve.rise[k] > kHighestRise) continue;
-    svg.circle(
-        place(k),
-        2.6,
-        "class=\"found-dot\"",
-        fmt::format(
-            "{}: {} times the threshold", significant(x[k], 4), significant(curve.rise[k], 3)));
+    svg.circle(place(k),
+               2.6,
+               "class=\"found-dot\"",
+               fmt::format("{}: {} times the threshold",
+                           true_minus(typeset_unit(curve.shown[k])),
+                           significant(curve.rise[k], 3)));
   }
   svg.line(
       {across.first_pixel(), up.at(1.0)}, {across.last_pixel(), up.at(1.0)}, "class=\"limit\"");

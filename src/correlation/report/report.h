@@ -23,6 +23,8 @@ struct Variable {
   std::string unit = "1";
   double initial = 0.0, found = 0.0, lower = 0.0, upper = 0.0;
   bool logarithmic = false;
+  std::string known = {};  // the number found, as far as its uncertainty leaves it known: "73";
+                           // empty where no uncertainty is known
 };
 
 /// One experiment's part of the target.

@@ -376,6 +376,7 @@ TEST(Report, SaysWhatTheDataDetermine) {
                     "GPa",
                     true,
                     {1e9, 4e9, 2e10},
+                    {"1 GPa", "4 GPa", "20 GPa"},
                     {9.0, 0.0, 0.4},
                     4e9,
                     "one-sided",

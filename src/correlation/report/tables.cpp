@@ -110,7 +110,7 @@ std::string variable_table(const StudyReport& report) {
                         bound == AtBound::no ? "" : "<span class=\"flag\">at bound</span>",
                         v.logarithmic ? " <span class=\"quiet\">log</span>" : "",
                         number_cell(number(v.initial)),
-                        number_cell(number(v.found), true),
+                        number_cell(v.known.empty() ? number(v.found) : true_minus(v.known), true),
                         number_cell(number(v.lower)),
                         track(v),
                         number_cell(number(v.upper)),

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <fstream>
 #include <numbers>
+#include <regex>
 
 #include "base/error.h"
 #include "correlation/rig_data/rig_report.h"
@@ -114,6 +116,20 @@ TEST_F(RigData, FindsTheRigAndItsInverseAgain) {
   EXPECT_NEAR(filter.zeta, back.zeta, 0.01);
   EXPECT_NEAR(filter.c, back.c, 0.05 * back.c);
   EXPECT_GT(found.compensation->over_hits.f, 0.0);
+}
+
+// What follows the second digit of a deviation is chance, and other on other processors.
+TEST_F(RigData, ThePageShowsNoDigitsThatTheHitsDoNotTell) {
+  const std::string page = rig_page(rig(), results());
+  const std::regex known("<td[^>]*>(?:−)?([0-9.]+) ± ([0-9.]+)</td>");
+  int values = 0;
+  for (std::sregex_iterator at(page.begin(), page.end(), known), end; at != end; ++at, ++values) {
+    const std::string value = (*at)[1];
+    const auto point = std::min(value.find('.'), value.size() - 1);
+    const int second_digit = 1 - static_cast<int>(std::floor(std::log10(std::stod((*at)[2]))));
+    EXPECT_LE(value.size() - point - 1, std::max(0, second_digit)) << at->str();
+  }
+  EXPECT_EQ(values, 8);  // four numbers of the rig, four of the filter
 }
 
 TEST_F(RigData, TheFilterBringsTheDummyRimToTheRealOneWhereItWasNotFitted) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/text.h"
 #include "base/units.h"
 #include "correlation/report/html_text.h"
 #include "correlation/report/line_plot.h"
@@ -16,6 +17,7 @@ namespace {
 
 using report::escape;
 using report::significant;
+using report::true_minus;
 
 std::string figure(const std::string& heading,
                    const report::LinePlot& plot,
@@ -170,7 +172,8 @@ std::vector<std::string> response_cells(const std::string& name,
                                         const RigResponse& r,
                                         const ResponseDeviation& d) {
   const auto cell = [](double value, double deviation) {
-    return significant(value, 5) + (deviation > 0.0 ? " ± " + significant(deviation, 2) : "");
+    if (!(deviation > 0.0)) return significant(value, 5);
+    return true_minus(format_known(value, deviation)) + " ± " + format_known(deviation, deviation);
   };
   return {name,
           cell(r.f / kTwoPi, d.f / kTwoPi),
