@@ -6,12 +6,13 @@
 #include <nlopt.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <thread>
 
 #include "base/random.h"
-#include "optimization/gss.h"
 #include "optimization/residual_trust_region.h"
 #include "scipy_peer.h"
 
@@ -89,10 +90,11 @@ Solver residual_trust_region() {
   };
 }
 
-Solver gss() {
-  return [](Observed& observed, int most_evaluations) {
-    Gss method(more_wild::space(observed.problem()),
-               {.initial_step = kStartStep, .step_tolerance = kTolerance});
+Solver gss(GssOptions options) {
+  options.initial_step = kStartStep;
+  options.step_tolerance = kTolerance;
+  return [options](Observed& observed, int most_evaluations) {
+    Gss method(more_wild::space(observed.problem()), options);
     run(method, observed, most_evaluations);
   };
 }
@@ -146,19 +148,33 @@ Profile profile(const std::vector<Solved>& solved, const std::vector<double>& bu
   return profile;
 }
 
+std::vector<Solved> solve(const Solver& solver,
+                          const std::vector<Disturbance>& disturbances,
+                          double k,
+                          const std::vector<more_wild::Problem>& problems,
+                          int threads) {
+  std::vector<Solved> solved(disturbances.size() * problems.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i; (i = next++) < solved.size();) {
+      const more_wild::Problem& problem = problems[i % problems.size()];
+      Observed observed(problem, disturbances[i / problems.size()]);
+      solver(observed, static_cast<int>(k * (problem.n() + 1)));
+      solved[i] = observed.solved();
+    }
+  };
+  std::vector<std::jthread> others;
+  for (int t = 1; t < threads; ++t) others.emplace_back(work);
+  work();
+  others.clear();
+  return solved;
+}
+
 Profile measure(const Solver& solver,
                 const std::vector<Disturbance>& disturbances,
                 const std::vector<double>& budgets,
                 const std::vector<more_wild::Problem>& problems) {
-  std::vector<Solved> solved;
-  for (const Disturbance& disturbance : disturbances) {
-    for (const more_wild::Problem& problem : problems) {
-      Observed observed(problem, disturbance);
-      solver(observed, static_cast<int>(budgets.back() * (problem.n() + 1)));
-      solved.push_back(observed.solved());
-    }
-  }
-  return profile(solved, budgets);
+  return profile(solve(solver, disturbances, budgets.back(), problems), budgets);
 }
 
 void note(Table& table, const std::string& solver, const Profile& profile) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "more_wild/more_wild_problems.h"
+#include "optimization/gss.h"
 #include "optimization/optimizer.h"
 #include "table.h"
 
@@ -56,8 +57,10 @@ class Observed {
 using Solver = std::function<void(Observed&, int most_evaluations)>;
 
 Solver residual_trust_region();
-Solver gss();
-/// Only where nothing fails: nlopt_algorithm by its number.
+/// Lengths are those of the problems, whatever the options say.
+Solver gss(GssOptions options = {});
+/// nlopt_algorithm by its number. Where a point fails it is shown 1e300: one that makes models of
+/// values is of no use there.
 Solver nlopt(int algorithm);
 /// SciPy's least_squares with its own differences, in start steps from the start.
 Solver scipy();
@@ -69,6 +72,14 @@ struct Profile {
 };
 
 Profile profile(const std::vector<Solved>& solved, const std::vector<double>& budgets);
+
+/// All problems, once for every disturbance, each within k (n + 1) evaluations. On several threads
+/// only for solvers in this process; the outcomes are the same.
+std::vector<Solved> solve(const Solver& solver,
+                          const std::vector<Disturbance>& disturbances,
+                          double k,
+                          const std::vector<more_wild::Problem>& problems,
+                          int threads = 1);
 
 /// All problems, serially, once for every disturbance, within the largest budget.
 Profile measure(const Solver& solver,
