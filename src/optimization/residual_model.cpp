@@ -85,7 +85,11 @@ ResidualModel::ResidualModel(const ResidualSamples& samples, double noise)
   const Eigen::MatrixXd alpha = factors_.solve(D);  // (2)
   amplitude_ = std::max(0.0, alpha.cwiseProduct(D).sum()) / static_cast<double>(D.rows());
   alpha_ = alpha.transpose();
+  const double square = 4.0 * (alpha * samples.r_c).dot(D * samples.r_c);
+  of_target_ = std::max(0.0, square) / static_cast<double>(D.rows());
 }
+
+double ResidualModel::target_deviation() const { return std::sqrt(noise_ * of_target_); }
 
 Eigen::VectorXd ResidualModel::kernel(const Eigen::VectorXd& z) const {
   const Eigen::ArrayXd inner = (samples_.Z * z).array();

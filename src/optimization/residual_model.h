@@ -23,7 +23,8 @@
 //   (4)
 //
 // so that |r_hat(z)|^2 + v(z) is the value to be expected there: the more a step relies on what no
-// sample has shown, the less it promises.
+// sample has shown, the less it promises. To first order |r|^2 changes by 2 r_c'd; with that in
+// place of d, s^2 noise is the variance of the target that noise makes.
 #pragma once
 
 #include <Eigen/Core>
@@ -70,6 +71,8 @@ class ResidualModel {
   Eigen::VectorXd residuals(const Eigen::VectorXd& z) const;
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& z) const;
 
+  /// Standard deviation that noise makes of |r|^2 at a point; 0 without noise.
+  double target_deviation() const;
   /// |r_hat|^2 + v
   double expected(const Eigen::VectorXd& z) const;
   /// Half the gradient of v, and of its Hessian the part that is never negative.
@@ -88,6 +91,7 @@ class ResidualModel {
   ScaledFactors factors_;   // of K
   Eigen::MatrixXd alpha_;   // a residual a row
   double amplitude_ = 0.0;  // s^2; 0: nothing is known of it
+  double of_target_ = 0.0;  // s^2 of |r|^2, to first order: of 2 r_c'd in place of d
 };
 
 /// The noise with which the samples are most likely, in steps of a hundred; 0 where stronger cubic

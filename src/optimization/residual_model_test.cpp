@@ -121,5 +121,27 @@ TEST(BoxLeastSquares, EndsAtBoundsThatHoldIt) {
   EXPECT_NEAR(z[2], 0.5, 1e-5);
 }
 
+// |r|^2 scatters by 2 s |r| where every residual does by s.
+TEST(ResidualModel, TellsWhatNoiseMakesOfTheTarget) {
+  const Eigen::VectorXd r_c = Eigen::VectorXd::LinSpaced(100, 1.0, 3.0);
+  const double s = 0.05;
+  RandomStream random(9, 0);
+  ResidualSamples samples{Eigen::MatrixXd(20, 3), Eigen::MatrixXd(20, 100), r_c, {}};
+  Eigen::MatrixXd J(100, 3);
+  for (double& slope : J.reshaped()) slope = 0.1 * random.normal();
+  for (int i = 0; i < 20; ++i) {
+    for (int k = 0; k < 3; ++k) samples.Z(i, k) = 2.0 * random.uniform() - 1.0;
+    samples.D.row(i) = (J * samples.Z.row(i).transpose()).transpose();
+  }
+  EXPECT_EQ(ResidualModel(samples, 0.0).target_deviation(), 0.0);
+  Eigen::VectorXd here(100);  // the noise of the center
+  for (double& value : here) value = s * random.normal();
+  for (int i = 0; i < 20; ++i) {
+    for (int j = 0; j < 100; ++j) samples.D(i, j) += s * random.normal() - here[j];
+  }
+  const ResidualModel model(samples, likeliest_noise(samples));
+  EXPECT_NEAR(model.target_deviation(), 2.0 * s * r_c.norm(), 0.5 * 2.0 * s * r_c.norm());
+}
+
 }  // namespace
 }  // namespace latsch

@@ -8,7 +8,9 @@
 //   model     r_hat, a quadratic for every residual, of all samples around, whoever asked for them
 //             (a DOE, another method, an earlier run): residual_model.h.
 //   geometry  where samples leave a direction unknown, a probe along it; at the start one for every
-//             variable. A direction that is known poorly is probed when a step disappoints.
+//             variable. A direction that is known poorly is probed when a step disappoints. Probes
+//             are short, and where noise is known so long that it spoils a slope no more than
+//             curvature does (trust_box.h).
 //   step      the least value to be expected, |r_hat|^2 and the variance with which the model knows
 //             it, in box and bounds: box_least_squares.h; among linear constraints:
 //             polytope_least_squares.h.
@@ -17,7 +19,8 @@
 //   verify    where neither a step of the tolerance nor a model of good geometry promises anything,
 //             slopes are taken afresh, at lengths that noise and ripple allow (natural_frame.h);
 //             steps of the model they make are gone as long as they gain. In the noise once more,
-//             three times as far: noise then counts a third.
+//             three times as far: noise then counts a third. What a restart gains beyond that is
+//             verified again only if it is more than noise makes of the target, or a tenth of it.
 //   end       when they promise nothing any more. ending() says how.
 //
 // A Failure closes off the region around it (residual_memory.h), failures together the half space

@@ -48,6 +48,7 @@ constexpr double kFarther = 3.0;  // in the noise
 constexpr double kWorthARound = 1.0 - 1e-5;  // of the value: another one
 constexpr int kMostRounds = 8;
 constexpr double kWorthASearch = 0.5;
+constexpr double kBeyondNoise = 0.9;   // of the value: less is verified anew whatever the noise
 constexpr double kNothingLeft = 1e-8;  // of the first value: a ten-thousandth of the residuals
 
 constexpr double kOnBound = 1e-9;
@@ -164,8 +165,8 @@ bool TrustRegionRun::widen_in_noise() {
   return true;
 }
 
-/// False where nothing is left to gain, the last one still holds, the model brings its slopes, or
-/// the region is a point.
+/// False where nothing is left to gain, the last one still holds but for noise, the model brings
+/// its slopes, or the region is a point.
 bool TrustRegionRun::begin_verification() {
   if (box_.memory[box_.center()].J.size() > 0 || box_.f() >= f_verified_) return false;
   if (box_.f() < kNothingLeft * f_first_) {
@@ -220,6 +221,8 @@ std::optional<Wanted> TrustRegionRun::next_to_verify() {
       new_round(m.jacobian(Eigen::VectorXd::Zero(v.frame.axes())) * v.frame.inverse);
       continue;
     }
+    const double by_noise = box_.f() - m.target_deviation();
+    f_verified_ = std::max(by_noise, kBeyondNoise * box_.f());
     if (box_.center() == box_.best()) {
       const bool is_in_vain = step.length > 0.0;
       ending_ = is_in_vain && v.has_failed ? Ending::edge
@@ -227,7 +230,6 @@ std::optional<Wanted> TrustRegionRun::next_to_verify() {
                 : is_in_vain               ? Ending::rough
                                            : Ending::verified;
     }
-    f_verified_ = box_.f();
     verification_.reset();
     return restart();
   }

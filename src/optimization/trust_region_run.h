@@ -100,13 +100,13 @@ class TrustRegionRun {
   Ending ending_ = Ending::known;
   double rise_ = 0.0;  // of f, an initial radius off the best point, when it last was the center
   double f_first_ = std::numeric_limits<double>::infinity();  // of the start, or the first success
-  double f_verified_ = std::numeric_limits<double>::infinity();
-  bool is_geometry_doubted_ = false;  // a step disappointed
-  bool has_widened_ = false;          // the radius, for noise, since the last outcome
-  int disappointments_ = 0;           // in a row
-  int failures_ = 0;                  // in a row
-  int explored_ = 0;                  // points at the end of a run, since its last better one
-  int widenings_ = 0;                 // of the radius, at the end of a search in the noise
+  double f_verified_ = std::numeric_limits<double>::infinity();  // from below it one more pays
+  bool is_geometry_doubted_ = false;                             // a step disappointed
+  bool has_widened_ = false;  // the radius, for noise, since the last outcome
+  int disappointments_ = 0;   // in a row
+  int failures_ = 0;          // in a row
+  int explored_ = 0;          // points at the end of a run, since its last better one
+  int widenings_ = 0;         // of the radius, at the end of a search in the noise
   int restarts_ = 0;
   Eigen::MatrixXd flat_;      // directions without effect at the best point of all
   int scouts_ = 0;            // along them, left of this restart
