@@ -28,6 +28,10 @@
 #include "evaluation/scratch_folder_testing.h"
 #include "evaluation/worker.h"
 
+#if defined(__SANITIZE_ADDRESS__)  // else it turns a worker's signal into an exit
+extern "C" const char* __asan_default_options() { return "handle_segv=0"; }
+#endif
+
 namespace latsch {
 namespace {
 
