@@ -31,12 +31,13 @@ LostVariables::LostVariables(const DesignSpace& space,
 
 Eigen::VectorXd LostVariables::next() const {
   assert(has_next());
-  if (!is_testing()) return places_.back();
+  if (!is_testing()) return places_.back().u;
   Eigen::VectorXd moved = u_;
-  for (int k = 0; k < tested(); ++k) {
-    const int i = order_[k];
-    const double to = u_[i] + test_[i];
-    moved[i] = to < 0.0 || to > 1.0 ? u_[i] - test_[i] : to;
+  const auto first = order_.begin() + (is_bisecting() ? 0 : tested_alone_);
+  const auto end = is_bisecting() ? order_.begin() + bisected() : first + 1;
+  for (auto i = first; i != end; ++i) {
+    const double to = u_[*i] + test_[*i];
+    moved[*i] = to < 0.0 || to > 1.0 ? u_[*i] - test_[*i] : to;
   }
   return region_.nearest(moved);
 }
@@ -44,26 +45,41 @@ Eigen::VectorXd LostVariables::next() const {
 void LostVariables::observe(bool is_felt) {
   assert(has_next());
   if (!is_testing()) return places_.pop_back();
-  (is_felt ? at_most_ : at_least_) = is_felt ? tested() - 1 : tested();
-  if (!is_testing() && at_least_ > 0) find_places();
+  learn(is_felt);
+  if (!is_testing() && !lost_.empty()) find_places();
+}
+
+void LostVariables::learn(bool is_felt) {
+  const auto n = static_cast<int>(std::ssize(order_));
+  if (is_bisecting()) {
+    (is_felt ? at_most_ : at_least_) = is_felt ? bisected() - 1 : bisected();
+    if (is_bisecting()) return;
+    lost_.assign(order_.begin(), order_.begin() + at_least_);
+    // The one that comes next is felt: it was what showed.
+    tested_alone_ = lost_.empty() ? n : std::min(n, at_least_ + 1);
+  } else {
+    if (!is_felt) lost_.push_back(order_[tested_alone_]);
+    ++tested_alone_;
+  }
 }
 
 void LostVariables::find_places() {
-  std::vector<Eigen::VectorXd> places;
-  const auto add = [&](const Eigen::VectorXd& moved) {
-    const Eigen::VectorXd place = region_.nearest(moved);
+  std::vector<Place> places;
+  const auto add = [&](const Eigen::VectorXd& moved, double factor) {
+    const Eigen::VectorXd u = region_.nearest(moved);
     const auto is_near = [&](const Eigen::VectorXd& other) {
-      return (place - other).lpNorm<Eigen::Infinity>() < kSamePlace;
+      return (u - other).lpNorm<Eigen::Infinity>() < kSamePlace;
     };
-    if (!is_near(u_) && std::none_of(places.begin(), places.end(), is_near)) {
-      places.push_back(place);
+    const auto is_known = [&](const Place& place) { return is_near(place.u); };
+    if (!is_near(u_) && std::none_of(places.begin(), places.end(), is_known)) {
+      places.push_back({u, factor});
     }
   };
   const DesignPoint settled = space_.from_unit({u_.begin(), u_.end()});
   for (const double factor : kFactors) {
     DesignPoint scaled = settled;
-    for (const int i : lost()) scaled.values[i] *= factor;
-    add(to_vector(space_.to_unit(scaled)));
+    for (const int i : lost_) scaled.values[i] *= factor;
+    add(to_vector(space_.to_unit(scaled)), factor);
   }
   places_.assign(places.rbegin(), places.rend());
 }

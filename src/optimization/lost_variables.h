@@ -13,7 +13,9 @@
 // Which are lost is tested, not taken from a model's slopes: these are as wrong as the felt
 // variables are curved. With the variables in the order of their slopes, as many of the least ones
 // are lost as can be moved together without effect. The least one is tested first: mostly, and
-// always under noise, it is felt, and nothing is lost. Then a bisection, log2(n) points.
+// always under noise, it is felt, and nothing is lost. Then a bisection, log2(n) points. Slopes
+// that are wrong put others behind one that is felt: those are tested one by one, up to n - 2
+// points.
 //
 // This relies on a zero that means something: a peak whose place is counted from far away is not
 // found, nor anything under noise, where every move is felt. What it brings is judged by
@@ -21,6 +23,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <iterator>
 #include <vector>
 
 #include "optimization/design_space.h"
@@ -39,26 +42,38 @@ class LostVariables {
                 const Eigen::VectorXd& test);
 
   /// Whether the next point is to tell which variables are lost.
-  bool is_testing() const { return at_most_ > at_least_; }
+  bool is_testing() const { return is_bisecting() || tested_alone_ < std::ssize(order_); }
   bool has_next() const { return is_testing() || !places_.empty(); }
   /// In the unit cube. Requires has_next().
   Eigen::VectorXd next() const;
+  /// s of the place that is next; 1 for a test.
+  double factor() const { return is_testing() ? 1.0 : places_.back().factor; }
   /// Whether residuals at next() differ from those at u, or there was no outcome.
   void observe(bool is_felt);
 
   /// Indices, as far as they are known.
-  std::vector<int> lost() const { return {order_.begin(), order_.begin() + at_least_}; }
+  const std::vector<int>& lost() const { return lost_; }
 
  private:
-  int tested() const { return at_least_ == 0 ? 1 : (at_least_ + at_most_ + 1) / 2; }
+  struct Place {
+    Eigen::VectorXd u;
+    double factor;
+  };
+
+  bool is_bisecting() const { return at_most_ > at_least_; }
+  /// Of the order, in the next step of the bisection.
+  int bisected() const { return at_least_ == 0 ? 1 : (at_least_ + at_most_ + 1) / 2; }
+  void learn(bool is_felt);
   void find_places();
 
   DesignSpace space_;
   FeasibleRegion region_;
   Eigen::VectorXd u_, test_;
-  std::vector<int> order_;               // of the variables, least slope first
-  int at_least_ = 0, at_most_ = 0;       // how many of them are lost
-  std::vector<Eigen::VectorXd> places_;  // the next one last
+  std::vector<int> order_;          // of the variables, least slope first
+  int at_least_ = 0, at_most_ = 0;  // how many of them are lost together
+  int tested_alone_ = 0;            // of the order; its length: none any more
+  std::vector<int> lost_;
+  std::vector<Place> places_;  // the next one last
 };
 
 }  // namespace latsch

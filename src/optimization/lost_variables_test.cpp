@@ -31,14 +31,13 @@ Eigen::VectorXd unit(const DesignSpace& space, const std::vector<double>& x) {
 
 /// Tells the search whether moves of these variables show.
 std::vector<int> lost_of(LostVariables& search, const Eigen::VectorXd& u, std::vector<int> felt) {
-  int tests = 0;
-  for (; search.is_testing(); ++tests) {
+  for (int tests = 0; search.is_testing(); ++tests) {
+    EXPECT_LT(tests, 2 + std::log2(u.size()) + u.size());
     const Eigen::VectorXd moved = search.next() - u;
     bool is_felt = false;
     for (const int i : felt) is_felt = is_felt || moved[i] != 0.0;
     search.observe(is_felt);
   }
-  EXPECT_LE(tests, felt.size() == static_cast<std::size_t>(u.size()) ? 1 : 2 + std::log2(u.size()));
   return search.lost();
 }
 
@@ -52,6 +51,31 @@ TEST(LostVariables, AreFoundByBisectionInTheOrderOfTheirSlopes) {
   EXPECT_EQ(lost_of(three, u, {1, 2, 4, 5, 6}), (std::vector{3, 0}));
   LostVariables none(space, region, u, slopes, test);
   EXPECT_TRUE(lost_of(none, u, {0, 1, 2, 3, 4, 5, 6}).empty());
+  EXPECT_FALSE(none.has_next());
+}
+
+// As it is where the model's slopes are of the few samples it has: only the first of three was
+// found.
+TEST(LostVariables, AreFoundOneByOneBehindOneThatIsFelt) {
+  const DesignSpace space = space_of({1, 2, 3, 4, 5, 6, 7}, 0.0, 8.0);
+  const FeasibleRegion region(space);
+  const Eigen::VectorXd u = unit(space, space.initial().values);
+  const Eigen::VectorXd test = Eigen::VectorXd::Constant(7, 0.01);
+  const Eigen::VectorXd slopes{{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}};
+  LostVariables three(space, region, u, slopes, test);
+  EXPECT_EQ(lost_of(three, u, {1, 2, 4, 5}), (std::vector{0, 3, 6}));
+  EXPECT_TRUE(three.has_next());
+}
+
+TEST(LostVariables, NothingLostIsSeenByTheFirstTest) {
+  const DesignSpace space = space_of({1, 2, 3}, 0.0, 8.0);
+  const FeasibleRegion region(space);
+  LostVariables none(space,
+                     region,
+                     unit(space, {1, 2, 3}),
+                     Eigen::Vector3d{0.1, 0.2, 0.3},
+                     Eigen::Vector3d::Constant(0.01));
+  none.observe(true);
   EXPECT_FALSE(none.has_next());
 }
 

@@ -19,6 +19,7 @@ constexpr double kTest = 0.1;  // of the initial radius: moves that tell which v
 /// Of n + 1 evaluations, to each place where lost variables are felt: one of them are the probes,
 /// so two are left for steps.
 constexpr int kAllotment = 3;
+constexpr double kWorthIt = 0.9;  // of the value: what trials brought
 
 void check(const ResidualTrustRegionOptions& options) {
   const OptionCheck check("residual trust region");
@@ -111,6 +112,7 @@ struct ResidualTrustRegion::State {
   /// Where a place is felt, a trial begins.
   void take_look(const DesignPoint& point, const std::optional<ResidualSample>& sample) {
     const bool was_test = lost->is_testing();
+    const double factor = lost->factor();
     const bool is_felt = !sample || !is_same(sample->r, r_settled);
     lost->observe(is_felt);
     look.clear();
@@ -118,19 +120,25 @@ struct ResidualTrustRegion::State {
     if (was_test) return run.observe(point, sample->u, sample);
     ResidualTrustRegionOptions options = run.options();
     options.restarts = 0;
+    // Steps of the felt variables are as long as before, those of the lost ones would be as much
+    // shorter as these are now: the geometric mean of both.
+    options.initial_radius =
+        std::max(options.step_tolerance, std::sqrt(std::min(1.0, factor)) * options.initial_radius);
     trials.emplace_back(run.box().space.starting_at(point), options);
     trials.back().observe(point, sample->u, sample);
     if (!trials.back().box().has_center()) return trials.pop_back();
     allotted = kAllotment * (run.box().n() + 1) + options.outstanding - 1;
   }
 
-  /// The best of all is gone on with.
+  /// The best of all is gone on with. Trials count as restarts where they were in vain.
   void choose() {
-    const int restarts_left = run.restarts_left() - static_cast<int>(std::ssize(trials));
+    const int restarts_left = run.restarts_left();
+    const double f_before = run.best().f;
     for (const TrustRegionRun& trial : trials) {
       if (trial.best().f < run.best().f) run = trial;
     }
-    run.go_on(restarts_left);
+    const bool was_in_vain = run.best().f > kWorthIt * f_before;
+    run.go_on(restarts_left - (was_in_vain ? static_cast<int>(std::ssize(trials)) : 0));
     trials.clear();
     lost.reset();
   }
