@@ -9,7 +9,8 @@
 namespace latsch {
 namespace {
 
-constexpr int kFewest = 2;  // failures of an edge
+constexpr int kFewest = 3;         // failures of an edge
+constexpr double kForetold = 0.7;  // share of them, each by the plane of the others
 constexpr int kMostEdges = 3;
 constexpr int kMostFailures = 2;  // of an edge, times n + 1: the nearest ones
 constexpr double kOffset = 1e-6;  // curvature of b, which is free: beside 1 of a
@@ -48,6 +49,24 @@ std::optional<Edge> plane(const std::vector<Eigen::VectorXd>& failures,
   return parts ? std::optional(edge) : std::nullopt;
 }
 
+/// Whether the plane of the others mostly tells of each failure: it is farther out than all
+/// successes. (It need not be beyond that plane: midway, the innermost failure never is.)
+bool foretells(const std::vector<Eigen::VectorXd>& failures,
+               const std::vector<Eigen::VectorXd>& successes) {
+  const auto is_foretold = [&](const Eigen::VectorXd& x) {
+    std::vector<Eigen::VectorXd> others = failures;
+    std::erase(others, x);
+    const std::optional<Edge> edge = plane(others, successes);
+    if (!edge) return false;
+    const double out = edge->a.dot(x);
+    return out > 0.0 && std::all_of(successes.begin(), successes.end(), [&](const auto& success) {
+             return out > edge->a.dot(success);
+           });
+  };
+  const auto foretold = std::count_if(failures.begin(), failures.end(), is_foretold);
+  return static_cast<double>(foretold) >= kForetold * static_cast<double>(failures.size());
+}
+
 }  // namespace
 
 std::vector<Edge> failure_edges(const std::vector<Eigen::VectorXd>& failures,
@@ -64,6 +83,7 @@ std::vector<Edge> failure_edges(const std::vector<Eigen::VectorXd>& failures,
     std::optional<Edge> edge;
     for (; !edge && std::ssize(some) >= kFewest; some.resize((some.size() + 1) / 2)) {
       edge = plane(some, successes);
+      if (edge && !foretells(some, successes)) edge.reset();
       if (some.size() == kFewest) break;
     }
     if (!edge) {

@@ -8,9 +8,12 @@
 // on this side of it goes on along the edge of a failed region; whether it succeeds or fails halves
 // the gap, and turns the plane.
 //
-// Two failures or more that a plane parts from all successes around make an edge; a single one says
-// nothing about a region (residual_memory.h has a ball for it), and failures here and there among
-// successes have no plane.
+// That there is a plane says little: among few points in many variables there nearly always is one
+// [Cover, IEEE Trans. Electron. Comput. EC-14 (1965) 326]. So three failures or more make an edge,
+// and only where the plane of the others tells of most of them, each in turn: it lies farther out
+// than all successes. One or two
+// say nothing about a region (residual_memory.h has a ball for each), and failures here and there
+// among successes, of a cluster's node or of a licence, make no edge.
 #pragma once
 
 #include <Eigen/Core>
