@@ -8,9 +8,7 @@
 //   model     r_hat, a quadratic for every residual, of all samples around, whoever asked for them
 //             (a DOE, another method, an earlier run): residual_model.h.
 //   geometry  where samples leave a direction unknown, a probe along it; at the start one for every
-//             variable. A direction that is known poorly is probed when a step disappoints. Probes
-//             are short, and where noise is known so long that it spoils a slope no more than
-//             curvature does (trust_box.h).
+//             variable. A direction that is known poorly is probed when a step disappoints.
 //   step      the least value to be expected, |r_hat|^2 and the variance with which the model knows
 //             it, in box and bounds: box_least_squares.h; among linear constraints:
 //             polytope_least_squares.h.

@@ -14,10 +14,11 @@
 namespace latsch {
 namespace {
 
-// Of the radius: a probe's length without noise. Shorter ones are nearer to the slope.
+// Of the radius: a probe's length. Shorter ones are nearer to the slope, longer ones rise above
+// noise; a third of this or three times it change little, and so does the length that noise and
+// curvature ask for, (8 noise)^(1/4) radii: on 901 noisy runs.
 constexpr double kProbe = 0.03;
-constexpr double kLongestInNoise = 3.0;  // of the radius: what lies farther tells of other places
-constexpr double kRoom = 0.5;            // of a probe's length: what has to be left of it
+constexpr double kRoom = 0.5;          // of a probe's length: what has to be left of it
 constexpr double kShort = 0.01;        // of the radius: a step not worth an evaluation in this box
 constexpr double kFlat = 1e-6;         // of f: a predicted decrease that is none
 constexpr double kBackOff = 0.5;       // of a step that no cut keeps out of a failed region
@@ -33,7 +34,6 @@ TrustBox::TrustBox(const DesignSpace& s, double first_radius, std::uint64_t seed
     : space(s),
       region(s),
       radius(first_radius),
-      first_radius_(first_radius),
       start_(to_vector(s.to_unit(s.initial()))),
       scale_(s.size()),
       seed_(seed) {}
@@ -135,13 +135,6 @@ bool TrustBox::is_pointless(const Eigen::VectorXd& u,
          std::any_of(wanted.begin(), wanted.end(), is_near);
 }
 
-// A slope over t radii is off by the noise of two samples, variance 2 noise / t^2, and by half the
-// curvature, t^2 / 4 where curvatures have the variance 1: least at t^4 = 8 noise.
-double TrustBox::probe_length() const {
-  const double above_noise = std::min(std::pow(8.0 * noise, 0.25), kLongestInNoise) * radius;
-  return std::max(kProbe * radius, std::min(above_noise, first_radius_));
-}
-
 std::optional<Wanted> TrustBox::probe(Eigen::VectorXd direction,
                                       const std::vector<Wanted>& wanted) const {
   Eigen::Index largest;
@@ -150,7 +143,7 @@ std::optional<Wanted> TrustBox::probe(Eigen::VectorXd direction,
   const auto end = [&](double length) {
     return region.nearest(c() + length * scale_.widths().cwiseProduct(direction));
   };
-  double length = probe_length();
+  double length = kProbe * radius;
   if (scale_.norm(end(-length) - c()) > 1.01 * scale_.norm(end(length) - c())) {
     direction = -direction;
   }

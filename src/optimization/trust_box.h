@@ -79,9 +79,6 @@ class TrustBox {
   ResidualSample expected(const DesignPoint& point) const;
 
   Wanted at(const Eigen::VectorXd& u, Wanted::Kind kind) const;
-  /// In widths: short where nothing is known of noise; else where it spoils a slope as much as
-  /// curvature does, but no longer than the first radius.
-  double probe_length() const;
   /// Along a direction, to the side with more room, as long as it can be; nullopt where bounds and
   /// constraints leave it none.
   std::optional<Wanted> probe(Eigen::VectorXd direction, const std::vector<Wanted>& wanted) const;
@@ -130,7 +127,6 @@ class TrustBox {
                                  double box) const;
   Eigen::VectorXd moved(const Eigen::VectorXd& u, double reach, RandomStream& numbers) const;
 
-  double first_radius_;
   Eigen::VectorXd start_;
   int center_ = -1;
   int best_ = -1;
