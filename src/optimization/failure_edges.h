@@ -11,9 +11,9 @@
 // That there is a plane says little: among few points in many variables there nearly always is one
 // [Cover, IEEE Trans. Electron. Comput. EC-14 (1965) 326]. So three failures or more make an edge,
 // and only where the plane of the others tells of most of them, each in turn: it lies farther out
-// than all successes. One or two
-// say nothing about a region (residual_memory.h has a ball for each), and failures here and there
-// among successes, of a cluster's node or of a licence, make no edge.
+// than all successes. One or two say nothing about a region (residual_memory.h has a ball for
+// each), and failures here and there among successes, of a node of a cluster or of a license, make
+// no edge.
 #pragma once
 
 #include <Eigen/Core>
