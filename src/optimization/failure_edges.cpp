@@ -54,8 +54,10 @@ std::optional<Edge> plane(const std::vector<Eigen::VectorXd>& failures,
 bool foretells(const std::vector<Eigen::VectorXd>& failures,
                const std::vector<Eigen::VectorXd>& successes) {
   const auto is_foretold = [&](const Eigen::VectorXd& x) {
-    std::vector<Eigen::VectorXd> others = failures;
-    std::erase(others, x);
+    std::vector<Eigen::VectorXd> others;
+    for (const Eigen::VectorXd& other : failures) {
+      if (&other != &x) others.push_back(other);  // one that failed again stands there twice
+    }
     const std::optional<Edge> edge = plane(others, successes);
     if (!edge) return false;
     const double out = edge->a.dot(x);

@@ -41,6 +41,13 @@ TEST(FailureEdges, AreNotMadeOfOneFailureNorOfSomeAmongSuccesses) {
                   .empty());
 }
 
+TEST(FailureEdges, BearAPointThatFailedAgainAndAgain) {
+  const auto edges =
+      failure_edges(std::vector<Eigen::VectorXd>(3, Vector2d(2, 0)), {Vector2d(-1, 0)});
+  ASSERT_EQ(edges.size(), 1u);
+  EXPECT_NEAR(edges[0].b, 1.0, 1e-4);
+}
+
 /// Of 100 sets of failures at random places among successes, those with an edge.
 int sets_with_edge(int n, int failures, int successes) {
   int found = 0;

@@ -38,7 +38,8 @@
 // run starts from the one that is felt. Single variables of which nothing is felt are looked for
 // farther off before that (lost_variables.h): from every place where they are felt again a trial of
 // 3 (n + 1) evaluations starts afresh; the best of the trials and the run goes on. The trials count
-// as restarts unless they brought a clearly better value. Where a Score brings a Jacobian, its slopes take the place of the geometry:
+// as restarts unless they brought a clearly better value. Where a Score brings a Jacobian, its
+// slopes take the place of the geometry:
 // Levenberg-Marquardt with bounds.
 //
 // Several at once: `outstanding` points are under way at any time. The second and later ones are

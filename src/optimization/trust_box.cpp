@@ -16,7 +16,7 @@ namespace {
 
 // Of the radius: a probe's length. Shorter ones are nearer to the slope, longer ones rise above
 // noise; a third of this or three times it change little, and so does the length that noise and
-// curvature ask for, (8 noise)^(1/4) radii: on 901 noisy runs.
+// curvature ask for, (8 noise)^(1/4) radii.
 constexpr double kProbe = 0.03;
 constexpr double kRoom = 0.5;          // of a probe's length: what has to be left of it
 constexpr double kShort = 0.01;        // of the radius: a step not worth an evaluation in this box
