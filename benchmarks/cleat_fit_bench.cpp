@@ -67,7 +67,6 @@ constexpr double kRecord = 24.5;             // s, of one load case
 constexpr int kMostEvaluations = 200;        // of the residual method, at the end of its search
 constexpr int kPopulation = 60;
 constexpr double kReach[2] = {1.25, 1.5};  // times the floor: fitted cases, held-out ones
-constexpr int kRestarts = 3;
 constexpr const char* kChannels[2] = {"Fx", "Fz"};
 
 /// How finely a tire is simulated.
@@ -461,7 +460,7 @@ void fit_specimen(const std::string& name,
              fmt::format("{:.2f}, {:.2f}", floor.mesh_over_noise[1], floor.mesh_over_noise[0]));
   say_errors(table, "floor: the model at the specimen's numbers", floor);
 
-  ResidualTrustRegion method(space, {.restarts = kRestarts});
+  ResidualTrustRegion method(space);
   const DesignPoint found = fit.run(method, kMostEvaluations, space.initial(), Compared::times);
   const int evaluations = fit.evaluations();
   const auto errors = fit.errors(found);

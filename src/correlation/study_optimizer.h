@@ -13,7 +13,7 @@
 //   penalty = "l2_squared"        # gss_nlc; or l1, l2, linf, l1_smoothed, l2_smoothed,
 //                                 # linf_smoothed: optimization/penalty.h
 //   penalty_parameter = 1         # gss_nlc: rho at first
-//   restarts = 3                  # residual_trust_region: begins again so often where more than a
+//   restarts = 4                  # residual_trust_region: begins again so often where more than a
 //                                 # thousandth of the first target is left: out of local minima,
 //                                 # or where variables may be lost (lost_variables.h)
 //   difference = 0.0001           # sqp: step of differences, of the range

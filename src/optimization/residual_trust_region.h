@@ -68,7 +68,7 @@ struct ResidualTrustRegionOptions {
   /// than `explained` of its first value and of what a move by the initial radius adds to it, mean
   /// of all directions, by the slopes at the best point: then it has found what it was sent for. A
   /// bad start alone explains nothing.
-  int restarts = 3;
+  int restarts = 4;
   double explained = 1e-3;
   /// Points the method decides on before it knows the outcome of the first of them: part of the
   /// method, so that its trajectory does not depend on the workers. 1 needs the fewest evaluations,

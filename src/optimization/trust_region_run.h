@@ -70,7 +70,7 @@ class TrustRegionRun {
   bool begin_verification();
   std::optional<Wanted> next_to_verify();
   void new_round(const Eigen::MatrixXd& J);
-  void judge_verifying_step(double gain);
+  void judge_verifying_step(double gain, double promise);
   OpenDirection open_direction() const;
   std::optional<Wanted> another_step(const ResidualModel& m);
   std::optional<Wanted> restart();
@@ -89,7 +89,8 @@ class TrustRegionRun {
     double change = 1.0;            // of the residuals along an axis, of what they are
     int misses = 0;                 // steps in a row
     bool has_failed = false;        // the last step
-    bool has_disappointed = false;  // in this round
+    bool has_disappointed = false;  // in this round, by more than noise explains
+    double deviation = 0.0;         // that noise makes of f
     double reach = 0.0;
     double f_begin = 0.0;  // of this round
   };
