@@ -377,6 +377,14 @@ class Fit {
   }
 
   int evaluations() const { return evaluations_; }
+  /// In time.
+  std::size_t residuals() const {
+    std::size_t count = static_cast<std::size_t>(space_.size());
+    for (const Case& one : cases_) {
+      if (one.fitted) count += one.force[0].size() + one.force[1].size();
+    }
+    return count;
+  }
 
  private:
   /// Of every case, or of the fitted ones alone; of the others nothing but a Failure.
@@ -460,7 +468,10 @@ void fit_specimen(const std::string& name,
              fmt::format("{:.2f}, {:.2f}", floor.mesh_over_noise[1], floor.mesh_over_noise[0]));
   say_errors(table, "floor: the model at the specimen's numbers", floor);
 
-  ResidualTrustRegion method(space);
+  // Both forces and what was known, all in units of their noise, as a study of stated noise is
+  // searched.
+  const double m = static_cast<double>(fit.residuals());
+  ResidualTrustRegion method(space, {.noise_alone = m + 2.0 * std::sqrt(2.0 * m)});
   const DesignPoint found = fit.run(method, kMostEvaluations, space.initial(), Compared::times);
   const int evaluations = fit.evaluations();
   const auto errors = fit.errors(found);

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "correlation/study.h"
+#include "correlation/tire_trials.h"
 
 namespace latsch::correlation {
 namespace {
@@ -217,7 +218,9 @@ bool has_optimizer_keys(const Node& table) {
 namespace {
 
 ProblemTraits traits_of(const Study& study) {
-  return traits_of(study.space, !study.constraints.empty());
+  ProblemTraits traits = traits_of(study.space, !study.constraints.empty());
+  traits.noise_alone = noise_alone(study);
+  return traits;
 }
 
 }  // namespace

@@ -14,8 +14,9 @@
 //                                 # linf_smoothed: optimization/penalty.h
 //   penalty_parameter = 1         # gss_nlc: rho at first
 //   restarts = 4                  # residual_trust_region: begins again so often where more than a
-//                                 # thousandth of the first target is left: out of local minima,
-//                                 # or where variables may be lost (lost_variables.h)
+//                                 # thousandth of the first target is left, and more than stated
+//                                 # noise makes: out of local minima, or where variables may be
+//                                 # lost (lost_variables.h)
 //   difference = 0.0001           # sqp: step of differences, of the range
 //   population = 40               # genetic
 //   generations = 50              # genetic

@@ -8,6 +8,7 @@
 
 #include "base/file.h"
 #include "correlation/residuals.h"
+#include "correlation/tire_trials.h"
 #include "correlation/variables.h"
 
 namespace latsch::correlation {
@@ -228,6 +229,18 @@ TEST_F(StudyFile, ReadsAbsoluteNoiseAndBoth) {
   EXPECT_EQ(*read().experiments[0].noise, (MeasurementNoise{.relative = 0.02, .absolute = 20.0}));
   const auto forces = read().experiments[0].forces;
   EXPECT_DOUBLE_EQ(stated_deviations(read().experiments[0])[0], std::hypot(0.02, 20.0 / forces[0]));
+}
+
+// Of N values of 2 %, weighted alike: (2 %)^2 chi^2_N / N, of mean 1 and variance 2 / N.
+TEST_F(StudyFile, KnowsWhatStatedNoiseMakesOfItsTarget) {
+  EXPECT_EQ(noise_alone(read()), 0.0);
+  replace("study.toml",
+          "measurement = \"stiffness.csv\"",
+          "measurement = \"stiffness.csv\"\nnoise = \"2 %\"");
+  const double N = static_cast<double>(read().experiments[0].values());
+  EXPECT_NEAR(noise_alone(read()), 4e-4 * (1.0 + 2.0 * std::sqrt(2.0 / N)), 1e-12);
+  replace("study.toml", "noise = \"2 %\"", "noise = \"2 %\"\nloss = \"huber\"");
+  EXPECT_EQ(noise_alone(read()), 0.0);
 }
 
 TEST_F(StudyFile, RejectsNoiseThatIsNone) {

@@ -166,13 +166,32 @@ void add_priors(const DesignSpace& space,
   }
 }
 
-}  // namespace
-
-Objective objective(const Study& study) {
+std::vector<StudyExperiment> fitted_of(const Study& study) {
   std::vector<StudyExperiment> fitted;
   for (const StudyExperiment& experiment : study.experiments) {
     if (experiment.fitted) fitted.push_back(experiment);
   }
+  return fitted;
+}
+
+}  // namespace
+
+double noise_alone(const Study& study) {
+  const std::vector<StudyExperiment> fitted = fitted_of(study);
+  const auto common = common_deviation(fitted);
+  if (!common) return 0.0;
+  double mean = 0.0, variance = 0.0;
+  for (const StudyExperiment& experiment : fitted) {
+    const double w = experiment.objective.weight, N = static_cast<double>(experiment.values());
+    if (w > 0.0 && experiment.loss.loss != Loss::squares) return 0.0;
+    mean += w * N;
+    variance += 2.0 * w * w * N;
+  }
+  return *common * *common * (1.0 + 2.0 * std::sqrt(variance) / mean);
+}
+
+Objective objective(const Study& study) {
+  const std::vector<StudyExperiment> fitted = fitted_of(study);
   const auto common = common_deviation(fitted);
   std::vector<double> weights;  // with noise every value counts, not every experiment
   for (const StudyExperiment& experiment : fitted) {

@@ -46,6 +46,11 @@ Result<Channels> simulate_all(const Study& study, const DesignPoint& point);
 /// the same as without noise where all values are equally exact.
 Objective objective(const Study& study);
 
+/// What the stated noise alone makes of the squares of those residuals, at the true values of the
+/// variables and with two standard deviations:  s^2 (1 + 2 sqrt(2 sum w^2 N) / sum w N),  N values
+/// of weight w an experiment. 0 where noise is not stated, or a robust loss changes what it makes.
+double noise_alone(const Study& study);
+
 /// The channels of one experiment out of those of a trial, under their own names; curves take
 /// theirs out of all of the trial's.
 Channels channels_of(const StudyExperiment& experiment, const Channels& trial);

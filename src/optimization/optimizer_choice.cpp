@@ -146,8 +146,11 @@ std::unique_ptr<Optimizer> make_optimizer(Method method,
   switch (method) {
     case Method::gss:
       return std::make_unique<Gss>(space, settings.gss);
-    case Method::residual_trust_region:
-      return std::make_unique<ResidualTrustRegion>(space, settings.residual_trust_region);
+    case Method::residual_trust_region: {
+      ResidualTrustRegionOptions options = settings.residual_trust_region;
+      options.noise_alone = traits.noise_alone;
+      return std::make_unique<ResidualTrustRegion>(space, options);
+    }
     case Method::sqp:
       return std::make_unique<Sqp>(space, settings.sqp);
     case Method::gss_nlc:

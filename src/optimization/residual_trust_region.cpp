@@ -25,6 +25,7 @@ void check(const ResidualTrustRegionOptions& options) {
   const OptionCheck check("residual trust region");
   check.lengths(options.initial_radius, options.step_tolerance, 0.5, "initial radius");
   check.require(options.explained >= 0.0, "explained", options.explained, "0 or more");
+  check.require(options.noise_alone >= 0.0, "noise_alone", options.noise_alone, "0 or more");
   check.require(options.restarts >= 0, "restarts", options.restarts, "0 or more");
   check.require(options.outstanding >= 1, "outstanding", options.outstanding, "1 or more");
 }
@@ -193,7 +194,12 @@ void ResidualTrustRegion::observe(const DesignPoint& point, const Result<Score>&
 }
 
 std::string ResidualTrustRegion::ending() const {
-  return converged() ? in_words(state_->run.ending()) : std::string();
+  if (!converged()) return {};
+  std::string words = in_words(state_->run.ending());
+  if (state_->run.is_down_to_noise()) {
+    words += "; what is left is no more than the stated noise makes of it";
+  }
+  return words;
 }
 
 bool ResidualTrustRegion::converged() const { return state_->wanted().empty(); }

@@ -19,7 +19,8 @@
 //             steps of the model they make are gone as long as they gain. In the noise once more,
 //             three times as far: noise then counts a third. What a restart gains beyond that is
 //             verified again only if it is more than noise makes of the target, or a tenth of it.
-//   end       when they promise nothing any more. ending() says how.
+//   end       when they promise nothing any more. ending() says how. Restarts follow as long as
+//             more is left than noise explains, where it is known, or than can be gained.
 //
 // A Failure closes off the region around it (residual_memory.h), failures together the half space
 // behind a plane that parts them from successes (failure_edges.h): the step is looked for again
@@ -70,6 +71,11 @@ struct ResidualTrustRegionOptions {
   /// bad start alone explains nothing.
   int restarts = 4;
   double explained = 1e-3;
+  /// What the noise of the measured values, where it is known, makes of the sum of squares at the
+  /// true values, with two standard deviations: for m residuals in units of their noise
+  /// m + 2 sqrt(2 m). At or below it nothing better can be told from noise, and no restart follows
+  /// [Morozov's discrepancy principle]. 0: not known.
+  double noise_alone = 0.0;
   /// Points the method decides on before it knows the outcome of the first of them: part of the
   /// method, so that its trajectory does not depend on the workers. 1 needs the fewest evaluations,
   /// a quarter more than there are workers the least time.

@@ -390,6 +390,33 @@ TEST(ResidualTrustRegion, ComesCloseUnderNoise) {
   EXPECT_LT(best, 14 * 0.002 * 0.002);  // below the noise itself
 }
 
+// A hundred values with noise of 1, in whose target a ripple makes minima of its own: restarts go
+// on until what is left is what the noise makes, and no farther.
+TEST(ResidualTrustRegion, RestartsUntilNothingIsLeftButTheNoiseThatIsStated) {
+  const DesignSpace space = box({0.9, 0.1}, 0.0, 1.0, Scale::linear);
+  constexpr int m = 100;
+  const double noise_alone = m + 2.0 * std::sqrt(2.0 * m);
+  int stuck = 0;
+  for (int draw = 1; draw <= 5; ++draw) {
+    const Residuals residuals = [draw](const std::vector<double>& x) {
+      std::vector<double> r;
+      for (int i = 0; i < m; ++i) {
+        RandomStream random(draw, i);
+        const double t = 0.01 * i, far = x[0] - 0.4;
+        const double valley = 30.0 * far * t + 20.0 * (x[1] - 0.6) + 6.0 * std::sin(25.0 * far);
+        r.push_back(valley + random.normal());
+      }
+      return r;
+    };
+    const Found stops = minimize(space, residuals, {.restarts = 20, .noise_alone = noise_alone});
+    const Found goes_on = minimize(space, residuals, {.restarts = 20});
+    EXPECT_LE(stops.f, noise_alone) << draw;
+    EXPECT_LT(stops.evaluations, 0.7 * goes_on.evaluations) << draw;
+    stuck += minimize(space, residuals, {.restarts = 0}).f > noise_alone;
+  }
+  EXPECT_GT(stuck, 0);  // a minimum of the ripple
+}
+
 // A mode loses its partner where x0 x1 > 2 and counts as an error of 1 from there: a leap beside
 // the way from (0.4, 3) to the minimum at (0.8, 1.6). No smooth model holds on both sides of it.
 TEST(ResidualTrustRegion, ALeapThatIsToldIsGoneAround) {

@@ -219,7 +219,8 @@ std::optional<Wanted> TrustRegionRun::next_to_verify() {
     if (step.length > 0.0 && v.misses < kMostMisses) return step;
     const bool has_gained =
         box_.f() < kWorthARound * v.f_begin && box_.f() > kNothingLeft * f_first_;
-    if ((has_gained || v.has_disappointed) && v.rounds < kMostRounds) {
+    const bool was_wrong = v.has_disappointed && !is_down_to_noise();
+    if ((has_gained || was_wrong) && v.rounds < kMostRounds) {
       new_round(m.jacobian(Eigen::VectorXd::Zero(v.frame.axes())) * v.frame.inverse);
       continue;
     }
@@ -262,6 +263,7 @@ std::optional<Wanted> TrustRegionRun::another_step(const ResidualModel& m) {
 std::optional<Wanted> TrustRegionRun::restart() {
   if (restarts_ >= options_.restarts || box_.best() < 0 || box_.is_point()) return std::nullopt;
   if (box_.center() == box_.best()) rise_ = mean_rise(box_.slopes(), options_.initial_radius);
+  if (is_down_to_noise()) return std::nullopt;
   const bool is_explained = best().f < options_.explained * std::min(f_first_, rise_);
   if (!is_explained && box_.center() == box_.best()) {
     if (best().f < kWorthALook * f_settled_) {
