@@ -30,16 +30,12 @@ using report::StudyReport;
 /// The channels of every experiment, predicted ones included; empty where the point failed.
 struct Simulated {
   DesignPoint point;
-  std::optional<Channels> channels;
+  Result<Channels> channels;
 };
-
-Simulated simulated_of(Result<Channels> result, const DesignPoint& point) {
-  return {point, result ? std::optional(std::move(*result)) : std::nullopt};
-}
 
 /// As the journal has it: an outside program is not run again for a report.
 Simulated recorded(const Journal& journal, const DesignPoint& point) {
-  Simulated simulated{point, std::nullopt};
+  Simulated simulated{point, Failure{"it is not in the journal"}};
   journal.for_each([&](const Trial& trial) {
     if (trial.point == point && trial.outcome.result) simulated.channels = *trial.outcome.result;
   });
@@ -308,14 +304,17 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
   auto start = std::async(beside ? std::launch::async : std::launch::deferred, [&] {
     const DesignPoint point = study.space.initial();
     return study.simulator ? recorded(journal, point)
-                           : simulated_of(simulate_all(study, point), point);
+                           : Simulated{point, simulate_all(study, point)};
   });
   const Simulated found = study.simulator
                               ? recorded(journal, best->point)
-                              : simulated_of(trials ? trials->run(best->point, /*predicted=*/true)
-                                                    : simulate_all(study, best->point),
-                                             best->point);
-  if (!found.channels) return Failure{"the best trial cannot be repeated with the predictions"};
+                              : Simulated{best->point,
+                                          trials ? trials->run(best->point, /*predicted=*/true)
+                                                 : simulate_all(study, best->point)};
+  if (!found.channels) {
+    return Failure{"the best trial cannot be repeated with the predictions: " +
+                   found.channels.failure().reason};
+  }
 
   StudyReport page;
   page.title = study.title;

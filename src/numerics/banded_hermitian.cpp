@@ -44,7 +44,7 @@ BandedHermitian::BandedHermitian(int size, int bandwidth)
 
 void BandedHermitian::multiply(const Eigen::Ref<const Eigen::MatrixXcd>& X,
                                Eigen::Ref<Eigen::MatrixXcd> Y) const {
-  choose_blas_core();
+  const BlasTurn turn;
   const int n = size(), band = bandwidth(), leading = band + 1, stride = 1;
   const Complex one = 1.0, zero = 0.0;
   for (Eigen::Index k = 0; k < X.cols(); ++k) {
@@ -64,7 +64,7 @@ void BandedHermitian::multiply(const Eigen::Ref<const Eigen::MatrixXcd>& X,
 }
 
 bool BandedCholesky::factorize(const BandedHermitian& A) {
-  choose_blas_core();
+  const BlasTurn turn;
   factor_ = A.lower();
   const int n = A.size(), band = A.bandwidth(), leading = band + 1;
   int info = 0;
@@ -74,6 +74,7 @@ bool BandedCholesky::factorize(const BandedHermitian& A) {
 }
 
 void BandedCholesky::solve(Eigen::Ref<Eigen::MatrixXcd> X) const {
+  const BlasTurn turn;
   const int n = static_cast<int>(factor_.cols()), leading = static_cast<int>(factor_.rows());
   const int band = leading - 1, columns = static_cast<int>(X.cols()),
             stride = static_cast<int>(X.outerStride());

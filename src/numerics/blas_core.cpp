@@ -9,6 +9,8 @@
 namespace latsch::numerics {
 namespace {
 
+std::mutex blas_mutex;
+
 constexpr const char* kVariable = "OPENBLAS_CORETYPE";
 
 template <class Function>
@@ -34,6 +36,8 @@ void choose_blas_core() {
   }();
   (void)switched;
 }
+
+BlasTurn::BlasTurn() : lock_(blas_mutex) { choose_blas_core(); }
 
 std::string better_blas_core(const std::string& chosen) {
 #if defined(__x86_64__)

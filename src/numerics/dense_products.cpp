@@ -56,7 +56,7 @@ template <class Scalar>
 DenseMatrix<Scalar> overlaps(const Eigen::Ref<const DenseMatrix<Scalar>>& A,
                              const Eigen::Ref<const DenseMatrix<Scalar>>& B) {
   assert(A.rows() == B.rows());
-  choose_blas_core();
+  const BlasTurn turn;
   DenseMatrix<Scalar> C(A.cols(), B.cols());
   const int m = static_cast<int>(A.cols()), n = static_cast<int>(B.cols()),
             k = static_cast<int>(A.rows());
@@ -75,7 +75,7 @@ void add_product(Scalar alpha,
                  Scalar beta,
                  Eigen::Ref<DenseMatrix<Scalar>> C) {
   assert(A.cols() == B.rows() && C.rows() == A.rows() && C.cols() == B.cols());
-  choose_blas_core();
+  const BlasTurn turn;
   const int m = static_cast<int>(A.rows()), n = static_cast<int>(B.cols()),
             k = static_cast<int>(A.cols());
   if (m == 0 || n == 0) return;

@@ -3,6 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <thread>
+#include <vector>
+
+#include "numerics/front_algebra.h"
+
 namespace latsch::numerics {
 namespace {
 
@@ -22,6 +28,30 @@ void expect_products_of_eigen() {
 TEST(DenseProducts, AreThoseOfEigen) {
   expect_products_of_eigen<double>();
   expect_products_of_eigen<std::complex<double>>();
+}
+
+// Of matrices so small that calls begin and end all the time (blas_core.h).
+TEST(DenseProducts, AreTheSameBitsInSeveralThreads) {
+  constexpr int n = 24, kTimes = 40000, kThreads = 2;
+  const Eigen::MatrixXd A = Eigen::MatrixXd::Random(n, n);
+  const Eigen::MatrixXd spd = A * A.transpose() + n * Eigen::MatrixXd::Identity(n, n);
+  const auto work = [&] {
+    Eigen::MatrixXd C = overlaps<double>(A, A), L = spd, S = Eigen::MatrixXd::Zero(n, n);
+    EXPECT_TRUE(cholesky(n, L.data(), n));
+    solve_right_transposed(n, n, L.data(), n, C.data());
+    negative_square(n, n, C.data(), n, S.data());
+    return S;
+  };
+  const Eigen::MatrixXd alone = work();
+  std::atomic<int> different = 0;
+  std::vector<std::jthread> threads;
+  for (int t = 0; t < kThreads; ++t) {
+    threads.emplace_back([&] {
+      for (int k = 0; k < kTimes; ++k) different += work() != alone;
+    });
+  }
+  threads.clear();
+  EXPECT_EQ(different, 0);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <metis.h>
 
 #include <algorithm>
+#include <mutex>
 #include <numeric>
 
 namespace latsch::numerics {
@@ -34,6 +35,10 @@ std::vector<int> dissect(const SymmetricPattern& pattern, const std::vector<int>
     idx_t options[METIS_NOPTIONS];
     METIS_SetDefaultOptions(options);
     idx_t vertices = n;
+    // METIS draws from the one random sequence of the process, which it starts anew: two threads in
+    // it at once would draw from each other's.
+    static std::mutex mutex;
+    const std::lock_guard lock(mutex);
     METIS_NodeND(
         &vertices, first.data(), neighbor.data(), nullptr, options, order.data(), position.data());
   }

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "numerics/blas_core.h"
 #include "numerics/elimination.h"
 #include "numerics/front_algebra.h"
 
@@ -110,7 +109,6 @@ template <class Real>
 Multifrontal<Real>::Multifrontal(const SymmetricPattern& pattern,
                                  std::shared_ptr<const Elimination> order)
     : size_(pattern.size()), block_(pattern.block_size()), position_(size_) {
-  choose_blas_core();
   elimination = std::move(order);
   for (int i = 0; i < size_; ++i) {
     position_[i] = elimination->position[i / block_] * block_ + i % block_;

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "numerics/blas_core.h"
+
 extern "C" {
 void spotrf_(const char*, const int*, float*, const int*, int*, std::size_t);
 void strsm_(const char*,
@@ -158,6 +160,7 @@ constexpr auto* gemv(double) { return dgemv_; }
 
 template <class Real>
 bool cholesky(int n, Real* A, int ld) {
+  const BlasTurn turn;
   int info = 0;
   potrf(Real())("L", &n, A, &ld, &info, 1);
   return info == 0;
@@ -165,18 +168,21 @@ bool cholesky(int n, Real* A, int ld) {
 
 template <class Real>
 void solve_right_transposed(int rows, int n, const Real* L, int ld, Real* B) {
+  const BlasTurn turn;
   const Real one = 1;
   trsm(Real())("R", "L", "T", "N", &rows, &n, &one, L, &ld, B, &ld, 1, 1, 1, 1);
 }
 
 template <class Real>
 void negative_square(int rows, int n, const Real* B, int ld, Real* C) {
+  const BlasTurn turn;
   const Real minus = -1, zero = 0;
   syrk(Real())("L", "N", &rows, &n, &minus, B, &ld, &zero, C, &rows, 1, 1);
 }
 
 template <class Real>
 void solve_lower(int n, int columns, const Real* L, int ld, Real* X, int ldx) {
+  const BlasTurn turn;
   const Real one = 1;
   const int next = 1;
   if (columns == 1) {
@@ -188,6 +194,7 @@ void solve_lower(int n, int columns, const Real* L, int ld, Real* X, int ldx) {
 
 template <class Real>
 void solve_lower_transposed(int n, int columns, const Real* L, int ld, Real* X, int ldx) {
+  const BlasTurn turn;
   const Real one = 1;
   const int next = 1;
   if (columns == 1) {
@@ -200,6 +207,7 @@ void solve_lower_transposed(int n, int columns, const Real* L, int ld, Real* X, 
 template <class Real>
 void multiply(
     int rows, int columns, int n, const Real* B, int ld, const Real* X, int ldx, Real* Y) {
+  const BlasTurn turn;
   const Real one = 1, zero = 0;
   const int next = 1;
   if (columns == 1) {
@@ -212,6 +220,7 @@ void multiply(
 template <class Real>
 void subtract_transposed(
     int n, int columns, int rows, const Real* B, int ld, const Real* Y, Real* X, int ldx) {
+  const BlasTurn turn;
   const Real one = 1, minus = -1;
   const int next = 1;
   if (columns == 1) {
