@@ -2,13 +2,16 @@
 // How exact measured values are, and what the fit makes of it.
 //
 //   [experiment.cleat]
-//   noise = "20 N"              # standard deviation of each value: in the unit of what is
-//   compared,
-//                               # "2 %" of what counts as 100 % (the measured force or frequency,
-//                               the # scale of a curve), or "20 N + 2 %": the root of both squares
-//   loss = "huber"              # or "cauchy": far-off values count less; "squares" unless given
-//   loss_scale = 1.345          # from where: in units of the noise, 1.345 or 2.385 unless given;
-//                               # without noise an error such as "5 %", which has to be given
+//   noise = "20 N"         # standard deviation of each value: in the unit of what is compared,
+//                          # "2 %" of what counts as 100 % (the measured force or frequency, the
+//                          # scale of a curve), or "20 N + 2 %": the root of both squares
+//   loss = "huber"         # or "cauchy": far-off values count less; "squares" unless given
+//   loss_scale = 1.345     # from where: in units of the noise, 1.345 or 2.385 unless given;
+//                          # without noise an error such as "5 %", which has to be given
+//
+// Noise has two more effects: the fit does not start again once no more is left than noise makes
+// of the target (so one that is stated too large ends it early), and intervals do not have to
+// estimate it.
 //
 // With d the error of a value as compared (objective.h) and sigma its stated deviation in units of
 // d, a value enters fit and intervals as d / sigma. With a loss, of scale c and z = (x / c)^2, x

@@ -7,7 +7,8 @@
 //   timeout = "10 min"                 # a trial; then its whole process group is killed
 //   memory = "4 GB"                    # a worker and each program it starts; else unlimited
 //   on_failure = "proceed"             # a failed point is worse than any other
-//   intervals = true                   # after a fit: confidence intervals, two to six trials a variable
+//   intervals = true                   # after a fit: confidence intervals, two to six trials a
+//                                      # variable
 //   journal = "study.latsch"           # beside the study
 //   stragglers = true                  # what runs long is started twice or stopped, where a worker
 //                                      # is idle or a point that is wanted waits; docs/trials.md

@@ -10,9 +10,9 @@
 //   compare = "force"                  # or "root_force", see objective.h
 //   exponent = 1
 //   weight = 1
-//   noise = "1 %"                      # of a measured value, where known: weights the fit and
-//   gives
-//                                      # the intervals; also "20 N", and loss: measurement_noise.h
+//   noise = "1 %"                      # of a measured value, where known: weights the fit, tells
+//                                      # it when to end, and gives the intervals; also "20 N", and
+//                                      # loss: measurement_noise.h
 //   use = "fit"                        # or "predict": compared in the report, not fitted
 //
 //   [experiment.modes]

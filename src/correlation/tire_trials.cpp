@@ -187,7 +187,7 @@ double noise_alone(const Study& study) {
     mean += w * N;
     variance += 2.0 * w * w * N;
   }
-  return *common * *common * (1.0 + 2.0 * std::sqrt(variance) / mean);
+  return mean > 0.0 ? *common * *common * (1.0 + 2.0 * std::sqrt(variance) / mean) : 0.0;
 }
 
 Objective objective(const Study& study) {
