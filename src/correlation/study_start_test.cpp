@@ -101,7 +101,9 @@ TEST_F(StudyStart, NeitherResultsNorTheNextSearchSeeWhatNobodyAskedFor) {
     std::filesystem::remove(study.run.journal);
     evaluated_ = 0;
     fit_all(study, workers);
-    if (workers > 1) EXPECT_GT(evaluated_, 6) << "nothing ran ahead";
+    if (workers > 1) {
+      EXPECT_GT(evaluated_, 6) << "nothing ran ahead";
+    }
     std::set<std::string> points;
     for (const RatedTrial& trial : rated_trials(study, Journal::read(study.run.journal))) {
       points.insert(trial.point.bits());
