@@ -27,7 +27,7 @@ using experiment::LoadDeflection;
 using experiment::ModalTest;
 using report::StudyReport;
 
-/// The channels of every experiment, predicted ones included; empty where the point failed.
+/// The channels of every experiment, predicted ones included.
 struct Simulated {
   DesignPoint point;
   Result<Channels> channels;

@@ -417,6 +417,16 @@ TEST(ResidualTrustRegion, RestartsUntilNothingIsLeftButTheNoiseThatIsStated) {
   EXPECT_GT(stuck, 0);  // a minimum of the ripple
 }
 
+TEST(ResidualTrustRegion, SaysThatNoiseIsWhatIsLeftOnlyWhereNoiseIsStated) {
+  const DesignSpace space = box({0.5, 0.25}, 0.0, 1.0, Scale::linear);
+  const Residuals exact = [](const auto& x) { return std::vector{x[0] - 0.5, x[1] - 0.25}; };
+  ResidualTrustRegion unknown(space), known(space, {.noise_alone = 1.0});
+  EXPECT_EQ(minimize(unknown, space, exact).f, 0.0);
+  EXPECT_EQ(unknown.ending().find("stated noise"), std::string::npos) << unknown.ending();
+  minimize(known, space, exact);
+  EXPECT_NE(known.ending().find("stated noise"), std::string::npos) << known.ending();
+}
+
 // A mode loses its partner where x0 x1 > 2 and counts as an error of 1 from there: a leap beside
 // the way from (0.4, 3) to the minimum at (0.8, 1.6). No smooth model holds on both sides of it.
 TEST(ResidualTrustRegion, ALeapThatIsToldIsGoneAround) {

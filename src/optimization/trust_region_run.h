@@ -45,7 +45,9 @@ class TrustRegionRun {
   /// Of the search that led to the best point.
   Ending ending() const { return is_hopeless() ? Ending::hopeless : ending_; }
   /// Nothing is left that the noise of the measured values, where it is known, does not explain.
-  bool is_down_to_noise() const { return box_.best() >= 0 && best().f <= options_.noise_alone; }
+  bool is_down_to_noise() const {
+    return options_.noise_alone > 0.0 && box_.best() >= 0 && best().f <= options_.noise_alone;
+  }
   int restarts_left() const { return options_.restarts - restarts_; }
   void go_on(int restarts_left);
   /// Wants `count` points at a time from here on.
