@@ -16,12 +16,12 @@
 #include <fstream>
 
 #include "base/document.h"
-#include "evaluation/scratch_folder_testing.h"
-#include "formats/ccx_deck.h"
-#include "formats/ccx_results.h"
-#include "formats/inp_tire.h"
-#include "models/fe_tire/fe_tire.h"
-#include "models/fe_tire/reference_tires.h"
+#include "evaluation/trial/scratch_folder_testing.h"
+#include "formats/mesh/ccx_deck.h"
+#include "formats/mesh/ccx_results.h"
+#include "formats/mesh/inp_tire.h"
+#include "models/fe_tire/description/reference_tires.h"
+#include "models/fe_tire/ring/fe_tire.h"
 #include "table.h"
 
 namespace latsch::benchmarks {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Problems of Hock and Schittkowski with bounds, linear and nonlinear constraints
 //
-// Solved: every constraint fulfilled (optimization/score.h) and the target within 1e-4 of the
+// Solved: every constraint fulfilled (optimization/problem/score.h) and the target within 1e-4 of the
 // published one, 1 % for the search by penalties, relative to it or absolute where it is below 1.
 // Penalties with kinks are for comparison: they are known to end less accurately.
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "optimization/gss.h"
-#include "optimization/gss_nlc.h"
-#include "optimization/hock_schittkowski_testing.h"
-#include "optimization/residual_trust_region.h"
-#include "optimization/sqp.h"
+#include "optimization/direct_search/gss.h"
+#include "optimization/direct_search/gss_nlc.h"
+#include "optimization/least_squares/residual_trust_region.h"
+#include "optimization/problem/hock_schittkowski_testing.h"
+#include "optimization/sqp/sqp.h"
 #include "table.h"
 
 namespace {

@@ -13,11 +13,11 @@
 
 #include "base/document.h"
 #include "base/random.h"
-#include "experiment/drum_rig.h"
-#include "experiment/rolling_tests.h"
-#include "models/ring_tire/ring_reader.h"
-#include "models/ring_tire/ring_tire.h"
-#include "optimization/optimizer_choice.h"
+#include "experiment/rigs/drum_rig.h"
+#include "experiment/tests/rolling_tests.h"
+#include "models/ring_tire/description/ring_reader.h"
+#include "models/ring_tire/ring/ring_tire.h"
+#include "optimization/strategy/optimizer_choice.h"
 #include "table.h"
 
 namespace {

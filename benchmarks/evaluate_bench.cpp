@@ -13,7 +13,7 @@
 #include <functional>
 
 #include "base/random.h"
-#include "formats/csv_table.h"
+#include "formats/tables/csv_table.h"
 #include "table.h"
 
 namespace {

@@ -14,13 +14,13 @@
 #include <fstream>
 
 #include "base/random.h"
-#include "correlation/identifiability.h"
-#include "correlation/study_stages.h"
-#include "correlation/tire_trials.h"
-#include "evaluation/encoding.h"
-#include "evaluation/scratch_folder_testing.h"
-#include "evaluation/thread_executor.h"
-#include "optimization/latin_hypercube.h"
+#include "correlation/analysis/identifiability.h"
+#include "correlation/study/study_stages.h"
+#include "correlation/target/tire_trials.h"
+#include "evaluation/executors/thread_executor.h"
+#include "evaluation/trial/encoding.h"
+#include "evaluation/trial/scratch_folder_testing.h"
+#include "optimization/design/latin_hypercube.h"
 #include "table.h"
 
 namespace latsch::benchmarks {

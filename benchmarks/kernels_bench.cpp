@@ -13,10 +13,10 @@
 #include "base/random.h"
 #include "models/magic_formula/magic_formula.h"
 #include "models/magic_formula/round_tire_testing.h"
-#include "models/ring_tire/ring_parameters_testing.h"
-#include "models/ring_tire/ring_tire.h"
+#include "models/ring_tire/description/ring_parameters_testing.h"
+#include "models/ring_tire/ring/ring_tire.h"
 #include "models/road/profile_road.h"
-#include "numerics/kernel_set.h"
+#include "numerics/kernels/kernel_set.h"
 #include "table.h"
 #include "yardstick.h"
 

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "evaluation/scheduler.h"
-#include "evaluation/simulated_executor.h"
+#include "evaluation/executors/simulated_executor.h"
+#include "evaluation/schedule/scheduler.h"
 #include "more_wild_runs.h"
-#include "optimization/residual_trust_region.h"
+#include "optimization/least_squares/residual_trust_region.h"
 
 namespace latsch::benchmarks {
 namespace {

@@ -10,13 +10,13 @@
 #include <cstring>
 #include <filesystem>
 
-#include "evaluation/inline_executor.h"
-#include "evaluation/process_executor.h"
-#include "evaluation/scheduler.h"
-#include "evaluation/scratch_folder_testing.h"
-#include "evaluation/worker.h"
-#include "optimization/full_factorial.h"
-#include "optimization/gss.h"
+#include "evaluation/executors/inline_executor.h"
+#include "evaluation/executors/process_executor.h"
+#include "evaluation/executors/worker.h"
+#include "evaluation/schedule/scheduler.h"
+#include "evaluation/trial/scratch_folder_testing.h"
+#include "optimization/design/full_factorial.h"
+#include "optimization/direct_search/gss.h"
 #include "table.h"
 
 namespace latsch::benchmarks {

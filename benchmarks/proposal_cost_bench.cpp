@@ -11,8 +11,8 @@
 #include <memory>
 
 #include "base/random.h"
-#include "optimization/gss.h"
-#include "optimization/residual_trust_region.h"
+#include "optimization/direct_search/gss.h"
+#include "optimization/least_squares/residual_trust_region.h"
 #include "table.h"
 
 namespace {

@@ -2,7 +2,7 @@
 // Measured race tire: fitted to the loaded radius at 83 kPa, predicted at 69 and 97 kPa
 #include <fmt/format.h>
 
-#include "correlation/tire_trials.h"
+#include "correlation/target/tire_trials.h"
 #include "fit_study.h"
 #include "table.h"
 

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "base/text.h"
-#include "correlation/slip_fit.h"
-#include "formats/csv_table.h"
+#include "correlation/basic_data/slip_fit.h"
+#include "formats/tables/csv_table.h"
 #include "table.h"
 
 namespace {

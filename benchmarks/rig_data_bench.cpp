@@ -21,10 +21,10 @@
 #include "correlation/rig_data/rig_processing.h"
 #include "correlation/rig_data/rig_report.h"
 #include "correlation/rig_data/rig_tables.h"
-#include "formats/recording.h"
-#include "numerics/butterworth.h"
-#include "numerics/time_delay.h"
-#include "numerics/welch.h"
+#include "formats/tables/recording.h"
+#include "numerics/signals/butterworth.h"
+#include "numerics/signals/time_delay.h"
+#include "numerics/signals/welch.h"
 #include "table.h"
 
 namespace latsch::benchmarks {

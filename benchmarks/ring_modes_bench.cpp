@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
-#include "models/ring_tire/ring_closed_form.h"
-#include "models/ring_tire/ring_modes.h"
-#include "models/ring_tire/ring_parameters_testing.h"
-#include "models/ring_tire/standing_modes.h"
+#include "models/ring_tire/description/ring_closed_form.h"
+#include "models/ring_tire/description/ring_parameters_testing.h"
+#include "models/ring_tire/ring/ring_modes.h"
+#include "models/ring_tire/ring/standing_modes.h"
 #include "models/road/plane_road.h"
 #include "table.h"
 

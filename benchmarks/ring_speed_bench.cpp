@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "models/ring_tire/ring_parameters_testing.h"
-#include "models/ring_tire/ring_tire.h"
+#include "models/ring_tire/description/ring_parameters_testing.h"
+#include "models/ring_tire/ring/ring_tire.h"
 #include "models/road/plane_road.h"
 #include "models/road/profile_road.h"
 #include "table.h"

@@ -15,7 +15,7 @@
 #include <map>
 #include <string>
 
-#include "evaluation/scheduler_history_testing.h"
+#include "evaluation/schedule/scheduler_history_testing.h"
 #include "table.h"
 
 namespace latsch::benchmarks {

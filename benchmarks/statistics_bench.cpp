@@ -22,10 +22,10 @@
 #include <numeric>
 
 #include "base/random.h"
-#include "correlation/residuals.h"
-#include "correlation/study.h"
-#include "correlation/tire_trials.h"
-#include "optimization/identification.h"
+#include "correlation/study/study.h"
+#include "correlation/target/residuals.h"
+#include "correlation/target/tire_trials.h"
+#include "optimization/identifiability/identification.h"
 #include "table.h"
 
 namespace latsch::benchmarks {

@@ -14,9 +14,9 @@
 #include <optional>
 
 #include "base/random.h"
-#include "correlation/tire_trials.h"
+#include "correlation/target/tire_trials.h"
 #include "fit_study.h"
-#include "optimization/optimizer_choice.h"
+#include "optimization/strategy/optimizer_choice.h"
 #include "table.h"
 
 namespace latsch::benchmarks {

@@ -14,10 +14,10 @@
 #include <stdexcept>
 
 #include "base/document.h"
-#include "experiment/discretization.h"
-#include "models/fe_tire/fe_tire.h"
-#include "models/fe_tire/reference_tires.h"
-#include "models/fe_tire/tire_description.h"
+#include "experiment/rigs/discretization.h"
+#include "models/fe_tire/description/reference_tires.h"
+#include "models/fe_tire/description/tire_description.h"
+#include "models/fe_tire/ring/fe_tire.h"
 #include "table.h"
 
 namespace latsch::benchmarks {

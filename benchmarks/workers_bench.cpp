@@ -9,12 +9,12 @@
 #include <thread>
 #include <vector>
 
-#include "correlation/study.h"
-#include "evaluation/process_executor.h"
-#include "evaluation/scheduler.h"
-#include "evaluation/scratch_folder_testing.h"
+#include "correlation/study/study.h"
+#include "evaluation/executors/process_executor.h"
+#include "evaluation/schedule/scheduler.h"
+#include "evaluation/trial/scratch_folder_testing.h"
 #include "fit_study.h"
-#include "optimization/full_factorial.h"
+#include "optimization/design/full_factorial.h"
 #include "table.h"
 
 namespace latsch::benchmarks {

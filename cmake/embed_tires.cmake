@@ -11,7 +11,7 @@ function(latsch_embed_tires program)
     string(APPEND entries "    {\"${name}\", R\"toml(${text})toml\"},\n")
   endforeach()
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/tire_templates.cpp @ONLY CONTENT
-"#include \"cli/study_template.h\"
+"#include \"cli/templates/study_template.h\"
 
 const std::vector<latsch::cli::TireTemplate>& latsch::cli::tire_templates() {
   static const std::vector<TireTemplate> tires = {
@@ -28,7 +28,7 @@ function(latsch_embed_study_reference program)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page})
   file(READ ${page} text)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/study_reference.cpp @ONLY CONTENT
-"#include \"cli/study_reference.h\"
+"#include \"cli/templates/study_reference.h\"
 
 std::string_view latsch::cli::study_reference() { return R\"page(@text@)page\"; }
 ")

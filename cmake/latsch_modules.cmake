@@ -1,4 +1,5 @@
-# One static library a folder of src/: every .cpp in it, with its *_test.cpp files as one test program.
+# One static library a module of src/: every .cpp in its folder and in its rooms, with their *_test.cpp files as one
+# test program.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -28,7 +29,7 @@ endif()
 function(latsch_sanitize_kernels_lightly)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.cpp)
   foreach(source ${sources})
-    file(STRINGS ${source} is_of_kernels REGEX "numerics/for_each_kernel_set.h")
+    file(STRINGS ${source} is_of_kernels REGEX "numerics/kernels/for_each_kernel_set.h")
     if(LATSCH_SANITIZE AND is_of_kernels)
       set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS -O1 -fno-sanitize=undefined --param=asan-stack=0)
     endif()
@@ -52,13 +53,14 @@ function(latsch_compile_together)
 endfunction()
 
 function(latsch_sources out folder)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$|/mpi/")  # mpi.cmake has a library of its own
   set(${out} ${sources} PARENT_SCOPE)
 endfunction()
 
 function(latsch_tests folder name library)
-  file(GLOB tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*_test.cpp)
+  file(GLOB_RECURSE tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*_test.cpp)
+  list(FILTER tests EXCLUDE REGEX "/mpi/")
   if(LATSCH_TESTS AND tests)
     add_executable(${name}_test ${tests})
     target_link_libraries(${name}_test PRIVATE ${library} GTest::gtest_main)

@@ -3,13 +3,13 @@
 set(MPI_CXX_SKIP_MPICXX ON)
 find_package(MPI COMPONENTS CXX QUIET)
 if(MPI_CXX_FOUND)
-  add_library(latsch_mpi STATIC ${CMAKE_SOURCE_DIR}/src/evaluation/mpi/mpi_executor.cpp)
+  add_library(latsch_mpi STATIC ${CMAKE_SOURCE_DIR}/src/evaluation/executors/mpi/mpi_executor.cpp)
   target_link_libraries(latsch_mpi PUBLIC latsch::evaluation MPI::MPI_CXX)
   target_link_libraries(latsch PRIVATE latsch_mpi)
-  set_source_files_properties(${CMAKE_SOURCE_DIR}/apps/cli/workers.cpp
+  set_source_files_properties(${CMAKE_SOURCE_DIR}/apps/cli/run/workers.cpp
                               PROPERTIES COMPILE_DEFINITIONS LATSCH_MPI)
   if(LATSCH_TESTS)
-    add_executable(mpi_executor_test ${CMAKE_SOURCE_DIR}/src/evaluation/mpi/mpi_executor_test.cpp)
+    add_executable(mpi_executor_test ${CMAKE_SOURCE_DIR}/src/evaluation/executors/mpi/mpi_executor_test.cpp)
     target_link_libraries(mpi_executor_test PRIVATE latsch_mpi GTest::gtest)
     latsch_optimize_little(mpi_executor_test)
     add_test(NAME mpi_executor COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe --allow-run-as-root -n 3

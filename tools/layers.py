@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks that every #include follows the architecture: a folder may use itself and what is listed here; and that what
+"""Checks that every #include follows the architecture: a folder may use itself and what is listed here, a room the
+rooms before it; that no folder holds more files than one overlooks; and that what
 is written for the user goes through base/file.h, which knows of links, pipes, devices and full disks."""
 import pathlib
 import re
@@ -11,11 +12,27 @@ BELOW = {
     "models": ["base", "numerics"],
     "measurement": ["base", "numerics"],
     "optimization": ["base", "numerics"],
+    "report": ["base", "numerics", "models"],
     "formats": ["base", "numerics", "models", "measurement", "optimization"],
     "experiment": ["base", "numerics", "models", "measurement", "formats"],
     "evaluation": ["base", "numerics", "measurement", "optimization", "formats"],
-    "correlation": ["base", "numerics", "models", "measurement", "optimization", "formats",
+    "correlation": ["base", "numerics", "models", "measurement", "optimization", "report", "formats",
                     "experiment", "evaluation"],
+}
+
+# The rooms of a module: each may use those before it and itself, so no two use each other. What stands in the
+# module's own folder is used by none of them and uses what it likes. Tests look into any room.
+ROOMS = {
+    "numerics": ["kernels", "dense", "sparse", "signals"],
+    "models/fe_tire": ["element", "description", "ring"],
+    "models/ring_tire": ["description", "belt", "tread", "ring"],
+    "optimization": ["problem", "region", "direct_search", "least_squares", "sqp", "design", "strategy",
+                     "identifiability"],
+    "formats": ["text", "tables", "tire", "road", "mesh"],
+    "experiment": ["rigs", "kinds", "tests"],
+    "evaluation": ["trial", "executors", "journal", "schedule", "outside_program"],
+    "correlation": ["observable", "study", "target", "analysis", "search", "basic_data", "study_report", "rig_data",
+                    "comparison"],
 }
 
 # One model does not use another, except these: every tire rolls on a road, and the rigid ring's slip
@@ -23,15 +40,41 @@ BELOW = {
 MODELS = {"road": [], "tire": ["road"], "rigid_ring": ["road", "tire", "magic_formula"]}
 EVERY_TIRE = ["road", "tire"]
 
+MOST_FILES = 40  # directly in one folder
+
 SOURCE = pathlib.Path(__file__).resolve().parent.parent / "src"
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
-APPENDS = "apps/cli/console.cpp"  # a log: written through whatever it is
+APPENDS = "apps/cli/console/console.cpp"  # a log: written through whatever it is
 WRITING = re.compile(r"\b(ofstream|fopen|rename)\b(?!\))")
 
 
 def model_of(path):
     """src/models/fe_tire/... -> fe_tire."""
     return path.parts[1] if path.parts[0] == "models" and len(path.parts) > 2 else None
+
+
+def room_of(path):
+    """(module, room) of a path below src/; a room of None: the module's own folder."""
+    for module in ROOMS:
+        if str(path).startswith(module + "/"):
+            inside = pathlib.Path(path).relative_to(module).parts
+            return module, inside[0] if len(inside) > 1 else None
+    return None, None
+
+
+def room_fault(here, used):
+    (module, room), (other, target) = room_of(here), room_of(used)
+    if module is None or module != other or room == target or here.stem.endswith(("_test", "_testing")):
+        return None
+    rooms = ROOMS[module]
+    for name in filter(None, (room, target)):
+        if name not in rooms:
+            return f"{module}/{name} is no room of tools/layers.py (there are {', '.join(rooms)})"
+    if room is None:
+        return None
+    if target is None or rooms.index(target) > rooms.index(room):
+        return f"{module}/{room} may not use {used} (only rooms before it: {', '.join(rooms[:rooms.index(room)]) or 'none'})"
+    return None
 
 
 def faults():
@@ -50,6 +93,16 @@ def faults():
             elif layer == target == "models" and model_of(used) not in [
                     model_of(here), *MODELS.get(model_of(here), EVERY_TIRE)]:
                 yield f"{here}:{number}: model {model_of(here)} may not use model {model_of(used)}"
+            elif fault := room_fault(here, used):
+                yield f"{here}:{number}: {fault}"
+
+
+def crowds():
+    for top in ("src", "apps", "benchmarks", "verification", "tools"):
+        for folder in [SOURCE.parent / top, *(SOURCE.parent / top).rglob("*")]:
+            files = sum(1 for file in folder.iterdir() if file.is_file()) if folder.is_dir() else 0
+            if files > MOST_FILES:
+                yield f"{folder.relative_to(SOURCE.parent)}: {files} files in one folder, at most {MOST_FILES}: make rooms"
 
 
 def writers():
@@ -64,6 +117,6 @@ def writers():
 
 
 if __name__ == "__main__":
-    found = [*faults(), *writers()]
+    found = [*faults(), *crowds(), *writers()]
     print("\n".join(found) or "layers: every #include follows the architecture")
     sys.exit(1 if found else 0)

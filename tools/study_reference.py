@@ -38,6 +38,11 @@ OTHER_FILES = {"ring_data"}  # they read files that are no studies
 GETTER = re.compile(r"\b\w+(?:->|\.)(quantity|quantities|choice|integer|flag|texts?|rows)\(\s*(\w+|\"[^\"]*\")\s*([,)])")
 
 
+def reader(name, ending):
+    """A file of the folder, in whatever room."""
+    return next(FOLDER.rglob(f"{name}.{ending}"))
+
+
 def arguments(text, start):
     """The arguments of a call from behind its first one, split at commas of their own level."""
     parts, depth, begin, quoted = [], 0, start, False
@@ -162,7 +167,7 @@ def without_pointers(line):
 
 def section(heading, name):
     lines, code = [f"## {heading}", ""], False
-    for line in head_of((FOLDER / f"{name}.h").read_text()):
+    for line in head_of(reader(name, "h").read_text()):
         indented = line.startswith("  ")
         if indented and not code:
             toml = re.match(r"  +(\[|[\w.]+ = )", line)
@@ -181,7 +186,7 @@ def section(heading, name):
         lines.pop()
     if code:
         lines.append("```")
-    keys = keys_of((FOLDER / f"{name}.cpp").read_text())
+    keys = keys_of(reader(name, "cpp").read_text())
     if keys:
         lines += ["", "| key | expected | unless given |", "| --- | --- | --- |"]
         for key, ways in keys.items():
@@ -193,7 +198,7 @@ def section(heading, name):
 
 def page():
     listed = {name for _, name in SECTIONS}
-    for file in sorted(FOLDER.glob("*.cpp")):
+    for file in sorted(FOLDER.rglob("*.cpp")):
         if file.stem.endswith("_test") or file.stem in listed | OTHER_FILES:
             continue
         if keys_of(file.read_text()):

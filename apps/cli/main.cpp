@@ -7,9 +7,9 @@
 #include <string>
 
 #include "base/error.h"
-#include "cli/console.h"
-#include "cli/verbs.h"
-#include "numerics/kernel_set.h"
+#include "cli/console/console.h"
+#include "cli/verbs/verbs.h"
+#include "numerics/kernels/kernel_set.h"
 
 namespace {
 

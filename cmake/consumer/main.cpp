@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "base/units.h"
-#include "numerics/factorization.h"
+#include "numerics/sparse/factorization.h"
 
 int main() {
   const auto stiffness = latsch::parse_quantity("220 N/mm");

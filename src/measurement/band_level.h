@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "measurement/rig_response_fit.h"
-#include "numerics/welch.h"
+#include "numerics/signals/welch.h"
 
 namespace latsch {
 

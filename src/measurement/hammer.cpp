@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "base/error.h"
-#include "numerics/fft.h"
+#include "numerics/signals/fft.h"
 
 namespace latsch {
 namespace {

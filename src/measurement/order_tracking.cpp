@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "numerics/time_delay.h"
+#include "numerics/signals/time_delay.h"
 
 namespace latsch {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "numerics/welch.h"
+#include "numerics/signals/welch.h"
 
 namespace latsch {
 

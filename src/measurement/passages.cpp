@@ -7,9 +7,9 @@
 #include <complex>
 #include <numeric>
 
-#include "numerics/butterworth.h"
-#include "numerics/fft.h"
-#include "numerics/time_delay.h"
+#include "numerics/signals/butterworth.h"
+#include "numerics/signals/fft.h"
+#include "numerics/signals/time_delay.h"
 
 namespace latsch {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "numerics/butterworth.h"
+#include "numerics/signals/butterworth.h"
 
 namespace latsch {
 namespace {

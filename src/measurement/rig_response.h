@@ -20,7 +20,7 @@
 #include <optional>
 
 #include "base/result.h"
-#include "numerics/bilinear.h"
+#include "numerics/signals/bilinear.h"
 
 namespace latsch {
 
@@ -43,7 +43,7 @@ struct RigResponse {
 /// Nothing where c is 0 or f^2 + A/c is not positive.
 std::optional<RigResponse> inverse(const RigResponse& response);
 
-/// The causal filter, exact at 0 and at f (bilinear transform, see numerics/bilinear.h). A Failure
+/// The causal filter, exact at 0 and at f (bilinear transform, see numerics/signals/bilinear.h). A Failure
 /// where the response is not stable or f is above half the rate.
 Result<numerics::RationalFilter> filter_of(const RigResponse& response, double rate);
 

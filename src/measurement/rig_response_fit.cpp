@@ -10,9 +10,9 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "numerics/fft.h"
-#include "numerics/least_squares.h"
-#include "numerics/time_delay.h"
+#include "numerics/dense/least_squares.h"
+#include "numerics/signals/fft.h"
+#include "numerics/signals/time_delay.h"
 
 namespace latsch {
 namespace {

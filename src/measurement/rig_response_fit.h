@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "measurement/rig_response.h"
-#include "numerics/welch.h"
+#include "numerics/signals/welch.h"
 
 namespace latsch {
 

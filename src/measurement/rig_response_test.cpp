@@ -15,9 +15,9 @@
 #include "measurement/hammer.h"
 #include "measurement/order_tracking.h"
 #include "measurement/synthetic_rig.h"
-#include "numerics/digital_filter.h"
-#include "numerics/fft.h"
-#include "numerics/time_delay.h"
+#include "numerics/signals/digital_filter.h"
+#include "numerics/signals/fft.h"
+#include "numerics/signals/time_delay.h"
 
 namespace latsch {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/random.h"
-#include "numerics/fft.h"
+#include "numerics/signals/fft.h"
 
 namespace latsch {
 namespace {

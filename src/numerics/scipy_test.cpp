@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "numerics/factorization.h"
-#include "numerics/lanczos.h"
-#include "numerics/lattice_testing.h"
+#include "numerics/sparse/factorization.h"
+#include "numerics/sparse/lanczos.h"
+#include "numerics/sparse/lattice_testing.h"
 
 namespace latsch::numerics {
 namespace {

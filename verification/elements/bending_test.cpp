@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "numerics/cholesky.h"
+#include "numerics/dense/cholesky.h"
 #include "small_model.h"
 
 namespace latsch::verification {

@@ -9,8 +9,8 @@
 #include <Eigen/LU>
 #include <string>
 
-#include "models/fe_tire/cord_law.h"
-#include "models/fe_tire/hyperelastic.h"
+#include "models/fe_tire/element/cord_law.h"
+#include "models/fe_tire/element/hyperelastic.h"
 #include "small_model.h"
 
 namespace latsch::verification {

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "models/fe_tire/pressure.h"
+#include "models/fe_tire/element/pressure.h"
 #include "small_model.h"
 
 namespace latsch::verification {

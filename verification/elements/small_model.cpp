@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "numerics/cholesky.h"
-#include "numerics/self_adjoint_eigen.h"
+#include "numerics/dense/cholesky.h"
+#include "numerics/dense/self_adjoint_eigen.h"
 
 namespace latsch::verification {
 namespace {

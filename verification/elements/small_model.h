@@ -7,8 +7,8 @@
 #include <functional>
 #include <vector>
 
-#include "models/fe_tire/hex8.h"
-#include "models/fe_tire/hex8_shape.h"
+#include "models/fe_tire/element/hex8.h"
+#include "models/fe_tire/element/hex8_shape.h"
 
 namespace latsch::verification {
 

@@ -8,9 +8,9 @@
 #include <iterator>
 #include <numbers>
 
-#include "models/fe_tire/ring.h"
-#include "models/fe_tire/sector.h"
-#include "numerics/self_adjoint_eigen.h"
+#include "models/fe_tire/ring/ring.h"
+#include "models/fe_tire/ring/sector.h"
+#include "numerics/dense/self_adjoint_eigen.h"
 #include "small_model.h"
 
 namespace latsch::verification {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/random.h"
-#include "optimization/sobol.h"
+#include "optimization/design/sobol.h"
 
 namespace latsch::identification_set {
 namespace {

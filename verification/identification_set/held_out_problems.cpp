@@ -7,7 +7,7 @@
 
 #include "base/random.h"
 #include "identification_set/identification_problems.h"
-#include "numerics/self_adjoint_eigen.h"
+#include "numerics/dense/self_adjoint_eigen.h"
 
 namespace latsch::identification_set {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "identification_set/disturbed_problem.h"
-#include "optimization/sobol.h"
+#include "optimization/design/sobol.h"
 
 namespace latsch::identification_set {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "formats/csv_table.h"
-#include "formats/tir_file.h"
+#include "formats/tables/csv_table.h"
+#include "formats/tire/tir_file.h"
 
 namespace latsch::verification {
 

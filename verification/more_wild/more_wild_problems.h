@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "optimization/design_space.h"
+#include "optimization/problem/design_space.h"
 
 namespace latsch::more_wild {
 

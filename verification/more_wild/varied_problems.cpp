@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/random.h"
-#include "numerics/orthogonal_factors.h"
+#include "numerics/dense/orthogonal_factors.h"
 
 namespace latsch::more_wild {
 namespace {

@@ -10,7 +10,7 @@
 #include "correlation/rig_data/rig_processing.h"
 #include "measurement/band_level.h"
 #include "measurement/bootstrap.h"
-#include "numerics/time_delay.h"
+#include "numerics/signals/time_delay.h"
 
 namespace latsch::correlation {
 namespace {

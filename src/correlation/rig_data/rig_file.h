@@ -18,7 +18,7 @@
 //   reference = "first"                  # or "average"; hit_at, align_below, most_shift,
 //                                        # least_likeness: passages.h
 //   [spectrum]
-//   convention = "scipy"                 # or "octave", "matlab": numerics/welch.h
+//   convention = "scipy"                 # or "octave", "matlab": numerics/signals/welch.h
 //   segment = "0.25 s"
 //   band = ["5 Hz", "300 Hz"]            # of tables and fits
 //   [run.c_dummy]
@@ -56,7 +56,7 @@
 #include "measurement/hammer.h"
 #include "measurement/passages.h"
 #include "measurement/plateaus.h"
-#include "numerics/welch.h"
+#include "numerics/signals/welch.h"
 
 namespace latsch::correlation {
 

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "formats/recording.h"
+#include "formats/tables/recording.h"
 #include "measurement/bootstrap.h"
 
 namespace latsch::correlation {

@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "correlation/rig_data/rig_report.h"
 #include "correlation/rig_data/rig_tables.h"
-#include "formats/recording.h"
+#include "formats/tables/recording.h"
 
 namespace latsch::correlation {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "base/text.h"
 #include "base/units.h"
-#include "correlation/report/html_text.h"
-#include "correlation/report/line_plot.h"
-#include "correlation/report/page_style.h"
 #include "correlation/rig_data/rig_tables.h"
+#include "report/html_text.h"
+#include "report/line_plot.h"
+#include "report/page_style.h"
 
 namespace latsch::correlation {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "formats/csv_table.h"
+#include "formats/tables/csv_table.h"
 #include "measurement/band_level.h"
 
 namespace latsch::correlation {

@@ -7,7 +7,7 @@
 #include "models/magic_formula/deflection_62.h"
 
 #define LATSCH_KERNELS_IN "models/magic_formula/magic_formula_kernels.h"
-#include "numerics/for_each_kernel_set.h"
+#include "numerics/kernels/for_each_kernel_set.h"
 
 namespace latsch::magic_formula {
 TireConstants::TireConstants(const Parameters& parameters)

@@ -11,7 +11,7 @@
 
 #include "base/random.h"
 #include "models/magic_formula/round_tire_testing.h"
-#include "numerics/kernel_set.h"
+#include "numerics/kernels/kernel_set.h"
 
 namespace latsch::magic_formula {
 namespace {

@@ -8,7 +8,7 @@
 #define LATSCH_MAGIC_FORMULA_SIDE_BY_SIDE
 #endif
 
-#include "numerics/kernel_math.h"
+#include "numerics/kernels/kernel_math.h"
 
 namespace latsch::magic_formula::LATSCH_KERNELS {
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Results of several verbs for a program: what `--json` prints. Keys stay what they are; a value
+// has its unit beside it or in its key; shares are plain (0.03, not 3 %); what is not known is
+// null.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/console/console.h"
+#include "correlation/analysis/identifiability.h"
+#include "correlation/study/study.h"
+#include "measurement/channels.h"
+
+namespace latsch::cli {
+
+/// [{"name", "unit", "values"}], SI.
+Json answer_of(const Channels& channels);
+
+/// Channels that a verb computes: to the file, or where there is none to standard output, as CSV;
+/// with --json and without a file as "channels" of the answer.
+void give(const Channels& channels, const std::string& file);
+
+/// [{"name", "value", "unit"}], in the units of the study.
+Json answer_of(const DesignSpace& space, const DesignPoint& point);
+
+/// The same with "lower", "upper", "initial", "scale", "paths".
+Json answer_of(const DesignSpace& space);
+
+/// The same as of a point with "interval": [lower, upper] at 95 %, null where nothing holds an end.
+Json answer_of(const correlation::Study& study, const correlation::Identifiability& result);
+
+/// "load_deflection", "modes" or "curve", as a study names it.
+const char* kind_of(const correlation::StudyExperiment& experiment);
+
+/// One experiment: measured beside simulated, errors as shares, mean and largest.
+Json answer_of(const correlation::StudyExperiment& experiment, const Channels& channels);
+
+}  // namespace latsch::cli

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/console/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "base/text.h"
+#include "cli/console/console.h"
+
+namespace latsch::cli {
+namespace {
+
+/// Whether the first word is a verb or an option; otherwise says what it may have been.
+bool known(const CLI::App& app, const std::string& word) {
+  if (word.starts_with('-')) return true;
+  std::vector<std::string> shown;
+  for (const CLI::App* verb : app.get_subcommands({})) {
+    if (verb->get_name() == word) return true;
+    if (!verb->get_group().empty()) shown.push_back(verb->get_name());
+  }
+  complain("no verb " + in_quotes(word) + did_you_mean(word, shown) +
+           "\nlatsch --help lists the verbs");
+  return false;
+}
+
+/// The arguments a verb did not expect, with what an option may have been; otherwise what the
+/// parser says.
+std::string complaint(const CLI::App* verb, const CLI::ParseError& error) {
+  if (!verb || !dynamic_cast<const CLI::ExtrasError*>(&error)) return error.what();
+  std::vector<std::string> options;
+  for (const CLI::Option* option : verb->get_options()) {
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  }
+  const std::vector<std::string> extras = verb->remaining();
+  for (const std::string& word : extras) {
+    if (word.starts_with('-')) return "no option " + in_quotes(word) + did_you_mean(word, options);
+  }
+  return "unexpected argument " + in_quotes(extras.empty() ? "" : extras.front());
+}
+
+}  // namespace
+
+Option& Option::required() {
+  option_->required();
+  return *this;
+}
+
+Option& Option::between(int least, int most) {
+  option_->check(CLI::Range(least, most));
+  return *this;
+}
+
+Option& Option::one_of(const std::vector<std::string>& values) {
+  option_->check(CLI::IsMember(values));
+  return *this;
+}
+
+Option& Option::capture_default_str() {
+  option_->capture_default_str();
+  return *this;
+}
+
+Option Verb::add_option(const std::string& name, std::string& value, const std::string& help) {
+  return Option(app_->add_option(name, value, help));
+}
+
+Option Verb::add_option(const std::string& name, int& value, const std::string& help) {
+  return Option(app_->add_option(name, value, help));
+}
+
+Option Verb::add_option(const std::string& name,
+                        std::vector<std::string>& values,
+                        const std::string& help) {
+  return Option(app_->add_option(name, values, help));
+}
+
+void Verb::add_flag(const std::string& name, bool& value, const std::string& help) {
+  app_->add_flag(name, value, help);
+}
+
+void Verb::footer(const std::string& text) { app_->footer(text); }
+
+void Verb::hide() {
+  app_->group("");
+  for (const char* option : {"--json", "--quiet", "--log"})
+    app_->remove_option(app_->get_option(option));
+}
+
+void Verb::callback(std::function<void()> run) { app_->callback(std::move(run)); }
+
+CommandLine::CommandLine(const std::string& description,
+                         const std::string& footer,
+                         const std::string& version)
+    : app_(std::make_unique<CLI::App>(description, "latsch")),
+      common_(std::make_unique<CommonOptions>()) {
+  app_->footer(footer);
+  app_->set_version_flag("--version", version);
+  app_->require_subcommand(1);
+}
+
+CommandLine::~CommandLine() = default;
+
+Verb CommandLine::add_subcommand(const std::string& name, const std::string& description) {
+  CLI::App* verb = app_->add_subcommand(name, description);
+  add_common_options(*verb);
+  return Verb(verb);
+}
+
+void CommandLine::add_common_options(CLI::App& verb) {
+  constexpr const char* kGroup = "Options of every verb";
+  verb.add_flag("--json", common_->json, "Prints the results as one JSON object")->group(kGroup);
+  verb.add_flag("--quiet", common_->quiet, "Prints nothing but warnings, errors and data asked for")
+      ->group(kGroup);
+  verb.add_option("--log", common_->log, "File to which all that is said is added")->group(kGroup);
+}
+
+std::optional<std::string> CommandLine::help(const std::string& verb) const {
+  if (verb.empty()) return general_help_;
+  for (const CLI::App* found : app_->get_subcommands({}))
+    if (found->get_name() == verb) return found->help("latsch");
+  return std::nullopt;
+}
+
+std::vector<std::string> CommandLine::verbs() const {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app_->get_subcommands({}))
+    if (!verb->get_group().empty()) names.push_back(verb->get_name());
+  return names;
+}
+
+namespace {
+
+std::string as_typed(int argc, char** argv) {
+  std::string line = "latsch";
+  for (int i = 1; i < argc; ++i) line += std::string(" ") + argv[i];
+  return line;
+}
+
+}  // namespace
+
+bool CommandLine::run(int argc, char** argv) {
+  // A line that is not understood is answered in the form that it asks for.
+  CommonOptions asked;
+  for (int i = 2; i < argc; ++i) asked.json = asked.json || std::string_view(argv[i]) == "--json";
+  open_console(asked, argc > 1 ? argv[1] : "", "");
+  if (argc > 1 && !known(*app_, argv[1])) return false;
+  general_help_ = app_->help();
+  app_->parse_complete_callback([&] {
+    const auto verbs = app_->get_subcommands();
+    if (!verbs.empty()) open_console(*common_, verbs[0]->get_name(), as_typed(argc, argv));
+  });
+  try {
+    app_->parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app_->exit(error) == 0;  // --help, --version
+    const std::vector<CLI::App*> verbs = app_->get_subcommands();
+    const CLI::App* verb = verbs.empty() ? nullptr : verbs.front();
+    const std::string name = verb ? "latsch " + verb->get_name() : "latsch";
+    complain((verb ? name + ": " : "") + complaint(verb, error) + "\n" + name +
+             " --help lists what it takes");
+    return false;
+  }
+  return true;
+}
+
+}  // namespace latsch::cli

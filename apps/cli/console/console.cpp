@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/console/console.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "base/progress.h"
+#include "cli/verbs/verbs.h"
+
+namespace latsch::cli {
+namespace {
+
+/// As standard output is: there is one, and every verb writes to it.
+struct Console {
+  CommonOptions options;
+  std::ofstream log;
+  std::FILE* answers = nullptr;  // standard output as it was, where it is kept for JSON
+  Json head = Json::object(), result = Json::object();
+};
+
+Console& console() {
+  static Console one;
+  return one;
+}
+
+std::string now() {
+  const std::time_t time = std::time(nullptr);
+  char text[sizeof("2000-01-01T00:00:00Z")];
+  std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&time));
+  return text;
+}
+
+void log(std::string_view text) {
+  if (console().log.is_open()) console().log << text << std::flush;
+}
+
+Json note(const std::string& sentence, const Place& place) {
+  Json found = {{"message", sentence}};
+  if (!place.file.empty()) found["file"] = place.file;
+  if (place.line > 0) found["line"] = place.line;
+  return found;
+}
+
+void to_standard_error(const std::string& sentence) {
+  const bool named = sentence.starts_with("latsch ");  // "latsch run: ...", of its arguments
+  const std::string line = (named ? "" : "latsch: ") + sentence + "\n";
+  std::fwrite(line.data(), 1, line.size(), stderr);
+  log(line);
+}
+
+/// The exit code, or that of a failure where what was printed did not arrive: a full disk, a closed
+/// terminal.
+int printed(FILE* out, int exit_code) {
+  errno = 0;
+  if (std::fflush(out) == 0 && !std::ferror(out)) return exit_code;
+  const char* why = errno == 0 ? "an error of the device" : std::strerror(errno);
+  std::fprintf(stderr, "latsch: the standard output cannot be written: %s\n", why);
+  return exit_code == kDone ? kFailed : exit_code;
+}
+
+/// What is printed past this file goes to standard error: it would spoil the JSON.
+void keep_standard_output() {
+  std::fflush(stdout);
+  console().answers = ::fdopen(::dup(STDOUT_FILENO), "w");
+  ::dup2(STDERR_FILENO, STDOUT_FILENO);
+}
+
+}  // namespace
+
+void open_console(const CommonOptions& options, const std::string& verb, const std::string& line) {
+  Console& c = console();
+  c.options = options;
+  c.head = Json{{"verb", verb}, {"exit_code", 0}, {"warnings", Json::array()}};
+  if (options.json && !c.answers) keep_standard_output();
+  if (options.log.empty()) return;
+  c.log.open(options.log, std::ios::app | std::ios::binary);
+  if (!c.log) throw InputError({options.log, 0}, "cannot be written, expected a log file");
+  log(fmt::format("# {} {}\n", now(), line));
+}
+
+int close_console(int exit_code) {
+  Console& c = console();
+  exit_code = printed(stdout, exit_code);
+  log(fmt::format("# {} ended with exit code {}\n", now(), exit_code));
+  if (c.log.is_open() && !c.log.flush()) {
+    std::fprintf(
+        stderr, "latsch: %s: the log cannot be written to its end\n", c.options.log.c_str());
+  }
+  if (!c.answers) return exit_code;
+  c.head["exit_code"] = exit_code;
+  if (!c.result.empty()) c.head["result"] = c.result;
+  const auto replace = nlohmann::detail::error_handler_t::replace;  // a name that is no UTF-8
+  const std::string text = c.head.dump(2, ' ', false, replace) + "\n";
+  std::fwrite(text.data(), 1, text.size(), c.answers);
+  exit_code = printed(c.answers, exit_code);
+  std::fclose(c.answers);
+  c.answers = nullptr;
+  return exit_code;
+}
+
+void be_silent() {
+  console().options.quiet = true;
+  console().answers = nullptr;
+}
+
+void say_text(std::string_view text) {
+  log(text);
+  if (console().options.quiet || console().options.json) return;
+  std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+void put(std::string_view data) {
+  if (console().options.json) return;
+  std::fwrite(data.data(), 1, data.size(), stdout);
+}
+
+void warn(const std::string& sentence, const Place& place) {
+  to_standard_error(sentence);
+  console().head["warnings"].push_back(note(sentence, place));
+}
+
+void complain(const std::string& sentence, const Place& place) {
+  to_standard_error(sentence);
+  console().head["error"] = note(sentence, place);
+}
+
+Json& answer() { return console().result; }
+
+bool answers_in_json() { return console().options.json; }
+
+void say_written(const std::string& file) {
+  say("wrote {}\n", file);
+  answer()["files"].push_back(file);
+}
+
+struct RunningNote::Impl {
+  std::optional<Progress> terminal, log;
+};
+
+RunningNote::RunningNote() : impl_(std::make_unique<Impl>()) {
+  if (!console().options.quiet) impl_->terminal.emplace(std::cerr, is_terminal());
+  if (console().log.is_open()) impl_->log.emplace(console().log, /*terminal=*/false);
+}
+
+RunningNote::~RunningNote() = default;
+
+void RunningNote::update(long done, long total, const std::string& note) {
+  if (impl_->terminal) impl_->terminal->update(done, total, note);
+  if (impl_->log) impl_->log->update(done, total, note);
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/console/identifiability_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/console/console.h"
+#include "cli/console/tables.h"
+#include "correlation/study_report/report_identifiability.h"
+
+namespace latsch::cli {
+namespace {
+
+using correlation::Identifiability;
+using correlation::Study;
+
+constexpr double kStrongCorrelation = 0.9;
+constexpr size_t kShownGains = 6;
+
+std::string note_on(const DesignVariable& v, const Confidence& c, int i, const DesignPoint& point) {
+  if (c.held[i] == Bound::none) return "";
+  return fmt::format(", held at its bound {}", shown(v, point.values[i]));
+}
+
+void print_spectrum(const Study& study, const Confidence& c) {
+  say("\nDirections of the variables, from the best determined to the least\n");
+  say("  {:>15} {:>22}  {}\n", "singular value", "deviation, % of range", "direction");
+  for (Eigen::Index k = 0; k < c.singular_values.size(); ++k) {
+    const double deviation = c.deviation(static_cast<int>(k));
+    say("  {:15.4g} {:>22}  {}\n",
+        c.singular_values[k],
+        deviation < 1.0 ? fmt::format("{:.2f}", 100.0 * deviation) : "more than 100: flat",
+        correlation::direction_text(study.space, c.directions.col(k)));
+  }
+}
+
+void print_correlations(const Study& study, const Confidence& c) {
+  bool any = false;
+  for (int i = 0; i < study.space.size(); ++i) {
+    for (int j = i + 1; j < study.space.size(); ++j) {
+      if (std::abs(c.correlation(i, j)) < kStrongCorrelation) continue;
+      say("{}  {} and {}: {:+.3f}\n",
+          any ? "" : "\nVariables that the data hardly tell apart, by their correlation\n",
+          study.space[i].name,
+          study.space[j].name,
+          c.correlation(i, j));
+      any = true;
+    }
+  }
+}
+
+void print_verdicts(const Study& study, const Identifiability& result) {
+  say("\nProfiles: each variable held at other values, all others fitted anew\n");
+  for (const Profile& profile : result.identification.profiles()) {
+    const DesignVariable& v = study.space[profile.variable];
+    say("  {:<16} {}\n", v.name, in_words(profile));
+    say("  {:<16} 95 %: {}\n", "", correlation::profile_text(study.space, profile));
+    for (int place : profile.other_minima) {
+      const ProfilePoint& at = profile.points[place];
+      std::vector<double> u(at.u.begin(), at.u.end());
+      say("  {:<16} another minimum near {}, {}\n",
+          "",
+          correlation::value_text(study.space,
+                                  profile.variable,
+                                  study.space.from_unit(u).values[profile.variable],
+                                  correlation::reported_interval(study, result, profile.variable)),
+          at.S - profile.least <= profile.threshold ? "as good" : "not as good");
+    }
+  }
+}
+
+void print_cross_validation(const Study& study, const CrossValidation& validation) {
+  say("\nCross-validation: each experiment predicted from the fit of the others\n");
+  say("  {:<16} {:>14} {:>16}\n", "left out", "rms fitted", "rms predicted");
+  for (const LeftOut& fold : validation.left_out()) {
+    say("  {:<16} {:14.4g} {:>16}\n",
+        study.experiments[fold.group].name,
+        fold.fitted,
+        std::isnan(fold.predicted) ? "refit did not converge"
+                                   : fmt::format("{:.4g}", fold.predicted));
+  }
+}
+
+}  // namespace
+
+void print_gains(const Study& study,
+                 const std::string& title,
+                 const std::vector<correlation::MeasurementGain>& gains) {
+  if (gains.empty()) return;
+  say("\n{}\n  {:<42} {:>18}  helps most, deviation in % of range\n",
+      title,
+      "measurement",
+      "confidence region");
+  for (size_t k = 0; k < std::min(kShownGains, gains.size()); ++k) {
+    say("  {:<42} {:>18}  {}: {:.3g} -> {:.3g}\n",
+        gains[k].measurement,
+        fmt::format("1 / {:.3g}", gains[k].shrinkage),
+        study.space[gains[k].helps].name,
+        100.0 * gains[k].before,
+        100.0 * gains[k].after);
+  }
+}
+
+void print_intervals(const Study& study, const Identifiability& result) {
+  const Confidence& c = result.identification.confidence();
+  for (int i = 0; i < study.space.size(); ++i) {
+    const DesignVariable& v = study.space[i];
+    const Interval interval = correlation::reported_interval(study, result, i);
+    say("  {:<{}} {:<16} 95 %: {}{}\n",
+        v.name,
+        name_width(study.space.variables()),
+        correlation::value_text(study.space, i, result.best.values[i], interval),
+        correlation::interval_text(study.space, i, interval),
+        note_on(v, c, i, result.best));
+  }
+  for (const std::string& remark : correlation::remarks(study, result)) say("  {}\n", remark);
+  if (std::isnan(c.sigma)) {
+    say("  No more measured values than variables: state the noise of the experiments\n");
+  }
+}
+
+void print_identifiability(const Study& study, const Identifiability& result) {
+  const Confidence& c = result.identification.confidence();
+  print_spectrum(study, c);
+  print_correlations(study, c);
+  if (!result.identification.profiles().empty()) print_verdicts(study, result);
+  if (result.cross_validation) print_cross_validation(study, *result.cross_validation);
+  print_gains(study,
+              "What would tell more: measured once more, the most useful first",
+              correlation::repetition_gains(study, result));
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the data determine, as text: intervals beside values, spectrum, correlations, verdicts.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "correlation/analysis/identifiability.h"
+#include "correlation/analysis/measurement_gains.h"
+
+namespace latsch::cli {
+
+/// The point as print_point does, each value with its confidence interval.
+void print_intervals(const correlation::Study& study, const correlation::Identifiability& result);
+
+/// Spectrum, correlations, verdicts, cross-validation, and what to measure once more.
+void print_identifiability(const correlation::Study& study,
+                           const correlation::Identifiability& result);
+
+/// Which measurements would tell the most.
+void print_gains(const correlation::Study& study,
+                 const std::string& title,
+                 const std::vector<correlation::MeasurementGain>& gains);
+
+}  // namespace latsch::cli

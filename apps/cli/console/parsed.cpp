@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/console/parsed.h"
+
+#include "base/text.h"
+
+namespace latsch::cli {
+
+double parse_option(const std::string& option,
+                    const std::string& text,
+                    const std::string& unit,
+                    Range range) {
+  const bool plain = unit == "1";
+  const Document line = Document::parse(option + " = " + (plain ? text : '"' + text + '"'), "");
+  return line.root().quantity(option, unit, range);
+}
+
+void set_variable(const DesignSpace& space, const std::string& assignment, DesignPoint& point) {
+  const size_t equal = assignment.find('=');
+  if (equal == std::string::npos) {
+    throw InputError("--set " + in_quotes(assignment) +
+                     ": expected name=value, such as \"matrix=12 N/mm^2\"");
+  }
+  const std::string name(trimmed(assignment.substr(0, equal)));
+  std::vector<std::string> names;
+  for (int i = 0; i < space.size(); ++i) {
+    const DesignVariable& variable = space[i];
+    names.push_back(variable.name);
+    if (variable.name != name) continue;
+    point.values[i] = parse_option(name,
+                                   std::string(trimmed(assignment.substr(equal + 1))),
+                                   variable.unit,
+                                   Range::between(variable.lower, variable.upper));
+    return;
+  }
+  throw InputError("--set: no variable " + in_quotes(name) + did_you_mean(name, names) +
+                   " The study has " + list_of(names));
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/run/trials.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/file.h"
+#include "base/progress.h"
+#include "cli/console/console.h"
+#include "cli/console/tables.h"
+#include "cli/run/interrupt.h"
+#include "cli/verbs/verbs.h"
+#include "correlation/study_report/study_report.h"
+#include "evaluation/journal/local_file_system.h"
+#include "evaluation/schedule/retried_failures.h"
+
+namespace latsch::cli {
+
+ProcessOptions worker_processes(const correlation::Study& study) {
+  ProcessOptions options;
+  options.arguments = {std::filesystem::read_symlink("/proc/self/exe").string(),
+                       "worker",
+                       std::filesystem::absolute(study.file).string()};
+  if (!study.stage.empty()) {
+    options.arguments.emplace_back("--stage");
+    options.arguments.push_back(study.stage);
+  }
+  options.workers = study.run.workers;
+  options.timeout = study.run.timeout;
+  options.memory_limit = study.run.memory;
+  return options;
+}
+
+Journal open_for_trials(const correlation::Study& study, bool retries_failed) {
+  Journal journal = Journal::open(study.run.journal, correlation::identity(study));
+  const TrialLimits limits{.timeout = study.run.timeout,
+                           .program_timeout = study.simulator ? study.simulator->timeout : 0.0,
+                           .memory = study.run.memory};
+  if (const long again = retry_what_limits_forbade(journal, limits)) {
+    say("{} points that failed for a limit which is raised now are tried again\n", again);
+  }
+  if (retries_failed) say("{} failed points are tried again\n", retry_failures(journal));
+  return journal;
+}
+
+void clear_scratch(const correlation::Study& study) {
+  if (!study.simulator || study.simulator->keep_failed) return;
+  std::error_code ignored;
+  std::filesystem::remove_all(study.simulator->scratch, ignored);
+}
+
+void say_kind_of_journal(const correlation::Study& study) {
+  const auto shared = shared_file_system(study.run.journal);
+  if (!shared) return;
+  say("{} lies on {}: a rollback log, safe there and slower than the write-ahead log of a local "
+      "disk\n",
+      study.run.journal.string(),
+      *shared);
+}
+
+namespace {
+
+/// What goes otherwise than expected: ", 2 failed, 1 repeated; 1 slow, the longest for 12 s".
+std::string troubles(const RunProgress& progress) {
+  std::string text = fmt::format("{} failed", progress.failed);
+  const auto add = [&](long number, const char* what) {
+    if (number > 0) text += fmt::format(", {} {}", number, what);
+  };
+  add(progress.repeated, "repeated");
+  add(progress.copied, "slow started twice");
+  add(progress.stopped, "slow stopped");
+  if (progress.straggling > 0) {
+    text +=
+        fmt::format(", {} slow now: {}", progress.straggling, format_duration(progress.slowest));
+  }
+  return text;
+}
+
+}  // namespace
+
+RunOptions run_options(const correlation::Study& study, bool length_known) {
+  RunOptions options;
+  options.max_steps = study.max_steps;
+  options.on_failure = study.run.on_failure;
+  options.straggler_factor = study.run.straggler_factor;
+  options.look_ahead = study.run.look_ahead;
+  options.stop_requested = interrupted;
+  auto bar = std::make_shared<RunningNote>();
+  options.on_progress = [bar, length_known](const RunProgress& progress) {
+    std::string note;
+    if (progress.best) note = fmt::format("best target {:.3f} %, ", *progress.best * 100.0);
+    note += troubles(progress);
+    bar->update(progress.known, length_known ? progress.planned : 0, note);
+  };
+  return options;
+}
+
+void print_aborted(const correlation::Study& study,
+                   const DesignPoint& point,
+                   const Failure& failure) {
+  say("Aborted, as {} asks for where a trial fails: {}\nIt failed at\n",
+      study.file.string(),
+      failure.reason);
+  print_point(study.space, point);
+  say("What was evaluated is in {}; with on_failure = \"proceed\" latsch resume goes on.\n",
+      study.run.journal.string());
+}
+
+void print_no_success(const correlation::Study& study,
+                      const Journal& journal,
+                      const std::string& reason) {
+  const bool folder_goes = study.simulator && !study.simulator->keep_failed;
+  complain(
+      fmt::format("no trial succeeded, of {} in {}; the first failed because: {}\n"
+                  "See what becomes of one: latsch simulate {}{}",
+                  journal.size(),
+                  study.run.journal.string(),
+                  reason,
+                  study.file.string(),
+                  folder_goes ? "; keep_failed = true in [simulator] keeps its folder" : ""));
+}
+
+RunOptions counting_options(const correlation::Study& study, const std::string& what) {
+  RunOptions options = run_options(study, /*length_known=*/false);
+  auto bar = std::make_shared<RunningNote>();
+  options.on_progress = [bar, what](const RunProgress& progress) {
+    bar->update(progress.known, 0, what + ", " + troubles(progress));
+  };
+  return options;
+}
+
+namespace {
+
+/// The error a fit hides in its values.
+void print_mesh_error(const report::StudyReport& page) {
+  const report::DiscretizationError* worst = nullptr;
+  double sum = 0.0;
+  for (const auto& row : page.discretization) {
+    if (!worst || std::abs(row.error) > std::abs(worst->error)) worst = &row;
+    sum += std::abs(row.error);
+  }
+  if (!worst) return;
+  say("\nMesh against the converged tire: {:.1f} % in the mean, worst {:+.1f} % ({})\n",
+      100.0 * sum / static_cast<double>(page.discretization.size()),
+      100.0 * worst->error,
+      worst->quantity);
+}
+
+}  // namespace
+
+int write_report(const correlation::Study& study,
+                 const Journal& journal,
+                 correlation::MeshError mesh_error) {
+  const auto page = correlation::study_report(study, journal, mesh_error);
+  if (!page) {
+    complain(page.failure().reason);
+    return kFailed;
+  }
+  print_mesh_error(*page);
+  const auto file = std::filesystem::path(study.run.journal).replace_extension(".html");
+  write_text_file(file, report::html(*page));
+  answer()["target"] = page->target;
+  answer()["report"] = file.string();
+  say("\nReport: {}\n", file.string());
+  return kDone;
+}
+
+}  // namespace latsch::cli

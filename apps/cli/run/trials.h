@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// What run, resume and doe share: the worker processes of a study, its progress on the terminal,
+// its report.
+#pragma once
+
+#include <string>
+
+#include "correlation/analysis/mesh_error.h"
+#include "correlation/study/study.h"
+#include "evaluation/executors/process_executor.h"
+#include "evaluation/journal/journal.h"
+#include "evaluation/schedule/scheduler.h"
+
+namespace latsch::cli {
+
+/// This program as `latsch worker STUDY`.
+ProcessOptions worker_processes(const correlation::Study& study);
+
+/// The journal of the study. What failed for a limit that is raised now is tried again, with
+/// `retries_failed` all that failed.
+Journal open_for_trials(const correlation::Study& study, bool retries_failed);
+
+/// Removes what killed workers of an outside program left behind. The journal is held meanwhile.
+void clear_scratch(const correlation::Study& study);
+
+/// Why the journal keeps a slower log than on a local disk, where it does.
+void say_kind_of_journal(const correlation::Study& study);
+
+/// On standard error: nothing succeeded, why the first trial did not, and what to try.
+void print_no_success(const correlation::Study& study,
+                      const Journal& journal,
+                      const std::string& reason);
+
+/// Progress on standard error and an end when interrupted. An ETA needs to know how many points
+/// there will be: a design of experiments does, an optimizer does not.
+RunOptions run_options(const correlation::Study& study, bool length_known);
+
+/// Why a run that on_failure = "abort" ended has ended.
+void print_aborted(const correlation::Study& study,
+                   const DesignPoint& point,
+                   const Failure& failure);
+
+/// The same without a target: counts the trials, described by `what`.
+RunOptions counting_options(const correlation::Study& study, const std::string& what);
+
+/// Writes the report beside the study and names it; returns the exit code.
+int write_report(const correlation::Study& study,
+                 const Journal& journal,
+                 correlation::MeshError mesh_error = correlation::MeshError::of_one_sector);
+
+}  // namespace latsch::cli

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/run/workers.h"
+
+#include <cstdint>
+
+#include "base/error.h"
+#include "cli/console/console.h"
+#include "cli/run/trials.h"
+#include "correlation/study/study_stages.h"
+#include "evaluation/executors/launch.h"
+#include "evaluation/executors/process_executor.h"
+#include "evaluation/trial/encoding.h"
+
+#ifdef LATSCH_MPI
+#include "evaluation/executors/mpi/mpi_executor.h"
+#endif
+
+namespace latsch::cli {
+
+namespace {
+
+#ifdef LATSCH_MPI
+constexpr bool kMpi = true;
+#else
+constexpr bool kMpi = false;
+#endif
+
+std::uint64_t hash_of(const StudyIdentity& identity) {
+  std::uint64_t state = kHashStart;
+  for (const IdentityPart& part : identity) state = hash(part.text, hash(part.name, state));
+  return state;
+}
+
+/// Of several tasks the first one speaks; whether this is another one.
+bool refuse(const Launch& launch, const std::string& why) {
+  if (launch.task == 0) throw InputError(why);
+  be_silent();
+  return true;
+}
+
+}  // namespace
+
+#ifdef LATSCH_MPI
+
+struct Workers::Job : MpiJob {};
+
+Workers::Workers(const correlation::Study& study) {
+  const Launch started = launch();
+  if (started.tasks == 1) return;
+  if (started.is_job) job_ = std::make_unique<Job>();
+  if (!job_ || job_->size() != started.tasks) {
+    job_.reset();
+    refused_ = refuse(started, not_one_job(started, study.file.string(), kMpi));
+  } else if (!job_->agrees(hash_of(correlation::identity(study)))) {
+    job_.reset();
+    refused_ = refuse(started,
+                      "the ranks of the job were given different studies, or read different "
+                      "versions of one; a study a task: an array of jobs (sbatch --array)");
+  }
+}
+
+bool Workers::served(const correlation::Study& study, bool in_stages) {
+  if (refused_) return true;
+  if (in_stages) expected_ = correlation::stage_count(study);
+  if (!job_ || job_->rank() == 0) return false;
+  be_silent();
+  for (int k = 0; k < expected_; ++k) {
+    serve_rank(*job_, worker_processes(in_stages ? correlation::stage(study, k) : study));
+  }
+  return true;
+}
+
+Executor& Workers::start(const correlation::Study& study) {
+  end();
+  ++started_;
+  if (job_) {
+    executor_ = std::make_unique<MpiExecutor>(*job_);
+  } else {
+    executor_ = std::make_unique<ProcessExecutor>(worker_processes(study));
+  }
+  return *executor_;
+}
+
+void Workers::end() {
+  executor_.reset();
+  if (started_ >= expected_) job_.reset();
+}
+
+Workers::~Workers() {
+  end();
+  if (!job_ || job_->rank() != 0) return;
+  for (; started_ < expected_; ++started_) MpiExecutor{*job_};  // whose end tells the ranks
+}
+
+#else
+
+struct Workers::Job {};
+
+Workers::Workers(const correlation::Study& study) {
+  const Launch started = launch();
+  if (started.tasks == 1) return;
+  refused_ = refuse(started, not_one_job(started, study.file.string(), kMpi));
+}
+
+bool Workers::served(const correlation::Study&, bool) { return refused_; }
+
+Executor& Workers::start(const correlation::Study& study) {
+  end();
+  executor_ = std::make_unique<ProcessExecutor>(worker_processes(study));
+  return *executor_;
+}
+
+void Workers::end() { executor_.reset(); }
+
+Workers::~Workers() = default;
+
+#endif
+
+TrialsRun::TrialsRun(Workers& workers, const correlation::Study& study)
+    : workers_(workers), study_(study) {
+  clear_scratch(study_);
+}
+
+TrialsRun::~TrialsRun() {
+  workers_.end();
+  clear_scratch(study_);
+}
+
+}  // namespace latsch::cli

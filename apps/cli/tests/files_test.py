@@ -1,0 +1,239 @@
+#!/usr/bin/env python3
+"""Roads asked, files looked at, recordings of a rig processed.
+
+    files_test.py PATH/TO/latsch
+"""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from cli_testing import DONE, LATSCH, WRONG_INPUT, edit
+
+
+class Files(unittest.TestCase):
+    """Roads asked and files looked at."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_cli_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def latsch(self, *arguments, code=DONE):
+        run = subprocess.run([LATSCH, *map(str, arguments)], capture_output=True, text=True, timeout=60)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return run.stdout + run.stderr
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text)
+        return self.folder / name
+
+    def test_a_ring_tire_rolls_on_the_drum(self):
+        tire = pathlib.Path(__file__).resolve().parents[3] / "studies" / "ring_tires" / "passenger_205_55R16.toml"
+        test = self.write("test.toml", 'kind = "drum_cleat"\nspeed = "30 km/h"\nload = "3.5 kN"\n'
+                                       'drum_diameter = "2.5 m"\nrun_in = "20 ms"\nlead = "20 ms"\n'
+                                       'duration = "40 ms"\n[cleat]\nheight = "10 mm"\nlength = "20 mm"\n')
+        rows = [line.split(",") for line in self.latsch("drum", tire, test).splitlines()]
+        self.assertEqual(rows[0][:4], ["time [s]", "Fx [N]", "Fy [N]", "Fz [N]"])
+        self.assertEqual(len(rows), 1 + 80)
+        self.assertAlmostEqual(float(rows[1][3]), 3500, delta=300)
+
+    def test_a_footprint_is_a_table_a_picture_and_a_channel(self):
+        tire = pathlib.Path(__file__).resolve().parents[3] / "studies" / "ring_tires" / "passenger_205_55R16.toml"
+        page, table, blocks = (self.folder / name for name in ("page.html", "table.csv", "blocks.csv"))
+        self.latsch("footprint", tire, "--load", "2 kN", "--load", "4 kN", "--html", page, "-o", table,
+                    "--elements", blocks)
+        rows = [line.split(",") for line in table.read_text().splitlines()]
+        self.assertEqual(rows[0][:3], ["load [N]", "deflection [m]", "length [m]"])
+        self.assertEqual(page.read_text().count("<svg"), 2)
+        pressed = [line.split(",") for line in blocks.read_text().splitlines()[1:]]
+        self.assertEqual({float(row[0]) for row in pressed}, {1.0, 2.0})
+        test = self.write("test.toml", 'kind = "footprint"\nloads = ["2 kN", "4 kN"]\n')
+        self.assertEqual(self.latsch("drum", tire, test), table.read_text())
+        self.assertIn("one of the two", self.latsch("footprint", tire, code=WRONG_INPUT))
+
+    def test_a_road_answers_with_height_normal_and_friction(self):
+        road = self.write("road.toml", 'kind = "cleat"\nheight = "20 mm"\nlength = "50 mm"\nbevel = "10 mm"\n'
+                                       'place = "1 m"\nobstacle_friction = 0.8\n')
+        points = self.write("points.csv", "x [m],y [mm]\n0,0\n1,250\n0.98,0\n")
+        rows = [line.split(",") for line in self.latsch("road", road, points).splitlines()]
+        self.assertEqual(rows[0], ["x [m]", "y [m]", "z [m]", "nx [1]", "ny [1]", "nz [1]", "friction [1]"])
+        self.assertEqual(rows[1][2:], ["0", "0", "0", "1", "1"])
+        self.assertEqual(rows[2][1:3] + rows[2][6:], ["0.25", "0.02", "0.8"])
+        self.assertAlmostEqual(float(rows[3][2]), 0.015)
+        self.assertAlmostEqual(float(rows[3][3]), -(0.5 ** 0.5))  # 45 deg, rising ahead
+
+    def test_a_kerb_becomes_a_file_of_triangles(self):
+        kerb = self.write("kerb.toml", 'kind = "kerb"\nshape = "saw_tooth"\npitch = "800 mm"\nwidth = "800 mm"\n'
+                                       'height = "25 mm"\ncount = 4\n')
+        rdf = self.folder / "kerb.rdf"
+        points = self.write("points.csv", "x [m],y [m]\n0.4,0.4\n")
+        self.latsch("road", kerb, "--triangles", rdf)
+        rows = [line.split(",") for line in self.latsch("road", rdf, points).splitlines()]
+        self.assertAlmostEqual(float(rows[1][2]), 0.0125, places=6)
+        self.assertIn("POINTS.csv", self.latsch("road", kerb, code=WRONG_INPUT))
+
+    def test_a_drum_moves_with_the_time_of_a_point(self):
+        road = self.write("drum.toml", 'kind = "drum"\ndiameter = "2 m"\nspeed = "1 m/s"\ncleats = 1\n'
+                                       'height = "20 mm"\nlength = "50 mm"\nstarting_angle = "1 rad"\n')
+        points = self.write("points.csv", "x [m],y [m],time [s]\n0,0,0\n0,0,1\n")
+        rows = [line.split(",") for line in self.latsch("road", road, points).splitlines()]
+        self.assertEqual(rows[1][2], "0")
+        self.assertAlmostEqual(float(rows[2][2]), 0.02, delta=5e-4)
+
+    def test_open_crg_answers_with_u_and_v_too(self):
+        road = self.write("road.crg", "$ROAD_CRG\nreference_line_increment = 1\nreference_line_start_x = 10\n"
+                                      "long_section_v_increment = 2\n$\n$KD_Definition\n#:LRFI\n"
+                                      "D:long section 1,m\nD:long section 2,m\n$\n$$$$\n"
+                                      " 0.0000000 0.1000000\n 0.0000000 0.1000000\n")
+        points = self.write("points.csv", "x [m],y [m]\n10.5,0.5\n")
+        rows = [line.split(",") for line in self.latsch("road", road, points).splitlines()]
+        self.assertEqual(rows[0][7:], ["u [m]", "v [m]"])
+        self.assertAlmostEqual(float(rows[1][2]), 0.075)
+        self.assertEqual([float(cell) for cell in rows[1][7:]], [0.5, 0.5])
+        self.assertIn("2 rows, 2 long sections", self.latsch("show", road))
+
+    def test_what_cannot_be_evaluated_is_said(self):
+        tir = pathlib.Path(__file__).resolve().parents[3] / "studies" / "tire_model_comparison" / "magic_formula.tir"
+        states = self.write("states.csv", "Fz,alpha [deg]\n4000,2\n")
+        self.assertIn("Fy [N]", self.latsch("evaluate", tir, states))
+        for text, said in (("Fz,alpha\n", "no row follows the header"), ("alpha\n1\n", "there is no column Fz"),
+                           ("Fz [m]\n1\n", "expected a force"), ("Fz,alpha\n4000\n", "has 1 field, expected 2")):
+            states.write_text(text)
+            self.assertRegex(self.latsch("evaluate", tir, states, code=WRONG_INPUT), r"states\.csv:\d: .*" + said)
+        states.write_text("Fz\n4000\n")
+        bare = self.write("bare.tir", re.sub("(?m)^UNLOADED_RADIUS.*$", "", tir.read_text()))
+        self.assertIn("there is no UNLOADED_RADIUS", self.latsch("evaluate", bare, states, code=WRONG_INPUT))
+        ring = self.write("ring.toml", 'kind = "ring_tire"\n')
+        self.assertIn("of another kind", self.latsch("evaluate", ring, states, code=WRONG_INPUT))
+
+    def test_a_road_without_a_model_or_a_column_is_said(self):
+        self.assertIn("is this an Adams road file", self.latsch(
+            "road", self.write("cut.rdf", "[UNITS]\n LENGTH = 'mm'\n"), self.write("p.csv", "x,y\n0,0\n"),
+            code=WRONG_INPUT))
+        flat = self.write("flat.toml", 'kind = "flat"\n')
+        self.assertIn('"y" is missing (columns: "x")', self.latsch(
+            "road", flat, self.write("p.csv", "x\n0\n"), code=WRONG_INPUT))
+        points = self.write("p.csv", "x,y\n0,0\n")
+        self.assertIn('--time is "3", expected a time', self.latsch(
+            "road", flat, points, "--time", "3", code=WRONG_INPUT))
+
+    def test_show_says_what_was_read_and_draws_it(self):
+        tydex = self.write("test.tdx", "**HEADER\n**CONSTANTS\n"
+                                       "INFLPRES  Inflation pressure            bar       2.5\n**MEASURCHANNELS\n"
+                                       "RUNTIME   Running time                  s         1\n"
+                                       "FYW       Lateral force                 kN        1\n"
+                                       "**MEASURDATA\n0 1.5\n0.1 NOTAVAIL\n0.2 -0.5\n**END\n")
+        page = self.folder / "test.html"
+        text = self.latsch("show", tydex, "--html", page)
+        self.assertRegex(text, r"INFLPRES +2.5 bar +250000 Pa")
+        self.assertRegex(text, r"FYW +kN +W ")
+        self.assertRegex(text, r"FYW +N +3 +1 +-500 +500 +1500")
+        self.assertRegex(self.latsch("show", tydex, "--axes", "sae"), r"FYW +N +3 +1 +-1500 +-500 +500")
+        self.assertIn('expected "iso"', self.latsch("show", tydex, "--axes", "din", code=WRONG_INPUT))
+        self.assertIn("<polyline", page.read_text())
+        self.assertIn("FYW [N] over RUNTIME [s]", page.read_text())
+        table = self.write("table.csv", "Fz [kN],t [ms]\n1,0\n2,5\n")
+        self.assertRegex(self.latsch("show", table), r"Fz +N +2 +0 +1000 +1500 +2000")
+        ring = self.write("ring.toml", 'kind = "ring_tire"\n[belt]\nradius = "305 mm"\n')
+        self.assertRegex(self.latsch("show", ring), r"belt\.radius +0\.305 +m")
+
+    def test_a_table_with_texts_is_shown_as_written(self):
+        text = self.latsch("show", self.write("kerbs.csv", "name,width [mm]\nexit,800\n"))
+        self.assertRegex(text, r'no channels: .*kerbs.csv:2')
+        self.assertRegex(text, r"exit +800")
+
+    def test_bad_files_are_named_with_their_line(self):
+        self.assertIn('expected ".crg"', self.latsch("show", self.write("a.xyz", ""), code=WRONG_INPUT))
+        torso = self.write("torso.tdx", "**HEADER\n**MEASURCHANNELS\n")
+        self.assertIn("torso.tdx:2", self.latsch("show", torso, code=WRONG_INPUT))
+        points = self.write("points.csv", "x [m]\n0\n")
+        road = self.write("road.toml", 'kind = "flat"\n')
+        self.assertIn('column "y" is missing', self.latsch("road", road, points, code=WRONG_INPUT))
+        bumpy = self.write("bumpy.rdf", "[MODEL]\nMETHOD = '2D'\nROAD_TYPE = 'hill'\n")
+        self.assertIn("bumpy.rdf:3", self.latsch("road", bumpy, points, code=WRONG_INPUT))
+
+
+class Drum(unittest.TestCase):
+    """`latsch process` on the example of studies/drum_processing, with short plateaus."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_drum_"))
+        cls.rig = cls.folder / "rig.toml"
+        shutil.copy(pathlib.Path(__file__).parents[3] / "studies/drum_processing/rig.toml", cls.rig)
+        edit(cls.rig, ('hold = "20 s"', 'hold = "8 s"'), ("bootstrap = 100", "bootstrap = 5"))
+        cls.first = subprocess.run([LATSCH, "process", cls.rig, "--synthetic"], capture_output=True, text=True,
+                                   timeout=300)
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    def process(self, *arguments, code=DONE):
+        run = subprocess.run([LATSCH, "process", *arguments], capture_output=True, text=True, timeout=300)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return run.stdout + run.stderr
+
+    def test_one_command_from_recordings_to_tables_and_page(self):
+        self.assertEqual(self.first.returncode, DONE, self.first.stdout + self.first.stderr)
+        text = self.first.stdout
+        f, true_f = (float(v) for v in re.findall(r"rig.*f = ([\d.]+) Hz", text))
+        self.assertLess(abs(f - true_f), 0.005 * true_f)
+        time, psd = zip(*((int(a), int(b)) for a, b in re.findall(r"([+-]\d+)%.*?([+-]\d+)%", text)))
+        self.assertEqual(len(time), 6)
+        self.assertLess(max(time + psd), -50)  # the filter helps on every case, fitted or not
+        page = pathlib.Path(re.search(r"Report: (.*)", text)[1])
+        self.assertIn("<svg", page.read_text())
+        self.assertIn("frequency [Hz]", (page.parent / "psd_light_real_60kph.csv").read_text())
+
+    def test_again_gives_the_same_tables(self):
+        self.process(self.rig, "--output", self.folder / "again")
+        for file in (self.folder / "rig_processed").iterdir():
+            self.assertEqual(file.read_bytes(), (self.folder / "again" / file.name).read_bytes(), file.name)
+
+    def test_a_mat_file_says_the_same_as_the_table(self):
+        script = ("import numpy, scipy.io, sys; t = numpy.loadtxt(sys.argv[1], delimiter=',', skiprows=1).T; "
+                  "scipy.io.savemat(sys.argv[2], dict(time=t[0], speed=t[1], Fz=t[2], Fx=t[3], comment='rig', n=3.0))")
+        table, mat = self.folder / "light_dummy.csv", self.folder / "light_dummy.mat"
+        if subprocess.run(["/usr/bin/python3", "-c", script, table, mat], capture_output=True).returncode:
+            self.skipTest("SciPy is not installed (Debian: python3-scipy)")
+        rig = self.folder / "mat.toml"
+        rig.write_text(self.rig.read_text())
+        edit(rig, ('"light_dummy.csv"', '"light_dummy.mat"'),
+             (r"\[drum\]", '[channels.units]\ntime = "s"\nspeed = "m/s"\nFz = "N"\nFx = "N"\n[drum]'))
+        self.process(rig)
+        name = "average_light_dummy_60kph.csv"
+        self.assertEqual((self.folder / "mat_processed" / name).read_text(),
+                         (self.folder / "rig_processed" / name).read_text())
+
+    def test_recordings_that_make_no_sense(self):
+        bad = self.folder / "bad.toml"
+        for pattern, new, *parts in (
+                ('"90 km/h"]', '"90 km/h", "140 km/h"]', "light_dummy.csv", "no plateau at 140 km/h", "comes nearest"),
+                (r'\[drum\]\ncircumference = "6 m"', '[drum]\ncircumference = "4 m"', "does not repeat itself"),
+                ('force = "Fz"', 'force = "FZ"', 'channel "FZ" is missing', 'did you mean "Fz"'),
+                ('margin = "1 km/h"', 'margin = "1 km"', "bad.toml:16", "margin")):
+            bad.write_text(self.rig.read_text())
+            edit(bad, (pattern, new))
+            text = self.process(bad, code=WRONG_INPUT)
+            for part in parts:
+                self.assertIn(part, text)
+        recording = (self.folder / "light_dummy.csv").read_text().splitlines(keepends=True)
+        for name, lines, *parts in (
+                ("cut.csv", recording[:100], "no plateau", "comes nearest"),
+                ("gap.csv", recording[:500] + recording[540:], "40 samples are missing"),
+                ("nan.csv", recording[:7] + ["0.0030,0.1,NaN,0\n"] + recording[8:], "nan.csv:8", "finite number"),
+                ("flat.csv", [recording[0]] + [f"{i / 2000},10,4000,{i}\n" for i in range(9000)], "sensor")):
+            (self.folder / name).write_text("".join(lines))
+            bad.write_text(self.rig.read_text())
+            edit(bad, ('"light_dummy.csv"', f'"{name}"'))
+            text = self.process(bad, code=WRONG_INPUT)
+            for part in (name, *parts):
+                self.assertIn(part, text)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""`latsch new` for every tire that is shipped and for sizes drawn by lot: what it writes is in order and can be fitted.
+
+    new_test.py PATH/TO/latsch
+"""
+import json
+import pathlib
+import random
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from cli_testing import DONE, LATSCH, WRONG_INPUT
+
+TIRES = sorted(p.stem for p in (pathlib.Path(__file__).resolve().parents[3] / "studies" / "tires").glob("*.toml"))
+SHIPPED = [name for name in TIRES if not name.startswith("comparison_")]
+
+WIDTHS, ASPECTS, RIMS = range(145, 326, 10), range(30, 81, 5), range(13, 22)  # mm, %, inches
+HEIGHTS = (62, 150)  # mm: a 325/30 and a 185/80 there are, a 325/80 there is not
+
+
+def drawn_sizes(count, seed=2024):
+    """Car tires in steps of the standards' own, inside WIDTHS, ASPECTS, RIMS and HEIGHTS."""
+    chance, sizes = random.Random(seed), []
+    while len(sizes) < count:
+        width, aspect, rim = chance.choice(WIDTHS), chance.choice(ASPECTS), chance.choice(RIMS)
+        if HEIGHTS[0] <= width * aspect / 100 <= HEIGHTS[1]:
+            sizes.append(f"{width}/{aspect}R{rim}")
+    return sizes
+
+
+class New(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_new_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def latsch(self, *arguments, code=DONE):
+        run = subprocess.run([LATSCH, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+        self.assertEqual(run.returncode, code, f"latsch {' '.join(map(str, arguments))}\n{run.stdout}{run.stderr}")
+        return run.stdout + run.stderr
+
+    def new(self, *arguments):
+        """The study of a coarse tire; the mesh it has otherwise was built on the way."""
+        name = arguments[-1].replace("/", "_")
+        self.latsch("new", self.folder / name, "--coarse", *arguments)
+        return self.folder / name / "study.toml"
+
+    def test_every_tire_that_is_shipped_and_drawn_sizes_pass_their_own_check(self):
+        self.assertGreaterEqual(len(SHIPPED), 4)
+        for arguments in [("--tire", name) for name in SHIPPED] + [("--size", size) for size in drawn_sizes(12)]:
+            with self.subTest(arguments):
+                text = self.latsch("check", self.new(*arguments))
+                self.assertIn("Everything is in order", text)
+                self.assertNotIn("warning", text)
+
+    def test_a_tire_gets_its_own_data(self):
+        study = self.new("--tire", "race_16x7.5-10")
+        self.assertIn('"83 kPa"', study.read_text())
+        deepest = float((study.parent / "stiffness.csv").read_text().splitlines()[-1].split(",")[0])
+        self.assertLess(deepest, 25e-3 if deepest < 1 else 25)
+
+    def test_fits_end_inside_their_bounds_at_a_small_target(self):
+        for arguments in (("--size", "275/35R19"), ("--tire", "race_16x7.5-10"), ("--tire", "passenger_205_55R16")):
+            with self.subTest(arguments):
+                study = self.new(*arguments)
+                text = study.read_text()
+                study.write_text(text.replace("[run]", "[run]\nintervals = false").replace("0.005", "0.02"))
+                found = json.loads(subprocess.run([LATSCH, "run", study, "--json"], capture_output=True, text=True,
+                                                  timeout=300).stdout)["result"]
+                bounds = {v["name"]: v for v in json.loads(subprocess.run(
+                    [LATSCH, "check", study, "--json"], capture_output=True, text=True).stdout)["result"]["variables"]}
+                self.assertLess(found["target"], 0.01)
+                for variable in found["variables"]:
+                    limits = bounds[variable["name"]]
+                    self.assertEqual(variable["unit"], limits["unit"])
+                    self.assertGreater(variable["value"], 1.05 * limits["lower"], variable)
+                    self.assertLess(variable["value"], 0.95 * limits["upper"], variable)
+
+    def test_the_size_is_the_tires(self):
+        tire = (self.new("--size", "275/35R19").parent / "tire.toml").read_text()
+        self.assertIn('size = "275/35R19"', tire)
+        self.assertIn("9.5 inches wide", tire)  # the measuring rim of that size
+        self.assertNotIn("# A 205/55R16", tire)
+
+    def test_a_folder_that_cannot_be_made_is_named(self):
+        (self.folder / "file").write_text("no folder")
+        said = self.latsch("new", self.folder / "file" / "x", "--size", "275/35R19", code=WRONG_INPUT)
+        self.assertIn(f"{self.folder}/file/x: cannot be created or changed: Not a directory", said)
+
+    def test_sizes_that_make_no_tire(self):
+        for size, said in (("275", "expected a size such as"), ("325/80R13", "there is no template near it"),
+                           ("205/15R16", "there is no template near it"), ("13x2-10", "there is no template near it")):
+            self.assertIn(said, self.latsch("new", self.folder / "x", "--size", size, code=WRONG_INPUT))
+            self.assertFalse((self.folder / "x").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

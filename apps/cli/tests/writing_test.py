@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""What an option that names a file to write does to what stands there: a pipe, a link, a full device.
+
+    writing_test.py PATH/TO/latsch
+"""
+import os
+import pathlib
+import shutil
+import stat
+import subprocess
+import tempfile
+import threading
+import unittest
+
+from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT
+
+STUDIES = pathlib.Path(__file__).resolve().parents[3] / "studies"
+
+
+class Writing(unittest.TestCase):
+    """The same for every verb that writes."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_cli_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        points = self.write("points.csv", "x [m],y [mm]\n0,0\n1,250\n")
+        ring = STUDIES / "ring_tires" / "passenger_205_55R16.toml"
+        tire = STUDIES / "tires" / "passenger_205_55R16.toml"
+        road = self.write("road.toml", 'kind = "cleat"\nheight = "20 mm"\nlength = "50 mm"\nplace = "1 m"\n')
+        self.verbs = [("road", road, points, "--output"), ("show", points, "--html"),
+                      ("footprint", ring, "--load", "2 kN", "-o"), ("footprint", ring, "--load", "2 kN", "--html"),
+                      ("footprint", ring, "--load", "2 kN", "--elements"), ("export", tire, "--tire"),
+                      ("export", tire, "--ccx")]
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text)
+        return self.folder / name
+
+    def latsch(self, *arguments, code=DONE):
+        run = subprocess.run([LATSCH, *map(str, arguments)], capture_output=True, text=True, timeout=60)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return run.stdout + run.stderr
+
+    def texts(self):
+        """Of every verb what it writes to a file of its own."""
+        for number, verb in enumerate(self.verbs):
+            file = self.folder / f"plain{number}"
+            self.latsch(*verb, file)
+            self.assertGreater(file.stat().st_size, 20, verb)
+            yield verb, file.read_bytes()
+
+    def test_a_pipe_and_a_link_stay_and_get_the_same_text(self):
+        pipe, link, target = self.folder / "pipe", self.folder / "link", self.folder / "target"
+        os.mkfifo(pipe)
+        link.symlink_to("target")
+        for verb, text in self.texts():
+            read = []
+            reader = threading.Thread(target=lambda: read.append(pipe.read_bytes()))
+            reader.start()
+            self.latsch(*verb, pipe)
+            reader.join(timeout=10)
+            self.assertEqual(read, [text], verb)
+            self.assertTrue(stat.S_ISFIFO(pipe.lstat().st_mode), verb)
+            self.latsch(*verb, link)
+            self.assertEqual(os.readlink(link), "target", verb)
+            self.assertEqual(target.read_bytes(), text, verb)
+            target.unlink()
+
+    def test_a_full_device_is_reported_and_stays(self):
+        full = self.folder / "full"
+        try:
+            os.mknod(full, stat.S_IFCHR | 0o666, os.makedev(1, 7))  # as /dev/full, which no test may endanger
+            os.close(os.open(full, os.O_WRONLY))  # some systems let nobody use it here
+        except OSError as error:
+            self.skipTest(f"devices cannot be made here: {error}")
+        self.assertIn(f"{full}: the log cannot be written", self.latsch(*self.verbs[0][:3], "--log", full))
+        with full.open("w") as output:
+            for verb in (self.verbs[0][:3], (*self.verbs[0][:3], "--json")):
+                run = subprocess.run([LATSCH, *map(str, verb)], stdout=output, stderr=subprocess.PIPE, text=True)
+                self.assertIn("the standard output cannot be written: No space left on device", run.stderr)
+                self.assertEqual(run.returncode, FAILED, verb)
+        for verb in self.verbs:
+            self.assertIn("No space left on device", self.latsch(*verb, full, code=WRONG_INPUT), verb)
+            self.assertTrue(stat.S_ISCHR(full.lstat().st_mode), verb)
+
+
+if __name__ == "__main__":
+    unittest.main()

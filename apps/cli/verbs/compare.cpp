@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch compare: tires of several kinds through the same drum tests, beside what was measured.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/file.h"
+#include "cli/console/console.h"
+#include "cli/verbs/verbs.h"
+#include "correlation/comparison/comparison_page.h"
+#include "correlation/comparison/tire_comparison.h"
+#include "formats/tables/csv_table.h"
+
+namespace latsch::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using correlation::ComparisonFile;
+using correlation::TireComparison;
+
+/// What the specimen shows, as tables a study can be fitted to.
+void write_measurements(const ComparisonFile& file, const fs::path& folder) {
+  if (!file.specimen)
+    throw InputError({file.file.string(), 0}, "has no [specimen] to write measurements from");
+  fs::create_directories(folder);
+  for (std::size_t t = 0; t < file.tests.size(); ++t) {
+    const Channels all = correlation::measure(*file.specimen, file.tests[t], t);
+    Channels kept;
+    kept.add({"time", "s", all["time"]});
+    for (const std::string& channel : file.channels) {
+      std::vector<double> rounded = all[channel];  // to a tenth: what a rig resolves
+      for (double& value : rounded) value = std::round(10.0 * value) / 10.0;
+      kept.add({channel, all.find(channel)->unit, std::move(rounded)});
+    }
+    const fs::path to = folder / (file.tests[t].name + ".csv");
+    write_text_file(to, formats::csv_text(kept));
+    say_written(to.string());
+  }
+}
+
+void compare(const std::string& name, const std::string& measurements, std::string output) {
+  const ComparisonFile file = correlation::read_comparison_file(name);
+  if (!measurements.empty()) return write_measurements(file, measurements);
+  TireComparison comparison;
+  {
+    RunningNote progress;
+    long done = 0;
+    comparison = correlation::compare_tires(file, [&](const std::string& test) {
+      progress.update(done++, static_cast<long>(file.tests.size()), test);
+    });
+  }
+  if (output.empty()) output = fs::path(name).replace_extension(".html").string();
+  write_text_file(output, comparison_page(file, comparison));
+  say("{}\n\n", file.title);
+  for (std::size_t t = 0; t < file.tires.size(); ++t) {
+    const auto& of_tire = comparison.tires[t];
+    answer()["tires"].push_back({{"name", file.tires[t].name},
+                                 {"channels", file.channels},
+                                 {"time_error", of_tire.time_error},
+                                 {"psd_error", of_tire.psd_error},
+                                 {"cpu_over_time", of_tire.cpu_over_time}});
+  }
+  answer()["verdicts"] = verdicts(file, comparison);
+  answer()["report"] = output;
+  for (const std::string& sentence : verdicts(file, comparison)) say("{}\n", sentence);
+  say("\nReport: {}\n", output);
+}
+
+}  // namespace
+
+void add_compare(CommandLine& app, int&) {
+  Verb verb = app.add_subcommand(
+      "compare", "Several tires over the same cleats, beside what was measured: what each can do");
+  verb.footer(
+      "COMPARISON is a TOML file such as\n"
+      "  channels = [\"Fx\", \"Fz\"]\n"
+      "  [test.slow]\n"
+      "  file = \"slow.toml\"                  a drum test, as latsch drum reads it\n"
+      "  measurement = \"slow_measured.csv\"   columns time and the channels; or [specimen], a "
+      "tire\n"
+      "  [tire.rigid_ring]                   as many as there are\n"
+      "  kind = \"rigid_ring\"                 ring_tire, rigid_ring, magic_formula\n"
+      "  file = \"rigid_ring.tir\"\n\n"
+      "Examples:\n  latsch compare studies/tire_model_comparison/comparison.toml\n"
+      "  latsch compare comparison.toml --write-measurements measured\n"
+      "      what the specimen shows, as tables to fit a tire to");
+  auto file = std::make_shared<std::string>();
+  auto measurements = std::make_shared<std::string>();
+  auto output = std::make_shared<std::string>();
+  verb.add_option("comparison", *file, "Comparison file (TOML)").required();
+  verb.add_option("-o,--output", *output, "Page to write (HTML); beside the file unless given");
+  verb.add_option("--write-measurements",
+                  *measurements,
+                  "Write what the specimen shows in every test into this folder, and end");
+  verb.callback([=] { compare(*file, *measurements, *output); });
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch doe: a design of experiments over the worker processes, all channels kept in the journal.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "cli/console/answers.h"
+#include "cli/console/console.h"
+#include "cli/console/implausible.h"
+#include "cli/console/tables.h"
+#include "cli/run/interrupt.h"
+#include "cli/run/trials.h"
+#include "cli/run/workers.h"
+#include "cli/verbs/verbs.h"
+#include "correlation/analysis/doe_basins.h"
+#include "correlation/analysis/doe_effects.h"
+#include "correlation/target/best_trial.h"
+#include "evaluation/schedule/retried_failures.h"
+
+namespace latsch::cli {
+namespace {
+
+using correlation::RatedTrial;
+using correlation::Study;
+using correlation::StudyDesign;
+
+constexpr size_t kShownPoints = 5;
+
+/// The study's design, or a grid of so many levels of every variable.
+StudyDesign design_of(const Study& study, int levels) {
+  if (levels > 0) return {.levels = std::vector<int>(study.space.size(), levels)};
+  if (study.doe) return *study.doe;
+  throw InputError(study.file.string() +
+                   " has no [doe]; add one with levels = 5, or say "
+                   "--levels 5");
+}
+
+using Targets = std::map<std::string, double>;  // by the bits of the point, where it succeeded
+
+Targets targets_of(const Study& study, const Journal& journal) {
+  Targets targets;
+  for (const RatedTrial& trial : correlation::rated_trials(study, journal)) {
+    targets.emplace(trial.point.bits(), trial.target);
+  }
+  return targets;
+}
+
+/// The points of the plan that gave a target, least first.
+std::vector<RatedTrial> rated(const SamplingPlan& plan, const Targets& targets) {
+  std::vector<RatedTrial> points;
+  for (const DesignPoint& point : plan.points) {
+    const auto target = targets.find(point.bits());
+    if (target != targets.end()) points.push_back({point, target->second});
+  }
+  std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
+    return a.target < b.target;
+  });
+  return points;
+}
+
+void print_basins(const Study& study, const StudyDesign& design, const Journal& journal) {
+  const auto found =
+      correlation::doe_basins(study, design, correlation::rated_trials(study, journal));
+  if (!found) return;
+  say("\n{} minim{} among the points:\n",
+      found->basins.size(),
+      found->basins.size() == 1 ? "um" : "a");
+  for (const auto& basin : found->basins)
+    answer()["minima"].push_back({{"target", basin.target},
+                                  {"points", basin.points},
+                                  {"variables", answer_of(study.space, basin.lowest)}});
+  for (size_t k = 0; k < std::min(kShownPoints, found->basins.size()); ++k) {
+    say("target {:.4f} %, {} points lead there\n",
+        found->basins[k].target * 100.0,
+        found->basins[k].points);
+    print_point(study.space, found->basins[k].lowest);
+  }
+  if (!found->doubt.empty()) say("Too coarse to trust: {}.\n", found->doubt);
+}
+
+void print_effects(const Study& study, const StudyDesign& design, const Journal& journal) {
+  const auto effects =
+      correlation::doe_effects(study, design, correlation::rated_trials(study, journal));
+  if (effects.empty()) return;
+  say("\nMorris' elementary effects: change of the target over a variable's whole range, "
+      "in points of %\n  {:<16} {:>10} {:>10} {:>10} {:>8}\n",
+      "variable",
+      "mu*",
+      "mu",
+      "sigma",
+      "effects");
+  for (int i = 0; i < study.space.size(); ++i) {
+    answer()["effects"].push_back({{"name", study.space[i].name},
+                                   {"mu_star", effects[i].mu_star},
+                                   {"mu", effects[i].mu},
+                                   {"sigma", effects[i].sigma},
+                                   {"effects", effects[i].effects}});
+    say("  {:<16} {:10.3f} {:10.3f} {:10.3f} {:8}\n",
+        study.space[i].name,
+        100.0 * effects[i].mu_star,
+        100.0 * effects[i].mu,
+        100.0 * effects[i].sigma,
+        effects[i].effects);
+  }
+}
+
+std::optional<Trial> first_failure(const Journal& journal) {
+  std::optional<Trial> first;
+  journal.for_each([&](const Trial& trial) {
+    if (!first && !trial.outcome.result) first = trial;
+  });
+  return first;
+}
+
+/// What answers an optimizer in the place of a failure has no meaning here.
+void print_policy_of_designs(const FailurePolicy& policy) {
+  using Then = FailurePolicy::Then;
+  if (policy.then != Then::recover && policy.then != Then::continuation) return;
+  say("on_failure = \"{}\" is an answer to an optimizer; in a design a failed point just "
+      "stays failed\n",
+      policy.then == Then::recover ? "recover" : "continuation");
+}
+
+int doe(const std::string& file, int levels, int workers, bool retries_failed) {
+  Study study = correlation::read_study(file);
+  if (workers > 0) study.run.workers = workers;
+  const StudyDesign design = design_of(study, levels);
+  const SamplingPlan plan = correlation::plan(design, study.space);
+  Workers workers_of_study(study);
+  if (workers_of_study.served(study)) return kDone;
+  reject_implausible(study);
+  Journal journal = open_for_trials(study, retries_failed);
+  say_kind_of_journal(study);
+  say("{}, {} points; {} finished trials in {}\n",
+      design.name(),
+      plan.points.size(),
+      journal.size(),
+      study.run.journal.string());
+  print_policy_of_designs(study.run.on_failure);
+
+  catch_interrupts();
+  const TrialsRun trials(workers_of_study, study);
+  Executor& executor = workers_of_study.start(study);
+  TrialsThatCount counting(journal);
+  const RunEnd end = run_doe(plan, executor, counting, run_options(study, /*length_known=*/true));
+  if (end == RunEnd::stopped) {
+    say("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
+    return kFailed;
+  }
+  if (end == RunEnd::aborted) {
+    if (const auto trial = first_failure(journal)) {
+      print_aborted(study, trial->point, trial->outcome.result.failure());
+    }
+    return kFailed;
+  }
+  const auto points = rated(plan, targets_of(study, journal));
+  if (points.empty()) {
+    const auto trial = first_failure(journal);
+    print_no_success(
+        study,
+        journal,
+        trial ? trial->outcome.result.failure().reason : "its channels give no target");
+    return kFailed;
+  }
+  answer()["design"] = design.name();
+  for (const RatedTrial& trial : points)
+    answer()["points"].push_back(
+        {{"target", trial.target}, {"variables", answer_of(study.space, trial.point)}});
+  say("\n{} of {} points succeeded; the best:\n", points.size(), plan.points.size());
+  for (size_t i = 0; i < std::min(kShownPoints, points.size()); ++i) {
+    say("target {:.4f} %\n", points[i].target * 100.0);
+    print_point(study.space, points[i].point);
+  }
+  print_basins(study, design, journal);
+  print_effects(study, design, journal);
+  workers_of_study.end();
+  return write_report(study, journal);
+}
+
+}  // namespace
+
+void add_doe(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand(
+      "doe", "Evaluates a design of experiments: sees local minima, chooses where to start");
+  verb.footer(
+      "Example:\n  latsch doe studies/tire_b_twin/study.toml --levels 5 --workers 2\n\n"
+      "[doe] in the study names the design: full_factorial, latin_hypercube, sobol or morris.\n"
+      "A later `latsch run` of the same study reuses what the design evaluated.");
+  auto file = std::make_shared<std::string>();
+  auto levels = std::make_shared<int>(0);
+  auto workers = std::make_shared<int>(0);
+  verb.add_option("study", *file, "Study file (TOML)").required();
+  verb.add_option("--levels",
+                  *levels,
+                  "A grid of so many values of every variable, instead of the study's [doe]")
+      .between(2, 1000);
+  verb.add_option("--workers", *workers, "Worker processes, instead of the study's")
+      .between(1, 1024);
+  auto retries_failed = std::make_shared<bool>(false);
+  verb.add_flag("--retry-failed",
+                *retries_failed,
+                "Tries the points that failed so far again, once their cause is mended");
+  verb.callback([=, &exit_code] { exit_code = doe(*file, *levels, *workers, *retries_failed); });
+}
+
+}  // namespace latsch::cli

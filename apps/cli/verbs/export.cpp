@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch export: the tire for other programs, the identified tire, and measurements written from
+// the model itself.
+#include <fmt/format.h>
+
+#include "base/file.h"
+#include "cli/console/console.h"
+#include "cli/console/parsed.h"
+#include "cli/templates/tire_source.h"
+#include "cli/verbs/verbs.h"
+#include "correlation/target/twin.h"
+#include "formats/mesh/ccx_deck.h"
+#include "formats/mesh/vtu_file.h"
+#include "models/fe_tire/description/tire_description.h"
+#include "models/fe_tire/ring/fe_tire.h"
+
+namespace latsch::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using fe_tire::TireDescription;
+
+constexpr int kLoadSteps = 5;
+
+struct ExportOptions {
+  std::string file, vtu, ccx, tire, pressure, deflection;
+  int modes = 0;
+  bool measurements = false;
+};
+
+struct State {
+  double pressure = 0.0;
+  double deflection = 0.0;  // 0: not on the ground
+};
+
+State state_of(const ExportOptions& options, const TireDescription& tire) {
+  State state;
+  state.pressure =
+      options.pressure.empty() ? tire.pressure : parse_option("--pressure", options.pressure, "Pa");
+  if (!options.deflection.empty()) {
+    state.deflection = parse_option("--deflection", options.deflection, "m");
+  }
+  return state;
+}
+
+/// The value, or the end of the verb with the reason.
+template <class T>
+T required(Result<T> result) {
+  if (!result) throw std::runtime_error(result.failure().reason);
+  return std::move(*result);
+}
+
+void add_modes(std::vector<formats::VtuField>& fields, const std::vector<fe_tire::Mode>& modes) {
+  for (size_t i = 0; i < modes.size(); ++i) {
+    fields.push_back(
+        {fmt::format("mode {} {} {:.2f} Hz", i + 1, modes[i].label(), modes[i].frequency),
+         modes[i].shape});
+  }
+}
+
+/// Beside the tire's file, where that is one: a device has no place beside it.
+void write_patch(const fs::path& tire, const fe_tire::LoadPoint& point) {
+  if (fs::exists(tire) && !fs::is_regular_file(tire)) return;
+  const fs::path patch = fs::path(tire).replace_extension(".patch.vtu");
+  formats::write_patch_vtu(patch, point);
+  say_written(patch.string());
+}
+
+void write_vtu(const ExportOptions& options, const TireDescription& tire) {
+  const State state = state_of(options, tire);
+  fe_tire::SolverSettings settings;
+  settings.element = tire.element;
+  fe_tire::FeTire model(fe_tire::build_mesh(tire), fe_tire::build_materials(tire), settings);
+  const auto inflated = required(model.inflate(state.pressure));
+  std::vector<formats::VtuField> fields = {{"inflation", inflated.u}};
+  if (state.deflection == 0.0) {
+    if (options.modes > 0) add_modes(fields, required(model.modes(inflated, options.modes)));
+  } else {
+    std::vector<double> steps;
+    for (int i = 1; i <= kLoadSteps; ++i) steps.push_back(state.deflection * i / kLoadSteps);
+    const auto loaded = required(model.load(inflated, steps, fe_tire::Ground{}));
+    fields.push_back({"displacement", loaded.u});
+    if (options.modes > 0) add_modes(fields, required(model.modes(loaded, options.modes)));
+    write_patch(options.vtu, loaded.curve.back());
+  }
+  formats::write_tire_vtu(options.vtu, model.mesh(), fields);
+  say_written(options.vtu);
+}
+
+void write_ccx(const ExportOptions& options, TireDescription tire) {
+  const State state = state_of(options, tire);
+  if (tire.cord_model == fe_tire::CordModel::rebar) {
+    say("CalculiX has no rebars: the deck carries the cords smeared over their elements\n");
+    tire.cord_model = fe_tire::CordModel::smeared;
+  }
+  const auto mesh = fe_tire::build_mesh(tire);
+  const auto materials = fe_tire::build_materials(tire);
+  formats::CcxRun run;
+  run.title = tire.name;
+  run.pressure = state.pressure;
+  if (options.modes > 0) run.modes = options.modes;
+  if (state.deflection > 0.0) {
+    fe_tire::SolverSettings settings;
+    settings.element = fe_tire::ElementKind::full_integration;
+    const auto inflated =
+        required(fe_tire::FeTire(mesh, materials, settings).inflate(state.pressure));
+    run.ground = formats::CcxGround{inflated.radius, state.deflection};
+  }
+  formats::write_ccx_deck(fs::path(options.ccx), mesh, materials, run);
+  say("wrote {}; run it with: ccx {}\n",
+      options.ccx,
+      fs::path(options.ccx).replace_extension().string());
+}
+
+void write_tire_file(const ExportOptions& options, const std::string& text) {
+  write_text_file(options.tire, text);
+  say_written(options.tire);
+}
+
+void write_measurements(const std::string& file) {
+  const auto study = correlation::read_study(file, correlation::Measurements::not_yet);
+  if (!study.has_fe_tire()) {
+    throw InputError({file, 0}, "has no tire of finite elements: only of one a twin is written");
+  }
+  for (const auto& path : required(correlation::write_twin(study))) {
+    say_written(path.string());
+  }
+}
+
+bool is_rolling_study(const std::string& file) {
+  const Document document = Document::read(file);
+  return document.root().has("model") && document.root().has("test");
+}
+
+void export_files(const ExportOptions& options) {
+  if (options.measurements) return write_measurements(options.file);
+  if (options.vtu.empty() && options.ccx.empty() && options.tire.empty()) {
+    throw InputError("export: say what to write: --vtu, --ccx, --tire or --measurements");
+  }
+  if (is_rolling_study(options.file)) {
+    if (!options.vtu.empty() || !options.ccx.empty())
+      throw InputError({options.file, 0}, "has a tire without a mesh, expected --tire alone");
+    const auto study = correlation::read_study(options.file);
+    return write_tire_file(options, study.rolling->kind->text(model_of(study)));
+  }
+  const Document model = tire_source(options.file);
+  const TireDescription tire = fe_tire::read_tire(model.root());
+  if (!options.vtu.empty()) write_vtu(options, tire);
+  if (!options.ccx.empty()) write_ccx(options, tire);
+  if (!options.tire.empty()) write_tire_file(options, model.text());
+}
+
+}  // namespace
+
+void add_export(CommandLine& app, int&) {
+  Verb verb = app.add_subcommand(
+      "export",
+      "Writes the tire for ParaView or CalculiX, the identified tire, or a twin's measurements");
+  verb.footer(
+      "A study file stands for its best point so far, or for the initial values where nothing has "
+      "run.\n\n"
+      "Examples:\n"
+      "  latsch export studies/tires/passenger_225_50R16.toml --vtu tire.vtu --deflection \"25 "
+      "mm\" --modes 6\n"
+      "  latsch export studies/tires/passenger_225_50R16.toml --ccx tire.inp --deflection \"25 "
+      "mm\"\n"
+      "  latsch export studies/tire_b_twin/study.toml --tire identified.toml\n"
+      "  latsch export studies/tire_b_twin/study.toml --measurements\n"
+      "      what the laboratory would have measured on the model as its file describes it");
+  auto options = std::make_shared<ExportOptions>();
+  verb.add_option("file", options->file, "Tire file or study file (TOML)").required();
+  verb.add_option("--vtu", options->vtu, "ParaView file to write");
+  verb.add_option("--ccx", options->ccx, "CalculiX deck to write");
+  verb.add_option("--tire", options->tire, "Tire file to write, with the identified values");
+  verb.add_option("--pressure", options->pressure, "Inflation, the tire's own unless given");
+  verb.add_option("--deflection", options->deflection, "Presses the tire on the ground");
+  verb.add_option("--modes", options->modes, "Lowest modes").between(0, 200);
+  verb.add_flag("--measurements",
+                options->measurements,
+                "Write the study's measurement files from the model itself: a twin");
+  verb.callback([=] { export_files(*options); });
+}
+
+}  // namespace latsch::cli

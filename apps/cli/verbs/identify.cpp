@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch identify: what the measurements determine around the best trial of a journal.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/console/answers.h"
+#include "cli/console/console.h"
+#include "cli/console/identifiability_text.h"
+#include "cli/run/interrupt.h"
+#include "cli/run/trials.h"
+#include "cli/run/workers.h"
+#include "cli/verbs/verbs.h"
+#include "correlation/target/best_trial.h"
+#include "correlation/target/predictions.h"
+
+namespace latsch::cli {
+namespace {
+
+using correlation::Study;
+
+/// The best point, or the one close to it around which an earlier analysis began: its own trials
+/// may have found a slightly better one since.
+DesignPoint start(const Study& study, const Journal& journal, const DesignPoint& best) {
+  constexpr double kClose = 0.02;  // of the range of every variable
+  const auto recorded = correlation::recorded_identifiability(study, journal);
+  if (!recorded) return best;
+  const auto u = study.space.to_unit(best), v = study.space.to_unit(recorded->point);
+  const auto close = [](double a, double b) { return std::abs(a - b) <= kClose; };
+  return std::equal(u.begin(), u.end(), v.begin(), close) ? recorded->point : best;
+}
+
+/// What an experiment that is only predicted so far would tell, were it measured; false where that
+/// was interrupted. Workers of this machine, also below mpirun: it is a trial a variable.
+bool rank_predictions(const Study& study, const correlation::Identifiability& what) {
+  if (!correlation::has_predictions(study)) return true;
+  const auto points = correlation::prediction_points(study, what);
+  ProcessOptions options = worker_processes(study);
+  options.arguments.emplace_back("--predictions");
+  ProcessExecutor executor(options);
+  if (!correlation::predict(
+          study, points, executor, counting_options(study, "trials with the predictions"))) {
+    return false;
+  }
+  const auto channels = correlation::predicted_channels(study, points);
+  if (!channels) {
+    say("\nThe predicted experiments fail beside the best point; their gain is not known\n");
+    return true;
+  }
+  print_gains(study,
+              "What would tell more: experiments that are only predicted, were they measured",
+              correlation::prediction_gains(study, what, *channels));
+  return true;
+}
+
+int identify(const std::string& file, int workers, bool profiles) {
+  Study study = correlation::read_study(file);
+  if (workers > 0) study.run.workers = workers;
+  if (!std::filesystem::exists(study.run.journal)) {
+    throw InputError(study.run.journal.string() +
+                     " does not exist: there is nothing to analyze; start with latsch run");
+  }
+  Workers workers_of_study(study);
+  if (workers_of_study.served(study)) return kDone;
+  Journal journal = Journal::open(study.run.journal, correlation::identity(study));
+  say_kind_of_journal(study);
+  const auto best = correlation::best_trial(study, journal);
+  if (!best) {
+    complain("no trial in " + study.run.journal.string() + " succeeded");
+    return kFailed;
+  }
+  const DesignPoint point = start(study, journal, best->point);
+  catch_interrupts();
+  const TrialsRun trials(workers_of_study, study);
+  Executor& executor = workers_of_study.start(study);
+  const auto result =
+      correlation::identify(study,
+                            point,
+                            profiles ? correlation::Depth::profiles : correlation::Depth::intervals,
+                            executor,
+                            journal,
+                            counting_options(study, "trials around the best one"));
+  if (!result) {
+    say("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
+    return kFailed;
+  }
+  if (!*result) {
+    complain(result->failure().reason);
+    return kFailed;
+  }
+  answer()["variables"] = answer_of(study, **result);
+  for (const Profile& profile : (*result)->identification.profiles())
+    answer()["variables"][profile.variable]["verdict"] = in_words(profile);
+  if (const auto now = correlation::best_trial(study, journal); now->point != best->point) {
+    answer()["target"] = now->target;
+    say("\nA better point was found: target {:.4f} % instead of {:.4f} %. Values, report and "
+        "latsch "
+        "export are of it from now on.\n",
+        100.0 * now->target,
+        100.0 * best->target);
+  }
+  say("\nValues and their confidence intervals, from {} measured values\n",
+      (*result)->identification.residuals_used().size());
+  print_intervals(study, **result);
+  print_identifiability(study, **result);
+  workers_of_study.end();
+  if (profiles && !rank_predictions(study, **result)) {
+    say("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
+    return kFailed;
+  }
+  return write_report(study, journal);
+}
+
+}  // namespace
+
+void add_identify(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand("identify",
+                                 "Says which variables the measurements determine, and how well");
+  verb.footer(
+      "Example:\n  latsch identify studies/tire_b_twin/study.toml --workers 2\n\n"
+      "Starts at the best trial of the journal, holds each variable at other values and fits the "
+      "others\nanew. That takes some dozens of trials a variable; they stay in the journal.");
+  auto file = std::make_shared<std::string>();
+  auto workers = std::make_shared<int>(0);
+  auto short_form = std::make_shared<bool>(false);
+  verb.add_option("study", *file, "Study file (TOML)").required();
+  verb.add_option("--workers", *workers, "Worker processes, instead of the study's")
+      .between(1, 1024);
+  verb.add_flag("--short", *short_form, "Intervals only, one more trial a variable");
+  verb.callback([=, &exit_code] { exit_code = identify(*file, *workers, !*short_form); });
+}
+
+}  // namespace latsch::cli

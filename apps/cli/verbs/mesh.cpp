@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch mesh: what the finite-element mesh of a tire looks like, and how far it is from the
+// converged tire.
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "base/units.h"
+#include "cli/console/console.h"
+#include "cli/console/parsed.h"
+#include "cli/templates/tire_source.h"
+#include "cli/verbs/verbs.h"
+#include "experiment/rigs/discretization.h"
+#include "formats/mesh/vtu_file.h"
+#include "models/fe_tire/description/tire_description.h"
+#include "models/fe_tire/ring/fe_tire.h"
+
+namespace latsch::cli {
+namespace {
+
+using fe_tire::TireDescription;
+
+struct MeshOptions {
+  std::string file, vtu, deflection;
+  int refinement = 1;
+  int modes = 20;
+  int finest = 4;
+  bool convergence = false;
+};
+
+void print_counts(const TireDescription& tire, const fe_tire::Mesh& mesh, double mass) {
+  std::map<int, int> elements_of_region;
+  size_t rebars = 0;
+  for (const fe_tire::Element& element : mesh.elements) {
+    elements_of_region[element.region] += mesh.sectors;
+    rebars += element.rebars.size() * static_cast<size_t>(mesh.sectors);
+  }
+  answer() = {{"name", tire.name},
+              {"size", tire.size},
+              {"elements", mesh.element_count()},
+              {"sectors", mesh.sectors},
+              {"nodes", mesh.nodes()},
+              {"free_degrees_of_freedom", mesh.free_dofs()},
+              {"outer_radius_m", mesh.outer_radius()},
+              {"mass_kg", mass}};
+  const auto line = [](const std::string& what, const std::string& value) {
+    say("  {:<28} {}\n", what, value);
+  };
+  say("{}, {}\n", tire.name, tire.size);
+  line("elements (HEX8)", std::to_string(mesh.element_count()));
+  line("sectors", std::to_string(mesh.sectors));
+  line("nodes", std::to_string(mesh.nodes()));
+  line("free degrees of freedom", std::to_string(mesh.free_dofs()));
+  line("cord layers in elements", std::to_string(rebars));
+  line("outer radius, not inflated", format_quantity(mesh.outer_radius(), "mm", 5));
+  line("mass, bead to bead", format_quantity(mass, "kg", 4));
+  for (const auto& [region, count] : elements_of_region) {
+    line("elements of " + mesh.region_names[region], std::to_string(count));
+  }
+}
+
+void print_rows(const std::string& title, const std::vector<DiscretizationRow>& rows) {
+  if (rows.empty()) return;
+  for (const DiscretizationRow& row : rows)
+    answer()["convergence"].push_back({{"state", title},
+                                       {"name", row.name},
+                                       {"unit", row.unit},
+                                       {"values", row.values},
+                                       {"converged", row.converged},
+                                       {"order", row.order},
+                                       {"error", row.error()}});
+  say("\n{:<24}", title);
+  for (size_t i = 0; i < rows.front().values.size(); ++i) {
+    say(" {:>10}", fmt::format("mesh {}", i + 1));
+  }
+  say(" {:>11} {:>6} {:>14}\n", "converged", "order", "error of mesh 1");
+  for (const DiscretizationRow& row : rows) {
+    say("{:<24}", fmt::format("{} [{}]", row.name, row.unit));
+    for (double value : row.values) say(" {:>10.5g}", value);
+    say(" {:>11.5g} {:>6.2f} {:>13.2f} %\n", row.converged, row.order, 100.0 * row.error());
+  }
+}
+
+int print_convergence(const TireDescription& tire, const MeshOptions& options) {
+  DiscretizationSettings settings;
+  settings.element = tire.element;
+  settings.pressure = tire.pressure;
+  settings.modes = options.modes;
+  settings.refinements.resize(options.finest);
+  std::iota(settings.refinements.begin(), settings.refinements.end(), 1);
+  if (!options.deflection.empty()) {
+    settings.deflection = parse_option("--deflection", options.deflection, "m");
+  }
+  RunningNote note;
+  long done = 0;
+  const auto study = study_discretization(
+      tire, settings, [&](const std::string& mesh) { note.update(done++, 0, mesh); });
+  if (!study) {
+    complain(study.failure().reason);
+    return kFailed;
+  }
+  print_rows("Inflated", study->unloaded);
+  print_rows("On the ground", study->loaded);
+  return kDone;
+}
+
+int mesh(const MeshOptions& options) {
+  const TireDescription tire = fe_tire::read_tire(tire_source(options.file).root());
+  const fe_tire::Mesh mesh = fe_tire::build_mesh(tire, options.refinement);
+  fe_tire::check(mesh);
+  print_counts(tire, mesh, fe_tire::FeTire(mesh, fe_tire::build_materials(tire)).total_mass());
+  if (!options.vtu.empty()) {
+    formats::write_tire_vtu(std::filesystem::path(options.vtu), mesh, {});
+    say_written(options.vtu);
+  }
+  return options.convergence ? print_convergence(tire, options) : kDone;
+}
+
+}  // namespace
+
+void add_mesh(CommandLine& app, int& exit_code) {
+  Verb verb =
+      app.add_subcommand("mesh", "Meshes a tire: counts, mass, how far it is from converged");
+  verb.footer(
+      "Examples:\n"
+      "  latsch mesh studies/tires/passenger_225_50R16.toml --vtu mesh.vtu\n"
+      "  latsch mesh studies/tires/passenger_225_50R16.toml --convergence --deflection \"25 mm\"\n"
+      "      the same tire on finer meshes, extrapolated: the error a fit would hide in the "
+      "moduli");
+  auto options = std::make_shared<MeshOptions>();
+  verb.add_option("file", options->file, "Tire file or study file (TOML)").required();
+  verb.add_option("--refinement", options->refinement, "Splits every element so often each way")
+      .between(1, 8);
+  verb.add_option("--vtu", options->vtu, "ParaView file to write");
+  verb.add_flag("--convergence", options->convergence, "Compares with refined meshes");
+  verb.add_option(
+      "--deflection", options->deflection, "Also pressed on the ground, for --convergence");
+  verb.add_option("--finest",
+                  options->finest,
+                  "Compares with meshes refined 2 to so many times, for --convergence")
+      .between(3, 8);
+  verb.add_option("--modes", options->modes, "Modes to compare, for --convergence").between(1, 100);
+  verb.callback([=, &exit_code] { exit_code = mesh(*options); });
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch new: writes a study to start from. Its measurements are an example, computed from the tire
+// itself with other moduli than the study starts at, rounded and with the scatter of a rig, so that
+// the first run ends as a good one does.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/random.h"
+#include "base/units.h"
+#include "cli/console/console.h"
+#include "cli/templates/sized_tire.h"
+#include "cli/templates/study_template.h"
+#include "cli/verbs/verbs.h"
+#include "correlation/study/study.h"
+#include "correlation/study/variables.h"
+#include "correlation/target/twin.h"
+#include "formats/tables/measurement_file.h"
+
+namespace latsch::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct NewOptions {
+  std::string folder, tire = "passenger_205_55R16", size;
+  bool coarse = false;
+};
+
+std::string_view text_of(const std::string& name) {
+  for (const TireTemplate& tire : tire_templates()) {
+    if (tire.name == name) return tire.text;
+  }
+  throw InputError("no tire " + name);  // the command line has checked the name
+}
+
+std::string tire_of(const NewOptions& options) {
+  const std::string text = options.size.empty()
+                               ? std::string(text_of(options.tire))
+                               : sized_tire(text_of(template_of(options.size)), options.size);
+  return options.coarse ? coarse_tire(text) : text;
+}
+
+void write(const fs::path& file, std::string_view text) {
+  write_text_file(file, text);
+  say_written(file.string());
+}
+
+/// "sidewall 6.25 N/mm^2, carcass 4.5 GPa": what the example's measurements are made of.
+std::string truth_in_words(const correlation::Study& study, const DesignPoint& truth) {
+  std::string text;
+  for (int i = 0; i < study.space.size(); ++i) {
+    const DesignVariable& variable = study.space[i];
+    text += fmt::format("{}{} {}",
+                        i > 0 ? ", " : "",
+                        variable.name,
+                        format_quantity(truth.values[i], variable.unit, 3));
+  }
+  return text;
+}
+
+/// As a rig gives them: with scatter, and no more digits than it resolves.
+void make_measured(const correlation::Study& study, const std::string& comment) {
+  constexpr double kScatter = 0.003;  // of a value
+  RandomStream chance(1, 0);
+  const auto measured = [&](double value, double parts) {
+    return std::round(value * (1.0 + kScatter * chance.normal()) * parts) / parts;
+  };
+  for (const auto& experiment : study.experiments) {
+    if (experiment.modal()) {
+      ModeTable table = formats::read_modes(experiment.measurement_file);
+      for (auto& mode : table.modes) mode.frequency = measured(mode.frequency, 20.0);
+      formats::write_modes(experiment.measurement_file, table, comment);
+    } else {
+      LoadDeflectionCurve curve = formats::read_load_deflection(experiment.measurement_file);
+      for (double& force : curve.force) force = measured(force, 1.0);
+      formats::write_load_deflection(experiment.measurement_file, curve, comment);
+    }
+  }
+}
+
+void write_example(const fs::path& file) {
+  auto study = correlation::read_study(file, correlation::Measurements::not_yet);
+  DesignPoint truth = study.space.initial();
+  const auto variables = starter_variables(study.model);
+  for (std::size_t i = 0; i < variables.size(); ++i) truth.values[i] = variables[i].example;
+  study.model = correlation::at(study.model, study.space, truth);
+  const auto written = correlation::write_twin(study);
+  if (!written) throw std::runtime_error(written.failure().reason);
+  make_measured(study,
+                "An example, not measured: this tire with " + truth_in_words(study, truth) +
+                    ", and 0.3 % scatter. Replace it by your measurement.");
+  for (const fs::path& table : *written) say_written(table.string());
+}
+
+void start_study(const NewOptions& options) {
+  const fs::path folder = options.folder, study = folder / "study.toml";
+  if (fs::exists(study)) {
+    throw InputError(Place{study.string(), 0}, "exists already; expected a new folder");
+  }
+  const Document tire = Document::parse(tire_of(options), (folder / "tire.toml").string());
+  const std::string text = study_template(tire);
+  fs::create_directories(folder);
+  write(folder / "tire.toml", tire.text());
+  write(study, text);
+  write_example(study);
+  say("\nReplace the example values of the .csv files by your measurements, then\n"
+      "  latsch check {0}\n  latsch run {0}\n",
+      study.string());
+}
+
+}  // namespace
+
+void add_new(CommandLine& app, int&) {
+  Verb verb =
+      app.add_subcommand("new", "Writes a study to start from: a tire, measurements, a study file");
+  verb.footer(
+      "Examples:\n  latsch new my_tire\n  latsch new my_tire --size 275/35R19\n"
+      "  latsch new race --tire race_16x7.5-10\n\n"
+      "The measurements are an example, computed from the tire with other moduli than the study\n"
+      "starts at: the first run ends at a target below 1 %. Put your own in their place.");
+  auto options = std::make_shared<NewOptions>();
+  std::vector<std::string> names;
+  for (const TireTemplate& known : tire_templates()) names.emplace_back(known.name);
+  verb.add_option("folder", options->folder, "Folder to write, created where missing").required();
+  verb.add_option("--tire", options->tire, "Tire to start from")
+      .one_of(names)
+      .capture_default_str();
+  verb.add_option(
+      "--size", options->size, "Of the tire, such as 275/35R19, drawn from the nearest");
+  verb.add_flag("--coarse",
+                options->coarse,
+                "Some hundred elements: a trial takes a fraction of a second, some percent off");
+  verb.callback([=] { start_study(*options); });
+}
+
+}  // namespace latsch::cli

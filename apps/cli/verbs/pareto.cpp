@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch pareto: two experiments against each other, from the trials in the journal.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/file.h"
+#include "cli/console/answers.h"
+#include "cli/console/console.h"
+#include "cli/console/tables.h"
+#include "cli/verbs/verbs.h"
+#include "correlation/analysis/pareto_front.h"
+
+namespace latsch::cli {
+namespace {
+
+int pareto(const std::string& file, const std::string& a, const std::string& b) {
+  const auto study = correlation::read_study(file);
+  const auto journal = Journal::read(study.run.journal, correlation::identity(study));
+  const auto found = correlation::pareto_front(study, journal, a, b);
+  say("{} trials in {}, none was run for this\n\nBest by the weights of the study: target {:.4f} "
+      "%\n",
+      found.front.size() + found.others.size(),
+      study.run.journal.string(),
+      100.0 * found.best.target);
+  print_values(study.space, found.best_values);
+  say("\nPareto front: no trial is better in both\n  {:>14} {:>14} {:>14}\n",
+      a + " %",
+      b + " %",
+      "target %");
+  for (const auto& trial : found.front) {
+    say("  {:>14.4f} {:>14.4f} {:>14.4f}{}\n",
+        100.0 * trial.a,
+        100.0 * trial.b,
+        100.0 * trial.target,
+        trial.point == found.best.point ? "  best" : "");
+  }
+  answer()["target"] = found.best.target;
+  answer()["variables"] = answer_of(study.space, found.best.point);
+  for (const auto& trial : found.front) {
+    answer()["front"].push_back({{a, trial.a},
+                                 {b, trial.b},
+                                 {"target", trial.target},
+                                 {"variables", answer_of(study.space, trial.point)}});
+  }
+  const auto page = std::filesystem::path(study.run.journal).replace_extension(".pareto.html");
+  write_text_file(page, correlation::pareto_page(study, found));
+  say("\nPicture, and the variables along it: {}\n", page.string());
+  return kDone;
+}
+
+}  // namespace
+
+void add_pareto(CommandLine& app, int& exit_code) {
+  Verb verb =
+      app.add_subcommand("pareto", "Two experiments against each other, from the trials there are");
+  verb.footer(
+      "Example:\n  latsch pareto studies/tire_b_twin/study.toml stiffness modes\n\n"
+      "Also the best trial by the weights the study has now: nothing is simulated.");
+  auto file = std::make_shared<std::string>();
+  auto a = std::make_shared<std::string>(), b = std::make_shared<std::string>();
+  verb.add_option("study", *file, "Study file (TOML)").required();
+  verb.add_option("a", *a, "Name of a fitted experiment").required();
+  verb.add_option("b", *b, "Name of another one").required();
+  verb.callback([=, &exit_code] { exit_code = pareto(*file, *a, *b); });
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch process: recordings of a drum rig to passages, averages, spectra and the rig's filter.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "base/file.h"
+#include "base/text.h"
+#include "base/units.h"
+#include "cli/console/console.h"
+#include "cli/verbs/verbs.h"
+#include "correlation/rig_data/rig_processing.h"
+#include "correlation/rig_data/rig_report.h"
+#include "correlation/rig_data/rig_tables.h"
+
+namespace latsch::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using correlation::RigFile;
+using correlation::RigResults;
+
+void print_passages(const RigResults& results) {
+  say("{:<18} {:>10} {:>12} {:>9} {:>9}\n", "run", "speed", "period ms", "passages", "left out");
+  for (const auto& run : results.runs) {
+    for (const auto& p : run.plateaus) {
+      answer()["plateaus"].push_back({{"run", run.name},
+                                      {"speed_m_per_s", p.plateau.target},
+                                      {"period_s", p.period.samples / run.record.rate},
+                                      {"passages", p.passages.starts.size()},
+                                      {"left_out", p.passages.left_out}});
+      say("{:<18} {:>10} {:>12.5f} {:>9} {:>9}\n",
+          run.name,
+          format_quantity(p.plateau.target, "km/h", 4),
+          p.period.samples / run.record.rate * 1e3,
+          p.passages.starts.size(),
+          p.passages.left_out);
+    }
+  }
+}
+
+/// As far as the hits drawn again leave it known, where they were.
+std::string known(double value, double deviation, int decimals) {
+  return deviation > 0.0 ? format_known(value, deviation) : fmt::format("{:.{}f}", value, decimals);
+}
+
+void print_response(const char* name,
+                    const RigResponse& r,
+                    const correlation::ResponseDeviation& d = {}) {
+  const double Hz = 2.0 * std::numbers::pi;  // rad/s
+  answer()["responses"].push_back(
+      {{"name", name}, {"f_Hz", r.f / Hz}, {"zeta", r.zeta}, {"gain", r.gain()}, {"c", r.c}});
+  say("{:<28} f = {} Hz, zeta = {}, A/f^2 = {}, c = {}\n",
+      name,
+      known(r.f / Hz, d.f / Hz, 3),
+      known(r.zeta, d.zeta, 5),
+      known(r.gain(), d.gain, 4),
+      known(r.c, d.c, 4));
+}
+
+void print_compensation(const RigFile& rig, const RigResults& results) {
+  if (results.hammer) {
+    const auto& hammer = *results.hammer;
+    print_response("rig by the hammer", hammer.fit.response, hammer.over_hits);
+  }
+  if (rig.truth) print_response("rig, truth", rig.truth->rig.response);
+  if (!results.compensation) return;
+  print_response("filter dummy to real",
+                 results.compensation->filter_response,
+                 results.compensation->over_hits);
+  if (const auto back = rig.truth ? inverse(rig.truth->rig.response) : std::nullopt) {
+    print_response("filter, truth", *back);
+  }
+  if (results.compensation->cases.empty()) return;
+  say("\n{:<10} {:>9} {:>26} {:>30}\n", "case", "", "RMS of time series N", "RMS of PSD N^2/Hz");
+  for (const auto& row : results.compensation->cases) {
+    answer()["cases"].push_back({{"name", row.name},
+                                 {"fitted", row.fitted},
+                                 {"time_rms_before_N", row.dummy.time},
+                                 {"time_rms_after_N", row.filtered.time},
+                                 {"psd_rms_before_N2_per_Hz", row.dummy.psd},
+                                 {"psd_rms_after_N2_per_Hz", row.filtered.psd}});
+    say("{:<10} {:>9} {:>10.2f} -> {:>8.2f} {:>+4.0f}% {:>12.3f} -> {:>10.3f} {:>+4.0f}%\n",
+        row.name,
+        row.fitted ? "fitted" : "",
+        row.dummy.time,
+        row.filtered.time,
+        100.0 * (row.filtered.time / row.dummy.time - 1.0),
+        row.dummy.psd,
+        row.filtered.psd,
+        100.0 * (row.filtered.psd / row.dummy.psd - 1.0));
+  }
+}
+
+void write_synthetic(const RigFile& rig) {
+  if (!rig.truth) {
+    throw InputError({rig.file.string(), 0}, "has no [truth] to write recordings from");
+  }
+  for (const std::string& file : write_synthetic_files(rig)) say_written(file);
+}
+
+void process(const std::string& file, bool synthetic, const std::string& output) {
+  const RigFile rig = correlation::read_rig_file(file);
+  if (synthetic) write_synthetic(rig);
+  RigResults results;
+  {
+    RunningNote progress;
+    results = correlation::process(rig, [&](long done, long total, const std::string& note) {
+      progress.update(done, total, note);
+    });
+  }
+  const fs::path folder = output.empty()
+                              ? rig.file.parent_path() / (rig.file.stem().string() + "_processed")
+                              : fs::path(output);
+  const auto files = write_rig_tables(rig, results, folder);
+  const fs::path page = folder / "report.html";
+  write_text_file(page, rig_page(rig, results));
+  for (const fs::path& table : files) answer()["tables"].push_back(table.string());
+  answer()["report"] = page.string();
+  say("{}\n\n", rig.title);
+  print_passages(results);
+  say("\n");
+  print_compensation(rig, results);
+  say("\n{} tables in {}\nReport: {}\n", files.size(), folder.string(), page.string());
+}
+
+}  // namespace
+
+void add_process(CommandLine& app, int&) {
+  Verb verb = app.add_subcommand(
+      "process",
+      "Drum recordings to passages, averages, spectra, and a filter that takes the rig away");
+  verb.footer(
+      "Examples:\n"
+      "  latsch process my_rig/rig.toml\n"
+      "  latsch process studies/drum_processing/rig.toml --synthetic\n"
+      "      writes the recordings of a rig of which everything is known, and processes them");
+  auto file = std::make_shared<std::string>();
+  auto output = std::make_shared<std::string>();
+  auto synthetic = std::make_shared<bool>(false);
+  verb.add_option("rig", *file, "Rig file (TOML)").required();
+  verb.add_option(
+      "--output", *output, "Folder for tables and page, beside the rig file unless given");
+  verb.add_flag("--synthetic", *synthetic, "First write the recordings from the file's [truth]");
+  verb.callback([=] { process(*file, *synthetic, *output); });
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch report: what the journal knows, as one HTML file.
+#include "cli/run/trials.h"
+#include "cli/verbs/verbs.h"
+
+namespace latsch::cli {
+namespace {
+
+int report(const std::string& file, bool on_the_ground) {
+  const auto study = correlation::read_study(file);
+  return write_report(study,
+                      Journal::read(study.run.journal, correlation::identity(study)),
+                      on_the_ground ? correlation::MeshError::also_on_the_ground
+                                    : correlation::MeshError::of_one_sector);
+}
+
+}  // namespace
+
+void add_report(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand("report", "Writes one self-contained HTML file beside the study");
+  verb.footer("Example:\n  latsch report studies/tire_b_twin/study.toml");
+  auto file = std::make_shared<std::string>();
+  verb.add_option("study", *file, "Study file (TOML)").required();
+  auto on_the_ground = std::make_shared<bool>(false);
+  verb.add_flag("--convergence",
+                *on_the_ground,
+                "Also compares the tire on the ground with finer meshes: some minutes");
+  verb.callback([=, &exit_code] { exit_code = report(*file, *on_the_ground); });
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch road: what a tire finds on a road at given points.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/document.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "base/units.h"
+#include "cli/console/answers.h"
+#include "cli/console/console.h"
+#include "cli/console/parsed.h"
+#include "cli/verbs/verbs.h"
+#include "formats/road/road_file.h"
+#include "formats/tables/csv_table.h"
+#include "models/road/road_reader.h"
+
+namespace latsch::cli {
+namespace {
+
+struct RoadOptions {
+  std::string road, points, output, time, triangles;
+};
+
+/// One row a point: height, normal, friction; u and v where the road has them.
+Channels ask(const formats::RoadFile& file,
+             const std::vector<double>& x,
+             const std::vector<double>& y,
+             const std::vector<double>& time) {
+  Channels answers;
+  answers.add({"x", "m", x});
+  answers.add({"y", "m", y});
+  std::vector<double> z, nx, ny, nz, friction, u, v;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const road::GroundPoint ground = file.road->at(x[i], y[i], time[i]);
+    z.push_back(ground.height + 0.0);  // no minus before a zero
+    nx.push_back(ground.normal.x() + 0.0);
+    ny.push_back(ground.normal.y() + 0.0);
+    nz.push_back(ground.normal.z());
+    friction.push_back(ground.friction);
+    if (!file.crg) continue;
+    const road::CrgRoad::Position place = file.crg->locate(x[i], y[i]);
+    u.push_back(place.u);
+    v.push_back(place.v);
+  }
+  answers.add({"z", "m", std::move(z)});
+  answers.add({"nx", "1", std::move(nx)});
+  answers.add({"ny", "1", std::move(ny)});
+  answers.add({"nz", "1", std::move(nz)});
+  answers.add({"friction", "1", std::move(friction)});
+  if (file.crg) {
+    answers.add({"u", "m", std::move(u)});
+    answers.add({"v", "m", std::move(v)});
+  }
+  return answers;
+}
+
+/// A kerb in words as a road file of triangles.
+void write_triangles(const RoadOptions& options) {
+  constexpr double kApproach = 3.0;  // m: a car stands on it before the kerb
+  const Node root = Document::read(options.road).root();
+  const auto mesh = road::kerb_triangles(road::read_kerb(root), kApproach);
+  root.close();
+  write_text_file(options.triangles, formats::rdf_text(mesh, "made from " + options.road));
+  say_written(options.triangles);
+}
+
+int road(const RoadOptions& options) {
+  if (!options.triangles.empty()) write_triangles(options);
+  if (options.points.empty()) {
+    if (options.triangles.empty()) throw InputError("expected POINTS.csv or --triangles FILE.rdf");
+    return kDone;
+  }
+  const formats::RoadFile file = formats::read_road_file(options.road);
+  for (const std::string& warning : file.warnings) warn(warning);
+  const auto points = formats::CsvTable::read(options.points);
+  points.expect_only({"x", "y", "time"});
+  const auto x = points.si_numbers("x", "m"), y = points.si_numbers("y", "m");
+  std::vector<double> time(x.size(), 0.0);
+  if (points.has("time")) {
+    time = points.si_numbers("time", "s");
+  } else if (!options.time.empty()) {
+    time.assign(x.size(), parse_option("--time", options.time, "s", Range{}));
+  }
+  give(ask(file, x, y, time), options.output);
+  return kDone;
+}
+
+}  // namespace
+
+void add_road(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand("road", "Height, normal and friction of a road at given points");
+  verb.footer(
+      "ROAD is OpenCRG (.crg), Adams road data (.rdf) or a road in words (.toml):\n"
+      "  kind = \"drum\"                     also flat, cleat, kerb, wave\n"
+      "  diameter = \"2.5 m\"\n"
+      "  speed = \"60 km/h\"\n"
+      "  cleats = 1\n"
+      "  height = \"20 mm\"\n"
+      "  length = \"25 mm\"\n"
+      "POINTS.csv has columns x, y and, for a road that moves, time; their units may stand in "
+      "brackets, \"x [mm]\",\n"
+      "and are SI where none is given.\n\n"
+      "Examples:\n  latsch road track.crg points.csv > ground.csv\n"
+      "  latsch road kerb.toml --triangles kerb.rdf");
+  auto options = std::make_shared<RoadOptions>();
+  verb.add_option("road", options->road, "Road file").required();
+  verb.add_option("points", options->points, "Table of points (CSV)");
+  verb.add_option("--time", options->time, "Time of all points, such as \"0.2 s\"");
+  verb.add_option("--output", options->output, "File to write; else the terminal");
+  verb.add_option("--triangles",
+                  options->triangles,
+                  "Of a kerb: Adams road file of nodes and triangles to write");
+  verb.callback([=, &exit_code] { exit_code = road(*options); });
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch run, latsch resume: the optimizer over the worker processes. To resume is to run the same
+// optimizer again on the journal it left.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "base/file.h"
+#include "cli/console/answers.h"
+#include "cli/console/console.h"
+#include "cli/console/identifiability_text.h"
+#include "cli/console/implausible.h"
+#include "cli/console/tables.h"
+#include "cli/run/interrupt.h"
+#include "cli/run/trials.h"
+#include "cli/run/workers.h"
+#include "cli/verbs/verbs.h"
+#include "correlation/study/study_stages.h"
+#include "correlation/study/study_start.h"
+#include "correlation/target/best_trial.h"
+#include "correlation/target/tire_trials.h"
+#include "evaluation/journal/journal_lock.h"
+
+namespace latsch::cli {
+namespace {
+
+using correlation::Study;
+
+void print_result(const Study& study, const Run& run, const Journal& journal) {
+  const Step& best = *run.best();
+  answer()["target"] = best.outcome->value;
+  answer()["steps"] = run.steps.size();
+  answer()["trials"] = journal.size();
+  answer()["journal"] = study.run.journal.string();
+  answer()["variables"] = answer_of(study.space, best.point);
+  say("\n{} trials in {}\n\nBest of {} steps: target {:.4f} %\n",
+      journal.size(),
+      study.run.journal.string(),
+      run.steps.size(),
+      best.outcome->value * 100.0);
+  answer()["ending"] = run.ending;
+  say("The search ended {}\n", run.ending);
+  const double off = violation(*best.outcome);
+  if (off > kFulfilled) {
+    say("No step fulfills all constraints; the best one is off by {:.2g} of a scale\n", off);
+  }
+}
+
+/// The values found, with their intervals where these are wanted and can be had; false where that
+/// was interrupted.
+bool print_values(const Study& study,
+                  const DesignPoint& point,
+                  correlation::Depth depth,
+                  Executor& executor,
+                  Journal& journal) {
+  if (!study.run.intervals) {
+    print_point(study.space, point);
+    return true;
+  }
+  const auto result = correlation::identify(study,
+                                            point,
+                                            depth,
+                                            executor,
+                                            journal,
+                                            counting_options(study, "trials around the best one"));
+  if (!result) {
+    print_point(study.space, point);
+    say("Interrupted before the intervals; the same command goes on.\n");
+    return false;
+  }
+  if (*result) {
+    if ((*result)->best != point) {
+      const auto better = correlation::best_trial(study, journal);
+      answer()["target"] = better->target;
+      say("A trial beside it is better: target {:.4f} %; the values are its\n",
+          better->target * 100.0);
+    }
+    answer()["variables"] = answer_of(study, **result);
+    print_intervals(study, **result);
+  } else {
+    print_point(study.space, point);
+    say("  No confidence intervals: {}\n", result->failure().reason);
+  }
+  return true;
+}
+
+/// The one best point of all readers, said where another command has found it.
+DesignPoint best_of_journal(const Study& study, const DesignPoint& of_run, const Journal& journal) {
+  const auto best = correlation::best_trial(study, journal);
+  if (!best || best->point == of_run) return of_run;
+  answer()["target"] = best->target;
+  answer()["variables"] = answer_of(study.space, best->point);
+  say("The journal knows a better trial, of another command: target {:.4f} %. Values, report and "
+      "latsch export are of it.\n",
+      best->target * 100.0);
+  return best->point;
+}
+
+/// What a person asks of run and resume beyond the study.
+struct Asked {
+  std::string file;
+  int workers = 0;  // 0: as the study says
+  bool resuming = false;
+  bool retries_failed = false;
+  bool adopts = false;
+  bool anew = false;
+};
+
+/// "study.latsch" becomes "study.1.latsch", the first number that is free.
+void set_aside(const std::filesystem::path& journal) {
+  if (!std::filesystem::exists(journal)) return;
+  for (int number = 1;; ++number) {
+    auto aside = journal;
+    aside.replace_extension(fmt::format(".{}{}", number, journal.extension().string()));
+    if (std::filesystem::exists(aside)) continue;
+    const JournalLock nobody_writes(journal);
+    for (const char* part : {"", "-wal", "-shm", "-journal"}) {  // SQLite's, after a kill
+      if (!std::filesystem::exists(journal.string() + part)) continue;
+      move_file(journal.string() + part, aside.string() + part);
+    }
+    say("The old journal is kept as {}\n", aside.string());
+    return;
+  }
+}
+
+Journal open_journal(const Study& stage, const Asked& asked) {
+  if (asked.anew) set_aside(stage.run.journal);
+  const StudyIdentity identity = correlation::identity(stage);
+  if (asked.adopts && std::filesystem::exists(stage.run.journal) &&
+      Journal::adopt(stage.run.journal, identity)) {
+    say("The trials in {0} are taken over; as it was it stays as {0}.before_adoption\n",
+        stage.run.journal.string());
+  }
+  Journal journal = open_for_trials(stage, asked.retries_failed);
+  say_kind_of_journal(stage);
+  if (journal.size() > 0) say("{} finished trials are reused\n", journal.size());
+  return journal;
+}
+
+void print_beginning(const Study& study, int k, const Study& stage) {
+  if (!study.stages.empty()) {
+    const auto& settings = study.stages[static_cast<std::size_t>(k)];
+    say("\nStage {} of {}, {}: {}\n",
+        k + 1,
+        study.stages.size(),
+        settings.name,
+        correlation::in_words(settings));
+  }
+  const MethodChoice choice = correlation::method_of(stage);
+  say("Optimizer {}: {}\n", in_words(choice.method), choice.reason);
+  const std::string start = correlation::in_words(stage.start);
+  if (!start.empty()) say("It starts at {}\n", start);
+}
+
+void print_hopeless(const Study& study, const Journal& journal, const std::string& reason) {
+  complain(fmt::format(
+      "no trial succeeded, of {} in {}, also not far from the start: every one failed for one "
+      "reason, which has nothing to do with the point: {}\n"
+      "See what becomes of one: latsch simulate {}{}. Once that is mended, go on with: latsch "
+      "resume {} --retry-failed",
+      journal.size(),
+      study.run.journal.string(),
+      reason,
+      study.file.string(),
+      study.simulator && !study.simulator->keep_failed
+          ? "; keep_failed = true in [simulator] keeps its folder"
+          : "",
+      study.file.string()));
+}
+
+/// Whether a fit ended with a best point, after saying why where not.
+bool has_found(const Study& stage, const correlation::Fit& fit, const Journal& journal) {
+  const Run& run = fit.run;
+  if (run.end == RunEnd::stopped) {
+    say("Interrupted; {} trials are safe. Go on with: latsch resume {}\n",
+        journal.size(),
+        stage.file.string());
+    return false;
+  }
+  if (run.end == RunEnd::aborted) {
+    print_aborted(stage, run.steps.back().point, run.steps.back().outcome.failure());
+    return false;
+  }
+  if (run.best()) return true;
+  if (fit.hopeless) {
+    print_hopeless(stage, journal, *fit.hopeless);
+  } else {
+    print_no_success(stage, journal, run.steps.front().outcome.failure().reason);
+  }
+  return false;
+}
+
+int fit(const Asked& asked) {
+  Study study = correlation::read_study(asked.file);
+  if (asked.workers > 0) study.run.workers = asked.workers;
+  const auto first_journal = correlation::stage(study, 0).run.journal;
+  if (asked.resuming && !std::filesystem::exists(first_journal)) {
+    throw InputError(first_journal.string() +
+                     " does not exist: there is nothing to resume; start with latsch run");
+  }
+  Workers workers(study);
+  if (workers.served(study, /*in_stages=*/true)) return kDone;
+  reject_implausible(study);
+  catch_interrupts();
+  std::optional<DesignPoint> best;
+  Asked once = asked;
+  for (int k = 0;; ++k) {
+    const Study stage = correlation::stage(study, k, best);
+    Journal journal = open_journal(stage, once);
+    print_beginning(study, k, stage);
+    const TrialsRun trials(workers, stage);
+    Executor& executor = workers.start(stage);
+    const correlation::Fit fitted =
+        correlation::fit(stage, executor, journal, run_options(stage, /*length_known=*/false));
+    if (!has_found(stage, fitted, journal)) return kFailed;
+    best = fitted.run.best()->point;
+    if (k + 1 == correlation::stage_count(study)) {
+      print_result(study, fitted.run, journal);
+      const DesignPoint shown = best_of_journal(study, *best, journal);
+      const auto depth = fitted.run.end == RunEnd::converged ? correlation::Depth::intervals
+                                                             : correlation::Depth::at_the_point;
+      if (!print_values(study, shown, depth, executor, journal)) return kFailed;
+      workers.end();
+      return write_report(study, journal);
+    }
+    say("Best of {} steps: target {:.4f} %\nThe search ended {}\n",
+        fitted.run.steps.size(),
+        100.0 * fitted.run.best()->outcome->value,
+        fitted.run.ending);
+    print_point(study.space, *best);
+    // Stages that share a journal: what was set aside or tried again stays so.
+    const bool shares = correlation::stage(study, k + 1).run.journal == stage.run.journal;
+    once.anew = asked.anew && !shares;
+    once.retries_failed = asked.retries_failed && !shares;
+  }
+}
+
+}  // namespace
+
+void add_run(CommandLine& app, int& exit_code) {
+  for (const bool resuming : {false, true}) {
+    Verb verb = app.add_subcommand(
+        resuming ? "resume" : "run",
+        resuming ? "Goes on with an interrupted run; the result is the same to the last bit"
+                 : "Fits the variables to the measurements");
+    verb.footer(fmt::format(
+        "[run] in the study says how trials are run: workers, timeout, memory, on_failure, "
+        "retries,\n"
+        "stragglers = false (what runs long is left alone), straggler_factor = 3 (times the "
+        "median),\n"
+        "look_ahead = 4 (points ahead for every worker); none of it changes what is found.\n\n"
+        "Examples:\n  latsch {0} studies/tire_b_twin/study.toml --workers 2\n"
+        "  mpirun -n 8 latsch {0} study.toml           on a cluster: one searches, seven evaluate\n"
+        "  srun -n 8 --mpi=pmix latsch {0} study.toml  the same below Slurm",
+        resuming ? "resume" : "run"));
+    auto asked = std::make_shared<Asked>();
+    asked->resuming = resuming;
+    verb.add_option("study", asked->file, "Study file (TOML)").required();
+    verb.add_option("--workers", asked->workers, "Worker processes, instead of the study's")
+        .between(1, 1024);
+    if (resuming) {
+      verb.add_flag("--retry-failed",
+                    asked->retries_failed,
+                    "Tries the points that failed so far again, once their cause is mended");
+      verb.add_flag("--adopt",
+                    asked->adopts,
+                    "Keeps the trials of another version of the model or the outside program");
+    } else {
+      verb.add_flag(
+          "--anew", asked->anew, "Begins with an empty journal; the old one is kept beside");
+    }
+    verb.callback([=, &exit_code] { exit_code = fit(*asked); });
+  }
+}
+
+}  // namespace latsch::cli

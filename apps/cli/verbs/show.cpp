@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch show: what was read from a file, with units, on the terminal or as a page.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/file.h"
+#include "cli/console/console.h"
+#include "cli/verbs/shown_page.h"
+#include "cli/verbs/verbs.h"
+
+namespace latsch::cli {
+namespace {
+
+constexpr std::size_t kWidest = 40;    // characters of a column on the terminal
+constexpr std::size_t kLongest = 400;  // of a sentence
+
+std::size_t characters(const std::string& text) {
+  return std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; });
+}
+
+/// Cut to the widest column, and without what a terminal would obey.
+std::string plain(const std::string& text, std::size_t widest = kWidest) {
+  std::string result;
+  std::size_t count = 0;
+  for (const char c : text) {
+    if ((c & 0xc0) != 0x80 && ++count > widest) return result + "...";
+    result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+  }
+  return result;
+}
+
+void print_table(const ShownTable& table) {
+  say("\n{}\n", table.title);
+  std::vector<std::size_t> widths;
+  for (const std::string& head : table.heads) widths.push_back(characters(head));
+  for (const auto& row : table.rows)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], characters(plain(row[i])));
+  const auto print_row = [&](const std::vector<std::string>& row) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string cell = plain(row[i]);
+      line += "  " + cell + std::string(widths[i] - std::min(widths[i], characters(cell)), ' ');
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    say("{}\n", line);
+  };
+  print_row(table.heads);
+  for (const auto& row : table.rows) print_row(row);
+}
+
+int show(const std::string& file, const std::string& html, const std::string& axes) {
+  const ShownFile shown = shown_file(file, axis_convention_of(axes));
+  // First the page: `latsch show FILE --html PAGE | head` ends the program at the tenth line.
+  if (!html.empty()) write_text_file(html, shown_page(file, shown));
+  answer()["kind"] = shown.kind;
+  answer()["facts"] = shown.facts;
+  for (const ShownTable& table : shown.tables)
+    answer()["tables"].push_back(
+        {{"title", table.title}, {"heads", table.heads}, {"rows", table.rows}});
+  say("{}\n{}\n", file, shown.kind);
+  for (const std::string& fact : shown.facts) say("  {}\n", plain(fact, kLongest));
+  for (const ShownTable& table : shown.tables) print_table(table);
+  if (!html.empty()) {
+    say("\n");
+    say_written(html);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_show(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand("show", "What was read from a file: units, axes, channels");
+  verb.footer(
+      "Reads TYDEX (.tdx), tables (.csv), MATLAB (.mat), tires (.tir), roads (.crg, .rdf, .toml),\n"
+      "decks (.inp); of any other .toml its numbers in SI.\n\n"
+      "Example:\n  latsch show cornering.tdx --axes sae --html cornering.html");
+  auto file = std::make_shared<std::string>();
+  auto html = std::make_shared<std::string>();
+  verb.add_option("file", *file, "File to look at").required();
+  verb.add_option("--html", *html, "Page with plots and tables to write");
+  auto axes = std::make_shared<std::string>("iso");
+  verb.add_option("--axes", *axes, "Signs the file has: iso, adapted_sae or sae; shown are iso's");
+  verb.callback([=, &exit_code] { exit_code = show(*file, *html, *axes); });
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verbs/shown_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "base/document.h"
+#include "base/text.h"
+#include "formats/mesh/inp_deck.h"
+#include "formats/tables/csv_table.h"
+#include "formats/tables/mat_file.h"
+#include "formats/tables/tydex_file.h"
+#include "models/road/road_reader.h"
+
+namespace latsch::cli {
+namespace {
+
+using formats::TydexFile;
+
+constexpr int kDigits = 6;
+constexpr int kMostRows = 100;  // of a table that is no channels
+
+std::string titled(const std::string& name, const std::string& unit) {
+  return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, unit);
+}
+
+/// Every channel over the one that is the time, or over the number of the sample.
+void add_channels(const Channels& written, AxisConvention axes, ShownFile& shown) {
+  const Channels channels = to_iso(written, axes);
+  ShownTable table{
+      "Channels, in SI", {"channel", "unit", "samples", "gaps", "smallest", "mean", "largest"}, {}};
+  const Channel* time = nullptr;
+  for (const Channel& channel : channels.all()) {
+    table.rows.push_back(statistics(channel));
+    if (!time && channel.unit == "s") time = &channel;
+  }
+  shown.tables.push_back(std::move(table));
+  for (const Channel& channel : channels.all()) {
+    if (&channel == time) continue;
+    report::PlotLine line{"", time ? time->values : std::vector<double>(), channel.values, 0, {}};
+    for (std::size_t i = line.x.size(); i < line.y.size(); ++i) {
+      line.x.push_back(static_cast<double>(i + 1));
+    }
+    const std::string x_title = time ? titled(time->name, time->unit) : "sample";
+    const std::string y_title = titled(channel.name, channel.unit);
+    shown.plots.push_back({y_title + " over " + x_title, x_title, y_title, {std::move(line)}});
+  }
+}
+
+ShownTable entries_table(const std::string& title, const std::vector<TydexFile::Entry>& entries) {
+  ShownTable table{title, {"name", "as written", "in SI", "comment"}, {}};
+  for (const TydexFile::Entry& entry : entries) {
+    const std::string si =
+        entry.number ? format_number(*entry.number, kDigits) + " " + entry.si_unit : "";
+    table.rows.push_back(
+        {entry.name, entry.text + (entry.unit.empty() ? "" : " " + entry.unit), si, entry.comment});
+  }
+  return table;
+}
+
+ShownFile show_tydex(const std::filesystem::path& path, AxisConvention axes) {
+  const TydexFile file = TydexFile::read(path);
+  ShownFile shown;
+  shown.kind = "TYDEX 1.3";
+  shown.facts = file.comments;
+  shown.tables.push_back(entries_table("Header", file.header));
+  shown.tables.push_back(entries_table("Constants", file.constants));
+  for (const auto& section : file.model) {
+    shown.tables.push_back(entries_table(section.keyword, section.entries));
+  }
+  ShownTable written{
+      "Channels as written", {"channel", "unit", "axes", "factor", "offsets", "comment"}, {}};
+  for (std::size_t i = 0; i < file.descriptions.size(); ++i) {
+    const auto& about = file.descriptions[i];
+    const std::string& name = file.channels.all()[i].name;
+    const auto* known = formats::find_tydex_name(name);
+    written.rows.push_back(
+        {name,
+         about.unit,
+         known ? std::string(known->axes) : "unknown name",
+         format_number(about.factor),
+         format_number(about.measured_offset) + ", " + format_number(about.physical_offset),
+         about.comment});
+  }
+  shown.tables.push_back(std::move(written));
+  add_channels(file.channels, axes, shown);
+  return shown;
+}
+
+ShownFile show_csv(const std::filesystem::path& path, AxisConvention axes) {
+  const auto table = formats::CsvTable::read(path);
+  ShownFile shown;
+  shown.kind = "Table (CSV)";
+  shown.facts.push_back(fmt::format("{} rows", table.rows()));
+  try {
+    add_channels(table.channels(), axes, shown);
+  } catch (const InputError& error) {  // texts, or a unit that is none: shown as it stands
+    shown.facts.push_back(std::string("no channels: ") + error.what());
+    ShownTable rows{"As written", table.columns(), {}};
+    for (int row = 0; row < std::min(table.rows(), kMostRows); ++row) {
+      rows.rows.emplace_back();
+      for (const std::string& column : rows.heads) {
+        rows.rows.back().push_back(table.text(column, row));
+      }
+    }
+    shown.tables.push_back(std::move(rows));
+  }
+  return shown;
+}
+
+ShownFile show_mat(const std::filesystem::path& path, AxisConvention axes) {
+  const auto file = formats::MatFile::read(path);
+  ShownFile shown;
+  shown.kind = "MAT file";
+  for (const std::string& name : file.left_out) shown.facts.push_back("not read: " + name);
+  ShownTable table{"Variables", {"name", "size", "value"}, {}};
+  bool vectors = false;
+  for (const auto& variable : file.variables) {
+    std::string value = variable.text;
+    if (!variable.is_text && variable.values.size() == 1) {
+      value = format_number(variable.values[0], kDigits);
+    }
+    table.rows.push_back(
+        {variable.name, fmt::format("{}", fmt::join(variable.size, " x ")), value});
+    vectors = vectors || variable.is_vector();
+  }
+  shown.tables.push_back(std::move(table));
+  if (vectors) add_channels(file.channels(), axes, shown);
+  return shown;
+}
+
+ShownFile show_document(const std::filesystem::path& path) {
+  const Document document = Document::read(path);
+  const Node root = document.root();
+  if (root.has("kind") && road::is_road(root)) return shown_road(path);
+  ShownFile shown;
+  shown.kind = "Document (TOML)";
+  ShownTable table{"Numbers, in SI", {"path", "value", "unit"}, {}};
+  for (const std::string& name : document.paths()) {
+    table.rows.push_back({name, format_number(document.get(name), kDigits), document.unit(name)});
+  }
+  shown.tables.push_back(std::move(table));
+  return shown;
+}
+
+ShownFile show_inp(const std::filesystem::path& path) {
+  const formats::InpDeck deck = formats::read_inp(path);
+  ShownFile shown;
+  shown.kind = "Finite-element deck (.inp), own units";
+  shown.facts.push_back(
+      fmt::format("{} nodes, {} elements", deck.nodes.size(), deck.elements.size()));
+  ShownTable table{"Materials", {"material", "density"}, {}};
+  for (const auto& [name, material] : deck.materials) {
+    table.rows.push_back(
+        {name, material.density ? format_number(*material.density, kDigits) : "-"});
+  }
+  shown.tables.push_back(std::move(table));
+  return shown;
+}
+
+}  // namespace
+
+std::vector<std::string> statistics(const Channel& channel) {
+  double low = 0.0, high = 0.0, sum = 0.0;
+  std::size_t count = 0;
+  for (const double value : channel.values) {
+    if (!std::isfinite(value)) continue;
+    low = count == 0 ? value : std::min(low, value);
+    high = count == 0 ? value : std::max(high, value);
+    sum += value;
+    ++count;
+  }
+  const auto number = [&](double value) {
+    return count == 0 ? std::string("-") : format_number(value, kDigits);
+  };
+  return {channel.name,
+          channel.unit,
+          std::to_string(channel.values.size()),
+          std::to_string(channel.values.size() - count),
+          number(low),
+          number(sum / static_cast<double>(std::max<std::size_t>(count, 1))),
+          number(high)};
+}
+
+ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes) {
+  using Path = std::filesystem::path;
+  const std::map<std::string, std::function<ShownFile(const Path&)>> readers = {
+      {".tdx", [&](const Path& path) { return show_tydex(path, axes); }},
+      {".tydex", [&](const Path& path) { return show_tydex(path, axes); }},
+      {".csv", [&](const Path& path) { return show_csv(path, axes); }},
+      {".mat", [&](const Path& path) { return show_mat(path, axes); }},
+      {".tir", shown_tire},
+      {".crg", shown_road},
+      {".rdf", shown_road},
+      {".toml", show_document},
+      {".inp", show_inp}};
+  std::string ending = file.extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const auto reader = readers.find(ending);
+  if (reader != readers.end()) return reader->second(file);
+  std::vector<std::string> endings;
+  for (const auto& [known, action] : readers) endings.push_back(known);
+  throw InputError({file.string(), 0},
+                   "ends in " + in_quotes(ending) + ", expected " + list_of(endings));
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// What was read from a file, for a person to look at: facts, tables, plots.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "measurement/axes.h"
+#include "measurement/channels.h"
+#include "report/line_plot.h"
+
+namespace latsch::cli {
+
+struct ShownTable {
+  std::string title;
+  std::vector<std::string> heads;
+  std::vector<std::vector<std::string>> rows;
+};
+
+struct ShownFile {
+  std::string kind;  // "TYDEX 1.3"
+  std::vector<std::string> facts;
+  std::vector<ShownTable> tables;
+  std::vector<report::LinePlot> plots;
+};
+
+/// By the ending of the name: .tdx, .tydex, .csv, .mat, .tir, .crg, .rdf, .toml, .inp. Channels
+/// come out in iso, from the signs `axes` says the file has. Throws InputError.
+ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes);
+
+ShownFile shown_tire(const std::filesystem::path& tir);
+ShownFile shown_road(const std::filesystem::path& road);
+
+/// name, unit, samples, gaps, smallest, mean, largest
+std::vector<std::string> statistics(const Channel& channel);
+
+}  // namespace latsch::cli

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What was read from a file as one HTML page that needs nothing else.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "cli/verbs/shown_file.h"
+
+namespace latsch::cli {
+
+std::string shown_page(const std::filesystem::path& file, const ShownFile& shown);
+
+}  // namespace latsch::cli

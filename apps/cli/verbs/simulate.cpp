@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch simulate: one trial, every experiment beside its measurement.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/console/answers.h"
+#include "cli/console/console.h"
+#include "cli/console/parsed.h"
+#include "cli/console/tables.h"
+#include "cli/verbs/verbs.h"
+#include "correlation/target/tire_trials.h"
+
+namespace latsch::cli {
+namespace {
+
+using correlation::Study;
+
+int simulate(const std::string& file, const std::vector<std::string>& assignments) {
+  const Study study = correlation::read_study(file);
+  DesignPoint point = study.space.initial();
+  for (const std::string& assignment : assignments) set_variable(study.space, assignment, point);
+  say("{}\n\n", study.title);
+  print_point(study.space, point);
+  answer()["variables"] = answer_of(study.space, point);
+
+  const auto channels = correlation::simulate_all(study, point);
+  if (!channels) {
+    complain(channels.failure().reason);
+    return kFailed;
+  }
+  for (const auto& experiment : study.experiments) {
+    const Channels own = channels_of(experiment, *channels);
+    print_comparison(experiment, own);
+    answer()["experiments"].push_back(answer_of(experiment, own));
+  }
+  const double target = correlation::objective(study)(point, *channels)->value;
+  answer()["target"] = target;
+  say("\ntarget {:.4f} %, {}\n",
+      target * 100.0,
+      correlation::target_in_words(correlation::fitted_exponents(study.experiments), target));
+  return kDone;
+}
+
+}  // namespace
+
+void add_simulate(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand("simulate", "One trial: forces and modes beside the measurement");
+  verb.footer(
+      "Examples:\n  latsch simulate studies/tire_b_twin/study.toml\n"
+      "  latsch simulate studies/tire_b_twin/study.toml --set \"matrix=12 N/mm^2\" --set \"belt=5 "
+      "GPa\"");
+  auto file = std::make_shared<std::string>();
+  auto assignments = std::make_shared<std::vector<std::string>>();
+  verb.add_option("study", *file, "Study file (TOML)").required();
+  verb.add_option(
+      "--set", *assignments, "NAME=VALUE of a variable, others at their initial values");
+  verb.callback([=, &exit_code] { exit_code = simulate(*file, *assignments); });
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// latsch worker: evaluates the trials of a study for the process that started it.
+#include "evaluation/executors/worker.h"
+
+#include "cli/verbs/verbs.h"
+#include "correlation/study/study_stages.h"
+#include "correlation/target/predictions.h"
+#include "correlation/target/tire_trials.h"
+
+namespace latsch::cli {
+
+void add_worker(CommandLine& app, int& exit_code) {
+  Verb verb = app.add_subcommand("worker", "Evaluates trials for `latsch run` and `latsch doe`");
+  verb.hide();
+  auto file = std::make_shared<std::string>();
+  verb.add_option("study", *file, "Study file (TOML)").required();
+  auto all = std::make_shared<bool>(false);
+  auto stage = std::make_shared<std::string>();
+  verb.add_option("--stage", *stage, "The model as that [stage.NAME] has it");
+  verb.add_flag("--predictions", *all, "The experiments with use = \"predict\" too");
+  verb.footer(
+      "Started by the program itself, one process a worker: it reads points from its standard "
+      "input\nand writes their outcomes to its standard output. To try it by hand there is latsch "
+      "simulate.");
+  verb.callback([=, &exit_code] {
+    correlation::Study study = correlation::read_study(*file);
+    if (!stage->empty()) study = correlation::stage_called(study, *stage);
+    exit_code = serve(correlation::evaluator(*all ? correlation::with_predictions(study) : study));
+  });
+}
+
+}  // namespace latsch::cli

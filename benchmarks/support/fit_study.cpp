@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fit_study.h"
+
+#include <chrono>
+#include <regex>
+#include <stdexcept>
+
+#include "base/file.h"
+#include "correlation/target/tire_trials.h"
+#include "correlation/target/twin.h"
+#include "evaluation/executors/process_executor.h"
+#include "evaluation/trial/scratch_folder_testing.h"
+
+namespace latsch::benchmarks {
+
+namespace fs = std::filesystem;
+
+correlation::Study study_of_folder(const std::string& name) {
+  return correlation::read_study(fs::path(LATSCH_SOURCE_DIR) / "studies" / name / "study.toml");
+}
+
+namespace {
+
+/// A folder that goes with the program; workers read their study in it as long as that runs.
+const fs::path& scratch_folder() {
+  static const ScratchFolder folder;
+  return folder.path();
+}
+
+void coarsen(const fs::path& tires) {
+  for (const auto& tire : fs::directory_iterator(tires)) {
+    std::string text = read_text_file(tire.path());
+    text = std::regex_replace(text, std::regex("\nmeridional = \\d+"), "\nmeridional = 15");
+    text = std::regex_replace(text, std::regex("\nsectors = \\d+"), "\nsectors = 30");
+    text = std::regex_replace(text, std::regex("\n(spacing|sector_zones) = \\[\\[.*"), "");
+    write_text_file(tire.path(), text);
+  }
+}
+
+}  // namespace
+
+correlation::Study fresh_twin(const std::string& name, TwinMesh mesh) {
+  const fs::path studies = fs::path(LATSCH_SOURCE_DIR) / "studies";
+  const fs::path copy = scratch_folder() / name;
+  fs::create_directories(copy);
+  fs::copy(studies / "tires", copy / "tires");
+  if (mesh == TwinMesh::coarse) coarsen(copy / "tires");
+  fs::copy(studies / name, copy / name);
+  const fs::path file = copy / name / "study.toml";
+  const auto written =
+      correlation::write_twin(correlation::read_study(file, correlation::Measurements::not_yet));
+  if (!written) throw std::runtime_error(written.failure().reason);
+  return correlation::read_study(file);
+}
+
+fs::path program() { return fs::read_symlink("/proc/self/exe").parent_path() / "latsch"; }
+
+Fit fit(const correlation::Study& study, int workers) {
+  const ScratchFolder folder;
+  Fit fit;
+  {
+    Journal journal = Journal::open(folder / "fit.latsch", correlation::identity(study));
+    ProcessOptions options;
+    options.arguments = {program().string(), "worker", study.file.string()};
+    options.workers = workers;
+    options.timeout = study.run.timeout;
+    ProcessExecutor executor(options);
+    const auto optimizer = correlation::make_optimizer(study);
+    RunOptions run;
+    run.max_steps = study.max_steps;
+    const auto start = std::chrono::steady_clock::now();
+    fit.run = run_optimizer(*optimizer, correlation::objective(study), executor, &journal, run);
+    fit.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    fit.trials = journal.size();
+    journal.for_each([&](const Trial& trial) { fit.cpu_time += trial.outcome.cpu_time; });
+  }
+  return fit;
+}
+
+}  // namespace latsch::benchmarks

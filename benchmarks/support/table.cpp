@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+
+#include "numerics/kernels/kernel_set.h"
+
+namespace latsch::benchmarks {
+namespace {
+
+/// `text` filled with blanks to `width` characters; a character of UTF-8 counts once.
+std::string padded(std::string_view text, std::size_t width) {
+  const auto characters =
+      static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+      }));
+  return std::string(text) + std::string(width - std::min(width, characters), ' ');
+}
+
+void print(std::string_view what,
+           std::string_view value,
+           std::string_view reach,
+           std::string_view ok) {
+  fmt::print("{} | {} | {} | {}\n", padded(what, 58), padded(value, 26), padded(reach, 14), ok);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+Table::Table(std::string_view name) : name_(name) {
+  fmt::print("{} on {}, kernels {}\n", name, processor_name(), latsch::name(kernel_set()));
+  print("what", "value", "reach", "ok");
+  print(std::string(58, '-'), std::string(26, '-'), std::string(14, '-'), "---");
+}
+
+void Table::row(std::string_view what, std::string_view value, std::string_view reach, bool ok) {
+  ++rows_;
+  short_ += ok ? 0 : 1;
+  print(what, value, reach, ok ? "yes" : "NO");
+}
+
+void Table::note(std::string_view what, std::string_view value) {
+  ++notes_;
+  print(what, value, "", "");
+}
+
+int Table::exit_code() const {
+  if (rows_ == 0) {
+    fmt::print("{}: {}\n",
+               name_,
+               notes_ > 0 ? "nothing that has a reach was measured" : "nothing was measured");
+  } else if (short_ > 0) {
+    fmt::print("{}: {} of {} rows fall short\n", name_, short_, rows_);
+  } else {
+    fmt::print("{}: all {} rows reached\n", name_, rows_);
+  }
+  return rows_ > 0 && short_ == 0 ? 0 : 1;
+}
+
+int guarded(const std::function<int()>& benchmark) {
+  try {
+    return benchmark();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: {}\n", program_invocation_short_name, error.what());
+    return 2;
+  }
+}
+
+}  // namespace latsch::benchmarks

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The target function over two variables, cut out of a full factorial grid in the journal.
+#pragma once
+
+#include <vector>
+
+#include "correlation/study/study.h"
+#include "correlation/target/best_trial.h"
+#include "report/report.h"
+
+namespace latsch::correlation {
+
+/// One surface for every pair of variables, through the best point of the largest complete grid
+/// among the trials; the other variables are held at that point. Empty where there is no grid.
+/// `found` is marked.
+std::vector<report::Surface> doe_surfaces(const Study& study,
+                                          const std::vector<RatedTrial>& trials,
+                                          const DesignPoint& found);
+
+}  // namespace latsch::correlation

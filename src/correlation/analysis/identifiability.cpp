@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/analysis/identifiability.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <functional>
+#include <set>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "correlation/target/best_trial.h"
+#include "correlation/target/residuals.h"
+
+namespace latsch::correlation {
+namespace {
+
+constexpr long kMostTrials = 100'000;
+constexpr double kRefitTolerance = 0.02;  // of the threshold that ends an interval
+
+/// An analysis that asks in rounds, as the scheduler knows it: the points of a round in their
+/// order.
+template <class Analysis>
+class InRounds : public Optimizer {
+ public:
+  explicit InRounds(Analysis& analysis) : analysis_(analysis) {}
+
+  std::vector<DesignPoint> propose(int count) const override {
+    const auto& wanted = analysis_.wanted();
+    const auto first = wanted.begin() + std::ssize(seen_);
+    return {first, first + std::min<std::ptrdiff_t>(count, wanted.end() - first)};
+  }
+
+  void observe(const DesignPoint&, const Result<Score>& outcome) override {
+    seen_.push_back(residuals(outcome));
+    if (seen_.size() < analysis_.wanted().size()) return;
+    const auto round = std::move(seen_);
+    seen_ = {};
+    analysis_.observe(round);
+  }
+
+  bool converged() const override { return analysis_.wanted().empty(); }
+
+ private:
+  static Result<Eigen::VectorXd> residuals(const Result<Score>& outcome) {
+    if (!outcome) return outcome.failure();
+    const auto& r = outcome->residuals;
+    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(r.data(), std::ssize(r)));
+  }
+
+  Analysis& analysis_;
+  std::vector<Result<Eigen::VectorXd>> seen_;  // of this round
+};
+
+/// SI, where the variable stands at u of its range.
+double value_at(const DesignSpace& space, int variable, double u) {
+  std::vector<double> all(space.size(), 0.5);
+  all[variable] = u;
+  return space.from_unit(all).values[variable];
+}
+
+/// Evaluates, or reads, until the analysis wants nothing more; false where that was stopped.
+using Drive = std::function<bool(Optimizer&)>;
+
+IdentificationOptions options_for(const Study& study, Depth depth) {
+  return {.confidence = {.sigma = residual_sigma(study), .traits = residual_traits(study)},
+          .profiles = depth == Depth::profiles,
+          .most_centers = depth == Depth::at_the_point ? 1 : IdentificationOptions{}.most_centers};
+}
+
+/// Leaves every experiment out in turn; the residuals not used by the identification stay out.
+class UsedRows {
+ public:
+  UsedRows(CrossValidation& validation, const std::vector<Eigen::Index>& rows)
+      : validation_(validation), rows_(rows) {}
+
+  const std::vector<DesignPoint>& wanted() const { return validation_.wanted(); }
+  void observe(std::vector<Result<Eigen::VectorXd>> residuals) {
+    for (auto& r : residuals) {
+      if (r) r = Eigen::VectorXd((*r)(rows_));
+    }
+    validation_.observe(residuals);
+  }
+
+ private:
+  CrossValidation& validation_;
+  const std::vector<Eigen::Index>& rows_;
+};
+
+bool cross_validate(const Study& study, Identifiability& result, const Drive& drive) {
+  const Identification& identification = result.identification;
+  const auto rows = residual_rows(study);
+  std::vector<int> group;
+  for (Eigen::Index row : identification.residuals_used()) group.push_back(rows[row].experiment);
+  std::set<int> groups(group.begin(), group.end());
+  groups.erase(-1);  // priors
+  if (groups.size() < 2) return true;
+  result.cross_validation.emplace(study.space,
+                                  identification.refitted(),
+                                  group,
+                                  kRefitTolerance * identification.confidence().threshold());
+  UsedRows used(*result.cross_validation, identification.residuals_used());
+  InRounds<UsedRows> rounds(used);
+  return drive(rounds);
+}
+
+/// False where driving was stopped; `result` then holds what is complete.
+bool analyze(const Study& study, Identifiability& result, const Drive& drive) {
+  InRounds<Identification> rounds(result.identification);
+  if (!drive(rounds)) return false;
+  if (result.identification.profiles().empty()) return true;
+  return cross_validate(study, result, drive);
+}
+
+DesignPoint best_of(const Study& study, const Journal& journal, const DesignPoint& otherwise) {
+  const auto best = best_trial(study, journal);
+  return best ? best->point : otherwise;
+}
+
+/// "a, b and c"
+std::string names_where(const Study& study, const std::function<bool(int)>& holds) {
+  std::vector<std::string> names;
+  for (int i = 0; i < study.space.size(); ++i) {
+    if (holds(i)) names.push_back(study.space[i].name);
+  }
+  if (names.size() < 2) return names.empty() ? "" : names.front();
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("{} and {}", fmt::join(names, ", "), last);
+}
+
+}  // namespace
+
+Interval reported_interval(const Study& study, const Identifiability& what, int variable) {
+  Interval interval = what.identification.confidence().intervals[static_cast<size_t>(variable)];
+  const double u = study.space.to_unit(what.best)[static_cast<size_t>(variable)];
+  interval.lower = std::min(interval.lower, u);
+  interval.upper = std::max(interval.upper, u);
+  return interval;
+}
+
+std::optional<Interval> interval_of(const Study& study,
+                                    const std::optional<Identifiability>& what,
+                                    const DesignPoint& point,
+                                    int variable) {
+  if (!what || what->best != point) return std::nullopt;
+  return reported_interval(study, *what, variable);
+}
+
+std::vector<std::string> remarks(const Study& study, const Identifiability& what) {
+  constexpr double kEarly = 1.0;  // of a threshold: as far as the end of an interval
+  const Identification& identification = what.identification;
+  const Confidence& c = identification.confidence();
+  std::vector<std::string> all;
+  if (c.excess > 1.0) {
+    all.push_back(fmt::format(
+        "The residuals are {:.2g} times their stated noise: the model cannot follow the "
+        "measurement, or the search ended early. The intervals are those of the spread seen.",
+        c.excess));
+  }
+  if (c.is_colored) {
+    all.emplace_back(
+        "Neighboring values share noise: the intervals count them as the fewer that they are "
+        "worth.");
+  }
+  const auto& slopes = identification.slopes();
+  const std::string rough = names_where(
+      study, [&](int i) { return slopes[static_cast<size_t>(i)] == SlopeQuality::rough; });
+  if (!rough.empty()) {
+    all.push_back("No step gives a straight difference in " + rough +
+                  ": the model is rough or strongly curved there, its linear interval a guess.");
+  }
+  const std::string one_sided = names_where(
+      study, [&](int i) { return slopes[static_cast<size_t>(i)] == SlopeQuality::one_sided; });
+  if (!one_sided.empty()) {
+    all.push_back("Beside the point the model fails in " + one_sided +
+                  ": its derivative is that of a single step.");
+  }
+  if (c.left_to_gain > kEarly * c.threshold()) {
+    all.emplace_back(
+        "The search ended early: its own derivatives promise more than an interval's worth. latsch "
+        "identify goes on from there.");
+  }
+  int refits = 0, failed = 0;
+  for (const Profile& profile : identification.profiles()) {
+    refits += static_cast<int>(profile.points.size());
+    failed += profile.unconverged();
+  }
+  if (failed > 0) {
+    all.push_back(fmt::format(
+        "{} of {} refits of the profiles did not converge; intervals there may be wider.",
+        failed,
+        refits));
+  }
+  return all;
+}
+
+std::optional<Result<Identifiability>> identify(const Study& study,
+                                                const DesignPoint& point,
+                                                Depth depth,
+                                                Executor& executor,
+                                                Journal& journal,
+                                                const RunOptions& options) {
+  RunOptions enough = options;
+  enough.max_steps = kMostTrials;
+  enough.on_failure.then = FailurePolicy::Then::proceed;  // a ladder ends where the model does
+  const Objective residuals = residual_objective(study);
+  const auto run = [&](Optimizer& optimizer) {
+    return run_optimizer(optimizer, residuals, executor, &journal, enough).end == RunEnd::converged;
+  };
+  Identifiability result{
+      point, Identification(study.space, point, options_for(study, depth)), std::nullopt};
+  if (!analyze(study, result, run)) return std::nullopt;
+  result.point = result.identification.center();
+  result.best = best_of(study, journal, result.point);
+  std::optional<Result<Identifiability>> answer(std::in_place, std::move(result));
+  const Result<Identifiability>& found = *answer;
+  if (const auto& failure = found->identification.failure()) answer.emplace(Failure(*failure));
+  return answer;
+}
+
+std::optional<Identifiability> recorded_identifiability(const Study& study,
+                                                        const Journal& journal) {
+  auto rated = rated_trials(study, journal);
+  std::stable_sort(
+      rated.begin(), rated.end(), [](const auto& a, const auto& b) { return a.target < b.target; });
+  std::set<std::string> known;
+  for (const RatedTrial& trial : rated) known.insert(trial.point.bits());
+  const auto has_neighbors = [&](const RatedTrial& trial) {
+    const auto points =
+        Identification(study.space, trial.point, options_for(study, Depth::profiles)).wanted();
+    return std::all_of(points.begin(), points.end(), [&](const DesignPoint& point) {
+      return known.contains(point.bits());
+    });
+  };
+  const auto best = std::find_if(rated.begin(), rated.end(), has_neighbors);
+  if (best == rated.end()) return std::nullopt;
+
+  const Objective residuals = residual_objective(study);
+  const auto read = [&](Optimizer& optimizer) {
+    return replay(optimizer, residuals, journal, kMostTrials).end == RunEnd::converged;
+  };
+  const auto read_from_best = [&](const IdentificationOptions& options) {
+    Identifiability result{
+        best->point, Identification(study.space, best->point, options), std::nullopt};
+    if (!analyze(study, result, read) && result.cross_validation &&
+        result.cross_validation->left_out().empty()) {
+      result.cross_validation.reset();
+    }
+    return result;
+  };
+  IdentificationOptions options = options_for(study, Depth::profiles);
+  Identifiability result = read_from_best(options);
+  if (!result.identification.is_linearized()) {
+    options.most_centers = 1;  // not known or not to be had beside the better point
+    result = read_from_best(options);
+  }
+  if (!result.identification.is_linearized()) return std::nullopt;
+  result.point = result.identification.center();
+  result.best = best_of(study, journal, result.point);
+  return result;
+}
+
+std::string profile_text(const DesignSpace& space, const Profile& profile) {
+  const Interval beyond_bounds{-1.0, 2.0};
+  std::string text = interval_text(space, profile.variable, profile.interval);
+  const auto add = [&](const std::optional<double>& end, bool lower) {
+    if (!end) return;
+    Interval at = beyond_bounds;
+    (lower ? at.lower : at.upper) = *end;
+    std::string value = interval_text(space, profile.variable, at);
+    value = value.substr(value.find(' ', value.find(' ') + 1) + 1);  // without "at least"
+    text += (lower ? "; below " : "; above ") + value + " the model fails";
+  };
+  add(profile.lower_end, true);
+  add(profile.upper_end, false);
+  return text;
+}
+
+std::string known_digits(const DesignSpace& space,
+                         int variable,
+                         double value,
+                         const Interval& interval) {
+  const Unit unit = Unit::of(space[variable].unit);
+  const double lower = unit.from_si(value_at(space, variable, std::max(interval.lower, 0.0)));
+  const double upper = unit.from_si(value_at(space, variable, std::min(interval.upper, 1.0)));
+  return format_known(unit.from_si(value), 0.5 * (upper - lower));
+}
+
+std::string value_text(const DesignSpace& space,
+                       int variable,
+                       double value,
+                       const Interval& interval) {
+  const std::string& unit = space[variable].unit;
+  return known_digits(space, variable, value, interval) + (unit == "1" ? "" : " " + unit);
+}
+
+std::string interval_text(const DesignSpace& space, int variable, const Interval& interval) {
+  const double lower = value_at(space, variable, interval.lower),
+               upper = value_at(space, variable, interval.upper);
+  const bool low = interval.lower > 0.0, high = interval.upper < 1.0;
+  if (low && high) {
+    return known_digits(space, variable, lower, interval) + " .. " +
+           value_text(space, variable, upper, interval);
+  }
+  if (low) return "at least " + value_text(space, variable, lower, interval);
+  if (high) return "at most " + value_text(space, variable, upper, interval);
+  return "anywhere between the bounds";
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/analysis/measurement_gains.h"
+
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+#include "correlation/target/residuals.h"
+#include "correlation/target/tire_trials.h"
+#include "optimization/identifiability/candidate_gain.h"
+
+namespace latsch::correlation {
+namespace {
+
+std::vector<MeasurementGain> gains(const Eigen::MatrixXd& J,
+                                   const std::vector<Candidate>& candidates) {
+  const Eigen::VectorXd before = deviations_with_bounds(J);
+  std::vector<MeasurementGain> rows;
+  for (const CandidateGain& gain : candidate_gains(J, candidates)) {
+    Eigen::Index helps = 0;
+    (gain.deviations.array() / before.array()).minCoeff(&helps);
+    rows.push_back({candidates[gain.candidate].name,
+                    gain.shrinkage,
+                    static_cast<int>(helps),
+                    before[helps],
+                    gain.deviations[helps]});
+  }
+  return rows;
+}
+
+/// Mean of the noise that the values of the fitted experiments state, relative; nullopt where they
+/// do not.
+std::optional<MeasurementNoise> typical_noise(const Study& study) {
+  double sum = 0.0, count = 0.0;
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (!experiment.fitted) continue;
+    for (const double sigma : stated_deviations(experiment)) {
+      sum += sigma;
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? std::optional(MeasurementNoise{.relative = sum / count}) : std::nullopt;
+}
+
+/// Derivatives in units of what noise the variables feel; nullopt where that is not known or zero.
+std::optional<Eigen::MatrixXd> in_units_of_noise(const Identifiability& what) {
+  const Confidence& c = what.identification.confidence();
+  if (!(c.sigma > 0.0)) return std::nullopt;
+  return Eigen::MatrixXd(c.noise.cwiseInverse().asDiagonal() *
+                         what.identification.linearization().J);
+}
+
+DesignSpace without_priors(const DesignSpace& space) {
+  std::vector<DesignVariable> variables = space.variables();
+  for (DesignVariable& variable : variables) variable.prior.reset();
+  return DesignSpace(std::move(variables), space.constraints());
+}
+
+}  // namespace
+
+std::vector<MeasurementGain> repetition_gains(const Study& study, const Identifiability& what) {
+  const auto J = in_units_of_noise(what);
+  if (!J) return {};
+  const auto rows = residual_rows(study);
+  const auto& used = what.identification.residuals_used();
+  std::vector<Candidate> candidates;
+  for (size_t e = 0; e < study.experiments.size(); ++e) {
+    std::vector<Eigen::Index> own;
+    for (size_t k = 0; k < used.size(); ++k) {
+      if (rows[used[k]].experiment == static_cast<int>(e)) own.push_back(k);
+    }
+    if (own.empty()) continue;
+    const StudyExperiment& experiment = study.experiments[e];
+    candidates.push_back({experiment.name + ", all of it once more", (*J)(own, Eigen::all)});
+    if (own.size() == 1) continue;
+    for (Eigen::Index k : own) {
+      candidates.push_back({experiment.name + ", " + rows[used[k]].name + " once more", J->row(k)});
+    }
+  }
+  return gains(*J, candidates);
+}
+
+std::vector<DesignPoint> prediction_points(const Study& study, const Identifiability& what) {
+  return difference_points(study.space, what.point, what.identification.lengths());
+}
+
+std::vector<MeasurementGain> prediction_gains(const Study& study,
+                                              const Identifiability& what,
+                                              const std::vector<Channels>& at_points) {
+  const auto J = in_units_of_noise(what);
+  if (!J) return {};
+  const auto points = prediction_points(study, what);
+  assert(at_points.size() == points.size());
+  std::vector<Candidate> candidates;
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (experiment.fitted) continue;
+    Study alone = study;
+    alone.experiments = {experiment};
+    alone.experiments[0].fitted = true;
+    alone.experiments[0].objective.weight = 1.0;
+    if (!experiment.noise) alone.experiments[0].noise = typical_noise(study);
+    alone.space = without_priors(study.space);
+    const Objective residuals = residual_objective(alone);
+    std::vector<Eigen::VectorXd> r;
+    for (const Channels& channels : at_points) {
+      const auto score = residuals(channels);
+      r.emplace_back(
+          Eigen::Map<const Eigen::VectorXd>(score->residuals.data(), std::ssize(score->residuals)));
+    }
+    const auto known = known_residuals(r);
+    if (known.empty()) continue;
+    for (Eigen::VectorXd& v : r) v = Eigen::VectorXd(v(known));
+    const double spread = alone.experiments[0].noise ? 1.0 : what.identification.confidence().sigma;
+    candidates.push_back({experiment.name, differences(study.space, points, r).J / spread});
+  }
+  return gains(*J, candidates);
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/comparison/comparison_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+
+namespace latsch::correlation {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kForces = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
+
+fs::path existing(const Node& table, const char* key, const fs::path& folder) {
+  const fs::path file = (folder / table.text(key)).lexically_normal();
+  if (!fs::exists(file))
+    table.reject(key, "is " + in_quotes(file.string()) + ", which does not exist");
+  return file;
+}
+
+ComparedTire read_tire(const Node& table, const fs::path& folder) {
+  const auto* kind =
+      experiment::find_tire_kind(table.choice("kind", experiment::tire_kind_names()));
+  const fs::path file = existing(table, "file", folder);
+  ComparedTire tire{table.name(), {}, kind, file, kind->read(file), {}, {}};
+  kind->build(tire.numbers);  // what makes no tire is said before the first test
+  tire.title = table.text("title", table.name());
+  tire.built_from = table.text("built_from", "");
+  tire.parameters = table.text("parameters", "");
+  return tire;
+}
+
+Specimen read_specimen(const Node& table, const fs::path& folder) {
+  Specimen specimen{read_tire(table, folder), 0.0, {}, 1};
+  specimen.step = table.quantity("step", "s", Range::positive(), 0.0);
+  specimen.seed = table.integer("seed", 0, 1'000'000'000, 1);
+  if (const auto noise = table.find_table("noise")) {
+    for (const std::string& channel : kForces) {
+      if (noise->has(channel))
+        specimen.noise[channel] = noise->quantity(channel, unit_of(channel), Range::not_negative());
+    }
+  }
+  return specimen;
+}
+
+ComparisonTest read_test(const Node& table, const fs::path& folder, bool specimen) {
+  const fs::path file = existing(table, "file", folder);
+  const auto test = experiment::read_rolling_test(file);
+  const auto* drum = std::get_if<experiment::DrumTest>(&test);
+  if (!drum) table.reject("file", "is no drum test, expected kind = \"drum_cleat\" in it");
+  ComparisonTest one{table.name(), *drum, {}, table.flag("fitted", false)};
+  if (specimen == table.has("measurement"))
+    table.reject("measurement",
+                 specimen ? "stands beside [specimen], expected one of them"
+                          : "is missing: there is no [specimen] in its place");
+  if (!specimen) one.measurement = existing(table, "measurement", folder);
+  return one;
+}
+
+}  // namespace
+
+const char* unit_of(const std::string& channel) { return channel[0] == 'F' ? "N" : "N m"; }
+
+ComparisonFile read_comparison_file(const fs::path& file) {
+  const Document document = Document::read(file);
+  const Node root = document.root();
+  const fs::path folder = file.parent_path();
+  ComparisonFile comparison;
+  comparison.file = file;
+  comparison.title = root.text("title", file.stem().string());
+  comparison.channels =
+      root.has("channels") ? root.texts("channels") : std::vector<std::string>{"Fx", "Fz"};
+  for (const std::string& channel : comparison.channels) {
+    if (std::find(kForces.begin(), kForces.end(), channel) == kForces.end())
+      root.reject("channels", "has " + in_quotes(channel) + ", expected " + list_of(kForces));
+  }
+  comparison.band = {8.0, 200.0};
+  if (root.has("band")) {
+    const auto ends = root.quantities("band", "Hz", Range::positive());
+    if (ends.size() != 2 || ends[0] >= ends[1])
+      root.reject("band", "expected two frequencies, the lower one first");
+    comparison.band = {ends[0], ends[1]};
+  }
+  comparison.agreement = root.quantity("agreement", "1", Range::positive(), 3.0);
+  if (const auto table = root.find_table("specimen"))
+    comparison.specimen = read_specimen(*table, folder);
+  for (const Node& table : root.named_tables("test"))
+    comparison.tests.push_back(read_test(table, folder, comparison.specimen.has_value()));
+  if (comparison.tests.empty())
+    root.reject("test", "is missing, expected at least one [test.NAME] with its file");
+  for (const ComparisonTest& test : comparison.tests) {
+    const double step = comparison.specimen ? comparison.specimen->step : 0.0;
+    const double ratio = step > 0.0 ? test.drum.sample_step / step : 1.0;
+    if (ratio < 0.5 || std::abs(ratio - std::round(ratio)) > 1e-6)
+      root.table("specimen").reject("step", "does not divide the sample_step of test " + test.name);
+  }
+  for (const Node& table : root.named_tables("tire"))
+    comparison.tires.push_back(read_tire(table, folder));
+  if (comparison.tires.empty())
+    root.reject("tire", "is missing, expected at least one [tire.NAME] with kind and file");
+  root.close();
+  return comparison;
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `latsch compare` reads: tires of any kind, and the drum tests all of them are driven
+// through.
+//
+//   title = "Three tire models over the same cleats"
+//   channels = ["Fx", "Fz"]              # hub forces that are compared
+//   band = ["8 Hz", "200 Hz"]            # of spectra and levels
+//   agreement = 3                        # dB: how far a band may be off to count as followed
+//
+//   [specimen]                           # a tire in the place of a measured one
+//   kind = "ring_tire"                   # experiment/kinds/tire_kind.h
+//   file = "specimen.toml"
+//   step = "0.25 ms"                     # of its simulation; that of the test unless given
+//   seed = 1                             # of the noise
+//   [specimen.noise]                     # standard deviation, each sample; 0 unless given
+//   Fx = "10 N"
+//
+//   [test.slow]
+//   file = "slow.toml"                   # experiment/rigs/drum_rig.h
+//   measurement = "slow_measured.csv"    # time and the channels, in the frame of the test
+//                                        # (experiment/rigs/hub_frame.h); not beside [specimen]
+//   fitted = true                        # the tires were fitted to it: only told; default false
+//
+//   [tire.rigid_ring]                    # as many as there are
+//   title = "Rigid ring"
+//   kind = "rigid_ring"
+//   file = "rigid_ring.tir"
+//   built_from = "static stiffness, modes"   # measurements it needs, for the table
+//   parameters = "partly physical"
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/document.h"
+#include "experiment/tests/rolling_tests.h"
+#include "measurement/rig_response_fit.h"
+
+namespace latsch::correlation {
+
+struct ComparedTire {
+  std::string name, title;
+  const experiment::TireKind* kind = nullptr;
+  std::filesystem::path file;
+  Document numbers;
+  std::string built_from, parameters;
+};
+
+struct ComparisonTest {
+  std::string name;
+  experiment::DrumTest drum;
+  std::filesystem::path measurement;  // empty: of the specimen
+  bool fitted = false;
+};
+
+struct Specimen {
+  ComparedTire tire;
+  double step = 0.0;                    // s; 0: that of the test
+  std::map<std::string, double> noise;  // by channel
+  long seed = 1;
+};
+
+struct ComparisonFile {
+  std::filesystem::path file;
+  std::string title;
+  std::vector<std::string> channels;
+  FrequencyBand band;
+  double agreement = 3.0;  // dB
+  std::optional<Specimen> specimen;
+  std::vector<ComparisonTest> tests;
+  std::vector<ComparedTire> tires;
+};
+
+/// Of a force or moment by its name.
+const char* unit_of(const std::string& channel);
+
+/// Throws InputError naming the place.
+ComparisonFile read_comparison_file(const std::filesystem::path& file);
+
+}  // namespace latsch::correlation

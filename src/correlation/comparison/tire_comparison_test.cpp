@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/comparison/tire_comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "correlation/comparison/comparison_page.h"
+#include "evaluation/trial/scratch_folder_testing.h"
+#include "experiment/kinds/sparse_tir_testing.h"
+
+namespace latsch::correlation {
+namespace {
+
+constexpr const char* kDrum =
+    "kind = \"drum_cleat\"\nspeed = \"40 km/h\"\nload = \"4 kN\"\ndrum_diameter = \"2.5 m\"\n"
+    "run_in = \"0.1 s\"\nduration = \"0.256 s\"\nlead = \"0.03 s\"\nsample_step = \"1 ms\"\n"
+    "[cleat]\nheight = \"10 mm\"\nlength = \"60 mm\"\nbevel = \"5 mm\"\n";
+
+class Comparison : public testing::Test {
+ protected:
+  Comparison() {
+    const std::string same = experiment::sparse_tir(std::string("VERTICAL_DAMPING = 200\n") +
+                                                    experiment::kLongitudinalForce);
+    write("same.tir", same);
+    std::string other = same;
+    other.replace(other.find("190000"), 6, "380000");
+    write("stiff.tir", other);
+    write("drum.toml", kDrum);
+  }
+
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+  }
+  ComparisonFile file(const std::string& specimen) {
+    write("comparison.toml",
+          specimen +
+              "[tire.same]\nkind = \"magic_formula\"\nfile = \"same.tir\"\n"
+              "[tire.stiff]\ntitle = \"Stiff & <odd>\"\nkind = \"magic_formula\"\n"
+              "file = \"stiff.tir\"\n");
+    return read_comparison_file(folder_ / "comparison.toml");
+  }
+
+  ScratchFolder folder_;
+};
+
+const std::string kSpecimen =
+    "[specimen]\nkind = \"magic_formula\"\nfile = \"same.tir\"\n"
+    "[test.cleat]\nfile = \"drum.toml\"\n";
+
+TEST_F(Comparison, TheSpecimenItselfHasNoErrorAndAnotherTireHas) {
+  const ComparisonFile read = file(kSpecimen);
+  const TireComparison found = compare_tires(read);
+  for (std::size_t c = 0; c < read.channels.size(); ++c) {
+    EXPECT_EQ(found.tires[0].time_error[c], 0.0);
+    EXPECT_EQ(found.tires[0].psd_error[c], 0.0);
+    EXPECT_EQ(found.tires[0].follows[c].lower, found.bands.front().lower);
+    EXPECT_EQ(found.tires[0].follows[c].upper, found.bands.back().upper);
+  }
+  // Twice as stiff over the same step: about twice the force, 6 dB, at every frequency of Fz.
+  EXPECT_NEAR(found.tires[1].time_error[1], 1.0, 0.1);
+  EXPECT_NEAR(found.tires[1].level_error[1].front(), 6.0, 1.0);
+  EXPECT_LT(found.tires[1].cpu_over_time, 1.0);
+}
+
+TEST_F(Comparison, BandsBelowTheNoiseAreLeftOut) {
+  const ComparisonFile read = file(kSpecimen + "[specimen.noise]\nFz = \"1 MN\"\n");
+  const TireComparison found = compare_tires(read);
+  EXPECT_EQ(found.tires[0].follows[1].upper, 0.0);
+  EXPECT_GT(found.tires[0].follows[0].upper, 0.0);  // Fx has none
+}
+
+TEST_F(Comparison, NoiseIsTheSameOnEveryRun) {
+  const ComparisonFile read = file(kSpecimen + "[specimen.noise]\nFz = \"20 N\"\n");
+  EXPECT_EQ(measure(*read.specimen, read.tests[0], 0)["Fz"],
+            measure(*read.specimen, read.tests[0], 0)["Fz"]);
+  EXPECT_NE(measure(*read.specimen, read.tests[0], 0)["Fz"],
+            measure(*read.specimen, read.tests[0], 1)["Fz"]);
+}
+
+TEST_F(Comparison, RecordingsStandInTheSpecimensPlace) {
+  std::string table = "time [ms],Fx [N],Fz [kN]\n";
+  for (int i = -50; i < 300; ++i) table += std::to_string(i) + ",1,4\n";
+  write("measured.csv", table);
+  const std::string test = "channels = [\"Fz\"]\n[test.cleat]\nfile = \"drum.toml\"\n";
+  const auto read = file(test + "measurement = \"measured.csv\"\n");
+  const TireComparison found = compare_tires(read);
+  EXPECT_EQ(found.tests[0].measured[0].force.front(), 4000.0);
+  EXPECT_THROW(file(test), InputError);  // neither
+  write("measured.csv", "time [ms],Fz [kN]\n0,4\n1,4\n");
+  EXPECT_THROW(compare_tires(read), InputError);  // too short
+}
+
+TEST_F(Comparison, ThePageSaysWhatEachTireCanDo) {
+  const ComparisonFile read = file(kSpecimen);
+  const std::string page = comparison_page(read, compare_tires(read));
+  EXPECT_NE(page.find("Fz within 3 dB from"), std::string::npos);
+  EXPECT_NE(page.find("Stiff &amp; &lt;odd&gt;"), std::string::npos);
+  EXPECT_EQ(page.find("<odd>"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace latsch::correlation

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of two curves y(x) is compared, each value of it a residual of its own:
+//
+//   values       y at every measured x: the time series, or force over slip
+//   about_mean   y less its mean: a constant offset does not count
+//   psd          power spectral density of y over time: neither an offset nor a phase counts
+//                [thesis K, 3.3: the cost is the RMS between the densities, exponent = 2]
+//   band_levels  level of y in third-octave bands in dB: weak bands count like strong ones
+//   path         distance of every measured point (x, y) from the simulated line in the plane of
+//                x / x_scale and y / scale: where a curve is steep a small shift of x is a small
+//                error, and it may turn back (up and down a slip sweep)
+//
+//   [experiment.cleat]
+//   kind = "curve"
+//   x = "rig/time"
+//   y = "rig/Fz"
+//   measurement = "cleat.csv"
+//   compare = "psd"
+//   band = ["5 Hz", "300 Hz"]          # psd, band_levels; from the lowest line to half the rate
+//   convention = "scipy"               # or "octave", "matlab", see numerics/signals/welch.h
+//   segment = "0.5 s"                  # as the convention has it unless given
+//   rate = "2 kHz"                     # of the samples where there is no x
+//   scale = 1e4                        # what counts as 100 %, in SI: (unit of y)^2/Hz; the highest
+//                                      # measured density unless given; of band_levels 10 (dB)
+//   x_scale = "10 %"                   # path; the largest |x| unless given
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/document.h"
+#include "measurement/rig_response_fit.h"
+#include "numerics/signals/welch.h"
+
+namespace latsch::correlation {
+
+enum class ComparedCurve { values, about_mean, psd, band_levels, path };
+
+struct CurveComparison {
+  ComparedCurve what = ComparedCurve::values;
+  double rate = 0.0;              // Hz; psd and band_levels
+  FrequencyBand band;             // Hz
+  numerics::WelchSettings welch;  // for the number of measured samples
+  double x_scale = 1.0;           // path
+
+  bool of_spectrum() const {
+    return what == ComparedCurve::psd || what == ComparedCurve::band_levels;
+  }
+};
+
+/// Reads compare, band, convention, segment, rate and x_scale for a measured curve (SI). Throws
+/// InputError where times are not uniform or the band holds no line.
+CurveComparison read_comparison(const Node& table,
+                                const std::vector<double>& x,
+                                const std::vector<double>& y,
+                                const std::string& x_unit);
+
+/// Values of a curve given at the measured abscissas, as they are compared (not path).
+std::vector<double> compared_values(const CurveComparison& comparison,
+                                    const std::vector<double>& y);
+/// The frequencies they belong to, Hz (psd, band_levels).
+std::vector<double> compared_frequencies(const CurveComparison& comparison);
+
+/// Signed distance of the point (x, y) from the line through (xs, ys), all already scaled; positive
+/// on its left.
+double path_distance(double x,
+                     double y,
+                     const std::vector<double>& xs,
+                     const std::vector<double>& ys);
+
+}  // namespace latsch::correlation

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/observable/measurement_noise.h"
+
+#include <cmath>
+
+#include "base/text.h"
+#include "base/units.h"
+
+namespace latsch::correlation {
+namespace {
+
+constexpr double kHuberScale = 1.345, kCauchyScale = 2.385;
+
+std::string wanted_noise(const std::string& unit) {
+  std::string example = "\"2 %\"";
+  if (unit != "1")
+    example = "a deviation in " + unit + ", in percent, or both as in \"20 " + unit + " + 2 %\"";
+  return "expected " + example;
+}
+
+void add_part(const Node& table,
+              const std::string& part,
+              const std::string& unit,
+              MeasurementNoise& noise) {
+  const auto reject = [&](const std::string& why) {
+    table.reject("noise", "is " + in_quotes(table.text("noise")) + why + ", " + wanted_noise(unit));
+  };
+  const auto quantity = parse_quantity(part);
+  if (!quantity) reject(", of which " + in_quotes(part) + " is no number with a unit");
+  if (!std::isfinite(quantity->si) || !(quantity->si > 0.0)) {
+    reject(", of which " + in_quotes(part) + " is not above 0");
+  }
+  const auto compared = Unit::find(unit);
+  const bool is_relative = quantity->unit.dimensionless();
+  if (!is_relative && !(compared && quantity->unit.same_dimension(*compared))) {
+    reject(", but what is compared is in " + unit);
+  }
+  double& given = is_relative ? noise.relative : noise.absolute;
+  if (given > 0.0) reject(", which says the same twice");
+  given = quantity->si;
+}
+
+bool is_a_text(const Node& table, const char* key) {
+  try {
+    table.text(key);
+    return true;
+  } catch (const InputError&) {
+    return false;  // a number
+  }
+}
+
+}  // namespace
+
+std::optional<MeasurementNoise> read_noise(const Node& table, const std::string& unit) {
+  if (!table.has("noise")) return std::nullopt;
+  MeasurementNoise noise;
+  if (!is_a_text(table, "noise")) {
+    noise.relative = table.quantity("noise", "1", Range::positive());
+    return noise;
+  }
+  const std::string text = table.text("noise");
+  size_t from = 0;
+  while (true) {
+    // Not the sign of an exponent, "1e+2 N": a sum has room around its sign.
+    const size_t plus = text.find(" + ", from);
+    add_part(table, text.substr(from, plus == std::string::npos ? plus : plus - from), unit, noise);
+    if (plus == std::string::npos) return noise;
+    from = plus + 3;
+  }
+}
+
+double RobustLoss::operator()(double x) const {
+  if (loss == Loss::squares) return x;
+  const double a = std::abs(x) / scale;
+  const double rho = loss == Loss::cauchy ? std::log1p(a * a) : a <= 1.0 ? a * a : 2.0 * a - 1.0;
+  return std::copysign(scale * std::sqrt(rho), x);
+}
+
+RobustLoss read_loss(const Node& table, bool noise_is_stated) {
+  RobustLoss robust;
+  const std::string loss = table.choice("loss", {"squares", "huber", "cauchy"}, "squares");
+  if (loss == "squares") {
+    if (table.has("loss_scale")) {
+      table.reject("loss_scale",
+                   "is given, but no loss = \"huber\" or \"cauchy\" that has a scale");
+    }
+    return robust;
+  }
+  robust.loss = loss == "huber" ? Loss::huber : Loss::cauchy;
+  if (!noise_is_stated && !table.has("loss_scale")) {
+    table.reject("loss",
+                 "is \"" + loss +
+                     "\", but from where values count less is not known: expected noise beside it, "
+                     "or loss_scale = \"5 %\", an error beyond which they do");
+  }
+  robust.scale = table.quantity("loss_scale",
+                                "1",
+                                Range::positive(),
+                                robust.loss == Loss::huber ? kHuberScale : kCauchyScale);
+  return robust;
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which simulated mode belongs to which measured mode.
+//
+// A changed stiffness swaps the order of neighboring modes, so frequencies are compared only after
+// the simulated modes have been reordered to the measured ones. Where the laboratory measured
+// shapes, alike means the subspace MAC (mac.h) of the groups of equal frequency the two modes
+// belong to; where it reported labels only, alike means equal (n, type, phase), and what is not
+// known agrees with everything. Modes with neither are paired by their frequencies alone.
+//
+// The pairing is one to one: of all pairings it takes the one of the greatest summed likeness, and
+// among equals (two modes of one label, the two members of a pair) the one of the least frequency
+// difference. Pairs less alike than `min_likeness` are not made; both modes are then unmatched and
+// reported.
+#pragma once
+
+#include <vector>
+
+#include "experiment/rigs/mode_record.h"
+
+namespace latsch::correlation {
+
+using experiment::ModeRecord;
+
+struct PairingSettings {
+  double min_likeness = 0.5;      // in (0, 1]
+  double same_frequency = 0.002;  // modes closer than this, relative, form one group
+};
+
+struct ModePair {
+  int measured = 0;       // index into the measured modes
+  int simulated = 0;      // index into the simulated modes
+  double likeness = 0.0;  // subspace MAC, or 1 for an equal label
+};
+
+struct ModePairing {
+  std::vector<ModePair> pairs;  // ascending in `measured`
+  std::vector<int> missing;     // measured modes the simulation does not have
+  std::vector<int> extra;       // simulated modes nobody measured
+};
+
+ModePairing pair_modes(const std::vector<ModeRecord>& measured,
+                       const std::vector<ModeRecord>& simulated,
+                       const PairingSettings& settings = {});
+
+}  // namespace latsch::correlation

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/observable/objective.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+namespace latsch::correlation {
+namespace {
+
+/// Mean and maximum of |errors|.
+void summarize_errors(Comparison& comparison) {
+  double sum = 0.0;
+  for (double error : comparison.errors) {
+    sum += std::abs(error);
+    comparison.largest_error = std::max(comparison.largest_error, std::abs(error));
+  }
+  comparison.mean_error = sum / static_cast<double>(comparison.errors.size());
+}
+
+double mean_power(const std::vector<double>& differences, double k) {
+  double sum = 0.0;
+  for (double d : differences) sum += std::pow(std::abs(d), k);
+  return sum / static_cast<double>(differences.size());
+}
+
+double relative(double measured, double simulated) { return (measured - simulated) / measured; }
+
+}  // namespace
+
+Comparison compare_forces(const std::vector<double>& measured,
+                          const std::vector<double>& simulated,
+                          const ObjectiveSettings& settings) {
+  assert(!measured.empty() && measured.size() == simulated.size());
+  Comparison comparison;
+  for (size_t j = 0; j < measured.size(); ++j) {
+    assert(measured[j] > 0.0);
+    comparison.errors.push_back(relative(measured[j], simulated[j]));  // (2)
+    const double root = std::sqrt(std::max(0.0, simulated[j]));
+    comparison.differences.push_back(settings.compared == Compared::root_force
+                                         ? relative(std::sqrt(measured[j]), root)
+                                         : comparison.errors.back());
+  }
+  comparison.value = mean_power(comparison.differences, settings.exponent);
+  summarize_errors(comparison);
+  return comparison;
+}
+
+Comparison compare_modes(const std::vector<ModeRecord>& measured,
+                         const std::vector<ModeRecord>& simulated,
+                         const ObjectiveSettings& settings) {
+  assert(!measured.empty());
+  Comparison comparison;
+  comparison.pairing = pair_modes(measured, simulated, settings.pairing);
+  comparison.errors.assign(measured.size(), settings.missing_mode);
+  for (const ModePair& pair : comparison.pairing.pairs) {
+    comparison.errors[pair.measured] =
+        relative(measured[pair.measured].frequency, simulated[pair.simulated].frequency);  // (1)
+  }
+  comparison.differences = comparison.errors;
+  comparison.value = mean_power(comparison.differences, settings.exponent);
+  summarize_errors(comparison);
+  return comparison;
+}
+
+double target(const std::vector<Comparison>& comparisons, const std::vector<double>& weights) {
+  assert(comparisons.size() == weights.size());
+  double sum = 0.0, total = 0.0;
+  for (size_t e = 0; e < comparisons.size(); ++e) {
+    sum += weights[e] * comparisons[e].value;
+    total += weights[e];
+  }
+  assert(total > 0.0);
+  return sum / total;
+}
+
+std::vector<double> weighted_residuals(const std::vector<Comparison>& comparisons,
+                                       const std::vector<double>& weights) {
+  assert(comparisons.size() == weights.size());
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  std::vector<double> residuals;
+  for (size_t e = 0; e < comparisons.size(); ++e) {
+    const auto& d = comparisons[e].differences;
+    const double factor = std::sqrt(weights[e] / (static_cast<double>(d.size()) * total));
+    for (double difference : d) residuals.push_back(factor * difference);
+  }
+  return residuals;
+}
+
+std::string target_in_words(const std::vector<double>& exponents, double target) {
+  const bool alike =
+      std::adjacent_find(exponents.begin(), exponents.end(), std::not_equal_to<>()) ==
+      exponents.end();
+  if (exponents.empty()) return "";
+  const double k = exponents.front();
+  if (alike && k == 1.0) return "mean of the errors";
+  if (!alike) return "mean of the errors, each to the exponent of its experiment";
+  const double root = 100.0 * std::pow(target, 1.0 / k);
+  if (k == 2.0) return fmt::format("mean square of the errors, its root {:.3g} %", root);
+  return fmt::format("mean of the errors to the power {:g}, its root {:.3g} %", k, root);
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/study/channel_constraint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "base/text.h"
+#include "base/units.h"
+
+namespace latsch::correlation {
+namespace {
+
+/// Those of tire_rig.h; shapes of modes are none to be constrained.
+std::vector<KnownChannel> channels_of(const std::vector<StudyExperiment>& experiments) {
+  static const std::array<KnownChannel, 6> kOfCurves{{{"force", "N"},
+                                                      {"deflection", "m"},
+                                                      {"loaded_radius", "m"},
+                                                      {"patch_length", "m"},
+                                                      {"patch_width", "m"},
+                                                      {"patch_area", "m^2"}}};
+  std::vector<KnownChannel> channels;
+  for (const StudyExperiment& experiment : experiments) {
+    if (!experiment.fitted) continue;
+    if (experiment.modal()) {
+      channels.push_back({experiment.name + "/frequency", "Hz"});
+      continue;
+    }
+    for (const KnownChannel& own : kOfCurves) {
+      channels.push_back({experiment.name + "/" + own.name, own.unit});
+    }
+  }
+  return channels;
+}
+
+std::string unit_of(const Node& table,
+                    const std::string& channel,
+                    const std::vector<KnownChannel>& channels) {
+  std::vector<std::string> names;
+  for (const KnownChannel& known : channels) {
+    if (known.name == channel) return known.unit;
+    names.push_back(known.name);
+  }
+  table.reject("channel",
+               fmt::format("is {}, which no trial records{}; there are {}",
+                           in_quotes(channel),
+                           did_you_mean(channel, names),
+                           list_of(names)));
+}
+
+/// The unit a person wrote a bound in.
+std::string written_unit(const Node& table, const char* key, const std::string& unit) {
+  if (unit == "1") return unit;
+  const auto quantity = parse_quantity(table.text(key));
+  return quantity ? quantity->unit.text() : unit;
+}
+
+double value_of(const std::string& of, const std::vector<double>& values) {
+  if (of == "smallest") return *std::min_element(values.begin(), values.end());
+  if (of == "first") return values.front();
+  if (of == "last") return values.back();
+  if (of == "mean") {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  }
+  return *std::max_element(values.begin(), values.end());
+}
+
+void read_bounds(const Node& table, const std::string& unit, ChannelConstraint& constraint) {
+  const char* first = nullptr;
+  for (const char* key : {"equal", "lower", "upper"}) {
+    if (!table.has(key)) continue;
+    const double value = table.quantity(key, unit);
+    if (key != std::string_view("upper")) constraint.lower = value;
+    if (key != std::string_view("lower")) constraint.upper = value;
+    if (!first) first = key;
+  }
+  if (!first) table.reject("lower", "is missing, expected lower, upper or equal");
+  if (first == std::string_view("equal") && (table.has("lower") || table.has("upper"))) {
+    table.reject("equal", "stands beside lower or upper, expected it alone");
+  }
+  if (constraint.lower && constraint.upper && *constraint.lower > *constraint.upper) {
+    table.reject("lower", "is above upper");
+  }
+  constraint.unit = written_unit(table, first, unit);
+}
+
+}  // namespace
+
+ChannelConstraint read_channel_constraint(const Node& table,
+                                          const std::vector<StudyExperiment>& experiments,
+                                          const std::vector<KnownChannel>* known) {
+  ChannelConstraint constraint;
+  constraint.name = table.name();
+  constraint.channel = table.text("channel");
+  const std::string unit =
+      unit_of(table, constraint.channel, known ? *known : channels_of(experiments));
+  constraint.of = table.choice("of", {"largest", "smallest", "mean", "first", "last"}, "largest");
+  read_bounds(table, unit, constraint);
+  const double size =
+      std::max(std::abs(constraint.lower.value_or(0.0)), std::abs(constraint.upper.value_or(0.0)));
+  if (!table.has("scale") && !(size > 0.0)) {
+    table.reject("scale", "is missing: a bound of 0 does not say what counts as much");
+  }
+  constraint.scale = table.quantity("scale", unit, Range::positive(), size);
+  return constraint;
+}
+
+std::optional<Failure> apply(const ChannelConstraint& constraint,
+                             const Channels& channels,
+                             Score& score) {
+  const Channel* channel = channels.find(constraint.channel);
+  if (!channel || channel->values.empty()) {
+    return Failure{fmt::format("constraint \"{}\": the trial has no values of {}",
+                               constraint.name,
+                               constraint.channel),
+                   Cause::bad_output};
+  }
+  const double y = value_of(constraint.of, channel->values);
+  if (!std::isfinite(y)) {
+    return Failure{
+        fmt::format("constraint \"{}\": {} is {}", constraint.name, constraint.channel, y),
+        Cause::bad_output};
+  }
+  if (constraint.is_equation()) {
+    score.equations.push_back((y - *constraint.upper) / constraint.scale);
+    return std::nullopt;
+  }
+  if (constraint.lower) score.constraints.push_back((*constraint.lower - y) / constraint.scale);
+  if (constraint.upper) score.constraints.push_back((y - *constraint.upper) / constraint.scale);
+  return std::nullopt;
+}
+
+std::string in_words(const ChannelConstraint& constraint) {
+  std::string text = constraint.of + " " + constraint.channel;
+  const auto bound = [&](double value) { return format_quantity(value, constraint.unit); };
+  if (constraint.is_equation()) return text + " = " + bound(*constraint.upper);
+  if (constraint.lower) text = bound(*constraint.lower) + " <= " + text;
+  if (constraint.upper) text += " <= " + bound(*constraint.upper);
+  return text;
+}
+
+}  // namespace latsch::correlation

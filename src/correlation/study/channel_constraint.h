@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// A constraint on what a trial records: nonlinear in the variables.
+//
+//   [constraint.stiff_enough]
+//   channel = "stiffness/force"        # EXPERIMENT/CHANNEL; of a simulator
+//                                    # OUTPUT/QUANTITY, of a rolling tire TEST/CHANNEL
+//   of = "largest"                     # of its values; or smallest, mean, first, last
+//   lower = "4 kN"                     # and upper; or equal = "..." in the place of both
+//   scale = "1 kN"                     # a violation of 100 %; the size of the bound unless given
+//
+// With y that value:  c = (lower - y) / scale,  (y - upper) / scale,  h = (y - equal) / scale.
+// It counts as fulfilled up to kFulfilled of the scale (optimization/problem/score.h). Methods that know
+// such constraints: gss_nlc, sqp. Channels of a tire: force, deflection, loaded_radius,
+// patch_length, patch_width, patch_area of a load_deflection, frequency of modes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/document.h"
+#include "correlation/observable/known_channels.h"
+#include "correlation/study/study_experiment.h"
+#include "measurement/channels.h"
+#include "optimization/problem/score.h"
+
+namespace latsch::correlation {
+
+struct ChannelConstraint {
+  std::string name;
+  std::string channel;
+  std::string of = "largest";
+  std::optional<double> lower, upper;  // SI; equal where they are the same
+  double scale = 1.0;
+  std::string unit = "1";  // in which a person reads it
+
+  bool is_equation() const { return lower && upper && *lower == *upper; }
+};
+
+/// Reads one [constraint.NAME] on the `known` channels; without them on those of the experiments of
+/// a finite-element tire. Throws InputError where the trials have no such channel or it has another
+/// quantity.
+ChannelConstraint read_channel_constraint(const Node& table,
+                                          const std::vector<StudyExperiment>& experiments,
+                                          const std::vector<KnownChannel>* known);
+
+/// Adds its c or h to the score. A Failure where the trial left no such channel or an empty one.
+std::optional<Failure> apply(const ChannelConstraint& constraint,
+                             const Channels& channels,
+                             Score& score);
+
+/// "4 kN <= largest stiffness/force"
+std::string in_words(const ChannelConstraint& constraint);
+
+}  // namespace latsch::correlation

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/study/channel_constraint.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace latsch::correlation {
+namespace {
+
+std::vector<StudyExperiment> experiments() {
+  StudyExperiment curve, modes;
+  curve.name = "stiffness";
+  curve.load_case.test = experiment::LoadDeflection{};
+  modes.name = "modes";
+  modes.load_case.test = experiment::ModalTest{};
+  return {curve, modes};
+}
+
+ChannelConstraint channel_constraint_of(const std::string& text) {
+  const Document document = Document::parse("[c.row]\n" + text, "study.toml");
+  const Node root = document.root();
+  const auto constraint =
+      read_channel_constraint(root.named_tables("c").front(), experiments(), nullptr);
+  root.close();
+  return constraint;
+}
+
+void expect_refused(const std::string& text, const std::string& part) {
+  try {
+    channel_constraint_of(text);
+    FAIL() << text;
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+Channels forces(std::vector<double> values) {
+  Channels channels;
+  channels.add({"stiffness/force", "N", std::move(values)});
+  return channels;
+}
+
+TEST(ChannelConstraint, CountsInSharesOfItsScale) {
+  Score score;
+  const auto within = channel_constraint_of(
+      "channel = \"stiffness/force\"\nlower = \"4 kN\"\nupper = \"5 kN\"\nscale = \"1 kN\"");
+  EXPECT_FALSE(apply(within, forces({1000, 5500}), score));
+  EXPECT_EQ(score.constraints, (std::vector<double>{-1.5, 0.5}));
+  EXPECT_EQ(in_words(within), "4 kN <= largest stiffness/force <= 5 kN");
+  const auto equal =
+      channel_constraint_of("channel = \"modes/frequency\"\nof = \"smallest\"\nequal = \"50 Hz\"");
+  Channels modes;
+  modes.add({"modes/frequency", "Hz", {60, 55}});
+  EXPECT_FALSE(apply(equal, modes, score));
+  ASSERT_EQ(score.equations.size(), 1u);
+  EXPECT_DOUBLE_EQ(score.equations[0], 0.1);
+}
+
+TEST(ChannelConstraint, TakesTheValueItNames) {
+  const auto value = [](const std::string& of) {
+    Score score;
+    const auto constraint = channel_constraint_of("channel = \"stiffness/force\"\nof = \"" + of +
+                                                  "\"\nupper = \"0 N\"\nscale = \"1 N\"");
+    EXPECT_FALSE(apply(constraint, forces({2, 7, 1, 6}), score));
+    return score.constraints.front();
+  };
+  EXPECT_EQ(value("largest"), 7);
+  EXPECT_EQ(value("smallest"), 1);
+  EXPECT_EQ(value("mean"), 4);
+  EXPECT_EQ(value("first"), 2);
+  EXPECT_EQ(value("last"), 6);
+}
+
+TEST(ChannelConstraint, OfATrialWithoutItsChannelOrWithoutANumberIsAFailure) {
+  Score score;
+  const auto constraint = channel_constraint_of("channel = \"stiffness/force\"\nupper = \"4 kN\"");
+  EXPECT_TRUE(apply(constraint, Channels(), score));
+  EXPECT_TRUE(apply(constraint, forces({}), score));
+  EXPECT_TRUE(apply(constraint, forces({NAN}), score));
+}
+
+TEST(ChannelConstraint, SaysWhatIsWrong) {
+  expect_refused("channel = \"stiffness/forse\"\nupper = \"4 kN\"",
+                 "study.toml:2: c.row.channel is \"stiffness/forse\", which no trial records, did "
+                 "you mean \"stiffness/force\"?");
+  expect_refused("channel = \"stiffness/force\"\nupper = \"4 mm\"", "study.toml:3");
+  expect_refused("channel = \"stiffness/force\"", "expected lower, upper or equal");
+  expect_refused("channel = \"stiffness/force\"\nlower = \"2 N\"\nupper = \"1 N\"", "above upper");
+  expect_refused("channel = \"stiffness/force\"\nequal = \"2 N\"\nupper = \"1 N\"", "alone");
+  expect_refused("channel = \"stiffness/force\"\nupper = \"0 N\"", "scale is missing");
+  expect_refused("channel = \"stiffness/force\"\nupper = \"1 N\"\nof = \"median\"", "smallest");
+}
+
+}  // namespace
+}  // namespace latsch::correlation

@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/study/plausibility.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string_view>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "formats/tables/csv_table.h"
+#include "models/fe_tire/description/tire_description.h"
+
+namespace latsch::correlation {
+namespace {
+
+/// Ranges in `unit`: below `least` or above `most` it is no tire, outside of `from` to `to`
+/// unusual.
+struct UsualRange {
+  const char* below;  // the table a key stands in, the first part of its path; empty: any
+  const char* key;
+  const char* words;
+  const char* unit;
+  double least, from, to, most;
+  std::vector<const char*> taken_for;  // units that are easily mixed up
+  bool zero_allowed = false;
+};
+
+const std::vector<UsualRange>& usual_ranges() {
+  static const std::vector<const char*> pressures{"kPa", "bar", "psi", "MPa", "Pa"};
+  static const std::vector<const char*> moduli{"MPa", "GPa", "kPa", "Pa"};
+  static const std::vector<const char*> lengths{"mm", "cm", "m", "in"};
+  static const std::vector<const char*> forces{"N", "kN", "lbf"};
+  static const std::vector<const char*> densities{"kg/m^3", "g/cm^3"};
+  static const std::vector<UsualRange> all{
+      {"", "pressure", "an inflation pressure", "bar", 0.02, 0.3, 16, 40, pressures},
+      {"rubber", "young_modulus", "a rubber's modulus", "MPa", 0.01, 0.3, 300, 5e3, moduli},
+      {"rubber", "density", "a rubber's density", "kg/m^3", 100, 700, 3000, 2e4, densities},
+      {"layer", "young_modulus", "a layer's modulus", "MPa", 1, 20, 2.5e5, 1.5e6, moduli},
+      {"layer", "density", "a cord's density", "kg/m^3", 50, 200, 9000, 2.5e4, densities, true},
+      {"layer", "spacing", "a distance of cords", "mm", 0.05, 0.3, 5, 50, lengths},
+      {"layer", "cord_diameter", "a cord's diameter", "mm", 0.01, 0.1, 3, 20, lengths},
+      {"section", "thickness_inside", "a wall's thickness", "mm", 0.01, 0.3, 50, 200, lengths},
+      {"section", "thickness_outside", "a wall's thickness", "mm", 0.01, 0.3, 50, 200, lengths},
+      {"experiment", "load", "a wheel load", "N", 5, 100, 6e4, 1e6, forces},
+      {"test", "load", "a wheel load", "N", 5, 100, 6e4, 1e6, forces},
+      {"test", "loads", "a wheel load", "N", 5, 100, 6e4, 1e6, forces},
+      {"test", "speed", "a speed", "km/h", 0, 0.1, 350, 1500, {"km/h", "m/s"}, true},
+      {"test", "drum_diameter", "a drum's diameter", "m", 0.1, 0.5, 6, 50, {"m", "mm", "in"}},
+  };
+  return all;
+}
+
+const UsualRange kUsualStiffness{
+    "", "", "the stiffness of a tire", "N/mm", 2, 20, 3000, 3e4, {"N/mm", "kN/mm"}};
+const UsualRange kUsualMode{"", "", "a tire's mode", "Hz", 1, 8, 1000, 1e4, {"Hz", "kHz"}};
+
+double in_unit(const UsualRange& range, double si) { return Unit::of(range.unit).from_si(si); }
+
+enum class Seen { usual, unusual, impossible };
+
+Seen judged(const UsualRange& range, double si) {
+  const double value = in_unit(range, si);
+  if (value == 0.0 && range.zero_allowed) return Seen::usual;
+  if (value < range.least || value > range.most) return Seen::impossible;
+  return value < range.from || value > range.to ? Seen::unusual : Seen::usual;
+}
+
+/// "; 240 kPa would be usual": the number as written in another unit of those easily mixed up.
+std::string may_be_meant(const UsualRange& range, const std::string& written) {
+  const auto quantity = parse_quantity(written);
+  if (!quantity) return "";
+  const auto number = parse_number(quantity->number);
+  if (!number) return "";
+  for (const char* unit : range.taken_for) {
+    if (quantity->unit.text() == unit) continue;
+    if (judged(range, Unit::of(unit).to_si(*number)) == Seen::usual) {
+      return fmt::format("; {} would be usual", in_quotes(quantity->number + " " + unit));
+    }
+  }
+  return "";
+}
+
+std::string usual_in_words(const UsualRange& range) {
+  return fmt::format(
+      "{} is usually {:g} to {:g} {}", range.words, range.from, range.to, range.unit);
+}
+
+/// A number of a document: where it stands and how it is written.
+struct Written {
+  Place place;
+  std::string text;  // empty where it is one of a list
+};
+
+Written written_at(const Document& document, const std::string& path) {
+  Node node = document.root();
+  std::size_t begin = 0;
+  for (;;) {
+    const auto end = path.find('.', begin);
+    const std::string key = path.substr(begin, end - begin);
+    Written written{node.place(key), ""};
+    try {
+      if (end == path.npos) {
+        written.text = node.text(key);
+        return written;
+      }
+      const auto below = node.find_table(key);
+      if (!below) return written;
+      node = *below;
+      begin = end + 1;
+    } catch (const InputError&) {  // a list, or a plain number
+      return written;
+    }
+  }
+}
+
+/// The key a number belongs to: "deflections" of "test.a.deflections.values.2".
+std::string key_of(std::string path) {
+  for (;;) {
+    const auto dot = path.rfind('.');
+    if (dot == path.npos) return path;
+    const std::string last = path.substr(dot + 1);
+    const bool place = last.find_first_not_of("0123456789") == last.npos;
+    if (!place && last != "values") return last;
+    path.resize(dot);
+  }
+}
+
+const UsualRange* range_of(const std::string& path) {
+  const std::string top = path.substr(0, path.find('.')), key = key_of(path);
+  for (const UsualRange& range : usual_ranges()) {
+    if (key == range.key && (*range.below == '\0' || top == range.below)) return &range;
+  }
+  return nullptr;
+}
+
+void examine_value(const UsualRange& range,
+                   const Written& written,
+                   const std::string& name,
+                   double si,
+                   std::vector<Finding>& found) {
+  const Seen seen = judged(range, si);
+  if (seen == Seen::usual) return;
+  found.push_back({written.place,
+                   fmt::format("{} is {}, but {}{}",
+                               name,
+                               written.text.empty() ? format_quantity(si, range.unit, 4)
+                                                    : in_quotes(written.text),
+                               usual_in_words(range),
+                               may_be_meant(range, written.text)),
+                   seen == Seen::impossible});
+}
+
+void examine_document(const Document& document, std::vector<Finding>& found) {
+  for (const std::string& path : document.paths()) {
+    const UsualRange* range = range_of(path);
+    const double si = document.get(path);
+    if (!range || !std::isfinite(si)) continue;
+    // The second column of a profile alone is a length.
+    if (std::string_view(range->key).starts_with("thickness") && !path.ends_with(".1")) continue;
+    if (document.unit(path) == "1") continue;
+    examine_value(*range, written_at(document, path), path, si, found);
+  }
+}
+
+/// A variable's bounds are values of its numbers: the same ranges hold, as warnings.
+void examine_variables(const Study& study, const Document& file, std::vector<Finding>& found) {
+  std::map<std::string, std::string> owners;
+  for (const DesignVariable& variable : study.space.variables()) {
+    const std::string at = "variable." + variable.name + ".";
+    for (const std::string& path : variable.paths) {
+      const auto [owner, first] = owners.emplace(path, variable.name);
+      if (first) continue;
+      found.push_back({variable.place,
+                       fmt::format("{}path {} is set by variable {} already: expected each number "
+                                   "in one variable, once",
+                                   at,
+                                   in_quotes(path),
+                                   in_quotes(owner->second)),
+                       true});
+    }
+    const UsualRange* range = variable.paths.empty() ? nullptr : range_of(variable.paths.front());
+    if (!range) continue;
+    for (const char* key : {"lower", "upper", "initial"}) {
+      const std::string path = at + key;
+      const std::size_t before = found.size();
+      examine_value(*range, written_at(file, path), path, file.get(path), found);
+      if (found.size() == before) continue;
+      // A bound may lie far out on purpose.
+      const bool is_bound = std::string_view(key) != "initial";
+      if (is_bound && !found.back().impossible) {
+        found.pop_back();
+      } else {
+        found.back().impossible = false;
+      }
+    }
+  }
+}
+
+/// What a measurement on a tire has to fit into, m.
+struct TireSize {
+  double outer_radius = 0.0, section_height = 0.0;
+};
+
+std::optional<TireSize> size_of(const Study& study) {
+  if (study.has_fe_tire()) {
+    const auto tire = fe_tire::read_tire(study.model.root());
+    const double radius = tire.section.contour.front().r + tire.section.outside.at(0.0);
+    return TireSize{radius, radius - tire.section.contour.back().r};
+  }
+  if (!study.rolling) return std::nullopt;
+  std::optional<double> outer, rim;
+  for (const std::string& path : study.model.paths()) {
+    if (path.ends_with("UNLOADED_RADIUS")) outer = study.model.get(path);
+    if (path.ends_with("RIM_RADIUS")) rim = study.model.get(path);
+  }
+  if (!outer || !rim || !(*outer > *rim)) return std::nullopt;
+  return TireSize{*outer, *outer - *rim};
+}
+
+void examine_deflection(const TireSize& size,
+                        const Place& place,
+                        const std::string& name,
+                        double deflection,
+                        std::vector<Finding>& found) {
+  constexpr double kDeep = 0.6;  // of the section's height: the rim is near
+  const bool impossible = deflection > size.section_height;
+  if (deflection <= kDeep * size.section_height) return;
+  found.push_back({place,
+                   fmt::format("{} is {:.4g} mm, {} the section of this tire, {:.0f} mm high: "
+                               "deflections are usually up to a third of it. Is it another tire's, "
+                               "or its unit wrong?",
+                               name,
+                               1e3 * deflection,
+                               impossible ? "deeper than" : "close to",
+                               1e3 * size.section_height),
+                   impossible});
+}
+
+/// Deflections that the study itself names: of tests and of standing tires.
+void examine_deflections(const Document& file, const TireSize& size, std::vector<Finding>& found) {
+  for (const std::string& path : file.paths()) {
+    const std::string key = key_of(path);
+    const bool own = path.starts_with("experiment.") || path.starts_with("test.");
+    if (!own || (key != "deflection" && key != "deflections") || file.unit(path) != "m") continue;
+    examine_deflection(size, written_at(file, path).place, path, file.get(path), found);
+  }
+}
+
+void examine_stiffness(const Place& place,
+                       double force,
+                       double deflection,
+                       std::vector<Finding>& found) {
+  const double stiffness = force / deflection;
+  const Seen seen = judged(kUsualStiffness, stiffness);
+  if (seen == Seen::usual) return;
+  const bool soft = in_unit(kUsualStiffness, stiffness) < kUsualStiffness.from;
+  const char* next = "";
+  if (judged(kUsualStiffness, 1e3 * stiffness) == Seen::usual)
+    next = ". Were the forces in kN? Then the column is \"force [kN]\"";
+  if (judged(kUsualStiffness, 1e-3 * stiffness) == Seen::usual)
+    next = ". Were the forces in N? Then the column is \"force [N]\"";
+  found.push_back({place,
+                   fmt::format("{:.4g} N at {:.4g} mm is {:.3g} N/mm, too {} for a tire: {}{}",
+                               force,
+                               1e3 * deflection,
+                               in_unit(kUsualStiffness, stiffness),
+                               soft ? "soft" : "stiff",
+                               usual_in_words(kUsualStiffness),
+                               next),
+                   seen == Seen::impossible});
+}
+
+/// One finding a table: what is wrong with a column is wrong with all of it. The first that is
+/// impossible, else the first that is unusual.
+void examine_load_deflection(const StudyExperiment& experiment,
+                             const TireSize& size,
+                             std::vector<Finding>& found) {
+  constexpr double kGrowth = 1.1;  // by inflation, and a softer tire than described
+  constexpr double kFirst = 0.03;  // of the section's height: below, first touch decides the force
+  const auto& test = std::get<experiment::LoadDeflection>(experiment.load_case.test);
+  if (experiment.forces.empty()) return;
+  const auto table = formats::CsvTable::read(experiment.measurement_file);
+  const bool radii = !test.loaded_radii.empty();
+  const auto& positions = radii ? test.loaded_radii : test.deflections;
+  std::vector<Finding> worst;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Place place = table.place(static_cast<int>(i));
+    std::vector<Finding> of_row;
+    if (radii && positions[i] > kGrowth * size.outer_radius) {
+      of_row.push_back(
+          {place,
+           fmt::format("loaded_radius is {:.1f} mm, but this tire has {:.1f} mm without "
+                       "load: is it another tire's, or a diameter?",
+                       1e3 * positions[i],
+                       1e3 * size.outer_radius),
+           true});
+    }
+    const double deflection = radii ? size.outer_radius - positions[i] : positions[i];
+    examine_deflection(size,
+                       place,
+                       radii ? "the deflection of this loaded_radius" : "deflection",
+                       deflection,
+                       of_row);
+    if (of_row.empty() && deflection > kFirst * size.section_height)
+      examine_stiffness(place, experiment.forces[i], deflection, of_row);
+    if (of_row.empty() || (!worst.empty() && !of_row.front().impossible)) continue;
+    worst = {of_row.front()};
+    if (worst.front().impossible) break;
+  }
+  found.insert(found.end(), worst.begin(), worst.end());
+}
+
+void examine_modes(const StudyExperiment& experiment, std::vector<Finding>& found) {
+  const bool table = experiment.measurement_file.extension() != ".toml";
+  std::optional<formats::CsvTable> rows;
+  if (table && !experiment.modes.empty())
+    rows = formats::CsvTable::read(experiment.measurement_file);
+  const auto place = [&](std::size_t i) {
+    return rows ? rows->place(static_cast<int>(i)) : Place{experiment.measurement_file.string(), 0};
+  };
+  for (std::size_t i = 0; i < experiment.modes.size(); ++i) {
+    const double f = experiment.modes[i].frequency;
+    if (const Seen seen = judged(kUsualMode, f); seen != Seen::usual) {
+      found.push_back({place(i),
+                       fmt::format("frequency is {:.4g} Hz, but {}", f, usual_in_words(kUsualMode)),
+                       seen == Seen::impossible});
+    }
+    int same = 0;
+    for (std::size_t j = 0; j < i; ++j) {
+      same += experiment.modes[j].frequency == f &&
+              experiment.modes[j].label() == experiment.modes[i].label();
+    }
+    // Free to turn, a tire has every mode with waves around it twice: not three times.
+    const auto& test = std::get<experiment::ModalTest>(experiment.load_case.test);
+    const bool is_pair = !test.loaded() && experiment.modes[i].n != 0;
+    if (same < 1 || (is_pair && same == 1)) continue;
+    found.push_back(
+        {place(i),
+         fmt::format("{:.4g} Hz, {} stands in the table {}: {}",
+                     f,
+                     experiment.modes[i].label(),
+                     same == 1 ? "twice" : "three times",
+                     same == 1 ? "a row too many?"
+                               : "a tire has a mode twice at most, expected each row once"),
+         same > 1});
+  }
+}
+
+/// The same table fitted twice counts twice, which a weight says better.
+void examine_repetitions(const Study& study, const Document& file, std::vector<Finding>& found) {
+  for (std::size_t i = 0; i < study.experiments.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const StudyExperiment &a = study.experiments[j], &b = study.experiments[i];
+      const bool same_channels = !a.curve || !b.curve ||
+                                 (a.curve->x == b.curve->x && a.curve->y == b.curve->y &&
+                                  a.curve->compared_name == b.curve->compared_name);
+      if (!a.fitted || !b.fitted || a.measurement_file != b.measurement_file || !same_channels)
+        continue;
+      found.push_back(
+          {written_at(file, "experiment." + b.name + ".measurement").place,
+           fmt::format("experiment.{}.measurement is {}, which experiment {} is fitted to already: "
+                       "it counts twice. If that is meant, weight = 2 says it",
+                       b.name,
+                       in_quotes(b.measurement_file.filename().string()),
+                       in_quotes(a.name)),
+           false});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Finding> implausible(const Study& study) {
+  std::vector<Finding> found;
+  const Document file = Document::read(study.file);
+  if (study.has_fe_tire()) examine_document(study.model, found);
+  if (!study.simulator) examine_document(file, found);
+  examine_variables(study, file, found);
+  examine_repetitions(study, file, found);
+  const auto size = size_of(study);
+  if (size) examine_deflections(file, *size, found);
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (experiment.curve) continue;
+    if (experiment.modal()) {
+      examine_modes(experiment, found);
+    } else if (size) {
+      examine_load_deflection(experiment, *size, found);
+    }
+  }
+  return found;
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// Studies with an outside program in the model's place.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "base/error.h"
+#include "correlation/study/study.h"
+#include "correlation/target/tire_trials.h"
+#include "evaluation/trial/scratch_folder_testing.h"
+
+namespace latsch::correlation {
+namespace {
+
+const std::string kStudy = R"(
+[simulator]
+command = ["/bin/sh", "{study}/program.sh"]
+inputs = ["in.txt"]
+[simulator.output.out]
+file = "out.csv"
+reader = "table"
+quantities = ["t [s]", "z [mm]"]
+[variable.k]
+lower = "1 N/mm"
+upper = "9 N/mm"
+initial = "2 N/mm"
+[experiment.step]
+kind = "curve"
+x = "out/t"
+y = "out/z"
+measurement = "measured.csv"
+)";
+
+class SimulatorStudy : public testing::Test {
+ protected:
+  void SetUp() override {
+    write("study.toml", kStudy);
+    write("in.txt", "{k}\n");
+    write("program.sh",
+          "read k < in.txt; printf 't [s],z [mm]\\n0,0\\n1,%s\\n2,4\\n' $k > out.csv");
+    write("measured.csv", "t [s],z [mm]\n0.5,1.5\n2,4\n");
+  }
+  void write(const char* name, const std::string& text) { std::ofstream(folder_ / name) << text; }
+  Study read() { return read_study(folder_ / "study.toml"); }
+
+  void refused(const std::string& from, const std::string& to, const std::string& part) {
+    std::string text = kStudy;
+    text.replace(text.find(from), from.size(), to);
+    write("study.toml", text);
+    try {
+      read();
+      FAIL() << to;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  }
+
+  ScratchFolder folder_;
+};
+
+// z(0.5) = k / 2 between (0, 0) and (1, k): measured 1.5 mm needs k = 3, and the scale is 4 mm.
+// One experiment of two values: each residual is its share sqrt(1/2) of the difference.
+TEST_F(SimulatorStudy, ResidualsAreThoseOfTheInterpolatedCurve) {
+  const Study study = read();
+  const auto channels = evaluator(study)({{2000.0}});
+  ASSERT_TRUE(channels.ok()) << channels.failure().reason;
+  const auto score = objective(study)(*channels);
+  ASSERT_TRUE(score.ok());
+  ASSERT_EQ(score->residuals.size(), 2u);
+  EXPECT_NEAR(score->residuals[0], std::sqrt(0.5) * (1.5 - 1.0) / 4.0, 1e-14);
+  EXPECT_NEAR(score->residuals[1], 0.0, 1e-14);
+  EXPECT_NEAR(score->value, 0.0625, 1e-14);
+}
+
+TEST_F(SimulatorStudy, AProgramThatEndsTooEarlyHasFailed) {
+  write("measured.csv", "t [s],z [mm]\n0.5,1.5\n3,4\n");
+  const auto channels = evaluator(read())({{2000.0}});
+  ASSERT_FALSE(channels.ok());
+  EXPECT_EQ(channels.failure().cause, Cause::bad_output);
+  EXPECT_NE(channels.failure().reason.find("reaches from 0 to 2 s, but was measured at 3 s"),
+            std::string::npos)
+      << channels.failure().reason;
+}
+
+TEST_F(SimulatorStudy, AVariableMayBeAPlainNumber) {
+  std::string text = kStudy;
+  const std::string with_units = "lower = \"1 N/mm\"\nupper = \"9 N/mm\"\ninitial = \"2 N/mm\"";
+  text.replace(text.find(with_units), with_units.size(), "lower = 1\nupper = 9\ninitial = 2");
+  write("study.toml", text);
+  EXPECT_EQ(read().space[0].unit, "1");
+  EXPECT_EQ(read().space[0].initial, 2.0);
+}
+
+TEST_F(SimulatorStudy, TheJournalOfAnotherProgramIsNotReused) {
+  const StudyIdentity before = identity(read());
+  write("in.txt", "{k:%.3f}\n");
+  EXPECT_TRUE(difference(before, identity(read())));
+  write("in.txt", "{k}\n");
+  EXPECT_FALSE(difference(before, identity(read())));
+}
+
+// A script that lies beside the study or anywhere: what matters is what stands in it.
+TEST_F(SimulatorStudy, AProgramThatChangedMakesAnotherIdentityAndSaysWhichFileItIs) {
+  const StudyIdentity before = identity(read());
+  write("program.sh", "read k < in.txt; printf 't [s],z [mm]\\n0,0\\n2,%s\\n' $k > out.csv");
+  const auto what = difference(before, identity(read()));
+  ASSERT_TRUE(what);
+  EXPECT_NE(what->find("program files"), std::string::npos) << *what;
+  EXPECT_NE(what->find("{study}/program.sh"), std::string::npos) << *what;
+  EXPECT_TRUE(is_same_but_for_versions(before, identity(read())));
+}
+
+TEST_F(SimulatorStudy, WhatMakesNoSenseIsRefusedInWords) {
+  refused("\"in.txt\"", "\"absent.txt\"", "absent.txt");
+  refused("[variable.k]", "[variable.k2]", "names no variable of the study, did you mean \"k2\"");
+  refused("\"out/z\"", "\"out/w\"", "expected \"out/t\" or \"out/z\"");
+  refused("t [s]", "t [parsnip]", "expected a name and a unit");
+  refused("reader = \"table\"", "reader = \"pattern\"\npattern = '(\\S+'", "no regular expression");
+  refused("reader = \"table\"", "reader = \"pattern\"\npattern = '(.)'", "1 groups");
+  refused(
+      "reader = \"table\"", "reader = \"columns\"\ncolumns = [1]", "are 1, expected one for each");
+  refused("kind = \"curve\"", "kind = \"modes\"", "curve");
+  refused("command = [\"/bin/sh\", \"{study}/program.sh\"]", "command = []", "expected a program");
+  refused("command =", "comand =", "command");
+  refused("inputs =", "timeout = \"5 N\"\ninputs =", "timeout is \"5 N\"");
+}
+
+}  // namespace
+}  // namespace latsch::correlation

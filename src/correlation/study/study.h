@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// All that reproduces a correlation: a model, what may vary in it, the experiments with their
+// measurements, the optimizer.
+//
+//   title = "Tire B, three moduli"
+//   model = "tire_b.toml"                     # beside this file; or [model], a tire that rolls,
+//                                             # see rolling_model.h; or [simulator], an outside
+//                                             # program, see simulator_settings.h
+//
+//   [variable.matrix]                         # see variables.h, as [tie.NAME]
+//   [linear_constraint.belt_softer]           # see linear_constraints.h
+//   [experiment.stiffness]                    # see study_experiment.h
+//   [constraint.stiff_enough]                 # see channel_constraint.h
+//
+//   [optimizer]                               # see study_optimizer.h; where it starts:
+//   study_start.h [stage.coarse]                            # see study_stages.h
+//
+//   [doe]                                     # see study_design.h
+//
+//   [run]                                     # see run_settings.h
+//   workers = 2
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/document.h"
+#include "correlation/study/channel_constraint.h"
+#include "correlation/study/rolling_model.h"
+#include "correlation/study/run_settings.h"
+#include "correlation/study/simulator_settings.h"
+#include "correlation/study/study_design.h"
+#include "correlation/study/study_experiment.h"
+#include "correlation/study/study_optimizer.h"
+#include "evaluation/journal/journal.h"
+#include "optimization/problem/design_space.h"
+
+namespace latsch::correlation {
+
+/// Where a search begins: study_start.h.
+struct StartSettings {
+  enum class From { values, journal, basins };
+  From from = From::values;
+  int starts = 1;
+  std::filesystem::path journal = {};  // another one; empty: the study's own
+};
+
+/// One [stage.NAME]: study_stages.h.
+struct StageSettings {
+  std::string name;
+  OptimizerSettings optimizer;
+  long max_steps = 1000;
+  StartSettings start = {};
+  double bounds = 1.0;                                       // width over that of the study's
+  std::vector<std::pair<std::string, double>> numbers = {};  // of the model, by path, SI
+};
+
+constexpr long kMostSteps = 1'000'000;
+
+struct Study {
+  std::filesystem::path file;
+  std::string title;
+  std::filesystem::path model_file;
+  Document model;  // as written; with the variables at a point: at(model, space, point)
+  DesignSpace space;
+  std::vector<StudyExperiment> experiments;  // in the order of the file
+  OptimizerSettings optimizer;
+  long max_steps = 1000;
+  std::optional<StudyDesign> doe;
+  RunSettings run;
+  std::optional<Simulator> simulator = {};          // in the model's place, which is then empty
+  std::vector<ChannelConstraint> constraints = {};  // on channels; linear ones are of the space
+  std::optional<RollingModel> rolling = {};         // drives `model`; else it is of finite elements
+
+  StartSettings start = {};
+  std::vector<StageSettings> stages = {};  // none: one run, as [optimizer] says
+  std::string stage = {};                  // which of them this study is; empty: none
+  std::string search_key = {};             // what a search depends on, for the journal's marks
+
+  bool has_fe_tire() const { return !simulator && !rolling; }
+};
+
+/// The tests of the rolling model that fitted experiments and constraints name.
+std::vector<std::string> tests_asked_for(const Study& study);
+
+/// Throws InputError naming file, line, found and expected: for the study, its model and its
+/// measurements. With Measurements::not_yet, measurement files need not exist: for writing them
+/// from the model.
+Study read_study(const std::filesystem::path& file,
+                 Measurements measurements = Measurements::required);
+
+/// What the channels of a trial depend on, for the journal: model, varied paths, load cases.
+/// Objectives are not part of it: they can be changed and recomputed from stored channels.
+StudyIdentity identity(const Study& study);
+
+}  // namespace latsch::correlation

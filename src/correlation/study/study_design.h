@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The design of experiments of a study: where `latsch doe` looks before anything is fitted.
+//
+//   [doe]
+//   design = "full_factorial"   # a grid: shows the target as a surface, for up to three variables
+//   levels = 5                  # values of every variable
+//   levels_of = {belt = 1}      # of single variables; 1: keeps its initial value
+//
+//   [doe]
+//   design = "latin_hypercube"  # spreads few points well; or "sobol": can be enlarged later
+//   points = 40
+//   seed = 0
+//
+//   [doe]
+//   design = "morris"           # which variables matter: points / (variables + 1) trajectories
+//   points = 40
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/document.h"
+#include "optimization/design/morris.h"
+#include "optimization/design/sampling_plan.h"
+#include "optimization/problem/design_space.h"
+
+namespace latsch::correlation {
+
+enum class DesignKind { full_factorial, latin_hypercube, sobol, morris };
+
+struct StudyDesign {
+  DesignKind kind = DesignKind::full_factorial;
+  std::vector<int> levels = {};  // full factorial: one a variable, 1: not varied
+  int points = 0;                // of the others
+  std::uint64_t seed = 0;
+
+  /// "maximin Latin hypercube"
+  std::string name() const;
+};
+
+/// Reads [doe]. Throws InputError where a key belongs to another design.
+StudyDesign read_design(const Node& doe, const DesignSpace& space);
+
+SamplingPlan plan(const StudyDesign& design, const DesignSpace& space);
+
+/// The trajectories behind the plan of a design of kind morris.
+MorrisDesign morris_design(const StudyDesign& design, const DesignSpace& space);
+
+}  // namespace latsch::correlation

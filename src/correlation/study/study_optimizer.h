@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The optimizer of a study.
+//
+//   [optimizer]
+//   method = "auto"               # residual_trust_region, or sqp where there are constraints on
+//                                 # channels, which is also what a study without [optimizer] gets;
+//                                 # or gss, gss_nlc, nelder_mead, genetic, ensemble
+//   step_tolerance = 0.001        # of the range of a variable, as initial_step = 0.1
+//   outstanding = 1               # points decided on at once: gss, gss_nlc, residual_trust_region
+//   max_steps = 1000              # outcomes the optimizer may observe
+//   contraction = 0.25            # gss; gss_nlc 0.5
+//   sufficient_decrease = 0.01    # gss, gss_nlc
+//   penalty = "l2_squared"        # gss_nlc; or l1, l2, linf, l1_smoothed, l2_smoothed,
+//                                 # linf_smoothed: optimization/direct_search/penalty.h
+//   penalty_parameter = 1         # gss_nlc: rho at first
+//   restarts = 4                  # residual_trust_region: begins again so often where more than a
+//                                 # thousandth of the first target is left, and more than stated
+//                                 # noise makes: out of local minima, or where variables may be
+//                                 # lost (lost_variables.h)
+//   difference = 0.0001           # sqp: step of differences, of the range
+//   population = 40               # genetic
+//   generations = 50              # genetic
+//   seed = 1                      # residual_trust_region, genetic
+//
+// residual_trust_region and sqp make the sum of the squared relative errors least, whatever
+// exponent the objectives have; the other methods the target itself. Linear constraints
+// (linear_constraints.h): every method. Constraints on channels (channel_constraint.h):
+// gss_nlc, sqp. An ensemble knows what all its members know.
+//
+// Several at once, which see each other's points (optimization/strategy/ensemble.h):
+//
+//   [optimizer]
+//   method = "ensemble"
+//   ends_with = "all"             # or "first": with the first member that ends
+//
+//   [optimizer.member.wide]       # any name; keys as above, but no other ensemble
+//   method = "genetic"
+//   priority = 1                  # share of the steps
+//
+//   [optimizer.member.fine]
+//   method = "gss"
+//   priority = 2
+#pragma once
+
+#include <memory>
+
+#include "base/document.h"
+#include "optimization/strategy/optimizer_choice.h"
+
+namespace latsch::correlation {
+
+/// Throws InputError naming file, line, found and expected. `constrained`: the study has
+/// constraints on channels.
+OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space, bool constrained);
+
+/// Whether the table has a key that read_optimizer reads, but for max_steps.
+bool has_optimizer_keys(const Node& table);
+
+struct Study;
+
+/// Does not depend on what the journal holds: a resumed run uses the same method.
+MethodChoice method_of(const Study& study);
+
+std::unique_ptr<Optimizer> make_optimizer(const Study& study);
+
+}  // namespace latsch::correlation

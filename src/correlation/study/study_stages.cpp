@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/study/study_stages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/text.h"
+#include "correlation/study/study_start.h"
+#include "correlation/target/tire_trials.h"
+#include "evaluation/schedule/retried_failures.h"
+#include "models/fe_tire/description/tire_description.h"
+#include "optimization/strategy/hopeless_start.h"
+
+namespace latsch::correlation {
+namespace {
+
+/// The number of a stage's table below `model`, at "mesh.sectors", in the unit of the model's.
+double read_number(const Node& stage, const std::string& path, const std::string& unit) {
+  Node table = stage.table("model");
+  std::size_t from = 0;
+  for (std::size_t dot = path.find('.'); dot != std::string::npos; dot = path.find('.', from)) {
+    table = table.table(path.substr(from, dot - from));
+    from = dot + 1;
+  }
+  return table.quantity(path.substr(from), unit);
+}
+
+void check_model(const Node& table, const Study& changed) {
+  try {
+    if (changed.rolling) {
+      changed.rolling->kind->build(changed.model);
+    } else {
+      fe_tire::build_mesh(fe_tire::read_tire(changed.model.root()));
+    }
+  } catch (const InputError& error) {
+    table.reject("model", std::string("makes a model that is not accepted: ") + error.what());
+  }
+}
+
+std::vector<std::pair<std::string, double>> read_numbers(const Node& table,
+                                                         const Document& text,
+                                                         const Study& study) {
+  std::vector<std::pair<std::string, double>> numbers;
+  if (!table.has("model")) return numbers;
+  if (study.simulator) {
+    table.reject("model", "has numbers of the model, but an outside program stands in its place");
+  }
+  const std::string prefix = table.path() + ".model.";
+  Study changed = study;
+  for (const std::string& path : text.paths()) {
+    if (!path.starts_with(prefix)) continue;
+    const std::string target = path.substr(prefix.size());
+    try {
+      const double value = read_number(table, target, study.model.unit(target));
+      changed.model.set(target, value);
+      numbers.emplace_back(target, value);
+    } catch (const InputError& error) {
+      if (!error.place().file.empty() && error.place().file == study.file.string()) throw;
+      table.reject("model", std::string("leads to no number of the model: ") + error.what());
+    }
+  }
+  if (numbers.empty()) {
+    table.reject("model", "has no number, expected one such as model.mesh.sectors = 30");
+  }
+  check_model(table, changed);
+  return numbers;
+}
+
+bool varies(const Study& study, const std::string& path) {
+  return std::any_of(study.space.variables().begin(),
+                     study.space.variables().end(),
+                     [&](const DesignVariable& variable) {
+                       return std::find(variable.paths.begin(), variable.paths.end(), path) !=
+                              variable.paths.end();
+                     });
+}
+
+StageSettings read_stage(const Node& table, const Document& text, const Study& study) {
+  StageSettings stage{.name = table.name(),
+                      .optimizer = study.optimizer,
+                      .max_steps = study.max_steps,
+                      .start = study.start};
+  stage.numbers = read_numbers(table, text, study);
+  for (const auto& [path, value] : stage.numbers) {
+    if (varies(study, path)) {
+      table.reject("model", "sets " + path + ", which is a variable of the study");
+    }
+  }
+  stage.bounds = table.quantity("bounds", "1", Range{0.0, 1.0, true}, 1.0);
+  if (has_optimizer_keys(table)) {
+    stage.optimizer = read_optimizer(table, study.space, !study.constraints.empty());
+  }
+  stage.max_steps = table.integer("max_steps", 1, kMostSteps, study.max_steps);
+  return stage;
+}
+
+std::filesystem::path journal_of(const Study& study, const std::string& stage) {
+  const auto& whole = study.run.journal;
+  return whole.parent_path() / (whole.stem().string() + "." + stage + whole.extension().string());
+}
+
+}  // namespace
+
+std::vector<StageSettings> read_stages(const Node& root, const Document& text, const Study& study) {
+  std::vector<StageSettings> stages;
+  const std::vector<Node> tables = root.named_tables("stage");
+  for (const Node& table : tables) stages.push_back(read_stage(table, text, study));
+  if (!stages.empty() && !stages.back().numbers.empty()) {
+    tables.back().reject("model",
+                         "has other numbers in the last stage, whose result is the study's: "
+                         "expected a last stage with the model as it is");
+  }
+  if (!stages.empty() && stages.front().bounds != 1.0) {
+    tables.front().reject("bounds",
+                          "is of the first stage, before which there is no best point: give "
+                          "[variable...] tighter bounds");
+  }
+  return stages;
+}
+
+int stage_count(const Study& study) {
+  return std::max(1, static_cast<int>(std::ssize(study.stages)));
+}
+
+Study stage(const Study& study, int k, const std::optional<DesignPoint>& best_before) {
+  Study part = study;
+  part.stages.clear();
+  if (study.stages.empty()) return part;
+  const StageSettings& settings = study.stages[static_cast<std::size_t>(k)];
+  part.stage = settings.name;
+  part.search_key += "/" + settings.name;
+  part.optimizer = settings.optimizer;
+  part.max_steps = settings.max_steps;
+  part.start = k == 0 ? settings.start : StartSettings{};
+  for (const auto& [path, value] : settings.numbers) part.model.set(path, value);
+  if (!settings.numbers.empty()) part.run.journal = journal_of(study, settings.name);
+  if (best_before) {
+    part.space = settings.bounds < 1.0 ? study.space.tightened(*best_before, settings.bounds)
+                                       : study.space.starting_at(*best_before);
+  }
+  part.run.on_failure.space = part.space;
+  return part;
+}
+
+Study stage_called(const Study& study, const std::string& name) {
+  for (int k = 0; k < std::ssize(study.stages); ++k) {
+    if (study.stages[static_cast<std::size_t>(k)].name == name) return stage(study, k);
+  }
+  throw InputError({study.file.string(), 0}, "has no stage " + in_quotes(name));
+}
+
+std::string in_words(const StageSettings& stage) {
+  std::string text;
+  for (const auto& [path, value] : stage.numbers) {
+    text += fmt::format("{}{} = {:g}", text.empty() ? "" : ", ", path, value);
+  }
+  if (text.empty()) text = "the model as it is";
+  if (stage.bounds < 1.0) text += fmt::format(", bounds {:g} as wide", stage.bounds);
+  return text;
+}
+
+Fit fit(const Study& stage, Executor& executor, Journal& journal, const RunOptions& options) {
+  TrialsThatCount trials(journal);
+  if (stage.start.from == StartSettings::From::basins) {
+    const auto end = run_doe(plan(*stage.doe, stage.space), executor, trials, options);
+    if (end == RunEnd::stopped) return {};
+  }
+  HopelessStart search(stage.space, begin_search(stage, journal));
+  Fit result;
+  result.run = run_optimizer(search, objective(stage), executor, &trials, options);
+  result.hopeless = search.reason();
+  return result;
+}
+
+std::vector<Fit> recorded_fit(const Study& study, const Journal& journal) {
+  std::vector<Fit> fits;
+  std::optional<DesignPoint> best;
+  for (int k = 0; k < stage_count(study); ++k) {
+    const Study part = stage(study, k, best);
+    std::optional<Journal> own;
+    if (part.run.journal != study.run.journal) {
+      if (!std::filesystem::exists(part.run.journal)) return fits;
+      own.emplace(Journal::read(part.run.journal, identity(part)));
+    }
+    const Journal& read = own ? *own : journal;
+    auto optimizer = begun_search(part, read);
+    if (!optimizer) return fits;
+    HopelessStart search(part.space, std::move(optimizer));
+    Fit fit;
+    fit.run =
+        replay(search, objective(part), TrialsThatCount(read), part.max_steps, part.run.on_failure);
+    fit.hopeless = search.reason();
+    const bool has_ended = fit.run.end != RunEnd::stopped;
+    const Step* found = fit.run.best();
+    if (!fit.run.steps.empty()) fits.push_back(fit);
+    if (!has_ended || !found) return fits;
+    best = found->point;
+  }
+  return fits;
+}
+
+}  // namespace latsch::correlation

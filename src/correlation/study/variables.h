@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Binds the design variables of a study to the numbers of its model.
+//
+//   [variable.matrix]
+//   path = "rubber.matrix.young_modulus"     # or paths = ["...", "..."]: one value for several
+//   lower = "5 N/mm^2"
+//   upper = "50 N/mm^2"
+//   initial = "10 N/mm^2"
+//   scale = "logarithmic"                    # or "linear"
+//   prior = "10 N/mm^2"                      # what is known before: a value and its standard
+//   prior_sigma = "20 %"                     # deviation, a quantity or a share of the value
+//
+//   [tie.rim_side]                           # moves with a variable or another tie
+//   path = "rubber.rim.young_modulus"
+//   follows = "matrix"
+//   factor = 1.5                             # times its value; 1 unless given
+//
+// A prior counts as one measured value more, in the fit and in the intervals
+// (optimization/problem/prior.h); it needs the noise of the experiments, against which it is weighed. Any
+// number in the model file can be varied; nothing in the model knows.
+#pragma once
+
+#include <vector>
+
+#include "base/document.h"
+#include "optimization/problem/design_space.h"
+
+namespace latsch::correlation {
+
+/// Throws InputError where a path leads to no number of the model or paths disagree in their unit.
+/// A person reads the variable in the unit `initial` is written in. Bounds are checked by
+/// DesignSpace.
+DesignVariable read_variable(const Node& table, const Document& model);
+
+/// Reads `prior` and `prior_sigma` of a variable; throws InputError where one is missing, the
+/// deviation is not positive or the prior of a logarithmic variable is not.
+void read_prior(const Node& table, const std::string& unit, DesignVariable& variable);
+
+/// Reads every [tie.NAME] into the variables they follow. Throws InputError where one follows
+/// nothing of the study, itself over others, a number of another unit, or where its number moves
+/// already.
+void read_ties(const Node& root, const Document& model, std::vector<DesignVariable>& variables);
+
+/// The model at a design point.
+Document at(const Document& model, const DesignSpace& space, const DesignPoint& point);
+
+}  // namespace latsch::correlation

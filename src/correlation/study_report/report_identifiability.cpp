@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/study_report/report_identifiability.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.h"
+#include "correlation/analysis/doe_basins.h"
+#include "correlation/analysis/doe_effects.h"
+#include "correlation/analysis/measurement_gains.h"
+#include "correlation/target/predictions.h"
+#include "correlation/target/residuals.h"
+
+namespace latsch::correlation {
+namespace {
+
+constexpr size_t kShownGains = 10;
+constexpr size_t kShownBasins = 8;
+
+double value_at(const DesignSpace& space, const Eigen::VectorXd& u, int variable) {
+  return space.from_unit({u.begin(), u.end()}).values[variable];
+}
+
+report::ProfileCurve curve(const Study& study,
+                           const Identifiability& what,
+                           const Profile& profile) {
+  const DesignVariable& v = study.space[profile.variable];
+  const Interval interval = reported_interval(study, what, profile.variable);
+  report::ProfileCurve curve;
+  curve.variable = v.name;
+  curve.unit = v.unit;
+  curve.logarithmic = v.scale == Scale::logarithmic;
+  for (const ProfilePoint& point : profile.points) {
+    curve.x.push_back(value_at(study.space, point.u, profile.variable));
+    curve.shown.push_back(value_text(study.space, profile.variable, curve.x.back(), interval));
+    curve.rise.push_back((point.S - profile.least) / profile.threshold);
+  }
+  curve.found = what.best.values[profile.variable];
+  curve.verdict = name(profile.verdict);
+  curve.interval = profile_text(study.space, profile);
+  return curve;
+}
+
+std::vector<report::LeftOutExperiment> left_out(const Study& study,
+                                                const CrossValidation& validation) {
+  std::vector<report::LeftOutExperiment> rows;
+  for (const LeftOut& fold : validation.left_out()) {
+    const StudyExperiment& experiment = study.experiments[fold.group];
+    rows.push_back({experiment.name,
+                    difference_of(study, fold.group, fold.fitted),
+                    difference_of(study, fold.group, fold.predicted)});
+  }
+  return rows;
+}
+
+/// Measurements made once more, and where they were simulated, those only predicted so far.
+std::vector<report::Gain> gains(const Study& study, const Identifiability& what) {
+  auto all = repetition_gains(study, what);
+  if (has_predictions(study)) {
+    const auto points = prediction_points(study, what);
+    if (const auto channels = predicted_channels(study, points)) {
+      const auto predicted = prediction_gains(study, what, *channels);
+      all.insert(all.end(), predicted.begin(), predicted.end());
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.shrinkage > b.shrinkage;
+  });
+  std::vector<report::Gain> rows;
+  for (const MeasurementGain& gain : all) {
+    if (rows.size() == kShownGains) break;
+    rows.push_back({gain.measurement, gain.shrinkage, study.space[gain.helps].name});
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction) {
+  constexpr double kShare = 0.3;  // of the unit vector: less hardly takes part
+  Eigen::Index largest = 0;
+  direction.cwiseAbs().maxCoeff(&largest);
+  std::string text;
+  for (int i = 0; i < space.size(); ++i) {
+    if (std::abs(direction[i]) < kShare) continue;
+    text += fmt::format("{}{} {}",
+                        text.empty() ? "" : ", ",
+                        space[i].name,
+                        direction[i] * direction[largest] > 0.0 ? "up" : "down");
+  }
+  return text;
+}
+
+report::Identifiability identifiability_page(const Study& study, const Identifiability& what) {
+  const Identification& identification = what.identification;
+  const Confidence& c = identification.confidence();
+  report::Identifiability page;
+  for (int i = 0; i < study.space.size(); ++i) {
+    const DesignVariable& v = study.space[i];
+    page.variables.push_back(v.name);
+    const Interval interval = reported_interval(study, what, i);
+    page.values.push_back(value_text(study.space, i, what.best.values[i], interval));
+    page.intervals.push_back(interval_text(study.space, i, interval) +
+                             (c.held[i] == Bound::none ? "" : ", held at its bound"));
+    page.deviations.push_back(c.deviation(i));
+    page.directions.push_back(direction_text(study.space, c.directions.col(i)));
+  }
+  page.residuals = static_cast<int>(identification.residuals_used().size());
+  page.correlation = c.correlation;
+  for (const Profile& profile : identification.profiles()) {
+    page.profiles.push_back(curve(study, what, profile));
+  }
+  if (what.cross_validation) page.left_out = left_out(study, *what.cross_validation);
+  page.gains = gains(study, what);
+  page.remarks = remarks(study, what);
+  return page;
+}
+
+std::optional<report::Basins> basins_of(const Study& study, const std::vector<RatedTrial>& trials) {
+  const auto design = evaluated_design(study, trials);
+  if (!design) return std::nullopt;
+  const auto found = doe_basins(study, *design, trials);
+  if (!found) return std::nullopt;
+  report::Basins page;
+  page.design = fmt::format("{}, {} points", found->design, found->points);
+  page.count = static_cast<int>(found->basins.size());
+  page.doubt = found->doubt;
+  for (const DesignVariable& v : study.space.variables()) page.variables.push_back(v.name);
+  for (const DoeBasin& basin : found->basins) {
+    if (page.rows.size() == kShownBasins) break;
+    report::BasinRow row{basin.target, basin.points, {}};
+    for (int i = 0; i < study.space.size(); ++i) {
+      row.values.push_back(format_quantity(basin.lowest.values[i], study.space[i].unit, 4));
+    }
+    page.rows.push_back(std::move(row));
+  }
+  return page;
+}
+
+std::vector<report::EffectRow> effects_of(const Study& study,
+                                          const std::vector<RatedTrial>& trials) {
+  if (!study.doe) return {};
+  std::vector<report::EffectRow> rows;
+  for (const ElementaryEffects& e : doe_effects(study, *study.doe, trials)) {
+    if (e.effects == 0) return {};  // never evaluated
+    rows.push_back(
+        {study.space[static_cast<int>(rows.size())].name, e.mu_star, e.mu, e.sigma, e.effects});
+  }
+  return rows;
+}
+
+}  // namespace latsch::correlation

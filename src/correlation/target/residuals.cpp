@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/target/residuals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/units.h"
+#include "correlation/target/tire_trials.h"
+
+namespace latsch::correlation {
+namespace {
+
+bool counts(const StudyExperiment& experiment) {
+  return experiment.fitted && experiment.objective.weight > 0.0;
+}
+
+std::vector<StudyExperiment> counting(const Study& study) {
+  std::vector<StudyExperiment> experiments;
+  std::copy_if(
+      study.experiments.begin(), study.experiments.end(), std::back_inserter(experiments), counts);
+  return experiments;
+}
+
+double mean_count(const std::vector<StudyExperiment>& experiments) {
+  double sum = 0.0;
+  for (const StudyExperiment& experiment : experiments)
+    sum += static_cast<double>(experiment.values());
+  return sum / static_cast<double>(experiments.size());
+}
+
+/// Of a residual, in units of the spread.
+double spread_of(const StudyExperiment& experiment, double mean) {
+  return experiment.noise ? std::sqrt(experiment.objective.weight)
+                          : std::sqrt(mean / static_cast<double>(experiment.values()));
+}
+
+}  // namespace
+
+ResidualTraits residual_traits(const Study& study) {
+  const auto experiments = counting(study);
+  const double mean = mean_count(experiments);
+  ResidualTraits traits;
+  for (size_t e = 0; e < experiments.size(); ++e) {
+    const size_t count = experiments[e].values();
+    traits.deviations.insert(traits.deviations.end(), count, spread_of(experiments[e], mean));
+    traits.curves.insert(
+        traits.curves.end(), count, experiments[e].modal() ? -1 : static_cast<int>(e));
+  }
+  for (const DesignVariable& variable : study.space.variables()) {
+    if (!variable.prior) continue;
+    traits.deviations.push_back(1.0);
+    traits.curves.push_back(-1);
+  }
+  return traits;
+}
+
+std::optional<double> residual_sigma(const Study& study) {
+  const bool stated = std::all_of(study.experiments.begin(),
+                                  study.experiments.end(),
+                                  [](const auto& e) { return !counts(e) || e.noise; });
+  return stated ? std::optional(1.0) : std::nullopt;
+}
+
+Objective residual_objective(const Study& study) {
+  const auto experiments = counting(study);
+  const double mean = mean_count(experiments);
+  return Objective::OfTrial(
+      [experiments, mean, space = study.space](const DesignPoint& point,
+                                               const Channels& channels) -> Result<Score> {
+        Score score;
+        for (const StudyExperiment& experiment : experiments) {
+          const Comparison comparison = compare(experiment, channels_of(experiment, channels));
+          std::vector<double> d = comparison.differences;
+          for (int missing : comparison.pairing.missing) {
+            d[missing] = std::numeric_limits<double>::quiet_NaN();
+          }
+          const std::vector<double> sigma = stated_deviations(experiment);
+          const double weight = std::sqrt(experiment.objective.weight);
+          const double factor = experiment.noise ? weight : weight * spread_of(experiment, mean);
+          for (size_t k = 0; k < d.size(); ++k) {
+            const double x = experiment.loss(sigma.empty() ? d[k] : d[k] / sigma[k]);
+            score.residuals.push_back(factor * x);
+            if (std::isfinite(x)) score.value += factor * factor * x * x;
+          }
+        }
+        for (int i = 0; i < space.size(); ++i) {
+          if (!space[i].prior) continue;
+          const double r = space[i].prior->residual(point.values[static_cast<size_t>(i)]);
+          score.residuals.push_back(r);
+          score.value += r * r;
+        }
+        return score;
+      });
+}
+
+double difference_of(const Study& study, int experiment, double residual) {
+  const StudyExperiment& of = study.experiments[static_cast<size_t>(experiment)];
+  const double weighted = residual / std::sqrt(of.objective.weight);
+  if (!of.noise) return weighted / spread_of(of, mean_count(counting(study)));
+  double squares = 0.0;
+  const std::vector<double> sigma = stated_deviations(of);
+  for (const double one : sigma) squares += one * one;
+  return weighted * std::sqrt(squares / static_cast<double>(sigma.size()));
+}
+
+std::vector<ResidualRow> residual_rows(const Study& study) {
+  std::vector<ResidualRow> rows;
+  for (size_t e = 0; e < study.experiments.size(); ++e) {
+    const StudyExperiment& experiment = study.experiments[e];
+    if (!counts(experiment)) continue;
+    const int place = static_cast<int>(e);
+    if (experiment.curve) {
+      for (std::string& name : value_names(*experiment.curve)) rows.push_back({place, name});
+      continue;
+    }
+    for (const ModeRecord& mode : experiment.modes) rows.push_back({place, mode.label()});
+    if (experiment.modal()) continue;
+    const auto& test = std::get<experiment::LoadDeflection>(experiment.load_case.test);
+    for (double x : test.loaded_radii.empty() ? test.deflections : test.loaded_radii) {
+      rows.push_back({place, format_quantity(x, "mm", 4)});
+    }
+  }
+  for (const DesignVariable& variable : study.space.variables()) {
+    if (variable.prior) rows.push_back({-1, "prior of " + variable.name});
+  }
+  return rows;
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Measurements written from the model itself, so that the values a fit has to find are known: those
+// of the model file.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "base/result.h"
+#include "correlation/study/study.h"
+
+namespace latsch::correlation {
+
+/// Runs every experiment on the model as its file describes it (not at the initial values of the
+/// variables) and writes the measurement files the study names, replacing those there are.
+/// Deflections and the number of modes are those of the study file, or of the measurements where
+/// these exist. Returns the files written.
+Result<std::vector<std::filesystem::path>> write_twin(const Study& study);
+
+}  // namespace latsch::correlation

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/executors/mpi/mpi_executor.h"
+
+#include <mpi.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <list>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "base/error.h"
+#include "evaluation/executors/frame.h"
+#include "evaluation/trial/encoding.h"
+
+namespace latsch {
+namespace {
+
+enum Tag { kPoint = 1, kOutcome, kAlive, kWithdraw, kEnd, kEnded, kLeave, kBegun };
+constexpr const char* kAlone = "alone";  // with kLeave: another rank is lost, wait for none
+constexpr auto kPause = std::chrono::microseconds(500);  // between two looks for a message
+constexpr double kLocalPatience = 0.01;                  // s, of a rank for its own worker
+
+std::chrono::duration<double> seconds(double s) { return std::chrono::duration<double>(s); }
+
+}  // namespace
+
+struct MpiJob::Outbox {
+  struct Letter {
+    std::string bytes;
+    MPI_Request request;
+  };
+  std::list<Letter> letters;  // whose bytes MPI may still need
+};
+
+MpiJob::MpiJob(const MpiPatience& patience)
+    : patience_(patience), outbox_(std::make_unique<Outbox>()) {
+  int threads = MPI_THREAD_SINGLE;  // one call at a time, from any thread
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &threads);
+  MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+  MPI_Comm_size(MPI_COMM_WORLD, &size_);
+  if (threads < MPI_THREAD_SERIALIZED) throw InputError("this MPI knows no threads");
+  if (rank_ == 0 && size_ > 1) heart_ = std::thread([this] { beat(); });
+}
+
+namespace {
+
+/// While it lives this process may wait for the others, but not longer: one may be lost just now.
+class LongestWait {
+ public:
+  explicit LongestWait(double patience) : before_(::alarm(0)) {
+    const auto ours = static_cast<unsigned>(std::ceil(patience));
+    ::alarm(before_ > 0 ? std::min(before_, ours) : ours);
+  }
+  ~LongestWait() { ::alarm(before_); }
+  LongestWait(const LongestWait&) = delete;
+  LongestWait& operator=(const LongestWait&) = delete;
+
+ private:
+  unsigned before_;  // s, of somebody else's alarm
+};
+
+}  // namespace
+
+MpiJob::~MpiJob() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  end_.notify_one();
+  if (heart_.joinable()) heart_.join();
+  // MPI_Finalize waits for every rank, also for one that is lost.
+  if (ends_alone_) return;
+  const LongestWait wait(patience_.master_silence);
+  for (Outbox::Letter& letter : outbox_->letters) MPI_Wait(&letter.request, MPI_STATUS_IGNORE);
+  MPI_Finalize();
+}
+
+bool MpiJob::agrees(std::uint64_t value) {
+  const std::lock_guard lock(mutex_);
+  const LongestWait wait(patience_.master_silence);
+  const std::array<std::uint64_t, 2> mine{value, ~value};
+  std::array<std::uint64_t, 2> least{};
+  MPI_Allreduce(mine.data(), least.data(), 2, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
+  return least[0] == ~least[1];  // the least is the greatest
+}
+
+void MpiJob::beat() {
+  std::unique_lock lock(mutex_);
+  while (!end_.wait_for(lock, seconds(patience_.heartbeat), [&] { return ending_; })) {
+    for (int rank = 1; rank < size_; ++rank) say(rank, kAlive, {});
+  }
+}
+
+void MpiJob::send(int rank, int tag, std::string bytes) {
+  const std::lock_guard lock(mutex_);
+  say(rank, tag, std::move(bytes));
+}
+
+void MpiJob::lose(int rank) {
+  const std::lock_guard lock(mutex_);
+  lost_.insert(rank);
+}
+
+void MpiJob::say(int rank, int tag, std::string bytes) {
+  if (lost_.contains(rank)) return;
+  std::erase_if(outbox_->letters, [](Outbox::Letter& letter) {
+    int done = 0;
+    MPI_Test(&letter.request, &done, MPI_STATUS_IGNORE);
+    return done != 0;
+  });
+  Outbox::Letter& letter = outbox_->letters.emplace_back(std::move(bytes), MPI_Request{});
+  MPI_Isend(letter.bytes.data(),
+            static_cast<int>(letter.bytes.size()),
+            MPI_BYTE,
+            rank,
+            tag,
+            MPI_COMM_WORLD,
+            &letter.request);
+}
+
+std::optional<MpiMessage> MpiJob::poll() {
+  const std::lock_guard lock(mutex_);
+  int there = 0;
+  MPI_Status status;
+  MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &status);
+  if (!there) return std::nullopt;
+  int size = 0;
+  MPI_Get_count(&status, MPI_BYTE, &size);
+  MpiMessage message{status.MPI_SOURCE, status.MPI_TAG, std::string(size, '\0')};
+  MPI_Recv(message.bytes.data(),
+           size,
+           MPI_BYTE,
+           message.rank,
+           message.tag,
+           MPI_COMM_WORLD,
+           MPI_STATUS_IGNORE);
+  return message;
+}
+
+namespace {
+
+/// Says that this rank has come to its end and waits to be told whether the others have, too.
+void leave(MpiJob& job) {
+  job.send(0, kEnded, {});
+  const auto until = std::chrono::steady_clock::now() + seconds(job.patience().master_silence);
+  while (std::chrono::steady_clock::now() < until) {
+    while (const auto message = job.poll()) {
+      if (message->tag != kLeave) continue;
+      if (message->bytes == kAlone) job.ends_alone();
+      return;
+    }
+    std::this_thread::sleep_for(kPause);
+  }
+  job.ends_alone();
+}
+
+void serve(MpiJob& job, ProcessOptions options) {
+  options.workers = 1;
+  ProcessExecutor worker(std::move(options));
+  std::uint64_t trial = 0;
+  bool begun = false;  // and said so
+  double said = worker.now(), heard = worker.now();
+  while (true) {
+    if (worker.now() - heard > job.patience().master_silence) return job.ends_alone();
+    while (const auto message = job.poll()) {
+      heard = worker.now();
+      if (message->tag == kEnd) {
+        worker.abandon();
+        return leave(job);
+      }
+      if (message->tag == kWithdraw) worker.abandon();
+      const auto asked = message->tag == kPoint ? take_number(message->bytes) : std::nullopt;
+      const auto point = asked ? decode_point(asked->rest) : std::nullopt;
+      if (!point) continue;
+      trial = asked->number;
+      begun = false;
+      worker.start(*point);
+    }
+    if (worker.idle() > 0) std::this_thread::sleep_for(kPause);
+    if (!begun && worker.begun() > 0) {
+      begun = true;
+      job.send(0, kBegun, numbered(trial, {}));
+    }
+    for (const Trial& done : worker.wait(worker.idle() > 0 ? 0.0 : kLocalPatience)) {
+      job.send(0, kOutcome, numbered(trial, encode(done.outcome)));
+    }
+    if (worker.now() - said < job.patience().heartbeat) continue;
+    said = worker.now();
+    job.send(0, kAlive, {});
+  }
+}
+
+}  // namespace
+
+void serve_rank(MpiJob& job, ProcessOptions options) {
+  try {
+    serve(job, std::move(options));
+  } catch (...) {
+    job.ends_alone();  // the others go on: the end of MPI would wait for them
+    throw;
+  }
+}
+
+MpiExecutor::MpiExecutor(MpiJob& job) : job_(job), ranks_(job.size() - 1) {
+  assert(job.rank() == 0 && job.size() > 1);
+  listened_ = now();
+  for (Rank& rank : ranks_) rank.heard = listened_;
+}
+
+// A rank that was lost unnoticed would keep all others waiting in the end of MPI: so they are asked
+// first whether they have come to theirs.
+MpiExecutor::~MpiExecutor() {
+  tell_all(kEnd, {});
+  for (Rank& rank : ranks_) rank.heard = now();  // nobody may have listened for long
+  const auto awaited = [](const Rank& rank) { return !rank.lost && !rank.ended; };
+  while (std::any_of(ranks_.begin(), ranks_.end(), awaited)) {
+    while (const auto message = job_.poll()) {
+      Rank& rank = ranks_[message->rank - 1];
+      rank.heard = now();
+      rank.ended = rank.ended || message->tag == kEnded;
+    }
+    for (std::size_t i = 0; i < ranks_.size(); ++i) {
+      if (awaited(ranks_[i]) && now() - ranks_[i].heard > job_.patience().silence) lose(i);
+    }
+    std::this_thread::sleep_for(kPause);
+  }
+  tell_all(kLeave, job_.is_alone() ? kAlone : "");
+}
+
+void MpiExecutor::tell_all(int tag, const std::string& bytes) {
+  for (std::size_t i = 0; i < ranks_.size(); ++i) {
+    if (!ranks_[i].lost) job_.send(static_cast<int>(i + 1), tag, bytes);
+  }
+}
+
+int MpiExecutor::idle() const {
+  return static_cast<int>(std::count_if(
+      ranks_.begin(), ranks_.end(), [](const Rank& rank) { return !rank.point && !rank.lost; }));
+}
+
+void MpiExecutor::start(const DesignPoint& point) {
+  const auto rank =
+      std::find_if(ranks_.begin(), ranks_.end(), [](const Rank& r) { return !r.point && !r.lost; });
+  assert(rank != ranks_.end());
+  rank->point = point;
+  rank->trial = ++trials_;
+  rank->begun = false;
+  job_.send(
+      static_cast<int>(rank - ranks_.begin()) + 1, kPoint, numbered(rank->trial, encode(point)));
+}
+
+std::vector<Trial> MpiExecutor::wait(double patience) {
+  const double until = now() + patience;
+  const double away = now() - listened_;
+  for (Rank& rank : ranks_) rank.heard += away;
+  std::vector<Trial> finished;
+  while (true) {
+    while (auto trial = receive()) finished.push_back(std::move(*trial));
+    if (auto trial = lose_silent()) finished.push_back(std::move(*trial));
+    if (!finished.empty() || now() >= until) break;
+    std::this_thread::sleep_for(kPause);
+  }
+  listened_ = now();
+  return finished;
+}
+
+void MpiExecutor::lose(std::size_t worker) {
+  ranks_[worker].lost = true;
+  job_.lose(static_cast<int>(worker) + 1);
+  job_.ends_alone();
+}
+
+/// The next outcome that has arrived.
+std::optional<Trial> MpiExecutor::receive() {
+  while (const auto message = job_.poll()) {
+    Rank& rank = ranks_[message->rank - 1];
+    rank.heard = now();
+    if ((message->tag != kOutcome && message->tag != kBegun) || rank.lost) continue;
+    const auto answer = take_number(message->bytes);
+    if (!answer || !rank.point || answer->number != rank.trial) continue;  // was withdrawn
+    rank.begun = true;
+    if (message->tag == kBegun) continue;
+    auto outcome = decode_outcome(answer->rest);
+    if (!outcome) outcome = Outcome{.result = Failure{"answer not readable", Cause::bad_output}};
+    outcome->worker = message->rank;
+    return Trial{*std::exchange(rank.point, std::nullopt), std::move(*outcome)};
+  }
+  return std::nullopt;
+}
+
+/// The trial of a rank that has not been heard for too long, which is not used any more.
+std::optional<Trial> MpiExecutor::lose_silent() {
+  for (std::size_t i = 0; i < ranks_.size(); ++i) {
+    Rank& rank = ranks_[i];
+    if (rank.lost || now() - rank.heard < job_.patience().silence) continue;
+    lose(i);
+    const bool any =
+        std::any_of(ranks_.begin(), ranks_.end(), [](const Rank& r) { return !r.lost; });
+    if (!any) throw InputError("every rank of the MPI job is lost; resume with the same command");
+    if (!rank.point) continue;
+    const Cause cause = rank.begun ? Cause::transient : Cause::not_begun;
+    return Trial{*std::exchange(rank.point, std::nullopt),
+                 {.result = Failure{"its MPI rank is out of reach", cause}}};
+  }
+  return std::nullopt;
+}
+
+void MpiExecutor::forget(std::size_t worker) {
+  job_.send(static_cast<int>(worker) + 1, kWithdraw, {});
+  ranks_[worker].point.reset();
+}
+
+void MpiExecutor::withdraw(const DesignPoint& point) {
+  for (std::size_t i = 0; i < ranks_.size(); ++i) {
+    if (ranks_[i].point == point) forget(i);
+  }
+}
+
+void MpiExecutor::abandon() {
+  for (std::size_t i = 0; i < ranks_.size(); ++i) {
+    if (ranks_[i].point) forget(i);
+  }
+}
+
+}  // namespace latsch

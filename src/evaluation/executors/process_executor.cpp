@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/executors/process_executor.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/error.h"
+#include "evaluation/executors/worker_process.h"
+#include "evaluation/trial/encoding.h"
+
+namespace latsch {
+namespace {
+
+using Steady = std::chrono::steady_clock;
+
+// A program that ends before it is ready so often in a row is not a worker.
+constexpr int kMostFailedStarts = 3;
+// Killed from outside so often in a row: what kills it, as a lack of memory, does not pass.
+constexpr int kMostKilledStarts = 20;
+
+Steady::duration seconds(double s) {
+  return std::chrono::duration_cast<Steady::duration>(std::chrono::duration<double>(s));
+}
+
+/// A place for a worker: the process comes and goes.
+struct Slot {
+  std::unique_ptr<WorkerProcess> process;
+  bool ready = false;  // the process has said that it listens
+  std::optional<DesignPoint> point;
+  std::uint64_t trial = 0;   // its number, by which an answer is known to be one to it
+  Steady::time_point since;  // start of the process until it is ready, then of the trial
+};
+
+}  // namespace
+
+struct ProcessExecutor::Impl {
+  ProcessOptions options;
+  std::vector<Slot> slots;
+  int failed_starts = 0;     // in a row, of any worker
+  int killed_starts = 0;     // likewise, from outside
+  std::uint64_t trials = 0;  // started so far
+
+  void start_process(Slot& slot) {
+    slot.process = std::make_unique<WorkerProcess>(options.arguments, options.memory_limit);
+    slot.ready = false;
+    slot.since = Steady::now();
+  }
+
+  void send_point(Slot& slot) {
+    if (!slot.process || slot.process->ended()) start_process(slot);
+    slot.process->send(encode_frame(FrameKind::point, numbered(slot.trial, encode(*slot.point))));
+    if (slot.ready) slot.since = Steady::now();
+  }
+
+  Trial finish(Slot& slot, Outcome outcome) {
+    outcome.worker = static_cast<int>(&slot - slots.data());
+    return {*std::exchange(slot.point, std::nullopt), std::move(outcome)};
+  }
+
+  /// The trial of a worker that is lost.
+  Trial finish_lost(Slot& slot, Failure failure) {
+    const double wall_time = std::chrono::duration<double>(Steady::now() - slot.since).count();
+    slot.process.reset();
+    return finish(slot, {.result = std::move(failure), .wall_time = wall_time});
+  }
+
+  void forget(Slot& slot) {
+    slot.process.reset();
+    slot.point.reset();
+  }
+
+  /// What a worker has to say; nullopt where its trial goes on.
+  std::optional<Trial> listen(Slot& slot) {
+    const bool ended = slot.process->ended();  // asked first: what it wrote before is received
+    slot.process->receive();
+    while (const auto frame = slot.process->frames().next()) {
+      if (frame->kind == FrameKind::ready) {
+        slot.ready = true;
+        slot.since = Steady::now();
+        failed_starts = killed_starts = 0;
+        continue;
+      }
+      const auto answer = take_number(frame->bytes);
+      auto outcome = answer ? decode_outcome(answer->rest) : std::nullopt;
+      if (frame->kind != FrameKind::outcome || !outcome) return nonsense(slot);
+      if (!slot.point || answer->number != slot.trial) return nonsense(slot);
+      if (outcome->result) outcome->result = finite(std::move(*outcome->result));
+      return finish(slot, std::move(*outcome));
+    }
+    if (slot.process->frames().broken()) return nonsense(slot);
+    return ended ? after_end(slot) : check_time(slot);
+  }
+
+  std::optional<Trial> nonsense(Slot& slot) {
+    slot.process->end();
+    slot.process.reset();
+    if (!slot.point) return std::nullopt;
+    return finish_lost(slot,
+                       {"the worker's answer is not readable; it was killed", Cause::bad_output});
+  }
+
+  std::optional<Trial> after_end(Slot& slot) {
+    const std::string how = slot.process->end();
+    const bool stopped = slot.process->was_stopped_from_outside();
+    if (!slot.ready) {
+      restart_or_give_up(slot, how, stopped);
+      return std::nullopt;
+    }
+    const Cause cause = stopped ? Cause::transient : Cause::point;
+    slot.process.reset();
+    if (!slot.point) return std::nullopt;
+    return finish_lost(slot, {"the worker " + how, cause});
+  }
+
+  /// `killed`: from outside.
+  void restart_or_give_up(Slot& slot, const std::string& how, bool killed) {
+    slot.process.reset();
+    const int times = killed ? ++killed_starts : ++failed_starts;
+    if (times >= (killed ? kMostKilledStarts : kMostFailedStarts)) {
+      throw InputError(
+          fmt::format("the worker program \"{}\" {} before it was ready, {} times in a "
+                      "row{}",
+                      options.arguments.front(),
+                      how,
+                      times,
+                      killed ? "; is there too little memory for it?" : ""));
+    }
+    if (slot.point) send_point(slot);
+  }
+
+  std::optional<Trial> check_time(Slot& slot) {
+    if (Steady::now() < deadline(slot)) return std::nullopt;
+    slot.process->end();
+    if (!slot.ready) {
+      restart_or_give_up(slot, fmt::format("took more than {} s", options.start_timeout), false);
+      return std::nullopt;
+    }
+    return finish_lost(
+        slot,
+        {fmt::format("took more than the {} s allowed and was killed", options.timeout),
+         Cause::timeout});
+  }
+
+  Steady::time_point deadline(const Slot& slot) const {
+    if (!slot.ready) return slot.since + seconds(options.start_timeout);
+    return slot.point ? slot.since + seconds(options.timeout) : Steady::time_point::max();
+  }
+
+  /// Sleeps until a worker has something to say, a deadline or `until`; false where a signal came.
+  bool sleep(Steady::time_point until) const {
+    std::vector<pollfd> entries;
+    for (const Slot& slot : slots) {
+      if (!slot.process) continue;
+      for (const int fd : slot.process->descriptors()) entries.push_back({fd, POLLIN, 0});
+      until = std::min(until, deadline(slot));
+    }
+    const auto rest = std::chrono::ceil<std::chrono::milliseconds>(until - Steady::now());
+    const int milliseconds = static_cast<int>(std::max<long>(rest.count(), 0));
+    return ::poll(entries.data(), entries.size(), milliseconds) >= 0;
+  }
+};
+
+ProcessExecutor::ProcessExecutor(ProcessOptions options) : impl_(std::make_unique<Impl>()) {
+  if (options.arguments.empty() || options.workers < 1) {
+    throw InputError("worker processes need a program and a number of at least 1");
+  }
+  if (!(options.timeout > 0.0) || !(options.start_timeout > 0.0)) {
+    throw InputError(fmt::format("timeout of a trial is {} s, expected a positive time",
+                                 std::min(options.timeout, options.start_timeout)));
+  }
+  // A year, so that adding it to a point in time cannot overflow.
+  constexpr double kLongest = 365.0 * 86400.0;
+  options.timeout = std::min(options.timeout, kLongest);
+  options.start_timeout = std::min(options.start_timeout, kLongest);
+  impl_->slots.resize(options.workers);
+  impl_->options = std::move(options);
+}
+
+ProcessExecutor::~ProcessExecutor() = default;
+
+int ProcessExecutor::workers() const { return static_cast<int>(impl_->slots.size()); }
+
+int ProcessExecutor::idle() const {
+  return static_cast<int>(std::count_if(
+      impl_->slots.begin(), impl_->slots.end(), [](const Slot& slot) { return !slot.point; }));
+}
+
+int ProcessExecutor::begun() const {
+  return static_cast<int>(
+      std::count_if(impl_->slots.begin(), impl_->slots.end(), [](const Slot& slot) {
+        return slot.point && slot.process && slot.ready;
+      }));
+}
+
+void ProcessExecutor::start(const DesignPoint& point) {
+  const auto slot = std::find_if(
+      impl_->slots.begin(), impl_->slots.end(), [](const Slot& s) { return !s.point; });
+  assert(slot != impl_->slots.end());
+  slot->point = point;
+  slot->trial = ++impl_->trials;
+  impl_->send_point(*slot);
+}
+
+std::vector<Trial> ProcessExecutor::wait(double patience) {
+  const Steady::time_point until = Steady::now() + seconds(patience);
+  std::vector<Trial> finished;
+  while (true) {
+    for (Slot& slot : impl_->slots) {
+      if (!slot.process) continue;
+      if (auto trial = impl_->listen(slot)) finished.push_back(std::move(*trial));
+    }
+    if (!finished.empty() || Steady::now() >= until) return finished;
+    if (!impl_->sleep(until)) return finished;  // a signal: the caller may want to stop
+  }
+}
+
+void ProcessExecutor::withdraw(const DesignPoint& point) {
+  for (Slot& slot : impl_->slots) {
+    if (slot.point == point) impl_->forget(slot);
+  }
+}
+
+void ProcessExecutor::abandon() {
+  for (Slot& slot : impl_->slots) {
+    if (slot.point) impl_->forget(slot);
+  }
+}
+
+}  // namespace latsch

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Worker processes: a trial that crashes, hangs or prints nonsense costs that trial and nothing
+// else.
+//
+// Each worker is the program of an argument list (never a shell line), started by posix_spawn in
+// its own process group, that calls serve() of worker.h. It answers on file descriptors of its own;
+// what it prints is kept for the reason of a failure. A worker that overruns the timeout is killed
+// with its whole process group and replaced.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "evaluation/executors/executor.h"
+
+namespace latsch {
+
+struct ProcessOptions {
+  std::vector<std::string> arguments;  // the worker's program and its arguments
+  int workers = 1;
+  double timeout = 600.0;       // s, wall time of one trial
+  double start_timeout = 60.0;  // s, from the start of a worker until it is ready
+  double memory_limit = 0.0;    // bytes of address space of a worker; 0: none
+};
+
+class ProcessExecutor : public Executor {
+ public:
+  /// Throws InputError where the program cannot be started.
+  explicit ProcessExecutor(ProcessOptions options);
+  ~ProcessExecutor() override;
+
+  int workers() const override;
+  int idle() const override;
+  /// Trials in a worker that was ready for them.
+  int begun() const;
+  void start(const DesignPoint& point) override;
+  std::vector<Trial> wait(double patience) override;
+  void withdraw(const DesignPoint& point) override;
+  void abandon() override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace latsch

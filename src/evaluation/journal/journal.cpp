@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/journal/journal.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <cassert>
+#include <optional>
+
+#include "base/error.h"
+#include "evaluation/journal/asked_trials.h"
+#include "evaluation/journal/journal_format.h"
+#include "evaluation/journal/journal_lock.h"
+#include "evaluation/journal/journal_migration.h"
+#include "evaluation/journal/local_file_system.h"
+#include "evaluation/trial/encoding.h"
+
+namespace latsch {
+
+using namespace journal_format;
+
+namespace {
+
+constexpr int kBusyTimeout = 2000;       // ms
+constexpr int kReaderPatience = 60'000;  // ms, of a commit for those who read a rollback journal
+
+/// What was packed counts once it is committed; else the next row must not refer to it.
+class PackedForGood {
+ public:
+  explicit PackedForGood(OutcomePacker& packer) : packer_(packer) {}
+  ~PackedForGood() {
+    if (!kept_) packer_.begin_anew();
+  }
+  PackedForGood(const PackedForGood&) = delete;
+  PackedForGood& operator=(const PackedForGood&) = delete;
+  void keep() { kept_ = true; }
+
+ private:
+  OutcomePacker& packer_;
+  bool kept_ = false;
+};
+
+}  // namespace
+
+struct Journal::Impl {
+  std::filesystem::path file;
+  std::optional<JournalLock> lock;  // held by a writer
+  std::unique_ptr<SQLite::Database> database;
+  std::optional<SQLite::Statement> insert;  // after the database: it ends before it
+  int format = kFormat;
+  StudyIdentity identity;
+  Tally tally;
+  std::vector<JournalMark> marks;
+  OutcomePacker packer;
+
+  [[noreturn]] void refuse(const std::string& message) const {
+    throw InputError({file.string(), 0}, message);
+  }
+
+  void expect(const StudyIdentity& wanted) const {
+    if (const auto what = difference(identity, wanted)) {
+      if (is_same_but_for_versions(identity, wanted)) {
+        refuse("was made by another version of the model or of the program: " + *what +
+               ". Its trials may not be what this one gives. Either begin anew, with the old "
+               "journal kept beside: latsch run STUDY --anew; or, where you know that the results "
+               "are the same, keep its trials: latsch resume STUDY --adopt");
+      }
+      refuse("belongs to another study: " + *what +
+             ". Take the study it was made with, or another journal");
+    }
+  }
+
+  /// What SQLite said, in words that tell what to do.
+  [[noreturn]] void report(const SQLite::Exception& error) const {
+    const std::string name = file.string();
+    switch (error.getErrorCode()) {
+      case SQLITE_FULL:
+      case SQLITE_IOERR:
+        throw JournalError(
+            fmt::format("{}: cannot be written ({}): the disk is full or broken. "
+                        "The {} trials in it are safe; make room and resume",
+                        name,
+                        error.what(),
+                        tally.trials));
+      case SQLITE_NOTADB:
+        refuse("is not a journal (nor any other SQLite database)");
+      case SQLITE_CANTOPEN:
+        refuse("cannot be opened; does its folder exist, may it be written?");
+      case SQLITE_READONLY:
+        if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK) {
+          refuse("was being written when its process ended; latsch resume puts it in order");
+        }
+        [[fallthrough]];
+      case SQLITE_PERM:
+        refuse("may not be written; check its permissions");
+      case SQLITE_BUSY:
+      case SQLITE_LOCKED:
+        refuse("is locked by another program; close that program");
+      default:
+        throw JournalError(fmt::format(
+            "{}: is damaged ({}); go back to a copy or start a new journal", name, error.what()));
+    }
+  }
+
+  template <class Action>
+  auto guarded(Action&& action) const {
+    try {
+      return action();
+    } catch (const SQLite::Exception& error) {
+      report(error);
+    }
+  }
+
+  bool is_new() const {
+    return database->execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0 &&
+           database->execAndGet("PRAGMA application_id").getInt() == 0;
+  }
+
+  void choose_log(Log log) {
+    if (log == Log::write_ahead) {
+      database->exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+      return;
+    }
+    database->exec("PRAGMA journal_mode = DELETE; PRAGMA locking_mode = NORMAL");
+    database->execAndGet("SELECT count(*) FROM sqlite_master");  // only a read lets the lock go
+    // EXTRA: a commit counts only once the removal of its log is on the disk too.
+    database->exec("PRAGMA synchronous = EXTRA");
+    database->setBusyTimeout(kReaderPatience);
+  }
+
+  void check_format() {
+    if (is_new()) {
+      refuse(
+          "is empty, it holds no study and no trial: run the study, or go back to a copy if it "
+          "had trials");
+    }
+    if (database->execAndGet("PRAGMA application_id").getInt() != kApplicationId) {
+      refuse("is an SQLite database, but not a journal");
+    }
+    format = database->execAndGet("PRAGMA user_version").getInt();
+    if (format < 1 || format > kFormat) {
+      refuse(
+          fmt::format("is a journal of format {}, this program reads and writes format {}; use "
+                      "the program that wrote it, or start a new journal",
+                      format,
+                      kFormat));
+    }
+  }
+
+  void create(const StudyIdentity& study) {
+    SQLite::Transaction transaction(*database);
+    create_tables(*database);
+    write_identity(*database, study);
+    transaction.commit();
+  }
+
+  void read_identity() {
+    std::uint64_t state = kHashStart;
+    SQLite::Statement select(*database, "SELECT name, text, hash FROM identity ORDER BY position");
+    while (select.executeStep()) {
+      identity.push_back({text_of(select.getColumn(0)), text_of(select.getColumn(1))});
+      state = hash_of(identity.back(), state);
+      if (stored(state) == select.getColumn(2).getInt64()) continue;
+      throw JournalError(
+          fmt::format("{}: \"{}\" in the identity of the study does not agree with "
+                      "its hash: the file is damaged; go back to a copy",
+                      file.string(),
+                      identity.back().name));
+    }
+  }
+
+  void read_tally() {
+    const auto read = journal_format::read_tally(*database, format);
+    if (!read) {
+      throw JournalError(
+          fmt::format("{}: the tally of its trials is missing: the file is damaged; "
+                      "go back to a copy",
+                      file.string()));
+    }
+    tally = *read;
+    if (format < 4) return;
+    auto read_too = read_marks(*database, tally);
+    if (!read_too) {
+      throw JournalError(
+          fmt::format("{}: its marks do not agree with their hashes: the file is damaged; go back "
+                      "to a copy",
+                      file.string()));
+    }
+    marks = std::move(*read_too);
+  }
+
+  [[noreturn]] void damaged(std::int64_t number, const char* what) const {
+    throw JournalError(
+        fmt::format("{}: trial {} {}: the file is damaged; go back to a copy or "
+                    "start a new journal",
+                    file.string(),
+                    number,
+                    what));
+  }
+
+  void for_each_row(const std::function<void(const Row&)>& visit) const {
+    SQLite::Transaction snapshot(*database);  // rows and tally of one moment, while another writes
+    std::uint64_t state = hash_of(identity);
+    std::int64_t number = 0;
+    SQLite::Statement select(*database,
+                             "SELECT " + columns(format) + " FROM trials ORDER BY number");
+    while (select.executeStep()) {
+      const Row row = read_row(select, format);
+      if (row.number != ++number) damaged(number, "is missing");
+      state = row.chained(format, state);
+      if (stored(state) != row.hash || stored(row.own_hash()) != row.content) {
+        damaged(number, "does not agree with its hash");
+      }
+      visit(row);
+    }
+    const auto counted = journal_format::read_tally(*database, format);
+    if (!counted || counted->trials != number || counted->hash != state) {
+      damaged(number + 1, "is missing or the tally of the trials is wrong");
+    }
+  }
+
+  void for_each(const std::function<void(const Trial&)>& visit) const {
+    RowDecoder decoder(format);
+    for_each_row([&](const Row& row) {
+      const auto trial = decoder.decode(row);
+      if (!trial) damaged(row.number, "cannot be decoded");
+      visit(*trial);
+    });
+  }
+
+  /// With that identity, in the present format.
+  void rewrite(const StudyIdentity& as, const std::filesystem::path& backup) {
+    std::vector<Row> rows;
+    RowDecoder decoder(format);
+    for_each_row([&](const Row& row) {
+      const auto trial = decoder.decode(row);
+      if (!trial) damaged(row.number, "cannot be decoded");
+      rows.push_back(unpacked(row, *trial));
+    });
+    rewrite_journal(*database, backup, as, std::move(rows), marks);
+    identity = as;
+    format = kFormat;
+    read_tally();
+  }
+
+  void append(std::span<const Trial> more) {
+    if (!insert) insert.emplace(*database, kInsert);
+    SQLite::Transaction transaction(*database);
+    PackedForGood guard{packer};
+    Tally next = tally;
+    for (const Trial& trial : more) {
+      const Row row = make_row(++next.trials, trial, next.hash, packer);
+      insert->tryReset();  // whatever became of the one before
+      bind_row(*insert, row);
+      insert->exec();
+      insert->tryReset();
+      next.hash = static_cast<std::uint64_t>(row.hash);
+    }
+    write_tally(*database, next);
+    transaction.commit();
+    tally = next;
+    guard.keep();
+  }
+
+  void mark(const std::string& kind, const std::string& text) {
+    SQLite::Transaction transaction(*database);
+    Tally next = tally;
+    const JournalMark mark{kind, text, static_cast<long>(next.trials)};
+    write_mark(*database, mark, next);
+    write_tally(*database, next);
+    transaction.commit();
+    tally = next;
+    marks.push_back(mark);
+  }
+};
+
+Journal::Journal(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Journal::Journal(Journal&&) noexcept = default;
+Journal& Journal::operator=(Journal&&) noexcept = default;
+Journal::~Journal() = default;
+
+Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& identity) {
+  return open(file, identity, shared_file_system(file) ? Log::rollback : Log::write_ahead);
+}
+
+Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& identity, Log log) {
+  auto impl = std::make_unique<Impl>();
+  impl->file = file;
+  impl->lock.emplace(file);
+  impl->guarded([&] {
+    impl->database = std::make_unique<SQLite::Database>(
+        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeout);
+    // The whole file until the log is chosen: a write-ahead log from elsewhere then needs no shared
+    // memory.
+    if (log == Log::rollback) impl->database->exec("PRAGMA locking_mode = EXCLUSIVE");
+    const bool is_new = impl->is_new();
+    if (!is_new) impl->check_format();
+    impl->choose_log(log);
+    if (is_new) impl->create(identity);
+    impl->read_identity();
+    impl->read_tally();
+    if (impl->format != kFormat) {
+      const StudyIdentity same = impl->identity;
+      impl->rewrite(same, migration_backup(file, impl->format));
+    }
+  });
+  impl->expect(identity);
+  return Journal(std::move(impl));
+}
+
+bool Journal::adopt(const std::filesystem::path& file, const StudyIdentity& identity) {
+  const StudyIdentity own = read(file).identity();
+  if (!difference(own, identity)) return false;
+  Journal journal = open(file, own);
+  if (!is_same_but_for_versions(own, identity)) journal.impl_->expect(identity);
+  journal.impl_->guarded(
+      [&] { journal.impl_->rewrite(identity, file.string() + ".before_adoption"); });
+  return true;
+}
+
+Journal Journal::read(const std::filesystem::path& file) {
+  auto impl = std::make_unique<Impl>();
+  impl->file = file;
+  if (!std::filesystem::exists(file)) impl->refuse("does not exist; has the study been run?");
+  impl->guarded([&] {
+    impl->database =
+        std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, kBusyTimeout);
+    impl->check_format();
+    impl->read_identity();
+    impl->read_tally();
+  });
+  return Journal(std::move(impl));
+}
+
+Journal Journal::read(const std::filesystem::path& file, const StudyIdentity& identity) {
+  Journal journal = read(file);
+  const StudyIdentity whole = journal.impl_->identity;
+  journal.impl_->identity = without_program_files(whole);
+  journal.impl_->expect(without_program_files(identity));
+  journal.impl_->identity = whole;
+  return journal;
+}
+
+void Journal::append(std::span<const Trial> trials) {
+  assert(impl_->lock && "opened for reading");
+  impl_->guarded([&] { impl_->append(trials); });
+}
+
+void Journal::for_each(const std::function<void(const Trial&)>& visit) const {
+  impl_->guarded([&] { impl_->for_each(visit); });
+}
+
+std::vector<Trial> Journal::trials() const {
+  std::vector<Trial> all;
+  for_each([&](const Trial& trial) { all.push_back(trial); });
+  return all;
+}
+
+void Journal::for_each_asked(const std::function<void(const Trial&)>& visit) const {
+  const AskedTrials asked(marks());
+  long row = 0;
+  for_each([&](const Trial& trial) {
+    if (asked.contains(row++, trial.point)) visit(trial);
+  });
+}
+
+void Journal::begin_asking() {
+  if (!AskedTrials(marks()).is_marked()) mark(AskedTrials::kKind, "");
+}
+
+void Journal::keep_asked(const std::set<std::string>& points) {
+  if (const auto text = AskedTrials(marks()).mark_for(points, size())) {
+    mark(AskedTrials::kKind, *text);
+  }
+}
+
+void Journal::mark(const std::string& kind, const std::string& text) {
+  assert(impl_->lock && "opened for reading");
+  impl_->guarded([&] { impl_->mark(kind, text); });
+}
+
+const std::vector<JournalMark>& Journal::marks() const { return impl_->marks; }
+
+long Journal::size() const { return static_cast<long>(impl_->tally.trials); }
+
+const StudyIdentity& Journal::identity() const { return impl_->identity; }
+
+}  // namespace latsch

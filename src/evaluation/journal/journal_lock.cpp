@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/journal/journal_lock.h"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+#include <string>
+
+#include "base/error.h"
+
+namespace latsch {
+namespace {
+
+std::string read_all(int fd) {
+  std::array<char, 256> buffer{};
+  const ssize_t count = ::pread(fd, buffer.data(), buffer.size(), 0);
+  std::string text(buffer.data(), count > 0 ? count : 0);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+std::string holder_text() {
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  return fmt::format("process {} on {} since {:%Y-%m-%d %H:%M:%S} UTC\n",
+                     ::getpid(),
+                     host.data(),
+                     fmt::gmtime(std::time(nullptr)));
+}
+
+/// Whether `fd` is still the file at that path; a holder removes its lock file when it ends.
+bool is_current(int fd, const std::filesystem::path& file) {
+  struct stat opened {};
+  struct stat present {};
+  return ::fstat(fd, &opened) == 0 && ::stat(file.c_str(), &present) == 0 &&
+         opened.st_ino == present.st_ino && opened.st_dev == present.st_dev;
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& journal, const std::string& what) {
+  throw InputError({journal.string(), 0}, what);
+}
+
+/// `error`: of flock(2), of which one alone says that somebody holds it.
+std::string complaint(int error, const std::string& holder) {
+  if (error == EWOULDBLOCK) {
+    return fmt::format(
+        "is in use by {}; wait until it ends or stop it. Reading it, as a report does, is possible "
+        "meanwhile",
+        holder.empty() ? "another process" : holder);
+  }
+  return fmt::format(
+      "cannot be locked ({}): its file system gives no locks, and two runs at once would spoil it. "
+      "Nobody holds it; name a journal on a local disk, journal = \"...\" in [run]",
+      std::strerror(error));
+}
+
+/// Beside the file itself: links to one journal have one lock.
+std::filesystem::path lock_of(const std::filesystem::path& journal) {
+  std::error_code none;
+  std::filesystem::path file = std::filesystem::weakly_canonical(journal, none);
+  if (none) file = journal;
+  file += ".lock";
+  return file;
+}
+
+}  // namespace
+
+JournalLock::JournalLock(const std::filesystem::path& journal) : file_(lock_of(journal)) {
+  while (true) {
+    fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (fd_ < 0) refuse(journal, fmt::format("cannot write beside it: {}", std::strerror(errno)));
+    int locked = 0;
+    while ((locked = ::flock(fd_, LOCK_EX | LOCK_NB)) != 0 && errno == EINTR) {
+    }
+    if (locked != 0) {
+      const int error = errno;
+      const std::string holder = read_all(fd_);
+      ::close(fd_);
+      refuse(journal, complaint(error, holder));
+    }
+    if (is_current(fd_, file_)) break;
+    ::close(fd_);
+  }
+  // Without the holder's name, say on a full disk, the lock still holds.
+  const std::string holder = holder_text();
+  if (::ftruncate(fd_, 0) == 0 && ::pwrite(fd_, holder.data(), holder.size(), 0) < 0) errno = 0;
+}
+
+JournalLock::~JournalLock() {
+  ::unlink(file_.c_str());
+  ::close(fd_);
+}
+
+}  // namespace latsch

@@ -1,0 +1,563 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/journal/journal.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.h"
+#include "base/random.h"
+#include "evaluation/journal/journal_history_testing.h"
+#include "evaluation/journal/local_file_system.h"
+#include "evaluation/trial/encoding.h"
+#include "evaluation/trial/scratch_folder_testing.h"
+
+namespace {
+int error_of_locks = 0;  // 0: locks work
+}
+
+/// In the place of the system's in this program.
+extern "C" int flock(int file, int operation) {
+  if (error_of_locks == 0) return static_cast<int>(::syscall(SYS_flock, file, operation));
+  errno = error_of_locks;
+  return -1;
+}
+
+namespace latsch {
+namespace {
+
+const StudyIdentity kStudy{{"model", "a = 1\nb = 2\n"}, {"variables", "E: layer.E\n"}};
+
+Trial trial(int number) {
+  Channels channels;
+  channels.add({"Fz", "N", {1000.0 + number, -0.0, 1e-310}});
+  channels.add({"f", "Hz", std::vector<double>(20, 0.1 * number)});
+  return {{{1.0 / 3.0, 1.0 * number}}, {channels, 1.5, 1.25, number % 3}};
+}
+
+Trial failed_trial(int number) {
+  Trial failed = trial(number);
+  failed.outcome.result = Failure{"load step 3: no equilibrium, residual 1e3 N"};
+  return failed;
+}
+
+void expect_same(const Trial& a, const Trial& b) {
+  EXPECT_EQ(a.point.bits(), b.point.bits());
+  EXPECT_EQ(encode(a.outcome), encode(b.outcome));
+}
+
+template <class Action>
+std::string complaint(Action&& action) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_contains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+std::string read_bytes(const std::filesystem::path& file) {
+  std::ostringstream bytes;
+  bytes << std::ifstream(file, std::ios::binary).rdbuf();
+  return bytes.str();
+}
+
+void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+TEST(Journal, GivesBackEveryBitOfEveryTrial) {
+  const ScratchFolder folder;
+  {
+    Journal journal = Journal::open(folder / "a.journal", kStudy);
+    journal.append(trial(1));
+    journal.append(failed_trial(2));
+  }
+  Journal journal = Journal::open(folder / "a.journal", kStudy);
+  journal.append(trial(3));
+  const std::vector<Trial> trials = journal.trials();
+  ASSERT_EQ(trials.size(), 3u);
+  EXPECT_EQ(journal.size(), 3);
+  expect_same(trials[0], trial(1));
+  expect_same(trials[1], failed_trial(2));
+  expect_same(trials[2], trial(3));
+  EXPECT_EQ(journal.identity(), kStudy);
+}
+
+TEST(Journal, RefusesAnotherStudyAndSaysWhatDiffers) {
+  const ScratchFolder folder;
+  { Journal::open(folder / "a.journal", kStudy); }
+  const auto open_as = [&](const StudyIdentity& study) {
+    return complaint([&] { Journal::open(folder / "a.journal", study); });
+  };
+  expect_contains(open_as({{"model", "a = 1\nb = 3\n"}, kStudy[1]}),
+                  "\"model\" differs in line 2: the journal has `b = 2`, the study has `b = 3`");
+  expect_contains(open_as({{"model", "a = 1\n"}, kStudy[1]}), "line 2");
+  expect_contains(open_as({kStudy[0]}), "it has \"variables\"");
+  expect_contains(open_as({kStudy[0], kStudy[1], {"rig", ""}}), "it has no \"rig\"");
+}
+
+TEST(Journal, IsReadForItsOwnStudyAlone) {
+  const ScratchFolder folder;
+  StudyIdentity other = kStudy;
+  other.back().text += "x";
+  { Journal::open(folder / "a", kStudy); }
+  EXPECT_EQ(Journal::read(folder / "a", kStudy).size(), 0);
+  expect_contains(complaint([&] { Journal::read(folder / "a", other); }),
+                  "belongs to another study");
+}
+
+TEST(Journal, RefusesForeignFilesAndOtherVersions) {
+  const ScratchFolder folder;
+  const auto open = [&](const char* name) {
+    return complaint([&] { Journal::open(folder / name, kStudy); });
+  };
+  write_bytes(folder / "text", "this is a text that is no database at all, and long enough to see");
+  expect_contains(open("text"), "is not a journal");
+  SQLite::Database((folder / "other").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+      .exec("CREATE TABLE t (a)");
+  expect_contains(open("other"), "not a journal");
+  write_bytes(folder / "empty", "");
+  expect_contains(complaint([&] { Journal::read(folder / "empty"); }), "is empty");
+  { Journal::open(folder / "newer", kStudy); }
+  SQLite::Database((folder / "newer").string(), SQLite::OPEN_READWRITE)
+      .exec("PRAGMA user_version = 99");
+  expect_contains(open("newer"), "format 99");
+  expect_contains(open("no_such_folder/a"), "cannot write beside it");
+  expect_contains(complaint([&] { Journal::read(folder / "absent"); }), "does not exist");
+}
+
+// A journal as the program that knew format 1 wrote it: tables and hashes by their definition
+// there.
+void write_format_1(const std::filesystem::path& file, int trials) {
+  SQLite::Database database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  database.exec(R"(PRAGMA application_id = 0x4C747368; PRAGMA user_version = 1;
+      CREATE TABLE identity (position INTEGER PRIMARY KEY, name TEXT, text TEXT, hash INTEGER);
+      CREATE TABLE trials (number INTEGER PRIMARY KEY, point BLOB, outcome BLOB, finished TEXT,
+                           hash INTEGER);
+      CREATE TABLE tally (only INTEGER PRIMARY KEY, trials INTEGER, hash INTEGER))");
+  std::uint64_t state = kHashStart;
+  for (std::size_t i = 0; i < kStudy.size(); ++i) {
+    state = hash(kStudy[i].text, hash(kStudy[i].name + "\n", state));
+    SQLite::Statement insert(database, "INSERT INTO identity VALUES (?, ?, ?, ?)");
+    insert.bind(1, static_cast<int>(i) + 1);
+    insert.bind(2, kStudy[i].name);
+    insert.bind(3, kStudy[i].text);
+    insert.bind(4, static_cast<std::int64_t>(state));
+    insert.exec();
+  }
+  const std::string finished = "2026-01-01T00:00:00Z";
+  for (int i = 1; i <= trials; ++i) {
+    const Trial t = i % 2 ? trial(i) : failed_trial(i);
+    const std::string point = encode(t.point), outcome = encode(t.outcome);
+    for (const std::string& part : {std::to_string(i), point, outcome, finished}) {
+      state = hash(part, hash(std::to_string(part.size()) + ":", state));
+    }
+    SQLite::Statement insert(database, "INSERT INTO trials VALUES (?, ?, ?, ?, ?)");
+    insert.bind(1, i);
+    insert.bind(2, point.data(), static_cast<int>(point.size()));
+    insert.bind(3, outcome.data(), static_cast<int>(outcome.size()));
+    insert.bind(4, finished);
+    insert.bind(5, static_cast<std::int64_t>(state));
+    insert.exec();
+  }
+  SQLite::Statement tally(database, "INSERT INTO tally VALUES (1, ?, ?)");
+  tally.bind(1, trials);
+  tally.bind(2, static_cast<std::int64_t>(state));
+  tally.exec();
+}
+
+TEST(Journal, AnOlderFormatIsReadAndMigratedWithABackup) {
+  const ScratchFolder folder;
+  const auto file = folder / "old";
+  write_format_1(file, 6);
+  EXPECT_EQ(Journal::read(file).trials().size(), 6u);
+  EXPECT_FALSE(std::filesystem::exists(folder / "old.format1"));  // reading changes nothing
+  {
+    Journal journal = Journal::open(file, kStudy);
+    EXPECT_EQ(journal.size(), 6);
+    journal.append(trial(7));
+  }
+  const std::vector<Trial> trials = Journal::open(file, kStudy).trials();
+  ASSERT_EQ(trials.size(), 7u);
+  for (int i = 1; i <= 7; ++i) {
+    expect_same(trials[i - 1], i % 2 ? trial(i) : failed_trial(i));
+  }
+  EXPECT_EQ(Journal::read(folder / "old.format1").trials().size(), 6u);
+}
+
+// As trial(), but long enough to be packed, each nearly a multiple of the one before.
+Trial long_trial(int number) {
+  Trial t = trial(number);
+  std::vector<double> force;
+  for (int i = 0; i < 1200; ++i) force.push_back((1.0 + 0.01 * number) * std::sin(0.1 * i));
+  Channels channels = *t.outcome.result;
+  channels.add({"Fy", "N", force});
+  t.outcome.result = channels;
+  return t;
+}
+
+TEST(Journal, PackedTrialsAreTheSameAfterAnyNumberOfOpenings) {
+  const ScratchFolder folder;
+  constexpr int kTrials = 150;  // more than a block
+  for (int i = 0; i < kTrials;) {
+    Journal journal = Journal::open(folder / "a", kStudy);
+    for (int group = 0; group < 40 && i < kTrials; ++group) journal.append(long_trial(i++));
+  }
+  const std::vector<Trial> trials = Journal::read(folder / "a").trials();
+  ASSERT_EQ(std::ssize(trials), kTrials);
+  for (int i = 0; i < kTrials; ++i) expect_same(trials[i], long_trial(i));
+  EXPECT_LT(std::filesystem::file_size(folder / "a"), kTrials * 1200 * sizeof(double) / 2);
+}
+
+TEST(Journal, RemembersItsMarksAndDetectsThatOneIsSpoiled) {
+  const ScratchFolder folder;
+  {
+    Journal journal = Journal::open(folder / "a", kStudy);
+    journal.append(trial(1));
+    journal.mark("start", "study A");
+    journal.append(trial(2));
+    journal.append(trial(3));
+    journal.mark("retry", "all");
+  }
+  const std::vector<JournalMark> marks{{"start", "study A", 1}, {"retry", "all", 3}};
+  EXPECT_EQ(Journal::open(folder / "a", kStudy).marks(), marks);
+  EXPECT_EQ(examine_journal(folder / "a").marks, marks);
+  for (const char* spoiled : {"UPDATE marks SET text = 'none' WHERE number = 2",
+                              "UPDATE marks SET trials = 2 WHERE number = 1",
+                              "DELETE FROM marks WHERE number = 2"}) {
+    std::filesystem::copy_file(
+        folder / "a", folder / "b", std::filesystem::copy_options::overwrite_existing);
+    SQLite::Database((folder / "b").string(), SQLite::OPEN_READWRITE).exec(spoiled);
+    expect_contains(complaint([&] { Journal::read(folder / "b"); }), "marks");
+    EXPECT_FALSE(examine_journal(folder / "b").healthy());
+    EXPECT_EQ(examine_journal(folder / "b").rows.size(), 3u);
+  }
+}
+
+TEST(Journal, OfAnotherVersionOfTheModelItIsRefusedAndMayBeAdopted) {
+  const ScratchFolder folder;
+  const auto file = folder / "a";
+  const auto versioned = [](const std::string& text) {
+    StudyIdentity study = kStudy;
+    study.push_back({kModelVersionPart, text});
+    return study;
+  };
+  {
+    Journal journal = Journal::open(file, kStudy);  // of a program that kept no versions
+    journal.append(trial(1));
+    journal.mark("start", "x");
+    journal.append(failed_trial(2));
+  }
+  expect_contains(complaint([&] { Journal::open(file, versioned("tire 2\n")); }),
+                  "does not say its \"model version\", being older than that");
+  expect_contains(complaint([&] { Journal::open(file, versioned("tire 2\n")); }), "--adopt");
+  EXPECT_TRUE(Journal::adopt(file, versioned("tire 2\n")));
+  EXPECT_FALSE(Journal::adopt(file, versioned("tire 2\n")));
+  expect_contains(complaint([&] { Journal::open(file, versioned("tire 3\n")); }),
+                  "the journal has `tire 2`, the study has `tire 3`");
+  {
+    Journal journal = Journal::open(file, versioned("tire 2\n"));
+    EXPECT_EQ(journal.marks(), (std::vector<JournalMark>{{"start", "x", 1}}));
+    journal.append(trial(3));
+  }
+  const std::vector<Trial> trials = Journal::read(file, versioned("tire 2\n")).trials();
+  ASSERT_EQ(trials.size(), 3u);
+  expect_same(trials[0], trial(1));
+  expect_same(trials[1], failed_trial(2));
+  EXPECT_TRUE(examine_journal(file).healthy());
+  EXPECT_EQ(Journal::read(folder / "a.before_adoption", kStudy).size(), 2);
+  StudyIdentity other = versioned("tire 3\n");
+  other.front().text += "c = 3\n";
+  expect_contains(complaint([&] { Journal::adopt(file, other); }), "belongs to another study");
+}
+
+TEST(Journal, IsReadWhereItsProgramIsNotInstalled) {
+  const ScratchFolder folder;
+  StudyIdentity with = kStudy;
+  with.push_back({kProgramFilesPart, "ccx: 9 bytes, 0123\n"});
+  { Journal::open(folder / "a", with); }
+  EXPECT_EQ(Journal::read(folder / "a", kStudy).identity(), with);
+  expect_contains(complaint([&] { Journal::open(folder / "a", kStudy); }), "program files");
+}
+
+TEST(Journal, ADamagedOlderFormatIsNotMigrated) {
+  const ScratchFolder folder;
+  write_format_1(folder / "old", 6);
+  SQLite::Database((folder / "old").string(), SQLite::OPEN_READWRITE)
+      .exec("UPDATE trials SET point = zeroblob(24) WHERE number = 3");
+  expect_contains(complaint([&] { Journal::open(folder / "old", kStudy); }), "trial 3");
+  EXPECT_FALSE(std::filesystem::exists(folder / "old.format1"));
+}
+
+TEST(Journal, AGroupOfTrialsIsKeptAsAWhole) {
+  const ScratchFolder folder;
+  const std::vector<Trial> group{trial(1), failed_trial(2), trial(3)};
+  {
+    Journal journal = Journal::open(folder / "a.journal", kStudy);
+    journal.append(group);
+    EXPECT_EQ(journal.size(), 3);
+  }
+  const std::vector<Trial> trials = Journal::read(folder / "a.journal").trials();
+  ASSERT_EQ(trials.size(), 3u);
+  for (int i = 0; i < 3; ++i) expect_same(trials[i], group[i]);
+}
+
+TEST(Journal, ASecondWriterIsToldWhoHoldsItAndReadersMayComeIn) {
+  const ScratchFolder folder;
+  Journal writer = Journal::open(folder / "a.journal", kStudy);
+  writer.append(trial(1));
+  const std::string text = complaint([&] { Journal::open(folder / "a.journal", kStudy); });
+  expect_contains(text, "in use by process " + std::to_string(::getpid()));
+  const Journal reader = Journal::read(folder / "a.journal");
+  EXPECT_EQ(reader.trials().size(), 1u);
+  writer.append(trial(2));
+  EXPECT_EQ(reader.trials().size(), 2u);
+}
+
+/// Until its end flock(2) fails so in this program.
+class FailingLocks {
+ public:
+  explicit FailingLocks(int error) { error_of_locks = error; }
+  ~FailingLocks() { error_of_locks = 0; }
+};
+
+TEST(Journal, AFileSystemWithoutLocksIsNotCalledInUse) {
+  const ScratchFolder folder;
+  for (const int error : {ENOLCK, ENOSYS, EOPNOTSUPP, EIO}) {
+    const FailingLocks locks(error);
+    const std::string text = complaint([&] { Journal::open(folder / "a", kStudy); });
+    expect_contains(text, std::string("cannot be locked (") + std::strerror(error));
+    expect_contains(text, "journal = \"...\" in [run]");
+    EXPECT_EQ(text.find("in use"), std::string::npos) << text;
+  }
+  const FailingLocks locks(EWOULDBLOCK);
+  expect_contains(complaint([&] { Journal::open(folder / "a", kStudy); }), "in use by another");
+}
+
+TEST(Journal, OneThatIsOpenIsInUseUnderEveryNameItHas) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder / "deep");
+  std::filesystem::create_symlink("../a", folder / "deep" / "link");
+  { Journal::open(folder / "a", kStudy); }
+  const Journal writer = Journal::open(folder / "deep" / "link", kStudy);
+  for (const auto& name : {folder / "a", folder / "deep" / "link", folder / "deep/../a"}) {
+    expect_contains(complaint([&] { Journal::open(name, kStudy); }), "in use by process");
+  }
+}
+
+TEST(Journal, LeavesNoLockBehind) {
+  const ScratchFolder folder;
+  { Journal::open(folder / "a.journal", kStudy); }
+  { Journal::open(folder / "a.journal", kStudy); }
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.journal.lock"));
+}
+
+// A file-size limit makes write(2) fail as a full disk does.
+TEST(Journal, OnAFullDiskNothingIsLostAndWritingGoesOnOnceThereIsRoom) {
+  const ScratchFolder folder;
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, SIG_IGN);
+  long written = 0;
+  {
+    Journal journal = Journal::open(folder / "a.journal", kStudy);
+    const rlimit tight{120'000, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &tight);
+    const std::string text = complaint([&] {
+      for (int i = 0; i < 10'000; ++i, ++written) journal.append(trial(i));
+    });
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    expect_contains(text, "the disk is full");
+    expect_contains(text, std::to_string(written) + " trials in it are safe");
+    EXPECT_GT(written, 10);
+    journal.append(trial(static_cast<int>(written++)));
+  }
+  const Journal journal = Journal::read(folder / "a.journal");
+  const std::vector<Trial> trials = journal.trials();
+  ASSERT_EQ(static_cast<long>(trials.size()), written);
+  for (long i = 0; i < written; ++i) expect_same(trials[i], trial(static_cast<int>(i)));
+}
+
+// Reading either gives the trials as they were written or says that the file is damaged.
+void expect_intact_or_detected(const std::filesystem::path& file, int trials, const char* what) {
+  try {
+    const Journal journal = Journal::read(file);
+    const std::vector<Trial> read = journal.trials();
+    ASSERT_EQ(static_cast<int>(read.size()), trials) << what;
+    for (int i = 0; i < trials; ++i) expect_same(read[i], trial(i));
+    EXPECT_EQ(journal.identity(), kStudy) << what;
+  } catch (const JournalError&) {
+  } catch (const InputError&) {
+  }
+}
+
+// The short form of rows of ./bench.sh faults.
+TEST(Journal, APowerLossLosesNothingThatWasAcknowledged) {
+  for (const auto log : {Journal::Log::write_ahead, Journal::Log::rollback}) {
+    long sectors = 0, while_open = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+      const PowerHistory history = live_through_power_loss(seed, log);
+      EXPECT_EQ(history.wrong, "") << "seed " << seed << ", log " << static_cast<int>(log);
+      sectors += history.sectors_lost;
+      while_open += history.while_open;
+    }
+    EXPECT_GT(sectors, 100);  // so something was at stake
+    EXPECT_GT(while_open, 10);
+  }
+}
+
+TEST(Journal, OnlyAFileSystemKnownToBeLocalGetsAWriteAheadLog) {
+  for (const unsigned long local : {0xEF53ul,
+                                    0x58465342ul,
+                                    0x9123683Eul,
+                                    0x01021994ul,
+                                    0x794C7630ul,
+                                    0x2FC12FC1ul,
+                                    0xF2F52010ul,
+                                    0xFFFFFFFFF2F52010ul}) {
+    EXPECT_EQ(shared_file_system(local), std::nullopt) << std::hex << local;
+  }
+  EXPECT_EQ(shared_file_system(0x6969), "NFS");
+  EXPECT_EQ(shared_file_system(0xFFFFFFFFFF534D42), "CIFS");  // a sign that was extended
+  // VirtualBox and VMware folders, Coda, Orange, IBM's and Quantum's, and one yet to come.
+  for (const unsigned long shared :
+       {0x786F4256ul, 0xBACBACBCul, 0x73757245ul, 0x20030528ul, 0x7ul}) {
+    EXPECT_NE(shared_file_system(shared), std::nullopt) << std::hex << shared;
+  }
+  const ScratchFolder folder;
+  { Journal::open(folder / "local", kStudy); }
+  EXPECT_EQ(shared_file_system(folder / "local"), std::nullopt);
+  EXPECT_EQ(shared_file_system("/proc/self/j"),
+            "a file system that is not known to be local (0x9FA0)");
+}
+
+TEST(Journal, OnANetworkFileSystemThereIsNoSharedMemory) {
+  const ScratchFolder folder;
+  const auto file = folder / "j";
+  Journal::open(file, kStudy, Journal::Log::write_ahead).append(trial(1));  // then it moved here
+  Journal journal = Journal::open(file, kStudy, Journal::Log::rollback);
+  for (int i = 2; i <= 5; ++i) {
+    journal.append(trial(i));
+    EXPECT_EQ(Journal::read(file).size(), i);
+    EXPECT_FALSE(std::filesystem::exists(folder / "j-wal"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "j-shm"));
+  }
+  expect_contains(complaint([&] { Journal::open(file, kStudy, Journal::Log::rollback); }),
+                  "is in use by process");
+}
+
+// Without the syncs the same losses do cost trials: the disk of this test is no ideal one.
+TEST(PowerLoss, WhatIsNotSyncedMayBeGone) {
+  int lost = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const ScratchFolder folder;
+    PowerLoss disk(seed, 1'000'000);
+    {
+      SQLite::Database database((folder / "d").string(),
+                                SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+      database.exec("PRAGMA journal_mode = WAL");
+      database.exec("PRAGMA synchronous = NORMAL; CREATE TABLE t (i INTEGER)");  // no sync a commit
+      database.exec("INSERT INTO t VALUES (1)");
+      disk.fail();
+    }
+    disk.come_back();
+    try {
+      SQLite::Database database((folder / "d").string());
+      lost += database.execAndGet("SELECT count(*) FROM t").getInt() == 0;
+    } catch (const SQLite::Exception&) {
+      ++lost;
+    }
+  }
+  EXPECT_GT(lost, 3);
+}
+
+TEST(Journal, ABitFlipIsDetectedOrChangesNothing) {
+  const ScratchFolder folder;
+  constexpr int kTrials = 40;
+  {
+    Journal journal = Journal::open(folder / "a.journal", kStudy);
+    for (int i = 0; i < kTrials; ++i) journal.append(trial(i));
+  }
+  const std::string whole = read_bytes(folder / "a.journal");
+  RandomStream random(1, 0);
+  for (int flip = 0; flip < 1000; ++flip) {
+    std::string bytes = whole;
+    bytes[random.below(bytes.size())] ^= static_cast<char>(1u << random.below(8));
+    write_bytes(folder / "b.journal", bytes);
+    expect_intact_or_detected(folder / "b.journal", kTrials, "bit flip");
+  }
+}
+
+TEST(Journal, ATruncatedFileOrAZeroedPageIsDetectedOrChangesNothing) {
+  const ScratchFolder folder;
+  constexpr int kTrials = 40;
+  {
+    Journal journal = Journal::open(folder / "a.journal", kStudy);
+    for (int i = 0; i < kTrials; ++i) journal.append(trial(i));
+  }
+  const std::string whole = read_bytes(folder / "a.journal");
+  for (std::size_t at = 0; at < whole.size(); at += 1024) {
+    write_bytes(folder / "b.journal", whole.substr(0, at));
+    expect_intact_or_detected(folder / "b.journal", kTrials, "truncated");
+    std::string zeroed = whole;
+    zeroed.replace(at, std::min<std::size_t>(1024, whole.size() - at), 1024, '\0');
+    zeroed.resize(whole.size());
+    write_bytes(folder / "b.journal", zeroed);
+    expect_intact_or_detected(folder / "b.journal", kTrials, "zeroed");
+  }
+}
+
+TEST(Journal, ADamagedRowIsNamed) {
+  const ScratchFolder folder;
+  {
+    Journal journal = Journal::open(folder / "a.journal", kStudy);
+    for (int i = 0; i < 5; ++i) journal.append(trial(i));
+  }
+  const auto spoil = [&](const char* statement) {
+    std::filesystem::copy_file(folder / "a.journal",
+                               folder / "b.journal",
+                               std::filesystem::copy_options::overwrite_existing);
+    SQLite::Database((folder / "b.journal").string(), SQLite::OPEN_READWRITE).exec(statement);
+    return complaint([&] { Journal::read(folder / "b.journal").trials(); });
+  };
+  expect_contains(spoil("UPDATE trials SET point = zeroblob(24) WHERE number = 3"),
+                  "trial 3 does not agree with its hash");
+  expect_contains(spoil("DELETE FROM trials WHERE number = 2"), "trial 2 is missing");
+  expect_contains(spoil("DELETE FROM trials WHERE number = 5"), "trial 5 is missing or the tally");
+  expect_contains(spoil("UPDATE identity SET text = 'x' WHERE position = 1"), "\"model\"");
+}
+
+TEST(Encoding, RejectsWhatIsNotOneEncodedValue) {
+  const std::string bytes = encode(trial(1).outcome);
+  EXPECT_TRUE(decode_outcome(bytes));
+  EXPECT_FALSE(decode_outcome(bytes + "x"));
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_FALSE(decode_outcome(std::string_view(bytes).substr(0, size)));
+  }
+  EXPECT_FALSE(decode_channels(std::string(8, '\xff')));  // a count of 2^64 - 1
+}
+
+TEST(Encoding, HashIsFnv1a) {
+  // Test vectors of draft-eastlake-fnv, appendix C.
+  EXPECT_EQ(hash(""), 0xcbf29ce484222325u);
+  EXPECT_EQ(hash("a"), 0xaf63dc4c8601ec8cu);
+  EXPECT_EQ(hash("foobar"), 0x85944171f73967e8u);
+}
+
+}  // namespace
+}  // namespace latsch

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/journal/study_identity.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+namespace latsch {
+namespace {
+
+/// "line 12: it has `a`, the study has `b`", for the first line that differs.
+std::string first_difference(const std::string& journal, const std::string& study) {
+  std::istringstream theirs(journal);
+  std::istringstream ours(study);
+  for (int line = 1;; ++line) {
+    std::string a, b;
+    const bool more_a = static_cast<bool>(std::getline(theirs, a));
+    const bool more_b = static_cast<bool>(std::getline(ours, b));
+    if (!more_a && !more_b) return "its line ends";
+    if (a == b && more_a == more_b) continue;
+    return fmt::format("line {}: the journal has `{}`, the study has `{}`",
+                       line,
+                       more_a ? a : "(end)",
+                       more_b ? b : "(end)");
+  }
+}
+
+bool is_version(const IdentityPart& part) {
+  return part.name == kModelVersionPart || part.name == kProgramFilesPart;
+}
+
+}  // namespace
+
+StudyIdentity without_program_files(StudyIdentity identity) {
+  std::erase_if(identity, [](const auto& part) { return part.name == kProgramFilesPart; });
+  return identity;
+}
+
+bool is_same_but_for_versions(const StudyIdentity& journal, const StudyIdentity& study) {
+  StudyIdentity a = journal, b = study;
+  std::erase_if(a, is_version);
+  std::erase_if(b, is_version);
+  return !difference(a, b);
+}
+
+std::optional<std::string> difference(const StudyIdentity& journal, const StudyIdentity& study) {
+  const auto find = [](const StudyIdentity& identity, const std::string& name) {
+    for (const IdentityPart& part : identity) {
+      if (part.name == name) return &part;
+    }
+    return static_cast<const IdentityPart*>(nullptr);
+  };
+  for (const IdentityPart& part : study) {
+    const IdentityPart* other = find(journal, part.name);
+    if (!other && is_version(part)) {
+      return fmt::format("it does not say its \"{}\", being older than that", part.name);
+    }
+    if (!other) return fmt::format("it has no \"{}\"", part.name);
+    if (other->text != part.text) {
+      return fmt::format(
+          "\"{}\" differs in {}", part.name, first_difference(other->text, part.text));
+    }
+  }
+  for (const IdentityPart& part : journal) {
+    if (!find(study, part.name)) return fmt::format("it has \"{}\", the study has not", part.name);
+  }
+  return std::nullopt;
+}
+
+}  // namespace latsch

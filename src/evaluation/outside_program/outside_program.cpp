@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/outside_program/outside_program.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "base/text.h"
+#include "evaluation/executors/process_tree.h"
+
+extern char** environ;
+
+namespace latsch {
+namespace {
+
+constexpr long kTail = 4096;  // bytes of what it printed in which the last line is looked for
+
+std::string last_line(const std::filesystem::path& printed) {
+  std::ifstream file(printed, std::ios::binary | std::ios::ate);
+  const long size = std::max<long>(file.tellg(), 0);
+  file.seekg(std::max(size - kTail, 0L));
+  std::string line, last;
+  while (std::getline(file, line)) {
+    if (!trimmed(line).empty()) last = line;
+  }
+  return std::string(trimmed(last));
+}
+
+/// Waits for its end, but not for longer.
+bool ends_within(pid_t pid, double timeout) {
+  using Clock = std::chrono::steady_clock;
+  const auto until = Clock::now() + std::chrono::duration<double>(timeout);
+  const int process = static_cast<int>(::syscall(SYS_pidfd_open, pid, 0));
+  bool ended = false;
+  for (double rest = timeout; !ended && rest > 0.0;) {
+    pollfd entry{process, POLLIN, 0};
+    ended = ::poll(&entry, 1, static_cast<int>(std::ceil(std::min(rest, 3600.0) * 1e3))) > 0;
+    rest = std::chrono::duration<double>(until - Clock::now()).count();
+  }
+  ::close(process);
+  return ended;
+}
+
+Failure ended(const std::string& program, int status, const std::filesystem::path& printed) {
+  const std::string how =
+      WIFSIGNALED(status)
+          ? fmt::format(
+                "was killed by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status)))
+          : fmt::format("exited with code {}", WEXITSTATUS(status));
+  const std::string line = last_line(printed);
+  return {in_quotes(program) + " " + how +
+          (line.empty() ? "" : "; it last printed " + in_quotes(line))};
+}
+
+}  // namespace
+
+std::optional<Failure> run_program(const std::vector<std::string>& arguments,
+                                   const std::filesystem::path& folder,
+                                   const std::filesystem::path& printed,
+                                   double timeout) {
+  assert(!arguments.empty());
+  posix_spawn_file_actions_t files;
+  ::posix_spawn_file_actions_init(&files);
+  ::posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
+  ::posix_spawn_file_actions_addopen(
+      &files, 1, std::filesystem::absolute(printed).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  ::posix_spawn_file_actions_adddup2(&files, 1, 2);
+  ::posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
+  std::vector<char*> argv;
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  pid_t pid = -1;
+  const int error = ::posix_spawnp(&pid, argv[0], &files, nullptr, argv.data(), environ);
+  ::posix_spawn_file_actions_destroy(&files);
+  if (error != 0) {
+    return Failure{fmt::format("cannot start {}: {}", in_quotes(argv[0]), std::strerror(error))};
+  }
+  const bool in_time = timeout <= 0.0 || ends_within(pid, timeout);
+  if (!in_time) {
+    ::kill(pid, SIGSTOP);  // it starts nothing while what it started is looked for
+    kill_descendants(pid);
+    ::kill(pid, SIGKILL);
+  }
+  int status = 0;
+  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!in_time) {
+    return Failure{fmt::format("{} took more than the {:g} s allowed to it and was killed",
+                               in_quotes(arguments.front()),
+                               timeout),
+                   Cause::timeout};
+  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::nullopt;
+  return ended(arguments.front(), status, printed);
+}
+
+bool can_be_found(const std::string& program) {
+  const bool is_relative = !program.starts_with('/') && program.find('/') != std::string::npos;
+  return is_relative || file_of_program(program);
+}
+
+std::optional<std::filesystem::path> file_of_program(const std::string& program) {
+  const auto runs = [](const std::filesystem::path& file) {
+    return !std::filesystem::is_directory(file) && ::access(file.c_str(), X_OK) == 0;
+  };
+  if (program.find('/') != std::string::npos) {
+    return program.starts_with('/') && runs(program) ? std::optional(std::filesystem::path(program))
+                                                     : std::nullopt;
+  }
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (runs(std::filesystem::path(folder) / program)) {
+      return std::filesystem::path(folder) / program;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace latsch

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/schedule/scheduler.h"
+
+#include <functional>
+#include <utility>
+
+#include "evaluation/schedule/dispatcher.h"
+#include "evaluation/schedule/look_ahead.h"
+
+namespace latsch {
+namespace {
+
+/// Lets the optimizer observe the outcome of the first point it proposes, again and again.
+class Search {
+ public:
+  using Seen = std::function<void(const Step&)>;
+  using Propose = std::function<std::vector<DesignPoint>(const Optimizer&)>;
+
+  Search(Optimizer& optimizer, const FailurePolicy& policy, Propose propose, Ask ask, Seen seen)
+      : optimizer_(optimizer),
+        policy_(policy),
+        propose_(std::move(propose)),
+        ask_(std::move(ask)),
+        seen_(std::move(seen)) {}
+
+  Run to_its_end(long max_steps) {
+    while (!optimizer_.converged()) {
+      if (std::ssize(run_.steps) >= max_steps) return ended(RunEnd::max_steps);
+      const std::vector<DesignPoint> plan = propose_(optimizer_);
+      const Result<Score>* outcome = ask_(plan);
+      if (!outcome) return ended(RunEnd::stopped);
+      Step step{plan.front(), *outcome};
+      if (!step.outcome && !answer(step, plan)) return ended(RunEnd::stopped);
+      const bool failed = !step.outcome;
+      observe(std::move(step));
+      if (failed && policy_.then == FailurePolicy::Then::abort) return ended(RunEnd::aborted);
+    }
+    return ended(RunEnd::converged);
+  }
+
+ private:
+  /// What the failed point is answered by; false where a trial for that cannot be had.
+  bool answer(Step& failed, std::span<const DesignPoint> plan) {
+    if (policy_.then == FailurePolicy::Then::recover) {
+      failed.answer = recovered(policy_, run_.steps);
+    }
+    if (policy_.then != FailurePolicy::Then::continuation) return true;
+    std::optional<std::span<const DesignPoint>> behind;
+    if (plan.size() > 1) behind = plan.subspan(1);
+    auto continuation = continued(policy_, run_.steps, failed.point, behind, ask_);
+    if (!continuation) return false;
+    for (Step& step : continuation->steps) observe(std::move(step));
+    failed.answer = std::move(continuation->answer);
+    return true;
+  }
+
+  void observe(Step step) {
+    optimizer_.observe(step.point, step.answer ? Result<Score>(*step.answer) : step.outcome);
+    seen_(step);
+    run_.steps.push_back(std::move(step));
+  }
+
+  std::string in_words(RunEnd end) const {
+    switch (end) {
+      case RunEnd::converged: {
+        const std::string why = optimizer_.ending();
+        return why.empty() ? "where its steps are as short as its tolerance" : why;
+      }
+      case RunEnd::max_steps:
+        return "before it had converged: max_steps is reached; with more it goes on from here";
+      case RunEnd::aborted:
+        return "with a trial that failed, as on_failure = \"abort\" asks";
+      case RunEnd::stopped:
+        return {};
+    }
+    return {};
+  }
+
+  Run ended(RunEnd end) {
+    run_.end = end;
+    run_.ending = in_words(end);
+    return std::move(run_);
+  }
+
+  Optimizer& optimizer_;
+  const FailurePolicy& policy_;
+  Propose propose_;
+  Ask ask_;
+  Seen seen_;
+  Run run_;
+};
+
+}  // namespace
+
+const Step* Run::best() const {
+  const Step* best = nullptr;
+  for (const Step& step : steps) {
+    if (step.outcome && (!best || is_better(*step.outcome, *best->outcome))) best = &step;
+  }
+  return best;
+}
+
+Run run_optimizer(Optimizer& optimizer,
+                  const Objective& objective,
+                  Executor& executor,
+                  TrialStore* journal,
+                  const RunOptions& options) {
+  Dispatcher dispatcher(objective, executor, journal, options, options.max_steps);
+  // One worker has no use for speculation.
+  LookAhead ahead(executor.workers() > 1 ? executor.workers() * options.look_ahead : 1);
+  Search search(
+      optimizer,
+      options.on_failure,
+      [&](const Optimizer& thinking) {
+        // What the journal knows, or ran ahead, needs no thought of what might follow.
+        std::vector<DesignPoint> plan = thinking.propose(1);
+        if (dispatcher.knows(plan.front())) return plan;
+        const double since = executor.now();
+        const int points = ahead.points(dispatcher.trial_time());
+        if (points > 1) plan = thinking.propose(points);
+        ahead.took(points, executor.now() - since);
+        return plan;
+      },
+      [&](std::span<const DesignPoint> wanted) { return dispatcher.first_of(wanted); },
+      [&](const Step& step) { dispatcher.count(step.point, step.outcome, true); });
+  Run run = search.to_its_end(options.max_steps);
+  dispatcher.finish();  // speculation that is not needed any more
+  dispatcher.report();
+  return run;
+}
+
+Run replay(Optimizer& optimizer,
+           const Objective& objective,
+           const TrialStore& journal,
+           long max_steps,
+           const FailurePolicy& on_failure) {
+  KnownScores known(objective);
+  journal.for_each([&](const Trial& trial) { known.add(trial); });
+  Search search(
+      optimizer,
+      on_failure,
+      [](const Optimizer& thinking) { return thinking.propose(1); },
+      [&](std::span<const DesignPoint> wanted) { return known.find(wanted.front()); },
+      [](const Step&) {});
+  return search.to_its_end(max_steps);
+}
+
+RunEnd run_doe(const SamplingPlan& plan,
+               Executor& executor,
+               TrialStore& journal,
+               const RunOptions& options) {
+  const Objective none;
+  Dispatcher dispatcher(none, executor, &journal, options, std::ssize(plan.points));
+  RunEnd end = RunEnd::stopped;
+  const auto known = [&](const DesignPoint& point, const Result<Score>& outcome) {
+    dispatcher.count(point, outcome, false);
+    if (!outcome && options.on_failure.then == FailurePolicy::Then::abort) end = RunEnd::aborted;
+    return end != RunEnd::aborted;
+  };
+  if (dispatcher.all_of(plan.points, known)) end = RunEnd::converged;
+  dispatcher.finish();
+  dispatcher.report();
+  return end;
+}
+
+}  // namespace latsch

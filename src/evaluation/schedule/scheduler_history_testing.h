@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// For tests: one history of a search in a faulty world, from its first point to its end through
+// every death of the master, and what it has to fulfill.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "evaluation/schedule/faulty_world_testing.h"
+#include "evaluation/schedule/scheduler.h"
+#include "optimization/direct_search/gss.h"
+
+namespace latsch {
+
+/// A search to put through it.
+struct SearchProblem {
+  std::function<std::unique_ptr<Optimizer>()> optimizer;
+  Evaluator evaluator;
+  Objective objective;
+};
+
+/// A generating-set search for the lowest point of a kinked valley.
+inline SearchProblem two_variable_search() {
+  const DesignSpace space({{.name = "a", .lower = 0.0, .upper = 1.0, .initial = 0.9},
+                           {.name = "b", .lower = 0.0, .upper = 1.0, .initial = 0.1}});
+  return {[space] { return std::make_unique<Gss>(space); },
+          [](const DesignPoint& point) -> Result<Channels> {
+            Channels channels;
+            channels.add({"y", "1", point.values});
+            return channels;
+          },
+          [](const Channels& channels) -> Result<Score> {
+            const std::vector<double>& y = channels["y"];
+            return Score{std::abs(y[0] - 0.3) + std::hypot(y[0] + y[1] - 1.0, 0.1)};
+          }};
+}
+
+/// Every point, value and failure of a trajectory, to the last bit.
+inline std::string bits_of(const Run& run) {
+  std::string bits = std::to_string(static_cast<int>(run.end));
+  for (const Step& step : run.steps) {
+    bits += step.point.bits();
+    bits += step.outcome ? DesignPoint{{step.outcome->value}}.bits() : "failed";
+  }
+  return bits;
+}
+
+struct History {
+  std::uint64_t seed = 0;
+  int workers = 0;       // of the last run
+  int restarts = 0;      // after the master died or the store refused
+  long evaluations = 0;  // kept
+  long repeats = 0;      // copies of stragglers, trials of lost workers
+  long expired = 0;      // of those kept
+  int most_starts = 0;   // of one point in one run
+  std::string wrong;     // empty where every invariant holds
+  std::string bits;      // of the trajectory
+};
+
+/// Observes as the optimizer does and asks whether what it is told is in the store.
+class Witness : public Optimizer {
+ public:
+  Witness(std::unique_ptr<Optimizer> optimizer, const FaultyStore& store)
+      : optimizer_(std::move(optimizer)), store_(store) {}
+  std::vector<DesignPoint> propose(int count) const override { return optimizer_->propose(count); }
+  void observe(const DesignPoint& point, const Result<Score>& outcome) override {
+    unkept_ += !store_.has(point);
+    optimizer_->observe(point, outcome);
+  }
+  bool converged() const override { return optimizer_->converged(); }
+  long unkept() const { return unkept_; }
+
+ private:
+  std::unique_ptr<Optimizer> optimizer_;
+  const FaultyStore& store_;
+  long unkept_ = 0;
+};
+
+/// Of hanging points, lost workers, stalls and failing points each mix; every other fault with a
+/// share of its own, from none to many.
+inline Faults faults_of(std::uint64_t seed) {
+  RandomStream random(seed, 4);
+  const auto in_mix = [&](int kind, double share) { return seed >> kind & 1 ? share : 0.0; };
+  Faults faults;
+  faults.hang = in_mix(0, 0.03);
+  faults.death = in_mix(1, 0.2 * random.uniform());
+  faults.stall = in_mix(2, 0.1 * random.uniform());
+  faults.failure = in_mix(3, 0.05);
+  faults.retries = static_cast<int>(random.below(4));
+  faults.late = 0.5 * random.uniform();
+  faults.twice = 0.3 * random.uniform();
+  faults.store = 0.03 * random.uniform();
+  faults.master = 0.02 * random.uniform();
+  // What stalls may expire too: how a point ends is then chance, once it is kept it is not.
+  if (seed >> 4 & 1) faults.timeout = 0.2 + 3.0 * random.uniform();
+  if (seed % 3 == 1) faults.refusal = 0.3 * random.uniform();
+  return faults;
+}
+
+/// Whether the trajectory is that of the undisturbed search to the last bit.
+inline bool is_comparable(const Faults& faults) {
+  return faults.stall == 0.0 || faults.timeout > 0.15 * FaultyWorld::kStall;
+}
+
+/// The trajectory of one worker in a world where points hang and fail and nothing else does.
+inline std::string undisturbed(const SearchProblem& problem, const Faults& faults) {
+  FaultyStore store(0.0, 0);
+  FaultyWorld world(
+      problem.evaluator, 1, {.failure = faults.failure, .hang = faults.hang}, store, 0);
+  RunOptions options;
+  options.commit_in_background = false;
+  const auto optimizer = problem.optimizer();
+  return bits_of(run_optimizer(*optimizer, problem.objective, world, &store, options));
+}
+
+/// Every undisturbed trajectory there is, each computed once.
+class Undisturbed {
+ public:
+  explicit Undisturbed(SearchProblem problem) : problem_(std::move(problem)) {}
+  const SearchProblem& problem() const { return problem_; }
+  const std::string& like(const Faults& faults) {
+    std::string& bits = bits_[{faults.hang > 0.0, faults.failure > 0.0}];
+    if (bits.empty()) bits = undisturbed(problem_, faults);
+    return bits;
+  }
+
+ private:
+  SearchProblem problem_;
+  std::map<std::pair<bool, bool>, std::string> bits_;
+};
+
+/// What does not hold of a search that has come to its end.
+inline std::string fault_of(const History& history,
+                            const Faults& faults,
+                            const FaultyStore& store,
+                            Undisturbed& reference) {
+  const auto optimizer = reference.problem().optimizer();
+  if (bits_of(replay(*optimizer, reference.problem().objective, store)) != history.bits) {
+    return "the store tells another search";
+  }
+  if (is_comparable(faults) && history.bits != reference.like(faults)) {
+    return "other bits than undisturbed";
+  }
+  return "";
+}
+
+inline History live_through(Undisturbed& reference, std::uint64_t seed) {
+  const SearchProblem& problem = reference.problem();
+  History history;
+  history.seed = seed;
+  const Faults faults = faults_of(seed);
+  RandomStream random(seed, 5);
+  FaultyStore store(faults.store, seed);
+  while (history.bits.empty() && history.wrong.empty()) {
+    history.workers = 1 + static_cast<int>(random.below(8));
+    FaultyWorld world(problem.evaluator,
+                      history.workers,
+                      faults,
+                      store,
+                      seed + (std::uint64_t{1} << 32) * ++history.restarts);
+    Witness optimizer(problem.optimizer(), store);
+    RunOptions options;
+    options.commit_in_background = false;
+    options.on_failure.retries = faults.retries;
+    long repeats = 0;
+    options.on_progress = [&](const RunProgress& p) { repeats = p.repeated + p.copied; };
+    const long before = store.size();
+    try {
+      history.bits = bits_of(run_optimizer(optimizer, problem.objective, world, &store, options));
+      history.wrong = fault_of(history, faults, store, reference);
+    } catch (const MasterDied&) {
+    } catch (const JournalError&) {
+    } catch (const std::runtime_error& error) {
+      history.wrong = error.what();
+    }
+    history.repeats += repeats;
+    history.most_starts = std::max(history.most_starts, world.most_starts());
+    if (world.most_starts() > faults.retries + 2) {
+      history.wrong = "a point was started " + std::to_string(world.most_starts()) + " times, " +
+                      std::to_string(faults.retries) + " retries allowed";
+    }
+    if (store.size() < before) history.wrong = "a kept evaluation was lost";
+    if (store.repeated() > 0) history.wrong = "an evaluation was kept twice";
+    if (world.started_again() > 0) history.wrong = "a kept evaluation was repeated";
+    if (optimizer.unkept() > 0) history.wrong = "the optimizer saw what was not kept";
+    if (history.restarts > 1000) history.wrong = "the search does not come to its end";
+  }
+  history.evaluations = store.size();
+  store.for_each([&](const Trial& trial) {
+    const auto& result = trial.outcome.result;
+    history.expired += !result && result.failure().cause == Cause::timeout;
+  });
+  return history;
+}
+
+}  // namespace latsch

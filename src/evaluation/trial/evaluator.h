@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a design point to the channels of all its experiments, and from channels to a score.
+//
+// The evaluator runs where the workers are and is expensive; the objective runs in the process that
+// owns the journal and is cheap. The journal keeps channels, so that another objective can be
+// computed from finished trials.
+#pragma once
+
+#include <functional>
+#include <type_traits>
+#include <utility>
+
+#include "base/result.h"
+#include "measurement/channels.h"
+#include "optimization/problem/design_point.h"
+#include "optimization/problem/optimizer.h"
+
+namespace latsch {
+
+/// Pure: the same point gives the same bits. A simulation that does not succeed is a Failure; an
+/// exception counts as one too, with its text as the reason.
+using Evaluator = std::function<Result<Channels>(const DesignPoint&)>;
+
+/// The target function: of the channels, and where something is known of the values beforehand, of
+/// the point too. A score that is not finite counts as a failure.
+class Objective {
+  template <class F>
+  using IfOfChannels = std::enable_if_t<
+      std::conjunction_v<std::negation<std::is_same<F, Objective>>,
+                         std::is_invocable_r<Result<Score>, const F&, const Channels&>>>;
+
+ public:
+  using OfTrial = std::function<Result<Score>(const DesignPoint&, const Channels&)>;
+
+  Objective() = default;
+  Objective(OfTrial of_trial) : of_trial_(std::move(of_trial)) {}
+  template <class OfChannels, class = IfOfChannels<OfChannels>>
+  Objective(OfChannels of_channels)
+      : of_trial_([of_channels](const DesignPoint&, const Channels& channels) {
+          return of_channels(channels);
+        }) {}
+
+  explicit operator bool() const { return static_cast<bool>(of_trial_); }
+  Result<Score> operator()(const DesignPoint& point, const Channels& channels) const {
+    return of_trial_(point, channels);
+  }
+  /// For one that does not ask for the point.
+  Result<Score> operator()(const Channels& channels) const { return of_trial_({}, channels); }
+
+ private:
+  OfTrial of_trial_;
+};
+
+}  // namespace latsch

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// One point under evaluation and what became of it.
+#pragma once
+
+#include "base/result.h"
+#include "evaluation/trial/evaluator.h"
+#include "measurement/channels.h"
+#include "optimization/problem/design_point.h"
+
+namespace latsch {
+
+/// Channels or the reason why there are none, and what they cost.
+struct Outcome {
+  Result<Channels> result;
+  double wall_time = 0.0;  // s
+  double cpu_time = 0.0;   // s, of the thread that evaluated
+  int worker = 0;
+  double program_time = 0.0;  // s, CPU of outside programs: user and system, of what was waited for
+};
+
+struct Trial {
+  DesignPoint point;
+  Outcome outcome;
+};
+
+/// Runs the evaluator on the point and takes the time. Exceptions and numbers that are not finite
+/// become failures.
+Outcome evaluate(const Evaluator& evaluator, const DesignPoint& point);
+
+/// The channels, or a Failure that names the first number in them that is not finite.
+Result<Channels> finite(Channels channels);
+
+}  // namespace latsch

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// What holds of a rig and a road whatever the tire on it.
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <memory>
+
+#include "experiment/kinds/sparse_tir_testing.h"
+#include "experiment/kinds/tire_kind.h"
+#include "experiment/rigs/drum_rig.h"
+#include "experiment/rigs/flat_track.h"
+#include "models/road/plane_road.h"
+#include "models/road/profile_road.h"
+
+namespace latsch::experiment {
+namespace {
+
+class EveryTire : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    kind_ = find_tire_kind(GetParam());
+    ASSERT_NE(kind_, nullptr);
+    if (GetParam() == "ring_tire") {
+      numbers_ = kind_->read(std::filesystem::path(LATSCH_SOURCE_DIR) /
+                             "studies/ring_tires/passenger_205_55R16.toml");
+      numbers_.set("tread.blocks", 6.0);
+      return;
+    }
+    const auto file = std::filesystem::temp_directory_path() /
+                      ("every_tire_" + std::to_string(::getpid()) + ".tir");
+    std::ofstream(file) << tir_with_a_belt();
+    numbers_ = kind_->read(file);
+    std::filesystem::remove(file);
+  }
+  std::unique_ptr<Tire> tire() const { return kind_->build(numbers_); }
+  bool has_point_contact() const { return GetParam() == "magic_formula"; }
+
+  const TireKind* kind_ = nullptr;
+  Document numbers_;
+};
+
+// A wheel that rolls over a standing cleat, and a belt that carries the cleat under a standing
+// wheel, are one and the same to the tire.
+TEST_P(EveryTire, DoesNotKnowWhetherItOrTheRoadMoves) {
+  constexpr double kSpeed = 40.0, kStep = 5e-4, kFrom = -0.6;
+  constexpr int kSteps = 60;
+  Eigen::Vector3d force[2], moment[2];
+  for (const bool belt : {false, true}) {
+    auto rolling = tire();
+    road::ProfileRoad::Settings settings;
+    settings.along = road::cleat_profile(0.01, 0.02, 0.003);
+    if (belt) {
+      settings.belt = kSpeed;
+      settings.origin.x() = -kFrom;
+    }
+    const road::ProfileRoad road(settings);
+    WheelMotion motion;
+    motion.center = {belt ? 0.0 : kFrom, 0.0, rolling->free_radius() - 0.018};
+    motion.velocity = {belt ? 0.0 : kSpeed, 0.5, 0.0};
+    motion.spin_rate = kSpeed / (rolling->free_radius() - 0.005);
+    ASSERT_TRUE(rolling->settle(motion, road, 0.0));
+    for (int i = 1; i <= kSteps; ++i) {
+      motion.center += kStep * motion.velocity;
+      motion.spin += kStep * motion.spin_rate;
+      const auto hub = rolling->advance(motion, road, i * kStep, kStep);
+      ASSERT_TRUE(hub) << hub.failure().reason;
+      force[belt] = hub->force;
+      moment[belt] = hub->moment;
+    }
+  }
+  EXPECT_LT((force[1] - force[0]).norm(), 2e-3 * force[0].norm());
+  EXPECT_LT((moment[1] - moment[0]).norm(), 2e-3 * force[0].norm());
+}
+
+double rms_of_difference(const std::vector<double>& one, const std::vector<double>& other) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < one.size(); ++i) sum += std::pow(one[i] - other[i], 2);
+  return std::sqrt(sum / static_cast<double>(one.size()));
+}
+
+// A free wheel over a cleat; a tire that touches in a point rolls on the drum alone, from the speed
+// it is let go with. Two halvings of the step make the change sixteen times smaller at order 2 and
+// four times at order 1; corners of the cleat and blocks that come and go in the midst of a step
+// scatter the ratio from one halving to the next.
+TEST_P(EveryTire, TheDrumIsOfOrderTwo) {
+  DrumTest test{.speed = 30.0 / 3.6,
+                .load = 3500.0,
+                .diameter = 2.5,
+                .run_in = 0.08,
+                .duration = 0.1,
+                .lead = 0.03,
+                .sample_step = 1e-3,
+                .cleat = DrumCleat{.height = 0.01, .length = 0.02, .bevel = 0.003}};
+  if (has_point_contact()) {
+    test.cleat.reset();
+    test.run_in = 0.0;
+  }
+  std::vector<Channels> runs;
+  for (const double step : {5e-4, 2.5e-4, 1.25e-4, 6.25e-5}) {
+    test.step = step;
+    auto channels = run(*tire(), test);
+    ASSERT_TRUE(channels) << channels.failure().reason;
+    runs.push_back(std::move(*channels));
+  }
+  for (const char* name : {"Fx", "Fz", "wheel_speed"}) {
+    if (has_point_contact() && std::string(name) == "Fz") continue;  // the same in all
+    const double coarse = rms_of_difference(runs[0][name], runs[1][name]);
+    const double fine = rms_of_difference(runs[2][name], runs[3][name]);
+    EXPECT_GT(coarse, 7.0 * fine) << name << " " << coarse << " " << fine;
+  }
+}
+
+// Under an axle that follows the load the road carries it, whatever speed, camber and slip do; at a
+// fixed height they show.
+TEST_P(EveryTire, OnTheFlatTrackCarriesTheLoadOfTheTest) {
+  SlipSweep sweep{.speed = 25.0, .load = 3500.0, .camber = 0.05, .alpha_to = 0.12, .duration = 0.5};
+  double most[2] = {};
+  for (const Axle axle : {Axle::load, Axle::height}) {
+    sweep.axle = axle;
+    const auto channels = run(*tire(), sweep);
+    ASSERT_TRUE(channels) << channels.failure().reason;
+    for (const double Fz : (*channels)["Fz"])
+      most[axle == Axle::height] = std::max(most[axle == Axle::height], std::abs(Fz - sweep.load));
+  }
+  EXPECT_LT(most[0], 0.01 * sweep.load);
+  if (!has_point_contact()) {
+    EXPECT_GT(most[1], 0.01 * sweep.load);
+  }
+}
+
+// One test, three frames: C is the axes of the hub; H is C turned back by the camber; W has H's
+// forces, and moments about the contact point a loaded radius down the wheel plane.
+TEST_P(EveryTire, ForcesAreThoseOfTheFrameThatIsAskedFor) {
+  constexpr double camber = 0.06;
+  SlipSweep sweep{.load = 3500.0, .camber = camber, .alpha_to = 0.05, .duration = 0.1};
+  const auto in = [&](AxisFrame frame) {
+    sweep.frame = frame;
+    return *run(*tire(), sweep);
+  };
+  const Channels C = in(AxisFrame::C), H = in(AxisFrame::H), W = in(AxisFrame::W);
+  const double c = std::cos(camber), s = std::sin(camber);
+  for (const std::size_t i : {0u, 50u, 199u}) {
+    const double R = W["loaded_radius"][i];
+    EXPECT_NEAR(H["Fy"][i], c * C["Fy"][i] - s * C["Fz"][i], 1e-9);
+    EXPECT_NEAR(H["Fz"][i], s * C["Fy"][i] + c * C["Fz"][i], 1e-9);
+    EXPECT_NEAR(H["Mz"][i], s * C["My"][i] + c * C["Mz"][i], 1e-9);
+    EXPECT_EQ(W["Fx"][i], H["Fx"][i]);
+    EXPECT_EQ(W["Fz"][i], H["Fz"][i]);
+    EXPECT_NEAR(W["Mx"][i], H["Mx"][i] - R * (c * H["Fy"][i] + s * H["Fz"][i]), 1e-9);
+    EXPECT_NEAR(W["My"][i], H["My"][i] + R * c * H["Fx"][i], 1e-9);
+    EXPECT_NEAR(W["Mz"][i], H["Mz"][i] + R * s * H["Fx"][i], 1e-9);
+  }
+  // The tire's own forces at the contact point: a Magic Formula without a coefficient of
+  // overturning has no Mx in W, whatever its camber.
+  if (has_point_contact()) {
+    EXPECT_NEAR(W["Mx"][199], 0.0, 1e-6 * 3500.0);
+  }
+}
+
+TEST_P(EveryTire, OnTheDrumTheFrameIsTheSame) {
+  DrumTest test{.speed = 10.0,
+                .load = 3500.0,
+                .camber = 0.06,
+                .run_in = 0.02,
+                .duration = 0.02,
+                .lead = 0.01,
+                .step = 1e-3,
+                .sample_step = 1e-3};
+  const Channels C = *run(*tire(), test);
+  test.frame = AxisFrame::H;
+  const Channels H = *run(*tire(), test);
+  for (std::size_t i = 0; i < C["Fz"].size(); ++i)
+    EXPECT_NEAR(
+        H["Fz"][i], std::sin(test.camber) * C["Fy"][i] + std::cos(test.camber) * C["Fz"][i], 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds,
+                         EveryTire,
+                         testing::ValuesIn(tire_kind_names()),
+                         [](const auto& kind) { return kind.param; });
+
+}  // namespace
+}  // namespace latsch::experiment

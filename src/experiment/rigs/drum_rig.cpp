@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/drum_rig.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "experiment/rigs/free_wheel.h"
+#include "models/road/drum_road.h"
+
+namespace latsch::experiment {
+namespace {
+
+constexpr double kFirstStiffness = 2.0e5;  // N/m, for a first guess of the deflection
+constexpr double kFirstShare = 0.25;       // of the radius: no first guess is deeper
+constexpr double kFastest = 200.0;         // m/s; beyond the file means another unit
+
+road::DrumRoad drum_of(const DrumTest& test) {
+  road::DrumRoad::Settings settings;
+  settings.diameter = test.diameter;
+  settings.surface = test.speed;
+  if (test.cleat) {
+    const DrumCleat& cleat = *test.cleat;
+    // Below the axle at time 0; before, as far away as the surface has still to run.
+    settings.cleats = {{.profile = road::cleat_profile(cleat.height, cleat.length, cleat.bevel),
+                        .starting_angle = 0.0,
+                        .angle = cleat.angle}};
+  }
+  return road::DrumRoad(settings);
+}
+
+WheelMotion standing(double height, const Eigen::Matrix3d& carrier) {
+  WheelMotion motion;
+  motion.center.z() = height;
+  motion.carrier = carrier;
+  return motion;
+}
+
+/// 1/s, of the wheel's speed to that of its start, at `time` before the cleat is below the axle.
+/// The first guess of the speed is a percent off; a wheel let go at once would ring with its tread
+/// for half a second. Held and let go slowly it comes to its own speed quietly.
+double run_in_hold(const DrumTest& test, double time) {
+  constexpr double kFirst = 100.0;  // 1/s, near to critical for 10 to 40 Hz
+  const double left = (-time - test.lead) / test.run_in;
+  return left > 0.0 && left <= 1.0 ? kFirst * left * left : 0.0;
+}
+
+struct Record {
+  static constexpr std::array<const char*, 9> kNames = {
+      "time", "Fx", "Fy", "Fz", "Mx", "My", "Mz", "speed", "wheel_speed"};
+  static constexpr std::array<const char*, 9> kUnits = {
+      "s", "N", "N", "N", "N m", "N m", "N m", "m/s", "rad/s"};
+  std::array<std::vector<double>, 9> values;
+
+  void add(double time, const Wrench& hub, double speed, double wheel_speed) {
+    const std::array<double, 9> row = {time,
+                                       hub.force.x(),
+                                       hub.force.y(),
+                                       hub.force.z(),
+                                       hub.moment.x(),
+                                       hub.moment.y(),
+                                       hub.moment.z(),
+                                       speed,
+                                       wheel_speed};
+    for (std::size_t i = 0; i < row.size(); ++i) values[i].push_back(row[i]);
+  }
+
+  Channels channels() const {
+    Channels all;
+    for (std::size_t i = 0; i < values.size(); ++i) all.add({kNames[i], kUnits[i], values[i]});
+    return all;
+  }
+};
+
+/// Of records over the same times.
+Record mean(const std::vector<Record>& records) {
+  if (records.size() == 1) return records.front();
+  Record mean = records.front();
+  for (std::size_t c = 0; c < mean.values.size(); ++c) {
+    for (std::size_t i = 0; i < mean.values[c].size(); ++i) {
+      double sum = 0.0;
+      for (const Record& record : records) sum += record.values[c][i];
+      mean.values[c][i] = sum / static_cast<double>(records.size());
+    }
+  }
+  return mean;
+}
+
+struct Surfaces {
+  explicit Surfaces(const DrumTest& test)
+      : drum(drum_of(test)), smooth({.diameter = test.diameter, .surface = test.speed}) {}
+  road::DrumRoad drum, smooth;
+};
+
+/// A tire on the drum and its wheel, from rest under its load.
+class Passage {
+ public:
+  Passage(Tire& tire, const DrumTest& test, const Surfaces& surfaces, const WheelMotion& start)
+      : tire_(tire), test_(test), surfaces_(surfaces), motion_(start) {
+    // A belt of fixed length rolls with nearly its free radius; the wheel finds the rest itself.
+    const double deflection = tire.free_radius() - start.center.z();
+    motion_.spin_rate = test.speed / (tire.free_radius() - 0.35 * deflection);
+  }
+
+  Result<Record> run() {
+    auto hub = tire_.settle(motion_, surfaces_.smooth, 0.0);
+    if (!hub) return hub.failure();
+    const double rolled = motion_.spin_rate;
+    FreeWheel wheel(motion_, test_.wheel_inertia, hub->moment.y());
+    const long first = std::lround((test_.run_in + test_.lead) / test_.step);
+    const long every = std::lround(test_.sample_step / test_.step);
+    const long lead = std::lround(test_.lead / test_.step);
+    const long last = std::lround((test_.duration - test_.lead) / test_.step);
+    const int parts = std::max(1, static_cast<int>(std::ceil(test_.step / kLongestStep - 1e-9)));
+    const double h = test_.step / parts;
+    Record record;
+    for (long i = -first + 1; i <= last; ++i) {
+      for (int part = 1; part <= parts; ++part) {
+        const double time =
+            (static_cast<double>(i - 1) + static_cast<double>(part) / parts) * test_.step;
+        wheel.predict(h, motion_);
+        hub = advance(time, h);
+        if (!hub) return hub.failure();
+        const double slower = run_in_hold(test_, time) * (motion_.spin_rate - rolled);
+        wheel.correct(h, hub->moment.y() - test_.wheel_inertia * slower);
+      }
+      if (i > -lead && (i + lead) % every == 0)
+        record.add(static_cast<double>(i) * test_.step,
+                   in_frame(*hub, motion_, test_.frame),
+                   test_.speed,
+                   wheel.rate());
+    }
+    return record;
+  }
+
+ private:
+  Result<HubForces> advance(double time, double h) {
+    // Far from the axle the cleat cannot touch; the smooth drum answers faster.
+    const bool away = std::abs(time) * test_.speed > 0.5 * tire_.free_radius() + 0.5;
+    return tire_.advance(motion_, away ? surfaces_.smooth : surfaces_.drum, time, h);
+  }
+
+  Tire& tire_;
+  const DrumTest& test_;
+  const Surfaces& surfaces_;
+  WheelMotion motion_;
+};
+
+}  // namespace
+
+DrumTest read_drum_test(const Node& root) {
+  root.choice("kind", {"drum_cleat"});
+  DrumTest test;
+  test.speed = root.quantity("speed", "m/s", {0.0, kFastest, true});
+  if (root.has("load") == root.has("deflection"))
+    root.reject("load", "or deflection has to be there, one of the two");
+  if (root.has("load")) test.load = root.quantity("load", "N", Range::positive());
+  if (root.has("deflection")) test.deflection = root.quantity("deflection", "m", Range::positive());
+  test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
+  test.diameter = root.quantity("drum_diameter", "m", Range::positive());
+  test.wheel_inertia = root.quantity("wheel_inertia", "kg m^2", Range::positive(), 1.0);
+  test.run_in = root.quantity("run_in", "s", Range::not_negative(), test.run_in);
+  test.duration = root.quantity("duration", "s", Range::positive(), test.duration);
+  test.lead = root.quantity("lead", "s", Range::not_negative(), test.lead);
+  test.step = root.quantity("step", "s", {0.0, 0.01, true}, test.step);
+  test.sample_step = root.quantity("sample_step", "s", {0.0, 0.1, true}, test.step);
+  test.passages = static_cast<int>(root.integer("passages", 1, 100, 1));
+  test.wheel_step = root.quantity("wheel_step", "rad", {}, 0.0);
+  test.wheel_start = root.quantity("wheel_start", "rad", {}, 0.0);
+  test.frame = read_frame(root, test.frame);
+  const double ratio = test.sample_step / test.step;
+  if (std::abs(ratio - std::round(ratio)) > 1e-6 || ratio < 0.5)
+    root.reject("sample_step", "is no multiple of step");
+  if (const auto table = root.find_table("cleat")) {
+    DrumCleat cleat;
+    cleat.height = table->quantity("height", "m", {0.0, 0.2, true});
+    cleat.length = table->quantity("length", "m", {0.0, 1.0, true});
+    cleat.bevel = table->quantity("bevel", "m", Range::between(0.0, 0.5 * cleat.length), 0.0);
+    cleat.angle = table->quantity("angle", "rad", Range::between(-1.4, 1.4), 0.0);
+    test.cleat = cleat;
+    if (test.duration <= test.lead)
+      root.reject(root.has("duration") ? "duration" : "lead",
+                  fmt::format("ends the record before the cleat is below the axle: {:g} s are "
+                              "recorded, {:g} s of them ahead of it; make duration longer or lead "
+                              "shorter",
+                              test.duration,
+                              test.lead));
+  }
+  root.close();
+  return test;
+}
+
+Result<double> height_under_load(Tire& tire,
+                                 const road::Road& road,
+                                 const Eigen::Matrix3d& carrier,
+                                 double load) {
+  constexpr int kMost = 12;
+  constexpr double kClose = 1e-3;  // of the load
+  const double free = tire.free_radius();
+  const auto failure = [&](double height, const std::string& why) {
+    return Failure{
+        fmt::format("no height of the axle was found under a load of {:g} N: pressed by "
+                    "{:.3g} mm {}; is it a load this tire can carry?",
+                    load,
+                    1e3 * (free - height),
+                    why)};
+  };
+  double z0 = free, F0 = 0.0, z = z0 - std::min(load / kFirstStiffness, kFirstShare * free);
+  for (int i = 0; i < kMost; ++i) {
+    const auto hub = tire.settle(standing(z, carrier), road, 0.0);
+    if (!hub) return failure(z, "there is " + hub.failure().reason);
+    const double F = (carrier * hub->force).z();
+    if (std::abs(F - load) <= kClose * load) return z;
+    const double slope = z != z0 && F != F0 ? (F - F0) / (z - z0) : -kFirstStiffness;
+    z0 = z;
+    F0 = F;
+    z += std::clamp((load - F) / std::min(slope, -0.1 * kFirstStiffness), -0.02, 0.02);
+  }
+  return failure(z0, fmt::format("it carries {:.4g} N", F0));
+}
+
+Result<Channels> run(Tire& tire, const DrumTest& test) {
+  const Surfaces surfaces(test);
+  WheelMotion start =
+      standing(tire.free_radius() - test.deflection.value_or(0.0),
+               Eigen::AngleAxisd(test.camber, Eigen::Vector3d::UnitX()).toRotationMatrix());
+  if (test.load) {
+    const auto height = height_under_load(tire, surfaces.smooth, start.carrier, *test.load);
+    if (!height) return height.failure();
+    start.center.z() = *height;
+  }
+  std::vector<Record> passages;
+  for (int k = 0; k < test.passages; ++k) {
+    start.spin = test.wheel_start + k * test.wheel_step;
+    auto record = Passage(tire, test, surfaces, start).run();
+    if (!record) return Failure{"on the drum: " + record.failure().reason};
+    passages.push_back(std::move(*record));
+  }
+  return mean(passages).channels();
+}
+
+}  // namespace latsch::experiment

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Virtual drum rig: a tire on a drum with a cleat, axle held at one height, wheel free to spin.
+//
+//   kind = "drum_cleat"
+//   speed = "60 km/h"                # of the drum's surface
+//   load = "4 kN"                    # at rest, before the axle is held; or deflection = "20 mm"
+//   camber = "2 deg"                 # about x, top to the right; default 0
+//   drum_diameter = "2.5 m"
+//   wheel_inertia = "1 kg m^2"       # about the spin axis, default 1
+//   run_in = "0.2 s"                 # of rolling before the cleat; in it the wheel is held less
+//                                    # and less at the speed it started with
+//   duration = "0.25 s"              # recorded, from `lead` before the cleat is below the axle
+//   lead = "0.05 s"
+//   step = "0.5 ms"                  # of the simulation
+//   sample_step = "1 ms"             # of the record; a multiple of step, default step
+//   passages = 4                     # of the cleat, averaged; default 1
+//   wheel_step = "0.75 deg"          # the wheel is turned on by so much at every further passage
+//   wheel_start = "0.3 deg"          # and by so much at the first; default 0
+//   frame = "W"                      # of the forces recorded: W, H or C (hub_frame.h), that of the
+//                                    # measurement; default C, the axes of a hub's load cell
+//   [cleat]                          # none: a smooth drum
+//   height = "15 mm"
+//   length = "30 mm"
+//   bevel = "5 mm"                   # default 0
+//   angle = "30 deg"                 # against the axle, default 0
+//
+// Channels: "time" (0 when the cleat is below the axle), hub forces "Fx" .. "Mz" in that frame,
+// "speed" of the drum's surface and "wheel_speed" (rad/s). W stands where the wheel plane meets the
+// smooth drum. The wheel turns with the step, of order 2 (followed_state.h); steps longer than 1 ms
+// are divided.
+#pragma once
+
+#include <optional>
+
+#include "base/document.h"
+#include "base/result.h"
+#include "experiment/rigs/hub_frame.h"
+#include "measurement/channels.h"
+#include "models/tire/tire.h"
+
+namespace latsch::experiment {
+
+struct DrumCleat {
+  double height = 0.0, length = 0.0, bevel = 0.0;  // m
+  double angle = 0.0;                              // rad
+};
+
+struct DrumTest {
+  double speed = 0.0;                     // m/s
+  std::optional<double> load = {};        // N; one of the two
+  std::optional<double> deflection = {};  // m
+  double camber = 0.0;                    // rad
+  double diameter = 2.0;                  // m
+  double wheel_inertia = 1.0;             // kg m^2
+  double run_in = 0.2, duration = 0.25, lead = 0.05, step = 5e-4, sample_step = 5e-4;  // s
+  std::optional<DrumCleat> cleat = {};
+  int passages = 1;
+  double wheel_step = 0.0, wheel_start = 0.0;  // rad
+  AxisFrame frame = AxisFrame::C;
+};
+
+/// Throws InputError naming the place; unknown keys too.
+DrumTest read_drum_test(const Node& root);
+
+/// Of any tire; it is left as it stands at the end.
+Result<Channels> run(Tire& tire, const DrumTest& test);
+
+/// m, height of the axle above the road's origin where the tire carries `load` at rest.
+Result<double> height_under_load(Tire& tire,
+                                 const road::Road& road,
+                                 const Eigen::Matrix3d& carrier,
+                                 double load);
+
+}  // namespace latsch::experiment

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/drum_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "models/ring_tire/description/ring_reader.h"
+#include "models/ring_tire/ring/ring_tire.h"
+
+namespace latsch::experiment {
+namespace {
+
+ring_tire::RingTire tire_on_drum() {
+  const auto file =
+      std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/ring_tires/passenger_205_55R16.toml";
+  return ring_tire::RingTire(ring_tire::read_ring_tire(Document::read(file).root()));
+}
+
+DrumTest quick_test() {
+  return {.speed = 30.0 / 3.6,
+          .load = 3500.0,
+          .run_in = 0.12,
+          .duration = 0.2,
+          .lead = 0.05,
+          .cleat = DrumCleat{.height = 0.01, .length = 0.02, .bevel = 0.003}};
+}
+
+TEST(DrumTest, AFreeWheelRollsUnderItsLoadAndFeelsTheCleatWhenItIsBelow) {
+  ring_tire::RingTire tire = tire_on_drum();
+  const auto channels = run(tire, quick_test());
+  ASSERT_TRUE(channels) << channels.failure().reason;
+  const auto& time = (*channels)["time"];
+  const auto& Fz = (*channels)["Fz"];
+  const auto& My = (*channels)["My"];
+  ASSERT_EQ(time.size(), 400u);
+  // Before the cleat: the load within what dynamic stiffening and speed add, and no torque to speak
+  // of.
+  double before = 0.0, torque = 0.0;
+  for (std::size_t i = 0; i < 60; ++i) {
+    before += Fz[i] / 60.0;
+    torque += My[i] / 60.0;
+  }
+  EXPECT_NEAR(before, 3500.0, 0.08 * 3500.0);
+  EXPECT_NEAR(torque, 0.0, 10.0);
+  const auto most = std::max_element(Fz.begin(), Fz.end());
+  EXPECT_GT(*most, before + 300.0);
+  EXPECT_NEAR(time[static_cast<std::size_t>(most - Fz.begin())], 0.0, 0.04);
+}
+
+// The tire repeats itself from one of its 80 segments to the next, and so do its passages.
+TEST(DrumTest, ATurnByASegmentChangesNothing) {
+  constexpr double kSegment = 2.0 * M_PI / 80.0;
+  DrumTest test = quick_test();
+  ring_tire::RingTire tire = tire_on_drum();
+  const auto one = run(tire, test);
+  test.passages = 2;
+  test.wheel_step = kSegment;
+  const auto same = run(tire, test);
+  test.wheel_step = 0.5 * kSegment;
+  const auto other = run(tire, test);
+  ASSERT_TRUE(one && same && other);
+  const auto distance = [&](const Channels& channels) {
+    double most = 0.0;
+    for (std::size_t i = 0; i < (*one)["Fx"].size(); ++i)
+      most = std::max(most, std::abs(channels["Fx"][i] - (*one)["Fx"][i]));
+    return most;
+  };
+  EXPECT_LT(distance(*same), 0.1);
+  EXPECT_GT(distance(*other), 1.0);  // what averages over the wheel's angle take out
+}
+
+// So they may be simulated side by side.
+TEST(DrumTest, PassagesAreThoseOfWheelsThatStartTurnedOn) {
+  DrumTest test = quick_test();
+  test.passages = 2;
+  test.wheel_step = 0.02;
+  ring_tire::RingTire tire = tire_on_drum();
+  const auto both = run(tire, test);
+  test.passages = 1;
+  const auto first = run(tire, test);
+  test.wheel_start = 0.02;
+  const auto second = run(tire, test);
+  ASSERT_TRUE(both && first && second);
+  EXPECT_NE((*first)["Fx"], (*second)["Fx"]);
+  for (const char* name : {"Fx", "Fz", "My"}) {
+    for (std::size_t i = 0; i < (*both)[name].size(); ++i)
+      ASSERT_EQ((*both)[name][i], ((*first)[name][i] + (*second)[name][i]) / 2.0) << name << i;
+  }
+}
+
+TEST(DrumTest, IsReadWithItsUnits) {
+  const auto document = Document::parse(
+      "kind = \"drum_cleat\"\nspeed = \"36 km/h\"\nload = \"4 kN\"\ncamber = \"2 deg\"\n"
+      "drum_diameter = \"2.5 m\"\n[cleat]\nheight = \"15 mm\"\nlength = \"30 mm\"\n",
+      "test.toml");
+  const DrumTest test = read_drum_test(document.root());
+  EXPECT_DOUBLE_EQ(test.speed, 10.0);
+  EXPECT_DOUBLE_EQ(*test.load, 4000.0);
+  EXPECT_NEAR(test.camber, 2.0 * M_PI / 180.0, 1e-15);
+  EXPECT_DOUBLE_EQ(test.cleat->height, 0.015);
+}
+
+}  // namespace
+}  // namespace latsch::experiment

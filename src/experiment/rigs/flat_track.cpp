@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/flat_track.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "experiment/rigs/drum_rig.h"
+#include "experiment/rigs/free_wheel.h"
+#include "models/road/plane_road.h"
+
+namespace latsch::experiment {
+namespace {
+
+constexpr double kWheelInertia = 1.0;  // kg m^2, of the wheel that looks for its free rolling speed
+constexpr double kFollow = 20e-3;      // s, in which the axle follows the load
+constexpr double kLeastDeflection = 1e-3;  // m
+
+/// Yawed against the belt: with the heading turned right by α the belt carries the wheel to the
+/// left of where it looks.
+Eigen::Matrix3d carrier_at(double alpha, double camber) {
+  return (Eigen::AngleAxisd(-alpha, Eigen::Vector3d::UnitZ()) *
+          Eigen::AngleAxisd(camber, Eigen::Vector3d::UnitX()))
+      .toRotationMatrix();
+}
+
+/// A number from 0 to 1 over `count` steps, behind `first` of them.
+double ramp(double step, double first, double count) {
+  return std::clamp((step - first) / count, 0.0, 1.0);
+}
+
+class Track {
+ public:
+  Track(Tire& tire, const SlipSweep& sweep, double height)
+      : tire_(tire),
+        sweep_(sweep),
+        parts_(std::max(1, static_cast<int>(std::ceil(sweep.step / kLongestStep - 1e-9)))),
+        h_(sweep.step / parts_),
+        free_(std::lround(sweep.run_in / sweep.step)),
+        entry_(std::lround(0.5 * sweep.run_in / sweep.step)),
+        swept_(std::lround(sweep.duration / sweep.step)),
+        belt_({.belt = sweep.speed}),
+        height_(height) {
+    const double deflection = std::max(tire.free_radius() - height, kLeastDeflection);
+    resistance_ = kFollow * sweep.load / deflection;
+    motion_.carrier = carrier_at(0.0, sweep.camber);
+    motion_.center.z() = height;
+    motion_.spin_rate = sweep.speed / (tire.free_radius() - 0.35 * deflection);
+  }
+
+  Result<Channels> run() {
+    auto hub = tire_.settle(motion_, belt_, 0.0);
+    if (!hub) return hub.failure();
+    height_.start(rise(*hub));
+    FreeWheel wheel(motion_, kWheelInertia, hub->moment.y());
+    for (long i = 1; i <= free_ + entry_ + swept_; ++i) {
+      for (int part = 1; part <= parts_; ++part) {
+        const double at = static_cast<double>(i - 1) + static_cast<double>(part) / parts_;
+        if (i <= free_) {
+          wheel.predict(h_, motion_);
+        } else {
+          steer_and_brake(at, wheel.rate());
+        }
+        hub = step(at * sweep_.step);
+        if (!hub) return hub.failure();
+        if (i <= free_) wheel.correct(h_, hub->moment.y());
+      }
+      if (i > free_ + entry_) add(static_cast<double>(i) * sweep_.step, *hub);
+    }
+    return channels();
+  }
+
+ private:
+  /// m/s, of the axle.
+  double rise(const HubForces& hub) const {
+    if (sweep_.axle == Axle::height) return 0.0;
+    return ((motion_.carrier * hub.force).z() - sweep_.load) / resistance_;
+  }
+
+  void steer_and_brake(double step, double free_rate) {
+    const double entry = ramp(step, free_, entry_), share = ramp(step, free_ + entry_, swept_);
+    alpha_ = entry * (sweep_.alpha_from + share * (sweep_.alpha_to - sweep_.alpha_from));
+    kappa_ = entry * (sweep_.kappa_from + share * (sweep_.kappa_to - sweep_.kappa_from));
+    motion_.carrier = carrier_at(alpha_, sweep_.camber);
+    const double rate = free_rate * (1.0 + kappa_) * std::cos(alpha_);
+    motion_.spin += 0.5 * h_ * (motion_.spin_rate + rate);
+    motion_.spin_rate = rate;
+  }
+
+  Result<HubForces> step(double time) {
+    motion_.center.z() = height_.predicted(h_);
+    motion_.velocity.z() = height_.predicted_rate();
+    auto hub = tire_.advance(motion_, belt_, time, h_);
+    if (hub) height_.correct(h_, rise(*hub));
+    return hub;
+  }
+
+  void add(double time, const HubForces& hub) {
+    const Wrench forces = in_frame(hub, motion_, sweep_.frame);
+    const std::array<double, kColumns> row = {time,
+                                              alpha_,
+                                              kappa_,
+                                              forces.force.x(),
+                                              forces.force.y(),
+                                              forces.force.z(),
+                                              forces.moment.x(),
+                                              forces.moment.y(),
+                                              forces.moment.z(),
+                                              motion_.center.z() / std::cos(sweep_.camber)};
+    for (std::size_t c = 0; c < kColumns; ++c) rows_[c].push_back(row[c]);
+  }
+
+  Channels channels() const {
+    constexpr const char* kNames[kColumns] = {
+        "time", "alpha", "kappa", "Fx", "Fy", "Fz", "Mx", "My", "Mz", "loaded_radius"};
+    constexpr const char* kUnits[kColumns] = {
+        "s", "rad", "1", "N", "N", "N", "N m", "N m", "N m", "m"};
+    Channels channels;
+    for (std::size_t c = 0; c < kColumns; ++c) channels.add({kNames[c], kUnits[c], rows_[c]});
+    return channels;
+  }
+
+  static constexpr std::size_t kColumns = 10;
+  Tire& tire_;
+  const SlipSweep& sweep_;
+  int parts_;
+  double h_;
+  long free_, entry_, swept_;  // steps: free rolling, to the first slip, of the sweep
+  road::PlaneRoad belt_;
+  FollowedState height_;
+  double resistance_ = 0.0;  // N s/m
+  WheelMotion motion_;
+  double alpha_ = 0.0, kappa_ = 0.0;
+  std::array<std::vector<double>, kColumns> rows_;
+};
+
+}  // namespace
+
+Result<Channels> run(Tire& tire, const SlipSweep& sweep) {
+  const auto height =
+      height_under_load(tire, road::PlaneRoad(), carrier_at(0.0, sweep.camber), sweep.load);
+  if (!height) return height.failure();
+  auto channels = Track(tire, sweep, *height).run();
+  if (!channels) return Failure{"on the flat track: " + channels.failure().reason};
+  return channels;
+}
+
+}  // namespace latsch::experiment

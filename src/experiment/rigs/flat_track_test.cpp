@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/flat_track.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "models/ring_tire/description/ring_reader.h"
+#include "models/ring_tire/ring/ring_tire.h"
+
+namespace latsch::experiment {
+namespace {
+
+ring_tire::RingTire tire_on_track() {
+  const auto file =
+      std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/ring_tires/passenger_205_55R16.toml";
+  auto ring = ring_tire::read_ring_tire(Document::read(file).root());
+  ring.tread.blocks = 6;
+  return ring_tire::RingTire(ring);
+}
+
+// The wheel slides to its left (α > 0): the road pushes it to the right, with a trail that turns it
+// into its velocity; the force ends at friction times load.
+TEST(SlipSweep, SideForceGrowsWithTheAngleAndEndsAtFriction) {
+  ring_tire::RingTire tire = tire_on_track();
+  const auto channels = run(tire, SlipSweep{.alpha_to = 0.25, .duration = 0.6});
+  ASSERT_TRUE(channels) << channels.failure().reason;
+  const auto& alpha = (*channels)["alpha"];
+  const auto& Fy = (*channels)["Fy"];
+  const auto& Fz = (*channels)["Fz"];
+  const auto at = [&](double angle) {
+    std::size_t i = 0;
+    while (alpha[i] < angle) ++i;
+    return i;
+  };
+  EXPECT_LT(Fy[at(0.06)], -500.0);  // behind the sweep by the relaxation length
+  EXPECT_LT(Fy[at(0.12)], Fy[at(0.06)]);
+  const std::size_t last = alpha.size() - 1;
+  EXPECT_GT(-Fy[last] / Fz[last], 0.8);
+  EXPECT_LT(-Fy[last] / Fz[last], 1.4);
+  EXPECT_GT((*channels)["Mz"][at(0.02)], 0.0);
+}
+
+TEST(SlipSweep, BrakingForceEndsAtFriction) {
+  ring_tire::RingTire tire = tire_on_track();
+  const auto channels = run(tire, SlipSweep{.kappa_to = -0.4, .duration = 0.5});
+  ASSERT_TRUE(channels) << channels.failure().reason;
+  const auto& Fx = (*channels)["Fx"];
+  const auto& Fz = (*channels)["Fz"];
+  EXPECT_NEAR(Fx.front(), 0.0, 150.0);
+  EXPECT_LT(Fx.back() / Fz.back(), -0.7);
+  EXPECT_GT(Fx.back() / Fz.back(), -1.4);
+}
+
+}  // namespace
+}  // namespace latsch::experiment

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/footprint_rig.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "experiment/rigs/deflection_for_load.h"
+#include "experiment/rigs/drum_rig.h"
+#include "models/road/plane_road.h"
+
+namespace latsch::experiment {
+namespace {
+
+/// Each contact point as a square of the area it stands for.
+Footprint footprint_of(const fe_tire::LoadPoint& point) {
+  Footprint print{point.patch.length, point.patch.width, point.patch.area, point.Fz, {}};
+  for (const auto& at : point.patch.points) {
+    const double side = std::sqrt(at.area);
+    print.elements.push_back({at.x, at.y, side, side, at.pressure, at.shear_x, at.shear_y});
+  }
+  return print;
+}
+
+}  // namespace
+
+FootprintTest read_footprint_test(const Node& root) {
+  root.choice("kind", {"footprint"});
+  FootprintTest test;
+  if (root.has("loads")) test.loads = root.quantities("loads", "N", Range::positive());
+  if (root.has("deflections"))
+    test.deflections = root.quantities("deflections", "m", Range::positive());
+  if (test.loads.empty() == test.deflections.empty())
+    root.reject("loads", "or deflections has to be there, one of the two");
+  test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
+  root.close();
+  return test;
+}
+
+Result<std::vector<StandingFootprint>> footprints(Tire& tire, const FootprintTest& test) {
+  const road::PlaneRoad ground;
+  WheelMotion motion;
+  motion.carrier = Eigen::AngleAxisd(test.camber, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  std::vector<double> heights;
+  for (const double deflection : test.deflections)
+    heights.push_back(tire.free_radius() - deflection);
+  for (const double load : test.loads) {
+    const auto height = height_under_load(tire, ground, motion.carrier, load);
+    if (!height) return height.failure();
+    heights.push_back(*height);
+  }
+  std::vector<StandingFootprint> states;
+  for (const double height : heights) {
+    motion.center.z() = height;
+    const auto hub = tire.settle(motion, ground, 0.0);
+    if (!hub) return hub.failure();
+    auto print = tire.footprint();
+    if (!print)
+      return Failure{
+          "this tire does not know its footprint: a Magic Formula needs the coefficients of its "
+          "contact patch"};
+    states.push_back({tire.free_radius() - height, std::move(*print)});
+  }
+  return states;
+}
+
+Result<std::vector<StandingFootprint>> footprints(fe_tire::FeTire& tire,
+                                                  double pressure,
+                                                  const fe_tire::Ground& ground,
+                                                  const FootprintTest& test) {
+  constexpr double kTypicalStiffness = 2.0e5;  // N/m, for a first guess of the deflection
+  const auto inflated = tire.inflate(pressure);
+  if (!inflated) return inflated.failure();
+  std::vector<StandingFootprint> states;
+  const auto keep = [&](const fe_tire::LoadPoint& point) {
+    states.push_back({point.deflection, footprint_of(point)});
+  };
+  for (const double load : test.loads) {
+    const auto loaded = load_to_force(tire, *inflated, load, load / kTypicalStiffness, ground);
+    if (!loaded) return loaded.failure();
+    keep(loaded->curve.back());
+  }
+  if (!test.deflections.empty()) {
+    const auto loaded = tire.load(*inflated, test.deflections, ground);
+    if (!loaded) return loaded.failure();
+    for (const auto& point : loaded->curve) keep(point);
+  }
+  return states;
+}
+
+Channels to_channels(const std::vector<StandingFootprint>& states) {
+  Channel load{"load", "N", {}}, deflection{"deflection", "m", {}}, length{"length", "m", {}};
+  Channel width{"width", "m", {}}, area{"area", "m^2", {}}, pressure{"mean_pressure", "Pa", {}};
+  for (const StandingFootprint& state : states) {
+    load.values.push_back(state.footprint.load);
+    deflection.values.push_back(state.deflection);
+    length.values.push_back(state.footprint.length);
+    width.values.push_back(state.footprint.width);
+    area.values.push_back(state.footprint.area);
+    pressure.values.push_back(state.footprint.mean_pressure());
+  }
+  Channels channels;
+  for (Channel* channel : {&load, &deflection, &length, &width, &area, &pressure})
+    channels.add(std::move(*channel));
+  return channels;
+}
+
+}  // namespace latsch::experiment

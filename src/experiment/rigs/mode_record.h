@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// A vibration mode as a laboratory reports it and as the virtual rig records it.
+//
+// Channels of a modal run: "frequency" Hz, "n" 1, "type" 1, "phase" 1, one value a mode, and
+// "shape" 1 with the displacements of all sensor points (x y z of point 0, x y z of point 1 ...),
+// one mode after the other.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "measurement/channels.h"
+#include "measurement/mode_table.h"
+#include "models/fe_tire/ring/fe_tire.h"
+
+namespace latsch::experiment {
+
+struct ModeRecord {
+  double frequency = 0.0;                 // Hz
+  std::optional<int> n;                   // circumferential number, where known
+  std::optional<fe_tire::ModeType> type;  // where known
+  char phase = ' ';                       // 's', 'a' or ' ': unknown or none, see fe_tire::Mode
+  Eigen::VectorXd shape;  // [3 x points] wheel frame, any scale; empty: not measured
+
+  /// "lateral n=1 s"; "?" for what is not known.
+  std::string label() const;
+};
+
+Channels to_channels(const std::vector<ModeRecord>& modes);
+/// The inverse; asserts that the channels come from a modal run.
+std::vector<ModeRecord> mode_records(const Channels& channels);
+
+/// Modes as measured. Throws InputError for a type this program does not know.
+std::vector<ModeRecord> mode_records(const ModeTable& table);
+/// Sensor points [3 x points], m.
+Eigen::Matrix3Xd sensor_points(const ModeTable& table);
+/// The inverse of both, for a twin.
+ModeTable mode_table(const std::vector<ModeRecord>& modes, const Eigen::Matrix3Xd& points);
+
+}  // namespace latsch::experiment

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// States of a rolling tire as a table has them, and what a steady-state tire answers as channels.
+//
+//   Fz [N], kappa [1], alpha [deg], gamma [deg], phit [1/m], Vx [km/h], p [bar]
+//
+// Columns in any order and case, in any unit of their dimension, in SI where they have none. Fz has
+// to be there; slips and camber that are missing are 0, the speed is that of the measurement
+// (LONGVL), the pressure the file's own (INFLPRES). Columns of other names are not used.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "formats/tables/csv_table.h"
+#include "measurement/channels.h"
+#include "models/magic_formula/magic_formula.h"
+
+namespace latsch {
+
+struct SlipStates {
+  std::vector<magic_formula::State> states;
+  std::vector<std::string> unused;  // columns
+};
+
+/// Of a table of any length, so many states at once. Throws InputError naming file and line.
+/// Gives back the columns that are not used.
+std::vector<std::string> for_slip_states(
+    const formats::CsvTable& table,
+    const magic_formula::Parameters& tire,
+    int rows,
+    const std::function<void(std::vector<magic_formula::State>&)>& block);
+
+/// All of them. Throws InputError naming file and line.
+SlipStates slip_states(const formats::CsvTable& table, const magic_formula::Parameters& tire);
+
+/// Fx Fy Fz Mx My Mz R_e R_l rho length width t Mzr mux muy omega Kxk Kya Cx Cy Cz sigma_x sigma_y,
+/// a value a state.
+Channels answers(const std::vector<magic_formula::SteadyState>& results);
+
+/// How many states lie outside of the ranges of the file, where limits clamp them.
+int outside_of_ranges(const std::vector<magic_formula::State>& states,
+                      const magic_formula::Parameters& tire);
+
+}  // namespace latsch

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/slip_states.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace latsch {
+namespace {
+
+using formats::CsvTable;
+
+magic_formula::Parameters tire() {
+  magic_formula::Parameters p;
+  p.LONGVL = 16.0;
+  p.INFLPRES = 2.4e5;
+  p.FZMAX = 8000.0;
+  return p;
+}
+
+TEST(SlipStates, AnyOrderAnyUnitAndSiWithoutOne) {
+  const SlipStates s = slip_states(
+      CsvTable::parse(
+          "alpha [deg],FZ [kN],p [bar],kappa,note [mm]\n10,4,2.2,-0.1,1\n-5,3,2.0,0,2\n", "s.csv"),
+      tire());
+  ASSERT_EQ(s.states.size(), 2u);
+  EXPECT_DOUBLE_EQ(s.states[0].alpha, 10 * std::numbers::pi / 180);
+  EXPECT_EQ(s.states[0].Fz, 4000.0);
+  EXPECT_EQ(s.states[0].p, 2.2e5);
+  EXPECT_EQ(s.states[0].kappa, -0.1);
+  EXPECT_EQ(s.states[1].Fz, 3000.0);
+  EXPECT_EQ(s.states[1].Vx, 16.0);
+  EXPECT_EQ(s.unused, (std::vector<std::string>{"note"}));
+  const SlipStates si = slip_states(CsvTable::parse("Vx,Fz\n20,4000\n", "s.csv"), tire());
+  EXPECT_EQ(si.states[0].Vx, 20.0);
+  EXPECT_EQ(si.states[0].p, 2.4e5);
+}
+
+TEST(SlipStates, WrongTablesAreNamed) {
+  const auto complaint = [](const char* text) -> std::string {
+    try {
+      slip_states(CsvTable::parse(text, "s.csv"), tire());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(complaint("kappa\n0.1\n"),
+            "s.csv:1: there is no column Fz; a table of states has Fz and any of kappa, alpha, "
+            "gamma, phit, Vx, p");
+  EXPECT_EQ(complaint("Fz,FZ\n1,2\n"), "s.csv:1: \"FZ\" comes twice");
+  EXPECT_NE(complaint("Fz [mm]\n1\n"), "");
+  EXPECT_NE(complaint("Fz\nnan\n"), "");
+}
+
+TEST(SlipStates, OutsideOfTheRanges) {
+  EXPECT_EQ(
+      outside_of_ranges({{9000.0, 0, 0, 0, 0, 20.0, 2e5}, {4000.0, 0, 0, 0, 0, 20.0, 2e5}}, tire()),
+      1);
+}
+
+}  // namespace
+}  // namespace latsch

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/vibration_rig.h"
+
+#include <Eigen/Geometry>
+
+#include "experiment/rigs/drum_rig.h"
+#include "experiment/rigs/mode_record.h"
+#include "models/ring_tire/ring/standing_modes.h"
+#include "models/road/plane_road.h"
+
+namespace latsch::experiment {
+namespace {
+
+/// Around the circumference moves the whole belt alone; all else in the plane is called radial.
+fe_tire::ModeType type_of(const ring_tire::StandingMode& mode) {
+  if (mode.lateral) return fe_tire::ModeType::lateral;
+  const bool around = mode.shape.row(1).norm() > mode.shape.row(0).norm();
+  return mode.n == 0 && around ? fe_tire::ModeType::torsional : fe_tire::ModeType::radial;
+}
+
+}  // namespace
+
+VibrationTest read_vibration_test(const Node& root) {
+  constexpr long kMost = 200;
+  root.choice("kind", {"modes"});
+  VibrationTest test;
+  if (root.has("load")) test.load = root.quantity("load", "N", Range::positive());
+  if (root.has("deflection")) test.deflection = root.quantity("deflection", "m", Range::positive());
+  if (test.load && test.deflection)
+    root.reject("deflection", "stands beside load, expected one of them or none");
+  test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
+  test.count = static_cast<int>(root.integer("count", 1, kMost, test.count));
+  root.close();
+  return test;
+}
+
+Result<Channels> run(ring_tire::RingTire& tire, const VibrationTest& test) {
+  if (test.count > tire.parameters().nodes)
+    return Failure{
+        "a ring has few modes that mean something: expected a count of at most its nodes"};
+  const road::PlaneRoad ground;
+  WheelMotion motion;
+  motion.carrier = Eigen::AngleAxisd(test.camber, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  motion.center.z() =
+      test.deflection ? tire.free_radius() - *test.deflection : 2.0 * tire.free_radius();
+  if (test.load) {
+    const auto height = height_under_load(tire, ground, motion.carrier, *test.load);
+    if (!height) return height.failure();
+    motion.center.z() = *height;
+  }
+  const auto hub = tire.settle(motion, ground, 0.0);
+  if (!hub) return hub.failure();
+  const auto modes = standing_modes(tire, test.count);
+  if (!modes) return modes.failure();
+  std::vector<ModeRecord> records;
+  Channel damping{"damping", "1", {}};
+  for (const ring_tire::StandingMode& mode : *modes) {
+    records.push_back({mode.frequency, mode.n, type_of(mode), mode.phase, {}});
+    damping.values.push_back(mode.damping);
+  }
+  Channels channels = to_channels(records);
+  channels.add(std::move(damping));
+  return channels;
+}
+
+}  // namespace latsch::experiment

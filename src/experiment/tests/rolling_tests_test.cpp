@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every kind of tire through every kind of test, by one interface.
+#include "experiment/tests/rolling_tests.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "experiment/kinds/sparse_tir_testing.h"
+#include "experiment/kinds/tir_numbers.h"
+#include "formats/tire/tir_file.h"
+
+namespace latsch::experiment {
+namespace {
+
+const std::filesystem::path kStudies = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies";
+const std::filesystem::path kRing = kStudies / "ring_tires/passenger_205_55R16.toml";
+
+const std::string kTir = tir_with_a_belt();
+
+class RollingTests : public testing::Test {
+ protected:
+  RollingTests() {
+    std::string pattern = testing::TempDir() + "rolling_tests_XXXXXX";
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  ~RollingTests() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+  RollingTest test(const std::string& text) { return read_rolling_test(write("test.toml", text)); }
+  std::string complaint(const std::string& text) {
+    try {
+      test(text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(RollingTests, EveryKindCarriesItsLoadOverTheSameCleat) {
+  const auto tir = write("tire.tir", kTir);
+  const RollingTest drum = test(
+      "kind = \"drum_cleat\"\nspeed = \"40 km/h\"\nload = \"4 kN\"\ndrum_diameter = \"2.5 m\"\n"
+      "run_in = \"0.1 s\"\nduration = \"0.1 s\"\nlead = \"0.03 s\"\nsample_step = \"1 ms\"\n"
+      "[cleat]\nheight = \"10 mm\"\nlength = \"20 mm\"\nbevel = \"3 mm\"\n");
+  for (const TireKind* kind : tire_kinds()) {
+    const Document numbers = kind->read(kind->name == "ring_tire" ? kRing : tir);
+    const auto channels = run(*kind, numbers, drum);
+    ASSERT_TRUE(channels) << kind->name << ": " << channels.failure().reason;
+    for (const RecordedChannel& channel : recorded(drum)) {
+      ASSERT_TRUE(channels->find(channel.name)) << channel.name;
+      EXPECT_EQ(channels->find(channel.name)->unit, channel.unit);
+    }
+    const std::vector<double>& Fz = (*channels)["Fz"];
+    // Before the cleat the load, a little above it as the belt grows with speed; then a blow.
+    EXPECT_NEAR(Fz.front(), 4000.0, 300.0) << kind->name;
+    EXPECT_GT(*std::max_element(Fz.begin(), Fz.end()), 4600.0) << kind->name;
+  }
+}
+
+TEST_F(RollingTests, ASweepGivesSideForceAgainstItsSlip) {
+  const auto tir = write("tire.tir", kTir);
+  const RollingTest sweep = test(
+      "kind = \"slip_sweep\"\nspeed = \"40 km/h\"\nload = \"4 kN\"\n"
+      "alpha = [\"-6 deg\", \"6 deg\"]\nsample_step = \"10 ms\"\n");
+  const TireKind& kind = *find_tire_kind("magic_formula");
+  const auto channels = run(kind, kind.read(tir), sweep);
+  ASSERT_TRUE(channels) << channels.failure().reason;
+  EXPECT_EQ((*channels)["alpha"].size(), 100u);
+  EXPECT_NEAR((*channels)["alpha"].back(), 6.0 * M_PI / 180.0, 1e-12);
+  EXPECT_GT((*channels)["Fy"].front(), 1000.0);
+  EXPECT_LT((*channels)["Fy"].back(), -1000.0);
+}
+
+TEST_F(RollingTests, AStandingTireHasTheStiffnessOfItsFile) {
+  const auto tir = write("tire.tir", kTir);
+  const TireKind& kind = *find_tire_kind("magic_formula");
+  const auto curve =
+      run(kind,
+          kind.read(tir),
+          test("kind = \"static_stiffness\"\ndeflections = [\"10 mm\", \"20 mm\"]\n"));
+  ASSERT_TRUE(curve) << curve.failure().reason;
+  // Q_FZ2 = 0: a straight line.
+  EXPECT_NEAR((*curve)["force"][1], 190000.0 * 0.02, 1.0);
+  const auto under_load =
+      run(kind,
+          kind.read(tir),
+          test("kind = \"static_stiffness\"\nload = \"4 kN\"\ndirections = [\"vertical\"]\n"));
+  ASSERT_TRUE(under_load) << under_load.failure().reason;
+  EXPECT_NEAR((*under_load)["vertical"][0], 190000.0, 500.0);
+}
+
+// The same test of three models: the ring's blocks, the formula's rectangle 2 a x 2 b, here with
+// Q_RA1 and Q_RB1 alone: a = R0 Q_RA1 sqrt(Fz/(Cz R0)), b = w Q_RB1 (Fz/(Cz R0))^(1/3).
+TEST_F(RollingTests, EveryTireHasAFootprint) {
+  const auto tir =
+      write("tire.tir", std::string(kTir) + "[CONTACT_PATCH]\nQ_RA1 = 0.9\nQ_RB1 = 1.2\n");
+  const RollingTest footprint = test("kind = \"footprint\"\nloads = [\"2 kN\", \"4 kN\"]\n");
+  for (const TireKind* kind : tire_kinds()) {
+    const auto channels =
+        run(*kind, kind->read(kind->name == "ring_tire" ? kRing : tir), footprint);
+    ASSERT_TRUE(channels) << kind->name << channels.failure().reason;
+    EXPECT_EQ(channels->all().size(), recorded(footprint).size());
+    for (int i : {0, 1}) {
+      const auto at = static_cast<std::size_t>(i);
+      const double load = (*channels)["load"][at];
+      EXPECT_NEAR(load, 2000.0 * (i + 1), 100.0) << kind->name;  // the belt's weight is its own
+      EXPECT_NEAR((*channels)["mean_pressure"][at] * (*channels)["area"][at], load, 1e-6)
+          << kind->name;
+      if (kind->name == "ring_tire") continue;
+      const double share = load / (190000.0 * 0.316);
+      EXPECT_NEAR((*channels)["length"][at], 2.0 * 0.316 * 0.9 * std::sqrt(share), 1e-6)
+          << kind->name;
+      EXPECT_NEAR((*channels)["width"][at], 2.0 * 0.205 * 1.2 * std::cbrt(share), 1e-6)
+          << kind->name;
+    }
+    EXPECT_GT((*channels)["length"][1], (*channels)["length"][0]) << kind->name;
+  }
+  const TireKind& formula = *find_tire_kind("magic_formula");
+  const auto without = run(formula, formula.read(write("bare.tir", kTir)), footprint);
+  ASSERT_FALSE(without);
+  EXPECT_NE(without.failure().reason.find("contact patch"), std::string::npos);
+}
+
+// Off the ground the pair n = 1 in the plane is one frequency, on it two.
+TEST_F(RollingTests, ARingHasModesOnTheGroundAndOffIt) {
+  const TireKind& ring = *find_tire_kind("ring_tire");
+  const RollingTest free = test("kind = \"modes\"\ncount = 8\n");
+  const RollingTest standing = test("kind = \"modes\"\nload = \"4 kN\"\ncount = 8\n");
+  const auto air = run(ring, ring.read(kRing), free),
+             ground = run(ring, ring.read(kRing), standing);
+  ASSERT_TRUE(air && ground);
+  EXPECT_EQ(air->all().size(), recorded(free).size());
+  for (const auto& channel : recorded(free)) {
+    ASSERT_NE(air->find(channel.name), nullptr) << channel.name;
+    EXPECT_EQ((*air)[channel.name].size(), 8u);
+  }
+  EXPECT_NEAR((*air)["frequency"][1], (*air)["frequency"][2], 1e-6);
+  EXPECT_GT(std::abs((*ground)["frequency"][1] - (*ground)["frequency"][2]), 0.1);
+  const auto tir = write("tire.tir", kTir);
+  const TireKind& formula = *find_tire_kind("magic_formula");
+  EXPECT_THROW((void)run(formula, formula.read(tir), standing), InputError);
+}
+
+TEST_F(RollingTests, SteadyStatesAreForTheMagicFormulaAlone) {
+  const auto tir = write("tire.tir", kTir);
+  write("states.csv", "Fz [kN],alpha [deg]\n4,2\n4,-2\n");
+  const RollingTest steady = test("kind = \"steady_states\"\nstates = \"states.csv\"\n");
+  const TireKind& formula = *find_tire_kind("magic_formula");
+  const auto channels = run(formula, formula.read(tir), steady);
+  ASSERT_TRUE(channels);
+  EXPECT_LT((*channels)["Fy"][0], -500.0);
+  EXPECT_THROW((void)run(*find_tire_kind("ring_tire"), Document::read(kRing), steady), InputError);
+}
+
+// What stands in the file is what the tree of numbers gives back, to the last bit.
+TEST_F(RollingTests, TheNumbersOfATirAreThoseOfTheFile) {
+  const auto tir = write("tire.tir", kTir);
+  const auto direct = formats::read_tir(tir).parameters;
+  const Document numbers = read_tir_numbers(tir);
+  const auto back = parameters_of(numbers);
+  for (const auto& field : magic_formula::parameter_fields())
+    EXPECT_EQ(back.*field.member, direct.*field.member) << field.name;
+  EXPECT_EQ(back.version, direct.version);
+  EXPECT_EQ(formats::tir_text(direct), tir_text_of(numbers));
+}
+
+TEST_F(RollingTests, ANumberOfATirVariesByItsName) {
+  Document numbers = read_tir_numbers(write("tire.tir", kTir));
+  EXPECT_EQ(numbers.unit("VERTICAL_STIFFNESS"), "N/m");
+  numbers.set("VERTICAL_STIFFNESS", 2.5e5);
+  EXPECT_EQ(parameters_of(numbers).VERTICAL_STIFFNESS, 2.5e5);
+  numbers.set("FNOMIN", -1.0);
+  EXPECT_THROW(parameters_of(numbers), InputError);
+}
+
+TEST_F(RollingTests, ComplaintsSayWhatIsExpected) {
+  EXPECT_NE(complaint("kind = \"drum\"\n").find("\"drum_cleat\""), std::string::npos);
+  EXPECT_NE(complaint("kind = \"slip_sweep\"\nspeed = \"40 km/h\"\nload = \"4 kN\"\n")
+                .find("alpha or kappa has to be there"),
+            std::string::npos);
+  EXPECT_NE(complaint("kind = \"static_stiffness\"\nload = \"4 kN\"\ndirections = [\"up\"]\n")
+                .find("\"longitudinal\""),
+            std::string::npos);
+  const std::string drum =
+      "kind = \"drum_cleat\"\nload = \"4 kN\"\ndrum_diameter = \"2.5 m\"\n"
+      "lead = \"50 ms\"\nduration = \"50 ms\"\n";
+  const std::string cleat = "[cleat]\nheight = \"10 mm\"\nlength = \"20 mm\"\n";
+  EXPECT_NE(complaint(drum + "speed = \"30 km/h\"\n" + cleat).find("before the cleat"),
+            std::string::npos);
+  EXPECT_NE(complaint(drum + "speed = \"3000 km/h\"\n").find("at most 720 km/h"),
+            std::string::npos);
+  EXPECT_NE(complaint("kind = \"static_stiffness\"\n").find("one of the two"), std::string::npos);
+}
+
+TEST_F(RollingTests, AFileThatDoesNotSayItsKindIsToldHow) {
+  try {
+    kind_of_file(write("tire.toml", "pressure = \"2 bar\"\n"));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("\"ring_tire\""), std::string::npos) << error.what();
+  }
+}
+
+// As far as a test says where its record begins and ends, it is the record's own.
+TEST(ReachOfATest, IsThatOfItsRecord) {
+  char pattern[] = "/tmp/latsch_reach_XXXXXX";
+  ASSERT_TRUE(mkdtemp(pattern));
+  const std::filesystem::path file = std::filesystem::path(pattern) / "test.toml";
+  const TireKind& kind = *find_tire_kind("ring_tire");
+  const Document numbers = kind.read(kRing);
+  for (const char* sampling : {"0.5 ms", "1.5 ms", "3.5 ms"}) {
+    std::ofstream(file) << "kind = \"drum_cleat\"\nspeed = \"30 km/h\"\nload = \"4 kN\"\n"
+                        << "drum_diameter = \"2.5 m\"\n"
+                        << "run_in = \"5 ms\"\nlead = \"4 ms\"\nduration = \"31 ms\"\n"
+                        << "step = \"0.5 ms\"\nsample_step = \"" << sampling << "\"\n";
+    const RollingTest test = read_rolling_test(file);
+    const auto channels = run(kind, numbers, test);
+    ASSERT_TRUE(channels) << channels.failure().reason;
+    const auto& time = (*channels)["time"];
+    const auto known = reach(test, "time");
+    ASSERT_TRUE(known);
+    EXPECT_NEAR(known->from, time.front(), 1e-12) << sampling;
+    EXPECT_NEAR(known->to, time.back(), 1e-12) << sampling;
+  }
+  std::ofstream(file) << "kind = \"slip_sweep\"\nspeed = \"30 km/h\"\nload = \"4 kN\"\n"
+                      << "alpha = [\"-1 deg\", \"1 deg\"]\nrun_in = \"5 ms\"\n"
+                      << "duration = \"20 ms\"\nsample_step = \"1.5 ms\"\n";
+  const RollingTest sweep = read_rolling_test(file);
+  const auto channels = run(kind, numbers, sweep);
+  ASSERT_TRUE(channels) << channels.failure().reason;
+  EXPECT_EQ(reach(sweep, "time")->from, (*channels)["time"].front());
+  EXPECT_EQ(reach(sweep, "time")->to, (*channels)["time"].back());
+  std::filesystem::remove_all(pattern);
+}
+
+}  // namespace
+}  // namespace latsch::experiment

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/mesh/ccx_deck.h"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "base/error.h"
+#include "base/file.h"
+
+namespace latsch::formats {
+namespace {
+
+using fe_tire::Element;
+
+constexpr double kMillimeters = 1e3;                                              // of a meter
+constexpr double kMegapascals = 1e-6;                                             // of a pascal
+constexpr double kTonnesPerCubicMm = 1e-12;                                       // of a kg/m^3
+constexpr double kMegapascalsPerMm = 1e-9;                                        // of a Pa/m
+constexpr double kGroundLength = 0.16, kGroundWidth = 0.17, kGroundDepth = 0.02;  // m, half sizes
+
+class DeckWriter {
+ public:
+  DeckWriter(std::ostream& out,
+             const fe_tire::Mesh& mesh,
+             const fe_tire::Materials& materials,
+             const CcxRun& run)
+      : out_(out), mesh_(mesh), materials_(materials), run_(run) {}
+
+  void write() {
+    print("*HEADING\n{}\n", run_.title);
+    nodes();
+    elements();
+    sets();
+    material_cards();
+    if (run_.ground) contact();
+    print("*BOUNDARY\nRIM,1,3\n");
+    if (run_.ground) print("GROUND,1,3\n");
+    inflation_step();
+    if (run_.modes > 0 && !run_.loaded_modes) frequency_step();
+    if (run_.ground) load_step();
+    if (run_.modes > 0 && run_.loaded_modes) frequency_step();
+  }
+
+ private:
+  template <class... Arguments>
+  void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    fmt::print(out_, format, std::forward<Arguments>(arguments)...);
+  }
+
+  int node_number(int sector, int node) const {
+    const int n = mesh_.nodes_per_sector();
+    return 1 + (sector + node / n) % mesh_.sectors * n + node % n;
+  }
+  int element_number(int sector, int element) const {
+    return 1 + sector * static_cast<int>(mesh_.elements.size()) + element;
+  }
+
+  void nodes() {
+    print("*NODE,NSET=TIRENODES\n");
+    for (int s = 0; s < mesh_.sectors; ++s)
+      for (int i = 0; i < mesh_.nodes_per_sector(); ++i)
+        node(node_number(s, i), mesh_.frame(s) * mesh_.X.col(i));
+    if (!run_.ground) return;
+    print("*NODE,NSET=GROUND\n");
+    const double top = -run_.ground->radius, x = kGroundLength, y = kGroundWidth;
+    int number = mesh_.nodes();
+    for (const double z : {top - kGroundDepth, top})
+      for (const auto& [sx, sy] : {std::pair{-1, 1}, {-1, -1}, {1, -1}, {1, 1}})
+        node(++number, {sx * x, sy * y, z});
+  }
+
+  /// Deck frame: x forward, y up, z = -y of the wheel frame along the spin axis.
+  void node(int number, const Eigen::Vector3d& x) {
+    const Eigen::Vector3d mm = kMillimeters * x;
+    print("{},{:.12g},{:.12g},{:.12g}\n", number, mm.x(), mm.z(), -mm.y());
+  }
+
+  void elements() {
+    print("*ELEMENT,TYPE=C3D8,ELSET=TIRE\n");
+    for (int s = 0; s < mesh_.sectors; ++s)
+      for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {
+        print("{}", element_number(s, e));
+        for (int node : mesh_.elements[e].node) print(",{}", node_number(s, node));
+        print("\n");
+      }
+    if (!run_.ground) return;
+    print("*ELEMENT,TYPE=C3D8,ELSET=GROUNDBLOCK\n{}", ground_element());
+    for (int i = 1; i <= 8; ++i) print(",{}", mesh_.nodes() + i);
+    print("\n");
+  }
+
+  int ground_element() const { return mesh_.element_count() + 1; }
+
+  void sets() {
+    std::vector<int> rim;
+    for (int s = 0; s < mesh_.sectors; ++s)
+      for (int i : mesh_.clamped) rim.push_back(node_number(s, i));
+    set("*NSET,NSET=RIM", rim);
+    std::vector<int> sensors;
+    for (int i : mesh_.sensors) sensors.push_back(node_number(0, i));
+    set("*NSET,NSET=SENSORS", sensors);
+    element_set("INNER", [](int, const Element& e) { return e.inner; });
+    for (int solid = 0; solid < static_cast<int>(materials_.solids.size()); ++solid)
+      element_set(fmt::format("SOLID{}", solid),
+                  [=](int, const Element& e) { return e.solid == solid; });
+    if (run_.ground)
+      element_set("TREAD", [this](int s, const Element& e) { return e.tread && lower_half(s); });
+  }
+
+  /// What can meet the ground; leaving out the rest saves CalculiX half of its search.
+  bool lower_half(int sector) const {
+    return mesh_.sectors == 1 || std::cos(mesh_.angle(sector)) > 0.0 ||
+           std::cos(mesh_.angle(sector + 1)) > 0.0;
+  }
+
+  template <class Choice>
+  void element_set(const std::string& name, Choice chosen) {
+    std::vector<int> members;
+    for (int s = 0; s < mesh_.sectors; ++s)
+      for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e)
+        if (chosen(s, mesh_.elements[e])) members.push_back(element_number(s, e));
+    set("*ELSET,ELSET=" + name, members);
+  }
+
+  void set(const std::string& card, const std::vector<int>& members) {
+    if (members.empty()) return;
+    print("{}\n", card);
+    for (std::size_t i = 0; i < members.size(); ++i)
+      print("{}{}", members[i], i % 12 == 11 || i + 1 == members.size() ? ",\n" : ",");
+  }
+
+  void material_cards() {
+    print("*ORIENTATION,NAME=WHEEL,SYSTEM=CYLINDRICAL\n0,0,0,0,0,1\n");
+    for (int i = 0; i < static_cast<int>(materials_.solids.size()); ++i) {
+      const fe_tire::Solid& solid = materials_.solids[i];
+      if (!used(i)) continue;
+      print("*MATERIAL,NAME=SOLID{}\n", i);
+      const bool oriented =
+          std::visit([this](const auto& law) { return write_law(law); }, solid.law);
+      print("*DENSITY\n{:.12g}\n", solid.density * kTonnesPerCubicMm);
+      print("*SOLID SECTION,ELSET=SOLID{},MATERIAL=SOLID{}{}\n",
+            i,
+            i,
+            oriented ? ",ORIENTATION=WHEEL" : "");
+    }
+    if (!run_.ground) return;
+    print("*MATERIAL,NAME=RIGID\n*ELASTIC\n210000,0.3\n*DENSITY\n7.8e-9\n");
+    print("*SOLID SECTION,ELSET=GROUNDBLOCK,MATERIAL=RIGID\n");
+  }
+
+  bool used(int solid) const {
+    for (const Element& element : mesh_.elements)
+      if (element.solid == solid) return true;
+    return false;
+  }
+
+  bool write_law(const fe_tire::Hyperelastic& law) {
+    const double D1 = 2.0 / (law.K * kMegapascals);
+    if (law.C01 == 0.0)
+      print("*HYPERELASTIC,NEO HOOKE\n{:.15g},{:.15g}\n", law.C10 * kMegapascals, D1);
+    else
+      print("*HYPERELASTIC,MOONEY-RIVLIN\n{:.15g},{:.15g},{:.15g}\n",
+            law.C10 * kMegapascals,
+            law.C01 * kMegapascals,
+            D1);
+    return false;
+  }
+
+  /// Upper triangle column by column in CalculiX' order 11 22 33 12 13 23.
+  bool write_law(const fe_tire::StVenantKirchhoff& law) {
+    static constexpr int kOurs[6] = {0, 1, 2, 3, 5, 4};
+    print("*ELASTIC,TYPE=ANISO\n");
+    int count = 0;
+    for (int column = 0; column < 6; ++column)
+      for (int row = 0; row <= column; ++row)
+        print("{:.12g}{}",
+              law.D(kOurs[row], kOurs[column]) * kMegapascals,
+              ++count % 8 == 0 || count == 21 ? "\n" : ",");
+    return true;
+  }
+
+  void contact() {
+    print("*SURFACE,NAME=STREAD,TYPE=ELEMENT\nTREAD,S2\n");
+    print("*SURFACE,NAME=SGROUND,TYPE=ELEMENT\n{},S2\n", ground_element());
+    const double k = run_.ground->stiffness * kMegapascalsPerMm;
+    print(
+        "*SURFACE INTERACTION,NAME=TOUCH\n*SURFACE "
+        "BEHAVIOR,PRESSURE-OVERCLOSURE=LINEAR\n{:.12g},,\n",
+        k);
+    if (run_.ground->mu > 0.0) print("*FRICTION\n{:.12g},{:.12g}\n", run_.ground->mu, 0.5 * k);
+    print("*CONTACT PAIR,INTERACTION=TOUCH,TYPE=SURFACE TO SURFACE\nSTREAD,SGROUND\n");
+  }
+
+  void inflation_step() {
+    print("*STEP,NLGEOM,INC=100\n*STATIC,SOLVER=SPOOLES\n0.25,1.,1e-5,1.\n");
+    print("*DLOAD\nINNER,P1,{:.12g}\n", run_.pressure * kMegapascals);
+    if (!mesh_.sensors.empty()) print("*NODE PRINT,NSET=SENSORS\nU\n");
+    print("*NODE FILE,FREQUENCY=100\nU\n*END STEP\n");
+  }
+
+  void load_step() {
+    const double step = 1.0 / run_.load_increments;
+    print("*STEP,NLGEOM,INC=200\n*STATIC,SOLVER=SPOOLES\n{:.12g},1.,1e-4,{:.12g}\n", step, step);
+    print("*BOUNDARY\nGROUND,2,2,{:.12g}\n", run_.ground->travel * kMillimeters);
+    print("*DLOAD,OP=NEW\nINNER,P1,{:.12g}\n", run_.pressure * kMegapascals);
+    print("*NODE PRINT,NSET=GROUND,TOTALS=ONLY\nRF\n*NODE FILE,FREQUENCY=100\nU\n*END STEP\n");
+  }
+
+  void frequency_step() {
+    print("*STEP,PERTURBATION\n*FREQUENCY,SOLVER=SPOOLES\n{}\n", run_.modes);
+    print("** half the pressure: CalculiX 2.20 counts its load stiffness twice here\n");
+    print("*DLOAD,OP=NEW\nINNER,P1,{:.12g}\n", 0.5 * run_.pressure * kMegapascals);
+    print("*NODE FILE\nU\n*END STEP\n");
+  }
+
+  std::ostream& out_;
+  const fe_tire::Mesh& mesh_;
+  const fe_tire::Materials& materials_;
+  const CcxRun& run_;
+};
+
+}  // namespace
+
+void write_ccx_deck(std::ostream& out,
+                    const fe_tire::Mesh& mesh,
+                    const fe_tire::Materials& materials,
+                    const CcxRun& run) {
+  for (const Element& element : mesh.elements)
+    if (!element.rebars.empty())
+      throw InputError(
+          "CalculiX has no rebar layers, set mesh.cords = \"smeared\" for this export");
+  DeckWriter(out, mesh, materials, run).write();
+}
+
+void write_ccx_deck(const std::filesystem::path& file,
+                    const fe_tire::Mesh& mesh,
+                    const fe_tire::Materials& materials,
+                    const CcxRun& run) {
+  write_file(file, [&](std::ostream& out) { write_ccx_deck(out, mesh, materials, run); });
+}
+
+}  // namespace latsch::formats

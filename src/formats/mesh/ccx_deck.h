@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes a tire as a CalculiX deck (mm, N, tonne, s): inflation, load against flat ground,
+// frequencies.
+//
+// The same mesh, laws and loads in an independent program. Two things CalculiX 2.20 wants to know:
+// it has no rebars, so the cords must be smeared; and it counts the load stiffness of the pressure
+// twice in a prestressed frequency step, so that step carries half the pressure.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "models/fe_tire/element/materials.h"
+#include "models/fe_tire/element/mesh.h"
+
+namespace latsch::formats {
+
+struct CcxGround {
+  double radius = 0.0;        // m, from wheel center to ground before it moves
+  double travel = 0.0;        // m, toward the wheel center
+  double stiffness = 2.0e10;  // Pa/m
+  double mu = 0.0;
+};
+
+struct CcxRun {
+  std::string title;
+  double pressure = 0.0;            // Pa
+  std::optional<CcxGround> ground;  // none: no load step
+  int load_increments = 5;          // of the travel
+  int modes = 20;                   // 0: no frequency step
+  bool loaded_modes = true;         // else those of the inflated tire, before the load step
+};
+
+/// Throws InputError where the mesh holds rebars.
+void write_ccx_deck(std::ostream& out,
+                    const fe_tire::Mesh& mesh,
+                    const fe_tire::Materials& materials,
+                    const CcxRun& run);
+void write_ccx_deck(const std::filesystem::path& file,
+                    const fe_tire::Mesh& mesh,
+                    const fe_tire::Materials& materials,
+                    const CcxRun& run);
+
+}  // namespace latsch::formats

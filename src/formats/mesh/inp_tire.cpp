@@ -1,0 +1,426 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/mesh/inp_tire.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "formats/mesh/element_axes.h"
+#include "formats/mesh/inp_materials.h"
+#include "formats/mesh/mesh_surface.h"
+#include "formats/mesh/rotational_symmetry.h"
+
+namespace latsch::formats {
+namespace {
+
+using fe_tire::Element;
+using fe_tire::Mesh;
+
+constexpr int kAllDirections = 7;
+
+class TireReader {
+ public:
+  TireReader(const InpDeck& deck, const InpUnits& units) : deck_(deck), units_(units) {}
+
+  InpTire read() {
+    take_held();
+    separate_ground();
+    place_frame();
+    take_nodes_and_elements();
+    take_materials();
+    take_faces();
+    align();
+    take_supports();
+    assemble();
+    take_ground();
+    for (const InpStep& step : deck_.steps) tire_.modes = std::max(tire_.modes, step.modes);
+    return std::move(tire_);
+  }
+
+ private:
+  /// Bits of the held directions of every supported node.
+  void take_held() {
+    const auto take = [&](const InpSupport& support) {
+      for (int node : support.nodes) {
+        if (!deck_.nodes.count(node))
+          throw InputError(support.place, fmt::format("node {} is not defined", node));
+        for (int d = support.first; d <= support.last; ++d) held_[node] |= 1 << (d - 1);
+      }
+    };
+    for (const InpSupport& support : deck_.supports) take(support);
+    for (const InpStep& step : deck_.steps)
+      for (const InpSupport& support : step.supports) take(support);
+  }
+
+  /// The ground is every body touched by a master surface; a body of which all nodes are held is
+  /// no part of the tire either.
+  void separate_ground() {
+    std::map<int, std::vector<int>> elements_at;
+    for (const auto& [number, element] : deck_.elements)
+      for (int node : element.node) elements_at[node].push_back(number);
+    std::set<int> masters, seen;
+    for (const InpContact& contact : deck_.contacts)
+      for (const InpFaces& faces : deck_.surfaces.at(contact.master))
+        masters.insert(faces.elements.begin(), faces.elements.end());
+    for (const auto& [first, unused] : deck_.elements) {
+      std::vector<int> open{first}, body;
+      bool is_master = false, is_held = true;
+      while (!open.empty()) {
+        const int number = open.back();
+        open.pop_back();
+        if (!seen.insert(number).second) continue;
+        body.push_back(number);
+        is_master = is_master || masters.count(number);
+        for (int node : deck_.elements.at(number).node) {
+          is_held = is_held && held_[node] == kAllDirections;
+          const std::vector<int>& neighbors = elements_at[node];
+          open.insert(open.end(), neighbors.begin(), neighbors.end());
+        }
+      }
+      if (!is_master && !is_held) continue;
+      for (int number : body) {
+        ground_elements_.insert(number);
+        const auto& nodes = deck_.elements.at(number).node;
+        ground_nodes_.insert(nodes.begin(), nodes.end());
+      }
+    }
+  }
+
+  void place_frame() {
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+    bool found = false;
+    for (const InpSection& section : deck_.sections) {
+      if (section.orientation.empty()) continue;
+      const InpOrientation& o = deck_.orientations.at(section.orientation);
+      if (!o.cylindrical) continue;
+      const Eigen::Vector3d direction = (o.b - o.a).normalized();
+      if (found && ((direction - axis).norm() > 1e-9 || (o.a - center_).cross(axis).norm() > 1e-9))
+        throw InputError(section.place,
+                         "a second cylindrical axis, expected one: the tire's spin axis");
+      axis = direction;
+      center_ = o.a;
+      found = true;
+    }
+    Eigen::Vector3d down = ground_point() - center_;
+    down -= down.dot(axis) * axis;
+    if (down.norm() < 1e-9) down = axis.unitOrthogonal();
+    down.normalize();
+    // axial = radial x circumferential points along -y of the wheel frame.
+    R_.row(1) = -axis.transpose();
+    R_.row(2) = -down.transpose();
+    R_.row(0) = (-axis).cross(-down).transpose();
+  }
+
+  /// Middle of the master faces, in the file's frame; below the axis where there is no ground.
+  Eigen::Vector3d ground_point() const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    int count = 0;
+    for (int node : master_nodes()) {
+      sum += deck_.nodes.at(node);
+      ++count;
+    }
+    return count > 0 ? Eigen::Vector3d(sum / count)
+                     : Eigen::Vector3d(center_ - Eigen::Vector3d::UnitY());
+  }
+
+  std::set<int> master_nodes() const {
+    std::set<int> nodes;
+    for (const InpContact& contact : deck_.contacts)
+      for (const InpFaces& faces : deck_.surfaces.at(contact.master))
+        for (int number : faces.elements)
+          for (int corner : face_corners(face_direction(faces.face)))
+            nodes.insert(deck_.elements.at(number).node[corner]);
+    return nodes;
+  }
+
+  Eigen::Vector3d to_wheel(const Eigen::Vector3d& x) const {
+    return units_.length * (R_ * (x - center_));
+  }
+
+  void take_nodes_and_elements() {
+    std::set<int> used;
+    for (const auto& [number, element] : deck_.elements) {
+      if (ground_elements_.count(number)) continue;
+      element_index_[number] = static_cast<int>(elements_.size());
+      element_numbers_.push_back(number);
+      elements_.push_back(element.node);
+      used.insert(element.node.begin(), element.node.end());
+    }
+    if (elements_.empty()) throw InputError({deck_.file, 0}, "there are no tire elements");
+    ring_.X.resize(3, static_cast<Eigen::Index>(used.size()));
+    for (int number : used) {
+      const int index = static_cast<int>(node_index_.size());
+      node_index_[number] = index;
+      ring_.X.col(index) = to_wheel(deck_.nodes.at(number));
+    }
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      Hex x;
+      for (int a = 0; a < 8; ++a) {
+        elements_[e][a] = node_index_.at(elements_[e][a]);
+        x.col(a) = ring_.X.col(elements_[e][a]);
+      }
+      if (!(smallest_corner_volume(x) > 0.0)) {
+        const InpElement& element = deck_.elements.at(element_numbers_[e]);
+        throw InputError(element.place,
+                         fmt::format("element {} is inverted or degenerate", element.number));
+      }
+    }
+  }
+
+  void take_materials() {
+    std::map<std::string, int> solids;
+    solid_.assign(elements_.size(), -1);
+    for (const InpSection& section : deck_.sections) {
+      const InpMaterial& material = deck_.materials.at(section.material);
+      for (int number : deck_.element_sets.at(section.elset)) {
+        const auto element = element_index_.find(number);
+        if (element == element_index_.end()) continue;  // of the ground
+        const bool oriented =
+            !section.orientation.empty() && deck_.orientations.at(section.orientation).cylindrical;
+        if (!material.anisotropic.empty() && !oriented)
+          throw InputError(section.place,
+                           "an anisotropic material needs a cylindrical ORIENTATION");
+        const auto [solid, added] = solids.emplace(material.name, tire_.materials.solids.size());
+        if (added) {
+          tire_.materials.solids.push_back(solid_from(material, units_));
+          tire_.mesh.region_names.push_back(material.name);
+        }
+        solid_[element->second] = solid->second;
+      }
+    }
+    for (std::size_t e = 0; e < elements_.size(); ++e)
+      if (solid_[e] < 0) {
+        const InpElement& element = deck_.elements.at(element_numbers_[e]);
+        throw InputError(element.place,
+                         fmt::format("element {} is in no *SOLID SECTION", element.number));
+      }
+  }
+
+  /// Pressure of the last static step, contact surface of the tire.
+  void take_faces() {
+    for (const InpStep& step : deck_.steps) {
+      if (step.kind != InpStep::Kind::statics || step.pressures.empty()) continue;
+      inner_.clear();
+      tire_.pressure =
+          step.pressures.front().value * units_.force / (units_.length * units_.length);
+      for (const InpPressure& pressure : step.pressures) {
+        if (pressure.value != step.pressures.front().value)
+          throw InputError(pressure.faces.place,
+                           "a second pressure, expected the same one on all inner faces");
+        add_faces(pressure.faces, true, inner_);
+      }
+    }
+    if (inner_.empty())
+      throw InputError(
+          {deck_.file, 0},
+          "no *DLOAD pressure in a static step: inside and outside cannot be told apart");
+    for (const InpContact& contact : deck_.contacts)
+      for (const InpFaces& faces : deck_.surfaces.at(contact.slave))
+        add_faces(faces, false, outer_);
+  }
+
+  void add_faces(const InpFaces& faces, bool inner, std::vector<KnownFace>& known) const {
+    for (int number : faces.elements) {
+      const auto element = element_index_.find(number);
+      if (element == element_index_.end())
+        throw InputError(faces.place, fmt::format("element {} is not part of the tire", number));
+      known.push_back({element->second, face_direction(faces.face), inner});
+    }
+  }
+
+  void align() {
+    std::vector<KnownFace> known = inner_;
+    known.insert(known.end(), outer_.begin(), outer_.end());
+    inner_faces_ = corner_sets(inner_);
+    outer_faces_ = corner_sets(outer_);
+    const Alignment alignment = align_elements(ring_.X, elements_, known);
+    if (alignment.buried >= 0) {
+      const InpElement& element = deck_.elements.at(element_numbers_[alignment.buried]);
+      throw InputError(element.place,
+                       fmt::format("element {} has pressure or contact on a face inside the wall",
+                                   element.number));
+    }
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      const InpElement& element = deck_.elements.at(element_numbers_[e]);
+      if (!alignment.reached[e])
+        throw InputError(
+            element.place,
+            fmt::format("element {} is not connected to the inflated wall", element.number));
+      check_side(e, inner_faces_, {2, -1}, "pressure", element);
+      check_side(e, outer_faces_, {2, 1}, "contact", element);
+    }
+  }
+
+  using FaceSet = std::map<int, std::set<std::set<int>>>;  // element -> faces as sets of nodes
+
+  FaceSet corner_sets(const std::vector<KnownFace>& known) const {
+    FaceSet sets;
+    for (const KnownFace& face : known)
+      sets[face.element].insert(nodes_of(face.element, face.outward));
+    return sets;
+  }
+
+  std::set<int> nodes_of(int e, LocalDirection outward) const {
+    std::set<int> nodes;
+    for (int corner : face_corners(outward)) nodes.insert(elements_[e][corner]);
+    return nodes;
+  }
+
+  void check_side(int e,
+                  const FaceSet& faces,
+                  LocalDirection outward,
+                  const char* what,
+                  const InpElement& element) const {
+    const auto found = faces.find(e);
+    if (found == faces.end()) return;
+    for (const std::set<int>& face : found->second)
+      if (face != nodes_of(e, outward))
+        throw InputError(element.place,
+                         fmt::format("element {} has {} on a face that is not its {} one",
+                                     element.number,
+                                     what,
+                                     outward.sign < 0 ? "inner" : "outer"));
+  }
+
+  void take_supports() {
+    const auto check = [&](const InpSupport& support) {
+      for (int node : support.nodes)
+        if (support.value != 0.0 && !ground_nodes_.count(node))
+          throw InputError(support.place,
+                           fmt::format("node {} of the tire is moved, expected a fixed rim", node));
+    };
+    for (const InpSupport& support : deck_.supports) check(support);
+    for (const InpStep& step : deck_.steps)
+      for (const InpSupport& support : step.supports) check(support);
+    ring_.held.assign(ring_.X.cols(), 0);
+    for (const auto& [node, directions] : held_) {
+      const auto index = node_index_.find(node);
+      if (index == node_index_.end() || directions == 0) continue;
+      if (directions != kAllDirections)
+        throw InputError(
+            {deck_.file, 0},
+            fmt::format("node {} is held in some directions only, expected all three or none",
+                        node));
+      ring_.held[index->second] = 1;
+    }
+    for (int node : ground_nodes_)
+      if (held_[node] != kAllDirections)
+        throw InputError(
+            {deck_.file, 0},
+            fmt::format("node {} of the ground is free, expected a rigid ground", node));
+  }
+
+  void assemble() {
+    ring_.elements = elements_;
+    for (std::size_t e = 0; e < elements_.size(); ++e)
+      ring_.kind.push_back(2 * solid_[e] + (inner_faces_.count(static_cast<int>(e)) ? 1 : 0));
+    const Sector sector = find_sector(ring_);
+    Mesh& mesh = tire_.mesh;
+    mesh.sectors = sector.sectors;
+    mesh.X.resize(3, static_cast<Eigen::Index>(sector.nodes.size()));
+    for (std::size_t i = 0; i < sector.nodes.size(); ++i) {
+      mesh.X.col(static_cast<Eigen::Index>(i)) = ring_.X.col(sector.nodes[i]);
+      if (ring_.held[sector.nodes[i]]) mesh.clamped.push_back(static_cast<int>(i));
+    }
+    const std::set<std::pair<double, double>> treads = tread_places();
+    for (std::size_t i = 0; i < sector.elements.size(); ++i) {
+      const int e = sector.elements[i];
+      Element element;
+      element.node = sector.connectivity[i];
+      element.solid = element.region = solid_[e];
+      element.inner = inner_faces_.count(e) > 0;
+      element.tread = sector.sectors > 1 ? near(treads, place(e)) : outer_faces_.count(e) > 0;
+      mesh.elements.push_back(element);
+    }
+    if (outer_.empty()) mark_tread(mesh);
+    mesh.sensors = choose_sensors(mesh);
+    try {
+      fe_tire::check(mesh);
+    } catch (const InputError& error) {  // which knows no files
+      throw InputError({deck_.file, 0}, error.what());
+    }
+  }
+
+  /// Where an element's section is, (y, r) of its middle.
+  std::pair<double, double> place(int e) const {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (int node : elements_[e])
+      sum += Eigen::Vector2d(ring_.X(1, node), std::hypot(ring_.X(0, node), ring_.X(2, node)));
+    return {sum[0] / 8.0, sum[1] / 8.0};
+  }
+
+  std::set<std::pair<double, double>> tread_places() const {
+    std::set<std::pair<double, double>> places;
+    for (const auto& [e, faces] : outer_faces_) {
+      const auto p = place(e);
+      if (!near(places, p)) places.insert(p);
+    }
+    return places;
+  }
+
+  static bool near(const std::set<std::pair<double, double>>& places, std::pair<double, double> p) {
+    constexpr double kTolerance = 1e-6;  // m, far below any element
+    const auto from = places.lower_bound({p.first - kTolerance, -1.0});
+    for (auto it = from; it != places.end() && it->first <= p.first + kTolerance; ++it)
+      if (std::abs(it->second - p.second) <= kTolerance) return true;
+    return false;
+  }
+
+  void take_ground() {
+    if (deck_.contacts.empty()) return;
+    const InpContact& contact = deck_.contacts.front();
+    const double stress = units_.force / (units_.length * units_.length);
+    const InpInteraction& interaction = deck_.interactions.at(contact.interaction);
+    if (!(interaction.stiffness > 0.0))
+      throw InputError(contact.place,
+                       fmt::format("interaction {} has no *SURFACE BEHAVIOR", contact.interaction));
+    InpGround ground;
+    ground.stiffness = interaction.stiffness * stress / units_.length;
+    ground.mu = interaction.mu;
+    ground.radius = -to_wheel(ground_point()).z();
+    for (int node : master_nodes())
+      if (std::abs(-to_wheel(deck_.nodes.at(node)).z() - ground.radius) > 1e-6 * ground.radius)
+        throw InputError(contact.place, "the ground is not flat and parallel to the spin axis");
+    Eigen::Vector3d moved = Eigen::Vector3d::Zero();
+    for (const InpStep& step : deck_.steps)
+      for (const InpSupport& support : step.supports)
+        if (!support.nodes.empty() && ground_nodes_.count(support.nodes.front()))
+          for (int d = support.first; d <= support.last; ++d) moved[d - 1] = support.value;
+    const Eigen::Vector3d travel = units_.length * (R_ * moved);
+    if (std::hypot(travel.x(), travel.y()) > 1e-9)
+      throw InputError(contact.place, "the ground moves sideways, expected only toward the tire");
+    ground.travel = travel.z();
+    tire_.ground = ground;
+  }
+
+  const InpDeck& deck_;
+  const InpUnits& units_;
+  InpTire tire_;
+  Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d R_ = Eigen::Matrix3d::Identity();  // from the file's frame to the wheel's
+  std::map<int, int> held_;                          // node number -> bits of the held directions
+  std::set<int> ground_elements_, ground_nodes_;
+  std::map<int, int> node_index_, element_index_;
+  std::vector<int> element_numbers_;
+  std::vector<HexNodes> elements_;
+  std::vector<int> solid_;
+  std::vector<KnownFace> inner_, outer_;
+  FaceSet inner_faces_, outer_faces_;
+  Ring ring_;
+};
+
+}  // namespace
+
+InpTire tire_from(const InpDeck& deck, const InpUnits& units) {
+  return TireReader(deck, units).read();
+}
+
+InpTire read_inp_tire(const std::filesystem::path& file, const InpUnits& units) {
+  return tire_from(read_inp(file), units);
+}
+
+}  // namespace latsch::formats

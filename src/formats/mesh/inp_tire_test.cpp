@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/mesh/inp_tire.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "formats/mesh/ccx_deck.h"
+#include "models/fe_tire/description/reference_tires.h"
+
+namespace latsch::formats {
+namespace {
+
+using namespace fe_tire;
+
+const std::filesystem::path kDecks = LATSCH_SOURCE_DIR "/../shared/data/ccx";
+
+TireDescription small_tire() {
+  TireDescription tire = reference_tire_b();
+  tire.section.meridional = 9;
+  tire.section.sectors = 12;
+  return tire;
+}
+
+std::string deck_of(const TireDescription& tire) {
+  std::ostringstream out;
+  CcxRun run;
+  run.title = tire.name;
+  run.pressure = 2.6e5;
+  run.ground = CcxGround{0.32, 0.025, 2e10, 0.5};
+  write_ccx_deck(out, build_mesh(tire), build_materials(tire), run);
+  return out.str();
+}
+
+void expect_same(const Mesh& a, const Mesh& b, double tolerance) {
+  ASSERT_EQ(a.sectors, b.sectors);
+  ASSERT_EQ(a.X.cols(), b.X.cols());
+  EXPECT_LT((a.X - b.X).cwiseAbs().maxCoeff(), tolerance);
+  ASSERT_EQ(a.elements.size(), b.elements.size());
+  for (std::size_t e = 0; e < a.elements.size(); ++e) {
+    EXPECT_EQ(a.elements[e].node, b.elements[e].node);
+    EXPECT_EQ(a.elements[e].inner, b.elements[e].inner);
+    EXPECT_EQ(a.elements[e].tread, b.elements[e].tread);
+  }
+  EXPECT_EQ(a.clamped, b.clamped);
+}
+
+void expect_same_solids(const Mesh& a, const Materials& ma, const Mesh& b, const Materials& mb) {
+  for (std::size_t e = 0; e < a.elements.size(); ++e) {
+    const Solid &x = ma.solids[a.elements[e].solid], &y = mb.solids[b.elements[e].solid];
+    EXPECT_NEAR(x.density, y.density, 1e-6 * y.density);
+    ASSERT_EQ(x.law.index(), y.law.index());
+    if (const auto* law = std::get_if<StVenantKirchhoff>(&x.law)) {
+      const Matrix6& D = std::get<StVenantKirchhoff>(y.law).D;
+      EXPECT_LT((law->D - D).cwiseAbs().maxCoeff(), 1e-6 * D.cwiseAbs().maxCoeff());
+    } else {
+      EXPECT_NEAR(std::get<Hyperelastic>(x.law).C10, std::get<Hyperelastic>(y.law).C10, 1.0);
+      EXPECT_NEAR(std::get<Hyperelastic>(x.law).K, std::get<Hyperelastic>(y.law).K, 1.0);
+    }
+  }
+}
+
+// Written by an independent generator, with nine digits.
+TEST(InpTire, TheDeckOfTireBIsOneSectorOfTheSameTire) {
+  if (!std::filesystem::exists(kDecks)) GTEST_SKIP() << "no decks in " << kDecks;
+  const InpTire deck = read_inp_tire(kDecks / "tire_b_loaded.inp");
+  const TireDescription tire = reference_tire_b();
+  expect_same(deck.mesh, build_mesh(tire), 1e-9);
+  expect_same_solids(deck.mesh, deck.materials, build_mesh(tire), build_materials(tire));
+  EXPECT_EQ(deck.mesh.free_dofs(), 15480);
+  EXPECT_DOUBLE_EQ(deck.pressure, 2.6e5);
+  EXPECT_EQ(deck.modes, 20);
+  ASSERT_TRUE(deck.ground);
+  EXPECT_NEAR(deck.ground->radius, 0.319816346, 1e-12);
+  EXPECT_NEAR(deck.ground->travel, 0.025, 1e-15);
+  EXPECT_NEAR(deck.ground->stiffness, 2e10, 1.0);
+  EXPECT_EQ(deck.ground->mu, 0.0);
+}
+
+TEST(InpTire, WhatTheDeckWriterWritesComesBack) {
+  const TireDescription tire = small_tire();
+  const InpTire deck = tire_from(parse_inp(deck_of(tire), "small.inp"));
+  expect_same(deck.mesh, build_mesh(tire), 1e-12);
+  expect_same_solids(deck.mesh, deck.materials, build_mesh(tire), build_materials(tire));
+  ASSERT_TRUE(deck.ground);
+  EXPECT_NEAR(deck.ground->radius, 0.32, 1e-12);
+  EXPECT_NEAR(deck.ground->travel, 0.025, 1e-12);
+  EXPECT_EQ(deck.ground->mu, 0.5);
+  EXPECT_EQ(deck.mesh.sensors.size(), 5u);
+}
+
+TEST(InpTire, ElementsMayComeInAnyOfTheirTwentyFourNumberings) {
+  const TireDescription tire = small_tire();
+  InpDeck deck = parse_inp(deck_of(tire), "small.inp");
+  // Turn every third element by an even permutation of its axes, and its loaded faces with it.
+  static constexpr int kTurned[8] = {0, 3, 7, 4, 1, 2, 6, 5};  // new axes (eta, zeta, xi)
+  static constexpr int kFace[7] = {0, 3, 5, 0, 0, 0, 0};       // their faces of zeta = -1, +1
+  const Mesh mesh = build_mesh(tire);
+  InpDeck original = deck;
+  for (auto& [number, element] : deck.elements)
+    if (number % 3 == 0 && number <= mesh.element_count())
+      for (int a = 0; a < 8; ++a) element.node[a] = original.elements.at(number).node[kTurned[a]];
+  const auto split = [&](std::vector<InpFaces> faces) {
+    std::vector<InpFaces> result;
+    for (const InpFaces& face : faces)
+      for (int number : face.elements) {
+        const bool turned = number % 3 == 0 && number <= mesh.element_count();
+        result.push_back({{number}, turned ? kFace[face.face] : face.face, face.place});
+      }
+    return result;
+  };
+  deck.surfaces["STREAD"] = split(deck.surfaces["STREAD"]);
+  for (InpStep& step : deck.steps) {
+    std::vector<InpPressure> pressures;
+    for (const InpPressure& pressure : step.pressures)
+      for (const InpFaces& face : split({pressure.faces}))
+        pressures.push_back({face, pressure.value});
+    step.pressures = pressures;
+  }
+  expect_same(tire_from(deck).mesh, mesh, 1e-12);
+}
+
+TEST(InpTire, AMeshWithOneOddNodeIsTakenWhole) {
+  const TireDescription tire = small_tire();
+  InpDeck deck = parse_inp(deck_of(tire), "small.inp");
+  deck.nodes.at(100) *= 1.0005;
+  const Mesh mesh = tire_from(deck).mesh;
+  EXPECT_EQ(mesh.sectors, 1);
+  EXPECT_EQ(mesh.element_count(), 9 * 2 * 12);
+}
+
+TEST(InpTire, EveryOtherSectorOfAnotherRubberHalvesTheNumberOfSectors) {
+  const TireDescription tire = small_tire();
+  InpDeck deck = parse_inp(deck_of(tire), "small.inp");
+  InpMaterial stiff = deck.materials.at("SOLID0");
+  stiff.name = "STIFF";
+  stiff.hyperelastic->C10 *= 2.0;
+  deck.materials["STIFF"] = stiff;
+  const int per_sector = 9 * 2;
+  for (int s = 0; s < 12; s += 2) deck.element_sets["ODD"].push_back(s * per_sector + 2);
+  deck.sections.push_back({"ODD", "STIFF", "", {}});
+  const Mesh mesh = tire_from(deck).mesh;
+  EXPECT_EQ(mesh.sectors, 6);
+  EXPECT_EQ(mesh.elements.size(), 2u * per_sector);
+}
+
+TEST(InpTire, AHeldBodyWithoutContactIsNoPartOfTheTire) {
+  const TireDescription tire = small_tire();
+  InpDeck deck = parse_inp(deck_of(tire), "small.inp");
+  deck.contacts.clear();
+  const InpTire read = tire_from(deck);
+  EXPECT_EQ(read.mesh.element_count(), build_mesh(tire).element_count());
+  EXPECT_FALSE(read.ground);
+  // Without a contact surface the tread is what looks outward: the crown, but not the sidewall.
+  EXPECT_NEAR(read.mesh.outer_radius(), build_mesh(tire).outer_radius(), 1e-9);
+  for (const Element& element : read.mesh.elements)
+    EXPECT_TRUE(!element.tread || -read.mesh.coordinates(element).row(2).mean() > 0.28);
+}
+
+TEST(InpTire, UnitsAreConvertedAtTheDoor) {
+  const TireDescription tire = small_tire();
+  const InpTire si = tire_from(parse_inp(deck_of(tire), "small.inp"), {1.0, 1.0, 1.0});
+  EXPECT_NEAR(si.mesh.outer_radius(), 1e3 * build_mesh(tire).outer_radius(), 1e-9);
+  EXPECT_DOUBLE_EQ(si.pressure, 0.26);
+}
+
+/// The message for a deck in which every `from` is replaced by `to`.
+std::string deck_complaint(const std::string& from, const std::string& to) {
+  std::string text = deck_of(small_tire());
+  EXPECT_NE(text.find(from), std::string::npos) << from;
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  try {
+    tire_from(parse_inp(text, "bad.inp"));
+  } catch (const InputError& error) {
+    EXPECT_GT(error.place().line, 0) << error.what();
+    return error.what();
+  }
+  return "nothing";
+}
+
+TEST(InpTire, ComplaintsNameLineAndReason) {
+  const auto says = [](const std::string& text, const char* part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+    EXPECT_EQ(text.rfind("bad.inp:", 0), 0u) << text;
+  };
+  says(deck_complaint("TYPE=C3D8", "TYPE=C3D20"), "element type C3D20 is not supported");
+  says(deck_complaint("*STATIC", "*DYNAMIC"), "*DYNAMIC");
+  says(deck_complaint("*DENSITY", "*CONDUCTIVITY"), "*CONDUCTIVITY is not supported");
+  says(deck_complaint("INNER,P1,0.26", "INNER,P7,0.26"), "face \"P7\"");
+  says(deck_complaint("INNER,P1,0.26", "INNER,P1,a"), "\"A\" in field 3");
+  says(deck_complaint("INNER,P1,0.26", "INNER,P1,nan"), "expected a number");
+  says(deck_complaint("INNER,P1,0.26", "OUTER,P1,0.26"), "\"OUTER\" is not defined");
+  says(deck_complaint("RIM,1,3", "RIM,1,4"), "degrees of freedom 1 to 4");
+  says(deck_complaint("NEO HOOKE", "OGDEN"), "expected NEO HOOKE");
+  says(deck_complaint("\n1,1,31,34,4", "\n1,4,34,31,1"), "element 1 is inverted");
+  says(deck_complaint("INNER,P1,0.26", "INNER,P2,0.26"), "on a face inside the wall");
+  says(deck_complaint("\n2,", "\n1,"), "defined twice");
+}
+
+}  // namespace
+}  // namespace latsch::formats

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/mesh/rotational_symmetry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <optional>
+
+namespace latsch::formats {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kTolerance = 2e-6;  // of the tire's radius: decks carry seven digits or more
+
+/// Node positions as (angle, ring), rings in ascending order of size.
+class Rings {
+ public:
+  explicit Rings(const Eigen::Matrix3Xd& X) : angle_(X.cols()), ring_(X.cols()) {
+    const double radius = X.colwise().norm().maxCoeff();
+    tolerance_ = kTolerance * radius;
+    for (Eigen::Index i = 0; i < X.cols(); ++i) {
+      angle_[i] = std::atan2(X(0, i), -X(2, i));
+      ring_[i] = ring_of(X(1, i), std::hypot(X(0, i), X(2, i)));
+      members_[ring_[i]].push_back(static_cast<int>(i));
+    }
+    angular_tolerance_ = kTolerance * radius / smallest_radius_;
+    for (auto& ring : members_)
+      std::sort(ring.begin(), ring.end(), [&](int a, int b) { return angle_[a] < angle_[b]; });
+  }
+
+  double angle(int node) const { return angle_[node]; }
+  double angular_tolerance() const { return angular_tolerance_; }
+
+  int common_count() const {
+    int count = 0;
+    for (const auto& ring : members_) count = std::gcd(count, static_cast<int>(ring.size()));
+    return count;
+  }
+
+  /// Where every node goes when turned by 2 pi / S; nothing where some node lands on none.
+  std::optional<std::vector<int>> turned(int S) const {
+    std::vector<int> image(angle_.size());
+    for (const auto& ring : members_) {
+      const int n = static_cast<int>(ring.size()), step = n / S;
+      for (int i = 0; i < n; ++i) {
+        const int to = ring[(i + step) % n];
+        const double error = std::remainder(angle_[to] - angle_[ring[i]] - kTurn / S, kTurn);
+        if (std::abs(error) > angular_tolerance_) return {};
+        image[ring[i]] = to;
+      }
+    }
+    return image;
+  }
+
+ private:
+  /// Rings are looked up on a grid of tolerance-sized cells, neighbors included.
+  int ring_of(double y, double r) {
+    if (members_.empty() || r < smallest_radius_) smallest_radius_ = r;
+    const double cell = 4.0 * tolerance_;
+    const auto iy = std::llround(y / cell), ir = std::llround(r / cell);
+    for (auto dy = iy - 1; dy <= iy + 1; ++dy)
+      for (auto dr = ir - 1; dr <= ir + 1; ++dr)
+        if (const auto found = cells_.find({dy, dr}); found != cells_.end()) {
+          const auto& [y0, r0, index] = found->second;
+          if (std::hypot(y - y0, r - r0) < tolerance_) return index;
+        }
+    const int index = static_cast<int>(members_.size());
+    members_.emplace_back();
+    cells_[{iy, ir}] = {y, r, index};
+    return index;
+  }
+
+  struct Cell {
+    double y, r;
+    int index;
+  };
+  std::vector<double> angle_;
+  std::vector<int> ring_;
+  std::vector<std::vector<int>> members_;
+  std::map<std::pair<long long, long long>, Cell> cells_;
+  double tolerance_ = 0.0, angular_tolerance_ = 0.0, smallest_radius_ = 0.0;
+};
+
+bool maps_elements(const Ring& ring, const std::vector<int>& image) {
+  std::map<HexNodes, std::int64_t> known;
+  for (std::size_t e = 0; e < ring.elements.size(); ++e) known[ring.elements[e]] = ring.kind[e];
+  for (std::size_t e = 0; e < ring.elements.size(); ++e) {
+    HexNodes turned = ring.elements[e];
+    for (int& node : turned) node = image[node];
+    const auto found = known.find(turned);
+    if (found == known.end() || found->second != ring.kind[e]) return false;
+  }
+  return true;
+}
+
+bool maps_held(const Ring& ring, const std::vector<int>& image) {
+  for (std::size_t i = 0; i < image.size(); ++i)
+    if (ring.held[i] != ring.held[image[i]]) return false;
+  return true;
+}
+
+/// Sector numbers of all nodes, counted from the smallest angle at or after the bottom.
+std::vector<int> sector_numbers(const Ring& ring, const Rings& rings, int S) {
+  const double tolerance = 4.0 * rings.angular_tolerance();
+  const double first = -tolerance;
+  std::vector<int> sector(ring.X.cols());
+  for (Eigen::Index i = 0; i < ring.X.cols(); ++i) {
+    double angle = rings.angle(static_cast<int>(i)) - first;
+    if (angle < 0.0) angle += kTurn;
+    sector[i] = std::min(S - 1, static_cast<int>(angle * S / kTurn));
+  }
+  return sector;
+}
+
+/// The sector holding the elements that start in sector 0; nothing where one reaches beyond the
+/// next sector.
+std::optional<Sector> cut(const Ring& ring,
+                          const Rings& rings,
+                          const std::vector<int>& image,
+                          int S) {
+  const std::vector<int> number = sector_numbers(ring, rings, S);
+  Sector sector;
+  sector.sectors = S;
+  std::vector<int> own(ring.X.cols(), -1);
+  for (Eigen::Index i = 0; i < ring.X.cols(); ++i)
+    if (number[i] == 0) {
+      own[i] = static_cast<int>(sector.nodes.size());
+      sector.nodes.push_back(static_cast<int>(i));
+    }
+  const int n = static_cast<int>(sector.nodes.size());
+  if (n * S != ring.X.cols()) return {};
+  std::vector<int> next(ring.X.cols(), -1);
+  for (int i = 0; i < n; ++i) next[image[sector.nodes[i]]] = i;
+  for (std::size_t e = 0; e < ring.elements.size(); ++e) {
+    HexNodes nodes = ring.elements[e];
+    bool starts = false, inside = true;
+    for (int& node : nodes) {
+      starts = starts || own[node] >= 0;
+      inside = inside && (own[node] >= 0 || next[node] >= 0);
+      node = own[node] >= 0 ? own[node] : next[node] + n;
+    }
+    if (!starts || !inside) continue;
+    sector.elements.push_back(static_cast<int>(e));
+    sector.connectivity.push_back(nodes);
+  }
+  if (sector.elements.size() * S != ring.elements.size()) return {};
+  return sector;
+}
+
+Sector whole(const Ring& ring) {
+  Sector sector;
+  sector.nodes.resize(ring.X.cols());
+  std::iota(sector.nodes.begin(), sector.nodes.end(), 0);
+  sector.elements.resize(ring.elements.size());
+  std::iota(sector.elements.begin(), sector.elements.end(), 0);
+  sector.connectivity = ring.elements;
+  return sector;
+}
+
+}  // namespace
+
+Sector find_sector(const Ring& ring) {
+  if (ring.X.cols() == 0) return whole(ring);
+  const Rings rings(ring.X);
+  const int common = rings.common_count();
+  for (int S = common; S >= 3; --S) {
+    if (common % S != 0) continue;
+    const auto image = rings.turned(S);
+    if (!image || !maps_held(ring, *image) || !maps_elements(ring, *image)) continue;
+    if (auto sector = cut(ring, rings, *image, S)) return *sector;
+  }
+  return whole(ring);
+}
+
+}  // namespace latsch::formats

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/mesh/vtu_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <cassert>
+#include <functional>
+
+#include "base/error.h"
+#include "base/file.h"
+
+namespace latsch::formats {
+namespace {
+
+using fe_tire::Mesh;
+
+constexpr int kHexahedron = 12, kVertex = 1;  // VTK's cell types
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
+  }
+  return result;
+}
+
+/// One VTK file: points, cells, then data of points and cells.
+class VtuWriter {
+ public:
+  VtuWriter(std::ostream& out, long points, long cells, const std::string& comment)
+      : out_(out), cells_(cells) {
+    fmt::print(out_,
+               "<?xml version=\"1.0\"?>\n{}<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
+               "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
+               "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+               comment,
+               points,
+               cells);
+  }
+
+  void open(const char* tag) { fmt::print(out_, "<{}>\n", tag); }
+  void close(const char* tag) { fmt::print(out_, "</{}>\n", tag); }
+
+  void numbers(const std::string& name, const Eigen::MatrixXd& values) {
+    fmt::print(
+        out_,
+        "<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n",
+        escaped(name),
+        values.rows());
+    for (Eigen::Index j = 0; j < values.cols(); ++j)
+      for (Eigen::Index i = 0; i < values.rows(); ++i)
+        fmt::print(out_, "{:.9g}{}", values(i, j), i + 1 == values.rows() ? '\n' : ' ');
+    close("DataArray");
+  }
+
+  void integers(const std::string& name,
+                const std::function<void(long, fmt::memory_buffer&)>& cell) {
+    fmt::print(out_, "<DataArray type=\"Int32\" Name=\"{}\" format=\"ascii\">\n", name);
+    fmt::memory_buffer line;
+    for (long i = 0; i < cells_; ++i) {
+      line.clear();
+      cell(i, line);
+      fmt::print(out_, "{}\n", std::string_view(line.data(), line.size()));
+    }
+    close("DataArray");
+  }
+  void integers(const std::string& name, const std::function<long(long)>& cell) {
+    integers(name, [&](long i, fmt::memory_buffer& line) {
+      fmt::format_to(std::back_inserter(line), "{}", cell(i));
+    });
+  }
+
+  void finish() {
+    close("Piece");
+    close("UnstructuredGrid");
+    close("VTKFile");
+  }
+
+ private:
+  std::ostream& out_;
+  long cells_;
+};
+
+/// Values of all nodes; what has three components is a vector and turns into the wheel frame.
+Eigen::MatrixXd on_ring(const Mesh& mesh, const Eigen::MatrixXd& values) {
+  const int n = mesh.nodes_per_sector();
+  assert(values.cols() == n || values.cols() == mesh.nodes());
+  Eigen::MatrixXd result(values.rows(), mesh.nodes());
+  for (int s = 0; s < mesh.sectors; ++s) {
+    const auto own = values.middleCols(values.cols() == n ? 0 : s * n, n);
+    if (values.rows() == 3)
+      result.middleCols(s * n, n) = mesh.frame(s) * own;
+    else
+      result.middleCols(s * n, n) = own;
+  }
+  return result;
+}
+
+/// XML forbids "--" inside a comment.
+std::string region_comment(const Mesh& mesh) {
+  std::string text = "<!-- region:";
+  for (std::size_t i = 0; i < mesh.region_names.size(); ++i)
+    text += fmt::format(" {} = {};", i, mesh.region_names[i]);
+  for (auto at = text.find("--", 4); at != std::string::npos; at = text.find("--", at))
+    text.erase(at, 1);
+  return text + " -->\n";
+}
+
+}  // namespace
+
+void write_tire_vtu(std::ostream& out, const Mesh& mesh, const std::vector<VtuField>& fields) {
+  const int n = mesh.nodes_per_sector(), per_sector = static_cast<int>(mesh.elements.size());
+  VtuWriter file(out, mesh.nodes(), mesh.element_count(), region_comment(mesh));
+  const auto element = [&](long i) -> const fe_tire::Element& {
+    return mesh.elements[i % per_sector];
+  };
+
+  file.open("Points");
+  file.numbers("points", on_ring(mesh, mesh.X));
+  file.close("Points");
+
+  file.open("Cells");
+  file.integers("connectivity", [&](long i, fmt::memory_buffer& line) {
+    const long sector = i / per_sector;
+    for (int node : element(i).node)
+      fmt::format_to(
+          std::back_inserter(line), "{} ", (sector + node / n) % mesh.sectors * n + node % n);
+  });
+  file.integers("offsets", [](long i) { return 8 * (i + 1); });
+  file.integers("types", [](long) { return kHexahedron; });
+  file.close("Cells");
+
+  file.open("PointData");
+  for (const VtuField& field : fields) file.numbers(field.name, on_ring(mesh, field.values));
+  file.close("PointData");
+
+  file.open("CellData");
+  file.integers("region", [&](long i) { return element(i).region; });
+  file.integers("inner", [&](long i) { return element(i).inner; });
+  file.integers("tread", [&](long i) { return element(i).tread; });
+  file.close("CellData");
+  file.finish();
+}
+
+void write_patch_vtu(std::ostream& out, const fe_tire::LoadPoint& point) {
+  const auto& points = point.patch.points;
+  const auto count = static_cast<Eigen::Index>(points.size());
+  Eigen::MatrixXd x(3, count), pressure(1, count), shear(3, count), area(1, count),
+      sticks(1, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    x.col(i) << points[i].x, points[i].y, -point.loaded_radius;
+    pressure(0, i) = points[i].pressure;
+    shear.col(i) << points[i].shear_x, points[i].shear_y, 0.0;
+    area(0, i) = points[i].area;
+    sticks(0, i) = points[i].sticks;
+  }
+  VtuWriter file(out, count, count, "");
+  file.open("Points");
+  file.numbers("points", x);
+  file.close("Points");
+  file.open("Cells");
+  file.integers("connectivity", [](long i) { return i; });
+  file.integers("offsets", [](long i) { return i + 1; });
+  file.integers("types", [](long) { return kVertex; });
+  file.close("Cells");
+  file.open("PointData");
+  file.numbers("pressure [Pa]", pressure);
+  file.numbers("shear [Pa]", shear);
+  file.numbers("area [m^2]", area);
+  file.numbers("sticks", sticks);
+  file.close("PointData");
+  file.finish();
+}
+
+void write_tire_vtu(const std::filesystem::path& file,
+                    const Mesh& mesh,
+                    const std::vector<VtuField>& fields) {
+  write_file(file, [&](std::ostream& out) { write_tire_vtu(out, mesh, fields); });
+}
+
+void write_patch_vtu(const std::filesystem::path& file, const fe_tire::LoadPoint& point) {
+  write_file(file, [&](std::ostream& out) { write_patch_vtu(out, point); });
+}
+
+}  // namespace latsch::formats

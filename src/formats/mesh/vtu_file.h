@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// ParaView files (.vtu, VTK's XML unstructured grid, ASCII) of a tire and of its contact patch.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "models/fe_tire/ring/fe_tire.h"
+
+namespace latsch::formats {
+
+/// A named quantity, one column a node, one or three rows, in sector frames: [c x nodes] of the
+/// whole ring, or [c x nodes_per_sector] for what is the same in every sector.
+struct VtuField {
+  std::string name;
+  Eigen::MatrixXd values;
+};
+
+/// The whole ring in the wheel frame, m, undeformed. Every element carries its region (the names
+/// stand in the file as a comment), "inner" and "tread"; ParaView's "Warp By Vector" applies a
+/// displacement or a mode shape.
+void write_tire_vtu(std::ostream& out,
+                    const fe_tire::Mesh& mesh,
+                    const std::vector<VtuField>& fields);
+void write_tire_vtu(const std::filesystem::path& file,
+                    const fe_tire::Mesh& mesh,
+                    const std::vector<VtuField>& fields);
+
+/// The integration points in contact as single vertices on the ground, with pressure, shear, area
+/// and sticking.
+void write_patch_vtu(std::ostream& out, const fe_tire::LoadPoint& point);
+void write_patch_vtu(const std::filesystem::path& file, const fe_tire::LoadPoint& point);
+
+}  // namespace latsch::formats

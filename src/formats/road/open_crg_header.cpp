@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/road/open_crg_header.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "formats/text/letter_case.h"
+
+namespace latsch::formats {
+namespace {
+
+constexpr std::size_t kMostRoadChannels = 20000;
+constexpr std::size_t kLongestHeaderLine = 1000;
+
+const std::vector<std::string> kRoad = {
+    "reference_line_start_u",    "reference_line_start_x",   "reference_line_start_y",
+    "reference_line_start_z",    "reference_line_start_phi", "reference_line_start_b",
+    "reference_line_start_s",    "reference_line_end_u",     "reference_line_end_x",
+    "reference_line_end_y",      "reference_line_end_z",     "reference_line_end_phi",
+    "reference_line_end_b",      "reference_line_end_s",     "reference_line_increment",
+    "reference_line_offset_x",   "reference_line_offset_y",  "reference_line_offset_z",
+    "reference_line_offset_phi", "long_section_v_right",     "long_section_v_left",
+    "long_section_v_increment"};
+// Of the options those below border_* and refline_continuation concern how a program searches and
+// reports, not the surface.
+const std::vector<std::string> kOptions = {"border_mode_u",
+                                           "border_mode_v",
+                                           "border_offset_u",
+                                           "border_offset_v",
+                                           "border_smooth_ubeg",
+                                           "border_smooth_uend",
+                                           "refline_continuation",
+                                           "refline_search_far",
+                                           "refline_search_close",
+                                           "refline_search_u",
+                                           "refline_search_ufrac",
+                                           "warn_msgs",
+                                           "warn_curv_local",
+                                           "warn_curv_global",
+                                           "log_msgs",
+                                           "log_eval",
+                                           "log_eval_freq",
+                                           "log_hist",
+                                           "log_hist_freq",
+                                           "log_stat",
+                                           "log_stat_freq",
+                                           "check_eps",
+                                           "check_inc",
+                                           "check_tol"};
+const std::vector<std::string> kModifiers = {
+    "scale_z_grid",        "scale_slope",         "scale_banking",       "scale_length",
+    "scale_width",         "scale_curvature",     "grid_nan_mode",       "grid_nan_offset",
+    "refline_rotcenter_x", "refline_rotcenter_y", "refline_offset_phi",  "refline_offset_x",
+    "refline_offset_y",    "refline_offset_z",    "refpoint_u_fraction", "refpoint_u_offset",
+    "refpoint_u",          "refpoint_v_fraction", "refpoint_v_offset",   "refpoint_v",
+    "refpoint_x",          "refpoint_y",          "refpoint_z",          "refpoint_phi"};
+
+class HeaderReading {
+ public:
+  HeaderReading(std::string_view bytes, OpenCrgHeader& header) : bytes_(bytes), header_(header) {}
+
+  void run() {
+    std::string_view line;
+    while (next(line)) {
+      if (line.starts_with("$$$$")) {
+        header_.data_begin = at_;
+        header_.data_line = line_;
+        return;
+      }
+      if (line.starts_with('$')) {
+        section_ = section_of(line);
+      } else if (section_ == "$ct") {
+        header_.comment.append(line).append("\n");
+      } else {
+        take(line);
+      }
+    }
+    header_.data_begin = std::string_view::npos;
+  }
+
+ private:
+  /// What a statement means that comes a second time.
+  enum class Twice { refused, last };
+
+  [[noreturn]] void fail(const std::string& message) const {
+    throw InputError({header_.file, line_}, message);
+  }
+
+  bool next(std::string_view& line) {
+    if (at_ >= bytes_.size()) return false;
+    const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
+    line = bytes_.substr(at_, end - at_);
+    at_ = end + 1;
+    ++line_;
+    if (line_ == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.size() > kLongestHeaderLine) fail("is a line of the header too long, expected text");
+    if (line.find('\0') != line.npos) fail("has a zero byte before the data, expected text");
+    return true;
+  }
+
+  /// "" between sections.
+  std::string section_of(std::string_view line) const {
+    const std::string word = lower(line.substr(0, line.find_first_of(" \t!")));
+    if (word == "$") return "";
+    static const std::vector<std::string> kSections = {
+        "$ct", "$road_crg", "$road_crg_opts", "$road_crg_mods", "$road_crg_file", "$kd_definition"};
+    if (std::find(kSections.begin(), kSections.end(), word) != kSections.end()) return word;
+    fail("unknown section " + in_quotes(word) + did_you_mean(word, kSections));
+  }
+
+  void take(std::string_view line) {
+    const std::string_view text = trimmed(line.substr(0, line.find('!')));
+    if (text.empty() || text.starts_with('*')) return;
+    if (section_ == "$road_crg") return take_value(text, kRoad, header_.road, Twice::refused);
+    if (section_ == "$road_crg_opts")
+      return take_value(text, kOptions, header_.options, Twice::last);
+    if (section_ == "$road_crg_mods")
+      return take_value(text, kModifiers, header_.modifiers, Twice::last);
+    if (section_ == "$kd_definition") return take_definition(text);
+    if (section_ == "$road_crg_file") {
+      header_.include += text;
+      header_.include_line = line_;
+      return;
+    }
+    fail("is " + in_quotes(text) + ", expected a section such as $ROAD_CRG");
+  }
+
+  void take_value(std::string_view text,
+                  const std::vector<std::string>& known,
+                  OpenCrgHeader::Values& values,
+                  Twice twice) {
+    const std::size_t middle = text.find('=');
+    const std::string name = lower(trimmed(text.substr(0, middle)));
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      fail("unknown statement " + in_quotes(name) + did_you_mean(name, known));
+    }
+    const auto number = middle == text.npos ? std::nullopt : parse_number(text.substr(middle + 1));
+    if (!number || !std::isfinite(*number)) {
+      fail(name + " is " +
+           in_quotes(middle == text.npos ? std::string_view() : trimmed(text.substr(middle + 1))) +
+           ", expected a number");
+    }
+    const auto [place, first] = values.insert({name, {*number, line_, header_.file}});
+    if (first) return;
+    if (twice == Twice::refused) fail(name + " comes twice");
+    warn_of_two(name, place->second, *number);
+    place->second = {*number, line_, header_.file};
+  }
+
+  void warn_of_two(const std::string& name, const OpenCrgHeader::Value& before, double now) {
+    header_.warnings.push_back(header_.file + ":" + std::to_string(line_) + ": " + name +
+                               " comes a second time: " + format_number(now) + " counts, " +
+                               format_number(before.number) + " of line " +
+                               std::to_string(before.line) + " does not");
+  }
+
+  void take_definition(std::string_view text) {
+    if (text.starts_with("#:")) {
+      if (!header_.format.empty()) fail("the format #: comes twice");
+      header_.format = trimmed(text.substr(2));
+      header_.format_line = line_;
+    } else if (text.starts_with("D:") || text.starts_with("d:")) {
+      if (header_.channels.size() == kMostRoadChannels) fail("has too many channels");
+      header_.channels.push_back(channel_of(lower(trimmed(text.substr(2)))));
+    } else if (!text.starts_with("U:") && !text.starts_with("u:")) {
+      fail("is " + in_quotes(text) + ", expected #:, D: or U:");
+    }
+  }
+
+  OpenCrgHeader::Channel channel_of(const std::string& text) const {
+    using Kind = OpenCrgHeader::Channel::Kind;
+    const std::size_t comma = text.find(',');
+    const std::string unit(trimmed(comma == text.npos ? "" : text.substr(comma + 1)));
+    std::string_view name = trimmed(std::string_view(text).substr(0, comma));
+    const auto expect_unit = [&](const char* expected) {
+      if (unit != expected)
+        fail("has unit " + in_quotes(unit) + ", expected " + in_quotes(expected));
+    };
+    if (name.starts_with("long section")) {
+      expect_unit("m");
+      name = trimmed(name.substr(std::string_view("long section").size()));
+      const bool placed = name.starts_with("at v");
+      if (placed) {
+        const std::size_t equals = name.find('=');
+        name = equals == name.npos ? std::string_view() : trimmed(name.substr(equals + 1));
+      }
+      const auto number = parse_number(name);
+      if (!number || !std::isfinite(*number)) {
+        fail("is " + in_quotes(text) +
+             R"(, expected "long section 1,m" or "long section at v = -1.5,m")");
+      }
+      return {placed ? Kind::section_place : Kind::section_number, *number, line_};
+    }
+    static const std::vector<std::pair<const char*, std::pair<Kind, const char*>>> kLine = {
+        {"u", {Kind::u, "m"}},
+        {"x", {Kind::x, "m"}},
+        {"y", {Kind::y, "m"}},
+        {"phi", {Kind::phi, "rad"}},
+        {"slope", {Kind::slope, "m/m"}},
+        {"banking", {Kind::banking, "m/m"}}};
+    for (const auto& [word, meaning] : kLine) {
+      if (name != std::string("reference line ") + word) continue;
+      expect_unit(meaning.second);
+      for (const auto& channel : header_.channels)
+        if (channel.kind == meaning.first) fail("channel " + in_quotes(name) + " comes twice");
+      return {meaning.first, 0.0, line_};
+    }
+    fail("is channel " + in_quotes(name) +
+         R"(, expected "long section" or "reference line" u, x, y, phi, slope or banking)");
+  }
+
+  std::string_view bytes_;
+  OpenCrgHeader& header_;
+  std::size_t at_ = 0;
+  int line_ = 0;
+  std::string section_;
+};
+
+}  // namespace
+
+OpenCrgHeader read_open_crg_header(std::string_view bytes, const std::string& file) {
+  OpenCrgHeader header;
+  header.file = file;
+  HeaderReading(bytes, header).run();
+  return header;
+}
+
+std::optional<double> OpenCrgHeader::find(const Values& values, std::string_view name) const {
+  const auto found = values.find(name);
+  if (found == values.end()) return std::nullopt;
+  return found->second.number;
+}
+
+double OpenCrgHeader::value(const Values& values, std::string_view name, double fallback) const {
+  return find(values, name).value_or(fallback);
+}
+
+void OpenCrgHeader::reject(const Values& values,
+                           std::string_view name,
+                           const std::string& message) const {
+  const Value& value = values.find(name)->second;
+  throw InputError({value.file, value.line},
+                   std::string(name) + " is " + format_number(value.number) + ", " + message);
+}
+
+}  // namespace latsch::formats

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tables as laboratories and spreadsheets write them, with units.
+//
+//   # anything
+//   deflection [mm], force [N], type            deflection; force          (a decimal comma with
+//   5.0,             812,       "lateral, 1"    mm;         kN              semicolons or tabs)
+//                                               5,0;        0,812
+//
+// The unit of a column stands in brackets behind its name or in a second row that holds units
+// alone. Columns without one are plain numbers or texts. Empty lines and lines that begin with #
+// are skipped; CRLF, a byte order mark and quoted fields, also with line ends in them, are
+// understood [RFC 4180].
+//
+// A file is mapped, not copied, and of its rows only some places are kept: a table of 1 GB takes
+// some megabytes besides the columns that are asked for. Each call that gives columns reads the
+// file once: ask for all in one.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "formats/text/csv_fields.h"
+#include "measurement/channels.h"
+
+namespace latsch::formats {
+
+class CsvTable {
+ public:
+  /// Throws InputError naming file and line: ragged rows, no header, a name that comes twice, a
+  /// quote that is not closed, more than 1 GiB or 2^31 lines.
+  static CsvTable read(const std::filesystem::path& file);
+  static CsvTable parse(std::string text, std::string file_name);
+  static CsvTable parse(std::shared_ptr<const MappedFile> source, std::string file_name);
+
+  const std::string& file() const { return file_; }
+  int rows() const { return rows_; }
+  bool has(std::string_view column) const;
+  /// Whether the table names the unit of that column.
+  bool has_unit(std::string_view column) const;
+  /// Names in the order of the file.
+  std::vector<std::string> columns() const;
+  Place place(int row) const;
+  Place header_place() const { return {file_, header_line_}; }
+
+  /// A column in the SI unit of `unit`. Throws InputError naming file and line for a missing
+  /// column, a missing, unknown or wrong unit and for cells that are not finite numbers.
+  std::vector<double> numbers(std::string_view column, std::string_view unit) const;
+  /// Several columns at once.
+  struct Wanted {
+    std::string column, unit;
+  };
+  std::vector<std::vector<double>> numbers(const std::vector<Wanted>& columns) const;
+  /// The same in blocks of so many rows, the last one shorter: for tables too long to be kept.
+  void for_blocks(const std::vector<Wanted>& columns,
+                  int rows,
+                  const std::function<void(std::vector<std::vector<double>>&)>& block) const;
+  /// The unit to ask for where a column that names none is in SI: `unit`, or "1".
+  std::string si_or_plain(std::string_view column, std::string_view unit) const {
+    return has_unit(column) ? std::string(unit) : "1";
+  }
+  /// The same as numbers(); a column that names no unit is in SI.
+  std::vector<double> si_numbers(std::string_view column, std::string_view unit) const;
+  /// Integers without unit.
+  std::vector<int> integers(std::string_view column) const;
+  std::vector<std::string> texts(std::string_view column) const;
+  std::string text(std::string_view column, int row) const;
+
+  /// Every column, each in the SI unit of its dimension; all must be numbers.
+  Channels channels() const;
+
+  /// Throws for a column that is not among the `known`.
+  void expect_only(const std::vector<std::string>& known) const;
+
+ private:
+  struct Column {
+    std::string name;
+    std::string unit;  // empty: none is given
+  };
+
+  int index(std::string_view column) const;
+  Unit unit_of(int column, std::string_view unit) const;
+  double number(const CsvFields::Row& row, int column, const Unit& unit) const;
+  CsvFields data() const;  // at the first row
+  CsvFields::Row row_of(CsvFields& fields, int row) const;
+  void read_header(const CsvFields::Row& row);
+  bool take_units(const CsvFields::Row& row);
+
+  std::string file_;
+  std::shared_ptr<const MappedFile> source_;
+  bool decimal_comma_ = false;
+  int header_line_ = 0;
+  std::vector<Column> columns_;
+  int rows_ = 0;
+  std::vector<CsvFields::Mark> marks_;  // of every kStride-th row of data
+};
+
+/// A table of channels of equal length, "name [unit]", one line a sample. `units` names the unit of
+/// each column; empty: SI. Reading it gives the same bits back.
+std::string csv_text(const Channels& channels, const std::vector<std::string>& units = {});
+
+/// The same in two parts, for tables written block by block.
+std::string csv_header(const Channels& channels, const std::vector<std::string>& units = {});
+std::string csv_rows(const Channels& channels, const std::vector<std::string>& units = {});
+
+/// A name or text as a field of a comma-separated line: in quotes where it needs them.
+std::string csv_field(std::string_view text);
+
+}  // namespace latsch::formats

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/tables/mat_file.h"
+
+#include <matio.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/text.h"
+#include "base/units.h"
+#include "formats/tables/mat_v5.h"
+#include "formats/text/lab_units.h"
+
+namespace latsch::formats {
+namespace {
+
+constexpr std::size_t kLargestMatFile = 512u << 20;  // bytes
+constexpr int kDeepestStruct = 16;
+
+/// What matio read of a file of version 7.3.
+class Hdf5Reading {
+ public:
+  explicit Hdf5Reading(MatFile& file) : file_(file) {}
+
+  void run() {
+    const std::unique_ptr<mat_t, int (*)(mat_t*)> mat(Mat_Open(file_.file.c_str(), MAT_ACC_RDONLY),
+                                                      Mat_Close);
+    if (!mat) throw InputError({file_.file, 0}, "cannot be read as a MAT file of version 7.3");
+    while (matvar_t* next = Mat_VarReadNext(mat.get())) {
+      const std::unique_ptr<matvar_t, void (*)(matvar_t*)> variable(next, Mat_VarFree);
+      take(*variable, variable->name ? variable->name : "", 0);
+    }
+  }
+
+ private:
+  template <class Number>
+  static void copy(const matvar_t& from, std::size_t count, std::vector<double>& to) {
+    const Number* numbers = static_cast<const Number*>(from.data);
+    to.assign(numbers, numbers + count);
+  }
+
+  void take(matvar_t& from, const std::string& path, int depth) {
+    MatVariable variable;
+    variable.name = path;
+    std::size_t count = 1;
+    for (int i = 0; i < from.rank; ++i) {
+      variable.size.push_back(from.dims[i]);
+      count *= from.dims[i];
+    }
+    if (from.class_type == MAT_C_STRUCT && depth < kDeepestStruct)
+      return take_struct(from, path, count, depth);
+    if (from.class_type == MAT_C_CELL && depth < kDeepestStruct)
+      return take_cells(from, path, count, depth);
+    const bool known = !from.isComplex && from.data && from.nbytes == count * from.data_size;
+    if (!known || !copy_numbers(from, count, variable)) {
+      file_.left_out.push_back(path);
+      return;
+    }
+    file_.variables.push_back(std::move(variable));
+  }
+
+  static bool copy_numbers(const matvar_t& from, std::size_t count, MatVariable& to) {
+    switch (from.data_type) {
+      case MAT_T_DOUBLE:
+        copy<double>(from, count, to.values);
+        break;
+      case MAT_T_SINGLE:
+        copy<float>(from, count, to.values);
+        break;
+      case MAT_T_INT32:
+        copy<std::int32_t>(from, count, to.values);
+        break;
+      case MAT_T_UINT32:
+        copy<std::uint32_t>(from, count, to.values);
+        break;
+      case MAT_T_INT16:
+        copy<std::int16_t>(from, count, to.values);
+        break;
+      case MAT_T_UINT16:
+        copy<std::uint16_t>(from, count, to.values);
+        break;
+      case MAT_T_INT8:
+        copy<std::int8_t>(from, count, to.values);
+        break;
+      case MAT_T_UINT8:
+      case MAT_T_UTF8:
+        copy<std::uint8_t>(from, count, to.values);
+        break;
+      default:
+        return false;
+    }
+    if (from.class_type != MAT_C_CHAR) return true;
+    to.is_text = true;
+    for (const double code : to.values) {
+      to.text += code >= 0x20 && code < 0x7f ? static_cast<char>(code) : '?';
+    }
+    to.values.clear();
+    return true;
+  }
+
+  void take_struct(matvar_t& from, const std::string& path, std::size_t count, int depth) {
+    const unsigned fields = Mat_VarGetNumberOfFields(&from);
+    char* const* names = Mat_VarGetStructFieldnames(&from);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::string stem = count == 1 ? path : path + "(" + std::to_string(k + 1) + ")";
+      for (unsigned i = 0; i < fields; ++i) {
+        matvar_t* member = Mat_VarGetStructFieldByIndex(&from, i, k);
+        if (member) take(*member, stem + "." + names[i], depth + 1);
+      }
+    }
+  }
+
+  void take_cells(matvar_t& from, const std::string& path, std::size_t count, int depth) {
+    for (std::size_t k = 0; k < count; ++k) {
+      matvar_t* member = Mat_VarGetCell(&from, static_cast<int>(k));
+      if (member) take(*member, path + "{" + std::to_string(k + 1) + "}", depth + 1);
+    }
+  }
+
+  MatFile& file_;
+};
+
+/// "Fz" of "Fz.data": the struct that holds a channel and its unit; empty for any other name.
+std::string holder_of(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  if (dot == name.npos) return "";
+  const std::string_view field = std::string_view(name).substr(dot + 1);
+  for (const char* data : {"data", "Data", "value", "Value", "values", "Values"})
+    if (field == data) return name.substr(0, dot);
+  return "";
+}
+
+}  // namespace
+
+bool MatVariable::is_vector() const {
+  if (is_text || values.size() < 2) return false;
+  return std::count_if(size.begin(), size.end(), [](std::size_t n) { return n != 1; }) == 1;
+}
+
+MatFile MatFile::read(const std::filesystem::path& file) {
+  std::string bytes = read_text_file(file, kLargestMatFile);
+  if (bytes.starts_with("MATLAB 7.3")) {
+    MatFile result;
+    result.file = file.string();
+    Hdf5Reading(result).run();
+    return result;
+  }
+  return parse(std::move(bytes), file.string());
+}
+
+MatFile MatFile::parse(std::string bytes, std::string file_name) {
+  MatFile result;
+  result.file = std::move(file_name);
+  read_mat_v5(bytes, result);
+  return result;
+}
+
+Channels MatFile::channels(const std::map<std::string, std::string>& units) const {
+  std::map<std::string, std::string> written = units;
+  std::set<std::string> names;
+  for (const MatVariable& variable : variables) {
+    const std::size_t dot = variable.name.rfind('.');
+    if (!variable.is_text || dot == variable.name.npos) continue;
+    const std::string_view field = std::string_view(variable.name).substr(dot + 1);
+    for (const char* unit : {"unit", "Unit", "units", "Units"}) {
+      if (field == unit) written.insert({variable.name.substr(0, dot), variable.text});
+    }
+  }
+  Channels channels;
+  for (const MatVariable& variable : variables) {
+    if (!variable.is_vector()) continue;
+    const std::string holder = holder_of(variable.name);
+    const std::string name = written.contains(holder) ? holder : variable.name;
+    const auto unit_text = written.find(name);
+    const std::string text = unit_text == written.end() ? "1" : unit_text->second;
+    const auto unit = find_lab_unit(text);
+    if (!unit) throw InputError({file, 0}, name + " has " + unknown_unit(text));
+    if (!names.insert(name).second) throw InputError({file, 0}, in_quotes(name) + " comes twice");
+    Channel channel{name, si_unit(unit->dimension()), {}};
+    for (const double value : variable.values) channel.values.push_back(unit->to_si(value));
+    channels.add(std::move(channel));
+  }
+  for (const auto& [name, unit] : units) {
+    if (names.contains(name)) continue;
+    throw InputError({file, 0},
+                     "has no vector " + in_quotes(name) +
+                         did_you_mean(name, std::vector<std::string>(names.begin(), names.end())));
+  }
+  if (channels.empty()) throw InputError({file, 0}, "has no vector of numbers");
+  return channels;
+}
+
+}  // namespace latsch::formats

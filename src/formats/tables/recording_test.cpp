@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/tables/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "base/spoiled_text_testing.h"
+#include "formats/tables/csv_table.h"
+
+namespace latsch::formats {
+namespace {
+
+void refused(const std::string& text, const std::string& part) {
+  try {
+    parse_recording(text, "run.csv");
+    FAIL() << text;
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+TEST(Recording, ComesOutInSi) {
+  const auto channels = parse_recording(
+      "# a rig\r\ntime [ms],speed [km/h],\"Fz, wheel [kN]\"\r\n0,36,4\r\n0.5,+72,-4.25\r\n", "f");
+  EXPECT_EQ(channels.all()[0].unit, "s");
+  EXPECT_EQ(channels["time"], (std::vector<double>{0.0, 0.0005}));
+  EXPECT_NEAR(channels["speed"][1], 20.0, 1e-14);
+  EXPECT_EQ(channels["Fz, wheel"], (std::vector<double>{4000.0, -4250.0}));
+}
+
+TEST(Recording, HasDecimalCommasAndARowOfUnits) {
+  const auto channels = parse_recording("time;Fz;n\ns;kN;-\n0,5;1,5;3\n", "f");
+  EXPECT_EQ(channels["time"][0], 0.5);
+  EXPECT_EQ(channels["Fz"][0], 1500.0);
+  EXPECT_EQ(channels.all()[2].unit, "1");
+}
+
+TEST(Recording, OfSiUnitsIsTheTablesToTheBit) {
+  Channels channels;
+  channels.add({"t", "s", {0.1, 1.0 / 3.0, 2e-17}});
+  channels.add({"F", "N", {-1e300, 0.0, 5.0}});
+  const std::string text = csv_text(channels);
+  EXPECT_EQ(parse_recording(text, "f"), channels);
+  EXPECT_EQ(CsvTable::parse(text, "f").channels(), channels);
+}
+
+TEST(Recording, IsRefusedInWords) {
+  refused("", "is empty");
+  refused("t [s],F [N]\n0,1\n1,nan\n", "run.csv:3: F is \"nan\", expected a finite number");
+  refused("t [s],F [N]\n0,1\n1,\n", "run.csv:3: F is empty");
+  refused("t [s],F [N]\n0,1,2\n", "run.csv:2: has 3 fields, expected 2");
+  refused("t [s],F [Nn]\n0,1\n", "unknown unit \"Nn\"");
+  refused("t [s],t [s]\n0,1\n", "comes twice");
+  refused("0,1\n1,2\n", "expected a line of column names");
+  EXPECT_THROW(read_recording("run.xls"), InputError);
+}
+
+TEST(Recording, SpoiledOnesEndInFiniteNumbersOrAnInputError) {
+  constexpr std::uint64_t kSeed = 2018;
+  constexpr int kMutations = 20'000;
+  const std::vector<std::string> recordings{
+      "# rig 3\ntime [ms],speed [km/h],Fz [N]\n0,36,4000\n0.5,36.1,4012.5\n1,36,-2e3\n",
+      "time;Fz\r\ns;kN\r\n0,5;1,5\r\n0,6;1,6\r\n"};
+  const std::vector<std::string> pieces{",",
+                                        ";",
+                                        "\t",
+                                        "\n",
+                                        "\"",
+                                        "#",
+                                        "[",
+                                        "]",
+                                        "nan",
+                                        "inf",
+                                        "1e999",
+                                        "1e308",
+                                        "-",
+                                        "3,5",
+                                        "\xff",
+                                        std::string(1, '\0')};
+  int rejected = 0;
+  for (int i = 0; i < kMutations; ++i) {
+    RandomStream random(kSeed, i);
+    const std::string text = spoiled(recordings[random.below(recordings.size())], pieces, random);
+    try {
+      const Channels channels = parse_recording(text, "spoiled.csv");
+      for (const Channel& channel : channels.all()) {
+        ASSERT_EQ(channel.values.size(), channels.all()[0].values.size()) << text;
+        for (const double value : channel.values) ASSERT_TRUE(std::isfinite(value)) << text;
+      }
+    } catch (const InputError& error) {
+      ++rejected;
+    }
+  }
+  EXPECT_GT(rejected, kMutations / 10);
+  EXPECT_LT(rejected, kMutations);
+}
+
+}  // namespace
+}  // namespace latsch::formats

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/tables/tydex_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "base/file.h"
+#include "base/text.h"
+#include "base/units.h"
+#include "formats/text/lab_units.h"
+#include "formats/text/letter_case.h"
+#include "formats/text/text_encoding.h"
+
+namespace latsch::formats {
+namespace {
+
+constexpr std::size_t kLargestTydex = 512u << 20;  // an hour of ten channels at 1 kHz
+constexpr std::size_t kMostChannels = 1000;
+constexpr std::size_t kNameEnd = 10, kCommentEnd = 40, kUnitEnd = 50, kField = 10;
+constexpr double kNotAvailable = std::numeric_limits<double>::quiet_NaN();
+
+const std::vector<std::string> kKeywords = {"**HEADER",
+                                            "**COMMENTS",
+                                            "**CONSTANTS",
+                                            "**MEASURCHANNELS",
+                                            "**MEASURDATA",
+                                            "**MODELDEFINITION",
+                                            "**MODELPARAMETERS",
+                                            "**MODELCOEFFICIENTS",
+                                            "**MODELCHANNELS",
+                                            "**MODELOUTPUTS",
+                                            "**MODELEND",
+                                            "**END"};
+
+void split_words(std::string_view line, std::vector<std::string_view>& words) {
+  words.clear();
+  for (std::size_t at = 0;;) {
+    at = line.find_first_not_of(" \t", at);
+    if (at == line.npos) return;
+    const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = end;
+  }
+}
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  split_words(line, words);
+  return words;
+}
+
+/// C and Fortran notation, decimal point or comma. NaN where the text says so; nothing where it is
+/// no number.
+std::optional<long double> number_of(std::string_view text) {
+  text = trimmed(text);
+  if (const auto parts = split_number(text); parts && parts->rest.empty()) return parts->number;
+  const std::string word = capitals(trimmed(text));
+  if (word == "NOTAVAIL" || word == "NAN") return kNotAvailable;
+  std::string plain(text);
+  std::replace(plain.begin(), plain.end(), ',', '.');
+  for (char& c : plain)
+    if (c == 'D' || c == 'd') c = 'e';
+  const auto parts = split_number(plain);
+  if (!parts || !parts->rest.empty()) return std::nullopt;
+  return parts->number;
+}
+
+class Reading {
+ public:
+  Reading(std::string_view text, TydexFile& result) : text_(text), file_(result) {}
+
+  void run() {
+    std::string_view line;
+    while (next(line)) {
+      if (line.starts_with("**")) {
+        take_keyword(line);
+      } else if (keyword_ == "**END") {
+        continue;
+      } else if (keyword_ == "**COMMENTS") {
+        file_.comments.emplace_back(trimmed(line.starts_with('!') ? line.substr(1) : line));
+      } else if (!line.starts_with('!') && !trimmed(line).empty()) {
+        take_line(line);
+      }
+    }
+    if (!seen_.contains("**HEADER")) fail(0, "has no line **HEADER, expected a TYDEX file");
+    if (keyword_ != "**END") {
+      fail(line_, "is where the file ends, expected **END: the file is incomplete");
+    }
+    finish();
+  }
+
+ private:
+  [[noreturn]] void fail(int line, const std::string& message) const {
+    throw InputError({file_.file, line}, message);
+  }
+
+  bool next(std::string_view& line) {
+    if (at_ >= text_.size()) return false;
+    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    line = text_.substr(at_, end - at_);
+    at_ = end + 1;
+    ++line_;
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
+    return true;
+  }
+
+  void take_keyword(std::string_view line) {
+    const std::string word = capitals(words_of(line).front());
+    if (std::find(kKeywords.begin(), kKeywords.end(), word) == kKeywords.end()) {
+      fail(line_, "unknown keyword " + in_quotes(word) + did_you_mean(word, kKeywords));
+    }
+    if (word.starts_with("**MODEL")) {
+      file_.model.push_back({word, {}});
+    } else if (!seen_.insert(word).second) {
+      fail(line_, word + " comes twice");
+    }
+    if (word == "**MEASURDATA" && raw_.empty()) {
+      fail(line_, "has **MEASURDATA, expected the channels in **MEASURCHANNELS before them");
+    }
+    keyword_ = word;
+  }
+
+  void take_line(std::string_view line) {
+    if (keyword_.empty()) {
+      fail(line_, "is " + in_quotes(line) + ", expected **HEADER as the first line");
+    }
+    if (keyword_ == "**HEADER") {
+      add(file_.header, line);
+    } else if (keyword_ == "**CONSTANTS") {
+      add(file_.constants, line);
+    } else if (keyword_ == "**MEASURCHANNELS") {
+      take_channel(line);
+    } else if (keyword_ == "**MEASURDATA") {
+      take_sample(line);
+    } else {
+      file_.model.back().entries.push_back(entry_of(line));
+    }
+  }
+
+  /// Where the value is not behind column 50, the last word is it and a unit may stand before it.
+  TydexFile::Entry entry_of(std::string_view line) const {
+    TydexFile::Entry entry;
+    entry.line = line_;
+    entry.name = capitals(trimmed(columns_of(line, 0, kNameEnd)));
+    entry.comment = trimmed(columns_of(line, kNameEnd, kCommentEnd - kNameEnd));
+    entry.unit = trimmed(columns_of(line, kCommentEnd, kUnitEnd - kCommentEnd));
+    entry.text = trimmed(columns_of(line, kUnitEnd, line.size()));
+    const auto words = words_of(line);
+    if (entry.name.find_first_of(" \t") != entry.name.npos) entry.name = capitals(words.front());
+    if (entry.text.empty() && line.find('\t') != line.npos && words.size() >= 2) {
+      entry.text = words.back();
+      const bool unit = words.size() >= 3 && find_lab_unit(words[words.size() - 2]);
+      entry.unit = unit ? words[words.size() - 2] : std::string_view();
+      entry.comment.clear();
+    } else if (entry.text.empty() && number_of(entry.unit)) {
+      std::swap(entry.text, entry.unit);
+    }
+    return entry;
+  }
+
+  void add(std::vector<TydexFile::Entry>& entries, std::string_view line) {
+    TydexFile::Entry entry = entry_of(line);
+    if (entry.name.empty()) {
+      fail(line_, "is " + in_quotes(line) + ", expected a name in columns 1 to 10");
+    }
+    const auto same = std::find_if(
+        entries.begin(), entries.end(), [&](const auto& e) { return e.name == entry.name; });
+    if (same != entries.end()) {
+      fail(line_, fmt::format("{} comes twice, first in line {}", entry.name, same->line));
+    }
+    const auto number = number_of(entry.text);
+    const TydexName* known = find_tydex_name(entry.name);
+    if (number && std::isfinite(static_cast<double>(*number)) &&
+        !(known && known->si_unit.empty())) {
+      const Unit unit = unit_of(entry.name, entry.unit, !entry.unit.empty());
+      entry.number = unit.to_si(*number);
+      entry.si_unit = si_unit(unit.dimension());
+    }
+    entries.push_back(std::move(entry));
+  }
+
+  /// Throws for no unit and for one of the wrong dimension where the name tells it.
+  Unit unit_of(const std::string& name, const std::string& written, bool strict) const {
+    const auto unit = find_lab_unit(written);
+    const TydexName* known = find_tydex_name(name);
+    if (!unit) {
+      const bool told = known && !known->si_unit.empty();
+      const Unit si = Unit::of(told ? known->si_unit : "1");
+      fail(line_,
+           name +
+               (told ? fmt::format(" ({}, such as \"{}\")", words_for(si).noun, known->si_unit)
+                     : "") +
+               " has " + unknown_unit(written));
+    }
+    if (!strict || !known || known->si_unit.empty()) return *unit;
+    const Unit expected = Unit::of(known->si_unit);
+    if (unit->same_dimension(expected)) return *unit;
+    fail(line_,
+         name + (written.empty() ? " has no unit" : " is in " + in_quotes(written)) +
+             ", expected " + words_for(expected).noun + " (" + std::string(known->meaning) +
+             "), such as " + in_quotes(known->si_unit));
+  }
+
+  void take_channel(std::string_view line) {
+    TydexFile::Description about;
+    const TydexFile::Entry entry = entry_of(line);
+    about.comment = entry.comment;
+    about.unit = entry.unit;
+    about.line = line_;
+    if (entry.name.empty()) {
+      fail(line_, "is " + in_quotes(line) + ", expected the name of a channel in columns 1 to 10");
+    }
+    if (!names_.insert(entry.name).second) fail(line_, "channel " + entry.name + " comes twice");
+    if (raw_.size() == kMostChannels)
+      fail(line_, fmt::format("more than {} channels", kMostChannels));
+    units_.push_back(unit_of(entry.name, about.unit, true));
+    double* const values[] = {&about.factor, &about.measured_offset, &about.physical_offset};
+    const auto words = words_of(entry.text);
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, words.size()); ++i) {
+      const auto number = number_of(words[i]);
+      if (!number || !std::isfinite(static_cast<double>(*number))) {
+        fail(line_,
+             "channel " + entry.name + " has " + in_quotes(words[i]) +
+                 ", expected factor and offsets as numbers from column 51");
+      }
+      *values[i] = static_cast<double>(*number);
+    }
+    raw_.push_back({entry.name, si_unit(units_.back().dimension()), {}});
+    file_.descriptions.push_back(std::move(about));
+  }
+
+  void take_sample(std::string_view line) {
+    split_words(line, words_);
+    if (words_.size() != raw_.size() && !split_by_columns(line)) {
+      fail(line_,
+           fmt::format("has {} numbers, expected one for each of the {} channels",
+                       words_.size(),
+                       raw_.size()));
+    }
+    for (std::size_t i = 0; i < raw_.size(); ++i) {
+      const auto number = words_[i].empty() ? kNotAvailable : number_of(words_[i]);
+      if (!number || std::isinf(static_cast<double>(*number))) {
+        fail(line_,
+             raw_[i].name + " is " + in_quotes(words_[i]) + ", expected a number or NOTAVAIL");
+      }
+      const TydexFile::Description& about = file_.descriptions[i];
+      const double value =
+          units_[i].to_si(about.factor * (*number + about.measured_offset) + about.physical_offset);
+      if (std::isinf(value)) {
+        fail(line_, raw_[i].name + " is " + in_quotes(words_[i]) + ", which is too large");
+      }
+      raw_[i].values.push_back(value);
+    }
+    file_.lines.push_back(line_);
+  }
+
+  /// Numbers that touch, or places left empty: the columns of 10 tell them apart.
+  bool split_by_columns(std::string_view line) {
+    const std::size_t count = raw_.size();
+    if (line.size() <= kField * (count - 1) || line.size() > kField * count) return false;
+    if (line.find('\t') != line.npos) return false;
+    words_.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      words_.push_back(trimmed(line.substr(i * kField, kField)));
+    }
+    return true;
+  }
+
+  void finish() {
+    if (seen_.contains("**MEASURDATA") && file_.lines.empty()) {
+      fail(line_, "ends **MEASURDATA without a sample");
+    }
+    for (Channel& channel : raw_) file_.channels.add(std::move(channel));
+  }
+
+  std::string_view text_;
+  TydexFile& file_;
+  std::size_t at_ = 0;
+  int line_ = 0;
+  std::string keyword_;
+  std::set<std::string> seen_, names_;
+  std::vector<Unit> units_;
+  std::vector<Channel> raw_;
+  std::vector<std::string_view> words_;
+};
+
+}  // namespace
+
+TydexFile TydexFile::read(const std::filesystem::path& file) {
+  return parse(read_text_file(file, kLargestTydex), file.string());
+}
+
+TydexFile TydexFile::parse(std::string text, std::string file_name) {
+  TydexFile result;
+  result.file = std::move(file_name);
+  const std::string utf8 = utf8_text(std::move(text), result.file);
+  Reading(utf8, result).run();
+  return result;
+}
+
+const TydexFile::Entry* TydexFile::find(std::string_view name) const {
+  for (const auto* entries : {&header, &constants}) {
+    for (const Entry& entry : *entries)
+      if (entry.name == name) return &entry;
+  }
+  return nullptr;
+}
+
+double TydexFile::constant(std::string_view name, std::string_view unit) const {
+  const Unit expected = Unit::of(unit);
+  const Entry* entry = find(name);
+  if (entry && entry->number && Unit::of(entry->si_unit).same_dimension(expected)) {
+    return *entry->number;
+  }
+  const Channel* channel = channels.find(name);
+  if (!entry && channel && Unit::of(channel->unit).same_dimension(expected)) {
+    double sum = 0.0;
+    for (const double value : channel->values) sum += value;
+    return sum / static_cast<double>(channel->values.size());
+  }
+  const std::string wanted = words_for(expected).noun;
+  if (!entry)
+    throw InputError({file, 0}, "has no constant " + in_quotes(name) + ", expected " + wanted);
+  throw InputError({file, entry->line},
+                   std::string(name) + " is " + in_quotes(entry->text + " " + entry->unit) +
+                       ", expected " + wanted);
+}
+
+}  // namespace latsch::formats

@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/text/teim_orbit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/file.h"
+#include "base/text.h"
+#include "formats/text/letter_case.h"
+
+namespace latsch::formats {
+namespace {
+
+constexpr std::size_t kLongestOrbitLine = 64u << 10;
+
+bool blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == ',' || c == ';'; }
+
+/// 1.5D3 of Fortran programs is 1.5E3.
+std::optional<double> number_in(std::string_view text) {
+  std::string c_form(text);
+  std::replace(c_form.begin(), c_form.end(), 'D', 'E');
+  std::replace(c_form.begin(), c_form.end(), 'd', 'e');
+  const std::optional<double> number = parse_number(c_form);
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::string no_number(const std::string& what, const std::string& found) {
+  std::string hint;
+  if (found.find(',') != std::string::npos) hint = "; decimals are written with a point";
+  return fmt::format("{} is {}, expected a finite number{}", what, in_quotes(found), hint);
+}
+
+}  // namespace
+
+/// Goes through the text line by line.
+class TeimOrbitReader {
+ public:
+  explicit TeimOrbitReader(TeimOrbit& into) : into_(into) {}
+
+  void read() {
+    const std::string_view text = into_.source_;
+    std::size_t begin = text.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0;
+    while (begin < text.size()) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      ++line_;
+      if (end - begin > kLongestOrbitLine) reject("a line longer than 64 kB");
+      read_line(text.substr(begin, end - begin), begin);
+      begin = end + 1;
+    }
+  }
+
+ private:
+  [[noreturn]] void reject(const std::string& message) const {
+    throw InputError(Place{into_.file(), line_}, message);
+  }
+
+  /// Where the comment begins, or the end of the line. Marks inside quotes are text.
+  std::size_t comment_of(std::string_view line) const {
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (line[i] == '\0') reject("a zero byte: this is no text file");
+      if (line[i] == '\'') quoted = !quoted;
+      if (!quoted && (line[i] == '$' || line[i] == '!')) return i;
+    }
+    if (quoted) reject("a quote is not closed: " + in_quotes(trimmed(line)));
+    return line.size();
+  }
+
+  void read_line(std::string_view line, std::size_t offset) {
+    const std::size_t mark = comment_of(line);
+    const std::string_view content = trimmed(line.substr(0, mark));
+    if (content.empty()) return;
+    const std::string_view comment =
+        mark < line.size() ? trimmed(line.substr(mark + 1)) : std::string_view{};
+    switch (content.front()) {
+      case '[':
+        return open_section(inside(content, ']'));
+      case '(':
+        return open_block(inside(content, ')'));
+      case '{':
+        return open_table(inside(content, '}'));
+      default:
+        break;
+    }
+    const std::size_t equals = content.find('=');
+    const std::size_t quote = content.find('\'');
+    if (equals != std::string_view::npos && (quote == std::string_view::npos || equals < quote))
+      return read_entry(content, equals, offset + (content.data() - line.data()), comment);
+    read_row(content);
+  }
+
+  std::string inside(std::string_view content, char close) const {
+    const std::size_t end = content.find(close);
+    if (end == std::string_view::npos)
+      reject(fmt::format("{} has no \"{}\"", in_quotes(content), close));
+    if (end + 1 != content.size())
+      reject(fmt::format("{} behind \"{}\", expected the end of the line",
+                         in_quotes(trimmed(content.substr(end + 1))),
+                         close));
+    return capitals(trimmed(content.substr(1, end - 1)));
+  }
+
+  TeimOrbitSection& section() {
+    if (into_.sections_.empty())
+      reject("this stands before the first [SECTION]: is it a file of another kind?");
+    return into_.sections_.back();
+  }
+
+  void open_section(const std::string& name) {
+    if (name.empty()) reject("[] has no name");
+    into_.sections_.emplace_back(name, into_.file_, line_);
+    block_.clear();
+    table_open_ = false;
+  }
+
+  void open_block(const std::string& name) {
+    section().blocks_.push_back(name);
+    block_ = name;
+    table_open_ = false;
+  }
+
+  void open_table(const std::string& heads) {
+    section().tables_.push_back({block_, split(heads), {}, line_});
+    table_open_ = true;
+  }
+
+  void read_row(std::string_view content) {
+    TeimOrbitSection& here = section();
+    if (!table_open_) {
+      // A lone word is no row: an equals sign was lost.
+      const std::vector<std::string> fields = split(content);
+      const bool row = content.front() == '\'' || (!fields.empty() && number_in(fields[0]));
+      if (!row && block_.empty())
+        reject(in_quotes(content) + " is no KEY = value, [SECTION], {heads} or row of a table");
+      here.tables_.push_back({block_, {}, {}, line_});
+      table_open_ = true;
+    }
+    here.tables_.back().rows.push_back({split(content), line_});
+  }
+
+  /// Fields between blanks, commas or semicolons, quotes kept together.
+  std::vector<std::string> split(std::string_view text) const {
+    std::vector<std::string> fields;
+    std::size_t i = 0;
+    while (i < text.size()) {
+      if (blank(text[i])) {
+        ++i;
+      } else if (text[i] == '\'') {
+        const std::size_t end = std::min(text.find('\'', i + 1), text.size());
+        fields.emplace_back(text.substr(i + 1, end - i - 1));
+        i = std::min(end + 1, text.size());
+      } else {
+        const std::size_t begin = i;
+        while (i < text.size() && !blank(text[i]) && text[i] != '\'') ++i;
+        fields.emplace_back(text.substr(begin, i - begin));
+      }
+    }
+    return fields;
+  }
+
+  void read_entry(std::string_view content,
+                  std::size_t equals,
+                  std::size_t offset,
+                  std::string_view comment) {
+    TeimOrbitEntry entry;
+    entry.key = capitals(trimmed(content.substr(0, equals)));
+    if (entry.key.empty()) reject("\"=\" without a key before it");
+    std::string_view value = trimmed(content.substr(equals + 1));
+    entry.line = line_;
+    entry.begin = value.empty() ? offset + content.size()
+                                : offset + static_cast<std::size_t>(value.data() - content.data());
+    entry.end = entry.begin + value.size();
+    entry.comment = comment;
+    if (!value.empty() && value.front() == '\'') {
+      entry.quoted = true;
+      const std::size_t end = value.find('\'', 1);
+      if (end + 1 != value.size())
+        reject(fmt::format("{} behind the text of {}, expected the end of the line or a comment",
+                           in_quotes(trimmed(value.substr(end + 1))),
+                           entry.key));
+      value = value.substr(1, end - 1);
+    }
+    entry.value = std::string(trimmed(value));
+    section().entries_.push_back(std::move(entry));
+    table_open_ = false;
+  }
+
+  TeimOrbit& into_;
+  int line_ = 0;
+  std::string block_;
+  bool table_open_ = false;
+};
+
+TeimOrbitSection::TeimOrbitSection(std::string name,
+                                   std::shared_ptr<const std::string> file,
+                                   int line)
+    : name_(std::move(name)), file_(std::move(file)), line_(line) {}
+
+const TeimOrbitEntry* TeimOrbitSection::find(std::string_view key) const {
+  const std::string wanted = capitals(key);
+  const TeimOrbitEntry* found = nullptr;
+  for (const TeimOrbitEntry& entry : entries_) {
+    if (entry.key != wanted) continue;
+    if (found != nullptr && found->value != entry.value)
+      throw InputError(place(entry.line),
+                       fmt::format("{} is {}, but line {} says {}; keep one of them",
+                                   wanted,
+                                   in_quotes(entry.value),
+                                   found->line,
+                                   in_quotes(found->value)));
+    if (found == nullptr) found = &entry;
+  }
+  return found;
+}
+
+double TeimOrbitSection::number(const TeimOrbitEntry& entry) const {
+  const std::optional<double> number =
+      entry.quoted ? std::optional<double>{} : number_in(entry.value);
+  if (!number) throw InputError(place(entry.line), no_number(entry.key, entry.value));
+  return *number;
+}
+
+double TeimOrbitSection::number(std::string_view key) const {
+  const TeimOrbitEntry* entry = find(key);
+  if (entry == nullptr)
+    throw InputError(place(), fmt::format("[{}] has no {}", name_, capitals(key)));
+  return number(*entry);
+}
+
+double TeimOrbitSection::number(std::string_view key, double fallback) const {
+  const TeimOrbitEntry* entry = find(key);
+  return entry == nullptr ? fallback : number(*entry);
+}
+
+long TeimOrbitSection::integer(std::string_view key, long fallback) const {
+  const TeimOrbitEntry* entry = find(key);
+  if (entry == nullptr) return fallback;
+  const double value = number(*entry);
+  if (value != std::floor(value) || std::abs(value) > 1e9)
+    throw InputError(
+        place(entry->line),
+        fmt::format("{} is {}, expected an integer", entry->key, in_quotes(entry->value)));
+  return static_cast<long>(value);
+}
+
+std::string TeimOrbitSection::text(std::string_view key) const {
+  const TeimOrbitEntry* entry = find(key);
+  if (entry == nullptr)
+    throw InputError(place(), fmt::format("[{}] has no {}", name_, capitals(key)));
+  return entry->value;
+}
+
+std::string TeimOrbitSection::text(std::string_view key, std::string_view fallback) const {
+  const TeimOrbitEntry* entry = find(key);
+  return entry == nullptr ? std::string(fallback) : entry->value;
+}
+
+const TeimOrbitTable* TeimOrbitSection::find_table(std::string_view block) const {
+  const std::string wanted = capitals(block);
+  for (const TeimOrbitTable& table : tables_)
+    if (table.block == wanted) return &table;
+  return nullptr;
+}
+
+std::vector<double> TeimOrbitSection::numbers(const TeimOrbitRow& row, std::size_t width) const {
+  if (row.fields.size() < width)
+    throw InputError(
+        place(row.line),
+        fmt::format("a row of {} fields, expected {} numbers", row.fields.size(), width));
+  std::vector<double> numbers;
+  numbers.reserve(row.fields.size());
+  for (std::size_t i = 0; i < row.fields.size(); ++i) {
+    const std::optional<double> number = number_in(row.fields[i]);
+    if (!number)
+      throw InputError(place(row.line), no_number(fmt::format("field {}", i + 1), row.fields[i]));
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+TeimOrbit TeimOrbit::parse(std::string text, std::string file_name) {
+  TeimOrbit result;
+  result.file_ = std::make_shared<const std::string>(std::move(file_name));
+  result.source_ = std::move(text);
+  TeimOrbitReader(result).read();
+  return result;
+}
+
+TeimOrbit TeimOrbit::read(const std::filesystem::path& file) {
+  return parse(read_text_file(file, 512u << 20), file.string());
+}
+
+const TeimOrbitSection* TeimOrbit::find(std::string_view section) const {
+  const std::string wanted = capitals(section);
+  for (const TeimOrbitSection& candidate : sections_)
+    if (candidate.name() == wanted) return &candidate;
+  return nullptr;
+}
+
+const TeimOrbitSection& TeimOrbit::section(std::string_view name) const {
+  const TeimOrbitSection* found = find(name);
+  if (found == nullptr)
+    throw InputError(Place{*file_, 0}, fmt::format("there is no section [{}]", capitals(name)));
+  return *found;
+}
+
+namespace {
+
+/// Names of units in Adams property files, and their SI values.
+const std::map<std::string, std::map<std::string, double>>& unit_names() {
+  static const std::map<std::string, std::map<std::string, double>> names = {
+      {"LENGTH",
+       {{"METER", 1.0},
+        {"METERS", 1.0},
+        {"M", 1.0},
+        {"MM", 1e-3},
+        {"MILLIMETER", 1e-3},
+        {"MILLIMETERS", 1e-3},
+        {"CM", 1e-2},
+        {"CENTIMETER", 1e-2},
+        {"KM", 1e3},
+        {"KILOMETER", 1e3},
+        {"INCH", 0.0254},
+        {"IN", 0.0254},
+        {"FOOT", 0.3048},
+        {"FT", 0.3048},
+        {"MILE", 1609.344}}},
+      {"FORCE",
+       {{"NEWTON", 1.0},
+        {"N", 1.0},
+        {"KILONEWTON", 1e3},
+        {"KNEWTON", 1e3},
+        {"KN", 1e3},
+        {"POUND_FORCE", 4.4482216152605},
+        {"LBF", 4.4482216152605},
+        {"KPOUND_FORCE", 4448.2216152605},
+        {"KILOGRAM_FORCE", 9.80665},
+        {"KG_FORCE", 9.80665},
+        {"KGF", 9.80665},
+        {"OUNCE_FORCE", 0.27801385095378125},
+        {"DYNE", 1e-5}}},
+      {"ANGLE",
+       {{"RADIAN", 1.0},
+        {"RADIANS", 1.0},
+        {"RAD", 1.0},
+        {"DEGREE", std::numbers::pi / 180.0},
+        {"DEGREES", std::numbers::pi / 180.0},
+        {"DEG", std::numbers::pi / 180.0}}},
+      {"MASS",
+       {{"KG", 1.0},
+        {"KILOGRAM", 1.0},
+        {"GRAM", 1e-3},
+        {"G", 1e-3},
+        {"TONNE", 1e3},
+        {"MEGAGRAM", 1e3},
+        {"POUND_MASS", 0.45359237},
+        {"LBM", 0.45359237},
+        {"KPOUND_MASS", 453.59237},
+        {"OUNCE_MASS", 0.028349523125},
+        {"SLUG", 14.593902937206364}}},
+      {"TIME",
+       {{"SECOND", 1.0},
+        {"SECONDS", 1.0},
+        {"SEC", 1.0},
+        {"S", 1.0},
+        {"MILLISECOND", 1e-3},
+        {"MSEC", 1e-3},
+        {"MS", 1e-3},
+        {"MINUTE", 60.0},
+        {"MIN", 60.0},
+        {"HOUR", 3600.0}}},
+      {"PRESSURE",
+       {{"PASCAL", 1.0},
+        {"PA", 1.0},
+        {"N/M^2", 1.0},
+        {"N/M2", 1.0},
+        {"KPASCAL", 1e3},
+        {"KILOPASCAL", 1e3},
+        {"KPA", 1e3},
+        {"MPASCAL", 1e6},
+        {"MEGAPASCAL", 1e6},
+        {"MPA", 1e6},
+        {"BAR", 1e5},
+        {"PSI", 6894.757293168361},
+        {"KSI", 6894757.293168361}}},
+  };
+  return names;
+}
+
+double factor(const TeimOrbitSection& section, const std::string& key, double fallback) {
+  const TeimOrbitEntry* entry = section.find(key);
+  if (entry == nullptr) return fallback;
+  const std::map<std::string, double>& names = unit_names().at(key);
+  const auto found = names.find(capitals(entry->value));
+  if (found != names.end()) return found->second;
+  std::vector<std::string> known;
+  for (const auto& [name, value] : names) known.push_back(name);
+  throw InputError(section.place(entry->line),
+                   fmt::format("{} = {} is no unit that is known, expected {}",
+                               key,
+                               in_quotes(entry->value),
+                               list_of(known)));
+}
+
+}  // namespace
+
+TeimOrbitUnits TeimOrbit::units() const {
+  TeimOrbitUnits units;
+  const TeimOrbitSection* section = find("UNITS");
+  if (section == nullptr) return units;
+  units.length = factor(*section, "LENGTH", 1.0);
+  units.force = factor(*section, "FORCE", 1.0);
+  units.angle = factor(*section, "ANGLE", 1.0);
+  units.mass = factor(*section, "MASS", 1.0);
+  units.time = factor(*section, "TIME", 1.0);
+  units.pressure = factor(*section, "PRESSURE", units.force / (units.length * units.length));
+  return units;
+}
+
+std::string TeimOrbit::with_values(
+    const std::map<const TeimOrbitEntry*, std::string>& values) const {
+  std::vector<std::pair<const TeimOrbitEntry*, const std::string*>> in_order;
+  for (const auto& [entry, value] : values) in_order.emplace_back(entry, &value);
+  std::sort(in_order.begin(), in_order.end(), [](const auto& a, const auto& b) {
+    return a.first->begin < b.first->begin;
+  });
+  std::string text;
+  std::size_t done = 0;
+  for (const auto& [entry, value] : in_order) {
+    text.append(source_, done, entry->begin - done);
+    text += *value;
+    done = entry->end;
+  }
+  return text.append(source_, done);
+}
+
+}  // namespace latsch::formats

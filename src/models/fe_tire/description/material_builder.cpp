@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the description of a section to material values, in the numbering of its mesh.
+//
+// The smeared layer, for comparison with programs that have no rebars, is the isotropic law of its
+// rubber plus the cords' stiffness spread over the wall inside the reference line:
+//   D = (K - 2/3 G) I(x)I + 2 G I4 + sum_c (E_c t_c / t_inside) d_c(x)d_c(x)d_c(x)d_c
+#include <array>
+#include <cmath>
+
+#include "models/fe_tire/description/section_plan.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+/// d (x) d of a direction in Voigt order, for stresses: d^T E d = v . E_voigt.
+Vector6 dyad(const Eigen::Vector3d& d) {
+  Vector6 v;
+  v << d[0] * d[0], d[1] * d[1], d[2] * d[2], d[0] * d[1], d[1] * d[2], d[0] * d[2];
+  return v;
+}
+
+Matrix6 isotropic(double G, double K) {
+  Matrix6 D = Matrix6::Zero();
+  D.topLeftCorner<3, 3>().setConstant(K - 2.0 * G / 3.0);
+  D.topLeftCorner<3, 3>().diagonal().array() += 2.0 * G;
+  D.bottomRightCorner<3, 3>().diagonal().setConstant(G);
+  return D;
+}
+
+/// What a column of elements is like in its middle.
+struct Column {
+  double r = 0.0;              // m, of the reference line
+  double thickness = 0.0;      // m, inside the reference line
+  Eigen::Vector3d meridional;  // (radial, circumferential, axial), toward the -y bead
+};
+
+Column column_of(const TireDescription& tire, const Contour& line, int i, int columns) {
+  const double refined = double(columns) / tire.section.meridional;
+  const auto end = [&](int j) { return tire.section.station(j / refined); };
+  const MeridianPoint a = line.tangent(end(i)), b = line.tangent(end(i + 1));
+  const WallProfile& inside = tire.section.inside;
+  Column column;
+  column.r = line.point(0.5 * (end(i) + end(i + 1))).r;
+  column.thickness = 0.5 * (inside.at(std::abs(end(i))) + inside.at(std::abs(end(i + 1))));
+  column.meridional = Eigen::Vector3d(a.r + b.r, 0.0, -a.y - b.y).normalized();
+  return column;
+}
+
+/// The cords of a ply at radius r. Lifted from the drum, a cord keeps cos(angle) / r, and the
+/// cords' spacing grows with r sin(angle).
+CordLayer cords_at(const CordPly& ply, double r, double r_crown) {
+  CordLayer cords = ply.cords;
+  if (!ply.lifted) return cords;
+  const double cosine = std::min(1.0, std::cos(cords.angle) * r / r_crown);
+  const double sine = std::sqrt(1.0 - cosine * cosine);
+  if (sine > 0.0) cords.thickness *= std::abs(std::sin(cords.angle)) * r_crown / (r * sine);
+  cords.angle = std::copysign(std::acos(cosine), cords.angle);
+  return cords;
+}
+
+StVenantKirchhoff smear(const Hyperelastic& rubber,
+                        const Column& column,
+                        const std::vector<CordLayer>& cords) {
+  StVenantKirchhoff law{isotropic(2.0 * (rubber.C10 + rubber.C01), rubber.K)};
+  for (const CordLayer& c : cords) {
+    const Eigen::Vector3d d =
+        std::cos(c.angle) * Eigen::Vector3d::UnitY() + std::sin(c.angle) * column.meridional;
+    law.D += c.E_tension * c.thickness / column.thickness * dyad(d) * dyad(d).transpose();
+  }
+  return law;
+}
+
+}  // namespace
+
+Materials build_materials(const TireDescription& tire, int refinement) {
+  const SectionPlan plan(tire);
+  const Contour line(tire.section.contour);
+  const double r_crown = line.point(0.0).r;
+  const auto cords_of = [&](int column, double r) {
+    std::vector<CordLayer> cords;
+    for (const auto& here : plan.plies(column)) {
+      cords.push_back(cords_at(tire.plies[here.ply], r, r_crown));
+    }
+    return cords;
+  };
+
+  Materials materials;
+  for (const RubberRegion& region : tire.regions) {
+    const Rubber& rubber = tire.rubbers[region.rubber];
+    materials.solids.push_back({rubber.law, rubber.density});
+  }
+  if (tire.cord_model == CordModel::rebar) {
+    for (int i = 0; i < plan.columns(); ++i) {
+      const auto cords = cords_of(i, column_of(tire, line, i, plan.columns()).r);
+      materials.layers.insert(materials.layers.end(), cords.begin(), cords.end());
+    }
+    return materials;
+  }
+  // Smeared cords lie along the wall where they are: a refined column has a direction of its own.
+  for (int i = 0; i < refinement * plan.columns(); ++i) {
+    const Column column = column_of(tire, line, i, refinement * plan.columns());
+    const auto cords = cords_of(i / refinement, column.r);
+    const Rubber& rubber = tire.rubbers[tire.regions[plan.region(i / refinement, 0)].rubber];
+    double density = rubber.density;
+    for (const CordLayer& c : cords) density += c.density * c.thickness / column.thickness;
+    materials.solids.push_back({smear(rubber.law, column, cords), density});
+  }
+  return materials;
+}
+
+}  // namespace latsch::fe_tire

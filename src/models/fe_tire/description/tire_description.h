@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// A tire as its maker describes it: size, contour, thicknesses, cord layers, rubber regions.
+//
+// The section hangs on a reference line, the contour through its wall. Thicknesses are measured
+// from it along its normal, to the inside (toward the inflation gas) and to the outside. A place
+// along the wall is its `position`: arc length from the crown (0) to the bead (1), equal on both
+// sides.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/document.h"
+#include "models/fe_tire/description/contour.h"
+#include "models/fe_tire/element/hex8.h"
+#include "models/fe_tire/element/materials.h"
+#include "models/fe_tire/element/mesh.h"
+
+namespace latsch::fe_tire {
+
+/// A length over the position along the wall, linear between its points, constant beyond them.
+struct WallProfile {
+  std::vector<double> position;  // ascending, from 0 to 1
+  std::vector<double> length;    // m
+  double at(double q) const;
+  bool operator==(const WallProfile&) const = default;
+};
+
+/// A stretch of the wall on both sides of the tire, from <= position < to (the bead, 1, included).
+struct Extent {
+  double from = 0.0, to = 1.0;
+  bool contains(double q) const { return from <= q && (q < to || to >= 1.0); }
+  bool operator==(const Extent&) const = default;
+};
+
+enum class Side { inside, outside, both };  // of the reference line
+
+struct Rubber {
+  std::string name;
+  Hyperelastic law;
+  double density = 0.0;  // kg/m^3
+};
+
+/// Where one rubber is: every element belongs to exactly one region.
+struct RubberRegion {
+  std::string name;
+  Extent extent;
+  Side side = Side::both;
+  int rubber = 0;  // index into TireDescription::rubbers
+};
+
+/// One ply. `cords` holds the values at the crown.
+struct CordPly {
+  std::string name;
+  Extent extent;
+  WallProfile offset = {{0.0}, {0.0}};  // from the reference line, positive outward
+  CordLayer cords;
+  /// Built flat on a drum and lifted: the cords then keep cos(angle) / r, and their number around
+  /// the tire stays the same. Otherwise angle and thickness are the same everywhere.
+  bool lifted = false;
+};
+
+enum class CordModel {
+  rebar,    // cords at their own place inside the elements
+  smeared,  // anisotropic St. Venant-Kirchhoff inside the reference line: for comparison
+};
+
+/// Relative meridional length of the elements over the position along the wall, linear between its
+/// points; none: all the same. Short elements belong where the wall bends in a short distance: at
+/// the bead and on both sides of a belt's edge.
+struct SpacingProfile {
+  std::vector<double> position;  // ascending, from 0 to 1
+  std::vector<double> length;    // > 0
+  bool operator==(const SpacingProfile&) const = default;
+};
+
+/// Equally wide sectors beside each other, counted from the contact upward, the same on both sides.
+struct SectorZone {
+  int sectors = 1;
+  double width = 0.0;  // rad, of each
+  bool operator==(const SectorZone&) const = default;
+};
+
+enum class BeadClamp { whole, inside, outside };  // inside, outside: up to the reference line
+
+/// Everything the mesh depends on.
+struct Section {
+  std::vector<MeridianPoint> contour;  // +y half of the reference line, crown to bead, m
+  WallProfile inside, outside;         // thicknesses, > 0
+  double tread_to = 0.5;               // position up to which the outer face may touch the ground
+  BeadClamp clamp = BeadClamp::whole;
+  int meridional = 29, rows_inside = 1, rows_outside = 1, sectors = 60;  // elements
+  SpacingProfile spacing;
+  /// Narrow sectors belong where the contact ends. The sectors not named here share the rest of the
+  /// ring; none named: all equally wide.
+  std::vector<SectorZone> sector_zones;
+  /// theta of mesh.h, every sector split in `refinement`.
+  std::vector<double> sector_planes(int refinement) const;
+  /// s in [-1, 1], |s| the position, of the end of column `column` (0 to meridional, fractions
+  /// too).
+  double station(double column) const;
+  bool operator==(const Section&) const = default;
+};
+
+struct TireDescription {
+  std::string name;
+  std::string size;       // designation, "225/50R16"
+  double pressure = 0.0;  // Pa, the usual one
+  Section section;
+  std::vector<Rubber> rubbers;
+  std::vector<RubberRegion> regions;
+  std::vector<CordPly> plies;
+  CordModel cord_model = CordModel::rebar;
+  ElementKind element = ElementKind::solid_shell;
+  Place place;  // of the file, for complaints
+};
+
+/// Reads and checks a tire file; throws InputError naming file, line, found and expected.
+TireDescription read_tire(const Node& root);
+
+/// HEX8 mesh of the description. `refinement` r splits every element r x r x r with nodes on the
+/// true contour; materials, clamped and tread boundary stay those of the unrefined element.
+/// Throws InputError naming the element where the section folds over.
+Mesh build_mesh(const TireDescription& tire, int refinement = 1);
+
+/// The materials in the numbering of build_mesh with the same refinement; cheap, for every trial.
+Materials build_materials(const TireDescription& tire, int refinement = 1);
+
+/// Whether both give the same mesh, so that what was prepared for one serves the other.
+bool same_mesh(const TireDescription& a, const TireDescription& b);
+
+}  // namespace latsch::fe_tire

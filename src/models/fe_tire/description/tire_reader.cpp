@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+// A tire file: the tables [mesh], [section], [rubber.*], [region.*] and [layer.*], see
+// docs/fe_tire_section.md.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/text.h"
+#include "models/fe_tire/description/section_check.h"
+#include "models/fe_tire/description/section_plan.h"
+#include "models/fe_tire/description/size_designation.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+constexpr int kMostElements = 2000;  // along one direction
+
+Extent read_extent(const Node& node) {
+  const Range unit = Range::between(0.0, 1.0);
+  const Extent extent{node.quantity("from", "1", unit, 0.0), node.quantity("to", "1", unit, 1.0)};
+  if (extent.from >= extent.to)
+    node.reject("to", fmt::format("is {}, expected more than from = {}", extent.to, extent.from));
+  return extent;
+}
+
+WallProfile read_profile(const Node& node, const char* key) {
+  WallProfile profile;
+  for (const std::vector<double>& row : node.rows(key, {"1", "m"})) {
+    if (!profile.position.empty() && row[0] <= profile.position.back())
+      node.reject(key,
+                  fmt::format("has position {} after {}, expected ascending positions from 0 "
+                              "(crown) to 1 (bead)",
+                              row[0],
+                              profile.position.back()));
+    if (row[0] < 0.0 || row[0] > 1.0)
+      node.reject(key, fmt::format("has position {}, expected 0 (crown) to 1 (bead)", row[0]));
+    profile.position.push_back(row[0]);
+    profile.length.push_back(row[1]);
+  }
+  if (profile.position.empty()) node.reject(key, "is empty, expected rows of position and length");
+  return profile;
+}
+
+WallProfile read_thickness(const Node& section, const char* key) {
+  const WallProfile profile = read_profile(section, key);
+  for (std::size_t i = 0; i < profile.length.size(); ++i)
+    if (!(profile.length[i] > 0.0))
+      section.reject(key,
+                     fmt::format("has thickness {} mm at position {}, expected more than 0",
+                                 1e3 * profile.length[i],
+                                 profile.position[i]));
+  return profile;
+}
+
+SpacingProfile read_spacing(const Node& mesh) {
+  SpacingProfile spacing;
+  if (!mesh.has("spacing")) return spacing;
+  for (const std::vector<double>& row : mesh.rows("spacing", {"1", "1"})) {
+    const double last = spacing.position.empty() ? -1.0 : spacing.position.back();
+    if (row[0] <= last || row[0] > 1.0 || !(row[1] > 0.0) || row[1] > 100.0)
+      mesh.reject(
+          "spacing",
+          fmt::format("has the row [{}, {}], expected ascending positions from 0 (crown) to "
+                      "1 (bead) and relative lengths above 0 and up to 100",
+                      row[0],
+                      row[1]));
+    spacing.position.push_back(row[0]);
+    spacing.length.push_back(row[1]);
+  }
+  if (spacing.position.size() < 2 || spacing.position.front() != 0.0 ||
+      spacing.position.back() != 1.0)
+    mesh.reject("spacing", "must have a row at position 0 (crown) and one at 1 (bead)");
+  return spacing;
+}
+
+/// [count, "width"] from the contact upward; the others share what is left of half the ring.
+std::vector<SectorZone> read_sector_zones(const Node& mesh, int sectors) {
+  constexpr const char* kKey = "sector_zones";
+  std::vector<SectorZone> zones;
+  if (!mesh.has(kKey)) return zones;
+  if (sectors % 2 != 0) {
+    mesh.reject(kKey,
+                fmt::format("needs an even number of sectors, the same on both sides of the "
+                            "contact; found {}",
+                            sectors));
+  }
+  int left = sectors / 2;
+  double angle = std::numbers::pi;
+  for (const std::vector<double>& row : mesh.rows(kKey, {"1", "rad"})) {
+    if (!(row[0] >= 1.0 && row[0] < left && row[0] == std::floor(row[0]) && row[1] > 0.0)) {
+      mesh.reject(kKey,
+                  fmt::format("has the row [{}, {:.4g} deg], expected a number of sectors from 1 "
+                              "to {} and the width of each",
+                              row[0],
+                              row[1] * 180.0 / std::numbers::pi,
+                              left - 1));
+    }
+    zones.push_back({static_cast<int>(row[0]), row[1]});
+    left -= zones.back().sectors;
+    angle -= zones.back().sectors * zones.back().width;
+  }
+  const double widest = std::numbers::pi / 4.0;
+  if (angle <= 0.0 || angle / left > widest) {
+    mesh.reject(kKey,
+                fmt::format("leaves {:.4g} of 180 deg to the {} other sectors, expected more than "
+                            "0 and up to 45 deg each",
+                            angle * 180.0 / std::numbers::pi,
+                            left));
+  }
+  return zones;
+}
+
+std::vector<MeridianPoint> read_contour(const Node& section) {
+  std::vector<MeridianPoint> points;
+  for (const std::vector<double>& row : section.rows("contour", {"m", "m"})) {
+    const MeridianPoint p{row[0], row[1]};
+    if (p.r <= 0.0)
+      section.reject("contour", fmt::format("has radius {} mm, expected more than 0", 1e3 * p.r));
+    if (p.y < 0.0)
+      section.reject("contour",
+                     fmt::format("has half width {} mm, expected the half with y >= 0", 1e3 * p.y));
+    if (!points.empty() && std::hypot(p.y - points.back().y, p.r - points.back().r) < 1e-6)
+      section.reject("contour", fmt::format("repeats the point [{}, {}] mm", 1e3 * p.y, 1e3 * p.r));
+    points.push_back(p);
+  }
+  if (points.size() < 3)
+    section.reject(
+        "contour",
+        fmt::format("has {} points, expected at least 3 from crown to bead", points.size()));
+  if (points.front().y != 0.0)
+    section.reject(
+        "contour",
+        fmt::format("starts at half width {} mm, expected 0 at the crown", 1e3 * points.front().y));
+  return points;
+}
+
+Section read_section(const Node& node, const Node& mesh) {
+  Section section;
+  section.contour = read_contour(node);
+  section.inside = read_thickness(node, "thickness_inside");
+  section.outside = read_thickness(node, "thickness_outside");
+  section.tread_to = node.quantity("tread_to", "1", {0.0, 1.0, true});
+  const std::string clamp = node.choice("clamp", {"whole", "inside", "outside"}, "whole");
+  section.clamp = clamp == "whole"    ? BeadClamp::whole
+                  : clamp == "inside" ? BeadClamp::inside
+                                      : BeadClamp::outside;
+  section.meridional = static_cast<int>(mesh.integer("meridional", 4, kMostElements));
+  section.rows_inside = static_cast<int>(mesh.integer("rows_inside", 1, 20, 1));
+  section.rows_outside = static_cast<int>(mesh.integer("rows_outside", 1, 20, 1));
+  section.spacing = read_spacing(mesh);
+  section.sectors = static_cast<int>(mesh.integer("sectors", 8, kMostElements));
+  section.sector_zones = read_sector_zones(mesh, section.sectors);
+  if (const std::string conflict = wall_conflict(section); !conflict.empty())
+    node.reject("contour", conflict);
+  return section;
+}
+
+void check_size(const Node& root, TireDescription& tire) {
+  const auto size = parse_size(tire.size);
+  if (!size)
+    root.reject("size",
+                fmt::format("is \"{}\", expected a size such as \"225/50R16\" or \"16x7.5-10\"",
+                            tire.size));
+  const OuterSize outer = outer_size(tire.section);
+  const std::string conflict =
+      size_conflict(*size, outer.radius, outer.width, tire.section.contour.back());
+  if (!conflict.empty())
+    root.table("section").reject("contour", conflict + fmt::format(" (\"{}\")", tire.size));
+}
+
+Rubber read_rubber(const Node& node) {
+  Rubber rubber;
+  rubber.name = node.name();
+  const std::string law = node.choice("law", {"neo-Hooke", "Mooney-Rivlin"}, "neo-Hooke");
+  const double E = node.quantity("young_modulus", "Pa", Range::positive());
+  const double ratio =
+      law == "Mooney-Rivlin" ? node.quantity("C01_over_C10", "1", Range::not_negative()) : 0.0;
+  double nu = 0.0;
+  if (node.has("bulk_modulus")) {
+    if (node.has("poisson_ratio"))
+      node.reject("poisson_ratio", "stands beside bulk_modulus, expected one of them");
+    const double K = node.quantity("bulk_modulus", "Pa", Range::positive());
+    nu = 0.5 - E / (6.0 * K);
+    if (nu <= 0.0)
+      node.reject(
+          "bulk_modulus",
+          fmt::format("is too small for this Young's modulus: Poisson's ratio would be {:.3f}",
+                      nu));
+  } else {
+    nu = node.quantity("poisson_ratio", "1", {0.0, 0.49999, true});
+  }
+  rubber.law = Hyperelastic::from_young_modulus(E, nu, ratio);
+  rubber.density = node.quantity("density", "kg/m^3", Range::positive());
+  return rubber;
+}
+
+RubberRegion read_region(const Node& node, const std::vector<Rubber>& rubbers) {
+  RubberRegion region;
+  region.name = node.name();
+  region.extent = read_extent(node);
+  const std::string side = node.choice("side", {"both", "inside", "outside"}, "both");
+  region.side = side == "both" ? Side::both : side == "inside" ? Side::inside : Side::outside;
+  std::vector<std::string> names;
+  names.reserve(rubbers.size());
+  for (const Rubber& rubber : rubbers) names.push_back(rubber.name);
+  const std::string name = node.choice("rubber", names);
+  region.rubber = static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+  return region;
+}
+
+/// Cross-section of one cord, m^2.
+double cord_area(const Node& node) {
+  if (!node.has("cord_diameter")) return node.quantity("cord_area", "m^2", Range::positive());
+  if (node.has("cord_area"))
+    node.reject("cord_area", "stands beside cord_diameter, expected one of them");
+  const double d = node.quantity("cord_diameter", "m", Range::positive());
+  return 0.25 * std::numbers::pi * d * d;
+}
+
+CordPly read_ply(const Node& node, const Section& section) {
+  constexpr double kRightAngle = 0.5 * std::numbers::pi + 1e-12;  // 90 deg in any rounding
+  CordPly ply;
+  ply.name = node.name();
+  ply.extent = read_extent(node);
+  const char* offset_key = node.has("offsets") ? "offsets" : "offset";
+  ply.offset = node.has("offsets") ? read_profile(node, "offsets")
+                                   : WallProfile{{0.0}, {node.quantity("offset", "m")}};
+  ply.lifted = node.flag("lifted", false);
+  CordLayer& cords = ply.cords;
+  cords.angle = node.quantity("angle", "rad", Range::between(-kRightAngle, kRightAngle));
+  cords.thickness = cord_area(node) / node.quantity("spacing", "m", Range::positive());
+  cords.E_tension = node.quantity("young_modulus", "Pa", Range::positive());
+  cords.E_compression =
+      node.quantity("compression_modulus", "Pa", Range::not_negative(), cords.E_tension);
+  cords.pretension = node.quantity("pretension", "Pa", {}, 0.0);
+  cords.density = node.quantity("density", "kg/m^3", Range::not_negative());
+  if (const std::string conflict = ply_conflict(section, ply); !conflict.empty())
+    node.reject(offset_key, conflict);
+  return ply;
+}
+
+/// Every region and every layer must own an element, every element one region.
+void check_plan(const Node& root, const TireDescription& tire) {
+  const SectionPlan plan(tire);
+  std::vector<char> region_used(tire.regions.size()), ply_used(tire.plies.size());
+  for (int column = 0; column < plan.columns(); ++column) {
+    for (int row = 0; row < plan.rows(); ++row) region_used[plan.region(column, row)] = 1;
+    for (const auto& here : plan.plies(column)) ply_used[here.ply] = 1;
+  }
+  const auto reject_unused = [&](const char* kind, const std::vector<char>& used) {
+    const std::vector<Node> nodes = root.named_tables(kind);
+    for (std::size_t i = 0; i < used.size(); ++i)
+      if (!used[i])
+        nodes[i].reject("to",
+                        fmt::format("makes an extent without any element, expected a wider one or "
+                                    "more than {} meridional elements",
+                                    tire.section.meridional));
+  };
+  reject_unused("region", region_used);
+  reject_unused("layer", ply_used);
+}
+
+}  // namespace
+
+TireDescription read_tire(const Node& root) {
+  if (root.has("kind"))
+    root.reject("kind",
+                "is " + in_quotes(root.text("kind")) +
+                    ", expected a tire of finite elements, which has no kind but a [mesh]");
+  TireDescription tire;
+  tire.place = root.place();
+  tire.name = root.text("name");
+  tire.size = root.text("size");
+  tire.pressure = root.quantity("pressure", "Pa", Range::positive());
+  const Node mesh = root.table("mesh");
+  tire.section = read_section(root.table("section"), mesh);
+  const std::string cords = mesh.choice("cords", {"rebar", "smeared"}, "rebar");
+  tire.cord_model = cords == "rebar" ? CordModel::rebar : CordModel::smeared;
+  const std::string element =
+      mesh.choice("element", {"solid_shell", "full_integration"}, "solid_shell");
+  tire.element =
+      element == "solid_shell" ? ElementKind::solid_shell : ElementKind::full_integration;
+  for (const Node& node : root.named_tables("rubber")) tire.rubbers.push_back(read_rubber(node));
+  for (const Node& node : root.named_tables("region"))
+    tire.regions.push_back(read_region(node, tire.rubbers));
+  for (const Node& node : root.named_tables("layer"))
+    tire.plies.push_back(read_ply(node, tire.section));
+  root.close();
+  check_size(root, tire);
+  check_plan(root, tire);
+  return tire;
+}
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "models/fe_tire/description/reference_tires.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+const std::filesystem::path kTires = LATSCH_SOURCE_DIR "/studies/tires";
+
+TireDescription read(const std::string& file) {
+  return read_tire(Document::read(kTires / file).root());
+}
+
+TEST(TireReader, ShippedTiresHaveThePapersElementsAndFreedoms) {
+  const Mesh b = build_mesh(read("passenger_225_50R16.toml"));
+  EXPECT_EQ(b.element_count(), 3480);
+  EXPECT_EQ(b.free_dofs(), 15480);
+  const Mesh a = build_mesh(read("passenger_235_45R20.toml"));
+  EXPECT_EQ(a.element_count(), 7020);
+  EXPECT_EQ(a.free_dofs(), 27000);
+}
+
+TEST(TireReader, EveryShippedTireCanBeRefined) {
+  for (const auto& entry : std::filesystem::directory_iterator(kTires)) {
+    if (entry.path().extension() != ".toml") continue;
+    const TireDescription tire = read(entry.path().filename());
+    for (int refinement : {1, 2, 3}) {
+      const Mesh mesh = build_mesh(tire, refinement);
+      EXPECT_EQ(mesh.sensors.size(), 5u) << entry.path();
+      const int layers = static_cast<int>(build_materials(tire).layers.size());
+      for (const Element& element : mesh.elements)
+        for (const RebarPlacement& rebar : element.rebars) EXPECT_LT(rebar.layer, layers);
+    }
+  }
+}
+
+TEST(TireReader, ComparisonFilesAreTheReferenceTires) {
+  const auto expect_same = [](const TireDescription& read, const TireDescription& reference) {
+    EXPECT_EQ(read.element, ElementKind::full_integration);
+    EXPECT_TRUE(read.section == reference.section);
+    const Mesh x = build_mesh(read), y = build_mesh(reference);
+    EXPECT_TRUE(x.X == y.X);
+    const Materials a = build_materials(read), b = build_materials(reference);
+    for (std::size_t e = 0; e < x.elements.size(); ++e) {
+      const Solid &s = a.solids[x.elements[e].solid], &t = b.solids[y.elements[e].solid];
+      EXPECT_DOUBLE_EQ(s.density, t.density);
+      ASSERT_EQ(s.law.index(), t.law.index());
+      if (const auto* law = std::get_if<StVenantKirchhoff>(&s.law)) {
+        const Matrix6& D = std::get<StVenantKirchhoff>(t.law).D;
+        EXPECT_LT((law->D - D).cwiseAbs().maxCoeff(), 1e-12 * D.maxCoeff());
+      } else {
+        EXPECT_NEAR(std::get<Hyperelastic>(s.law).C10, 1e6, 1e-6);
+        EXPECT_NEAR(std::get<Hyperelastic>(s.law).K, 1e8, 1e-3);
+      }
+    }
+  };
+  expect_same(read("comparison_225_50R16.toml"), reference_tire_b());
+  expect_same(read("comparison_235_45R20.toml"), reference_tire_a());
+}
+
+TEST(TireReader, AVariedModulusKeepsTheMeshAndChangesTheMaterials) {
+  Document document = Document::read(kTires / "passenger_225_50R16.toml");
+  const TireDescription before = read_tire(document.root());
+  document.set("layer.belt_1.young_modulus", 80e9);
+  document.set("rubber.matrix.young_modulus", 22.3e6);
+  const TireDescription after = read_tire(document.root());
+  EXPECT_TRUE(same_mesh(before, after));
+  EXPECT_EQ(after.plies[1].cords.E_tension, 80e9);
+  const Materials materials = build_materials(after);
+  const auto& rubber = std::get<Hyperelastic>(materials.solids[0].law);
+  EXPECT_NEAR(2.0 * rubber.C10, 22.3e6 / (2.0 * (1.0 + 0.49)), 1.0);
+}
+
+// A cord on a drum of radius r_0 at angle a_0, lifted to radius r: cos a = cos a_0 r / r_0, and the
+// number of cords around, 2 pi r sin a / spacing, stays.
+TEST(TireReader, LiftedBiasPliesSteepenTowardTheBead) {
+  const TireDescription tire = read("race_16x7.5-10.toml");
+  const Contour line(tire.section.contour);
+  const CordLayer& crown = tire.plies[0].cords;
+  const CordLayer bead = build_materials(tire).layers.front();  // first column, first ply
+  const double lift = line.point(1.0 / tire.section.meridional - 1.0).r / line.point(0.0).r;
+  EXPECT_NEAR(std::cos(bead.angle), std::cos(crown.angle) * lift, 1e-12);
+  EXPECT_NEAR(
+      lift * std::sin(bead.angle) * bead.thickness, std::sin(crown.angle) * crown.thickness, 1e-12);
+  EXPECT_GT(bead.angle, crown.angle);
+}
+
+/// Tire B with one line replaced.
+std::string edited(const std::string& from, const std::string& to) {
+  std::ifstream file(kTires / "passenger_225_50R16.toml");
+  std::ostringstream stream;
+  stream << file.rdbuf();
+  std::string text = stream.str();
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  text.replace(at, from.size(), to);
+  return text;
+}
+
+/// An element at q takes a share of the wall in proportion to the length the profile has there.
+TEST(TireReader, SpacingGradesTheColumns) {
+  const std::string text = edited("meridional = 29", "meridional = 2000");
+  const std::string graded = "spacing = [[0, 2], [0.4, 2], [0.4001, 1], [1, 3]]";
+  std::string with_spacing = text;
+  const auto at = with_spacing.find("spacing = [[");
+  with_spacing.replace(at, with_spacing.find('\n', at) - at, graded);
+  const Section section = read_tire(Document::parse(with_spacing, "t").root()).section;
+  const auto length_at = [&](double q) {
+    int column = section.meridional / 2;
+    while (section.station(column) < q) ++column;
+    return section.station(column + 1) - section.station(column);
+  };
+  EXPECT_NEAR(length_at(0.2) / length_at(0.5), 2.0 / (1.0 + 2.0 * 0.1 / 0.6), 0.01);
+  EXPECT_NEAR(
+      length_at(0.9) / length_at(0.5), (1.0 + 2.0 * 0.5 / 0.6) / (1.0 + 2.0 * 0.1 / 0.6), 0.01);
+  EXPECT_NEAR(section.station(0), -1.0, 1e-15);
+  EXPECT_NEAR(section.station(section.meridional), 1.0, 1e-15);
+}
+
+TEST(TireReader, AnOffsetMayChangeAlongTheWall) {
+  const auto tire = read_tire(
+      Document::parse(
+          edited("offset = \"0.6 mm\"", "offsets = [[0.4, \"-2 mm\"], [0.5, \"0 mm\"]]"), "t")
+          .root());
+  const WallProfile& belt = tire.plies[1].offset;
+  EXPECT_DOUBLE_EQ(belt.at(0.1), -2e-3);
+  EXPECT_DOUBLE_EQ(belt.at(0.45), -1e-3);
+  EXPECT_DOUBLE_EQ(belt.at(0.9), 0.0);
+}
+
+/// The complaint about tire B with one line replaced.
+std::string complaint(const std::string& from, const std::string& to) {
+  const std::string text = edited(from, to);
+  try {
+    build_mesh(read_tire(Document::parse(text, "tire.toml").root()));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+TEST(TireReader, ComplaintsNameFileLineFoundAndExpected) {
+  const auto says = [](const std::string& text, std::initializer_list<const char*> parts) {
+    EXPECT_EQ(text.rfind("tire.toml:", 0), 0u) << text;
+    for (const char* part : parts)
+      EXPECT_NE(text.find(part), std::string::npos) << part << " is not in: " << text;
+  };
+  says(complaint("[0.52, \"4 mm\"]", "[0.52, \"-4 mm\"]"), {"thickness_inside", "-4 mm"});
+  says(complaint("angle = \"24 deg\"", "angle = \"24 N\""), {"layer.belt_1.angle", "24 N"});
+  says(complaint("[107, 288], [112, 268], [110, 246]", "[110, 246], [112, 268], [107, 288]"),
+       {"section.contour", "crosses itself"});
+  says(complaint("offset = \"0.6 mm\"", "offset = \"-7 mm\""),
+       {"layer.belt_1.offset", "outside the wall"});
+  says(complaint("offset = \"0.6 mm\"", "offsets = [[0.5, \"-2 mm\"], [0.4, \"0 mm\"]]"),
+       {"layer.belt_1.offsets", "0.4 after 0.5"});
+  says(complaint("[[10, \"3 deg\"]", "[[30, \"3 deg\"]"),
+       {"mesh.sector_zones", "[30, 3 deg]", "from 1 to 29"});
+  says(complaint("[[10, \"3 deg\"]", "[[10, \"16 deg\"]"),
+       {"mesh.sector_zones", "leaves -10 of 180 deg", "14 other sectors"});
+  says(complaint("sectors = 60", "sectors = 61"), {"mesh.sector_zones", "even number", "61"});
+  says(complaint("[0.25, 1.2]", "[0.25, 0]"), {"mesh.spacing", "[0.25, 0]"});
+  says(complaint(", [1, 0.5]]", "]"), {"mesh.spacing", "1 (bead)"});
+  says(complaint("225/50R16\"", "225-50-16\""), {"size", "225-50-16", "225/50R16"});
+  says(complaint("225/50R16\"", "225/50R17\""), {"section.contour", "656"});
+  says(complaint("rubber = \"matrix\"", "rubber = \"matrx\""), {"matrx", "matrix"});
+  says(complaint("pressure =", "presure ="), {"pressure"});
+  says(complaint("spacing = \"", "spacin = \""), {"spacing"});
+  says(complaint("from = 0.74", "from = 0.85"), {"no rubber region covers position"});
+  says(complaint("from = 0.74", "from = 0.60"), {"overlap"});
+  says(complaint("poisson_ratio = 0.49", "poisson_ratio = 0.5"), {"poisson_ratio", "0.5"});
+  says(complaint("meridional = 29", "meridional = 2"), {"mesh.meridional", "2"});
+  says(complaint("[1.0, \"7 mm\"]", "[1.0, \"150 mm\"]"), {"section.contour", "crosses itself"});
+}
+
+}  // namespace
+}  // namespace latsch::fe_tire

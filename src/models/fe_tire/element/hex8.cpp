@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The two element kinds behind one interface, and the mass.
+#include "models/fe_tire/element/hex8.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "models/fe_tire/element/element_law.h"
+#include "models/fe_tire/element/hex8_batch.h"
+#include "models/fe_tire/element/hex8_rebar.h"
+#include "models/fe_tire/element/hex8_shape.h"
+#include "models/fe_tire/element/hex8_solid_shell.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+/// Where the solid-shell's mass samples the shape functions along xi and eta: sqrt(2/3). The mass
+/// is then the average of the consistent and the lumped one, whose errors in the speed of
+/// waves cancel to fourth order in the element's length [Guddati & Yue 2004, CMAME 193].
+constexpr double kMassPoint = 0.81649658092772603273;
+
+}  // namespace
+
+int internal_parameters(ElementKind kind) {
+  return kind == ElementKind::solid_shell ? SolidShellShape::kEnhanced : 0;
+}
+
+ElementLaw element_law(const HexShape& shape, const Materials& materials, const Element& element) {
+  if (element.rebars.size() > ElementLaw::kCordLayers) {
+    throw InputError(
+        fmt::format("mesh: an element holds {} cord layers, expected at most {}; use more "
+                    "rows of elements through the wall",
+                    element.rebars.size(),
+                    ElementLaw::kCordLayers));
+  }
+  ElementLaw law;
+  law.shape = &shape;
+  law.cords = cord_sheets(shape, materials, element);
+  const Solid& solid = materials.solids[element.solid];
+  if (const auto* rubber = std::get_if<Hyperelastic>(&solid.law)) {
+    law.rubber = *rubber;
+    law.relaxation = 2.0 * (rubber->C10 + rubber->C01);
+    return law;
+  }
+  const Matrix6& D = std::get<StVenantKirchhoff>(solid.law).D;
+  law.linear = true;
+  law.relaxation = D.diagonal().tail<3>().minCoeff();
+  Matrix6::Map(&law.D[0][0]) = shape.kind == ElementKind::solid_shell
+                                   ? layer_stiffness(D, shape.solid_shell, element.layer_rows)
+                                   : D;
+  return law;
+}
+
+bool evaluate(const HexShape& shape,
+              const Materials& materials,
+              const Element& element,
+              const Matrix38& u,
+              double* alpha,
+              Vector24& f,
+              Matrix24* K) {
+  ElementBatch batch;
+  batch.count = 1;
+  const int alphas = internal_parameters(shape.kind);
+  batch.set(0, u, alpha, alphas);
+  if (!evaluate(element_law(shape, materials, element), {}, K != nullptr, batch)) return false;
+  batch.take(0, f, K, alpha, alphas);
+  return true;
+}
+
+Matrix8 mass(const HexShape& shape, const Materials& materials, const Element& element) {
+  const double point = shape.kind == ElementKind::solid_shell ? kMassPoint : kGauss;
+  Matrix8 M = rebar_mass(shape.X, materials, element, point);
+  const double density = materials.solids[element.solid].density;
+  for (int q = 0; q < 8; ++q) {
+    const Vector8 N = shape_functions(point * kXi[q], point * kEta[q], kGauss * kZeta[q]);
+    M.noalias() += density * shape.dV[q] * N * N.transpose();
+  }
+  return M;
+}
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/element/hex8_batch.h"
+
+#include <algorithm>
+#include <span>
+
+#include "models/fe_tire/element/cord_law.h"
+#include "models/fe_tire/element/hex8_solid_shell_modes.h"
+#include "models/fe_tire/element/pressure.h"
+
+#define LATSCH_KERNELS_IN "models/fe_tire/element/hex8_kernels.h"
+#include "numerics/kernels/for_each_kernel_set.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+template <std::size_t rows>
+void copy_lane(const double (&from)[rows][ElementBatch::kLanes],
+               int lane,
+               double (&to)[rows][ElementBatch::kLanes]) {
+  for (std::size_t k = 0; k < rows; ++k) to[k][lane] = from[k][lane];
+}
+
+}  // namespace
+
+unsigned evaluate(const ElementLaw& law,
+                  const ElementSurroundings& surroundings,
+                  bool stiffness,
+                  ElementBatch& batch) {
+  const auto kernel = LATSCH_KERNEL(evaluate_batch);
+  // Lanes without an element hold the first one's, so that there is nothing in them to fail.
+  for (int lane = batch.count; lane < ElementBatch::kLanes; ++lane) {
+    for (auto& u : batch.u) u[lane] = u[0];
+    for (auto& alpha : batch.alpha) alpha[lane] = alpha[0];
+  }
+  const unsigned all = (1u << batch.count) - 1;
+  double start[8][ElementBatch::kLanes];
+  std::copy_n(&batch.alpha[0][0], 8 * ElementBatch::kLanes, &start[0][0]);
+  const unsigned valid = kernel(law, surroundings, stiffness, batch) & all;
+  if (valid == all) return valid;
+  // The old alpha may not suit the new place: the others begin again without.
+  ElementBatch again = batch;
+  std::fill_n(&again.alpha[0][0], 8 * ElementBatch::kLanes, 0.0);
+  const unsigned now = kernel(law, surroundings, stiffness, again) & all & ~valid;
+  for (int lane = 0; lane < batch.count; ++lane) {
+    if (valid >> lane & 1) continue;
+    if (now >> lane & 1) {
+      copy_lane(again.alpha, lane, batch.alpha);
+      copy_lane(again.f, lane, batch.f);
+      if (stiffness) copy_lane(again.K, lane, batch.K);
+    } else {
+      copy_lane(start, lane, batch.alpha);
+    }
+  }
+  return valid | now;
+}
+
+void ElementBatch::set(int lane,
+                       const Matrix38& displacements,
+                       const double* enhanced,
+                       int alphas) {
+  for (int k = 0; k < 24; ++k) u[k][lane] = displacements.data()[k];
+  for (int j = 0; j < 8; ++j) alpha[j][lane] = j < alphas ? enhanced[j] : 0.0;
+}
+
+void ElementBatch::take(
+    int lane, Vector24& force, Matrix24* stiffness, double* enhanced, int alphas) const {
+  for (int j = 0; j < alphas; ++j) enhanced[j] = alpha[j][lane];
+  for (int k = 0; k < 24; ++k) force[k] = f[k][lane];
+  if (stiffness == nullptr) return;
+  for (int row = 0; row < 24; ++row) {
+    for (int column = 0; column <= row; ++column) {
+      (*stiffness)(row, column) = (*stiffness)(column, row) = K[entry(row, column)][lane];
+    }
+  }
+}
+
+void add_pressure(const Matrix34& x, double p, Vector12& f, Matrix12* K) {
+  double force[12], stiffness[ElementBatch::entry(12, 0)];
+  LATSCH_KERNEL(pressure_at)(x.data(), p, force, stiffness);
+  f += Vector12::Map(force);
+  if (K == nullptr) return;
+  for (int row = 0; row < 12; ++row) {
+    for (int column = 0; column <= row; ++column) {
+      const double k = stiffness[ElementBatch::entry(row, column)];
+      (*K)(row, column) += k;
+      if (row != column) (*K)(column, row) += k;
+    }
+  }
+}
+
+CordStress stress(const CordLayer& layer, double e) {
+  CordStress cord;
+  LATSCH_KERNEL(cord_at)(layer, e, &cord.S, &cord.tangent);
+  return cord;
+}
+
+double rubber_stress(const Hyperelastic& law, const double* E, double* S, double (*D)[6]) {
+  return LATSCH_KERNEL(rubber_at)(law, E, S, D);
+}
+
+}  // namespace latsch::fe_tire

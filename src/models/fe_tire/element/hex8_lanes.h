@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Elements side by side, one in each lane of a register (numerics/kernels/kernel_registers.h).
+//
+// Lanes never meet: no sum runs across them and nothing that is stored depends on a neighbor. So an
+// element has the same bits in whichever lane, beside whatever neighbors, in registers of four or
+// of eight. A register rather than eight lanes at once, because tiles of a product are held in
+// them: sixteen of AVX2 hold a tile of three by four.
+//
+// Read once a kernel set, by hex8_kernels.h alone.
+#if defined(LATSCH_FE_TIRE_HEX8_LANES) == defined(LATSCH_KERNEL_TOGGLE)
+#ifdef LATSCH_FE_TIRE_HEX8_LANES
+#undef LATSCH_FE_TIRE_HEX8_LANES
+#else
+#define LATSCH_FE_TIRE_HEX8_LANES
+#endif
+
+#include "numerics/kernels/kernel_registers.h"
+
+namespace latsch::fe_tire::LATSCH_KERNELS {
+
+#if LATSCH_KERNEL_WIDTH == 8
+using V = latsch::LATSCH_KERNELS::Register8;
+#elif LATSCH_KERNEL_WIDTH == 4
+using V = latsch::LATSCH_KERNELS::Register4;
+#else
+using V = latsch::LATSCH_KERNELS::Register2;
+#endif
+using Mask = V::Mask;
+
+LATSCH_INLINE V load(const double* p) { return V::load(p); }
+
+/// Bits of the lanes where the mask holds.
+LATSCH_INLINE unsigned lanes_of(const Mask& mask) {
+  double chosen[V::kWidth];
+  select(mask, V(1.0), V(0.0)).save(chosen);
+  unsigned bits = 0;
+  for (int lane = 0; lane < V::kWidth; ++lane) bits |= (chosen[lane] != 0.0 ? 1u : 0u) << lane;
+  return bits;
+}
+
+LATSCH_INLINE Mask negated(const Mask& mask) { return select(mask, V(0.0), V(1.0)) > V(0.5); }
+
+LATSCH_INLINE V dot(const V* a, const V* b) { return a[0] * b[0] + (a[1] * b[1] + a[2] * b[2]); }
+
+/// a^(-1/3), a > 0, within a few units in the last place: two steps of order four from a value
+/// within 4 per cent, which dividing the exponent by three gives. With y = 1 - a r^3, a^(-1/3) =
+/// r (1 - y)^(-1/3).
+LATSCH_INLINE V inverse_cube_root(const V& a) {
+  constexpr std::uint64_t kFromWord = 0x553ef00000000000;  // least largest error over [1, 8)
+  double values[V::kWidth];
+  a.save(values);
+  for (double& value : values) {
+    value = std::bit_cast<double>(kFromWord - std::bit_cast<std::uint64_t>(value) / 3);
+  }
+  V r = load(values);
+  for (int step = 0; step < 2; ++step) {
+    const V r2 = r * r, r3 = r2 * r;
+    const V y = 1.0 - a * r3;
+    const V series = y * (y * (14.0 / 81.0) + 2.0 / 9.0) + 1.0 / 3.0;
+    const V ry = r * y;
+    r = ry * series + r;
+  }
+  return r;
+}
+
+}  // namespace latsch::fe_tire::LATSCH_KERNELS
+#endif

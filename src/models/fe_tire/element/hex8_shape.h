@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an element computes once from its reference coordinates.
+//
+// Parent cube (xi, eta, zeta) in [-1, 1]^3, nodes in the order of mesh.h, 2x2x2 Gauss points of
+// weight 1. At every Gauss point the cylindrical triad of the spin axis (radial, circumferential,
+// axial; see materials.h) is the basis in which strain and stress are written.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "models/fe_tire/element/hex8.h"
+
+namespace latsch::fe_tire {
+
+inline constexpr double kGauss = 0.57735026918962576451;  // 1 / sqrt(3)
+/// Signs of a node's parent coordinates; the Gauss points have the same order, at kGauss times
+/// these.
+inline constexpr double kXi[8] = {-1, 1, 1, -1, -1, 1, 1, -1};
+inline constexpr double kEta[8] = {-1, -1, 1, 1, -1, -1, 1, 1};
+inline constexpr double kZeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
+
+using Vector8 = Eigen::Matrix<double, 8, 1>;
+
+/// Strain operators of the solid-shell, see hex8_solid_shell.h for the letters. Vectors of the
+/// nodes are written in the modal vectors h_m (hex8_solid_shell_modes.h): v = sum_m v[m] h_m.
+struct SolidShellShape {
+  static constexpr int kModes = 7;
+  static constexpr int kStrains = 18;  // E_c (6) and e (12), the generalized strains
+  static constexpr int kEnhanced = 8;  // alpha
+  static constexpr int kSquares = 7;   // see solid_shell::kSquares
+  static constexpr int kColumns = kStrains + kEnhanced;
+
+  double b[kModes][3];       // 1/m, mean gradients of the shape functions in the center's triad
+  double gamma[kModes][3];   // hourglass vectors, z_j = sum_m x_m gamma[m][j]
+  double along[kModes][3];   // F a_j = sum_m x_m along[m][j], a_j: unit vectors along xi, across it
+                             // and normal to both
+  double w[6][kSquares];     // 1/m^2, what the squares of z_m along the axes add to E_c
+  double e0[12];             // m^2, reference values of e
+  double P[8][6][kColumns];  // E[point][r] = sum_j P[point][r][j] (E_c, e, alpha)_j
+  double volume;             // m^3
+  double L2[2];              // m^2, |X_1|^2 and |X_2|^2
+  /// Dyads (Voigt, of stress) of the element's axes meridional 2 and normal 3 in the center's
+  /// triad.
+  Vector6 d22, d33, d23, d13;
+  double length, thickness;  // m, along eta and zeta
+};
+
+struct HexShape {
+  ElementKind kind = ElementKind::full_integration;
+  Matrix38 X;                   // m
+  std::array<double, 8> dV;     // m^3, volume of a Gauss point; not positive where inverted
+  double dN[8][3][8];           // 1/m, [point][direction][node], gradients in the point's triad
+  SolidShellShape solid_shell;  // only filled for that kind
+};
+
+/// Shape functions at a point of the parent cube.
+Vector8 shape_functions(double xi, double eta, double zeta);
+/// Their derivatives by xi, eta, zeta (rows).
+Matrix38 parent_gradients(double xi, double eta, double zeta);
+/// Columns radial, circumferential, axial at X; on the spin axis itself, where there is none, that
+/// of the bottom.
+Eigen::Matrix3d cylindrical_triad(const Eigen::Vector3d& X);
+
+}  // namespace latsch::fe_tire

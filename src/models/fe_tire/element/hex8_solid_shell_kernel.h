@@ -1,0 +1,580 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eight-node solid-shell for walls of few, thin, very different layers of nearly incompressible
+// rubber and cords. Total Lagrangian; all laws see the Green-Lagrange strain
+//
+//   E = E_c + (A - <A>) (e - H E_c) + (A - <A>) alpha            <.>: mean over the volume      (1)
+//   E_c = (F^T F - 1) / 2 + w c c,   F = sum_a x_a b_a^T,  b_a = <grad N_a>                     (2)
+//   e = x_m . x_n - X_m . X_n,  x = x_0 + x_1 xi + x_2 eta + ... + x_123 xi eta zeta            (3)
+//   z_m = x_m - F X_m,  c_mj = z_m . F a_j,  a_j: unit vectors along xi, across it, normal (4)
+//
+// E_c is the strain of the mean deformation gradient; e are the twelve coefficients of the
+// convected strains in xi, eta, zeta that bending, twisting and tapering need
+// (hex8_solid_shell_modes.h), H E_c their values in a constant strain E_c, and A turns convected
+// strain at a point into Cartesian strain. What is left out is what locks: shear that varies along
+// its own direction (2 E_13 along xi, as in the assumed strains of Dvorkin and Bathe), in-plane
+// shear along xi and eta, and the thickness strain of a curved element's middle. Six and twelve
+// strains hold the 24 - 6 deformations exactly once: there is no hourglass mode and no hourglass
+// stiffness.
+//   Twelve modes with values and slopes zero in a constant strain and <A - <A>> = 0 pass every
+// patch test on any shape [Simo & Hughes 1986]; curved walls then stretch their nodes' thickness a
+// little instead of locking. The mean of the quadratic terms, w c c, is second order there too; it
+// keeps the tension of an inflated wall acting on the hourglass shapes. A square of c belongs into
+// E_11 or E_22 exactly where the strain that is linear in that c is kept: z_12 along xi (E_11),
+// across it (E_22) and along the normal (twist, both); z_13 along xi and across it (E_11), z_23
+// likewise (E_22). Where a shear is left out, leaning edges count as turned without strain, and
+// their square alone would dilate the element: pressure would then buckle long elements in turn,
+// from a pressure of the order of G (b/L)^2 on. For the same reason the thickness strain has none.
+//   alpha: E_11 along xi, E_22 along eta, E_33 along zeta, xi zeta and eta zeta (Poisson's
+// contraction in bending, in plane and through the thickness) and E_33 along xi, eta, xi eta.
+// Without the last three an element of fixed volume would tie the thickness of neighboring nodes to
+// its own in-plane strain. They are stiffened by the shear modulus, or nodes could move in and out
+// in turn.
+//   alpha solves sum dV P_alpha^T S = 0 by Newton's method, so f is the gradient and K the Hessian
+// of the condensed energy.
+//   [Simo & Rifai 1990, IJNME 29; Klinkel, Gruttmann & Wagner 1999, Comput. Struct. 71; Schwarze &
+// Reese 2009, IJNME 80] for enhanced strain in E and for the Taylor expansion.
+//
+// Forces and stiffness are summed up in the modal vectors (hex8_sums.h), where b and gamma are
+// short sums and every coefficient of e is a product of two vectors. Products with P, 48 x 26
+// numbers, are most of the work; they are the same for all lanes.
+//
+// Read once a kernel set, by hex8_kernels.h alone.
+#if defined(LATSCH_FE_TIRE_HEX8_SOLID_SHELL) == defined(LATSCH_KERNEL_TOGGLE)
+#ifdef LATSCH_FE_TIRE_HEX8_SOLID_SHELL
+#undef LATSCH_FE_TIRE_HEX8_SOLID_SHELL
+#else
+#define LATSCH_FE_TIRE_HEX8_SOLID_SHELL
+#endif
+
+#include "models/fe_tire/element/hex8_cords.h"
+#include "models/fe_tire/element/rubber_law.h"
+
+namespace latsch::fe_tire::LATSCH_KERNELS {
+
+using solid_shell::kPairs;
+using solid_shell::kSquares;
+
+inline constexpr int kEnhanced = SolidShellShape::kEnhanced;
+inline constexpr int kSquareCount = SolidShellShape::kSquares;
+inline constexpr int kStrains = SolidShellShape::kStrains;
+inline constexpr int kColumns = SolidShellShape::kColumns;
+inline constexpr double kInnerTolerance = 1e-9;  // strain; what is left of alpha enters f
+                                                 // quadratically
+inline constexpr double kLastStep = 1e-6;        // strain; the step after one this small meets it
+inline constexpr int kInnerIterations = 15;
+
+/// Where the element is: F = [f_1 f_2 f_3], hourglass vectors z_m (not z_123) and their c.
+struct Kinematics {
+  V F[3][3];  // [column][i]
+  V x[kModes][3];
+  V z[3][3], d[3][3], c[kSquareCount];  // equation (4); d_j = F a_j
+};
+
+/// False where the mean deformation turns the element inside out.
+LATSCH_INLINE Mask follow(const SolidShellShape& s, Kinematics& k) {
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i < 3; ++i) {
+      V F = s.b[0][j] * k.x[0][i], z = s.gamma[0][j] * k.x[0][i], d = s.along[0][j] * k.x[0][i];
+      for (int m = 1; m < kModes; ++m) {
+        F += s.b[m][j] * k.x[m][i];
+        z += s.gamma[m][j] * k.x[m][i];
+        d += s.along[m][j] * k.x[m][i];
+      }
+      k.F[j][i] = F;
+      k.z[j][i] = z;
+      k.d[j][i] = d;
+    }
+  }
+  for (int q = 0; q < kSquareCount; ++q) k.c[q] = dot(k.z[kSquares[q].z], k.d[kSquares[q].axis]);
+  const auto& F = k.F;
+  const V minors[3] = {F[1][1] * F[2][2] - F[1][2] * F[2][1],
+                       F[1][2] * F[2][0] - F[1][0] * F[2][2],
+                       F[1][0] * F[2][1] - F[1][1] * F[2][0]};
+  return dot(F[0], minors) > V(s.volume > 0.0 ? 0.0 : HUGE_VAL);
+}
+
+/// (E_c, e), equations (2) and (3).
+LATSCH_INLINE void generalized_strains(const SolidShellShape& s, const Kinematics& k, V* g) {
+  using rubber_law::kColumn, rubber_law::kRow;
+  for (int r = 0; r < 6; ++r) {
+    const V C = dot(k.F[kRow[r]], k.F[kColumn[r]]);
+    g[r] = r < 3 ? 0.5 * (C - 1.0) : C;
+  }
+  for (int q = 0; q < kSquareCount; ++q) {
+    const V square = k.c[q] * k.c[q];
+    for (int r = 0; r < 6; ++r) g[r] += s.w[r][q] * square;
+  }
+  for (int e = 0; e < 12; ++e) g[6 + e] = -s.e0[e];
+  for (const auto& [e, m, n] : kPairs) g[6 + e] += dot(k.x[m], k.x[n]);
+}
+
+/// dc = Dc dx, [square][direction][modal vector].
+void hourglass_operator(const SolidShellShape& s, const Kinematics& k, V (*Dc)[3][kModes]) {
+  for (int q = 0; q < kSquareCount; ++q) {
+    const auto [z, j] = kSquares[q];
+    for (int i = 0; i < 3; ++i) {
+      for (int m = 0; m < kModes; ++m) {
+        Dc[q][i][m] = s.gamma[m][z] * k.d[j][i] + s.along[m][j] * k.z[z][i];
+      }
+    }
+  }
+}
+
+/// dE_c = B dx; de is as short as equation (3).
+void strain_operator(const SolidShellShape& s,
+                     const Kinematics& k,
+                     const V (*Dc)[3][kModes],
+                     V (*B)[3][kModes]) {
+  using rubber_law::kColumn, rubber_law::kRow;
+  for (int i = 0; i < 3; ++i) {
+    for (int m = 0; m < kModes; ++m) {
+      for (int r = 0; r < 6; ++r) {
+        const int a = kRow[r], b = kColumn[r];
+        V sum = s.b[m][b] * k.F[a][i];
+        if (r >= 3) sum += s.b[m][a] * k.F[b][i];
+        B[r][i][m] = sum;
+      }
+      for (int q = 0; q < kSquareCount; ++q) {
+        const V dcc = 2.0 * k.c[q] * Dc[q][i][m];
+        for (int r = 0; r < 6; ++r) B[r][i][m] += s.w[r][q] * dcc;
+      }
+    }
+  }
+}
+
+/// f += B^T t
+void add_forces(const SolidShellShape& s, const Kinematics& k, const V* t, ModalSums& sums) {
+  V T[kSquareCount];
+  for (int q = 0; q < kSquareCount; ++q) {
+    V sum = s.w[0][q] * t[0];
+    for (int r = 1; r < 6; ++r) sum += s.w[r][q] * t[r];
+    T[q] = 2.0 * k.c[q] * sum;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const V F[3] = {k.F[0][i], k.F[1][i], k.F[2][i]};
+    const V Ft[3] = {F[0] * t[0] + (F[1] * t[3] + F[2] * t[5]),
+                     F[0] * t[3] + (F[1] * t[1] + F[2] * t[4]),
+                     F[0] * t[5] + (F[1] * t[4] + F[2] * t[2])};
+    V by_z[3] = {V(0.0), V(0.0), V(0.0)}, by_axis[3] = {V(0.0), V(0.0), V(0.0)};
+    for (int q = 0; q < kSquareCount; ++q) {
+      const auto [z, j] = kSquares[q];
+      by_z[z] += T[q] * k.d[j][i];
+      by_axis[j] += T[q] * k.z[z][i];
+    }
+    for (int m = 0; m < kModes; ++m) {
+      V sum = sums.f[i][m];
+      for (int j = 0; j < 3; ++j) {
+        sum += s.b[m][j] * Ft[j];
+        sum += s.gamma[m][j] * by_z[j];
+        sum += s.along[m][j] * by_axis[j];
+      }
+      sums.f[i][m] = sum;
+    }
+    for (const auto& [e, m, n] : kPairs) {
+      sums.f[i][m] += t[6 + e] * k.x[n][i];
+      sums.f[i][n] += t[6 + e] * k.x[m][i];
+    }
+  }
+}
+
+/// Second derivative of the generalized strains times their stresses t: TDc is what the squares
+/// have of it, T Dc^T Dc; the rest, the same in all directions, is added here.
+void add_stress_stiffness(const SolidShellShape& s,
+                          const Kinematics& k,
+                          const V (*Dc)[3][kModes],
+                          const V* t,
+                          V (*TDc)[3][kModes],
+                          ModalSums& sums) {
+  V v[3][kModes], H[kModes][kModes];
+  for (V& entry : std::span(&v[0][0], 3 * kModes)) entry = 0.0;
+  for (int q = 0; q < kSquareCount; ++q) {
+    const auto [z, j] = kSquares[q];
+    V T = s.w[0][q] * t[0];
+    for (int r = 1; r < 6; ++r) T += s.w[r][q] * t[r];
+    T = 2.0 * T;
+    const V Tc = T * k.c[q];
+    for (int m = 0; m < kModes; ++m) {
+      v[j][m] += s.gamma[m][z] * Tc;
+      for (int i = 0; i < 3; ++i) TDc[q][i][m] = T * Dc[q][i][m];
+    }
+  }
+  for (int n = 0; n < kModes; ++n) {
+    const double* b = s.b[n];
+    const V u[3] = {b[0] * t[0] + (b[1] * t[3] + b[2] * t[5]),
+                    b[0] * t[3] + (b[1] * t[1] + b[2] * t[4]),
+                    b[0] * t[5] + (b[1] * t[4] + b[2] * t[2])};
+    for (int m = 0; m <= n; ++m) {
+      V sum = s.b[m][0] * u[0] + (s.b[m][1] * u[1] + s.b[m][2] * u[2]);
+      for (int j = 0; j < 3; ++j) {
+        sum += s.along[n][j] * v[j][m];
+        sum += s.along[m][j] * v[j][n];
+      }
+      H[m][n] = sum;
+    }
+  }
+  for (const auto& [e, m, n] : kPairs) H[std::min(m, n)][std::max(m, n)] += t[6 + e];
+  for (int i = 0; i < 3; ++i) {
+    for (int m = 0; m < kModes; ++m) {
+      for (int n = m; n < kModes; ++n) sums.K[i][m][n] += H[m][n];
+    }
+  }
+}
+
+/// L D L^T of a symmetric matrix in place (unit L below the diagonal); false where a pivot
+/// vanishes. Negative ones occur far from equilibrium, under hydrostatic tension beyond G.
+LATSCH_INLINE Mask factorize(V (*A)[kEnhanced]) {
+  Mask regular = V(1.0) > V(0.0);
+  for (int j = 0; j < kEnhanced; ++j) {
+    const V diagonal = abs(A[j][j]);
+    for (int k = 0; k < j; ++k) {
+      const V l = A[j][k] * A[k][k];
+      for (int i = j; i < kEnhanced; ++i) A[i][j] -= A[i][k] * l;
+    }
+    regular = regular & (abs(A[j][j]) > 1e-9 * diagonal);
+    const V inverse = 1.0 / A[j][j];
+    for (int i = j + 1; i < kEnhanced; ++i) A[i][j] *= inverse;
+  }
+  return regular;
+}
+
+LATSCH_INLINE void solve(const V (*A)[kEnhanced], V* x) {
+  for (int i = 1; i < kEnhanced; ++i) {
+    for (int j = 0; j < i; ++j) x[i] -= A[i][j] * x[j];
+  }
+  for (int i = 0; i < kEnhanced; ++i) x[i] = x[i] / A[i][i];
+  for (int i = kEnhanced - 2; i >= 0; --i) {
+    for (int j = i + 1; j < kEnhanced; ++j) x[i] -= A[j][i] * x[j];
+  }
+}
+
+/// Stresses and tangents at the points, times dV.
+struct Inner {
+  V S[8][6], D[8][6][6];
+  V A[kEnhanced][kEnhanced];  // factors of the tangent of alpha
+};
+
+/// S and D at the strain E, times dV; false where det C <= 0.
+LATSCH_INLINE Mask stress(const ElementLaw& law, double dV, const V* E, V* S, V (*D)[6]) {
+  V det;
+  if (!law.linear) {
+    det = rubber_law::stress(law.rubber, E, S, D);
+    for (int a = 0; a < 6; ++a) {
+      S[a] = dV * S[a];
+      for (int b = 0; b < 6; ++b) D[a][b] = dV * D[a][b];
+    }
+  } else {
+    for (int a = 0; a < 6; ++a) {
+      V s = law.D[a][0] * E[0];
+      D[a][0] = dV * law.D[a][0];
+      for (int b = 1; b < 6; ++b) {
+        s += law.D[a][b] * E[b];
+        D[a][b] = dV * law.D[a][b];
+      }
+      S[a] = dV * s;
+    }
+    V C[6], Ci[6];
+    rubber_law::invert(E, C, Ci, det);
+  }
+  return det > V(0.0);
+}
+
+/// Laws of all points at alpha; `compatible` are the strains without it.
+Mask stress_at(const ElementLaw& law, const V (*compatible)[6], const V* alpha, Inner& inner) {
+  const SolidShellShape& s = law.shape->solid_shell;
+  Mask valid = V(1.0) > V(0.0);
+  for (int q = 0; q < 8; ++q) {
+    V E[6];
+    for (int r = 0; r < 6; ++r) {
+      V sum = compatible[q][r];
+      for (int j = 0; j < kEnhanced; ++j) sum += s.P[q][r][kStrains + j] * alpha[j];
+      E[r] = sum;
+    }
+    valid = valid & stress(law, law.shape->dV[q], E, inner.S[q], inner.D[q]);
+  }
+  return valid;
+}
+
+/// DP[p][c] = sum over r of D P, the columns first_column ... of P.
+template <int columns>
+LATSCH_INLINE void times_P(const SolidShellShape& s,
+                           const Inner& inner,
+                           int first_column,
+                           V (*DP)[columns]) {
+  for (int q = 0; q < 8; ++q) {
+    for (int r = 0; r < 6; r += 2) {
+      V acc[2][columns];
+      for (int c = 0; c < columns; ++c) {
+        const double P = s.P[q][0][first_column + c];
+        acc[0][c] = P * inner.D[q][r][0];
+        acc[1][c] = P * inner.D[q][r + 1][0];
+      }
+      for (int k = 1; k < 6; ++k) {
+        const V d0 = inner.D[q][r][k], d1 = inner.D[q][r + 1][k];
+        for (int c = 0; c < columns; ++c) {
+          const V P = s.P[q][k][first_column + c];
+          acc[0][c] += P * d0;
+          acc[1][c] += P * d1;
+        }
+      }
+      for (int c = 0; c < columns; ++c) {
+        DP[6 * q + r][c] = acc[0][c];
+        DP[6 * q + r + 1][c] = acc[1][c];
+      }
+    }
+  }
+}
+
+/// sum_p P[p][row + r] DP[p][c] for `rows` rows of P^T D P.
+template <int rows, int columns, class Store>
+LATSCH_INLINE void times_P_transposed(const SolidShellShape& s,
+                                      int row,
+                                      const V (*DP)[columns],
+                                      const Store& store) {
+  const double* P = &s.P[0][0][0] + row;
+  V acc[rows][columns];
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < columns; ++c) acc[r][c] = P[r] * DP[0][c];
+  }
+  for (int p = 1; p < 48; ++p) {
+    P += kColumns;
+    V b[columns];
+    for (int c = 0; c < columns; ++c) b[c] = DP[p][c];
+    for (int r = 0; r < rows; ++r) {
+      const V a = P[r];
+      for (int c = 0; c < columns; ++c) acc[r][c] += a * b[c];
+    }
+  }
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < columns; ++c) store(r, c, acc[r][c]);
+  }
+}
+
+/// The tangent of alpha, P_alpha^T D P_alpha, its lower triangle.
+void tangent_of_alpha(const SolidShellShape& s, const Inner& inner, V (*A)[kEnhanced]) {
+  for (int column = 0; column < kEnhanced; column += 2) {
+    V DP[48][2];
+    times_P<2>(s, inner, kStrains + column, DP);
+    for (int row = column & 4; row < kEnhanced; row += 4) {
+      times_P_transposed<4, 2>(s, kStrains + row, DP, [&](int r, int c, const V& value) {
+        A[row + r][column + c] = value;
+      });
+    }
+  }
+}
+
+/// Residual of alpha, -P_alpha^T S.
+LATSCH_INLINE void residual_of_alpha(const SolidShellShape& s, const Inner& inner, V* residual) {
+  for (int j = 0; j < kEnhanced; ++j) residual[j] = 0.0;
+  for (int q = 0; q < 8; ++q) {
+    for (int r = 0; r < 6; ++r) {
+      for (int j = 0; j < kEnhanced; ++j) {
+        residual[j] -= s.P[q][r][kStrains + j] * inner.S[q][r];
+      }
+    }
+  }
+}
+
+/// S and the cords' S along the step of alpha.
+LATSCH_INLINE void extrapolate(const SolidShellShape& s,
+                               const V* step,
+                               Cords& cords,
+                               Inner& inner) {
+  for (int q = 0; q < 8; ++q) {
+    V dE[6];
+    for (int r = 0; r < 6; ++r) {
+      V sum = s.P[q][r][kStrains] * step[0];
+      for (int j = 1; j < kEnhanced; ++j) sum += s.P[q][r][kStrains + j] * step[j];
+      dE[r] = sum;
+    }
+    for (int c = 0; c < 6; ++c) {
+      for (int r = 0; r < 6; ++r) inner.S[q][c] += inner.D[q][c][r] * dE[r];
+    }
+  }
+  for (int k = 0; k < cords.count(); ++k) {
+    for (int q = 0; q < 4; ++q) {
+      const double* p = cords.laws[k].points[q].p;
+      Cords::Point& point = cords.sheets[k].points[q];
+      point.S += point.tangent * (p[0] * step[0] + p[1] * step[1]);
+    }
+  }
+}
+
+/// Newton's method for alpha. On return alpha is in equilibrium to first order, `inner` its last
+/// linearization and inner.S the stress extrapolated to that alpha. An element that has met the
+/// tolerance is evaluated again at the same alpha until its neighbors have.
+LATSCH_INLINE Mask
+solve_alpha(const ElementLaw& law, const V* g, Cords& cords, V* alpha, Inner& inner) {
+  const SolidShellShape& s = law.shape->solid_shell;
+  V compatible[8][6];
+  for (int q = 0; q < 8; ++q) {
+    for (int r = 0; r < 6; ++r) {
+      V sum = s.P[q][r][0] * g[0];
+      for (int j = 1; j < kStrains; ++j) sum += s.P[q][r][j] * g[j];
+      compatible[q][r] = sum;
+    }
+  }
+  double relaxed[kEnhanced] = {};
+  for (int j = 5; j < kEnhanced; ++j) {
+    relaxed[j] = law.relaxation * s.volume / (j == 7 ? 9.0 : 3.0);
+  }
+  const Mask yes = V(1.0) > V(0.0), no = V(0.0) > V(1.0);
+  Mask valid = yes, settled = no, last = law.linear && cords.count() == 0 ? yes : no;
+  V step[kEnhanced];
+  for (int iteration = 0; iteration < kInnerIterations; ++iteration) {
+    valid = valid & stress_at(law, compatible, alpha, inner);
+    tangent_of_alpha(s, inner, inner.A);
+    residual_of_alpha(s, inner, step);
+    for (int i = 0; i < kEnhanced; ++i) {
+      inner.A[i][i] += relaxed[i];
+      step[i] -= relaxed[i] * alpha[i];
+    }
+    stretch(cords, alpha[0], alpha[1]);
+    for (int k = 0; k < cords.count(); ++k) {
+      for (int q = 0; q < 4; ++q) {
+        const CordSheet::Point& cord = cords.laws[k].points[q];
+        const Cords::Point& point = cords.sheets[k].points[q];
+        const V S = cord.dV * point.S, tangent = cord.dV * point.tangent;
+        step[0] -= cord.p[0] * S;
+        step[1] -= cord.p[1] * S;
+        inner.A[0][0] += cord.p[0] * cord.p[0] * tangent;
+        inner.A[1][0] += cord.p[0] * cord.p[1] * tangent;
+        inner.A[1][1] += cord.p[1] * cord.p[1] * tangent;
+      }
+    }
+    valid = valid & factorize(inner.A);
+    solve(inner.A, step);
+    V largest = 0.0;
+    for (int j = 0; j < kEnhanced; ++j) largest = larger(largest, abs(step[j]));
+    settled = settled | last | (largest < V(kInnerTolerance));
+    if (every(settled | negated(valid))) break;
+    last = largest < V(kLastStep);
+    for (int j = 0; j < kEnhanced; ++j) alpha[j] = select(settled, alpha[j], alpha[j] + step[j]);
+  }
+  extrapolate(s, step, cords, inner);
+  for (int j = 0; j < kEnhanced; ++j) alpha[j] += step[j];
+  return valid & settled;
+}
+
+/// Tangents of the generalized strains, D, and between alpha and them, Da.
+void tangents(const SolidShellShape& s, const Inner& inner, V (*D)[kStrains], V (*Da)[kStrains]) {
+  for (int column = 0; column < kStrains; column += 3) {
+    V DP[48][3];
+    times_P<3>(s, inner, column, DP);
+    for (int row = 0; row < column + 3; row += 3) {
+      times_P_transposed<3, 3>(s, row, DP, [&](int r, int c, const V& value) {
+        D[row + r][column + c] = value;
+        D[column + c][row + r] = value;
+      });
+    }
+    for (int row = 0; row < kEnhanced; row += 4) {
+      times_P_transposed<4, 3>(s, kStrains + row, DP, [&](int r, int c, const V& value) {
+        Da[row + r][column + c] = value;
+      });
+    }
+  }
+}
+
+/// rows x (B, d(e)/dx), `rows` being tangents of generalized strains.
+void times_B(const V (*rows)[kStrains],
+             int count,
+             const V (*B)[3][kModes],
+             const V (*x)[3],
+             V (*product)[3][kModes]) {
+  for (int row = 0; row < count; ++row) {
+    const V* d = rows[row];
+    for (int i = 0; i < 3; ++i) {
+      V sum[kModes];
+      for (int m = 0; m < kModes; ++m) sum[m] = d[0] * B[0][i][m];
+      for (int r = 1; r < 6; ++r) {
+        for (int m = 0; m < kModes; ++m) sum[m] += d[r] * B[r][i][m];
+      }
+      for (const auto& [e, m, n] : kPairs) {
+        sum[m] += d[6 + e] * x[n][i];
+        sum[n] += d[6 + e] * x[m][i];
+      }
+      for (int m = 0; m < kModes; ++m) product[row][i][m] = sum[m];
+    }
+  }
+}
+
+/// K += (de/dx)^T DB of the rows of e.
+void add_pairs(const V (*x)[3], const V (*DB)[3][kModes], ModalSums& sums) {
+  for (int block = 0; block < 6; ++block) {
+    const int i = kBlockRow[block], j = kBlockColumn[block];
+    for (const auto& [e, m, n] : kPairs) {
+      const V x_m = x[m][i], x_n = x[n][i];
+      const V* row = DB[6 + e][j];
+      V *K_m = sums.K[block][m], *K_n = sums.K[block][n];
+      for (int c = i == j ? static_cast<int>(m) : 0; c < kModes; ++c) K_m[c] += x_n * row[c];
+      for (int c = i == j ? static_cast<int>(n) : 0; c < kModes; ++c) K_n[c] += x_m * row[c];
+    }
+  }
+}
+
+/// K_a <- L^-1 K_a and scaled = -(D of L D L^T)^-1 of it: what condensing alpha takes from K is
+/// the product of the two.
+void condense(const Inner& inner, V (*Ka)[3][kModes], V (*scaled)[3][kModes]) {
+  for (int k = 0; k < kEnhanced; ++k) {
+    const V inverse = -1.0 / inner.A[k][k];
+    for (int i = 0; i < 3; ++i) {
+      for (int m = 0; m < kModes; ++m) {
+        V sum = Ka[k][i][m];
+        for (int j = 0; j < k; ++j) sum -= inner.A[k][j] * Ka[j][i][m];
+        Ka[k][i][m] = sum;
+        scaled[k][i][m] = inverse * sum;
+      }
+    }
+  }
+}
+
+/// Adds stiffness of solid and cords; t are the stresses of the generalized strains.
+void add_stiffness(const SolidShellShape& s,
+                   const Kinematics& k,
+                   const Inner& inner,
+                   const V* t,
+                   const Cords& cords,
+                   ModalSums& sums) {
+  // Rows of one long product: E_c, squares, alpha.
+  constexpr int kSquareRow = 6, kAlphaRow = kSquareRow + kSquareCount,
+                kRows = kAlphaRow + kEnhanced;
+  V left[kRows][3][kModes], right[kRows][3][kModes], DB[kStrains][3][kModes];
+  V D[kStrains][kStrains], Da[kEnhanced][kStrains];
+  hourglass_operator(s, k, left + kSquareRow);
+  strain_operator(s, k, left + kSquareRow, left);
+  tangents(s, inner, D, Da);
+  times_B(D, kStrains, left, k.x, DB);
+  times_B(Da, kEnhanced, left, k.x, left + kAlphaRow);
+  std::memcpy(right, DB, 6 * sizeof DB[0]);
+  add_stiffness(cords, sums, left + kAlphaRow);
+  condense(inner, left + kAlphaRow, right + kAlphaRow);
+  add_stress_stiffness(s, k, left + kSquareRow, t, right + kSquareRow, sums);
+  add_product(left, right, kRows, sums);
+  add_pairs(k.x, DB, sums);
+}
+
+/// Adds forces and, where asked for, stiffness of solid and cords at the modal vectors in k.x;
+/// alpha is solved from the values given. Where it fails, the sums are void.
+Mask add_solid_shell(
+    const ElementLaw& law, bool stiffness, Kinematics& k, Cords& cords, V* alpha, ModalSums& sums) {
+  const SolidShellShape& s = law.shape->solid_shell;
+  const Mask upright = follow(s, k);
+  V g[kStrains];
+  generalized_strains(s, k, g);
+  Inner inner;
+  const Mask solved = solve_alpha(law, g, cords, alpha, inner);
+  if (!any(upright & solved)) return upright & solved;
+  V t[kStrains];
+  for (V& entry : t) entry = 0.0;
+  for (int q = 0; q < 8; ++q) {
+    for (int r = 0; r < 6; ++r) {
+      for (int j = 0; j < kStrains; ++j) t[j] += s.P[q][r][j] * inner.S[q][r];
+    }
+  }
+  add_forces(s, k, t, sums);
+  add_forces(cords, sums);
+  if (stiffness) add_stiffness(s, k, inner, t, cords, sums);
+  return upright & solved;
+}
+
+}  // namespace latsch::fe_tire::LATSCH_KERNELS
+#endif

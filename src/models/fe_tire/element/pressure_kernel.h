@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Follower pressure on a bilinear face, 2x2 Gauss points: n dA = (x_xi cross x_eta) dxi deta.
+// The gas has the potential -p V; over a closed boundary, or one held at its rim, the load
+// stiffness is therefore symmetric, and its symmetric part a face is all of it. [Schweizerhof &
+// Ramm 1984, Computers & Structures 18] An edge that neither closes nor is held would leave the
+// volume, and so the load, undefined: a seal closes it.
+//
+// Read once a kernel set, by hex8_kernels.h alone.
+#if defined(LATSCH_FE_TIRE_PRESSURE) == defined(LATSCH_KERNEL_TOGGLE)
+#ifdef LATSCH_FE_TIRE_PRESSURE
+#undef LATSCH_FE_TIRE_PRESSURE
+#else
+#define LATSCH_FE_TIRE_PRESSURE
+#endif
+
+#include "models/fe_tire/element/hex8_sums.h"
+
+namespace latsch::fe_tire::LATSCH_KERNELS {
+
+/// Pressure p on the face x[3 a + i], whose corners are the nodes `node` of the sums or (-1) fixed.
+LATSCH_INLINE void add_face_pressure(
+    const V* x, const int* node, double p, bool stiffness, NodalSums& sums) {
+  constexpr double g = 0.57735026918962576451;
+  constexpr double kCornerXi[4] = {-1.0, 1.0, 1.0, -1.0}, kCornerEta[4] = {-1.0, -1.0, 1.0, 1.0};
+  V w[6][3];  // K_ab = [w]x of the pairs b > a
+  for (V& v : std::span(&w[0][0], 18)) v = 0.0;
+  for (int q = 0; q < 4; ++q) {
+    double N[4], N_xi[4], N_eta[4];
+    V x_xi[3], x_eta[3];
+    for (int i = 0; i < 3; ++i) x_xi[i] = x_eta[i] = 0.0;
+    for (int a = 0; a < 4; ++a) {
+      const double s = 1.0 + g * kCornerXi[q] * kCornerXi[a];
+      const double t = 1.0 + g * kCornerEta[q] * kCornerEta[a];
+      N[a] = 0.25 * s * t;
+      N_xi[a] = 0.25 * kCornerXi[a] * t;
+      N_eta[a] = 0.25 * s * kCornerEta[a];
+      for (int i = 0; i < 3; ++i) {
+        x_xi[i] += N_xi[a] * x[3 * a + i];
+        x_eta[i] += N_eta[a] * x[3 * a + i];
+      }
+    }
+    const V n[3] = {x_xi[1] * x_eta[2] - x_xi[2] * x_eta[1],
+                    x_xi[2] * x_eta[0] - x_xi[0] * x_eta[2],
+                    x_xi[0] * x_eta[1] - x_xi[1] * x_eta[0]};
+    for (int a = 0; a < 4; ++a) {
+      for (int i = 0; node[a] >= 0 && i < 3; ++i) sums.f[3 * node[a] + i] -= (p * N[a]) * n[i];
+    }
+    if (!stiffness) continue;
+    for (int a = 0, pair = 0; a < 4; ++a) {
+      for (int b = a + 1; b < 4; ++b, ++pair) {
+        // dn/dx_b = N_b,eta [x_xi]x - N_b,xi [x_eta]x; a cross matrix is its own negative transpose
+        const double s = -0.5 * p * (N[a] * N_eta[b] - N[b] * N_eta[a]);
+        const double t = -0.5 * p * (N[a] * N_xi[b] - N[b] * N_xi[a]);
+        for (int i = 0; i < 3; ++i) w[pair][i] += s * x_xi[i] - t * x_eta[i];
+      }
+    }
+  }
+  if (!stiffness) return;
+  for (int a = 0, pair = 0; a < 4; ++a) {
+    for (int b = a + 1; b < 4; ++b, ++pair) {
+      if (node[a] < 0 || node[b] < 0) continue;
+      const int row = 3 * std::max(node[a], node[b]), column = 3 * std::min(node[a], node[b]);
+      for (int i = 0; i < 3; ++i) {  // below the diagonal -[w]x, or [w]x where a is the lower row
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const V entry = node[a] < node[b] ? w[pair][i] : -w[pair][i];
+        sums.K[ElementBatch::entry(row + j, column + k)] += entry;
+        sums.K[ElementBatch::entry(row + k, column + j)] -= entry;
+      }
+    }
+  }
+}
+
+/// Pressure on the face of nodes 0-3 at x[3 a + i] and on the seals of its open edges (bit k: from
+/// node k to node k + 1): strips from where the edge is to where it is in the undeformed element X.
+void add_pressure(
+    const double* X, const V* x, unsigned open_edges, double p, bool stiffness, NodalSums& sums) {
+  constexpr int kFace[4] = {0, 1, 2, 3};
+  add_face_pressure(x, kFace, p, stiffness, sums);
+  for (int k = 0; k < 4; ++k) {
+    if (!(open_edges >> k & 1)) continue;
+    const int a = k, b = (k + 1) % 4;
+    const int node[4] = {b, a, -1, -1};  // passes the edge the other way round than the face does
+    V strip[12];
+    for (int i = 0; i < 3; ++i) {
+      strip[i] = x[3 * b + i];
+      strip[3 + i] = x[3 * a + i];
+      strip[6 + i] = X[3 * a + i];
+      strip[9 + i] = X[3 * b + i];
+    }
+    add_face_pressure(strip, node, p, stiffness, sums);
+  }
+}
+
+}  // namespace latsch::fe_tire::LATSCH_KERNELS
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Residual, tangent and mass of the ring (or its half); the sparsity and the scatter map are made
+// once a mesh.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "models/fe_tire/ring/contact.h"
+#include "models/fe_tire/ring/contact_window.h"
+#include "models/fe_tire/ring/ring_elements.h"
+#include "models/fe_tire/ring/ring_unknowns.h"
+#include "numerics/sparse/symmetric_matrix.h"
+
+namespace latsch::fe_tire {
+
+/// Unknowns and enhanced parameters of the sectors assembled.
+struct RingState {
+  Eigen::VectorXd x;
+  Eigen::VectorXd alpha;
+};
+
+class RingAssembly {
+ public:
+  /// `pattern`: that of another assembly of the same ring (even and odd states share it), or none.
+  explicit RingAssembly(const RingUnknowns& unknowns,
+                        std::shared_ptr<const numerics::SymmetricPattern> pattern = nullptr);
+
+  const RingUnknowns& unknowns() const { return unknowns_; }
+  const std::shared_ptr<const numerics::SymmetricPattern>& pattern() const { return pattern_; }
+  /// All zero, of the size that assemble() needs.
+  RingState zero_state() const;
+
+  /// Forces f(x) = internal - pressure - ground, zero in equilibrium; K = df/dx (symmetric part)
+  /// where given, without the ground's share in the faces of `window` (may be null). Contact may be
+  /// null. False where an element fails; `worst` then is sector *
+  /// elements_per_sector + element.
+  bool assemble(const RingElements& elements,
+                RingState& state,
+                double pressure,
+                const GroundContact* contact,
+                Eigen::VectorXd& f,
+                numerics::SymmetricMatrix* K,
+                int* worst,
+                const ContactWindow* window = nullptr) const;
+
+  /// Tangent at `state` in the numbering `vibration` of the motions about it (even or odd ones),
+  /// all contact sticking. False as for assemble().
+  bool assemble_tangent(const RingElements& elements,
+                        RingState& state,
+                        double pressure,
+                        const GroundContact* contact,
+                        const RingUnknowns& vibration,
+                        numerics::SymmetricMatrix& K,
+                        int* worst) const;
+
+  /// Consistent mass matrix, kg.
+  numerics::SymmetricMatrix mass(const RingElements& elements) const;
+
+ private:
+  bool sum_elements(const RingElements& elements,
+                    RingState& state,
+                    double pressure,
+                    const GroundContact* contact,
+                    bool stuck,
+                    const RingUnknowns& rows,
+                    Eigen::VectorXd& f,
+                    numerics::SymmetricMatrix* K,
+                    int* worst,
+                    const ContactWindow* window) const;
+
+  const RingUnknowns& unknowns_;
+  const Ring& ring_;
+  std::shared_ptr<const numerics::SymmetricPattern> pattern_;
+};
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/ring/ring_elements.h"
+
+#include <algorithm>
+
+namespace latsch::fe_tire {
+
+RingElements::RingElements(const Ring& ring, Materials materials)
+    : ring_(ring),
+      materials_(std::move(materials)),
+      laws_(ring.widths()),
+      surroundings_(ring.widths()) {
+  const Mesh& mesh = ring.mesh();
+  for (int s = 0; s < ring.sectors(); ++s) {
+    const int width = ring.width(s);
+    if (!laws_[width].empty()) continue;
+    const Eigen::Matrix3d& Q = ring.rotation(s);
+    for (int e = 0; e < ring.elements_per_sector(); ++e) {
+      const Element& element = mesh.elements[e];
+      laws_[width].push_back(element_law(ring.shape(s, e), materials_, element));
+      ElementSurroundings& around = surroundings_[width].emplace_back();
+      around.cosine = Q(0, 0);
+      around.sine = Q(0, 2);
+      for (int a = 0; a < 8; ++a) {
+        if (element.node[a] >= mesh.nodes_per_sector()) around.turned |= 1u << a;
+      }
+      for (int k = 0; k < 4; ++k) {
+        if (ring.is_edge_open(e, k)) around.open_edges |= 1u << k;
+      }
+    }
+  }
+}
+
+std::vector<RingElements::Sectors> RingElements::groups(int count) const {
+  std::vector<Sectors> groups;
+  for (int s = 0; s < count; ++s) {
+    if (groups.empty() || groups.back().count == ElementBatch::kLanes ||
+        ring_.width(s) != ring_.width(groups.back().first)) {
+      groups.push_back({s, 0});
+    }
+    ++groups.back().count;
+  }
+  return groups;
+}
+
+unsigned RingElements::evaluate(
+    int sector, int element, double pressure, bool stiffness, ElementBatch& batch) const {
+  const int width = ring_.width(sector);
+  ElementSurroundings around = surroundings_[width][element];
+  if (ring_.mesh().elements[element].inner) around.pressure = pressure;
+  return fe_tire::evaluate(laws_[width][element], around, stiffness, batch);
+}
+
+}  // namespace latsch::fe_tire

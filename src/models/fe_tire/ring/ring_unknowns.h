@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbering of the ring's unknowns, whole or halved by symmetry.
+//
+// A tire whose section is the same on both sides does not change when it is turned by 180 degrees
+// about the vertical axis through the wheel center - cords included, since that turn keeps their
+// angle, which a mirror would not. Flat ground keeps this symmetry. Pressed straight down the tire
+// therefore stays even under the turn, and its modes are even or odd:
+//   u(-x, -y, z) = +- (-u_x, -u_y, u_z).
+// Half the ring then holds everything: in sector frames node i of plane s and its image, node
+// mirror(i) of plane S - s, share their unknowns up to the signs (-, -, +), all reversed for odd
+// states. Exact, and half the work.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "models/fe_tire/ring/ring.h"
+
+namespace latsch::fe_tire {
+
+enum class RingSymmetry { none, even, odd };
+
+/// mirror[i]: the section node that the half turn brings to i; nothing where mesh or materials do
+/// not have the symmetry.
+std::optional<std::vector<int>> find_mirror(const Mesh& mesh, const Materials& materials);
+
+class RingUnknowns {
+ public:
+  /// `mirror` is used only with a symmetry.
+  RingUnknowns(const Ring& ring, RingSymmetry symmetry, const std::vector<int>& mirror);
+
+  const Ring& ring() const { return ring_; }
+  int size() const { return size_; }
+  /// Sectors whose elements are assembled: 0 ... sectors()-1; all, or half of them.
+  int sectors() const { return sectors_; }
+  /// The whole ring is so many times what is assembled.
+  double multiplicity() const { return symmetry_ == RingSymmetry::none ? 1.0 : 2.0; }
+
+  /// Unknowns of each element's 24 displacements, -1 where the rim holds them; element index
+  /// sector-major.
+  std::vector<std::vector<int>> connectivity() const;
+  /// First of the three unknowns of a corner of an element, -1 where the rim holds it.
+  int first_unknown(int sector, int element, int corner) const;
+  /// Unknowns that symmetry holds at zero (on the axis of the half turn); they keep a place in the
+  /// numbering.
+  const std::vector<int>& held() const { return held_; }
+
+  /// Element displacements [3 x 8] in its sector's frame.
+  Matrix38 gather(int sector, int element, const Eigen::VectorXd& x) const;
+  /// Adds element forces, in the frames of their nodes, to those of the unknowns, and brings K to
+  /// their order and signs.
+  void scatter(int sector, int element, Vector24& f, Matrix24* K, Eigen::VectorXd& sum) const;
+
+  /// Displacements of all nodes of the ring [3 x nodes], sector frames; and back.
+  Eigen::Matrix3Xd expand(const Eigen::VectorXd& x) const;
+  Eigen::VectorXd compress(const Eigen::Matrix3Xd& u) const;
+
+ private:
+  struct NodeUnknowns {
+    int first = -1;  // of three consecutive unknowns; -1: held by the rim
+    Eigen::Vector3d sign = Eigen::Vector3d::Ones();
+  };
+  const NodeUnknowns& at(int plane, int node) const;
+  void number(const std::vector<int>& mirror);
+
+  const Ring& ring_;
+  RingSymmetry symmetry_;
+  std::vector<int> mirror_;
+  int sectors_ = 0, planes_ = 0, size_ = 0;
+  std::vector<NodeUnknowns> nodes_;  // plane-major
+  std::vector<int> held_;
+};
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// One sector stands for the ring while all are equally wide and the state is the same in them
+// (inflated, not yet loaded).
+//
+// In sector frames the tangent of the ring is block-circulant: every sector sees
+//   A = K_00 + K_11   (its own nodes, from the elements on both sides),   B = K_01   (toward the
+//   next sector),
+// so for displacements u_s = Re(u exp(i n s 2 pi / S)) of circumferential number n it acts as the
+// Hermitian matrix
+//   K(n) = A + B exp(i phi) + B^T exp(-i phi),   phi = 2 pi n / S.
+// n = 0 is the axisymmetric tangent that inflation needs; all n together give every mode of the
+// unloaded tire.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "models/fe_tire/ring/ring_elements.h"
+#include "numerics/sparse/banded_hermitian.h"
+
+namespace latsch::fe_tire {
+
+/// The blocks A (symmetric) and B of a block-circulant matrix, banded: entry (i, j) is stored at (i
+/// - j + band, j).
+class SectorBlocks {
+ public:
+  explicit SectorBlocks(const Ring& ring);
+
+  void set_zero();
+  /// Adds a 24x24 element matrix in node frames, with the ring's local dofs of that element.
+  void add(const std::array<int, 24>& local_dofs, const Matrix24& K);
+  /// A + B exp(i phi) + B^T exp(-i phi) for circumferential number n.
+  numerics::BandedHermitian harmonic(int n) const;
+
+  int size() const { return static_cast<int>(A_.cols()); }
+  int band() const { return band_; }
+
+ private:
+  int sectors_;
+  int band_;
+  Eigen::MatrixXd A_, B_;  // [2 band + 1 x size]
+};
+
+/// Largest distance of two coupled unknowns of a sector, the sectors laid over each other.
+int sector_band(const Ring& ring);
+
+/// Internal forces per sector (pressure included) of the axisymmetric state x [sector unknowns],
+/// and, where given, the blocks of its tangent. False where an element fails; `worst` then names
+/// it.
+bool assemble_sector(const RingElements& elements,
+                     const Eigen::VectorXd& x,
+                     double pressure,
+                     Eigen::VectorXd& alpha,
+                     Eigen::VectorXd& f,
+                     SectorBlocks* tangent,
+                     int* worst);
+
+/// Consistent mass of one element between its 24 displacements, in its sector's frame, kg.
+Matrix24 element_mass(const Ring& ring, const Materials& materials, int sector, int element);
+
+/// Blocks of the consistent mass matrix.
+SectorBlocks sector_mass(const RingElements& elements);
+
+}  // namespace latsch::fe_tire

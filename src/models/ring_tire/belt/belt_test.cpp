@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/ring_tire/belt/belt.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "base/random.h"
+#include "models/ring_tire/belt/sidewall.h"
+#include "models/ring_tire/description/ring_parameters_testing.h"
+
+namespace latsch::ring_tire {
+namespace {
+
+constexpr int kBeltNodes = 16;
+
+RimFrame some_rim() {
+  WheelMotion motion;
+  motion.center = {0.3, -0.1, 0.4};
+  motion.carrier = Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  motion.spin = 0.7;
+  return RimFrame::of(motion);
+}
+
+NodeValues at_rest(const RimFrame& rim, double radius) {
+  const NodeAngles angles(kBeltNodes);
+  NodeValues q(4, kBeltNodes);
+  for (int k = 0; k < kBeltNodes; ++k) q.col(k) << rim.center + radius * angles.radial(rim, k), 0.0;
+  return q;
+}
+
+/// Deformed by centimeters and tenths of a radian.
+NodeValues deformed(const RimFrame& rim, double radius) {
+  NodeValues q = at_rest(rim, radius);
+  RandomStream random(11, 1);
+  for (int k = 0; k < kBeltNodes; ++k) {
+    for (int i = 0; i < 3; ++i) q(i, k) += 0.02 * (random.uniform() - 0.5);
+    q(3, k) += 0.1 * (random.uniform() - 0.5);
+  }
+  return q;
+}
+
+TEST(BeltForces, AreTheGradientOfTheEnergyAndTheStiffnessItsHessian) {
+  const RingParameters ring = passenger_ring();
+  const BeltForces belt(ring.belt, kBeltNodes);
+  const RimFrame rim = some_rim();
+  const NodeValues q = deformed(rim, ring.belt.radius);
+  NodeValues force = NodeValues::Zero(4, kBeltNodes);
+  belt.add_force(q, rim, force);
+  CyclicBand K(kBeltNodes);
+  belt.add_stiffness(q, rim, 1.0, K);
+  const double h = 1e-6;
+  for (int k : {0, 5, kBeltNodes - 1})
+    for (int i = 0; i < 4; ++i) {
+      NodeValues plus = q, minus = q, direction = NodeValues::Zero(4, kBeltNodes);
+      plus(i, k) += h;
+      minus(i, k) -= h;
+      direction(i, k) = 1.0;
+      const double slope = (belt.energy(plus, rim) - belt.energy(minus, rim)) / (2.0 * h);
+      // The rounding of an energy of some kJ over 2h.
+      EXPECT_NEAR(force(i, k), -slope, 1e-9 * force.norm() + 1e-5);
+      NodeValues f1 = NodeValues::Zero(4, kBeltNodes), f0 = f1;
+      belt.add_force(plus, rim, f1);
+      belt.add_force(minus, rim, f0);
+      const NodeValues column = K.multiply(direction);
+      EXPECT_LT((column + (f1 - f0) / (2.0 * h)).norm(), 1e-7 * column.norm() + 1e-3);
+    }
+}
+
+TEST(BeltForces, VanishAtRestAndUnderARigidTilt) {
+  const RingParameters ring = passenger_ring();
+  RingParameters slack = ring;
+  slack.belt.pressure = 0.0;
+  const RimFrame rim = some_rim();
+  NodeValues force = NodeValues::Zero(4, kBeltNodes);
+  BeltForces(ring.belt, kBeltNodes).add_force(at_rest(rim, ring.belt.radius), rim, force);
+  EXPECT_LT(force.norm(), 1e-11 * ring.belt.extension);  // rounding of the springs
+
+  NodeValues q = at_rest(rim, ring.belt.radius);
+  const double tilt = 1e-3;
+  for (int k = 0; k < kBeltNodes; ++k) {
+    const double c = std::cos(2.0 * M_PI * k / kBeltNodes);
+    q.col(k).head<3>() += tilt * ring.belt.radius * c * rim.a;
+    q(3, k) = tilt * c;
+  }
+  force.setZero();
+  const BeltForces belt(slack.belt, kBeltNodes);
+  belt.add_force(q, rim, force);
+  // What is left is of second order in the tilt: the extension of the belt, EA tilt²/2.
+  EXPECT_LT(force.row(3).norm(), 1e-9);
+  EXPECT_LT(force.norm(), 3.0 * slack.belt.extension * tilt * tilt);
+}
+
+TEST(SidewallForces, AreTheGradientOfTheEnergyAndTheStiffnessItsHessian) {
+  RingParameters ring = passenger_ring();
+  ring.sidewall.progressivity = 1.2;
+  ring.sidewall.torsion_by_lateral = 2.0;
+  const SidewallForces wall(ring.sidewall, ring.belt.radius, kBeltNodes);
+  const RimFrame rim = some_rim();
+  const NodeValues q = deformed(rim, ring.belt.radius), v = NodeValues::Zero(4, kBeltNodes);
+  const StepRule statics;
+  NodeValues force = NodeValues::Zero(4, kBeltNodes);
+  wall.add_force(q, v, rim, statics, force);
+  CyclicBand K(kBeltNodes);
+  wall.add_stiffness(q, rim, statics, 1.0, K);
+  const double h = 1e-6;
+  for (int i = 0; i < 4; ++i) {
+    NodeValues plus = q, minus = q, direction = NodeValues::Zero(4, kBeltNodes);
+    plus(i, 3) += h;
+    minus(i, 3) -= h;
+    direction(i, 3) = 1.0;
+    const double slope = (wall.energy(plus, rim) - wall.energy(minus, rim)) / (2.0 * h);
+    EXPECT_NEAR(force(i, 3), -slope, 1e-8 * force.norm() + 1e-5);
+    NodeValues f1 = NodeValues::Zero(4, kBeltNodes), f0 = f1;
+    wall.add_force(plus, v, rim, statics, f1);
+    wall.add_force(minus, v, rim, statics, f0);
+    const NodeValues column = K.multiply(direction);
+    EXPECT_LT((column + (f1 - f0) / (2.0 * h)).norm(), 1e-7 * column.norm());
+  }
+}
+
+// Five elements in parallel slip one after the other at 1/15, 2/15 ... of the whole force; the loop
+// of a large travel is twice that force wide.
+TEST(SidewallForces, FrictionElementsMakeALoopOfTheirForce) {
+  RingParameters ring = passenger_ring();
+  ring.sidewall.radial.friction_stiffening = 0.5;
+  ring.sidewall.radial.friction_force = 1000.0;
+  SidewallForces wall(ring.sidewall, ring.belt.radius, kBeltNodes);
+  const RimFrame rim = some_rim();
+  const NodeValues v = NodeValues::Zero(4, kBeltNodes);
+  const auto force_at = [&](double radius) {
+    const NodeValues q = at_rest(rim, radius);
+    NodeValues force = NodeValues::Zero(4, kBeltNodes);
+    wall.add_force(q, v, rim, {}, force);
+    wall.commit(q, rim, {});
+    double sum = 0.0;
+    const NodeAngles angles(kBeltNodes);
+    for (int k = 0; k < kBeltNodes; ++k) sum += angles.radial(rim, k).dot(force.col(k).head<3>());
+    return sum;
+  };
+  force_at(ring.belt.radius - 0.02);
+  const double inward = force_at(ring.belt.radius);
+  force_at(ring.belt.radius + 0.02);
+  const double outward = force_at(ring.belt.radius);
+  const double circumference = 2.0 * M_PI * ring.belt.radius;
+  EXPECT_NEAR(std::abs(inward - outward), 2.0 * 1000.0 * circumference, 1e-6);
+}
+
+}  // namespace
+}  // namespace latsch::ring_tire

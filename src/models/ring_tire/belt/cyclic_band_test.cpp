@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/ring_tire/belt/cyclic_band.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+
+#include "base/random.h"
+#include "models/ring_tire/description/ring_parameters_testing.h"
+#include "models/ring_tire/ring/ring_tire.h"
+
+namespace latsch::ring_tire {
+namespace {
+
+CyclicBand random_band(int nodes) {
+  RandomStream random(7, static_cast<std::uint64_t>(nodes));
+  CyclicBand A(nodes);
+  for (int k = 0; k < nodes; ++k)
+    for (int j = 0; j <= CyclicBand::kReach; ++j)
+      for (int e = 0; e < 16; ++e) A.block(k, j)(e / 4, e % 4) = random.uniform() - 0.5;
+  for (int k = 0; k < nodes; ++k) {
+    A.block(k, 0) = (A.block(k, 0) + A.block(k, 0).transpose()).eval();
+    A.block(k, 0).diagonal().array() += 16.0;  // more than the rows' sums: positive definite
+  }
+  return A;
+}
+
+Eigen::MatrixXd dense(const CyclicBand& A) {
+  const int n = A.nodes();
+  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(4 * n, 4 * n);
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j <= CyclicBand::kReach; ++j) {
+      const int other = (k + j) % n;
+      full.block<4, 4>(4 * k, 4 * other) = A.block(k, j);
+      full.block<4, 4>(4 * other, 4 * k) = A.block(k, j).transpose();
+    }
+  return full;
+}
+
+// The dense Cholesky factorization of Eigen is the independent program.
+TEST(CyclicBand, SolvesLikeADenseFactorization) {
+  for (int nodes : {8, 9, 11, 40}) {
+    const CyclicBand A = random_band(nodes);
+    Eigen::Matrix4Xd b = Eigen::Matrix4Xd::Ones(4, nodes);
+    b.row(1).setLinSpaced(-1.0, 2.0);
+    const Eigen::VectorXd expected =
+        dense(A).llt().solve(Eigen::Map<const Eigen::VectorXd>(b.data(), b.size()));
+    CyclicBandFactor factor(nodes);
+    ASSERT_TRUE(factor.factorize(A));
+    Eigen::Matrix4Xd x = b;
+    factor.solve(x);
+    EXPECT_LT((Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()) - expected).norm(),
+              1e-13 * expected.norm());
+    EXPECT_LT((A.multiply(x) - b).norm(), 1e-13 * b.norm());
+  }
+}
+
+// The free ring's own matrix, condition 1e6 to 1e8: backward stable whatever the chain's length.
+TEST(CyclicBand, SolvesAStiffBeltOfAnyLength) {
+  for (int nodes : {48, 96, 160, 320}) {
+    RingParameters ring = passenger_ring();
+    ring.nodes = nodes;
+    const CyclicBand A = RingTire(ring).stiffness();
+    Eigen::Matrix4Xd b = Eigen::Matrix4Xd::Ones(4, nodes);
+    b.row(1).setLinSpaced(-1.0, 2.0);
+    CyclicBandFactor factor(nodes);
+    ASSERT_TRUE(factor.factorize(A)) << nodes;
+    Eigen::Matrix4Xd x = b;
+    factor.solve(x);
+    const double size = dense(A).norm() * x.norm();
+    EXPECT_LT((A.multiply(x) - b).norm(), 1e-14 * nodes * size) << nodes;
+  }
+}
+
+TEST(CyclicBand, RefusesWhatIsNotPositiveDefinite) {
+  CyclicBand A = random_band(12);
+  A.add_diagonal(-20.0, 0.0);
+  CyclicBandFactor factor(12);
+  EXPECT_FALSE(factor.factorize(A));
+}
+
+}  // namespace
+}  // namespace latsch::ring_tire

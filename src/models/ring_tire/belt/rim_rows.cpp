@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/ring_tire/belt/rim_rows.h"
+
+namespace latsch::ring_tire {
+
+struct Rows {
+  double *x, *y, *z, *torsion;
+};
+
+}  // namespace latsch::ring_tire
+
+#define LATSCH_KERNELS_IN "models/ring_tire/belt/rim_kernels.h"
+#include "numerics/kernels/for_each_kernel_set.h"
+
+namespace latsch::ring_tire {
+namespace {
+
+/// Columns X, a, Z.
+Eigen::Matrix3d axes_of(const RimFrame& rim) {
+  Eigen::Matrix3d axes;
+  axes << rim.X, rim.a, rim.Z;
+  return axes;
+}
+
+}  // namespace
+
+RimRows::RimRows(int nodes, int more)
+    : nodes_(nodes), memory_(static_cast<std::size_t>((kRows + more) * (nodes + 2 * kBeyond))) {}
+
+void RimRows::place(const NodeValues& q, const RimFrame& rim) {
+  const Eigen::Matrix3d axes = axes_of(rim);
+  LATSCH_KERNEL(turn_to_rim)
+  (nodes_, q.data(), rim.center.data(), axes.data(), {row(kX), row(kY), row(kZ), row(kTorsion)});
+  for (int i = 0; i < kRows; ++i)
+    for (int k = 0; k < kBeyond; ++k) {
+      row(i)[-1 - k] = row(i)[nodes_ - 1 - k];
+      row(i)[nodes_ + k] = row(i)[k];
+    }
+}
+
+void RimRows::place_rates(RimRows& at, const NodeValues& v, const RimFrame& rim) {
+  const Eigen::Matrix3d axes = axes_of(rim);
+  LATSCH_KERNEL(turn_to_rim)
+  (nodes_, v.data(), rim.velocity.data(), axes.data(), {row(kX), row(kY), row(kZ), row(kTorsion)});
+  const Eigen::Vector3d omega = axes.transpose() * rim.angular_velocity;
+  for (int k = 0; k < nodes_; ++k) {
+    const double x = at.row(kX)[k], y = at.row(kY)[k], z = at.row(kZ)[k];
+    row(kX)[k] -= omega.y() * z - omega.z() * y;
+    row(kY)[k] -= omega.z() * x - omega.x() * z;
+    row(kZ)[k] -= omega.x() * y - omega.y() * x;
+  }
+}
+
+void RimRows::add_to(NodeValues& force, const RimFrame& rim) {
+  const Eigen::Matrix3d axes = axes_of(rim);
+  LATSCH_KERNEL(add_turned_back)
+  (nodes_, {row(kX), row(kY), row(kZ), row(kTorsion)}, axes.data(), force.data());
+}
+
+}  // namespace latsch::ring_tire

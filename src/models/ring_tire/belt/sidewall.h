@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Node and rim. Travel of node k along the rim's e_r, e_t and a:
+//   u_r = e_r . (x_k - c) - R,  u_t = e_t . (x_k - c),  u_y = a . (x_k - c)
+// Along each, times the node's share of the circumference 2π R/N:
+//   F = k u + d u' + k_M (u - u_i) + sum of friction elements,  τ u_i' = u - u_i             (6)
+// The radial spring's slope grows with travel toward the rim or away from it, bounded:
+//   F_r = k (u + P (u - u_p atan(u/u_p))),  slope k (1 + P u^2/(u^2 + u_p^2))                (7)
+// Friction element i of n: a spring S k/n that slips at F_i = F 2i/(n(n+1)); n = 5 radially.  (8)
+// The section's torsion against the rim, coupled to lateral travel:
+//   energy 1/2 c_ψ (ψ - λ u_y)^2, damping d_ψ                                               (9)
+// Maxwell elements by the trapezoidal rule, friction elements by return to the slip force.
+#pragma once
+
+#include "models/ring_tire/belt/cyclic_band.h"
+#include "models/ring_tire/belt/rim_frame.h"
+#include "models/ring_tire/description/ring_parameters.h"
+
+namespace latsch::ring_tire {
+
+/// How the end of a step hangs on its unknowns.
+struct StepRule {
+  double step = 0.0;          // s; 0: statics, where dampers and Maxwell elements are at rest
+  double velocity = 0.0;      // dv/dq, 1/s
+  double acceleration = 0.0;  // da/dq, 1/s^2
+
+  bool statics() const { return step == 0.0; }
+};
+
+class SidewallForces {
+ public:
+  SidewallForces(const Sidewall& sidewall, double radius, int nodes);
+
+  /// All elements relaxed, the belt in its place at rest.
+  void reset();
+  /// At the end of a step from the last committed state.
+  void add_force(const NodeValues& q,
+                 const NodeValues& v,
+                 const RimFrame& rim,
+                 const StepRule& rule,
+                 NodeValues& force) const;
+  void add_stiffness(const NodeValues& q,
+                     const RimFrame& rim,
+                     const StepRule& rule,
+                     double scale,
+                     CyclicBand& K) const;
+  /// Damping of a node along e_r, e_t, a and of its torsion, and the stiffness of its Maxwell
+  /// elements.
+  struct Losses {
+    Eigen::Vector4d damping, maxwell;
+    double time_constant;
+  };
+  Losses losses() const;
+  /// Friction springs forget their force: small vibrations about here do not slip them.
+  void stick() { slip_.setZero(); }
+  /// The step is done: its end is where the next one starts.
+  void commit(const NodeValues& q, const RimFrame& rim, const StepRule& rule);
+
+  /// J in all springs, after commit.
+  double energy(const NodeValues& q, const RimFrame& rim) const;
+
+ private:
+  static constexpr int kRadialFrictions = 5;
+  static constexpr int kFrictions = kRadialFrictions + 2;
+
+  struct Direction {
+    double k, d, k_maxwell;
+  };
+  struct Friction {
+    int direction;
+    double k, limit;
+  };
+  /// One value a node along e_r, e_t and a, row by row.
+  using Travels = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
+
+  Eigen::Vector3d travel(const NodeValues& q, const RimFrame& rim, int k) const;
+  double spring_slope(int direction, double u) const;
+  /// Of Maxwell and friction elements of a node whose travel becomes u.
+  double memory_slope(int k, int direction, double u, const StepRule& rule) const;
+  void add_spring(int direction, const double* u, double* F) const;
+  void add_memory(int direction, const double* u, const StepRule& rule, double* F) const;
+  double half_step(const StepRule& rule) const { return rule.step / (2.0 * tau_); }
+  double most_stretch(const Friction& f) const { return f.k > 0.0 ? f.limit / f.k : 0.0; }
+
+  NodeAngles angles_;
+  double R_, tau_, progressivity_, progressive_travel_;
+  double torsion_, torsion_damping_, torsion_by_lateral_;
+  Direction direction_[3];
+  Friction friction_[kFrictions];
+  bool has_memory_;
+  Travels u_;        // at the last commit
+  Travels maxwell_;  // u - u_i
+  // Stretch of the friction springs.
+  Eigen::Matrix<double, kFrictions, Eigen::Dynamic, Eigen::RowMajor> slip_;
+};
+
+}  // namespace latsch::ring_tire

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Springs, Maxwell and friction elements of the sidewall (sidewall.h), one value a node.
+#include "numerics/kernels/kernel_math.h"
+
+namespace latsch::ring_tire::LATSCH_KERNELS {
+
+using namespace latsch::LATSCH_KERNELS;
+
+/// body(T(), i) over i = 0 .. nodes - 1: T is Lanes for eight at a time, then Lane for the rest.
+template <class Body>
+LATSCH_INLINE void around(int nodes, const Body& body) {
+  int i = 0;
+  for (; i + 8 <= nodes; i += 8) body(Lanes(), i);
+  for (; i < nodes; ++i) body(Lane(), i);
+}
+
+void add_multiple(int nodes, double k, const double* u, double* F) {
+  around(nodes, [&](auto type, int i) {
+    using T = decltype(type);
+    T(T::load(F + i) + k * T::load(u + i)).save(F + i);
+  });
+}
+
+void add_progressive(int nodes, double k, double P, double up, const double* u, double* F) {
+  const double per_up = 1.0 / up;
+  around(nodes, [&](auto type, int i) {
+    using T = decltype(type);
+    const T travel = T::load(u + i);
+    T(T::load(F + i) - k * (travel + P * (travel - up * atan(travel * per_up))))
+        .save(F + i);  // (7)
+  });
+}
+
+/// (6) by the trapezoidal rule: u - u_i at the end of the step; half: h/(2 τ).
+template <class T>
+LATSCH_INLINE T maxwell_end(double half, const T& before, const T& stretch, const T& u) {
+  return ((1.0 - half) * stretch + (u - before)) * (1.0 / (1.0 + half));
+}
+/// (8): stretch of a friction spring at the end.
+template <class T>
+LATSCH_INLINE T friction_end(double most, const T& before, const T& stretch, const T& u) {
+  return larger(smaller(stretch + (u - before), most), -most);
+}
+
+void add_maxwell(int nodes,
+                 double k,
+                 double half,
+                 const double* before,
+                 const double* stretch,
+                 const double* u,
+                 double* F) {
+  around(nodes, [&](auto type, int i) {
+    using T = decltype(type);
+    const T end = maxwell_end(half, T::load(before + i), T::load(stretch + i), T::load(u + i));
+    T(T::load(F + i) - k * end).save(F + i);
+  });
+}
+
+void go_on_maxwell(int nodes, double half, const double* before, const double* u, double* stretch) {
+  around(nodes, [&](auto type, int i) {
+    using T = decltype(type);
+    maxwell_end(half, T::load(before + i), T::load(stretch + i), T::load(u + i)).save(stretch + i);
+  });
+}
+
+void add_friction(int nodes,
+                  double k,
+                  double most,
+                  const double* before,
+                  const double* stretch,
+                  const double* u,
+                  double* F) {
+  around(nodes, [&](auto type, int i) {
+    using T = decltype(type);
+    const T end = friction_end(most, T::load(before + i), T::load(stretch + i), T::load(u + i));
+    T(T::load(F + i) - k * end).save(F + i);
+  });
+}
+
+void go_on_friction(
+    int nodes, double most, const double* before, const double* u, double* stretch) {
+  around(nodes, [&](auto type, int i) {
+    using T = decltype(type);
+    friction_end(most, T::load(before + i), T::load(stretch + i), T::load(u + i)).save(stretch + i);
+  });
+}
+
+}  // namespace latsch::ring_tire::LATSCH_KERNELS

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/ring_tire/description/ring_reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace latsch::ring_tire {
+namespace {
+
+constexpr long kMostNodes = 1000, kMostBlocks = 500, kMostLines = 100;
+
+SidewallElement read_element(const Node& node) {
+  SidewallElement e;
+  e.stiffness = node.quantity("stiffness", "N/m^2", Range::positive());
+  e.damping = node.quantity("damping", "N s/m^2", Range::not_negative());
+  e.dynamic_stiffening =
+      node.quantity("dynamic_stiffening", "1", Range::not_negative(), e.dynamic_stiffening);
+  e.friction_stiffening =
+      node.quantity("friction_stiffening", "1", Range::not_negative(), e.friction_stiffening);
+  e.friction_force =
+      node.quantity("friction_force", "N/m", Range::not_negative(), e.friction_force);
+  return e;
+}
+
+Sidewall read_sidewall(const Node& node) {
+  Sidewall s;
+  s.radial = read_element(node.table("radial"));
+  s.tangential = read_element(node.table("tangential"));
+  s.lateral = read_element(node.table("lateral"));
+  s.time_constant = node.quantity("time_constant", "s", Range::positive(), s.time_constant);
+  s.progressivity = node.quantity("progressivity", "1", Range::not_negative(), s.progressivity);
+  s.progressive_travel =
+      node.quantity("progressive_travel", "m", Range::positive(), s.progressive_travel);
+  s.torsion = node.quantity("torsion", "N/rad", Range::not_negative());
+  s.torsion_damping = node.quantity("torsion_damping", "N s/rad", Range::not_negative(), 0.0);
+  s.torsion_by_lateral = node.quantity("torsion_by_lateral", "rad/m", {}, 0.0);
+  return s;
+}
+
+Belt read_belt(const Node& node, double pressure) {
+  Belt belt;
+  belt.radius = node.quantity("radius", "m", Range::positive());
+  belt.mass = node.quantity("mass", "kg", Range::positive());
+  belt.torsion_inertia = node.quantity("torsion_inertia", "kg m", Range::positive());
+  belt.extension = node.quantity("extension", "N", Range::positive());
+  belt.bending_in_plane = node.quantity("bending_in_plane", "N m^2", Range::not_negative());
+  belt.bending_lateral = node.quantity("bending_lateral", "N m^2", Range::not_negative());
+  belt.twist = node.quantity("twist", "N m^2", Range::not_negative());
+  belt.section_bending = node.quantity("section_bending", "N m", Range::not_negative(), 0.0);
+  belt.section_coupling = node.quantity("section_coupling", "1", Range::not_negative(), 1.0);
+  belt.pressure = pressure;
+  belt.pressure_width = node.quantity("pressure_width", "m", Range::not_negative());
+  return belt;
+}
+
+std::array<double, 3> three(const Node& node, const char* key, const char* unit) {
+  const auto values = node.quantities(key, unit, Range::not_negative());
+  if (values.size() != 3)
+    node.reject(key,
+                fmt::format("has {} values, expected three: at low, medium and high pressure",
+                            values.size()));
+  return {values[0], values[1], values[2]};
+}
+
+TreadFriction read_friction(const Node& node) {
+  TreadFriction f;
+  f.pressure = three(node, "pressure", "Pa");
+  if (!(f.pressure[0] < f.pressure[1] && f.pressure[1] < f.pressure[2]))
+    node.reject("pressure", "does not rise, expected low, medium and high pressure");
+  f.adhesion = three(node, "adhesion", "1");
+  f.maximum = three(node, "maximum", "1");
+  f.sliding = three(node, "sliding", "1");
+  f.blocking = three(node, "blocking", "1");
+  f.maximum_speed = node.quantity("maximum_speed", "m/s", Range::positive());
+  f.sliding_speed = node.quantity("sliding_speed", "m/s", {f.maximum_speed, 1e3, true});
+  f.blocking_speed = node.quantity("blocking_speed", "m/s", {f.sliding_speed, 1e3, true});
+  return f;
+}
+
+double read_modulus(const Node& node) {
+  if (!node.has("shore_a")) return node.quantity("young_modulus", "Pa", Range::positive());
+  if (node.has("young_modulus"))
+    node.reject("young_modulus", "stands beside shore_a, expected one of them");
+  return young_modulus_of_shore_a(node.quantity("shore_a", "1", Range::between(20.0, 95.0)));
+}
+
+Tread read_tread(const Node& node) {
+  Tread tread;
+  tread.lines = static_cast<int>(node.integer("lines", 1, kMostLines, tread.lines));
+  tread.blocks = static_cast<int>(node.integer("blocks", 1, kMostBlocks, tread.blocks));
+  tread.width = node.quantity("width", "m", Range::positive());
+  tread.height = node.quantity("height", "m", Range::positive());
+  tread.crown_radius = node.quantity("crown_radius", "m", Range::positive(), 0.0);
+  tread.young_modulus = read_modulus(node);
+  tread.positive = node.quantity("positive", "1", {0.0, 1.0, true}, tread.positive);
+  tread.shear_ratio = node.quantity("shear_ratio", "1", Range::positive(), tread.shear_ratio);
+  tread.damping_time = node.quantity("damping_time", "s", Range::not_negative(), 0.0);
+  if (const auto friction = node.find_table("friction")) tread.friction = read_friction(*friction);
+  return tread;
+}
+
+}  // namespace
+
+double young_modulus_of_shore_a(double hardness) {
+  return std::pow(10.0, 5.33905 + 0.020477 * hardness);
+}
+
+RingParameters read_ring_tire(const Node& root) {
+  root.choice("kind", {"ring_tire"});
+  root.text("title", "");
+  RingParameters ring;
+  const Node belt = root.table("belt");
+  ring.nodes = static_cast<int>(belt.integer("nodes", 16, kMostNodes, ring.nodes));
+  ring.belt = read_belt(belt, root.quantity("pressure", "Pa", Range::not_negative()));
+  ring.sidewall = read_sidewall(root.table("sidewall"));
+  ring.tread = read_tread(root.table("tread"));
+  if (ring.tread.crown_radius > 0.0) {
+    const double half = 0.5 * ring.tread.width;
+    if (half * half > 2.0 * ring.tread.crown_radius * ring.tread.height)
+      root.table("tread").reject("crown_radius",
+                                 "is so small that the shoulders have no rubber, expected more");
+  }
+  root.close();
+  return ring;
+}
+
+}  // namespace latsch::ring_tire

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The file of a flexible ring tire. Every number has its unit and can be a design variable.
+//
+//   kind = "ring_tire"
+//   pressure = "2.4 bar"
+//
+//   [belt]
+//   nodes = 80
+//   radius = "305 mm"                  # at rest, inflated
+//   mass = "4.52 kg"                   # with the tread
+//   torsion_inertia = "0.006 kg m"     # of the section about the circumference, per length
+//   extension = "2 MN"                 # EA
+//   bending_in_plane = "1.8 N m^2"
+//   bending_lateral = "88 N m^2"
+//   twist = "97 N m^2"                 # per radian and length
+//   pressure_width = "80 mm"           # of the section whose pressure the belt's tension carries
+//   section_bending = "10 N m"         # of the section across, per length; default 0: straight
+//   section_coupling = 1               # of the belt's tension that smooths bent sections; default
+//
+//   [sidewall]
+//   time_constant = "15 ms"            # of dynamic stiffening
+//   torsion = "5 kN/rad"
+//   torsion_damping = "1 N s/rad"
+//   torsion_by_lateral = "0 rad/m"
+//   progressivity = 1.2                # radial slope: from k to k (1 + 1.2)
+//   progressive_travel = "15 mm"       # where half of that is reached
+//   [sidewall.radial]                  # and tangential, lateral; per length of circumference
+//   stiffness = "0.55 MN/m^2"
+//   damping = "60 N s/m^2"
+//   dynamic_stiffening = 0.2
+//   friction_stiffening = 0            # of dry friction, with its force
+//   friction_force = "0 N/m"
+//
+//   [tread]
+//   lines = 6                          # across the width
+//   blocks = 10                        # of one line on one segment
+//   width = "160 mm"
+//   height = "11 mm"
+//   crown_radius = "800 mm"            # none: flat
+//   shore_a = 66                       # or young_modulus = "4.9 MPa"
+//   positive = 0.65
+//   shear_ratio = 0.33
+//   damping_time = "0.1 ms"
+//   [tread.friction]                   # optional: μ at low, medium and high pressure
+//   pressure = ["0.5 bar", "2 bar", "5 bar"]
+//   adhesion = [1.2, 1.1, 1.0]         # and maximum, sliding, blocking
+//   maximum_speed = "0.3 m/s"          # and sliding_speed, blocking_speed
+#pragma once
+
+#include "base/document.h"
+#include "models/ring_tire/description/ring_parameters.h"
+
+namespace latsch::ring_tire {
+
+/// Throws InputError naming the place, what was found and what was expected; unknown keys too.
+RingParameters read_ring_tire(const Node& root);
+
+/// Pa, of rubber of that hardness: E = 10^(5.33905 + 0.020477 S) [Gipser, FTire documentation].
+double young_modulus_of_shore_a(double hardness);
+
+}  // namespace latsch::ring_tire

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/ring_tire/description/ring_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace latsch::ring_tire {
+namespace {
+
+Document example() {
+  return Document::read(std::filesystem::path(LATSCH_SOURCE_DIR) /
+                        "studies/ring_tires/passenger_205_55R16.toml");
+}
+
+TEST(RingReader, ReadsEveryNumberInItsUnit) {
+  const RingParameters ring = read_ring_tire(example().root());
+  EXPECT_DOUBLE_EQ(ring.belt.radius, 0.305);
+  EXPECT_DOUBLE_EQ(ring.belt.pressure, 2.4e5);
+  EXPECT_EQ(ring.nodes, 80);
+  EXPECT_NEAR(ring.tread.young_modulus, 5.92e6, 0.01e6);  // of Shore 70
+}
+
+TEST(RingReader, EveryNumberCanBeVaried) {
+  Document document = example();
+  document.set("sidewall.radial.stiffness", 6.0e5);
+  document.set("tread.shore_a", 60.0);
+  const RingParameters ring = read_ring_tire(document.root());
+  EXPECT_DOUBLE_EQ(ring.sidewall.radial.stiffness, 6.0e5);
+  EXPECT_NEAR(ring.tread.young_modulus, 3.70e6, 0.01e6);
+}
+
+TEST(RingReader, ComplaintsNameThePlace) {
+  std::string text = example().text();
+  text.insert(text.find("[belt]"), "presure_gain = 1\n");
+  try {
+    read_ring_tire(Document::parse(text, "tire.toml").root());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("presure_gain"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace latsch::ring_tire

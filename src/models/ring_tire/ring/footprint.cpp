@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the tread blocks tell about the contact: forces, footprint, energy, depth of a tire pushed
+// into the road.
+//
+// The outline runs where the depth of the unloaded tips goes through zero, linear between a block
+// on the road and its neighbor above it: along the lines and across them. So it moves smoothly
+// with the load, by less than blocks.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "models/ring_tire/tread/touching_blocks.h"
+
+namespace latsch::ring_tire {
+
+using Eigen::Vector3d;
+
+double TreadContact::deepest(const NodeValues& q,
+                             const RimFrame& rim,
+                             const road::Road& road,
+                             double time) {
+  a_ = rim.a;
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (int segment = 0; segment < nodes_; ++segment) {
+    patches_.clear();
+    add_patch(q, segment);
+    for (int line = 0; line < lines_; ++line)
+      for (int j = 0; j < blocks_; ++j) {
+        const Vector3d at = tip(line, j);
+        if (at.z() > rim.center.z()) continue;
+        deepest = std::max(deepest, road.height(at.x(), at.y(), time) - at.z());
+      }
+  }
+  patches_.clear();
+  return deepest;
+}
+
+std::vector<BlockContact> TreadContact::contacts(const NodeValues& q) const {
+  std::vector<BlockContact> contacts;
+  see_touching(q, [&](const BlockState& block) {
+    contacts.push_back({.tip = block.tip,
+                        .root = block.root,
+                        .force = block.Fn * block.normal + block.F,
+                        .area = area_,
+                        .pressure = block.Fn / (positive_ * area_),
+                        .sticks = block.gripped == 1.0 || block.F.isZero(0.0)});
+  });
+  return contacts;
+}
+
+namespace {
+
+/// A block on a line of the footprint: its place along the line and how deep it is.
+struct Dot {
+  double at, depth;
+};
+
+/// Where such a line begins and ends; nothing touches: both 0.
+struct Span {
+  double begin = 0.0, end = 0.0;
+  int above = 0;  // blocks between the two that do not touch
+};
+
+/// From a block at the edge of the contact on to where the depth is zero, `spacing` at most; the
+/// tread may end half a spacing on.
+double beyond(const Dot& edge, const Dot* next, double spacing) {
+  if (next == nullptr || std::abs(next->at - edge.at) > 1.5 * spacing) return 0.5 * spacing;
+  return std::abs(next->at - edge.at) * edge.depth / (edge.depth - next->depth);
+}
+
+Span span_of(std::vector<Dot>& dots, double spacing) {
+  std::sort(dots.begin(), dots.end(), [](const Dot& a, const Dot& b) { return a.at < b.at; });
+  const auto touches = [](const Dot& dot) { return dot.depth > 0.0; };
+  const auto first = std::find_if(dots.begin(), dots.end(), touches);
+  if (first == dots.end()) return {};
+  const auto last = std::find_if(dots.rbegin(), dots.rend(), touches).base() - 1;
+  return {first->at - beyond(*first, first == dots.begin() ? nullptr : &*(first - 1), spacing),
+          last->at + beyond(*last, last + 1 == dots.end() ? nullptr : &*(last + 1), spacing),
+          static_cast<int>(last - first + 1 - std::count_if(first, last + 1, touches))};
+}
+
+}  // namespace
+
+Footprint TreadContact::footprint(const NodeValues& q,
+                                  const Vector3d& center,
+                                  const Vector3d& heading) const {
+  const Vector3d left = Vector3d::UnitZ().cross(heading);
+  const double width = 2.0 * half_width_ / lines_, length = area_ / width;
+  std::vector<std::vector<Dot>> along(static_cast<std::size_t>(lines_));
+  std::vector<std::vector<Dot>> across(patches_.size() * static_cast<std::size_t>(stride_));
+  Footprint print;
+  see_blocks(q, [&](const BlockState& block) {
+    const Vector3d at = block.tip - center, root = block.root - center;
+    along[static_cast<std::size_t>(block.line)].push_back({heading.dot(root), block.depth});
+    across[block.patch * static_cast<std::size_t>(stride_) +
+           static_cast<std::size_t>(block.station)]
+        .push_back({left.dot(root), block.depth});
+    if (!(block.Fn > 0.0)) return;
+    const Vector3d F = block.Fn * block.normal + block.F;
+    print.load += F.z();
+    print.elements.push_back({.x = heading.dot(at),
+                              .y = left.dot(at),
+                              .length = length,
+                              .width = width,
+                              .pressure = F.z() / area_,
+                              .shear_x = heading.dot(F) / area_,
+                              .shear_y = left.dot(F) / area_});
+  });
+  double front = -kNoRoad, rear = kNoRoad;
+  for (auto& line : along) {
+    const Span span = span_of(line, length);
+    if (span.begin == span.end) continue;
+    rear = std::min(rear, span.begin);
+    front = std::max(front, span.end);
+    print.area += (span.end - span.begin - span.above * length) * width;
+  }
+  print.length = std::max(0.0, front - rear);
+  for (auto& station : across) {
+    const Span span = span_of(station, width);
+    print.width = std::max(print.width, span.end - span.begin);
+  }
+  return print;
+}
+
+double TreadContact::energy(const NodeValues& q) const {
+  double sum = 0.0;
+  see_touching(q, [&](const BlockState& block) {
+    sum += 0.5 *
+           (block.Fn * block.Fn / normal_ + tangential_ * (block.tip - block.root).squaredNorm());
+  });
+  return sum;
+}
+
+}  // namespace latsch::ring_tire

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/ring_tire/ring/ring_modes.h"
+
+#include <Eigen/Eigenvalues>
+#include <cassert>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "models/ring_tire/belt/belt.h"
+#include "models/ring_tire/belt/sidewall.h"
+
+namespace latsch::ring_tire {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Matrix4cd;
+using Eigen::Matrix4d;
+
+/// Axes e_r, e_t, a and torsion of node k as columns.
+Matrix4d axes(const RimFrame& rim, const NodeAngles& angles, int k) {
+  Matrix4d Q = Matrix4d::Identity();
+  Q.block<3, 1>(0, 0) = angles.radial(rim, k);
+  Q.block<3, 1>(0, 1) = angles.tangential(rim, k);
+  Q.block<3, 1>(0, 2) = rim.a;
+  return Q;
+}
+
+/// The ring at rest, unloaded.
+struct RestingRing {
+  explicit RestingRing(const RingParameters& ring)
+      : angles(ring.nodes), rim(RimFrame::of(WheelMotion())), q(4, ring.nodes), K(ring.nodes) {
+    for (int k = 0; k < ring.nodes; ++k) q.col(k) << ring.belt.radius * angles.radial(rim, k), 0.0;
+    BeltForces(ring.belt, ring.nodes).add_stiffness(q, rim, 1.0, K);
+    Sidewall wall = ring.sidewall;
+    SidewallForces(wall, ring.belt.radius, ring.nodes)
+        .add_stiffness(q, rim, {.step = 0.0, .velocity = 0.0}, 1.0, K);
+  }
+
+  /// K(n) of (20); node 0 is far enough from the ring's end that blocks to both sides are stored.
+  Matrix4cd harmonic(int n) const {
+    const int N = angles.nodes(), at = CyclicBand::kReach;
+    const Matrix4d Q = axes(rim, angles, at);
+    Matrix4cd sum = (Q.transpose() * K.block(at, 0) * Q).cast<Complex>();
+    for (int j = 1; j <= CyclicBand::kReach; ++j) {
+      const double phase = 2.0 * std::numbers::pi * n * j / N;
+      const Matrix4d after = Q.transpose() * K.block(at, j) * axes(rim, angles, at + j);
+      const Matrix4d before =
+          Q.transpose() * K.block(at - j, j).transpose() * axes(rim, angles, at - j);
+      sum += after * std::polar(1.0, phase) + before * std::polar(1.0, -phase);
+    }
+    return sum;
+  }
+
+  NodeAngles angles;
+  RimFrame rim;
+  NodeValues q;
+  CyclicBand K;
+};
+
+struct Losses {
+  Eigen::Vector4d damping, maxwell;  // of a node
+  double tau;
+
+  explicit Losses(const RingParameters& ring) : tau(ring.sidewall.time_constant) {
+    const Sidewall& s = ring.sidewall;
+    const double share = 2.0 * std::numbers::pi * ring.belt.radius / ring.nodes;
+    damping =
+        share * Eigen::Vector4d(
+                    s.radial.damping, s.tangential.damping, s.lateral.damping, s.torsion_damping);
+    const auto maxwell_of = [&](const SidewallElement& e) {
+      return share * e.stiffness * e.dynamic_stiffening;
+    };
+    maxwell << maxwell_of(s.radial), maxwell_of(s.tangential), maxwell_of(s.lateral), 0.0;
+  }
+};
+
+RingMode mode_of(double squared, const Eigen::Vector4cd& shape, const Losses& losses) {
+  const Eigen::Vector4d weight = shape.cwiseAbs2();  // mass-normalized
+  const auto [frequency, damping] =
+      damped_mode(squared, losses.damping.dot(weight), losses.maxwell.dot(weight), losses.tau);
+  RingMode mode;
+  mode.frequency = frequency;
+  mode.damping = damping;
+  for (int i = 0; i < 4; ++i) mode.shape[static_cast<std::size_t>(i)] = std::abs(shape[i]);
+  return mode;
+}
+
+/// In-plane (u_r, u_t) and lateral (u_y, ψ) motion do not mix in the ring at rest.
+void append_plane(const Matrix4cd& K,
+                  const Eigen::Vector4d& mass,
+                  bool lateral,
+                  int n,
+                  const Losses& losses,
+                  std::vector<RingMode>& modes) {
+  const int first = lateral ? 2 : 0;
+  // Without inertia of the section its torsion follows statically.
+  if (lateral && mass[3] == 0.0) {
+    Eigen::Vector4cd shape = Eigen::Vector4cd::Zero();
+    const bool stiff = std::abs(K(3, 3)) > 0.0;
+    shape[2] = 1.0 / std::sqrt(mass[2]);
+    shape[3] = stiff ? -K(3, 2) / K(3, 3) * shape[2] : Complex(0.0);
+    const Complex condensed = K(2, 2) - (stiff ? K(2, 3) * K(3, 2) / K(3, 3) : Complex(0.0));
+    modes.push_back(mode_of(condensed.real() / mass[2], shape, losses));
+    modes.back().n = n;
+    modes.back().lateral = true;
+    return;
+  }
+  const Eigen::Vector2d scale = mass.segment<2>(first).cwiseSqrt().cwiseInverse();
+  const Eigen::Matrix2cd A = scale.asDiagonal() * K.block<2, 2>(first, first) * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2cd> solver(A);
+  for (int i = 0; i < 2; ++i) {
+    Eigen::Vector4cd shape = Eigen::Vector4cd::Zero();
+    shape.segment<2>(first) = scale.asDiagonal() * solver.eigenvectors().col(i);
+    modes.push_back(mode_of(solver.eigenvalues()[i], shape, losses));
+    modes.back().n = n;
+    modes.back().lateral = lateral;
+    modes.back().order = i + 1;
+  }
+}
+
+}  // namespace
+
+DampedMode damped_mode(double squared, double damping, double maxwell, double time_constant) {
+  double omega = std::sqrt(std::max(squared, 0.0));
+  const auto x = [&] { return omega * time_constant * omega * time_constant; };
+  // A contraction: the bracket changes by less than 1 with ω²; 30 rounds are to the last bit.
+  for (int round = 0; maxwell > 0.0 && round < 30; ++round)
+    omega = std::sqrt(std::max(squared + maxwell * x() / (1.0 + x()), 0.0));
+  return {.frequency = omega / (2.0 * std::numbers::pi),
+          .damping = omega > 0.0 ? (damping + maxwell * time_constant / (1.0 + x())) / (2.0 * omega)
+                                 : 0.0};
+}
+
+std::vector<RingMode> unloaded_modes(const RingParameters& ring, int most_waves) {
+  assert(most_waves <= ring.nodes / 2);
+  const RestingRing resting(ring);
+  const Losses losses(ring);
+  const double m = ring.belt.mass / ring.nodes;
+  const double J =
+      ring.belt.torsion_inertia * 2.0 * std::numbers::pi * ring.belt.radius / ring.nodes;
+  std::vector<RingMode> modes;
+  for (int n = 0; n <= most_waves; ++n) {
+    const Matrix4cd K = resting.harmonic(n);
+    append_plane(K, {m, m, m, J}, false, n, losses, modes);
+    append_plane(K, {m, m, m, J}, true, n, losses, modes);
+  }
+  return modes;
+}
+
+const RingMode& find_mode(const std::vector<RingMode>& modes, int n, bool lateral, int order) {
+  for (const RingMode& mode : modes)
+    if (mode.n == n && mode.lateral == lateral && mode.order == order) return mode;
+  assert(false && "no such mode");
+  return modes.front();
+}
+
+}  // namespace latsch::ring_tire

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/ring_tire/ring/ring_tire.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace latsch::ring_tire {
+namespace {
+
+using Eigen::Vector3d;
+
+Eigen::Vector4d mass_of_node(const RingParameters& p) {
+  const double m = p.belt.mass / p.nodes;
+  const double J = p.belt.torsion_inertia * 2.0 * std::numbers::pi * p.belt.radius / p.nodes;
+  assert(m > 0.0 && J > 0.0);
+  return {m, m, m, J};
+}
+
+WheelMotion between(const WheelMotion& from, const WheelMotion& to, double share) {
+  const auto mix = [&](const auto& a, const auto& b) {
+    return ((1.0 - share) * a + share * b).eval();
+  };
+  WheelMotion motion;
+  motion.center = mix(from.center, to.center);
+  motion.velocity = mix(from.velocity, to.velocity);
+  motion.angular_velocity = mix(from.angular_velocity, to.angular_velocity);
+  motion.carrier = Eigen::Quaterniond(from.carrier)
+                       .slerp(share, Eigen::Quaterniond(to.carrier))
+                       .toRotationMatrix();
+  motion.spin = (1.0 - share) * from.spin + share * to.spin;
+  motion.spin_rate = (1.0 - share) * from.spin_rate + share * to.spin_rate;
+  return motion;
+}
+
+}  // namespace
+
+RingTire::RingTire(const RingParameters& parameters, const RingSettings& settings)
+    : parameters_(parameters),
+      settings_(settings),
+      angles_(parameters.nodes),
+      belt_(parameters.belt, parameters.nodes),
+      wall_(parameters.sidewall, parameters.belt.radius, parameters.nodes),
+      tread_(parameters.tread, parameters.belt.radius, parameters.nodes),
+      section_(parameters.belt,
+               parameters.tread.width,
+               belt_.chord(),
+               belt_.tension(),
+               parameters.nodes),
+      mass_(mass_of_node(parameters)),
+      rim_(RimFrame::of(WheelMotion())),
+      K_(parameters.nodes),
+      factor_(parameters.nodes) {
+  for (NodeValues* values : {&q_,
+                             &v_,
+                             &force_,
+                             &q1_,
+                             &v1_,
+                             &q_predicted_,
+                             &v_predicted_,
+                             &a_,
+                             &a1_,
+                             &inner_,
+                             &total_,
+                             &residual_})
+    *values = NodeValues::Zero(4, parameters.nodes);
+  place_at_rest();
+}
+
+double RingTire::free_radius() const { return parameters_.belt.radius + parameters_.tread.height; }
+
+void RingTire::place_at_rest() {
+  for (int k = 0; k < angles_.nodes(); ++k)
+    q_.col(k) << rim_.center + parameters_.belt.radius * angles_.radial(rim_, k), 0.0;
+  v_.setZero();
+  a_.setZero();
+  wall_.reset();
+  tread_.reset();
+  section_.reset();
+  tread_.bend(section_);
+}
+
+void RingTire::evaluate_inner(const NodeValues& q, const NodeValues& v) {
+  inner_.setZero();
+  belt_.add_force(q, rim_, inner_);
+  wall_.add_force(q, v, rim_, rule_, inner_);
+}
+
+void RingTire::evaluate(const NodeValues& q, const NodeValues& v) {
+  ++counts_.evaluations;
+  evaluate_inner(q, v);
+  total_ = inner_;
+  if (section_.on()) tread_.bend(section_);
+  tread_.add_force(q, v, total_);
+  if (section_.on()) section_.set_forces(tread_.section_forces(section_, q));
+}
+
+double RingTire::left_at_a_node() const {
+  const double left = residual_.cwiseAbs().maxCoeff();
+  if (!section_.on() || section_.unknowns() == 0) return left;
+  return std::max(left, section_.residual().cwiseAbs().maxCoeff());
+}
+
+double RingTire::left_together() const {
+  return section_.on() ? std::hypot(total_.norm(), section_.residual().norm()) : total_.norm();
+}
+
+void RingTire::solve() {
+  if (section_.on())
+    section_.solve(factor_, residual_);
+  else
+    factor_.solve(residual_);
+}
+
+void RingTire::solve_turned() {
+  const Eigen::Matrix3d turn = reuse_.turn(rim_);
+  residual_.topRows<3>() = (turn.transpose() * residual_.topRows<3>()).eval();
+  factor_.solve(residual_);
+  residual_.topRows<3>() = (turn * residual_.topRows<3>()).eval();
+}
+
+bool RingTire::factorize(const NodeValues& q,
+                         double mass_factor,
+                         double scale,
+                         const StepRule& rule) {
+  ++counts_.factorizations;
+  K_.set_zero();
+  K_.add_diagonal(mass_factor * mass_[0], mass_factor * mass_[3]);
+  belt_.add_stiffness(q, rim_, scale, K_);
+  wall_.add_stiffness(q, rim_, rule, scale, K_);
+  tread_.add_stiffness(scale, K_);
+  if (!factor_.factorize(K_)) return false;
+  if (!section_.on()) return true;
+  Eigen::MatrixXd B, A;
+  tread_.section_border(section_, q, false, B, A);
+  return section_.border(factor_, B, A, scale);
+}
+
+CyclicBand RingTire::stiffness() {
+  K_.set_zero();
+  const StepRule statics;
+  belt_.add_stiffness(q_, rim_, 1.0, K_);
+  wall_.add_stiffness(q_, rim_, statics, 1.0, K_);
+  tread_.add_stiffness(1.0, K_);
+  return K_;
+}
+
+double RingTire::energy() const {
+  double kinetic = 0.0;
+  for (int k = 0; k < angles_.nodes(); ++k) kinetic += 0.5 * mass_.dot(v_.col(k).cwiseAbs2());
+  return kinetic + belt_.energy(q_, rim_) + wall_.energy(q_, rim_) + tread_.energy(q_) +
+         section_.energy();
+}
+
+std::optional<Footprint> RingTire::footprint() const {
+  const Vector3d forward = last_motion_.carrier.col(0);
+  const Vector3d heading = Vector3d(forward.x(), forward.y(), 0.0).normalized();
+  return tread_.footprint(q_, rim_.center, heading);
+}
+
+HubForces RingTire::hub_forces(const Eigen::Matrix3d& carrier) const {
+  Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
+  for (int k = 0; k < angles_.nodes(); ++k) {
+    const Vector3d f = inner_.col(k).head<3>();
+    force -= f;
+    moment -=
+        (q_.col(k).head<3>() - rim_.center).cross(f) + inner_(3, k) * angles_.tangential(rim_, k);
+  }
+  return {carrier.transpose() * force, carrier.transpose() * moment};  // (18)
+}
+
+/// The shape X(χ) over the angle χ = φ - spin stands in the carrier; node k flows through it:
+/// x' = c' + ω × (x - c) - spin' dX/dχ,  x'' = spin'^2 d²X/dχ². Differences of fourth order.
+void RingTire::roll_on(const WheelMotion& motion) {
+  const int N = angles_.nodes();
+  const double step = 2.0 * std::numbers::pi / N, rate = motion.spin_rate;
+  for (int k = 0; k < N; ++k) {
+    const auto x = [&](int offset) { return q_.col((k + offset + N) % N); };
+    const Eigen::Vector4d slope = (8.0 * (x(1) - x(-1)) - (x(2) - x(-2))) / (12.0 * step);
+    const Eigen::Vector4d bend =
+        (16.0 * (x(1) + x(-1)) - (x(2) + x(-2)) - 30.0 * x(0)) / (12.0 * step * step);
+    v_.col(k) = -rate * slope;
+    v_.col(k).head<3>() +=
+        motion.velocity + motion.angular_velocity.cross(x(0).head<3>() - motion.center);
+    a_.col(k) = rate * rate * bend;
+    force_.col(k) = mass_.cwiseProduct(a_.col(k));
+  }
+}
+
+Result<HubForces> RingTire::advance(const WheelMotion& motion,
+                                    const road::Road& road,
+                                    double time,
+                                    double step) {
+  assert(settled_ && step > 0.0);
+  const int parts = std::max(1, static_cast<int>(std::ceil(step / settings_.largest_step - 1e-9)));
+  for (int i = 1; i <= parts; ++i) {
+    const WheelMotion from =
+        i == 1 ? last_motion_ : between(last_motion_, motion, (i - 1.0) / parts);
+    const WheelMotion to =
+        i == parts ? motion : between(last_motion_, motion, static_cast<double>(i) / parts);
+    const double then = time - step * (1.0 - static_cast<double>(i) / parts);
+    const std::string trouble = go(from, to, road, then, step / parts, settings_.halvings);
+    if (!trouble.empty()) return Failure{trouble};
+  }
+  last_motion_ = motion;
+  return hub_forces(motion.carrier);
+}
+
+/// A step, or where it has no solution two of half the length. Empty, or why there is none.
+std::string RingTire::go(const WheelMotion& from,
+                         const WheelMotion& to,
+                         const road::Road& road,
+                         double time,
+                         double step,
+                         int halvings) {
+  const std::string trouble = step_forward(to, road, time, step);
+  if (trouble.empty() || halvings == 0) return trouble;
+  const WheelMotion middle = between(from, to, 0.5);
+  const std::string first = go(from, middle, road, time - 0.5 * step, 0.5 * step, halvings - 1);
+  return first.empty() ? go(middle, to, road, time, 0.5 * step, halvings - 1) : first;
+}
+
+/// Where Newton's method starts: in a rolling tire accelerations stand in space rather than at a
+/// node, which flows through them by `turn` in the step.
+void RingTire::guess_end(double turn) {
+  const int N = angles_.nodes();
+  const double segments = turn * N / (2.0 * std::numbers::pi), whole = std::floor(segments);
+  const double part = segments - whole;
+  const int shift = static_cast<int>(whole) % N;
+  for (int k = 0; k < N; ++k) {
+    const auto a = [&](int back) { return a_.col((k - shift - back + 2 * N) % N); };
+    const Eigen::Vector4d more = (1.0 - part) * a(0) + part * a(1) - a_.col(k);
+    q1_.col(k) = q_predicted_.col(k) + more / rule_.acceleration;
+  }
+}
+
+/// What of (16) stands before the step's end is known, and the road there.
+void RingTire::predict(const WheelMotion& motion, const road::Road& road, double time, double h) {
+  const double theta = settings_.dissipation, gamma = 0.5 + theta;
+  const double beta = 0.25 * (1.0 + theta) * (1.0 + theta);
+  rim_ = RimFrame::of(motion);
+  rule_ = {.step = h, .velocity = gamma / (beta * h), .acceleration = 1.0 / (beta * h * h)};
+  q_predicted_ = q_ + h * v_ + 0.5 * h * h * a_;
+  v_predicted_ = v_ + h * a_;
+  guess_end(motion.spin_rate * h);
+  if (section_.on()) {
+    section_.restart();
+    section_.flow(motion.spin_rate * h * angles_.nodes() / (2.0 * std::numbers::pi));
+    tread_.bend(section_);
+  }
+  tread_.approach(q_predicted_, rim_, road, time, rule_);
+  if (section_.on()) section_.touch(tread_.nodes_near_road());
+}
+
+/// v1_ and a1_ of (16) at q1_.
+void RingTire::follow() {
+  v1_ = v_predicted_ + rule_.velocity * (q1_ - q_predicted_);
+  a1_ = a_ + rule_.acceleration * (q1_ - q_predicted_);
+}
+
+/// The tangent at q1_, with more mass where that alone would not be definite.
+bool RingTire::renew_tangent() {
+  constexpr double kMostMass = 64.0;
+  for (double more = 1.0; more <= kMostMass; more *= 2.0) {
+    if (!factorize(q1_, more * rule_.acceleration, 1.0 - settings_.dissipation, rule_)) continue;
+    reuse_.made(rim_, more * rule_.acceleration);
+    return true;
+  }
+  return false;
+}
+
+/// Forces after a correction that is known to leave less than the tolerance: belt and sidewall
+/// anew, all together by (17). The blocks, most of the work, need not be asked again.
+void RingTire::balance() {
+  const double theta = settings_.dissipation;
+  follow();
+  evaluate_inner(q1_, v1_);
+  total_ = (mass_.asDiagonal() * a1_ - theta * force_) / (1.0 - theta);
+}
+
+/// The step is done.
+void RingTire::keep() {
+  q_ = q1_;
+  v_ = v1_;
+  a_ = a1_;
+  force_ = total_;
+  wall_.commit(q_, rim_, rule_);
+  tread_.commit();
+  if (section_.on()) section_.keep();
+}
+
+/// One step of (16), (17). Empty, or why there is no solution.
+std::string RingTire::step_forward(const WheelMotion& motion,
+                                   const road::Road& road,
+                                   double time,
+                                   double h) {
+  predict(motion, road, time, h);
+  ++counts_.steps;
+  // The border that bending sections add to a tangent is not turned.
+  const bool held = reuse_.serves(rule_.acceleration) && !section_.on();
+  const int age = reuse_.age();
+  const long before = counts_.evaluations;
+  const std::string trouble = solve_step(held, time);
+  if (!trouble.empty()) {
+    reuse_.forget();
+    return trouble;
+  }
+  const int evaluations = static_cast<int>(counts_.evaluations - before);
+  if (held)
+    reuse_.took(evaluations, age);
+  else
+    reuse_.took_alone(evaluations);
+  keep();
+  return {};
+}
+
+/// (17) by Newton's method, at first with the tangent held from an earlier step.
+std::string RingTire::solve_step(bool held, double time) {
+  constexpr double kSlow = 0.2;  // a tangent that reduces less than to that is renewed
+  const double theta = settings_.dissipation;
+  double last = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
+    follow();
+    evaluate(q1_, v1_);
+    residual_ = (1.0 - theta) * total_ + theta * force_ - mass_.asDiagonal() * a1_;
+    const double left = left_at_a_node();
+    if (!std::isfinite(left)) break;
+    if (left <= settings_.tolerance) return {};
+    const bool reduces = iteration > 0 && left <= kSlow * last;
+    if (!reduces && !(held && iteration == 0)) {
+      held = false;
+      if (!renew_tangent()) return lost(time, "its tangent is not definite");
+    }
+    last = left;
+    if (held)
+      solve_turned();
+    else
+      solve();
+    q1_ += residual_;
+    if (section_.on()) section_.set_values(section_.values() + section_.direction());
+    if (reduces && left <= settings_.tolerance / kSlow) {
+      balance();
+      return {};
+    }
+  }
+  return lost(time, fmt::format("{:.3g} N are left at a node", last));
+}
+
+std::string RingTire::lost(double time, const std::string& why) const {
+  return fmt::format(
+      "the ring's step to {:.5f} s has no solution: {}; a shorter step may help", time, why);
+}
+
+}  // namespace latsch::ring_tire

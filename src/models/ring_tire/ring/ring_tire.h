@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// Flexible ring tire: belt.h on sidewall.h with tread_contact.h, in statics and in time.
+//
+//   m q'' = f(q, q', t),  q: positions of the nodes and torsions of their sections          (15)
+//   q1 = q0 + h v0 + h^2 ((1/2 - β) a0 + β a1),  v1 = v0 + h ((1 - γ) a0 + γ a1)            (16)
+//   m a1 = (1 - θ) f1 + θ f0,  β = (1 + θ)^2/4,  γ = 1/2 + θ                                (17)
+// θ = 0 is the trapezoidal rule; a small θ damps what vibrates faster than the step, still of order
+// 2 [Hilber, Hughes, Taylor 1977]. Each step is solved by Newton's method with the cyclic band
+// matrix m/(β h^2) + (1 - θ) (K + γ/(β h) C).
+//   hub force = -Σ f_k, moment = -Σ ((x_k - c) × f_k + ψ-moment e_t), f: all but the road's (18)
+//
+// settle() lowers the rim from first touch in equal steps, each an equilibrium (statics.cpp),
+// so friction in the contact has the history of a tire pressed down. Where the wheel spins, the
+// shape found is kept in space and the belt flows through it: velocities and accelerations of
+// steady rolling up to the change that speed brings.
+//   Limits: docs/ring_tire.md, section 9.
+#pragma once
+
+#include <string>
+
+#include "models/ring_tire/belt/belt.h"
+#include "models/ring_tire/belt/section_bending.h"
+#include "models/ring_tire/belt/sidewall.h"
+#include "models/ring_tire/description/ring_parameters.h"
+#include "models/ring_tire/ring/tangent_reuse.h"
+#include "models/ring_tire/tread/tread_contact.h"
+#include "models/tire/tire.h"
+
+namespace latsch::ring_tire {
+
+struct RingSettings {
+  double dissipation = 0.05;       // θ, 0 .. 1/3
+  double tolerance = 0.1;          // N (m on torsion: per meter), largest force left at a node
+  double static_tolerance = 1e-3;  // N, all forces left together
+  int halvings = 4;                // of a step that has no solution
+  int most_iterations = 15;        // of Newton's method a step
+  int lowerings = 8;               // steps of the rim from first touch in settle()
+  double largest_step = 2e-3;      // s; advance() divides longer ones
+};
+
+/// What advance() and settle() cost so far.
+struct RingCounts {
+  long steps = 0, evaluations = 0, factorizations = 0;
+};
+
+class RingTire final : public Tire {
+ public:
+  explicit RingTire(const RingParameters& parameters, const RingSettings& settings = {});
+
+  double free_radius() const override;
+  Result<HubForces> settle(const WheelMotion& motion, const road::Road& road, double time) override;
+  Result<HubForces> advance(const WheelMotion& motion,
+                            const road::Road& road,
+                            double time,
+                            double step) override;
+  std::optional<Footprint> footprint() const override;
+  std::unique_ptr<Tire> clone() const override { return std::make_unique<RingTire>(*this); }
+
+  const RingParameters& parameters() const { return parameters_; }
+  const RimFrame& rim() const { return rim_; }
+  const SectionBending& section() const { return section_; }
+  const NodeValues& positions() const { return q_; }
+  const NodeValues& velocities() const { return v_; }
+  /// The blocks on the road.
+  std::vector<BlockContact> contacts() const { return tread_.contacts(q_); }
+  const RingCounts& counts() const { return counts_; }
+  /// J: kinetic and in all springs.
+  double energy() const;
+  /// What small vibrations about the tire as it stands feel: friction of the road and in the
+  /// sidewall sticks. `maxwell`: stiffness of the Maxwell elements, of one time constant.
+  struct Linearized {
+    CyclicBand stiffness, damping, maxwell;
+    double time_constant;
+    // What the bending of the sections adds: SectionBending::border().
+    Eigen::MatrixXd section_border, section_stiffness;
+  };
+  Linearized linearized() const;
+  /// Tangent stiffness of belt, sidewall and contact as they stand, and mass of a node (m, m, m,
+  /// J).
+  CyclicBand stiffness();
+  Eigen::Vector4d node_mass() const { return mass_; }
+
+ private:
+  /// f of (15) at q, v, on the rim where it stands: inner forces, then those of the road.
+  void evaluate(const NodeValues& q, const NodeValues& v);
+  /// Of belt and sidewall alone.
+  void evaluate_inner(const NodeValues& q, const NodeValues& v);
+  Result<bool> equilibrate(const road::Road& road, double time);
+  bool relax();
+  bool advance_along(const NodeValues& direction);
+  Result<bool> lower(double from, double to, const road::Road& road, double time, int halvings);
+  void guess_end(double turn);
+  void predict(const WheelMotion& motion, const road::Road& road, double time, double h);
+  void follow();
+  bool renew_tangent();
+  void balance();
+  void keep();
+  void roll_on(const WheelMotion& motion);
+  std::string go(const WheelMotion& from,
+                 const WheelMotion& to,
+                 const road::Road& road,
+                 double time,
+                 double step,
+                 int halvings);
+  std::string step_forward(const WheelMotion& motion,
+                           const road::Road& road,
+                           double time,
+                           double step);
+  std::string solve_step(bool held, double time);
+  std::string lost(double time, const std::string& why) const;
+  bool factorize(const NodeValues& q, double mass_factor, double scale, const StepRule& rule);
+  /// residual_, and the section's, become Newton's step.
+  void solve();
+  /// The same with the tangent of an earlier step, turned on with the rim.
+  void solve_turned();
+  /// The largest force left, N; on the section's unknowns too.
+  double left_at_a_node() const;
+  /// Of all together.
+  double left_together() const;
+  HubForces hub_forces(const Eigen::Matrix3d& carrier) const;
+  void place_at_rest();
+
+  RingParameters parameters_;
+  RingSettings settings_;
+  NodeAngles angles_;
+  BeltForces belt_;
+  SidewallForces wall_;
+  TreadContact tread_;
+  SectionBending section_;
+  Eigen::Vector4d mass_;
+  RimFrame rim_;
+  StepRule rule_;
+  NodeValues q_, v_, force_;  // at the end of the last step; f of (15)
+  NodeValues q1_, v1_, a1_, q_predicted_, v_predicted_, a_;
+  NodeValues inner_, total_, residual_;
+  CyclicBand K_;
+  CyclicBandFactor factor_;
+  TangentReuse reuse_;
+  WheelMotion last_motion_;
+  bool settled_ = false;
+  RingCounts counts_;
+};
+
+}  // namespace latsch::ring_tire

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/ring_tire/ring/standing_modes.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "models/ring_tire/description/ring_parameters_testing.h"
+#include "models/ring_tire/ring/ring_modes.h"
+#include "models/road/plane_road.h"
+#include "numerics/dense/self_adjoint_eigen.h"
+
+namespace latsch::ring_tire {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+
+RingTire standing(const RingParameters& ring, double depth, double camber = 0.0) {
+  RingTire tire(ring);
+  WheelMotion motion;
+  motion.center.z() = tire.free_radius() - depth;
+  motion.carrier = Eigen::AngleAxisd(camber, Vector3d::UnitX()).toRotationMatrix();
+  const auto hub = tire.settle(motion, road::PlaneRoad(), 0.0);
+  EXPECT_TRUE(hub) << hub.failure().reason;
+  return tire;
+}
+
+using NodesOfBlock = std::array<Eigen::Vector4d, 4>;
+
+/// (10) of a block at the share s of its segment, its frame following the belt.
+Vector3d tip_of(const NodesOfBlock& x, double s, double H, double y, const Vector3d& a) {
+  const double w[4] = {-0.5 * s + s * s - 0.5 * s * s * s,
+                       1.0 - 2.5 * s * s + 1.5 * s * s * s,
+                       0.5 * s + 2.0 * s * s - 1.5 * s * s * s,
+                       -0.5 * s * s + 0.5 * s * s * s};
+  const double d[4] = {-0.5 + 2.0 * s - 1.5 * s * s,
+                       -5.0 * s + 4.5 * s * s,
+                       0.5 + 4.0 * s - 4.5 * s * s,
+                       -s + 1.5 * s * s};
+  Eigen::Vector4d p = Eigen::Vector4d::Zero(), slope = Eigen::Vector4d::Zero();
+  for (std::size_t m = 0; m < 4; ++m) {
+    p += w[m] * x[m];
+    slope += d[m] * x[m];
+  }
+  const Vector3d along = slope.head<3>(), flat = along - a * a.dot(along);
+  const Vector3d t = flat.normalized(), n = a.cross(t);
+  const double lean = a.dot(along) / flat.norm();
+  return p.head<3>() + H * (n + p[3] * a) + y * (a - lean * t - p[3] * n);
+}
+
+/// Second differences of the energy of a sticking block on the road z = 0.
+Eigen::Matrix<double, 16, 16> block_stiffness(
+    const NodesOfBlock& at,
+    const std::function<double(const Vector3d&)>& energy,
+    const std::function<Vector3d(const NodesOfBlock&)>& tip) {
+  constexpr double h = 2e-5;
+  const auto moved = [&](int i, double by_i, int j, double by_j) {
+    NodesOfBlock x = at;
+    x[static_cast<std::size_t>(i / 4)][i % 4] += by_i;
+    x[static_cast<std::size_t>(j / 4)][j % 4] += by_j;
+    return energy(tip(x));
+  };
+  Eigen::Matrix<double, 16, 16> K;
+  for (int i = 0; i < 16; ++i)
+    for (int j = 0; j < 16; ++j)
+      K(i, j) =
+          (moved(i, h, j, h) - moved(i, h, j, -h) - moved(i, -h, j, h) + moved(i, -h, j, -h)) /
+          (4.0 * h * h);
+  return K;
+}
+
+/// Differences of the belt's and the sidewall's forces and of the blocks' energy, all unknowns.
+MatrixXd stiffness_by_differences(const RingTire& tire) {
+  const RingParameters& ring = tire.parameters();
+  const int N = ring.nodes;
+  const BeltForces belt(ring.belt, N);
+  const SidewallForces wall(ring.sidewall, ring.belt.radius, N);
+  const auto force = [&](const NodeValues& q) {
+    NodeValues f = NodeValues::Zero(4, N);
+    belt.add_force(q, tire.rim(), f);
+    wall.add_force(q, NodeValues::Zero(4, N), tire.rim(), {}, f);
+    return Eigen::VectorXd(f.reshaped());
+  };
+  MatrixXd K(4 * N, 4 * N);
+  constexpr double h = 1e-6;
+  for (int i = 0; i < 4 * N; ++i) {
+    NodeValues more = tire.positions(), less = more;
+    more.data()[i] += h;
+    less.data()[i] -= h;
+    K.col(i) = (force(less) - force(more)) / (2.0 * h);
+  }
+  const auto contacts = tire.contacts();
+  const double area = contacts.front().area, H = ring.tread.height;
+  const double normal = ring.tread.positive * ring.tread.young_modulus * area / H;
+  const double tangential = ring.tread.shear_ratio * normal;
+  const Vector3d a = tire.rim().a;
+  std::size_t touching = 0;
+  for (int segment = 0; segment < N; ++segment)
+    for (int line = 0; line < ring.tread.lines; ++line)
+      for (int j = 0; j < ring.tread.blocks; ++j) {
+        const double s = (j + 0.5) / ring.tread.blocks;
+        const double y = ring.tread.width * ((line + 0.5) / ring.tread.lines - 0.5);
+        NodesOfBlock at;
+        for (int m = 0; m < 4; ++m)
+          at[static_cast<std::size_t>(m)] = tire.positions().col((segment + m - 1 + N) % N);
+        const auto tip = [&](const NodesOfBlock& x) { return tip_of(x, s, H, y, a); };
+        const Vector3d T = tip(at);
+        if (T.z() >= 0.0) continue;
+        ++touching;
+        const BlockContact* own = &contacts.front();
+        for (const BlockContact& contact : contacts)
+          if ((contact.root - T).head<2>().norm() < (own->root - T).head<2>().norm())
+            own = &contact;
+        const auto energy = [&](const Vector3d& now) {
+          const Eigen::Vector2d gone = (now - T).head<2>();
+          return 0.5 * normal * now.z() * now.z() + 0.5 * tangential * gone.squaredNorm() -
+                 own->force.head<2>().dot(gone);
+        };
+        const auto block = block_stiffness(at, energy, tip);
+        for (int m = 0; m < 4; ++m)
+          for (int o = 0; o < 4; ++o)
+            K.block<4, 4>(4 * ((segment + m - 1 + N) % N), 4 * ((segment + o - 1 + N) % N)) +=
+                block.block<4, 4>(4 * m, 4 * o);
+      }
+  EXPECT_EQ(touching, contacts.size());
+  return K;
+}
+
+// A dense generalized eigen-solve of differences: of the belt's and the sidewall's forces, and of
+// an energy of the blocks that the test writes down by itself. Differences of steps of 2e-5 m in
+// an energy of up to 1 J leave 1e-6 of a block's stiffness.
+TEST(StandingModes, AreThoseOfADenseMatrixOfDifferences) {
+  RingParameters ring = passenger_ring();
+  ring.sidewall.progressivity = 1.2;
+  for (const double depth : {0.004, 0.025}) {
+    const RingTire tire = standing(ring, depth);
+    const MatrixXd K = stiffness_by_differences(tire);
+    const MatrixXd M = tire.node_mass().replicate(ring.nodes, 1).asDiagonal();
+    const Eigen::VectorXd squares =
+        numerics::generalized_eigenvalues(MatrixXd(0.5 * (K + K.transpose())), M);
+    const auto modes = standing_modes(tire, 24);
+    ASSERT_TRUE(modes) << modes.failure().reason;
+    for (int i = 0; i < 24; ++i) {
+      const double expected = std::sqrt(squares[i]) / (2.0 * std::numbers::pi);
+      EXPECT_NEAR((*modes)[static_cast<std::size_t>(i)].frequency / expected, 1.0, 2e-6)
+          << depth << " m, mode " << i;
+    }
+  }
+}
+
+// Off the road nothing is left but the ring at rest: every mode of n > 0 twice.
+TEST(StandingModes, OfATireInTheAirAreTheUnloadedOnes) {
+  RingParameters ring = passenger_ring();
+  ring.sidewall.radial.dynamic_stiffening = 0.2;
+  const RingTire tire = standing(ring, -0.01);
+  const auto modes = standing_modes(tire, 24);
+  ASSERT_TRUE(modes) << modes.failure().reason;
+  std::vector<RingMode> expected;
+  for (const RingMode& mode : unloaded_modes(ring, 14))
+    expected.insert(expected.end(), mode.n == 0 ? 1 : 2, mode);
+  std::sort(expected.begin(), expected.end(), [](const RingMode& a, const RingMode& b) {
+    return a.frequency < b.frequency;
+  });
+  for (std::size_t i = 0; i < modes->size(); ++i) {
+    const StandingMode& mode = (*modes)[i];
+    EXPECT_EQ(mode.n, expected[i].n) << i;
+    EXPECT_EQ(mode.lateral, expected[i].lateral) << i;
+    EXPECT_NEAR(mode.share, 1.0, 1e-9) << i;
+    EXPECT_NEAR(mode.frequency / expected[i].frequency, 1.0, 1e-7) << i;
+    EXPECT_NEAR(mode.damping / expected[i].damping, 1.0, 1e-6) << i;
+  }
+}
+
+/// The modes in the plane symmetric to φ = 0: ω² and how far they move a tip down that hangs from
+/// nodes at φ = -3, -1, 1, 3 halves of a segment.
+struct Poles {
+  std::vector<double> squared, moved;
+};
+Poles symmetric_poles(const RingParameters& ring) {
+  Poles poles;
+  const double w[4] = {-0.0625, 0.5625, 0.5625, -0.0625};
+  for (const RingMode& mode : unloaded_modes(ring, ring.nodes / 2)) {
+    if (mode.lateral) continue;
+    // u_r = A cos n φ, u_t = -+B sin n φ: minus where the belt keeps its length, u_r + u_t' = 0,
+    // which is the lower of two; plus in the upper, by orthogonality.
+    const double sign = mode.order == 1 ? -1.0 : 1.0;
+    double down = 0.0;
+    for (int m = 0; m < 4; ++m) {
+      const double phi = 2.0 * std::numbers::pi / ring.nodes * (m - 1.5);
+      down += w[m] * (mode.shape[0] * std::cos(mode.n * phi) * std::cos(phi) -
+                      sign * mode.shape[1] * std::sin(mode.n * phi) * std::sin(phi));
+    }
+    const bool single = mode.n == 0 || 2 * mode.n == ring.nodes;
+    poles.squared.push_back(std::pow(2.0 * std::numbers::pi * mode.frequency, 2));
+    poles.moved.push_back((single ? 1.0 : 2.0) / ring.nodes * down * down);
+  }
+  return poles;
+}
+
+// One block without shear touches by a hair: a spring c between the road and the ring there. The
+// frequencies of modes symmetric to it are roots of the secular equation
+//   1/c + Σ φ_i²/(ω_i² - ω²) = 0
+// over the unloaded modes, φ_i: how far mode i moves the tip. The hair of 1 µm, 3e-6 of the radius,
+// bears a newton.
+TEST(StandingModes, OnOneBlockSolveTheSecularEquation) {
+  RingParameters ring = passenger_ring();
+  ring.tread.lines = ring.tread.blocks = 1;
+  ring.tread.shear_ratio = 1e-9;
+  RingTire tire(ring);
+  WheelMotion motion;
+  motion.center.z() = tire.free_radius() - 1e-6;
+  motion.spin = std::numbers::pi / ring.nodes;  // the block of the first segment is lowest
+  ASSERT_TRUE(tire.settle(motion, road::PlaneRoad(), 0.0));
+  ASSERT_EQ(tire.contacts().size(), 1u);
+  const double c =
+      ring.tread.positive * ring.tread.young_modulus * tire.contacts()[0].area / ring.tread.height;
+  const Poles poles = symmetric_poles(ring);
+  const auto secular = [&](double squared) {
+    double sum = 1.0 / c;
+    for (std::size_t i = 0; i < poles.squared.size(); ++i)
+      sum += poles.moved[i] / (poles.squared[i] - squared);
+    return sum;
+  };
+  std::vector<double> sorted = poles.squared;
+  std::sort(sorted.begin(), sorted.end());
+  const auto modes = standing_modes(tire, 40);
+  ASSERT_TRUE(modes) << modes.failure().reason;
+  for (std::size_t i = 0; i < 6; ++i) {
+    double low = sorted[i] * (1.0 + 1e-12), high = sorted[i + 1] * (1.0 - 1e-12);
+    if (secular(low) * secular(high) > 0.0) continue;  // that mode does not move the tip
+    for (int k = 0; k < 60; ++k) {
+      const double middle = 0.5 * (low + high);
+      (secular(low) * secular(middle) > 0.0 ? low : high) = middle;
+    }
+    const double expected = std::sqrt(low) / (2.0 * std::numbers::pi);
+    double nearest = 1.0;
+    for (const StandingMode& mode : *modes)
+      nearest = std::min(nearest, std::abs(mode.frequency / expected - 1.0));
+    EXPECT_LT(nearest, 3e-6) << expected << " Hz";
+  }
+}
+
+// The contact splits the pairs: one mode of each is symmetric to it.
+TEST(StandingModes, ComeSymmetricAndAntisymmetric) {
+  const RingTire tire = standing(passenger_ring(), 0.02);
+  const auto modes = standing_modes(tire, 10);
+  ASSERT_TRUE(modes);
+  for (const StandingMode& mode : *modes) EXPECT_NE(mode.phase, ' ') << mode.frequency;
+}
+
+}  // namespace
+}  // namespace latsch::ring_tire

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// The standing tire for small vibrations. With x' the belt's derivative by s at a block and
+//   θ = n . dx'/|x'|,  σ = t . dx'/|x'|,  α = a . dx'/|x'|
+// (10) with the frame following the belt is to second order, of a section that stands upright,
+//   dT = dp - H θ t - y α t + (H a - y n) dψ - 1/2 H (θ^2 n - 2 θ σ t) + y (α σ t - α θ n + dψ θ t)
+// so a block with force F on the tire and stiffness K_b has the energy 1/2 dT K_b dT - F . d²T.
+#include <Eigen/Core>
+
+#include "models/ring_tire/ring/ring_tire.h"
+#include "models/ring_tire/tread/block_arms.h"
+
+namespace latsch::ring_tire {
+namespace {
+
+using Eigen::Matrix4d;
+using Eigen::Vector4d;
+
+Matrix4d along_axes(const Matrix4d& axes, const Vector4d& values) {
+  return axes * values.asDiagonal() * axes.transpose();
+}
+
+}  // namespace
+
+void TreadContact::add_sticking(const NodeValues& q, CyclicBand& K, CyclicBand& C) const {
+  see_touching(q, [&](const BlockState& block) {
+    const int segment = patches_[block.patch].segment;
+    const Arms arms = arms_at(block.patch,
+                              block.station,
+                              height(segment, block.line, block.station),
+                              line_y_[static_cast<std::size_t>(block.line)]);
+    const Eigen::Matrix3d spring =
+        tangential_ * Eigen::Matrix3d::Identity() +
+        (normal_ - tangential_) * block.normal * block.normal.transpose();
+    const Matrix4d turning = arms.turning(block.Fn * block.normal + block.F);
+    for (int m = 0; m < 4; ++m)
+      for (int o = m; o < 4; ++o) {
+        const Matrix4d springs = arms.tip_by(m).transpose() * spring * arms.tip_by(o);
+        K.block(node(segment, m), o - m) +=
+            springs + arms.turning_by(m).transpose() * turning * arms.turning_by(o);
+        C.block(node(segment, m), o - m) += damping_time_ * springs;
+      }
+  });
+}
+
+RingTire::Linearized RingTire::linearized() const {
+  const int nodes = angles_.nodes();
+  const SidewallForces::Losses losses = wall_.losses();
+  Linearized tire{
+      CyclicBand(nodes), CyclicBand(nodes), CyclicBand(nodes), losses.time_constant, {}, {}};
+  belt_.add_stiffness(q_, rim_, 1.0, tire.stiffness);
+  SidewallForces wall = wall_;
+  wall.stick();
+  wall.add_stiffness(q_, rim_, {}, 1.0, tire.stiffness);
+  for (int k = 0; k < nodes; ++k) {
+    Matrix4d axes = Matrix4d::Identity();
+    axes.block<3, 1>(0, 0) = angles_.radial(rim_, k);
+    axes.block<3, 1>(0, 1) = angles_.tangential(rim_, k);
+    axes.block<3, 1>(0, 2) = rim_.a;
+    tire.damping.block(k, 0) += along_axes(axes, losses.damping);
+    tire.maxwell.block(k, 0) += along_axes(axes, losses.maxwell);
+  }
+  tread_.add_sticking(q_, tire.stiffness, tire.damping);
+  if (section_.on())
+    tread_.section_border(section_, q_, true, tire.section_border, tire.section_stiffness);
+  return tire;
+}
+
+}  // namespace latsch::ring_tire

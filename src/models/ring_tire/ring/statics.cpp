@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ring at rest. From first touch the rim comes down in equal steps; each is an equilibrium by
+// two loops:
+//   renewal    frames of the blocks, road below them and what friction holds, for the shape found
+//   relaxing   with those held every force is the gradient of an energy: Newton's method with a
+//              line search goes down until it is flat
+// The first is a fixed point that contracts by the tread's height times the contact force over the
+// belt's tension; the second cannot fail where the energy is bounded. A step of the rim that finds
+// none within its iterations is divided.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/ring_tire/ring/ring_tire.h"
+
+namespace latsch::ring_tire {
+namespace {
+
+constexpr double kSmallestShift = 1e4, kLargestShift = 1e12;  // 1/s^2
+constexpr double kLargestMove = 5e-3;                         // m, of a node in one iteration
+
+}  // namespace
+
+/// q_ goes along a direction of falling energy until the force along it has all but gone. False
+/// where it does not come down.
+bool RingTire::advance_along(const NodeValues& direction) {
+  constexpr double kFlat = 0.5;  // of the first slope
+  constexpr int kMost = 20;
+  const Eigen::VectorXd bent = section_.values(), bending = section_.direction();
+  const auto slope_now = [&] {
+    const double of_belt = (total_.array() * direction.array()).sum();
+    return section_.on() ? of_belt + section_.residual().dot(bending) : of_belt;
+  };
+  const double first = slope_now();
+  double low = 0.0, high = 0.0, at_low = first, at_high = 0.0;
+  double share = std::min(1.0, kLargestMove / direction.topRows<3>().cwiseAbs().maxCoeff());
+  for (int i = 0; i < kMost; ++i) {
+    q1_ = q_ + share * direction;
+    if (section_.on()) section_.set_values(bent + share * bending);
+    evaluate(q1_, v1_);
+    const double slope = slope_now();
+    const bool falls = slope >= 0.0;
+    if (std::abs(slope) <= kFlat * first || (falls && high == 0.0)) {
+      q_ = q1_;
+      return true;
+    }
+    // Regula falsi (Illinois) between falling and rising energy; halves where it is not finite.
+    if (falls) {
+      low = share;
+      at_low = slope;
+      at_high *= 0.5;
+    } else {
+      high = share;
+      at_high = slope;
+      if (i > 0) at_low *= 0.5;
+    }
+    share = std::isfinite(slope) ? low + (high - low) * at_low / (at_low - at_high)
+                                 : 0.5 * (low + high);
+  }
+  return false;
+}
+
+/// With frames, road and friction held, from q_ to the least energy.
+bool RingTire::relax() {
+  constexpr int kMost = 60;
+  constexpr double kOfTolerance = 0.3;
+  double shift = 0.0;
+  for (int i = 0; i < kMost; ++i) {
+    evaluate(q_, v1_);
+    if (!std::isfinite(total_.norm())) return false;
+    if (left_together() <= kOfTolerance * settings_.static_tolerance) return true;
+    while (!factorize(q_, shift, 1.0, rule_)) {
+      shift = std::max(10.0 * shift, kSmallestShift);
+      if (!(shift < kLargestShift)) return false;
+    }
+    residual_ = total_;
+    solve();
+    if (!advance_along(residual_)) return false;
+    shift = shift > kSmallestShift ? 0.1 * shift : 0.0;
+  }
+  return false;
+}
+
+/// The equilibrium at the rim's place, from q_.
+Result<bool> RingTire::equilibrate(const road::Road& road, double time) {
+  constexpr int kRenewals = 40;
+  // A block on an edge of the road may have no place between its two planes: it keeps its own.
+  constexpr int kLooksAtRoad = 12;
+  rule_ = {};
+  v1_.setZero();
+  section_.restart();
+  tread_.bend(section_);
+  double left = 0.0;
+  for (int renewal = 0; renewal < kRenewals; ++renewal) {
+    if (renewal < kLooksAtRoad) {
+      tread_.approach(q_, rim_, road, time, rule_);
+      if (section_.on()) section_.touch(tread_.nodes_near_road());
+    }
+    evaluate(q_, v1_);
+    tread_.hold_friction();
+    evaluate(q_, v1_);
+    left = left_together();
+    if (left <= settings_.static_tolerance) {
+      wall_.commit(q_, rim_, rule_);
+      tread_.commit();
+      if (section_.on()) section_.keep();
+      return true;
+    }
+    if (!relax()) break;
+  }
+  return Failure{
+      fmt::format("no equilibrium of the ring: {:.3g} N are left, axle at height {:.4f} m",
+                  left,
+                  rim_.center.z())};
+}
+
+/// The rim from one height to another, in parts where one step finds no equilibrium.
+Result<bool> RingTire::lower(
+    double from, double to, const road::Road& road, double time, int halvings) {
+  const NodeValues before = q_;
+  rim_.center.z() = to;
+  const Result<bool> found = equilibrate(road, time);
+  if (found || halvings == 0) return found;
+  q_ = before;
+  const double middle = 0.5 * (from + to);
+  const Result<bool> first = lower(from, middle, road, time, halvings - 1);
+  return first ? lower(middle, to, road, time, halvings - 1) : first;
+}
+
+Result<HubForces> RingTire::settle(const WheelMotion& motion, const road::Road& road, double time) {
+  rim_ = RimFrame::of(motion);
+  reuse_.forget();
+  place_at_rest();
+  const double end = rim_.center.z();
+  const double depth = std::max(0.0, tread_.deepest(q_, rim_, road, time));
+  q_.row(2).array() += depth;
+  double height = end + depth;
+  for (int i = settings_.lowerings - 1; i >= 0; --i) {
+    const double next = end + depth * i / settings_.lowerings;
+    const Result<bool> found = lower(height, next, road, time, settings_.halvings);
+    if (!found) return found.failure();
+    height = next;
+  }
+  const HubForces forces = hub_forces(motion.carrier);
+  roll_on(motion);
+  last_motion_ = motion;
+  settled_ = true;
+  return forces;
+}
+
+}  // namespace latsch::ring_tire

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: Apache-2.0
+// The loops of block_forces.h.
+#include "models/ring_tire/tread/block_lanes.h"
+#include "models/ring_tire/tread/friction_lanes.h"
+
+namespace latsch::ring_tire::LATSCH_KERNELS {
+
+/// (11). The damper carries no more than the spring: no jump at the touch and no pull.
+LATSCH_INLINE Lanes push(const BlockLaw& law, const Lanes& depth, const Lanes& rate) {
+  const Lanes fast = smaller(law.damping_time * rate, depth);
+  return select(depth > 0.0, law.normal * (depth + larger(fast, -depth)), all(0.0));
+}
+
+/// s since a block touched that did not at the beginning of the step.
+LATSCH_INLINE Lanes since_touch(const BlockLaw& law, const Lanes& depth, const Lanes& rate) {
+  const Lanes since = select(rate * law.step > depth, depth / rate, all(law.step));
+  return select(depth > 0.0, since, all(law.step));
+}
+
+/// Force over that of a sticking tip, and how far the tip gave way, per force T.
+struct Grip {
+  Lanes share, slip;
+};
+
+/// (13), (14): what of the force T of sticking tips friction holds. False where it holds all.
+LATSCH_INLINE bool slides(
+    const BlockLaw& law, const Lanes& T2, const Lanes& Fn, const Lanes& factor, Grip& grip) {
+  const Lanes p = Fn * law.by_force;
+  const Lanes limit = factor * adhesion(law.friction->table(), p) * Fn;
+  const Lanes over = T2 - limit * limit;
+  if (!any(over > 0.0)) return false;
+  const Lanes T = sqrt(select(over > 0.0, T2, all(1.0)));
+  const double slope = law.tangential * (law.step + law.damping_time);
+  const Lanes v = sliding_speed(law.friction->table(), T, slope, Fn, p, factor);
+  const Lanes F = T - slope * v, slip = v * law.step;
+  grip = {select(over > 0.0, F / T, all(1.0)), select(over > 0.0, slip / T, all(0.0))};
+  return true;
+}
+
+/// On level ground only x and y are left of the plane. A tip that sticks is where it was, less the
+/// way of the road, so T + t_d V is all that is needed along x and y.
+struct LevelBlocks {
+  LevelGround ground;
+  BlockMemory before;
+  BlockLaw law;
+  BlockResults results;
+
+  struct Belt {
+    Section place, rate, lagging;  // T, V against the road, T + t_d V
+  };
+
+  LATSCH_INLINE Belt at(const SegmentStations& at, int j, Section place, Section rate) const {
+    place.p.z += lanes(at.lift + j);
+    rate.p = {rate.p.x - ground.velocity[0],
+              rate.p.y - ground.velocity[1],
+              rate.p.z - ground.velocity[2]};
+    const double td = law.damping_time;
+    const auto plus = [&](const Lanes3& a, const Lanes3& b) {
+      return Lanes3{a.x + td * b.x, a.y + td * b.y, a.z};
+    };
+    return {place, rate, {plus(place.p, rate.p), plus(place.G, rate.G), plus(place.A, rate.A)}};
+  }
+
+  template <class Height>
+  LATSCH_INLINE Lanes3
+  force(const Belt& s, const Height& H, double y, bool entering, int block) const {
+    const Lanes depth = ground.height - at_line(s.place.p.z, s.place.G.z, s.place.A.z, H, y);
+    const Lanes rate = -at_line(s.rate.p.z, s.rate.G.z, s.rate.A.z, H, y);
+    Lanes tip_x = lanes(before.tip[0] + block) + law.step * ground.velocity[0];
+    Lanes tip_y = lanes(before.tip[1] + block) + law.step * ground.velocity[1];
+    if (entering) {
+      const Lanes3 T = at_line(s.place, H, y), V = at_line(s.rate, H, y);
+      const Lanes touches = lanes(before.touches + block), since = since_touch(law, depth, rate);
+      tip_x = select(touches > 0.5, tip_x, T.x - V.x * since);
+      tip_y = select(touches > 0.5, tip_y, T.y - V.y * since);
+    }
+    const Lanes stick = select(depth > 0.0, all(law.tangential), all(0.0));
+    Lanes3 F = {stick * (tip_x - at_line(s.lagging.p.x, s.lagging.G.x, s.lagging.A.x, H, y)),
+                stick * (tip_y - at_line(s.lagging.p.y, s.lagging.G.y, s.lagging.A.y, H, y)),
+                push(law, depth, rate)};  // (12)
+    Grip grip;
+    Lanes gripped = all(1.0);
+    if (slides(law, F.x * F.x + F.y * F.y, F.z, all(ground.friction), grip)) {
+      tip_x -= grip.slip * F.x;
+      tip_y -= grip.slip * F.y;
+      F.x *= grip.share;
+      F.y *= grip.share;
+      gripped = grip.share;
+    }
+    store(F.x, results.F[0] + block);
+    store(F.y, results.F[1] + block);
+    store(F.z, results.Fn + block);
+    store(gripped, results.gripped + block);
+    store(tip_x, results.tip[0] + block);
+    store(tip_y, results.tip[1] + block);
+    return F;
+  }
+};
+
+/// On a plane of its own under each block.
+struct UnevenBlocks {
+  BlockGround ground;
+  BlockMemory before;
+  BlockLaw law;
+  BlockResults results;
+
+  struct Belt {
+    Section place, rate;
+  };
+
+  LATSCH_INLINE Belt at(const SegmentStations&, int, Section place, Section rate) const {
+    return {place, rate};
+  }
+
+  template <class Height>
+  LATSCH_INLINE Lanes3 force(const Belt& s, const Height& H, double y, bool, int block) const {
+    const Lanes3 N = lanes3(ground.N, block), road = lanes3(ground.velocity, block);
+    const Lanes3 T = at_line(s.place, H, y);
+    Lanes3 V = at_line(s.rate, H, y);
+    V = {V.x - road.x, V.y - road.y, V.z - road.z};
+    const Lanes depth = lanes(ground.level + block) - dot(N, T), rate = -dot(N, V);
+    const Lanes Fn = push(law, depth, rate);
+    const Lanes touches = lanes(before.touches + block), since = since_touch(law, depth, rate);
+    const Lanes3 tip = lanes3(before.tip, block);
+    Lanes3 e = {select(touches > 0.5, tip.x + law.step * road.x - T.x, -V.x * since),
+                select(touches > 0.5, tip.y + law.step * road.y - T.y, -V.y * since),
+                select(touches > 0.5, tip.z + law.step * road.z - T.z, -V.z * since)};
+    const Lanes across = dot(N, e);
+    e = {e.x - N.x * across, e.y - N.y * across, e.z - N.z * across};
+    const Lanes stick = select(depth > 0.0, all(law.tangential), all(0.0));
+    const double td = law.damping_time;
+    Lanes3 F = {stick * (e.x - td * (V.x + N.x * rate)),  // (12)
+                stick * (e.y - td * (V.y + N.y * rate)),
+                stick * (e.z - td * (V.z + N.z * rate))};
+    Grip grip;
+    Lanes gripped = all(1.0);
+    if (slides(law, dot(F, F), Fn, lanes(ground.friction + block), grip)) {
+      e = {e.x - grip.slip * F.x, e.y - grip.slip * F.y, e.z - grip.slip * F.z};
+      F = {F.x * grip.share, F.y * grip.share, F.z * grip.share};
+      gripped = grip.share;
+    }
+    store3(F, results.F, block);
+    store(Fn, results.Fn + block);
+    store(gripped, results.gripped + block);
+    store3({T.x + depth * N.x + e.x, T.y + depth * N.y + e.y, T.z + depth * N.z + e.z},
+           results.tip,
+           block);
+    return {F.x + Fn * N.x, F.y + Fn * N.y, F.z + Fn * N.z};
+  }
+};
+
+/// What a sliding block's stiffness in the plane lacks along its force, per force squared.
+LATSCH_INLINE Lanes along_slip(const Lanes& plane, const Lanes& gripped, const Lanes& F2) {
+  return select(gripped < 1.0, plane / larger(F2, all(1e-300)), all(0.0));
+}
+
+/// Six entries of a symmetric matrix over eight stations, and y, y^2 times them.
+struct StiffnessSums {
+  Lanes K[3][6];
+
+  LATSCH_INLINE void add(int entry, const Lanes& k, double y) {
+    K[0][entry] += k;
+    K[1][entry] += y * k;
+    K[2][entry] += y * y * k;
+  }
+  LATSCH_INLINE void store_at(double* sums, int stride, int j) const {
+    for (int power = 0; power < 3; ++power)
+      for (int entry = 0; entry < 6; ++entry)
+        store(K[power][entry], sums + (6 * power + entry) * stride + j);
+  }
+};
+
+void station_frames(const double* const nodes[4],
+                    const double* weights,
+                    const double* a,
+                    int stride,
+                    double* columns) {
+  for (int j = 0; j < stride; j += kWide) {
+    Lanes d[4];
+    for (int m = 0; m < 4; ++m) d[m] = lanes(weights + (4 + m) * stride + j);
+    Lanes3 t = {mixed(d, nodes, 0), mixed(d, nodes, 1), mixed(d, nodes, 2)};
+    const Lanes across = a[0] * t.x + a[1] * t.y + a[2] * t.z;
+    t = {t.x - across * a[0], t.y - across * a[1], t.z - across * a[2]};
+    const Lanes length = sqrt(dot(t, t)), over = 1.0 / length;
+    t = {t.x * over, t.y * over, t.z * over};
+    const Lanes3 n = {a[1] * t.z - a[2] * t.y, a[2] * t.x - a[0] * t.z, a[0] * t.y - a[1] * t.x};
+    double* const to_t[3] = {columns, columns + stride, columns + 2 * stride};
+    double* const to_n[3] = {columns + 3 * stride, columns + 4 * stride, columns + 5 * stride};
+    store3(t, to_t, j);
+    store3(n, to_n, j);
+    store(length, columns + 6 * stride + j);
+  }
+}
+
+void station_columns(const SegmentStations& at, double* columns) {
+  double* to[9];
+  for (int c = 0; c < 9; ++c) to[c] = columns + c * at.stride;
+  for (int j = at.begin; j < at.end; j += kWide) {
+    const Section s = section(at, at.nodes, j, 1.0);
+    store3(s.p, to, j);
+    store3(s.G, to + 3, j);
+    store3(s.A, to + 6, j);
+  }
+}
+
+void level_forces(const SegmentStations& at,
+                  const BlockLines& lines,
+                  const LevelGround& ground,
+                  const BlockMemory& before,
+                  const BlockLaw& law,
+                  const BlockResults& results,
+                  double* const force[4]) {
+  add_block_forces(at, lines, before.entering, LevelBlocks{ground, before, law, results}, force);
+}
+
+void uneven_forces(const SegmentStations& at,
+                   const BlockLines& lines,
+                   const BlockGround& ground,
+                   const BlockMemory& before,
+                   const BlockLaw& law,
+                   const BlockResults& results,
+                   double* const force[4]) {
+  add_block_forces(at, lines, before.entering, UnevenBlocks{ground, before, law, results}, force);
+}
+
+void bent_level_forces(const SegmentStations& at,
+                       const BlockLines& lines,
+                       const LevelGround& ground,
+                       const BlockMemory& before,
+                       const BlockLaw& law,
+                       const BlockResults& results,
+                       double* const force[4]) {
+  add_block_forces(
+      at, lines, before.entering, LevelBlocks{ground, before, law, results}, force, BentLines{});
+}
+
+void bent_uneven_forces(const SegmentStations& at,
+                        const BlockLines& lines,
+                        const BlockGround& ground,
+                        const BlockMemory& before,
+                        const BlockLaw& law,
+                        const BlockResults& results,
+                        double* const force[4]) {
+  add_block_forces(
+      at, lines, before.entering, UnevenBlocks{ground, before, law, results}, force, BentLines{});
+}
+
+void lowest_tips(const double* columns, const BlockLines& of, int stride, double* z) {
+  for (int j = 0; j < stride; j += kWide) {
+    const Lanes p = lanes(columns + 2 * stride + j), G = lanes(columns + 5 * stride + j),
+                A = lanes(columns + 8 * stride + j);
+    Lanes lowest = p + of.height[0] * G + of.y[0] * A;
+    for (int line = 1; line < of.count; ++line)
+      lowest = smaller(lowest, p + of.height[line] * G + of.y[line] * A);
+    store(lowest, z + j);
+  }
+}
+
+void keep_tips(const BlockSpan& at,
+               int count,
+               const BlockResults& results,
+               const double* level,
+               double* const tip[3],
+               double* touches) {
+  for (int line = 0; line < count; ++line)
+    for (int j = at.begin; j < at.end; j += kWide) {
+      const int block = line * at.stride + j;
+      store(select(lanes(results.Fn + block) > 0.0, all(1.0), all(0.0)), touches + block);
+      store(lanes(results.tip[0] + block), tip[0] + block);
+      store(lanes(results.tip[1] + block), tip[1] + block);
+      store(level ? all(*level) : lanes(results.tip[2] + block), tip[2] + block);
+    }
+}
+
+void find_entering(const BlockSpan& at, int count, const double* touches, std::uint8_t* entering) {
+  for (int j = at.begin; j < at.end; j += kWide) {
+    Lanes off = all(0.0);
+    for (int line = 0; line < count; ++line) off += 1.0 - lanes(touches + line * at.stride + j);
+    entering[j / kWide] = any(off > 0.0);
+  }
+}
+
+void level_stiffness(const BlockSpan& at,
+                     const BlockLines& of,
+                     const BlockResults& results,
+                     double normal,
+                     double tangential,
+                     double* sums) {
+  for (int j = at.begin; j < at.end; j += kWide) {
+    StiffnessSums of_lines = {};
+    for (int line = 0; line < of.count; ++line) {
+      const double y = of.y[line];
+      const int block = line * at.stride + j;
+      const Lanes on = select(lanes(results.Fn + block) > 0.0, all(1.0), all(0.0));
+      const Lanes gripped = lanes(results.gripped + block);
+      const Lanes plane = on * tangential * gripped;
+      Lanes xx = plane, yy = plane;
+      if (any((on > 0.0) & (gripped < 1.0))) {
+        const Lanes Fx = lanes(results.F[0] + block), Fy = lanes(results.F[1] + block);
+        const Lanes along = along_slip(plane, gripped, Fx * Fx + Fy * Fy);
+        xx -= along * Fx * Fx;
+        yy -= along * Fy * Fy;
+        of_lines.add(1, -along * Fx * Fy, y);
+      }
+      of_lines.add(0, xx, y);
+      of_lines.add(3, yy, y);
+      of_lines.add(5, on * normal, y);
+    }
+    of_lines.store_at(sums, at.stride, j);
+  }
+}
+
+void uneven_stiffness(const BlockSpan& at,
+                      const BlockLines& of,
+                      const BlockGround& ground,
+                      const BlockResults& results,
+                      double normal,
+                      double tangential,
+                      double* sums) {
+  for (int j = at.begin; j < at.end; j += kWide) {
+    StiffnessSums of_lines = {};
+    for (int line = 0; line < of.count; ++line) {
+      const double y = of.y[line];
+      const int block = line * at.stride + j;
+      const Lanes on = select(lanes(results.Fn + block) > 0.0, all(1.0), all(0.0));
+      const Lanes gripped = lanes(results.gripped + block);
+      const Lanes plane = on * tangential * gripped;
+      const Lanes3 F = lanes3(results.F, block), N = lanes3(ground.N, block);
+      const Lanes along = along_slip(plane, gripped, dot(F, F));
+      const Lanes more = on * normal - plane;
+      of_lines.add(0, more * N.x * N.x + plane - along * F.x * F.x, y);
+      of_lines.add(1, more * N.x * N.y - along * F.x * F.y, y);
+      of_lines.add(2, more * N.x * N.z - along * F.x * F.z, y);
+      of_lines.add(3, more * N.y * N.y + plane - along * F.y * F.y, y);
+      of_lines.add(4, more * N.y * N.z - along * F.y * F.z, y);
+      of_lines.add(5, more * N.z * N.z + plane - along * F.z * F.z, y);
+    }
+    of_lines.store_at(sums, at.stride, j);
+  }
+}
+
+}  // namespace latsch::ring_tire::LATSCH_KERNELS

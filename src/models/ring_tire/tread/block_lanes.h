@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eight stations of a segment at once: from the belt's four nodes to the tips of a line's blocks
+// and back (10). What a block does in between is told by `Blocks`.
+#if defined(LATSCH_RING_BLOCK_LANES) == defined(LATSCH_KERNEL_TOGGLE)
+#ifdef LATSCH_RING_BLOCK_LANES
+#undef LATSCH_RING_BLOCK_LANES
+#else
+#define LATSCH_RING_BLOCK_LANES
+#endif
+
+#include "models/ring_tire/tread/block_forces.h"
+#include "numerics/kernels/kernel_lanes.h"
+
+namespace latsch::ring_tire::LATSCH_KERNELS {
+
+using namespace latsch::LATSCH_KERNELS;
+
+constexpr int kWide = 8;
+
+struct Lanes3 {
+  Lanes x, y, z;
+};
+
+LATSCH_INLINE Lanes3 lanes3(const double* columns, int stride, int j) {
+  return {lanes(columns + j), lanes(columns + stride + j), lanes(columns + 2 * stride + j)};
+}
+LATSCH_INLINE Lanes3 lanes3(const double* const columns[3], int at) {
+  return {lanes(columns[0] + at), lanes(columns[1] + at), lanes(columns[2] + at)};
+}
+LATSCH_INLINE void store3(const Lanes3& v, double* const columns[3], int at) {
+  store(v.x, columns[0] + at);
+  store(v.y, columns[1] + at);
+  store(v.z, columns[2] + at);
+}
+LATSCH_INLINE Lanes dot(const Lanes3& a, const Lanes3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// The belt at eight stations: T = p + H G + y A, or its rate.
+struct Section {
+  Lanes3 p, G, A;
+};
+
+LATSCH_INLINE Lanes mixed(const Lanes w[4], const double* const nodes[4], int i) {
+  return w[0] * nodes[0][i] + w[1] * nodes[1][i] + w[2] * nodes[2][i] + w[3] * nodes[3][i];
+}
+
+/// (10); `own`: 1, or 0 for rates, which n and a themselves do not have.
+LATSCH_INLINE Section section(const SegmentStations& at,
+                              const double* const nodes[4],
+                              int j,
+                              double own) {
+  Lanes w[4], d[4];
+  for (int m = 0; m < 4; ++m) {
+    w[m] = lanes(at.weights + m * at.stride + j);
+    d[m] = lanes(at.weights + (4 + m) * at.stride + j);
+  }
+  const Lanes3 t = lanes3(at.t, at.stride, j), n = lanes3(at.n, at.stride, j);
+  const double ax = at.a[0], ay = at.a[1], az = at.a[2];
+  const Lanes psi = mixed(w, nodes, 3);
+  const Lanes3 slope = {mixed(d, nodes, 0), mixed(d, nodes, 1), mixed(d, nodes, 2)};
+  const Lanes over = 1.0 / lanes(at.length + j);
+  const Lanes nu_n = dot(n, slope) * over;
+  const Lanes nu_a = (ax * slope.x + ay * slope.y + az * slope.z) * over;
+  return {.p = {mixed(w, nodes, 0), mixed(w, nodes, 1), mixed(w, nodes, 2)},
+          .G = {own * n.x - nu_n * t.x + psi * ax,
+                own * n.y - nu_n * t.y + psi * ay,
+                own * n.z - nu_n * t.z + psi * az},
+          .A = {own * ax - nu_a * t.x - psi * n.x,
+                own * ay - nu_a * t.y - psi * n.y,
+                own * az - nu_a * t.z - psi * n.z}};
+}
+
+// H: of a line, or of eight stations of one where the section is bent.
+template <class Height>
+LATSCH_INLINE Lanes
+at_line(const Lanes& p, const Lanes& G, const Lanes& A, const Height& H, double y) {
+  return p + H * G + y * A;
+}
+template <class Height>
+LATSCH_INLINE Lanes3 at_line(const Section& s, const Height& H, double y) {
+  return {at_line(s.p.x, s.G.x, s.A.x, H, y),
+          at_line(s.p.y, s.G.y, s.A.y, H, y),
+          at_line(s.p.z, s.G.z, s.A.z, H, y)};
+}
+
+/// Forces of the lines at eight stations, F, H F and y F.
+struct StationSums {
+  Lanes3 F, FH, Fy;
+
+  template <class Height>
+  LATSCH_INLINE void add(const Lanes3& f, const Height& H, double y) {
+    F = {F.x + f.x, F.y + f.y, F.z + f.z};
+    FH = {FH.x + H * f.x, FH.y + H * f.y, FH.z + H * f.z};
+    Fy = {Fy.x + y * f.x, Fy.y + y * f.y, Fy.z + y * f.z};
+  }
+};
+
+/// Adds the stations' forces to four nodes by (10); a node's x, y, z and torsion are still spread
+/// over the lanes.
+LATSCH_INLINE void spread(const SegmentStations& at,
+                          int j,
+                          const StationSums& sums,
+                          Lanes to_node[4][4]) {
+  const Lanes3 t = lanes3(at.t, at.stride, j), n = lanes3(at.n, at.stride, j);
+  const Lanes over = -1.0 / lanes(at.length + j);
+  const Lanes by_n = dot(sums.FH, t) * over, by_a = dot(sums.Fy, t) * over;
+  const Lanes3 turning = {
+      by_n * n.x + by_a * at.a[0], by_n * n.y + by_a * at.a[1], by_n * n.z + by_a * at.a[2]};
+  const Lanes torsion =
+      sums.FH.x * at.a[0] + sums.FH.y * at.a[1] + sums.FH.z * at.a[2] - dot(sums.Fy, n);
+  for (int m = 0; m < 4; ++m) {
+    const Lanes w = lanes(at.weights + m * at.stride + j);
+    const Lanes d = lanes(at.weights + (4 + m) * at.stride + j);
+    to_node[m][0] += w * sums.F.x + d * turning.x;
+    to_node[m][1] += w * sums.F.y + d * turning.y;
+    to_node[m][2] += w * sums.F.z + d * turning.z;
+    to_node[m][3] += w * torsion;
+  }
+}
+
+LATSCH_INLINE void add_to_nodes(const Lanes to_node[4][4], double* const force[4]) {
+  for (int m = 0; m < 4; ++m)
+    for (int i = 0; i < 4; ++i) force[m][i] += sum(to_node[m][i]);
+}
+
+/// Heights of the lines where sections are straight, and where they are bent.
+struct StraightLines {
+  LATSCH_INLINE double height(const BlockLines& lines, int line, int) const {
+    return lines.height[line];
+  }
+};
+struct BentLines {
+  LATSCH_INLINE Lanes height(const BlockLines& lines, int line, int j) const {
+    const double first = lines.rise[2 * line], rest = lines.rise[2 * line + 1] - first;
+    return lines.height[line] + first + rest * lanes(lines.share + j);
+  }
+};
+
+/// All blocks of a segment. `Blocks` has at(stations, j, place, rate), the belt as its ground wants
+/// it, and force(belt, H, y, entering, block), the force of eight blocks of a line on the tire.
+template <class Blocks, class Shape = StraightLines>
+LATSCH_INLINE void add_block_forces(const SegmentStations& at,
+                                    const BlockLines& lines,
+                                    const std::uint8_t* entering,
+                                    const Blocks& blocks,
+                                    double* const force[4],
+                                    const Shape& shape = {}) {
+  Lanes to_node[4][4] = {};
+  for (int j = at.begin; j < at.end; j += kWide) {
+    const auto belt =
+        blocks.at(at, j, section(at, at.nodes, j, 1.0), section(at, at.rates, j, 0.0));
+    StationSums sums = {};
+    for (int line = 0; line < lines.count; ++line) {
+      const auto H = shape.height(lines, line, j);
+      const double y = lines.y[line];
+      sums.add(blocks.force(belt, H, y, entering[j / kWide] != 0, line * at.stride + j), H, y);
+    }
+    spread(at, j, sums, to_node);
+  }
+  add_to_nodes(to_node, force);
+}
+
+}  // namespace latsch::ring_tire::LATSCH_KERNELS
+#endif

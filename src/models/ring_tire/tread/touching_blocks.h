@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// The blocks on the road, one after the other.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "models/ring_tire/tread/tread_contact.h"
+
+namespace latsch::ring_tire {
+
+/// What one block of a patch does.
+struct TreadContact::BlockState {
+  Eigen::Vector3d normal, F, root, tip;
+  Eigen::Vector3d G;  // how the unloaded tip moves with its height
+  double Fn, gripped;
+  double depth;  // m, of the unloaded tip below the road
+  std::size_t patch;
+  int station, line;
+};
+
+/// Calls `see` with the state of every block whose road is known, in the order of the patches; q:
+/// of the last add_force.
+template <class See>
+void TreadContact::see_blocks(const NodeValues& q, const See& see) const {
+  std::vector<double> columns(static_cast<std::size_t>(9 * stride_));
+  for (std::size_t i = 0; i < patches_.size(); ++i) {
+    const Patch& patch = patches_[i];
+    station_columns(stations_of(i, q, q), columns.data());
+    for (int line = 0; line < lines_; ++line)
+      for (int j = patch.begin; j < std::min(patch.end, blocks_); ++j) {
+        const int block = line * stride_ + j;
+        const auto at = [&](int c) { return column(i, c)[block]; };
+        BlockState state{.normal = {at(kNormal), at(kNormal + 1), at(kNormal + 2)},
+                         .F = {at(kF), at(kF + 1), at(kF + 2)},
+                         .root = tip(columns.data(), patch.segment, line, j),
+                         .tip = {at(kTip), at(kTip + 1), at(kTip + 2)},
+                         .G = {columns[static_cast<std::size_t>(kG * stride_ + j)],
+                               columns[static_cast<std::size_t>((kG + 1) * stride_ + j)],
+                               columns[static_cast<std::size_t>((kG + 2) * stride_ + j)]},
+                         .Fn = at(kFn),
+                         .gripped = at(kGripped),
+                         .depth = 0.0,
+                         .patch = i,
+                         .station = j,
+                         .line = line};
+        if (patch.level) {
+          state.normal = Eigen::Vector3d::UnitZ();
+          state.F.z() = 0.0;
+          state.tip.z() = patch.ground.height;
+        } else if (at(kLevel) <= -kNoRoad) {
+          continue;
+        }
+        state.depth =
+            (patch.level ? patch.ground.height : at(kLevel)) - state.normal.dot(state.root);
+        state.root += state.normal * state.normal.dot(state.tip - state.root);
+        see(state);
+      }
+  }
+}
+
+/// Of those that touch.
+template <class See>
+void TreadContact::see_touching(const NodeValues& q, const See& see) const {
+  see_blocks(q, [&](const BlockState& block) {
+    if (block.Fn > 0.0) see(block);
+  });
+}
+
+}  // namespace latsch::ring_tire

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/ring_tire/tread/tread_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace latsch::ring_tire {
+namespace {
+
+using Eigen::Vector3d;
+
+// m. Blocks as far above the road take part in a step: more than its end can differ from what was
+// predicted.
+constexpr double kMargin = 5e-4, kStandingMargin = 4e-3;
+// The same of bent sections, which have no inertia, and how far these may stand off the belt.
+constexpr double kBentMargin = 2e-3, kBent = 5e-3;
+constexpr double kFar = 1e6;  // m, beyond any road's reach
+constexpr int kWide = 8;      // stations at once
+
+/// Stations of `blocks` that share a stiffness: a power of two, a twelfth of the segment at most.
+int stations_together(int blocks) {
+  return blocks >= 96 ? 8 : blocks >= 48 ? 4 : blocks >= 24 ? 2 : 1;
+}
+}  // namespace
+
+TreadContact::TreadContact(const Tread& tread, double radius, int nodes)
+    : nodes_(nodes),
+      lines_(tread.lines),
+      blocks_(tread.blocks),
+      stride_((tread.blocks + kWide - 1) / kWide * kWide),
+      together_(stations_together(tread.blocks)),
+      height_(tread.height),
+      half_width_(0.5 * tread.width),
+      damping_time_(tread.damping_time),
+      positive_(tread.positive),
+      law_(tread.friction) {
+  const int all = nodes * lines_ * blocks_;
+  area_ = 2.0 * std::numbers::pi * radius * tread.width / all;
+  normal_ = tread.positive * tread.young_modulus * area_ / tread.height;
+  tangential_ = tread.shear_ratio * normal_;
+  for (int line = 0; line < lines_; ++line) {
+    const double y = tread.width * ((line + 0.5) / lines_ - 0.5);
+    line_y_.push_back(y);
+    const double drop = tread.crown_radius > 0.0 ? 0.5 * y * y / tread.crown_radius : 0.0;
+    line_height_.push_back(tread.height - drop);
+  }
+  weights_.resize(static_cast<std::size_t>(8 * stride_));
+  lift_.resize(static_cast<std::size_t>(stride_));
+  share_.resize(static_cast<std::size_t>(stride_));
+  for (int j = 0; j < stride_; ++j) {
+    const double s = (std::min(j, blocks_ - 1) + 0.5) / blocks_, s2 = s * s, s3 = s2 * s;
+    const double catmull_rom[8] = {0.5 * (-s3 + 2.0 * s2 - s),
+                                   0.5 * (3.0 * s3 - 5.0 * s2 + 2.0),
+                                   0.5 * (-3.0 * s3 + 4.0 * s2 + s),
+                                   0.5 * (s3 - s2),
+                                   0.5 * (-3.0 * s2 + 4.0 * s - 1.0),
+                                   0.5 * (9.0 * s2 - 10.0 * s),
+                                   0.5 * (-9.0 * s2 + 8.0 * s + 1.0),
+                                   0.5 * (3.0 * s2 - 2.0 * s)};
+    for (int m = 0; m < 8; ++m)
+      weights_[static_cast<std::size_t>(m * stride_ + j)] = catmull_rom[m];
+    lift_[static_cast<std::size_t>(j)] = j < blocks_ ? 0.0 : kFar;
+    share_[static_cast<std::size_t>(j)] = s;
+  }
+  for (auto& tips : tip_) tips.resize(static_cast<std::size_t>(nodes) * lines_ * stride_);
+  touches_.resize(tip_[0].size());
+  stations_.resize(static_cast<std::size_t>(kStationColumns) * stride_);
+}
+
+void TreadContact::reset() {
+  std::fill(touches_.begin(), touches_.end(), 0.0);
+  touched_.clear();
+  patches_.clear();
+}
+
+/// Whether a tip of the segment may be as low as the highest point of the road below it.
+bool TreadContact::near_road(const NodeValues& q,
+                             const RimFrame& rim,
+                             const road::Road& road,
+                             double time,
+                             int segment) const {
+  Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (int m = 0; m < 4; ++m) {
+    low = low.cwiseMin(q.col(node(segment, m)).head<3>());
+    high = high.cwiseMax(q.col(node(segment, m)).head<3>());
+  }
+  if (low.z() > rim.center.z()) return false;
+  // How far tips stand off the belt: height and half the width, leaning a little more than the rim.
+  constexpr double kLean = 0.2;
+  const double reach = 1.1 * height_ + half_width_ * (rim.a.cwiseAbs().z() + kLean * 0.25) +
+                       (rises_.empty() ? 0.0 : kBent);
+  const double side = height_ + half_width_;
+  const road::GroundBox box{low.x() - side, high.x() + side, low.y() - side, high.y() + side};
+  return low.z() - reach <= road.bounds(box, time).highest + margin_;
+}
+
+SegmentStations TreadContact::stations_of(std::size_t patch,
+                                          const NodeValues& q,
+                                          const NodeValues& v) const {
+  const Patch& of = patches_[patch];
+  SegmentStations at;
+  at.stride = stride_;
+  at.begin = of.begin;
+  at.end = of.end;
+  for (int m = 0; m < 4; ++m) {
+    at.nodes[m] = q.col(node(of.segment, m)).data();
+    at.rates[m] = v.col(node(of.segment, m)).data();
+  }
+  at.weights = weights_.data();
+  at.lift = lift_.data();
+  at.t = frame(patch, kT);
+  at.n = frame(patch, kN);
+  at.length = frame(patch, kLength);
+  at.a = a_.data();
+  return at;
+}
+
+void TreadContact::add_patch(const NodeValues& q, int segment) {
+  const std::size_t patch = patches_.size();
+  patches_.push_back(
+      {.segment = segment, .begin = 0, .end = stride_, .level = false, .ground = {}});
+  const std::size_t columns = patches_.size() * kColumns * lines_ * stride_;
+  if (memory_.size() < columns) memory_.resize(columns);
+  const std::size_t frames = patches_.size() * kFrameColumns * stride_;
+  if (frames_.size() < frames) frames_.resize(frames);
+  const SegmentStations at = stations_of(patch, q, q);
+  station_frames(at.nodes, at.weights, at.a, stride_, frame(patch, kT));
+  station_columns(at, at_stations(kP));
+}
+
+void TreadContact::approach(const NodeValues& q,
+                            const RimFrame& rim,
+                            const road::Road& road,
+                            double time,
+                            const StepRule& rule) {
+  rule_ = rule;
+  margin_ = rule.statics() ? kStandingMargin : rises_.empty() ? kMargin : kBentMargin;
+  a_ = rim.a;
+  patches_.clear();
+  for (int segment = 0; segment < nodes_; ++segment) {
+    if (!near_road(q, rim, road, time, segment)) continue;
+    add_patch(q, segment);
+    Patch& patch = patches_.back();
+    if (!rule.statics() && is_level(patch, road, time))
+      find_level_blocks(patch);
+    else
+      find_uneven_blocks(patch, road, time);
+    patch.begin = patch.begin / kWide * kWide;
+    patch.end = std::min(stride_, (patch.end + kWide - 1) / kWide * kWide);
+    if (patch.begin >= patch.end) {
+      patches_.pop_back();
+      continue;
+    }
+    entering_.resize(patches_.size() * static_cast<std::size_t>(stride_ / kWide));
+    find_entering({stride_, patch.begin, patch.end},
+                  lines_,
+                  &touches_[place(segment)],
+                  entering(patches_.size() - 1));
+  }
+}
+
+/// The rectangle of the ground below the tips of some lines: they are as good as straight over a
+/// segment, their sagitta is well below a tenth of the length.
+road::GroundBox TreadContact::below(int first_line, int last_line) const {
+  Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const int line : {first_line, last_line})
+    for (const int j : {0, blocks_ - 1}) {
+      low = low.cwiseMin(tip(line, j));
+      high = high.cwiseMax(tip(line, j));
+    }
+  const double room = 0.1 * (high.x() - low.x());
+  return {low.x() - room, high.x() + room, low.y() - room, high.y() + room};
+}
+
+bool TreadContact::is_level(Patch& patch, const road::Road& road, double time) const {
+  const road::GroundBox box = below(0, lines_ - 1);
+  if (!road.bounds(box, time).plane) return false;
+  const road::GroundPoint ground = road.at(0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1), time);
+  patch.level = ground.normal == Vector3d::UnitZ();
+  patch.ground = {.height = ground.height,
+                  .velocity = {ground.velocity.x(), ground.velocity.y(), ground.velocity.z()},
+                  .friction = ground.friction};
+  return patch.level;
+}
+
+/// Its blocks near the road: [begin, end).
+void TreadContact::find_level_blocks(Patch& patch) {
+  double* lowest = at_stations(kStationColumns - 1);
+  if (rises_.empty())
+    lowest_tips(at_stations(kP), lines(), stride_, lowest);
+  else
+    for (int j = 0; j < blocks_; ++j) {
+      lowest[j] = tip(0, j).z();
+      for (int line = 1; line < lines_; ++line) lowest[j] = std::min(lowest[j], tip(line, j).z());
+    }
+  const double reach = patch.ground.height + margin_;
+  patch.end = blocks_;
+  while (patch.begin < patch.end && lowest[patch.begin] > reach) ++patch.begin;
+  while (patch.end > patch.begin && lowest[patch.end - 1] > reach) --patch.end;
+}
+
+void TreadContact::find_uneven_blocks(Patch& patch, const road::Road& road, double time) {
+  const int whole = patch.end;
+  patch.begin = whole;
+  patch.end = 0;
+  const std::size_t at = patches_.size() - 1;
+  for (int line = 0; line < lines_; ++line) {
+    for (int j = 0; j < whole; ++j) place_ground(at, line * stride_ + j, {}, -kNoRoad);
+    const auto [begin, end] = find_line(at, line, road, time);
+    if (begin == end) continue;
+    patch.begin = std::min(patch.begin, begin);
+    patch.end = std::max(patch.end, end);
+  }
+}
+
+/// Blocks of one line near the road and the planes below them.
+std::pair<int, int> TreadContact::find_line(std::size_t patch,
+                                            int line,
+                                            const road::Road& road,
+                                            double time) {
+  int begin = 0, end = blocks_;
+  const auto narrow = [&](const auto& above) {
+    while (begin < end && above(begin)) ++begin;
+    while (end > begin && above(end - 1)) --end;
+  };
+  const road::GroundBox box = below(line, line);
+  if (road.bounds(box, time).plane) {
+    const double x = 0.5 * (box.x0 + box.x1), y = 0.5 * (box.y0 + box.y1);
+    const road::GroundPoint ground = road.at(x, y, time);
+    const double level = ground.normal.dot(Vector3d(x, y, ground.height));
+    narrow([&](int j) { return ground.normal.dot(tip(line, j)) > level + margin_; });
+    for (int j = begin; j < end; ++j) place_ground(patch, line * stride_ + j, ground, level);
+  } else {
+    narrow([&](int j) {
+      const Vector3d at = tip(line, j);
+      return at.z() > road.height(at.x(), at.y(), time) + margin_;
+    });
+    for (int j = begin; j < end; ++j) {
+      const Vector3d at = tip(line, j);
+      const road::GroundPoint ground = road.at(at.x(), at.y(), time);
+      const double level = ground.normal.dot(Vector3d(at.x(), at.y(), ground.height));
+      place_ground(patch, line * stride_ + j, ground, level);
+    }
+  }
+  return {begin, end};
+}
+
+/// The plane of the road below a block.
+void TreadContact::place_ground(std::size_t patch,
+                                int block,
+                                const road::GroundPoint& ground,
+                                double level) {
+  const BlockGround to = this->ground(patch);
+  for (int i = 0; i < 3; ++i) {
+    to.N[i][block] = ground.normal[i];
+    to.velocity[i][block] = ground.velocity[i];
+  }
+  to.level[block] = level;
+  to.friction[block] = ground.friction;
+}
+
+BlockResults TreadContact::results(std::size_t patch) {
+  const auto at = [&](int c) { return column(patch, c); };
+  return {.F = {at(kF), at(kF + 1), at(kF + 2)},
+          .Fn = at(kFn),
+          .gripped = at(kGripped),
+          .tip = {at(kTip), at(kTip + 1), at(kTip + 2)}};
+}
+
+BlockGround TreadContact::ground(std::size_t patch) {
+  const auto at = [&](int c) { return column(patch, c); };
+  return {.N = {at(kNormal), at(kNormal + 1), at(kNormal + 2)},
+          .level = at(kLevel),
+          .velocity = {at(kVelocity), at(kVelocity + 1), at(kVelocity + 2)},
+          .friction = at(kFriction),
+          .held = at(kHeld)};
+}
+
+BlockLaw TreadContact::block_law() const {
+  return {.normal = normal_,
+          .tangential = tangential_,
+          .damping_time = damping_time_,
+          .step = rule_.step,
+          .by_force = 1.0 / (positive_ * area_),
+          .friction = &law_};
+}
+
+void TreadContact::hold_friction() {
+  for (std::size_t i = 0; i < patches_.size(); ++i)
+    ring_tire::hold_friction({stride_, patches_[i].begin, patches_[i].end},
+                             lines_,
+                             ground(i),
+                             block_law(),
+                             column(i, kFn));
+}
+
+void TreadContact::add_force(const NodeValues& q, const NodeValues& v, NodeValues& force) {
+  const BlockLaw law = block_law();
+  for (std::size_t i = 0; i < patches_.size(); ++i) {
+    const Patch& patch = patches_[i];
+    const SegmentStations at = stations_of(i, q, v);
+    const std::size_t first = place(patch.segment);
+    const BlockMemory before{.tip = {&tip_[0][first], &tip_[1][first], &tip_[2][first]},
+                             .touches = &touches_[first],
+                             .entering = entering(i)};
+    double* to[4];
+    for (int m = 0; m < 4; ++m) to[m] = force.col(node(patch.segment, m)).data();
+    if (!rises_.empty()) {
+      const BlockLines bent = bent_lines(patch.segment);
+      if (rule_.statics())
+        bent_standing_forces(at, bent, ground(i), before, law, results(i), to);
+      else if (patch.level)
+        bent_level_forces(at, bent, patch.ground, before, law, results(i), to);
+      else
+        bent_uneven_forces(at, bent, ground(i), before, law, results(i), to);
+    } else if (rule_.statics())
+      standing_forces(at, lines(), ground(i), before, law, results(i), to);
+    else if (patch.level)
+      level_forces(at, lines(), patch.ground, before, law, results(i), to);
+    else
+      uneven_forces(at, lines(), ground(i), before, law, results(i), to);
+  }
+}
+
+void TreadContact::commit() {
+  for (const Patch& patch : touched_)
+    for (int line = 0; line < lines_; ++line) {
+      double* touches = &touches_[place(patch.segment) + static_cast<std::size_t>(line * stride_)];
+      std::fill(touches + patch.begin, touches + patch.end, 0.0);
+    }
+  for (std::size_t i = 0; i < patches_.size(); ++i) {
+    const Patch& patch = patches_[i];
+    const std::size_t first = place(patch.segment);
+    double* const tip[3] = {&tip_[0][first], &tip_[1][first], &tip_[2][first]};
+    keep_tips({stride_, patch.begin, patch.end},
+              lines_,
+              results(i),
+              patch.level ? &patch.ground.height : nullptr,
+              tip,
+              &touches_[first]);
+  }
+  touched_ = patches_;
+}
+
+}  // namespace latsch::ring_tire

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tread blocks between belt and road. A block sits at the fraction s of segment k, on one of the
+// lines across the width at y; its root is interpolated from the four nodes k-1 .. k+2 by cubic
+// splines (Catmull-Rom). With p, x' the belt's middle there and its derivative by s, t along x' in
+// the rim's plane, n = a × t outward, H the height from belt to tip, the unloaded tip is
+//   T = p + H (n - ν_n t + ψ a) + y (a - ν_a t - ψ n),  ν_n = n . x'/|x'|,  ν_a = a . x'/|x'|  (10)
+// The ν turn the section with the belt's slope, so that a force at the tip has its right moment.
+// t, n and |x'| are those of the beginning of a Newton solution (the predicted state of a step,
+// which is as good as its end to third order): then T is linear in the unknowns and forces have
+// an energy. The road below the tip is the plane through G with normal N, its material at v_G.
+//   δ = N . (G - T),  F_n = c_n (δ + t_d δ')  where both are positive                        (11)
+//   e: tip on the road minus T, in the plane;  F_t = c_t (e + t_d e')  while the tip sticks    (12)
+//   |F_t| <= μ_adhesion F_n, else the tip slides: tread_friction.h                            (13)
+// A block that comes down within a step starts its e at the touch.
+//
+// Only blocks near the road are looked at: a patch, the stations of one segment that may touch.
+// What a step needs of them stands together, one quantity after the other, line by line.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "models/ring_tire/belt/cyclic_band.h"
+#include "models/ring_tire/belt/rim_frame.h"
+#include "models/ring_tire/belt/section_bending.h"
+#include "models/ring_tire/belt/sidewall.h"
+#include "models/ring_tire/description/ring_parameters.h"
+#include "models/ring_tire/tread/block_forces.h"
+#include "models/ring_tire/tread/tread_friction.h"
+#include "models/tire/footprint.h"
+
+namespace latsch::ring_tire {
+
+/// A block on the road.
+struct BlockContact {
+  Eigen::Vector3d tip;    // m, inertial, on the road
+  Eigen::Vector3d root;   // m, where the tip would stand without shear: where its force acts
+  Eigen::Vector3d force;  // N, on the tire
+  double area = 0.0;      // m^2, of tread surface that is the block's
+  double pressure = 0.0;  // Pa, on the rubber
+  bool sticks = true;
+};
+
+class TreadContact {
+ public:
+  TreadContact(const Tread& tread, double radius, int nodes);
+
+  /// No block touches.
+  void reset();
+  /// Sections bent as they are there from here on: lines stand off the belt by Σ γ_i q_i(y) more.
+  void bend(const SectionBending& section);
+  /// Nodes that blocks of the patches hang on, in ascending order.
+  std::vector<int> nodes_near_road() const;
+  /// The blocks' forces on the unknowns of the section, q: of the last add_force.
+  Eigen::VectorXd section_forces(const SectionBending& section, const NodeValues& q) const;
+  /// How they fall with the unknowns of the belt, B, and with those of the section, A.
+  void section_border(const SectionBending& section,
+                      const NodeValues& q,
+                      bool all_stick,
+                      Eigen::MatrixXd& B,
+                      Eigen::MatrixXd& A) const;
+  /// Frames, candidate blocks and the road below them at a predicted end of the step.
+  void approach(const NodeValues& q,
+                const RimFrame& rim,
+                const road::Road& road,
+                double time,
+                const StepRule& rule);
+  /// Forces of all blocks at q, v; kept for add_stiffness and commit.
+  void add_force(const NodeValues& q, const NodeValues& v, NodeValues& force);
+  /// K += scale * stiffness at the last add_force; without the growth of a sliding force with F_n,
+  /// which would not be symmetric.
+  void add_stiffness(double scale, CyclicBand& K);
+  /// What small vibrations about q feel of blocks whose tips all stick, q: of the last add_force.
+  /// K: their springs and, since forces keep their direction where the belt turns their arms, the
+  /// turning of (10); C: their dampers.
+  void add_sticking(const NodeValues& q, CyclicBand& K, CyclicBand& C) const;
+  /// Statics: from here on tips give way at the friction of the normal forces at the last
+  /// add_force.
+  void hold_friction();
+  /// The step is done: tips stay where they are on the road.
+  void commit();
+
+  /// m, how far the deepest tip would be below the road at q; negative above.
+  double deepest(const NodeValues& q, const RimFrame& rim, const road::Road& road, double time);
+  /// The blocks that touch; q: of the last add_force.
+  std::vector<BlockContact> contacts(const NodeValues& q) const;
+  /// The same as a plate sees it; x along the unit vector `heading` of the horizontal plane.
+  Footprint footprint(const NodeValues& q,
+                      const Eigen::Vector3d& center,
+                      const Eigen::Vector3d& heading) const;
+  /// J, in the springs of the blocks.
+  double energy(const NodeValues& q) const;
+
+ private:
+  /// Stations [begin, end) of a segment, multiples of eight.
+  struct Patch {
+    int segment, begin, end;
+    bool level;          // one plane z = height under all of it, else one under each block
+    LevelGround ground;  // where it is level
+  };
+  /// One a block of a patch: results, ground.
+  enum Column {
+    kF = 0,
+    kFn = 3,
+    kGripped = 4,
+    kTip = 5,
+    kNormal = 8,
+    kLevel = 11,
+    kVelocity = 12,
+    kFriction = 15,
+    kHeld = 16,
+    kColumns = 17
+  };
+  static constexpr double kNoRoad = 1e6;  // m, below the blocks of a line that are not looked at
+  /// t, n and |x'| at the stations of a patch.
+  enum FrameColumn { kT = 0, kN = 3, kLength = 6, kFrameColumns = 7 };
+  /// Of the segment at work: columns of (10), or sums over the lines.
+  enum StationColumn { kP = 0, kG = 3, kA = 6, kStationColumns = 18 };
+
+  std::size_t place(int segment) const {
+    return static_cast<std::size_t>(segment) * lines_ * stride_;
+  }
+  int node(int segment, int m) const { return (segment + m - 1 + nodes_) % nodes_; }
+  double* column(std::size_t patch, int c) {
+    return memory_.data() + (patch * kColumns + static_cast<std::size_t>(c)) * lines_ * stride_;
+  }
+  const double* column(std::size_t patch, int c) const {
+    return memory_.data() + (patch * kColumns + static_cast<std::size_t>(c)) * lines_ * stride_;
+  }
+  double* frame(std::size_t patch, int c) {
+    return frames_.data() + (patch * kFrameColumns + static_cast<std::size_t>(c)) * stride_;
+  }
+  const double* frame(std::size_t patch, int c) const {
+    return frames_.data() + (patch * kFrameColumns + static_cast<std::size_t>(c)) * stride_;
+  }
+  std::uint8_t* entering(std::size_t patch) {
+    return entering_.data() + patch * static_cast<std::size_t>(stride_ / 8);
+  }
+  /// H of (10), with the bending of the section.
+  double height(int segment, int line, int j) const {
+    const double H = line_height_[static_cast<std::size_t>(line)];
+    if (rises_.empty()) return H;
+    const double* rise = &rises_[2 * static_cast<std::size_t>(segment * lines_ + line)];
+    return H + rise[0] + share_[static_cast<std::size_t>(j)] * (rise[1] - rise[0]);
+  }
+  Eigen::Vector3d tip(int line, int j) const {
+    return tip(stations_.data(), patches_.back().segment, line, j);
+  }
+  double* at_stations(int c) { return stations_.data() + c * stride_; }
+  /// Unloaded tip by the columns of (10).
+  Eigen::Vector3d tip(const double* columns, int segment, int line, int j) const {
+    const double H = height(segment, line, j);
+    const double y = line_y_[static_cast<std::size_t>(line)];
+    const auto at = [&](int c) { return columns[c * stride_ + j]; };
+    return {at(kP) + H * at(kG) + y * at(kA),
+            at(kP + 1) + H * at(kG + 1) + y * at(kA + 1),
+            at(kP + 2) + H * at(kG + 2) + y * at(kA + 2)};
+  }
+
+  bool near_road(const NodeValues& q,
+                 const RimFrame& rim,
+                 const road::Road& road,
+                 double time,
+                 int segment) const;
+  /// One more patch, all of a segment, with its frames; columns of (10) at_stations.
+  void add_patch(const NodeValues& q, int segment);
+  bool is_level(Patch& patch, const road::Road& road, double time) const;
+  void find_level_blocks(Patch& patch);
+  void find_uneven_blocks(Patch& patch, const road::Road& road, double time);
+  std::pair<int, int> find_line(std::size_t patch, int line, const road::Road& road, double time);
+  road::GroundBox below(int first_line, int last_line) const;
+  void place_ground(std::size_t patch, int block, const road::GroundPoint& ground, double level);
+  SegmentStations stations_of(std::size_t patch, const NodeValues& q, const NodeValues& v) const;
+  void add_stations(std::size_t patch, int first, Eigen::Matrix4d* pairs);
+  struct BlockState;     // touching_blocks.h
+  struct Arms;           // block_arms.h
+  struct StationBorder;  // section_contact.cpp
+  std::vector<StationBorder> station_borders(const NodeValues& q, bool all_stick) const;
+  Arms arms_at(std::size_t patch, int station, double H, double y) const;
+  template <class See>
+  void see_blocks(const NodeValues& q, const See& see) const;
+  template <class See>
+  void see_touching(const NodeValues& q, const See& see) const;
+  BlockLines lines() const { return {lines_, line_height_.data(), line_y_.data()}; }
+  BlockLines bent_lines(int segment) const {
+    BlockLines bent = lines();
+    bent.rise = &rises_[2 * static_cast<std::size_t>(segment * lines_)];
+    bent.share = share_.data();
+    return bent;
+  }
+  BlockLaw block_law() const;
+  BlockResults results(std::size_t patch);
+  BlockGround ground(std::size_t patch);
+
+  int nodes_, lines_, blocks_, stride_;
+  int together_;  // stations whose stiffness is summed at one place
+  double height_, half_width_, area_, normal_, tangential_, damping_time_, positive_;
+  FrictionLaw law_;
+  std::vector<double> line_y_, line_height_;
+  std::vector<double> weights_;  // of position and of its derivative by s: eight columns
+  std::vector<double> lift_;
+  std::vector<double> share_;                 // s of each station
+  std::vector<Eigen::Vector3d> line_shapes_;  // q_i at the lines
+  std::vector<double> rises_;  // two a line of a segment; empty: sections are straight
+  // Persistent, one a block: the tip on the road and whether it is there.
+  std::array<std::vector<double>, 3> tip_;
+  std::vector<double> touches_;
+  std::vector<Patch> touched_;  // at the last commit
+  // Of the step at work.
+  StepRule rule_;
+  double margin_ = 0.0;  // m
+  Eigen::Vector3d a_ = Eigen::Vector3d::UnitY();
+  std::vector<Patch> patches_;  // around the ring
+  std::vector<double> frames_, memory_, stations_;
+  std::vector<std::uint8_t> entering_;  // of each eight stations of a patch
+};
+
+}  // namespace latsch::ring_tire

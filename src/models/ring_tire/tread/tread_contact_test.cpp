@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/ring_tire/tread/tread_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "models/ring_tire/description/ring_parameters_testing.h"
+#include "models/road/plane_road.h"
+
+#define LATSCH_KERNELS_IN "models/ring_tire/tread/friction_testing.h"
+#include "numerics/kernels/for_each_kernel_set.h"
+
+namespace latsch::ring_tire {
+namespace {
+
+TEST(FrictionLaw, GoesThroughItsTable) {
+  const TreadFriction table;
+  const FrictionLaw law(table);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double p = table.pressure[i];
+    EXPECT_NEAR(law.mu(0.0, p), table.adhesion[i], 1e-14);
+    EXPECT_NEAR(law.mu(table.maximum_speed, p), table.maximum[i], 1e-14);
+    EXPECT_NEAR(law.mu(table.sliding_speed, p), table.sliding[i], 1e-14);
+    EXPECT_NEAR(law.mu(100.0, p), table.blocking[i], 1e-14);
+  }
+  EXPECT_DOUBLE_EQ(law.mu(1.0, 0.0), law.mu(1.0, table.pressure[0]));
+}
+
+// (14) holds at the speed found, which is 0 only where the tip sticks.
+TEST(FrictionLaw, SlidingTipIsInBalance) {
+  const FrictionLaw law{TreadFriction{}};
+  const double slope = 2.0, Fn = 10.0, p = 1.5e5;
+  for (const KernelSet set : kernel_sets()) {
+    const WithKernelSet with(set);
+    const auto speed = [&](double T) {
+      return LATSCH_KERNEL(sliding_speed_of)(law, T, slope, Fn, p);
+    };
+    EXPECT_EQ(speed(0.99 * law.mu(0.0, p) * Fn), 0.0);
+    for (double T : {12.0, 13.0, 20.0, 40.0, 90.0}) {
+      const double v = speed(T);
+      EXPECT_GT(v, 0.0);
+      EXPECT_NEAR(T - slope * v, law.mu(v, p) * Fn, 1e-12 * T);
+    }
+  }
+}
+
+struct Pressed {
+  RingParameters ring = passenger_ring();
+  TreadContact tread{ring.tread, ring.belt.radius, ring.nodes};
+  NodeAngles angles{ring.nodes};
+  RimFrame rim;
+  NodeValues q{4, 80}, v = NodeValues::Zero(4, 80);
+  road::PlaneRoad road{{.grade = 0.05, .bank = 0.02}};
+  StepRule rule{.step = 1e-3, .velocity = 2.0e3};
+
+  Pressed() {
+    ring.tread.damping_time = 1e-4;
+    tread = TreadContact(ring.tread, ring.belt.radius, ring.nodes);
+    WheelMotion motion;
+    motion.center.z() = ring.belt.radius + ring.tread.height - 0.006;
+    rim = RimFrame::of(motion);
+    for (int k = 0; k < ring.nodes; ++k) {
+      q.col(k) << rim.center + ring.belt.radius * angles.radial(rim, k), 0.01 * std::sin(k);
+      q(1, k) += 0.003 * std::cos(2.0 * k);  // a slope and a twist everywhere
+    }
+    tread.approach(q, rim, road, 0.0, rule);
+    NodeValues force = NodeValues::Zero(4, ring.nodes);
+    tread.add_force(q, v, force);
+    tread.commit();  // all that touch have a tip on the road
+    tread.approach(q, rim, road, 0.0, rule);
+  }
+
+  /// Forces where the unknowns moved by dq within the step.
+  NodeValues force_at(const NodeValues& dq) {
+    NodeValues force = NodeValues::Zero(4, ring.nodes);
+    tread.add_force(q + dq, v + rule.velocity * dq, force);
+    return force;
+  }
+};
+
+TEST(TreadContact, StiffnessIsTheDerivativeOfTheForceWhileTipsStick) {
+  Pressed pressed;
+  const NodeValues none = NodeValues::Zero(4, pressed.ring.nodes);
+  pressed.force_at(none);
+  CyclicBand K(pressed.ring.nodes);
+  pressed.tread.add_stiffness(1.0, K);
+  ASSERT_GT(pressed.tread.contacts(pressed.q).size(), 50u);
+  for (int k : {79, 0, 1})
+    for (int i = 0; i < 4; ++i) {
+      NodeValues dq = none;
+      dq(i, k) = 1e-8;
+      const NodeValues slope = (pressed.force_at(-dq) - pressed.force_at(dq)) / 2e-8;
+      const NodeValues column = K.multiply(dq) / 1e-8;
+      EXPECT_LT((slope - column).norm(), 1e-5 * column.norm()) << k << " " << i;
+    }
+}
+
+TEST(TreadContact, ForcesOfTheNodesAreThoseOfTheBlocks) {
+  Pressed pressed;
+  NodeValues dq = NodeValues::Zero(4, pressed.ring.nodes);
+  dq.row(0).setConstant(2e-4);
+  const NodeValues force = pressed.force_at(dq);
+  Eigen::Vector3d of_blocks = Eigen::Vector3d::Zero();
+  for (const BlockContact& block : pressed.tread.contacts(pressed.q + dq)) of_blocks += block.force;
+  const Eigen::Vector3d of_nodes = force.topRows<3>().rowwise().sum();
+  EXPECT_LT((of_nodes - of_blocks).norm(), 1e-10 * of_blocks.norm());
+  EXPECT_LT(of_nodes.x(), -50.0);  // shear holds the tire back
+}
+
+}  // namespace
+}  // namespace latsch::ring_tire

@@ -1,0 +1,439 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "numerics/sparse/factorization.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "numerics/sparse/elimination.h"
+#include "numerics/sparse/front_algebra.h"
+
+namespace latsch::numerics {
+
+struct Factorization::Impl {
+  bool ready = false;
+  virtual ~Impl() = default;
+  virtual FactorStatus factorize(const SymmetricMatrix& A, bool but_interface) = 0;
+  virtual void solve(Eigen::Ref<Eigen::MatrixXd> X) = 0;
+  virtual Eigen::MatrixXd condensed() const = 0;
+  virtual void reduce(Eigen::Ref<Eigen::VectorXd> x) = 0;
+  virtual void expand(Eigen::Ref<Eigen::VectorXd> x) = 0;
+  std::shared_ptr<const Elimination> elimination;
+  double flops = 0.0;
+  long long entries = 0;
+};
+
+namespace {
+
+constexpr int kColumnsTogether = 32;  // right-hand sides
+
+/// Successive rows of a front's update that are successive in their place, too.
+struct Run {
+  int start, target, length;
+};
+
+/// What is known of a front before any number: sizes in unknowns.
+struct FrontPlan {
+  int first, pivots, rows;
+  int parent;
+  size_t panel;                // where its columns of the factor start
+  size_t first_entry;          // of the matrix, see Entry; the next front's is the end
+  std::vector<Run> in_vector;  // rows below the pivots, in the order of elimination
+  std::vector<Run> in_parent;  // the same, in the parent's front
+
+  int below() const { return rows - pivots; }
+};
+
+/// A block of the matrix, column-major, and where its first number goes in the panel.
+struct Entry {
+  int source;
+  bool transposed;
+  size_t target;
+};
+
+std::vector<Run> runs(const std::vector<int>& places, int block) {
+  std::vector<Run> result;
+  for (int i = 0; i < static_cast<int>(places.size()); ++i) {
+    if (i > 0 && places[i] == places[i - 1] + 1) {
+      result.back().length += block;
+    } else {
+      result.push_back({i * block, places[i] * block, block});
+    }
+  }
+  return result;
+}
+
+template <class Real>
+class Multifrontal final : public Factorization::Impl {
+ public:
+  Multifrontal(const SymmetricPattern& pattern, std::shared_ptr<const Elimination> order);
+  FactorStatus factorize(const SymmetricMatrix& A, bool but_interface) override;
+  void solve(Eigen::Ref<Eigen::MatrixXd> X) override;
+  Eigen::MatrixXd condensed() const override;
+  void reduce(Eigen::Ref<Eigen::VectorXd> x) override;
+  void expand(Eigen::Ref<Eigen::VectorXd> x) override;
+
+ private:
+  void plan(const Elimination& order);
+  void list_entries(const SymmetricPattern& pattern, const Elimination& order);
+  void enter(const SymmetricMatrix& A, int front);
+  void add_update(const FrontPlan& child, const Real* update, bool to_panel, Real* own);
+  void take_updates(int front);
+  bool eliminate_front(int front);
+  void forward(const FrontPlan& front, int columns);
+  void backward(const FrontPlan& front, int columns);
+  void make_room(int columns);
+  double take(const Eigen::Ref<const Eigen::VectorXd>& x, int column);
+  void give(int column, double scale, Eigen::Ref<Eigen::VectorXd> x) const;
+  /// Fronts that are not the interface.
+  size_t inside() const { return fronts_.size() - (elimination->interface > 0 ? 1 : 0); }
+
+  Real* panel(const FrontPlan& front) { return factor_.data() + front.panel; }
+
+  int size_, block_;
+  std::vector<int> position_;  // of every unknown
+  std::vector<FrontPlan> fronts_;
+  std::vector<std::vector<int>> children_;
+  std::vector<Entry> entries_;
+  std::vector<Real> factor_;
+  std::vector<Real> stack_;           // updates that wait for their parents, the last on top
+  std::vector<size_t> stacked_;       // where the update of a front starts there
+  size_t top_ = 0;                    // of the stack
+  std::vector<Real> vector_, below_;  // right-hand sides, and their rows below one front
+};
+
+template <class Real>
+Multifrontal<Real>::Multifrontal(const SymmetricPattern& pattern,
+                                 std::shared_ptr<const Elimination> order)
+    : size_(pattern.size()), block_(pattern.block_size()), position_(size_) {
+  elimination = std::move(order);
+  for (int i = 0; i < size_; ++i) {
+    position_[i] = elimination->position[i / block_] * block_ + i % block_;
+  }
+  plan(*elimination);
+  list_entries(pattern, *elimination);
+}
+
+template <class Real>
+void Multifrontal<Real>::plan(const Elimination& order) {
+  const std::vector<Front>& fronts = order.fronts;
+  children_.resize(fronts.size());
+  size_t panels = 0, stack = 0, highest = 0;
+  for (int s = 0; s < static_cast<int>(fronts.size()); ++s) {
+    const Front& front = fronts[s];
+    FrontPlan plan{front.first * block_,
+                   front.columns * block_,
+                   front.rows() * block_,
+                   front.parent,
+                   panels,
+                   0,
+                   runs(front.below, block_),
+                   {}};
+    if (front.parent >= 0) {
+      children_[front.parent].push_back(s);
+      const Front& parent = fronts[front.parent];
+      std::vector<int> places;
+      for (int row : front.below) {
+        const int pivot = row - parent.first;
+        const auto found = std::lower_bound(parent.below.begin(), parent.below.end(), row);
+        places.push_back(pivot < parent.columns
+                             ? pivot
+                             : parent.columns + static_cast<int>(found - parent.below.begin()));
+      }
+      plan.in_parent = runs(places, block_);
+    }
+    const double k = plan.pivots, u = plan.below();
+    panels += static_cast<size_t>(plan.pivots) * plan.rows;
+    entries += static_cast<long long>(0.5 * k * (k + 1.0) + k * u);
+    flops += k * k * k / 3.0 + k * k * u + k * u * (u + 1.0);
+    // The update is made above those of the children, then takes their place.
+    const size_t update = static_cast<size_t>(plan.below()) * plan.below();
+    highest = std::max(highest, stack + update);
+    for (int child : children_[s]) {
+      const size_t its = fronts_[child].below();
+      stack -= its * its;
+    }
+    stack += update;
+    fronts_.push_back(std::move(plan));
+  }
+  factor_.resize(panels);
+  stack_.resize(highest);
+  stacked_.resize(fronts_.size());
+}
+
+template <class Real>
+void Multifrontal<Real>::list_entries(const SymmetricPattern& pattern, const Elimination& order) {
+  const std::vector<Front>& fronts = order.fronts;
+  std::vector<int> front_of(pattern.block_rows());
+  for (int s = 0; s < static_cast<int>(fronts.size()); ++s) {
+    std::fill_n(front_of.begin() + fronts[s].first, fronts[s].columns, s);
+  }
+  std::vector<std::vector<Entry>> of_front(fronts.size());
+  for (int i = 0; i < pattern.block_rows(); ++i) {
+    for (int k = pattern.row_start()[i]; k < pattern.row_start()[i + 1]; ++k) {
+      const int a = order.position[i], b = order.position[pattern.column()[k]];
+      const auto [column, row] = std::minmax(a, b);
+      const Front& front = fronts[front_of[column]];
+      const auto found = std::lower_bound(front.below.begin(), front.below.end(), row);
+      const int place = row - front.first < front.columns
+                            ? row - front.first
+                            : front.columns + static_cast<int>(found - front.below.begin());
+      const FrontPlan& plan = fronts_[front_of[column]];
+      of_front[front_of[column]].push_back(
+          {k * block_ * block_,
+           a < b,
+           plan.panel + static_cast<size_t>(column - front.first) * block_ * plan.rows +
+               static_cast<size_t>(place) * block_});
+    }
+  }
+  for (size_t s = 0; s < fronts.size(); ++s) {
+    fronts_[s].first_entry = entries_.size();
+    entries_.insert(entries_.end(), of_front[s].begin(), of_front[s].end());
+  }
+}
+
+template <class Real>
+void Multifrontal<Real>::enter(const SymmetricMatrix& A, int front) {
+  const FrontPlan& plan = fronts_[front];
+  std::fill_n(panel(plan), static_cast<size_t>(plan.pivots) * plan.rows, Real(0));
+  const size_t end = front + 1 < static_cast<int>(fronts_.size()) ? fronts_[front + 1].first_entry
+                                                                  : entries_.size();
+  for (size_t e = plan.first_entry; e < end; ++e) {
+    const auto& [source, transposed, target] = entries_[e];
+    const double* from = A.values().data() + source;
+    const int across = transposed ? block_ : 1, down = transposed ? 1 : block_;
+    for (int c = 0; c < block_; ++c) {
+      Real* to = factor_.data() + target + static_cast<size_t>(c) * plan.rows;
+      for (int r = 0; r < block_; ++r) to[r] = static_cast<Real>(from[r * across + c * down]);
+    }
+  }
+}
+
+/// Adds those columns of a child's update that fall on pivots of its parent, or those that do not,
+/// to the parent's panel or own update.
+template <class Real>
+void Multifrontal<Real>::add_update(const FrontPlan& child,
+                                    const Real* update,
+                                    bool to_panel,
+                                    Real* own) {
+  const FrontPlan& parent = fronts_[child.parent];
+  const int u = child.below(), skipped = to_panel ? 0 : parent.pivots;
+  const size_t stride = to_panel ? parent.rows : parent.below();
+  const std::vector<Run>& all = child.in_parent;
+  for (size_t across = 0; across < all.size(); ++across) {
+    for (int c = 0; c < all[across].length; ++c) {
+      const int column = all[across].target + c;
+      if ((column < parent.pivots) != to_panel) continue;
+      const Real* from = update + static_cast<size_t>(all[across].start + c) * u;
+      Real* to = own + (column - skipped) * stride - skipped;
+      for (size_t down = across; down < all.size(); ++down) {
+        const int first = down == across ? c : 0;
+        const Real* source = from + all[down].start;
+        Real* target = to + all[down].target;
+        for (int r = first; r < all[down].length; ++r) target[r] += source[r];
+      }
+    }
+  }
+}
+
+template <class Real>
+void Multifrontal<Real>::take_updates(int s) {
+  for (int child : children_[s]) {
+    add_update(fronts_[child], stack_.data() + stacked_[child], true, panel(fronts_[s]));
+  }
+}
+
+template <class Real>
+bool Multifrontal<Real>::eliminate_front(int s) {
+  const FrontPlan& plan = fronts_[s];
+  Real* L = panel(plan);
+  take_updates(s);
+  if (!cholesky(plan.pivots, L, plan.rows)) return false;
+  const int u = plan.below();
+  Real* update = stack_.data() + top_;
+  const size_t length = static_cast<size_t>(u) * u;
+  if (u > 0) {
+    solve_right_transposed(u, plan.pivots, L, plan.rows, L + plan.pivots);
+    negative_square(u, plan.pivots, L + plan.pivots, plan.rows, update);
+  }
+  for (int child : children_[s]) {
+    add_update(fronts_[child], stack_.data() + stacked_[child], false, update);
+  }
+  const size_t place = children_[s].empty() ? top_ : stacked_[children_[s].front()];
+  if (place != top_) std::memmove(stack_.data() + place, update, length * sizeof(Real));
+  stacked_[s] = place;
+  top_ = place + length;
+  return true;
+}
+
+template <class Real>
+FactorStatus Multifrontal<Real>::factorize(const SymmetricMatrix& A, bool but_interface) {
+  ready = false;
+  FactorStatus status;
+  double sum = 0.0;
+  for (double value : A.values()) sum += std::abs(value);
+  if (!std::isfinite(sum)) {
+    status.reason = "the matrix holds values that are not numbers";
+    return status;
+  }
+  top_ = 0;
+  for (int s = 0; s < static_cast<int>(fronts_.size()); ++s) {
+    enter(A, s);
+    if (but_interface && s == static_cast<int>(inside())) {
+      take_updates(s);
+    } else if (!eliminate_front(s)) {
+      status.outcome = FactorStatus::Outcome::not_positive;
+      status.reason = "the matrix is not positive definite";
+      return status;
+    }
+  }
+  ready = true;
+  status.outcome = FactorStatus::Outcome::definite;
+  return status;
+}
+
+template <class Real>
+void Multifrontal<Real>::forward(const FrontPlan& front, int columns) {
+  Real* x = vector_.data() + front.first;
+  const Real* L = panel(front);
+  solve_lower(front.pivots, columns, L, front.rows, x, size_);
+  const int u = front.below();
+  if (u == 0) return;
+  multiply(u, columns, front.pivots, L + front.pivots, front.rows, x, size_, below_.data());
+  for (int j = 0; j < columns; ++j) {
+    const Real* from = below_.data() + static_cast<size_t>(j) * u;
+    Real* to = vector_.data() + static_cast<size_t>(j) * size_;
+    for (const auto& [start, target, length] : front.in_vector) {
+      for (int r = 0; r < length; ++r) to[target + r] -= from[start + r];
+    }
+  }
+}
+
+template <class Real>
+void Multifrontal<Real>::backward(const FrontPlan& front, int columns) {
+  Real* x = vector_.data() + front.first;
+  const Real* L = panel(front);
+  const int u = front.below();
+  for (int j = 0; j < columns && u > 0; ++j) {
+    Real* to = below_.data() + static_cast<size_t>(j) * u;
+    const Real* from = vector_.data() + static_cast<size_t>(j) * size_;
+    for (const auto& [start, target, length] : front.in_vector) {
+      for (int r = 0; r < length; ++r) to[start + r] = from[target + r];
+    }
+  }
+  if (u > 0) {
+    subtract_transposed(
+        front.pivots, columns, u, L + front.pivots, front.rows, below_.data(), x, size_);
+  }
+  solve_lower_transposed(front.pivots, columns, L, front.rows, x, size_);
+}
+
+template <class Real>
+void Multifrontal<Real>::solve(Eigen::Ref<Eigen::MatrixXd> X) {
+  assert(ready && X.rows() == size_);
+  for (Eigen::Index first = 0; first < X.cols(); first += kColumnsTogether) {
+    const int columns =
+        static_cast<int>(std::min<Eigen::Index>(kColumnsTogether, X.cols() - first));
+    make_room(columns);
+    Eigen::VectorXd scale(columns);
+    for (int j = 0; j < columns; ++j) scale[j] = take(X.col(first + j), j);
+    for (const FrontPlan& front : fronts_) forward(front, columns);
+    for (size_t s = fronts_.size(); s-- > 0;) backward(fronts_[s], columns);
+    for (int j = 0; j < columns; ++j) give(j, scale[j], X.col(first + j));
+  }
+}
+
+template <class Real>
+void Multifrontal<Real>::make_room(int columns) {
+  int tallest = 0;
+  for (const FrontPlan& front : fronts_) tallest = std::max(tallest, front.below());
+  vector_.resize(static_cast<size_t>(size_) * columns);
+  below_.resize(static_cast<size_t>(tallest) * columns);
+}
+
+/// A right-hand side in the order of elimination, scaled to the middle of the exponents (a residual
+/// of 1e-40 is none); by how much.
+template <class Real>
+double Multifrontal<Real>::take(const Eigen::Ref<const Eigen::VectorXd>& x, int column) {
+  const double largest = x.cwiseAbs().maxCoeff();
+  const double scale = std::is_same_v<Real, float> && largest > 0.0 ? largest : 1.0;
+  Real* to = vector_.data() + static_cast<size_t>(column) * size_;
+  for (int i = 0; i < size_; ++i) to[position_[i]] = static_cast<Real>(x[i] / scale);
+  return scale;
+}
+
+template <class Real>
+void Multifrontal<Real>::give(int column, double scale, Eigen::Ref<Eigen::VectorXd> x) const {
+  const Real* from = vector_.data() + static_cast<size_t>(column) * size_;
+  for (int i = 0; i < size_; ++i) x[i] = scale * from[position_[i]];
+}
+
+template <class Real>
+Eigen::MatrixXd Multifrontal<Real>::condensed() const {
+  const FrontPlan& front = fronts_.back();
+  using Panel = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+  const Eigen::Map<const Panel> lower(factor_.data() + front.panel, front.rows, front.pivots);
+  return lower.template cast<double>().template selfadjointView<Eigen::Lower>();
+}
+
+template <class Real>
+void Multifrontal<Real>::reduce(Eigen::Ref<Eigen::VectorXd> x) {
+  make_room(1);
+  const double scale = take(x, 0);
+  for (size_t s = 0; s < inside(); ++s) forward(fronts_[s], 1);
+  give(0, scale, x);
+}
+
+template <class Real>
+void Multifrontal<Real>::expand(Eigen::Ref<Eigen::VectorXd> x) {
+  make_room(1);
+  const double scale = take(x, 0);
+  for (size_t s = inside(); s-- > 0;) backward(fronts_[s], 1);
+  give(0, scale, x);
+}
+
+std::unique_ptr<Factorization::Impl> make(const SymmetricPattern& pattern,
+                                          Precision precision,
+                                          std::shared_ptr<const Elimination> order) {
+  if (precision == Precision::single) {
+    return std::make_unique<Multifrontal<float>>(pattern, std::move(order));
+  }
+  return std::make_unique<Multifrontal<double>>(pattern, std::move(order));
+}
+
+}  // namespace
+
+Factorization::Factorization(const SymmetricPattern& pattern, Precision precision)
+    : Factorization(pattern, precision, std::make_shared<const Elimination>(eliminate(pattern))) {}
+Factorization::Factorization(const SymmetricPattern& pattern,
+                             Precision precision,
+                             std::shared_ptr<const Elimination> elimination)
+    : impl_(make(pattern, precision, std::move(elimination))) {}
+Factorization::~Factorization() = default;
+Factorization::Factorization(Factorization&&) noexcept = default;
+Factorization& Factorization::operator=(Factorization&&) noexcept = default;
+
+FactorStatus Factorization::factorize(const SymmetricMatrix& A) {
+  return impl_->factorize(A, false);
+}
+FactorStatus Factorization::condense(const SymmetricMatrix& A) { return impl_->factorize(A, true); }
+Eigen::MatrixXd Factorization::condensed() const { return impl_->condensed(); }
+void Factorization::reduce(Eigen::Ref<Eigen::VectorXd> x) const { impl_->reduce(x); }
+void Factorization::expand(Eigen::Ref<Eigen::VectorXd> x) const { impl_->expand(x); }
+bool Factorization::ready() const { return impl_->ready; }
+void Factorization::solve(Eigen::Ref<Eigen::VectorXd> x) const {
+  impl_->solve(Eigen::Map<Eigen::MatrixXd>(x.data(), x.size(), 1));
+}
+void Factorization::solve_columns(Eigen::Ref<Eigen::MatrixXd> X) const {
+  impl_->solve(std::move(X));
+}
+const std::shared_ptr<const Elimination>& Factorization::elimination() const {
+  return impl_->elimination;
+}
+double Factorization::flops() const { return impl_->flops; }
+long long Factorization::entries() const { return impl_->entries; }
+
+}  // namespace latsch::numerics

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "numerics/sparse/front_algebra.h"
+
+#include <cstddef>
+
+#include "numerics/dense/blas_core.h"
+
+extern "C" {
+void spotrf_(const char*, const int*, float*, const int*, int*, std::size_t);
+void strsm_(const char*,
+            const char*,
+            const char*,
+            const char*,
+            const int*,
+            const int*,
+            const float*,
+            const float*,
+            const int*,
+            float*,
+            const int*,
+            std::size_t,
+            std::size_t,
+            std::size_t,
+            std::size_t);
+void ssyrk_(const char*,
+            const char*,
+            const int*,
+            const int*,
+            const float*,
+            const float*,
+            const int*,
+            const float*,
+            float*,
+            const int*,
+            std::size_t,
+            std::size_t);
+void sgemm_(const char*,
+            const char*,
+            const int*,
+            const int*,
+            const int*,
+            const float*,
+            const float*,
+            const int*,
+            const float*,
+            const int*,
+            const float*,
+            float*,
+            const int*,
+            std::size_t,
+            std::size_t);
+void strsv_(const char*,
+            const char*,
+            const char*,
+            const int*,
+            const float*,
+            const int*,
+            float*,
+            const int*,
+            std::size_t,
+            std::size_t,
+            std::size_t);
+void sgemv_(const char*,
+            const int*,
+            const int*,
+            const float*,
+            const float*,
+            const int*,
+            const float*,
+            const int*,
+            const float*,
+            float*,
+            const int*,
+            std::size_t);
+void dpotrf_(const char*, const int*, double*, const int*, int*, std::size_t);
+void dtrsm_(const char*,
+            const char*,
+            const char*,
+            const char*,
+            const int*,
+            const int*,
+            const double*,
+            const double*,
+            const int*,
+            double*,
+            const int*,
+            std::size_t,
+            std::size_t,
+            std::size_t,
+            std::size_t);
+void dsyrk_(const char*,
+            const char*,
+            const int*,
+            const int*,
+            const double*,
+            const double*,
+            const int*,
+            const double*,
+            double*,
+            const int*,
+            std::size_t,
+            std::size_t);
+void dgemm_(const char*,
+            const char*,
+            const int*,
+            const int*,
+            const int*,
+            const double*,
+            const double*,
+            const int*,
+            const double*,
+            const int*,
+            const double*,
+            double*,
+            const int*,
+            std::size_t,
+            std::size_t);
+void dtrsv_(const char*,
+            const char*,
+            const char*,
+            const int*,
+            const double*,
+            const int*,
+            double*,
+            const int*,
+            std::size_t,
+            std::size_t,
+            std::size_t);
+void dgemv_(const char*,
+            const int*,
+            const int*,
+            const double*,
+            const double*,
+            const int*,
+            const double*,
+            const int*,
+            const double*,
+            double*,
+            const int*,
+            std::size_t);
+}
+
+namespace latsch::numerics {
+namespace {
+
+constexpr auto* potrf(float) { return spotrf_; }
+constexpr auto* potrf(double) { return dpotrf_; }
+constexpr auto* trsm(float) { return strsm_; }
+constexpr auto* trsm(double) { return dtrsm_; }
+constexpr auto* syrk(float) { return ssyrk_; }
+constexpr auto* syrk(double) { return dsyrk_; }
+constexpr auto* gemm(float) { return sgemm_; }
+constexpr auto* gemm(double) { return dgemm_; }
+constexpr auto* trsv(float) { return strsv_; }
+constexpr auto* trsv(double) { return dtrsv_; }
+constexpr auto* gemv(float) { return sgemv_; }
+constexpr auto* gemv(double) { return dgemv_; }
+
+}  // namespace
+
+template <class Real>
+bool cholesky(int n, Real* A, int ld) {
+  const BlasTurn turn;
+  int info = 0;
+  potrf(Real())("L", &n, A, &ld, &info, 1);
+  return info == 0;
+}
+
+template <class Real>
+void solve_right_transposed(int rows, int n, const Real* L, int ld, Real* B) {
+  const BlasTurn turn;
+  const Real one = 1;
+  trsm(Real())("R", "L", "T", "N", &rows, &n, &one, L, &ld, B, &ld, 1, 1, 1, 1);
+}
+
+template <class Real>
+void negative_square(int rows, int n, const Real* B, int ld, Real* C) {
+  const BlasTurn turn;
+  const Real minus = -1, zero = 0;
+  syrk(Real())("L", "N", &rows, &n, &minus, B, &ld, &zero, C, &rows, 1, 1);
+}
+
+template <class Real>
+void solve_lower(int n, int columns, const Real* L, int ld, Real* X, int ldx) {
+  const BlasTurn turn;
+  const Real one = 1;
+  const int next = 1;
+  if (columns == 1) {
+    trsv(Real())("L", "N", "N", &n, L, &ld, X, &next, 1, 1, 1);
+  } else {
+    trsm(Real())("L", "L", "N", "N", &n, &columns, &one, L, &ld, X, &ldx, 1, 1, 1, 1);
+  }
+}
+
+template <class Real>
+void solve_lower_transposed(int n, int columns, const Real* L, int ld, Real* X, int ldx) {
+  const BlasTurn turn;
+  const Real one = 1;
+  const int next = 1;
+  if (columns == 1) {
+    trsv(Real())("L", "T", "N", &n, L, &ld, X, &next, 1, 1, 1);
+  } else {
+    trsm(Real())("L", "L", "T", "N", &n, &columns, &one, L, &ld, X, &ldx, 1, 1, 1, 1);
+  }
+}
+
+template <class Real>
+void multiply(
+    int rows, int columns, int n, const Real* B, int ld, const Real* X, int ldx, Real* Y) {
+  const BlasTurn turn;
+  const Real one = 1, zero = 0;
+  const int next = 1;
+  if (columns == 1) {
+    gemv(Real())("N", &rows, &n, &one, B, &ld, X, &next, &zero, Y, &next, 1);
+  } else {
+    gemm(Real())("N", "N", &rows, &columns, &n, &one, B, &ld, X, &ldx, &zero, Y, &rows, 1, 1);
+  }
+}
+
+template <class Real>
+void subtract_transposed(
+    int n, int columns, int rows, const Real* B, int ld, const Real* Y, Real* X, int ldx) {
+  const BlasTurn turn;
+  const Real one = 1, minus = -1;
+  const int next = 1;
+  if (columns == 1) {
+    gemv(Real())("T", &rows, &n, &minus, B, &ld, Y, &next, &one, X, &next, 1);
+  } else {
+    gemm(Real())("T", "N", &n, &columns, &rows, &minus, B, &ld, Y, &rows, &one, X, &ldx, 1, 1);
+  }
+}
+
+template bool cholesky(int, float*, int);
+template void solve_right_transposed(int, int, const float*, int, float*);
+template void negative_square(int, int, const float*, int, float*);
+template void solve_lower(int, int, const float*, int, float*, int);
+template void solve_lower_transposed(int, int, const float*, int, float*, int);
+template void multiply(int, int, int, const float*, int, const float*, int, float*);
+template void subtract_transposed(int, int, int, const float*, int, const float*, float*, int);
+template bool cholesky(int, double*, int);
+template void solve_right_transposed(int, int, const double*, int, double*);
+template void negative_square(int, int, const double*, int, double*);
+template void solve_lower(int, int, const double*, int, double*, int);
+template void solve_lower_transposed(int, int, const double*, int, double*, int);
+template void multiply(int, int, int, const double*, int, const double*, int, double*);
+template void subtract_transposed(int, int, int, const double*, int, const double*, double*, int);
+
+}  // namespace latsch::numerics

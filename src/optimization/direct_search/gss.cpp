@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/direct_search/gss.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cassert>
+#include <optional>
+#include <string>
+
+#include "optimization/direct_search/model_step.h"
+#include "optimization/problem/feasible_region.h"
+#include "optimization/problem/infinity.h"
+#include "optimization/problem/option_check.h"
+#include "optimization/problem/point_vector.h"
+#include "optimization/problem/shared_history.h"
+#include "optimization/region/conforming_set.h"
+
+namespace latsch {
+namespace {
+
+constexpr double kReach = 0.8;         // of the step: how far the model is trusted
+constexpr double kNew = 0.05;          // of the step: nearer to a known point, nothing is learned
+constexpr double kLongestStep = 0.25;  // a quarter of every variable's range
+constexpr double kExpansion = 2.0;     // of the step after more than so many successes in a row:
+constexpr int kSuccessesToExpand = 4;
+
+constexpr double kSnap = 0.5;  // of the step tolerance: how near to a linear constraint is on it
+
+constexpr int kNoDirection = -1;
+
+struct Direction {
+  Eigen::VectorXd d;
+  double step;
+};
+
+/// A point whose outcome the method waits for.
+struct Proposal {
+  Eigen::VectorXd u;
+  DesignPoint point;
+  double step;                   // for the sufficient decrease
+  int direction = kNoDirection;  // of set number `set`; none for the start and for a model step
+  int set = 0;
+};
+
+void check(const GssOptions& options) {
+  const OptionCheck check("GSS");
+  check.lengths(options.initial_step, options.step_tolerance, 1.0);
+  check.require(options.contraction > 0.0 && options.contraction < 1.0,
+                "contraction",
+                options.contraction,
+                "between 0 and 1");
+  check.require(options.sufficient_decrease >= 0.0,
+                "sufficient decrease",
+                options.sufficient_decrease,
+                "0 or more");
+  check.require(options.outstanding >= 1, "outstanding", options.outstanding, "1 or more");
+}
+
+bool has_place_inside(const DesignSpace& space, const DesignPoint& point) {
+  const auto place = space.place(point);
+  if (!place) return false;
+  const auto is_inside = [](double u) { return u >= 0.0 && u <= 1.0; };
+  return std::all_of(place->begin(), place->end(), is_inside);
+}
+
+}  // namespace
+
+struct Gss::State {
+  DesignSpace space;
+  FeasibleRegion region;
+  GssOptions options;
+
+  Eigen::VectorXd x;     // the best point, in the unit cube
+  double f = kInfinity;  // its value
+  std::vector<Direction> directions;
+  double length;  // the longest step: the one at which directions are being polled
+  int set = 0;    // number of the present set of directions
+  int turn = 0;
+  Eigen::VectorXd last_move;
+  int successes = 0;  // in a row
+
+  SharedHistory<Sample> samples;  // finite values
+  SharedTable values;             // of all points
+  bool model_is_new = false;      // something was learned since the last model step
+  std::vector<Proposal> wanted;   // in the order proposed; empty: converged
+
+  State(const DesignSpace& s, const GssOptions& o)
+      : space(s),
+        region(s),
+        options(o),
+        x(to_vector(s.to_unit(s.initial()))),
+        length(o.initial_step) {
+    last_move = Eigen::VectorXd::Zero(x.size());
+    start_poll();
+    wanted.push_back({x, space.initial(), length});
+    fill();
+  }
+
+  bool is_better(double value, double step) const {
+    return value < f - options.sufficient_decrease * step * step;
+  }
+
+  /// A fresh set of directions around x, the one nearest to the last success first.
+  void start_poll() {
+    ++set;
+    directions.clear();
+    for (Eigen::VectorXd& d : conforming_set(region, x, length, turn)) {
+      directions.push_back({std::move(d), length});
+    }
+    std::stable_sort(directions.begin(), directions.end(), [&](const auto& a, const auto& b) {
+      return a.d.dot(last_move) > b.d.dot(last_move);
+    });
+  }
+
+  void move_to(const Eigen::VectorXd& u, double value) {
+    if (++successes > kSuccessesToExpand) {
+      length = std::max(length, std::min(kExpansion * length, kLongestStep));
+    }
+    last_move = f < kInfinity ? Eigen::VectorXd(u - x) : Eigen::VectorXd::Zero(x.size());
+    x = u;
+    f = value;
+    start_poll();
+  }
+
+  void contract(Direction& direction) {
+    direction.step *= options.contraction;
+    const auto failed = [&](const Direction& d) { return d.step < length; };
+    if (!std::all_of(directions.begin(), directions.end(), failed)) return;
+    length *= options.contraction;
+    ++turn;
+    start_poll();
+  }
+
+  /// What the outcome of `tried` means for the search.
+  void take(const Proposal& tried, double value) {
+    if (is_better(value, tried.step) && region.contains(tried.u)) {
+      move_to(tried.u, value);
+    } else if (tried.direction == kNoDirection) {
+      successes = 0;
+    } else if (tried.set == set) {
+      successes = 0;
+      contract(directions[tried.direction]);
+    }
+  }
+
+  /// On the way from x to u, as far as the constraints allow.
+  Proposal toward(const Eigen::VectorXd& u, double step) const {
+    const Eigen::VectorXd inside =
+        region.snapped(region.cut_off(x, u), kSnap * options.step_tolerance);
+    return {inside, space.from_unit({inside.begin(), inside.end()}), step};
+  }
+
+  bool is_wanted(const DesignPoint& point) const {
+    return std::any_of(
+        wanted.begin(), wanted.end(), [&](const Proposal& w) { return w.point == point; });
+  }
+
+  std::optional<Proposal> model_step() const {
+    const double reach = kReach * length;
+    const auto s = latsch::model_step(samples, region, x, reach);
+    if (!s) return std::nullopt;
+    Proposal step = toward(x + *s, length);
+    const auto near = [&](const auto& known) { return (known.u - step.u).norm() < kNew * length; };
+    for (int i = 0; i < samples.size(); ++i) {
+      if (near(samples[i])) return std::nullopt;
+    }
+    if (std::any_of(wanted.begin(), wanted.end(), near)) return std::nullopt;
+    if (values.find(step.point.bits())) return std::nullopt;
+    return step;
+  }
+
+  /// The direction with the longest step that is not being tried; nullopt where there is none or
+  /// its step is below the tolerance.
+  std::optional<Proposal> poll_step() const {
+    int longest = kNoDirection;
+    for (int i = 0; i < std::ssize(directions); ++i) {
+      const auto is_tried = [&](const Proposal& w) { return w.set == set && w.direction == i; };
+      if (std::any_of(wanted.begin(), wanted.end(), is_tried)) continue;
+      if (longest == kNoDirection || directions[i].step > directions[longest].step) longest = i;
+    }
+    if (longest == kNoDirection) return std::nullopt;
+    const Direction& direction = directions[longest];
+    if (direction.step < options.step_tolerance) return std::nullopt;
+    Proposal step = toward(x + direction.step * direction.d, direction.step);
+    step.direction = longest;
+    step.set = set;
+    return step;
+  }
+
+  /// The next point that is neither known nor wanted yet.
+  std::optional<Proposal> next() {
+    if (std::exchange(model_is_new, false)) {
+      if (auto step = model_step()) return step;
+    }
+    while (auto step = poll_step()) {
+      const bool is_cut_off = (step->u - x).norm() < 0.5 * options.step_tolerance;  // at a bound
+      if (is_cut_off || is_wanted(step->point)) {
+        contract(directions[step->direction]);
+        continue;
+      }
+      const double* known = values.find(step->point.bits());
+      if (!known) return step;
+      take(*step, *known);
+    }
+    return std::nullopt;
+  }
+
+  void fill() {
+    while (std::ssize(wanted) < options.outstanding) {
+      auto step = next();
+      if (!step) return;
+      wanted.push_back(std::move(*step));
+    }
+  }
+
+  void observe(const DesignPoint& point, double value) {
+    const auto found = std::find_if(
+        wanted.begin(), wanted.end(), [&](const Proposal& w) { return w.point == point; });
+    // A foreign point outside of the bounds has no value for a search inside of them.
+    if (found == wanted.end() && !has_place_inside(space, point)) return;
+    const Proposal tried =
+        found != wanted.end() ? *found : Proposal{to_vector(space.to_unit(point)), point, length};
+    if (found != wanted.end()) wanted.erase(found);
+    values.set(point.bits(), value);
+    if (value < kInfinity) {
+      samples.push_back({tried.u, value});
+      model_is_new = true;
+    }
+    take(tried, value);
+    fill();
+  }
+};
+
+Gss::Gss(const DesignSpace& space, const GssOptions& options) {
+  check(options);
+  state_ = std::make_unique<State>(space, options);
+}
+
+Gss::~Gss() = default;
+
+std::vector<DesignPoint> Gss::propose(int count) const {
+  assert(count >= 1);
+  std::vector<DesignPoint> plan;
+  for (const Proposal& wanted : state_->wanted) {
+    if (std::ssize(plan) < count) plan.push_back(wanted.point);
+  }
+  if (plan.empty() || std::ssize(plan) == count) return plan;
+  State future = *state_;
+  while (std::ssize(plan) < count) {
+    const DesignPoint awaited = future.wanted.front().point;
+    future.observe(awaited, kInfinity);
+    if (future.wanted.empty()) break;
+    const DesignPoint& last = future.wanted.back().point;
+    if (std::find(plan.begin(), plan.end(), last) == plan.end()) plan.push_back(last);
+  }
+  return plan;
+}
+
+void Gss::observe(const DesignPoint& point, const Result<Score>& outcome) {
+  state_->observe(point, outcome ? outcome->value : kInfinity);
+}
+
+std::string Gss::ending() const {
+  if (!converged()) return {};
+  return state_->f < kInfinity ? "at a minimum: no direction gains with a step of the tolerance"
+                               : "without a result: every trial failed";
+}
+
+bool Gss::converged() const { return state_->wanted.empty(); }
+
+}  // namespace latsch

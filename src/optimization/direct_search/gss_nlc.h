@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// GSS-NLC: generating-set search with nonlinear constraints, which an evaluation reports beside the
+// target (Score::constraints, Score::equations).
+//
+//   repeat  search for the least  P_k = f + rho_k p(v)  (penalty.h) with gss.h, which keeps bounds
+//           and linear constraints, from the best point so far, down to a step of delta_k
+//   until   v counts as fulfilled and delta_k is the step tolerance, or rho is at its largest
+//   with    rho_k+1 ten times rho_k while v is not fulfilled, delta_k+1 a quarter of delta_k, the
+//           width of smoothing a tenth
+//
+// Each search is told everything that is known, judged by its own P: nothing is evaluated twice.
+// For targets with kinks and points that fail; where all functions are smooth, sqp.h needs a tenth
+// of the evaluations. The result is off the constraints by about lambda / (2 rho) with the squared
+// penalty, lambda their multipliers. With an exact one it is on them, but kinks stop the search
+// short where equations bend: by 2 to 5 % in problem 71 of Hock and Schittkowski.
+//
+// [Griffin & Kolda, Appl. Math. Res. Express 2010, 36; the "GSS-NLC" of HOPSPACK, Plantenga,
+// SAND2009-6265]
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "optimization/direct_search/gss.h"
+#include "optimization/direct_search/penalty.h"
+
+namespace latsch {
+
+struct GssNlcOptions {
+  /// Initial step of the first search, tolerance of the last. A penalty's valleys are left too
+  /// early with the contraction of a search without one: problem 71 of Hock and Schittkowski ends
+  /// 0.7 % off.
+  GssOptions gss = {.contraction = 0.5};
+  Penalty penalty = Penalty::l2_squared;
+  double rho = 1.0;  // of the first search: change of the target worth a violation of 1
+  double largest_rho = 1e8;
+  double alpha = 1.0;  // of the first search: width of smoothing, in units of the constraints
+};
+
+class GssNlc : public Optimizer {
+ public:
+  /// Starts at the initial values of the space. Throws InputError for options out of range.
+  explicit GssNlc(const DesignSpace& space, const GssNlcOptions& options = {});
+
+  /// Speculation ends with the search for the present rho.
+  std::vector<DesignPoint> propose(int count) const override;
+  void observe(const DesignPoint& point, const Result<Score>& outcome) override;
+  bool converged() const override { return search_->converged(); }
+
+  double rho() const { return rho_; }
+
+ private:
+  struct Known {
+    DesignPoint point;
+    Result<Score> outcome;
+  };
+
+  Result<Score> penalized(const Result<Score>& outcome) const;
+  const Known* best() const;
+  void begin_search(double initial_step);
+  void end_search();
+
+  DesignSpace space_;
+  GssNlcOptions options_;
+  double rho_, alpha_, delta_;
+  std::vector<Known> known_;
+  std::unique_ptr<Gss> search_;
+};
+
+}  // namespace latsch

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/identifiability/confidence.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "numerics/dense/singular_values.h"
+#include "numerics/student_t.h"
+#include "optimization/problem/infinity.h"
+
+namespace latsch {
+namespace {
+
+constexpr double kNearBound = 1e-6;          // of the range: a variable so near lies on its bound
+constexpr double kRoundingOfValues = 1e-13;  // of the largest singular value: less is zero
+
+/// On a bound, with S growing inward.
+Bound held_at(double u, double gradient) {
+  if (u < kNearBound && gradient > 0.0) return Bound::lower;
+  if (u > 1.0 - kNearBound && gradient < 0.0) return Bound::upper;
+  return Bound::none;
+}
+
+struct Spectrum {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd directions;
+};
+
+/// n of each, also where there are fewer rows than columns.
+Spectrum spectrum(const Eigen::MatrixXd& J) {
+  const Eigen::Index n = J.cols();
+  const auto [values, V] = numerics::singular_values(J);
+  Spectrum s{Eigen::VectorXd::Zero(n), V};
+  s.values.head(values.size()) = values;
+  return s;
+}
+
+/// (J' J)^-1, with directions that J does not feel as wide as rounding allows to say.
+Eigen::MatrixXd inverse_normal_matrix(const Eigen::MatrixXd& J) {
+  if (J.cols() == 0) return {};
+  const Spectrum s = spectrum(J);
+  const double least =
+      std::max(kRoundingOfValues * s.values[0], std::numeric_limits<double>::min());
+  const Eigen::VectorXd scale = s.values.cwiseMax(least).cwiseInverse();
+  const Eigen::MatrixXd W = s.directions * scale.asDiagonal();
+  return W * W.transpose();
+}
+
+/// The part of column j that the columns of A cannot imitate.
+Eigen::VectorXd beside(const Eigen::MatrixXd& A, const Eigen::VectorXd& j) {
+  if (A.cols() == 0) return j;
+  return j - A * (inverse_normal_matrix(A) * (A.transpose() * j));
+}
+
+/// How far inward, from a bound where S grows as 2 g d + h d^2, it stays below the threshold.
+double reach(double g, double h, double threshold) {
+  const double root = std::sqrt(g * g + h * threshold);
+  const double d = threshold / (g + root);  // the root without cancellation
+  return std::isfinite(d) ? d : kInfinity;
+}
+
+}  // namespace
+
+namespace {
+
+/// What a sum of squares of nu squared standard normal numbers exceeds once in a thousand, over nu
+/// [Wilson, Hilferty, Proc. Nat. Acad. Sci. 17 (1931) 684].
+double rare_ratio(double nu) {
+  constexpr double kNormal = 3.090232;  // exceeded by one in a thousand
+  const double k = 2.0 / (9.0 * nu);
+  return std::pow(1.0 - k + kNormal * std::sqrt(k), 3.0);
+}
+
+void take_spread(const ResidualNoise& noise, const ConfidenceOptions& options, Confidence& c) {
+  const double seen = noise.sigma(), nu = noise.freedom();
+  c.sigma = options.sigma ? *options.sigma : std::max(options.least_sigma, seen);
+  c.is_colored = !noise.is_white();
+  if (nu <= 0.0 && !options.sigma) c.sigma = std::numeric_limits<double>::quiet_NaN();
+  if (!options.sigma || nu <= 0.0) return;
+  const double ratio = seen * seen / (*options.sigma * *options.sigma);
+  if (ratio <= rare_ratio(nu)) return;
+  c.excess = std::sqrt(ratio);
+  c.sigma = seen;
+}
+
+/// The part of each direction's deviation that is noise: of J v_k over its length.
+Eigen::VectorXd along_directions(const Eigen::MatrixXd& J,
+                                 const ResidualNoise& noise,
+                                 const Confidence& c) {
+  Eigen::VectorXd deviations(c.singular_values.size());
+  for (Eigen::Index k = 0; k < deviations.size(); ++k) {
+    const double length = c.singular_values[k];
+    if (!(length > kRoundingOfValues * c.singular_values[0])) {
+      deviations[k] = kInfinity;
+      continue;
+    }
+    const Eigen::VectorXd felt = J * c.directions.col(k) / length;
+    deviations[k] = c.sigma * noise.colored(felt).norm() / length;
+  }
+  return deviations;
+}
+
+}  // namespace
+
+namespace {
+
+/// The variables as sums of residuals, direction by direction:  u = -W felt' r.
+struct Estimates {
+  Eigen::MatrixXd W;     // n x n
+  Eigen::MatrixXd felt;  // m x n, orthonormal columns; 0 for a direction that no residual feels
+  std::vector<Eigen::Index> flat;
+
+  Eigen::MatrixXd covariance(const ResidualNoise& noise) const {
+    const Eigen::MatrixXd colored = noise.colored(felt);
+    Eigen::MatrixXd K = colored.transpose() * colored;
+    for (const Eigen::Index k : flat) K(k, k) = 1.0;
+    return W * K * W.transpose();
+  }
+};
+
+Estimates estimates_of(const Eigen::MatrixXd& J) {
+  if (J.cols() == 0) return {};
+  const Spectrum s = spectrum(J);
+  const double least =
+      std::max(kRoundingOfValues * s.values[0], std::numeric_limits<double>::min());
+  const Eigen::VectorXd scale = s.values.cwiseMax(least).cwiseInverse();
+  Estimates estimates{s.directions * scale.asDiagonal(), {}, {}};
+  estimates.felt = J * estimates.W;
+  for (Eigen::Index k = 0; k < s.values.size(); ++k) {
+    if (s.values[k] > least) continue;
+    estimates.felt.col(k).setZero();
+    estimates.flat.push_back(k);
+  }
+  return estimates;
+}
+
+}  // namespace
+
+Confidence confidence(const Linearization& at, const ConfidenceOptions& options) {
+  const Eigen::Index n = at.u.size();
+  assert(at.r.size() > 0 && at.J.rows() == at.r.size() && at.J.cols() == n);
+  Confidence c;
+  const Eigen::VectorXd gradient = at.J.transpose() * at.r;
+  std::vector<int> free;
+  for (int i = 0; i < n; ++i) {
+    c.held.push_back(held_at(at.u[i], gradient[i]));
+    if (c.held.back() == Bound::none) free.push_back(i);
+  }
+  const Eigen::MatrixXd J_free = at.J(Eigen::all, free);
+  // Of all variables: what one that is held could explain is no noise.
+  const ResidualNoise noise(at.r, at.J, options.traits);
+  take_spread(noise, options, c);
+  const bool stated = options.sigma && c.excess == 1.0;
+  const double p = 0.5 + 0.5 * options.level, nu = noise.freedom();
+  c.t = numerics::student_t_quantile(p, stated || nu <= 0.0 ? kInfinity : nu);
+  c.noise = c.sigma * noise.effective_deviations();
+  const Spectrum all = spectrum(at.J);
+  c.singular_values = all.values;
+  c.directions = all.directions;
+  c.direction_deviations = along_directions(at.J, noise, c);
+
+  const Eigen::MatrixXd inverse = inverse_normal_matrix(J_free);
+  const Eigen::VectorXd left = -inverse * gradient(free);  // to the least S
+  c.left_to_gain = free.empty() ? 0.0 : -gradient(free).dot(left);
+  const Estimates estimates = estimates_of(J_free);
+  const Eigen::MatrixXd C = estimates.covariance(noise);
+  /// t^2 times the variance of y' r for a y of length 1: what S has risen by at the ends of an
+  /// interval.
+  const auto threshold_of = [&](const Eigen::VectorXd& y) {
+    const double freedom = std::min(nu > 0.0 ? nu : kInfinity, noise.freedom_of(y, stated));
+    const double t =
+        c.is_colored ? numerics::student_t_quantile(p, stated ? noise.freedom_of(y, true) : freedom)
+                     : c.t;
+    const double share = noise.colored(y).squaredNorm() / y.squaredNorm();
+    return std::isfinite(share) ? c.sigma * c.sigma * t * t * share : c.threshold();
+  };
+  c.covariance = Eigen::MatrixXd::Zero(n, n);
+  c.correlation = Eigen::MatrixXd::Zero(n, n);
+  c.intervals.resize(n);
+  c.thresholds.resize(n);
+  for (size_t a = 0; a < free.size(); ++a) {
+    for (size_t b = 0; b < free.size(); ++b) {
+      c.covariance(free[a], free[b]) = c.sigma * c.sigma * C(a, b);
+      c.correlation(free[a], free[b]) = C(a, b) / std::sqrt(C(a, a) * C(b, b));
+    }
+    c.thresholds[free[a]] = threshold_of(estimates.felt * estimates.W.row(a).transpose());
+    double half = std::sqrt(c.thresholds[free[a]] * inverse(a, a)) + std::abs(left[a]);
+    if (!std::isfinite(half)) half = kInfinity;
+    c.intervals[free[a]] = {at.u[free[a]] - half, at.u[free[a]] + half};
+  }
+  for (int i = 0; i < n; ++i) {
+    if (c.held[i] == Bound::none) continue;
+    const Eigen::VectorXd own = beside(J_free, at.J.col(i));
+    c.thresholds[i] = threshold_of(own);
+    const double inward = reach(std::abs(gradient[i]), own.squaredNorm(), c.thresholds[i]);
+    c.intervals[i] = c.held[i] == Bound::lower ? Interval{-kInfinity, at.u[i] + inward}
+                                               : Interval{at.u[i] - inward, kInfinity};
+  }
+  return c;
+}
+
+std::vector<DesignPoint> difference_points(const DesignSpace& space,
+                                           const DesignPoint& center,
+                                           const Eigen::VectorXd& steps) {
+  constexpr double kStep = 0.01;
+  std::vector<DesignPoint> points{center};
+  const std::vector<double> u = space.to_unit(center);
+  for (int i = 0; i < space.size(); ++i) {
+    const auto stepped = [&](double side) {
+      std::vector<double> moved = u;
+      moved[i] += side;
+      DesignPoint point = center;  // the exact bits of the other variables
+      point.values[i] = space.from_unit(moved).values[i];
+      return point;
+    };
+    const double step = steps.size() > i && steps[i] > 0.0 ? steps[i] : kStep;
+    const double inward = u[i] + step <= 1.0 ? step : -step;
+    const DesignPoint first = stepped(inward), other = stepped(-inward);
+    const double behind = u[i] - inward;
+    const bool has_room_behind = behind >= 0.0 && behind <= 1.0 && space.contains(other);
+    points.push_back(space.contains(first) || !has_room_behind ? first : other);
+  }
+  return points;
+}
+
+std::vector<Eigen::Index> known_residuals(const std::vector<Eigen::VectorXd>& residuals) {
+  std::vector<Eigen::Index> known;
+  for (Eigen::Index row = 0; row < residuals.front().size(); ++row) {
+    const auto finite = [row](const Eigen::VectorXd& r) { return std::isfinite(r[row]); };
+    if (std::all_of(residuals.begin(), residuals.end(), finite)) known.push_back(row);
+  }
+  return known;
+}
+
+Linearization differences(const DesignSpace& space,
+                          const std::vector<DesignPoint>& points,
+                          const std::vector<Eigen::VectorXd>& residuals) {
+  const int n = space.size();
+  assert(static_cast<int>(points.size()) == n + 1 && residuals.size() == points.size());
+  const auto unit = [&](const DesignPoint& point) -> Eigen::VectorXd {
+    const std::vector<double> u = space.to_unit(point);
+    return Eigen::Map<const Eigen::VectorXd>(u.data(), n);
+  };
+  Linearization at{unit(points[0]), residuals[0], Eigen::MatrixXd(residuals[0].size(), n)};
+  for (int i = 0; i < n; ++i) {
+    const double h = unit(points[i + 1])[i] - at.u[i];
+    at.J.col(i) = (residuals[i + 1] - at.r) / h;
+  }
+  return at;
+}
+
+}  // namespace latsch

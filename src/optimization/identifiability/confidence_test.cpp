@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/identifiability/confidence.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/QR>
+#include <cmath>
+
+#include "base/random.h"
+
+namespace latsch {
+namespace {
+
+/// The straight line y = a + b x at x = 0 .. m - 1, fitted to y; u = (a, b).
+Linearization line(const Eigen::VectorXd& y) {
+  Linearization at;
+  at.J.resize(y.size(), 2);
+  at.J.col(0).setConstant(-1.0);
+  at.J.col(1) = -Eigen::VectorXd::LinSpaced(y.size(), 0.0, static_cast<double>(y.size() - 1));
+  at.u = (-at.J).householderQr().solve(y);
+  at.r = y + at.J * at.u;
+  return at;
+}
+
+// Standard errors of a straight line: s^2 = S / (m - 2), var b = s^2 / Sxx, var a = s^2 (1/m +
+// mean(x)^2 / Sxx), cov = -s^2 mean(x) / Sxx. Here m = 5, Sxx = 10, mean(x) = 2.
+TEST(Confidence, AStraightLineHasItsTextbookIntervals) {
+  const Linearization at = line(Eigen::VectorXd{{0.31, 0.39, 0.52, 0.58, 0.70}});
+  const Confidence c = confidence(at);
+  const double s2 = at.sum_of_squares() / 3;
+  EXPECT_NEAR(c.sigma * c.sigma, s2, 1e-15);
+  EXPECT_NEAR(c.t, 3.182446, 1e-6);
+  EXPECT_NEAR(c.covariance(1, 1), s2 / 10, 1e-12);
+  EXPECT_NEAR(c.covariance(0, 0), s2 * (1.0 / 5 + 4.0 / 10), 1e-12);
+  EXPECT_NEAR(c.correlation(0, 1), -0.2 / std::sqrt(0.6 * 0.1), 1e-12);
+  EXPECT_NEAR(c.intervals[1].upper - at.u[1], c.t * std::sqrt(s2 / 10), 1e-12);
+  // sigma_1^2 sigma_2^2 = det J'J = m Sxx
+  EXPECT_NEAR(std::pow(c.singular_values.prod(), 2), 50.0, 1e-10);
+}
+
+// A linear model: wherever the search stopped, d leads to the textbook's solution.
+TEST(Confidence, WhatTheSearchLeftOfTheWayWidensTheInterval) {
+  const Linearization least = line(Eigen::VectorXd{{0.31, 0.39, 0.52, 0.58, 0.70}});
+  const Eigen::Vector2d left(0.3, -0.2);
+  Linearization stopped = least;
+  stopped.u -= left;
+  stopped.r -= least.J * left;
+  const Confidence c = confidence(stopped, {.sigma = 0.01});
+  const Confidence at_least = confidence(least, {.sigma = 0.01});
+  for (int i = 0; i < 2; ++i) {
+    const double half = at_least.intervals[i].upper - least.u[i];
+    EXPECT_NEAR(c.intervals[i].upper - stopped.u[i], half + std::abs(left[i]), 1e-12);
+    EXPECT_LT(c.intervals[i].lower, least.u[i]);
+    EXPECT_GT(c.intervals[i].upper, least.u[i]);
+  }
+}
+
+TEST(Confidence, ADirectionThatNoResidualFeelsIsInfinitelyWideAndTheOthersAreNot) {
+  Linearization at;
+  at.u = Eigen::Vector3d(0.5, 0.5, 0.5);
+  at.J = Eigen::MatrixXd{{1, 1, 0}, {2, 2, 0}, {0, 0, 1}, {0, 0, 2}};
+  at.r = Eigen::Vector4d(0.02, -0.01, 0.02, -0.01);
+  const Confidence c = confidence(at, {.sigma = 0.01});
+  EXPECT_GT(c.intervals[0].upper, 1e6);
+  EXPECT_LT(c.intervals[1].lower, -1e6);
+  EXPECT_NEAR(c.intervals[2].upper, 0.5 + 1.959964 * 0.01 / std::sqrt(5.0), 1e-6);
+  EXPECT_NEAR(c.correlation(0, 1), -1.0, 1e-9);
+  EXPECT_GT(c.deviation(2), 1e6);
+}
+
+// S = (u1 + 0.3)^2 + (u2 - 0.4)^2 inside u >= 0 is least at (0, 0.4), S = 0.09, and grows from
+// there as  2 0.3 d + d^2.
+TEST(Confidence, AVariableAtItsBoundHasAOneSidedInterval) {
+  Linearization at{Eigen::Vector2d(0, 0.4), Eigen::Vector2d(0.3, 0), Eigen::Matrix2d::Identity()};
+  const Confidence c = confidence(at, {.sigma = 0.1});
+  EXPECT_EQ(c.held[0], Bound::lower);
+  EXPECT_EQ(c.held[1], Bound::none);
+  const double d = c.intervals[0].upper;
+  EXPECT_NEAR(0.6 * d + d * d, c.threshold(), 1e-12);
+  EXPECT_EQ(c.covariance(0, 0), 0.0);
+  EXPECT_NEAR(c.intervals[1].upper, 0.4 + 0.1959964, 1e-6);
+}
+
+// Data that ask for u1 = -0.3 of a noise of 0.01: thirty deviations, of which u1, let go, would
+// leave none. They tell nothing of the noise, and u2 is as sure as before.
+TEST(Confidence, WhatABoundKeepsFromBeingReachedIsNoNoise) {
+  Linearization at{Eigen::Vector2d(0, 0.4), Eigen::VectorXd::Zero(40), Eigen::MatrixXd(40, 2)};
+  for (int j = 0; j < 40; ++j) {
+    at.J.row(j) << (j < 20 ? 1.0 : 0.0), (j < 20 ? 0.0 : 1.0);
+    at.r[j] = 0.01 * (j % 2 == 0 ? 1.0 : -1.0) + (j < 20 ? 0.3 : 0.0);
+  }
+  EXPECT_EQ(confidence(at, {.sigma = 0.01}).excess, 1.0);
+  EXPECT_NEAR(confidence(at).sigma, 0.01 * std::sqrt(40.0 / 38.0), 1e-12);
+}
+
+TEST(Confidence, AsManyResidualsAsVariablesLeaveNothingToEstimateTheirSpreadFrom) {
+  Linearization at{Eigen::Vector2d(0.5, 0.4), Eigen::Vector2d::Zero(), Eigen::Matrix2d::Identity()};
+  EXPECT_TRUE(std::isnan(confidence(at).sigma));
+  EXPECT_TRUE(std::isinf(confidence(at).intervals[0].upper));
+}
+
+/// Noise of variance 1 that neighbors share: an autoregression of order 1.
+Eigen::VectorXd colored_noise(int count, double kappa, RandomStream random) {
+  Eigen::VectorXd e(count);
+  e[0] = random.normal();
+  for (int j = 1; j < count; ++j) {
+    e[j] = kappa * e[j - 1] + std::sqrt(1.0 - kappa * kappa) * random.normal();
+  }
+  return e;
+}
+
+// The level and slope of a line under noise that neighbors share. Over 300 data sets a share of
+// 0.95 is known to 0.0126.
+TEST(Confidence, NeighborsThatShareNoiseAreNotIndependent) {
+  constexpr int kSets = 300, kSamples = 200;
+  int held[2] = {};
+  const Eigen::VectorXd truth =
+      Eigen::VectorXd::LinSpaced(kSamples, 0.5, 0.5 + 0.5 * (kSamples - 1));
+  for (int set = 0; set < kSets; ++set) {
+    const Linearization at =
+        line(truth + 0.05 * colored_noise(kSamples, 0.8, RandomStream(7, set)));
+    const Confidence c = confidence(at, {.traits = {.curves = std::vector<int>(kSamples, 0)}});
+    EXPECT_TRUE(c.is_colored);
+    for (int i = 0; i < 2; ++i) {
+      held[i] += c.intervals[i].lower <= 0.5 && 0.5 <= c.intervals[i].upper;
+    }
+  }
+  for (const int count : held) EXPECT_NEAR(static_cast<double>(count) / kSets, 0.95, 0.025);
+}
+
+// Twice the stated noise in 100 values is no chance: the interval is that of the spread seen.
+TEST(Confidence, ResidualsLargerThanTheirStatedNoiseWidenTheIntervals) {
+  Linearization at = line(2.0 * colored_noise(100, 0.0, RandomStream(3, 1)));
+  at.u.setConstant(0.5);  // inside its bounds
+  const Confidence stated = confidence(at, {.sigma = 1.0}), seen = confidence(at);
+  EXPECT_NEAR(stated.excess, 2.0, 0.3);
+  EXPECT_NEAR(stated.intervals[1].upper, seen.intervals[1].upper, 1e-12);
+  EXPECT_EQ(confidence(at, {.sigma = 2.0}).excess, 1.0);
+}
+
+// A weight of 4 makes a residual twice as large as its noise: the fit listens to it more than its
+// noise deserves, and the interval knows the noise. Mean of two values with weights 4 and 1:
+// variance (16 + 1) / 25.
+TEST(Confidence, AWeightIsNotTakenForExactness) {
+  Linearization at{Eigen::VectorXd::Constant(1, 0.5), Eigen::Vector2d::Zero(), {}};
+  at.J = Eigen::Vector2d(2, 1);
+  const Confidence c = confidence(at, {.sigma = 1.0, .traits = {.deviations = {2.0, 1.0}}});
+  EXPECT_NEAR(c.covariance(0, 0), 17.0 / 25.0, 1e-12);
+}
+
+// Differences of a linear function are exact; at the upper bound they are taken inward.
+TEST(Confidence, DifferencesGiveTheDerivativesOfALinearFunction) {
+  const DesignSpace space({{.name = "a", .lower = 1, .upper = 3, .initial = 3}, {.name = "b"}});
+  const auto points = difference_points(space, space.initial());
+  std::vector<Eigen::VectorXd> r;
+  for (const DesignPoint& p : points) {
+    EXPECT_TRUE(space.contains(p));
+    r.push_back(Eigen::Vector3d(2 * p.values[0] - p.values[1], p.values[1], NAN));
+  }
+  const auto known = known_residuals(r);
+  ASSERT_EQ(known.size(), 2u);
+  for (auto& v : r) v = Eigen::VectorXd(v(known));
+  const Linearization at = differences(space, points, r);
+  EXPECT_TRUE(at.J.isApprox(Eigen::Matrix2d{{4, -1}, {0, 1}}, 1e-12));
+}
+
+}  // namespace
+}  // namespace latsch

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/identifiability/cross_validation.h"
+
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace latsch {
+namespace {
+
+constexpr int kEvaluationsOfARefit = 30;  // and two a variable
+
+double root_mean_square(const Eigen::VectorXd& r) {
+  return std::sqrt(r.squaredNorm() / static_cast<double>(r.size()));
+}
+
+}  // namespace
+
+CrossValidation::CrossValidation(const DesignSpace& space,
+                                 const Linearization& best,
+                                 const std::vector<int>& group,
+                                 double tolerance)
+    : space_(space) {
+  assert(std::ssize(group) == best.r.size());
+  std::vector<int> all(space.size());
+  std::iota(all.begin(), all.end(), 0);
+  for (int left : std::set<int>(group.begin(), group.end())) {
+    if (left < 0) continue;
+    std::vector<Eigen::Index> rest, out;
+    for (size_t row = 0; row < group.size(); ++row)
+      (group[row] == left ? out : rest).push_back(row);
+    assert(!rest.empty());
+    const Linearization without{best.u, best.r(rest), best.J(rest, Eigen::all)};
+    const double now = root_mean_square(best.r(out));
+    folds_.push_back({rest,
+                      out,
+                      Refit(without,
+                            all,
+                            {.tolerance = tolerance,
+                             .most_evaluations = kEvaluationsOfARefit + 2 * space.size(),
+                             .refresh = all,
+                             .region = FeasibleRegion(space)}),
+                      {left, best.u, now, now}});
+  }
+  ask();
+}
+
+void CrossValidation::observe(const std::vector<Result<Eigen::VectorXd>>& residuals) {
+  assert(residuals.size() == wanted_.size());
+  for (size_t k = 0; k < asked_.size(); ++k) {
+    Fold& fold = folds_[asked_[k]];
+    const Eigen::VectorXd u = *fold.refit.wanted();
+    std::optional<Eigen::VectorXd> rest;
+    if (residuals[k] && residuals[k]->allFinite()) rest = (*residuals[k])(fold.rest);
+    fold.refit.observe(rest);
+    if (!rest || fold.refit.best().u != u) continue;
+    fold.result.u = u;
+    fold.result.predicted = root_mean_square((*residuals[k])(fold.out));
+  }
+  ask();
+}
+
+void CrossValidation::ask() {
+  wanted_.clear();
+  asked_.clear();
+  for (size_t f = 0; f < folds_.size(); ++f) {
+    const auto& u = folds_[f].refit.wanted();
+    if (!u) continue;
+    asked_.push_back(static_cast<int>(f));
+    wanted_.push_back(space_.from_unit({u->begin(), u->end()}));
+  }
+  if (!wanted_.empty()) return;
+  for (const Fold& fold : folds_) {
+    left_out_.push_back(fold.result);
+    if (!fold.refit.converged()) left_out_.back().predicted = std::nan("");
+  }
+}
+
+}  // namespace latsch

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cross-validation: how well a model predicts measurements it was not fitted to.
+//
+// The residuals fall into groups, load cases for example. Each group is left out in turn, the
+// variables are refitted (refit.h) to the rest, and the residuals of the group are taken there.
+// Where they are much larger than in the common fit, the group holds what no other one tells, or
+// the model cannot have both. A refit that does not converge, because its evaluations fail or
+// because it ran out of them, predicts nothing. [Stone, J. R. Statist. Soc. B 36 (1974) 111]
+//
+// Ask and tell in rounds, as Identification: the groups go side by side.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "optimization/identifiability/refit.h"
+
+namespace latsch {
+
+struct LeftOut {
+  int group = 0;
+  Eigen::VectorXd u;       // refitted without the group
+  double fitted = 0.0;     // root mean square of the group's residuals in the common fit
+  double predicted = 0.0;  // and without it; NaN where the refit did not converge
+};
+
+class CrossValidation {
+ public:
+  /// `group` of every residual of the common fit `best`, < 0 for what is never left out; at least
+  /// two groups. `tolerance` as in RefitOptions.
+  CrossValidation(const DesignSpace& space,
+                  const Linearization& best,
+                  const std::vector<int>& group,
+                  double tolerance);
+
+  const std::vector<DesignPoint>& wanted() const { return wanted_; }
+  void observe(const std::vector<Result<Eigen::VectorXd>>& residuals);
+
+  /// One a group, in ascending order, when done.
+  const std::vector<LeftOut>& left_out() const { return left_out_; }
+
+ private:
+  struct Fold {
+    std::vector<Eigen::Index> rest, out;  // rows
+    Refit refit;
+    LeftOut result;
+  };
+  void ask();
+
+  DesignSpace space_;
+  std::vector<Fold> folds_;
+  std::vector<int> asked_;
+  std::vector<DesignPoint> wanted_;
+  std::vector<LeftOut> left_out_;
+};
+
+}  // namespace latsch

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/identifiability/cross_validation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace latsch {
+namespace {
+
+using Model = std::function<Result<Eigen::VectorXd>(double)>;
+
+/// Two groups of one number x: x - 0.4 twice, x - 0.6 twice. Together the best x is 0.5 with errors
+/// of 0.1; fitted to one group, the other is off by 0.2.
+Eigen::VectorXd two_groups(double x) { return Eigen::Vector4d(x - 0.4, x - 0.4, x - 0.6, x - 0.6); }
+
+std::vector<LeftOut> validate(const Model& model) {
+  const DesignSpace space({{.name = "x"}});
+  const Linearization best{
+      Eigen::VectorXd::Constant(1, 0.5), two_groups(0.5), Eigen::MatrixXd::Ones(4, 1)};
+  CrossValidation validation(space, best, {0, 0, 1, 1}, 1e-6);
+  while (!validation.wanted().empty()) {
+    std::vector<Result<Eigen::VectorXd>> residuals;
+    for (const DesignPoint& point : validation.wanted())
+      residuals.push_back(model(point.values[0]));
+    validation.observe(residuals);
+  }
+  return validation.left_out();
+}
+
+TEST(CrossValidation, PredictsAGroupFromTheOthers) {
+  const auto folds = validate([](double x) { return two_groups(x); });
+  ASSERT_EQ(folds.size(), 2u);
+  for (const LeftOut& fold : folds) {
+    EXPECT_NEAR(fold.fitted, 0.1, 1e-12);
+    EXPECT_NEAR(fold.predicted, 0.2, 1e-9);
+  }
+  EXPECT_NEAR(folds[0].u[0], 0.6, 1e-9);
+}
+
+// Above 0.5 the model fails: what is left without group 0 cannot be fitted. That is no prediction
+// as good as the fit.
+TEST(CrossValidation, ARefitThatFailsPredictsNothing) {
+  const auto folds = validate([](double x) -> Result<Eigen::VectorXd> {
+    if (x > 0.5) return Failure{"no solution"};
+    return two_groups(x);
+  });
+  EXPECT_TRUE(std::isnan(folds[0].predicted));
+  EXPECT_NEAR(folds[1].predicted, 0.2, 1e-9);
+}
+
+}  // namespace
+}  // namespace latsch

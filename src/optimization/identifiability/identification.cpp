@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/identifiability/identification.h"
+
+#include <cassert>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+namespace latsch {
+namespace {
+
+// Refits and rungs need not be better than this share of the threshold.
+constexpr double kTolerance = 0.02;
+constexpr int kEvaluationsOfTheRefit = 30;  // and two a variable
+constexpr double kWorthwhile = 0.1;  // of a threshold: less moves an interval by a sixth of itself
+
+std::vector<double> numbers(const Eigen::VectorXd& u) { return {u.begin(), u.end()}; }
+
+}  // namespace
+
+Identification::Identification(const DesignSpace& space,
+                               const DesignPoint& point,
+                               const IdentificationOptions& options)
+    : space_(space), options_(options) {
+  begin_at(point);
+}
+
+/// A step in one variable, with the exact bits of the others.
+DesignPoint Identification::moved(int variable, double offset) const {
+  std::vector<double> u = space_.to_unit(center_);
+  u[static_cast<size_t>(variable)] += offset;
+  DesignPoint point = center_;
+  point.values[static_cast<size_t>(variable)] =
+      space_.from_unit(u).values[static_cast<size_t>(variable)];
+  return point;
+}
+
+void Identification::begin_at(const DesignPoint& center) {
+  center_ = center;
+  at_.reset();
+  r_.reset();
+  branches_.clear();
+  searches_.clear();
+  const std::vector<double> u = space_.to_unit(center);
+  const auto space = std::make_shared<const DesignSpace>(space_);
+  for (int i = 0; i < space_.size(); ++i) {
+    // Not this: an Identification may be moved while it searches.
+    const auto has_room = [space, center, i, at = u](double offset) {
+      std::vector<double> to = at;
+      to[static_cast<size_t>(i)] += offset;
+      if (to[static_cast<size_t>(i)] < 0.0 || to[static_cast<size_t>(i)] > 1.0) return false;
+      DesignPoint point = center;
+      point.values[static_cast<size_t>(i)] = space->from_unit(to).values[static_cast<size_t>(i)];
+      return space->contains(point);
+    };
+    searches_.emplace_back(has_room, options_.step);
+  }
+  ask_slopes();
+  wanted_.insert(wanted_.begin(), center_);
+}
+
+void Identification::ask_slopes() {
+  wanted_.clear();
+  owners_.clear();
+  for (int i = 0; i < space_.size(); ++i) {
+    for (const double offset : searches_[static_cast<size_t>(i)].wanted()) {
+      wanted_.push_back(moved(i, offset));
+      owners_.push_back(i);
+    }
+  }
+}
+
+void Identification::observe(const std::vector<Result<Eigen::VectorXd>>& residuals) {
+  assert(residuals.size() == wanted_.size() && !wanted_.empty());
+  if (!at_) {
+    slopes_observed(residuals);
+    return;
+  }
+  look_for_better(residuals);
+  if (refit_) {
+    refit_observed(used(residuals.front()));
+  } else {
+    for (size_t k = 0; k < asked_.size(); ++k) branches_[asked_[k]].observe(used(residuals[k]));
+    ask_branches();
+  }
+}
+
+std::optional<Eigen::VectorXd> Identification::used(
+    const Result<Eigen::VectorXd>& residuals) const {
+  if (!residuals) return std::nullopt;
+  const Eigen::VectorXd rows = (*residuals)(rows_);
+  return rows.allFinite() ? std::optional(rows) : std::nullopt;
+}
+
+void Identification::look_for_better(const std::vector<Result<Eigen::VectorXd>>& residuals) {
+  for (size_t k = 0; k < residuals.size(); ++k) {
+    const auto r = used(residuals[k]);
+    if (!r || r->squaredNorm() >= least_) continue;
+    least_ = r->squaredNorm();
+    least_point_ = wanted_[k];
+  }
+}
+
+/// The rows used are those known at the center and wherever beside it the model does not fail; of a
+/// later center the same.
+bool Identification::center_observed(const std::vector<Result<Eigen::VectorXd>>& residuals) {
+  if (!residuals.front()) {
+    failure_ = Failure{"at the point the evaluation failed: " + residuals.front().failure().reason};
+    return false;
+  }
+  if (centers_ == 1) {
+    std::vector<Eigen::VectorXd> all;
+    for (const auto& r : residuals) {
+      if (r) all.push_back(*r);
+    }
+    rows_ = known_residuals(all);
+    if (rows_.empty()) {
+      failure_ = Failure{"no residual is known at the point and beside it"};
+      return false;
+    }
+    options_.confidence.traits = options_.confidence.traits.of(rows_);
+    const auto& deviations = options_.confidence.traits.deviations;
+    scale_ = Eigen::VectorXd::Ones(std::ssize(rows_));
+    if (!deviations.empty()) {
+      scale_ = Eigen::Map<const Eigen::VectorXd>(deviations.data(), std::ssize(deviations));
+    }
+  }
+  r_ = used(residuals.front());
+  assert(r_);  // of a later center it was known before
+  least_ = r_->squaredNorm();
+  least_point_ = center_;
+  return true;
+}
+
+/// Change of the residuals at the ends of an interval of one variable, others held.
+double Identification::felt() const {
+  constexpr double kAsAtTheEnds = 2.0;  // standard deviations
+  const Eigen::VectorXd x = r_->cwiseQuotient(scale_);
+  const double freedom = static_cast<double>(x.size()) - space_.size();
+  if (options_.confidence.sigma) return kAsAtTheEnds * *options_.confidence.sigma;
+  return freedom > 0.0 ? kAsAtTheEnds * x.norm() / std::sqrt(freedom) : 0.0;
+}
+
+void Identification::slopes_observed(const std::vector<Result<Eigen::VectorXd>>& residuals) {
+  size_t first = 0;
+  if (!r_) {
+    if (!center_observed(residuals)) {
+      wanted_.clear();
+      return;
+    }
+    first = 1;
+  }
+  look_for_better(residuals);
+  const Eigen::VectorXd center = r_->cwiseQuotient(scale_);
+  for (int i = 0; i < space_.size(); ++i) {
+    std::vector<std::optional<Eigen::VectorXd>> own;
+    for (size_t k = 0; k < owners_.size(); ++k) {
+      if (owners_[k] != i) continue;
+      auto r = used(residuals[first + k]);
+      if (r) r = Eigen::VectorXd(r->cwiseQuotient(scale_));
+      own.push_back(std::move(r));
+    }
+    if (!own.empty()) searches_[static_cast<size_t>(i)].observe(center, felt(), own);
+  }
+  ask_slopes();
+  if (wanted_.empty()) take_slopes();
+}
+
+void Identification::take_slopes() {
+  const int n = space_.size();
+  const std::vector<double> u = space_.to_unit(center_);
+  Linearization at{Eigen::Map<const Eigen::VectorXd>(u.data(), n), *r_, {}};
+  at.J.resize(r_->size(), n);
+  lengths_.resize(n);
+  qualities_.clear();
+  for (int i = 0; i < n; ++i) {
+    const SlopeSearch& search = searches_[static_cast<size_t>(i)];
+    if (search.quality() == SlopeQuality::unknown) {
+      failure_ = Failure{"the evaluation fails on both sides of the point in " + space_[i].name +
+                         ": no derivative is known"};
+      return;
+    }
+    at.J.col(i) = scale_.cwiseProduct(search.slope());
+    lengths_[i] = search.length();
+    qualities_.push_back(search.quality());
+  }
+  at_ = std::move(at);
+  confidence_ = latsch::confidence(*at_, options_.confidence);
+  if (!std::isfinite(confidence_->sigma)) return;
+  if (!options_.profiles) {
+    continues_at_better_point();
+    return;
+  }
+  std::vector<int> every(static_cast<size_t>(n));
+  std::iota(every.begin(), every.end(), 0);
+  refit_.emplace(*at_,
+                 every,
+                 RefitOptions{.tolerance = kTolerance * confidence_->threshold(),
+                              .most_evaluations = kEvaluationsOfTheRefit + 2 * n,
+                              .differences = lengths_,
+                              .region = FeasibleRegion(space_)});
+  if (refit_->wanted()) {
+    wanted_ = {space_.from_unit(numbers(*refit_->wanted()))};
+  } else {
+    begin_profiles();
+  }
+}
+
+bool Identification::continues_at_better_point() {
+  const double gain = at_->sum_of_squares() - least_;
+  if (centers_ >= options_.most_centers || !(gain > kWorthwhile * confidence_->threshold()))
+    return false;
+  ++centers_;
+  begin_at(least_point_);
+  return true;
+}
+
+void Identification::refit_observed(const std::optional<Eigen::VectorXd>& residuals) {
+  refit_->observe(residuals);
+  if (refit_->wanted()) {
+    wanted_ = {space_.from_unit(numbers(*refit_->wanted()))};
+  } else {
+    begin_profiles();
+  }
+}
+
+void Identification::begin_profiles() {
+  best_ = refit_->best();
+  refit_.reset();
+  if (continues_at_better_point()) return;
+  const Confidence at_best = latsch::confidence(*best_, options_.confidence);
+  thresholds_ = at_best.thresholds;
+  const ProfileSettings settings{FeasibleRegion(space_), lengths_};
+  for (int i = 0; i < space_.size(); ++i) {
+    const Interval& interval = at_best.intervals[i];
+    const double half = std::min(interval.upper - best_->u[i], best_->u[i] - interval.lower);
+    for (int direction : {-1, +1}) {
+      branches_.emplace_back(*best_, i, direction, half, thresholds_[i], settings);
+    }
+  }
+  ask_branches();
+}
+
+void Identification::ask_branches() {
+  wanted_.clear();
+  asked_.clear();
+  for (size_t b = 0; b < branches_.size(); ++b) {
+    const auto u = branches_[b].wanted();
+    if (!u) continue;
+    asked_.push_back(static_cast<int>(b));
+    wanted_.push_back(space_.from_unit(numbers(*u)));
+  }
+  if (!wanted_.empty() || continues_at_better_point()) return;
+  for (int i = 0; i < space_.size(); ++i) {
+    profiles_.push_back(judge(*best_, i, branches_[2 * i], branches_[2 * i + 1], thresholds_[i]));
+  }
+}
+
+}  // namespace latsch

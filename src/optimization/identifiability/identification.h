@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the data determine around a fitted point: confidence intervals, and a profile with a verdict
+// for every variable.
+//
+// Ask and tell, like an optimizer, but in rounds: all points of wanted() may be evaluated at once.
+//   1. the point and a step to both sides in each variable: the derivatives (slope_search.h), 2n +
+//   1
+//      points, and more where these tell that another length is better
+//   2. a refit of all variables (refit.h), because the fit may have ended early or have minimized
+//      another target over the same residuals
+//   3. the profiles, two branches a variable side by side (profile.h)
+// Where any of them finds a point better than the center by more than kWorthwhile of the threshold
+// of an interval, all begins again there, most_centers - 1 times at most: intervals and profiles
+// belong to the best point known.
+//
+//   Identification identification(space, best_point);
+//   while (!identification.wanted().empty()) identification.observe(evaluate(wanted()));
+//
+// A residual that is NaN in round 1 is not known, an unpaired mode for example, and is left out.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "optimization/identifiability/confidence.h"
+#include "optimization/identifiability/profile.h"
+#include "optimization/identifiability/slope_search.h"
+
+namespace latsch {
+
+struct IdentificationOptions {
+  ConfidenceOptions confidence = {};
+  bool profiles = true;  // false: ends after round 1
+  double step = 0.01;    // first length of the differences, in the unit cube
+  int most_centers = 4;  // 1: stays at the point
+};
+
+class Identification {
+ public:
+  Identification(const DesignSpace& space,
+                 const DesignPoint& point,
+                 const IdentificationOptions& options = {});
+
+  /// Empty when done.
+  const std::vector<DesignPoint>& wanted() const { return wanted_; }
+  /// The residuals of the points wanted, in their order; a Failure where the evaluation failed.
+  void observe(const std::vector<Result<Eigen::VectorXd>>& residuals);
+
+  /// The Failure that made round 1 impossible.
+  const std::optional<Failure>& failure() const { return failure_; }
+  /// What linearization, confidence and profiles belong to: the point, or a better one since.
+  const DesignPoint& center() const { return center_; }
+  /// How good the derivatives are, a variable each.
+  const std::vector<SlopeQuality>& slopes() const { return qualities_; }
+  /// Of the differences, a variable each, in the unit cube.
+  const Eigen::VectorXd& lengths() const { return lengths_; }
+  /// Whether linearization and confidence are there: not before round 1 is done, nor while it is
+  /// done anew at a better point.
+  bool is_linearized() const { return at_.has_value(); }
+  /// At the center.
+  const Linearization& linearization() const { return *at_; }
+  const Confidence& confidence() const { return *confidence_; }
+  /// Places of the residuals used.
+  const std::vector<Eigen::Index>& residuals_used() const { return rows_; }
+  /// At the least sum of squares, after round 2.
+  const Linearization& refitted() const { return *best_; }
+  /// One a variable, when done and asked for.
+  const std::vector<Profile>& profiles() const { return profiles_; }
+
+ private:
+  void begin_at(const DesignPoint& center);
+  void slopes_observed(const std::vector<Result<Eigen::VectorXd>>& residuals);
+  bool center_observed(const std::vector<Result<Eigen::VectorXd>>& residuals);
+  void ask_slopes();
+  void take_slopes();
+  double felt() const;
+  void look_for_better(const std::vector<Result<Eigen::VectorXd>>& residuals);
+  bool continues_at_better_point();
+  DesignPoint moved(int variable, double offset) const;
+  void refit_observed(const std::optional<Eigen::VectorXd>& residuals);
+  void begin_profiles();
+  void ask_branches();
+  std::optional<Eigen::VectorXd> used(const Result<Eigen::VectorXd>& residuals) const;
+
+  DesignSpace space_;
+  IdentificationOptions options_;
+  DesignPoint center_;
+  int centers_ = 1;
+  std::vector<DesignPoint> wanted_;
+  std::optional<Failure> failure_;
+  std::vector<SlopeSearch> searches_;  // one a variable
+  std::vector<int> owners_;            // of wanted_ without the center: places in searches_
+  std::optional<Eigen::VectorXd> r_;   // at the center, rows used
+  Eigen::VectorXd scale_;              // deviations of the rows used
+  std::vector<SlopeQuality> qualities_;
+  Eigen::VectorXd lengths_;
+  double least_ = 0.0;  // S of the best point evaluated
+  DesignPoint least_point_;
+  std::vector<Eigen::Index> rows_;
+  std::optional<Linearization> at_, best_;
+  std::optional<Confidence> confidence_;
+  std::optional<Refit> refit_;
+  std::vector<ProfileBranch> branches_;  // down and up, variable by variable
+  std::vector<int> asked_;               // branches that `wanted_` belongs to
+  std::vector<Profile> profiles_;
+  std::vector<double> thresholds_;  // one a variable
+};
+
+}  // namespace latsch

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/identifiability/identification.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "base/random.h"
+
+namespace latsch {
+namespace {
+
+using Model = std::function<Eigen::VectorXd(const std::vector<double>&)>;
+
+DesignSpace box(const std::vector<double>& found, double lower, double upper) {
+  std::vector<DesignVariable> variables;
+  for (double x : found) {
+    variables.push_back({.name = fmt::format("x{}", variables.size()),
+                         .lower = lower,
+                         .upper = upper,
+                         .initial = x});
+  }
+  return DesignSpace(variables);
+}
+
+struct Analyzed {
+  Identification identification;
+  int evaluations = 0;
+};
+
+Analyzed analyze(const DesignSpace& space, const Model& model, IdentificationOptions options = {}) {
+  Analyzed analyzed{Identification(space, space.initial(), options)};
+  while (!analyzed.identification.wanted().empty()) {
+    std::vector<Result<Eigen::VectorXd>> residuals;
+    for (const DesignPoint& point : analyzed.identification.wanted()) {
+      EXPECT_TRUE(space.contains(point));
+      const Eigen::VectorXd r = model(point.values);
+      residuals.push_back(r.size() > 0 ? Result<Eigen::VectorXd>(r) : Failure{"no solution"});
+    }
+    analyzed.evaluations += static_cast<int>(residuals.size());
+    analyzed.identification.observe(residuals);
+  }
+  return analyzed;
+}
+
+const IdentificationOptions kNoise{.confidence = {.sigma = 0.01}};
+
+// In a linear model the profile is the parabola of the linear interval, so both intervals agree;
+// the root of S is exactly linear between rungs.
+TEST(Identification, OfALinearModelTheProfileIsTheLinearInterval) {
+  const auto a = analyze(
+      box({0.5, 0.5}, 0, 1),
+      [](const auto& x) {
+        return Eigen::VectorXd{{x[0] + x[1] - 1, x[0] - 0.5, x[1] - 0.5, 0.5 * x[0] - 0.25}};
+      },
+      kNoise);
+  for (int i = 0; i < 2; ++i) {
+    const Profile& p = a.identification.profiles()[i];
+    EXPECT_EQ(p.verdict, Verdict::identifiable);
+    EXPECT_NEAR(p.interval.lower, a.identification.confidence().intervals[i].lower, 1e-6);
+    EXPECT_NEAR(p.interval.upper, a.identification.confidence().intervals[i].upper, 1e-6);
+  }
+}
+
+// r = (a - 0.5, b - 0.5) among a + b <= 1.02. Below 0.52 b is free and S = (a - 0.5)^2; above, b
+// has to give way:  S = x^2 + (x - 0.02)^2,  x = a - 0.5, which is t^2 s^2 at the root below. No
+// point asked for lies outside.
+TEST(Identification, ProfilesKeepToLinearConstraints) {
+  LinearConstraint sum;
+  sum.name = "sum";
+  sum.coefficients = {1, 1};
+  sum.upper = 1.02;
+  const DesignSpace space(box({0.5, 0.5}, 0, 1).variables(), {sum});
+  const auto a = analyze(space,
+                         [](const auto& x) {
+                           return Eigen::VectorXd{{x[0] - 0.5, x[1] - 0.5}};
+                         },
+                         {.confidence = {.sigma = 0.1}});
+  const double t2s2 = 0.03841459;
+  for (const Profile& p : a.identification.profiles()) {
+    EXPECT_NEAR(p.interval.lower, 0.5 - std::sqrt(t2s2), 1e-3);
+    EXPECT_NEAR(p.interval.upper, 0.5 + 0.01 + std::sqrt(0.5 * t2s2 - 0.0001), 1e-3);
+    EXPECT_NEAR(p.points.back().u[p.variable], 1.0, 2e-3);  // the other one at 0.02 or less
+  }
+}
+
+// Vertical stiffness k alone, from two springs in series, 1 / (1 / x0 + 1 / x1): a valley.
+TEST(Identification, TwoSpringsInSeriesAreFlatUntilOneIsMeasuredAlone) {
+  const auto stiffness = [](double a, double b) { return a * b / (a + b); };
+  const auto alone = analyze(
+      box({4, 4}, 1, 100),
+      [&](const auto& x) { return Eigen::VectorXd{{stiffness(x[0], x[1]) / 2 - 1}}; },
+      kNoise);
+  // One of them can grow without limit only while the other stays above 2: a limit, no value.
+  for (const Profile& p : alone.identification.profiles()) {
+    EXPECT_EQ(p.verdict, Verdict::one_sided);
+    EXPECT_TRUE(std::isfinite(p.interval.lower));
+  }
+  const auto both = analyze(
+      box({4, 4}, 1, 100),
+      [&](const auto& x) {
+        return Eigen::VectorXd{{stiffness(x[0], x[1]) / 2 - 1, x[0] / 4 - 1}};
+      },
+      kNoise);
+  for (const Profile& p : both.identification.profiles())
+    EXPECT_EQ(p.verdict, Verdict::identifiable);
+}
+
+TEST(Identification, AProductAloneLeavesBothFactorsFlat) {
+  const auto a = analyze(
+      box({1, 1}, 0.9, 1.1),
+      [](const auto& x) { return Eigen::VectorXd{{x[0] * x[1] - 1}}; },
+      kNoise);
+  for (const Profile& p : a.identification.profiles()) EXPECT_EQ(p.verdict, Verdict::flat);
+  EXPECT_GT(a.identification.confidence().deviation(1), 1.0);
+}
+
+// x^2 is measured: +1 and -1 explain it alike.
+TEST(Identification, ASignThatCannotBeSeenMakesTwoMinima) {
+  const auto a = analyze(
+      box({1.0, 0.3}, -1.6, 1.6),
+      [](const auto& x) {
+        return Eigen::VectorXd{{x[0] * x[0] - 1, x[1] - 0.3, x[0] * x[0] + x[1] - 1.3}};
+      },
+      kNoise);
+  const Profile& p = a.identification.profiles()[0];
+  EXPECT_EQ(p.verdict, Verdict::several_minima);
+  ASSERT_EQ(p.other_minima.size(), 1u);
+  EXPECT_NEAR(-1.6 + 3.2 * p.points[p.other_minima[0]].u[0], -1.0, 0.16);  // half a rung
+  EXPECT_EQ(a.identification.profiles()[1].verdict, Verdict::identifiable);
+}
+
+// y has a well at -1 and one at +1, worse by 4 / 100. Away from x = 0 the first one rises by 16 x^2
+// until it is gone, the second one by x^2: the least S over y is  0.04 + x^2  outside |x| = 0.05,
+// and rises once on each side, though refits that start in the first well climb it and fall.
+TEST(Identification, ARiseThatGoesAwayFromBehindIsNoOtherMinimum) {
+  const DesignSpace space({{.name = "x", .lower = -1, .upper = 1, .initial = 0},
+                           {.name = "y", .lower = -2, .upper = 2, .initial = -1}});
+  const auto a =
+      analyze(space,
+              [](const auto& x) {
+                const double y = x[1];
+                return Eigen::VectorXd{{y * y - 1, 2 * x[0] * (y - 1), 0.1 * (y + 1), x[0]}};
+              },
+              {.confidence = {.sigma = 0.3}});
+  const Profile& p = a.identification.profiles()[0];
+  EXPECT_EQ(p.verdict, Verdict::identifiable);
+  const double end = std::sqrt(0.09 * 1.959964 * 1.959964 - 0.04);
+  EXPECT_NEAR(p.interval.lower, 0.5 - 0.5 * end, 0.01);
+  EXPECT_NEAR(p.interval.upper, 0.5 + 0.5 * end, 0.01);
+}
+
+/// A drum passage in formulas: two numbers of a decaying oscillation, their waves rippled by what a
+/// mesh does to them, 120 samples with noise of 20.
+Eigen::VectorXd passage(const std::vector<double>& x, int samples) {
+  Eigen::VectorXd force(samples);
+  for (int j = 0; j < samples; ++j) {
+    const double t = 0.002 * j;
+    const double ripple = 15.0 * std::sin(2.1 * x[0] + 0.7 * j) + 15.0 * std::sin(0.21 * x[1] + j);
+    force[j] = 600.0 * std::exp(-0.12 * x[0] * t) * std::sin(x[1] * t) + ripple;
+  }
+  return force;
+}
+
+// 100 sets of noise; the search of each has ended at one of the ripples' wells near the best point.
+// The truth of both numbers is in 95 % intervals in 95 of 100, give or take two standard errors.
+TEST(Identification, IntervalsHoldTheTruthUnderRippleAndNoise) {
+  constexpr int kSets = 100, kSamples = 120;
+  const std::vector<double> truth{55.0, 180.0};
+  const DesignSpace space({{.name = "damping", .lower = 10, .upper = 200, .initial = 98},
+                           {.name = "frequency", .lower = 100, .upper = 300, .initial = 170}});
+  const auto u = space.to_unit({truth});
+  int held[2] = {};
+  for (int set = 0; set < kSets; ++set) {
+    RandomStream random(11, set);
+    Eigen::VectorXd measured = passage(truth, kSamples);
+    for (double& value : measured) value += 20.0 * random.normal();
+    const DesignSpace started = space.starting_at(
+        {{55.0 + 30.0 * random.uniform(), 180.0 + 4.0 * (random.uniform() - 0.5)}});
+    const auto a =
+        analyze(started,
+                [&](const auto& x) -> Eigen::VectorXd { return measured - passage(x, kSamples); },
+                {.profiles = false});
+    for (int i = 0; i < 2; ++i) {
+      const Interval& interval = a.identification.confidence().intervals[i];
+      held[i] += interval.lower <= u[i] && u[i] <= interval.upper;
+      EXPECT_LT(interval.upper - interval.lower, 0.5);
+    }
+  }
+  for (const int count : held) EXPECT_GE(count, 90);
+}
+
+// A fit that ended early is continued: intervals and profiles belong to the least squares.
+TEST(Identification, GoesOnToABetterPoint) {
+  const DesignSpace space = box({0.2, 0.8}, 0, 1);
+  const auto a = analyze(
+      space,
+      [](const auto& x) {
+        return Eigen::VectorXd{{std::exp(x[0]) - std::exp(0.5), x[0] * x[1] - 0.3, x[1] - 0.6}};
+      },
+      kNoise);
+  const double least[2] = {0.5, 0.6};
+  for (int i = 0; i < 2; ++i) {  // a tenth of a threshold is a third of half an interval
+    const Interval& interval = a.identification.confidence().intervals[i];
+    EXPECT_NEAR(a.identification.center().values[i],
+                least[i],
+                std::sqrt(0.1) * 0.5 * (interval.upper - interval.lower));
+  }
+  const Profile& p = a.identification.profiles()[0];
+  EXPECT_LT(p.interval.lower, a.identification.center().values[0]);
+  EXPECT_GT(p.interval.upper, a.identification.center().values[0]);
+}
+
+// Rosenbrock's valley as residuals, 10 (x1 - x0^2) and 1 - x0, is curved: nuisance variables have
+// to be refitted along it. Everywhere on the profile of x0 the other is x0^2, so S = (1 - x0)^2.
+TEST(Identification, FollowsACurvedValley) {
+  const auto a = analyze(box({1, 1}, -2, 2),
+                         [](const auto& x) {
+                           return Eigen::VectorXd{{10 * (x[1] - x[0] * x[0]), 1 - x[0]}};
+                         },
+                         {.confidence = {.sigma = 0.1}});
+  for (const ProfilePoint& p : a.identification.profiles()[0].points) {
+    const double x0 = -2 + 4 * p.u[0];
+    if (x0 * x0 > 2.0) continue;  // x1 is at its bound
+    EXPECT_NEAR(p.S, (1 - x0) * (1 - x0), 0.02 * 0.04 + 0.01 * p.S);
+  }
+  EXPECT_EQ(a.identification.profiles()[0].verdict, Verdict::identifiable);
+  EXPECT_LT(a.evaluations, 250);
+}
+
+TEST(Identification, RefitsAPointThatIsNotTheLeast) {
+  const auto a = analyze(
+      box({0.4, 0.7}, 0, 1),
+      [](const auto& x) {
+        return Eigen::VectorXd{{std::exp(x[0]) - std::exp(0.5), x[0] * x[1] - 0.3, x[1] - 0.6}};
+      },
+      kNoise);
+  EXPECT_NEAR(a.identification.refitted().u[0], 0.5, 1e-3);
+  EXPECT_NEAR(a.identification.refitted().u[1], 0.6, 1e-3);
+}
+
+// The data hold x weakly, and from 0.7 on the model fails: nothing says that values there would
+// fit.
+TEST(Identification, WhereTheModelFailsAProfileIsNotEvaluableRatherThanFlat) {
+  const auto a = analyze(
+      box({0.5}, 0, 1),
+      [](const auto& x) {
+        if (x[0] > 0.7) return Eigen::VectorXd();
+        return Eigen::VectorXd{{0.01 * (x[0] - 0.5), 0.02 * (x[0] - 0.5)}};
+      },
+      kNoise);
+  const Profile& p = a.identification.profiles()[0];
+  EXPECT_EQ(p.verdict, Verdict::not_evaluable);
+  EXPECT_GT(p.points.back().u[0], 0.68);  // the edge is sought
+}
+
+// Behind the end of the interval a failure changes nothing.
+TEST(Identification, AFailureBeyondTheIntervalLeavesItIdentifiable) {
+  const auto a = analyze(
+      box({0.5}, 0, 1),
+      [](const auto& x) {
+        if (x[0] > 0.53) return Eigen::VectorXd();
+        return Eigen::VectorXd{{x[0] - 0.5}};
+      },
+      kNoise);
+  const Profile& p = a.identification.profiles()[0];
+  EXPECT_EQ(p.verdict, Verdict::identifiable);
+  EXPECT_NEAR(p.interval.upper, 0.5 + 1.959964 * 0.01, 1e-4);
+}
+
+// r = (exp(20 (x - 0.5)) - 1) / 100 with noise 1: S stays below t^2 up to x = 0.5 + ln(100 t + 1) /
+// 20 and leaps above it within a rung of a tenth of the range.
+TEST(Identification, FindsTheEndOfAnIntervalBehindWhichSLeaps) {
+  const auto a = analyze(
+      box({0.5}, 0, 1),
+      [](const auto& x) { return Eigen::VectorXd{{(std::exp(20 * (x[0] - 0.5)) - 1) / 100}}; },
+      {.confidence = {.sigma = 1.0}});
+  const double end = 0.5 + std::log(100 * 1.959964 + 1) / 20;
+  EXPECT_NEAR(a.identification.profiles()[0].interval.upper, end, 0.006);
+  EXPECT_EQ(a.identification.profiles()[0].verdict, Verdict::one_sided);
+}
+
+// A twin: the model fitted to itself leaves no residuals to estimate a spread from but zeros.
+TEST(Identification, OfAPerfectFitIsIdentifiableWithAWidthOfRounding) {
+  const auto a = analyze(box({0.5, 0.5}, 0, 1), [](const auto& x) {
+    return Eigen::VectorXd{{x[0] - 0.5, x[1] - 0.5, x[0] * x[1] - 0.25}};
+  });
+  for (const Profile& p : a.identification.profiles()) {
+    EXPECT_EQ(p.verdict, Verdict::identifiable);
+    EXPECT_GT(p.threshold, 0.0);
+    EXPECT_NEAR(p.interval.upper, 0.5, 1e-6);
+  }
+}
+
+TEST(Identification, SaysWhyItCannotBegin) {
+  const auto a = analyze(box({0.5}, 0, 1), [](const auto&) { return Eigen::VectorXd(); });
+  ASSERT_TRUE(a.identification.failure());
+  EXPECT_NE(a.identification.failure()->reason.find("no solution"), std::string::npos);
+}
+
+TEST(Identification, TheShortFormCostsTwoEvaluationsAVariable) {
+  const auto a = analyze(
+      box({0.5, 0.5, 0.5}, 0, 1),
+      [](const auto& x) {
+        return Eigen::VectorXd{{x[0] - 0.5, x[1] - 0.5, x[2] - 0.5, x[0] + x[1] - 1, x[2] - x[0]}};
+      },
+      {.confidence = {.sigma = 0.001}, .profiles = false});
+  EXPECT_EQ(a.evaluations, 1 + 2 * 3);
+}
+
+}  // namespace
+}  // namespace latsch

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/identifiability/profile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "optimization/problem/infinity.h"
+
+namespace latsch {
+namespace {
+
+constexpr double kShortestRung = 0.005;  // of the range
+constexpr double kLongestRung = 0.1;
+constexpr double kFirstRung = 0.5;  // of the linear interval's half width
+constexpr double kLonger = 1.6;     // from rung to rung
+// A refit need not be better than this share of the threshold, which shifts the end of an interval
+// by half of it; nor of the rise of S, far out where only the shape matters.
+constexpr double kProfileTolerance = 0.02;
+constexpr int kEvaluationsOfARung = 30;  // and two a variable
+constexpr double kLeap = 4.0;  // thresholds: between two rungs the root of S is no straight line
+constexpr int kHalvings = 3;
+constexpr int kStepsToTheEdge = 5;     // halvings towards a value at which the model fails
+constexpr size_t kRungsToRefresh = 4;  // until all derivatives have been taken anew
+constexpr int kMostReturns = 12;       // rungs of a branch that are refitted from behind
+constexpr double kFarOut = 1e3;        // ranges; the furthest point is met to its inverse
+// What the profile has to fall again to count as another minimum, of its height there: refits that
+// ended early leave ripples.
+constexpr double kFall = 0.1;
+
+std::vector<int> all_but(int variable, Eigen::Index n) {
+  std::vector<int> free;
+  for (int i = 0; i < n; ++i) {
+    if (i != variable) free.push_back(i);
+  }
+  return free;
+}
+
+/// The furthest value of a variable inside a region: a bound, or where constraints leave none of
+/// the others room. Of the points inside the nearest to one far out is the furthest that way.
+double last_value(const FeasibleRegion& region,
+                  const Eigen::VectorXd& u,
+                  int variable,
+                  int direction) {
+  if (region.is_cube()) return direction > 0 ? 1.0 : 0.0;
+  Eigen::VectorXd far = u;
+  far[variable] += direction * kFarOut;
+  const double last = region.nearest(far)[variable];
+  return direction > 0 ? std::max(last, u[variable]) : std::min(last, u[variable]);
+}
+
+/// The variable's value where S first exceeds the threshold, outward from `start`; the root of S is
+/// nearly linear there.
+double crossing(const Profile& p, int start, int direction) {
+  const auto rise = [&](int k) { return std::max(0.0, p.points[k].S - p.least); };
+  const auto at = [&](int k) { return p.points[k].u[p.variable]; };
+  const int end = direction > 0 ? static_cast<int>(p.points.size()) : -1;
+  for (int k = start + direction; k != end; k += direction) {
+    if (!(rise(k) > p.threshold)) continue;
+    const double a = std::sqrt(rise(k - direction)), b = std::sqrt(rise(k));
+    const double share = (std::sqrt(p.threshold) - a) / (b - a);
+    return at(k - direction) + share * (at(k) - at(k - direction));
+  }
+  return direction * kInfinity;
+}
+
+/// Places where S falls again behind a rise, on one side of the start.
+void find_minima(Profile& p, int start, int direction) {
+  const int end = direction > 0 ? static_cast<int>(p.points.size()) : -1;
+  double barrier = p.points[start].S;
+  int lowest = -1;  // behind the barrier
+  for (int k = start + direction; k != end; k += direction) {
+    const double S = p.points[k].S;
+    if (lowest < 0 && S >= barrier) {
+      if (p.points[k].converged) barrier = S;
+      continue;
+    }
+    if (lowest < 0 || S < p.points[lowest].S) lowest = k;
+    const double fall = barrier - p.points[lowest].S;
+    const bool deep = fall > std::max(p.threshold, kFall * (barrier - p.least));
+    const bool rising = S > p.points[lowest].S;
+    const bool last = k + direction == end;
+    if (deep && (last || S - p.points[lowest].S > kFall * fall)) {
+      p.other_minima.push_back(lowest);
+      barrier = S;
+      lowest = -1;
+    } else if (!deep && rising && S >= barrier) {
+      barrier = S;
+      lowest = -1;
+    }
+  }
+}
+
+}  // namespace
+
+ProfileBranch::ProfileBranch(const Linearization& best,
+                             int variable,
+                             int direction,
+                             double half,
+                             double threshold,
+                             const ProfileSettings& settings)
+    : variable_(variable),
+      direction_(direction),
+      length_(std::clamp(kFirstRung * half, kShortestRung, kLongestRung)),
+      threshold_(threshold),
+      least_(best.sum_of_squares()),
+      settings_(settings),
+      end_(last_value(settings.region, best.u, variable, direction)),
+      free_(all_but(variable, best.u.size())),
+      last_(best) {
+  next_rung(best);
+}
+
+std::optional<Eigen::VectorXd> ProfileBranch::wanted() const {
+  return refit_ ? refit_->wanted() : std::nullopt;
+}
+
+void ProfileBranch::observe(const std::optional<Eigen::VectorXd>& residuals) {
+  assert(refit_ && refit_->wanted());
+  refit_->observe(residuals);
+  if (refit_->wanted()) return;
+  const bool fitted = refit_->fitted(), converged = refit_->converged();
+  const Linearization reached = refit_->best();
+  refit_.reset();
+  if (return_) {
+    return_observed(fitted && converged ? std::optional(reached) : std::nullopt);
+    return;
+  }
+  if (verifying_) {
+    verifying_ = false;
+  } else if (fitted && verifies(reached)) {
+    return;
+  }
+  int place = -1;
+  if (fitted) place = insert(reached, converged);
+  if (bracket_) {
+    if (fitted && within(reached)) {
+      bracket_->inner = reached;
+    } else if (fitted) {
+      bracket_->upper = reached.u[variable_];
+    }
+    halve();
+  } else if (!fitted) {
+    rung_failed(to_);
+  } else if (!returns_from(reached, place - 1)) {
+    rung_reached(reached);
+  }
+}
+
+void ProfileBranch::rung_reached(const Linearization& reached) {
+  if (leaps(last_, reached)) {
+    bracket_ = {last_, reached, reached.u[variable_]};
+    last_ = reached;
+    halve();
+    return;
+  }
+  last_ = reached;
+  next_rung(reached);
+}
+
+/// Whether the first rung above the threshold is refitted with derivatives of its own.
+bool ProfileBranch::verifies(const Linearization& reached) {
+  if (bracket_ || !within(last_) || within(reached) || free_.empty()) return false;
+  const RefitOptions options = rung_options(reached.sum_of_squares(), free_);
+  refit_.emplace(reached, free_, options);
+  verifying_ = refit_->wanted().has_value();
+  if (!verifying_) refit_.reset();
+  return verifying_;
+}
+
+void ProfileBranch::rung_failed(double at) {
+  failed_at_ = at;
+  if (within(last_)) next_rung(last_);
+}
+
+/// Whether the rung at `place` lies above what was reached behind it, and is refitted from there.
+bool ProfileBranch::returns_from(const Linearization& reached, int place) {
+  const double S = reached.sum_of_squares();
+  if (place < 0 || returns_ >= kMostReturns || points_[place].S <= S + tolerance(S)) return false;
+  ++returns_;
+  climb(reached, points_[place].u[variable_]);
+  if (!refit_->wanted()) {
+    refit_.reset();
+    return false;
+  }
+  if (!return_) return_ = {reached, place};
+  return_->place = place;
+  return true;
+}
+
+void ProfileBranch::return_observed(const std::optional<Linearization>& reached) {
+  const Linearization outer = return_->outer;
+  ProfilePoint& rung = points_[return_->place];
+  if (reached && reached->sum_of_squares() < rung.S) {
+    rung = {reached->u, reached->sum_of_squares(), true};
+    if (returns_from(*reached, return_->place - 1)) return;
+  }
+  return_.reset();
+  rung_reached(outer);
+}
+
+bool ProfileBranch::leaps(const Linearization& from, const Linearization& to) const {
+  return within(from) && to.sum_of_squares() - least_ > kLeap * threshold_;
+}
+
+/// Its place among the points.
+int ProfileBranch::insert(const Linearization& reached, bool converged) {
+  const auto further = [&](const ProfilePoint& point) {
+    return direction_ * (point.u[variable_] - reached.u[variable_]) > 0.0;
+  };
+  const auto at = points_.insert(std::find_if(points_.begin(), points_.end(), further),
+                                 {reached.u, reached.sum_of_squares(), converged});
+  return static_cast<int>(at - points_.begin());
+}
+
+/// Another rung inside the bracket, or on with the ladder.
+void ProfileBranch::halve() {
+  const double inner = bracket_->inner.u[variable_];
+  if (bracket_->halvings++ < kHalvings && std::abs(bracket_->upper - inner) > kShortestRung) {
+    climb(bracket_->inner, 0.5 * (inner + bracket_->upper));
+    return;
+  }
+  const Linearization outer = bracket_->outer;
+  bracket_.reset();
+  next_rung(outer);
+}
+
+void ProfileBranch::next_rung(const Linearization& from) {
+  const double at = from.u[variable_];
+  if (failed_at_) {  // between here and there the model begins to fail
+    if (!within(from) || steps_to_the_edge_++ >= kStepsToTheEdge) return;
+    if (std::abs(*failed_at_ - at) > kShortestRung) climb(from, 0.5 * (at + *failed_at_));
+    return;
+  }
+  if (direction_ * (end_ - at) <= 0.0) return;
+  if (!points_.empty()) length_ = std::min(kLonger * length_, kLongestRung);
+  // A last rung of less than half a step joins the one before it.
+  const bool last = std::abs(end_ - at) < 1.5 * length_;
+  climb(from, last ? end_ : at + direction_ * length_);
+}
+
+double ProfileBranch::tolerance(double S) const {
+  return kProfileTolerance * std::max(threshold_, S - least_);
+}
+
+/// A share of the free variables, another one at each rung.
+std::vector<int> ProfileBranch::next_columns() {
+  std::vector<int> columns;
+  const size_t count = (free_.size() + kRungsToRefresh - 1) / kRungsToRefresh;
+  for (size_t k = 0; k < count; ++k) columns.push_back(free_[next_column_++ % free_.size()]);
+  return columns;
+}
+
+RefitOptions ProfileBranch::rung_options(double S, const std::vector<int>& refresh) const {
+  return {.tolerance = tolerance(S),
+          .most_evaluations = kEvaluationsOfARung + 2 * static_cast<int>(free_.size()),
+          .refresh = refresh,
+          .differences = settings_.differences,
+          .region = settings_.region};
+}
+
+void ProfileBranch::climb(const Linearization& from, double to) {
+  to_ = to;
+  const RefitOptions options = rung_options(from.sum_of_squares(), next_columns());
+  refit_.emplace(from, free_, options, variable_, to);
+}
+
+Profile judge(const Linearization& best,
+              int variable,
+              const ProfileBranch& down,
+              const ProfileBranch& up,
+              double threshold) {
+  Profile p;
+  p.variable = variable;
+  p.threshold = threshold;
+  p.points.assign(down.points().rbegin(), down.points().rend());
+  p.points.push_back({best.u, best.sum_of_squares()});
+  p.points.insert(p.points.end(), up.points().begin(), up.points().end());
+  const auto less = [](const ProfilePoint& a, const ProfilePoint& b) { return a.S < b.S; };
+  const auto start = std::min_element(p.points.begin(), p.points.end(), less) - p.points.begin();
+  p.least = p.points[start].S;
+  p.interval = {crossing(p, start, -1), crossing(p, start, +1)};
+  find_minima(p, start, -1);
+  find_minima(p, start, +1);
+  if (down.failed_at() && !std::isfinite(p.interval.lower)) {
+    p.lower_end = p.points.front().u[variable];
+  }
+  if (up.failed_at() && !std::isfinite(p.interval.upper)) p.upper_end = p.points.back().u[variable];
+  const int sides = std::isfinite(p.interval.lower) + std::isfinite(p.interval.upper);
+  p.verdict = !p.other_minima.empty()      ? Verdict::several_minima
+              : p.lower_end || p.upper_end ? Verdict::not_evaluable
+              : sides == 2                 ? Verdict::identifiable
+              : sides == 1                 ? Verdict::one_sided
+                                           : Verdict::flat;
+  return p;
+}
+
+int Profile::unconverged() const {
+  return static_cast<int>(
+      std::count_if(points.begin(), points.end(), [](const auto& at) { return !at.converged; }));
+}
+
+std::string name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::identifiable:
+      return "identifiable";
+    case Verdict::one_sided:
+      return "one-sided";
+    case Verdict::flat:
+      return "flat";
+    case Verdict::several_minima:
+      return "several minima";
+    case Verdict::not_evaluable:
+      return "not evaluable beyond";
+  }
+  assert(false);
+  return "";
+}
+
+std::string in_words(const Profile& profile) {
+  std::string words = name(profile.verdict);
+  if (profile.verdict == Verdict::flat) words += ": any value between the bounds fits as well";
+  if (profile.verdict == Verdict::several_minima) words += ": a search can end in the wrong one";
+  if (profile.verdict == Verdict::one_sided) {
+    words += std::isfinite(profile.interval.upper) ? ": the data give only an upper limit"
+                                                   : ": the data give only a lower limit";
+  }
+  if (profile.verdict == Verdict::not_evaluable) {
+    words += profile.lower_end && profile.upper_end ? " both ends: the model fails there"
+             : profile.lower_end                    ? " the lower end: the model fails there"
+                                                    : " the upper end: the model fails there";
+  }
+  if (const int count = profile.unconverged()) {
+    words += fmt::format("; {} of {} refits did not converge", count, profile.points.size());
+  }
+  return words;
+}
+
+}  // namespace latsch

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Profile likelihood: how well the data can still be explained when one variable is held at another
+// value and all others are fitted anew.
+//
+//   S_i(v) = least sum of squares with u_i = v                [Raue et al., Bioinformatics 25
+//   (2009)
+//                                                              1923, eq. (5)]
+// All v with S_i(v) - S <= threshold belong to the confidence interval of variable i; s^2 t^2 for
+// independent residuals, Confidence::thresholds in general. Unlike the linear interval it sees
+// curvature, bounds and further minima. From the shape follows a verdict:
+//   identifiable     S_i rises above the threshold on both sides
+//   one_sided        on one only: the data give a limit, not a value
+//   flat             on none: any value between the bounds explains the data as well
+//   several_minima   S_i falls again behind a rise: a search can end in the wrong basin
+//   not_evaluable    the model fails before S_i rises: what lies beyond, the data were not asked
+//
+// The ladder starts at the best point in steps as long as the linear interval and lengthens them to
+// a tenth of the range, up to both bounds; a rung that leaps over the threshold is halved, and so
+// is one at which the model fails. Derivatives carried from rung to rung do not know what the way
+// has changed beside it: a quarter of them is taken anew at each rung, and all at the one that
+// rises above the threshold. Each rung is a refit that starts where the last ended; it may miss a
+// better basin of the other variables, so S_i is an upper bound. Where S_i falls outward, the rungs
+// before are therefore refitted from behind: a rise that goes away was none. A refit that did not
+// converge makes no rise either. Linear constraints are kept to, and end a ladder as bounds do.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "optimization/identifiability/refit.h"
+
+namespace latsch {
+
+struct ProfilePoint {
+  Eigen::VectorXd u;
+  double S;
+  bool converged = true;  // the refit of the others
+};
+
+/// What the branches of all variables share.
+struct ProfileSettings {
+  FeasibleRegion region;
+  Eigen::VectorXd differences;  // as RefitOptions
+};
+
+/// One way outward from the best point: ask and tell, as Refit.
+class ProfileBranch {
+ public:
+  /// `half`: of the linear confidence interval. direction: +1 or -1.
+  ProfileBranch(const Linearization& best,
+                int variable,
+                int direction,
+                double half,
+                double threshold,
+                const ProfileSettings& settings);
+
+  /// nullopt at the end of the ladder.
+  std::optional<Eigen::VectorXd> wanted() const;
+  void observe(const std::optional<Eigen::VectorXd>& residuals);
+
+  /// From the best point outward, without it.
+  const std::vector<ProfilePoint>& points() const { return points_; }
+  /// The variable at the nearest rung where the model failed; nullopt where it did not.
+  const std::optional<double>& failed_at() const { return failed_at_; }
+
+ private:
+  struct Bracket {
+    Linearization inner, outer;  // below the threshold, and far above it
+    double upper;                // the variable at the least rung known to be above
+    int halvings = 0;
+  };
+
+  /// The rungs before a fall of S, refitted from behind.
+  struct Return {
+    Linearization outer;  // where the ladder goes on afterwards
+    int place;            // of the rung under way, in points_
+  };
+
+  void next_rung(const Linearization& from);
+  void climb(const Linearization& from, double to);
+  void halve();
+  void rung_reached(const Linearization& reached);
+  bool verifies(const Linearization& reached);
+  void rung_failed(double at);
+  void return_observed(const std::optional<Linearization>& reached);
+  bool returns_from(const Linearization& reached, int place);
+  double tolerance(double S) const;
+  RefitOptions rung_options(double S, const std::vector<int>& refresh) const;
+  std::vector<int> next_columns();
+  bool within(const Linearization& at) const { return at.sum_of_squares() - least_ <= threshold_; }
+  bool leaps(const Linearization& from, const Linearization& to) const;
+  int insert(const Linearization& reached, bool converged);
+
+  int variable_, direction_;
+  double length_, threshold_, least_;
+  ProfileSettings settings_;
+  double end_;       // the last value of the variable inside the region
+  double to_ = 0.0;  // of the variable, at the refit under way
+  int steps_to_the_edge_ = 0, returns_ = 0;
+  std::optional<double> failed_at_;
+  std::optional<Return> return_;
+  bool verifying_ = false;
+  size_t next_column_ = 0;  // in free_, to be taken anew
+  std::vector<int> free_;
+  Linearization last_;  // rung of the ladder
+  std::optional<Bracket> bracket_;
+  std::optional<Refit> refit_;
+  std::vector<ProfilePoint> points_;
+};
+
+enum class Verdict { identifiable, one_sided, flat, several_minima, not_evaluable };
+
+struct Profile {
+  int variable = 0;
+  std::vector<ProfilePoint> points;  // ascending in the variable, the best point among them
+  double least = 0.0;                // S that the profile is measured against
+  double threshold = 0.0;
+  Interval interval{};  // where S - least crosses the threshold; infinite where never
+  Verdict verdict = Verdict::flat;
+  std::vector<int> other_minima;  // places in `points`
+  /// Where the model fails on a side on which S has not risen: the last value evaluated.
+  std::optional<double> lower_end = std::nullopt, upper_end = std::nullopt;
+
+  /// Refits that gave up: S is too high there, and the interval may be wider.
+  int unconverged() const;
+};
+
+/// Joins the two branches of a variable and judges.
+Profile judge(const Linearization& best,
+              int variable,
+              const ProfileBranch& down,
+              const ProfileBranch& up,
+              double threshold);
+
+/// "identifiable", "one-sided", "flat", "several minima", "not evaluable beyond".
+std::string name(Verdict verdict);
+/// The same as a sentence: "one-sided: the data give only an upper limit".
+std::string in_words(const Profile& profile);
+
+}  // namespace latsch

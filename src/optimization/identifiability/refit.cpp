@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/identifiability/refit.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "numerics/dense/orthogonal_factors.h"
+#include "optimization/problem/quadratic_program.h"
+
+namespace latsch {
+namespace {
+
+constexpr double kDifference = 1e-3;        // of the range, where no length is given
+constexpr double kShortestStep = 1e-9;      // of the range
+constexpr double kLongestRefitStep = 0.25;  // of the range, in one variable: J holds near by
+constexpr int kFailedSteps = 2;             // before J is taken anew
+constexpr double kFirstLambda = 1e-3;       // of the largest entry of J'J
+constexpr double kLambdaFactor = 10.0;
+constexpr double kLeastCurvature = 1e-12;  // of the largest: a quadratic program wants some
+
+/// The d of the columns `free` with the least |r + J d|^2 + lambda |d|^2, u + d in the unit cube
+/// and not far away: a variable that would leave that box stops at its face, and the others are
+/// sought again.
+Eigen::VectorXd bounded_step(const Linearization& at,
+                             const Eigen::VectorXd& r,
+                             std::vector<int> free,
+                             double lambda) {
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(at.u.size());
+  while (!free.empty()) {
+    const auto k = static_cast<Eigen::Index>(free.size());
+    const Eigen::Index m = r.size();
+    Eigen::MatrixXd A(m + k, k);
+    A.topRows(m) = at.J(Eigen::all, free);
+    A.bottomRows(k) = std::sqrt(lambda) * Eigen::MatrixXd::Identity(k, k);
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(m + k);
+    b.head(m) = -(r + at.J * d);
+    const Eigen::VectorXd step = numerics::shortest_solution(A, b);
+    std::vector<int> inside;
+    for (Eigen::Index a = 0; a < k; ++a) {
+      const double u = at.u[free[a]];
+      const double low = std::max(-u, -kLongestRefitStep),
+                   high = std::min(1.0 - u, kLongestRefitStep);
+      if (step[a] >= low && step[a] <= high) {
+        inside.push_back(free[a]);
+      } else {
+        d[free[a]] = std::clamp(step[a], low, high);
+      }
+    }
+    if (inside.size() == free.size()) {
+      for (Eigen::Index a = 0; a < k; ++a) d[free[a]] = step[a];
+      break;
+    }
+    free = std::move(inside);
+  }
+  return d;
+}
+
+/// The same with u + d inside a region; nullopt where no such d is.
+std::optional<Eigen::VectorXd> constrained_step(const Eigen::MatrixXd& J,
+                                                const Eigen::VectorXd& u,
+                                                const Eigen::VectorXd& r,
+                                                const std::vector<int>& free,
+                                                double lambda,
+                                                const FeasibleRegion& region) {
+  const auto k = static_cast<Eigen::Index>(free.size());
+  const Eigen::MatrixXd J_free = J(Eigen::all, free);
+  Eigen::MatrixXd G = J_free.transpose() * J_free;
+  const double scale = std::max(G.diagonal().maxCoeff(), std::numeric_limits<double>::min());
+  G.diagonal().array() += lambda + kLeastCurvature * scale;
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(k, k);
+  QuadraticProgram qp{G / scale, J_free.transpose() * r / scale, {}, {}, {}, {}};
+  qp.E = region.E()(Eigen::all, free);
+  qp.f = region.f() - region.E() * u;
+  const Eigen::Index rows = region.A().rows();
+  qp.A.resize(rows + 2 * k, k);
+  qp.A << region.A()(Eigen::all, free), one, -one;
+  qp.b.resize(rows + 2 * k);
+  qp.b << region.b() - region.A() * u, Eigen::VectorXd::Constant(2 * k, kLongestRefitStep);
+  const QuadraticSolution solution = solve(qp);
+  if (!solution.is_feasible()) return std::nullopt;
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(u.size());
+  for (Eigen::Index a = 0; a < k; ++a) d[free[a]] = solution.x[a];
+  return d;
+}
+
+void broyden(Eigen::MatrixXd& J, const Eigen::VectorXd& d, const Eigen::VectorXd& change) {
+  J += (change - J * d) * d.transpose() / d.squaredNorm();
+}
+
+}  // namespace
+
+Refit::Refit(const Linearization& start, std::vector<int> free, const RefitOptions& options)
+    : best_(start), free_(std::move(free)), options_(options) {
+  plan_step();
+}
+
+Refit::Refit(const Linearization& start,
+             std::vector<int> free,
+             const RefitOptions& options,
+             int i,
+             double value)
+    : best_(start), free_(std::move(free)), options_(options), moving_(true) {
+  const double shift = value - best_.u[i];
+  Eigen::VectorXd to = best_.u;
+  to[i] = value;
+  const auto d = step_from(to, best_.r + best_.J.col(i) * shift, 0.0);
+  if (d) wanted_ = to + *d;
+}
+
+std::optional<Eigen::VectorXd> Refit::step_from(const Eigen::VectorXd& u,
+                                                const Eigen::VectorXd& r,
+                                                double lambda) const {
+  if (!is_constrained()) return bounded_step({u, r, best_.J}, r, free_, lambda);
+  return constrained_step(best_.J, u, r, free_, lambda, *options_.region);
+}
+
+bool Refit::promises(const Eigen::VectorXd& d) const {
+  const double promised = best_.sum_of_squares() - (best_.r + best_.J * d).squaredNorm();
+  return d.lpNorm<Eigen::Infinity>() >= kShortestStep && promised > options_.tolerance;
+}
+
+void Refit::observe(const std::optional<Eigen::VectorXd>& residuals) {
+  assert(wanted_);
+  ++evaluations_;
+  if (!columns_.empty()) {
+    difference_observed(residuals);
+  } else {
+    step_observed(residuals);
+  }
+}
+
+void Refit::step_observed(const std::optional<Eigen::VectorXd>& residuals) {
+  if (!residuals && moving_) {
+    wanted_.reset();
+    return;
+  }
+  const Eigen::VectorXd d = *wanted_ - best_.u;
+  const bool better = residuals && (moving_ || residuals->squaredNorm() < best_.r.squaredNorm());
+  if (residuals && d.squaredNorm() > 0.0) broyden(best_.J, d, *residuals - best_.r);
+  moving_ = false;
+  if (better) {
+    best_.u = *wanted_;
+    best_.r = *residuals;
+    lambda_ = lambda_ > 0.0 ? lambda_ / kLambdaFactor : 0.0;
+    failed_steps_ = 0;
+  } else {
+    const double least = kFirstLambda * best_.J.colwise().squaredNorm().maxCoeff();
+    lambda_ = std::max(least, lambda_ * kLambdaFactor);
+    if (++failed_steps_ == kFailedSteps) {
+      begin_differences(free_);
+      return;
+    }
+  }
+  plan_step();
+}
+
+void Refit::difference_observed(const std::optional<Eigen::VectorXd>& residuals) {
+  const int i = columns_[difference_];
+  if (residuals) best_.J.col(i) = (*residuals - best_.r) / ((*wanted_)[i] - best_.u[i]);
+  ++difference_;
+  plan_difference();
+}
+
+double Refit::difference_of(int variable) const {
+  return options_.differences.size() > 0 ? options_.differences[variable] : kDifference;
+}
+
+void Refit::begin_differences(const std::vector<int>& columns) {
+  columns_ = columns;
+  difference_ = 0;
+  plan_difference();
+}
+
+void Refit::plan_difference() {
+  for (; difference_ < static_cast<int>(columns_.size()); ++difference_) {
+    const int i = columns_[difference_];
+    for (const double side : {difference_of(i), -difference_of(i)}) {
+      Eigen::VectorXd to = best_.u;
+      to[i] += side;
+      if (to[i] < 0.0 || to[i] > 1.0 || (is_constrained() && !options_.region->contains(to))) {
+        continue;
+      }
+      wanted_ = to;
+      return;
+    }
+  }
+  columns_.clear();
+  plan_step();
+}
+
+void Refit::plan_step() {
+  wanted_.reset();
+  converged_ = free_.empty();
+  if (converged_) return;
+  // A step that lambda has made short promises little wherever it is: the full one is asked.
+  const auto full = step_from(best_.u, best_.r, 0.0);
+  if (!full) return;
+  const bool has_enough = !promises(*full);
+  if (has_enough && !options_.refresh.empty() && !verified_ &&
+      evaluations_ < options_.most_evaluations) {
+    verified_ = true;
+    begin_differences(options_.refresh);
+    return;
+  }
+  converged_ = has_enough;
+  if (converged_ || evaluations_ >= options_.most_evaluations) return;
+  const auto d = lambda_ > 0.0 ? step_from(best_.u, best_.r, lambda_) : full;
+  if (!d || !promises(*d)) return;
+  wanted_ = (best_.u + *d).cwiseMax(0.0).cwiseMin(1.0);
+}
+
+}  // namespace latsch

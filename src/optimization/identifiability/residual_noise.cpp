@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/identifiability/residual_noise.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "numerics/dense/cholesky.h"
+#include "numerics/dense/orthogonal_factors.h"
+#include "numerics/dense/self_adjoint_eigen.h"
+
+namespace latsch {
+namespace {
+
+using numerics::Autoregression;
+
+constexpr size_t kMostOrder = 8;
+constexpr Eigen::Index kFewestSamples = 12;  // of a curve, more than variables
+constexpr Eigen::Index kSamplesAnOrder = 6;
+constexpr size_t kOrdersInVain = 2;  // before a longer memory is not tried
+constexpr double kMostZ = 4.5;       // atanh(kappa): |kappa| up to 0.99975
+constexpr double kGolden = 0.6180339887498949;
+constexpr int kFirstCuts = 16, kLaterCuts = 9;  // of golden sections
+constexpr double kDerivative = 0.05;            // of z
+
+Autoregression process_of(const std::vector<double>& z) {
+  std::vector<double> kappa;
+  for (const double value : z) kappa.push_back(std::tanh(value));
+  return Autoregression(kappa);
+}
+
+/// Golden section: the place of a minimum between a and b.
+template <class Function>
+double least_between(double a, double b, int cuts, const Function& f) {
+  double x = b - kGolden * (b - a), y = a + kGolden * (b - a), fx = f(x), fy = f(y);
+  for (int cut = 0; cut < cuts; ++cut) {
+    if (fx < fy) {
+      b = y;
+      y = x;
+      fy = fx;
+      x = b - kGolden * (b - a);
+      fx = f(x);
+    } else {
+      a = x;
+      x = y;
+      fx = fy;
+      y = a + kGolden * (b - a);
+      fy = f(y);
+    }
+  }
+  return fx < fy ? x : y;
+}
+
+}  // namespace
+
+ResidualTraits ResidualTraits::of(const std::vector<Eigen::Index>& rows) const {
+  ResidualTraits some;
+  for (const Eigen::Index row : rows) {
+    if (!deviations.empty()) some.deviations.push_back(deviations[static_cast<size_t>(row)]);
+    if (!curves.empty()) some.curves.push_back(curves[static_cast<size_t>(row)]);
+  }
+  return some;
+}
+
+ResidualNoise::ResidualNoise(const Eigen::VectorXd& r,
+                             const Eigen::MatrixXd& J,
+                             const ResidualTraits& traits)
+    : deviations_(Eigen::VectorXd::Ones(r.size())) {
+  const Eigen::Index m = r.size();
+  if (!traits.deviations.empty()) {
+    deviations_ = Eigen::Map<const Eigen::VectorXd>(traits.deviations.data(), m);
+  }
+  x_ = r.cwiseQuotient(deviations_);
+  Q_ = J.cols() == 0 ? Eigen::MatrixXd(m, 0)
+                     : numerics::range_basis(deviations_.cwiseInverse().asDiagonal() * J);
+  freedom_ = static_cast<double>(m - J.cols());
+  std::map<int, std::vector<Eigen::Index>> rows;
+  for (Eigen::Index row = 0; row < m; ++row) {
+    const int curve = traits.curves.empty() ? -1 : traits.curves[static_cast<size_t>(row)];
+    if (curve >= 0) rows[curve].push_back(row);
+    if (curve < 0) alone_.push_back(row);
+  }
+  for (auto& [number, own] : rows) {
+    if (std::ssize(own) - Q_.cols() >= kFewestSamples) {
+      curves_.push_back({std::move(own), Autoregression(), {}});
+    } else {
+      alone_.insert(alone_.end(), own.begin(), own.end());
+    }
+  }
+  alone_sums_ = sums({alone_, Autoregression(), {}}, Autoregression());
+  Sums all = alone_sums_;
+  const auto add = [](Sums& to, const Sums& part, double sign) {
+    to.A += sign * part.A;
+    to.b += sign * part.b;
+    to.c += sign * part.c;
+    to.log_determinant += sign * part.log_determinant;
+  };
+  for (const Curve& curve : curves_) {
+    curve_sums_.push_back(sums(curve, curve.process));
+    add(all, curve_sums_.back(), 1.0);
+  }
+  if (freedom_ > 0.0 && sigma_of(all) > 0.0) {
+    for (size_t k = 0; k < curves_.size(); ++k) {
+      add(all, curve_sums_[k], -1.0);
+      fit(curves_[k], all);
+      curve_sums_[k] = sums(curves_[k], curves_[k].process);
+      add(all, curve_sums_[k], 1.0);
+    }
+  }
+  sigma_ = sigma_of(all);
+}
+
+bool ResidualNoise::is_white() const {
+  return std::all_of(
+      curves_.begin(), curves_.end(), [](const Curve& c) { return c.process.order() == 0; });
+}
+
+ResidualNoise::Sums ResidualNoise::sums(const Curve& curve, const Autoregression& process) const {
+  const Eigen::Index k = Q_.cols();
+  Eigen::MatrixXd own(std::ssize(curve.rows), k + 1);
+  own << Q_(curve.rows, Eigen::all), x_(curve.rows);
+  const Eigen::MatrixXd white = process.whitened(own);
+  const Eigen::MatrixXd gram = white.transpose() * white;
+  return {gram.topLeftCorner(k, k),
+          gram.topRightCorner(k, 1),
+          gram(k, k),
+          process.log_determinant(own.rows())};
+}
+
+double ResidualNoise::sigma_of(const Sums& all) const {
+  if (!(freedom_ > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+  double left = all.c;
+  if (all.b.size() > 0) left -= all.b.dot(Eigen::VectorXd(numerics::Cholesky(all.A).solve(all.b)));
+  return std::sqrt(std::max(0.0, left) / freedom_);
+}
+
+double ResidualNoise::deviance(const Sums& all) const {
+  const double reached = all.b.size() > 0 ? numerics::Cholesky(all.A).log_determinant() : 0.0;
+  return all.log_determinant + reached + 2.0 * freedom_ * std::log(sigma_of(all));
+}
+
+double ResidualNoise::deviance_with(const Sums& rest,
+                                    const Curve& curve,
+                                    const std::vector<double>& z) const {
+  Sums all = sums(curve, process_of(z));
+  all.A += rest.A;
+  all.b += rest.b;
+  all.c += rest.c;
+  all.log_determinant += rest.log_determinant;
+  return deviance(all);
+}
+
+/// Order by order, each new partial correlation first alone, then with those before it.
+void ResidualNoise::fit(Curve& curve, const Sums& rest) const {
+  const size_t longest =
+      std::min(kMostOrder, static_cast<size_t>(std::ssize(curve.rows) / kSamplesAnOrder));
+  std::vector<double> z, best;
+  double least = deviance_with(rest, curve, z);
+  for (size_t order = 1; order <= std::min(longest, best.size() + kOrdersInVain); ++order) {
+    const auto search = [&](size_t i, double from, double to, int cuts) {
+      z[i] = least_between(from, to, cuts, [&](double value) {
+        std::vector<double> tried = z;
+        tried[i] = value;
+        return deviance_with(rest, curve, tried);
+      });
+    };
+    z.push_back(0.0);
+    search(order - 1, -kMostZ, kMostZ, kFirstCuts);
+    for (double width : {0.4, 0.1}) {
+      for (size_t i = 0; order > 1 && i < order; ++i) {
+        search(i, std::max(-kMostZ, z[i] - width), std::min(kMostZ, z[i] + width), kLaterCuts);
+      }
+    }
+    const double value = deviance_with(rest, curve, z) + 2.0 * static_cast<double>(order);
+    if (value < least) {
+      least = value;
+      best = z;
+    }
+  }
+  curve.process = process_of(best);
+  const auto p = static_cast<Eigen::Index>(best.size());
+  Eigen::MatrixXd H(p, p);  // of -2 l, which is twice the information
+  const auto at = [&](Eigen::Index i, double di, Eigen::Index j, double dj) {
+    std::vector<double> moved = best;
+    moved[static_cast<size_t>(i)] += di;
+    moved[static_cast<size_t>(j)] += dj;
+    return deviance_with(rest, curve, moved);
+  };
+  const double h = kDerivative;
+  for (Eigen::Index i = 0; i < p; ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      H(i, j) = H(j, i) =
+          (at(i, h, j, h) - at(i, h, j, -h) - at(i, -h, j, h) + at(i, -h, j, -h)) / (4.0 * h * h);
+    }
+  }
+  if (p == 0) return;
+  const auto [values, vectors] = numerics::self_adjoint_eigen(H);
+  constexpr double kLeast = 1e-3;  // a direction of less curvature is not bounded by the data
+  curve.variance =
+      2.0 * vectors * values.cwiseMax(kLeast).cwiseInverse().asDiagonal() * vectors.transpose();
+}
+
+Eigen::MatrixXd ResidualNoise::colored(const Eigen::MatrixXd& Y) const {
+  Eigen::MatrixXd Z = deviations_.asDiagonal() * Y;
+  for (const Curve& curve : curves_) {
+    if (curve.process.order() == 0) continue;
+    const Eigen::MatrixXd own = Z(curve.rows, Eigen::all);
+    Z(curve.rows, Eigen::all) = curve.process.colored(own);
+  }
+  return Z;
+}
+
+Eigen::VectorXd ResidualNoise::effective_deviations() const {
+  Eigen::VectorXd effective = deviations_;
+  for (const Curve& curve : curves_) {
+    effective(curve.rows) *= std::sqrt(curve.process.samples_for_one());
+  }
+  return effective;
+}
+
+double ResidualNoise::log_variance(const Eigen::VectorXd& y,
+                                   size_t curve,
+                                   const std::vector<double>& z,
+                                   const Sums& rest,
+                                   bool known) const {
+  const Autoregression process = process_of(z);
+  const Eigen::VectorXd own = deviations_.cwiseProduct(y)(curves_[curve].rows);
+  const double part = process.colored(own).squaredNorm();
+  const double before = curves_[curve].process.colored(own).squaredNorm();
+  const double variance = colored(y).squaredNorm() - before + part;
+  if (known) return std::log(variance);
+  Sums all = sums(curves_[curve], process);
+  all.A += rest.A;
+  all.b += rest.b;
+  all.c += rest.c;
+  return std::log(variance) + 2.0 * std::log(sigma_of(all));
+}
+
+double ResidualNoise::freedom_of(const Eigen::VectorXd& y, bool known) const {
+  double spread = known ? 0.0 : 2.0 / freedom_;  // variance of the logarithm of the variance
+  for (size_t k = 0; k < curves_.size(); ++k) {
+    if (curves_[k].process.order() == 0) continue;
+    Sums rest = alone_sums_;
+    for (size_t other = 0; other < curves_.size(); ++other) {
+      if (other == k) continue;
+      rest.A += curve_sums_[other].A;
+      rest.b += curve_sums_[other].b;
+      rest.c += curve_sums_[other].c;
+    }
+    std::vector<double> z;
+    for (const double kappa : curves_[k].process.partial()) z.push_back(std::atanh(kappa));
+    Eigen::VectorXd slope(std::ssize(z));
+    for (size_t i = 0; i < z.size(); ++i) {
+      std::vector<double> up = z, down = z;
+      up[i] += kDerivative;
+      down[i] -= kDerivative;
+      slope[static_cast<Eigen::Index>(i)] =
+          (log_variance(y, k, up, rest, known) - log_variance(y, k, down, rest, known)) /
+          (2.0 * kDerivative);
+    }
+    spread += slope.dot(curves_[k].variance * slope);
+  }
+  return spread > 0.0 ? 2.0 / spread : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace latsch

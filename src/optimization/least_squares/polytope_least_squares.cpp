@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/least_squares/polytope_least_squares.h"
+
+#include <cmath>
+
+#include "optimization/least_squares/damped_descent.h"
+#include "optimization/problem/quadratic_program.h"
+
+namespace latsch {
+namespace {
+
+// Beside the largest eigenvalue: the quadratic program wants a matrix that is positive definite.
+constexpr double kLeastPolytopeCurvature = 1e-10;
+
+/// Rows of length 1, so that rounding means the same in all of them.
+void scale_rows(Eigen::MatrixXd& A, Eigen::VectorXd& b) {
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    const double length = A.row(i).norm();
+    if (length == 0.0) continue;
+    A.row(i) /= length;
+    b[i] /= length;
+  }
+}
+
+}  // namespace
+
+Eigen::VectorXd minimize_in_polytope(const ResidualModel& model,
+                                     const Eigen::VectorXd& lower,
+                                     const Eigen::VectorXd& upper,
+                                     const Eigen::MatrixXd& E,
+                                     const Eigen::MatrixXd& A,
+                                     const Eigen::VectorXd& b) {
+  const Eigen::Index n = lower.size(), rows = A.rows();
+  QuadraticProgram qp;
+  qp.E = E;
+  qp.f = Eigen::VectorXd::Zero(E.rows());
+  scale_rows(qp.E, qp.f);
+  qp.A.resize(rows + 2 * n, n);
+  qp.A << A, Eigen::MatrixXd::Identity(n, n), -Eigen::MatrixXd::Identity(n, n);
+  Eigen::VectorXd room(rows + 2 * n);
+  room << b, upper, -lower;
+  room = room.cwiseMax(0.0);
+  scale_rows(qp.A, room);
+  return descend(model,
+                 n,
+                 [&](const Eigen::VectorXd& z,
+                     Eigen::MatrixXd H,
+                     const Eigen::VectorXd& g) -> Eigen::VectorXd {
+                   const double scale = H.diagonal().maxCoeff();
+                   if (!std::isnormal(scale)) return z;
+                   H.diagonal().array() += kLeastPolytopeCurvature * scale;
+                   qp.G = H / scale;
+                   qp.g = g / scale;
+                   qp.b = (room - qp.A * z).cwiseMax(0.0);
+                   const QuadraticSolution step = solve(qp);
+                   return step.is_feasible() ? Eigen::VectorXd(z + step.x) : z;
+                 });
+}
+
+}  // namespace latsch

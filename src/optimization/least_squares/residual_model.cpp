@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/least_squares/residual_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "numerics/dense/self_adjoint_eigen.h"
+
+namespace latsch {
+namespace {
+
+constexpr double kSlopeVariance = 1e4;   // V_g
+constexpr double kCubicVariance = 1e-4;  // rho
+constexpr double kRounding = 1e-13;      // of the diagonal of K
+constexpr double kClear = 3.0;           // gain in logarithmic likelihood that speaks for noise
+constexpr Eigen::Index kEnough = 128;    // residuals that tell noise as well as thousands
+
+/// K with its diagonal of (2).
+Eigen::MatrixXd covariance(const Eigen::MatrixXd& Z, double V_g, double rho, double noise) {
+  const Eigen::ArrayXXd inner = (Z * Z.transpose()).array();
+  Eigen::MatrixXd K = (V_g * inner + 0.5 * inner.square() + noise).matrix();  // (1)
+  K.diagonal().array() += rho * Z.rowwise().squaredNorm().array().cube() + noise;
+  K.diagonal() *= 1.0 + kRounding;
+  return K;
+}
+
+/// What the samples show beyond known slopes.
+Eigen::MatrixXd unexplained(const ResidualSamples& samples) {
+  if (samples.slopes.size() == 0) return samples.D;
+  return samples.D - samples.Z * samples.slopes.transpose();
+}
+
+/// Columns evenly spread over D, kEnough of them where it has more: neighbors tell the same.
+Eigen::MatrixXd some_of(const Eigen::MatrixXd& D) {
+  const Eigen::Index m = D.cols();
+  if (m <= kEnough) return D;
+  Eigen::MatrixXd some(D.rows(), kEnough);
+  for (Eigen::Index j = 0; j < kEnough; ++j) some.col(j) = D.col(j * m / kEnough);
+  return some;
+}
+
+double slope_prior(const ResidualSamples& samples) {
+  return samples.slopes.size() > 0 ? 0.0 : kSlopeVariance;
+}
+
+/// Logarithm of the likelihood of the columns of D, each with the amplitude it is most likely
+/// with.
+double likelihood(const Eigen::MatrixXd& K, const Eigen::MatrixXd& D, double floor) {
+  const numerics::Cholesky factors(K);
+  if (!factors.is_positive_definite()) return -std::numeric_limits<double>::infinity();
+  const Eigen::MatrixXd half = factors.solve_lower(D);
+  const Eigen::ArrayXd square = half.colwise().squaredNorm().transpose().array() + floor;
+  return -0.5 * static_cast<double>(D.cols()) * factors.log_determinant() -
+         0.5 * static_cast<double>(D.rows()) * square.log().sum();
+}
+
+}  // namespace
+
+ScaledFactors::ScaledFactors(const Eigen::MatrixXd& K)
+    : scale_(K.diagonal().cwiseSqrt().cwiseInverse()),
+      factors_(scale_.asDiagonal() * K * scale_.asDiagonal()) {}
+
+Eigen::MatrixXd ScaledFactors::solve(const Eigen::MatrixXd& D) const {
+  const Eigen::MatrixXd scaled = scale_.asDiagonal() * D;
+  return scale_.asDiagonal() * factors_.solve(scaled);
+}
+
+SlopeVariance slope_variance(const Eigen::MatrixXd& Z) {
+  Eigen::MatrixXd left = Eigen::MatrixXd::Identity(Z.cols(), Z.cols());
+  if (Z.rows() > 0) {
+    const Eigen::MatrixXd K = covariance(Z, kSlopeVariance, kCubicVariance, 0.0);
+    left -= kSlopeVariance * Z.transpose() * ScaledFactors(K).solve(Z);
+  }
+  const auto [values, vectors] = numerics::self_adjoint_eigen(left);
+  return {values, vectors};
+}
+
+ResidualModel::ResidualModel(const ResidualSamples& samples, double noise)
+    : samples_(samples), slope_prior_(slope_prior(samples)), noise_(noise) {
+  if (samples.Z.rows() == 0) return;
+  factors_ = ScaledFactors(covariance(samples.Z, slope_prior_, kCubicVariance, noise));
+  const Eigen::MatrixXd D = unexplained(samples);
+  const Eigen::MatrixXd alpha = factors_.solve(D);  // (2)
+  amplitude_ = std::max(0.0, alpha.cwiseProduct(D).sum()) / static_cast<double>(D.rows());
+  alpha_ = alpha.transpose();
+  const double square = 4.0 * (alpha * samples.r_c).dot(D * samples.r_c);
+  of_target_ = std::max(0.0, square) / static_cast<double>(D.rows());
+}
+
+double ResidualModel::target_deviation() const { return std::sqrt(noise_ * of_target_); }
+
+Eigen::VectorXd ResidualModel::kernel(const Eigen::VectorXd& z) const {
+  const Eigen::ArrayXd inner = (samples_.Z * z).array();
+  return slope_prior_ * inner + 0.5 * inner.square();  // (1)
+}
+
+Eigen::MatrixXd ResidualModel::kernel_slopes(const Eigen::VectorXd& z) const {
+  const Eigen::VectorXd slope = slope_prior_ + (samples_.Z * z).array();
+  return slope.asDiagonal() * samples_.Z;
+}
+
+Eigen::VectorXd ResidualModel::residuals(const Eigen::VectorXd& z) const {
+  Eigen::VectorXd r = samples_.r_c;
+  if (samples_.slopes.size() > 0) r += samples_.slopes * z;
+  if (samples_.Z.rows() == 0) return r;
+  return r + alpha_ * (kernel(z).array() + noise_).matrix();  // (3)
+}
+
+Eigen::MatrixXd ResidualModel::jacobian(const Eigen::VectorXd& z) const {
+  Eigen::MatrixXd J = samples_.slopes;
+  if (J.size() == 0) J = Eigen::MatrixXd::Zero(samples_.r_c.size(), z.size());
+  if (samples_.Z.rows() == 0) return J;
+  return J + alpha_ * kernel_slopes(z);
+}
+
+double ResidualModel::variance(const Eigen::VectorXd& z) const {
+  if (amplitude_ == 0.0) return 0.0;
+  const double zz = z.squaredNorm();
+  const Eigen::VectorXd k = kernel(z);
+  const double open = slope_prior_ * zz + 0.5 * zz * zz - k.dot(factors_.solve(k).col(0));
+  return amplitude_ * (std::max(0.0, open) + kCubicVariance * zz * zz * zz);  // (4)
+}
+
+double ResidualModel::expected(const Eigen::VectorXd& z) const {
+  return residuals(z).squaredNorm() + variance(z);
+}
+
+Eigen::VectorXd ResidualModel::variance_gradient(const Eigen::VectorXd& z) const {
+  if (amplitude_ == 0.0) return Eigen::VectorXd::Zero(z.size());
+  const double zz = z.squaredNorm();
+  const double along = slope_prior_ + zz + 3.0 * kCubicVariance * zz * zz;
+  return amplitude_ * (along * z - kernel_slopes(z).transpose() * factors_.solve(kernel(z)));
+}
+
+// v is |phi(z)|^2 less its part in the span of the samples, phi being all z_i and z_i z_j with
+// their weights: the part kept is that of Gauss and Newton.
+Eigen::MatrixXd ResidualModel::variance_hessian(const Eigen::VectorXd& z) const {
+  if (amplitude_ == 0.0) return Eigen::MatrixXd::Zero(z.size(), z.size());
+  const double zz = z.squaredNorm();
+  const Eigen::MatrixXd A = kernel_slopes(z);
+  Eigen::MatrixXd H = (1.0 + 6.0 * kCubicVariance * zz) * z * z.transpose();
+  H -= A.transpose() * factors_.solve(A);
+  H.diagonal().array() += slope_prior_ + zz + 3.0 * kCubicVariance * zz * zz;
+  return amplitude_ * H;
+}
+
+double likeliest_noise(const ResidualSamples& samples) {
+  struct Explanation {
+    double rho, noise;
+  };
+  constexpr std::array<Explanation, 9> kExplanations{{{kCubicVariance, 0.0},
+                                                      {1e-2, 0.0},
+                                                      {1.0, 0.0},
+                                                      {1e2, 0.0},
+                                                      {kCubicVariance, 1e-2},
+                                                      {kCubicVariance, 1.0},
+                                                      {kCubicVariance, 1e2},
+                                                      {kCubicVariance, 1e4},
+                                                      {kCubicVariance, 1e6}}};
+  // So few samples a quadratic explains whatever they are.
+  if (samples.Z.rows() < samples.Z.cols() + 2) return 0.0;
+  const Eigen::MatrixXd D = some_of(unexplained(samples));
+  const double floor = 1e-20 * D.squaredNorm() / kSlopeVariance +
+                       std::numeric_limits<double>::min();  // a residual that never changes
+  double best = -std::numeric_limits<double>::infinity();
+  double likeliest = 0.0;
+  for (const auto& [rho, noise] : kExplanations) {
+    const Eigen::MatrixXd K = covariance(samples.Z, slope_prior(samples), rho, noise);
+    const double now = likelihood(K, D, floor) - (noise > 0.0 ? kClear : 0.0);
+    if (now <= best) continue;
+    best = now;
+    likeliest = noise;
+  }
+  return likeliest;
+}
+
+}  // namespace latsch

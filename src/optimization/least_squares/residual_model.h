@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Quadratic models of all residuals around a point, from however many samples there are.
+//
+//   r_hat(z) = r_c + J z + 1/2 z' H z      for every residual; z = (u - center) / h
+//
+// J and H are the most likely ones where, before anything is known, slopes have the variance V_g,
+// curvatures the variance 1, and a sample at z lies off every quadratic with the variance
+// rho |z|^6, as of cubic terms, plus that of noise. This is interpolation with a kernel:
+//
+//   k(z, w) = V_g z'w + 1/2 (z'w)^2 + noise                                                   (1)
+//   (K + diag(rho |z_i|^6 + noise)) alpha = d,      d_i = r(z_i) - r_c                        (2)
+//   r_hat(z) = r_c + sum_i alpha_i k(z_i, z)                                                  (3)
+//
+// As V_g >> 1, samples are explained by slopes where slopes suffice and by the least curvature
+// where they do not: the minimum-Frobenius-norm models [Conn, Scheinberg, Vicente, Introduction to
+// Derivative-Free Optimization, SIAM 2009, ch. 5] which POUNDERS makes of residuals [Wild, in:
+// Advances and Trends in Optimization, SIAM 2017, ch. 40]; far samples count the less the farther
+// they are. Where the Jacobian at the center is known, it takes the place of V_g.
+//
+// The same says how well the model knows, with the amplitude s^2 that makes the samples likeliest:
+//
+//   v(z) = s^2 (k(z, z) - k(z)' K^-1 k(z) + rho |z|^6),     s^2 = sum over residuals d' K^-1 d / N
+//   (4)
+//
+// so that |r_hat(z)|^2 + v(z) is the value to be expected there: the more a step relies on what no
+// sample has shown, the less it promises. To first order |r|^2 changes by 2 r_c'd; with that in
+// place of d, s^2 noise is the variance of the target that noise makes.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "numerics/dense/cholesky.h"
+
+namespace latsch {
+
+/// What places, one a row of Z, leave open of the slopes:  V_g I - V_g^2 Z' K^-1 Z.
+struct SlopeVariance {
+  Eigen::VectorXd share;       // ascending, of V_g: 0 known, 1 unknown
+  Eigen::MatrixXd directions;  // one a column, of length 1
+};
+
+SlopeVariance slope_variance(const Eigen::MatrixXd& Z);
+
+/// Samples around a center.
+struct ResidualSamples {
+  Eigen::MatrixXd Z;       // places, one a row
+  Eigen::MatrixXd D;       // r(z_i) - r_c, one a row
+  Eigen::VectorXd r_c;     // residuals at the center
+  Eigen::MatrixXd slopes;  // Jacobian at the center with respect to z; empty: not known
+};
+
+/// A matrix K = S A S, A with ones on its diagonal, factored: lengths of samples, which differ by
+/// magnitudes, are scaled out.
+class ScaledFactors {
+ public:
+  ScaledFactors() = default;
+  explicit ScaledFactors(const Eigen::MatrixXd& K);
+  /// K^-1 D
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& D) const;
+
+ private:
+  Eigen::VectorXd scale_;
+  numerics::PivotedCholesky factors_;
+};
+
+class ResidualModel {
+ public:
+  /// `noise` in units of the curvatures' variance.
+  ResidualModel(const ResidualSamples& samples, double noise);
+
+  Eigen::VectorXd residuals(const Eigen::VectorXd& z) const;
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& z) const;
+
+  /// Standard deviation that noise makes of |r|^2 at a point; 0 without noise.
+  double target_deviation() const;
+  /// |r_hat|^2 + v
+  double expected(const Eigen::VectorXd& z) const;
+  /// Half the gradient of v, and of its Hessian the part that is never negative.
+  Eigen::VectorXd variance_gradient(const Eigen::VectorXd& z) const;
+  Eigen::MatrixXd variance_hessian(const Eigen::VectorXd& z) const;
+
+ private:
+  double variance(const Eigen::VectorXd& z) const;  // v
+  /// k(z_i, z) without noise, and its slopes, a sample a row.
+  Eigen::VectorXd kernel(const Eigen::VectorXd& z) const;
+  Eigen::MatrixXd kernel_slopes(const Eigen::VectorXd& z) const;
+
+  ResidualSamples samples_;
+  double slope_prior_;  // V_g; 0 where slopes are known
+  double noise_;
+  ScaledFactors factors_;   // of K
+  Eigen::MatrixXd alpha_;   // a residual a row
+  double amplitude_ = 0.0;  // s^2; 0: nothing is known of it
+  double of_target_ = 0.0;  // s^2 of |r|^2, to first order: of 2 r_c'd in place of d
+};
+
+/// The noise with which the samples are most likely, in steps of a hundred; 0 where stronger cubic
+/// terms or none of both explain them as well.
+double likeliest_noise(const ResidualSamples& samples);
+
+}  // namespace latsch

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/least_squares/trust_box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "optimization/least_squares/box_least_squares.h"
+#include "optimization/least_squares/polytope_least_squares.h"
+#include "optimization/problem/infinity.h"
+#include "optimization/problem/point_vector.h"
+#include "optimization/region/tangent_cone.h"
+
+namespace latsch {
+namespace {
+
+// Of the radius: a probe's length. Shorter ones are nearer to the slope, longer ones rise above
+// noise; a third of this or three times it change little, and so does the length that noise and
+// curvature ask for, (8 noise)^(1/4) radii.
+constexpr double kProbe = 0.03;
+constexpr double kRoom = 0.5;          // of a probe's length: what has to be left of it
+constexpr double kShort = 0.01;        // of the radius: a step not worth an evaluation in this box
+constexpr double kFlat = 1e-6;         // of f: a predicted decrease that is none
+constexpr double kBackOff = 0.5;       // of a step that no cut keeps out of a failed region
+constexpr double kBeyondBall = 1.001;  // of its radius: a step on the cut is outside of it
+constexpr int kMostCuts = 20;
+constexpr double kLongestProbe = 0.2;  // of a range: fresh slopes where little is felt
+constexpr int kProbeShortenings = 3;
+constexpr double kSame = 0.1;  // of a step: nearer to a known point nothing is learned
+
+}  // namespace
+
+TrustBox::TrustBox(const DesignSpace& s, double first_radius, std::uint64_t seed)
+    : space(s),
+      region(s),
+      radius(first_radius),
+      start_(to_vector(s.to_unit(s.initial()))),
+      scale_(s.size()),
+      seed_(seed) {}
+
+double TrustBox::f() const { return has_center() ? memory[center_].f : kInfinity; }
+
+void TrustBox::move_to(const Eigen::VectorXd& u) {
+  start_ = u;
+  center_ = -1;
+}
+
+bool TrustBox::take(ResidualSample sample) {
+  const bool is_inside = region.contains(sample.u);
+  const bool is_better = is_inside && sample.f < f();
+  const bool is_best = is_inside && (best_ < 0 || sample.f < memory[best_].f);
+  memory.add(std::move(sample));
+  if (is_better) center_ = memory.size() - 1;
+  if (is_best) best_ = memory.size() - 1;
+  return is_better;
+}
+
+bool TrustBox::leaps(const ResidualSample& sample) const {
+  return has_center() && sample.stand_ins > memory[center_].stand_ins && !(sample.f < f());
+}
+
+double TrustBox::explosion() const {
+  const int around = has_center() ? center_ : best_;
+  return around >= 0 ? memory.explosion(around, h()) : kInfinity;
+}
+
+Eigen::MatrixXd TrustBox::along() const {
+  const Eigen::MatrixXd E = region.E() * scale_.widths().asDiagonal();
+  return tangent_cone(Eigen::MatrixXd(n(), 0), E.transpose()).lines;
+}
+
+SlopeVariance TrustBox::geometry(const std::vector<Wanted>& wanted) const {
+  std::vector<Eigen::VectorXd> places;
+  if (has_center()) {
+    for (const int i : memory.near(center_, h())) places.push_back(memory[i].u - c());
+  }
+  for (const Wanted& w : wanted) {
+    if (w.u != c()) places.push_back(w.u - c());
+  }
+  Eigen::MatrixXd Z(std::ssize(places), n());
+  for (Eigen::Index i = 0; i < Z.rows(); ++i) Z.row(i) = places[i].cwiseQuotient(h());
+  if (region.E().rows() == 0) return slope_variance(Z);
+  const Eigen::MatrixXd N = along();
+  if (N.cols() == 0) return {};  // the region is a point
+  SlopeVariance found = slope_variance(Z * N);
+  found.directions = N * found.directions;
+  return found;
+}
+
+ResidualModel TrustBox::model(bool is_noisy) {
+  if (std::exchange(scaled_for_, center_) != center_) {
+    const ResidualModel here(samples(), noise);
+    const Eigen::MatrixXd J = here.jacobian(Eigen::VectorXd::Zero(n()));  // dr/dz
+    scale_.learn(J * h().cwiseInverse().asDiagonal());
+    edges_of_[0] = -1;  // they are in widths
+  }
+  const ResidualSamples around = samples();
+  if (is_noisy || noise > 0.0) noise = likeliest_noise(around);
+  return ResidualModel(around, noise);
+}
+
+Eigen::MatrixXd TrustBox::slopes() {
+  return model(false).jacobian(Eigen::VectorXd::Zero(n())) * h().cwiseInverse().asDiagonal();
+}
+
+ResidualSample TrustBox::expected(const DesignPoint& point) const {
+  const Eigen::VectorXd u = to_vector(space.to_unit(point));
+  const Eigen::VectorXd r = ResidualModel(samples(), noise).residuals((u - c()).cwiseQuotient(h()));
+  return {u, r, {}, r.squaredNorm(), memory[center_].stand_ins};
+}
+
+Wanted TrustBox::at(const Eigen::VectorXd& u, Wanted::Kind kind) const {
+  const Eigen::VectorXd inside = region.nearest(u);
+  return {inside,
+          space.from_unit({inside.begin(), inside.end()}),
+          kind,
+          center_,
+          f(),
+          scale_.length(inside - c())};
+}
+
+bool TrustBox::is_beyond_edge(const Eigen::VectorXd& u) const {
+  if (!has_center()) return false;
+  const Eigen::VectorXd x = (u - c()).cwiseQuotient(scale_.widths());
+  return std::any_of(
+      edges().begin(), edges().end(), [&](const Edge& edge) { return edge.a.dot(x) > edge.b; });
+}
+
+/// Whether to ask there would be to ask again, or for a failure.
+bool TrustBox::is_pointless(const Eigen::VectorXd& u,
+                            double distance,
+                            const std::vector<Wanted>& wanted) const {
+  const auto is_near = [&](const Wanted& w) { return scale_.length(w.u - u) < distance; };
+  return memory.knows(u, distance * scale_.widths()) || memory.has_failed_near(u) ||
+         std::any_of(wanted.begin(), wanted.end(), is_near);
+}
+
+std::optional<Wanted> TrustBox::probe(Eigen::VectorXd direction,
+                                      const std::vector<Wanted>& wanted) const {
+  Eigen::Index largest;
+  direction.cwiseAbs().maxCoeff(&largest);
+  if (direction[largest] < 0.0) direction = -direction;
+  const auto end = [&](double length) {
+    return region.nearest(c() + length * scale_.widths().cwiseProduct(direction));
+  };
+  double length = kProbe * radius;
+  if (scale_.norm(end(-length) - c()) > 1.01 * scale_.norm(end(length) - c())) {
+    direction = -direction;
+  }
+  constexpr int kShortenings = 20;
+  for (int k = 0; k < kShortenings; ++k, length *= 0.2) {
+    for (const double signed_length : {length, -length}) {
+      const Eigen::VectorXd u = end(signed_length);
+      const bool has_room = scale_.norm(u - c()) > kRoom * length;
+      if (has_room && !is_pointless(u, 1e-3 * length, wanted)) return at(u, Wanted::Kind::probe);
+    }
+  }
+  return std::nullopt;
+}
+
+// Where the least value lies in a failed region, it is looked for again on this side of it: with a
+// half space that closes off the ball around that failure and all behind it, as seen from c. So
+// steps go on along the edge.
+Eigen::VectorXd TrustBox::least_expected(const ResidualModel& m,
+                                         const Eigen::MatrixXd& T,
+                                         double box) const {
+  const bool is_aligned =
+      region.is_cube() && T.isDiagonal() && T.diagonal().minCoeff() > 0.0 && edges().empty();
+  const Eigen::VectorXd reach = Eigen::VectorXd::Constant(T.cols(), box);
+  Eigen::MatrixXd A = region.A();
+  Eigen::VectorXd room = (region.b() - A * c()).cwiseMax(0.0);
+  const auto close_off = [&](const Eigen::VectorXd& a, double distance) {
+    A.conservativeResize(A.rows() + 1, Eigen::NoChange);
+    A.row(A.rows() - 1) = a.transpose();
+    room.conservativeResize(A.rows());
+    room[A.rows() - 1] = std::max(0.0, distance);
+  };
+  for (const Edge& edge : edges()) close_off(edge.a.cwiseQuotient(scale_.widths()), edge.b);
+  const auto least = [&](bool is_cut) {
+    if (is_aligned && !is_cut) {
+      const Eigen::ArrayXd h = T.diagonal();
+      return minimize_in_box(
+          m, (-c().array() / h).max(-box).matrix(), ((1.0 - c().array()) / h).min(box).matrix());
+    }
+    return minimize_in_polytope(m, -reach, reach, region.E() * T, A * T, room);
+  };
+  Eigen::VectorXd z = least(false);
+  int last = -1;
+  for (int cuts = 0; cuts < kMostCuts; ++cuts) {
+    const int failed = memory.failure_near(c() + T * z);
+    if (failed < 0) return z;
+    if (failed == last) break;
+    last = failed;
+    const Eigen::VectorXd away = memory.failure(failed) - c();
+    const double distance = away.norm();
+    close_off(away / distance, distance - kBeyondBall * memory.avoided(failed));
+    z = least(true);
+  }
+  while (memory.has_failed_near(c() + T * z)) z *= kBackOff;
+  return z;
+}
+
+const std::vector<Edge>& TrustBox::edges() const {
+  const std::array now{center_, memory.size(), memory.failures()};
+  if (std::exchange(edges_of_, now) != now) edges_ = memory.edges(center_, scale_.widths());
+  return edges_;
+}
+
+Wanted TrustBox::step(const ResidualModel& m, double box, const std::vector<Wanted>& wanted) const {
+  const Eigen::VectorXd z = least_expected(m, h().asDiagonal(), box);
+  Wanted step = at(c() + h().cwiseProduct(z), Wanted::Kind::step);
+  step.predicted = m.expected(z);
+  if (step.length < kShort * radius || is_pointless(step.u, kSame * step.length, wanted) ||
+      !promises(step)) {
+    step.length = 0.0;
+  }
+  return step;
+}
+
+NaturalFrame TrustBox::natural_frame(const Eigen::MatrixXd& J,
+                                     double change,
+                                     double shortest) const {
+  return latsch::natural_frame(J,
+                               change * memory[center_].r.norm(),
+                               c(),
+                               scale_.widths(),
+                               along(),
+                               {shortest, kLongestProbe});
+}
+
+std::optional<Wanted> TrustBox::probe_by(const Eigen::VectorXd& move,
+                                         const std::vector<Wanted>& wanted) const {
+  double share = 1.0;
+  for (int k = 0; k < kProbeShortenings; ++k, share *= 0.5) {
+    for (const double side : {share, -share}) {
+      const Eigen::VectorXd u = region.nearest(c() + side * move);
+      const bool has_room = scale_.norm(u - c()) > 0.5 * share * scale_.norm(move);
+      const double distance = kSame * share * scale_.norm(move);
+      if (!has_room || is_beyond_edge(u)) continue;
+      if (!is_pointless(u, distance, wanted)) return at(u, Wanted::Kind::probe);
+    }
+  }
+  return std::nullopt;
+}
+
+ResidualModel TrustBox::natural_model(const NaturalFrame& frame, double& noise) const {
+  const ResidualSamples around = memory.around(center_, frame);
+  noise = likeliest_noise(around);
+  return ResidualModel(around, noise);
+}
+
+Wanted TrustBox::natural_step(const ResidualModel& m,
+                              const NaturalFrame& frame,
+                              double reach,
+                              const std::vector<Wanted>& wanted) const {
+  const Eigen::VectorXd z = least_expected(m, frame.T, reach);
+  Wanted step = at(c() + frame.T * z, Wanted::Kind::step);
+  step.predicted = m.expected(z);
+  // The best of many noisy values is too low: the model's own value there is what a step may gain
+  // on.
+  const double here = std::max(f(), m.expected(Eigen::VectorXd::Zero(z.size())));
+  const bool is_promising = step.predicted < (1.0 - kFlat) * here;
+  if (is_pointless(step.u, kSame * step.length, wanted) || !is_promising) step.length = 0.0;
+  return step;
+}
+
+bool TrustBox::promises(const Wanted& step) const { return step.predicted < (1.0 - kFlat) * f(); }
+
+std::optional<Wanted> TrustBox::explore(const std::vector<Wanted>& wanted) {
+  Eigen::VectorXd around = c();
+  double best = f(), reach = radius;
+  for (const Wanted& w : wanted) {
+    if (w.kind != Wanted::Kind::step || w.predicted >= best) continue;
+    best = w.predicted;
+    around = w.u;
+    reach = std::max(w.length, kShort * radius);
+  }
+  constexpr int kTries = 100;
+  for (int k = 0; k < kTries; ++k) {
+    RandomStream numbers(seed_, drawn_++);
+    const double size = reach * std::pow(10.0, -numbers.uniform());
+    const Eigen::VectorXd u = moved(around, size, numbers);
+    if (!is_pointless(u, 1e-3 * size, wanted)) return at(u, Wanted::Kind::probe);
+  }
+  return std::nullopt;
+}
+
+Eigen::VectorXd TrustBox::moved(const Eigen::VectorXd& u,
+                                double reach,
+                                RandomStream& numbers) const {
+  Eigen::VectorXd next = u;
+  for (Eigen::Index i = 0; i < u.size(); ++i) {
+    next[i] += reach * scale_.widths()[i] * (2.0 * numbers.uniform() - 1.0);
+  }
+  return region.nearest(next);
+}
+
+Eigen::VectorXd TrustBox::moved(const Eigen::VectorXd& u, double reach) {
+  RandomStream numbers(seed_, drawn_++);
+  return moved(u, reach, numbers);
+}
+
+Eigen::VectorXd TrustBox::drawn_near(const Eigen::VectorXd& u, double reach) {
+  RandomStream numbers(seed_, drawn_++);
+  Eigen::VectorXd next = u;
+  for (double& value : next) {
+    const double lower = std::max(0.0, value - reach), upper = std::min(1.0, value + reach);
+    value = lower + numbers.uniform() * (upper - lower);
+  }
+  return region.nearest(next);
+}
+
+Eigen::VectorXd TrustBox::draw() {
+  RandomStream numbers(seed_, drawn_++);
+  Eigen::VectorXd drawn(n());
+  for (double& number : drawn) number = 2.0 * numbers.uniform() - 1.0;
+  return drawn;
+}
+
+}  // namespace latsch

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/least_squares/variable_scale.h"
+
+namespace latsch {
+namespace {
+
+constexpr double kExponent = 0.5;
+constexpr double kInsensitive = 1e-3;  // of the largest D_i: all below count as this
+
+}  // namespace
+
+VariableScale::VariableScale(int n)
+    : largest_(Eigen::VectorXd::Zero(n)), widths_(Eigen::VectorXd::Ones(n)) {}
+
+void VariableScale::learn(const Eigen::MatrixXd& J) {
+  const Eigen::VectorXd now = J.colwise().norm().transpose();
+  if (!now.allFinite() || !(now.maxCoeff() > 0.0)) return;
+  largest_ = largest_.cwiseMax(now);
+  const Eigen::ArrayXd D = largest_.array().max(kInsensitive * largest_.maxCoeff());
+  Eigen::ArrayXd logarithm = -kExponent * D.log();
+  logarithm -= logarithm.mean();
+  widths_ = logarithm.exp();
+}
+
+double VariableScale::length(const Eigen::VectorXd& du) const {
+  return du.cwiseQuotient(widths_).lpNorm<Eigen::Infinity>();
+}
+
+double VariableScale::norm(const Eigen::VectorXd& du) const {
+  return du.cwiseQuotient(widths_).norm();
+}
+
+}  // namespace latsch

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/least_squares/variable_scale.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace latsch {
+namespace {
+
+TEST(VariableScale, IsTheGeometricMeanOfTheCubeAndOfMoresScale) {
+  VariableScale scale(2);
+  EXPECT_EQ(scale.widths(), Eigen::Vector2d(1.0, 1.0));
+  scale.learn(Eigen::Vector2d(4.0, 0.25).asDiagonal());  // More: 1/4 and 4
+  EXPECT_NEAR(scale.widths()[0], 0.5, 1e-15);
+  EXPECT_NEAR(scale.widths()[1], 2.0, 1e-15);
+  EXPECT_NEAR(scale.length(Eigen::Vector2d(1.0, -8.0)), 4.0, 1e-14);
+}
+
+TEST(VariableScale, DoesNotDependOnTheUnitOfTheResiduals) {
+  VariableScale one(2), other(2);
+  const Eigen::Matrix2d J{{1.0, 3.0}, {-2.0, 5.0}};
+  one.learn(J);
+  other.learn(1e6 * J);
+  EXPECT_NEAR((one.widths() - other.widths()).norm(), 0.0, 1e-14);
+}
+
+TEST(VariableScale, RemembersTheLargestEffectAndBoundsWhatHasNone) {
+  VariableScale scale(2);
+  scale.learn(Eigen::Vector2d(1.0, 0.0).asDiagonal());
+  EXPECT_NEAR(scale.widths()[1] / scale.widths()[0], std::sqrt(1e3), 1e-10);
+  scale.learn(Eigen::Vector2d(0.0, 1.0).asDiagonal());
+  EXPECT_NEAR(scale.widths()[1], scale.widths()[0], 1e-14);
+  scale.learn(Eigen::Vector2d(std::nan(""), 1.0).asDiagonal());
+  EXPECT_NEAR(scale.widths()[1], scale.widths()[0], 1e-14);
+}
+
+}  // namespace
+}  // namespace latsch

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/region/failure_edges.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "optimization/problem/quadratic_program.h"
+
+namespace latsch {
+namespace {
+
+constexpr int kFewest = 3;         // failures of an edge
+constexpr double kForetold = 0.7;  // share of them, each by the plane of the others
+constexpr int kMostEdges = 3;
+constexpr int kMostFailures = 2;  // of an edge, times n + 1: the nearest ones
+constexpr double kOffset = 1e-6;  // curvature of b, which is free: beside 1 of a
+
+/// The plane of the widest gap; nullopt where there is none.
+std::optional<Edge> plane(const std::vector<Eigen::VectorXd>& failures,
+                          const std::vector<Eigen::VectorXd>& successes) {
+  const auto n = failures.front().size();
+  const double unit = failures.front().norm();  // lengths of about 1
+  QuadraticProgram program;
+  program.G = Eigen::MatrixXd::Identity(n + 1, n + 1);
+  program.G(n, n) = kOffset;
+  program.g = Eigen::VectorXd::Zero(n + 1);
+  program.E.resize(0, n + 1);
+  program.f.resize(0);
+  program.A.resize(std::ssize(failures) + std::ssize(successes) + 1, n + 1);
+  program.b = -Eigen::VectorXd::Ones(program.A.rows());
+  Eigen::Index row = 0;
+  for (const Eigen::VectorXd& x : failures) {
+    program.A.row(row).head(n) = -x.transpose() / unit;
+    program.A(row++, n) = 1.0;
+  }
+  for (const Eigen::VectorXd& x : successes) {
+    program.A.row(row).head(n) = x.transpose() / unit;
+    program.A(row++, n) = -1.0;
+  }
+  program.A.row(row).setZero();  // 0 itself
+  program.A(row, n) = -1.0;
+  const QuadraticSolution found = solve(program);
+  const double length = found.x.head(n).norm();
+  if (!found.is_feasible() || !(length > 0.0)) return std::nullopt;
+  const Edge edge{found.x.head(n) / length, found.x[n] / length * unit};
+  const auto is_beyond = [&](const Eigen::VectorXd& x) { return edge.a.dot(x) > edge.b; };
+  const bool parts = edge.b > 0.0 && std::all_of(failures.begin(), failures.end(), is_beyond) &&
+                     std::none_of(successes.begin(), successes.end(), is_beyond);
+  return parts ? std::optional(edge) : std::nullopt;
+}
+
+/// Whether the plane of the others mostly tells of each failure: it is farther out than all
+/// successes. (It need not be beyond that plane: midway, the innermost failure never is.)
+bool foretells(const std::vector<Eigen::VectorXd>& failures,
+               const std::vector<Eigen::VectorXd>& successes) {
+  const auto is_foretold = [&](const Eigen::VectorXd& x) {
+    std::vector<Eigen::VectorXd> others;
+    for (const Eigen::VectorXd& other : failures) {
+      if (&other != &x) others.push_back(other);  // one that failed again stands there twice
+    }
+    const std::optional<Edge> edge = plane(others, successes);
+    if (!edge) return false;
+    const double out = edge->a.dot(x);
+    return out > 0.0 && std::all_of(successes.begin(), successes.end(), [&](const auto& success) {
+             return out > edge->a.dot(success);
+           });
+  };
+  const auto foretold = std::count_if(failures.begin(), failures.end(), is_foretold);
+  return static_cast<double>(foretold) >= kForetold * static_cast<double>(failures.size());
+}
+
+}  // namespace
+
+std::vector<Edge> failure_edges(const std::vector<Eigen::VectorXd>& failures,
+                                const std::vector<Eigen::VectorXd>& successes) {
+  std::vector<Edge> edges;
+  std::vector<Eigen::VectorXd> left = failures;
+  while (std::ssize(left) >= kFewest && std::ssize(edges) < kMostEdges) {
+    const auto n = static_cast<std::size_t>(left.front().size());
+    std::vector<Eigen::VectorXd> some = left;  // those nearest to the first
+    std::stable_sort(some.begin(), some.end(), [&](const auto& x, const auto& y) {
+      return (x - left.front()).squaredNorm() < (y - left.front()).squaredNorm();
+    });
+    some.resize(std::min(some.size(), kMostFailures * (n + 1)));
+    std::optional<Edge> edge;
+    for (; !edge && std::ssize(some) >= kFewest; some.resize((some.size() + 1) / 2)) {
+      edge = plane(some, successes);
+      if (edge && !foretells(some, successes)) edge.reset();
+      if (some.size() == kFewest) break;
+    }
+    if (!edge) {
+      left.erase(left.begin());
+      continue;
+    }
+    edges.push_back(*edge);
+    std::erase_if(left, [&](const Eigen::VectorXd& x) { return edge->a.dot(x) > edge->b; });
+  }
+  return edges;
+}
+
+}  // namespace latsch

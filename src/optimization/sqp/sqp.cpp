@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/sqp/sqp.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+#include "optimization/problem/option_check.h"
+#include "optimization/problem/point_vector.h"
+#include "optimization/region/difference_directions.h"
+#include "optimization/sqp/damped_bfgs.h"
+#include "optimization/sqp/l1_merit.h"
+#include "optimization/sqp/sqp_step.h"
+
+namespace latsch {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kEta = 1e-4;         // of the predicted gain of merit
+constexpr double kShorter = 0.5;      // after a step that brings nothing
+constexpr double kFailed = 0.25;      // after one that fails
+constexpr double kLongest = 0.5;      // half of every range
+constexpr double kReachGrowth = 4.0;  // of the longest step, over the one that was taken
+constexpr double kExhausted = 0.1;    // of the tolerance: a search ends with so short a step
+constexpr std::array kAttempts{1.0, -1.0, 0.25, -0.25};    // at a difference that fails
+constexpr std::array kTowardMiddle{0.25, 0.5, 0.75, 1.0};  // for a start that fails
+
+enum class Phase { start, differences, search, ended };
+
+/// A point whose outcome it waits for.
+struct WantedPoint {
+  VectorXd u;
+  DesignPoint point;
+  int column = 0;   // of the difference
+  int attempt = 0;  // which of kAttempts, or of kTowardMiddle
+};
+
+void check(const SqpOptions& options) {
+  const OptionCheck check("SQP");
+  check.lengths(options.initial_step, options.step_tolerance, 0.5);
+  check.require(options.difference > 0.0 && options.difference <= options.step_tolerance,
+                "difference",
+                options.difference,
+                "above 0 and up to the step tolerance");
+}
+
+}  // namespace
+
+struct Sqp::State {
+  struct Iterate {
+    VectorXd u;
+    DesignPoint point;
+    Score score;
+    SmoothValues values;
+  };
+
+  DesignSpace space;
+  FeasibleRegion region;
+  SqpOptions options;
+  Phase phase = Phase::start;
+  std::vector<WantedPoint> wanted;  // in the order proposed; empty: converged
+
+  Iterate x;                       // the present point
+  std::optional<Iterate> foreign;  // the best point of others
+  MatrixXd D, S;                   // directions and differences at x
+  SmoothSlopes slopes;             // at x
+  MatrixXd B;
+  bool b_is_new = true;     // made of nothing but a step length
+  bool has_slopes = false;  // of a point before x
+  SqpStep step;
+  L1Merit merit;
+  double longest;
+  double share = 1.0;            // a of the line search
+  std::optional<VectorXd> bent;  // the correction of second order that is being tried
+  bool is_corrected = false;     // one was tried along this d
+  VectorXd last_move;
+
+  State(const DesignSpace& s, const SqpOptions& o)
+      : space(s), region(s), options(o), longest(o.initial_step) {
+    wanted.push_back({to_vector(space.to_unit(space.initial())), space.initial()});
+  }
+
+  WantedPoint at(const VectorXd& u, int column = 0, int attempt = 0) const {
+    return {u, space.from_unit({u.begin(), u.end()}), column, attempt};
+  }
+
+  // Start ------------------------------------------------------------------------------------
+
+  void take_start(const WantedPoint& tried, const std::optional<Iterate>& known) {
+    if (known) return begin(*known);
+    if (foreign) return begin(*std::exchange(foreign, std::nullopt));
+    const VectorXd start = to_vector(space.to_unit(space.initial()));
+    const VectorXd middle = region.nearest(VectorXd::Constant(start.size(), 0.5));
+    for (int k = tried.attempt; k < std::ssize(kTowardMiddle); ++k) {
+      const VectorXd u = start + kTowardMiddle[k] * (middle - start);
+      if ((u - tried.u).norm() < options.step_tolerance) continue;
+      wanted = {at(u, 0, k + 1)};
+      return;
+    }
+    phase = Phase::ended;
+  }
+
+  // Differences ------------------------------------------------------------------------------
+
+  /// The model's own derivatives are enough where it has no constraints to differentiate.
+  bool knows_slopes(const Iterate& at) const {
+    const size_t entries = at.score.residuals.size() * at.point.values.size();
+    const auto& J = at.score.jacobian;
+    return entries > 0 && J.size() == entries && at.score.constraints.empty() &&
+           at.score.equations.empty() &&
+           std::all_of(J.begin(), J.end(), [](double slope) { return std::isfinite(slope); });
+  }
+
+  std::vector<WantedPoint> differences_at(const VectorXd& u) const {
+    std::vector<WantedPoint> points;
+    const MatrixXd directions = difference_directions(region, u, options.difference);
+    for (int k = 0; k < directions.cols(); ++k) {
+      points.push_back(at(u + options.difference * directions.col(k), k));
+    }
+    return points;
+  }
+
+  void begin(const Iterate& at) {
+    x = at;
+    const bool is_comparable = foreign && same_shape(foreign->values, x.values);
+    if (is_comparable && is_better(foreign->score, x.score)) {
+      x = *std::exchange(foreign, std::nullopt);
+      has_slopes = false;  // of the Lagrangian along the last step
+    }
+    if (knows_slopes(x)) {
+      using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+      const VectorXd dx_du = to_vector(space.unit_slopes(x.point));
+      const MatrixXd J =
+          Eigen::Map<const Rows>(x.score.jacobian.data(), x.values.r.size(), dx_du.size());
+      return search_along(J * dx_du.asDiagonal());
+    }
+    D = difference_directions(region, x.u, options.difference);
+    S = MatrixXd::Zero(all_values(x.values).size(), D.cols());
+    wanted = differences_at(x.u);
+    phase = Phase::differences;
+    if (wanted.empty()) phase = Phase::ended;  // a region of one point
+  }
+
+  void take_difference(const WantedPoint& tried, const std::optional<Iterate>& known) {
+    if (known && same_shape(known->values, x.values)) {
+      const double length = options.difference * kAttempts[tried.attempt];
+      S.col(tried.column) = (all_values(known->values) - all_values(x.values)) / length;
+    } else {
+      for (int k = tried.attempt + 1; k < std::ssize(kAttempts); ++k) {
+        const VectorXd u = x.u + options.difference * kAttempts[k] * D.col(tried.column);
+        if (!region.contains(u)) continue;
+        wanted.push_back(at(u, tried.column, k));
+        return;
+      }
+    }
+    if (wanted.empty()) search_along(jacobian_of(S, D));
+  }
+
+  // Step -------------------------------------------------------------------------------------
+
+  VectorXd slope_of_lagrangian(const SmoothSlopes& at) const {
+    return at.g + at.c.transpose() * step.mu + at.h.transpose() * step.lambda;
+  }
+
+  /// B so that the step along the steepest slope is the longest allowed.
+  void renew_b() {
+    const auto n = x.u.size();
+    const double steepest = std::max(slopes.g.norm(), std::numeric_limits<double>::min());
+    B = steepest / longest * MatrixXd::Identity(n, n);
+    b_is_new = true;
+  }
+
+  void update_b(const SmoothSlopes& before) {
+    if (slopes.r.size() > 0) {
+      B = 2.0 * slopes.r.transpose() * slopes.r;
+      b_is_new = false;
+    } else if (has_slopes) {
+      const VectorXd y = slope_of_lagrangian(slopes) - slope_of_lagrangian(before);
+      B = damped_bfgs(std::move(B), last_move, y, b_is_new);
+      b_is_new = false;
+    } else {
+      renew_b();
+    }
+  }
+
+  void search_along(const MatrixXd& J) {
+    const SmoothSlopes before = std::move(slopes);
+    slopes = slopes_at(x.values, J);
+    update_b(before);
+    has_slopes = true;
+    search();
+  }
+
+  /// Steps end inside but for rounding, which `nearest` takes away.
+  void search() {
+    step = sqp_step(B, x.values, slopes, region, x.u, longest);
+    merit.raise_above(step);
+    share = 1.0;
+    bent.reset();
+    is_corrected = false;
+    phase = Phase::search;
+    wanted = {at(region.nearest(x.u + step.d))};
+    if (!(step.d.norm() > 0.0)) give_up();
+  }
+
+  bool is_last() const {
+    return step.d.lpNorm<Eigen::Infinity>() < options.step_tolerance && !b_is_new;
+  }
+
+  void take_step(const WantedPoint& tried, const std::optional<Iterate>& known) {
+    const double predicted = merit.slope(x.values, slopes, step.d);
+    const bool fits = known && same_shape(known->values, x.values);
+    const double gain = fits ? merit(x.values) - merit(known->values) : 0.0;
+    if (fits && gain > 0.0 && gain >= -kEta * share * predicted) return accept(tried, *known);
+    if (is_last()) return give_up();
+    if (fits && !bent && !is_corrected && share == 1.0 &&
+        known->values.violation() > x.values.violation()) {
+      return correct(*known);
+    }
+    bent.reset();
+    share *= known ? kShorter : kFailed;
+    if (share * step.d.lpNorm<Eigen::Infinity>() < kExhausted * options.step_tolerance) {
+      return give_up();
+    }
+    wanted = {at(region.nearest(x.u + share * step.d))};
+  }
+
+  /// The same program with the constraints as they are at the end of the step.
+  void correct(const Iterate& end) {
+    SmoothValues values = x.values;
+    values.c = end.values.c - slopes.c * step.d;
+    values.h = end.values.h - slopes.h * step.d;
+    bent = sqp_step(B, values, slopes, region, x.u, longest).d;
+    is_corrected = true;
+    wanted = {at(region.nearest(x.u + *bent))};
+  }
+
+  void accept(const WantedPoint& tried, const Iterate& known) {
+    last_move = tried.u - x.u;
+    const double length = last_move.lpNorm<Eigen::Infinity>();
+    const bool ends = is_last();
+    longest = share == 1.0 ? std::min(std::max(longest, kReachGrowth * length), kLongest)
+                           : std::max(2.0 * length, options.step_tolerance);
+    x = known;
+    wanted.clear();
+    if (ends) {
+      phase = Phase::ended;
+    } else {
+      begin(x);
+    }
+  }
+
+  /// A B that leads nowhere is forgotten, once.
+  void give_up() {
+    wanted.clear();
+    if (b_is_new || slopes.r.size() > 0 || is_last()) {
+      phase = Phase::ended;
+      return;
+    }
+    longest = std::max(options.step_tolerance, share * step.d.lpNorm<Eigen::Infinity>());
+    renew_b();
+    search();
+  }
+
+  // Outcomes ---------------------------------------------------------------------------------
+
+  void observe(const DesignPoint& point, const Result<Score>& outcome) {
+    std::optional<Iterate> known;
+    const auto is_it = [&](const WantedPoint& w) { return w.point == point; };
+    const auto found = std::find_if(wanted.begin(), wanted.end(), is_it);
+    const auto place = space.place(point);
+    if (!place) return;
+    const VectorXd u = found != wanted.end() ? found->u : to_vector(*place);
+    if (outcome) {
+      if (auto values = smooth_values(*outcome)) known = Iterate{u, point, *outcome, *values};
+    }
+    if (found == wanted.end()) return look_at_foreign(known);
+    const WantedPoint tried = *found;
+    wanted.erase(found);
+    switch (phase) {
+      case Phase::start:
+        return take_start(tried, known);
+      case Phase::differences:
+        return take_difference(tried, known);
+      case Phase::search:
+        return take_step(tried, known);
+      case Phase::ended:
+        return;
+    }
+  }
+
+  void look_at_foreign(const std::optional<Iterate>& known) {
+    if (!known || !region.contains(known->u)) return;
+    if (!foreign || is_better(known->score, foreign->score)) foreign = known;
+  }
+
+  /// What it may ask for when the points it waits for are known.
+  std::vector<WantedPoint> speculation() const {
+    if (phase != Phase::start && phase != Phase::search) return {};
+    std::vector<WantedPoint> points = differences_at(wanted.front().u);
+    if (phase == Phase::search) {
+      points.push_back(at(region.nearest(x.u + kShorter * share * step.d)));
+    }
+    return points;
+  }
+};
+
+Sqp::Sqp(const DesignSpace& space, const SqpOptions& options) {
+  check(options);
+  state_ = std::make_unique<State>(space, options);
+}
+
+Sqp::~Sqp() = default;
+
+std::vector<DesignPoint> Sqp::propose(int count) const {
+  assert(count >= 1);
+  std::vector<DesignPoint> plan;
+  const auto add = [&](const WantedPoint& w) {
+    const bool is_named = std::find(plan.begin(), plan.end(), w.point) != plan.end();
+    if (std::ssize(plan) < count && !is_named) plan.push_back(w.point);
+  };
+  for (const WantedPoint& wanted : state_->wanted) add(wanted);
+  if (!plan.empty() && std::ssize(plan) < count) {
+    for (const WantedPoint& wanted : state_->speculation()) add(wanted);
+  }
+  return plan;
+}
+
+void Sqp::observe(const DesignPoint& point, const Result<Score>& outcome) {
+  state_->observe(point, outcome);
+}
+
+bool Sqp::converged() const { return state_->wanted.empty(); }
+
+}  // namespace latsch

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ends a search in which every point fails for a reason that has nothing to do with the point: a
+// license server that does not answer, a measurement that reaches beyond the simulated time.
+//
+// Where the first kSuspicious points fail alike before any succeeded, points spread over the whole
+// space are tried in the optimizer's place. Fail they all in the same words, numbers and names of
+// files aside, the search is hopeless: converged() is true and reason() says it. Succeeds one, or
+// does one fail for another reason, the optimizer is told of it and goes on as if nothing had been.
+//
+// Of the outcomes alone, so that it is the same for any number of workers and after a crash.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "optimization/problem/design_space.h"
+#include "optimization/problem/optimizer.h"
+
+namespace latsch {
+
+class HopelessStart : public Optimizer {
+ public:
+  HopelessStart(const DesignSpace& space, std::unique_ptr<Optimizer> optimizer);
+
+  std::vector<DesignPoint> propose(int count) const override;
+  void observe(const DesignPoint& point, const Result<Score>& outcome) override;
+  bool converged() const override;
+  std::string ending() const override {
+    return reason_ ? "without a result: " + *reason_ : optimizer_->ending();
+  }
+
+  /// Why nothing can succeed; nullopt where it may.
+  const std::optional<std::string>& reason() const { return reason_; }
+
+ private:
+  DesignSpace space_;
+  std::unique_ptr<Optimizer> optimizer_;
+  bool is_watching_ = true;
+  int alike_ = 0;  // points that failed for first_
+  std::string first_;
+  std::vector<DesignPoint> spread_;  // still to be tried
+  std::optional<std::string> reason_;
+};
+
+/// The words of a reason: without numbers and without words that are paths.
+std::string words_of(const std::string& reason);
+
+}  // namespace latsch

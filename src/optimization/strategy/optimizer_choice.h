@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which method minimizes: by name, or chosen from what is known of the problem.
+//
+//   residual_trust_region  the target is a sum over residuals, smooth between failures, with or
+//                          without linear constraints: fewest evaluations by far
+//   gss                    no residuals, kinks, or most points fail
+//   sqp                    nonlinear constraints, and residuals or a smooth target
+//   gss_nlc                nonlinear constraints and no residuals
+//   nelder_mead            on request: a few variables, nothing assumed
+//   genetic                no residuals and many basins, or more variables than a pattern can poll
+//   ensemble               on request: several of these at once, each seeing the points of all
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "optimization/direct_search/genetic.h"
+#include "optimization/direct_search/gss.h"
+#include "optimization/direct_search/gss_nlc.h"
+#include "optimization/direct_search/nelder_mead.h"
+#include "optimization/least_squares/residual_trust_region.h"
+#include "optimization/sqp/sqp.h"
+#include "optimization/strategy/ensemble.h"
+
+namespace latsch {
+
+enum class Method { gss, residual_trust_region, sqp, gss_nlc, nelder_mead, genetic, ensemble };
+
+/// As in a study: "gss" ...
+std::string_view name(Method method);
+/// As in a report: "generating-set search" ...
+std::string_view in_words(Method method);
+/// The names of all methods, and "auto".
+const std::vector<std::string>& method_names();
+
+/// What a choice can go by.
+struct ProblemTraits {
+  int variables = 1;
+  bool has_residuals = false;
+  double failed_share = 0.0;  // of the points evaluated so far
+  int basins = 1;             // found by a design of experiments
+  bool has_linear_constraints = false;
+  bool has_nonlinear_constraints = false;  // reported by the evaluation
+  double noise_alone = 0.0;                // what noise, where stated, makes of the sum of squares
+};
+
+struct MethodChoice {
+  Method method;
+  std::string reason;  // a sentence for a person
+};
+
+MethodChoice choose_method(const ProblemTraits& traits);
+
+struct MemberSettings;
+
+struct OptimizerSettings {
+  std::string method = "auto";  // one of method_names()
+  GssOptions gss = {};
+  ResidualTrustRegionOptions residual_trust_region = {};
+  NelderMeadOptions nelder_mead = {};
+  GeneticOptions genetic = {};
+  SqpOptions sqp = {};
+  GssNlcOptions gss_nlc = {};
+  std::vector<MemberSettings> members = {};  // of an ensemble
+  Ensemble::End ensemble_end = Ensemble::End::all;
+};
+
+struct MemberSettings {
+  std::string name;
+  int priority = 1;
+  OptimizerSettings settings;  // of any method but ensemble
+};
+
+/// The method of the settings; of "auto", the one chosen. Throws InputError for a name that is
+/// none.
+MethodChoice method_of(const OptimizerSettings& settings, const ProblemTraits& traits);
+
+/// Throws InputError where the traits have constraints which the method, or a member of an
+/// ensemble, does not know; for an ensemble without members or within another. `traits` are also
+/// what a member of method auto is chosen by.
+std::unique_ptr<Optimizer> make_optimizer(Method method,
+                                          const DesignSpace& space,
+                                          const OptimizerSettings& settings,
+                                          const ProblemTraits& traits = {});
+
+}  // namespace latsch

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/curve_plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/html_text.h"
+#include "report/svg_plot.h"
+
+namespace latsch::report {
+namespace {
+
+constexpr std::size_t kDots = 200;      // a channel may have millions of samples,
+constexpr std::size_t kCorners = 2000;  // which no picture shows
+
+struct Samples {
+  std::vector<double> x, y;  // as a person reads them
+};
+
+/// Every k-th sample, so that at most `most` remain.
+Samples thinned(const Samples& samples, std::size_t most) {
+  const std::size_t count = std::min(samples.x.size(), samples.y.size());
+  const std::size_t step = std::max<std::size_t>(1, (count + most - 1) / most);
+  Samples few;
+  for (std::size_t k = 0; k < count; k += step) {
+    few.x.push_back(samples.x[k]);
+    few.y.push_back(samples.y[k]);
+  }
+  return few;
+}
+
+/// In the units of the picture. A program may have simulated far more than was measured: what lies
+/// outside `range` is left out.
+Samples shown(const MeasuredCurve& curve,
+              const std::vector<double>& x,
+              const std::vector<double>& y,
+              const Axis* range = nullptr) {
+  Samples samples;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    double at = static_cast<double>(k + 1);
+    if (!curve.x_name.empty()) {
+      if (k >= x.size()) break;
+      at = in_unit(x[k], curve.x_unit);
+    }
+    if (range && !(range->lower() <= at && at <= range->upper())) continue;
+    samples.x.push_back(at);
+    samples.y.push_back(in_unit(y[k], curve.y_unit));
+  }
+  return samples;
+}
+
+std::string titled(const std::string& name, const std::string& unit) {
+  return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, typeset_unit(unit));
+}
+
+void draw_errors(Svg& svg, const Axis& x, const Samples& errors, const std::string& x_title) {
+  const Axis y = Axis::around(errors.y, 372, 302, /*zero=*/true);
+  draw_frame(svg, x, y, x_title, "Error [%]", {.y_spacing = 22.0});
+  svg.line({x.first_pixel(), y.at(0)}, {x.last_pixel(), y.at(0)}, "class=\"axis\"");
+  for (std::size_t k = 0; k < errors.x.size(); ++k) {
+    if (!std::isfinite(errors.y[k])) continue;
+    const Point top(x.at(errors.x[k]), y.at(errors.y[k]));
+    svg.line({top.x(), y.at(0)}, top, "class=\"found\"");
+    svg.circle(top, 2.4, "class=\"found-dot\"", signed_percent(errors.y[k] / 100.0));
+  }
+}
+
+}  // namespace
+
+std::string curve_plot(const MeasuredCurve& curve) {
+  const Samples measured = shown(curve, curve.x_measured, curve.y_measured);
+  const Axis x = Axis::around(measured.x, 72, 500);
+  const Samples simulated =
+      thinned(shown(curve, curve.x_simulated, curve.y_simulated, &x), kCorners);
+  const Samples initial = thinned(shown(curve, curve.x_initial, curve.y_initial, &x), kCorners);
+  std::vector<double> all = measured.y;
+  all.insert(all.end(), simulated.y.begin(), simulated.y.end());
+  all.insert(all.end(), initial.y.begin(), initial.y.end());
+  const Axis y = Axis::around(all, 270, 34);
+
+  Svg svg(520, 416, "Measured and simulated curve, " + curve.experiment);
+  double at = draw_legend(svg, {72, 18}, "measured", true, "measured");
+  at = draw_legend(svg, {at, 18}, "found", false, drawn_as(curve.fitted, curve.of_design));
+  if (!initial.y.empty()) draw_legend(svg, {at, 18}, "initial", false, "initial values");
+  draw_frame(svg, x, y, "", titled(curve.y_name, curve.y_unit), {.label_x = false});
+  if (!initial.y.empty()) svg.polyline(points_of(x, y, initial.x, initial.y), "class=\"initial\"");
+  svg.polyline(points_of(x, y, simulated.x, simulated.y), "class=\"found\"");
+  const Samples dots = thinned(measured, kDots);
+  for (std::size_t k = 0; k < dots.x.size(); ++k) {
+    svg.circle({x.at(dots.x[k]), y.at(dots.y[k])},
+               3,
+               "class=\"measured\"",
+               fmt::format("{}{}: measured {}{}",
+                           significant(dots.x[k], 4),
+                           unit_suffix(curve.x_unit),
+                           significant(dots.y[k], 5),
+                           unit_suffix(curve.y_unit)));
+  }
+  Samples errors{measured.x, curve.errors};
+  for (double& error : errors.y) error *= 100.0;
+  const std::string x_title = curve.x_name.empty() ? "Sample" : titled(curve.x_name, curve.x_unit);
+  draw_errors(svg, x, thinned(errors, kDots), x_title);
+  return svg.str();
+}
+
+}  // namespace latsch::report

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/line_plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/color_map.h"
+#include "report/svg_plot.h"
+
+namespace latsch::report {
+namespace {
+
+constexpr std::size_t kLineCorners = 1500;  // of a line: more than a picture shows
+constexpr double kLeft = 78.0, kTop = 34.0, kRight = 14.0, kBottom = 46.0;  // pixels
+constexpr double kLegendRow = 18.0;
+
+/// Where the names of the lines stand, left ends: as many rows as they need.
+std::vector<Point> legend_places(const std::vector<PlotLine>& lines, double width) {
+  constexpr double kLetter = 6.6, kGap = 44.0;  // pixels
+  std::vector<Point> places;
+  Point at(kLeft, 16.0);
+  for (const PlotLine& line : lines) {
+    const double needed =
+        line.name.empty() ? 0.0 : kGap + kLetter * static_cast<double>(line.name.size());
+    if (at.x() > kLeft && at.x() + needed > width) at = {kLeft, at.y() + kLegendRow};
+    places.push_back(at);
+    at.x() += needed;
+  }
+  return places;
+}
+
+/// In each of equal stretches the least and the greatest value, so that no peak is lost.
+PlotLine thinned(const PlotLine& line) {
+  const std::size_t count = std::min(line.x.size(), line.y.size());
+  if (count <= kLineCorners) return line;
+  PlotLine thin{line.name, {}, {}, line.color, {}};
+  const std::size_t stretches = kLineCorners / 2;
+  for (std::size_t s = 0; s < stretches; ++s) {
+    const std::size_t first = s * count / stretches, end = (s + 1) * count / stretches;
+    std::size_t low = first, high = first;
+    for (std::size_t k = first; k < end; ++k) {  // the comparisons let go of what is not a number
+      if (!(line.y[low] <= line.y[k])) low = k;
+      if (!(line.y[high] >= line.y[k])) high = k;
+    }
+    for (const std::size_t k : {std::min(low, high), std::max(low, high)}) {
+      thin.x.push_back(line.x[k]);
+      thin.y.push_back(line.y[k]);
+      if (!line.spread.empty()) thin.spread.push_back(line.spread[k]);
+    }
+  }
+  return thin;
+}
+
+void hide_what_has_no_logarithm(PlotLine& line) {
+  for (double& value : line.y) {
+    if (!(value > 0.0)) value = std::nan("");
+  }
+}
+
+void gather(const std::vector<double>& from, std::vector<double>& all) {
+  std::copy_if(
+      from.begin(), from.end(), std::back_inserter(all), [](double v) { return std::isfinite(v); });
+}
+
+void draw_spread(Svg& svg, const Axis& x, const Axis& y, const PlotLine& line) {
+  if (line.spread.empty()) return;
+  std::vector<Point> outline;
+  for (std::size_t k = 0; k < line.x.size(); ++k) {
+    outline.emplace_back(x.at(line.x[k]), y.at(line.y[k] + line.spread[k]));
+  }
+  for (std::size_t k = line.x.size(); k-- > 0;) {
+    outline.emplace_back(x.at(line.x[k]), y.at(line.y[k] - line.spread[k]));
+  }
+  svg.polygon(outline, fmt::format("fill=\"{}\" fill-opacity=\"0.25\"", category(line.color)));
+}
+
+}  // namespace
+
+std::string line_plot(const LinePlot& plot) {
+  std::vector<PlotLine> lines;
+  std::vector<double> xs, ys;
+  for (const PlotLine& line : plot.lines) {
+    lines.push_back(thinned(line));
+    if (plot.logarithmic_y) hide_what_has_no_logarithm(lines.back());
+    gather(lines.back().x, xs);
+    gather(lines.back().y, ys);
+    for (std::size_t k = 0; k < lines.back().spread.size(); ++k) {
+      ys.push_back(lines.back().y[k] + lines.back().spread[k]);
+      ys.push_back(lines.back().y[k] - lines.back().spread[k]);
+    }
+  }
+  if (xs.empty() || ys.empty()) return "";
+  const auto legend = legend_places(lines, plot.width);
+  const double more = legend.back().y() - legend.front().y();  // rows of names beyond the first
+  const double top = kTop + more, bottom = plot.height + more - kBottom;
+  const auto [lowest, highest] = std::minmax_element(xs.begin(), xs.end());
+  const Axis x(*lowest, *highest, kLeft, plot.width - kRight);
+  const Axis y = plot.logarithmic_y ? Axis::logarithmic_around(ys, bottom, top)
+                                    : Axis::around(ys, bottom, top);
+  Svg svg(plot.width, plot.height + more, plot.description);
+  draw_frame(svg, x, y, plot.x_title, plot.y_title);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const PlotLine& line = lines[k];
+    draw_spread(svg, x, y, line);
+    const auto stroke =
+        fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"", category(line.color));
+    svg.polyline(points_of(x, y, line.x, line.y), stroke);
+    if (line.name.empty()) continue;
+    const Point at = legend[k];
+    svg.line({at.x(), at.y()}, {at.x() + 18.0, at.y()}, stroke);
+    svg.text({at.x() + 24.0, at.y() + 4.0}, line.name);
+  }
+  return svg.str();
+}
+
+}  // namespace latsch::report

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/line_plot.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace latsch::report {
+namespace {
+
+TEST(LinePlot, OfALongLineKeepsItsPeakAndStaysSmall) {
+  LinePlot plot{"a peak", "t [s]", "F [N]", {{"force", {}, {}, 0, {}}}, false};
+  for (int i = 0; i < 100000; ++i) {
+    plot.lines[0].x.push_back(i);
+    plot.lines[0].y.push_back(i == 54321 ? 1000.0 : 0.0);
+  }
+  const std::string with = line_plot(plot);
+  EXPECT_LT(with.size(), 60000u);
+  EXPECT_NE(with.find(">1000<"), std::string::npos);  // the axis reaches the peak
+  plot.lines[0].y[54321] = 0.0;
+  EXPECT_NE(with, line_plot(plot));
+}
+
+TEST(LinePlot, LeavesOutWhatIsNotFiniteOrHasNoLogarithm) {
+  LinePlot plot{"gaps",
+                "f [Hz]",
+                "PSD",
+                {{"<a>", {1, 2, 3, 4}, {1.0, 0.0, std::nan(""), 100.0}, 0, {}}},
+                true};
+  const std::string svg = line_plot(plot);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
+  EXPECT_NE(svg.find("&lt;a&gt;"), std::string::npos);
+  plot.lines[0].y = {0.0, -1.0, 0.0, 0.0};
+  EXPECT_EQ(line_plot(plot), "");  // nothing to draw
+}
+
+}  // namespace
+}  // namespace latsch::report

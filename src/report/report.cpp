@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "report/comparison_plots.h"
+#include "report/curve_plot.h"
+#include "report/html_text.h"
+#include "report/page_style.h"
+#include "report/surface_plot.h"
+#include "report/tables.h"
+#include "report/tire_pictures.h"
+#include "report/tire_scene.h"
+
+namespace latsch::report {
+namespace {
+
+struct Chapter {
+  std::string id, title, body;
+};
+
+std::string figure(std::string_view heading,
+                   std::string_view quiet,
+                   std::string_view picture,
+                   std::string_view caption) {
+  std::string html = "<figure>";
+  if (!heading.empty()) {
+    html += fmt::format("<b>{}{}</b>",
+                        escape(heading),
+                        quiet.empty() ? "" : fmt::format(" <span>{}</span>", escape(quiet)));
+  }
+  html += picture;
+  if (!caption.empty()) html += fmt::format("<figcaption>{}</figcaption>", escape(caption));
+  return html + "</figure>\n";
+}
+
+std::string with_kind(const std::string& conditions, bool fitted) {
+  return fitted ? conditions : conditions.empty() ? "predicted" : conditions + ", predicted";
+}
+
+/// Mean of |1 - simulated / measured|.
+double mean_error(const std::vector<double>& measured, const std::vector<double>& simulated) {
+  const size_t count = std::min(measured.size(), simulated.size());
+  double sum = 0.0;
+  for (size_t k = 0; k < count; ++k) sum += std::abs((measured[k] - simulated[k]) / measured[k]);
+  return sum / static_cast<double>(std::max<size_t>(1, count));
+}
+
+std::string forces(const StudyReport& report) {
+  std::string html = "<div class=\"figures\">";
+  for (const ForceCurve& curve : report.forces) {
+    html += figure(curve.experiment,
+                   with_kind(curve.conditions, curve.fitted),
+                   force_plot(curve),
+                   "Mean |ΔF| = " + percent(mean_error(curve.measured, curve.simulated)) +
+                       "; below, ΔF = (measured − simulated) / measured at every point.");
+  }
+  return html + "</div>";
+}
+
+std::string curves(const StudyReport& report) {
+  std::string html = "<div class=\"figures\">";
+  for (const MeasuredCurve& curve : report.curves) {
+    double sum = 0.0;
+    for (const double error : curve.errors) sum += std::abs(error);
+    html +=
+        figure(curve.experiment,
+               with_kind(curve.conditions, curve.fitted),
+               curve_plot(curve),
+               "Mean error " +
+                   percent(sum / static_cast<double>(std::max<size_t>(1, curve.errors.size()))) +
+                   "; below, (measured − simulated) / scale at every measured value.");
+  }
+  return html + "</div>";
+}
+
+std::string unmatched(std::string_view words, const std::vector<UnmatchedMode>& modes) {
+  if (modes.empty()) return "";
+  std::string list;
+  for (const UnmatchedMode& mode : modes) {
+    list += (list.empty() ? "" : ", ") + mode.label + " (" + fixed(mode.frequency, 1) + " Hz)";
+  }
+  return fmt::format("<p><b>{}:</b> {}.</p>", escape(words), escape(list));
+}
+
+std::string frequencies(const StudyReport& report) {
+  std::string html;
+  for (const ModalComparison& comparison : report.modes) {
+    std::vector<double> measured, simulated;
+    for (const ModePair& pair : comparison.pairs) {
+      measured.push_back(pair.measured);
+      simulated.push_back(pair.simulated);
+    }
+    std::string caption = fmt::format("{} modes paired, mean |Δf| = {}.",
+                                      comparison.pairs.size(),
+                                      percent(mean_error(measured, simulated)));
+    const bool initial = std::any_of(comparison.pairs.begin(),
+                                     comparison.pairs.end(),
+                                     [](const ModePair& pair) { return pair.initial.has_value(); });
+    if (initial) caption += " Dashed: at the initial values.";
+    html += figure(comparison.experiment,
+                   with_kind(comparison.conditions, comparison.fitted),
+                   frequency_plot(comparison),
+                   caption);
+    html += unmatched("Measured without a simulated partner", comparison.missing);
+    html += unmatched("Simulated without a measured partner", comparison.extra);
+  }
+  return html;
+}
+
+/// The best of the search may not be the best of the page, which knows trials beside it too.
+std::string better_beside(const StudyReport& report) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const double target : report.convergence->target) {
+    if (std::isfinite(target)) best = std::min(best, target);
+  }
+  return report.target < best && percent(report.target, 3) != percent(best, 3)
+             ? " A trial of another command, or beside the best one, has " +
+                   percent(report.target, 3) + ": all else on this page is of it."
+             : "";
+}
+
+std::string search(const StudyReport& report) {
+  std::string html;
+  if (report.convergence && !report.convergence->target.empty()) {
+    html += figure("Convergence",
+                   "",
+                   convergence_plot(*report.convergence),
+                   "Target of every trial in the order the optimizer saw them; line: the best so "
+                   "far; crosses: failed." +
+                       better_beside(report));
+  }
+  return html + run_facts(report);
+}
+
+std::string surfaces(const StudyReport& report) {
+  std::string html = "<div class=\"figures\">";
+  for (const Surface& surface : report.surfaces) {
+    std::string caption = "Dots: trials; rings: minima of the grid, the lowest in orange.";
+    if (!surface.held.empty()) caption += " Held: " + surface.held + ".";
+    html += figure(surface.x_name + " and " + surface.y_name, "", surface_plot(surface), caption);
+  }
+  return html + "</div>";
+}
+
+std::string basins(const Basins& basins) {
+  std::string html =
+      fmt::format("<h3>Minima of the design <span>{}</span></h3>", escape(basins.design));
+  if (!basins.doubt.empty()) {
+    html += fmt::format("<p><span class=\"flag\">too coarse to trust</span> {}.</p>",
+                        escape(basins.doubt));
+  }
+  html += "<div class=\"scroll\"><table><thead><tr><th class=\"n\">Target</th>";
+  for (const std::string& name : basins.variables)
+    html += "<th class=\"n\">" + escape(name) + "</th>";
+  html += "<th class=\"n\">Points that lead there</th></tr></thead><tbody>\n";
+  for (const BasinRow& row : basins.rows) {
+    html += fmt::format("<tr><td class=\"n\">{}</td>", percent(row.target));
+    for (const std::string& value : row.values) {
+      html += fmt::format("<td class=\"n\">{}</td>", escape(typeset_unit(value)));
+    }
+    html += fmt::format("<td class=\"n\">{}</td></tr>\n", row.points);
+  }
+  html += "</tbody></table></div>";
+  const auto left = basins.count - std::ssize(basins.rows);
+  return left > 0 ? html + fmt::format("<p class=\"quiet\">{} higher ones are left out.</p>", left)
+                  : html;
+}
+
+std::string effects(const StudyReport& report) {
+  std::string html =
+      "<p class=\"lead\">Morris' elementary effects: how much the target changes over a variable's "
+      "whole range.</p><div class=\"scroll\"><table><thead><tr><th>Variable</th>"
+      "<th class=\"n\">μ*, how much it matters</th><th class=\"n\">μ, with its sign</th>"
+      "<th class=\"n\">σ, curved or joint</th><th class=\"n\">Effects</th></tr></thead><tbody>\n";
+  for (const EffectRow& row : report.effects) {
+    html += fmt::format(
+        "<tr><td>{}</td><td class=\"n strong\">{}</td><td class=\"n\">{}</td><td "
+        "class=\"n\">{}</td>"
+        "<td class=\"n\">{}</td></tr>\n",
+        escape(row.variable),
+        percent(row.mu_star),
+        signed_percent(row.mu),
+        percent(row.sigma),
+        row.effects);
+  }
+  return html + "</tbody></table></div>";
+}
+
+std::string surface_chapter(const StudyReport& report) {
+  std::string html = report.surfaces.empty() ? "" : surfaces(report);
+  if (report.basins) html += basins(*report.basins);
+  return html;
+}
+
+std::string patch_figure(const fe_tire::Loaded& loaded) {
+  const fe_tire::LoadPoint& point = loaded.curve.back();
+  const std::string picture = patch_picture(point.patch);
+  if (picture.empty()) return "";
+  return figure("Contact patch",
+                fmt::format("{} N at {} mm", fixed(point.Fz, 0), fixed(1e3 * point.deflection, 1)),
+                picture,
+                fmt::format("Length {} mm, width {} mm, area {} cm².",
+                            fixed(1e3 * point.patch.length, 0),
+                            fixed(1e3 * point.patch.width, 0),
+                            fixed(1e4 * point.patch.area, 1)));
+}
+
+std::string loaded_figure(const TirePictures& pictures) {
+  const fe_tire::LoadPoint& point = pictures.loaded->curve.back();
+  double largest = 0.0;
+  for (int k = 0; k < pictures.loaded->u.cols(); ++k) {
+    const Eigen::Vector3d before =
+        pictures.inflated
+            ? Eigen::Vector3d(pictures.inflated->u.col(k % pictures.inflated->u.cols()))
+            : Eigen::Vector3d::Zero();
+    largest = std::max(largest, (pictures.loaded->u.col(k) - before).norm());
+  }
+  return fmt::format(
+      "<figure><b>Loaded tire <span>{} N at {} mm, true to scale</span></b><div class=\"figures\">"
+      "<canvas class=\"tire large\" data-state=\"0\" role=\"img\" aria-label=\"Deformed "
+      "tire\"></canvas>"
+      "<canvas class=\"tire large\" data-state=\"0\" data-yaw=\"0\" data-pitch=\"0.04\" "
+      "role=\"img\" "
+      "aria-label=\"Deformed tire from the side\"></canvas></div>"
+      "<div class=\"bar\"><i></i><span>0</span><span>{} mm</span><span>{} mm</span></div>"
+      "<figcaption>Displacement from the inflated state. Drag to turn.</figcaption></figure>\n",
+      fixed(point.Fz, 0),
+      fixed(1e3 * point.deflection, 1),
+      fixed(0.25e3 * largest, 1),  // colors go with the root: most of the tire hardly moves
+      fixed(1e3 * largest, 1));
+}
+
+std::string mode_figures(const TirePictures& pictures) {
+  std::string html = fmt::format(
+      "<h3>Modes <span>{}, amplitude enlarged; the pointer makes them swing</span></h3><div "
+      "class=\"modes\">",
+      pictures.modes_loaded ? "loaded tire" : "unloaded tire");
+  for (int k = 0; k < shown_modes(pictures); ++k) {
+    const fe_tire::Mode& mode = pictures.modes[k];
+    const std::string label = escape(mode.label());
+    html += fmt::format(
+        "<figure><canvas class=\"tire\" data-mode=\"{}\" role=\"img\" aria-label=\"Mode "
+        "{}\"></canvas>"
+        "<figcaption>{} <span>{} Hz</span></figcaption></figure>\n",
+        k,
+        label,
+        label,
+        fixed(mode.frequency, 1));
+  }
+  return html + "</div>";
+}
+
+std::string pictures(const TirePictures& p) {
+  std::string html;
+  if (p.mesh.sectors > 1) {
+    html += figure("Section",
+                   fmt::format("{} elements, {} sectors, {} free unknowns",
+                               p.mesh.element_count(),
+                               p.mesh.sectors,
+                               p.mesh.free_dofs()),
+                   section_picture(p.mesh, p.layers, p.inflated ? &*p.inflated : nullptr),
+                   "As built; dashed: inflated.");
+  }
+  const std::string scene = scene_json(p);
+  const bool loaded = p.loaded && !p.loaded->curve.empty();
+  if (loaded) {
+    if (!scene.empty()) html += loaded_figure(p);
+    html += "<div class=\"figures\">" + patch_figure(*p.loaded);
+    if (p.mesh.sectors > 1 && p.inflated) {
+      html += figure("Section above the contact",
+                     "",
+                     loaded_section_picture(p.mesh, *p.inflated, *p.loaded),
+                     "True to scale; dashed: inflated.");
+    }
+    html += "</div>";
+  }
+  if (!p.modes.empty() && !scene.empty()) html += mode_figures(p);
+  return html + "<noscript><p>The three-dimensional pictures need JavaScript.</p></noscript>" +
+         fmt::format("<script type=\"application/json\" id=\"tire-data\">{}</script>", scene);
+}
+
+std::string slip_chapter(const StudyReport& report) {
+  if (report.slip_plots.empty()) return "";
+  std::string html =
+      "<p class=\"lead\">The tire found, from its nominal state: load, camber and pressure varied "
+      "each alone.</p><div class=\"figures\">";
+  for (const LinePlot& plot : report.slip_plots)
+    html += figure(plot.description, "", line_plot(plot), "");
+  return html + "</div>";
+}
+
+std::vector<Chapter> chapters(const StudyReport& report) {
+  std::vector<Chapter> all;
+  const auto add = [&all](const char* id, const char* title, std::string body) {
+    if (!body.empty()) all.push_back({id, title, std::move(body)});
+  };
+  add("variables", "Design variables", report.variables.empty() ? "" : variable_table(report));
+  add("experiments", "Experiments", report.experiments.empty() ? "" : experiment_table(report));
+  add("forces", "Forces", report.forces.empty() ? "" : forces(report));
+  add("curves", "Curves", report.curves.empty() ? "" : curves(report));
+  add("slip", "Force over slip", slip_chapter(report));
+  add("frequencies", "Frequencies", report.modes.empty() ? "" : frequencies(report));
+  add("surface", "Target surface", surface_chapter(report));
+  add("sensitivity", "Sensitivity", report.effects.empty() ? "" : effects(report));
+  add("identifiability",
+      "What the data determine",
+      report.identifiability ? identifiability_chapter(*report.identifiability) : "");
+  add("search", "Search", search(report));
+  add("discretization",
+      "Discretization error",
+      report.discretization.empty() ? "" : discretization_table(report));
+  add("tire", "The tire", report.pictures ? pictures(*report.pictures) : "");
+  return all;
+}
+
+std::string header(const StudyReport& report, const std::vector<Chapter>& all) {
+  std::string line;
+  for (const std::string& part : {report.tire, report.study_file, report.date}) {
+    if (!part.empty()) line += (line.empty() ? "" : " · ") + escape(part);
+  }
+  std::string html = fmt::format("<header><h1>{}</h1><p>{}</p><nav>", escape(report.title), line);
+  for (const Chapter& chapter : all)
+    html += fmt::format("<a href=\"#{}\">{}</a>", chapter.id, chapter.title);
+  html += "</nav></header>\n" + key_numbers(report);
+  for (const std::string& remark : report.remarks) html += fmt::format("<p>{}</p>", escape(remark));
+  return html;
+}
+
+}  // namespace
+
+std::string html(const StudyReport& report) {
+  const std::vector<Chapter> all = chapters(report);
+  std::string page = page_begin(report.title);
+  page += header(report, all);
+  for (const Chapter& chapter : all) {
+    page += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}\n</section>\n",
+                        chapter.id,
+                        chapter.title,
+                        chapter.body);
+  }
+  page += fmt::format(
+      "<footer>Latsch{}{}</footer>\n",
+      report.version.empty() ? "" : fmt::format(" {}", escape(report.version)),
+      report.model_file.empty() ? "" : fmt::format(" · model {}", escape(report.model_file)));
+  if (report.pictures) page += fmt::format("<script>{}</script>\n", viewer_script());
+  return page.append(kPageEnd);
+}
+
+}  // namespace latsch::report

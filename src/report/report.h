@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// The result of a study as one HTML page that opens anywhere, without a network.
+//
+// StudyReport is plain data in SI units; whoever has run a study fills in what there is. A part
+// that is empty leaves its chapter out. html() knows nothing of studies, journals or files.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/fe_tire/element/mesh.h"
+#include "models/fe_tire/ring/fe_tire.h"
+#include "report/identifiability.h"
+#include "report/line_plot.h"
+
+namespace latsch::report {
+
+/// A design variable. Values in SI; `unit` is what a person reads ("N/mm^2").
+struct Variable {
+  std::string name;
+  std::string unit = "1";
+  double initial = 0.0, found = 0.0, lower = 0.0, upper = 0.0;
+  bool logarithmic = false;
+  std::string known = {};  // the number found, as far as its uncertainty leaves it known: "73";
+                           // empty where no uncertainty is known
+};
+
+/// One experiment's part of the target.
+struct ExperimentRow {
+  std::string name;
+  std::string kind;        // "load-deflection", "modes", "curve"
+  std::string conditions;  // "2.6 bar, friction 0.8"
+  std::string compared;  // "force", "root of force", "frequency", with the exponent if it is not 1
+  bool fitted = true;    // false: predicted only
+  double weight = 1.0;
+  int values = 0;                            // measured numbers compared
+  double value = 0.0;                        // T_e
+  double mean_error = 0.0;                   // mean |dF| or mean |df|
+  double largest_error = 0.0;                // largest |dF| or |df|
+  std::optional<double> initial_mean_error;  // at the initial values of the variables
+};
+
+/// Measured and simulated forces of one load-deflection experiment.
+struct ForceCurve {
+  std::string experiment;
+  std::string conditions;  // "2.6 bar"
+  bool fitted = true;
+  bool over_loaded_radius = false;  // abscissa: loaded radius, otherwise deflection
+  std::vector<double> abscissa;     // m
+  std::vector<double> measured;     // N
+  std::vector<double> simulated;    // N, at the found point
+  std::vector<double> initial;      // N, at the initial point; may be empty
+  bool of_design = false;           // the best trial of a design: nothing was fitted
+};
+
+/// A measured curve y(x) and what an outside program made of it. Values in SI; units are those a
+/// person reads. Without x, samples are counted from 1.
+struct MeasuredCurve {
+  std::string experiment;
+  std::string conditions;  // "over response/time"
+  bool fitted = true;
+  std::string x_name, y_name;  // "time"; x_name empty: sample by sample
+  std::string x_unit = "1", y_unit = "1";
+  std::vector<double> x_measured, y_measured;
+  std::vector<double> errors;                    // (measured - simulated) / scale, one each
+  std::vector<double> x_simulated, y_simulated;  // every sample of the program, at the found point
+  std::vector<double> x_initial, y_initial;      // at the initial point; may be empty
+  bool of_design = false;                        // the best trial of a design: nothing was fitted
+};
+
+/// A measured mode and its simulated partner. Hz.
+struct ModePair {
+  std::string label;  // "radial n=2"
+  double measured = 0.0, simulated = 0.0;
+  std::optional<double> initial;   // simulated at the initial values
+  std::optional<double> likeness;  // MAC, where shapes were measured
+};
+
+struct UnmatchedMode {
+  std::string label;
+  double frequency = 0.0;  // Hz
+};
+
+struct ModalComparison {
+  std::string experiment;
+  std::string conditions;
+  bool fitted = true;
+  std::vector<ModePair> pairs;         // in the order of the measurement
+  std::vector<UnmatchedMode> missing;  // measured, not simulated
+  std::vector<UnmatchedMode> extra;    // simulated, not measured
+};
+
+/// Target of every trial in the order the optimizer saw them; NaN: a failed one.
+struct Convergence {
+  std::vector<double> target;
+};
+
+/// The target over two variables, the others held.
+struct Surface {
+  std::string x_name, y_name;
+  std::string x_unit = "1", y_unit = "1";
+  bool x_logarithmic = false, y_logarithmic = false;
+  std::vector<double> x, y;                       // SI, ascending levels
+  Eigen::MatrixXd target;                         // (x, y); NaN: a failed trial
+  std::string held;                               // "belt = 22.3 N/mm^2"; may be empty
+  std::optional<Eigen::Vector2d> initial, found;  // SI; a point of the study to mark
+};
+
+/// A minimum among the points of a design of experiments.
+struct BasinRow {
+  double target = 0.0;
+  int points = 0;                   // of the design that lead there
+  std::vector<std::string> values;  // "22.3 N/mm^2", a variable each
+};
+
+struct Basins {
+  std::string design;  // "full factorial grid, 5 x 5, 25 points"
+  std::vector<std::string> variables;
+  int count = 0;               // of minima
+  std::vector<BasinRow> rows;  // lowest first; the first few
+  std::string doubt;           // why they cannot be trusted; may be empty
+};
+
+/// Morris' elementary effects of one variable on the target, over its whole range.
+struct EffectRow {
+  std::string variable;
+  double mu_star = 0.0, mu = 0.0, sigma = 0.0;
+  int effects = 0;  // evaluated
+};
+
+struct RunFacts {
+  std::string method;  // "GSS", "full factorial 5 x 5"
+  std::string ended;   // "at a minimum: ...", Run::ending
+  int trials = 0, failures = 0, workers = 1;
+  double wall_time = 0.0;                                    // s
+  double cpu_time = 0.0;                                     // s over all trials
+  std::vector<std::pair<std::string, int>> failure_reasons;  // sentence and how often
+  double program_time = 0.0;                                 // s of cpu_time, in outside programs
+};
+
+/// How far the mesh is from the converged tire.
+struct DiscretizationError {
+  std::string quantity;  // "Fz at 25 mm", "radial n=2"
+  double error = 0.0;    // of the mesh used, relative
+};
+
+/// A cord layer of the mesh; layers of one name are one ply.
+struct Layer {
+  std::string name;
+  double angle = 0.0;  // rad, from the circumference, where the ply crosses the crown
+};
+
+/// What the pictures show: the tire at the found point.
+struct TirePictures {
+  fe_tire::Mesh mesh;
+  std::vector<Layer> layers;  // in the numbering of RebarPlacement::layer; may be empty
+  std::optional<fe_tire::Inflated> inflated;
+  std::optional<fe_tire::Loaded> loaded;  // its patch is that of the last load point
+  bool modes_loaded = false;              // state the modes belong to
+  std::vector<fe_tire::Mode> modes;       // at most about 12 are shown
+};
+
+struct StudyReport {
+  std::string title;
+  std::string study_file, model_file;  // as a person would type them; may be empty
+  std::string tire;                    // "Tire B, 225/50R16"
+  std::string date;                    // "2025-03-01"; may be empty
+  std::string version;                 // of the program; may be empty
+  double target = 0.0;                 // at the found point
+  std::optional<double> initial_target;
+  std::vector<LinePlot> slip_plots;  // what the found tire does, force over slip
+  std::string target_in_words;       // "mean square of the errors, its root 2.45 %"; may be empty
+  std::string target_definition;     // one line, "1/2 (mean |df| + mean |dF|)"; may be empty
+  std::vector<std::string> remarks;  // what is assumed, what to mind
+
+  std::vector<Variable> variables;
+  std::vector<ExperimentRow> experiments;
+  std::vector<ForceCurve> forces;
+  std::vector<MeasuredCurve> curves;
+  std::vector<ModalComparison> modes;
+  std::optional<Convergence> convergence;
+  std::vector<Surface> surfaces;
+  std::optional<Basins> basins;
+  std::vector<EffectRow> effects;
+  std::optional<Identifiability> identifiability;
+  std::optional<RunFacts> run;
+  bool is_of_design = false;  // the found point is the best trial of a design, no fit
+  std::vector<DiscretizationError> discretization;
+  std::optional<TirePictures> pictures;
+};
+
+/// The page, UTF-8. Needs nothing else to be shown; names may hold any characters.
+std::string html(const StudyReport& report);
+
+}  // namespace latsch::report

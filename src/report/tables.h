@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The report's numbers as HTML: the strip of key figures and the tables.
+#pragma once
+
+#include <string>
+
+#include "report/report.h"
+
+namespace latsch::report {
+
+std::string key_numbers(const StudyReport& report);
+std::string variable_table(const StudyReport& report);
+std::string experiment_table(const StudyReport& report);
+std::string run_facts(const StudyReport& report);
+std::string discretization_table(const StudyReport& report);
+
+/// Whether the found value sits on a bound: the true optimum may lie beyond it.
+enum class AtBound { no, lower, upper };
+AtBound at_bound(const Variable& variable);
+
+}  // namespace latsch::report

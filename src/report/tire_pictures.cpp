@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/tire_pictures.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+
+#include "report/color_map.h"
+#include "report/html_text.h"
+#include "report/svg_plot.h"
+
+namespace latsch::report {
+namespace {
+
+constexpr double kOneMillimeter = 1e-3;
+constexpr std::array<int, 4> kSectionNodes = {0, 3, 7, 4};  // face xi = -1: inner - +, outer + -
+
+/// Position in the section: y and radius, mm.
+Point in_section(const Eigen::Vector3d& X) {
+  return {X.y() / kOneMillimeter, std::hypot(X.x(), X.z()) / kOneMillimeter};
+}
+
+/// A box of the real world fitted into a box of the picture, same scale both ways, second
+/// coordinate upward.
+struct Window {
+  Eigen::AlignedBox2d world;
+  Point corner;  // of the picture, top left
+  double scale;
+
+  static Window fit(const Eigen::AlignedBox2d& world,
+                    const Point& corner,
+                    double width,
+                    double height) {
+    const Eigen::Vector2d size = world.sizes().cwiseMax(1e-9);
+    return {world, corner, std::min(width / size.x(), height / size.y())};
+  }
+  Point operator()(const Point& p) const {
+    return {corner.x() + scale * (p.x() - world.min().x()),
+            corner.y() + scale * (world.max().y() - p.y())};
+  }
+  double width() const { return scale * world.sizes().x(); }
+  double height() const { return scale * world.sizes().y(); }
+};
+
+/// "10 mm" drawn to scale.
+void scale_bar(Svg& svg, const Point& at, double pixels_per_mm) {
+  double length = 100.0;
+  for (double l : {5.0, 10.0, 20.0, 50.0}) {
+    if (l * pixels_per_mm > 50.0) {
+      length = l;
+      break;
+    }
+  }
+  const Point end = at + Point(length * pixels_per_mm, 0.0);
+  svg.line(at, end, "class=\"ink\"");
+  svg.line(at - Point(0, 3), at + Point(0, 3), "class=\"ink\"");
+  svg.line(end - Point(0, 3), end + Point(0, 3), "class=\"ink\"");
+  svg.text(0.5 * (at + end) + Point(0, -7), significant(length, 3) + " mm", Anchor::middle);
+}
+
+/// Every element of a sector by its region's color; nodes: where they are in the section.
+void draw_elements(Svg& svg,
+                   const fe_tire::Mesh& mesh,
+                   const std::vector<Point>& nodes,
+                   const Window& window) {
+  std::vector<Point> corners(kSectionNodes.size());
+  for (const fe_tire::Element& element : mesh.elements) {
+    for (size_t k = 0; k < corners.size(); ++k)
+      corners[k] = window(nodes[element.node[kSectionNodes[k]]]);
+    svg.polygon(corners,
+                fmt::format("fill=\"{}\" class=\"element\"", muted_category(element.region)),
+                mesh.region_names.empty() ? "" : mesh.region_names.at(element.region));
+  }
+}
+
+/// The cord's ends where its layer leaves the element, at parametric thickness zeta.
+std::array<Point, 2> cord_line(const fe_tire::Mesh& mesh,
+                               const fe_tire::Element& element,
+                               double zeta) {
+  std::array<Point, 2> ends;
+  for (int k = 0; k < 2; ++k) {
+    const Point inner = in_section(mesh.X.col(element.node[k == 0 ? 0 : 3]));
+    const Point outer = in_section(mesh.X.col(element.node[k == 0 ? 4 : 7]));
+    ends[k] = 0.5 * (1.0 - zeta) * inner + 0.5 * (1.0 + zeta) * outer;
+  }
+  return ends;
+}
+
+/// Plies in the order in which they appear, and the ply of every cord layer; -1: not in the mesh or
+/// without a name.
+struct Plies {
+  std::vector<Layer> plies;
+  std::vector<int> of_layer;
+  int at(int layer) const {
+    return layer < static_cast<int>(of_layer.size()) ? of_layer[layer] : -1;
+  }
+};
+
+Plies plies_of(const fe_tire::Mesh& mesh, const std::vector<Layer>& layers) {
+  std::set<int> used;
+  for (const fe_tire::Element& element : mesh.elements) {
+    for (const fe_tire::RebarPlacement& rebar : element.rebars) used.insert(rebar.layer);
+  }
+  Plies found{{}, std::vector<int>(layers.size(), -1)};
+  for (int layer = 0; layer < static_cast<int>(layers.size()); ++layer) {
+    if (!used.contains(layer)) continue;
+    const auto same = std::find_if(found.plies.begin(), found.plies.end(), [&](const Layer& ply) {
+      return ply.name == layers[layer].name;
+    });
+    found.of_layer[layer] = static_cast<int>(same - found.plies.begin());
+    if (same == found.plies.end()) found.plies.push_back(layers[layer]);
+  }
+  return found;
+}
+
+std::string cord_color(int ply) {
+  return ply < 0 ? "class=\"cord ink\""
+                 : fmt::format("stroke=\"{}\" class=\"cord\"", category(ply));
+}
+
+void section_legend(
+    Svg& svg, const fe_tire::Mesh& mesh, const Plies& plies, bool inflated, Point at) {
+  for (size_t r = 0; r < mesh.region_names.size(); ++r) {
+    svg.rectangle(
+        at - Point(0, 10),
+        14,
+        11,
+        fmt::format("fill=\"{}\" class=\"element\"", muted_category(static_cast<int>(r))));
+    svg.text(at + Point(21, 0), mesh.region_names[r], Anchor::start, "label");
+    at.y() += 20;
+  }
+  for (size_t p = 0; p < plies.plies.size(); ++p) {
+    const Layer& ply = plies.plies[p];
+    svg.line(at + Point(0, -4), at + Point(14, -4), cord_color(static_cast<int>(p)));
+    svg.text(at + Point(21, 0),
+             fmt::format("{}, {}°", ply.name, fixed(ply.angle * 180.0 / std::numbers::pi, 0)),
+             Anchor::start,
+             "label");
+    at.y() += 20;
+  }
+  if (inflated) {
+    svg.line(at + Point(0, -4), at + Point(14, -4), "class=\"inflated\"");
+    svg.text(at + Point(21, 0), "inflated", Anchor::start, "label");
+  }
+}
+
+/// The rectangle of road a contact point stands for: as far as the middle to its neighbors, as far
+/// out at the rim of the patch as inward. Integration points meet at the edges and the centers of
+/// elements this way.
+Eigen::AlignedBox2d cell_of(const std::vector<fe_tire::ContactPatch::Point>& points, size_t i) {
+  const Eigen::Vector2d here(points[i].x, points[i].y);
+  Eigen::AlignedBox2d cell;
+  for (int axis = 0; axis < 2; ++axis) {
+    double ahead = std::numeric_limits<double>::infinity(), behind = ahead;
+    for (const auto& other : points) {
+      const Eigen::Vector2d away = Eigen::Vector2d(other.x, other.y) - here;
+      if (std::abs(away[1 - axis]) > 0.25 * std::abs(away[axis])) continue;
+      if (away[axis] > 0.0) ahead = std::min(ahead, away[axis]);
+      if (away[axis] < 0.0) behind = std::min(behind, -away[axis]);
+    }
+    const double largest = 3.0 * std::sqrt(points[i].area);  // beyond it is not a neighbor
+    const double nearest = std::min({ahead, behind, largest / 3.0});
+    cell.min()[axis] = here[axis] - 0.5 * (behind < largest ? behind : nearest);
+    cell.max()[axis] = here[axis] + 0.5 * (ahead < largest ? ahead : nearest);
+  }
+  return {cell.min() / kOneMillimeter, cell.max() / kOneMillimeter};
+}
+
+}  // namespace
+
+std::string section_picture(const fe_tire::Mesh& mesh,
+                            const std::vector<Layer>& layers,
+                            const fe_tire::Inflated* inflated) {
+  std::vector<Point> nodes, grown;
+  nodes.reserve(mesh.nodes_per_sector());
+  Eigen::AlignedBox2d box;
+  for (int k = 0; k < mesh.nodes_per_sector(); ++k) {
+    nodes.push_back(in_section(mesh.X.col(k)));
+    box.extend(nodes.back());
+    if (inflated) {
+      grown.push_back(in_section(mesh.X.col(k) + inflated->u.col(k)));
+      box.extend(grown.back());
+    }
+  }
+  const Plies plies = plies_of(mesh, layers);
+  const Window window = Window::fit(box, {14, 14}, 560, 330);
+  Svg svg(780, window.height() + 62, "Section of the tire");
+  draw_elements(svg, mesh, nodes, window);
+  for (const fe_tire::Element& element : mesh.elements) {
+    for (const fe_tire::RebarPlacement& rebar : element.rebars) {
+      const auto [a, b] = cord_line(mesh, element, rebar.zeta);
+      svg.line(window(a), window(b), cord_color(plies.at(rebar.layer)));
+    }
+  }
+  if (inflated) {  // edges of the outer faces, every element by itself: their order does not matter
+    for (const fe_tire::Element& element : mesh.elements) {
+      if (element.inner)
+        svg.line(
+            window(grown[element.node[0]]), window(grown[element.node[3]]), "class=\"inflated\"");
+      svg.line(
+          window(grown[element.node[4]]), window(grown[element.node[7]]), "class=\"inflated\"");
+    }
+  }
+  for (int k : mesh.clamped)
+    svg.circle(window(nodes[k]), 2.2, "class=\"clamped\"", "held by the rim");
+  section_legend(
+      svg, mesh, plies, inflated != nullptr, {window.corner.x() + window.width() + 34, 30});
+  scale_bar(svg, {window.corner.x(), window.height() + 46}, window.scale);
+  svg.text({window.corner.x() + window.width(), window.height() + 46},
+           "dots: held by the rim",
+           Anchor::end);
+  return svg.str();
+}
+
+std::string loaded_section_picture(const fe_tire::Mesh& mesh,
+                                   const fe_tire::Inflated& inflated,
+                                   const fe_tire::Loaded& loaded) {
+  std::vector<Point> before, after;
+  Eigen::AlignedBox2d box;
+  for (int k = 0; k < mesh.nodes_per_sector(); ++k) {  // sector 0: at the bottom, radius downward
+    const auto upright = [&](const Eigen::Vector3d& u) -> Point {
+      return Point(mesh.X(1, k) + u.y(), mesh.X(2, k) + u.z()) / kOneMillimeter;
+    };
+    before.push_back(upright(inflated.u.col(k)));
+    after.push_back(upright(loaded.u.col(k)));
+    box.extend(before.back());
+    box.extend(after.back());
+  }
+  const Window window = Window::fit(box, {14, 14}, 472, 330);
+  Svg svg(500, window.height() + 50, "Section of the loaded tire above the contact");
+  draw_elements(svg, mesh, after, window);
+  for (const fe_tire::Element& element : mesh.elements) {
+    svg.line(
+        window(before[element.node[4]]), window(before[element.node[7]]), "class=\"inflated\"");
+  }
+  const double ground = window({0.0, -loaded.curve.back().loaded_radius / kOneMillimeter}).y();
+  svg.line({4, ground}, {window.width() + 24, ground}, "class=\"ground\"");
+  scale_bar(svg, {window.corner.x(), window.height() + 40}, window.scale);
+  return svg.str();
+}
+
+std::string patch_picture(const fe_tire::ContactPatch& patch) {
+  if (patch.points.empty()) return "";
+  double highest = 0.0;
+  Eigen::AlignedBox2d box;
+  std::vector<Eigen::AlignedBox2d> cells;
+  for (size_t i = 0; i < patch.points.size(); ++i) {
+    highest = std::max(highest, patch.points[i].pressure);
+    cells.push_back(cell_of(patch.points, i));
+    box.extend(cells.back());
+  }
+  const Window window = Window::fit(box, {70, 20}, 520, 300);
+  const double bottom = window.corner.y() + window.height(),
+               right = window.corner.x() + window.width();
+  const Axis x(box.min().x(), box.max().x(), window.corner.x(), right);
+  const Axis y(box.min().y(), box.max().y(), bottom, window.corner.y());
+  const Axis kPa = Axis::around({0.0, highest / 1e3}, bottom, window.corner.y(), true);
+  Svg svg(right + 120, bottom + 46, "Contact pressure");
+  draw_frame(svg, x, y, "x, forward [mm]", "y, left [mm]", {.x_spacing = 40.0});
+  for (size_t i = 0; i < patch.points.size(); ++i) {
+    const auto& p = patch.points[i];
+    // a little larger than it is, so that no gaps are left between whole pixels
+    const Eigen::Vector2d size = (cells[i].sizes() * window.scale).array() + 0.7;
+    svg.rectangle(window({cells[i].min().x(), cells[i].max().y()}),
+                  size.x(),
+                  size.y(),
+                  fmt::format("fill=\"{}\" shape-rendering=\"crispEdges\"",
+                              viridis(p.pressure / 1e3 / kPa.upper())),
+                  fmt::format("{} kPa at ({}, {}) mm",
+                              fixed(p.pressure / 1e3, 0),
+                              fixed(p.x / kOneMillimeter, 1),
+                              fixed(p.y / kOneMillimeter, 1)));
+  }
+  draw_color_bar(svg, {right + 26, window.corner.y()}, window.height(), kPa, "Pressure [kPa]");
+  return svg.str();
+}
+
+}  // namespace latsch::report
