@@ -15,7 +15,7 @@
 
 #include "base/random.h"
 #include "correlation/analysis/identifiability.h"
-#include "correlation/study/study_stages.h"
+#include "correlation/search/study_fit.h"
 #include "correlation/target/tire_trials.h"
 #include "evaluation/executors/thread_executor.h"
 #include "evaluation/trial/encoding.h"

@@ -22,6 +22,7 @@
 #include <numeric>
 
 #include "base/random.h"
+#include "correlation/search/study_method.h"
 #include "correlation/study/study.h"
 #include "correlation/target/residuals.h"
 #include "correlation/target/tire_trials.h"

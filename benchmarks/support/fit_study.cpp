@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/file.h"
+#include "correlation/search/study_method.h"
 #include "correlation/target/tire_trials.h"
 #include "correlation/target/twin.h"
 #include "evaluation/executors/process_executor.h"

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "base/file.h"
+#include "correlation/search/study_method.h"
 #include "correlation/target/tire_trials.h"
 #include "evaluation/schedule/scheduler.h"
 #include "evaluation/trial/encoding.h"

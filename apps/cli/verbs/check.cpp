@@ -13,6 +13,7 @@
 #include "cli/console/implausible.h"
 #include "cli/console/tables.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/search/study_method.h"
 #include "correlation/study/study.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"

@@ -17,6 +17,7 @@
 #include "cli/run/trials.h"
 #include "cli/run/workers.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/search/study_fit.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
 #include "correlation/target/best_trial.h"

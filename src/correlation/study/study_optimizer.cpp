@@ -8,8 +8,6 @@
 #include <utility>
 
 #include "base/text.h"
-#include "correlation/study/study.h"
-#include "correlation/target/tire_trials.h"
 
 namespace latsch::correlation {
 namespace {
@@ -75,14 +73,6 @@ GssNlcOptions read_gss_nlc(const Node& node) {
   d.penalty = penalty_of(node.choice("penalty", penalty_names(), name(d.penalty)));
   d.rho = node.quantity("penalty_parameter", "1", Range{0.0, d.largest_rho, true}, d.rho);
   return d;
-}
-
-/// A study's target is made of residuals.
-ProblemTraits traits_of(const DesignSpace& space, bool constrained) {
-  return {.variables = space.size(),
-          .has_residuals = true,
-          .has_linear_constraints = !space.constraints().empty(),
-          .has_nonlinear_constraints = constrained};
 }
 
 OptimizerSettings read_settings(const Node& table,
@@ -200,9 +190,16 @@ OptimizerSettings read_settings(const Node& table,
 
 }  // namespace
 
+ProblemTraits traits_of_residuals(const DesignSpace& space, bool constrained) {
+  return {.variables = space.size(),
+          .has_residuals = true,
+          .has_linear_constraints = !space.constraints().empty(),
+          .has_nonlinear_constraints = constrained};
+}
+
 OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space, bool constrained) {
   return read_settings(
-      table, space, traits_of(space, constrained), OptimizerSettings().method, method_names());
+      table, space, traits_of_residuals(space, constrained), OptimizerSettings().method, method_names());
 }
 
 bool has_optimizer_keys(const Node& table) {
@@ -213,25 +210,6 @@ bool has_optimizer_keys(const Node& table) {
     }
   }
   return false;
-}
-
-namespace {
-
-ProblemTraits traits_of(const Study& study) {
-  ProblemTraits traits = traits_of(study.space, !study.constraints.empty());
-  traits.noise_alone = noise_alone(study);
-  return traits;
-}
-
-}  // namespace
-
-MethodChoice method_of(const Study& study) {
-  return latsch::method_of(study.optimizer, traits_of(study));
-}
-
-std::unique_ptr<Optimizer> make_optimizer(const Study& study) {
-  return latsch::make_optimizer(
-      method_of(study).method, study.space, study.optimizer, traits_of(study));
 }
 
 }  // namespace latsch::correlation

@@ -42,8 +42,6 @@
 //   priority = 2
 #pragma once
 
-#include <memory>
-
 #include "base/document.h"
 #include "optimization/strategy/optimizer_choice.h"
 
@@ -56,11 +54,7 @@ OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space, bo
 /// Whether the table has a key that read_optimizer reads, but for max_steps.
 bool has_optimizer_keys(const Node& table);
 
-struct Study;
-
-/// Does not depend on what the journal holds: a resumed run uses the same method.
-MethodChoice method_of(const Study& study);
-
-std::unique_ptr<Optimizer> make_optimizer(const Study& study);
+/// What is known of a target made of residuals, as every study's is, before its noise is.
+ProblemTraits traits_of_residuals(const DesignSpace& space, bool constrained);
 
 }  // namespace latsch::correlation

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "correlation/search/study_method.h"
 #include "correlation/study/study_optimizer.h"
 
 #include <gmock/gmock.h>

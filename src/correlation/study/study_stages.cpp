@@ -7,11 +7,7 @@
 #include <filesystem>
 
 #include "base/text.h"
-#include "correlation/study/study_start.h"
-#include "correlation/target/tire_trials.h"
-#include "evaluation/schedule/retried_failures.h"
 #include "models/fe_tire/description/tire_description.h"
-#include "optimization/strategy/hopeless_start.h"
 
 namespace latsch::correlation {
 namespace {
@@ -159,46 +155,6 @@ std::string in_words(const StageSettings& stage) {
   if (text.empty()) text = "the model as it is";
   if (stage.bounds < 1.0) text += fmt::format(", bounds {:g} as wide", stage.bounds);
   return text;
-}
-
-Fit fit(const Study& stage, Executor& executor, Journal& journal, const RunOptions& options) {
-  TrialsThatCount trials(journal);
-  if (stage.start.from == StartSettings::From::basins) {
-    const auto end = run_doe(plan(*stage.doe, stage.space), executor, trials, options);
-    if (end == RunEnd::stopped) return {};
-  }
-  HopelessStart search(stage.space, begin_search(stage, journal));
-  Fit result;
-  result.run = run_optimizer(search, objective(stage), executor, &trials, options);
-  result.hopeless = search.reason();
-  return result;
-}
-
-std::vector<Fit> recorded_fit(const Study& study, const Journal& journal) {
-  std::vector<Fit> fits;
-  std::optional<DesignPoint> best;
-  for (int k = 0; k < stage_count(study); ++k) {
-    const Study part = stage(study, k, best);
-    std::optional<Journal> own;
-    if (part.run.journal != study.run.journal) {
-      if (!std::filesystem::exists(part.run.journal)) return fits;
-      own.emplace(Journal::read(part.run.journal, identity(part)));
-    }
-    const Journal& read = own ? *own : journal;
-    auto optimizer = begun_search(part, read);
-    if (!optimizer) return fits;
-    HopelessStart search(part.space, std::move(optimizer));
-    Fit fit;
-    fit.run =
-        replay(search, objective(part), TrialsThatCount(read), part.max_steps, part.run.on_failure);
-    fit.hopeless = search.reason();
-    const bool has_ended = fit.run.end != RunEnd::stopped;
-    const Step* found = fit.run.best();
-    if (!fit.run.steps.empty()) fits.push_back(fit);
-    if (!has_ended || !found) return fits;
-    best = found->point;
-  }
-  return fits;
 }
 
 }  // namespace latsch::correlation

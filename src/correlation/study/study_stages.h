@@ -25,9 +25,6 @@
 
 #include "base/document.h"
 #include "correlation/study/study.h"
-#include "evaluation/executors/executor.h"
-#include "evaluation/journal/journal.h"
-#include "evaluation/schedule/scheduler.h"
 
 namespace latsch::correlation {
 
@@ -46,16 +43,5 @@ Study stage_called(const Study& study, const std::string& name);
 
 /// "coarse: mesh.sectors = 30", "fine: bounds 0.25 as wide"
 std::string in_words(const StageSettings& stage);
-
-struct Fit {
-  Run run;
-  std::optional<std::string> hopeless;  // why no point can succeed
-};
-
-/// One stage, or a study without any, from its start to its end.
-Fit fit(const Study& stage, Executor& executor, Journal& journal, const RunOptions& options);
-
-/// The stages as far as their journals know them, without evaluating.
-std::vector<Fit> recorded_fit(const Study& study, const Journal& journal);
 
 }  // namespace latsch::correlation

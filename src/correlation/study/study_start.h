@@ -13,33 +13,19 @@
 // With several starts a run is told nothing better than its own start: it would leave its basin.
 // Told are the points nearest to the start, as many as two quadratic models need.
 //
-// A journal grows while a search runs, so a mark keeps how many trials there were when it began: to
-// resume, and to draw the report, is to begin with the same ones. The mark belongs to the study as
-// written, without [run]: a study that is changed begins anew with all there is. The order in which
-// trials came does not matter.
+// A journal that grows while the search runs changes nothing for it: search/study_search.h.
 #pragma once
 
 #include <filesystem>
-#include <memory>
-#include <optional>
+#include <string>
 
 #include "base/document.h"
 #include "correlation/study/study.h"
-#include "evaluation/journal/journal.h"
-#include "optimization/problem/optimizer.h"
 
 namespace latsch::correlation {
 
 /// Reads the keys above. Throws InputError.
 StartSettings read_start(const Node& table, const std::filesystem::path& folder, bool has_design);
-
-/// The optimizer of the study with what it knows. Takes trials of another journal over and marks
-/// the start in the journal, where it has not been. Throws InputError where the other journal is of
-/// another model.
-std::unique_ptr<Optimizer> begin_search(const Study& study, Journal& journal);
-
-/// The same as it began; nullptr where it never did.
-std::unique_ptr<Optimizer> begun_search(const Study& study, const Journal& journal);
 
 /// For a person: "the best of 40 earlier trials, which it knows"; empty for the initial values.
 std::string in_words(const StartSettings& start);

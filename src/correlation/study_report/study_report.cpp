@@ -12,6 +12,7 @@
 #include "correlation/analysis/doe_surface.h"
 #include "correlation/analysis/found_tire.h"
 #include "correlation/basic_data/slip_plots.h"
+#include "correlation/search/study_fit.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/variables.h"
 #include "correlation/study_report/report_identifiability.h"

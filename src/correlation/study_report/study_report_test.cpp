@@ -6,7 +6,7 @@
 
 #include "correlation/analysis/identifiability.h"
 #include "correlation/analysis/pareto_front.h"
-#include "correlation/study/study_reuse_testing.h"
+#include "correlation/search/study_reuse_testing.h"
 #include "report/html_text.h"
 #include "report/identifiability_plots.h"
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "correlation/search/study_fit.h"
 #include "correlation/study/study_stages.h"
 
 #include <gmock/gmock.h>
 
 #include "correlation/analysis/pareto_front.h"
-#include "correlation/study/study_reuse_testing.h"
+#include "correlation/search/study_reuse_testing.h"
 
 namespace latsch::correlation {
 namespace {

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string>
 
+#include "correlation/search/study_fit.h"
 #include "correlation/study/study.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/target/tire_trials.h"

@@ -3,7 +3,8 @@
 
 #include <gmock/gmock.h>
 
-#include "correlation/study/study_reuse_testing.h"
+#include "correlation/search/study_fit.h"
+#include "correlation/search/study_reuse_testing.h"
 #include "correlation/target/best_trial.h"
 #include "evaluation/schedule/scheduler.h"
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The optimizer of a study, with what the study knows of its own target: residuals, constraints, noise.
+#pragma once
+
+#include <memory>
+
+#include "correlation/study/study.h"
+#include "optimization/strategy/optimizer_choice.h"
+
+namespace latsch::correlation {
+
+/// Does not depend on what the journal holds: a resumed run uses the same method.
+MethodChoice method_of(const Study& study);
+
+std::unique_ptr<Optimizer> make_optimizer(const Study& study);
+
+}  // namespace latsch::correlation
