@@ -20,8 +20,8 @@
 namespace latsch::numerics {
 namespace {
 
-constexpr const char* kPython = "/usr/bin/python3";
-constexpr const char* kScript = R"py(
+constexpr const char* kSignalsPython = "/usr/bin/python3";
+constexpr const char* kSignalsScript = R"py(
 import numpy as np
 from scipy import signal
 x, y = np.loadtxt("x"), np.loadtxt("y")
@@ -76,7 +76,7 @@ std::vector<double> split(const std::vector<std::complex<double>>& values) {
 class SciPySignal : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    const std::string ask = fmt::format("{} -c 'import scipy.signal' 2>/dev/null", kPython);
+    const std::string ask = fmt::format("{} -c 'import scipy.signal' 2>/dev/null", kSignalsPython);
     installed_ = std::system(ask.c_str()) == 0;
     if (!installed_) return;
     folder_ = std::filesystem::temp_directory_path() / fmt::format("latsch_signal_{}", getpid());
@@ -88,8 +88,8 @@ class SciPySignal : public testing::Test {
     }
     write("x", x_);
     write("y", y_);
-    std::ofstream(folder_ / "oracle.py") << kScript;
-    const auto run = fmt::format("cd '{}' && {} oracle.py", folder_.string(), kPython);
+    std::ofstream(folder_ / "oracle.py") << kSignalsScript;
+    const auto run = fmt::format("cd '{}' && {} oracle.py", folder_.string(), kSignalsPython);
     ran_ = std::system(run.c_str()) == 0;
   }
   static void TearDownTestSuite() {
