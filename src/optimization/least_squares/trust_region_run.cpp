@@ -56,7 +56,7 @@ constexpr double kWorthASearch = 0.5;
 constexpr double kBeyondNoise = 0.9;   // of the value: less is verified anew whatever the noise
 constexpr double kNothingLeft = 1e-8;  // of the first value: a ten-thousandth of the residuals
 
-constexpr double kOnBound = 1e-9;
+constexpr double kAtBound = 1e-9;
 
 constexpr double kWorthALook = 0.9;  // of the value when it last had settled
 
@@ -289,7 +289,7 @@ std::optional<Wanted> TrustRegionRun::release() {
   Eigen::VectorXd u = best().u;
   bool is_held = false;
   for (double& value : u) {
-    if (value > kOnBound && value < 1.0 - kOnBound) continue;
+    if (value > kAtBound && value < 1.0 - kAtBound) continue;
     value = 0.5;
     is_held = true;
   }
