@@ -31,13 +31,13 @@ const std::string kFile =
     "[DEFLECTION_LOAD_CURVE]\r\n"
     "0 1\r\n";
 
-TeimOrbit parse(const std::string& text) { return TeimOrbit::parse(text, "t.tir"); }
+TeimOrbit parsed_orbit(const std::string& text) { return TeimOrbit::parse(text, "t.tir"); }
 
 std::string orbit_complaint(
     const std::string& text,
     const std::function<void(const TeimOrbit&)>& read = [](const TeimOrbit&) {}) {
   try {
-    read(parse(text));
+    read(parsed_orbit(text));
   } catch (const InputError& error) {
     return error.what();
   }
@@ -45,7 +45,7 @@ std::string orbit_complaint(
 }
 
 TEST(TeimOrbit, SectionsKeysTextsAndComments) {
-  const TeimOrbit file = parse(kFile);
+  const TeimOrbit file = parsed_orbit(kFile);
   ASSERT_EQ(file.sections().size(), 5u);
   EXPECT_EQ(file.section("mdi_header").text("file_type"), "tir");
   EXPECT_EQ(file.section("VERTICAL").number("fnomin"), 1500.0);
@@ -56,7 +56,7 @@ TEST(TeimOrbit, SectionsKeysTextsAndComments) {
 }
 
 TEST(TeimOrbit, TablesWithAndWithoutHeadsAndSubBlocks) {
-  const TeimOrbit file = parse(kFile);
+  const TeimOrbit file = parsed_orbit(kFile);
   const TeimOrbitTable* words = file.section("MDI_HEADER").find_table("comments");
   ASSERT_NE(words, nullptr);
   EXPECT_EQ(words->rows.at(0).fields, (std::vector<std::string>{"costs 5 $ ! = much"}));
@@ -68,17 +68,17 @@ TEST(TeimOrbit, TablesWithAndWithoutHeadsAndSubBlocks) {
 }
 
 TEST(TeimOrbit, UnitsInSi) {
-  const TeimOrbitUnits units = parse(kFile).units();
+  const TeimOrbitUnits units = parsed_orbit(kFile).units();
   EXPECT_EQ(units.length, 1e-3);
   EXPECT_EQ(units.angle, std::numbers::pi / 180.0);
   EXPECT_EQ(units.force, 1.0);
   EXPECT_NEAR(units.pressure, 1e6, 1e-9);  // N/mm^2: the file names no other
-  EXPECT_EQ(parse("[UNITS]\nPRESSURE='bar'\n").units().pressure, 1e5);
-  EXPECT_EQ(parse("[MODEL]\n").units().length, 1.0);
+  EXPECT_EQ(parsed_orbit("[UNITS]\nPRESSURE='bar'\n").units().pressure, 1e5);
+  EXPECT_EQ(parsed_orbit("[MODEL]\n").units().length, 1.0);
 }
 
 TEST(TeimOrbit, ReplacedValuesLeaveEveryOtherByte) {
-  const TeimOrbit file = parse(kFile);
+  const TeimOrbit file = parsed_orbit(kFile);
   EXPECT_EQ(file.with_values({}), kFile);
   std::string changed = kFile;
   changed.replace(changed.find("1.5D+3"), 6, "1600");
