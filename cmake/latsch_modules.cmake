@@ -55,12 +55,14 @@ endfunction()
 function(latsch_sources out folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$|/mpi/")  # mpi.cmake has a library of its own
+  list(SORT sources COMPARE FILE_BASENAME)  # a room more leaves together what is compiled together
   set(${out} ${sources} PARENT_SCOPE)
 endfunction()
 
 function(latsch_tests folder name library)
   file(GLOB_RECURSE tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*_test.cpp)
   list(FILTER tests EXCLUDE REGEX "/mpi/")
+  list(SORT tests COMPARE FILE_BASENAME)
   if(LATSCH_TESTS AND tests)
     add_executable(${name}_test ${tests})
     target_link_libraries(${name}_test PRIVATE ${library} GTest::gtest_main)
