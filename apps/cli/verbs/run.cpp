@@ -18,6 +18,7 @@
 #include "cli/run/workers.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/search/study_fit.h"
+#include "correlation/search/study_method.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
 #include "correlation/target/best_trial.h"
