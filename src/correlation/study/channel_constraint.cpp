@@ -36,7 +36,7 @@ std::vector<KnownChannel> channels_of(const std::vector<StudyExperiment>& experi
   return channels;
 }
 
-std::string unit_of(const Node& table,
+std::string constrained_unit(const Node& table,
                     const std::string& channel,
                     const std::vector<KnownChannel>& channels) {
   std::vector<std::string> names;
@@ -96,7 +96,7 @@ ChannelConstraint read_channel_constraint(const Node& table,
   constraint.name = table.name();
   constraint.channel = table.text("channel");
   const std::string unit =
-      unit_of(table, constraint.channel, known ? *known : channels_of(experiments));
+      constrained_unit(table, constraint.channel, known ? *known : channels_of(experiments));
   constraint.of = table.choice("of", {"largest", "smallest", "mean", "first", "last"}, "largest");
   read_bounds(table, unit, constraint);
   const double size =
