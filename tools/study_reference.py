@@ -33,7 +33,7 @@ SECTIONS = [
     ("[doe]", "study_design"),
     ("[run]", "run_settings"),
 ]
-OTHER_FILES = {"ring_data"}  # they read files that are no studies
+OTHER_ROOMS = {"basic_data", "rig_data", "comparison"}  # they read files that are no studies
 
 GETTER = re.compile(r"\b\w+(?:->|\.)(quantity|quantities|choice|integer|flag|texts?|rows)\(\s*(\w+|\"[^\"]*\")\s*([,)])")
 
@@ -199,7 +199,7 @@ def section(heading, name):
 def page():
     listed = {name for _, name in SECTIONS}
     for file in sorted(FOLDER.rglob("*.cpp")):
-        if file.stem.endswith("_test") or file.stem in listed | OTHER_FILES:
+        if file.stem.endswith("_test") or file.stem in listed or file.parent.name in OTHER_ROOMS:
             continue
         if keys_of(file.read_text()):
             sys.exit(f"tools/study_reference.py: {file.stem}.cpp reads keys of a study, but is no section of the reference; "

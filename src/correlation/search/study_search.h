@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The optimizer of a study with what it knows at its start (study_start.h): nothing, the trials of a
 // journal, or a design of experiments.
-//
-// A journal grows while a search runs, so a mark keeps how many trials there were when it began: to
-// resume, and to draw the report, is to begin with the same ones. The mark belongs to the study as
-// written, without [run]: a study that is changed begins anew with all there is. The order in which
-// trials came does not matter.
 #pragma once
 
 #include <memory>

@@ -13,7 +13,10 @@
 // With several starts a run is told nothing better than its own start: it would leave its basin.
 // Told are the points nearest to the start, as many as two quadratic models need.
 //
-// A journal that grows while the search runs changes nothing for it: search/study_search.h.
+// A journal grows while a search runs, so a mark keeps how many trials there were when it began: to
+// resume, and to draw the report, is to begin with the same ones. The mark belongs to the study as
+// written, without [run]: a study that is changed begins anew with all there is. The order in which
+// trials came does not matter.
 #pragma once
 
 #include <filesystem>
