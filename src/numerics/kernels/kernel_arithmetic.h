@@ -34,6 +34,9 @@ struct SignBits {
 /// T has kWidth, Mask, load, save and the operations named here.
 template <class T>
 struct Arithmetic : SignBits<T> {
+  /// What is equal in all lanes.
+  using Constant = double;
+
   LATSCH_INLINE friend Product<T> operator*(const T& a, const T& b) { return {a, b}; }
   LATSCH_INLINE friend T operator/(const T& a, const T& b) { return T::div(a, b); }
 
