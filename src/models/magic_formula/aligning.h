@@ -41,19 +41,19 @@ LATSCH_INLINE R cosine_of_share(const R& x, const R& a) {
 }
 
 template <class R>
-LATSCH_INLINE SpinTorque<R> spin_torque(const TireConstants& tire,
+LATSCH_INLINE SpinTorque<R> spin_torque(const TireOf<R>& tire,
                                         const OperatingPoint<R>& o,
                                         const PureLateral<R>& y,
                                         const R& Gyk) {
-  const Parameters& p = tire.p;
-  const double R0 = p.UNLOADED_RADIUS;
+  const auto& p = tire.p;
+  const ConstantOf<R> R0 = p.UNLOADED_RADIUS;
   SpinTorque<R> s;
   s.zeta6 = cos_atan(p.QBRP1 * R0 * o.phi);  // (4.102)
   const R& Fz = o.Fz_moment;
   const R none = R(kEpsilon);
   const R at_rest = p.QCRP1 * abs(y.muy) * R0 * Fz * sqrt(Fz * tire.per_Fz0_prime) * p.LMP;
   const R Mzp_inf = select(at_rest > 0.0, at_rest, none);  // (4.95)
-  const double CDrp = p.QDRP1;                             // (4.96)
+  const ConstantOf<R> CDrp = p.QDRP1;                      // (4.96)
   const R DDrp = Mzp_inf / sin(R(0.5 * kPi * CDrp));       // (4.94)
   const R Kzgr0 = Fz * R0 * (p.QDZ8 * p.QDZ9 * o.dfz + (p.QDZ10 + p.QDZ11 * o.dfz * abs(o.gamma))) *
                   p.LKZC;                                                          // (4.99)
@@ -62,16 +62,17 @@ LATSCH_INLINE SpinTorque<R> spin_torque(const TireConstants& tire,
   const R Mzp90 = Mzp_inf * (2.0 / kPi) * atan(p.QCRP2 * R0 * abs(o.phit)) * Gyk;  // (4.103)
   // On a straight path both vanish; their quotient tends to that of their slopes.
   const R straight = Mzp_inf * (2.0 / kPi) * p.QCRP2 * Gyk / abs(BDrp * CDrp * DDrp);
-  s.share = select(s.Drp == 0.0, straight, Mzp90 / abs(s.Drp));
+  // Without load there is no torque to have a share of.
+  s.share = select(Fz == 0.0, R(1.0), select(s.Drp == 0.0, straight, Mzp90 / abs(s.Drp)));
   return s;
 }
 
 template <class R>
-LATSCH_INLINE R residual_peak(const TireConstants& tire,
+LATSCH_INLINE R residual_peak(const TireOf<R>& tire,
                               const Conventions& conventions,
                               const OperatingPoint<R>& o,
                               const R& zeta2) {
-  const Parameters& p = tire.p;
+  const auto& p = tire.p;
   const R& g = o.gamma_star;
   const R camber =
       ((p.QDZ8 + p.QDZ9 * o.dfz) * (1.0 + p.PPZ2 * o.dpi) + (p.QDZ10 + p.QDZ11 * o.dfz) * abs(g)) *
@@ -98,15 +99,13 @@ LATSCH_INLINE void equivalent_angles(const Lane (&angles)[2],
                                       select(last, Lanes4(1.0), adjacent));
   for (int i = 0; i < 3; ++i) arcs[i] = arc.at(i);
 }
-LATSCH_INLINE void equivalent_angles(const Lanes (&angles)[2],
-                                     const Lanes& drag,
-                                     const Lanes& third,
-                                     Shapes<Lanes>& shapes,
-                                     Lanes (&arcs)[3]) {
-  shapes.begin(Shapes<Lanes>::kLateral);
+template <class R>
+LATSCH_INLINE void equivalent_angles(
+    const R (&angles)[2], const R& drag, const R& third, Shapes<R>& shapes, R (&arcs)[3]) {
+  shapes.begin(Shapes<R>::kLateral);
   for (int i = 0; i < 2; ++i) {
-    const SinCos<Lanes> a = sin_cos(angles[i]);
-    const Lanes of_drag = drag * a.cos;
+    const SinCos<R> a = sin_cos(angles[i]);
+    const R of_drag = drag * a.cos;
     arcs[i] = atan_of_quotient(sqrt(a.sin * a.sin + of_drag * of_drag), abs(a.cos));
   }
   arcs[2] = atan(third);
@@ -115,13 +114,13 @@ LATSCH_INLINE void equivalent_angles(const Lanes (&angles)[2],
 /// Everything but what needs the other forces; the curve of the trail goes into `shapes`, where
 /// those of the side force must be and begin.
 template <class R>
-LATSCH_INLINE Aligning<R> aligning_terms(const TireConstants& tire,
+LATSCH_INLINE Aligning<R> aligning_terms(const TireOf<R>& tire,
                                          const Conventions& conventions,
                                          const OperatingPoint<R>& o,
                                          const PureLateral<R>& pure,
                                          const R& Kxk,
                                          Shapes<R>& shapes) {
-  const Parameters& p = tire.p;
+  const auto& p = tire.p;
   const R &dfz = o.dfz, &dpi = o.dpi;
   const R gamma = o.gamma * (tire.mf52 ? p.LGAZ : 1.0);
   Aligning<R> z;
@@ -138,7 +137,7 @@ LATSCH_INLINE Aligning<R> aligning_terms(const TireConstants& tire,
   const R angles[2] = {alphar, alphat};
   const R drag = Kxk * pure.per_Kya_prime * o.kappa;
   R arcs[3];
-  equivalent_angles(angles, drag, Bt * Ct * alphat, shapes, arcs);
+  equivalent_angles(angles, drag, R(Bt * Ct * alphat), shapes, arcs);
   z.alphar_eq = select(alphar == 0.0, R(0.0), with_sign(arcs[0], alphar));        // (A54)
   const R alphat_eq = select(alphat == 0.0, R(0.0), with_sign(arcs[1], alphat));  // (A55)
   R Et = (p.QEZ1 + p.QEZ2 * dfz + p.QEZ3 * dfz * dfz) *
@@ -149,7 +148,7 @@ LATSCH_INLINE Aligning<R> aligning_terms(const TireConstants& tire,
 }
 
 template <class R>
-LATSCH_INLINE void finish(const TireConstants& tire,
+LATSCH_INLINE void finish(const TireOf<R>& tire,
                           const Conventions& conventions,
                           const OperatingPoint<R>& o,
                           const PureLateral<R>& pure,
@@ -158,8 +157,8 @@ LATSCH_INLINE void finish(const TireConstants& tire,
                           const R& Fx,
                           const Shapes<R>& shapes,
                           Aligning<R>& z) {
-  const Parameters& p = tire.p;
-  const double R0 = p.UNLOADED_RADIUS;
+  const auto& p = tire.p;
+  const ConstantOf<R> R0 = p.UNLOADED_RADIUS;
   const R gamma = o.gamma * (tire.mf52 ? p.LGAZ : 1.0);
   SpinTorque<R> turning{R(1.0), R(0.0), R(0.0)};
   R zeta5 = R(1.0);

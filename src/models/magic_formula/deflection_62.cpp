@@ -10,37 +10,46 @@ namespace latsch::magic_formula {
 namespace {
 
 /// 1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - (q_FCy Fy/Fz0)^2 (3)
-double stiffening(const TireConstants& tire, double omega, double x, double y) {
-  return 1.0 + tire.p.Q_V2 * tire.R0_per_V0 * std::abs(omega) - x * x - y * y;
+template <class K>
+K stiffening(const TireConstantsOf<K>& tire, const K& omega, const K& x, const K& y) {
+  using std::abs;
+  return 1.0 + tire.p.Q_V2 * tire.R0_per_V0 * abs(omega) - x * x - y * y;
+}
+
+template <class K>
+K at_least(const K& x, double lower) {
+  return x < lower ? K(lower) : x;
 }
 
 }  // namespace
 
 /// rho_z = rho_zfr + rho_zg; Fz = [1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - ((rho_z/R0)^q_FCy2
 /// q_FCy (Fy - S_Fyg)/Fz0)^2] (q_Fz1 rho_z/R0 + q_Fz2 (rho_z/R0)^2) (1 + p_Fz1 dp) Fz0.
-double vertical_force_62(const TireConstants& tire,
-                         const WheelUnderLoad& o,
-                         double R_l,
-                         double Fx,
-                         double Fy,
-                         double* rho) {
-  const Parameters& p = tire.p;
-  const double R0 = p.UNLOADED_RADIUS, gamma = o.gamma;
-  const double ratio = R_l / o.R_omega;
-  const double SFyg = (p.Q_FYS1 + p.Q_FYS2 * ratio + p.Q_FYS3 * ratio * ratio) * gamma;
-  const double rho_zfr = std::max(o.R_omega - R_l, 0.0);
-  const double tread_width = (1.075 - 0.5 * p.ASPECT_RATIO) * p.WIDTH;
-  double rho_zg = -p.Q_CAM3 * rho_zfr * std::abs(gamma);
-  const double free = p.Q_CAM1 * o.R_omega + p.Q_CAM2 * o.R_omega * o.R_omega;
-  if (free != 0.0) {
-    const double pressed = (p.Q_CAM1 * R_l + p.Q_CAM2 * R_l * R_l) / free;
-    rho_zg += pressed * pressed * (tread_width / 8.0) * std::abs(std::tan(gamma));
+template <class K>
+K vertical_force_62(const TireConstantsOf<K>& tire,
+                    const WheelUnderLoadOf<K>& o,
+                    const K& R_l,
+                    const K& Fx,
+                    const K& Fy,
+                    K* rho) {
+  using std::abs, std::tan, std::pow;
+  const auto& p = tire.p;
+  const K R0 = p.UNLOADED_RADIUS, gamma = o.gamma;
+  const K ratio = R_l / o.R_omega;
+  const K SFyg = (p.Q_FYS1 + p.Q_FYS2 * ratio + p.Q_FYS3 * ratio * ratio) * gamma;
+  const K rho_zfr = at_least(o.R_omega - R_l, 0.0);
+  const K tread_width = (1.075 - 0.5 * p.ASPECT_RATIO) * p.WIDTH;
+  K rho_zg = -p.Q_CAM3 * rho_zfr * abs(gamma);
+  const K free = p.Q_CAM1 * o.R_omega + p.Q_CAM2 * o.R_omega * o.R_omega;
+  if (value(free) != 0.0) {
+    const K pressed = (p.Q_CAM1 * R_l + p.Q_CAM2 * R_l * R_l) / free;
+    rho_zg = rho_zg + pressed * pressed * (tread_width / 8.0) * abs(tan(gamma));
   }
   constexpr double kLeast = 1e-12;  // m
-  const double rho_z = std::max(rho_zfr + rho_zg, kLeast);
+  const K rho_z = at_least(rho_zfr + rho_zg, kLeast);
   if (rho != nullptr) *rho = rho_z;
-  const double side = std::pow(rho_z / R0, p.Q_FCY2) * p.Q_FCY * (Fy - SFyg) / p.FNOMIN;
-  return stiffening(tire, o.omega, p.Q_FCX * Fx / p.FNOMIN, side) * (1.0 + p.PFZ1 * o.dpi) *
+  const K side = pow(rho_z / R0, p.Q_FCY2) * p.Q_FCY * (Fy - SFyg) / p.FNOMIN;
+  return stiffening<K>(tire, o.omega, p.Q_FCX * Fx / p.FNOMIN, side) * (1.0 + p.PFZ1 * o.dpi) *
          (tire.Q_FZ1 * rho_z / R0 + p.Q_FZ2 * (rho_z / R0) * (rho_z / R0)) * p.FNOMIN;
 }
 
@@ -49,7 +58,7 @@ Deflection62 deflection_62(const TireConstants& tire,
                            double Fx,
                            double Fy) {
   const auto surplus = [&](double R_l) {
-    return vertical_force_62(tire, o, R_l, Fx, Fy, nullptr) - o.Fz_given;
+    return vertical_force_62<double>(tire, o, R_l, Fx, Fy, nullptr) - o.Fz_given;
   };
   // Smaller radii carry more: walk until the load is between. Camber presses the shoulder also
   // where the crown is clear of the road, so the walk may lead up; where no radius carries as
@@ -69,8 +78,9 @@ Deflection62 deflection_62(const TireConstants& tire,
     above += step;
     f_above = surplus(above);
   }
-  if (f_above > 0.0) above = below = o.R_omega;
   Deflection62 d;
+  d.carried = !(f_above > 0.0 || f_below < 0.0);
+  if (f_above > 0.0) above = below = o.R_omega;
   if (f_below < 0.0) {  // no radius carries it
     d.R_l = 0.0;
   } else {
@@ -91,14 +101,40 @@ Deflection62 deflection_62(const TireConstants& tire,
     }
     d.R_l = 0.5 * (below + above);
   }
-  vertical_force_62(tire, o, d.R_l, Fx, Fy, &d.rho);
+  vertical_force_62<double>(tire, o, d.R_l, Fx, Fy, &d.rho);
+  return d;
+}
+
+DualDeflection62 deflection_62(const TireConstants& tire,
+                               const TireConstantsOf<DualNumber>& dual_tire,
+                               const WheelUnderLoadOf<DualNumber>& o,
+                               const DualNumber& Fx,
+                               const DualNumber& Fy,
+                               int spare,
+                               SlopeArena& arena) {
+  const WheelUnderLoad plain{o.Fz.v, o.Fz_given.v, o.omega.v, o.gamma.v, o.dpi.v, o.R_omega.v};
+  const Deflection62 found = deflection_62(tire, plain, Fx.v, Fy.v);
+  DualDeflection62 d;
+  d.R_l = found.R_l;
+  if (found.carried) {
+    const DualNumber radius = DualNumber::variable(found.R_l, spare, arena);
+    const DualNumber surplus =
+        vertical_force_62<DualNumber>(dual_tire, o, radius, Fx, Fy, nullptr) - o.Fz_given;
+    const double stiffness = -surplus.slope(spare);
+    // Without load the wheel only just touches.
+    d.R_l = stiffness > 0.0 ? DualNumber(found.R_l, without(surplus, spare, 1.0 / stiffness))
+                            : DualNumber(found.R_l, o.R_omega.slopes);
+  } else if (found.R_l > 0.0) {
+    d.R_l = o.R_omega;
+  }
+  vertical_force_62<DualNumber>(dual_tire, o, d.R_l, Fx, Fy, &d.rho);
   return d;
 }
 
 double MagicFormula::vertical_force(
     double rho, double omega, double gamma, double p, double Fx, double Fy) const {
   WheelUnderLoad o{};
-  const Parameters& q = tire_.p;
+  const Parameters& q = parameters_;
   o.omega = omega;
   o.gamma = conventions_.mirrored ? -gamma : gamma;
   o.dpi = (p - q.NOMPRES) / q.NOMPRES;
@@ -106,10 +142,10 @@ double MagicFormula::vertical_force(
   o.R_omega = q.UNLOADED_RADIUS * (q.Q_RE0 + q.Q_V1 * speed * speed);  // (1)
   if (rho <= 0.0) return 0.0;
   if (q.version == Version::mf62)
-    return vertical_force_62(
+    return vertical_force_62<double>(
         tire_, o, o.R_omega - rho, Fx, conventions_.mirrored ? -Fy : Fy, nullptr);
   const double x = rho / q.UNLOADED_RADIUS;
-  return stiffening(tire_, omega, q.Q_FCX * Fx / q.FNOMIN, q.Q_FCY * Fy / q.FNOMIN) *
+  return stiffening<double>(tire_, omega, q.Q_FCX * Fx / q.FNOMIN, q.Q_FCY * Fy / q.FNOMIN) *
          (tire_.Q_FZ1 * x + q.Q_FZ2 * x * x) * (1.0 + q.PFZ1 * o.dpi) * q.FNOMIN;
 }
 

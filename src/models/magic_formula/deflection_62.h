@@ -19,18 +19,24 @@ using WheelUnderLoad = WheelUnderLoadOf<double>;
 
 struct Deflection62 {
   double rho, R_l;  // m
+  bool carried;     // there is a radius at which the tire carries the load
 };
 
 Deflection62 deflection_62(const TireConstants& tire,
                            const WheelUnderLoad& o,
                            double Fx,
                            double Fy);
-/// The vertical force of MF 6.2 at a loaded radius.
-double vertical_force_62(const TireConstants& tire,
-                         const WheelUnderLoad& o,
-                         double R_l,
-                         double Fx,
-                         double Fy,
-                         double* rho);
+
+/// With slopes: dR_l = (dF - dFz)/(-dF/dR_l). `spare`: a direction that nothing has slopes in.
+struct DualDeflection62 {
+  DualNumber rho, R_l;
+};
+DualDeflection62 deflection_62(const TireConstants& tire,
+                               const TireConstantsOf<DualNumber>& dual_tire,
+                               const WheelUnderLoadOf<DualNumber>& o,
+                               const DualNumber& Fx,
+                               const DualNumber& Fy,
+                               int spare,
+                               SlopeArena& arena);
 
 }  // namespace latsch::magic_formula

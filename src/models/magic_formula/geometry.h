@@ -23,17 +23,17 @@ struct Deflection {
 
 /// 1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - (q_FCy Fy/Fz0)^2 (3)
 template <class R>
-LATSCH_INLINE R stiffening(const TireConstants& tire, const R& omega, const R& x, const R& y) {
+LATSCH_INLINE R stiffening(const TireOf<R>& tire, const R& omega, const R& x, const R& y) {
   return 1.0 + tire.p.Q_V2 * tire.R0_per_V0 * abs(omega) - x * x - y * y;
 }
 
 /// The deflection that carries the load (3), solved for rho; MF 5.2 and 6.1.
 template <class R>
-LATSCH_INLINE Deflection<R> deflection(const TireConstants& tire,
+LATSCH_INLINE Deflection<R> deflection(const TireOf<R>& tire,
                                        const OperatingPoint<R>& o,
                                        const R& Fx,
                                        const R& Fy) {
-  const Parameters& p = tire.p;
+  const auto& p = tire.p;
   const R external =
       stiffening<R>(tire, o.omega, p.Q_FCX * Fx * tire.per_FNOMIN, p.Q_FCY * Fy * tire.per_FNOMIN) *
       (1.0 + p.PFZ1 * o.dpi) * p.FNOMIN;
@@ -53,9 +53,9 @@ struct Patch {
 };
 
 template <class R>
-LATSCH_INLINE Patch<R> contact_patch(const TireConstants& tire, const OperatingPoint<R>& o) {
-  const Parameters& p = tire.p;
-  const double R0 = p.UNLOADED_RADIUS;
+LATSCH_INLINE Patch<R> contact_patch(const TireOf<R>& tire, const OperatingPoint<R>& o) {
+  const auto& p = tire.p;
+  const ConstantOf<R> R0 = p.UNLOADED_RADIUS;
   Patch<R> patch;
   if (tire.mf52) {
     const R Cz = p.VERTICAL_STIFFNESS * (1.0 + p.PFZ1 * o.dpi);  // (5)
@@ -76,11 +76,11 @@ struct Relaxation {
 };
 
 template <class R>
-LATSCH_INLINE Relaxation<R> relaxation(const TireConstants& tire,
+LATSCH_INLINE Relaxation<R> relaxation(const TireOf<R>& tire,
                                        const OperatingPoint<R>& o,
                                        const R& Kxk,
                                        const R& Kya) {
-  const Parameters& p = tire.p;
+  const auto& p = tire.p;
   const R &dfz = o.dfz, &dpi = o.dpi;
   Relaxation<R> r;
   r.Cx = p.LONGITUDINAL_STIFFNESS * (1.0 + p.PCFX1 * dfz + p.PCFX2 * dfz * dfz) *

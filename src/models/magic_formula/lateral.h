@@ -20,20 +20,20 @@ struct PureLateral {
 
 /// K_ya (4.E25), cambered or upright.
 template <class R>
-LATSCH_INLINE R cornering_stiffness(const TireConstants& tire,
+LATSCH_INLINE R cornering_stiffness(const TireOf<R>& tire,
                                     const OperatingPoint<R>& o,
                                     const R& gamma_star,
                                     const R& sine,
                                     const R& zeta3) {
-  const Parameters& p = tire.p;
+  const auto& p = tire.p;
   return p.PKY1 * tire.Fz0_prime * (1.0 + p.PPY1 * o.dpi) * (1.0 - p.PKY3 * abs(gamma_star)) *
          sine * zeta3 * p.LKY;
 }
 
 /// K_yg0 (4.E30); of MF 5.2 from its shifts.
 template <class R>
-LATSCH_INLINE R camber_stiffness(const TireConstants& tire, const OperatingPoint<R>& o) {
-  const Parameters& p = tire.p;
+LATSCH_INLINE R camber_stiffness(const TireOf<R>& tire, const OperatingPoint<R>& o) {
+  const auto& p = tire.p;
   if (tire.mf52) {
     const R Kya0 =
         p.PKY1 * tire.Fz0_prime * p.LKYC * sin(p.PKY4 * atan(o.Fz / (p.PKY2 * tire.Fz0_prime)));
@@ -49,7 +49,7 @@ LATSCH_INLINE R with_epsilon(const R& stiffness) {
 
 /// zeta_2 (4.77), (4.78)
 template <class R>
-LATSCH_INLINE R peak_reduction_by_spin(const Parameters& p, const OperatingPoint<R>& o) {
+LATSCH_INLINE R peak_reduction_by_spin(const CoefficientsFor<R>& p, const OperatingPoint<R>& o) {
   const R Byp = p.PDYP1 * (1.0 + p.PDYP2 * o.dfz) * cos_atan(p.PDYP3 * o.tan_alpha);
   const R turns = p.UNLOADED_RADIUS * abs(o.phi);
   return cos_atan(Byp * (turns + p.PDYP4 * sqrt(turns)));
@@ -57,11 +57,11 @@ LATSCH_INLINE R peak_reduction_by_spin(const Parameters& p, const OperatingPoint
 
 /// S_Hyphi (4.80), (4.85)-(4.89)
 template <class R>
-LATSCH_INLINE R shift_by_spin(const TireConstants& tire,
+LATSCH_INLINE R shift_by_spin(const TireOf<R>& tire,
                               const Conventions& conventions,
                               const OperatingPoint<R>& o,
                               const R& Kya0) {
-  const Parameters& p = tire.p;
+  const auto& p = tire.p;
   const R CHyp = R(p.PHYP1);                                              // (4.85)
   const R DHyp = (p.PHYP2 + p.PHYP3 * o.dfz) * o.sign_Vx;                 // (4.86)
   const R EHyp = R(conventions.limits && p.PHYP4 > 1.0 ? 1.0 : p.PHYP4);  // (4.87)
@@ -73,14 +73,14 @@ LATSCH_INLINE R shift_by_spin(const TireConstants& tire,
 }
 
 template <class R>
-LATSCH_INLINE R shift_by_camber(const TireConstants& tire,
+LATSCH_INLINE R shift_by_camber(const TireOf<R>& tire,
                                 const Conventions& conventions,
                                 const OperatingPoint<R>& o,
                                 const R& gamma_star,
                                 const R& SVyg,
                                 const R& per_Kya_prime,
                                 const R& zeta3) {
-  const Parameters& p = tire.p;
+  const auto& p = tire.p;
   if (tire.mf52) return p.PHY3 * gamma_star * p.LKYC;
   if (conventions.turn_slip) {  // zeta_0 = 0 (4.83); this is zeta_4 - 1 (4.84)
     const R Kya0 = cornering_stiffness<R>(tire, o, R(0.0), o.sin_K0, zeta3);
@@ -91,12 +91,12 @@ LATSCH_INLINE R shift_by_camber(const TireConstants& tire,
 
 /// Everything but Fy0, of the wheel as it leans or upright; the curve goes into `shapes`.
 template <class R>
-LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireConstants& tire,
+LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireOf<R>& tire,
                                                 const Conventions& conventions,
                                                 const OperatingPoint<R>& o,
                                                 bool upright,
                                                 Shapes<R>& shapes) {
-  const Parameters& p = tire.p;
+  const auto& p = tire.p;
   const R &dfz = o.dfz, &dpi = o.dpi;
   const R gamma_star = upright ? R(0.0) : R(o.gamma_star * (tire.mf52 ? p.LGAY : 1.0));
   PureLateral<R> y;
@@ -150,12 +150,12 @@ struct CombinedLateral {
 
 /// S_Vyk and the two curves.
 template <class R>
-LATSCH_INLINE CombinedLateral<R> combined_lateral_terms(const TireConstants& tire,
+LATSCH_INLINE CombinedLateral<R> combined_lateral_terms(const TireOf<R>& tire,
                                                         const Conventions& conventions,
                                                         const OperatingPoint<R>& o,
                                                         const PureLateral<R>& pure,
                                                         Shapes<R>& shapes) {
-  const Parameters& p = tire.p;
+  const auto& p = tire.p;
   CombinedLateral<R> y;
   const R DVyk = pure.muy * o.Fz * (p.RVY1 + p.RVY2 * o.dfz + p.RVY3 * o.gamma_star) * o.cos_RVY4 *
                  pure.zeta2;                     // (4.E67)

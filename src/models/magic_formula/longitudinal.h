@@ -19,11 +19,11 @@ struct Longitudinal {
 
 /// Everything but Fx; its three curves go into `shapes`.
 template <class R>
-LATSCH_INLINE Longitudinal<R> longitudinal_terms(const TireConstants& tire,
+LATSCH_INLINE Longitudinal<R> longitudinal_terms(const TireOf<R>& tire,
                                                  const Conventions& conventions,
                                                  const OperatingPoint<R>& o,
                                                  Shapes<R>& shapes) {
-  const Parameters& p = tire.p;
+  const auto& p = tire.p;
   const R &dfz = o.dfz, &dpi = o.dpi;
   const R gamma = o.gamma * (tire.mf52 ? p.LGAX : 1.0);
   Longitudinal<R> x;
@@ -50,7 +50,7 @@ LATSCH_INLINE Longitudinal<R> longitudinal_terms(const TireConstants& tire,
   const R Bxa = (p.RBX1 + p.RBX3 * o.gamma_star * o.gamma_star) * o.cos_RBX2 * p.LXAL;  // (4.E54)
   const R Cxa = R(p.RCX1);                                                              // (4.E55)
   const R Exa = p.REX1 + p.REX2 * dfz;                                                  // (4.E56)
-  const double SHxa = p.RHX1;                                                           // (4.E57)
+  const ConstantOf<R> SHxa = p.RHX1;                                                    // (4.E57)
   shapes.set(Shapes<R>::kGx0, Bxa * SHxa, Cxa, Exa);
   shapes.set(Shapes<R>::kGx, Bxa * (o.alpha_star + SHxa), Cxa, Exa);  // (4.E53)
   return x;

@@ -10,28 +10,6 @@
 #include "numerics/kernels/for_each_kernel_set.h"
 
 namespace latsch::magic_formula {
-TireConstants::TireConstants(const Parameters& parameters)
-    : p(parameters), mf52(p.version == Version::mf52), Fz0_prime(p.LFZO * p.FNOMIN) {
-  const double stiffness = p.VERTICAL_STIFFNESS * p.UNLOADED_RADIUS / p.FNOMIN;
-  Q_FZ1 = std::sqrt(std::max(stiffness * stiffness - 4.0 * p.Q_FZ2, 0.0));  // (4)
-  per_FNOMIN = 1.0 / p.FNOMIN;
-  per_Fz0_prime = 1.0 / Fz0_prime;
-  per_NOMPRES = 1.0 / p.NOMPRES;
-  per_LONGVL = 1.0 / p.LONGVL;
-  per_VXLOW = 1.0 / p.VXLOW;
-  per_FZMIN = 1.0 / p.FZMIN;
-  per_LMUY = 1.0 / p.LMUY;
-  R0_per_V0 = p.UNLOADED_RADIUS / p.LONGVL;
-  Q_A1 = p.Q_A1;
-  Q_A2 = p.Q_A2;
-  if (Q_A1 == 0.0 && Q_A2 == 0.0) {
-    // What MF-Tyre takes for a file that is silent: a fit over tires by their stiffness.
-    const double y = std::log10(stiffness);
-    Q_A1 = ((-0.0388 * y + 0.2509) * y - 0.6283) * y + 0.6279;
-    Q_A2 = 1.693 * Q_A1 * Q_A1;
-  }
-}
-
 namespace {
 
 Conventions usable(Conventions conventions, const Parameters& parameters) {
@@ -52,19 +30,21 @@ void add_deflection(const TireConstants& tire,
 }  // namespace
 
 MagicFormula::MagicFormula(const Parameters& parameters, const Conventions& conventions)
-    : tire_(parameters), conventions_(usable(conventions, parameters)) {}
+    : parameters_(parameters),
+      tire_(parameters, parameters.version),
+      conventions_(usable(conventions, parameters)) {}
 
 SteadyState MagicFormula::evaluate(const State& state) const {
   SteadyState result;
   WheelUnderLoad wheel;
   LATSCH_KERNEL(evaluate_one)(tire_, conventions_, state, result, wheel);
-  if (tire_.p.version == Version::mf62) add_deflection(tire_, conventions_, wheel, result);
+  if (parameters_.version == Version::mf62) add_deflection(tire_, conventions_, wheel, result);
   return result;
 }
 
 void MagicFormula::evaluate(std::span<const State> states, std::span<SteadyState> results) const {
   assert(states.size() == results.size());
-  const bool alone = tire_.p.version == Version::mf62;
+  const bool alone = parameters_.version == Version::mf62;
   const auto eight = LATSCH_KERNEL(evaluate_eight);
   const std::size_t whole = states.size() / 8 * 8;
   for (std::size_t i = 0; i < whole; i += 8) {

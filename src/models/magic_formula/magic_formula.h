@@ -45,7 +45,7 @@ class MagicFormula {
  public:
   explicit MagicFormula(const Parameters& parameters, const Conventions& conventions = {});
 
-  const Parameters& parameters() const { return tire_.p; }
+  const Parameters& parameters() const { return parameters_; }
   const Conventions& conventions() const { return conventions_; }
 
   SteadyState evaluate(const State& state) const;
@@ -60,6 +60,7 @@ class MagicFormula {
       double rho, double omega, double gamma, double p, double Fx, double Fy) const;
 
  private:
+  Parameters parameters_;
   TireConstants tire_;
   Conventions conventions_;
 };

@@ -18,7 +18,7 @@ template <class R>
 struct OverturningShapes {
   R cosine, sine, arc;
 };
-LATSCH_INLINE OverturningShapes<Lane> overturning_shapes(const Parameters& p,
+LATSCH_INLINE OverturningShapes<Lane> overturning_shapes(const CoefficientsFor<Lane>& p,
                                                          const Lane (&x)[3],
                                                          const Lane& angle) {
   const Lanes4 arcs = atan(gathered<3>(x));
@@ -27,20 +27,21 @@ LATSCH_INLINE OverturningShapes<Lane> overturning_shapes(const Parameters& p,
       sin_cos(four(p.QSX5, p.QSX8, 0.0, 0.0) * arcs + four(-0.0, angle.v, 0.0, 0.0));
   return {r.cos.at(0), r.sin.at(1), arcs.at(2)};
 }
-LATSCH_INLINE OverturningShapes<Lanes> overturning_shapes(const Parameters& p,
-                                                          const Lanes (&x)[3],
-                                                          const Lanes& angle) {
+template <class R>
+LATSCH_INLINE OverturningShapes<R> overturning_shapes(const CoefficientsFor<R>& p,
+                                                      const R (&x)[3],
+                                                      const R& angle) {
   return {cos(p.QSX5 * atan(x[0])), sin(p.QSX8 * atan(x[1]) + angle), atan(x[2])};
 }
 
 template <class R>
-LATSCH_INLINE R overturning(const TireConstants& tire, const OperatingPoint<R>& o, const R& Fy) {
-  const Parameters& p = tire.p;
+LATSCH_INLINE R overturning(const TireOf<R>& tire, const OperatingPoint<R>& o, const R& Fy) {
+  const auto& p = tire.p;
   const R& gamma = o.gamma;
   const R Fz = faded_load(tire, o.Fz, true);
   const R fz = Fz * tire.per_FNOMIN, fy = Fy * tire.per_FNOMIN;
   R factor = p.QSX1 * p.LVMX - p.QSX2 * gamma * (1.0 + p.PPMX1 * o.dpi) + p.QSX3 * fy;
-  if (p.QSX4 != 0.0 || p.QSX10 != 0.0) {
+  if (matters(p.QSX4) || matters(p.QSX10)) {
     const R x[3] = {p.QSX6 * fz * (p.QSX6 * fz), p.QSX9 * fy, p.QSX11 * fz};
     const OverturningShapes<R> shapes = overturning_shapes(p, x, R(p.QSX7 * gamma));
     factor = factor + p.QSX4 * shapes.cosine * shapes.sine + p.QSX10 * shapes.arc * gamma;
@@ -50,10 +51,8 @@ LATSCH_INLINE R overturning(const TireConstants& tire, const OperatingPoint<R>& 
 }
 
 template <class R>
-LATSCH_INLINE R rolling_resistance(const TireConstants& tire,
-                                   const OperatingPoint<R>& o,
-                                   const R& Fx) {
-  const Parameters& p = tire.p;
+LATSCH_INLINE R rolling_resistance(const TireOf<R>& tire, const OperatingPoint<R>& o, const R& Fx) {
+  const auto& p = tire.p;
   const R& Fz = o.Fz_My;
   const R v = abs(o.Vx * tire.per_LONGVL);
   R factor = p.QSY1 + p.QSY2 * Fx * tire.per_FNOMIN + p.QSY3 * v + p.QSY4 * (v * v) * (v * v);

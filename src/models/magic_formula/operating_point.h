@@ -47,8 +47,8 @@ LATSCH_INLINE void cosines_of_atan(
   of_y = cosine.at(1);
   of_z = cosine.at(2);
 }
-LATSCH_INLINE void cosines_of_atan(
-    const Lanes& x, const Lanes& y, const Lanes& z, Lanes& of_x, Lanes& of_y, Lanes& of_z) {
+template <class R>
+LATSCH_INLINE void cosines_of_atan(const R& x, const R& y, const R& z, R& of_x, R& of_y, R& of_z) {
   of_x = cos_atan(x);
   of_y = cos_atan(y);
   of_z = cos_atan(z);
@@ -79,15 +79,15 @@ struct OperatingPoint {
 };
 
 template <class R>
-LATSCH_INLINE R clamped(const R& x, double lower, double upper) {
+LATSCH_INLINE R clamped(const R& x, const ConstantOf<R>& lower, const ConstantOf<R>& upper) {
   return larger(smaller(x, R(upper)), R(lower));
 }
 
 template <class R>
-LATSCH_INLINE void apply_limits(const TireConstants& tire,
+LATSCH_INLINE void apply_limits(const TireOf<R>& tire,
                                 const Conventions& conventions,
                                 OperatingPoint<R>& o) {
-  const Parameters& p = tire.p;
+  const auto& p = tire.p;
   const R slow = p.VXLOW > 0.0 ? smaller(abs(o.Vx) * tire.per_VXLOW, R(1.0)) : R(1.0);
   const auto crawls = slow < 1.0;
   o.fade = R(1.0);
@@ -110,7 +110,7 @@ LATSCH_INLINE void apply_limits(const TireConstants& tire,
 
 /// Below FZMIN the load counts less and less: by a power of its share.
 template <class R>
-LATSCH_INLINE R faded_load(const TireConstants& tire, const R& Fz, bool squared) {
+LATSCH_INLINE R faded_load(const TireOf<R>& tire, const R& Fz, bool squared) {
   if (!(tire.p.FZMIN > 0.0)) return Fz;
   const R share = Fz * tire.per_FZMIN;
   return select(Fz < tire.p.FZMIN, Fz * (squared ? share * share : share), Fz);
@@ -118,17 +118,17 @@ LATSCH_INLINE R faded_load(const TireConstants& tire, const R& Fz, bool squared)
 
 /// What stands in (4.E25) below the arc tangent.
 template <class R>
-LATSCH_INLINE R bend(const TireConstants& tire, const OperatingPoint<R>& o, const R& gamma_star) {
-  const Parameters& p = tire.p;
+LATSCH_INLINE R bend(const TireOf<R>& tire, const OperatingPoint<R>& o, const R& gamma_star) {
+  const auto& p = tire.p;
   return (o.Fz * tire.per_Fz0_prime) /
          ((p.PKY2 + p.PKY5 * gamma_star * gamma_star) * (1.0 + p.PPY2 * o.dpi));
 }
 
 template <class R>
-LATSCH_INLINE void powers(const TireConstants& tire, OperatingPoint<R>& o) {
-  const Parameters& p = tire.p;
+LATSCH_INLINE void powers(const TireOf<R>& tire, OperatingPoint<R>& o) {
+  const auto& p = tire.p;
   const R one = R(1.0), zero = R(0.0);
-  const double R0 = p.UNLOADED_RADIUS;
+  const ConstantOf<R> R0 = p.UNLOADED_RADIUS;
   // On its rim the patch grows no more.
   o.patch_load = smaller(o.Fz_given * o.per_Cz, R(R0 - p.RIM_RADIUS - p.BOTTOM_OFFST)) * (1.0 / R0);
   o.Fz_My = faded_load(tire, o.Fz_given, false);
@@ -136,23 +136,23 @@ LATSCH_INLINE void powers(const TireConstants& tire, OperatingPoint<R>& o) {
   const R bases[3] = {select(load > 0.0, load, one),
                       select(pressure > 0.0, pressure, one),
                       select(o.patch_load > 0.0, o.patch_load, one)};
-  const double powers[3] = {p.QSY7, p.QSY8, 1.0 / 3.0};
+  const ConstantOf<R> powers[3] = {p.QSY7, p.QSY8, 1.0 / 3.0};
   R raised[3];
   powers_and_exp(bases, powers, R(p.PKX3 * o.dfz), raised, o.exp_PKX3);
-  o.load_power = p.QSY7 == 0.0 ? one : select(load > 0.0, raised[0], zero);
-  o.pressure_power = p.QSY8 == 0.0 ? one : select(pressure > 0.0, raised[1], zero);
+  o.load_power = select(load > 0.0, raised[0], R(p.QSY7 == 0.0 ? 1.0 : 0.0));
+  o.pressure_power = select(pressure > 0.0, raised[1], R(p.QSY8 == 0.0 ? 1.0 : 0.0));
   o.patch_root = select(o.patch_load > 0.0, raised[2], zero);
 }
 
 template <class R>
-LATSCH_INLINE void functions_of_state(const TireConstants& tire, OperatingPoint<R>& o) {
-  const Parameters& p = tire.p;
+LATSCH_INLINE void functions_of_state(const TireOf<R>& tire, OperatingPoint<R>& o) {
+  const auto& p = tire.p;
   const R gamma_star = o.gamma_star * (tire.mf52 ? p.LGAY : 1.0);
   const R arguments[4] = {bend(tire, o, gamma_star),
                           bend<R>(tire, o, R(0.0)),
                           p.RVY6 * o.kappa,
                           p.BREFF * (o.Fz_given * tire.per_FNOMIN)};
-  const double factors[3] = {p.PKY4, p.PKY4, p.RVY5};
+  const ConstantOf<R> factors[3] = {p.PKY4, p.PKY4, p.RVY5};
   R arcs[4], sine[4], cosine[4];
   sin_cos_of_atan_all(arguments, factors, o.alpha, arcs, sine, cosine);
   o.atan_load = arcs[3];
@@ -179,11 +179,19 @@ LATSCH_INLINE R stretched(const R& e) {
   return x;
 }
 
+/// The iteration's own slopes would stop one step early; these are those of the equation.
+template <class V>
+LATSCH_INLINE DualLanes<V> stretched(const DualLanes<V>& e) {
+  const V x = stretched(e.v);
+  if (e.slopes == nullptr) return {x, nullptr};
+  return {x, scaled<V>(e.slopes, 1.0 / (x * (3.0 * x - 2.0)))};
+}
+
 /// Effective rolling radius and spin of each other: Re = R_omega - deflection terms (7), R_omega =
 /// R0 (q_re0 + q_V1 (omega R0/V0)^2) (1), omega = (1 + kappa) Vx / Re.
 template <class R>
-LATSCH_INLINE void roll(const TireConstants& tire, OperatingPoint<R>& o) {
-  const Parameters& p = tire.p;
+LATSCH_INLINE void roll(const TireOf<R>& tire, OperatingPoint<R>& o) {
+  const auto& p = tire.p;
   const R load = o.Fz_given * tire.per_FNOMIN;
   const R slack = p.FNOMIN * o.per_Cz * (p.DREFF * o.atan_load + p.FREFF * load);
   const R speed = (1.0 + o.kappa_given) * o.Vx;
@@ -199,7 +207,7 @@ LATSCH_INLINE void roll(const TireConstants& tire, OperatingPoint<R>& o) {
 
 /// Spin of the tire on its path and by its camber (4.76), its camber reduction (4.90).
 template <class R>
-LATSCH_INLINE void spin(const Parameters& p, OperatingPoint<R>& o) {
+LATSCH_INLINE void spin(const CoefficientsFor<R>& p, OperatingPoint<R>& o) {
   o.epsilon_gamma = p.PECP1 * (1.0 + p.PECP2 * o.dfz);  // (4.90)
   const R V = abs(o.Vx) * sqrt(1.0 + o.tan_alpha * o.tan_alpha);
   const R Vc_prime = select(abs(o.Vx) < p.VXLOW, p.VXLOW * sign_or_one(o.Vx), V);
@@ -208,12 +216,12 @@ LATSCH_INLINE void spin(const Parameters& p, OperatingPoint<R>& o) {
 }
 
 template <class R>
-LATSCH_INLINE void friction_scales(const TireConstants& tire, double A_mu, OperatingPoint<R>& o) {
-  const Parameters& p = tire.p;
+LATSCH_INLINE void friction_scales(const TireOf<R>& tire, double A_mu, OperatingPoint<R>& o) {
+  const auto& p = tire.p;
   o.LMUX_star = R(p.LMUX);
   o.LMUY_star = R(p.LMUY);
   o.per_LMUY_star = R(tire.per_LMUY);
-  if (p.LMUV != 0.0) {
+  if (matters(p.LMUV)) {
     const R Vs = abs(o.Vx) * sqrt(o.kappa * o.kappa + o.tan_alpha * o.tan_alpha);
     const R slippery = 1.0 + p.LMUV * Vs * tire.per_LONGVL;
     o.LMUX_star = p.LMUX / slippery;  // (4.E7)
@@ -228,11 +236,11 @@ LATSCH_INLINE void friction_scales(const TireConstants& tire, double A_mu, Opera
 }
 
 template <class R>
-LATSCH_INLINE void find_operating_point(const TireConstants& tire,
+LATSCH_INLINE void find_operating_point(const TireOf<R>& tire,
                                         const Conventions& conventions,
                                         const StateOf<R>& given,
                                         OperatingPoint<R>& o) {
-  const Parameters& p = tire.p;
+  const auto& p = tire.p;
   o.Fz = o.Fz_given = o.Fz_moment = larger(given.Fz, R(0.0));
   o.kappa = o.kappa_given = given.kappa;
   o.alpha = given.alpha;
@@ -256,12 +264,12 @@ LATSCH_INLINE void find_operating_point(const TireConstants& tire,
   functions_of_state(tire, o);
   o.alpha_star = tangent ? o.tan_alpha * o.sign_Vx : o.alpha;  // (4.E3)
   o.cos_alpha_star = tangent ? cos(o.alpha_star) : o.cos_alpha;
-  cosines_of_atan(p.RBX2 * o.kappa,
-                  p.RBY2 * (o.alpha_star - p.RBY3),
-                  p.RVY4 * o.alpha_star,
-                  o.cos_RBX2,
-                  o.cos_RBY2,
-                  o.cos_RVY4);
+  cosines_of_atan<R>(p.RBX2 * o.kappa,
+                     p.RBY2 * (o.alpha_star - p.RBY3),
+                     p.RVY4 * o.alpha_star,
+                     o.cos_RBX2,
+                     o.cos_RBY2,
+                     o.cos_RVY4);
   const R Vc = abs(o.Vx) * sqrt(1.0 + o.tan_alpha * o.tan_alpha);
   o.cos_alpha_prime = o.Vx / (Vc + kEpsilon);  // (4.E6)
   friction_scales(tire, conventions.A_mu, o);

@@ -22,7 +22,15 @@ enum class Version { mf52, mf61, mf62 };
 /// The vehicle side the coefficients were measured for.
 enum class Side { left, right, symmetric };
 
-struct Parameters {
+/// The numbers among the parameters, as doubles or, for slopes, as dual numbers (dual_number.h).
+template <class K>
+struct CoefficientsOf {
+#define LATSCH_DECLARE(section, name, value, unit) K name = value;
+  LATSCH_MAGIC_FORMULA_PARAMETERS(LATSCH_DECLARE)
+#undef LATSCH_DECLARE
+};
+
+struct Parameters : CoefficientsOf<double> {
   Version version = Version::mf61;
   Side side = Side::left;
   /// USE_MODE: the units digit says which forces (0 vertical only, 1 Fx My, 2 Fy Mx Mz, 3 all
@@ -31,10 +39,6 @@ struct Parameters {
   int use_mode = 14;
   /// SHAPE and DEFLECTION_LOAD_CURVE: {deflection, force}, ascending; empty where there is none.
   std::vector<double> curve_deflection, curve_force;
-
-#define LATSCH_DECLARE(section, name, value, unit) double name = value;
-  LATSCH_MAGIC_FORMULA_PARAMETERS(LATSCH_DECLARE)
-#undef LATSCH_DECLARE
 
   bool turn_slip_known() const { return QDRP1 != 0.0 && PHYP1 != 0.0 && QCRP1 != 0.0; }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Elementary functions of several numbers at once: of one state side by side, from end to end; of
-// eight states one after the other.
+// eight states, with or without slopes, one after the other.
 #if defined(LATSCH_MAGIC_FORMULA_SIDE_BY_SIDE) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_MAGIC_FORMULA_SIDE_BY_SIDE
 #undef LATSCH_MAGIC_FORMULA_SIDE_BY_SIDE
@@ -8,11 +8,20 @@
 #define LATSCH_MAGIC_FORMULA_SIDE_BY_SIDE
 #endif
 
-#include "numerics/kernels/kernel_math.h"
+#include "models/magic_formula/tire_constants.h"
+#include "numerics/kernels/dual_lanes.h"
 
 namespace latsch::magic_formula::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
+
+/// Coefficients beside R.
+template <class R>
+using ConstantOf = typename R::Constant;
+template <class R>
+using CoefficientsFor = CoefficientsOf<ConstantOf<R>>;
+template <class R>
+using TireOf = TireConstantsOf<ConstantOf<R>>;
 
 LATSCH_INLINE double number(double x) { return x; }
 LATSCH_INLINE double number(const Lane& x) {
@@ -48,11 +57,15 @@ LATSCH_INLINE void magic_of_four(
   scatter<4>(r.cos, cosine);
 }
 struct ArcsLater {};
-LATSCH_INLINE ArcsLater inner_arcs(const Lanes*) { return {}; }
+template <class R>
+LATSCH_INLINE ArcsLater inner_arcs(const R*) {
+  return {};
+}
+template <class R>
 LATSCH_INLINE void magic_of_four(
-    const Lanes* x, const Lanes* C, const Lanes* E, const ArcsLater&, Lanes* sine, Lanes* cosine) {
+    const R* x, const R* C, const R* E, const ArcsLater&, R* sine, R* cosine) {
   for (int i = 0; i < 4; ++i) {
-    const SinCos<Lanes> r = sin_cos(C[i] * atan(x[i] - E[i] * (x[i] - atan(x[i]))));
+    const SinCos<R> r = sin_cos(C[i] * atan(x[i] - E[i] * (x[i] - atan(x[i]))));
     sine[i] = r.sin;
     cosine[i] = r.cos;
   }
@@ -73,15 +86,16 @@ LATSCH_INLINE void sin_cos_of_atan_all(const Lane (&x)[4],
   scatter<4>(r.sin, sine);
   scatter<4>(r.cos, cosine);
 }
-LATSCH_INLINE void sin_cos_of_atan_all(const Lanes (&x)[4],
-                                       const double (&factor)[3],
-                                       const Lanes& angle,
-                                       Lanes (&arc)[4],
-                                       Lanes (&sine)[4],
-                                       Lanes (&cosine)[4]) {
+template <class R>
+LATSCH_INLINE void sin_cos_of_atan_all(const R (&x)[4],
+                                       const ConstantOf<R> (&factor)[3],
+                                       const R& angle,
+                                       R (&arc)[4],
+                                       R (&sine)[4],
+                                       R (&cosine)[4]) {
   for (int i = 0; i < 4; ++i) arc[i] = atan(x[i]);
   for (int i = 0; i < 4; ++i) {
-    const SinCos<Lanes> r = i < 3 ? sin_cos(factor[i < 3 ? i : 0] * arc[i]) : sin_cos(angle);
+    const SinCos<R> r = i < 3 ? sin_cos(factor[i < 3 ? i : 0] * arc[i]) : sin_cos(angle);
     sine[i] = r.sin;
     cosine[i] = r.cos;
   }
@@ -99,11 +113,12 @@ LATSCH_INLINE void powers_and_exp(const Lane (&base)[3],
   scatter<3>(r, raised);
   e_to = r.at(3);
 }
-LATSCH_INLINE void powers_and_exp(const Lanes (&base)[3],
-                                  const double (&power)[3],
-                                  const Lanes& exponent,
-                                  Lanes (&raised)[3],
-                                  Lanes& e_to) {
+template <class R>
+LATSCH_INLINE void powers_and_exp(const R (&base)[3],
+                                  const ConstantOf<R> (&power)[3],
+                                  const R& exponent,
+                                  R (&raised)[3],
+                                  R& e_to) {
   for (int i = 0; i < 3; ++i) raised[i] = exp(power[i] * log(base[i]));
   e_to = exp(exponent);
 }
