@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Magic Formula 5.2, 6.1, 6.2: agreement with an independent program, one evaluation, 10^6 at once
+// Magic Formula 5.2, 6.1, 6.2: agreement with an independent program, one evaluation, 10^6 at once,
+// slopes
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/random.h"
 #include "magic_formula/magic_formula_points.h"
+#include "models/magic_formula/magic_formula_slopes.h"
 #include "table.h"
 #include "yardstick.h"
 
@@ -105,10 +108,73 @@ void speed(benchmarks::Table& table) {
   table.note("sum of side forces, so that nothing is left out", fmt::format("{:.3f} N", sum));
 }
 
+/// Exact slopes of a fit's size beside the evaluations that differences would take.
+void slopes(benchmarks::Table& table) {
+  const auto sample = verification::sample_tire(Version::mf61);
+  if (!sample) return;
+  const MagicFormula tire(*sample);
+  constexpr std::size_t kStates = 6000;
+  const std::vector<std::string> coefficients = {
+      "PCY1", "PDY1", "PDY2", "PDY3", "PEY1", "PEY2", "PEY3", "PEY4", "PKY1", "PKY2", "PKY3",
+      "PKY6", "PHY1", "PVY1", "PVY3", "QBZ1", "QBZ3", "QCZ1", "QDZ1", "QDZ3", "QDZ6", "QEZ1"};
+  const std::vector<Output> outputs = {&SteadyState::Fy, &SteadyState::Mz};
+  const std::vector<State> states = random_states(kStates, *sample);
+  std::vector<double> in[7], out[5];
+  double State::*const members[] = {
+      &State::Fz, &State::kappa, &State::alpha, &State::gamma, &State::phit, &State::Vx, &State::p};
+  for (int k = 0; k < 7; ++k)
+    for (const State& s : states) in[k].push_back(s.*members[k]);
+  for (auto& column : out) column.resize(kStates);
+  const Beside plain = beside(Yardstick::atan, 30, [&] {
+                         tire.forces({in[0], in[1], in[2], in[3], in[4], in[5], in[6]},
+                                     {out[0], out[1], out[2], out[3], out[4]});
+                       }).per(kStates);
+  SteadyStateSlopes found;
+  const Beside exact = beside(Yardstick::atan, 30, [&] {
+                         steady_state_slopes(tire, states, coefficients, outputs, found);
+                       }).per(kStates);
+  const double evaluations = 1.0 + coefficients.size();
+  const double share = exact.ratio() / (evaluations * plain.ratio());
+  table.row(
+      fmt::format("slopes of Fy and Mz in {} coefficients, {} states, beside {} evaluations",
+                  coefficients.size(),
+                  kStates,
+                  evaluations),
+      fmt::format("{:.2f} of their time ({} a state)", share, in_units(exact, Yardstick::atan)),
+      "<= 0.5",
+      share <= 0.5);
+  double worst = 0.0;
+  for (std::size_t j = 0; j < coefficients.size(); ++j) {
+    const auto changed = [&](double by) {
+      Parameters p = *sample;
+      p.*find_parameter(coefficients[j])->member += by;
+      std::vector<SteadyState> results(kStates);
+      MagicFormula(p).evaluate(states, results);
+      return results;
+    };
+    constexpr double kStep = 1e-4;
+    const auto up = changed(kStep), down = changed(-kStep);
+    for (std::size_t o = 0; o < outputs.size(); ++o) {
+      const auto column = found.slopes[o].col(j);
+      double error = 0.0;
+      for (std::size_t i = 0; i < kStates; ++i) {
+        const double d = (up[i].*outputs[o] - down[i].*outputs[o]) / (2 * kStep) - column[i];
+        error += d * d;
+      }
+      worst = std::max(worst, std::sqrt(error) / found.slopes[o].colwise().norm().maxCoeff());
+    }
+  }
+  table.row("those slopes against central differences, worst coefficient, over the largest slope",
+            fmt::format("{:.1e}", worst),
+            "<= 1e-5, what differences are good for",
+            worst <= 1e-5);
+}
+
 int bench() {
   benchmarks::Table table("magic_formula");
   agreement(table);
   speed(table);
+  slopes(table);
   return table.exit_code();
 }
 

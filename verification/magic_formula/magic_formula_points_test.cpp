@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "models/magic_formula/slope_differences_testing.h"
+
 namespace latsch::verification {
 namespace {
 
@@ -36,6 +38,27 @@ INSTANTIATE_TEST_SUITE_P(MagicFormula,
                                   : info.param == Version::mf61 ? "Mf61"
                                                                 : "Mf62";
                          });
+
+/// All slopes of all outputs of the sample tires in those states beside differences of the plain
+/// formula, every variable at a time.
+TEST_P(Points, SlopesAreWhatDifferencesTendTo) {
+  const auto tire = sample_tire(GetParam());
+  if (!tire) GTEST_SKIP() << "no sample tires in " << LATSCH_SAMPLE_TIRES;
+  for (int convention = 0; convention < 8; ++convention) {
+    Conventions c;
+    c.limits = convention & 1;
+    c.angles = convention & 2 ? Angles::tangent : Angles::direct;
+    c.turn_slip = convention & 4;
+    std::vector<State> states;
+    for (const MagicFormulaPoint& point : magic_formula_points())
+      if (point.version == GetParam() && states.size() < 120) states.push_back(point.state);
+    const SlopeComparison compared = compare_with_differences(MagicFormula(*tire, c), states);
+    EXPECT_LE(compared.worst, 1.0) << compared.where << " convention " << convention;
+    EXPECT_LE(compared.kinks, 0.01 * compared.count);
+    EXPECT_GT(compared.count, 400000);
+    EXPECT_EQ(compared.not_the_bits, 0);
+  }
+}
 
 /// What the 6.1 and 5.2 sample tires give in MF-Tyre's convention, to the digits published with the
 /// requirement.
