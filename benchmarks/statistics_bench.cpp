@@ -80,7 +80,7 @@ DesignPoint fitted(const DesignSpace& space, const Model& model) {
         difference_points(space, point, Eigen::VectorXd::Constant(space.size(), 1e-4));
     std::vector<Eigen::VectorXd> residuals;
     for (const DesignPoint& p : points) residuals.push_back(model(p.values));
-    Refit refit(differences(space, points, residuals), all, {.most_evaluations = 50});
+    BroydenFit refit(differences(space, points, residuals), all, {.most_evaluations = 50});
     while (refit.wanted()) {
       refit.observe(
           model(space.from_unit({refit.wanted()->begin(), refit.wanted()->end()}).values));

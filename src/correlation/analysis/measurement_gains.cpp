@@ -7,7 +7,7 @@
 
 #include "correlation/target/residuals.h"
 #include "correlation/target/tire_trials.h"
-#include "optimization/identifiability/candidate_gain.h"
+#include "optimization/identifiability/d_optimality.h"
 
 namespace latsch::correlation {
 namespace {
@@ -16,7 +16,7 @@ std::vector<MeasurementGain> gains(const Eigen::MatrixXd& J,
                                    const std::vector<Candidate>& candidates) {
   const Eigen::VectorXd before = deviations_with_bounds(J);
   std::vector<MeasurementGain> rows;
-  for (const CandidateGain& gain : candidate_gains(J, candidates)) {
+  for (const DOptimality& gain : d_optimality(J, candidates)) {
     Eigen::Index helps = 0;
     (gain.deviations.array() / before.array()).minCoeff(&helps);
     rows.push_back({candidates[gain.candidate].name,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which measurement would tell the most about the variables: candidate_gain.h over the experiments
+// Which measurement would tell the most about the variables: d_optimality.h over the experiments
 // of a study.
 //
 // Two kinds of candidates. A measured value made once more costs no simulation: its derivatives are

@@ -35,12 +35,12 @@ CrossValidation::CrossValidation(const DesignSpace& space,
     const double now = root_mean_square(best.r(out));
     folds_.push_back({rest,
                       out,
-                      Refit(without,
-                            all,
-                            {.tolerance = tolerance,
-                             .most_evaluations = kEvaluationsOfARefit + 2 * space.size(),
-                             .refresh = all,
-                             .region = FeasibleRegion(space)}),
+                      BroydenFit(without,
+                                 all,
+                                 {.tolerance = tolerance,
+                                  .most_evaluations = kEvaluationsOfARefit + 2 * space.size(),
+                                  .refresh = all,
+                                  .region = FeasibleRegion(space)}),
                       {left, best.u, now, now}});
   }
   ask();

@@ -2,10 +2,11 @@
 // Cross-validation: how well a model predicts measurements it was not fitted to.
 //
 // The residuals fall into groups, load cases for example. Each group is left out in turn, the
-// variables are refitted (refit.h) to the rest, and the residuals of the group are taken there.
-// Where they are much larger than in the common fit, the group holds what no other one tells, or
-// the model cannot have both. A refit that does not converge, because its evaluations fail or
-// because it ran out of them, predicts nothing. [Stone, J. R. Statist. Soc. B 36 (1974) 111]
+// variables are refitted (broyden_fit.h) to the rest, and the residuals of the group are taken
+// there. Where they are much larger than in the common fit, the group holds what no other one
+// tells, or the model cannot have both. A refit that does not converge, because its evaluations
+// fail or because it ran out of them, predicts nothing. [Stone, J. R. Statist. Soc. B 36 (1974)
+// 111]
 //
 // Ask and tell in rounds, as Identification: the groups go side by side.
 #pragma once
@@ -14,7 +15,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "optimization/identifiability/refit.h"
+#include "optimization/identifiability/broyden_fit.h"
 
 namespace latsch {
 
@@ -28,7 +29,7 @@ struct LeftOut {
 class CrossValidation {
  public:
   /// `group` of every residual of the common fit `best`, < 0 for what is never left out; at least
-  /// two groups. `tolerance` as in RefitOptions.
+  /// two groups. `tolerance` as in BroydenFitOptions.
   CrossValidation(const DesignSpace& space,
                   const Linearization& best,
                   const std::vector<int>& group,
@@ -43,7 +44,7 @@ class CrossValidation {
  private:
   struct Fold {
     std::vector<Eigen::Index> rest, out;  // rows
-    Refit refit;
+    BroydenFit refit;
     LeftOut result;
   };
   void ask();

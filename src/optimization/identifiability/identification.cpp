@@ -195,10 +195,10 @@ void Identification::take_slopes() {
   std::iota(every.begin(), every.end(), 0);
   refit_.emplace(*at_,
                  every,
-                 RefitOptions{.tolerance = kTolerance * confidence_->threshold(),
-                              .most_evaluations = kEvaluationsOfTheRefit + 2 * n,
-                              .differences = lengths_,
-                              .region = FeasibleRegion(space_)});
+                 BroydenFitOptions{.tolerance = kTolerance * confidence_->threshold(),
+                                   .most_evaluations = kEvaluationsOfTheRefit + 2 * n,
+                                   .differences = lengths_,
+                                   .region = FeasibleRegion(space_)});
   if (refit_->wanted()) {
     wanted_ = {space_.from_unit(numbers(*refit_->wanted()))};
   } else {

@@ -6,7 +6,8 @@
 //   1. the point and a step to both sides in each variable: the derivatives (slope_search.h), 2n +
 //   1
 //      points, and more where these tell that another length is better
-//   2. a refit of all variables (refit.h), because the fit may have ended early or have minimized
+//   2. a refit of all variables (broyden_fit.h), because the fit may have ended early or have
+//   minimized
 //      another target over the same residuals
 //   3. the profiles, two branches a variable side by side (profile.h)
 // Where any of them finds a point better than the center by more than kWorthwhile of the threshold
@@ -100,7 +101,7 @@ class Identification {
   std::vector<Eigen::Index> rows_;
   std::optional<Linearization> at_, best_;
   std::optional<Confidence> confidence_;
-  std::optional<Refit> refit_;
+  std::optional<BroydenFit> refit_;
   std::vector<ProfileBranch> branches_;  // down and up, variable by variable
   std::vector<int> asked_;               // branches that `wanted_` belongs to
   std::vector<Profile> profiles_;

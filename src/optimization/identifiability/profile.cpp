@@ -163,7 +163,7 @@ void ProfileBranch::rung_reached(const Linearization& reached) {
 /// Whether the first rung above the threshold is refitted with derivatives of its own.
 bool ProfileBranch::verifies(const Linearization& reached) {
   if (bracket_ || !within(last_) || within(reached) || free_.empty()) return false;
-  const RefitOptions options = rung_options(reached.sum_of_squares(), free_);
+  const BroydenFitOptions options = rung_options(reached.sum_of_squares(), free_);
   refit_.emplace(reached, free_, options);
   verifying_ = refit_->wanted().has_value();
   if (!verifying_) refit_.reset();
@@ -253,7 +253,7 @@ std::vector<int> ProfileBranch::next_columns() {
   return columns;
 }
 
-RefitOptions ProfileBranch::rung_options(double S, const std::vector<int>& refresh) const {
+BroydenFitOptions ProfileBranch::rung_options(double S, const std::vector<int>& refresh) const {
   return {.tolerance = tolerance(S),
           .most_evaluations = kEvaluationsOfARung + 2 * static_cast<int>(free_.size()),
           .refresh = refresh,
@@ -263,7 +263,7 @@ RefitOptions ProfileBranch::rung_options(double S, const std::vector<int>& refre
 
 void ProfileBranch::climb(const Linearization& from, double to) {
   to_ = to;
-  const RefitOptions options = rung_options(from.sum_of_squares(), next_columns());
+  const BroydenFitOptions options = rung_options(from.sum_of_squares(), next_columns());
   refit_.emplace(from, free_, options, variable_, to);
 }
 

@@ -27,7 +27,7 @@
 #include <string>
 #include <vector>
 
-#include "optimization/identifiability/refit.h"
+#include "optimization/identifiability/broyden_fit.h"
 
 namespace latsch {
 
@@ -40,10 +40,10 @@ struct ProfilePoint {
 /// What the branches of all variables share.
 struct ProfileSettings {
   FeasibleRegion region;
-  Eigen::VectorXd differences;  // as RefitOptions
+  Eigen::VectorXd differences;  // as BroydenFitOptions
 };
 
-/// One way outward from the best point: ask and tell, as Refit.
+/// One way outward from the best point: ask and tell, as BroydenFit.
 class ProfileBranch {
  public:
   /// `half`: of the linear confidence interval. direction: +1 or -1.
@@ -85,7 +85,7 @@ class ProfileBranch {
   void return_observed(const std::optional<Linearization>& reached);
   bool returns_from(const Linearization& reached, int place);
   double tolerance(double S) const;
-  RefitOptions rung_options(double S, const std::vector<int>& refresh) const;
+  BroydenFitOptions rung_options(double S, const std::vector<int>& refresh) const;
   std::vector<int> next_columns();
   bool within(const Linearization& at) const { return at.sum_of_squares() - least_ <= threshold_; }
   bool leaps(const Linearization& from, const Linearization& to) const;
@@ -104,7 +104,7 @@ class ProfileBranch {
   std::vector<int> free_;
   Linearization last_;  // rung of the ladder
   std::optional<Bracket> bracket_;
-  std::optional<Refit> refit_;
+  std::optional<BroydenFit> refit_;
   std::vector<ProfilePoint> points_;
 };
 

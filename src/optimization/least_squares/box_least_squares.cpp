@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "numerics/dense/cholesky.h"
-#include "optimization/least_squares/damped_descent.h"
+#include "optimization/least_squares/levenberg_descent.h"
 
 namespace latsch {
 namespace {
@@ -66,15 +66,16 @@ Eigen::VectorXd step_in(Room room, const Eigen::MatrixXd& A, const Eigen::Vector
 
 }  // namespace
 
-Eigen::VectorXd minimize_in_box(const ResidualModel& model,
+Eigen::VectorXd minimize_in_box(const ResidualKriging& model,
                                 const Eigen::VectorXd& lower,
                                 const Eigen::VectorXd& upper) {
-  return descend(model,
-                 lower.size(),
-                 [&](const Eigen::VectorXd& z, const Eigen::MatrixXd& A, const Eigen::VectorXd& g) {
-                   const Eigen::VectorXd p = step_in(room_at(z, g, lower, upper), A, g);
-                   return Eigen::VectorXd((z + p).cwiseMax(lower).cwiseMin(upper));
-                 });
+  return levenberg_descent(
+      model,
+      lower.size(),
+      [&](const Eigen::VectorXd& z, const Eigen::MatrixXd& A, const Eigen::VectorXd& g) {
+        const Eigen::VectorXd p = step_in(room_at(z, g, lower, upper), A, g);
+        return Eigen::VectorXd((z + p).cwiseMax(lower).cwiseMin(upper));
+      });
 }
 
 }  // namespace latsch

@@ -2,19 +2,18 @@
 // Least |r_hat(z)|^2 + v(z), the value to be expected, for lower <= z <= upper: the step of a trust
 // region that is a box, inside bounds that are one too.
 //
-// A descent of Levenberg and Marquardt (damped_descent.h) on the free variables: a variable is held
-// where the slope pushes it over a bound it is at, and at the bound that its part of a step would
-// cross. A local minimum of the model, never worse than z = 0. [Nocedal & Wright, Numerical
-// Optimization, 2006, ch. 16.7]
+// Levenberg's damped steps (levenberg_descent.h) in the free variables: a variable is held where
+// the slope pushes it over a bound it is at, and for the rest of a step at the bound that its part
+// of the step would cross. Toward a local minimum of the model, never worse than z = 0.
 #pragma once
 
 #include <Eigen/Core>
 
-#include "optimization/least_squares/residual_model.h"
+#include "optimization/least_squares/residual_kriging.h"
 
 namespace latsch {
 
-Eigen::VectorXd minimize_in_box(const ResidualModel& model,
+Eigen::VectorXd minimize_in_box(const ResidualKriging& model,
                                 const Eigen::VectorXd& lower,
                                 const Eigen::VectorXd& upper);
 

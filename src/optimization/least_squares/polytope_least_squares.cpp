@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "optimization/least_squares/damped_descent.h"
+#include "optimization/least_squares/levenberg_descent.h"
 #include "optimization/problem/quadratic_program.h"
 
 namespace latsch {
@@ -24,7 +24,7 @@ void scale_rows(Eigen::MatrixXd& A, Eigen::VectorXd& b) {
 
 }  // namespace
 
-Eigen::VectorXd minimize_in_polytope(const ResidualModel& model,
+Eigen::VectorXd minimize_in_polytope(const ResidualKriging& model,
                                      const Eigen::VectorXd& lower,
                                      const Eigen::VectorXd& upper,
                                      const Eigen::MatrixXd& E,
@@ -41,20 +41,20 @@ Eigen::VectorXd minimize_in_polytope(const ResidualModel& model,
   room << b, upper, -lower;
   room = room.cwiseMax(0.0);
   scale_rows(qp.A, room);
-  return descend(model,
-                 n,
-                 [&](const Eigen::VectorXd& z,
-                     Eigen::MatrixXd H,
-                     const Eigen::VectorXd& g) -> Eigen::VectorXd {
-                   const double scale = H.diagonal().maxCoeff();
-                   if (!std::isnormal(scale)) return z;
-                   H.diagonal().array() += kLeastPolytopeCurvature * scale;
-                   qp.G = H / scale;
-                   qp.g = g / scale;
-                   qp.b = (room - qp.A * z).cwiseMax(0.0);
-                   const QuadraticSolution step = solve(qp);
-                   return step.is_feasible() ? Eigen::VectorXd(z + step.x) : z;
-                 });
+  return levenberg_descent(model,
+                           n,
+                           [&](const Eigen::VectorXd& z,
+                               Eigen::MatrixXd H,
+                               const Eigen::VectorXd& g) -> Eigen::VectorXd {
+                             const double scale = H.diagonal().maxCoeff();
+                             if (!std::isnormal(scale)) return z;
+                             H.diagonal().array() += kLeastPolytopeCurvature * scale;
+                             qp.G = H / scale;
+                             qp.g = g / scale;
+                             qp.b = (room - qp.A * z).cwiseMax(0.0);
+                             const QuadraticSolution step = solve(qp);
+                             return step.is_feasible() ? Eigen::VectorXd(z + step.x) : z;
+                           });
 }
 
 }  // namespace latsch

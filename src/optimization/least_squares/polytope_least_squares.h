@@ -4,18 +4,19 @@
 //   lower <= z <= upper,   E z = 0,   A z <= b
 //
 // the step of a trust region (box_least_squares.h) where constraints cut it off. z = 0 has to
-// fulfill them. Levenberg's and Marquardt's method from there; every step is a quadratic program:
+// fulfill them. Levenberg's damped steps from there (levenberg_descent.h), each a quadratic
+// program:
 //   least 1/2 p'(J'J + V + mu I) p + (J' r_hat + 1/2 grad v)'p   with z + p among the constraints
-// A local minimum of the model, never worse than z = 0.
+// Toward a local minimum of the model, never worse than z = 0.
 #pragma once
 
 #include <Eigen/Core>
 
-#include "optimization/least_squares/residual_model.h"
+#include "optimization/least_squares/residual_kriging.h"
 
 namespace latsch {
 
-Eigen::VectorXd minimize_in_polytope(const ResidualModel& model,
+Eigen::VectorXd minimize_in_polytope(const ResidualKriging& model,
                                      const Eigen::VectorXd& lower,
                                      const Eigen::VectorXd& upper,
                                      const Eigen::MatrixXd& E,

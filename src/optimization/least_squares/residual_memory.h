@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "optimization/least_squares/natural_frame.h"
-#include "optimization/least_squares/residual_model.h"
+#include "optimization/least_squares/residual_kriging.h"
 #include "optimization/problem/shared_history.h"
 #include "optimization/region/failure_edges.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Residual trust region: least sum of squares,  f(u) = |r(u)|^2,  from the residuals themselves,
-// without derivatives: the derivative-free Gauss-Newton method, with the curvature of residuals.
+// without derivatives: a trust region over kriging models of all residuals, curvature included.
 //
 // In the unit cube, around the best point c with a box of half widths h = radius w, w the widths of
 // the variables (variable_scale.h), at first 1 (trust_box.h):
 //
-//   model     r_hat, a quadratic for every residual, of all samples around, whoever asked for them
-//             (a DOE, another method, an earlier run): residual_model.h.
+//   model     r_hat, a quadratic for every residual, kriged from all samples around, whoever asked
+//             for them (a DOE, another method, an earlier run): residual_kriging.h.
 //   geometry  where samples leave a direction unknown, a probe along it; at the start one for every
 //             variable. A direction that is known poorly is probed when a step disappoints.
 //   step      the least value to be expected, |r_hat|^2 and the variance with which the model knows
@@ -40,15 +40,16 @@
 // farther off before that (lost_variables.h): from every place where they are felt again a trial of
 // 3 (n + 1) evaluations starts afresh; the best of the trials and the run goes on. The trials count
 // as restarts unless they brought a clearly better value. Where a Score brings a Jacobian, its
-// slopes take the place of the geometry:
-// Levenberg-Marquardt with bounds.
+// slopes take the place of the geometry, and samples tell curvature alone: no probes, no fresh
+// slopes at the end.
 //
 // Several at once: `outstanding` points are under way at any time. The second and later ones are
 // steps in boxes of other sizes, then points around the best predicted one. Idle workers get what
 // the method would ask next if outcomes were as predicted.
 //
-// [Cartis, Fiala, Marteau, Roberts, ACM TOMS 45 (2019) 32], [Wild, in: Advances and Trends in
-// Optimization, SIAM 2017, ch. 40]. Made for residuals that are smooth, if noisy, functions; for
+// After DFO-LS [Cartis, Fiala, Marteau, Roberts, ACM TOMS 45 (2019) 32] and POUNDERS [Wild, in:
+// Advances and Trends in Optimization, SIAM 2017, ch. 40], but with other models, whose limits
+// residual_kriging.h states. Made for residuals that are smooth, if noisy, functions; for
 // targets with kinks or without residuals: gss.h.
 #pragma once
 

@@ -87,16 +87,16 @@ SlopeVariance TrustBox::geometry(const std::vector<Wanted>& wanted) const {
   return found;
 }
 
-ResidualModel TrustBox::model(bool is_noisy) {
+ResidualKriging TrustBox::model(bool is_noisy) {
   if (std::exchange(scaled_for_, center_) != center_) {
-    const ResidualModel here(samples(), noise);
+    const ResidualKriging here(samples(), noise);
     const Eigen::MatrixXd J = here.jacobian(Eigen::VectorXd::Zero(n()));  // dr/dz
     scale_.learn(J * h().cwiseInverse().asDiagonal());
     edges_of_[0] = -1;  // they are in widths
   }
   const ResidualSamples around = samples();
   if (is_noisy || noise > 0.0) noise = likeliest_noise(around);
-  return ResidualModel(around, noise);
+  return ResidualKriging(around, noise);
 }
 
 Eigen::MatrixXd TrustBox::slopes() {
@@ -105,7 +105,8 @@ Eigen::MatrixXd TrustBox::slopes() {
 
 ResidualSample TrustBox::expected(const DesignPoint& point) const {
   const Eigen::VectorXd u = to_vector(space.to_unit(point));
-  const Eigen::VectorXd r = ResidualModel(samples(), noise).residuals((u - c()).cwiseQuotient(h()));
+  const Eigen::VectorXd r =
+      ResidualKriging(samples(), noise).residuals((u - c()).cwiseQuotient(h()));
   return {u, r, {}, r.squaredNorm(), memory[center_].stand_ins};
 }
 
@@ -161,7 +162,7 @@ std::optional<Wanted> TrustBox::probe(Eigen::VectorXd direction,
 // Where the least value lies in a failed region, it is looked for again on this side of it: with a
 // half space that closes off the ball around that failure and all behind it, as seen from c. So
 // steps go on along the edge.
-Eigen::VectorXd TrustBox::least_expected(const ResidualModel& m,
+Eigen::VectorXd TrustBox::least_expected(const ResidualKriging& m,
                                          const Eigen::MatrixXd& T,
                                          double box) const {
   const bool is_aligned =
@@ -206,7 +207,9 @@ const std::vector<Edge>& TrustBox::edges() const {
   return edges_;
 }
 
-Wanted TrustBox::step(const ResidualModel& m, double box, const std::vector<Wanted>& wanted) const {
+Wanted TrustBox::step(const ResidualKriging& m,
+                      double box,
+                      const std::vector<Wanted>& wanted) const {
   const Eigen::VectorXd z = least_expected(m, h().asDiagonal(), box);
   Wanted step = at(c() + h().cwiseProduct(z), Wanted::Kind::step);
   step.predicted = m.expected(z);
@@ -243,13 +246,13 @@ std::optional<Wanted> TrustBox::probe_by(const Eigen::VectorXd& move,
   return std::nullopt;
 }
 
-ResidualModel TrustBox::natural_model(const NaturalFrame& frame, double& noise) const {
+ResidualKriging TrustBox::natural_model(const NaturalFrame& frame, double& noise) const {
   const ResidualSamples around = memory.around(center_, frame);
   noise = likeliest_noise(around);
-  return ResidualModel(around, noise);
+  return ResidualKriging(around, noise);
 }
 
-Wanted TrustBox::natural_step(const ResidualModel& m,
+Wanted TrustBox::natural_step(const ResidualKriging& m,
                               const NaturalFrame& frame,
                               double reach,
                               const std::vector<Wanted>& wanted) const {

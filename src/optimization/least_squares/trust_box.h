@@ -72,7 +72,7 @@ class TrustBox {
   /// What the samples and `wanted` leave open of the slopes.
   SlopeVariance geometry(const std::vector<Wanted>& wanted) const;
   /// Of the samples around c; `is_noisy`: it looks for noise.
-  ResidualModel model(bool is_noisy);
+  ResidualKriging model(bool is_noisy);
   /// dr/du at c, as the model knows it.
   Eigen::MatrixXd slopes();
   /// The outcome as the model expects it.
@@ -84,7 +84,7 @@ class TrustBox {
   std::optional<Wanted> probe(Eigen::VectorXd direction, const std::vector<Wanted>& wanted) const;
   /// The step in a box of half width `box` radii; with a length of 0 where it is not worth an
   /// evaluation.
-  Wanted step(const ResidualModel& m, double box, const std::vector<Wanted>& wanted) const;
+  Wanted step(const ResidualKriging& m, double box, const std::vector<Wanted>& wanted) const;
   /// Whether the value to be expected of it is less.
   bool promises(const Wanted& step) const;
   /// Where fresh slopes at c are to be taken; `J`: dr/du there; `change` of the residuals along an
@@ -94,9 +94,9 @@ class TrustBox {
   std::optional<Wanted> probe_by(const Eigen::VectorXd& move,
                                  const std::vector<Wanted>& wanted) const;
   /// Of the samples which the frame brings near.
-  ResidualModel natural_model(const NaturalFrame& frame, double& noise) const;
+  ResidualKriging natural_model(const NaturalFrame& frame, double& noise) const;
   /// The step of that model as far as `reach` along the axes.
-  Wanted natural_step(const ResidualModel& m,
+  Wanted natural_step(const ResidualKriging& m,
                       const NaturalFrame& frame,
                       double reach,
                       const std::vector<Wanted>& wanted) const;
@@ -122,7 +122,7 @@ class TrustBox {
   const std::vector<Edge>& edges() const;
   bool is_beyond_edge(const Eigen::VectorXd& u) const;
   /// Least value expected at c + T z with |z_i| <= box, outside of failed regions.
-  Eigen::VectorXd least_expected(const ResidualModel& m,
+  Eigen::VectorXd least_expected(const ResidualKriging& m,
                                  const Eigen::MatrixXd& T,
                                  double box) const;
   Eigen::VectorXd moved(const Eigen::VectorXd& u, double reach, RandomStream& numbers) const;

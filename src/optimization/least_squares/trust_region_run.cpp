@@ -140,7 +140,7 @@ std::optional<Wanted> TrustRegionRun::next_of_search() {
     if (std::exchange(is_geometry_doubted_, false) && open.share > kPoor) {
       if (auto probe = box_.probe(open.direction, wanted_)) return probe;
     }
-    const ResidualModel m = box_.model(disappointments_ >= kDisappointments);
+    const ResidualKriging m = box_.model(disappointments_ >= kDisappointments);
     if (box_.noise >= kDrowned && !has_widened_ && box_.radius < options_.initial_radius) {
       has_widened_ = true;
       box_.radius *= 2.0;
@@ -213,7 +213,7 @@ std::optional<Wanted> TrustRegionRun::next_to_verify() {
       return explored_++ < options_.outstanding ? box_.explore(wanted_) : std::nullopt;
     }
     double noise = 0.0;
-    const ResidualModel m = box_.natural_model(v.frame, noise);
+    const ResidualKriging m = box_.natural_model(v.frame, noise);
     v.deviation = m.target_deviation();
     const Wanted step = box_.natural_step(m, v.frame, v.reach, wanted_);
     if (step.length > 0.0 && v.misses < kMostMisses) return step;
@@ -252,7 +252,7 @@ TrustRegionRun::OpenDirection TrustRegionRun::open_direction() const {
   return {g.share[last], g.directions.col(last)};
 }
 
-std::optional<Wanted> TrustRegionRun::another_step(const ResidualModel& m) {
+std::optional<Wanted> TrustRegionRun::another_step(const ResidualKriging& m) {
   for (std::size_t k = 1; k < kBoxes.size(); ++k) {
     Wanted other = box_.step(m, kBoxes[k], wanted_);
     if (other.length > 0.0) return other;

@@ -76,7 +76,7 @@ class TrustRegionRun {
   void new_round(const Eigen::MatrixXd& J);
   void judge_verifying_step(double gain, double promise);
   OpenDirection open_direction() const;
-  std::optional<Wanted> another_step(const ResidualModel& m);
+  std::optional<Wanted> another_step(const ResidualKriging& m);
   std::optional<Wanted> restart();
   std::optional<Wanted> release();
   Wanted start();

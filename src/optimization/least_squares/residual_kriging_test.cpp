@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimization/least_squares/residual_model.h"
+#include "optimization/least_squares/residual_kriging.h"
 
 #include <gtest/gtest.h>
 
@@ -32,21 +32,21 @@ ResidualSamples sample(const Function& function, int count, double noise = 0.0) 
   return samples;
 }
 
-TEST(ResidualModel, IsExactForLinearResidualsFromAsManySamplesAsVariables) {
-  const ResidualModel model(sample(linear, 3), 0.0);
+TEST(ResidualKriging, IsExactForLinearResidualsFromAsManySamplesAsVariables) {
+  const ResidualKriging model(sample(linear, 3), 0.0);
   const Eigen::Vector3d z(0.3, -0.7, 0.5);
   // Slopes of variance 1e4 against curvatures of variance 1: a share of 1e-4 goes astray.
   EXPECT_LT((model.residuals(z) - linear(z)).norm(), 1e-2);
 }
 
-TEST(ResidualModel, IsExactForQuadraticResidualsFromAsManySamplesAsCoefficients) {
-  const ResidualModel model(sample(quadratic, 9), 0.0);
+TEST(ResidualKriging, IsExactForQuadraticResidualsFromAsManySamplesAsCoefficients) {
+  const ResidualKriging model(sample(quadratic, 9), 0.0);
   const Eigen::Vector3d z(0.3, -0.7, 0.5);
   EXPECT_LT((model.residuals(z) - quadratic(z)).norm(), 1e-2);
 }
 
-TEST(ResidualModel, JacobianIsTheDerivativeOfItsResiduals) {
-  const ResidualModel model(sample(quadratic, 6), 0.0);
+TEST(ResidualKriging, JacobianIsTheDerivativeOfItsResiduals) {
+  const ResidualKriging model(sample(quadratic, 6), 0.0);
   const Eigen::Vector3d z(0.1, 0.2, -0.4);
   const Eigen::MatrixXd J = model.jacobian(z);
   for (int k = 0; k < 3; ++k) {
@@ -56,10 +56,10 @@ TEST(ResidualModel, JacobianIsTheDerivativeOfItsResiduals) {
   }
 }
 
-TEST(ResidualModel, ExpectsWhatItSaysWhereSamplesAreAndMoreWhereNoneShowed) {
+TEST(ResidualKriging, ExpectsWhatItSaysWhereSamplesAreAndMoreWhereNoneShowed) {
   ResidualSamples samples = sample(linear, 2);
   samples.Z = Eigen::MatrixXd{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
-  const ResidualModel model(samples, 0.0);
+  const ResidualKriging model(samples, 0.0);
   const auto surplus = [&](const Eigen::Vector3d& z) {
     return model.expected(z) - model.residuals(z).squaredNorm();
   };
@@ -70,8 +70,8 @@ TEST(ResidualModel, ExpectsWhatItSaysWhereSamplesAreAndMoreWhereNoneShowed) {
   EXPECT_LT(surplus(Eigen::Vector3d::UnitX()), 1e-3 * unknown);
 }
 
-TEST(ResidualModel, VarianceHasTheGradientItSays) {
-  const ResidualModel model(sample(quadratic, 4), 0.0);
+TEST(ResidualKriging, VarianceHasTheGradientItSays) {
+  const ResidualKriging model(sample(quadratic, 4), 0.0);
   const auto variance = [&](const Eigen::Vector3d& z) {
     return model.expected(z) - model.residuals(z).squaredNorm();
   };
@@ -86,23 +86,23 @@ TEST(ResidualModel, VarianceHasTheGradientItSays) {
   EXPECT_GT(H.diagonal().minCoeff(), 0.0);
 }
 
-TEST(ResidualModel, TakesKnownSlopes) {
+TEST(ResidualKriging, TakesKnownSlopes) {
   ResidualSamples samples = sample(quadratic, 6);
   samples.slopes = Eigen::MatrixXd{{2.0, -1.0, 0.0}, {0.0, 0.0, 1.0}};
-  const ResidualModel model(samples, 0.0);
+  const ResidualKriging model(samples, 0.0);
   EXPECT_LT((model.jacobian(Eigen::Vector3d::Zero()) - samples.slopes).norm(), 1e-12);
   const Eigen::Vector3d z(0.3, -0.7, 0.5);  // six coefficients of curvature, six samples
   EXPECT_LT((model.residuals(z) - quadratic(z)).norm(), 1e-2);
 }
 
-TEST(ResidualModel, SaysWhichDirectionIsNotKnown) {
+TEST(ResidualKriging, SaysWhichDirectionIsNotKnown) {
   const SlopeVariance g = slope_variance(Eigen::MatrixXd{{1.0, 1.0, 0.0}, {1.0, -1.0, 0.0}});
   EXPECT_NEAR(g.share[2], 1.0, 1e-9);
   EXPECT_LT(g.share[1], 1e-3);
   EXPECT_NEAR(std::abs(g.directions(2, 2)), 1.0, 1e-9);
 }
 
-TEST(ResidualModel, FindsNoNoiseWhereThereIsNoneAndFindsIt) {
+TEST(ResidualKriging, FindsNoNoiseWhereThereIsNoneAndFindsIt) {
   EXPECT_EQ(likeliest_noise(sample(quadratic, 20)), 0.0);
   EXPECT_GT(likeliest_noise(sample(quadratic, 40, 0.3)), 0.0);
 }
@@ -115,14 +115,14 @@ TEST(BoxLeastSquares, EndsAtBoundsThatHoldIt) {
   samples.r_c = Eigen::Vector3d(-2.0, 0.25, -0.5);
   samples.slopes = Eigen::Matrix3d::Identity();
   const Eigen::VectorXd z = minimize_in_box(
-      ResidualModel(samples, 0.0), -Eigen::VectorXd::Ones(3), Eigen::VectorXd::Ones(3));
+      ResidualKriging(samples, 0.0), -Eigen::VectorXd::Ones(3), Eigen::VectorXd::Ones(3));
   EXPECT_EQ(z[0], 1.0);
   EXPECT_NEAR(z[1], -0.25, 1e-5);
   EXPECT_NEAR(z[2], 0.5, 1e-5);
 }
 
 // |r|^2 scatters by 2 s |r| where every residual does by s.
-TEST(ResidualModel, TellsWhatNoiseMakesOfTheTarget) {
+TEST(ResidualKriging, TellsWhatNoiseMakesOfTheTarget) {
   const Eigen::VectorXd r_c = Eigen::VectorXd::LinSpaced(100, 1.0, 3.0);
   const double s = 0.05;
   RandomStream random(9, 0);
@@ -133,13 +133,13 @@ TEST(ResidualModel, TellsWhatNoiseMakesOfTheTarget) {
     for (int k = 0; k < 3; ++k) samples.Z(i, k) = 2.0 * random.uniform() - 1.0;
     samples.D.row(i) = (J * samples.Z.row(i).transpose()).transpose();
   }
-  EXPECT_EQ(ResidualModel(samples, 0.0).target_deviation(), 0.0);
+  EXPECT_EQ(ResidualKriging(samples, 0.0).target_deviation(), 0.0);
   Eigen::VectorXd here(100);  // the noise of the center
   for (double& value : here) value = s * random.normal();
   for (int i = 0; i < 20; ++i) {
     for (int j = 0; j < 100; ++j) samples.D(i, j) += s * random.normal() - here[j];
   }
-  const ResidualModel model(samples, likeliest_noise(samples));
+  const ResidualKriging model(samples, likeliest_noise(samples));
   EXPECT_NEAR(model.target_deviation(), 2.0 * s * r_c.norm(), 0.5 * 2.0 * s * r_c.norm());
 }
 

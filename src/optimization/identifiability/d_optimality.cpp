@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimization/identifiability/candidate_gain.h"
+#include "optimization/identifiability/d_optimality.h"
 
 #include <algorithm>
 #include <cassert>
@@ -28,11 +28,11 @@ Eigen::VectorXd deviations(const Eigen::MatrixXd& M) {
 
 }  // namespace
 
-std::vector<CandidateGain> candidate_gains(const Eigen::MatrixXd& J,
-                                           const std::vector<Candidate>& candidates) {
+std::vector<DOptimality> d_optimality(const Eigen::MatrixXd& J,
+                                      const std::vector<Candidate>& candidates) {
   const Eigen::MatrixXd M = information(J);
   const double log_determinant = numerics::Cholesky(M).log_determinant();
-  std::vector<CandidateGain> gains;
+  std::vector<DOptimality> gains;
   for (size_t c = 0; c < candidates.size(); ++c) {
     assert(candidates[c].J.cols() == J.cols());
     const Eigen::MatrixXd with = M + candidates[c].J.transpose() * candidates[c].J;

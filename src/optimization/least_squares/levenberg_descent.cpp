@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimization/least_squares/damped_descent.h"
+#include "optimization/least_squares/levenberg_descent.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,7 +15,9 @@ constexpr double kMostDamping = 1e12;
 
 }  // namespace
 
-Eigen::VectorXd descend(const ResidualModel& model, Eigen::Index n, const DampedStep& step) {
+Eigen::VectorXd levenberg_descent(const ResidualKriging& model,
+                                  Eigen::Index n,
+                                  const DampedStep& step) {
   Eigen::VectorXd z = Eigen::VectorXd::Zero(n);
   double value = model.expected(z);
   double damping = kFirstDamping;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimization/least_squares/residual_model.h"
+#include "optimization/least_squares/residual_kriging.h"
 
 #include <algorithm>
 #include <array>
@@ -77,7 +77,7 @@ SlopeVariance slope_variance(const Eigen::MatrixXd& Z) {
   return {values, vectors};
 }
 
-ResidualModel::ResidualModel(const ResidualSamples& samples, double noise)
+ResidualKriging::ResidualKriging(const ResidualSamples& samples, double noise)
     : samples_(samples), slope_prior_(slope_prior(samples)), noise_(noise) {
   if (samples.Z.rows() == 0) return;
   factors_ = ScaledFactors(covariance(samples.Z, slope_prior_, kCubicVariance, noise));
@@ -89,33 +89,33 @@ ResidualModel::ResidualModel(const ResidualSamples& samples, double noise)
   of_target_ = std::max(0.0, square) / static_cast<double>(D.rows());
 }
 
-double ResidualModel::target_deviation() const { return std::sqrt(noise_ * of_target_); }
+double ResidualKriging::target_deviation() const { return std::sqrt(noise_ * of_target_); }
 
-Eigen::VectorXd ResidualModel::kernel(const Eigen::VectorXd& z) const {
+Eigen::VectorXd ResidualKriging::kernel(const Eigen::VectorXd& z) const {
   const Eigen::ArrayXd inner = (samples_.Z * z).array();
   return slope_prior_ * inner + 0.5 * inner.square();  // (1)
 }
 
-Eigen::MatrixXd ResidualModel::kernel_slopes(const Eigen::VectorXd& z) const {
+Eigen::MatrixXd ResidualKriging::kernel_slopes(const Eigen::VectorXd& z) const {
   const Eigen::VectorXd slope = slope_prior_ + (samples_.Z * z).array();
   return slope.asDiagonal() * samples_.Z;
 }
 
-Eigen::VectorXd ResidualModel::residuals(const Eigen::VectorXd& z) const {
+Eigen::VectorXd ResidualKriging::residuals(const Eigen::VectorXd& z) const {
   Eigen::VectorXd r = samples_.r_c;
   if (samples_.slopes.size() > 0) r += samples_.slopes * z;
   if (samples_.Z.rows() == 0) return r;
   return r + alpha_ * (kernel(z).array() + noise_).matrix();  // (3)
 }
 
-Eigen::MatrixXd ResidualModel::jacobian(const Eigen::VectorXd& z) const {
+Eigen::MatrixXd ResidualKriging::jacobian(const Eigen::VectorXd& z) const {
   Eigen::MatrixXd J = samples_.slopes;
   if (J.size() == 0) J = Eigen::MatrixXd::Zero(samples_.r_c.size(), z.size());
   if (samples_.Z.rows() == 0) return J;
   return J + alpha_ * kernel_slopes(z);
 }
 
-double ResidualModel::variance(const Eigen::VectorXd& z) const {
+double ResidualKriging::variance(const Eigen::VectorXd& z) const {
   if (amplitude_ == 0.0) return 0.0;
   const double zz = z.squaredNorm();
   const Eigen::VectorXd k = kernel(z);
@@ -123,11 +123,11 @@ double ResidualModel::variance(const Eigen::VectorXd& z) const {
   return amplitude_ * (std::max(0.0, open) + kCubicVariance * zz * zz * zz);  // (4)
 }
 
-double ResidualModel::expected(const Eigen::VectorXd& z) const {
+double ResidualKriging::expected(const Eigen::VectorXd& z) const {
   return residuals(z).squaredNorm() + variance(z);
 }
 
-Eigen::VectorXd ResidualModel::variance_gradient(const Eigen::VectorXd& z) const {
+Eigen::VectorXd ResidualKriging::variance_gradient(const Eigen::VectorXd& z) const {
   if (amplitude_ == 0.0) return Eigen::VectorXd::Zero(z.size());
   const double zz = z.squaredNorm();
   const double along = slope_prior_ + zz + 3.0 * kCubicVariance * zz * zz;
@@ -136,7 +136,7 @@ Eigen::VectorXd ResidualModel::variance_gradient(const Eigen::VectorXd& z) const
 
 // v is |phi(z)|^2 less its part in the span of the samples, phi being all z_i and z_i z_j with
 // their weights: the part kept is that of Gauss and Newton.
-Eigen::MatrixXd ResidualModel::variance_hessian(const Eigen::VectorXd& z) const {
+Eigen::MatrixXd ResidualKriging::variance_hessian(const Eigen::VectorXd& z) const {
   if (amplitude_ == 0.0) return Eigen::MatrixXd::Zero(z.size(), z.size());
   const double zz = z.squaredNorm();
   const Eigen::MatrixXd A = kernel_slopes(z);

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Refit: the least sum of squares S = r' r of some of the variables, from a point nearby where the
-// residuals and their derivatives are known. A few evaluations, no more: what a profile or a cross-
-// validation needs at each of its steps.
+// Broyden's fit: the least sum of squares S = r' r of some of the variables, from a point nearby
+// where the residuals and their derivatives are known. A few evaluations, no more: what a profile
+// or a cross-validation needs at each of its steps.
 //
-// Gauss and Newton: the free variables move by the d with the least  |r + J d|^2 + lambda |d|^2
-// inside the unit cube, at most a quarter of its width [Levenberg, Q. Appl. Math. 2 (1944) 164].
-// Every residual vector corrects J by the least change that explains it,
+// The steps are those of Gauss and Newton: the free variables move by the d with the least
+// |r + J d|^2 + lambda |d|^2  inside the unit cube, each by at most a quarter of its range; lambda
+// is 0 until a step fails [Levenberg, Q. Appl. Math. 2 (1944) 164]. Every residual vector corrects
+// J by the least change that explains it,
 //   J <- J + (r(u + d) - r(u) - J d) d' / d'd          [Broyden, Math. Comp. 19 (1965) 577]
 // so no derivatives are evaluated, until two steps in a row fail: then J is taken anew by
 // differences, each as long as `differences` says. Corrections know J only along the way that was
-// gone; `refresh` names
-// the variables whose columns are taken anew once before it may converge elsewhere. It has
-// converged where a step promises less than `tolerance` of S; at `most_evaluations`, or where
-// evaluations fail whatever the step, it ends without. Among linear constraints the step is a
-// quadratic program, and a difference for which neither side has room leaves its column of J to the
-// corrections.
+// gone; `refresh` names the variables whose columns are taken anew once before it may converge
+// elsewhere. It has converged where a step promises less than `tolerance` of S; at
+// `most_evaluations`, or where evaluations fail whatever the step, it ends without. Among linear
+// constraints the step is a quadratic program, and a difference for which neither side has room
+// leaves its column of J to the corrections.
 //
 // Ask and tell: evaluate wanted(), observe() its residuals, until wanted() is empty.
 #pragma once
@@ -27,7 +27,7 @@
 
 namespace latsch {
 
-struct RefitOptions {
+struct BroydenFitOptions {
   double tolerance = 0.0;  // of S
   int most_evaluations = 20;
   std::vector<int> refresh = {};     // of the free variables
@@ -35,18 +35,18 @@ struct RefitOptions {
   std::optional<FeasibleRegion> region = std::nullopt;  // none: the unit cube
 };
 
-class Refit {
+class BroydenFit {
  public:
   /// `free`: the variables that may move, in ascending order.
-  Refit(const Linearization& start, std::vector<int> free, const RefitOptions& options);
+  BroydenFit(const Linearization& start, std::vector<int> free, const BroydenFitOptions& options);
 
   /// The same, but variable `i`, not among the free ones, is moved to `value` first, the free ones
   /// following it as J says. It wants nothing where no point inside the constraints has that value.
-  Refit(const Linearization& start,
-        std::vector<int> free,
-        const RefitOptions& options,
-        int i,
-        double value);
+  BroydenFit(const Linearization& start,
+             std::vector<int> free,
+             const BroydenFitOptions& options,
+             int i,
+             double value);
 
   /// The next point of the unit cube; nullopt when it is done.
   const std::optional<Eigen::VectorXd>& wanted() const { return wanted_; }
@@ -76,7 +76,7 @@ class Refit {
 
   Linearization best_;
   std::vector<int> free_;
-  RefitOptions options_;
+  BroydenFitOptions options_;
   std::optional<Eigen::VectorXd> wanted_;
   bool moving_ = false;  // the first point is under way; it counts whatever its S
   double lambda_ = 0.0;

@@ -1,30 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quadratic models of all residuals around a point, from however many samples there are.
+// Kriging of residuals: quadratic models of all of them around a point, from however many samples
+// there are.
 //
 //   r_hat(z) = r_c + J z + 1/2 z' H z      for every residual; z = (u - center) / h
 //
 // J and H are the most likely ones where, before anything is known, slopes have the variance V_g,
-// curvatures the variance 1, and a sample at z lies off every quadratic with the variance
-// rho |z|^6, as of cubic terms, plus that of noise. This is interpolation with a kernel:
+// curvatures the variance 1 (2 on the diagonal of H), and a sample at z lies off every quadratic
+// with the variance rho |z|^6, as of cubic terms, plus that of noise. This is kriging,
+// interpolation by a Gaussian process [Sacks, Welch, Mitchell, Wynn, Statist. Sci. 4 (1989) 409],
+// with the kernel
 //
 //   k(z, w) = V_g z'w + 1/2 (z'w)^2 + noise                                                   (1)
 //   (K + diag(rho |z_i|^6 + noise)) alpha = d,      d_i = r(z_i) - r_c                        (2)
 //   r_hat(z) = r_c + sum_i alpha_i k(z_i, z)                                                  (3)
 //
-// As V_g >> 1, samples are explained by slopes where slopes suffice and by the least curvature
-// where they do not: the minimum-Frobenius-norm models [Conn, Scheinberg, Vicente, Introduction to
-// Derivative-Free Optimization, SIAM 2009, ch. 5] which POUNDERS makes of residuals [Wild, in:
+// (the noise in k is that of r_c, which all d_i share). As V_g >> 1, samples are explained by
+// slopes where slopes suffice and by the least curvature where they do not: the limit of large V_g
+// and small rho is the minimum-Frobenius-norm model [Conn, Scheinberg, Vicente, Introduction to
+// Derivative-Free Optimization, SIAM 2009, ch. 5], as POUNDERS makes of residuals [Wild, in:
 // Advances and Trends in Optimization, SIAM 2017, ch. 40]; far samples count the less the farther
 // they are. Where the Jacobian at the center is known, it takes the place of V_g.
 //
 // The same says how well the model knows, with the amplitude s^2 that makes the samples likeliest:
 //
-//   v(z) = s^2 (k(z, z) - k(z)' K^-1 k(z) + rho |z|^6),     s^2 = sum over residuals d' K^-1 d / N
-//   (4)
+//   v(z) = s^2 (k(z, z) - k(z)' K^-1 k(z) + rho |z|^6),                                       (4)
+//   s^2 = sum over residuals d' K^-1 d / N
 //
-// so that |r_hat(z)|^2 + v(z) is the value to be expected there: the more a step relies on what no
-// sample has shown, the less it promises. To first order |r|^2 changes by 2 r_c'd; with that in
-// place of d, s^2 noise is the variance of the target that noise makes.
+// (K with its diagonal of (2), k without noise) so that |r_hat(z)|^2 + v(z) is the value to be
+// expected there: the more a step relies on what no sample has shown, the less it promises. To
+// first order |r|^2 changes by 2 r_c'd; with that in place of d, s^2 noise is the variance of the
+// target that noise makes.
+//
+// This is not the Gauss-Newton of DFO-LS [Cartis, Fiala, Marteau, Roberts, ACM TOMS 45 (2019) 32],
+// whose models of residuals are linear: here they have curvature, any number of samples makes one,
+// and a step pays for what they leave open. Convergence proofs of trust regions with fully linear
+// models do not carry over: samples are not kept poised for every radius, and the radius is not
+// tied to the size of a slope. What the search finds is judged by problems, ./bench.sh more_wild
+// and more_wild_varied.
 #pragma once
 
 #include <Eigen/Core>
@@ -63,10 +75,10 @@ class ScaledFactors {
   numerics::PivotedCholesky factors_;
 };
 
-class ResidualModel {
+class ResidualKriging {
  public:
   /// `noise` in units of the curvatures' variance.
-  ResidualModel(const ResidualSamples& samples, double noise);
+  ResidualKriging(const ResidualSamples& samples, double noise);
 
   Eigen::VectorXd residuals(const Eigen::VectorXd& z) const;
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& z) const;

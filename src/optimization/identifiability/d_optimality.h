@@ -22,7 +22,7 @@ struct Candidate {
   Eigen::MatrixXd J;  // rows x variables, of the unit cube
 };
 
-struct CandidateGain {
+struct DOptimality {
   int candidate = 0;       // place in the list
   double shrinkage = 1.0;  // volume of the ellipsoid before over after, >= 1
   double widest_before = 0.0, widest_after = 0.0;  // standard deviation of the widest direction
@@ -30,8 +30,8 @@ struct CandidateGain {
 };
 
 /// Most useful first. `J`: of the data at hand, each row divided by its noise.
-std::vector<CandidateGain> candidate_gains(const Eigen::MatrixXd& J,
-                                           const std::vector<Candidate>& candidates);
+std::vector<DOptimality> d_optimality(const Eigen::MatrixXd& J,
+                                      const std::vector<Candidate>& candidates);
 
 /// Standard deviation of every variable with the data at hand alone, in ranges.
 Eigen::VectorXd deviations_with_bounds(const Eigen::MatrixXd& J);

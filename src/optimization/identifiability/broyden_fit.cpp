@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimization/identifiability/refit.h"
+#include "optimization/identifiability/broyden_fit.h"
 
 #include <algorithm>
 #include <cassert>
@@ -91,16 +91,18 @@ void broyden(Eigen::MatrixXd& J, const Eigen::VectorXd& d, const Eigen::VectorXd
 
 }  // namespace
 
-Refit::Refit(const Linearization& start, std::vector<int> free, const RefitOptions& options)
+BroydenFit::BroydenFit(const Linearization& start,
+                       std::vector<int> free,
+                       const BroydenFitOptions& options)
     : best_(start), free_(std::move(free)), options_(options) {
   plan_step();
 }
 
-Refit::Refit(const Linearization& start,
-             std::vector<int> free,
-             const RefitOptions& options,
-             int i,
-             double value)
+BroydenFit::BroydenFit(const Linearization& start,
+                       std::vector<int> free,
+                       const BroydenFitOptions& options,
+                       int i,
+                       double value)
     : best_(start), free_(std::move(free)), options_(options), moving_(true) {
   const double shift = value - best_.u[i];
   Eigen::VectorXd to = best_.u;
@@ -109,19 +111,19 @@ Refit::Refit(const Linearization& start,
   if (d) wanted_ = to + *d;
 }
 
-std::optional<Eigen::VectorXd> Refit::step_from(const Eigen::VectorXd& u,
-                                                const Eigen::VectorXd& r,
-                                                double lambda) const {
+std::optional<Eigen::VectorXd> BroydenFit::step_from(const Eigen::VectorXd& u,
+                                                     const Eigen::VectorXd& r,
+                                                     double lambda) const {
   if (!is_constrained()) return bounded_step({u, r, best_.J}, r, free_, lambda);
   return constrained_step(best_.J, u, r, free_, lambda, *options_.region);
 }
 
-bool Refit::promises(const Eigen::VectorXd& d) const {
+bool BroydenFit::promises(const Eigen::VectorXd& d) const {
   const double promised = best_.sum_of_squares() - (best_.r + best_.J * d).squaredNorm();
   return d.lpNorm<Eigen::Infinity>() >= kShortestStep && promised > options_.tolerance;
 }
 
-void Refit::observe(const std::optional<Eigen::VectorXd>& residuals) {
+void BroydenFit::observe(const std::optional<Eigen::VectorXd>& residuals) {
   assert(wanted_);
   ++evaluations_;
   if (!columns_.empty()) {
@@ -131,7 +133,7 @@ void Refit::observe(const std::optional<Eigen::VectorXd>& residuals) {
   }
 }
 
-void Refit::step_observed(const std::optional<Eigen::VectorXd>& residuals) {
+void BroydenFit::step_observed(const std::optional<Eigen::VectorXd>& residuals) {
   if (!residuals && moving_) {
     wanted_.reset();
     return;
@@ -156,24 +158,24 @@ void Refit::step_observed(const std::optional<Eigen::VectorXd>& residuals) {
   plan_step();
 }
 
-void Refit::difference_observed(const std::optional<Eigen::VectorXd>& residuals) {
+void BroydenFit::difference_observed(const std::optional<Eigen::VectorXd>& residuals) {
   const int i = columns_[difference_];
   if (residuals) best_.J.col(i) = (*residuals - best_.r) / ((*wanted_)[i] - best_.u[i]);
   ++difference_;
   plan_difference();
 }
 
-double Refit::difference_of(int variable) const {
+double BroydenFit::difference_of(int variable) const {
   return options_.differences.size() > 0 ? options_.differences[variable] : kDifference;
 }
 
-void Refit::begin_differences(const std::vector<int>& columns) {
+void BroydenFit::begin_differences(const std::vector<int>& columns) {
   columns_ = columns;
   difference_ = 0;
   plan_difference();
 }
 
-void Refit::plan_difference() {
+void BroydenFit::plan_difference() {
   for (; difference_ < static_cast<int>(columns_.size()); ++difference_) {
     const int i = columns_[difference_];
     for (const double side : {difference_of(i), -difference_of(i)}) {
@@ -190,7 +192,7 @@ void Refit::plan_difference() {
   plan_step();
 }
 
-void Refit::plan_step() {
+void BroydenFit::plan_step() {
   wanted_.reset();
   converged_ = free_.empty();
   if (converged_) return;
