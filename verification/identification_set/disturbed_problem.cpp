@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "optimization/design/sobol.h"
+#include "optimization/problem/point_vector.h"
 
 namespace latsch::identification_set {
 namespace {
@@ -32,10 +33,6 @@ std::uint64_t number_of(const Vector& x) {
   return hash;
 }
 
-Eigen::VectorXd vector(const Vector& u) {
-  return Eigen::Map<const Eigen::VectorXd>(u.data(), std::ssize(u));
-}
-
 /// How far u lies inside the corner; negative outside.
 double depth(const std::vector<HalfSpace>& corner, const Eigen::VectorXd& u) {
   double least = std::numeric_limits<double>::infinity();
@@ -58,7 +55,7 @@ std::vector<std::vector<HalfSpace>> candidates(int n) {
   for (int i = 0; i < n; ++i) variables.push_back({.name = std::to_string(i)});
   std::vector<Eigen::VectorXd> points;
   for (const DesignPoint& point : sobol(DesignSpace(variables), kPoints, 1).points) {
-    points.push_back(vector(point.values));
+    points.push_back(to_vector(point.values));
   }
   for (int k = 0; k < kNormals; ++k) {
     RandomStream random(29, k);
@@ -85,9 +82,9 @@ std::vector<std::vector<HalfSpace>> candidates(int n) {
 
 /// The corner whose edge is as near to the truth as there is one, not at the start.
 std::vector<HalfSpace> corner_of(const Problem& problem, int number) {
-  const Eigen::VectorXd start = vector(problem.space.to_unit(problem.space.initial()));
+  const Eigen::VectorXd start = to_vector(problem.space.to_unit(problem.space.initial()));
   const Eigen::VectorXd truth =
-      vector(problem.space.to_unit({problem.truth})).cwiseMax(0.0).cwiseMin(1.0);
+      to_vector(problem.space.to_unit({problem.truth})).cwiseMax(0.0).cwiseMin(1.0);
   const double wanted = number % 2 == 0 ? -kFromTruth : kFromTruth;
   std::vector<HalfSpace> best;
   double least = std::numeric_limits<double>::infinity();
@@ -124,7 +121,7 @@ DisturbedProblem::DisturbedProblem(const Problem& problem, Variant variant, int 
 }
 
 bool DisturbedProblem::fails(const Vector& x) const {
-  return !corner_.empty() && depth(corner_, vector(problem_.space.to_unit({x}))) > 0.0;
+  return !corner_.empty() && depth(corner_, to_vector(problem_.space.to_unit({x}))) > 0.0;
 }
 
 std::optional<Vector> DisturbedProblem::shown(const Vector& x) const {

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "optimization/least_squares/residual_trust_region.h"
+#include "optimization/problem/point_vector.h"
 
 namespace latsch::correlation {
 namespace {
@@ -149,15 +150,7 @@ Score score(Sweep& sweep,
 }
 
 Linearization linearization(const Score& s, const DesignSpace& space, const DesignPoint& point) {
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const auto m = static_cast<Eigen::Index>(s.residuals.size());
-  Linearization at;
-  const std::vector<double> u = space.to_unit(point), slopes = space.unit_slopes(point);
-  at.u = Eigen::Map<const Eigen::VectorXd>(u.data(), space.size());
-  at.r = Eigen::Map<const Eigen::VectorXd>(s.residuals.data(), m);
-  at.J = Eigen::Map<const Rows>(s.jacobian.data(), m, space.size()) *
-         Eigen::Map<const Eigen::VectorXd>(slopes.data(), space.size()).asDiagonal();
-  return at;
+  return {to_vector(space.to_unit(point)), to_vector(s.residuals), space.unit_jacobian(point, s)};
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "correlation/target/tire_trials.h"
 #include "evaluation/schedule/retried_failures.h"
 #include "optimization/design/basins.h"
+#include "optimization/problem/point_vector.h"
 #include "optimization/strategy/multi_start.h"
 
 namespace latsch::correlation {
@@ -57,8 +58,7 @@ std::vector<Known> known_points(const Study& study,
 }
 
 Eigen::VectorXd unit(const DesignSpace& space, const DesignPoint& point) {
-  const auto u = space.to_unit(point);
-  return Eigen::Map<const Eigen::VectorXd>(u.data(), space.size());
+  return to_vector(space.to_unit(point));
 }
 
 /// Places of the best point and, for more than one start, of the minima among scattered points.

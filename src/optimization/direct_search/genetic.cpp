@@ -10,6 +10,8 @@
 #include "optimization/problem/feasible_region.h"
 #include "optimization/problem/infinity.h"
 #include "optimization/problem/option_check.h"
+#include "optimization/problem/pending_points.h"
+#include "optimization/problem/point_vector.h"
 
 namespace latsch {
 namespace {
@@ -60,12 +62,12 @@ struct Genetic::State {
   std::uint64_t drawn = 0;           // random streams so far
   std::vector<Individual> parents;   // the best, best first
   std::vector<Individual> children;  // of this generation, known
-  std::vector<Individual> wanted;
+  PendingPoints<Individual> wanted;
 
   State(const DesignSpace& s, const GeneticOptions& o) : space(s), region(s), options(o) {
     population = o.population > 0 ? o.population : std::max(20, 10 * space.size());
     wanted.push_back(at(space.to_unit(space.initial())));
-    while (std::ssize(wanted) < population) {
+    while (wanted.size() < population) {
       RandomStream random(options.seed, drawn++);
       std::vector<double> u(space.size());
       for (double& x : u) x = random.uniform();
@@ -75,8 +77,7 @@ struct Genetic::State {
 
   /// The nearest point inside bounds and constraints.
   Individual at(const std::vector<double>& u) const {
-    const Eigen::VectorXd near =
-        region.nearest(Eigen::Map<const Eigen::VectorXd>(u.data(), std::ssize(u)));
+    const Eigen::VectorXd near = region.nearest(to_vector(u));
     const std::vector<double> inside(near.begin(), near.end());
     return {inside, space.from_unit(inside)};
   }
@@ -95,7 +96,7 @@ struct Genetic::State {
   }
 
   void breed() {
-    while (std::ssize(wanted) < population) {
+    while (wanted.size() < population) {
       RandomStream random(options.seed, drawn++);
       std::vector<double> a = winner(random).u, b = winner(random).u;
       if (random.uniform() < options.crossover) {
@@ -109,7 +110,7 @@ struct Genetic::State {
       mutate(a, random);
       mutate(b, random);
       wanted.push_back(at(a));
-      if (std::ssize(wanted) < population) wanted.push_back(at(b));
+      if (wanted.size() < population) wanted.push_back(at(b));
     }
   }
 
@@ -144,27 +145,20 @@ Genetic::~Genetic() = default;
 
 std::vector<DesignPoint> Genetic::propose(int count) const {
   assert(count >= 1);
-  std::vector<DesignPoint> plan;
-  for (const Individual& wanted : state_->wanted) {
-    const bool is_named = std::find(plan.begin(), plan.end(), wanted.point) != plan.end();
-    if (std::ssize(plan) < count && !is_named) plan.push_back(wanted.point);
-  }
-  return plan;
+  Plan plan(count);
+  plan.add(state_->wanted);
+  return plan.points();
 }
 
 void Genetic::observe(const DesignPoint& point, const Result<Score>& outcome) {
   const double f = outcome ? outcome->value : kInfinity;
-  auto& wanted = state_->wanted;
-  const auto is_it = [&](const Individual& w) { return w.point == point; };
-  const auto found = std::find_if(wanted.begin(), wanted.end(), is_it);
   if (!state_->space.place(point)) return;
-  Individual tried =
-      found != wanted.end() ? *found : Individual{state_->space.to_unit(point), point};
+  std::optional<Individual> own = state_->wanted.take(point);
+  const bool is_foreign = !own;
+  Individual tried = own ? std::move(*own) : Individual{state_->space.to_unit(point), point};
   tried.f = state_->space.contains(point) ? f : kInfinity;
   state_->children.push_back(std::move(tried));
-  if (found == wanted.end()) return;
-  wanted.erase(found);
-  if (wanted.empty()) state_->end_generation();
+  if (!is_foreign && state_->wanted.empty()) state_->end_generation();
 }
 
 bool Genetic::converged() const { return state_->wanted.empty(); }

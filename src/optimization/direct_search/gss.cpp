@@ -11,6 +11,7 @@
 #include "optimization/problem/feasible_region.h"
 #include "optimization/problem/infinity.h"
 #include "optimization/problem/option_check.h"
+#include "optimization/problem/pending_points.h"
 #include "optimization/problem/point_vector.h"
 #include "optimization/problem/shared_history.h"
 #include "optimization/region/conforming_set.h"
@@ -79,10 +80,10 @@ struct Gss::State {
   Eigen::VectorXd last_move;
   int successes = 0;  // in a row
 
-  SharedHistory<Sample> samples;  // finite values
-  SharedTable values;             // of all points
-  bool model_is_new = false;      // something was learned since the last model step
-  std::vector<Proposal> wanted;   // in the order proposed; empty: converged
+  SharedHistory<Sample> samples;   // finite values
+  SharedTable values;              // of all points
+  bool model_is_new = false;       // something was learned since the last model step
+  PendingPoints<Proposal> wanted;  // in the order proposed; empty: converged
 
   State(const DesignSpace& s, const GssOptions& o)
       : space(s),
@@ -150,11 +151,6 @@ struct Gss::State {
     return {inside, space.from_unit({inside.begin(), inside.end()}), step};
   }
 
-  bool is_wanted(const DesignPoint& point) const {
-    return std::any_of(
-        wanted.begin(), wanted.end(), [&](const Proposal& w) { return w.point == point; });
-  }
-
   std::optional<Proposal> model_step() const {
     const double reach = kReach * length;
     const auto s = latsch::model_step(samples, region, x, reach);
@@ -194,7 +190,7 @@ struct Gss::State {
     }
     while (auto step = poll_step()) {
       const bool is_cut_off = (step->u - x).norm() < 0.5 * options.step_tolerance;  // at a bound
-      if (is_cut_off || is_wanted(step->point)) {
+      if (is_cut_off || wanted.contains(step->point)) {
         contract(directions[step->direction]);
         continue;
       }
@@ -206,7 +202,7 @@ struct Gss::State {
   }
 
   void fill() {
-    while (std::ssize(wanted) < options.outstanding) {
+    while (wanted.size() < options.outstanding) {
       auto step = next();
       if (!step) return;
       wanted.push_back(std::move(*step));
@@ -214,13 +210,10 @@ struct Gss::State {
   }
 
   void observe(const DesignPoint& point, double value) {
-    const auto found = std::find_if(
-        wanted.begin(), wanted.end(), [&](const Proposal& w) { return w.point == point; });
+    const std::optional<Proposal> own = wanted.take(point);
     // A foreign point outside of the bounds has no value for a search inside of them.
-    if (found == wanted.end() && !has_place_inside(space, point)) return;
-    const Proposal tried =
-        found != wanted.end() ? *found : Proposal{to_vector(space.to_unit(point)), point, length};
-    if (found != wanted.end()) wanted.erase(found);
+    if (!own && !has_place_inside(space, point)) return;
+    const Proposal tried = own ? *own : Proposal{to_vector(space.to_unit(point)), point, length};
     values.set(point.bits(), value);
     if (value < kInfinity) {
       samples.push_back({tried.u, value});
@@ -240,20 +233,17 @@ Gss::~Gss() = default;
 
 std::vector<DesignPoint> Gss::propose(int count) const {
   assert(count >= 1);
-  std::vector<DesignPoint> plan;
-  for (const Proposal& wanted : state_->wanted) {
-    if (std::ssize(plan) < count) plan.push_back(wanted.point);
-  }
-  if (plan.empty() || std::ssize(plan) == count) return plan;
+  Plan plan(count);
+  plan.add(state_->wanted);
+  if (plan.is_empty() || plan.is_full()) return plan.points();
   State future = *state_;
-  while (std::ssize(plan) < count) {
+  while (!plan.is_full()) {
     const DesignPoint awaited = future.wanted.front().point;
     future.observe(awaited, kInfinity);
     if (future.wanted.empty()) break;
-    const DesignPoint& last = future.wanted.back().point;
-    if (std::find(plan.begin(), plan.end(), last) == plan.end()) plan.push_back(last);
+    plan.add(future.wanted.back().point);
   }
-  return plan;
+  return plan.points();
 }
 
 void Gss::observe(const DesignPoint& point, const Result<Score>& outcome) {

@@ -8,6 +8,8 @@
 #include "optimization/problem/feasible_region.h"
 #include "optimization/problem/infinity.h"
 #include "optimization/problem/option_check.h"
+#include "optimization/problem/pending_points.h"
+#include "optimization/problem/point_vector.h"
 #include "optimization/region/tangent_cone.h"
 
 namespace latsch {
@@ -34,8 +36,8 @@ struct NelderMead::State {
   double beta, gamma, delta;
 
   SimplexPhase phase = SimplexPhase::simplex;
-  std::vector<Vertex> known;   // vertices, best first once all are known
-  std::vector<Vertex> wanted;  // vertices of the simplex or the trial point
+  std::vector<Vertex> known;     // vertices, best first once all are known
+  PendingPoints<Vertex> wanted;  // vertices of the simplex or the trial point
   Eigen::VectorXd centroid;
   Vertex reflected;
 
@@ -44,8 +46,7 @@ struct NelderMead::State {
     beta = 1.0 + 2.0 / n;
     gamma = 0.75 - 0.5 / n;
     delta = 1.0 - 1.0 / n;
-    const std::vector<double> u = space.to_unit(space.initial());
-    const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(u.data(), space.size());
+    const Eigen::VectorXd start = to_vector(space.to_unit(space.initial()));
     wanted.push_back(at(start));
     const Eigen::MatrixXd all = directions();
     for (const auto& direction : all.colwise()) wanted.push_back(beside(start, direction));
@@ -143,30 +144,22 @@ NelderMead::~NelderMead() = default;
 
 std::vector<DesignPoint> NelderMead::propose(int count) const {
   assert(count >= 1);
-  std::vector<DesignPoint> plan;
-  const auto add = [&](const Vertex& v) {
-    const bool is_named = std::find(plan.begin(), plan.end(), v.point) != plan.end();
-    if (std::ssize(plan) < count && !is_named) plan.push_back(v.point);
-  };
-  for (const Vertex& v : state_->wanted) add(v);
+  Plan plan(count);
+  plan.add(state_->wanted);
   if (state_->phase == SimplexPhase::reflection) {  // what may follow: expansion, contraction
     const Eigen::VectorXd away = state_->centroid - state_->worst().u;
-    add(state_->at(state_->centroid - state_->gamma * away));
-    add(state_->at(state_->centroid + state_->beta * away));
-    add(state_->at(state_->centroid + state_->gamma * away));
+    plan.add(state_->at(state_->centroid - state_->gamma * away).point);
+    plan.add(state_->at(state_->centroid + state_->beta * away).point);
+    plan.add(state_->at(state_->centroid + state_->gamma * away).point);
   }
-  return plan;
+  return plan.points();
 }
 
 void NelderMead::observe(const DesignPoint& point, const Result<Score>& outcome) {
-  auto& wanted = state_->wanted;
-  const auto found =
-      std::find_if(wanted.begin(), wanted.end(), [&](const Vertex& v) { return v.point == point; });
-  if (found == wanted.end()) return;
-  Vertex tried = *found;
-  wanted.erase(found);
-  tried.f = outcome ? outcome->value : kInfinity;
-  state_->take(tried);
+  std::optional<Vertex> tried = state_->wanted.take(point);
+  if (!tried) return;
+  tried->f = outcome ? outcome->value : kInfinity;
+  state_->take(*tried);
 }
 
 bool NelderMead::converged() const { return state_->wanted.empty(); }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "numerics/dense/orthogonal_factors.h"
+#include "optimization/least_squares/step_in_box.h"
 #include "optimization/problem/quadratic_program.h"
 
 namespace latsch {
@@ -21,40 +22,22 @@ constexpr double kLambdaFactor = 10.0;
 constexpr double kLeastCurvature = 1e-12;  // of the largest: a quadratic program wants some
 
 /// The d of the columns `free` with the least |r + J d|^2 + lambda |d|^2, u + d in the unit cube
-/// and not far away: a variable that would leave that box stops at its face, and the others are
-/// sought again.
-Eigen::VectorXd bounded_step(const Linearization& at,
-                             const Eigen::VectorXd& r,
-                             std::vector<int> free,
-                             double lambda) {
-  Eigen::VectorXd d = Eigen::VectorXd::Zero(at.u.size());
-  while (!free.empty()) {
-    const auto k = static_cast<Eigen::Index>(free.size());
-    const Eigen::Index m = r.size();
+/// and not far away.
+Eigen::VectorXd bounded_step(const Linearization& at, const std::vector<int>& free, double lambda) {
+  const auto step = [&](const Eigen::VectorXd& d, const std::vector<int>& columns) {
+    const auto k = static_cast<Eigen::Index>(columns.size());
+    const Eigen::Index m = at.r.size();
     Eigen::MatrixXd A(m + k, k);
-    A.topRows(m) = at.J(Eigen::all, free);
+    A.topRows(m) = at.J(Eigen::all, columns);
     A.bottomRows(k) = std::sqrt(lambda) * Eigen::MatrixXd::Identity(k, k);
     Eigen::VectorXd b = Eigen::VectorXd::Zero(m + k);
-    b.head(m) = -(r + at.J * d);
-    const Eigen::VectorXd step = numerics::shortest_solution(A, b);
-    std::vector<int> inside;
-    for (Eigen::Index a = 0; a < k; ++a) {
-      const double u = at.u[free[a]];
-      const double low = std::max(-u, -kLongestRefitStep),
-                   high = std::min(1.0 - u, kLongestRefitStep);
-      if (step[a] >= low && step[a] <= high) {
-        inside.push_back(free[a]);
-      } else {
-        d[free[a]] = std::clamp(step[a], low, high);
-      }
-    }
-    if (inside.size() == free.size()) {
-      for (Eigen::Index a = 0; a < k; ++a) d[free[a]] = step[a];
-      break;
-    }
-    free = std::move(inside);
-  }
-  return d;
+    b.head(m) = -(at.r + at.J * d);
+    return numerics::shortest_solution(A, b);
+  };
+  return step_in_box((-at.u).cwiseMax(-kLongestRefitStep),
+                     (1.0 - at.u.array()).min(kLongestRefitStep).matrix(),
+                     free,
+                     step);
 }
 
 /// The same with u + d inside a region; nullopt where no such d is.
@@ -114,7 +97,7 @@ BroydenFit::BroydenFit(const Linearization& start,
 std::optional<Eigen::VectorXd> BroydenFit::step_from(const Eigen::VectorXd& u,
                                                      const Eigen::VectorXd& r,
                                                      double lambda) const {
-  if (!is_constrained()) return bounded_step({u, r, best_.J}, r, free_, lambda);
+  if (!is_constrained()) return bounded_step({u, r, best_.J}, free_, lambda);
   return constrained_step(best_.J, u, r, free_, lambda, *options_.region);
 }
 

@@ -9,6 +9,7 @@
 #include "numerics/dense/singular_values.h"
 #include "numerics/student_t.h"
 #include "optimization/problem/infinity.h"
+#include "optimization/problem/point_vector.h"
 
 namespace latsch {
 namespace {
@@ -239,10 +240,7 @@ Linearization differences(const DesignSpace& space,
                           const std::vector<Eigen::VectorXd>& residuals) {
   const int n = space.size();
   assert(static_cast<int>(points.size()) == n + 1 && residuals.size() == points.size());
-  const auto unit = [&](const DesignPoint& point) -> Eigen::VectorXd {
-    const std::vector<double> u = space.to_unit(point);
-    return Eigen::Map<const Eigen::VectorXd>(u.data(), n);
-  };
+  const auto unit = [&](const DesignPoint& point) { return to_vector(space.to_unit(point)); };
   Linearization at{unit(points[0]), residuals[0], Eigen::MatrixXd(residuals[0].size(), n)};
   for (int i = 0; i < n; ++i) {
     const double h = unit(points[i + 1])[i] - at.u[i];

@@ -6,6 +6,8 @@
 #include <memory>
 #include <numeric>
 
+#include "optimization/problem/point_vector.h"
+
 namespace latsch {
 namespace {
 
@@ -122,7 +124,7 @@ bool Identification::center_observed(const std::vector<Result<Eigen::VectorXd>>&
     const auto& deviations = options_.confidence.traits.deviations;
     scale_ = Eigen::VectorXd::Ones(std::ssize(rows_));
     if (!deviations.empty()) {
-      scale_ = Eigen::Map<const Eigen::VectorXd>(deviations.data(), std::ssize(deviations));
+      scale_ = to_vector(deviations);
     }
   }
   r_ = used(residuals.front());
@@ -168,8 +170,7 @@ void Identification::slopes_observed(const std::vector<Result<Eigen::VectorXd>>&
 
 void Identification::take_slopes() {
   const int n = space_.size();
-  const std::vector<double> u = space_.to_unit(center_);
-  Linearization at{Eigen::Map<const Eigen::VectorXd>(u.data(), n), *r_, {}};
+  Linearization at{to_vector(space_.to_unit(center_)), *r_, {}};
   at.J.resize(r_->size(), n);
   lengths_.resize(n);
   qualities_.clear();

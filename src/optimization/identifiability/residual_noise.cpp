@@ -10,6 +10,7 @@
 #include "numerics/dense/cholesky.h"
 #include "numerics/dense/orthogonal_factors.h"
 #include "numerics/dense/self_adjoint_eigen.h"
+#include "optimization/problem/point_vector.h"
 
 namespace latsch {
 namespace {
@@ -70,7 +71,7 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& r,
     : deviations_(Eigen::VectorXd::Ones(r.size())) {
   const Eigen::Index m = r.size();
   if (!traits.deviations.empty()) {
-    deviations_ = Eigen::Map<const Eigen::VectorXd>(traits.deviations.data(), m);
+    deviations_ = to_vector(traits.deviations);
   }
   x_ = r.cwiseQuotient(deviations_);
   Q_ = J.cols() == 0 ? Eigen::MatrixXd(m, 0)

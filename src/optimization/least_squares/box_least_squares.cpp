@@ -1,37 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/least_squares/box_least_squares.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "numerics/dense/cholesky.h"
 #include "optimization/least_squares/levenberg_descent.h"
+#include "optimization/least_squares/step_in_box.h"
 
 namespace latsch {
 namespace {
-
-/// The room of a step, and the variables that are held.
-struct Room {
-  Eigen::VectorXd lower, upper;  // of the step
-  std::vector<bool> is_held;
-};
-
-Room room_at(const Eigen::VectorXd& z,
-             const Eigen::VectorXd& g,
-             const Eigen::VectorXd& lower,
-             const Eigen::VectorXd& upper) {
-  Room room{lower - z, upper - z, std::vector<bool>(z.size())};
-  for (Eigen::Index i = 0; i < z.size(); ++i) {
-    room.is_held[i] = (z[i] <= lower[i] && g[i] > 0.0) || (z[i] >= upper[i] && g[i] < 0.0);
-  }
-  return room;
-}
 
 /// A p = -g for the free variables with the others at their part of p.
 Eigen::VectorXd solve_free(Eigen::MatrixXd A,
                            const Eigen::VectorXd& g,
                            const Eigen::VectorXd& p,
-                           const std::vector<bool>& is_held) {
+                           const std::vector<int>& free) {
+  std::vector<bool> is_held(static_cast<std::size_t>(p.size()), true);
+  for (const int i : free) is_held[i] = false;
   Eigen::VectorXd b = -g;
   for (Eigen::Index i = 0; i < p.size(); ++i) {
     if (is_held[i]) b -= A.col(i) * p[i];
@@ -43,25 +28,7 @@ Eigen::VectorXd solve_free(Eigen::MatrixXd A,
     A(i, i) = 1.0;
     b[i] = p[i];
   }
-  return numerics::PivotedCholesky(A).solve(b);
-}
-
-/// The step with matrix A, variables that would leave the room held at its face.
-Eigen::VectorXd step_in(Room room, const Eigen::MatrixXd& A, const Eigen::VectorXd& g) {
-  Eigen::VectorXd p = Eigen::VectorXd::Zero(g.size());
-  for (Eigen::Index pass = 0; pass <= g.size(); ++pass) {
-    p = solve_free(A, g, p, room.is_held);
-    bool is_inside = true;
-    for (Eigen::Index i = 0; i < g.size(); ++i) {
-      const double inside = std::clamp(p[i], room.lower[i], room.upper[i]);
-      if (room.is_held[i] || inside == p[i]) continue;
-      p[i] = inside;
-      room.is_held[i] = true;
-      is_inside = false;
-    }
-    if (is_inside) break;
-  }
-  return p;
+  return numerics::PivotedCholesky(A).solve(b)(free);
 }
 
 }  // namespace
@@ -73,7 +40,11 @@ Eigen::VectorXd minimize_in_box(const ResidualKriging& model,
       model,
       lower.size(),
       [&](const Eigen::VectorXd& z, const Eigen::MatrixXd& A, const Eigen::VectorXd& g) {
-        const Eigen::VectorXd p = step_in(room_at(z, g, lower, upper), A, g);
+        const auto step = [&](const Eigen::VectorXd& p, const std::vector<int>& free) {
+          return solve_free(A, g, p, free);
+        };
+        const Eigen::VectorXd p =
+            step_in_box(lower - z, upper - z, free_in_box(z, g, lower, upper), step);
         return Eigen::VectorXd((z + p).cwiseMax(lower).cwiseMin(upper));
       });
 }

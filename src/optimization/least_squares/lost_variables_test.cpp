@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "optimization/least_squares/residual_trust_region.h"
+#include "optimization/problem/point_vector.h"
 
 namespace latsch {
 namespace {
@@ -25,8 +26,7 @@ DesignSpace space_of(std::vector<double> initial, double lower, double upper) {
 }
 
 Eigen::VectorXd unit(const DesignSpace& space, const std::vector<double>& x) {
-  const std::vector<double> u = space.to_unit({x});
-  return Eigen::Map<const Eigen::VectorXd>(u.data(), space.size());
+  return to_vector(space.to_unit({x}));
 }
 
 /// Tells the search whether moves of these variables show.

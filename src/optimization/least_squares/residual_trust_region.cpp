@@ -30,17 +30,6 @@ void check(const ResidualTrustRegionOptions& options) {
   check.require(options.outstanding >= 1, "outstanding", options.outstanding, "1 or more");
 }
 
-/// dr/du = dr/dx dx/du
-Eigen::MatrixXd slopes(const DesignSpace& space, const DesignPoint& point, const Score& score) {
-  if (score.jacobian.empty()) return {};
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const auto m = static_cast<Eigen::Index>(score.residuals.size());
-  if (std::ssize(score.jacobian) != m * space.size()) return {};
-  const Eigen::MatrixXd J = Eigen::Map<const Rows>(score.jacobian.data(), m, space.size());
-  if (!J.allFinite()) return {};
-  return J * to_vector(space.unit_slopes(point)).asDiagonal();
-}
-
 std::optional<ResidualSample> sample(const TrustBox& box,
                                      const DesignPoint& point,
                                      const Eigen::VectorXd& u,
@@ -55,7 +44,7 @@ std::optional<ResidualSample> sample(const TrustBox& box,
   const bool is_odd = box.memory.size() > 0 && r.size() != box.memory[0].r.size();
   if (is_odd || !std::isfinite(r.squaredNorm())) return std::nullopt;
   return ResidualSample{
-      u, r, slopes(box.space, point, *outcome), r.squaredNorm(), outcome->stand_ins};
+      u, r, box.space.unit_jacobian(point, *outcome), r.squaredNorm(), outcome->stand_ins};
 }
 
 }  // namespace
@@ -64,7 +53,7 @@ struct ResidualTrustRegion::State {
   TrustRegionRun run;
   std::optional<LostVariables> lost;   // while they are looked for
   Eigen::VectorXd r_settled;           // where the run settled
-  std::vector<Wanted> look;            // the next point of `lost`; at most one
+  PendingPoints<Wanted> look;          // the next point of `lost`; at most one
   std::vector<TrustRegionRun> trials;  // from the places where they are felt
   int allotted = 0;                    // evaluations left to the last of them
 
@@ -72,7 +61,7 @@ struct ResidualTrustRegion::State {
       : run(space, options) {}
 
   TrustRegionRun& active() { return allotted > 0 ? trials.back() : run; }
-  const std::vector<Wanted>& wanted() const {
+  const PendingPoints<Wanted>& wanted() const {
     if (!look.empty()) return look;
     return allotted > 0 ? trials.back().wanted() : run.wanted();
   }
@@ -80,10 +69,9 @@ struct ResidualTrustRegion::State {
   void observe(const DesignPoint& point,
                const Eigen::VectorXd& u,
                const std::optional<ResidualSample>& sample) {
-    const auto is_it = [&](const Wanted& w) { return w.point == point; };
-    if (std::any_of(look.begin(), look.end(), is_it)) {
+    if (look.contains(point)) {
       take_look(point, sample);
-    } else if (std::any_of(wanted().begin(), wanted().end(), is_it)) {
+    } else if (wanted().contains(point)) {
       active().observe(point, u, sample);
       if (allotted > 0) --allotted;
     } else {
@@ -161,28 +149,22 @@ ResidualTrustRegion::~ResidualTrustRegion() = default;
 
 std::vector<DesignPoint> ResidualTrustRegion::propose(int count) const {
   assert(count >= 1);
-  std::vector<DesignPoint> plan;
-  const auto take = [&](const std::vector<Wanted>& wanted) {
-    for (const Wanted& w : wanted) {
-      const bool is_named = std::find(plan.begin(), plan.end(), w.point) != plan.end();
-      if (std::ssize(plan) < count && !is_named) plan.push_back(w.point);
-    }
-  };
-  take(state_->wanted());
-  if (plan.empty() || std::ssize(plan) == count) return plan;
+  Plan plan(count);
+  plan.add(state_->wanted());
+  if (plan.is_empty() || plan.is_full()) return plan.points();
   State future = *state_;
   // Nothing to expect yet: the geometry will be wanted anyway.
   if (!future.run.box().has_center()) {
     future.run.widen(count);
-    take(future.wanted());
+    plan.add(future.wanted());
   }
-  while (std::ssize(plan) < count && future.run.box().has_center() && !future.wanted().empty()) {
+  while (!plan.is_full() && future.run.box().has_center() && !future.wanted().empty()) {
     const DesignPoint first = future.wanted().front().point;
     const ResidualSample expected = future.expected(first);
     future.observe(first, expected.u, expected);
-    take(future.wanted());
+    plan.add(future.wanted());
   }
-  return plan;
+  return plan.points();
 }
 
 void ResidualTrustRegion::observe(const DesignPoint& point, const Result<Score>& outcome) {

@@ -69,7 +69,7 @@ Eigen::MatrixXd TrustBox::along() const {
   return tangent_cone(Eigen::MatrixXd(n(), 0), E.transpose()).lines;
 }
 
-SlopeVariance TrustBox::geometry(const std::vector<Wanted>& wanted) const {
+SlopeVariance TrustBox::geometry(const PendingPoints<Wanted>& wanted) const {
   std::vector<Eigen::VectorXd> places;
   if (has_center()) {
     for (const int i : memory.near(center_, h())) places.push_back(memory[i].u - c());
@@ -130,14 +130,14 @@ bool TrustBox::is_beyond_edge(const Eigen::VectorXd& u) const {
 /// Whether to ask there would be to ask again, or for a failure.
 bool TrustBox::is_pointless(const Eigen::VectorXd& u,
                             double distance,
-                            const std::vector<Wanted>& wanted) const {
+                            const PendingPoints<Wanted>& wanted) const {
   const auto is_near = [&](const Wanted& w) { return scale_.length(w.u - u) < distance; };
   return memory.knows(u, distance * scale_.widths()) || memory.has_failed_near(u) ||
          std::any_of(wanted.begin(), wanted.end(), is_near);
 }
 
 std::optional<Wanted> TrustBox::probe(Eigen::VectorXd direction,
-                                      const std::vector<Wanted>& wanted) const {
+                                      const PendingPoints<Wanted>& wanted) const {
   Eigen::Index largest;
   direction.cwiseAbs().maxCoeff(&largest);
   if (direction[largest] < 0.0) direction = -direction;
@@ -209,7 +209,7 @@ const std::vector<Edge>& TrustBox::edges() const {
 
 Wanted TrustBox::step(const ResidualKriging& m,
                       double box,
-                      const std::vector<Wanted>& wanted) const {
+                      const PendingPoints<Wanted>& wanted) const {
   const Eigen::VectorXd z = least_expected(m, h().asDiagonal(), box);
   Wanted step = at(c() + h().cwiseProduct(z), Wanted::Kind::step);
   step.predicted = m.expected(z);
@@ -232,7 +232,7 @@ NaturalFrame TrustBox::natural_frame(const Eigen::MatrixXd& J,
 }
 
 std::optional<Wanted> TrustBox::probe_by(const Eigen::VectorXd& move,
-                                         const std::vector<Wanted>& wanted) const {
+                                         const PendingPoints<Wanted>& wanted) const {
   double share = 1.0;
   for (int k = 0; k < kProbeShortenings; ++k, share *= 0.5) {
     for (const double side : {share, -share}) {
@@ -255,7 +255,7 @@ ResidualKriging TrustBox::natural_model(const NaturalFrame& frame, double& noise
 Wanted TrustBox::natural_step(const ResidualKriging& m,
                               const NaturalFrame& frame,
                               double reach,
-                              const std::vector<Wanted>& wanted) const {
+                              const PendingPoints<Wanted>& wanted) const {
   const Eigen::VectorXd z = least_expected(m, frame.T, reach);
   Wanted step = at(c() + frame.T * z, Wanted::Kind::step);
   step.predicted = m.expected(z);
@@ -269,7 +269,7 @@ Wanted TrustBox::natural_step(const ResidualKriging& m,
 
 bool TrustBox::promises(const Wanted& step) const { return step.predicted < (1.0 - kFlat) * f(); }
 
-std::optional<Wanted> TrustBox::explore(const std::vector<Wanted>& wanted) {
+std::optional<Wanted> TrustBox::explore(const PendingPoints<Wanted>& wanted) {
   Eigen::VectorXd around = c();
   double best = f(), reach = radius;
   for (const Wanted& w : wanted) {

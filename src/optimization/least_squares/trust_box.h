@@ -21,6 +21,7 @@
 #include "optimization/least_squares/variable_scale.h"
 #include "optimization/problem/design_space.h"
 #include "optimization/problem/feasible_region.h"
+#include "optimization/problem/pending_points.h"
 
 namespace latsch {
 
@@ -70,7 +71,7 @@ class TrustBox {
   double explosion() const;
 
   /// What the samples and `wanted` leave open of the slopes.
-  SlopeVariance geometry(const std::vector<Wanted>& wanted) const;
+  SlopeVariance geometry(const PendingPoints<Wanted>& wanted) const;
   /// Of the samples around c; `is_noisy`: it looks for noise.
   ResidualKriging model(bool is_noisy);
   /// dr/du at c, as the model knows it.
@@ -81,10 +82,10 @@ class TrustBox {
   Wanted at(const Eigen::VectorXd& u, Wanted::Kind kind) const;
   /// Along a direction, to the side with more room, as long as it can be; nullopt where bounds and
   /// constraints leave it none.
-  std::optional<Wanted> probe(Eigen::VectorXd direction, const std::vector<Wanted>& wanted) const;
+  std::optional<Wanted> probe(Eigen::VectorXd direction, const PendingPoints<Wanted>& wanted) const;
   /// The step in a box of half width `box` radii; with a length of 0 where it is not worth an
   /// evaluation.
-  Wanted step(const ResidualKriging& m, double box, const std::vector<Wanted>& wanted) const;
+  Wanted step(const ResidualKriging& m, double box, const PendingPoints<Wanted>& wanted) const;
   /// Whether the value to be expected of it is less.
   bool promises(const Wanted& step) const;
   /// Where fresh slopes at c are to be taken; `J`: dr/du there; `change` of the residuals along an
@@ -92,16 +93,16 @@ class TrustBox {
   NaturalFrame natural_frame(const Eigen::MatrixXd& J, double change, double shortest) const;
   /// By `move` from c or back, as far as the region and failures leave room; nullopt: no room.
   std::optional<Wanted> probe_by(const Eigen::VectorXd& move,
-                                 const std::vector<Wanted>& wanted) const;
+                                 const PendingPoints<Wanted>& wanted) const;
   /// Of the samples which the frame brings near.
   ResidualKriging natural_model(const NaturalFrame& frame, double& noise) const;
   /// The step of that model as far as `reach` along the axes.
   Wanted natural_step(const ResidualKriging& m,
                       const NaturalFrame& frame,
                       double reach,
-                      const std::vector<Wanted>& wanted) const;
+                      const PendingPoints<Wanted>& wanted) const;
   /// Near the point predicted to be the best, at a distance of any magnitude.
-  std::optional<Wanted> explore(const std::vector<Wanted>& wanted);
+  std::optional<Wanted> explore(const PendingPoints<Wanted>& wanted);
   /// u with every variable moved at random by up to `reach` widths, inside the region.
   Eigen::VectorXd moved(const Eigen::VectorXd& u, double reach);
   /// A point of the region, up to `reach` from u in every variable, equally likely anywhere there
@@ -118,7 +119,7 @@ class TrustBox {
   ResidualSamples samples() const { return memory.around(center_, h()); }
   bool is_pointless(const Eigen::VectorXd& u,
                     double distance,
-                    const std::vector<Wanted>& wanted) const;
+                    const PendingPoints<Wanted>& wanted) const;
   const std::vector<Edge>& edges() const;
   bool is_beyond_edge(const Eigen::VectorXd& u) const;
   /// Least value expected at c + T z with |z_i| <= box, outside of failed regions.

@@ -318,7 +318,7 @@ Wanted TrustRegionRun::start() {
 }
 
 void TrustRegionRun::fill() {
-  while (std::ssize(wanted_) < options_.outstanding) {
+  while (wanted_.size() < options_.outstanding) {
     auto next_point = next();
     if (!next_point) return;
     wanted_.push_back(std::move(*next_point));
@@ -411,18 +411,12 @@ void TrustRegionRun::judge_verifying_step(double gain, double promise) {
 void TrustRegionRun::observe(const DesignPoint& point,
                              const Eigen::VectorXd& u,
                              const std::optional<ResidualSample>& sample) {
-  const auto found = std::find_if(
-      wanted_.begin(), wanted_.end(), [&](const Wanted& w) { return w.point == point; });
-  Wanted tried;
-  if (found != wanted_.end()) {
-    tried = *found;
-    wanted_.erase(found);
-  } else if (!sample) {  // whoever asked for it: it says nothing about the steps of this run
+  const std::optional<Wanted> own = wanted_.take(point);
+  if (!own && !sample) {  // whoever asked for it: it says nothing about the steps of this run
     box_.memory.add_failure(u);
     return;
-  } else {
-    tried = {u, point, Kind::probe, box_.center(), box_.f()};
   }
+  const Wanted tried = own ? *own : Wanted{u, point, Kind::probe, box_.center(), box_.f()};
   has_widened_ = false;
   if (sample && sample->f < box_.explosion() && !box_.leaps(*sample)) {
     take(tried, {tried.u, sample->r, sample->J, sample->f, sample->stand_ins});

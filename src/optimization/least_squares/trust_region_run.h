@@ -33,7 +33,7 @@ class TrustRegionRun {
   TrustRegionRun(const DesignSpace& space, const ResidualTrustRegionOptions& options);
 
   /// In the order proposed; empty: ended, or it has settled.
-  const std::vector<Wanted>& wanted() const { return wanted_; }
+  const PendingPoints<Wanted>& wanted() const { return wanted_; }
   /// `sample`: none for a failure.
   /// `u`: its place, outside of the unit cube for a foreign point outside of the bounds.
   void observe(const DesignPoint& point,
@@ -120,7 +120,7 @@ class TrustRegionRun {
   bool has_settled_ = false;
   double f_settled_ = std::numeric_limits<double>::infinity();   // the best value when it last had
   double f_released_ = std::numeric_limits<double>::infinity();  // the best when bounds were left
-  std::vector<Wanted> wanted_;
+  PendingPoints<Wanted> wanted_;
 };
 
 }  // namespace latsch

@@ -9,6 +9,7 @@
 
 #include "base/units.h"
 #include "optimization/problem/feasible_region.h"
+#include "optimization/problem/point_vector.h"
 
 namespace latsch {
 namespace {
@@ -61,6 +62,11 @@ double from_unit(const DesignVariable& v, double u) {
   const double x = v.scale == Scale::logarithmic ? v.lower * std::pow(v.upper / v.lower, u)
                                                  : v.lower + u * (v.upper - v.lower);
   return std::clamp(x, v.lower, v.upper);
+}
+
+/// dx/du
+double slope(const DesignVariable& v, double x) {
+  return v.scale == Scale::logarithmic ? x * std::log(v.upper / v.lower) : v.upper - v.lower;
 }
 
 constexpr double kLastDigits = 1e-6;  // of the ranges, by which a person rounds a point
@@ -143,8 +149,7 @@ void DesignSpace::check_constraints() {
         constraints_.front().place,
         "no point fulfills all linear constraints; these contradict each other: " + rows);
   }
-  const std::vector<double> start = to_unit(initial());
-  const auto u = Eigen::Map<const Eigen::VectorXd>(start.data(), size());
+  const Eigen::VectorXd u = to_vector(to_unit(initial()));
   if (region.contains(u)) return;
   const Eigen::VectorXd near = region.nearest(u);
   const DesignPoint nearest = from_unit({near.begin(), near.end()});
@@ -180,8 +185,7 @@ bool DesignSpace::contains(const DesignPoint& point) const {
     if (!(variables_[i].lower <= x && x <= variables_[i].upper)) return false;
   }
   if (constraints_.empty()) return true;
-  const std::vector<double> u = to_unit(point);
-  return FeasibleRegion(*this).contains(Eigen::Map<const Eigen::VectorXd>(u.data(), size()));
+  return FeasibleRegion(*this).contains(to_vector(to_unit(point)));
 }
 
 std::optional<std::vector<double>> DesignSpace::place(const DesignPoint& point) const {
@@ -214,15 +218,15 @@ DesignPoint DesignSpace::from_unit(const std::vector<double>& u) const {
   return point;
 }
 
-std::vector<double> DesignSpace::unit_slopes(const DesignPoint& point) const {
+Eigen::MatrixXd DesignSpace::unit_jacobian(const DesignPoint& point, const Score& score) const {
   assert(point.values.size() == variables_.size());
-  std::vector<double> slopes;
-  for (int i = 0; i < size(); ++i) {
-    const DesignVariable& v = variables_[i];
-    slopes.push_back(v.scale == Scale::logarithmic ? point.values[i] * std::log(v.upper / v.lower)
-                                                   : v.upper - v.lower);
-  }
-  return slopes;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto m = std::ssize(score.residuals);
+  if (score.jacobian.empty() || std::ssize(score.jacobian) != m * size()) return {};
+  Eigen::MatrixXd J = Eigen::Map<const Rows>(score.jacobian.data(), m, size());
+  if (!J.allFinite()) return {};
+  for (int i = 0; i < size(); ++i) J.col(i) *= slope(variables_[i], point.values[i]);
+  return J;
 }
 
 DesignSpace DesignSpace::starting_at(const DesignPoint& point) const {

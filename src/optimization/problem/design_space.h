@@ -7,6 +7,7 @@
 // magnitude.
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "optimization/problem/design_point.h"
 #include "optimization/problem/linear_constraint.h"
 #include "optimization/problem/prior.h"
+#include "optimization/problem/score.h"
 
 namespace latsch {
 
@@ -72,8 +74,9 @@ class DesignSpace {
   /// bounds.
   std::vector<double> to_unit(const DesignPoint& point) const;
   DesignPoint from_unit(const std::vector<double>& u) const;
-  /// dx/du of every variable.
-  std::vector<double> unit_slopes(const DesignPoint& point) const;
+  /// dr/du = dr/dx dx/du of the residuals of the score at that point, one a row. Empty where the
+  /// score has no Jacobian, one of another size, or one that is not finite.
+  Eigen::MatrixXd unit_jacobian(const DesignPoint& point, const Score& score) const;
 
   /// The same space, starting at `point`.
   DesignSpace starting_at(const DesignPoint& point) const;

@@ -143,5 +143,44 @@ TEST(DesignSpace, SaysWhereForeignPointsLie) {
   EXPECT_THROW(space.place({{1.0}}), InputError);
 }
 
+/// r and dr/dx by hand.
+Score with_jacobian(const std::vector<double>& x) {
+  return {.residuals = {x[0] * x[1], std::sin(x[0]), x[1] * x[1]},
+          .jacobian = {x[1], x[0], std::cos(x[0]), 0.0, 0.0, 2.0 * x[1]}};
+}
+
+// Central differences of h = 1e-5 of the range are off by h^2 / 6 of the third derivative, for E^2
+// (2 ln 160)^2 of the first: 2e-9 of it; and by rounding, 1e-11.
+TEST(DesignSpace, BringsAJacobianIntoTheUnitCube) {
+  const DesignSpace space({linear("a", -1.0, 3.0, 0.5), logarithmic("E", 0.5, 80.0, 7.0)});
+  const DesignPoint point = space.initial();
+  const Eigen::MatrixXd J = space.unit_jacobian(point, with_jacobian(point.values));
+  ASSERT_EQ(J.rows(), 3);
+  ASSERT_EQ(J.cols(), 2);
+  constexpr double kStep = 1e-5;
+  for (int j = 0; j < 2; ++j) {
+    std::vector<double> up = space.to_unit(point), down = up;
+    up[j] += kStep;
+    down[j] -= kStep;
+    const Score a = with_jacobian(space.from_unit(up).values);
+    const Score b = with_jacobian(space.from_unit(down).values);
+    for (int i = 0; i < 3; ++i) {
+      const double difference = (a.residuals[i] - b.residuals[i]) / (2.0 * kStep);
+      EXPECT_NEAR(J(i, j), difference, 3e-9 * std::max(1.0, std::abs(J(i, j)))) << i << ' ' << j;
+    }
+  }
+}
+
+TEST(DesignSpace, HasNoUnitJacobianOfAScoreWithoutOrWithABrokenOne) {
+  const DesignSpace space({linear("a", -1.0, 3.0, 0.5), linear("b", 0.0, 1.0, 0.5)});
+  Score score = with_jacobian(space.initial().values);
+  score.jacobian[3] = std::nan("");
+  EXPECT_EQ(space.unit_jacobian(space.initial(), score).size(), 0);
+  score.jacobian.pop_back();
+  EXPECT_EQ(space.unit_jacobian(space.initial(), score).size(), 0);
+  score.jacobian.clear();
+  EXPECT_EQ(space.unit_jacobian(space.initial(), score).size(), 0);
+}
+
 }  // namespace
 }  // namespace latsch

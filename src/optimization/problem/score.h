@@ -12,7 +12,7 @@ namespace latsch {
 struct Score {
   double value = 0.0;
   std::vector<double> residuals = {};
-  std::vector<double> jacobian = {};
+  std::vector<double> jacobian = {};  // empty: not known; DesignSpace::unit_jacobian
   /// Residuals that only stand for a value this point does not have, such as that of a mode without
   /// a partner: from points with more or less of them no slope can be told.
   int stand_ins = 0;

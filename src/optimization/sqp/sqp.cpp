@@ -9,8 +9,10 @@
 #include <optional>
 
 #include "optimization/problem/option_check.h"
+#include "optimization/problem/pending_points.h"
 #include "optimization/problem/point_vector.h"
 #include "optimization/region/difference_directions.h"
+#include "optimization/region/start_toward_middle.h"
 #include "optimization/sqp/damped_bfgs.h"
 #include "optimization/sqp/l1_merit.h"
 #include "optimization/sqp/sqp_step.h"
@@ -27,8 +29,7 @@ constexpr double kFailed = 0.25;      // after one that fails
 constexpr double kLongest = 0.5;      // half of every range
 constexpr double kReachGrowth = 4.0;  // of the longest step, over the one that was taken
 constexpr double kExhausted = 0.1;    // of the tolerance: a search ends with so short a step
-constexpr std::array kAttempts{1.0, -1.0, 0.25, -0.25};    // at a difference that fails
-constexpr std::array kTowardMiddle{0.25, 0.5, 0.75, 1.0};  // for a start that fails
+constexpr std::array kAttempts{1.0, -1.0, 0.25, -0.25};  // at a difference that fails
 
 enum class Phase { start, differences, search, ended };
 
@@ -37,7 +38,7 @@ struct WantedPoint {
   VectorXd u;
   DesignPoint point;
   int column = 0;   // of the difference
-  int attempt = 0;  // which of kAttempts, or of kTowardMiddle
+  int attempt = 0;  // which of kAttempts, or of start_toward_middle
 };
 
 void check(const SqpOptions& options) {
@@ -63,7 +64,7 @@ struct Sqp::State {
   FeasibleRegion region;
   SqpOptions options;
   Phase phase = Phase::start;
-  std::vector<WantedPoint> wanted;  // in the order proposed; empty: converged
+  PendingPoints<WantedPoint> wanted;  // in the order proposed; empty: converged
 
   Iterate x;                       // the present point
   std::optional<Iterate> foreign;  // the best point of others
@@ -94,30 +95,26 @@ struct Sqp::State {
   void take_start(const WantedPoint& tried, const std::optional<Iterate>& known) {
     if (known) return begin(*known);
     if (foreign) return begin(*std::exchange(foreign, std::nullopt));
-    const VectorXd start = to_vector(space.to_unit(space.initial()));
-    const VectorXd middle = region.nearest(VectorXd::Constant(start.size(), 0.5));
-    for (int k = tried.attempt; k < std::ssize(kTowardMiddle); ++k) {
-      const VectorXd u = start + kTowardMiddle[k] * (middle - start);
-      if ((u - tried.u).norm() < options.step_tolerance) continue;
-      wanted = {at(u, 0, k + 1)};
-      return;
+    const auto start =
+        start_toward_middle(space, region, {tried.u, tried.attempt}, options.step_tolerance);
+    if (start) {
+      wanted = {at(start->u, 0, start->attempts)};
+    } else {
+      phase = Phase::ended;
     }
-    phase = Phase::ended;
   }
 
   // Differences ------------------------------------------------------------------------------
 
-  /// The model's own derivatives are enough where it has no constraints to differentiate.
-  bool knows_slopes(const Iterate& at) const {
-    const size_t entries = at.score.residuals.size() * at.point.values.size();
-    const auto& J = at.score.jacobian;
-    return entries > 0 && J.size() == entries && at.score.constraints.empty() &&
-           at.score.equations.empty() &&
-           std::all_of(J.begin(), J.end(), [](double slope) { return std::isfinite(slope); });
+  /// The model's own derivatives, which are enough where it has no constraints to differentiate;
+  /// empty where differences are needed.
+  MatrixXd known_jacobian(const Iterate& at) const {
+    if (!at.score.constraints.empty() || !at.score.equations.empty()) return {};
+    return space.unit_jacobian(at.point, at.score);
   }
 
-  std::vector<WantedPoint> differences_at(const VectorXd& u) const {
-    std::vector<WantedPoint> points;
+  PendingPoints<WantedPoint> differences_at(const VectorXd& u) const {
+    PendingPoints<WantedPoint> points;
     const MatrixXd directions = difference_directions(region, u, options.difference);
     for (int k = 0; k < directions.cols(); ++k) {
       points.push_back(at(u + options.difference * directions.col(k), k));
@@ -132,13 +129,7 @@ struct Sqp::State {
       x = *std::exchange(foreign, std::nullopt);
       has_slopes = false;  // of the Lagrangian along the last step
     }
-    if (knows_slopes(x)) {
-      using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-      const VectorXd dx_du = to_vector(space.unit_slopes(x.point));
-      const MatrixXd J =
-          Eigen::Map<const Rows>(x.score.jacobian.data(), x.values.r.size(), dx_du.size());
-      return search_along(J * dx_du.asDiagonal());
-    }
+    if (const MatrixXd J = known_jacobian(x); J.size() > 0) return search_along(J);
     D = difference_directions(region, x.u, options.difference);
     S = MatrixXd::Zero(all_values(x.values).size(), D.cols());
     wanted = differences_at(x.u);
@@ -271,24 +262,21 @@ struct Sqp::State {
 
   void observe(const DesignPoint& point, const Result<Score>& outcome) {
     std::optional<Iterate> known;
-    const auto is_it = [&](const WantedPoint& w) { return w.point == point; };
-    const auto found = std::find_if(wanted.begin(), wanted.end(), is_it);
     const auto place = space.place(point);
     if (!place) return;
-    const VectorXd u = found != wanted.end() ? found->u : to_vector(*place);
+    const std::optional<WantedPoint> tried = wanted.take(point);
+    const VectorXd u = tried ? tried->u : to_vector(*place);
     if (outcome) {
       if (auto values = smooth_values(*outcome)) known = Iterate{u, point, *outcome, *values};
     }
-    if (found == wanted.end()) return look_at_foreign(known);
-    const WantedPoint tried = *found;
-    wanted.erase(found);
+    if (!tried) return look_at_foreign(known);
     switch (phase) {
       case Phase::start:
-        return take_start(tried, known);
+        return take_start(*tried, known);
       case Phase::differences:
-        return take_difference(tried, known);
+        return take_difference(*tried, known);
       case Phase::search:
-        return take_step(tried, known);
+        return take_step(*tried, known);
       case Phase::ended:
         return;
     }
@@ -300,9 +288,9 @@ struct Sqp::State {
   }
 
   /// What it may ask for when the points it waits for are known.
-  std::vector<WantedPoint> speculation() const {
+  PendingPoints<WantedPoint> speculation() const {
     if (phase != Phase::start && phase != Phase::search) return {};
-    std::vector<WantedPoint> points = differences_at(wanted.front().u);
+    PendingPoints<WantedPoint> points = differences_at(wanted.front().u);
     if (phase == Phase::search) {
       points.push_back(at(region.nearest(x.u + kShorter * share * step.d)));
     }
@@ -319,16 +307,10 @@ Sqp::~Sqp() = default;
 
 std::vector<DesignPoint> Sqp::propose(int count) const {
   assert(count >= 1);
-  std::vector<DesignPoint> plan;
-  const auto add = [&](const WantedPoint& w) {
-    const bool is_named = std::find(plan.begin(), plan.end(), w.point) != plan.end();
-    if (std::ssize(plan) < count && !is_named) plan.push_back(w.point);
-  };
-  for (const WantedPoint& wanted : state_->wanted) add(wanted);
-  if (!plan.empty() && std::ssize(plan) < count) {
-    for (const WantedPoint& wanted : state_->speculation()) add(wanted);
-  }
-  return plan;
+  Plan plan(count);
+  plan.add(state_->wanted);
+  if (!plan.is_empty() && !plan.is_full()) plan.add(state_->speculation());
+  return plan.points();
 }
 
 void Sqp::observe(const DesignPoint& point, const Result<Score>& outcome) {

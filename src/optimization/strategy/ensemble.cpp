@@ -7,6 +7,7 @@
 #include <cassert>
 
 #include "base/error.h"
+#include "optimization/problem/pending_points.h"
 
 namespace latsch {
 namespace {
@@ -37,8 +38,8 @@ int Ensemble::next(const std::vector<long>& turns, const std::vector<bool>& has_
 
 std::vector<DesignPoint> Ensemble::propose(int count) const {
   assert(count >= 1);
-  std::vector<DesignPoint> plan;
-  if (converged()) return plan;
+  Plan plan(count);
+  if (converged()) return {};
   std::vector<std::vector<DesignPoint>> wishes;
   std::vector<bool> has_wishes;
   for (const EnsembleMember& member : members_) {
@@ -48,17 +49,16 @@ std::vector<DesignPoint> Ensemble::propose(int count) const {
     has_wishes.push_back(!wishes.back().empty());
   }
   std::vector<long> turns = turns_;
-  while (std::ssize(plan) < count) {
+  while (!plan.is_full()) {
     const int m = next(turns, has_wishes);
     if (m == kNobody) break;
     const DesignPoint point = std::move(wishes[m].back());
     wishes[m].pop_back();
     has_wishes[m] = !wishes[m].empty();
     ++turns[m];
-    const bool is_named = std::find(plan.begin(), plan.end(), point) != plan.end();
-    if (!is_named && !known_.contains(point.bits())) plan.push_back(point);
+    if (!known_.contains(point.bits())) plan.add(point);
   }
-  return plan;
+  return plan.points();
 }
 
 void Ensemble::observe(const DesignPoint& point, const Result<Score>& outcome) {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "optimization/design/latin_hypercube.h"
+#include "optimization/problem/pending_points.h"
 
 namespace latsch {
 namespace {
@@ -43,14 +44,11 @@ HopelessStart::HopelessStart(const DesignSpace& space, std::unique_ptr<Optimizer
 
 std::vector<DesignPoint> HopelessStart::propose(int count) const {
   if (reason_) return {};
-  std::vector<DesignPoint> plan(
-      spread_.begin(), spread_.begin() + std::min<std::ptrdiff_t>(count, std::ssize(spread_)));
-  if (std::ssize(plan) == count || optimizer_->converged()) return plan;
-  for (const DesignPoint& point : optimizer_->propose(count)) {
-    const bool is_named = std::find(plan.begin(), plan.end(), point) != plan.end();
-    if (std::ssize(plan) < count && !is_named) plan.push_back(point);
-  }
-  return plan;
+  Plan plan(count);
+  for (const DesignPoint& point : spread_) plan.add(point);
+  if (plan.is_full() || optimizer_->converged()) return plan.points();
+  for (const DesignPoint& point : optimizer_->propose(count)) plan.add(point);
+  return plan.points();
 }
 
 void HopelessStart::observe(const DesignPoint& point, const Result<Score>& outcome) {

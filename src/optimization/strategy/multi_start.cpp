@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "optimization/problem/pending_points.h"
 
 namespace latsch {
 
@@ -25,14 +25,12 @@ std::unique_ptr<Optimizer> MultiStart::optimizer_of(int run) const {
 }
 
 std::vector<DesignPoint> MultiStart::propose(int count) const {
-  std::vector<DesignPoint> plan = optimizer_->propose(count);
-  for (int run = run_ + 1; run <= std::ssize(starts_) && std::ssize(plan) < count; ++run) {
-    for (const DesignPoint& point : optimizer_of(run)->propose(count)) {
-      const bool is_named = std::find(plan.begin(), plan.end(), point) != plan.end();
-      if (std::ssize(plan) < count && !is_named) plan.push_back(point);
-    }
+  Plan plan(count);
+  for (const DesignPoint& point : optimizer_->propose(count)) plan.add(point);
+  for (int run = run_ + 1; run <= std::ssize(starts_) && !plan.is_full(); ++run) {
+    for (const DesignPoint& point : optimizer_of(run)->propose(count)) plan.add(point);
   }
-  return plan;
+  return plan.points();
 }
 
 void MultiStart::observe(const DesignPoint& point, const Result<Score>& outcome) {
