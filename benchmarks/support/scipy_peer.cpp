@@ -14,7 +14,8 @@ namespace latsch::benchmarks {
 namespace {
 
 // Reads "n bounds difference" and the start, then asks with "? x ..." and reads residuals, "failed"
-// or "stop", and says "." at the end.
+// or "stop", and says "." at the end. A difference below 0: residuals, then the rows of their
+// Jacobian; bounds of 2: n lower and n upper ones after the start.
 constexpr const char* kScript = R"(
 import sys, numpy as np
 from scipy.optimize import least_squares
@@ -24,18 +25,30 @@ while True:
     head = sys.stdin.readline().split()
     if not head: break
     n, bounded, difference = int(head[0]), int(head[1]), float(head[2])
-    start = np.array([float(v) for v in head[3:]])
-    bounds = (np.zeros(n), np.ones(n)) if bounded else (-np.inf, np.inf)
+    numbers = np.array([float(v) for v in head[3:]])
+    start = numbers[:n]
+    bounds = (np.zeros(n), np.ones(n)) if bounded == 1 else (-np.inf, np.inf)
+    if bounded == 2: bounds = (numbers[n:2*n], numbers[2*n:])
     size = [1]
+    slopes = {}
     def r(x):
         say("? " + " ".join(repr(float(v)) for v in x))
         line = sys.stdin.readline().split()
         if not line or line[0] == "stop": raise Stop
         if line[0] == "failed": return np.full(size[0], np.nan)
-        size[0] = len(line)
-        return np.array([float(v) for v in line])
+        told = np.array([float(v) for v in line])
+        if difference < 0:
+            m = len(told) // (n + 1)
+            slopes[x.tobytes()] = told[m:].reshape(m, n)
+            told = told[:m]
+        size[0] = len(told)
+        return told
     try:
-        least_squares(r, start, bounds=bounds, diff_step=difference if difference > 0 else None)
+        if difference < 0:
+            least_squares(r, start, jac=lambda x: slopes[x.tobytes()], bounds=bounds, method="trf",
+                          x_scale="jac")
+        else:
+            least_squares(r, start, bounds=bounds, diff_step=difference if difference > 0 else None)
     except (Stop, ValueError, np.linalg.LinAlgError):
         pass
     say(".")
@@ -76,19 +89,42 @@ void SciPy::solve(const std::vector<double>& start,
                   bool in_cube,
                   double difference,
                   const Ask& ask) {
+  run(fmt::format("{} {} {}{}", start.size(), in_cube ? 1 : 0, difference, in_words(start)),
+      start.size(),
+      ask);
+}
+
+void SciPy::solve_by_slopes(const std::vector<double>& start,
+                            const std::vector<double>& lower,
+                            const std::vector<double>& upper,
+                            const Ask& ask) {
+  const int bounds = lower.empty() ? 0 : 2;
+  run(fmt::format("{} {} -1{}{}{}",
+                  start.size(),
+                  bounds,
+                  in_words(start),
+                  in_words(lower),
+                  in_words(upper)),
+      start.size(),
+      ask);
+}
+
+void SciPy::run(const std::string& task, std::size_t n, const Ask& ask) {
   const auto say = [&](const std::string& words) {
     std::fputs((words + "\n").c_str(), to_);
     std::fflush(to_);
   };
-  say(fmt::format("{} {} {}{}", start.size(), in_cube ? 1 : 0, difference, in_words(start)));
+  say(task);
   std::vector<char> line(1 << 16);
   while (std::fgets(line.data(), static_cast<int>(line.size()), from_)) {
     if (line[0] == '.') return;
     std::vector<double> x;
     char* at = line.data() + 1;
-    for (std::size_t i = 0; i < start.size(); ++i) x.push_back(std::strtod(at, &at));
+    for (std::size_t i = 0; i < n; ++i) x.push_back(std::strtod(at, &at));
     const Answer answer = ask(x);
-    say(answer.is_spent ? "stop" : answer.residuals ? in_words(*answer.residuals) : "failed");
+    say(answer.is_spent    ? "stop"
+        : answer.residuals ? in_words(*answer.residuals) + in_words(answer.jacobian)
+                           : "failed");
   }
   throw InputError("SciPy ended early; python3-scipy is what it needs");
 }

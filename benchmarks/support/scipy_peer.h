@@ -3,9 +3,11 @@
 // pipe: its differences count as evaluations, and the problems are the same to the bit.
 #pragma once
 
+#include <cstddef>
 #include <cstdio>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace latsch::benchmarks {
@@ -15,6 +17,7 @@ class SciPy {
   struct Answer {
     std::optional<std::vector<double>> residuals = {};  // none: the point failed
     bool is_spent = false;                              // no evaluations are left
+    std::vector<double> jacobian = {};                  // rows; for solve_by_slopes
   };
   using Ask = std::function<Answer(const std::vector<double>& x)>;
 
@@ -25,8 +28,15 @@ class SciPy {
 
   /// From `start`, in the unit cube or without bounds; `difference`: relative step, 0: its own.
   void solve(const std::vector<double>& start, bool in_cube, double difference, const Ask& ask);
+  /// Method trf with the Jacobian of the answers and variables scaled by it; no bounds: free.
+  void solve_by_slopes(const std::vector<double>& start,
+                       const std::vector<double>& lower,
+                       const std::vector<double>& upper,
+                       const Ask& ask);
 
  private:
+  void run(const std::string& task, std::size_t n, const Ask& ask);
+
   int child_ = -1;
   std::FILE* to_ = nullptr;
   std::FILE* from_ = nullptr;

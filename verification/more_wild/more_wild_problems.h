@@ -27,6 +27,7 @@ struct Problem {
   double least;        // f_L
   std::function<Vector(const Vector&)> residuals;
   Vector steps = {};  // the first step of every variable; empty: start_step for all
+  std::function<Vector(const Vector&)> jacobian = {};  // n numbers a residual; empty: not known
 
   int n() const { return static_cast<int>(start.size()); }
   double value(const Vector& x) const;

@@ -29,6 +29,7 @@ Problem in_other_variables(Problem problem, const Eigen::MatrixXd& T) {
     return Vector(x.begin(), x.end());
   };
   problem.residuals = [in_x, r = problem.residuals](const Vector& y) { return r(in_x(y)); };
+  problem.jacobian = {};
   return problem;
 }
 

@@ -30,6 +30,8 @@ Dataset read_dataset(const std::string& name);
 std::vector<std::string> names();
 /// Throws std::out_of_range for a name that is not one.
 std::vector<double> residuals(const Dataset& dataset, const std::vector<double>& b);
+/// dr/db, a row of the variables a residual; from the formulas themselves (dual.h).
+std::vector<double> jacobian(const Dataset& dataset, const std::vector<double>& b);
 
 /// "Misra1a, start 1", the least value being the certified one; the first step of a variable is a
 /// tenth of its start. Without MGH10 and MGH17 from start 2, which are Meyer's and Osborne's first
