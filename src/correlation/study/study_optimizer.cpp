@@ -45,6 +45,12 @@ ResidualTrustRegionOptions read_trust_region(const Node& node) {
   return d;
 }
 
+LevenbergMarquardtOptions read_levenberg_marquardt(const Node& node) {
+  LevenbergMarquardtOptions d;
+  read_lengths(node, 1.0, d.initial_step, d.step_tolerance);
+  return d;
+}
+
 SqpOptions read_sqp(const Node& node) {
   SqpOptions d;
   read_lengths(node, 0.5, d.initial_step, d.step_tolerance);
@@ -123,6 +129,7 @@ const std::vector<std::pair<Method, std::vector<std::string>>>& keys_of_methods(
       {Method::gss_nlc, with(gss, {"penalty", "penalty_parameter"})},
       {Method::residual_trust_region,
        {"initial_step", "step_tolerance", "outstanding", "restarts", "seed"}},
+      {Method::levenberg_marquardt, {"initial_step", "step_tolerance"}},
       {Method::sqp, {"initial_step", "step_tolerance", "difference"}},
       {Method::nelder_mead, {"initial_step", "step_tolerance"}},
       {Method::genetic, {"step_tolerance", "population", "generations", "seed"}},
@@ -163,6 +170,9 @@ OptimizerSettings read_settings(const Node& table,
     case Method::residual_trust_region:
       settings.residual_trust_region = read_trust_region(table);
       break;
+    case Method::levenberg_marquardt:
+      settings.levenberg_marquardt = read_levenberg_marquardt(table);
+      break;
     case Method::sqp:
       settings.sqp = read_sqp(table);
       break;
@@ -198,8 +208,11 @@ ProblemTraits traits_of_residuals(const DesignSpace& space, bool constrained) {
 }
 
 OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space, bool constrained) {
-  return read_settings(
-      table, space, traits_of_residuals(space, constrained), OptimizerSettings().method, method_names());
+  return read_settings(table,
+                       space,
+                       traits_of_residuals(space, constrained),
+                       OptimizerSettings().method,
+                       method_names());
 }
 
 bool has_optimizer_keys(const Node& table) {

@@ -4,8 +4,10 @@
 //   [optimizer]
 //   method = "auto"               # residual_trust_region, or sqp where there are constraints on
 //                                 # channels, which is also what a study without [optimizer] gets;
-//                                 # or gss, gss_nlc, nelder_mead, genetic, ensemble
-//   step_tolerance = 0.001        # of the range of a variable, as initial_step = 0.1
+//                                 # or levenberg_marquardt where trials bring derivatives of their
+//                                 # residuals, gss, gss_nlc, nelder_mead, genetic, ensemble
+//   step_tolerance = 0.001        # of the range of a variable, as initial_step = 0.1;
+//                                 # levenberg_marquardt 0.000001 and 0.5
 //   outstanding = 1               # points decided on at once: gss, gss_nlc, residual_trust_region
 //   max_steps = 1000              # outcomes the optimizer may observe
 //   contraction = 0.25            # gss; gss_nlc 0.5
@@ -22,9 +24,9 @@
 //   generations = 50              # genetic
 //   seed = 1                      # residual_trust_region, genetic
 //
-// residual_trust_region and sqp make the sum of the squared relative errors least, whatever
-// exponent the objectives have; the other methods the target itself. Linear constraints
-// (linear_constraints.h): every method. Constraints on channels (channel_constraint.h):
+// residual_trust_region, levenberg_marquardt and sqp make the sum of the squared relative errors
+// least, whatever exponent the objectives have; the other methods the target itself. Linear
+// constraints (linear_constraints.h): every method. Constraints on channels (channel_constraint.h):
 // gss_nlc, sqp. An ensemble knows what all its members know.
 //
 // Several at once, which see each other's points (optimization/strategy/ensemble.h):

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/search/study_method.h"
 #include "correlation/study/study_optimizer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "correlation/search/study_method.h"
 
 namespace latsch::correlation {
 namespace {
@@ -44,6 +44,10 @@ TEST(StudyOptimizer, ReadsTheOptionsOfItsMethod) {
   EXPECT_EQ(
       optimizer_of("method = \"nelder_mead\"\nstep_tolerance = 0.01").nelder_mead.step_tolerance,
       0.01);
+  EXPECT_EQ(optimizer_of("method = \"levenberg_marquardt\"\nstep_tolerance = 1e-4")
+                .levenberg_marquardt.step_tolerance,
+            1e-4);
+  EXPECT_THROW(optimizer_of("method = \"levenberg_marquardt\"", true), InputError);
   EXPECT_EQ(optimizer_of("method = \"auto\"\nrestarts = 1").residual_trust_region.restarts, 1);
 }
 

@@ -107,6 +107,14 @@ TEST(DirectMethods, EndWhereEverythingFails) {
 TEST(MethodChoice, GoesByWhatIsKnownAndSaysWhy) {
   EXPECT_EQ(choose_method({.variables = 5, .has_residuals = true}).method,
             Method::residual_trust_region);
+  EXPECT_EQ(choose_method({.has_residuals = true, .has_jacobian = true}).method,
+            Method::levenberg_marquardt);
+  EXPECT_EQ(choose_method({.has_residuals = true,
+                           .has_jacobian = true,
+                           .has_linear_constraints = true,
+                           .has_nonlinear_constraints = true})
+                .method,
+            Method::sqp);
   EXPECT_EQ(choose_method({.variables = 5}).method, Method::gss);
   EXPECT_EQ(choose_method({.variables = 2, .basins = 3}).method, Method::genetic);
   const MethodChoice failing = choose_method({.has_residuals = true, .failed_share = 0.7});

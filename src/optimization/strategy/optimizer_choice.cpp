@@ -21,6 +21,7 @@ constexpr std::array kMethods{
     MethodWords{Method::gss, "gss", "generating-set search", false},
     MethodWords{
         Method::residual_trust_region, "residual_trust_region", "residual trust region", false},
+    MethodWords{Method::levenberg_marquardt, "levenberg_marquardt", "Levenberg-Marquardt", false},
     MethodWords{Method::sqp, "sqp", "sequential quadratic programming", true},
     MethodWords{Method::gss_nlc, "gss_nlc", "generating-set search with penalties", true},
     MethodWords{Method::nelder_mead, "nelder_mead", "Nelder-Mead", false},
@@ -75,6 +76,10 @@ MethodChoice choose_method(const ProblemTraits& traits) {
   }
   if (traits.has_nonlinear_constraints && traits.has_residuals) {
     return {Method::sqp, "the target is a sum over residuals, among nonlinear constraints"};
+  }
+  if (traits.has_residuals && traits.has_jacobian) {
+    return {Method::levenberg_marquardt,
+            "the target is a sum over residuals, and trials bring their derivatives"};
   }
   if (constrained && !traits.has_residuals) {
     return {by_directions, "there are constraints and no residuals; it searches along them"};
@@ -151,6 +156,8 @@ std::unique_ptr<Optimizer> make_optimizer(Method method,
       options.noise_alone = traits.noise_alone;
       return std::make_unique<ResidualTrustRegion>(space, options);
     }
+    case Method::levenberg_marquardt:
+      return std::make_unique<LevenbergMarquardt>(space, settings.levenberg_marquardt);
     case Method::sqp:
       return std::make_unique<Sqp>(space, settings.sqp);
     case Method::gss_nlc:

@@ -3,6 +3,7 @@
 //
 //   residual_trust_region  the target is a sum over residuals, smooth between failures, with or
 //                          without linear constraints: fewest evaluations by far
+//   levenberg_marquardt    the same where trials bring the derivatives of their residuals
 //   gss                    no residuals, kinks, or most points fail
 //   sqp                    nonlinear constraints, and residuals or a smooth target
 //   gss_nlc                nonlinear constraints and no residuals
@@ -20,13 +21,23 @@
 #include "optimization/direct_search/gss.h"
 #include "optimization/direct_search/gss_nlc.h"
 #include "optimization/direct_search/nelder_mead.h"
+#include "optimization/least_squares/levenberg_marquardt.h"
 #include "optimization/least_squares/residual_trust_region.h"
 #include "optimization/sqp/sqp.h"
 #include "optimization/strategy/ensemble.h"
 
 namespace latsch {
 
-enum class Method { gss, residual_trust_region, sqp, gss_nlc, nelder_mead, genetic, ensemble };
+enum class Method {
+  gss,
+  residual_trust_region,
+  levenberg_marquardt,
+  sqp,
+  gss_nlc,
+  nelder_mead,
+  genetic,
+  ensemble
+};
 
 /// As in a study: "gss" ...
 std::string_view name(Method method);
@@ -39,6 +50,7 @@ const std::vector<std::string>& method_names();
 struct ProblemTraits {
   int variables = 1;
   bool has_residuals = false;
+  bool has_jacobian = false;  // every outcome brings the derivatives of its residuals
   double failed_share = 0.0;  // of the points evaluated so far
   int basins = 1;             // found by a design of experiments
   bool has_linear_constraints = false;
@@ -59,6 +71,7 @@ struct OptimizerSettings {
   std::string method = "auto";  // one of method_names()
   GssOptions gss = {};
   ResidualTrustRegionOptions residual_trust_region = {};
+  LevenbergMarquardtOptions levenberg_marquardt = {};
   NelderMeadOptions nelder_mead = {};
   GeneticOptions genetic = {};
   SqpOptions sqp = {};

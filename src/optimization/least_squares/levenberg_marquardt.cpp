@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/least_squares/levenberg_marquardt.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "optimization/least_squares/levenberg_marquardt_step.h"
+#include "optimization/problem/option_check.h"
+#include "optimization/problem/pending_points.h"
+#include "optimization/problem/point_vector.h"
+#include "optimization/region/start_toward_middle.h"
+
+namespace latsch {
+namespace {
+
+constexpr double kTaken = 1e-4;             // gain of a step that is taken
+constexpr double kPoorGain = 0.25;          // shortens the radius
+constexpr double kGainToExpand = 0.75;      // makes it longer
+constexpr double kExpansionOfRadius = 2.0;  // of the step
+constexpr double kAfterFailure = 0.25;      // of the step
+constexpr double kLeastCut = 0.1, kMostCut = 0.5;
+constexpr double kPromisesNothing = 1e-10;  // of f
+constexpr double kPromisesMuch = 1e-6;      // of f
+constexpr double kNothingIsLeft = 1e-20;    // of the first f: ten digits of the residuals
+constexpr double kExhaustedStep = 0.01;     // of the tolerance: a radius so short finds nothing
+
+enum class LevenbergMarquardtEnding { none, flat, short_step, nothing_left, edge, rough, hopeless };
+
+/// What is known of a point.
+struct Linear {
+  Eigen::VectorXd u;
+  DesignPoint point;
+  Eigen::VectorXd r;
+  Eigen::MatrixXd J;  // dr/du
+  double f = 0.0;
+};
+
+/// A point whose outcome it waits for: the start, after so many attempts, or a step.
+struct Attempt {
+  Eigen::VectorXd u;
+  DesignPoint point;
+  int starts = 0;
+  std::optional<LevenbergMarquardtStep> step = std::nullopt;
+};
+
+void check(const LevenbergMarquardtOptions& options) {
+  OptionCheck("Levenberg-Marquardt").lengths(options.initial_step, options.step_tolerance, 1.0);
+}
+
+/// The share of a step at which the parabola through f, its slope and f_end is least.
+double least_of_parabola(double f, double slope, double f_end) {
+  const double share = -slope / (f_end - f - 2.0 * slope);  // f + 2 slope t + ... t^2
+  return std::clamp(std::isfinite(share) ? share : kLeastCut, kLeastCut, kMostCut);
+}
+
+}  // namespace
+
+struct LevenbergMarquardt::State {
+  DesignSpace space;
+  FeasibleRegion region;
+  LevenbergMarquardtOptions options;
+
+  Linear x;                       // the best point
+  std::optional<Linear> foreign;  // the best point of others
+  Eigen::VectorXd D;              // no entries: before the first success
+  double radius = 0.0;            // Delta
+  double f_first = 0.0;
+  bool has_failed = false;        // the last step
+  PendingPoints<Attempt> wanted;  // at most one; none: converged
+  LevenbergMarquardtEnding end = LevenbergMarquardtEnding::none;
+
+  State(const DesignSpace& s, const LevenbergMarquardtOptions& o)
+      : space(s), region(s), options(o) {
+    wanted.push_back({to_vector(space.to_unit(space.initial())), space.initial()});
+  }
+
+  /// The iteration: what the outcome of an attempt means, and the next one.
+  void take(const Attempt& tried, std::optional<Linear> known) {
+    if (tried.step) {
+      judge(*tried.step, std::move(known));
+    } else if (known) {
+      begin(std::move(*known));
+    } else if (!foreign) {
+      return start_again(tried);
+    }
+    if (foreign && (D.size() == 0 || foreign->f < x.f))
+      begin(*std::exchange(foreign, std::nullopt));
+    next_step();
+  }
+
+  void start_again(const Attempt& failed) {
+    const auto start =
+        start_toward_middle(space, region, {failed.u, failed.starts}, options.step_tolerance);
+    if (start) {
+      wanted.push_back({start->u, point_at(start->u), start->attempts});
+    } else {
+      end = LevenbergMarquardtEnding::hopeless;
+    }
+  }
+
+  /// At the first point, or that of others.
+  void begin(Linear known) {
+    const bool is_first = D.size() == 0;
+    move_to(std::move(known));
+    if (!is_first) return;
+    radius = options.initial_step * D.norm();
+    f_first = x.f;
+  }
+
+  void move_to(Linear known) {
+    x = std::move(known);
+    const Eigen::VectorXd norms = x.J.colwise().norm();
+    const double largest = norms.maxCoeff() > 0.0 ? norms.maxCoeff() : 1.0;
+    const Eigen::VectorXd felt = (norms.array() > 0.0).select(norms, largest);
+    D = D.size() == 0 ? felt : Eigen::VectorXd(D.cwiseMax(norms));
+  }
+
+  void judge(const LevenbergMarquardtStep& step, std::optional<Linear> known) {
+    has_failed = !known;
+    if (!known) {
+      radius = kAfterFailure * step.length;
+      return;
+    }
+    const double gain = (x.f - known->f) / step.promised;
+    if (gain < kPoorGain) {
+      radius = std::min(radius, step.length) * least_of_parabola(x.f, step.slope, known->f);
+    } else if (gain > kGainToExpand || step.mu == 0.0) {
+      radius = kExpansionOfRadius * step.length;
+    }
+    if (gain > kTaken) move_to(std::move(*known));
+  }
+
+  void next_step() {
+    using End = LevenbergMarquardtEnding;
+    const LevenbergMarquardtSteps steps(x.r, x.J, D, x.u, region);
+    const auto length = [](const LevenbergMarquardtStep& s) {
+      return s.p.lpNorm<Eigen::Infinity>();
+    };
+    const LevenbergMarquardtStep step = steps.within(radius);
+    if (x.f <= kNothingIsLeft * f_first) {
+      end = End::nothing_left;
+    } else if (!(steps.most_promised() > kPromisesNothing * x.f)) {
+      end = End::flat;
+    } else if (length(steps.full()) < options.step_tolerance) {
+      end = End::short_step;
+    } else if (!(step.promised > kPromisesNothing * x.f) ||
+               length(step) < kExhaustedStep * options.step_tolerance) {
+      const bool promises_much = steps.promised_by_one() > kPromisesMuch * x.f;
+      end = has_failed ? End::edge : promises_much ? End::rough : End::flat;
+    } else {
+      const Eigen::VectorXd u = region.nearest(x.u + step.p);
+      wanted.push_back({u, point_at(u), 0, step});
+    }
+  }
+
+  DesignPoint point_at(const Eigen::VectorXd& u) const {
+    return space.from_unit({u.begin(), u.end()});
+  }
+
+  void observe(const DesignPoint& point, const Result<Score>& outcome) {
+    const auto place = space.place(point);
+    if (!place) return;
+    const std::optional<Attempt> own = wanted.take(point);
+    if (outcome && outcome->residuals.empty()) {
+      throw InputError(
+          "Levenberg-Marquardt: the target function gives no residuals; use another method, such "
+          "as gss");
+    }
+    if (own && outcome && outcome->jacobian.empty()) {
+      throw InputError(
+          "Levenberg-Marquardt: the target function gives residuals without their derivatives; use "
+          "a method that needs none, such as residual_trust_region");
+    }
+    std::optional<Linear> known = linear(own ? own->u : to_vector(*place), point, outcome);
+    if (own) return take(*own, std::move(known));
+    if (known && region.contains(known->u) && (!foreign || known->f < foreign->f)) {
+      foreign = std::move(known);
+    }
+  }
+
+  std::optional<Linear> linear(const Eigen::VectorXd& u,
+                               const DesignPoint& point,
+                               const Result<Score>& outcome) const {
+    if (!outcome) return std::nullopt;
+    const Eigen::VectorXd r = to_vector(outcome->residuals);
+    const bool is_odd = D.size() > 0 && r.size() != x.r.size();
+    Eigen::MatrixXd J = space.unit_jacobian(point, *outcome);
+    if (is_odd || J.size() == 0 || !std::isfinite(r.squaredNorm())) return std::nullopt;
+    return Linear{u, point, r, std::move(J), r.squaredNorm()};
+  }
+
+  /// As the linear model has it.
+  std::optional<Linear> expected(const Attempt& attempt) const {
+    if (!attempt.step) return std::nullopt;
+    const Eigen::VectorXd r = x.r + x.J * attempt.step->p;
+    return Linear{attempt.u, attempt.point, r, x.J, r.squaredNorm()};
+  }
+};
+
+LevenbergMarquardt::LevenbergMarquardt(const DesignSpace& space,
+                                       const LevenbergMarquardtOptions& options) {
+  check(options);
+  state_ = std::make_unique<State>(space, options);
+}
+
+LevenbergMarquardt::~LevenbergMarquardt() = default;
+
+std::vector<DesignPoint> LevenbergMarquardt::propose(int count) const {
+  assert(count >= 1);
+  Plan plan(count);
+  plan.add(state_->wanted);
+  for (const bool succeeds : {true, false}) {
+    State future = *state_;
+    while (!plan.is_full() && !future.wanted.empty()) {
+      const Attempt first = *future.wanted.take(future.wanted.front().point);
+      if (succeeds && !first.step) break;
+      future.take(first, succeeds ? future.expected(first) : std::nullopt);
+      plan.add(future.wanted);
+    }
+  }
+  return plan.points();
+}
+
+void LevenbergMarquardt::observe(const DesignPoint& point, const Result<Score>& outcome) {
+  state_->observe(point, outcome);
+}
+
+bool LevenbergMarquardt::converged() const { return state_->wanted.empty(); }
+
+std::string LevenbergMarquardt::ending() const {
+  switch (state_->end) {
+    case LevenbergMarquardtEnding::none:
+      return "";
+    case LevenbergMarquardtEnding::flat:
+      return "at a minimum: the slopes of the residuals promise nothing better";
+    case LevenbergMarquardtEnding::short_step:
+      return "at a minimum: the next step is shorter than the tolerance";
+    case LevenbergMarquardtEnding::nothing_left:
+      return "with nothing left: the residuals have vanished";
+    case LevenbergMarquardtEnding::edge:
+      return "at the edge of failed trials: steps that would gain fail";
+    case LevenbergMarquardtEnding::rough:
+      return "where steps, however short, do not bring what the derivatives promise: these are "
+             "wrong or the residuals are not smooth";
+    case LevenbergMarquardtEnding::hopeless:
+      return "without a result: every trial failed";
+  }
+  return "";
+}
+
+}  // namespace latsch

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Levenberg-Marquardt: least sum of squares,  f(u) = |r(u)|^2,  from residuals and their exact
+// Jacobian, in the trust region of Moré [in: Numerical Analysis, Lecture Notes in Mathematics 630,
+// Springer 1978, 105] with the numbers of MINPACK's lmder, inside bounds and linear constraints.
+//
+// In the unit cube, at the best point u:
+//
+//   scale     D_i = the largest norm of column i of J = dr/du so far
+//   step      least |r + J p|^2 with |D p| <= Delta and u + p in the region:
+//             levenberg_marquardt_step.h
+//   gain      (f(u) - f(u + p)) / (|r|^2 - |r + J p|^2)
+//             A step with a gain above 0.0001 is taken.
+//   radius    a gain below 1/4 shortens Delta to the least value of the parabola through f(u), its
+//             slope and f(u + p), 1/10 to 1/2 of it; one above 3/4, or of a full step, makes it
+//             twice |D p|.
+//   end       where the linear model promises less than 1e-10 of f, or its full step is shorter
+//             than the tolerance; where steps in the radius are. Asked before a step is evaluated.
+//
+// A variable is held at a bound where the slope pushes it over, and for the rest of a step at the
+// bound that the step would cross: a projected step, where Moré has no bounds. Among linear
+// constraints every step is a quadratic program. A Failure, a number that is not finite, residuals
+// too few or too many: each shortens Delta to a quarter of the step. A start that fails is moved
+// toward the middle of the region.
+//
+// One point at a time: idle workers get the step that follows if the linear model is right, and
+// shorter steps. A point of others is taken over, where it is better, when an own one comes in; for
+// that it needs its Jacobian.
+//
+// Convergence is quadratic where the residuals vanish at the end, else linear, the faster the less
+// they and their curvature are. It ends in the minimum downhill of its start. No derivatives, or
+// noise: residual_trust_region.h; nonlinear constraints: sqp.h.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "optimization/problem/design_space.h"
+#include "optimization/problem/optimizer.h"
+
+namespace latsch {
+
+/// Lengths are in the unit cube: 1 is the whole range of a variable.
+struct LevenbergMarquardtOptions {
+  /// First Delta: |D p| of a move of all variables by so much. The slopes are exact: it may be
+  /// wide.
+  double initial_step = 0.5;
+  double step_tolerance = 1e-6;
+};
+
+class LevenbergMarquardt : public Optimizer {
+ public:
+  /// Starts at the initial values of the space. Throws InputError for options out of range.
+  explicit LevenbergMarquardt(const DesignSpace& space,
+                              const LevenbergMarquardtOptions& options = {});
+  ~LevenbergMarquardt() override;
+
+  std::vector<DesignPoint> propose(int count) const override;
+  /// Throws InputError for a score without residuals or, of a point it asked for, without Jacobian.
+  void observe(const DesignPoint& point, const Result<Score>& outcome) override;
+  bool converged() const override;
+  std::string ending() const override;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace latsch

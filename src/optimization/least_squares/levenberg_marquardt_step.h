@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// The step of Levenberg's and Marquardt's method from a point u with residuals r and Jacobian J:
+//
+//   least |r + J p|^2   with   |D p| <= Delta   and   u + p in the region
+//
+// It is the damped step, for some mu >= 0,
+//
+//   least |r + J p|^2 + mu |D p|^2   with   u + p in the region                               (1)
+//
+// with mu = 0 where that is short enough, else the mu that makes |D p| as long as Delta, up to a
+// tenth [Moré, in: Numerical Analysis, Lecture Notes in Mathematics 630, Springer 1978, 105].
+// 1 / |D p| is nearly linear in mu, which Moré has from Hebden (1973): a secant inside a bracket
+// finds it in a few solutions of (1). All of them share the factor R of J; sums of squares are
+// never formed in the unit cube, so steps are exact where J'J is singular to rounding.
+//
+// Bounds hold variables as step_in_box.h says. Among linear constraints (1) is a quadratic program,
+// with J'J and the accuracy that costs.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "optimization/problem/feasible_region.h"
+
+namespace latsch {
+
+struct LevenbergMarquardtStep {
+  Eigen::VectorXd p;
+  double length = 0.0;    // |D p|
+  double mu = 0.0;        // 0: the step of Gauss and Newton
+  double promised = 0.0;  // |r|^2 - |r + J p|^2
+  double slope = 0.0;     // r'J p, half the slope of |r|^2 along p
+};
+
+class LevenbergMarquardtSteps {
+ public:
+  /// `D`: scales of the variables, above 0. u lies in the region.
+  LevenbergMarquardtSteps(const Eigen::VectorXd& r,
+                          const Eigen::MatrixXd& J,
+                          const Eigen::VectorXd& D,
+                          const Eigen::VectorXd& u,
+                          const FeasibleRegion& region);
+
+  /// The longest one, mu = 0.
+  const LevenbergMarquardtStep& full() const { return full_; }
+  LevenbergMarquardtStep within(double radius) const;
+  /// No step inside the bounds promises more: that of the variables not held, without bounds.
+  double most_promised() const { return most_promised_; }
+  /// What a move of one variable that is not held promises, the best of them, at least: where J
+  /// loses rank, steps of all of them promise what no step brings.
+  double promised_by_one() const { return promised_by_one_; }
+
+ private:
+  LevenbergMarquardtStep damped(double mu) const;
+  double promised(const Eigen::VectorXd& y) const;
+  Eigen::VectorXd solve_free(const Eigen::VectorXd& y,
+                             const std::vector<int>& free,
+                             double mu) const;
+  Eigen::VectorXd damped_in_box(double mu) const;
+  Eigen::VectorXd damped_in_polytope(double mu) const;
+
+  bool is_cube_;
+  Eigen::VectorXd D_;
+  Eigen::MatrixXd R_;              // of J D^-1, as many columns
+  Eigen::VectorXd c_;              // Q'r
+  Eigen::VectorXd g_;              // D^-1 J'r
+  Eigen::VectorXd lower_, upper_;  // of D p in the cube
+  std::vector<int> free_;          // variables that are not held at a bound
+  Eigen::MatrixXd E_, A_;          // E_ D p = f_,  A_ D p <= b_  in a polytope
+  Eigen::VectorXd f_, b_;
+  LevenbergMarquardtStep full_;
+  double most_promised_ = 0.0, promised_by_one_ = 0.0;
+};
+
+}  // namespace latsch

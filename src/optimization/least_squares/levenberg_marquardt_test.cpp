@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+// Certified problems and SciPy: verification/nist_strd/levenberg_marquardt_test.cpp.
+#include "optimization/least_squares/levenberg_marquardt.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "optimization/least_squares/levenberg_marquardt_step.h"
+#include "optimization/problem/hock_schittkowski_testing.h"
+
+namespace latsch {
+namespace {
+
+using Evaluate = std::function<Result<Score>(const std::vector<double>&)>;
+using Values = std::vector<double>;
+
+Score score_of(Values r, Values jacobian) {
+  Score score{0.0, std::move(r), std::move(jacobian)};
+  for (const double value : score.residuals) score.value += value * value;
+  return score;
+}
+
+Result<Score> rosenbrock(const Values& x) {
+  return score_of({10 * (x[1] - x[0] * x[0]), 1 - x[0]}, {-20 * x[0], 10, -1, 0});
+}
+
+/// r = x - (2, 2)
+Result<Score> distance(const Values& x) { return score_of({x[0] - 2, x[1] - 2}, {1, 0, 0, 1}); }
+
+struct Search {
+  Values x;
+  double f = INFINITY;
+  int evaluations = 0;
+  std::string ending = {};
+  std::vector<DesignPoint> path = {};
+};
+
+Search search(LevenbergMarquardt method, const Evaluate& evaluate, int look_ahead = 1) {
+  Search found;
+  EXPECT_EQ(method.ending(), "");
+  while (!method.converged() && found.evaluations < 500) {
+    const DesignPoint point = method.propose(look_ahead).front();
+    const Result<Score> outcome = evaluate(point.values);
+    ++found.evaluations;
+    found.path.push_back(point);
+    if (outcome && outcome->value < found.f) found.f = outcome->value, found.x = point.values;
+    method.observe(point, outcome);
+  }
+  found.ending = method.ending();
+  return found;
+}
+
+TEST(LevenbergMarquardt, SolvesLinearResidualsInOneStep) {
+  const Search found =
+      search(LevenbergMarquardt(space_of({0, 1}, {{-5, 5}}), {.initial_step = 1.0}), distance);
+  EXPECT_EQ(found.evaluations, 2);
+  EXPECT_NEAR(found.x[0], 2.0, 1e-14);
+  EXPECT_NEAR(found.x[1], 2.0, 1e-14);
+}
+
+// r = ln(x / 3): linear in the logarithm, in which the variable is searched.
+TEST(LevenbergMarquardt, SearchesLogarithmicVariablesInTheirLogarithm) {
+  const DesignSpace space(
+      {{.name = "x", .lower = 0.01, .upper = 100.0, .initial = 50.0, .scale = Scale::logarithmic}});
+  const Search found =
+      search(LevenbergMarquardt(space, {.initial_step = 1.0}),
+             [](const Values& x) { return score_of({std::log(x[0] / 3)}, {1 / x[0]}); });
+  EXPECT_EQ(found.evaluations, 2);
+  EXPECT_NEAR(found.x[0], 3.0, 1e-13);
+}
+
+// Valleys end as Moré, Garbow and Hillstrom say: at (1, 1).
+TEST(LevenbergMarquardt, FollowsACurvedValley) {
+  const Search found = search(LevenbergMarquardt(space_of({-1.2, 1}, {{-5, 5}})), rosenbrock);
+  EXPECT_NEAR(found.x[0], 1.0, 1e-6);
+  EXPECT_NEAR(found.x[1], 1.0, 1e-6);
+  EXPECT_LE(found.evaluations, 25);
+  EXPECT_THAT(
+      found.ending,
+      testing::AnyOf(testing::HasSubstr("at a minimum"), testing::HasSubstr("nothing left")));
+}
+
+// Rosenbrock's with x0 <= 1/2: x1 = x0^2 makes the first residual 0, and 1 - x0 is least at the
+// bound.
+TEST(LevenbergMarquardt, EndsAtABoundThatHoldsIt) {
+  const Search found =
+      search(LevenbergMarquardt(space_of({-1.2, 1}, {{-5, 0.5}, {-5, 5}})), rosenbrock);
+  EXPECT_EQ(found.x[0], 0.5);
+  EXPECT_NEAR(found.x[1], 0.25, 1e-6);
+  EXPECT_NEAR(found.f, 0.25, 1e-9);
+  EXPECT_THAT(found.ending, testing::HasSubstr("at a minimum"));
+}
+
+// It starts on bounds it has to leave.
+TEST(LevenbergMarquardt, LeavesBoundsItStartsOn) {
+  const Search found = search(LevenbergMarquardt(space_of({-5, 5}, {{-5, 5}})), distance);
+  EXPECT_NEAR(found.x[0], 2.0, 1e-9);
+  EXPECT_NEAR(found.x[1], 2.0, 1e-9);
+}
+
+// The point of x0 + x1 <= 1 nearest to (2, 2), and that of x0 - x1 = 1.
+TEST(LevenbergMarquardt, KeepsLinearConstraints) {
+  const Search below =
+      search(LevenbergMarquardt(space_of({-3, 1}, {{-5, 5}}, {at_most({1, 1}, 1)})), distance);
+  EXPECT_NEAR(below.x[0], 0.5, 1e-6);
+  EXPECT_NEAR(below.x[1], 0.5, 1e-6);
+  const Search on =
+      search(LevenbergMarquardt(space_of({1, 0}, {{-5, 5}}, {equal({1, -1}, 1)})), distance);
+  EXPECT_NEAR(on.x[0], 2.5, 1e-6);
+  EXPECT_NEAR(on.x[1], 1.5, 1e-6);
+}
+
+// Rosenbrock's on x1 = 1 - x0 is (10 (1 - x - x^2))^2 + (1 - x)^2, whose slope
+// -200 (1 - x - x^2) (1 + 2 x) - 2 (1 - x) vanishes where Newton's method says.
+TEST(LevenbergMarquardt, FindsAMinimumAlongAnEquation) {
+  double x = 0.6;
+  for (int k = 0; k < 20; ++k) {
+    const double r = 1 - x - x * x, slope = -200 * r * (1 + 2 * x) - 2 * (1 - x);
+    x -= slope / (200 * (1 + 2 * x) * (1 + 2 * x) - 400 * r + 2);
+  }
+  const Search found =
+      search(LevenbergMarquardt(space_of({0.3, 0.7}, {{-5, 5}}, {equal({1, 1}, 1)})), rosenbrock);
+  EXPECT_NEAR(found.x[0], x, 1e-5);
+  EXPECT_NEAR(found.x[1], 1 - x, 1e-5);
+}
+
+// Trials beyond x0 + x1 = 2.2 fail; the minimum (1, 1) is on this side, steps are cut short.
+TEST(LevenbergMarquardt, GoesAroundFailures) {
+  int failures = 0;
+  const Search found = search(LevenbergMarquardt(space_of({-1.2, 1}, {{-5, 5}})),
+                              [&](const Values& x) -> Result<Score> {
+                                if (x[0] + x[1] > 2.2 || x[1] < 0.0) {
+                                  ++failures;
+                                  return Failure{"no equilibrium"};
+                                }
+                                return rosenbrock(x);
+                              });
+  EXPECT_GT(failures, 0);
+  EXPECT_NEAR(found.x[0], 1.0, 1e-6);
+  EXPECT_NEAR(found.x[1], 1.0, 1e-6);
+}
+
+TEST(LevenbergMarquardt, EndsAtAnEdgeOfFailures) {
+  const Search found =
+      search(LevenbergMarquardt(space_of({0, 1}, {{-5, 5}})), [](const Values& x) -> Result<Score> {
+        if (x[0] + x[1] > 2.2) return Failure{"no equilibrium"};
+        return distance(x);
+      });
+  EXPECT_THAT(found.ending, testing::HasSubstr("edge of failed trials"));
+}
+
+TEST(LevenbergMarquardt, MovesAStartThatFailsAndGivesUpWhereAllDo) {
+  const Search found = search(LevenbergMarquardt(space_of({-4.9, -4.9}, {{-5, 5}})),
+                              [](const Values& x) -> Result<Score> {
+                                if (x[0] + x[1] < -6.0) return Failure{"no equilibrium"};
+                                return distance(x);
+                              });
+  EXPECT_NEAR(found.x[0], 2.0, 1e-6);
+  const Search none = search(LevenbergMarquardt(space_of({-4.9, -4.9}, {{-5, 5}})),
+                             [](const Values&) -> Result<Score> { return Failure{"no mesh"}; });
+  EXPECT_THAT(none.ending, testing::HasSubstr("every trial failed"));
+}
+
+TEST(LevenbergMarquardt, RefusesScoresWithoutResidualsOrDerivativesInWords) {
+  const auto complaint = [](const Score& score) -> std::string {
+    LevenbergMarquardt method(space_of({0, 1}, {{-5, 5}}));
+    try {
+      method.observe(method.propose(1).front(), score);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(complaint({1.0}), testing::HasSubstr("gives no residuals"));
+  EXPECT_THAT(complaint({1.0, {1.0}}), testing::HasSubstr("without their derivatives"));
+  EXPECT_EQ(complaint({1.0, {1.0}, {0.0, 1.0}}), "");
+}
+
+// Derivatives of the wrong sign: no step down their slope brings anything.
+TEST(LevenbergMarquardt, SaysWhereDerivativesAreWrong) {
+  const Search found = search(LevenbergMarquardt(space_of({0, 1}, {{-5, 5}})), [](const Values& x) {
+    return score_of({x[0] - 2, x[1] - 2}, {-1, 0, 0, -1});
+  });
+  EXPECT_THAT(found.ending, testing::HasSubstr("these are wrong"));
+}
+
+TEST(LevenbergMarquardt, GoesTheSameWayWhateverTheLookAhead) {
+  const LevenbergMarquardtOptions options{.initial_step = 0.02};
+  const DesignSpace space = space_of({-1.2, 1}, {{-5, 5}});
+  const Search one = search(LevenbergMarquardt(space, options), rosenbrock, 1);
+  const Search many = search(LevenbergMarquardt(space, options), rosenbrock, 7);
+  EXPECT_EQ(one.path, many.path);
+}
+
+TEST(LevenbergMarquardt, ProposesDifferentPointsWithoutChangingItsMind) {
+  LevenbergMarquardt method(space_of({-1.2, 1}, {{-5, 5}}), {.initial_step = 0.02});
+  method.observe(method.propose(1).front(), rosenbrock({-1.2, 1}));
+  const auto plan = method.propose(6);
+  EXPECT_EQ(plan.size(), 6u);
+  EXPECT_EQ(plan, method.propose(6));
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(plan[i] == plan[j]);
+  }
+}
+
+TEST(LevenbergMarquardt, TakesOverABetterPointOfOthers) {
+  LevenbergMarquardt method(space_of({-1.2, 1}, {{-5, 5}}));
+  method.observe({{1.01, 1.02}}, rosenbrock({1.01, 1.02}));
+  const DesignPoint start = method.propose(1).front();
+  method.observe(start, rosenbrock(start.values));
+  const DesignPoint next = method.propose(1).front();
+  EXPECT_NEAR(next.values[0], 1.0, 0.02);
+  EXPECT_NEAR(next.values[1], 1.0, 0.02);
+}
+
+TEST(LevenbergMarquardt, RefusesOptionsOutOfRange) {
+  const DesignSpace space = space_of({0, 1}, {{-5, 5}});
+  EXPECT_THROW(LevenbergMarquardt(space, {.initial_step = 0.0}), InputError);
+  EXPECT_THROW(LevenbergMarquardt(space, {.initial_step = 0.1, .step_tolerance = 0.2}), InputError);
+}
+
+// J = 1: the step is -r, cut to the length of the radius; mu = |r| / Delta - 1.
+TEST(LevenbergMarquardtSteps, AreAsLongAsTheRadius) {
+  const Eigen::Vector2d r(0.3, -0.4), one = Eigen::Vector2d::Ones();
+  const FeasibleRegion cube(space_of({0.5, 0.5}, {{0, 1}}));
+  const LevenbergMarquardtSteps steps(
+      r, Eigen::Matrix2d::Identity(), one, Eigen::Vector2d(0.5, 0.5), cube);
+  EXPECT_NEAR(steps.full().promised, 0.25, 1e-15);
+  const LevenbergMarquardtStep step = steps.within(0.1);
+  EXPECT_NEAR(step.length, 0.1, 0.01);
+  EXPECT_NEAR(step.p.dot(-r), step.length * r.norm(), 1e-15);
+  EXPECT_NEAR(1.0 + step.mu, r.norm() / step.length, 1e-12);
+}
+
+// A constraint that nothing touches leaves the steps of the cube; the program's least convexity of
+// 1e-12 is what may differ.
+TEST(LevenbergMarquardtSteps, AreTheSameAmongConstraintsThatDoNotMatter) {
+  const Eigen::MatrixXd J{{3, 1}, {-1, 2}, {0.5, 0.25}};
+  const Eigen::Vector3d r(1, -2, 0.5);
+  const Eigen::Vector2d D(4, 2), u(0.2, 0.9);
+  const FeasibleRegion cube(space_of({0.2, 0.9}, {{0, 1}}));
+  const FeasibleRegion cut(space_of({0.2, 0.9}, {{0, 1}}, {at_most({1, 1}, 1.99)}));
+  for (const double mu_of_radius : {0.05, 0.2, 10.0}) {
+    const auto a = LevenbergMarquardtSteps(r, J, D, u, cube).within(mu_of_radius);
+    const auto b = LevenbergMarquardtSteps(r, J, D, u, cut).within(mu_of_radius);
+    EXPECT_NEAR((a.p - b.p).norm(), 0.0, 1e-9) << mu_of_radius;
+  }
+}
+
+}  // namespace
+}  // namespace latsch
