@@ -68,8 +68,9 @@ struct Sqp::State {
 
   Iterate x;                       // the present point
   std::optional<Iterate> foreign;  // the best point of others
+  MatrixXd J;                      // at x, where the model brings it; else empty, and
   MatrixXd D, S;                   // directions and differences at x
-  SmoothSlopes slopes;             // at x
+  SmoothSlopes slopes, before;     // at x, and at the point before
   MatrixXd B;
   bool b_is_new = true;     // made of nothing but a step length
   bool has_slopes = false;  // of a point before x
@@ -90,11 +91,29 @@ struct Sqp::State {
     return {u, space.from_unit({u.begin(), u.end()}), column, attempt};
   }
 
-  // Start ------------------------------------------------------------------------------------
+  /// The loop of algorithm 18.3 [Nocedal & Wright]. Wherever it needs outcomes it names its points
+  /// and returns; it goes on with each of them.
+  void go_on(const WantedPoint& tried, const std::optional<Iterate>& known) {
+    if (phase == Phase::differences) {
+      take_difference(tried, known);
+    } else if (phase == Phase::start ? begins(tried, known) : takes_step(tried, known)) {
+      ask_slopes();
+    }
+    if (!wanted.empty() || phase == Phase::ended) return;
+    take_slopes();    // f, c and their slopes at x
+    update_b();       // B
+    solve_program();  // d and multipliers; mu above these
+    begin_search();   // a = 1, shorter in takes_step() until phi falls as it should; x <- x + a d
+  }
 
-  void take_start(const WantedPoint& tried, const std::optional<Iterate>& known) {
-    if (known) return begin(*known);
-    if (foreign) return begin(*std::exchange(foreign, std::nullopt));
+  // x_0 --------------------------------------------------------------------------------------
+
+  /// False where another start is to be tried, or none is left.
+  bool begins(const WantedPoint& tried, const std::optional<Iterate>& known) {
+    if (known || foreign) {
+      x = known ? *known : *std::exchange(foreign, std::nullopt);
+      return true;
+    }
     const auto start =
         start_toward_middle(space, region, {tried.u, tried.attempt}, options.step_tolerance);
     if (start) {
@@ -102,9 +121,10 @@ struct Sqp::State {
     } else {
       phase = Phase::ended;
     }
+    return false;
   }
 
-  // Differences ------------------------------------------------------------------------------
+  // Slopes at x ------------------------------------------------------------------------------
 
   /// The model's own derivatives, which are enough where it has no constraints to differentiate;
   /// empty where differences are needed.
@@ -122,14 +142,14 @@ struct Sqp::State {
     return points;
   }
 
-  void begin(const Iterate& at) {
-    x = at;
+  void ask_slopes() {
     const bool is_comparable = foreign && same_shape(foreign->values, x.values);
     if (is_comparable && is_better(foreign->score, x.score)) {
       x = *std::exchange(foreign, std::nullopt);
       has_slopes = false;  // of the Lagrangian along the last step
     }
-    if (const MatrixXd J = known_jacobian(x); J.size() > 0) return search_along(J);
+    J = known_jacobian(x);
+    if (J.size() > 0) return;
     D = difference_directions(region, x.u, options.difference);
     S = MatrixXd::Zero(all_values(x.values).size(), D.cols());
     wanted = differences_at(x.u);
@@ -149,10 +169,13 @@ struct Sqp::State {
         return;
       }
     }
-    if (wanted.empty()) search_along(jacobian_of(S, D));
   }
 
-  // Step -------------------------------------------------------------------------------------
+  void take_slopes() {
+    before = std::exchange(slopes, slopes_at(x.values, J.size() > 0 ? J : jacobian_of(S, D)));
+  }
+
+  // B ----------------------------------------------------------------------------------------
 
   VectorXd slope_of_lagrangian(const SmoothSlopes& at) const {
     return at.g + at.c.transpose() * step.mu + at.h.transpose() * step.lambda;
@@ -166,7 +189,7 @@ struct Sqp::State {
     b_is_new = true;
   }
 
-  void update_b(const SmoothSlopes& before) {
+  void update_b() {
     if (slopes.r.size() > 0) {
       B = 2.0 * slopes.r.transpose() * slopes.r;
       b_is_new = false;
@@ -177,20 +200,18 @@ struct Sqp::State {
     } else {
       renew_b();
     }
+    has_slopes = true;
   }
 
-  void search_along(const MatrixXd& J) {
-    const SmoothSlopes before = std::move(slopes);
-    slopes = slopes_at(x.values, J);
-    update_b(before);
-    has_slopes = true;
-    search();
+  // d, and a of the line search --------------------------------------------------------------
+
+  void solve_program() {
+    step = sqp_step(B, x.values, slopes, region, x.u, longest);  // (18.11)
+    merit.raise_above(step);
   }
 
   /// Steps end inside but for rounding, which `nearest` takes away.
-  void search() {
-    step = sqp_step(B, x.values, slopes, region, x.u, longest);
-    merit.raise_above(step);
+  void begin_search() {
     share = 1.0;
     bent.reset();
     is_corrected = false;
@@ -203,18 +224,29 @@ struct Sqp::State {
     return step.d.lpNorm<Eigen::Infinity>() < options.step_tolerance && !b_is_new;
   }
 
-  void take_step(const WantedPoint& tried, const std::optional<Iterate>& known) {
+  /// False where another step is to be tried, or the search is over.
+  bool takes_step(const WantedPoint& tried, const std::optional<Iterate>& known) {
     const double predicted = merit.slope(x.values, slopes, step.d);
     const bool fits = known && same_shape(known->values, x.values);
     const double gain = fits ? merit(x.values) - merit(known->values) : 0.0;
-    if (fits && gain > 0.0 && gain >= -kEta * share * predicted) return accept(tried, *known);
-    if (is_last()) return give_up();
-    if (fits && !bent && !is_corrected && share == 1.0 &&
-        known->values.violation() > x.values.violation()) {
-      return correct(*known);
+    if (fits && gain > 0.0 && gain >= -kEta * share * predicted) {  // (18.28)
+      return accepts(tried, *known);
     }
+    const bool is_bent = fits && !bent && !is_corrected && share == 1.0 &&
+                         known->values.violation() > x.values.violation();
+    if (is_last()) {
+      give_up();
+    } else if (is_bent) {
+      correct(*known);
+    } else {
+      shorten(known ? kShorter : kFailed);
+    }
+    return false;
+  }
+
+  void shorten(double factor) {
     bent.reset();
-    share *= known ? kShorter : kFailed;
+    share *= factor;
     if (share * step.d.lpNorm<Eigen::Infinity>() < kExhausted * options.step_tolerance) {
       return give_up();
     }
@@ -231,19 +263,16 @@ struct Sqp::State {
     wanted = {at(region.nearest(x.u + *bent))};
   }
 
-  void accept(const WantedPoint& tried, const Iterate& known) {
+  /// False at the end.
+  bool accepts(const WantedPoint& tried, const Iterate& known) {
     last_move = tried.u - x.u;
     const double length = last_move.lpNorm<Eigen::Infinity>();
     const bool ends = is_last();
     longest = share == 1.0 ? std::min(std::max(longest, kReachGrowth * length), kLongest)
                            : std::max(2.0 * length, options.step_tolerance);
     x = known;
-    wanted.clear();
-    if (ends) {
-      phase = Phase::ended;
-    } else {
-      begin(x);
-    }
+    if (ends) phase = Phase::ended;
+    return !ends;
   }
 
   /// A B that leads nowhere is forgotten, once.
@@ -255,7 +284,8 @@ struct Sqp::State {
     }
     longest = std::max(options.step_tolerance, share * step.d.lpNorm<Eigen::Infinity>());
     renew_b();
-    search();
+    solve_program();
+    begin_search();
   }
 
   // Outcomes ---------------------------------------------------------------------------------
@@ -270,16 +300,7 @@ struct Sqp::State {
       if (auto values = smooth_values(*outcome)) known = Iterate{u, point, *outcome, *values};
     }
     if (!tried) return look_at_foreign(known);
-    switch (phase) {
-      case Phase::start:
-        return take_start(*tried, known);
-      case Phase::differences:
-        return take_difference(*tried, known);
-      case Phase::search:
-        return take_step(*tried, known);
-      case Phase::ended:
-        return;
-    }
+    go_on(*tried, known);
   }
 
   void look_at_foreign(const std::optional<Iterate>& known) {
