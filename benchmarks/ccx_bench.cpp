@@ -16,7 +16,7 @@
 #include <fstream>
 
 #include "base/document.h"
-#include "evaluation/trial/scratch_folder_testing.h"
+#include "base/scratch_folder_testing.h"
 #include "formats/mesh/ccx_deck.h"
 #include "formats/mesh/ccx_results.h"
 #include "formats/mesh/inp_tire.h"
@@ -32,8 +32,8 @@ using namespace fe_tire;
 const std::filesystem::path kDecks = LATSCH_SOURCE_DIR "/../shared/data/ccx";
 constexpr double kTravel = 0.025;  // m
 constexpr int kModes = 20;
-constexpr double kClear = 2e-3;       // m, from the undeformed tire to the ground
-constexpr double kRatio = 15.0;       // CPU of CalculiX to ours
+constexpr double kClear = 2e-3;  // m, from the undeformed tire to the ground
+constexpr double kRatio = 15.0;  // CPU of CalculiX to ours
 
 double cpu_seconds(int who) {
   rusage usage{};

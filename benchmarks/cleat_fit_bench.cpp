@@ -47,7 +47,7 @@
 #include "base/random.h"
 #include "correlation/basic_data/fe_ring_data.h"
 #include "experiment/rigs/drum_rig.h"
-#include "experiment/tests/rolling_tests.h"
+#include "experiment/tests/drum_cleat.h"
 #include "models/fe_tire/description/tire_description.h"
 #include "models/fe_tire/ring/fe_tire.h"
 #include "models/ring_tire/description/ring_reader.h"
@@ -141,10 +141,9 @@ std::vector<Case> cases() {
                            "fast_cambered",
                            "oblique",
                            "fast_oblique"}) {
-    const auto test =
-        experiment::read_rolling_test(kStudy / "tests" / (std::string(name) + ".toml"));
-    all.push_back({name, all.size() < 2, std::get<experiment::DrumTest>(test)});
-    all.back().words = fmt::format("{}: {}", name, experiment::in_words(test));
+    const auto test = experiment::read_drum_cleat(kStudy / "tests" / (std::string(name) + ".toml"));
+    all.push_back({name, all.size() < 2, test});
+    all.back().words = fmt::format("{}: {}", name, experiment::DrumCleatTest(test).in_words());
   }
   return all;
 }

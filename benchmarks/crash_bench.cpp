@@ -18,8 +18,8 @@
 
 #include "base/file.h"
 #include "base/random.h"
+#include "base/scratch_folder_testing.h"
 #include "correlation/study/study.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 #include "killed_study.h"
 #include "table.h"
 

@@ -14,7 +14,7 @@
 #include "base/document.h"
 #include "base/random.h"
 #include "experiment/rigs/drum_rig.h"
-#include "experiment/tests/rolling_tests.h"
+#include "experiment/tests/drum_cleat.h"
 #include "models/ring_tire/description/ring_reader.h"
 #include "models/ring_tire/ring/ring_tire.h"
 #include "optimization/strategy/optimizer_choice.h"
@@ -35,7 +35,7 @@ std::vector<experiment::DrumTest> tests() {
   for (const char* name : {"slow", "fast"}) {
     const auto file = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies" / "cleat_fit" / "tests" /
                       (std::string(name) + ".toml");
-    auto test = std::get<experiment::DrumTest>(experiment::read_rolling_test(file));
+    auto test = experiment::read_drum_cleat(file);
     test.passages = 1;
     test.step = 5e-4;
     all.push_back(test);

@@ -14,12 +14,12 @@
 #include <fstream>
 
 #include "base/random.h"
+#include "base/scratch_folder_testing.h"
 #include "correlation/analysis/identifiability.h"
 #include "correlation/search/study_fit.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 #include "evaluation/executors/thread_executor.h"
 #include "evaluation/trial/encoding.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 #include "optimization/design/latin_hypercube.h"
 #include "table.h"
 

@@ -20,7 +20,7 @@
 
 #include "base/file.h"
 #include "base/random.h"
-#include "evaluation/trial/scratch_folder_testing.h"
+#include "base/scratch_folder_testing.h"
 #include "fit_study.h"
 #include "killed_study.h"
 #include "table.h"

@@ -10,11 +10,11 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/scratch_folder_testing.h"
 #include "evaluation/executors/inline_executor.h"
 #include "evaluation/executors/process_executor.h"
 #include "evaluation/executors/worker.h"
 #include "evaluation/schedule/scheduler.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 #include "optimization/design/full_factorial.h"
 #include "optimization/direct_search/gss.h"
 #include "table.h"

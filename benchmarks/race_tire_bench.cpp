@@ -2,7 +2,7 @@
 // Measured race tire: fitted to the loaded radius at 83 kPa, predicted at 69 and 97 kPa
 #include <fmt/format.h>
 
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 #include "fit_study.h"
 #include "table.h"
 
@@ -21,13 +21,13 @@ int bench() {
     table.row("fit", "no trial succeeded", "a result", false);
     return table.exit_code();
   }
-  const auto channels = correlation::TireTrials(study).run(best->point, /*predicted=*/true);
+  const auto channels = correlation::simulate_all(study, best->point);
   if (!channels) {
     table.row("prediction", channels.failure().reason, "a result", false);
     return table.exit_code();
   }
   for (const auto& experiment : study.experiments) {
-    const auto comparison = compare(experiment, channels_of(experiment, *channels));
+    const auto comparison = compare(experiment, *channels);
     const std::string errors = fmt::format("mean {:.2f} %, largest {:.2f} %",
                                            100 * comparison.mean_error,
                                            100 * comparison.largest_error);

@@ -22,10 +22,11 @@
 #include <numeric>
 
 #include "base/random.h"
+#include "correlation/observable/curve.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/study.h"
 #include "correlation/target/residuals.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 #include "optimization/identifiability/identification.h"
 #include "table.h"
 
@@ -306,9 +307,11 @@ void twin_row(Table& table) {
   for (int set = 0; set < kTwins; ++set) {
     RandomStream random(kSeed + 2, set);
     for (auto& experiment : study.experiments) {
-      auto& curve = *experiment.curve;
-      curve.y_compared = *correlation::simulated_curve(curve, *exact);
-      for (double& value : curve.y_compared) value += kNoise * curve.scale * random.normal();
+      const auto& curve = dynamic_cast<const correlation::Curve&>(*experiment.observable);
+      correlation::CurveMeasurement noisy = curve.measured();
+      noisy.y_compared = *curve.simulated(*exact);
+      for (double& value : noisy.y_compared) value += kNoise * noisy.scale * random.normal();
+      experiment.observable = std::make_shared<correlation::Curve>(std::move(noisy));
     }
     const Objective residuals = correlation::residual_objective(study);
     const Model model = [&](const std::vector<double>& x) {

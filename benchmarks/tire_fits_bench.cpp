@@ -14,7 +14,7 @@
 #include <optional>
 
 #include "base/random.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 #include "fit_study.h"
 #include "optimization/strategy/optimizer_choice.h"
 #include "table.h"
@@ -61,12 +61,12 @@ bool found(const correlation::Study& study, const DesignPoint& point, const Scor
 
 /// Evaluations until the moduli are found; none where the method ends or tires before.
 std::optional<int> solve(const correlation::Study& study,
-                         correlation::TireTrials& trials,
+                         const Evaluator& trial,
                          Optimizer& optimizer) {
   const Objective objective = correlation::objective(study);
   for (int k = 1; k <= kMostEvaluations && !optimizer.converged(); ++k) {
     const DesignPoint point = optimizer.propose(1).front();
-    const Result<Channels> channels = trials.run(point);
+    const Result<Channels> channels = trial(point);
     const Result<Score> score = channels ? objective(*channels) : Result<Score>(channels.failure());
     if (score && found(study, point, *score)) return k;
     optimizer.observe(point, score);
@@ -80,11 +80,11 @@ Tries try_all(const correlation::Study& study,
               const std::string& what,
               int starts,
               const Start& start_at) {
-  correlation::TireTrials trials(study);
+  const Evaluator trial = correlation::evaluator(study);
   Tries tries{starts};
   for (int start = 0; start < starts; ++start) {
     const auto optimizer = start_at(started_at_random(study, start));
-    const auto evaluations = solve(study, trials, *optimizer);
+    const auto evaluations = solve(study, trial, *optimizer);
     if (evaluations) tries.evaluations.push_back(*evaluations);
     fmt::print(stderr,
                "  {}, start {}: {}\n",

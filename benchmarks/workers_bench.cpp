@@ -9,10 +9,10 @@
 #include <thread>
 #include <vector>
 
+#include "base/scratch_folder_testing.h"
 #include "correlation/study/study.h"
 #include "evaluation/executors/process_executor.h"
 #include "evaluation/schedule/scheduler.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 #include "fit_study.h"
 #include "optimization/design/full_factorial.h"
 #include "table.h"

@@ -13,17 +13,25 @@ import sys
 
 TREE = pathlib.Path(__file__).resolve().parents[1]
 FOLDER = TREE / "src" / "correlation"
+TESTS = TREE / "src" / "experiment"
 PAGE = TREE / "docs" / "study_reference.md"
 
 # Heading, name of header and source. A reader of a study that is missing here ends the program with a complaint.
 SECTIONS = [
     ("A study", "study"),
-    ("[model], [test.NAME]: a tire that rolls", "rolling_model"),
+    ("model, [model], [test.NAME]", "specimens"),
     ("[simulator]: an outside program in the model's place", "simulator_settings"),
+    ("A test: force over deflection", "load_deflection"),
+    ("A test: modes", "modes"),
+    ("A test: over a cleat on the drum", "drum_rig"),
+    ("A test: on a flat track", "slip_sweep"),
+    ("A test: stiffnesses of a standing tire", "static_stiffness"),
+    ("A test: footprint", "footprint_rig"),
+    ("A test: a table of states", "steady_states"),
     ("[variable.NAME], [tie.NAME]", "variables"),
     ("[linear_constraint.NAME]", "linear_constraints"),
     ("[experiment.NAME]", "study_experiment"),
-    ("[experiment.NAME] with kind = \"curve\"", "curve_experiment"),
+    ("[experiment.NAME] with kind = \"curve\"", "curve"),
     ("What of a curve is compared", "curve_comparison"),
     ("The noise of what was measured", "measurement_noise"),
     ("[constraint.NAME]: on channels", "channel_constraint"),
@@ -39,8 +47,12 @@ GETTER = re.compile(r"\b\w+(?:->|\.)(quantity|quantities|choice|integer|flag|tex
 
 
 def reader(name, ending):
-    """A file of the folder, in whatever room."""
-    return next(FOLDER.rglob(f"{name}.{ending}"))
+    """A file of the folder, in whatever room; of a test without a header its source."""
+    for file in (f"{name}.{ending}", f"{name}.cpp"):
+        for folder in (FOLDER, TESTS):
+            for found in folder.rglob(file):
+                return found
+    sys.exit(f"tools/study_reference.py: there is no {name}.{ending}; mend SECTIONS")
 
 
 def arguments(text, start):

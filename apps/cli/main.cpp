@@ -43,7 +43,7 @@ int run(int argc, char** argv) {
   for (const auto add :
        {add_new,    add_check,    add_mesh,   add_simulate,  add_evaluate, add_doe,
         add_run,    add_identify, add_report, add_pareto,    add_export,   add_process,
-        add_doctor, add_road,     add_drum,   add_footprint, add_ring,     add_compare,
+        add_doctor, add_road,     add_test,   add_footprint, add_ring,     add_compare,
         add_show,   add_help,     add_worker}) {
     add(app, exit_code);
   }

@@ -6,11 +6,11 @@
 #include <stdexcept>
 
 #include "base/file.h"
+#include "base/scratch_folder_testing.h"
 #include "correlation/search/study_method.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 #include "correlation/target/twin.h"
 #include "evaluation/executors/process_executor.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 
 namespace latsch::benchmarks {
 

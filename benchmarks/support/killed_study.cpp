@@ -14,7 +14,7 @@
 
 #include "base/file.h"
 #include "correlation/search/study_method.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 #include "evaluation/schedule/scheduler.h"
 #include "evaluation/trial/encoding.h"
 #include "fit_study.h"

@@ -30,7 +30,7 @@ struct Variable {
 /// One experiment's part of the target.
 struct ExperimentRow {
   std::string name;
-  std::string kind;        // "load-deflection", "modes", "curve"
+  std::string kind;        // "load_deflection", "modes", "curve"
   std::string conditions;  // "2.6 bar, friction 0.8"
   std::string compared;  // "force", "root of force", "frequency", with the exponent if it is not 1
   bool fitted = true;    // false: predicted only

@@ -98,7 +98,7 @@ StudyReport full_report() {
   r.remarks = {kHostile};
   r.variables = {{kHostile, "N/mm^2", 10e6, 50e6, 5e6, 50e6, true}};
   r.experiments = {
-      {kHostile, "load-deflection", kHostile, "force", true, 1.0, 2, 0.01, 0.01, 0.02, 0.2}};
+      {kHostile, "load_deflection", kHostile, "force", true, 1.0, 2, 0.01, 0.01, 0.02, 0.2}};
   r.forces = {
       {kHostile, kHostile, true, false, {0.01, 0.02}, {2000, 4000}, {2010, 3990}, {1500, 3000}}};
   r.curves = {{kHostile,

@@ -28,7 +28,7 @@ std::string key(const std::string& value, const std::string& words, const std::s
       "<div><span>{}</span><b>{}</b><i>{}</i></div>", escape(words), escape(value), escape(more));
 }
 
-bool is_force(const ExperimentRow& row) { return row.kind == "load-deflection"; }
+bool is_force(const ExperimentRow& row) { return row.kind == "load_deflection"; }
 bool is_frequency(const ExperimentRow& row) { return row.kind == "modes"; }
 bool is_curve(const ExperimentRow& row) { return row.kind == "curve"; }
 

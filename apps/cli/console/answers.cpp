@@ -1,69 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/console/answers.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
 #include "base/units.h"
-#include "experiment/rigs/mode_record.h"
 #include "formats/tables/csv_table.h"
 
 namespace latsch::cli {
 namespace {
 
 using correlation::Comparison;
+using correlation::json_of;
 using correlation::StudyExperiment;
 
-/// null where it is not finite: JSON has no other number for that.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json numbers(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (const double value : values) list.push_back(number(value));
-  return list;
-}
-
 Json in_unit_of(const DesignVariable& variable, double value) {
-  return number(Unit::of(variable.unit).from_si(value));
-}
-
-Json forces(const StudyExperiment& experiment, const Channels& channels, const Comparison& found) {
-  return {{"deflection_m", numbers(channels["deflection"])},
-          {"measured_N", numbers(experiment.forces)},
-          {"simulated_N", numbers(channels["force"])},
-          {"error", numbers(found.errors)}};
-}
-
-Json modes(const StudyExperiment& experiment, const Channels& channels, const Comparison& found) {
-  const auto simulated = experiment::mode_records(channels);
-  Json rows = Json::array();
-  for (const auto& pair : found.pairing.pairs) {
-    rows.push_back({{"measured_Hz", number(experiment.modes[pair.measured].frequency)},
-                    {"simulated_Hz", number(simulated[pair.simulated].frequency)},
-                    {"error", number(found.errors[pair.measured])},
-                    {"likeness", number(pair.likeness)},
-                    {"measured_as", experiment.modes[pair.measured].label()},
-                    {"simulated_as", simulated[pair.simulated].label()}});
-  }
-  for (const int i : found.pairing.missing) {
-    rows.push_back({{"measured_Hz", number(experiment.modes[i].frequency)},
-                    {"simulated_Hz", nullptr},
-                    {"error", number(found.errors[i])},
-                    {"measured_as", experiment.modes[i].label()}});
-  }
-  return rows;
-}
-
-Json curve(const StudyExperiment& experiment, const Channels& channels, const Comparison& found) {
-  const correlation::CurveExperiment& c = *experiment.curve;
-  const auto simulated = simulated_curve(c, channels);
-  return {{"at", numbers(c.x_compared)},
-          {"at_unit", c.x_compared.empty() ? "" : c.x_compared_unit},
-          {"measured", numbers(c.y_compared)},
-          {"simulated", simulated ? numbers(*simulated) : Json(nullptr)},
-          {"unit", c.y_compared_unit},
-          {"error", numbers(found.errors)}};
+  return json_of(Unit::of(variable.unit).from_si(value));
 }
 
 }  // namespace
@@ -72,7 +24,7 @@ Json answer_of(const Channels& channels) {
   Json all = Json::array();
   for (const Channel& channel : channels.all()) {
     all.push_back(
-        {{"name", channel.name}, {"unit", channel.unit}, {"values", numbers(channel.values)}});
+        {{"name", channel.name}, {"unit", channel.unit}, {"values", json_of(channel.values)}});
   }
   return all;
 }
@@ -129,25 +81,15 @@ Json answer_of(const correlation::Study& study, const correlation::Identifiabili
   return all;
 }
 
-const char* kind_of(const StudyExperiment& experiment) {
-  if (experiment.curve) return "curve";
-  return experiment.modal() ? "modes" : "load_deflection";
-}
-
-Json answer_of(const StudyExperiment& experiment, const Channels& channels) {
-  const Comparison found = compare(experiment, channels);
+Json answer_of(const StudyExperiment& experiment, const Channels& trial) {
+  const Comparison found = compare(experiment, trial);
   Json all = {{"name", experiment.name},
-              {"kind", kind_of(experiment)},
+              {"kind", experiment.observable->kind()},
               {"fitted", experiment.fitted},
-              {"mean_error", number(found.mean_error)},
-              {"largest_error", number(found.largest_error)}};
-  if (experiment.curve) {
-    all["curve"] = curve(experiment, channels, found);
-  } else if (experiment.modal()) {
-    all["modes"] = modes(experiment, channels, found);
-  } else {
-    all["forces"] = forces(experiment, channels, found);
-  }
+              {"mean_error", json_of(found.mean_error)},
+              {"largest_error", json_of(found.largest_error)}};
+  auto [key, compared] = experiment.observable->answer(trial, found);
+  all[key] = std::move(compared);
   return all;
 }
 

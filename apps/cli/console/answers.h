@@ -30,10 +30,7 @@ Json answer_of(const DesignSpace& space);
 /// The same as of a point with "interval": [lower, upper] at 95 %, null where nothing holds an end.
 Json answer_of(const correlation::Study& study, const correlation::Identifiability& result);
 
-/// "load_deflection", "modes" or "curve", as a study names it.
-const char* kind_of(const correlation::StudyExperiment& experiment);
-
 /// One experiment: measured beside simulated, errors as shares, mean and largest.
-Json answer_of(const correlation::StudyExperiment& experiment, const Channels& channels);
+Json answer_of(const correlation::StudyExperiment& experiment, const Channels& trial);
 
 }  // namespace latsch::cli

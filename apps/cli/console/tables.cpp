@@ -9,100 +9,9 @@
 #include "experiment/rigs/mode_record.h"
 
 namespace latsch::cli {
-namespace {
 
 using correlation::Comparison;
 using correlation::StudyExperiment;
-
-void print_forces(const StudyExperiment& experiment,
-                  const Channels& channels,
-                  const Comparison& comparison) {
-  say("  {:>13} {:>16} {:>13} {:>13} {:>9} {:>10} {:>9} {:>10}\n",
-      "deflection mm",
-      "loaded radius mm",
-      "measured N",
-      "simulated N",
-      "error %",
-      "length mm",
-      "width mm",
-      "area cm^2");
-  for (size_t j = 0; j < experiment.forces.size(); ++j) {
-    say("  {:13.3f} {:16.3f} {:13.1f} {:13.1f} {:9.2f} {:10.1f} {:9.1f} {:10.1f}\n",
-        channels["deflection"][j] * 1e3,
-        channels["loaded_radius"][j] * 1e3,
-        experiment.forces[j],
-        channels["force"][j],
-        comparison.errors[j] * 100.0,
-        channels["patch_length"][j] * 1e3,
-        channels["patch_width"][j] * 1e3,
-        channels["patch_area"][j] * 1e4);
-  }
-}
-
-void print_curve(const StudyExperiment& experiment, const Channels& channels) {
-  const correlation::CurveExperiment& curve = *experiment.curve;
-  const Comparison comparison = compare(experiment, channels);
-  const auto simulated = simulated_curve(curve, channels);
-  say("\n{}{}\n", experiment.name, experiment.fitted ? "" : " (predicted)");
-  say("  {:>16} {:>18} {:>18} {:>9}\n",
-      curve.x_compared.empty() ? "sample" : "at " + curve.x_compared_unit,
-      "measured " + curve.y_compared_unit,
-      "simulated " + curve.y_compared_unit,
-      "error %");
-  for (size_t i = 0; i < simulated->size(); ++i) {
-    say("  {:16.6g} {:18.6g} {:18.6g} {:9.2f}\n",
-        curve.x_compared.empty() ? static_cast<double>(i + 1) : curve.x_compared[i],
-        curve.y_compared[i],
-        (*simulated)[i],
-        comparison.errors[i] * 100.0);
-  }
-  say("  mean |d| {:.3f} %, largest {:.3f} % of {:g} {}\n",
-      comparison.mean_error * 100.0,
-      comparison.largest_error * 100.0,
-      curve.scale,
-      curve.y_compared_unit);
-}
-
-void print_modes(const StudyExperiment& experiment,
-                 const Channels& channels,
-                 const Comparison& comparison) {
-  const auto simulated = experiment::mode_records(channels);
-  say("  {:>12} {:>13} {:>9} {:>6}  {:<22} {}\n",
-      "measured Hz",
-      "simulated Hz",
-      "error %",
-      "MAC",
-      "measured as",
-      "simulated as");
-  for (const auto& pair : comparison.pairing.pairs) {
-    say("  {:12.2f} {:13.2f} {:9.2f} {:6.2f}  {:<22} {}\n",
-        experiment.modes[pair.measured].frequency,
-        simulated[pair.simulated].frequency,
-        comparison.errors[pair.measured] * 100.0,
-        pair.likeness,
-        experiment.modes[pair.measured].label(),
-        simulated[pair.simulated].label());
-  }
-  for (int i : comparison.pairing.missing) {
-    say("  {:12.2f} {:>13} {:9.2f} {:>6}  {:<22} no simulated mode is like it\n",
-        experiment.modes[i].frequency,
-        "-",
-        comparison.errors[i] * 100.0,
-        "-",
-        experiment.modes[i].label());
-  }
-  for (int j : comparison.pairing.extra) {
-    say("  {:>12} {:13.2f} {:>9} {:>6}  {:<22} {}\n",
-        "-",
-        simulated[j].frequency,
-        "-",
-        "-",
-        "not measured",
-        simulated[j].label());
-  }
-}
-
-}  // namespace
 
 std::string shown(const DesignVariable& variable, double value) {
   return format_quantity(value, variable.unit, 5);
@@ -143,19 +52,18 @@ void print_point(const DesignSpace& space, const DesignPoint& point) {
   print_values(space, values);
 }
 
-void print_comparison(const StudyExperiment& experiment, const Channels& channels) {
-  if (experiment.curve) return print_curve(experiment, channels);
-  const Comparison comparison = compare(experiment, channels);
-  say("\n{}{}\n", experiment.name, experiment.fitted ? "" : " (predicted)");
-  if (experiment.modal()) {
-    print_modes(experiment, channels, comparison);
-  } else {
-    print_forces(experiment, channels, comparison);
-  }
-  say("  mean |{}| {:.3f} %, largest {:.3f} %\n",
-      experiment.modal() ? "df" : "dF",
+void print_comparison(const StudyExperiment& experiment, const Channels& trial) {
+  const correlation::Observable& observable = *experiment.observable;
+  const Comparison comparison = compare(experiment, trial);
+  const std::string whole = observable.whole();
+  say("\n{}{}\n{}  mean |{}| {:.3f} %, largest {:.3f} %{}\n",
+      experiment.name,
+      experiment.fitted ? "" : " (predicted)",
+      observable.table(trial, comparison),
+      observable.error_name(),
       comparison.mean_error * 100.0,
-      comparison.largest_error * 100.0);
+      comparison.largest_error * 100.0,
+      whole.empty() ? "" : " of " + whole);
 }
 
 }  // namespace latsch::cli

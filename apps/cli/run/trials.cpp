@@ -38,7 +38,7 @@ ProcessOptions worker_processes(const correlation::Study& study) {
 Journal open_for_trials(const correlation::Study& study, bool retries_failed) {
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
   const TrialLimits limits{.timeout = study.run.timeout,
-                           .program_timeout = study.simulator ? study.simulator->timeout : 0.0,
+                           .program_timeout = study.specimens->own_timeout(),
                            .memory = study.run.memory};
   if (const long again = retry_what_limits_forbade(journal, limits)) {
     say("{} points that failed for a limit which is raised now are tried again\n", again);
@@ -48,9 +48,9 @@ Journal open_for_trials(const correlation::Study& study, bool retries_failed) {
 }
 
 void clear_scratch(const correlation::Study& study) {
-  if (!study.simulator || study.simulator->keep_failed) return;
+  const std::filesystem::path folder = study.specimens->leftovers();
   std::error_code ignored;
-  std::filesystem::remove_all(study.simulator->scratch, ignored);
+  if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
 }
 
 void say_kind_of_journal(const correlation::Study& study) {
@@ -113,7 +113,7 @@ void print_aborted(const correlation::Study& study,
 void print_no_success(const correlation::Study& study,
                       const Journal& journal,
                       const std::string& reason) {
-  const bool folder_goes = study.simulator && !study.simulator->keep_failed;
+  const std::string how = study.specimens->how_to_see_more();
   complain(
       fmt::format("no trial succeeded, of {} in {}; the first failed because: {}\n"
                   "See what becomes of one: latsch simulate {}{}",
@@ -121,7 +121,7 @@ void print_no_success(const correlation::Study& study,
                   study.run.journal.string(),
                   reason,
                   study.file.string(),
-                  folder_goes ? "; keep_failed = true in [simulator] keeps its folder" : ""));
+                  how.empty() ? "" : "; " + how));
 }
 
 RunOptions counting_options(const correlation::Study& study, const std::string& what) {
@@ -154,8 +154,8 @@ void print_mesh_error(const report::StudyReport& page) {
 
 int write_report(const correlation::Study& study,
                  const Journal& journal,
-                 correlation::MeshError mesh_error) {
-  const auto page = correlation::study_report(study, journal, mesh_error);
+                 experiment::Thoroughness thoroughness) {
+  const auto page = correlation::study_report(study, journal, thoroughness);
   if (!page) {
     complain(page.failure().reason);
     return kFailed;

@@ -5,11 +5,11 @@
 
 #include <string>
 
-#include "correlation/analysis/mesh_error.h"
 #include "correlation/study/study.h"
 #include "evaluation/executors/process_executor.h"
 #include "evaluation/journal/journal.h"
 #include "evaluation/schedule/scheduler.h"
+#include "experiment/language/specimen.h"
 
 namespace latsch::cli {
 
@@ -46,6 +46,6 @@ RunOptions counting_options(const correlation::Study& study, const std::string& 
 /// Writes the report beside the study and names it; returns the exit code.
 int write_report(const correlation::Study& study,
                  const Journal& journal,
-                 correlation::MeshError mesh_error = correlation::MeshError::of_one_sector);
+                 experiment::Thoroughness thoroughness = experiment::Thoroughness::seconds);
 
 }  // namespace latsch::cli

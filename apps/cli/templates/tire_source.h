@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a verb gets a tire from: a tire file, or a study at its best point.
+// Where a verb gets a model from: a model's file, or a study at its best point.
 #pragma once
 
 #include <string>
 
 #include "base/document.h"
 #include "correlation/study/study.h"
+#include "experiment/language.h"
+#include "models/fe_tire/description/tire_description.h"
 
 namespace latsch::cli {
 
-/// A tire file as it is; of a study its model at the best point of the journal, or at the initial
-/// values.
-/// InputError for a study without a tire of finite elements.
-Document tire_source(const std::string& file);
+struct ModelSource {
+  const experiment::SpecimenKind* kind = nullptr;
+  Document numbers = {};
+};
+
+/// A model's file as it is; of a study its model at the best point of the journal, or at the
+/// initial values. `kind`: as what the file is read; empty: as it says. InputError for a study of
+/// an outside program.
+ModelSource model_source(const std::string& file, const std::string& kind = "");
+
+/// Of a file or study whose tire has a mesh; InputError for others.
+fe_tire::TireDescription meshed_tire(const std::string& file);
 
 /// The model of a study at the best point of its journal, or at the initial values.
 Document model_of(const correlation::Study& study);

@@ -35,7 +35,7 @@ class Files(unittest.TestCase):
         test = self.write("test.toml", 'kind = "drum_cleat"\nspeed = "30 km/h"\nload = "3.5 kN"\n'
                                        'drum_diameter = "2.5 m"\nrun_in = "20 ms"\nlead = "20 ms"\n'
                                        'duration = "40 ms"\n[cleat]\nheight = "10 mm"\nlength = "20 mm"\n')
-        rows = [line.split(",") for line in self.latsch("drum", tire, test).splitlines()]
+        rows = [line.split(",") for line in self.latsch("test", tire, test).splitlines()]
         self.assertEqual(rows[0][:4], ["time [s]", "Fx [N]", "Fy [N]", "Fz [N]"])
         self.assertEqual(len(rows), 1 + 80)
         self.assertAlmostEqual(float(rows[1][3]), 3500, delta=300)
@@ -51,7 +51,7 @@ class Files(unittest.TestCase):
         pressed = [line.split(",") for line in blocks.read_text().splitlines()[1:]]
         self.assertEqual({float(row[0]) for row in pressed}, {1.0, 2.0})
         test = self.write("test.toml", 'kind = "footprint"\nloads = ["2 kN", "4 kN"]\n')
-        self.assertEqual(self.latsch("drum", tire, test), table.read_text())
+        self.assertEqual(self.latsch("test", tire, test), table.read_text())
         self.assertIn("one of the two", self.latsch("footprint", tire, code=WRONG_INPUT))
 
     def test_a_road_answers_with_height_normal_and_friction(self):

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch check: reads a study, its model and its measurements, and says what it understood.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
@@ -18,12 +16,9 @@
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
 #include "correlation/study/variables.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 #include "evaluation/journal/journal.h"
 #include "evaluation/journal/local_file_system.h"
-#include "evaluation/outside_program/outside_program.h"
-#include "experiment/rigs/tire_rig.h"
-#include "models/fe_tire/description/tire_description.h"
 
 namespace latsch::cli {
 namespace {
@@ -31,123 +26,54 @@ namespace {
 using correlation::Study;
 using correlation::StudyExperiment;
 
-constexpr double kFarSensor =
-    0.02;  // m between a measured point and the nearest point of the model
-
-std::string what(const experiment::LoadDeflection& test) {
-  const bool radii = !test.loaded_radii.empty();
-  return fmt::format("load-deflection at {:.4g} bar, {} {}{}",
-                     test.pressure / 1e5,
-                     radii ? test.loaded_radii.size() : test.deflections.size(),
-                     radii ? "loaded radii" : "deflections",
-                     test.ground.mu > 0.0 ? fmt::format(", friction {:.3g}", test.ground.mu) : "");
-}
-
-std::string what(const experiment::ModalTest& test) {
-  std::string state = "unloaded";
-  if (test.deflection) state = fmt::format("pressed {:.4g} mm", *test.deflection * 1e3);
-  if (test.load) state = fmt::format("under {:.4g} N", *test.load);
-  return fmt::format("modes at {:.4g} bar, {}, {} lowest simulated, {}",
-                     test.pressure / 1e5,
-                     state,
-                     test.count,
-                     test.points.cols() > 0 ? fmt::format("shapes at {} points", test.points.cols())
-                                            : "no shapes: paired by label");
-}
-
 std::string values_in_words(std::size_t count) {
   return fmt::format("{} value{}", count, count == 1 ? "" : "s");
 }
 
-void print_experiment(const StudyExperiment& experiment, const fe_tire::Mesh& mesh) {
-  const auto& test = experiment.load_case.test;
-  say("  {:<16} {}; {} from {}; {}, weight {:g}, exponent {:g}\n",
-      experiment.name,
-      std::visit([](const auto& t) { return what(t); }, test),
-      values_in_words(experiment.modal() ? experiment.modes.size() : experiment.forces.size()),
-      experiment.measurement_file.filename().string(),
-      experiment.fitted ? "fitted" : "predicted",
-      experiment.objective.weight,
-      experiment.objective.exponent);
-  if (const auto* modal = std::get_if<experiment::ModalTest>(&test);
-      modal && modal->points.cols()) {
-    const double distance = experiment::nearest_sensors(mesh, modal->points).largest_distance;
-    if (distance > kFarSensor) {
-      say("  {:<16} a measured point lies {:.0f} mm from the outer surface of the model\n",
-          "",
-          distance * 1e3);
-    }
-  }
-}
-
-void print_simulator(const Study& study) {
-  const Simulator& simulator = *study.simulator;
-  if (const std::string program = command(simulator).front(); !can_be_found(program)) {
-    throw InputError(
-        {study.file.string(), 0},
-        fmt::format("simulator.command starts \"{}\", which is no program {}; expected "
-                    "one that is installed, or its path with {{study}} for the folder "
-                    "of the study",
-                    program,
-                    program.starts_with('/') ? "there" : "in PATH"));
-  }
-  say("{}\n\nSimulator: {}{}\n",
-      study.title,
-      fmt::join(simulator.arguments, " "),
-      simulator.timeout > 0.0 ? fmt::format(", {:g} s at most", simulator.timeout) : "");
-  for (const OutputReader& output : simulator.outputs) {
-    std::string quantities;
-    for (const auto& quantity : output.quantities) {
-      quantities += fmt::format(" {} [{}]", quantity.name, quantity.unit);
-    }
-    say("  {:<16} from {}:{}\n", output.name, output.file.string(), quantities);
-  }
-}
-
-void print_rolling_tire(const Study& study) {
-  say("{}\n\nModel {}: {}, {} numbers\n\nTests\n",
-      study.title,
-      study.model_file.string(),
-      study.rolling->kind->in_words,
-      study.model.paths().size());
-  for (const auto& test : study.rolling->tests) {
-    say("  {:<{}} {}\n",
+void print_tests(const Study& study) {
+  bool is_first = true;
+  for (const correlation::StudyTest& test : study.tests) {
+    if (test.is_own || test.name.empty()) continue;
+    say("{}  {:<{}} {}\n",
+        is_first ? "\nTests\n" : "",
         test.name,
-        name_width(study.rolling->tests),
-        experiment::in_words(test.test));
+        name_width(study.tests),
+        test.test->in_words());
+    is_first = false;
   }
 }
 
-void print_curves(const Study& study) {
+/// What an experiment does or compares: its own test, or channels of others.
+std::string what(const Study& study, const StudyExperiment& experiment) {
+  for (const correlation::StudyTest& test : study.tests)
+    if (test.name == experiment.name) return test.test->in_words();
+  const correlation::Observable& observable = *experiment.observable;
+  return observable.compared(experiment.objective) +
+         (observable.over().empty() ? "" : " " + observable.over());
+}
+
+void print_experiments(const Study& study) {
+  const experiment::SpecimenKind* kind = study.specimens->kind();
   for (const StudyExperiment& experiment : study.experiments) {
-    say("  {:<{}} {} {}; {} from {}; {}, weight {:g}\n",
+    const std::string exponent =
+        experiment.objective.exponent == 1.0
+            ? ""
+            : fmt::format(", exponent {:g}", experiment.objective.exponent);
+    say("  {:<{}} {}; {} from {}; {}, weight {:g}{}\n",
         experiment.name,
         name_width(study.experiments),
-        experiment.curve->compared_name,
-        experiment.curve->x.empty() ? "sample by sample" : "over " + experiment.curve->x,
-        values_in_words(experiment.curve->y_compared.size()),
+        what(study, experiment),
+        values_in_words(experiment.values()),
         experiment.measurement_file.filename().string(),
         experiment.fitted ? "fitted" : "predicted",
-        experiment.objective.weight);
+        experiment.objective.weight,
+        exponent);
+    for (const correlation::StudyTest& test : study.tests) {
+      if (!kind || test.name != experiment.name) continue;
+      const std::string remark = kind->remark(study.model, *test.test);
+      if (!remark.empty()) say("  {:<{}} {}\n", "", name_width(study.experiments), remark);
+    }
   }
-}
-
-/// Gives back the mesh, which experiments are checked against.
-fe_tire::Mesh print_tire(const Study& study) {
-  const Document initial = correlation::at(study.model, study.space, study.space.initial());
-  const auto tire = fe_tire::read_tire(initial.root());
-  const fe_tire::Mesh mesh = fe_tire::build_mesh(tire);
-
-  say("{}\n\nModel {}: {}, {}\n  {} HEX8, {} nodes, {} free degrees of freedom, {} sectors\n",
-      study.title,
-      study.model_file.string(),
-      tire.name,
-      tire.size,
-      mesh.element_count(),
-      mesh.nodes(),
-      mesh.free_dofs(),
-      mesh.sectors);
-  return mesh;
 }
 
 std::string journal_in_words(const Study& study) {
@@ -167,12 +93,9 @@ void answer_check(const Study& study) {
               {"timeout_s", study.run.timeout},
               {"journal", study.run.journal.string()}};
   for (const StudyExperiment& experiment : study.experiments) {
-    const std::size_t values = experiment.curve     ? experiment.curve->y_compared.size()
-                               : experiment.modal() ? experiment.modes.size()
-                                                    : experiment.forces.size();
     answer()["experiments"].push_back({{"name", experiment.name},
-                                       {"kind", kind_of(experiment)},
-                                       {"values", values},
+                                       {"kind", experiment.observable->kind()},
+                                       {"values", experiment.values()},
                                        {"measurement", experiment.measurement_file.string()},
                                        {"fitted", experiment.fitted},
                                        {"weight", experiment.objective.weight}});
@@ -225,24 +148,16 @@ void print_stages(const Study& study) {
 void check(const std::string& file) {
   const Study study = correlation::read_study(file);
   reject_implausible(study);
-  std::optional<fe_tire::Mesh> mesh;
-  if (study.simulator) {
-    print_simulator(study);
-  } else if (study.rolling) {
-    print_rolling_tire(study);
-  } else {
-    mesh = print_tire(study);
-  }
+  study.specimens->check(study);
+  say("{}\n\n{}\n", study.title, study.specimens->describe(study));
+  print_tests(study);
   answer_check(study);
   say("\nVariables\n");
   print_variables(study.space);
   if (!study.space.constraints().empty()) say("\nLinear constraints\n");
   print_constraints(study.space);
   say("\nExperiments\n");
-  if (!mesh) print_curves(study);
-  for (const StudyExperiment& experiment : study.experiments) {
-    if (mesh) print_experiment(experiment, *mesh);
-  }
+  print_experiments(study);
   if (!study.constraints.empty()) say("\nConstraints on channels\n");
   for (const auto& constraint : study.constraints) {
     say("  {:<16} {}\n", constraint.name, in_words(constraint));

@@ -77,7 +77,7 @@ void add_compare(CommandLine& app, int&) {
       "COMPARISON is a TOML file such as\n"
       "  channels = [\"Fx\", \"Fz\"]\n"
       "  [test.slow]\n"
-      "  file = \"slow.toml\"                  a drum test, as latsch drum reads it\n"
+      "  file = \"slow.toml\"                  a drum test, as latsch test reads it\n"
       "  measurement = \"slow_measured.csv\"   columns time and the channels; or [specimen], a "
       "tire\n"
       "  [tire.rigid_ring]                   as many as there are\n"

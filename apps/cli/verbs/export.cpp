@@ -119,17 +119,9 @@ void write_tire_file(const ExportOptions& options, const std::string& text) {
 
 void write_measurements(const std::string& file) {
   const auto study = correlation::read_study(file, correlation::Measurements::not_yet);
-  if (!study.has_fe_tire()) {
-    throw InputError({file, 0}, "has no tire of finite elements: only of one a twin is written");
-  }
   for (const auto& path : required(correlation::write_twin(study))) {
     say_written(path.string());
   }
-}
-
-bool is_rolling_study(const std::string& file) {
-  const Document document = Document::read(file);
-  return document.root().has("model") && document.root().has("test");
 }
 
 void export_files(const ExportOptions& options) {
@@ -137,17 +129,14 @@ void export_files(const ExportOptions& options) {
   if (options.vtu.empty() && options.ccx.empty() && options.tire.empty()) {
     throw InputError("export: say what to write: --vtu, --ccx, --tire or --measurements");
   }
-  if (is_rolling_study(options.file)) {
-    if (!options.vtu.empty() || !options.ccx.empty())
-      throw InputError({options.file, 0}, "has a tire without a mesh, expected --tire alone");
-    const auto study = correlation::read_study(options.file);
-    return write_tire_file(options, study.rolling->kind->text(model_of(study)));
+  if (!options.tire.empty()) {
+    const ModelSource source = model_source(options.file);
+    write_tire_file(options, source.kind->text(source.numbers));
   }
-  const Document model = tire_source(options.file);
-  const TireDescription tire = fe_tire::read_tire(model.root());
+  if (options.vtu.empty() && options.ccx.empty()) return;
+  const TireDescription tire = meshed_tire(options.file);
   if (!options.vtu.empty()) write_vtu(options, tire);
   if (!options.ccx.empty()) write_ccx(options, tire);
-  if (!options.tire.empty()) write_tire_file(options, model.text());
 }
 
 }  // namespace

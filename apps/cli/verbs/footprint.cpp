@@ -13,7 +13,8 @@
 #include "cli/console/parsed.h"
 #include "cli/templates/tire_source.h"
 #include "cli/verbs/verbs.h"
-#include "experiment/kinds/tire_kind.h"
+#include "experiment/language.h"
+#include "experiment/language/capabilities.h"
 #include "experiment/rigs/footprint_rig.h"
 #include "formats/tables/csv_table.h"
 #include "models/fe_tire/description/tire_description.h"
@@ -47,30 +48,13 @@ experiment::FootprintTest test_of(const FootprintOptions& options) {
   return test;
 }
 
-/// A file without `kind`, or a study: finite elements.
-bool of_finite_elements(const FootprintOptions& options) {
-  if (!options.kind.empty() || std::filesystem::path(options.tire).extension() == ".tir")
-    return false;
-  return !Document::read(options.tire).root().has("kind");
-}
-
 Result<std::vector<StandingFootprint>> footprints_of(const FootprintOptions& options) {
   const auto test = test_of(options);
-  if (!of_finite_elements(options)) {
-    const experiment::TireKind& kind = options.kind.empty()
-                                           ? experiment::kind_of_file(options.tire)
-                                           : *experiment::find_tire_kind(options.kind);
-    const auto tire = kind.build(kind.read(options.tire));
-    return experiment::footprints(*tire, test);
-  }
-  if (test.camber != 0.0)
-    throw InputError("--camber is for tires that roll, not for one of finite elements");
-  const auto description = fe_tire::read_tire(tire_source(options.tire).root());
-  fe_tire::SolverSettings settings;
-  settings.element = description.element;
-  fe_tire::FeTire tire(
-      fe_tire::build_mesh(description), fe_tire::build_materials(description), settings);
-  return experiment::footprints(tire, description.pressure, fe_tire::Ground{}, test);
+  const ModelSource model = model_source(options.tire, options.kind);
+  const auto specimen = model.kind->build(model.numbers);
+  if (auto* standing = specimen->find<experiment::HasFootprint>())
+    return standing->footprints(test);
+  throw InputError("a " + model.kind->in_words() + " leaves no footprint");
 }
 
 /// All elements, the state they belong to by its number.
@@ -204,7 +188,7 @@ void add_footprint(CommandLine& app, int& exit_code) {
   verb.add_option("--elements", options->elements, "CSV file of the pressure picture to write");
   verb.add_option("--html", options->html, "Page with the pressure pictures to write");
   verb.add_option("--kind", options->kind, "Of a .tir: magic_formula unless given")
-      .one_of(experiment::tire_kind_names());
+      .one_of(experiment::language().kind_names());
   verb.callback([=, &exit_code] { exit_code = footprint(*options); });
 }
 

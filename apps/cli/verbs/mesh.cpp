@@ -107,7 +107,7 @@ int print_convergence(const TireDescription& tire, const MeshOptions& options) {
 }
 
 int mesh(const MeshOptions& options) {
-  const TireDescription tire = fe_tire::read_tire(tire_source(options.file).root());
+  const TireDescription tire = meshed_tire(options.file);
   const fe_tire::Mesh mesh = fe_tire::build_mesh(tire, options.refinement);
   fe_tire::check(mesh);
   print_counts(tire, mesh, fe_tire::FeTire(mesh, fe_tire::build_materials(tire)).total_mass());

@@ -70,7 +70,7 @@ void make_measured(const correlation::Study& study, const std::string& comment) 
     return std::round(value * (1.0 + kScatter * chance.normal()) * parts) / parts;
   };
   for (const auto& experiment : study.experiments) {
-    if (experiment.modal()) {
+    if (experiment.observable->kind() == "modes") {
       ModeTable table = formats::read_modes(experiment.measurement_file);
       for (auto& mode : table.modes) mode.frequency = measured(mode.frequency, 20.0);
       formats::write_modes(experiment.measurement_file, table, comment);

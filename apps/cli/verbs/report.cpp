@@ -8,10 +8,10 @@ namespace {
 
 int report(const std::string& file, bool on_the_ground) {
   const auto study = correlation::read_study(file);
-  return write_report(study,
-                      Journal::read(study.run.journal, correlation::identity(study)),
-                      on_the_ground ? correlation::MeshError::also_on_the_ground
-                                    : correlation::MeshError::of_one_sector);
+  return write_report(
+      study,
+      Journal::read(study.run.journal, correlation::identity(study)),
+      on_the_ground ? experiment::Thoroughness::minutes : experiment::Thoroughness::seconds);
 }
 
 }  // namespace

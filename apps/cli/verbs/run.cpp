@@ -22,7 +22,7 @@
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
 #include "correlation/target/best_trial.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 #include "evaluation/journal/journal_lock.h"
 
 namespace latsch::cli {
@@ -157,6 +157,7 @@ void print_beginning(const Study& study, int k, const Study& stage) {
 }
 
 void print_hopeless(const Study& study, const Journal& journal, const std::string& reason) {
+  const std::string how = study.specimens->how_to_see_more();
   complain(fmt::format(
       "no trial succeeded, of {} in {}, also not far from the start: every one failed for one "
       "reason, which has nothing to do with the point: {}\n"
@@ -166,9 +167,7 @@ void print_hopeless(const Study& study, const Journal& journal, const std::strin
       study.run.journal.string(),
       reason,
       study.file.string(),
-      study.simulator && !study.simulator->keep_failed
-          ? "; keep_failed = true in [simulator] keeps its folder"
-          : "",
+      how.empty() ? "" : "; " + how,
       study.file.string()));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A Magic Formula tire to look at: its file as written, and what the tire does.
 #include "cli/verbs/shown_file.h"
-#include "correlation/basic_data/slip_plots.h"
+#include "experiment/kinds/slip_plots.h"
 #include "formats/tire/tir_file.h"
 #include "models/magic_formula/magic_formula.h"
 
@@ -19,7 +19,7 @@ ShownFile shown_tire(const std::filesystem::path& tir) {
     }
   }
   shown.tables.push_back(std::move(table));
-  shown.plots = correlation::slip_plots(magic_formula::MagicFormula(file.parameters));
+  shown.plots = experiment::slip_plots(magic_formula::MagicFormula(file.parameters));
   return shown;
 }
 

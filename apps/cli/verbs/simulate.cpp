@@ -9,7 +9,7 @@
 #include "cli/console/parsed.h"
 #include "cli/console/tables.h"
 #include "cli/verbs/verbs.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 
 namespace latsch::cli {
 namespace {
@@ -30,9 +30,8 @@ int simulate(const std::string& file, const std::vector<std::string>& assignment
     return kFailed;
   }
   for (const auto& experiment : study.experiments) {
-    const Channels own = channels_of(experiment, *channels);
-    print_comparison(experiment, own);
-    answer()["experiments"].push_back(answer_of(experiment, own));
+    print_comparison(experiment, *channels);
+    answer()["experiments"].push_back(answer_of(experiment, *channels));
   }
   const double target = correlation::objective(study)(point, *channels)->value;
   answer()["target"] = target;

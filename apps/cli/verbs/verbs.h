@@ -27,7 +27,7 @@ void add_doctor(CommandLine& app, int& exit_code);
 void add_export(CommandLine& app, int& exit_code);
 void add_compare(CommandLine& app, int& exit_code);
 void add_road(CommandLine& app, int& exit_code);
-void add_drum(CommandLine& app, int& exit_code);
+void add_test(CommandLine& app, int& exit_code);
 void add_footprint(CommandLine& app, int& exit_code);
 void add_ring(CommandLine& app, int& exit_code);
 void add_show(CommandLine& app, int& exit_code);

@@ -5,7 +5,7 @@
 #include "cli/verbs/verbs.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/target/predictions.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 
 namespace latsch::cli {
 

@@ -5,40 +5,50 @@
 
 #include <cmath>
 
+#include "base/scratch_folder_testing.h"
 #include "correlation/analysis/measurement_gains.h"
+#include "correlation/observable/force_curve.h"
+#include "correlation/study/spring_testing.h"
 #include "correlation/study_report/report_identifiability.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/residuals.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 #include "evaluation/executors/inline_executor.h"
 #include "evaluation/executors/simulated_executor.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 
 namespace latsch::correlation {
 namespace {
+
+std::shared_ptr<const Observable> force_curve(const std::string& test,
+                                              std::vector<double> deflections,
+                                              std::vector<double> forces) {
+  return std::make_shared<ForceCurve>(
+      test,
+      LoadDeflectionCurve{Abscissa::deflection, std::move(deflections), std::move(forces), {}});
+}
 
 /// Two springs in series pressed at two deflections, each measured to 1 %.
 Study springs_study() {
   StudyExperiment press;
   press.name = "press";
-  press.load_case.test =
-      experiment::LoadDeflection{.deflections = {0.01, 0.02}, .loaded_radii = {}};
-  press.forces = {20.0, 40.0};
+  press.observable = force_curve("press", {0.01, 0.02}, {20.0, 40.0});
   press.noise = {.relative = 0.01};
   StudyExperiment alone = press;
   alone.name = "alone";
-  alone.forces = {40.0, 80.0};
-  return {"study.toml",
-          "springs",
-          "springs.toml",
-          Document::parse("a = 1", "springs.toml"),
-          DesignSpace({{"a", {"a"}, 1e3, 1e4, 4e3}, {"b", {"a"}, 1e3, 1e4, 4e3}}),
-          {press, alone},
-          {},
-          100,
-          std::nullopt,
-          {}};
+  alone.observable = force_curve("alone", {0.01, 0.02}, {40.0, 80.0});
+  Study study{"study.toml",
+              "springs",
+              "springs.toml",
+              Document::parse("a = 1", "springs.toml"),
+              DesignSpace({{"a", {"a"}, 1e3, 1e4, 4e3}, {"b", {"a"}, 1e3, 1e4, 4e3}}),
+              {press, alone},
+              {},
+              100,
+              std::nullopt,
+              {}};
+  study.specimens = specimens_of(*experiment::spring_language().kinds.front());
+  return study;
 }
 
 Result<Channels> springs(const DesignPoint& point) {
@@ -72,9 +82,7 @@ TEST(Residuals, OfTheFitAndOfTheIntervalsAreInProportion) {
       experiment.objective.exponent = 2.0;
       if (!stated) experiment.noise.reset();
     }
-    s.experiments[0].forces = {20.0};
-    s.experiments[0].load_case.test =
-        experiment::LoadDeflection{.deflections = {0.01}, .loaded_radii = {}};
+    s.experiments[0].observable = force_curve("press", {0.01}, {20.0});
     const auto springs_of_one = [](const DesignPoint& point) {
       Channels channels;
       const double a = point.values[0], b = point.values[1];
@@ -266,7 +274,7 @@ TEST(Residuals, NoiseWeightsTheFit) {
   Study s = springs_study();
   s.experiments.resize(1);
   s.experiments[0].noise = {.absolute = 1.0};
-  s.experiments[0].forces = {10.0, 1000.0};
+  s.experiments[0].observable = force_curve("press", {0.01, 0.02}, {10.0, 1000.0});
   Channels channels;
   channels.add({"press/force", "N", {11.0, 1001.0}});
   const Score score = *objective(s)(channels);

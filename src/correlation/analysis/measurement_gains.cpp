@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "correlation/target/residuals.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 #include "optimization/identifiability/d_optimality.h"
 
 namespace latsch::correlation {

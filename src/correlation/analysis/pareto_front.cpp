@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "correlation/analysis/identifiability.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 #include "report/html_text.h"
 #include "report/page_style.h"
 #include "report/svg_plot.h"
@@ -29,7 +29,7 @@ const StudyExperiment& find(const Study& study, const std::string& name) {
 }
 
 double part(const StudyExperiment& experiment, const Channels& channels) {
-  return compare(experiment, channels_of(experiment, channels)).value;
+  return compare(experiment, channels).value;
 }
 
 std::vector<ParetoTrial> all_trials(const Study& study,

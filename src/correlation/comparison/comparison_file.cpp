@@ -21,11 +21,11 @@ fs::path existing(const Node& table, const char* key, const fs::path& folder) {
 }
 
 ComparedTire read_tire(const Node& table, const fs::path& folder) {
-  const auto* kind =
-      experiment::find_tire_kind(table.choice("kind", experiment::tire_kind_names()));
+  const experiment::Language& language = experiment::language();
+  const auto* kind = language.find_kind(table.choice("kind", language.kind_names()));
   const fs::path file = existing(table, "file", folder);
   ComparedTire tire{table.name(), {}, kind, file, kind->read(file), {}, {}};
-  kind->build(tire.numbers);  // what makes no tire is said before the first test
+  kind->check(tire.numbers);  // what makes no tire is said before the first test
   tire.title = table.text("title", table.name());
   tire.built_from = table.text("built_from", "");
   tire.parameters = table.text("parameters", "");
@@ -47,10 +47,10 @@ Specimen read_specimen(const Node& table, const fs::path& folder) {
 
 ComparisonTest read_test(const Node& table, const fs::path& folder, bool specimen) {
   const fs::path file = existing(table, "file", folder);
-  const auto test = experiment::read_rolling_test(file);
-  const auto* drum = std::get_if<experiment::DrumTest>(&test);
+  const auto test = experiment::language().read_test(file);
+  const auto* drum = dynamic_cast<const experiment::DrumCleatTest*>(test.get());
   if (!drum) table.reject("file", "is no drum test, expected kind = \"drum_cleat\" in it");
-  ComparisonTest one{table.name(), *drum, {}, table.flag("fitted", false)};
+  ComparisonTest one{table.name(), drum->settings(), {}, table.flag("fitted", false)};
   if (specimen == table.has("measurement"))
     table.reject("measurement",
                  specimen ? "stands beside [specimen], expected one of them"

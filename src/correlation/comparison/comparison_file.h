@@ -8,7 +8,7 @@
 //   agreement = 3                        # dB: how far a band may be off to count as followed
 //
 //   [specimen]                           # a tire in the place of a measured one
-//   kind = "ring_tire"                   # experiment/kinds/tire_kind.h
+//   kind = "ring_tire"                   # experiment/language.h
 //   file = "specimen.toml"
 //   step = "0.25 ms"                     # of its simulation; that of the test unless given
 //   seed = 1                             # of the noise
@@ -36,14 +36,15 @@
 #include <vector>
 
 #include "base/document.h"
-#include "experiment/tests/rolling_tests.h"
+#include "experiment/language.h"
+#include "experiment/tests/drum_cleat.h"
 #include "measurement/rig_response_fit.h"
 
 namespace latsch::correlation {
 
 struct ComparedTire {
   std::string name, title;
-  const experiment::TireKind* kind = nullptr;
+  const experiment::SpecimenKind* kind = nullptr;
   std::filesystem::path file;
   Document numbers;
   std::string built_from, parameters;

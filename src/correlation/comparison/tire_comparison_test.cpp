@@ -5,8 +5,8 @@
 
 #include <fstream>
 
+#include "base/scratch_folder_testing.h"
 #include "correlation/comparison/comparison_page.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 #include "experiment/kinds/sparse_tir_testing.h"
 
 namespace latsch::correlation {

@@ -10,9 +10,9 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "base/scratch_folder_testing.h"
 #include "correlation/study/study.h"
-#include "correlation/target/tire_trials.h"
-#include "evaluation/trial/scratch_folder_testing.h"
+#include "correlation/target/study_trials.h"
 
 namespace latsch::correlation {
 namespace {

@@ -3,9 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
-
-#include "evaluation/outside_program/simulator.h"
 
 namespace latsch::correlation {
 
@@ -14,7 +11,5 @@ struct KnownChannel {
   std::string unit;        // in which people read it
   std::string frame = "";  // "W", "H" or "C" of a force or moment that a rig records
 };
-
-std::vector<KnownChannel> known_channels(const Simulator& simulator);
 
 }  // namespace latsch::correlation

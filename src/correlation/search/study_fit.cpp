@@ -6,7 +6,7 @@
 #include "correlation/search/study_fit.h"
 #include "correlation/search/study_search.h"
 #include "correlation/study/study_stages.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 #include "evaluation/schedule/retried_failures.h"
 #include "optimization/strategy/hopeless_start.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/search/study_method.h"
 
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 
 namespace latsch::correlation {
 

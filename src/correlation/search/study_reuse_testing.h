@@ -9,13 +9,13 @@
 #include <fstream>
 #include <string>
 
+#include "base/scratch_folder_testing.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/study/study.h"
 #include "correlation/study/study_stages.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 #include "evaluation/executors/inline_executor.h"
 #include "evaluation/executors/thread_executor.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 #include "experiment/kinds/sparse_tir_testing.h"
 #include "formats/tables/csv_table.h"
 

@@ -11,7 +11,7 @@
 
 #include "correlation/analysis/doe_basins.h"
 #include "correlation/search/study_method.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 #include "evaluation/schedule/retried_failures.h"
 #include "optimization/design/basins.h"
 #include "optimization/problem/point_vector.h"

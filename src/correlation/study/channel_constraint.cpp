@@ -14,31 +14,9 @@
 namespace latsch::correlation {
 namespace {
 
-/// Those of tire_rig.h; shapes of modes are none to be constrained.
-std::vector<KnownChannel> channels_of(const std::vector<StudyExperiment>& experiments) {
-  static const std::array<KnownChannel, 6> kOfCurves{{{"force", "N"},
-                                                      {"deflection", "m"},
-                                                      {"loaded_radius", "m"},
-                                                      {"patch_length", "m"},
-                                                      {"patch_width", "m"},
-                                                      {"patch_area", "m^2"}}};
-  std::vector<KnownChannel> channels;
-  for (const StudyExperiment& experiment : experiments) {
-    if (!experiment.fitted) continue;
-    if (experiment.modal()) {
-      channels.push_back({experiment.name + "/frequency", "Hz"});
-      continue;
-    }
-    for (const KnownChannel& own : kOfCurves) {
-      channels.push_back({experiment.name + "/" + own.name, own.unit});
-    }
-  }
-  return channels;
-}
-
 std::string constrained_unit(const Node& table,
-                    const std::string& channel,
-                    const std::vector<KnownChannel>& channels) {
+                             const std::string& channel,
+                             const std::vector<KnownChannel>& channels) {
   std::vector<std::string> names;
   for (const KnownChannel& known : channels) {
     if (known.name == channel) return known.unit;
@@ -90,13 +68,11 @@ void read_bounds(const Node& table, const std::string& unit, ChannelConstraint& 
 }  // namespace
 
 ChannelConstraint read_channel_constraint(const Node& table,
-                                          const std::vector<StudyExperiment>& experiments,
-                                          const std::vector<KnownChannel>* known) {
+                                          const std::vector<KnownChannel>& known) {
   ChannelConstraint constraint;
   constraint.name = table.name();
   constraint.channel = table.text("channel");
-  const std::string unit =
-      constrained_unit(table, constraint.channel, known ? *known : channels_of(experiments));
+  const std::string unit = constrained_unit(table, constraint.channel, known);
   constraint.of = table.choice("of", {"largest", "smallest", "mean", "first", "last"}, "largest");
   read_bounds(table, unit, constraint);
   const double size =

@@ -2,16 +2,15 @@
 // A constraint on what a trial records: nonlinear in the variables.
 //
 //   [constraint.stiff_enough]
-//   channel = "stiffness/force"        # EXPERIMENT/CHANNEL; of a simulator
-//                                    # OUTPUT/QUANTITY, of a rolling tire TEST/CHANNEL
+//   channel = "stiffness/force"        # TEST/CHANNEL, or EXPERIMENT/CHANNEL of an experiment's
+//                                      # own test; of a simulator OUTPUT/QUANTITY
 //   of = "largest"                     # of its values; or smallest, mean, first, last
 //   lower = "4 kN"                     # and upper; or equal = "..." in the place of both
 //   scale = "1 kN"                     # a violation of 100 %; the size of the bound unless given
 //
 // With y that value:  c = (lower - y) / scale,  (y - upper) / scale,  h = (y - equal) / scale.
-// It counts as fulfilled up to kFulfilled of the scale (optimization/problem/score.h). Methods that know
-// such constraints: gss_nlc, sqp. Channels of a tire: force, deflection, loaded_radius,
-// patch_length, patch_width, patch_area of a load_deflection, frequency of modes.
+// It counts as fulfilled up to kFulfilled of the scale (optimization/problem/score.h). Methods that
+// know such constraints: gss_nlc, sqp. A channel that is not recorded is told which there are.
 #pragma once
 
 #include <optional>
@@ -19,8 +18,8 @@
 #include <vector>
 
 #include "base/document.h"
+#include "base/result.h"
 #include "correlation/observable/known_channels.h"
-#include "correlation/study/study_experiment.h"
 #include "measurement/channels.h"
 #include "optimization/problem/score.h"
 
@@ -37,12 +36,10 @@ struct ChannelConstraint {
   bool is_equation() const { return lower && upper && *lower == *upper; }
 };
 
-/// Reads one [constraint.NAME] on the `known` channels; without them on those of the experiments of
-/// a finite-element tire. Throws InputError where the trials have no such channel or it has another
-/// quantity.
+/// Reads one [constraint.NAME] on one of the `known` channels. Throws InputError where the trials
+/// have no such channel or it has another quantity.
 ChannelConstraint read_channel_constraint(const Node& table,
-                                          const std::vector<StudyExperiment>& experiments,
-                                          const std::vector<KnownChannel>* known);
+                                          const std::vector<KnownChannel>& known);
 
 /// Adds its c or h to the score. A Failure where the trial left no such channel or an empty one.
 std::optional<Failure> apply(const ChannelConstraint& constraint,

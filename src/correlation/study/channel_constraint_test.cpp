@@ -8,20 +8,12 @@
 namespace latsch::correlation {
 namespace {
 
-std::vector<StudyExperiment> experiments() {
-  StudyExperiment curve, modes;
-  curve.name = "stiffness";
-  curve.load_case.test = experiment::LoadDeflection{};
-  modes.name = "modes";
-  modes.load_case.test = experiment::ModalTest{};
-  return {curve, modes};
-}
+const std::vector<KnownChannel> kChannels = {{"stiffness/force", "N"}, {"modes/frequency", "Hz"}};
 
 ChannelConstraint channel_constraint_of(const std::string& text) {
   const Document document = Document::parse("[c.row]\n" + text, "study.toml");
   const Node root = document.root();
-  const auto constraint =
-      read_channel_constraint(root.named_tables("c").front(), experiments(), nullptr);
+  const auto constraint = read_channel_constraint(root.named_tables("c").front(), kChannels);
   root.close();
   return constraint;
 }

@@ -11,6 +11,9 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/observable/force_curve.h"
+#include "correlation/observable/mode_set.h"
+#include "experiment/tests/modes.h"
 #include "formats/tables/csv_table.h"
 #include "models/fe_tire/description/tire_description.h"
 
@@ -200,26 +203,7 @@ void examine_variables(const Study& study, const Document& file, std::vector<Fin
   }
 }
 
-/// What a measurement on a tire has to fit into, m.
-struct TireSize {
-  double outer_radius = 0.0, section_height = 0.0;
-};
-
-std::optional<TireSize> size_of(const Study& study) {
-  if (study.has_fe_tire()) {
-    const auto tire = fe_tire::read_tire(study.model.root());
-    const double radius = tire.section.contour.front().r + tire.section.outside.at(0.0);
-    return TireSize{radius, radius - tire.section.contour.back().r};
-  }
-  if (!study.rolling) return std::nullopt;
-  std::optional<double> outer, rim;
-  for (const std::string& path : study.model.paths()) {
-    if (path.ends_with("UNLOADED_RADIUS")) outer = study.model.get(path);
-    if (path.ends_with("RIM_RADIUS")) rim = study.model.get(path);
-  }
-  if (!outer || !rim || !(*outer > *rim)) return std::nullopt;
-  return TireSize{*outer, *outer - *rim};
-}
+using TireSize = experiment::SpecimenKind::Size;
 
 void examine_deflection(const TireSize& size,
                         const Place& place,
@@ -277,15 +261,15 @@ void examine_stiffness(const Place& place,
 /// One finding a table: what is wrong with a column is wrong with all of it. The first that is
 /// impossible, else the first that is unusual.
 void examine_load_deflection(const StudyExperiment& experiment,
+                             const LoadDeflectionCurve& measured,
                              const TireSize& size,
                              std::vector<Finding>& found) {
   constexpr double kGrowth = 1.1;  // by inflation, and a softer tire than described
   constexpr double kFirst = 0.03;  // of the section's height: below, first touch decides the force
-  const auto& test = std::get<experiment::LoadDeflection>(experiment.load_case.test);
-  if (experiment.forces.empty()) return;
+  if (measured.force.empty()) return;
   const auto table = formats::CsvTable::read(experiment.measurement_file);
-  const bool radii = !test.loaded_radii.empty();
-  const auto& positions = radii ? test.loaded_radii : test.deflections;
+  const bool radii = measured.abscissa == Abscissa::loaded_radius;
+  const auto& positions = measured.position;
   std::vector<Finding> worst;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const Place place = table.place(static_cast<int>(i));
@@ -306,7 +290,7 @@ void examine_load_deflection(const StudyExperiment& experiment,
                        deflection,
                        of_row);
     if (of_row.empty() && deflection > kFirst * size.section_height)
-      examine_stiffness(place, experiment.forces[i], deflection, of_row);
+      examine_stiffness(place, measured.force[i], deflection, of_row);
     if (of_row.empty() || (!worst.empty() && !of_row.front().impossible)) continue;
     worst = {of_row.front()};
     if (worst.front().impossible) break;
@@ -314,16 +298,18 @@ void examine_load_deflection(const StudyExperiment& experiment,
   found.insert(found.end(), worst.begin(), worst.end());
 }
 
-void examine_modes(const StudyExperiment& experiment, std::vector<Finding>& found) {
+void examine_modes(const StudyExperiment& experiment,
+                   const std::vector<ModeRecord>& modes,
+                   bool hangs_free,
+                   std::vector<Finding>& found) {
   const bool table = experiment.measurement_file.extension() != ".toml";
   std::optional<formats::CsvTable> rows;
-  if (table && !experiment.modes.empty())
-    rows = formats::CsvTable::read(experiment.measurement_file);
+  if (table && !modes.empty()) rows = formats::CsvTable::read(experiment.measurement_file);
   const auto place = [&](std::size_t i) {
     return rows ? rows->place(static_cast<int>(i)) : Place{experiment.measurement_file.string(), 0};
   };
-  for (std::size_t i = 0; i < experiment.modes.size(); ++i) {
-    const double f = experiment.modes[i].frequency;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const double f = modes[i].frequency;
     if (const Seen seen = judged(kUsualMode, f); seen != Seen::usual) {
       found.push_back({place(i),
                        fmt::format("frequency is {:.4g} Hz, but {}", f, usual_in_words(kUsualMode)),
@@ -331,18 +317,16 @@ void examine_modes(const StudyExperiment& experiment, std::vector<Finding>& foun
     }
     int same = 0;
     for (std::size_t j = 0; j < i; ++j) {
-      same += experiment.modes[j].frequency == f &&
-              experiment.modes[j].label() == experiment.modes[i].label();
+      same += modes[j].frequency == f && modes[j].label() == modes[i].label();
     }
     // Free to turn, a tire has every mode with waves around it twice: not three times.
-    const auto& test = std::get<experiment::ModalTest>(experiment.load_case.test);
-    const bool is_pair = !test.loaded() && experiment.modes[i].n != 0;
+    const bool is_pair = hangs_free && modes[i].n != 0;
     if (same < 1 || (is_pair && same == 1)) continue;
     found.push_back(
         {place(i),
          fmt::format("{:.4g} Hz, {} stands in the table {}: {}",
                      f,
-                     experiment.modes[i].label(),
+                     modes[i].label(),
                      same == 1 ? "twice" : "three times",
                      same == 1 ? "a row too many?"
                                : "a tire has a mode twice at most, expected each row once"),
@@ -350,15 +334,26 @@ void examine_modes(const StudyExperiment& experiment, std::vector<Finding>& foun
   }
 }
 
+/// Whether the tire of these modes is off the ground.
+bool hangs_free(const Study& study, const ModeSet& modes) {
+  const std::string name = test_of(modes.asks().front());
+  for (const StudyTest& test : study.tests) {
+    const auto* of = dynamic_cast<const experiment::ModesTest*>(test.test.get());
+    if (of && test.name == name) return !of->settings().loaded();
+  }
+  return false;
+}
+
 /// The same table fitted twice counts twice, which a weight says better.
 void examine_repetitions(const Study& study, const Document& file, std::vector<Finding>& found) {
   for (std::size_t i = 0; i < study.experiments.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const StudyExperiment &a = study.experiments[j], &b = study.experiments[i];
-      const bool same_channels = !a.curve || !b.curve ||
-                                 (a.curve->x == b.curve->x && a.curve->y == b.curve->y &&
-                                  a.curve->compared_name == b.curve->compared_name);
-      if (!a.fitted || !b.fitted || a.measurement_file != b.measurement_file || !same_channels)
+      const bool other_columns =
+          a.observable->kind() == "curve" &&
+          (a.observable->asks() != b.observable->asks() ||
+           a.observable->compared(a.objective) != b.observable->compared(b.objective));
+      if (!a.fitted || !b.fitted || a.measurement_file != b.measurement_file || other_columns)
         continue;
       found.push_back(
           {written_at(file, "experiment." + b.name + ".measurement").place,
@@ -377,19 +372,19 @@ void examine_repetitions(const Study& study, const Document& file, std::vector<F
 std::vector<Finding> implausible(const Study& study) {
   std::vector<Finding> found;
   const Document file = Document::read(study.file);
-  if (study.has_fe_tire()) examine_document(study.model, found);
-  if (!study.simulator) examine_document(file, found);
+  const experiment::SpecimenKind* kind = study.specimens->kind();
+  if (kind && kind->has_usual_numbers()) examine_document(study.model, found);
+  if (kind) examine_document(file, found);
   examine_variables(study, file, found);
   examine_repetitions(study, file, found);
-  const auto size = size_of(study);
+  const auto size = kind ? kind->size(study.model) : std::nullopt;
   if (size) examine_deflections(file, *size, found);
   for (const StudyExperiment& experiment : study.experiments) {
-    if (experiment.curve) continue;
-    if (experiment.modal()) {
-      examine_modes(experiment, found);
-    } else if (size) {
-      examine_load_deflection(experiment, *size, found);
-    }
+    if (const auto* modes = dynamic_cast<const ModeSet*>(experiment.observable.get()))
+      examine_modes(experiment, modes->measured(), hangs_free(study, *modes), found);
+    if (const auto* forces = dynamic_cast<const ForceCurve*>(experiment.observable.get());
+        forces && size)
+      examine_load_deflection(experiment, forces->measured(), *size, found);
   }
   return found;
 }

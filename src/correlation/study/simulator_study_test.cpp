@@ -6,9 +6,9 @@
 #include <fstream>
 
 #include "base/error.h"
+#include "base/scratch_folder_testing.h"
 #include "correlation/study/study.h"
-#include "correlation/target/tire_trials.h"
-#include "evaluation/trial/scratch_folder_testing.h"
+#include "correlation/target/study_trials.h"
 
 namespace latsch::correlation {
 namespace {

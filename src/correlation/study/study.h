@@ -4,7 +4,7 @@
 //
 //   title = "Tire B, three moduli"
 //   model = "tire_b.toml"                     # beside this file; or [model], a tire that rolls,
-//                                             # see rolling_model.h; or [simulator], an outside
+//                                             # see specimens.h; or [simulator], an outside
 //                                             # program, see simulator_settings.h
 //
 //   [variable.matrix]                         # see variables.h, as [tie.NAME]
@@ -22,6 +22,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -29,9 +30,8 @@
 
 #include "base/document.h"
 #include "correlation/study/channel_constraint.h"
-#include "correlation/study/rolling_model.h"
 #include "correlation/study/run_settings.h"
-#include "correlation/study/simulator_settings.h"
+#include "correlation/study/specimens.h"
 #include "correlation/study/study_design.h"
 #include "correlation/study/study_experiment.h"
 #include "correlation/study/study_optimizer.h"
@@ -71,26 +71,25 @@ struct Study {
   long max_steps = 1000;
   std::optional<StudyDesign> doe;
   RunSettings run;
-  std::optional<Simulator> simulator = {};          // in the model's place, which is then empty
+  std::shared_ptr<const Specimens> specimens = {};  // what `model` or a program makes
+  std::vector<StudyTest> tests = {};                // of the study, and the experiments' own
   std::vector<ChannelConstraint> constraints = {};  // on channels; linear ones are of the space
-  std::optional<RollingModel> rolling = {};         // drives `model`; else it is of finite elements
 
   StartSettings start = {};
   std::vector<StageSettings> stages = {};  // none: one run, as [optimizer] says
   std::string stage = {};                  // which of them this study is; empty: none
   std::string search_key = {};             // what a search depends on, for the journal's marks
-
-  bool has_fe_tire() const { return !simulator && !rolling; }
 };
 
-/// The tests of the rolling model that fitted experiments and constraints name.
+/// The tests that fitted experiments and constraints name.
 std::vector<std::string> tests_asked_for(const Study& study);
 
 /// Throws InputError naming file, line, found and expected: for the study, its model and its
 /// measurements. With Measurements::not_yet, measurement files need not exist: for writing them
 /// from the model.
 Study read_study(const std::filesystem::path& file,
-                 Measurements measurements = Measurements::required);
+                 Measurements measurements = Measurements::required,
+                 const experiment::Language& language = experiment::language());
 
 /// What the channels of a trial depend on, for the journal: model, varied paths, load cases.
 /// Objectives are not part of it: they can be changed and recomputed from stored channels.

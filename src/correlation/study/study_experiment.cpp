@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/study/study_experiment.h"
 
-#include <cmath>
+#include <fmt/format.h>
 
+#include <algorithm>
+
+#include "base/text.h"
+#include "correlation/observable/curve.h"
+#include "correlation/observable/force_curve.h"
+#include "correlation/observable/mode_set.h"
+#include "experiment/tests/load_deflection.h"
+#include "experiment/tests/modes.h"
 #include "formats/tables/measurement_file.h"
 
 namespace latsch::correlation {
@@ -21,12 +29,6 @@ ObjectiveSettings read_objective(const Node& table) {
   return settings;
 }
 
-fe_tire::Ground read_ground(const Node& table) {
-  fe_tire::Ground ground;
-  ground.mu = table.quantity("friction", "1", Range::between(0.0, 5.0), 0.0);
-  return ground;
-}
-
 /// The measurement file named by `key`; empty where it does not exist and need not.
 std::filesystem::path find_file(const Node& table,
                                 const std::string& key,
@@ -41,30 +43,75 @@ std::filesystem::path find_file(const Node& table,
                    "latsch export --measurements");
 }
 
-void read_load_deflection(const Node& table,
-                          const std::filesystem::path& folder,
-                          Measurements measurements,
-                          StudyExperiment& experiment) {
-  LoadDeflection test;
-  test.pressure = table.quantity("pressure", "Pa", Range::positive());
-  test.ground = read_ground(table);
-  experiment.objective.compared =
-      table.choice("compare", {"force", "root_force"}, "force") == "force" ? Compared::force
-                                                                           : Compared::root_force;
-  if (table.has("deflections")) {
-    test.deflections = table.quantities("deflections", "m", Range::positive());
+/// The test of [test.NAME] that an experiment names, after a look at whether it can be meant.
+const StudyTest& named_test(const Node& table,
+                            const std::vector<StudyTest>& tests,
+                            const std::string& channel) {
+  std::vector<std::string> names;
+  for (const StudyTest& test : tests) names.push_back(test.name);
+  const StudyTest& test = tests[static_cast<std::size_t>(
+      std::find(names.begin(), names.end(), table.choice("test", names)) - names.begin())];
+  for (const auto& recorded : test.test->channels())
+    if (recorded.name == channel) return test;
+  table.reject("test",
+               "is " + in_quotes(test.name) + " (" + test.test->in_words() +
+                   "), which does not record " + in_quotes(channel));
+}
+
+void add_own_test(const Node& table,
+                  const ExperimentContext& context,
+                  std::shared_ptr<const experiment::Test> test,
+                  std::vector<StudyTest>& tests) {
+  if (const auto reason = reason_against(*context.kind, *test, context.language))
+    table.reject("kind", *reason);
+  for (const StudyTest& other : tests) {
+    if (other.name == table.name())
+      table.reject("kind",
+                   "has a test of its own, whose channels are called as those of [test." +
+                       other.name + "]; name one of the two otherwise");
   }
-  const auto file = find_file(table, "measurement", folder, measurements);
+  const std::string text = test->identity();
+  tests.push_back({table.name(), std::move(test), text, true});
+}
+
+std::shared_ptr<const Observable> read_load_deflection(const Node& table,
+                                                       const ExperimentContext& context,
+                                                       ObjectiveSettings& objective,
+                                                       std::vector<StudyTest>& tests) {
+  LoadDeflectionCurve measured;
+  objective.compared = table.choice("compare", {"force", "root_force"}, "force") == "force"
+                           ? Compared::force
+                           : Compared::root_force;
+  const auto file = find_file(table, "measurement", context.folder, context.measurements);
+  if (!file.empty()) measured = formats::read_load_deflection(file);
+  if (table.has("test")) {
+    const StudyTest& test = named_test(table, tests, "force");
+    const auto samples = test.test->samples();
+    if (samples && !file.empty() && *samples != std::ssize(measured.force))
+      table.reject("measurement",
+                   fmt::format("has {} values, but the test {} gives {}",
+                               measured.force.size(),
+                               in_quotes(test.name),
+                               *samples));
+    return std::make_shared<ForceCurve>(test.name, std::move(measured));
+  }
+  LoadDeflection test;
+  test.pressure = experiment::read_pressure(table);
+  test.ground = experiment::read_ground(table);
+  if (table.has("deflections"))
+    test.deflections = table.quantities("deflections", "m", Range::positive());
   if (!file.empty()) {
-    LoadDeflectionCurve curve = formats::read_load_deflection(file);
-    const bool radii = curve.abscissa == Abscissa::loaded_radius;
-    test.deflections = radii ? std::vector<double>{} : curve.position;
-    test.loaded_radii = radii ? curve.position : std::vector<double>{};
-    experiment.forces = std::move(curve.force);
+    const bool radii = measured.abscissa == Abscissa::loaded_radius;
+    test.deflections = radii ? std::vector<double>{} : measured.position;
+    test.loaded_radii = radii ? measured.position : std::vector<double>{};
   } else if (test.deflections.empty()) {
     table.reject("deflections", "is missing: without a measurement it says where to compute one");
+  } else {
+    measured.position = test.deflections;
   }
-  experiment.load_case.test = std::move(test);
+  add_own_test(
+      table, context, std::make_shared<experiment::LoadDeflectionTest>(std::move(test)), tests);
+  return std::make_shared<ForceCurve>(table.name(), std::move(measured));
 }
 
 void read_state(const Node& table, ModalTest& test) {
@@ -76,14 +123,10 @@ void read_state(const Node& table, ModalTest& test) {
   if (table.has("load")) test.load = table.quantity("load", "N", Range::positive());
 }
 
-void read_modal(const Node& table,
-                const std::filesystem::path& folder,
-                Measurements measurements,
-                StudyExperiment& experiment) {
-  ModalTest test;
-  test.pressure = table.quantity("pressure", "Pa", Range::positive());
-  test.ground = read_ground(table);
-  read_state(table, test);
+std::shared_ptr<const Observable> read_modes(const Node& table,
+                                             const ExperimentContext& context,
+                                             StudyExperiment& experiment,
+                                             std::vector<StudyTest>& tests) {
   ObjectiveSettings& objective = experiment.objective;
   objective.missing_mode =
       table.quantity("missing_mode", "1", Range::not_negative(), objective.missing_mode);
@@ -92,83 +135,80 @@ void read_modal(const Node& table,
 
   ModeTable modes;
   long measured = table.integer("measured_modes", 1, kMostModes, 0);
-  const auto file = find_file(table, "measurement", folder, measurements);
+  const auto file = find_file(table, "measurement", context.folder, context.measurements);
   if (!file.empty()) {
     modes = formats::read_modes(file);
     measured = static_cast<long>(modes.modes.size());
   } else if (measured == 0) {
     table.reject("measured_modes", "is missing: without a measurement it says how many to compute");
   }
+  experiment.measured_modes = static_cast<int>(measured);
+  if (table.has("test"))
+    return std::make_shared<ModeSet>(named_test(table, tests, "frequency").name,
+                                     experiment::mode_records(modes),
+                                     static_cast<std::size_t>(measured));
   if (table.has("shapes")) {
-    experiment.shapes_file = folder / table.text("shapes");
-    const auto shapes = find_file(table, "shapes", folder, measurements);
+    experiment.shapes_file = context.folder / table.text("shapes");
+    const auto shapes = find_file(table, "shapes", context.folder, context.measurements);
     if (!file.empty() && !shapes.empty()) formats::read_shapes(shapes, modes);
   }
-  experiment.modes = experiment::mode_records(modes);
+  ModalTest test;
+  test.pressure = experiment::read_pressure(table);
+  test.ground = experiment::read_ground(table);
+  read_state(table, test);
   test.points = experiment::sensor_points(modes);
-  experiment.measured_modes = static_cast<int>(measured);
   test.count =
       static_cast<int>(table.integer("simulated_modes",
                                      measured,
                                      kMostModes,
                                      std::min(kMostModes, measured + kMoreModesThanMeasured)));
-  experiment.load_case.test = std::move(test);
+  add_own_test(table, context, std::make_shared<experiment::ModesTest>(test), tests);
+  return std::make_shared<ModeSet>(table.name(),
+                                   experiment::mode_records(modes),
+                                   static_cast<std::size_t>(measured),
+                                   test.points);
 }
 
-}  // namespace
-
-namespace {
-
-/// SI, of what an absolute noise stands beside.
-std::string compared_unit(const StudyExperiment& experiment) {
-  if (experiment.curve) return experiment.curve->y_compared_unit;
-  return experiment.modal() ? "Hz" : "N";
+[[noreturn]] void reject_curve_of_no_test(const Node& table, const ExperimentContext& context) {
+  table.reject("kind",
+               "is \"curve\", but [test] is missing: a " + context.kind->in_words() +
+                   " gives channels by the tests it is driven through, and there is none. Add one "
+                   "or more, such as\n\n    [test.cleat]\n    file = \"cleat.toml\"\n\n"
+                   "and in cleat.toml, beside the study, its kind: " +
+                   list_of(context.language.test_names()) +
+                   ". Experiments compare its channels as y = \"cleat/...\"");
 }
 
 }  // namespace
 
 StudyExperiment read_experiment(const Node& table,
-                                const std::filesystem::path& folder,
-                                Measurements measurements,
-                                const std::vector<KnownChannel>* known) {
+                                const ExperimentContext& context,
+                                std::vector<StudyTest>& tests) {
   StudyExperiment experiment;
   experiment.name = table.name();
-  experiment.load_case.name = table.name();
   experiment.objective = read_objective(table);
   experiment.fitted = table.choice("use", {"fit", "predict"}, "fit") == "fit";
-  experiment.measurement_file = folder / table.text("measurement");
-  if (known) {
-    table.choice("kind", {"curve"});
-    const auto file = find_file(table, "measurement", folder, Measurements::required);
-    experiment.curve = read_curve(table, file, *known);
-  } else if (table.choice("kind", {"load_deflection", "modes"}) == "modes") {
-    read_modal(table, folder, measurements, experiment);
+  experiment.measurement_file = context.folder / table.text("measurement");
+  const std::string kind = context.kind
+                               ? table.choice("kind", {"load_deflection", "modes", "curve"})
+                               : table.choice("kind", {"curve"});
+  if (kind == "curve") {
+    if (tests.empty()) reject_curve_of_no_test(table, context);
+    const auto file = find_file(table, "measurement", context.folder, Measurements::required);
+    experiment.observable = read_curve(table, file, known_channels(tests));
+  } else if (kind == "modes") {
+    experiment.observable = read_modes(table, context, experiment, tests);
   } else {
-    read_load_deflection(table, folder, measurements, experiment);
+    experiment.observable = read_load_deflection(table, context, experiment.objective, tests);
   }
-  experiment.noise = read_noise(table, compared_unit(experiment));
+  experiment.noise = read_noise(table, experiment.observable->unit());
   experiment.loss = read_loss(table, experiment.noise.has_value());
   return experiment;
 }
 
 std::vector<double> stated_deviations(const StudyExperiment& experiment) {
   if (!experiment.noise) return {};
-  const auto [relative, absolute] = *experiment.noise;
-  std::vector<double> deviations;
-  const auto add = [&](double whole) {
-    deviations.push_back(std::hypot(relative, absolute / whole));
-  };
-  if (experiment.curve) {
-    for (size_t k = 0; k < experiment.values(); ++k) add(experiment.curve->scale);
-    return deviations;
-  }
-  for (const ModeRecord& mode : experiment.modes) add(mode.frequency);
-  for (const double force : experiment.forces) add(force);
-  // A root is off by half as much, relative.
-  if (experiment.objective.compared == Compared::root_force) {
-    for (double& deviation : deviations) deviation *= 0.5;
-  }
-  return deviations;
+  return experiment.observable->deviations(*experiment.noise, experiment.objective);
 }
 
 std::vector<double> fitted_exponents(const std::vector<StudyExperiment>& experiments) {
@@ -178,17 +218,10 @@ std::vector<double> fitted_exponents(const std::vector<StudyExperiment>& experim
   return exponents;
 }
 
-Comparison compare(const StudyExperiment& experiment, const Channels& channels) {
-  if (experiment.curve) {
-    const auto comparison = compare_curve(*experiment.curve, channels, experiment.objective);
-    if (comparison) return *comparison;
-    throw InputError("experiment " + experiment.name + ": " + comparison.failure().reason);
-  }
-  if (experiment.modal()) {
-    return compare_modes(
-        experiment.modes, experiment::mode_records(channels), experiment.objective);
-  }
-  return compare_forces(experiment.forces, channels["force"], experiment.objective);
+Comparison compare(const StudyExperiment& experiment, const Channels& trial) {
+  const auto comparison = experiment.observable->compare(trial, experiment.objective);
+  if (comparison) return *comparison;
+  throw InputError("experiment " + experiment.name + ": " + comparison.failure().reason);
 }
 
 }  // namespace latsch::correlation

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// One experiment of a study: a load case, what the laboratory measured, and how the two are
+// One experiment of a study: a test, what the laboratory measured, and how its recording is
 // compared.
+//
+// A test stands in its experiment, or by itself as [test.NAME] (specimens.h), for several of them:
+// test = "NAME" in the place of the keys that say what is done.
 //
 //   [experiment.stiffness]
 //   kind = "load_deflection"
-//   pressure = "2.6 bar"
+//   pressure = "2.6 bar"               # the tire's own unless given
 //   friction = 0.8                     # with the ground; 0 unless given
 //   measurement = "stiffness.csv"      # columns deflection (or loaded_radius) and force
 //   compare = "force"                  # or "root_force", see objective.h
@@ -30,49 +33,50 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/document.h"
-#include "correlation/observable/curve_experiment.h"
 #include "correlation/observable/measurement_noise.h"
 #include "correlation/observable/objective.h"
-#include "experiment/rigs/load_case.h"
+#include "correlation/observable/observable.h"
+#include "correlation/study/specimens.h"
 #include "measurement/channels.h"
 
 namespace latsch::correlation {
 
-// In a study with [simulator] or [model]: kind = "curve", see curve_experiment.h.
 enum class Measurements { required, not_yet };
 
 struct StudyExperiment {
   std::string name;
-  experiment::LoadCase load_case;  // at the measured deflections, radii and sensor points
   ObjectiveSettings objective;
   bool fitted = true;                     // false: predicted only
   std::optional<MeasurementNoise> noise;  // standard deviation of a measured value
   RobustLoss loss = {};
   std::filesystem::path measurement_file;
-  std::filesystem::path shapes_file;          // empty: no shapes
-  std::vector<double> forces;                 // N, measured; load-deflection experiments
-  std::vector<ModeRecord> modes;              // measured; modal experiments
-  int measured_modes = 0;                     // how many there are, or will be in a twin
-  std::optional<CurveExperiment> curve = {};  // of known channels, in the place of all these
+  std::filesystem::path shapes_file;  // empty: no shapes
+  int measured_modes = 0;             // how many there are, or will be in a twin
+  std::shared_ptr<const Observable> observable = {};
 
   /// Measured values compared.
-  size_t values() const {
-    return curve ? curve->y_compared.size() : modal() ? modes.size() : forces.size();
-  }
-  bool modal() const { return std::holds_alternative<experiment::ModalTest>(load_case.test); }
+  size_t values() const { return observable->values(); }
 };
 
-/// Reads one [experiment.NAME] and its measurement files, which lie relative to `folder`. With
-/// `known` channels it compares curves of them, without those of a finite-element tire.
+/// Against what an experiment is read.
+struct ExperimentContext {
+  std::filesystem::path folder;  // of measurement files
+  Measurements measurements = Measurements::required;
+  const experiment::Language& language;
+  const experiment::SpecimenKind* kind = nullptr;  // of the model; nullptr: an outside program
+};
+
+/// Reads one [experiment.NAME] and its measurement files. A test of its own is added to the tests,
+/// under the name of the experiment.
 StudyExperiment read_experiment(const Node& table,
-                                const std::filesystem::path& folder,
-                                Measurements measurements,
-                                const std::vector<KnownChannel>* known = nullptr);
+                                const ExperimentContext& context,
+                                std::vector<StudyTest>& tests);
 
 /// The stated deviation of every value in units of its difference d as compared; empty where no
 /// noise is stated.
@@ -81,8 +85,8 @@ std::vector<double> stated_deviations(const StudyExperiment& experiment);
 /// Exponents of a study's fitted experiments, for target_in_words().
 std::vector<double> fitted_exponents(const std::vector<StudyExperiment>& experiments);
 
-/// How the channels of its load case differ from the measurement. Throws InputError where channels
-/// of a curve do not reach as far as the measurement.
-Comparison compare(const StudyExperiment& experiment, const Channels& channels);
+/// How the channels of a trial differ from the measurement. Throws InputError where they leave
+/// nothing to compare.
+Comparison compare(const StudyExperiment& experiment, const Channels& trial);
 
 }  // namespace latsch::correlation

@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "base/text.h"
-#include "models/fe_tire/description/tire_description.h"
 
 namespace latsch::correlation {
 namespace {
@@ -25,11 +24,7 @@ double read_number(const Node& stage, const std::string& path, const std::string
 
 void check_model(const Node& table, const Study& changed) {
   try {
-    if (changed.rolling) {
-      changed.rolling->kind->build(changed.model);
-    } else {
-      fe_tire::build_mesh(fe_tire::read_tire(changed.model.root()));
-    }
+    changed.specimens->check(changed);
   } catch (const InputError& error) {
     table.reject("model", std::string("makes a model that is not accepted: ") + error.what());
   }
@@ -40,7 +35,7 @@ std::vector<std::pair<std::string, double>> read_numbers(const Node& table,
                                                          const Study& study) {
   std::vector<std::pair<std::string, double>> numbers;
   if (!table.has("model")) return numbers;
-  if (study.simulator) {
+  if (!study.specimens->kind()) {
     table.reject("model", "has numbers of the model, but an outside program stands in its place");
   }
   const std::string prefix = table.path() + ".model.";

@@ -7,9 +7,11 @@
 #include <functional>
 
 #include "base/file.h"
+#include "correlation/observable/force_curve.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/residuals.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
+#include "experiment/tests/modes.h"
 
 namespace latsch::correlation {
 namespace {
@@ -52,6 +54,10 @@ constexpr const char* kStiffness = "deflection [mm], force [N]\n18.2, 3015.5\n32
 constexpr const char* kModes = "frequency [Hz], n, type\n50.3, 1, lateral\n54.1, 0, torsional\n";
 
 /// A study in a folder of its own, with one text replaced.
+std::vector<double> forces_of(const Study& study) {
+  return dynamic_cast<const ForceCurve&>(*study.experiments[0].observable).measured().force;
+}
+
 class StudyFile : public testing::Test {
  protected:
   void SetUp() override {
@@ -99,10 +105,10 @@ TEST_F(StudyFile, IsReadInSi) {
   EXPECT_EQ(study.space[0].unit, "N/mm^2");
   EXPECT_NEAR(study.space[1].upper, 35.0 * M_PI / 180.0, 1e-15);
   ASSERT_EQ(study.experiments.size(), 2u);
-  EXPECT_EQ(study.experiments[0].forces, (std::vector<double>{3015.5, 6031.1}));
-  const auto& modes = std::get<experiment::ModalTest>(study.experiments[1].load_case.test);
+  EXPECT_EQ(forces_of(study), (std::vector<double>{3015.5, 6031.1}));
+  const auto& modes = dynamic_cast<const experiment::ModesTest&>(*study.tests[1].test).settings();
   EXPECT_DOUBLE_EQ(*modes.load, 4000.0);
-  EXPECT_NEAR(modes.pressure, 35.0 * 6894.757293168, 1e-4);
+  EXPECT_NEAR(*modes.pressure, 35.0 * 6894.757293168, 1e-4);
   EXPECT_EQ(modes.count, 2 + 8);
   EXPECT_FALSE(study.experiments[1].fitted);
   EXPECT_EQ(study.doe->levels, (std::vector<int>{3, 5}));
@@ -227,7 +233,7 @@ TEST_F(StudyFile, ReadsAbsoluteNoiseAndBoth) {
   EXPECT_EQ(*read().experiments[0].noise, (MeasurementNoise{.absolute = 20.0}));
   replace("study.toml", "\"20 N\"", "\"0.02 kN + 2 %\"");
   EXPECT_EQ(*read().experiments[0].noise, (MeasurementNoise{.relative = 0.02, .absolute = 20.0}));
-  const auto forces = read().experiments[0].forces;
+  const auto forces = forces_of(read());
   EXPECT_DOUBLE_EQ(stated_deviations(read().experiments[0])[0], std::hypot(0.02, 20.0 / forces[0]));
 }
 

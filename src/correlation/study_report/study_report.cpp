@@ -8,24 +8,19 @@
 #include <limits>
 #include <map>
 
-#include "base/units.h"
 #include "correlation/analysis/doe_surface.h"
-#include "correlation/analysis/found_tire.h"
-#include "correlation/basic_data/slip_plots.h"
 #include "correlation/search/study_fit.h"
+#include "correlation/search/study_method.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/variables.h"
 #include "correlation/study_report/report_identifiability.h"
 #include "correlation/target/best_trial.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 #include "evaluation/schedule/scheduler.h"
-#include "experiment/kinds/tir_numbers.h"
 
 namespace latsch::correlation {
 namespace {
 
-using experiment::LoadDeflection;
-using experiment::ModalTest;
 using report::StudyReport;
 
 /// The channels of every experiment, predicted ones included.
@@ -43,42 +38,30 @@ Simulated recorded(const Journal& journal, const DesignPoint& point) {
   return simulated;
 }
 
-std::string conditions_of(const StudyExperiment& experiment) {
-  if (experiment.curve) {
-    return experiment.curve->x.empty() ? "sample by sample" : "over " + experiment.curve->x;
-  }
-  const auto text = [](double pressure, const fe_tire::Ground& ground) {
-    return format_quantity(pressure, "bar", 4) +
-           (ground.mu > 0.0 ? fmt::format(", friction {:.3g}", ground.mu) : "");
-  };
-  if (const auto* curve = std::get_if<LoadDeflection>(&experiment.load_case.test)) {
-    return text(curve->pressure, curve->ground);
-  }
-  const auto& modal = std::get<ModalTest>(experiment.load_case.test);
-  std::string state = ", unloaded";
-  if (modal.deflection) state = ", pressed " + format_quantity(*modal.deflection, "mm", 4);
-  if (modal.load) state = ", under " + format_quantity(*modal.load, "N", 5);
-  return text(modal.pressure, modal.ground) + state;
+/// Over what it is compared, or what was done.
+std::string conditions_of(const Study& study, const StudyExperiment& experiment) {
+  if (!experiment.observable->over().empty()) return experiment.observable->over();
+  const std::string name = test_of(experiment.observable->asks().front());
+  for (const StudyTest& test : study.tests)
+    if (test.name == name) return test.test->conditions();
+  return "";
 }
 
 std::string compared_in(const StudyExperiment& experiment) {
-  if (experiment.curve) return experiment.curve->compared_name;
-  std::string text = experiment.modal()                                 ? "frequency"
-                     : experiment.objective.compared == Compared::force ? "force"
-                                                                        : "root of force";
-  if (experiment.objective.exponent != 1.0) {
+  std::string text = experiment.observable->compared(experiment.objective);
+  if (experiment.objective.exponent != 1.0)
     text += fmt::format(", exponent {:g}", experiment.objective.exponent);
-  }
   return text;
 }
 
 report::ExperimentRow experiment_row(const StudyExperiment& experiment,
+                                     const std::string& conditions,
                                      const Comparison& found,
                                      const std::optional<Comparison>& initial) {
   report::ExperimentRow row;
   row.name = experiment.name;
-  row.kind = experiment.curve ? "curve" : experiment.modal() ? "modes" : "load-deflection";
-  row.conditions = conditions_of(experiment);
+  row.kind = experiment.observable->kind();
+  row.conditions = conditions;
   row.compared = compared_in(experiment);
   row.fitted = experiment.fitted;
   row.weight = experiment.objective.weight;
@@ -90,133 +73,40 @@ report::ExperimentRow experiment_row(const StudyExperiment& experiment,
   return row;
 }
 
-report::ForceCurve force_curve(const StudyExperiment& experiment,
-                               const Channels& found,
-                               const std::optional<Channels>& initial) {
-  const auto& test = std::get<LoadDeflection>(experiment.load_case.test);
-  report::ForceCurve curve;
-  curve.experiment = experiment.name;
-  curve.conditions = conditions_of(experiment);
-  curve.fitted = experiment.fitted;
-  curve.over_loaded_radius = !test.loaded_radii.empty();
-  curve.abscissa = curve.over_loaded_radius ? test.loaded_radii : test.deflections;
-  curve.measured = experiment.forces;
-  curve.simulated = found["force"];
-  if (initial) curve.initial = (*initial)["force"];
-  return curve;
-}
-
-std::vector<double> values_of(const Channels& channels, const std::string& name) {
-  const Channel* channel = channels.find(name);
-  return channel ? channel->values : std::vector<double>{};
-}
-
-/// What is compared in the place of the time series: spectra, or forces about their means.
-void show_compared(const CurveExperiment& curve,
-                   const Channels& found,
-                   const std::optional<Channels>& initial,
-                   report::MeasuredCurve& picture) {
-  const bool is_spectrum = curve.comparison.of_spectrum();
-  picture.x_name = is_spectrum ? "frequency" : curve.x;
-  picture.y_name = curve.compared_name;
-  picture.x_unit = is_spectrum ? curve.x_compared_unit : curve.x_shown;
-  picture.y_unit = is_spectrum ? curve.y_compared_unit : curve.y_shown;
-  picture.x_measured = picture.x_simulated = curve.x_compared;
-  picture.y_measured = curve.y_compared;
-  if (const auto simulated = simulated_curve(curve, found)) picture.y_simulated = *simulated;
-  if (!initial) return;
-  if (const auto simulated = simulated_curve(curve, *initial)) {
-    picture.x_initial = curve.x_compared;
-    picture.y_initial = *simulated;
+/// The tests of the experiments, fitted ones first.
+std::vector<const experiment::Test*> tests_shown(const Study& study) {
+  const auto asked = tests_asked_for(study);
+  const auto is_asked = [&](const StudyTest& test) {
+    return std::find(asked.begin(), asked.end(), test.name) != asked.end();
+  };
+  std::vector<const experiment::Test*> tests;
+  for (const bool fitted : {true, false}) {
+    for (const StudyTest& test : study.tests)
+      if (is_asked(test) == fitted) tests.push_back(test.test.get());
   }
-}
-
-report::MeasuredCurve measured_curve(const StudyExperiment& experiment,
-                                     const Channels& found,
-                                     const Comparison& comparison,
-                                     const std::optional<Channels>& initial) {
-  const CurveExperiment& curve = *experiment.curve;
-  report::MeasuredCurve picture;
-  picture.experiment = experiment.name;
-  picture.conditions = conditions_of(experiment);
-  picture.fitted = experiment.fitted;
-  picture.x_name = curve.x;
-  picture.y_name = curve.y;
-  picture.x_unit = curve.x_shown;
-  picture.y_unit = curve.y_shown;
-  picture.x_measured = curve.x_measured;
-  picture.y_measured = curve.y_measured;
-  picture.errors = comparison.errors;
-  if (curve.comparison.of_spectrum() || curve.comparison.what == ComparedCurve::about_mean) {
-    show_compared(curve, found, initial, picture);
-    return picture;
-  }
-  picture.x_simulated = values_of(found, curve.x);
-  picture.y_simulated = values_of(found, curve.y);
-  if (initial) {
-    picture.x_initial = values_of(*initial, curve.x);
-    picture.y_initial = values_of(*initial, curve.y);
-  }
-  return picture;
-}
-
-report::ModalComparison modal_comparison(const StudyExperiment& experiment,
-                                         const Channels& found,
-                                         const Comparison& comparison,
-                                         const std::optional<Channels>& initial) {
-  report::ModalComparison modal;
-  modal.experiment = experiment.name;
-  modal.conditions = conditions_of(experiment);
-  modal.fitted = experiment.fitted;
-  const auto simulated = experiment::mode_records(found);
-  std::map<int, double> at_start;  // frequency by measured mode
-  if (initial) {
-    const auto modes = experiment::mode_records(*initial);
-    for (const ModePair& pair : compare(experiment, *initial).pairing.pairs) {
-      at_start[pair.measured] = modes[pair.simulated].frequency;
-    }
-  }
-  const bool shapes = std::get<ModalTest>(experiment.load_case.test).points.cols() > 0;
-  for (const ModePair& pair : comparison.pairing.pairs) {
-    report::ModePair row;
-    row.label = experiment.modes[pair.measured].label();
-    row.measured = experiment.modes[pair.measured].frequency;
-    row.simulated = simulated[pair.simulated].frequency;
-    if (const auto at = at_start.find(pair.measured); at != at_start.end())
-      row.initial = at->second;
-    if (shapes) row.likeness = pair.likeness;
-    modal.pairs.push_back(std::move(row));
-  }
-  for (int i : comparison.pairing.missing) {
-    modal.missing.push_back({experiment.modes[i].label(), experiment.modes[i].frequency});
-  }
-  for (int j : comparison.pairing.extra) {
-    modal.extra.push_back({simulated[j].label(), simulated[j].frequency});
-  }
-  return modal;
+  return tests;
 }
 
 void add_experiments(const Study& study,
                      const Simulated& found,
                      const Simulated& initial,
                      StudyReport& page) {
+  const Channels* start = initial.channels ? &*initial.channels : nullptr;
   for (const StudyExperiment& experiment : study.experiments) {
-    const Channels channels = channels_of(experiment, *found.channels);
-    const Comparison comparison = compare(experiment, channels);
-    std::optional<Channels> start;
-    std::optional<Comparison> start_comparison;
-    if (initial.channels) {
-      start = channels_of(experiment, *initial.channels);
-      start_comparison = compare(experiment, *start);
-    }
-    page.experiments.push_back(experiment_row(experiment, comparison, start_comparison));
-    if (experiment.curve) {
-      page.curves.push_back(measured_curve(experiment, channels, comparison, start));
-    } else if (experiment.modal()) {
-      page.modes.push_back(modal_comparison(experiment, channels, comparison, start));
-    } else {
-      page.forces.push_back(force_curve(experiment, channels, start));
-    }
+    const std::string conditions = conditions_of(study, experiment);
+    const Comparison comparison = compare(experiment, *found.channels);
+    std::optional<Comparison> at_start;
+    if (start) at_start = compare(experiment, *start);
+    page.experiments.push_back(experiment_row(experiment, conditions, comparison, at_start));
+    experiment.observable->draw({experiment.name,
+                                 conditions,
+                                 experiment.fitted,
+                                 page.is_of_design,
+                                 *found.channels,
+                                 comparison,
+                                 start,
+                                 at_start ? &*at_start : nullptr},
+                                page);
   }
 }
 
@@ -294,24 +184,21 @@ report::RunFacts run_facts(const Study& study, const Journal& journal) {
 
 }  // namespace
 
-Result<StudyReport> study_report(const Study& study, const Journal& journal, MeshError mesh_error) {
+Result<StudyReport> study_report(const Study& study,
+                                 const Journal& journal,
+                                 experiment::Thoroughness thoroughness) {
   const auto best = best_trial(study, journal);
   if (!best) return Failure{"no trial in " + study.run.journal.string() + " succeeded"};
 
-  std::optional<TireTrials> trials;
-  if (study.has_fe_tire()) trials.emplace(study);
+  const auto simulated = [&](const DesignPoint& point) {
+    return study.specimens->may_repeat() ? Simulated{point, simulate_all(study, point)}
+                                         : recorded(journal, point);
+  };
   // A trial does not depend on others, so the two need not wait for each other.
-  const bool beside = trials && study.run.workers > 1;
-  auto start = std::async(beside ? std::launch::async : std::launch::deferred, [&] {
-    const DesignPoint point = study.space.initial();
-    return study.simulator ? recorded(journal, point)
-                           : Simulated{point, simulate_all(study, point)};
-  });
-  const Simulated found = study.simulator
-                              ? recorded(journal, best->point)
-                              : Simulated{best->point,
-                                          trials ? trials->run(best->point, /*predicted=*/true)
-                                                 : simulate_all(study, best->point)};
+  const bool beside = study.specimens->may_repeat() && study.run.workers > 1;
+  auto start = std::async(beside ? std::launch::async : std::launch::deferred,
+                          [&] { return simulated(study.space.initial()); });
+  const Simulated found = simulated(best->point);
   if (!found.channels) {
     return Failure{"the best trial cannot be repeated with the predictions: " +
                    found.channels.failure().reason};
@@ -323,28 +210,20 @@ Result<StudyReport> study_report(const Study& study, const Journal& journal, Mes
   page.model_file = study.model_file.string();
   page.target = best->target;
   page.target_in_words = target_in_words(fitted_exponents(study.experiments), best->target);
-  if (study.rolling && study.rolling->kind->steady) {
-    page.slip_plots = slip_plots(magic_formula::MagicFormula(
-        experiment::parameters_of(at(study.model, study.space, best->point))));
-  }
   page.target_definition =
       "mean of the experiments' own targets by their weights; of one, mean |relative "
       "error|^exponent";
   const auto what = recorded_identifiability(study, journal);
   add_variables(study, best->point, what, page);
-  if (trials) {
-    add_found_tire(study, best->point, *trials, page);
-    add_mesh_error(study, best->point, mesh_error, page);
-  }
+  if (const experiment::SpecimenKind* kind = study.specimens->kind())
+    kind->draw(at(study.model, study.space, best->point), tests_shown(study), thoroughness, page);
   const Simulated initial = start.get();
   if (initial.channels)
     page.initial_target = objective(study)(initial.point, *initial.channels)->value;
-  add_experiments(study, found, initial, page);
   page.run = run_facts(study, journal);
   add_convergence(study, journal, page);
   page.is_of_design = !page.convergence;
-  for (report::ForceCurve& curve : page.forces) curve.of_design = page.is_of_design;
-  for (report::MeasuredCurve& curve : page.curves) curve.of_design = page.is_of_design;
+  add_experiments(study, found, initial, page);
   const auto rated = rated_trials(study, journal);
   page.surfaces = doe_surfaces(study, rated, best->point);
   page.basins = basins_of(study, rated);

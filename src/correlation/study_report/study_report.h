@@ -4,7 +4,6 @@
 #pragma once
 
 #include "base/result.h"
-#include "correlation/analysis/mesh_error.h"
 #include "correlation/study/study.h"
 #include "evaluation/journal/journal.h"
 #include "report/report.h"
@@ -12,8 +11,9 @@
 namespace latsch::correlation {
 
 /// A Failure where no trial in the journal succeeded.
-Result<report::StudyReport> study_report(const Study& study,
-                                         const Journal& journal,
-                                         MeshError mesh_error = MeshError::of_one_sector);
+Result<report::StudyReport> study_report(
+    const Study& study,
+    const Journal& journal,
+    experiment::Thoroughness thoroughness = experiment::Thoroughness::seconds);
 
 }  // namespace latsch::correlation

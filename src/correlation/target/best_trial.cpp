@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 
 namespace latsch::correlation {
 

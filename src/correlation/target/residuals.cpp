@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/units.h"
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 
 namespace latsch::correlation {
 namespace {
@@ -44,8 +44,9 @@ ResidualTraits residual_traits(const Study& study) {
   for (size_t e = 0; e < experiments.size(); ++e) {
     const size_t count = experiments[e].values();
     traits.deviations.insert(traits.deviations.end(), count, spread_of(experiments[e], mean));
-    traits.curves.insert(
-        traits.curves.end(), count, experiments[e].modal() ? -1 : static_cast<int>(e));
+    traits.curves.insert(traits.curves.end(),
+                         count,
+                         experiments[e].observable->is_sweep() ? static_cast<int>(e) : -1);
   }
   for (const DesignVariable& variable : study.space.variables()) {
     if (!variable.prior) continue;
@@ -70,7 +71,7 @@ Objective residual_objective(const Study& study) {
                                                const Channels& channels) -> Result<Score> {
         Score score;
         for (const StudyExperiment& experiment : experiments) {
-          const Comparison comparison = compare(experiment, channels_of(experiment, channels));
+          const Comparison comparison = compare(experiment, channels);
           std::vector<double> d = comparison.differences;
           for (int missing : comparison.pairing.missing) {
             d[missing] = std::numeric_limits<double>::quiet_NaN();
@@ -109,17 +110,8 @@ std::vector<ResidualRow> residual_rows(const Study& study) {
   for (size_t e = 0; e < study.experiments.size(); ++e) {
     const StudyExperiment& experiment = study.experiments[e];
     if (!counts(experiment)) continue;
-    const int place = static_cast<int>(e);
-    if (experiment.curve) {
-      for (std::string& name : value_names(*experiment.curve)) rows.push_back({place, name});
-      continue;
-    }
-    for (const ModeRecord& mode : experiment.modes) rows.push_back({place, mode.label()});
-    if (experiment.modal()) continue;
-    const auto& test = std::get<experiment::LoadDeflection>(experiment.load_case.test);
-    for (double x : test.loaded_radii.empty() ? test.deflections : test.loaded_radii) {
-      rows.push_back({place, format_quantity(x, "mm", 4)});
-    }
+    for (std::string& name : experiment.observable->rows())
+      rows.push_back({static_cast<int>(e), std::move(name)});
   }
   for (const DesignVariable& variable : study.space.variables()) {
     if (variable.prior) rows.push_back({-1, "prior of " + variable.name});

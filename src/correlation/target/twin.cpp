@@ -3,67 +3,68 @@
 
 #include <algorithm>
 
-#include "experiment/rigs/tire_rig.h"
-#include "formats/tables/measurement_file.h"
-#include "models/fe_tire/description/tire_description.h"
+#include "correlation/observable/mode_set.h"
+#include "experiment/language/capabilities.h"
+#include "experiment/tests/modes.h"
 
 namespace latsch::correlation {
 namespace {
 
-using experiment::LoadDeflection;
-using experiment::ModalTest;
-
-fe_tire::FeTire tire_of(const Study& study) {
-  const auto description = fe_tire::read_tire(study.model.root());
-  fe_tire::SolverSettings settings;
-  settings.element = description.element;
-  return {fe_tire::build_mesh(description), fe_tire::build_materials(description), settings};
-}
-
 constexpr const char* kComment =
     "Not measured: computed by the model itself, latsch export --measurements";
 
-void write_forces(const StudyExperiment& experiment, const Channels& channels) {
-  const auto& test = std::get<LoadDeflection>(experiment.load_case.test);
-  const bool radii = !test.loaded_radii.empty();
-  LoadDeflectionCurve curve;
-  curve.abscissa = radii ? Abscissa::loaded_radius : Abscissa::deflection;
-  curve.position = radii ? test.loaded_radii : test.deflections;
-  curve.force = channels["force"];
-  formats::write_load_deflection(experiment.measurement_file, curve, kComment);
+/// The study with shapes of modes recorded where the model has sensors, for those experiments that
+/// want shapes nobody has measured yet.
+Study with_sensors(Study study, experiment::Specimen& specimen) {
+  for (StudyExperiment& experiment : study.experiments) {
+    if (experiment.shapes_file.empty()) continue;
+    for (StudyTest& test : study.tests) {
+      const auto* modes = dynamic_cast<const experiment::ModesTest*>(test.test.get());
+      if (!modes || test.name != experiment.name) continue;
+      experiment::ModalTest settings = modes->settings();
+      if (settings.points.cols() == 0)
+        settings.points = specimen.find<experiment::Vibrates>()->sensor_points();
+      experiment.observable =
+          std::make_shared<ModeSet>(test.name,
+                                    std::vector<ModeRecord>{},
+                                    static_cast<std::size_t>(experiment.measured_modes),
+                                    settings.points);
+      test.test = std::make_shared<experiment::ModesTest>(std::move(settings));
+    }
+  }
+  return study;
 }
 
 }  // namespace
 
 Result<std::vector<std::filesystem::path>> write_twin(const Study& study) {
-  fe_tire::FeTire tire = tire_of(study);
-  std::vector<experiment::LoadCase> cases;
-  for (const StudyExperiment& experiment : study.experiments) {
-    cases.push_back(experiment.load_case);
-    auto* modal = std::get_if<ModalTest>(&cases.back().test);
-    if (modal && !experiment.shapes_file.empty() && modal->points.cols() == 0) {
-      modal->points = experiment::default_points(tire.mesh());
+  const experiment::SpecimenKind* kind = study.specimens->kind();
+  if (!kind) {
+    throw InputError(
+        {study.file.string(), 0},
+        "has an outside program in a model's place: there is no tire to write a twin of");
+  }
+  const auto specimen = kind->build(study.model);
+  const Study twin = with_sensors(study, *specimen);
+  Channels trial;
+  for (const StudyTest& test : twin.tests) {
+    auto recording = test.test->run(*specimen);
+    if (!recording) {
+      return Failure{test.in_words() + ": " + recording.failure().reason,
+                     recording.failure().cause};
+    }
+    for (Channel channel : recording->all()) {
+      channel.name = test.name + "/" + channel.name;
+      trial.add(std::move(channel));
     }
   }
-  const auto results = experiment::run(tire, cases);
-
   std::vector<std::filesystem::path> written;
-  for (size_t e = 0; e < results.size(); ++e) {
-    if (!results[e]) return results[e].failure();
-    const StudyExperiment& experiment = study.experiments[e];
-    written.push_back(experiment.measurement_file);
-    if (!experiment.modal()) {
-      write_forces(experiment, *results[e]);
-      continue;
-    }
-    auto modes = experiment::mode_records(*results[e]);
-    modes.resize(std::min(modes.size(), static_cast<size_t>(experiment.measured_modes)));
-    const ModeTable table =
-        experiment::mode_table(modes, std::get<ModalTest>(cases[e].test).points);
-    formats::write_modes(experiment.measurement_file, table, kComment);
-    if (experiment.shapes_file.empty()) continue;
-    formats::write_shapes(experiment.shapes_file, table, kComment);
-    written.push_back(experiment.shapes_file);
+  for (const StudyExperiment& experiment : twin.experiments) {
+    const bool is_shared =
+        std::find(written.begin(), written.end(), experiment.measurement_file) != written.end();
+    for (auto& file : experiment.observable->write(
+             trial, {experiment.measurement_file, experiment.shapes_file, kComment, is_shared}))
+      if (!is_shared) written.push_back(std::move(file));
   }
   return written;
 }

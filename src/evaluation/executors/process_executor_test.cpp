@@ -21,12 +21,12 @@
 #include <thread>
 
 #include "base/error.h"
+#include "base/scratch_folder_testing.h"
 #include "evaluation/executors/frame.h"
 #include "evaluation/executors/worker.h"
 #include "evaluation/journal/journal.h"
 #include "evaluation/schedule/scheduler.h"
 #include "evaluation/trial/encoding.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 
 #if defined(__SANITIZE_ADDRESS__)  // else it turns a worker's signal into an exit
 extern "C" const char* __asan_default_options() { return "handle_segv=0"; }

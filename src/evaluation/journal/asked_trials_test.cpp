@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/scratch_folder_testing.h"
 #include "evaluation/journal/journal.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 
 namespace latsch {
 namespace {

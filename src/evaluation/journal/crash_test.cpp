@@ -15,13 +15,13 @@
 #include <thread>
 
 #include "base/random.h"
+#include "base/scratch_folder_testing.h"
 #include "evaluation/executors/inline_executor.h"
 #include "evaluation/executors/process_executor.h"
 #include "evaluation/executors/worker.h"
 #include "evaluation/journal/journal.h"
 #include "evaluation/schedule/scheduler.h"
 #include "evaluation/trial/encoding.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 #include "optimization/direct_search/gss.h"
 
 namespace latsch {

@@ -12,9 +12,9 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/random.h"
+#include "base/scratch_folder_testing.h"
 #include "evaluation/journal/journal.h"
 #include "evaluation/trial/encoding.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 
 namespace latsch {
 namespace {

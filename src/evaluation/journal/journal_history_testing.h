@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/scratch_folder_testing.h"
 #include "evaluation/journal/journal.h"
 #include "evaluation/journal/journal_doctor.h"
 #include "evaluation/journal/power_loss_testing.h"
 #include "evaluation/trial/encoding.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 
 namespace latsch {
 

@@ -17,10 +17,10 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "base/scratch_folder_testing.h"
 #include "evaluation/journal/journal_history_testing.h"
 #include "evaluation/journal/local_file_system.h"
 #include "evaluation/trial/encoding.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 
 namespace {
 int error_of_locks = 0;  // 0: locks work

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "base/random.h"
-#include "evaluation/trial/scratch_folder_testing.h"
+#include "base/scratch_folder_testing.h"
 
 namespace latsch {
 namespace {

@@ -13,8 +13,8 @@
 #include <thread>
 
 #include "base/file.h"
+#include "base/scratch_folder_testing.h"
 #include "evaluation/trial/encoding.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 #include "evaluation/trial/trial.h"
 
 namespace latsch {

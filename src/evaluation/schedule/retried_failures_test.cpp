@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "base/scratch_folder_testing.h"
 #include "evaluation/executors/inline_executor.h"
 #include "evaluation/schedule/scheduler.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 #include "optimization/direct_search/gss.h"
 
 namespace latsch {

@@ -10,10 +10,10 @@
 #include <thread>
 
 #include "base/random.h"
+#include "base/scratch_folder_testing.h"
 #include "evaluation/executors/inline_executor.h"
 #include "evaluation/executors/simulated_executor.h"
 #include "evaluation/schedule/faulty_world_testing.h"
-#include "evaluation/trial/scratch_folder_testing.h"
 #include "optimization/design/full_factorial.h"
 #include "optimization/direct_search/gss.h"
 

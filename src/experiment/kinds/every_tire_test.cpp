@@ -9,7 +9,8 @@
 #include <memory>
 
 #include "experiment/kinds/sparse_tir_testing.h"
-#include "experiment/kinds/tire_kind.h"
+#include "experiment/language.h"
+#include "experiment/language/capabilities.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/flat_track.h"
 #include "models/road/plane_road.h"
@@ -21,7 +22,7 @@ namespace {
 class EveryTire : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
-    kind_ = find_tire_kind(GetParam());
+    kind_ = language().find_kind(GetParam());
     ASSERT_NE(kind_, nullptr);
     if (GetParam() == "ring_tire") {
       numbers_ = kind_->read(std::filesystem::path(LATSCH_SOURCE_DIR) /
@@ -35,10 +36,10 @@ class EveryTire : public testing::TestWithParam<std::string> {
     numbers_ = kind_->read(file);
     std::filesystem::remove(file);
   }
-  std::unique_ptr<Tire> tire() const { return kind_->build(numbers_); }
+  std::unique_ptr<Tire> tire() const { return kind_->build(numbers_)->find<Rolls>()->tire(); }
   bool has_point_contact() const { return GetParam() == "magic_formula"; }
 
-  const TireKind* kind_ = nullptr;
+  const SpecimenKind* kind_ = nullptr;
   Document numbers_;
 };
 
@@ -179,8 +180,8 @@ TEST_P(EveryTire, OnTheDrumTheFrameIsTheSame) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds,
                          EveryTire,
-                         testing::ValuesIn(tire_kind_names()),
-                         [](const auto& kind) { return kind.param; });
+                         testing::Values("ring_tire", "rigid_ring", "magic_formula"),
+                         [](const auto& kind) { return std::string(kind.param); });
 
 }  // namespace
 }  // namespace latsch::experiment

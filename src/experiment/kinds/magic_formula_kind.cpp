@@ -1,37 +1,67 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Magic Formula as a kind of tire: rolling with relaxation, and in steady states.
+// The Magic Formula as a kind of specimen: rolling with relaxation, and in steady states.
+#include "experiment/kinds/rolling_specimen.h"
+#include "experiment/kinds/slip_plots.h"
 #include "experiment/kinds/tir_numbers.h"
-#include "experiment/kinds/tire_kind.h"
 #include "experiment/rigs/slip_states.h"
 #include "models/magic_formula/magic_formula_tire.h"
+#include "report/report.h"
 
 namespace latsch::experiment {
 namespace {
 
-using magic_formula::MagicFormulaTire;
+class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates {
+ public:
+  explicit MagicFormulaSpecimen(const Document& numbers) : parameters_(parameters_of(numbers)) {}
 
-std::unique_ptr<Tire> build_magic_formula(const Document& numbers) {
-  return std::make_unique<MagicFormulaTire>(parameters_of(numbers));
-}
+  std::unique_ptr<Tire> tire() const override {
+    return std::make_unique<magic_formula::MagicFormulaTire>(parameters_);
+  }
+  Channels steady(const formats::CsvTable& table) const override {
+    const SlipStates given = slip_states(table, parameters_);
+    const magic_formula::MagicFormula formula(parameters_, {});
+    std::vector<magic_formula::SteadyState> results(given.states.size());
+    formula.evaluate(given.states, results);
+    return answers(results);
+  }
 
-Channels steady(const Document& numbers, const formats::CsvTable& table) {
-  const magic_formula::Parameters parameters = parameters_of(numbers);
-  const SlipStates given = slip_states(table, parameters);
-  const magic_formula::MagicFormula formula(parameters, {});
-  std::vector<magic_formula::SteadyState> results(given.states.size());
-  formula.evaluate(given.states, results);
-  return answers(results);
-}
+ private:
+  magic_formula::Parameters parameters_;
+};
+
+class MagicFormulaKind : public SpecimenKind {
+ public:
+  std::string name() const override { return "magic_formula"; }
+  std::string in_words() const override { return "Magic Formula"; }
+  std::string file() const override { return "a .tir file"; }
+  int version() const override { return 2; }
+  std::vector<std::string> abilities() const override {
+    return abilities_of<MagicFormulaSpecimen>();
+  }
+
+  bool recognizes(const std::filesystem::path& file) const override {
+    return file.extension() == ".tir";
+  }
+  Document read(const std::filesystem::path& file) const override { return read_tir_numbers(file); }
+  std::unique_ptr<Specimen> build(const Document& numbers,
+                                  std::unique_ptr<Specimen>) const override {
+    return std::make_unique<MagicFormulaSpecimen>(numbers);
+  }
+  void check(const Document& numbers) const override { MagicFormulaSpecimen(numbers).tire(); }
+  std::string text(const Document& numbers) const override { return tir_text_of(numbers); }
+  void draw(const Document& numbers,
+            const std::vector<const Test*>&,
+            Thoroughness,
+            report::StudyReport& page) const override {
+    page.slip_plots = slip_plots(magic_formula::MagicFormula(parameters_of(numbers)));
+  }
+};
 
 }  // namespace
 
-extern const TireKind kMagicFormulaKind;
-const TireKind kMagicFormulaKind = {"magic_formula",
-                                    "Magic Formula",
-                                    "a .tir file",
-                                    read_tir_numbers,
-                                    build_magic_formula,
-                                    tir_text_of,
-                                    steady};
+const SpecimenKind& magic_formula_kind() {
+  static const MagicFormulaKind kind;
+  return kind;
+}
 
 }  // namespace latsch::experiment

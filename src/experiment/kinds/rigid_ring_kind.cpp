@@ -1,26 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rigid ring as a kind of tire.
+// The rigid ring as a kind of specimen.
+#include "experiment/kinds/rolling_specimen.h"
 #include "experiment/kinds/tir_numbers.h"
-#include "experiment/kinds/tire_kind.h"
 #include "models/rigid_ring/rigid_ring_tire.h"
 
 namespace latsch::experiment {
 namespace {
 
-std::unique_ptr<Tire> build_rigid_ring(const Document& numbers) {
-  auto tire = rigid_ring::RigidRingTire::make(parameters_of(numbers));
-  if (!tire) throw InputError({numbers.file(), 0}, "makes no rigid ring: " + tire.failure().reason);
-  return std::move(*tire);
-}
+class RigidRingSpecimen : public RollingSpecimen {
+ public:
+  explicit RigidRingSpecimen(const Document& numbers)
+      : parameters_(parameters_of(numbers)), file_(numbers.file()) {}
+
+  std::unique_ptr<Tire> tire() const override {
+    auto tire = rigid_ring::RigidRingTire::make(parameters_);
+    if (!tire) throw InputError({file_, 0}, "makes no rigid ring: " + tire.failure().reason);
+    return std::move(*tire);
+  }
+
+ private:
+  magic_formula::Parameters parameters_;
+  std::string file_;
+};
+
+class RigidRingKind : public SpecimenKind {
+ public:
+  std::string name() const override { return "rigid_ring"; }
+  std::string in_words() const override { return "rigid ring"; }
+  std::string file() const override {
+    return "a .tir file with belt and stiffnesses (MF 6.1, 6.2)";
+  }
+  int version() const override { return 2; }
+  std::vector<std::string> abilities() const override { return abilities_of<RigidRingSpecimen>(); }
+
+  bool recognizes(const std::filesystem::path&) const override { return false; }
+  Document read(const std::filesystem::path& file) const override { return read_tir_numbers(file); }
+  std::unique_ptr<Specimen> build(const Document& numbers,
+                                  std::unique_ptr<Specimen>) const override {
+    return std::make_unique<RigidRingSpecimen>(numbers);
+  }
+  void check(const Document& numbers) const override { RigidRingSpecimen(numbers).tire(); }
+  std::string text(const Document& numbers) const override { return tir_text_of(numbers); }
+};
 
 }  // namespace
 
-extern const TireKind kRigidRingKind;
-const TireKind kRigidRingKind = {"rigid_ring",
-                                 "rigid ring",
-                                 "a .tir file with belt and stiffnesses (MF 6.1, 6.2)",
-                                 read_tir_numbers,
-                                 build_rigid_ring,
-                                 tir_text_of};
+const SpecimenKind& rigid_ring_kind() {
+  static const RigidRingKind kind;
+  return kind;
+}
 
 }  // namespace latsch::experiment

@@ -1,39 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flexible ring as a kind of tire.
-#include "experiment/kinds/tire_kind.h"
+// The flexible ring as a kind of specimen.
+#include "experiment/kinds/rolling_specimen.h"
+#include "experiment/rigs/vibration_rig.h"
 #include "models/ring_tire/description/ring_reader.h"
 #include "models/ring_tire/ring/ring_tire.h"
 
 namespace latsch::experiment {
 namespace {
 
-Document read(const std::filesystem::path& file) {
-  Document document = Document::read(file);
-  ring_tire::read_ring_tire(document.root());  // what is wrong is said of the file as it stands
-  return document;
-}
+class RingSpecimen : public RollingSpecimen, public Vibrates {
+ public:
+  explicit RingSpecimen(const Document& numbers)
+      : parameters_(ring_tire::read_ring_tire(numbers.root())) {}
 
-std::unique_ptr<Tire> build_ring_tire(const Document& numbers) {
-  return std::make_unique<ring_tire::RingTire>(ring_tire::read_ring_tire(numbers.root()));
-}
+  std::unique_ptr<Tire> tire() const override {
+    return std::make_unique<ring_tire::RingTire>(parameters_);
+  }
+  Result<Channels> vibrate(const ModalTest& test) override {
+    ring_tire::RingTire tire(parameters_);
+    return experiment::run(tire, test);
+  }
 
-Result<Channels> modes(const Document& numbers, const VibrationTest& test) {
-  ring_tire::RingTire tire(ring_tire::read_ring_tire(numbers.root()));
-  return run(tire, test);
-}
+ private:
+  ring_tire::RingParameters parameters_;
+};
 
-std::string text(const Document& numbers) { return numbers.text(); }
+class RingTireKind : public SpecimenKind {
+ public:
+  std::string name() const override { return "ring_tire"; }
+  std::string in_words() const override { return "flexible ring"; }
+  std::string file() const override { return "a TOML file with kind = \"ring_tire\""; }
+  int version() const override { return 2; }
+  std::vector<std::string> abilities() const override { return abilities_of<RingSpecimen>(); }
+
+  bool recognizes(const std::filesystem::path&) const override { return false; }
+  Document read(const std::filesystem::path& file) const override {
+    Document document = Document::read(file);
+    RingSpecimen{document};  // what is wrong is said of the file as it stands
+    return document;
+  }
+  std::unique_ptr<Specimen> build(const Document& numbers,
+                                  std::unique_ptr<Specimen>) const override {
+    return std::make_unique<RingSpecimen>(numbers);
+  }
+  void check(const Document& numbers) const override { RingSpecimen(numbers).tire(); }
+};
 
 }  // namespace
 
-extern const TireKind kRingTireKind;
-const TireKind kRingTireKind = {"ring_tire",
-                                "flexible ring",
-                                "a TOML file with kind = \"ring_tire\"",
-                                read,
-                                build_ring_tire,
-                                text,
-                                nullptr,
-                                modes};
+const SpecimenKind& ring_tire_kind() {
+  static const RingTireKind kind;
+  return kind;
+}
 
 }  // namespace latsch::experiment

@@ -5,11 +5,14 @@
 //   loads = ["2 kN", "4 kN"]         # or deflections = ["10 mm", "20 mm"], from first touch of the
 //                                    # upright tire
 //   camber = "2 deg"                 # about x, top to the right; default 0
+//   pressure = "2.6 bar"             # of a finite-element tire, the tire's own unless given
+//   friction = 0.8                   # of a finite-element tire with the ground, 0 unless given
 //
 // Channels, one value a state in their order: "load" (N), "deflection", "length", "width" (m, the
 // longest and the widest), "area" (m^2, grooves included), "mean_pressure" (Pa, load over area).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base/document.h"
@@ -25,9 +28,10 @@ struct Ground;
 namespace latsch::experiment {
 
 struct FootprintTest {
-  std::vector<double> loads;        // N; one of the two
-  std::vector<double> deflections;  // m
-  double camber = 0.0;              // rad
+  std::vector<double> loads;                           // N; one of the two
+  std::vector<double> deflections;                     // m
+  double camber = 0.0;                                 // rad
+  std::optional<double> pressure = {}, friction = {};  // Pa, 1; none: the tire's own
 };
 
 /// Throws InputError naming the place; unknown keys too.

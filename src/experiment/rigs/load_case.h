@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the virtual rig is told to do with a tire: the prescribed inputs of one test.
+// What a rig does with a standing tire, as numbers.
 #pragma once
 
 #include <Eigen/Core>
 #include <optional>
-#include <string>
-#include <variant>
 #include <vector>
 
 #include "models/fe_tire/ring/fe_tire.h"
@@ -16,29 +14,24 @@ namespace latsch::experiment {
 /// abscissa is either the deflection from first touch or the loaded radius (wheel center to
 /// ground); the other list is empty.
 struct LoadDeflection {
-  double pressure = 0.0;  // Pa
+  std::optional<double> pressure = {};  // Pa; none: the tire's own
   fe_tire::Ground ground = {};
   std::vector<double> deflections = {};   // m
   std::vector<double> loaded_radii = {};  // m
 };
 
-/// Vibration modes with the rim clamped, of the unloaded tire or standing on the ground.
+/// Vibration modes with the rim held, off the ground or standing on it.
 struct ModalTest {
-  double pressure = 0.0;  // Pa
-  fe_tire::Ground ground;
-  std::optional<double>
-      deflection;              // m from first touch; with neither of the two the tire hangs free
-  std::optional<double> load;  // N; the rig finds the deflection
-  int count = 20;              // lowest modes
-  Eigen::Matrix3Xd
-      points;  // m, wheel frame, undeformed: where shapes are recorded; none: no shapes
+  std::optional<double> pressure = {};  // Pa; none: the tire's own
+  fe_tire::Ground ground = {};
+  std::optional<double> deflection = {};  // m from first touch; neither of the two: in the air
+  std::optional<double> load = {};        // N; the rig finds the deflection
+  double camber = 0.0;                    // rad, about x, top to the right
+  int count = 10;                         // lowest modes
+  Eigen::Matrix3Xd points = {};  // m, wheel frame, undeformed: where shapes are recorded; none: no
+                                 // shapes
 
   bool loaded() const { return deflection || load; }
-};
-
-struct LoadCase {
-  std::string name;  // of the experiment; failures carry it
-  std::variant<LoadDeflection, ModalTest> test;
 };
 
 }  // namespace latsch::experiment

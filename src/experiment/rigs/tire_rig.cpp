@@ -21,182 +21,123 @@ using fe_tire::Loaded;
 using fe_tire::LoadPoint;
 
 constexpr double kTypicalStiffness = 2.0e5;  // N/m, a first guess of the deflection under a load
-constexpr int kModalSteps =
-    5;  // loading steps to the state of a modal test that has no curve to share
+constexpr int kEvenSteps = 5;
 
-/// What load cases have in common when they share their equilibria.
-struct Setup {
-  double pressure;
-  fe_tire::Ground ground;
-
-  bool operator==(const Setup& other) const {
-    return pressure == other.pressure && ground.mu == other.ground.mu &&
-           ground.stiffness == other.ground.stiffness;
-  }
-};
-
-Setup setup_of(const LoadCase& load_case) {
-  return std::visit(
-      [](const auto& test) {
-        return Setup{test.pressure, test.ground};
-      },
-      load_case.test);
+/// Deflections of a way that no test states: even steps.
+std::vector<double> even_steps(double deflection) {
+  std::vector<double> steps;
+  for (int i = 1; i < kEvenSteps; ++i) steps.push_back(deflection * i / kEvenSteps);
+  steps.push_back(deflection);
+  return steps;
 }
 
-/// All tests of one pressure and ground: inflates when first asked, loads once through every
-/// deflection.
-class Station {
- public:
-  Station(FeTire& tire, Setup setup, const std::vector<const LoadCase*>& cases)
-      : tire_(tire), setup_(setup), inflated_(tire.inflate(setup.pressure)) {
-    if (inflated_) load_through(cases);
-  }
-
-  Result<Channels> run(const LoadDeflection& test) const {
-    if (!inflated_) return inflated_.failure();
-    if (loaded_ && !*loaded_) return loaded_->failure();
-    Channels channels;
-    const char* names[] = {
-        "deflection", "loaded_radius", "force", "patch_length", "patch_width", "patch_area"};
-    const char* units[] = {"m", "m", "N", "m", "m", "m^2"};
-    std::array<std::vector<double>, 6> columns;
-    for (double deflection : deflections_of(test)) {
-      const LoadPoint point = point_at(deflection);
-      const double row[] = {point.deflection,
-                            point.loaded_radius,
-                            point.Fz,
-                            point.patch.length,
-                            point.patch.width,
-                            point.patch.area};
-      for (size_t c = 0; c < columns.size(); ++c) columns[c].push_back(row[c]);
-    }
-    for (size_t c = 0; c < columns.size(); ++c) channels.add({names[c], units[c], columns[c]});
-    return channels;
-  }
-
-  Result<Channels> run(const ModalTest& test) const {
-    if (!inflated_) return inflated_.failure();
-    if (!test.loaded()) return modal_channels(test, tire_.modes(*inflated_, test.count));
-    const Result<Loaded> state = loaded_state(test);
-    if (!state) return state.failure();
-    auto channels = modal_channels(test, tire_.modes(*state, test.count));
-    if (!channels) return channels;
-    const LoadPoint& point = state->curve.back();
-    channels->add({"deflection", "m", {point.deflection}});
-    channels->add({"loaded_radius", "m", {point.loaded_radius}});
-    channels->add({"force", "N", {point.Fz}});
-    return channels;
-  }
-
- private:
-  std::vector<double> deflections_of(const LoadDeflection& test) const {
-    std::vector<double> deflections = test.deflections;
-    for (double radius : test.loaded_radii) deflections.push_back(inflated_->radius - radius);
-    return deflections;
-  }
-
-  void load_through(const std::vector<const LoadCase*>& cases) {
-    std::vector<double> all;
-    for (const LoadCase* load_case : cases) {
-      if (const auto* curve = std::get_if<LoadDeflection>(&load_case->test)) {
-        const auto some = deflections_of(*curve);
-        all.insert(all.end(), some.begin(), some.end());
-      } else if (const auto& modal = std::get<ModalTest>(load_case->test); modal.deflection) {
-        all.push_back(*modal.deflection);
-      }
-    }
-    std::erase_if(all, [](double deflection) { return deflection <= 0.0; });
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    if (all.empty()) return;
-    if (all.size() == 1) all = even_steps(all.front());
-    deflections_ = all;
-    loaded_ = tire_.load(*inflated_, all, setup_.ground);
-  }
-
-  static std::vector<double> even_steps(double deflection) {
-    std::vector<double> steps;
-    for (int i = 1; i < kModalSteps; ++i) steps.push_back(deflection * i / kModalSteps);
-    steps.push_back(deflection);
-    return steps;
-  }
-
-  LoadPoint point_at(double deflection) const {
-    LoadPoint point;
-    point.deflection = deflection;
-    point.loaded_radius = inflated_->radius - deflection;
-    if (deflection <= 0.0) return point;  // no contact
-    const auto at = std::find(deflections_.begin(), deflections_.end(), deflection);
-    assert(at != deflections_.end());
-    return (*loaded_)->curve[at - deflections_.begin()];
-  }
-
-  /// Where the shared loading ends deeper than this test, the tire is loaded again up to the test's
-  /// own state.
-  Result<Loaded> loaded_state(const ModalTest& test) const {
-    if (test.load) {
-      return load_to_force(tire_, *inflated_, *test.load, guess(*test.load), setup_.ground);
-    }
-    if (!*loaded_) return loaded_->failure();
-    if (*test.deflection == deflections_.back()) return *loaded_;
-    const auto end = std::upper_bound(deflections_.begin(), deflections_.end(), *test.deflection);
-    return tire_.load(*inflated_, {deflections_.begin(), end}, setup_.ground);
-  }
-
-  double guess(double load) const {
-    if (!loaded_ || !*loaded_) return load / kTypicalStiffness;
-    const LoadPoint& deepest = (*loaded_)->curve.back();
-    return deepest.Fz > 0.0 ? deepest.deflection * load / deepest.Fz : load / kTypicalStiffness;
-  }
-
-  Result<Channels> modal_channels(const ModalTest& test,
-                                  const Result<std::vector<fe_tire::Mode>>& modes) const {
-    if (!modes) return modes.failure();
-    const fe_tire::Mesh& mesh = tire_.mesh();
-    const auto sensors = nearest_sensors(mesh, test.points).nodes;
-    std::vector<ModeRecord> records;
-    for (const fe_tire::Mode& mode : *modes) {
-      ModeRecord record{mode.frequency, mode.n, mode.type, mode.phase, {}};
-      record.shape.resize(3 * static_cast<Eigen::Index>(sensors.size()));
-      for (size_t i = 0; i < sensors.size(); ++i) {
-        const int sector = sensors[i] / mesh.nodes_per_sector();
-        record.shape.segment<3>(3 * static_cast<Eigen::Index>(i)) =
-            mesh.frame(sector) * mode.shape.col(sensors[i]);
-      }
-      records.push_back(std::move(record));
-    }
-    return to_channels(records);
-  }
-
-  FeTire& tire_;
-  Setup setup_;
-  Result<Inflated> inflated_;
-  std::vector<double> deflections_;       // of loaded_, ascending
-  std::optional<Result<Loaded>> loaded_;  // none: no test here asks for a deflection
-};
+/// The way to the deepest of some deflections, through all that are on the ground.
+std::vector<double> way_through(std::vector<double> deflections) {
+  std::erase_if(deflections, [](double deflection) { return deflection <= 0.0; });
+  std::sort(deflections.begin(), deflections.end());
+  deflections.erase(std::unique(deflections.begin(), deflections.end()), deflections.end());
+  return deflections.size() == 1 ? even_steps(deflections.front()) : deflections;
+}
 
 }  // namespace
 
-std::vector<Result<Channels>> run(FeTire& tire, const std::vector<LoadCase>& cases) {
-  std::vector<std::optional<Result<Channels>>> results(cases.size());
-  for (size_t first = 0; first < cases.size(); ++first) {
-    if (results[first]) continue;
-    const Setup setup = setup_of(cases[first]);
-    std::vector<const LoadCase*> shared;
-    for (const LoadCase& other : cases) {
-      if (setup_of(other) == setup) shared.push_back(&other);
-    }
-    const Station station(tire, setup, shared);
-    for (size_t i = first; i < cases.size(); ++i) {
-      if (!(setup_of(cases[i]) == setup)) continue;
-      auto result = std::visit([&](const auto& test) { return station.run(test); }, cases[i].test);
-      if (!result) result = Failure{"experiment " + cases[i].name + ": " + result.failure().reason};
-      results[i] = std::move(result);
-    }
+const Result<Inflated>& TireRig::inflated(double pressure) {
+  if (!inflated_ || pressure_ != pressure) {
+    pressed_.reset();
+    pressure_ = pressure;
+    inflated_.emplace(tire_.inflate(pressure));
   }
-  std::vector<Result<Channels>> all;
-  for (auto& result : results) all.push_back(std::move(*result));
-  return all;
+  return *inflated_;
+}
+
+const Result<Loaded>& TireRig::pressed(const std::vector<double>& way,
+                                       const fe_tire::Ground& ground) {
+  const bool is_same = pressed_ && pressed_->way == way && pressed_->ground.mu == ground.mu &&
+                       pressed_->ground.stiffness == ground.stiffness;
+  if (!is_same) pressed_.emplace(Pressed{way, ground, tire_.load(**inflated_, way, ground)});
+  return pressed_->state;
+}
+
+Result<Channels> TireRig::run(const LoadDeflection& test) {
+  const auto& inflated = this->inflated(test.pressure.value_or(own_pressure_));
+  if (!inflated) return inflated.failure();
+  std::vector<double> deflections = test.deflections;
+  for (const double radius : test.loaded_radii) deflections.push_back(inflated->radius - radius);
+  const std::vector<double> way = way_through(deflections);
+  const Result<Loaded>* loaded = way.empty() ? nullptr : &pressed(way, test.ground);
+  if (loaded && !*loaded) return loaded->failure();
+
+  const auto point_at = [&](double deflection) {
+    LoadPoint point;
+    point.deflection = deflection;
+    point.loaded_radius = inflated->radius - deflection;
+    if (deflection <= 0.0) return point;  // no contact
+    const auto at = std::find(way.begin(), way.end(), deflection);
+    assert(at != way.end());
+    return (*loaded)->curve[at - way.begin()];
+  };
+  Channels channels;
+  const char* names[] = {
+      "deflection", "loaded_radius", "force", "patch_length", "patch_width", "patch_area"};
+  const char* units[] = {"m", "m", "N", "m", "m", "m^2"};
+  std::array<std::vector<double>, 6> columns;
+  for (const double deflection : deflections) {
+    const LoadPoint point = point_at(deflection);
+    const double row[] = {point.deflection,
+                          point.loaded_radius,
+                          point.Fz,
+                          point.patch.length,
+                          point.patch.width,
+                          point.patch.area};
+    for (size_t c = 0; c < columns.size(); ++c) columns[c].push_back(row[c]);
+  }
+  for (size_t c = 0; c < columns.size(); ++c) channels.add({names[c], units[c], columns[c]});
+  return channels;
+}
+
+Result<Channels> TireRig::run(const ModalTest& test) {
+  if (test.camber != 0.0)
+    throw InputError(
+        "modes of a finite-element tire are those of an upright one: expected no camber");
+  const auto& inflated = this->inflated(test.pressure.value_or(own_pressure_));
+  if (!inflated) return inflated.failure();
+  if (!test.loaded()) return modal_channels(test, tire_.modes(*inflated, test.count));
+  if (test.load) {
+    const auto state =
+        load_to_force(tire_, *inflated, *test.load, *test.load / kTypicalStiffness, test.ground);
+    return state ? standing_channels(test, *state) : state.failure();
+  }
+  const auto& state = pressed(even_steps(*test.deflection), test.ground);
+  return state ? standing_channels(test, *state) : state.failure();
+}
+
+Result<Channels> TireRig::standing_channels(const ModalTest& test, const Loaded& state) {
+  auto channels = modal_channels(test, tire_.modes(state, test.count));
+  if (!channels) return channels;
+  const LoadPoint& point = state.curve.back();
+  channels->add({"deflection", "m", {point.deflection}});
+  channels->add({"loaded_radius", "m", {point.loaded_radius}});
+  channels->add({"force", "N", {point.Fz}});
+  return channels;
+}
+
+Result<Channels> TireRig::modal_channels(const ModalTest& test,
+                                         const Result<std::vector<fe_tire::Mode>>& modes) const {
+  if (!modes) return modes.failure();
+  const fe_tire::Mesh& mesh = tire_.mesh();
+  const auto sensors = nearest_sensors(mesh, test.points).nodes;
+  std::vector<ModeRecord> records;
+  for (const fe_tire::Mode& mode : *modes) {
+    ModeRecord record{mode.frequency, mode.n, mode.type, mode.phase, {}};
+    record.shape.resize(3 * static_cast<Eigen::Index>(sensors.size()));
+    for (size_t i = 0; i < sensors.size(); ++i) {
+      const int sector = sensors[i] / mesh.nodes_per_sector();
+      record.shape.segment<3>(3 * static_cast<Eigen::Index>(i)) =
+          mesh.frame(sector) * mode.shape.col(sensors[i]);
+    }
+    records.push_back(std::move(record));
+  }
+  return to_channels(records);
 }
 
 namespace {

@@ -7,11 +7,12 @@
 // of a modal test: those of mode_record.h, and of a loaded one "deflection", "loaded_radius",
 // "force" (one value).
 //
-// Load cases of one pressure and one ground share the inflation and the loading: the tire is
-// pressed once through all their deflections, ascending. With friction the way there is part of the
-// result, so it is the same for all of them.
+// A test goes its own way: a curve is pressed once through its deflections, ascending; a single
+// deflection is reached in five even steps. So its recording does not depend on other tests. The
+// inflated tire and the last way are kept: a test that goes exactly there finds the same bits.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
@@ -21,8 +22,33 @@
 
 namespace latsch::experiment {
 
-/// One result a load case, in their order. A Failure names its experiment.
-std::vector<Result<Channels>> run(fe_tire::FeTire& tire, const std::vector<LoadCase>& cases);
+class TireRig {
+ public:
+  /// Refers to the tire. `own_pressure`, Pa: of tests that state none.
+  TireRig(fe_tire::FeTire& tire, double own_pressure) : tire_(tire), own_pressure_(own_pressure) {}
+
+  Result<Channels> run(const LoadDeflection& test);
+  Result<Channels> run(const ModalTest& test);
+
+ private:
+  struct Pressed {
+    std::vector<double> way;  // deflections, m
+    fe_tire::Ground ground;
+    Result<fe_tire::Loaded> state;
+  };
+
+  const Result<fe_tire::Inflated>& inflated(double pressure);
+  const Result<fe_tire::Loaded>& pressed(const std::vector<double>& way,
+                                         const fe_tire::Ground& ground);
+  Result<Channels> standing_channels(const ModalTest& test, const fe_tire::Loaded& state);
+  Result<Channels> modal_channels(const ModalTest& test,
+                                  const Result<std::vector<fe_tire::Mode>>& modes) const;
+
+  fe_tire::FeTire& tire_;
+  double own_pressure_, pressure_ = 0.0;
+  std::optional<Result<fe_tire::Inflated>> inflated_;  // at pressure_
+  std::optional<Pressed> pressed_;                     // from inflated_
+};
 
 /// Points for shapes where no laboratory prescribes them: up to 3 sensors across the outer surface
 /// at up to 24 places around, [3 x points], m, wheel frame.

@@ -20,21 +20,15 @@ fe_tire::ModeType type_of(const ring_tire::StandingMode& mode) {
 
 }  // namespace
 
-VibrationTest read_vibration_test(const Node& root) {
-  constexpr long kMost = 200;
-  root.choice("kind", {"modes"});
-  VibrationTest test;
-  if (root.has("load")) test.load = root.quantity("load", "N", Range::positive());
-  if (root.has("deflection")) test.deflection = root.quantity("deflection", "m", Range::positive());
-  if (test.load && test.deflection)
-    root.reject("deflection", "stands beside load, expected one of them or none");
-  test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
-  test.count = static_cast<int>(root.integer("count", 1, kMost, test.count));
-  root.close();
-  return test;
-}
-
-Result<Channels> run(ring_tire::RingTire& tire, const VibrationTest& test) {
+Result<Channels> run(ring_tire::RingTire& tire, const ModalTest& test) {
+  if (test.pressure || test.ground.mu != 0.0)
+    throw InputError(
+        "a flexible ring has pressure and friction in its own file: expected a test of "
+        "modes without them");
+  if (test.points.cols() > 0)
+    throw InputError(
+        "modes of a flexible ring are paired by label: expected a measurement without "
+        "shapes");
   if (test.count > tire.parameters().nodes)
     return Failure{
         "a ring has few modes that mean something: expected a count of at most its nodes"};

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The modes of a tire with its rim held, off the ground or standing on it.
-//
-//   kind = "modes"
-//   load = "4 kN"                    # or deflection = "20 mm"; neither: in the air
-//   camber = "2 deg"                 # about x, top to the right; default 0
-//   count = 12                       # lowest modes; default 10
+// The modes of a flexible ring with its rim held, off the ground or standing on it.
 //
 // Channels, one value a mode: "frequency" (Hz), "damping" (of critical), and "n", "type", "phase"
 // in the codes of mode_record.h.
 #pragma once
 
-#include <optional>
-
-#include "base/document.h"
 #include "base/result.h"
+#include "experiment/rigs/load_case.h"
 #include "measurement/channels.h"
 
 namespace latsch::ring_tire {
@@ -22,16 +15,6 @@ class RingTire;
 
 namespace latsch::experiment {
 
-struct VibrationTest {
-  std::optional<double> load = {};        // N; one of the two, or none
-  std::optional<double> deflection = {};  // m
-  double camber = 0.0;                    // rad
-  int count = 10;
-};
-
-/// Throws InputError naming the place; unknown keys too.
-VibrationTest read_vibration_test(const Node& root);
-
-Result<Channels> run(ring_tire::RingTire& tire, const VibrationTest& test);
+Result<Channels> run(ring_tire::RingTire& tire, const ModalTest& test);
 
 }  // namespace latsch::experiment

@@ -5,15 +5,18 @@
 #include <array>
 #include <cmath>
 
+#include "experiment/tests/drum_cleat.h"
+
 namespace latsch::experiment {
 namespace {
 
 constexpr std::array kForces = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
 constexpr const char* kSegments = "belt.nodes";
 
-Result<Channels> run_on_drum(const TireKind& kind, const Document& numbers, const DrumTest& test) {
-  const auto tire = kind.build(numbers);
-  return run(*tire, test);
+Result<Channels> run_on_drum(const SpecimenKind& kind,
+                             const Document& numbers,
+                             const DrumTest& test) {
+  return DrumCleatTest(test).run(*kind.build(numbers));
 }
 
 double rms(const std::vector<double>& values) {
@@ -36,7 +39,7 @@ double rms_of_difference(std::vector<double> one, const std::vector<double>& oth
 
 }  // namespace
 
-Result<std::vector<ChannelConvergence>> drum_convergence(const TireKind& kind,
+Result<std::vector<ChannelConvergence>> drum_convergence(const SpecimenKind& kind,
                                                          const Document& numbers,
                                                          const DrumTest& test) {
   const auto given = run_on_drum(kind, numbers, test);

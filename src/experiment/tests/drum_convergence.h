@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiment/kinds/tire_kind.h"
+#include "experiment/language/specimen.h"
 #include "experiment/rigs/drum_rig.h"
 
 namespace latsch::experiment {
@@ -21,7 +21,7 @@ struct ChannelConvergence {
 };
 
 /// Of Fx .. Mz; a Failure where one of the runs has no solution.
-Result<std::vector<ChannelConvergence>> drum_convergence(const TireKind& kind,
+Result<std::vector<ChannelConvergence>> drum_convergence(const SpecimenKind& kind,
                                                          const Document& numbers,
                                                          const DrumTest& test);
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "experiment/language.h"
+
 namespace latsch::experiment {
 namespace {
 
@@ -32,7 +34,7 @@ TEST(DrumConvergence, AStepChangesFourTimesLessWhenHalved) {
   std::vector<ChannelConvergence> runs[2];
   for (int i = 0; i < 2; ++i) {
     const auto found =
-        drum_convergence(*find_tire_kind("ring_tire"), ring, test_with(5e-4 / (1 + i)));
+        drum_convergence(*language().find_kind("ring_tire"), ring, test_with(5e-4 / (1 + i)));
     ASSERT_TRUE(found) << found.failure().reason;
     ASSERT_EQ(found->size(), 6u);
     runs[i] = *found;

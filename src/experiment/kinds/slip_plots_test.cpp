@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/basic_data/slip_plots.h"
+#include "experiment/kinds/slip_plots.h"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 
-#include "evaluation/trial/scratch_folder_testing.h"
+#include "base/scratch_folder_testing.h"
 #include "experiment/kinds/sparse_tir_testing.h"
 #include "experiment/kinds/tir_numbers.h"
 
-namespace latsch::correlation {
+namespace latsch::experiment {
 namespace {
 
 std::vector<std::string> plots_of(const std::string& coefficients) {
@@ -49,4 +49,4 @@ TEST(SlipPlots, ShowNothingVariedThatChangesNothing) {
 }
 
 }  // namespace
-}  // namespace latsch::correlation
+}  // namespace latsch::experiment

@@ -8,10 +8,10 @@
 #include "models/magic_formula/magic_formula.h"
 #include "report/line_plot.h"
 
-namespace latsch::correlation {
+namespace latsch::experiment {
 
 /// Fy and Mz over side slip, Fx over longitudinal slip, Fy over Fx. None for a tire without nominal
 /// load; those by pressure are left out where the tire does not depend on it.
 std::vector<report::LinePlot> slip_plots(const magic_formula::MagicFormula& tire);
 
-}  // namespace latsch::correlation
+}  // namespace latsch::experiment

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/observable/curve_experiment.h"
+#include "correlation/observable/curve.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "base/file.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "formats/tables/csv_table.h"
+#include "report/report.h"
 
 namespace latsch::correlation {
 namespace {
@@ -97,7 +100,7 @@ double interpolated(const std::vector<double>& xs, const std::vector<double>& ys
   return ys[i - 1] + share * (ys[i] - ys[i - 1]);
 }
 
-void take_what_is_compared(const Node& table, CurveExperiment& curve) {
+void take_what_is_compared(const Node& table, CurveMeasurement& curve) {
   constexpr double kLevelScale = 10.0;  // dB: ten times the power is an error of 100 %
   const ComparedCurve what = curve.comparison.what;
   const bool spectrum = curve.comparison.of_spectrum();
@@ -121,7 +124,7 @@ std::vector<double> scaled(const std::vector<double>& values, double scale) {
 }
 
 /// The measured y less the distances of the measured points from the simulated path.
-std::vector<double> path_values(const CurveExperiment& curve,
+std::vector<double> path_values(const CurveMeasurement& curve,
                                 const std::vector<double>& x,
                                 const std::vector<double>& y) {
   const double x_scale = curve.comparison.x_scale;
@@ -137,10 +140,10 @@ std::vector<double> path_values(const CurveExperiment& curve,
 
 }  // namespace
 
-CurveExperiment read_curve(const Node& table,
-                           const std::filesystem::path& measurement,
-                           const std::vector<KnownChannel>& channels) {
-  CurveExperiment curve;
+std::shared_ptr<const Curve> read_curve(const Node& table,
+                                        const std::filesystem::path& measurement,
+                                        const std::vector<KnownChannel>& channels) {
+  CurveMeasurement curve;
   curve.x = table.text("x", "");
   curve.y = table.text("y");
   if (!curve.x.empty()) curve.x_shown = known_channel(table, "x", channels, curve.x).unit;
@@ -156,18 +159,16 @@ CurveExperiment read_curve(const Node& table,
   if (curve.y_measured.empty()) table.reject("measurement", "has no row of numbers");
   curve.comparison = read_comparison(table, curve.x_measured, curve.y_measured, curve.x_unit);
   take_what_is_compared(table, curve);
-  return curve;
+  return std::make_shared<Curve>(std::move(curve));
 }
 
-std::vector<std::string> value_names(const CurveExperiment& curve) {
+std::vector<std::string> Curve::rows() const {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < curve.y_compared.size(); ++i) {
-    names.push_back(curve.x_compared.empty()
-                        ? fmt::format("{}, sample {}", curve.compared_name, i + 1)
-                        : fmt::format("{} at {:g} {}",
-                                      curve.compared_name,
-                                      curve.x_compared[i],
-                                      curve.x_compared_unit));
+  for (std::size_t i = 0; i < c_.y_compared.size(); ++i) {
+    names.push_back(
+        c_.x_compared.empty()
+            ? fmt::format("{}, sample {}", c_.compared_name, i + 1)
+            : fmt::format("{} at {:g} {}", c_.compared_name, c_.x_compared[i], c_.x_compared_unit));
   }
   return names;
 }
@@ -175,7 +176,7 @@ std::vector<std::string> value_names(const CurveExperiment& curve) {
 namespace {
 
 /// Simulated y at the measured abscissas.
-Result<std::vector<double>> at_measured(const CurveExperiment& curve,
+Result<std::vector<double>> at_measured(const CurveMeasurement& curve,
                                         const std::vector<double>& x,
                                         const std::vector<double>& y) {
   const auto falls = std::adjacent_find(x.begin(), x.end(), std::greater_equal<>());
@@ -199,55 +200,163 @@ Result<std::vector<double>> at_measured(const CurveExperiment& curve,
 
 }  // namespace
 
-Result<std::vector<double>> simulated_curve(const CurveExperiment& curve,
-                                            const Channels& channels) {
-  const Channel* y = channels.find(curve.y);
-  if (!y) return wrong(curve.y, "is missing");
-  if (curve.x.empty()) {
-    if (y->values.size() == curve.y_measured.size()) {
-      return compared_values(curve.comparison, y->values);
-    }
+Result<std::vector<double>> Curve::simulated(const Channels& trial) const {
+  const Channel* y = trial.find(c_.y);
+  if (!y) return wrong(c_.y, "is missing");
+  if (c_.x.empty()) {
+    if (y->values.size() == c_.y_measured.size()) return compared_values(c_.comparison, y->values);
     return wrong(
-        curve.y,
+        c_.y,
         fmt::format(
-            "has {} values, expected {} as measured", y->values.size(), curve.y_measured.size()));
+            "has {} values, expected {} as measured", y->values.size(), c_.y_measured.size()));
   }
-  const Channel* x = channels.find(curve.x);
-  if (!x) return wrong(curve.x, "is missing");
+  const Channel* x = trial.find(c_.x);
+  if (!x) return wrong(c_.x, "is missing");
   if (x->values.size() != y->values.size() || x->values.empty()) {
-    return wrong(curve.x,
+    return wrong(c_.x,
                  fmt::format("has {} values and \"{}\" {}, expected as many",
                              x->values.size(),
-                             curve.y,
+                             c_.y,
                              y->values.size()));
   }
-  if (curve.comparison.what == ComparedCurve::path) {
-    if (x->values.size() < 2) return wrong(curve.x, "has 1 value, expected a path of 2 at least");
-    return path_values(curve, x->values, y->values);
+  if (c_.comparison.what == ComparedCurve::path) {
+    if (x->values.size() < 2) return wrong(c_.x, "has 1 value, expected a path of 2 at least");
+    return path_values(c_, x->values, y->values);
   }
-  auto values = at_measured(curve, x->values, y->values);
+  auto values = at_measured(c_, x->values, y->values);
   if (!values) return values;
-  return compared_values(curve.comparison, *values);
+  return compared_values(c_.comparison, *values);
 }
 
-Result<Comparison> compare_curve(const CurveExperiment& curve,
-                                 const Channels& channels,
-                                 const ObjectiveSettings& settings) {
-  const auto simulated = simulated_curve(curve, channels);
-  if (!simulated) return simulated.failure();
+std::string Curve::compared(const ObjectiveSettings&) const { return c_.compared_name; }
+
+std::string Curve::whole() const { return fmt::format("{:g} {}", c_.scale, c_.y_compared_unit); }
+
+std::vector<std::string> Curve::asks() const {
+  if (c_.x.empty()) return {c_.y};
+  return {c_.x, c_.y};
+}
+
+std::vector<double> Curve::deviations(const MeasurementNoise& noise,
+                                      const ObjectiveSettings&) const {
+  return std::vector<double>(values(), std::hypot(noise.relative, noise.absolute / c_.scale));
+}
+
+Result<Comparison> Curve::compare(const Channels& trial, const ObjectiveSettings& settings) const {
+  const auto found = simulated(trial);
+  if (!found) return found.failure();
   Comparison comparison;
-  for (std::size_t i = 0; i < simulated->size(); ++i) {
-    const double d = (curve.y_compared[i] - (*simulated)[i]) / curve.scale;
+  for (std::size_t i = 0; i < found->size(); ++i) {
+    const double d = (c_.y_compared[i] - (*found)[i]) / c_.scale;
     comparison.errors.push_back(d);
     comparison.value += std::pow(std::abs(d), settings.exponent);
     comparison.mean_error += std::abs(d);
     comparison.largest_error = std::max(comparison.largest_error, std::abs(d));
   }
-  const auto count = static_cast<double>(simulated->size());
+  const auto count = static_cast<double>(found->size());
   comparison.value /= count;
   comparison.differences = comparison.errors;
   comparison.mean_error /= count;
   return comparison;
+}
+
+namespace {
+
+std::vector<double> values_of(const Channels& channels, const std::string& name) {
+  const Channel* channel = channels.find(name);
+  return channel ? channel->values : std::vector<double>{};
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> Curve::write(const Channels& trial,
+                                                const MeasurementFiles& files) const {
+  Channels columns;
+  if (files.is_shared) {
+    columns = formats::CsvTable::read(files.values).channels();
+  }
+  const auto take = [&](const std::string& name, const std::string& unit) {
+    const std::vector<double>& values = trial[name];
+    if (!columns.empty() && columns.all().front().values.size() != values.size()) {
+      throw InputError({files.values.string(), 0},
+                       "is the measurement of experiments with different numbers of values: a twin "
+                       "needs a file for each of them");
+    }
+    if (!columns.find(last_part(name))) columns.add({last_part(name), unit, values});
+  };
+  if (!c_.x.empty()) take(c_.x, c_.x_unit);
+  take(c_.y, c_.y_unit);
+  write_text_file(files.values, "# " + files.comment + "\n" + formats::csv_text(columns));
+  return {files.values};
+}
+
+void Curve::draw(const ShownExperiment& shown, report::StudyReport& page) const {
+  report::MeasuredCurve picture;
+  picture.experiment = shown.name;
+  picture.conditions = shown.conditions;
+  picture.fitted = shown.fitted;
+  picture.of_design = shown.of_design;
+  picture.errors = shown.comparison.errors;
+  const bool is_spectrum = c_.comparison.of_spectrum();
+  if (is_spectrum || c_.comparison.what == ComparedCurve::about_mean) {
+    // what is compared, in the place of the time series
+    picture.x_name = is_spectrum ? "frequency" : c_.x;
+    picture.y_name = c_.compared_name;
+    picture.x_unit = is_spectrum ? c_.x_compared_unit : c_.x_shown;
+    picture.y_unit = is_spectrum ? c_.y_compared_unit : c_.y_shown;
+    picture.x_measured = picture.x_simulated = c_.x_compared;
+    picture.y_measured = c_.y_compared;
+    if (const auto found = simulated(shown.found)) picture.y_simulated = *found;
+    const Result<std::vector<double>> start =
+        shown.initial ? simulated(*shown.initial) : Failure{"not simulated"};
+    if (start) {
+      picture.x_initial = c_.x_compared;
+      picture.y_initial = *start;
+    }
+  } else {
+    picture.x_name = c_.x;
+    picture.y_name = c_.y;
+    picture.x_unit = c_.x_shown;
+    picture.y_unit = c_.y_shown;
+    picture.x_measured = c_.x_measured;
+    picture.y_measured = c_.y_measured;
+    picture.x_simulated = values_of(shown.found, c_.x);
+    picture.y_simulated = values_of(shown.found, c_.y);
+    if (shown.initial) {
+      picture.x_initial = values_of(*shown.initial, c_.x);
+      picture.y_initial = values_of(*shown.initial, c_.y);
+    }
+  }
+  page.curves.push_back(std::move(picture));
+}
+
+std::string Curve::table(const Channels& trial, const Comparison& comparison) const {
+  const auto found = simulated(trial);
+  std::string text = fmt::format("  {:>16} {:>18} {:>18} {:>9}\n",
+                                 c_.x_compared.empty() ? "sample" : "at " + c_.x_compared_unit,
+                                 "measured " + c_.y_compared_unit,
+                                 "simulated " + c_.y_compared_unit,
+                                 "error %");
+  for (std::size_t i = 0; found && i < found->size(); ++i) {
+    text += fmt::format("  {:16.6g} {:18.6g} {:18.6g} {:9.2f}\n",
+                        c_.x_compared.empty() ? static_cast<double>(i + 1) : c_.x_compared[i],
+                        c_.y_compared[i],
+                        (*found)[i],
+                        comparison.errors[i] * 100.0);
+  }
+  return text;
+}
+
+std::pair<std::string, nlohmann::ordered_json> Curve::answer(const Channels& trial,
+                                                             const Comparison& comparison) const {
+  const auto found = simulated(trial);
+  return {"curve",
+          {{"at", json_of(c_.x_compared)},
+           {"at_unit", c_.x_compared.empty() ? "" : c_.x_compared_unit},
+           {"measured", json_of(c_.y_compared)},
+           {"simulated", found ? json_of(*found) : nlohmann::ordered_json(nullptr)},
+           {"unit", c_.y_compared_unit},
+           {"error", json_of(comparison.errors)}}};
 }
 
 }  // namespace latsch::correlation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/basic_data/slip_plots.h"
+#include "experiment/kinds/slip_plots.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "report/html_text.h"
 
-namespace latsch::correlation {
+namespace latsch::experiment {
 namespace {
 
 using magic_formula::MagicFormula;
@@ -155,4 +155,4 @@ std::vector<LinePlot> slip_plots(const MagicFormula& tire) {
   return plots;
 }
 
-}  // namespace latsch::correlation
+}  // namespace latsch::experiment

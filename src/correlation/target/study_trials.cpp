@@ -1,120 +1,106 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/target/tire_trials.h"
+#include "correlation/target/study_trials.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <numeric>
 #include <optional>
 
-#include "correlation/study/variables.h"
 #include "correlation/target/predictions.h"
-#include "experiment/rigs/tire_rig.h"
 
 namespace latsch::correlation {
-
-using fe_tire::FeTire;
-
-TireTrials::TireTrials(const Study& study) : study_(study) {}
-
-FeTire& TireTrials::tire_at(const DesignPoint& point) {
-  const auto description = fe_tire::read_tire(at(study_.model, study_.space, point).root());
-  fe_tire::Materials materials = fe_tire::build_materials(description);
-  if (tire_ && fe_tire::same_mesh(*description_, description)) {
-    tire_->set(std::move(materials));
-  } else {
-    fe_tire::SolverSettings settings;
-    settings.element = description.element;
-    tire_.emplace(fe_tire::build_mesh(description), std::move(materials), settings);
-  }
-  description_ = description;
-  return *tire_;
-}
-
-Result<Channels> TireTrials::run(const DesignPoint& point, bool predicted) {
-  std::vector<const StudyExperiment*> experiments;
-  std::vector<experiment::LoadCase> cases;
-  for (const StudyExperiment& experiment : study_.experiments) {
-    if (!experiment.fitted && !predicted) continue;
-    experiments.push_back(&experiment);
-    cases.push_back(experiment.load_case);
-  }
-  std::vector<Result<Channels>> results;
-  try {
-    results = experiment::run(tire_at(point), cases);
-  } catch (const InputError& error) {  // the bounds were checked one by one, not every combination
-    return Failure{std::string("the model does not accept this point: ") + error.what()};
-  }
-  Channels all;
-  for (size_t e = 0; e < results.size(); ++e) {
-    if (!results[e]) return results[e].failure();
-    for (Channel channel : results[e]->all()) {
-      channel.name = experiments[e]->name + "/" + channel.name;
-      all.add(std::move(channel));
-    }
-  }
-  return all;
-}
-
 namespace {
 
-/// A trial that leaves too little behind for an experiment has failed.
-Result<Channels> checked(Result<Channels> channels,
-                         const std::vector<StudyExperiment>& experiments) {
-  for (const StudyExperiment& experiment : experiments) {
-    if (!channels) break;
-    const auto simulated = simulated_curve(*experiment.curve, *channels);
-    if (!simulated) channels = Failure(simulated.failure());
+/// Specimens of earlier points, for whoever builds the next one.
+class Reuse {
+ public:
+  std::unique_ptr<experiment::Specimen> take() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return nullptr;
+    auto one = std::move(idle_.back());
+    idle_.pop_back();
+    return one;
   }
-  return channels;
-}
-
-Evaluator simulator_trials(const Study& study) {
-  const Evaluator program = evaluator(*study.simulator, study.space);
-  return [program, experiments = study.experiments](const DesignPoint& point) {
-    return checked(program(point), experiments);
-  };
-}
-
-Evaluator rolling_trials(const Study& study) {
-  std::vector<StudyExperiment> fitted;
-  for (const StudyExperiment& experiment : study.experiments) {
-    if (experiment.fitted) fitted.push_back(experiment);
+  void give_back(std::unique_ptr<experiment::Specimen> one) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(one));
   }
-  return [study, fitted, tests = tests_asked_for(study)](
-             const DesignPoint& point) -> Result<Channels> {
-    try {
-      return checked(correlation::run(*study.rolling, at(study.model, study.space, point), tests),
-                     fitted);
-    } catch (const InputError& error) {  // as of a tire of finite elements
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<experiment::Specimen>> idle_;
+};
+
+class StudyTrials {
+ public:
+  explicit StudyTrials(const Study& study) : study_(study) {
+    const auto asked = tests_asked_for(study);
+    for (const StudyTest& test : study.tests) {
+      if (std::find(asked.begin(), asked.end(), test.name) != asked.end()) tests_.push_back(test);
+    }
+    for (const StudyExperiment& experiment : study.experiments)
+      if (experiment.fitted) fitted_.push_back(experiment);
+  }
+
+  Result<Channels> run(const DesignPoint& point) {
+    std::unique_ptr<experiment::Specimen> specimen;
+    try {  // the bounds were checked one by one, not every combination
+      specimen = study_.specimens->at(study_, point, reuse_.take());
+    } catch (const InputError& error) {
       return Failure{std::string("the model does not accept this point: ") + error.what()};
     }
-  };
-}
+    Channels trial;
+    for (const StudyTest& test : tests_) {
+      auto recording = recorded(test, *specimen);
+      if (!recording) {
+        reuse_.give_back(std::move(specimen));
+        return recording;
+      }
+      for (Channel channel : recording->all()) {
+        if (!test.name.empty()) channel.name = test.name + "/" + channel.name;
+        trial.add(std::move(channel));
+      }
+    }
+    reuse_.give_back(std::move(specimen));
+    // A trial that leaves too little behind for an experiment has failed.
+    for (const StudyExperiment& experiment : fitted_) {
+      const auto comparison = experiment.observable->compare(trial, experiment.objective);
+      if (!comparison) return comparison.failure();
+    }
+    return trial;
+  }
+
+ private:
+  static Result<Channels> recorded(const StudyTest& test, experiment::Specimen& specimen) {
+    auto recording = [&]() -> Result<Channels> {
+      try {
+        return test.test->run(specimen);
+      } catch (const InputError& error) {
+        return Failure{std::string("the model does not accept this point: ") + error.what()};
+      }
+    }();
+    if (recording || test.name.empty()) return recording;
+    return Failure{test.in_words() + ": " + recording.failure().reason, recording.failure().cause};
+  }
+
+  Study study_;
+  std::vector<StudyTest> tests_;
+  std::vector<StudyExperiment> fitted_;
+  Reuse reuse_;
+};
 
 }  // namespace
 
 Evaluator evaluator(const Study& study) {
-  if (study.simulator) return simulator_trials(study);
-  if (study.rolling) return rolling_trials(study);
-  return [trials = std::make_shared<TireTrials>(study)](const DesignPoint& point) {
+  return [trials = std::make_shared<StudyTrials>(study)](const DesignPoint& point) {
     return trials->run(point);
   };
 }
 
 Result<Channels> simulate_all(const Study& study, const DesignPoint& point) {
-  if (study.has_fe_tire()) return TireTrials(study).run(point, /*predicted=*/true);
-  return evaluate(evaluator(study.rolling ? with_predictions(study) : study), point).result;
-}
-
-Channels channels_of(const StudyExperiment& experiment, const Channels& trial) {
-  if (experiment.curve) return trial;
-  const std::string prefix = experiment.name + "/";
-  Channels own;
-  for (Channel channel : trial.all()) {
-    if (!channel.name.starts_with(prefix)) continue;
-    channel.name.erase(0, prefix.size());
-    own.add(std::move(channel));
-  }
-  return own;
+  return evaluate(evaluator(with_predictions(study)), point).result;
 }
 
 namespace {
@@ -204,11 +190,9 @@ Objective objective(const Study& study) {
         std::vector<Comparison> comparisons;
         Score score;
         for (const StudyExperiment& experiment : fitted) {
-          if (experiment.curve) {  // a measurement may have grown since the trial
-            const auto simulated = simulated_curve(*experiment.curve, channels);
-            if (!simulated) return simulated.failure();
-          }
-          comparisons.push_back(compare(experiment, channels_of(experiment, channels)));
+          auto comparison = experiment.observable->compare(channels, experiment.objective);
+          if (!comparison) return comparison.failure();  // a measurement may have grown since
+          comparisons.push_back(std::move(*comparison));
           weigh(experiment, common, comparisons.back());
         }
         score.value = target(comparisons, weights);

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// A curve y(x) of channels that a test records, beside a measured one.
+//
+//   [experiment.step]
+//   kind = "curve"
+//   x = "response/time"                # channels: OUTPUT/QUANTITY; without x, sample by sample
+//   y = "response/z"
+//   measurement = "step.csv"           # columns time and z, as the channels are called
+//   frame = "W"                        # of a measured force or moment; a column may say it itself
+//                                      # ("FyW"). Not that of the test (rigs/hub_frame.h):
+//                                      # refused. Default: taken for the test's
+//   scale = "10 mm"                    # an error of 100 %; the largest |y| unless given
+//   compare = "values"                 # or "about_mean", "psd", "band_levels", "path": what of it
+//                                      # is compared, see curve_comparison.h
+//
+// An error is
+//
+//   d_i = (y_i^mea - y^sim(x_i^mea)) / scale       the simulated curve linear between its samples
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/document.h"
+#include "correlation/observable/curve_comparison.h"
+#include "correlation/observable/known_channels.h"
+#include "correlation/observable/observable.h"
+
+namespace latsch::correlation {
+
+struct CurveMeasurement {
+  std::string x;  // channel; empty: compared sample by sample
+  std::string y;
+  std::string x_unit = "1", y_unit = "1";      // SI
+  std::string x_shown = "1", y_shown = "1";    // units people read
+  std::vector<double> x_measured, y_measured;  // SI
+  double scale = 1.0;                          // of what is compared
+
+  CurveComparison comparison;
+  /// What is compared, of the measurement: the measured curve itself, or its spectrum over Hz.
+  std::string compared_name;                     // "response/z", "PSD of response/z"
+  std::string x_compared_unit, y_compared_unit;  // SI
+  std::vector<double> x_compared, y_compared;
+};
+
+class Curve : public Observable {
+ public:
+  explicit Curve(CurveMeasurement measured) : c_(std::move(measured)) {}
+
+  const CurveMeasurement& measured() const { return c_; }
+  /// What is compared, of the simulation: one value for each of y_compared. Of a path, the measured
+  /// value less its distance. A Failure where there are too few values, x does not rise (but for a
+  /// path) or the measurement reaches beyond it.
+  Result<std::vector<double>> simulated(const Channels& trial) const;
+
+  std::string kind() const override { return "curve"; }
+  std::string compared(const ObjectiveSettings& settings) const override;
+  std::string over() const override { return c_.x.empty() ? "sample by sample" : "over " + c_.x; }
+  std::string whole() const override;
+  std::vector<std::string> asks() const override;
+  std::size_t values() const override { return c_.y_compared.size(); }
+  std::vector<std::string> rows() const override;
+  std::string unit() const override { return c_.y_compared_unit; }
+  std::vector<double> deviations(const MeasurementNoise& noise,
+                                 const ObjectiveSettings& settings) const override;
+  Result<Comparison> compare(const Channels& trial,
+                             const ObjectiveSettings& settings) const override;
+  std::vector<std::filesystem::path> write(const Channels& trial,
+                                           const MeasurementFiles& files) const override;
+  void draw(const ShownExperiment& shown, report::StudyReport& page) const override;
+  std::string table(const Channels& trial, const Comparison& comparison) const override;
+  std::pair<std::string, nlohmann::ordered_json> answer(
+      const Channels& trial, const Comparison& comparison) const override;
+
+ private:
+  CurveMeasurement c_;
+};
+
+/// Throws InputError where there is no such channel or the measurement has not these columns.
+std::shared_ptr<const Curve> read_curve(const Node& table,
+                                        const std::filesystem::path& measurement,
+                                        const std::vector<KnownChannel>& channels);
+
+}  // namespace latsch::correlation

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/observable/force_curve.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/units.h"
+#include "formats/tables/measurement_file.h"
+#include "report/report.h"
+
+namespace latsch::correlation {
+
+ForceCurve::ForceCurve(std::string test, LoadDeflectionCurve measured)
+    : test_(std::move(test)), measured_(std::move(measured)) {}
+
+const std::vector<double>& ForceCurve::channel(const Channels& trial, const char* name) const {
+  return trial[test_ + "/" + name];
+}
+
+std::string ForceCurve::compared(const ObjectiveSettings& settings) const {
+  return settings.compared == Compared::force ? "force" : "root of force";
+}
+
+std::vector<std::string> ForceCurve::asks() const { return {test_ + "/force"}; }
+
+std::vector<std::string> ForceCurve::rows() const {
+  std::vector<std::string> names;
+  for (const double x : measured_.position) names.push_back(format_quantity(x, "mm", 4));
+  return names;
+}
+
+std::vector<double> ForceCurve::deviations(const MeasurementNoise& noise,
+                                           const ObjectiveSettings& settings) const {
+  // A root is off by half as much, relative.
+  const double part = settings.compared == Compared::root_force ? 0.5 : 1.0;
+  std::vector<double> deviations;
+  for (const double F : measured_.force)
+    deviations.push_back(part * std::hypot(noise.relative, noise.absolute / F));
+  return deviations;
+}
+
+Result<Comparison> ForceCurve::compare(const Channels& trial,
+                                       const ObjectiveSettings& settings) const {
+  const std::vector<double>& simulated = channel(trial, "force");
+  if (simulated.size() != measured_.force.size()) {
+    return Failure{fmt::format("channel \"{}/force\" has {} values, expected {} as measured",
+                               test_,
+                               simulated.size(),
+                               measured_.force.size()),
+                   Cause::bad_output};
+  }
+  return compare_forces(measured_.force, simulated, settings);
+}
+
+std::vector<std::filesystem::path> ForceCurve::write(const Channels& trial,
+                                                     const MeasurementFiles& files) const {
+  LoadDeflectionCurve curve = measured_;
+  const bool radii = curve.abscissa == Abscissa::loaded_radius;
+  curve.position = channel(trial, radii ? "loaded_radius" : "deflection");
+  curve.force = channel(trial, "force");
+  curve.spread.clear();
+  formats::write_load_deflection(files.values, curve, files.comment);
+  return {files.values};
+}
+
+void ForceCurve::draw(const ShownExperiment& shown, report::StudyReport& page) const {
+  report::ForceCurve curve;
+  curve.experiment = shown.name;
+  curve.conditions = shown.conditions;
+  curve.fitted = shown.fitted;
+  curve.of_design = shown.of_design;
+  curve.over_loaded_radius = measured_.abscissa == Abscissa::loaded_radius;
+  curve.abscissa = measured_.position;
+  curve.measured = measured_.force;
+  curve.simulated = channel(shown.found, "force");
+  if (shown.initial) curve.initial = channel(*shown.initial, "force");
+  page.forces.push_back(std::move(curve));
+}
+
+std::string ForceCurve::table(const Channels& trial, const Comparison& comparison) const {
+  std::string text = fmt::format("  {:>13} {:>16} {:>13} {:>13} {:>9} {:>10} {:>9} {:>10}\n",
+                                 "deflection mm",
+                                 "loaded radius mm",
+                                 "measured N",
+                                 "simulated N",
+                                 "error %",
+                                 "length mm",
+                                 "width mm",
+                                 "area cm^2");
+  for (std::size_t j = 0; j < measured_.force.size(); ++j) {
+    text += fmt::format("  {:13.3f} {:16.3f} {:13.1f} {:13.1f} {:9.2f} {:10.1f} {:9.1f} {:10.1f}\n",
+                        channel(trial, "deflection")[j] * 1e3,
+                        channel(trial, "loaded_radius")[j] * 1e3,
+                        measured_.force[j],
+                        channel(trial, "force")[j],
+                        comparison.errors[j] * 100.0,
+                        channel(trial, "patch_length")[j] * 1e3,
+                        channel(trial, "patch_width")[j] * 1e3,
+                        channel(trial, "patch_area")[j] * 1e4);
+  }
+  return text;
+}
+
+std::pair<std::string, nlohmann::ordered_json> ForceCurve::answer(
+    const Channels& trial, const Comparison& comparison) const {
+  return {"forces",
+          {{"deflection_m", json_of(channel(trial, "deflection"))},
+           {"measured_N", json_of(measured_.force)},
+           {"simulated_N", json_of(channel(trial, "force"))},
+           {"error", json_of(comparison.errors)}}};
+}
+
+}  // namespace latsch::correlation

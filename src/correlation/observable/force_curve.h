@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Forces over deflections or loaded radii, as an observable of a load-deflection test:
+//   dF_j = (F_j^mea - F_j^sim) / F_j^mea, or of their roots (objective.h)
+#pragma once
+
+#include "correlation/observable/observable.h"
+#include "measurement/load_deflection.h"
+
+namespace latsch::correlation {
+
+class ForceCurve : public Observable {
+ public:
+  /// `test` records "deflection", "loaded_radius", "force" and the patch at the measured positions,
+  /// which need no forces yet.
+  ForceCurve(std::string test, LoadDeflectionCurve measured);
+
+  /// Positions m, forces N.
+  const LoadDeflectionCurve& measured() const { return measured_; }
+
+  std::string kind() const override { return "load_deflection"; }
+  std::string compared(const ObjectiveSettings& settings) const override;
+  std::string error_name() const override { return "dF"; }
+  std::vector<std::string> asks() const override;
+  std::size_t values() const override { return measured_.force.size(); }
+  std::vector<std::string> rows() const override;
+  std::string unit() const override { return "N"; }
+  std::vector<double> deviations(const MeasurementNoise& noise,
+                                 const ObjectiveSettings& settings) const override;
+  Result<Comparison> compare(const Channels& trial,
+                             const ObjectiveSettings& settings) const override;
+  std::vector<std::filesystem::path> write(const Channels& trial,
+                                           const MeasurementFiles& files) const override;
+  void draw(const ShownExperiment& shown, report::StudyReport& page) const override;
+  std::string table(const Channels& trial, const Comparison& comparison) const override;
+  std::pair<std::string, nlohmann::ordered_json> answer(
+      const Channels& trial, const Comparison& comparison) const override;
+
+ private:
+  const std::vector<double>& channel(const Channels& trial, const char* name) const;
+
+  std::string test_;
+  LoadDeflectionCurve measured_;
+};
+
+}  // namespace latsch::correlation

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/observable/mode_set.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "formats/tables/measurement_file.h"
+#include "report/report.h"
+
+namespace latsch::correlation {
+
+ModeSet::ModeSet(std::string test,
+                 std::vector<ModeRecord> measured,
+                 std::size_t count,
+                 Eigen::Matrix3Xd points)
+    : test_(std::move(test)),
+      measured_(std::move(measured)),
+      count_(count),
+      points_(std::move(points)) {}
+
+std::vector<std::filesystem::path> ModeSet::write(const Channels& trial,
+                                                  const MeasurementFiles& files) const {
+  auto modes = simulated(trial);
+  modes.resize(std::min(modes.size(), count_));
+  const ModeTable table = experiment::mode_table(modes, points_);
+  formats::write_modes(files.values, table, files.comment);
+  if (files.shapes.empty()) return {files.values};
+  formats::write_shapes(files.shapes, table, files.comment);
+  return {files.values, files.shapes};
+}
+
+std::vector<ModeRecord> ModeSet::simulated(const Channels& trial) const {
+  return experiment::mode_records(recording_of(test_, trial));
+}
+
+std::string ModeSet::compared(const ObjectiveSettings&) const { return "frequency"; }
+
+std::vector<std::string> ModeSet::asks() const { return {test_ + "/frequency"}; }
+
+std::vector<std::string> ModeSet::rows() const {
+  std::vector<std::string> names;
+  for (const ModeRecord& mode : measured_) names.push_back(mode.label());
+  return names;
+}
+
+std::vector<double> ModeSet::deviations(const MeasurementNoise& noise,
+                                        const ObjectiveSettings&) const {
+  std::vector<double> deviations;
+  for (const ModeRecord& mode : measured_)
+    deviations.push_back(std::hypot(noise.relative, noise.absolute / mode.frequency));
+  return deviations;
+}
+
+Result<Comparison> ModeSet::compare(const Channels& trial,
+                                    const ObjectiveSettings& settings) const {
+  return compare_modes(measured_, simulated(trial), settings);
+}
+
+void ModeSet::draw(const ShownExperiment& shown, report::StudyReport& page) const {
+  report::ModalComparison modal;
+  modal.experiment = shown.name;
+  modal.conditions = shown.conditions;
+  modal.fitted = shown.fitted;
+  const auto found = simulated(shown.found);
+  std::map<int, double> at_start;  // frequency by measured mode
+  if (shown.initial) {
+    const auto modes = simulated(*shown.initial);
+    for (const ModePair& pair : shown.initial_comparison->pairing.pairs)
+      at_start[pair.measured] = modes[pair.simulated].frequency;
+  }
+  for (const ModePair& pair : shown.comparison.pairing.pairs) {
+    const ModeRecord& measured = measured_[pair.measured];
+    report::ModePair row;
+    row.label = measured.label();
+    row.measured = measured.frequency;
+    row.simulated = found[pair.simulated].frequency;
+    if (const auto at = at_start.find(pair.measured); at != at_start.end())
+      row.initial = at->second;
+    if (measured.shape.size() > 0) row.likeness = pair.likeness;
+    modal.pairs.push_back(std::move(row));
+  }
+  for (const int i : shown.comparison.pairing.missing)
+    modal.missing.push_back({measured_[i].label(), measured_[i].frequency});
+  for (const int j : shown.comparison.pairing.extra)
+    modal.extra.push_back({found[j].label(), found[j].frequency});
+  page.modes.push_back(std::move(modal));
+}
+
+std::string ModeSet::table(const Channels& trial, const Comparison& comparison) const {
+  const auto found = simulated(trial);
+  std::string text = fmt::format("  {:>12} {:>13} {:>9} {:>6}  {:<22} {}\n",
+                                 "measured Hz",
+                                 "simulated Hz",
+                                 "error %",
+                                 "MAC",
+                                 "measured as",
+                                 "simulated as");
+  for (const ModePair& pair : comparison.pairing.pairs) {
+    text += fmt::format("  {:12.2f} {:13.2f} {:9.2f} {:6.2f}  {:<22} {}\n",
+                        measured_[pair.measured].frequency,
+                        found[pair.simulated].frequency,
+                        comparison.errors[pair.measured] * 100.0,
+                        pair.likeness,
+                        measured_[pair.measured].label(),
+                        found[pair.simulated].label());
+  }
+  for (const int i : comparison.pairing.missing) {
+    text += fmt::format("  {:12.2f} {:>13} {:9.2f} {:>6}  {:<22} no simulated mode is like it\n",
+                        measured_[i].frequency,
+                        "-",
+                        comparison.errors[i] * 100.0,
+                        "-",
+                        measured_[i].label());
+  }
+  for (const int j : comparison.pairing.extra) {
+    text += fmt::format("  {:>12} {:13.2f} {:>9} {:>6}  {:<22} {}\n",
+                        "-",
+                        found[j].frequency,
+                        "-",
+                        "-",
+                        "not measured",
+                        found[j].label());
+  }
+  return text;
+}
+
+std::pair<std::string, nlohmann::ordered_json> ModeSet::answer(const Channels& trial,
+                                                               const Comparison& comparison) const {
+  const auto found = simulated(trial);
+  auto rows = nlohmann::ordered_json::array();
+  for (const ModePair& pair : comparison.pairing.pairs) {
+    rows.push_back({{"measured_Hz", json_of(measured_[pair.measured].frequency)},
+                    {"simulated_Hz", json_of(found[pair.simulated].frequency)},
+                    {"error", json_of(comparison.errors[pair.measured])},
+                    {"likeness", json_of(pair.likeness)},
+                    {"measured_as", measured_[pair.measured].label()},
+                    {"simulated_as", found[pair.simulated].label()}});
+  }
+  for (const int i : comparison.pairing.missing) {
+    rows.push_back({{"measured_Hz", json_of(measured_[i].frequency)},
+                    {"simulated_Hz", nullptr},
+                    {"error", json_of(comparison.errors[i])},
+                    {"measured_as", measured_[i].label()}});
+  }
+  return {"modes", std::move(rows)};
+}
+
+}  // namespace latsch::correlation

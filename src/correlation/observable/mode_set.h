@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frequencies of vibration modes as an observable of a modal test, paired by shape or label
+// (mode_pairing.h):
+//   df_i = (f_i^mea - f_i^sim) / f_i^mea
+#pragma once
+
+#include "correlation/observable/observable.h"
+
+namespace latsch::correlation {
+
+class ModeSet : public Observable {
+ public:
+  /// `test` records modes as experiment/rigs/mode_record.h says. `count`: how many a laboratory
+  /// would measure, at those points (m, wheel frame), for a twin.
+  ModeSet(std::string test,
+          std::vector<ModeRecord> measured,
+          std::size_t count = 0,
+          Eigen::Matrix3Xd points = {});
+
+  const std::vector<ModeRecord>& measured() const { return measured_; }
+
+  std::string kind() const override { return "modes"; }
+  std::string compared(const ObjectiveSettings& settings) const override;
+  std::string error_name() const override { return "df"; }
+  std::vector<std::string> asks() const override;
+  std::size_t values() const override { return measured_.size(); }
+  std::vector<std::string> rows() const override;
+  bool is_sweep() const override { return false; }
+  std::string unit() const override { return "Hz"; }
+  std::vector<double> deviations(const MeasurementNoise& noise,
+                                 const ObjectiveSettings& settings) const override;
+  Result<Comparison> compare(const Channels& trial,
+                             const ObjectiveSettings& settings) const override;
+  std::vector<std::filesystem::path> write(const Channels& trial,
+                                           const MeasurementFiles& files) const override;
+  void draw(const ShownExperiment& shown, report::StudyReport& page) const override;
+  std::string table(const Channels& trial, const Comparison& comparison) const override;
+  std::pair<std::string, nlohmann::ordered_json> answer(
+      const Channels& trial, const Comparison& comparison) const override;
+
+ private:
+  std::vector<ModeRecord> simulated(const Channels& trial) const;
+
+  std::string test_;
+  std::vector<ModeRecord> measured_;
+  std::size_t count_;
+  Eigen::Matrix3Xd points_;
+};
+
+}  // namespace latsch::correlation

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/kinds/fe_tire_pictures.h"
+
+#include <algorithm>
+
+#include "experiment/rigs/deflection_for_load.h"
+#include "experiment/rigs/discretization.h"
+#include "experiment/tests/load_deflection.h"
+#include "experiment/tests/modes.h"
+#include "models/fe_tire/description/section_plan.h"
+
+namespace latsch::experiment {
+namespace {
+
+constexpr int kShownModes = 12;
+constexpr int kPressSteps = 5;
+constexpr double kGuessedStiffness =
+    2.0e5;  // N/m, to begin the search for a deflection under a load
+
+/// The deepest deflection of a load-deflection test.
+double depth(const LoadDeflection& test, double inflated_radius) {
+  double deepest = 0.0;
+  for (double deflection : test.deflections) deepest = std::max(deepest, deflection);
+  for (double radius : test.loaded_radii) deepest = std::max(deepest, inflated_radius - radius);
+  return deepest;
+}
+
+std::optional<fe_tire::Loaded> press(fe_tire::FeTire& tire,
+                                     const fe_tire::Inflated& inflated,
+                                     double deflection,
+                                     const fe_tire::Ground& ground) {
+  if (deflection <= 0.0) return std::nullopt;
+  std::vector<double> steps;
+  for (int i = 1; i <= kPressSteps; ++i) steps.push_back(deflection * i / kPressSteps);
+  auto loaded = tire.load(inflated, steps, ground);
+  if (!loaded) return std::nullopt;
+  return std::move(*loaded);
+}
+
+std::optional<fe_tire::Loaded> stand(fe_tire::FeTire& tire,
+                                     const fe_tire::Inflated& inflated,
+                                     const ModalTest& test) {
+  if (test.deflection) return press(tire, inflated, *test.deflection, test.ground);
+  auto loaded =
+      load_to_force(tire, inflated, *test.load, *test.load / kGuessedStiffness, test.ground);
+  if (!loaded) return std::nullopt;
+  return std::move(*loaded);
+}
+
+void add_modes(fe_tire::FeTire& tire,
+               const ModalTest& test,
+               double own_pressure,
+               report::TirePictures& pictures) {
+  const auto inflated = tire.inflate(test.pressure.value_or(own_pressure));
+  if (!inflated) return;
+  pictures.inflated = *inflated;
+  if (test.loaded()) {
+    pictures.loaded = stand(tire, *inflated, test);
+    if (!pictures.loaded) return;
+  }
+  auto modes = test.loaded() ? tire.modes(*pictures.loaded, kShownModes)
+                             : tire.modes(*inflated, kShownModes);
+  if (!modes) return;
+  pictures.modes = std::move(*modes);
+  pictures.modes_loaded = test.loaded();
+}
+
+void add_load(fe_tire::FeTire& tire,
+              const LoadDeflection& test,
+              double own_pressure,
+              report::TirePictures& pictures) {
+  if (pictures.loaded) return;
+  auto inflated = tire.inflate(test.pressure.value_or(own_pressure));
+  if (!inflated) return;
+  pictures.loaded = press(tire, *inflated, depth(test, inflated->radius), test.ground);
+  if (pictures.loaded) pictures.inflated = std::move(*inflated);
+}
+
+/// The ply of every cord layer of the mesh, with its angle at the crown.
+std::vector<report::Layer> cord_layers(const fe_tire::TireDescription& description) {
+  const fe_tire::SectionPlan plan(description);
+  std::vector<report::Layer> layers(plan.layers());
+  for (int column = 0; column < plan.columns(); ++column) {
+    for (const auto& here : plan.plies(column)) {
+      const fe_tire::CordPly& ply = description.plies[here.ply];
+      layers[here.layer] = {ply.name, ply.cords.angle};
+    }
+  }
+  return layers;
+}
+
+}  // namespace
+
+void add_pictures(const fe_tire::TireDescription& description,
+                  const std::vector<const Test*>& tests,
+                  report::StudyReport& page) {
+  page.tire = description.name + ", " + description.size;
+  fe_tire::SolverSettings settings;
+  settings.element = description.element;
+  fe_tire::FeTire tire(
+      fe_tire::build_mesh(description), fe_tire::build_materials(description), settings);
+  report::TirePictures pictures;
+  pictures.mesh = tire.mesh();
+  pictures.layers = cord_layers(description);
+  for (const Test* test : tests) {
+    const auto* modes = dynamic_cast<const ModesTest*>(test);
+    if (modes && pictures.modes.empty())
+      add_modes(tire, modes->settings(), description.pressure, pictures);
+  }
+  for (const Test* test : tests) {
+    if (const auto* load = dynamic_cast<const LoadDeflectionTest*>(test))
+      add_load(tire, load->settings(), description.pressure, pictures);
+  }
+  page.pictures = std::move(pictures);
+}
+
+void add_mesh_error(const fe_tire::TireDescription& tire,
+                    const std::vector<const Test*>& tests,
+                    Thoroughness thoroughness,
+                    report::StudyReport& page) {
+  DiscretizationSettings settings;
+  settings.element = tire.element;
+  settings.refinements = {1, 2, 3};
+  settings.pressure = tire.pressure;
+  const auto take_conditions = [&](const auto& test) {
+    settings.pressure = test.pressure.value_or(tire.pressure);
+    settings.ground = test.ground;
+  };
+  const Test* first = tests.empty() ? nullptr : tests.front();
+  if (const auto* modes = dynamic_cast<const ModesTest*>(first)) take_conditions(modes->settings());
+  if (const auto* load = dynamic_cast<const LoadDeflectionTest*>(first))
+    take_conditions(load->settings());
+  if (thoroughness == Thoroughness::minutes && page.pictures && page.pictures->loaded)
+    settings.deflection = page.pictures->loaded->curve.back().deflection;
+  const auto found = study_discretization(tire, settings);
+  if (!found) return;
+  for (const auto* rows : {&found->unloaded, &found->loaded}) {
+    for (const DiscretizationRow& row : *rows) {
+      const std::string state = rows == &found->loaded ? ", on the ground" : "";
+      page.discretization.push_back({row.name + state, row.error()});
+    }
+  }
+}
+
+}  // namespace latsch::experiment

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every tire that rolls can do: it rolls, and stands on the ground with a footprint.
+#pragma once
+
+#include <functional>
+#include <utility>
+
+#include "base/error.h"
+#include "experiment/language/capabilities.h"
+#include "experiment/language/specimen.h"
+
+namespace latsch::experiment {
+
+class RollingSpecimen : public Specimen, public Rolls, public HasFootprint {
+ public:
+  Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) override {
+    if (test.pressure || test.friction)
+      throw InputError(
+          "a tire that rolls has pressure and friction in its own file: expected a "
+          "footprint without them");
+    return experiment::footprints(*tire(), test);
+  }
+};
+
+}  // namespace latsch::experiment

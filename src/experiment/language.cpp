@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/language.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+
+namespace latsch::experiment {
+
+const SpecimenKind& fe_tire_kind();
+const SpecimenKind& ring_tire_kind();
+const SpecimenKind& rigid_ring_kind();
+const SpecimenKind& magic_formula_kind();
+extern const TestKind kDrumCleat, kSlipSweep, kStaticStiffness, kFootprint, kModes, kSteadyStates,
+    kLoadDeflection;
+
+const Language& language() {
+  static const Language all = {
+      {&fe_tire_kind(), &ring_tire_kind(), &rigid_ring_kind(), &magic_formula_kind()},
+      {&kDrumCleat,
+       &kSlipSweep,
+       &kStaticStiffness,
+       &kFootprint,
+       &kModes,
+       &kSteadyStates,
+       &kLoadDeflection}};
+  return all;
+}
+
+std::vector<std::string> Language::kind_names() const {
+  std::vector<std::string> names;
+  for (const SpecimenKind* kind : kinds) names.push_back(kind->name());
+  return names;
+}
+
+std::vector<std::string> Language::test_names() const {
+  std::vector<std::string> names;
+  for (const TestKind* kind : tests) names.push_back(kind->name);
+  return names;
+}
+
+const SpecimenKind* Language::find_kind(const std::string& name) const {
+  for (const SpecimenKind* kind : kinds)
+    if (kind->name() == name) return kind;
+  return nullptr;
+}
+
+const SpecimenKind& Language::kind_of_file(const std::filesystem::path& file) const {
+  if (file.extension() != ".tir") {
+    const Document document = Document::read(file);
+    if (document.root().has("kind"))
+      return *find_kind(document.root().choice("kind", kind_names()));
+  }
+  for (const SpecimenKind* kind : kinds)
+    if (kind->recognizes(file)) return *kind;
+  throw InputError({file.string(), 0},
+                   "does not say what model it is, expected kind = one of " +
+                       list_of(kind_names()) + ", or a .tir file");
+}
+
+std::unique_ptr<Test> Language::read_test(const std::filesystem::path& file) const {
+  const Document document = Document::read(file);
+  const Node root = document.root();
+  const std::string name = root.choice("kind", test_names());
+  const auto kind = std::find_if(
+      tests.begin(), tests.end(), [&](const TestKind* test) { return test->name == name; });
+  auto test = (*kind)->read(root, file.parent_path());
+  root.close();
+  return test;
+}
+
+std::vector<std::string> Language::kinds_for(const Test& test) const {
+  std::vector<std::string> names;
+  for (const SpecimenKind* kind : kinds)
+    if (can(*kind, test)) names.push_back(kind->name());
+  return names;
+}
+
+bool can(const SpecimenKind& kind, const Test& test) { return can(kind, test.needs()); }
+
+bool can(const SpecimenKind& kind, const std::vector<std::string>& needs) {
+  const auto has = kind.abilities();
+  return std::any_of(needs.begin(), needs.end(), [&](const std::string& one) {
+    return std::find(has.begin(), has.end(), one) != has.end();
+  });
+}
+
+Result<Channels> run(const SpecimenKind& kind, const Document& numbers, const Test& test) {
+  if (!can(kind, test)) {
+    throw InputError("a " + kind.in_words() + " cannot do this test (" + test.in_words() +
+                     "): it takes a model that " + test.needs().front() + ", such as " +
+                     list_of(language().kinds_for(test)));
+  }
+  return test.run(*kind.build(numbers));
+}
+
+}  // namespace latsch::experiment

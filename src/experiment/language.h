@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// All kinds of specimens and tests there are: the one table that readers, errors, help and pages
+// take them from.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "experiment/language/specimen.h"
+#include "experiment/language/test.h"
+
+namespace latsch::experiment {
+
+struct Language {
+  std::vector<const SpecimenKind*> kinds;  // in the order in which people read of them
+  std::vector<const TestKind*> tests;
+
+  std::vector<std::string> kind_names() const;
+  std::vector<std::string> test_names() const;
+  /// nullptr where none is called so.
+  const SpecimenKind* find_kind(const std::string& name) const;
+  /// Of a model's file alone: the `kind` a TOML file states, else the first that recognizes it.
+  /// InputError.
+  const SpecimenKind& kind_of_file(const std::filesystem::path& file) const;
+  /// The test that a file describes, which states its `kind`. InputError naming the place.
+  std::unique_ptr<Test> read_test(const std::filesystem::path& file) const;
+  /// Kinds of specimens that can do a test: "ring_tire", ...
+  std::vector<std::string> kinds_for(const Test& test) const;
+};
+
+/// What this program speaks.
+const Language& language();
+
+/// Whether specimens of this kind have one of these capabilities; whether they can do the test.
+bool can(const SpecimenKind& kind, const std::vector<std::string>& needs);
+bool can(const SpecimenKind& kind, const Test& test);
+
+/// Runs a test with the specimen these numbers make. Throws InputError where they make none or the
+/// kind cannot do it.
+Result<Channels> run(const SpecimenKind& kind, const Document& numbers, const Test& test);
+
+}  // namespace latsch::experiment

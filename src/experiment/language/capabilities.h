@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be done with a specimen: interfaces of physics, none of a test. One class of tests can
+// drive every specimen that has what it asks for.
+//
+// Conditions a test leaves open (pressure, friction) are the specimen's own; one that it states and
+// the specimen cannot take is an InputError.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "base/result.h"
+#include "experiment/rigs/footprint_rig.h"
+#include "experiment/rigs/load_case.h"
+#include "formats/tables/csv_table.h"
+#include "measurement/channels.h"
+#include "models/tire/tire.h"
+
+namespace latsch::experiment {
+
+/// Is pressed on flat ground, standing still.
+struct IsPressed {
+  static constexpr const char* kName = "is pressed on the ground";
+  virtual ~IsPressed() = default;
+  virtual Result<Channels> press(const LoadDeflection& test) = 0;
+};
+
+/// Vibrates with its rim held, off the ground or standing on it.
+struct Vibrates {
+  static constexpr const char* kName = "vibrates";
+  virtual ~Vibrates() = default;
+  virtual Result<Channels> vibrate(const ModalTest& test) = 0;
+  /// m, wheel frame: where shapes are recorded when no laboratory prescribes it; none: nowhere.
+  virtual Eigen::Matrix3Xd sensor_points() const { return {}; }
+};
+
+struct HasFootprint {
+  static constexpr const char* kName = "leaves a footprint";
+  virtual ~HasFootprint() = default;
+  virtual Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) = 0;
+};
+
+/// Rolls on a road, a step of time after the other.
+struct Rolls {
+  static constexpr const char* kName = "rolls";
+  virtual ~Rolls() = default;
+  /// A new one at rest.
+  virtual std::unique_ptr<Tire> tire() const = 0;
+};
+
+/// Answers to states of steady rolling, each for itself.
+struct HasSteadyStates {
+  static constexpr const char* kName = "has steady states";
+  virtual ~HasSteadyStates() = default;
+  virtual Channels steady(const formats::CsvTable& states) const = 0;
+};
+
+/// Names of the capabilities a class of specimens has.
+template <class S>
+std::vector<std::string> abilities_of() {
+  std::vector<std::string> names;
+  const auto add = [&]<class Capability>(Capability*) {
+    if constexpr (std::is_base_of_v<Capability, S>) names.emplace_back(Capability::kName);
+  };
+  add(static_cast<IsPressed*>(nullptr));
+  add(static_cast<Vibrates*>(nullptr));
+  add(static_cast<HasFootprint*>(nullptr));
+  add(static_cast<Rolls*>(nullptr));
+  add(static_cast<HasSteadyStates*>(nullptr));
+  return names;
+}
+
+}  // namespace latsch::experiment

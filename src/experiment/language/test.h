@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// A test: what a laboratory does with a specimen, and which channels it records.
+//
+// A recording is a pure function of the specimen's numbers and the test: the same bits alone,
+// beside other tests, in any order. A test states its whole load path. A new kind is one file in
+// tests/ and its line in language.cpp.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/document.h"
+#include "base/result.h"
+#include "experiment/language/specimen.h"
+#include "measurement/channels.h"
+
+namespace latsch::experiment {
+
+/// A channel before the test runs.
+struct ChannelInfo {
+  std::string name, unit;   // SI
+  std::string frame = "";   // "W", "H" or "C" of a force or moment
+  bool is_compared = true;  // false: a part of another quantity, such as the shape of a mode
+};
+
+struct Reach {
+  double from, to;  // SI
+};
+
+class Test {
+ public:
+  virtual ~Test() = default;
+
+  /// A sentence for people: "drum, 60 km/h, 4500 N, cleat 15 mm x 30 mm".
+  virtual std::string in_words() const = 0;
+  /// What a curve of it stands for on a page: "2.6 bar, friction 0.8"; in_words() unless it says
+  /// less.
+  virtual std::string conditions() const { return in_words(); }
+  /// All its recording depends on but the specimen, as text.
+  virtual std::string identity() const = 0;
+  /// What run() records.
+  virtual std::vector<ChannelInfo> channels() const = 0;
+  /// Names of capabilities; a specimen has to have one of them. Those of its kind.
+  virtual std::vector<std::string> needs() const = 0;
+  /// Files it reads beside its own; what they hold is part of its identity.
+  virtual std::vector<std::filesystem::path> files() const { return {}; }
+  /// From where to where a channel goes by which others are told (time, deflection), as far as the
+  /// test alone says; nullopt where a run has to.
+  virtual std::optional<Reach> reach(const std::string&) const { return std::nullopt; }
+  /// How many values its channels have; nullopt where a run has to tell.
+  virtual std::optional<long> samples() const { return std::nullopt; }
+
+  /// Throws InputError where the specimen cannot take a condition of the test.
+  virtual Result<Channels> run(Specimen& specimen) const = 0;
+};
+
+struct TestKind {
+  std::string name;                // "drum_cleat"
+  std::string in_words;            // "rolls over a cleat on the drum"
+  std::vector<std::string> needs;  // names of capabilities: a specimen has to have one of them
+  /// Reads its keys, but `kind`. Throws InputError naming the place.
+  std::unique_ptr<Test> (*read)(const Node& root, const std::filesystem::path& folder);
+};
+
+}  // namespace latsch::experiment

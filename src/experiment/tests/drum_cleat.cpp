@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/tests/drum_cleat.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/units.h"
+#include "experiment/language/capabilities.h"
+#include "experiment/language/test_words.h"
+
+namespace latsch::experiment {
+
+extern const TestKind kDrumCleat;
+
+std::string DrumCleatTest::in_words() const {
+  const DrumTest& test = test_;
+  std::string text =
+      fmt::format("drum, {:.4g} km/h, {}{}",
+                  test.speed * 3.6,
+                  test.load ? format_quantity(*test.load, "N", 4)
+                            : format_quantity(test.deflection.value_or(0.0), "mm", 4),
+                  cambered(test.camber));
+  if (!test.cleat) return text + ", no cleat";
+  text += fmt::format(
+      ", cleat {:.3g} mm x {:.3g} mm", test.cleat->height * 1e3, test.cleat->length * 1e3);
+  if (test.cleat->angle != 0.0) text += fmt::format(" at {}", degrees(test.cleat->angle));
+  if (test.passages > 1) text += fmt::format(", {} passages", test.passages);
+  if (test.frame != DrumTest().frame) text += fmt::format(", axes {}", name_of(test.frame));
+  return text;
+}
+
+std::string DrumCleatTest::identity() const {
+  const DrumTest& t = test_;
+  std::string text = fmt::format(
+      "drum_cleat speed {} load {} deflection {} camber {} diameter {} inertia {} run_in {} "
+      "duration {} lead {} step {} sample_step {} passages {} wheel {} {} frame {}",
+      t.speed,
+      t.load.value_or(0.0),
+      t.deflection.value_or(0.0),
+      t.camber,
+      t.diameter,
+      t.wheel_inertia,
+      t.run_in,
+      t.duration,
+      t.lead,
+      t.step,
+      t.sample_step,
+      t.passages,
+      t.wheel_step,
+      t.wheel_start,
+      name_of(t.frame));
+  if (t.cleat)
+    text += fmt::format(
+        " cleat {} {} {} {}", t.cleat->height, t.cleat->length, t.cleat->bevel, t.cleat->angle);
+  return text;
+}
+
+std::vector<ChannelInfo> DrumCleatTest::channels() const {
+  return framed({{"time", "s"},
+                 {"Fx", "N"},
+                 {"Fy", "N"},
+                 {"Fz", "N"},
+                 {"Mx", "N m"},
+                 {"My", "N m"},
+                 {"Mz", "N m"},
+                 {"speed", "m/s"},
+                 {"wheel_speed", "rad/s"}},
+                test_.frame);
+}
+
+std::vector<std::string> DrumCleatTest::needs() const { return kDrumCleat.needs; }
+
+std::optional<Reach> DrumCleatTest::reach(const std::string& channel) const {
+  if (channel != "time") return std::nullopt;
+  // As drum_rig.cpp records: the first sample one sample step behind the beginning.
+  const auto steps = [&](double time) { return std::lround(time / test_.step); };
+  const long every = steps(test_.sample_step), lead = steps(test_.lead);
+  const long last = steps(test_.duration - test_.lead);
+  const auto time = [&](long i) { return static_cast<double>(i) * test_.step; };
+  return Reach{time(every - lead), time((last + lead) / every * every - lead)};
+}
+
+Result<Channels> DrumCleatTest::run(Specimen& specimen) const {
+  return experiment::run(*specimen.find<Rolls>()->tire(), test_);
+}
+
+namespace {
+
+std::unique_ptr<Test> read_drum(const Node& root, const std::filesystem::path&) {
+  return std::make_unique<DrumCleatTest>(read_drum_test(root));
+}
+
+}  // namespace
+
+DrumTest read_drum_cleat(const std::filesystem::path& file) {
+  const Document document = Document::read(file);
+  document.root().choice("kind", {"drum_cleat"});
+  return read_drum_test(document.root());
+}
+
+const TestKind kDrumCleat = {
+    "drum_cleat", "rolls over a cleat on the drum", {Rolls::kName}, read_drum};
+
+}  // namespace latsch::experiment

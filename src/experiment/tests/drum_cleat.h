@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// kind = "drum_cleat": a tire that rolls over a cleat on the drum (rigs/drum_rig.h has the keys).
+#pragma once
+
+#include "experiment/language/test.h"
+#include "experiment/rigs/drum_rig.h"
+
+namespace latsch::experiment {
+
+class DrumCleatTest : public Test {
+ public:
+  explicit DrumCleatTest(const DrumTest& settings) : test_(settings) {}
+  const DrumTest& settings() const { return test_; }
+
+  std::string in_words() const override;
+  std::string identity() const override;
+  std::vector<ChannelInfo> channels() const override;
+  std::vector<std::string> needs() const override;
+  std::optional<Reach> reach(const std::string& channel) const override;
+  Result<Channels> run(Specimen& specimen) const override;
+
+ private:
+  DrumTest test_;
+};
+
+/// Of a file that has to be of this kind. InputError.
+DrumTest read_drum_cleat(const std::filesystem::path& file);
+
+}  // namespace latsch::experiment

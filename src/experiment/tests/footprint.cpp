@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// kind = "footprint": the patch of a tire that stands (rigs/footprint_rig.h has the keys).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "experiment/language/capabilities.h"
+#include "experiment/language/test.h"
+#include "experiment/language/test_words.h"
+
+namespace latsch::experiment {
+
+extern const TestKind kFootprint;
+namespace {
+
+class StandingFootprintTest : public Test {
+ public:
+  explicit StandingFootprintTest(FootprintTest test) : test_(std::move(test)) {}
+
+  std::string in_words() const override {
+    const FootprintTest& test = test_;
+    return fmt::format("footprint at {} {}{}",
+                       std::max(test.loads.size(), test.deflections.size()),
+                       test.loads.empty() ? "deflections" : "loads",
+                       cambered(test.camber));
+  }
+
+  std::string identity() const override {
+    return fmt::format("footprint loads {} deflections {} camber {}",
+                       fmt::join(test_.loads, " "),
+                       fmt::join(test_.deflections, " "),
+                       test_.camber);
+  }
+
+  std::vector<ChannelInfo> channels() const override {
+    std::vector<ChannelInfo> channels;
+    const Channels none = to_channels(std::vector<StandingFootprint>{});
+    for (const Channel& channel : none.all()) channels.push_back({channel.name, channel.unit});
+    return channels;
+  }
+
+  std::vector<std::string> needs() const override { return kFootprint.needs; }
+
+  std::optional<long> samples() const override {
+    return std::ssize(test_.loads) + std::ssize(test_.deflections);
+  }
+
+  Result<Channels> run(Specimen& specimen) const override {
+    const auto states = specimen.find<HasFootprint>()->footprints(test_);
+    if (!states) return states.failure();
+    return to_channels(*states);
+  }
+
+ private:
+  FootprintTest test_;
+};
+
+std::unique_ptr<Test> read_footprint(const Node& root, const std::filesystem::path&) {
+  return std::make_unique<StandingFootprintTest>(read_footprint_test(root));
+}
+
+}  // namespace
+
+const TestKind kFootprint = {
+    "footprint", "stands: length, width, area of its patch", {HasFootprint::kName}, read_footprint};
+
+}  // namespace latsch::experiment

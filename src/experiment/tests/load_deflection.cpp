@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/tests/load_deflection.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/units.h"
+#include "experiment/language/capabilities.h"
+#include "experiment/rigs/static_stiffness.h"
+#include "models/road/plane_road.h"
+
+namespace latsch::experiment {
+
+extern const TestKind kLoadDeflection;
+namespace {
+
+/// Of a tire that rolls and now stands: one state after the other, each settled anew.
+Result<Channels> press_rolling(Tire& tire, const LoadDeflection& test) {
+  if (test.pressure || test.ground.mu != 0.0)
+    throw InputError(
+        "a tire that rolls has pressure and friction in its own file: expected a test "
+        "without them");
+  Channel deflection{"deflection", "m", test.deflections}, radius{"loaded_radius", "m", {}};
+  Channel force{"force", "N", {}};
+  for (const double r : test.loaded_radii) deflection.values.push_back(tire.free_radius() - r);
+  for (const double d : deflection.values) {
+    radius.values.push_back(tire.free_radius() - d);
+    const Result<double> load = d > 0.0 ? load_at(tire, d) : 0.0;
+    if (!load) return load.failure();
+    force.values.push_back(*load);
+  }
+  Channels channels;
+  for (Channel* channel : {&deflection, &radius, &force}) channels.add(std::move(*channel));
+  return channels;
+}
+
+}  // namespace
+
+std::optional<double> read_pressure(const Node& table) {
+  if (!table.has("pressure")) return std::nullopt;
+  return table.quantity("pressure", "Pa", Range::positive());
+}
+
+fe_tire::Ground read_ground(const Node& table) {
+  fe_tire::Ground ground;
+  ground.mu = table.quantity("friction", "1", Range::between(0.0, 5.0), 0.0);
+  return ground;
+}
+
+std::string conditions_in_words(const std::optional<double>& pressure,
+                                const fe_tire::Ground& ground) {
+  std::string text = pressure ? format_quantity(*pressure, "bar", 4) : "";
+  if (ground.mu > 0.0)
+    text += fmt::format("{}friction {:.3g}", text.empty() ? "" : ", ", ground.mu);
+  return text;
+}
+
+std::string LoadDeflectionTest::in_words() const {
+  const bool radii = !test_.loaded_radii.empty();
+  const std::string conditions = conditions_in_words(test_.pressure, test_.ground);
+  return fmt::format("load-deflection{}{}, {} {}",
+                     test_.pressure       ? " at "
+                     : conditions.empty() ? ""
+                                          : ", ",
+                     conditions,
+                     radii ? test_.loaded_radii.size() : test_.deflections.size(),
+                     radii ? "loaded radii" : "deflections");
+}
+
+std::string LoadDeflectionTest::conditions() const {
+  return conditions_in_words(test_.pressure, test_.ground);
+}
+
+std::string LoadDeflectionTest::identity() const {
+  return fmt::format("load_deflection pressure {} mu {} penalty {} deflections {} radii {}",
+                     test_.pressure.value_or(0.0),
+                     test_.ground.mu,
+                     test_.ground.stiffness,
+                     fmt::join(test_.deflections, " "),
+                     fmt::join(test_.loaded_radii, " "));
+}
+
+std::vector<ChannelInfo> LoadDeflectionTest::channels() const {
+  return {{"force", "N"},
+          {"deflection", "m"},
+          {"loaded_radius", "m"},
+          {"patch_length", "m"},
+          {"patch_width", "m"},
+          {"patch_area", "m^2"}};
+}
+
+std::vector<std::string> LoadDeflectionTest::needs() const { return kLoadDeflection.needs; }
+
+std::optional<Reach> LoadDeflectionTest::reach(const std::string& channel) const {
+  const auto& positions = channel == "deflection"      ? test_.deflections
+                          : channel == "loaded_radius" ? test_.loaded_radii
+                                                       : std::vector<double>{};
+  if (positions.empty()) return std::nullopt;
+  const auto [least, most] = std::minmax_element(positions.begin(), positions.end());
+  return Reach{*least, *most};
+}
+
+std::optional<long> LoadDeflectionTest::samples() const {
+  return std::ssize(test_.deflections) + std::ssize(test_.loaded_radii);
+}
+
+Result<Channels> LoadDeflectionTest::run(Specimen& specimen) const {
+  if (auto* pressed = specimen.find<IsPressed>()) return pressed->press(test_);
+  return press_rolling(*specimen.find<Rolls>()->tire(), test_);
+}
+
+namespace {
+
+std::unique_ptr<Test> read_load_deflection(const Node& root, const std::filesystem::path&) {
+  LoadDeflection test;
+  test.pressure = read_pressure(root);
+  test.ground = read_ground(root);
+  if (root.has("deflections"))
+    test.deflections = root.quantities("deflections", "m", Range::positive());
+  if (root.has("loaded_radii"))
+    test.loaded_radii = root.quantities("loaded_radii", "m", Range::positive());
+  if (test.deflections.empty() == test.loaded_radii.empty())
+    root.reject("deflections", "or loaded_radii has to be there, one of the two");
+  return std::make_unique<LoadDeflectionTest>(std::move(test));
+}
+
+}  // namespace
+
+const TestKind kLoadDeflection = {"load_deflection",
+                                  "is pressed on the ground: force, patch",
+                                  {IsPressed::kName, Rolls::kName},
+                                  read_load_deflection};
+
+}  // namespace latsch::experiment

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// kind = "load_deflection": vertical force over deflection or loaded radius.
+//
+//   kind = "load_deflection"
+//   pressure = "2.6 bar"               # the tire's own unless given
+//   friction = 0.8                     # with the ground; 0 unless given
+//   deflections = ["5 mm", "10 mm"]    # from first touch; or loaded_radii = ["310 mm"]
+//
+// Channels, one value a position in the order asked for: "deflection", "loaded_radius" (m), "force"
+// (N), and of a tire that knows its patch "patch_length", "patch_width" (m), "patch_area" (m^2). A
+// loaded radius larger than that of the tire is no contact: all are 0. The tire is pressed once
+// through all positions, deeper and deeper: with friction the way there is part of the result.
+#pragma once
+
+#include "experiment/language/test.h"
+#include "experiment/rigs/load_case.h"
+
+namespace latsch::experiment {
+
+class LoadDeflectionTest : public Test {
+ public:
+  explicit LoadDeflectionTest(LoadDeflection settings) : test_(std::move(settings)) {}
+  const LoadDeflection& settings() const { return test_; }
+
+  std::string in_words() const override;
+  std::string conditions() const override;
+  std::string identity() const override;
+  std::vector<ChannelInfo> channels() const override;
+  std::vector<std::string> needs() const override;
+  std::optional<Reach> reach(const std::string& channel) const override;
+  std::optional<long> samples() const override;
+  Result<Channels> run(Specimen& specimen) const override;
+
+ private:
+  LoadDeflection test_;
+};
+
+/// `pressure` and `friction` of a test on the ground. InputError.
+std::optional<double> read_pressure(const Node& table);
+fe_tire::Ground read_ground(const Node& table);
+/// "2.6 bar, friction 0.8", "" where neither is stated.
+std::string conditions_in_words(const std::optional<double>& pressure,
+                                const fe_tire::Ground& ground);
+
+}  // namespace latsch::experiment

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/tests/modes.h"
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "experiment/language/capabilities.h"
+#include "experiment/language/test_words.h"
+#include "experiment/tests/load_deflection.h"
+
+namespace latsch::experiment {
+
+extern const TestKind kModes;
+
+std::string state_in_words(const ModalTest& test) {
+  std::string state = "unloaded";
+  if (test.deflection) state = "pressed " + format_quantity(*test.deflection, "mm", 4);
+  if (test.load) state = "under " + format_quantity(*test.load, "N", 5);
+  return state + cambered(test.camber);
+}
+
+std::string ModesTest::in_words() const {
+  const std::string conditions = conditions_in_words(test_.pressure, test_.ground);
+  return fmt::format("modes{}{}, {}, {} lowest simulated, {}",
+                     test_.pressure       ? " at "
+                     : conditions.empty() ? ""
+                                          : ", ",
+                     conditions,
+                     state_in_words(test_),
+                     test_.count,
+                     test_.points.cols() > 0
+                         ? fmt::format("shapes at {} points", test_.points.cols())
+                         : "no shapes: paired by label");
+}
+
+std::string ModesTest::conditions() const {
+  const std::string conditions = conditions_in_words(test_.pressure, test_.ground);
+  return conditions + (conditions.empty() ? "" : ", ") + state_in_words(test_);
+}
+
+std::string ModesTest::identity() const {
+  std::string points;
+  for (const double x : test_.points.reshaped()) points += fmt::format("{} ", x);
+  return fmt::format(
+      "modes pressure {} mu {} penalty {} deflection {} load {}{} count {} points {}",
+      test_.pressure.value_or(0.0),
+      test_.ground.mu,
+      test_.ground.stiffness,
+      test_.deflection.value_or(0.0),
+      test_.load.value_or(0.0),
+      test_.camber == 0.0 ? "" : fmt::format(" camber {}", test_.camber),
+      test_.count,
+      points);
+}
+
+std::vector<ChannelInfo> ModesTest::channels() const {
+  return {{"frequency", "Hz"}, {"n", "1"}, {"type", "1"}, {"phase", "1"}, {"damping", "1"}};
+}
+
+std::vector<std::string> ModesTest::needs() const { return kModes.needs; }
+
+Result<Channels> ModesTest::run(Specimen& specimen) const {
+  return specimen.find<Vibrates>()->vibrate(test_);
+}
+
+namespace {
+
+std::unique_ptr<Test> read_modes_test(const Node& root, const std::filesystem::path&) {
+  constexpr long kMost = 200;
+  ModalTest test;
+  test.pressure = read_pressure(root);
+  test.ground = read_ground(root);
+  if (root.has("load")) test.load = root.quantity("load", "N", Range::positive());
+  if (root.has("deflection")) test.deflection = root.quantity("deflection", "m", Range::positive());
+  if (test.load && test.deflection)
+    root.reject("deflection", "stands beside load, expected one of them or none");
+  test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
+  test.count = static_cast<int>(root.integer("count", 1, kMost, test.count));
+  return std::make_unique<ModesTest>(std::move(test));
+}
+
+}  // namespace
+
+const TestKind kModes = {"modes", "vibrates with its rim held", {Vibrates::kName}, read_modes_test};
+
+}  // namespace latsch::experiment

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// kind = "modes": vibration modes of a tire with its rim held, off the ground or standing on it.
+//
+//   kind = "modes"
+//   load = "4 kN"                    # or deflection = "20 mm"; neither: in the air
+//   pressure = "2.6 bar"             # the tire's own unless given
+//   friction = 0.8                   # with the ground; 0 unless given
+//   camber = "2 deg"                 # about x, top to the right; default 0
+//   count = 12                       # lowest modes; default 10
+//
+// Channels, one value a mode: "frequency" (Hz), "n", "type", "phase", the numbers of
+// rigs/mode_record.h; "damping" (of critical) where the model has it; on the ground one value of
+// "deflection", "loaded_radius" (m) and "force" (N) where the model says them.
+#pragma once
+
+#include "experiment/language/test.h"
+#include "experiment/rigs/load_case.h"
+
+namespace latsch::experiment {
+
+class ModesTest : public Test {
+ public:
+  explicit ModesTest(ModalTest settings) : test_(std::move(settings)) {}
+  const ModalTest& settings() const { return test_; }
+
+  std::string in_words() const override;
+  std::string conditions() const override;
+  std::string identity() const override;
+  std::vector<ChannelInfo> channels() const override;
+  std::vector<std::string> needs() const override;
+  Result<Channels> run(Specimen& specimen) const override;
+
+ private:
+  ModalTest test_;
+};
+
+/// "unloaded", "pressed 25 mm", "under 4000 N", with the camber.
+std::string state_in_words(const ModalTest& test);
+
+}  // namespace latsch::experiment

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// kind = "slip_sweep": the belt of a flat track (rigs/flat_track.h) below a wheel that is steered
+// or braked.
+//
+//   kind = "slip_sweep"              # alpha, kappa: one of the two
+//   speed = "60 km/h"
+//   load = "4 kN"
+//   camber = "2 deg"                 # default 0
+//   axle = "load"                    # what it keeps; "height": the axle's
+//   frame = "W"                      # of the forces recorded (hub_frame.h); "W", "H" or "C"
+//   alpha = ["-10 deg", "10 deg"]    # from, to
+//   kappa = [-0.1, 0.1]              # from, to
+//   run_in = "0.3 s"                 # default, as the next three
+//   duration = "1 s"
+//   step = "0.5 ms"
+//   sample_step = "5 ms"             # of the record; a multiple of step, default step
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "experiment/language/capabilities.h"
+#include "experiment/language/test.h"
+#include "experiment/language/test_words.h"
+#include "experiment/rigs/flat_track.h"
+
+namespace latsch::experiment {
+
+extern const TestKind kSlipSweep;
+namespace {
+
+/// [from, to]; both 0 where the key is missing.
+std::array<double, 2> ends(const Node& root, const char* key, const char* unit, Range range) {
+  if (!root.has(key)) return {0.0, 0.0};
+  const std::vector<double> values = root.quantities(key, unit, range);
+  if (values.size() != 2) root.reject(key, "expected two values, from and to");
+  return {values[0], values[1]};
+}
+
+/// Every n-th sample from the n-th on.
+Channels thinned(const Channels& all, long every) {
+  Channels kept;
+  for (Channel channel : all.all()) {
+    std::vector<double> values;
+    for (std::size_t i = every - 1; i < channel.values.size(); i += every)
+      values.push_back(channel.values[i]);
+    channel.values = std::move(values);
+    kept.add(std::move(channel));
+  }
+  return kept;
+}
+
+class SlipSweepTest : public Test {
+ public:
+  SlipSweepTest(const SlipSweep& sweep, double sample_step)
+      : sweep_(sweep), sample_step_(sample_step) {}
+
+  std::string in_words() const override {
+    const SlipSweep& s = sweep_;
+    const bool side = s.alpha_from != s.alpha_to;
+    return fmt::format(
+        "flat track, {:.4g} km/h, {:.4g} N{}, {}",
+        s.speed * 3.6,
+        s.load,
+        cambered(s.camber),
+        side ? fmt::format("alpha {} to {}", degrees(s.alpha_from), degrees(s.alpha_to))
+             : fmt::format("kappa {:g} to {:g}", s.kappa_from, s.kappa_to));
+  }
+
+  std::string identity() const override {
+    const SlipSweep& s = sweep_;
+    return fmt::format(
+        "slip_sweep speed {} load {} axle {} frame {} camber {} alpha {} {} kappa {} {} run_in {} "
+        "duration {} step {} sample_step {}",
+        s.speed,
+        s.load,
+        static_cast<int>(s.axle),
+        name_of(s.frame),
+        s.camber,
+        s.alpha_from,
+        s.alpha_to,
+        s.kappa_from,
+        s.kappa_to,
+        s.run_in,
+        s.duration,
+        s.step,
+        sample_step_);
+  }
+
+  std::vector<ChannelInfo> channels() const override {
+    return framed({{"time", "s"},
+                   {"alpha", "rad"},
+                   {"kappa", "1"},
+                   {"Fx", "N"},
+                   {"Fy", "N"},
+                   {"Fz", "N"},
+                   {"Mx", "N m"},
+                   {"My", "N m"},
+                   {"Mz", "N m"},
+                   {"loaded_radius", "m"}},
+                  sweep_.frame);
+  }
+
+  std::vector<std::string> needs() const override { return kSlipSweep.needs; }
+
+  std::optional<Reach> reach(const std::string& channel) const override {
+    if (channel != "time") return std::nullopt;
+    const auto steps = [&](double time) { return std::lround(time / sweep_.step); };
+    const long every = steps(sample_step_);
+    const long before = steps(sweep_.run_in) + steps(0.5 * sweep_.run_in);
+    const auto time = [&](long i) { return static_cast<double>(before + i) * sweep_.step; };
+    return Reach{time(every), time(steps(sweep_.duration) / every * every)};
+  }
+
+  Result<Channels> run(Specimen& specimen) const override {
+    auto channels = experiment::run(*specimen.find<Rolls>()->tire(), sweep_);
+    if (!channels) return channels;
+    return thinned(*channels, std::lround(sample_step_ / sweep_.step));
+  }
+
+ private:
+  SlipSweep sweep_;
+  double sample_step_;  // s
+};
+
+std::unique_ptr<Test> read_slip_sweep(const Node& root, const std::filesystem::path&) {
+  SlipSweep sweep;
+  sweep.speed = root.quantity("speed", "m/s", Range::positive());
+  sweep.load = root.quantity("load", "N", Range::positive());
+  sweep.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
+  if (root.choice("axle", {"load", "height"}, "load") == "height") sweep.axle = Axle::height;
+  sweep.frame = read_frame(root, sweep.frame);
+  if (root.has("alpha") == root.has("kappa"))
+    root.reject("alpha", "or kappa has to be there, one of the two");
+  const auto alpha = ends(root, "alpha", "rad", Range::between(-1.0, 1.0));
+  const auto kappa = ends(root, "kappa", "1", Range::between(-1.0, 1.0));
+  sweep.alpha_from = alpha[0];
+  sweep.alpha_to = alpha[1];
+  sweep.kappa_from = kappa[0];
+  sweep.kappa_to = kappa[1];
+  sweep.run_in = root.quantity("run_in", "s", Range::positive(), sweep.run_in);
+  sweep.duration = root.quantity("duration", "s", Range::positive(), sweep.duration);
+  sweep.step = root.quantity("step", "s", {0.0, 0.01, true}, sweep.step);
+  const double sample_step = root.quantity("sample_step", "s", {0.0, 1.0, true}, sweep.step);
+  const double ratio = sample_step / sweep.step;
+  if (std::abs(ratio - std::round(ratio)) > 1e-6 || ratio < 0.5)
+    root.reject("sample_step", "is no multiple of step");
+  return std::make_unique<SlipSweepTest>(sweep, sample_step);
+}
+
+}  // namespace
+
+const TestKind kSlipSweep = {
+    "slip_sweep", "is steered or braked on a flat track", {Rolls::kName}, read_slip_sweep};
+
+}  // namespace latsch::experiment

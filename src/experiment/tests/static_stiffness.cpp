@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// kind = "static_stiffness" (rigs/static_stiffness.h): force over deflection and stiffnesses of a
+// tire that stands.
+//
+//   kind = "static_stiffness"
+//   deflections = ["10 mm", "20 mm"] # channels "deflection" and "force"
+//   load = "4 kN"                    # in its place: under the load, a channel of one value for
+//   directions = ["vertical", "longitudinal", "lateral", "torsional"]  # default: all
+#include "experiment/rigs/static_stiffness.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/text.h"
+#include "experiment/language/capabilities.h"
+#include "experiment/language/test.h"
+
+namespace latsch::experiment {
+
+extern const TestKind kStaticStiffness;
+namespace {
+
+constexpr std::array<const char*, 4> kDirections = {
+    "vertical", "longitudinal", "lateral", "torsional"};
+
+struct StaticTest {
+  std::vector<double> deflections;  // m
+  double load = 0.0;                // N
+  std::vector<Direction> directions;
+};
+
+Result<Channels> stand(Tire& tire, const StaticTest& test) {
+  Channels channels;
+  if (!test.deflections.empty()) {
+    Channel deflection{"deflection", "m", test.deflections}, force{"force", "N", {}};
+    for (const double d : test.deflections) {
+      const auto load = load_at(tire, d);
+      if (!load) return load.failure();
+      force.values.push_back(*load);
+    }
+    channels.add(std::move(deflection));
+    channels.add(std::move(force));
+  }
+  for (const Direction direction : test.directions) {
+    StiffnessTest one;
+    one.direction = direction;
+    one.load = test.load;
+    const auto found = stiffness(tire, one);
+    if (!found) return found.failure();
+    channels.add({kDirections[static_cast<int>(direction)],
+                  direction == Direction::torsional ? "N m/rad" : "N/m",
+                  {*found}});
+  }
+  return channels;
+}
+
+class StaticStiffnessTest : public Test {
+ public:
+  explicit StaticStiffnessTest(StaticTest test) : test_(std::move(test)) {}
+
+  std::string in_words() const override {
+    const StaticTest& test = test_;
+    std::string text = "standing tire";
+    if (!test.deflections.empty()) text += fmt::format(", {} deflections", test.deflections.size());
+    for (const Direction direction : test.directions)
+      text += fmt::format(", {}", kDirections[static_cast<int>(direction)]);
+    return test.directions.empty() ? text : text + fmt::format(" at {:.4g} N", test.load);
+  }
+
+  std::string identity() const override {
+    std::vector<int> directions;
+    for (const Direction direction : test_.directions)
+      directions.push_back(static_cast<int>(direction));
+    return fmt::format("static_stiffness deflections {} load {} directions {}",
+                       fmt::join(test_.deflections, " "),
+                       test_.load,
+                       fmt::join(directions, " "));
+  }
+
+  std::vector<ChannelInfo> channels() const override {
+    std::vector<ChannelInfo> channels;
+    if (!test_.deflections.empty()) channels = {{"deflection", "m"}, {"force", "N"}};
+    for (const Direction direction : test_.directions)
+      channels.push_back({kDirections[static_cast<int>(direction)],
+                          direction == Direction::torsional ? "N m/rad" : "N/m"});
+    return channels;
+  }
+
+  std::vector<std::string> needs() const override { return kStaticStiffness.needs; }
+
+  std::optional<Reach> reach(const std::string& channel) const override {
+    if (channel != "deflection" || test_.deflections.empty()) return std::nullopt;
+    const auto [least, most] =
+        std::minmax_element(test_.deflections.begin(), test_.deflections.end());
+    return Reach{*least, *most};
+  }
+
+  Result<Channels> run(Specimen& specimen) const override {
+    return stand(*specimen.find<Rolls>()->tire(), test_);
+  }
+
+ private:
+  StaticTest test_;
+};
+
+std::unique_ptr<Test> read_static_test(const Node& root, const std::filesystem::path&) {
+  StaticTest test;
+  if (root.has("deflections"))
+    test.deflections = root.quantities("deflections", "m", Range::positive());
+  if (root.has("load")) {
+    test.load = root.quantity("load", "N", Range::positive());
+    std::vector<std::string> names(kDirections.begin(), kDirections.end());
+    if (root.has("directions")) names = root.texts("directions");
+    for (const std::string& name : names) {
+      const auto known = std::find(kDirections.begin(), kDirections.end(), name);
+      if (known == kDirections.end())
+        root.reject("directions",
+                    "has " + in_quotes(name) +
+                        R"(, expected "vertical", "longitudinal", "lateral" or "torsional")");
+      test.directions.push_back(static_cast<Direction>(known - kDirections.begin()));
+    }
+  }
+  if (test.deflections.empty() == test.directions.empty())
+    root.reject("deflections", "or load with directions has to be there, one of the two");
+  return std::make_unique<StaticStiffnessTest>(std::move(test));
+}
+
+}  // namespace
+
+const TestKind kStaticStiffness = {"static_stiffness",
+                                   "stands: force over deflection, stiffnesses",
+                                   {Rolls::kName},
+                                   read_static_test};
+
+}  // namespace latsch::experiment
