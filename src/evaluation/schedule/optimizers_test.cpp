@@ -27,6 +27,7 @@ Result<Channels> valley(const DesignPoint& point) {
   Channels channels;
   channels.add({"r", "1", {10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0], x[2] - 0.3 * x[1]}});
   channels.add({"c", "1", {x[0] * x[0] + x[1] * x[1] - 1.0}});
+  channels.add({"dr/dx", "1", {-20.0 * x[0], 10.0, 0.0, -1.0, 0.0, 0.0, 0.0, -0.3, 1.0}});
   return channels;
 }
 
@@ -34,6 +35,14 @@ Result<Score> sum_of_squares(const Channels& channels) {
   Score score{0.0, channels["r"]};
   for (const double r : score.residuals) score.value += r * r;
   score.constraints = channels["c"];
+  return score;
+}
+
+/// For a method that needs them: the others are to do without derivatives.
+Result<Score> with_derivatives(const Channels& channels) {
+  Score score = *sum_of_squares(channels);
+  score.constraints.clear();
+  score.jacobian = channels["dr/dx"];
   return score;
 }
 
@@ -61,7 +70,12 @@ std::vector<DesignPoint> path(const std::string& method,
   options.max_steps = 60;
   std::vector<DesignPoint> points;
   for (const Step& step :
-       run_optimizer(*optimizer, sum_of_squares, executor, nullptr, options).steps) {
+       run_optimizer(*optimizer,
+                     method == "levenberg_marquardt" ? with_derivatives : sum_of_squares,
+                     executor,
+                     nullptr,
+                     options)
+           .steps) {
     points.push_back(step.point);
   }
   return points;

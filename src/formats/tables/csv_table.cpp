@@ -307,17 +307,18 @@ std::string csv_header(const Channels& channels, const std::vector<std::string>&
 std::string csv_rows(const Channels& channels, const std::vector<std::string>& units) {
   constexpr std::size_t kUsualCell = 18;  // bytes
   std::vector<Unit> written;
+  std::size_t rows = 0;
   for (std::size_t i = 0; i < channels.all().size(); ++i) {
-    assert(channels.all()[i].values.size() == channels.all()[0].values.size());
+    rows = std::max(rows, channels.all()[i].values.size());
     written.push_back(unit_written(channels, units, i));
   }
-  const std::size_t rows = channels.empty() ? 0 : channels.all()[0].values.size();
   std::string text;
   text.reserve(rows * written.size() * kUsualCell);
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t i = 0; i < written.size(); ++i) {
       if (i > 0) text += ',';
-      written[i].append_exact_number(channels.all()[i].values[row], text);
+      const std::vector<double>& values = channels.all()[i].values;
+      if (row < values.size()) written[i].append_exact_number(values[row], text);
     }
     text += '\n';
   }

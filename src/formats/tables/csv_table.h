@@ -100,8 +100,9 @@ class CsvTable {
   std::vector<CsvFields::Mark> marks_;  // of every kStride-th row of data
 };
 
-/// A table of channels of equal length, "name [unit]", one line a sample. `units` names the unit of
-/// each column; empty: SI. Reading it gives the same bits back.
+/// A table of channels, "name [unit]", one line a sample; a channel that is shorter than others (the
+/// deflection of a modal test) leaves its cells empty. `units` names the unit of each column; empty:
+/// SI. Reading a table of equal lengths gives the same bits back.
 std::string csv_text(const Channels& channels, const std::vector<std::string>& units = {});
 
 /// The same in two parts, for tables written block by block.

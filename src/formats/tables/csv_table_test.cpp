@@ -184,5 +184,13 @@ TEST(CsvTable, WrittenTablesAreReadable) {
   EXPECT_EQ(csv_text(channels, {"mm", "N"}), "deflection [mm],force [N]\n5,812\n");
 }
 
+// A modal test on the ground records many frequencies and one deflection.
+TEST(CsvText, AShorterChannelLeavesItsCellsEmpty) {
+  Channels channels;
+  channels.add({"frequency", "Hz", {40.0, 60.0}});
+  channels.add({"deflection", "m", {0.02}});
+  EXPECT_EQ(csv_text(channels), "frequency [Hz],deflection [m]\n40,0.02\n60,\n");
+}
+
 }  // namespace
 }  // namespace latsch::formats
