@@ -33,6 +33,7 @@ SECTIONS = [
     ("[experiment.NAME]", "study_experiment"),
     ("[experiment.NAME] with kind = \"curve\"", "curve"),
     ("What of a curve is compared", "curve_comparison"),
+    ("[experiment.NAME] with kind = \"values\"", "values"),
     ("The noise of what was measured", "measurement_noise"),
     ("[constraint.NAME]: on channels", "channel_constraint"),
     ("[optimizer]", "study_optimizer"),

@@ -64,7 +64,8 @@ void print_experiments(const Study& study) {
         name_width(study.experiments),
         what(study, experiment),
         values_in_words(experiment.values()),
-        experiment.measurement_file.filename().string(),
+        experiment.measurement_file.empty() ? "the study"
+                                            : experiment.measurement_file.filename().string(),
         experiment.fitted ? "fitted" : "predicted",
         experiment.objective.weight,
         exponent);

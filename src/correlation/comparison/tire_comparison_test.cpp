@@ -17,9 +17,9 @@ constexpr const char* kDrum =
     "run_in = \"0.1 s\"\nduration = \"0.256 s\"\nlead = \"0.03 s\"\nsample_step = \"1 ms\"\n"
     "[cleat]\nheight = \"10 mm\"\nlength = \"60 mm\"\nbevel = \"5 mm\"\n";
 
-class Comparison : public testing::Test {
+class ComparedTires : public testing::Test {
  protected:
-  Comparison() {
+  ComparedTires() {
     const std::string same = experiment::sparse_tir(std::string("VERTICAL_DAMPING = 200\n") +
                                                     experiment::kLongitudinalForce);
     write("same.tir", same);
@@ -48,7 +48,7 @@ const std::string kSpecimen =
     "[specimen]\nkind = \"magic_formula\"\nfile = \"same.tir\"\n"
     "[test.cleat]\nfile = \"drum.toml\"\n";
 
-TEST_F(Comparison, TheSpecimenItselfHasNoErrorAndAnotherTireHas) {
+TEST_F(ComparedTires, TheSpecimenItselfHasNoErrorAndAnotherTireHas) {
   const ComparisonFile read = file(kSpecimen);
   const TireComparison found = compare_tires(read);
   for (std::size_t c = 0; c < read.channels.size(); ++c) {
@@ -63,14 +63,14 @@ TEST_F(Comparison, TheSpecimenItselfHasNoErrorAndAnotherTireHas) {
   EXPECT_LT(found.tires[1].cpu_over_time, 1.0);
 }
 
-TEST_F(Comparison, BandsBelowTheNoiseAreLeftOut) {
+TEST_F(ComparedTires, BandsBelowTheNoiseAreLeftOut) {
   const ComparisonFile read = file(kSpecimen + "[specimen.noise]\nFz = \"1 MN\"\n");
   const TireComparison found = compare_tires(read);
   EXPECT_EQ(found.tires[0].follows[1].upper, 0.0);
   EXPECT_GT(found.tires[0].follows[0].upper, 0.0);  // Fx has none
 }
 
-TEST_F(Comparison, NoiseIsTheSameOnEveryRun) {
+TEST_F(ComparedTires, NoiseIsTheSameOnEveryRun) {
   const ComparisonFile read = file(kSpecimen + "[specimen.noise]\nFz = \"20 N\"\n");
   EXPECT_EQ(measure(*read.specimen, read.tests[0], 0)["Fz"],
             measure(*read.specimen, read.tests[0], 0)["Fz"]);
@@ -78,7 +78,7 @@ TEST_F(Comparison, NoiseIsTheSameOnEveryRun) {
             measure(*read.specimen, read.tests[0], 1)["Fz"]);
 }
 
-TEST_F(Comparison, RecordingsStandInTheSpecimensPlace) {
+TEST_F(ComparedTires, RecordingsStandInTheSpecimensPlace) {
   std::string table = "time [ms],Fx [N],Fz [kN]\n";
   for (int i = -50; i < 300; ++i) table += std::to_string(i) + ",1,4\n";
   write("measured.csv", table);
@@ -91,7 +91,7 @@ TEST_F(Comparison, RecordingsStandInTheSpecimensPlace) {
   EXPECT_THROW(compare_tires(read), InputError);  // too short
 }
 
-TEST_F(Comparison, ThePageSaysWhatEachTireCanDo) {
+TEST_F(ComparedTires, ThePageSaysWhatEachTireCanDo) {
   const ComparisonFile read = file(kSpecimen);
   const std::string page = comparison_page(read, compare_tires(read));
   EXPECT_NE(page.find("Fz within 3 dB from"), std::string::npos);

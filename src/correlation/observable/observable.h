@@ -7,6 +7,7 @@
 //   force_curve.h   forces over deflections or loaded radii
 //   mode_set.h      frequencies of modes, paired by shape or label
 //   curve.h         a channel over another one: values, spectra, levels, paths
+//   values.h        single values of a channel
 #pragma once
 
 #include <filesystem>
@@ -48,7 +49,7 @@ class Observable {
  public:
   virtual ~Observable() = default;
 
-  /// "load_deflection", "modes", "curve": as a study names it.
+  /// "load_deflection", "modes", "curve", "values": as a study names it.
   virtual std::string kind() const = 0;
   /// What is compared: "root of force", "PSD of response/z".
   virtual std::string compared(const ObjectiveSettings& settings) const = 0;

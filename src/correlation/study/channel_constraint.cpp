@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/observable/channel_value.h"
 
 namespace latsch::correlation {
 namespace {
@@ -34,16 +33,6 @@ std::string written_unit(const Node& table, const char* key, const std::string& 
   if (unit == "1") return unit;
   const auto quantity = parse_quantity(table.text(key));
   return quantity ? quantity->unit.text() : unit;
-}
-
-double value_of(const std::string& of, const std::vector<double>& values) {
-  if (of == "smallest") return *std::min_element(values.begin(), values.end());
-  if (of == "first") return values.front();
-  if (of == "last") return values.back();
-  if (of == "mean") {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  }
-  return *std::max_element(values.begin(), values.end());
 }
 
 void read_bounds(const Node& table, const std::string& unit, ChannelConstraint& constraint) {
@@ -73,7 +62,7 @@ ChannelConstraint read_channel_constraint(const Node& table,
   constraint.name = table.name();
   constraint.channel = table.text("channel");
   const std::string unit = constrained_unit(table, constraint.channel, known);
-  constraint.of = table.choice("of", {"largest", "smallest", "mean", "first", "last"}, "largest");
+  constraint.of = table.choice("of", names_of_values(), "largest");
   read_bounds(table, unit, constraint);
   const double size =
       std::max(std::abs(constraint.lower.value_or(0.0)), std::abs(constraint.upper.value_or(0.0)));

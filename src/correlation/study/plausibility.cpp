@@ -353,6 +353,7 @@ void examine_repetitions(const Study& study, const Document& file, std::vector<F
           a.observable->kind() == "curve" &&
           (a.observable->asks() != b.observable->asks() ||
            a.observable->compared(a.objective) != b.observable->compared(b.objective));
+      if (a.measurement_file.empty()) continue;  // its values stand in the study
       if (!a.fitted || !b.fitted || a.measurement_file != b.measurement_file || other_columns)
         continue;
       found.push_back(

@@ -9,6 +9,7 @@
 #include "correlation/observable/curve.h"
 #include "correlation/observable/force_curve.h"
 #include "correlation/observable/mode_set.h"
+#include "correlation/observable/values.h"
 #include "experiment/tests/load_deflection.h"
 #include "experiment/tests/modes.h"
 #include "formats/tables/measurement_file.h"
@@ -169,9 +170,11 @@ std::shared_ptr<const Observable> read_modes(const Node& table,
                                    test.points);
 }
 
-[[noreturn]] void reject_curve_of_no_test(const Node& table, const ExperimentContext& context) {
+[[noreturn]] void reject_channel_of_no_test(const Node& table,
+                                            const std::string& kind,
+                                            const ExperimentContext& context) {
   table.reject("kind",
-               "is \"curve\", but [test] is missing: a " + context.kind->in_words() +
+               "is " + in_quotes(kind) + ", but [test] is missing: a " + context.kind->in_words() +
                    " gives channels by the tests it is driven through, and there is none. Add one "
                    "or more, such as\n\n    [test.cleat]\n    file = \"cleat.toml\"\n\n"
                    "and in cleat.toml, beside the study, its kind: " +
@@ -188,12 +191,15 @@ StudyExperiment read_experiment(const Node& table,
   experiment.name = table.name();
   experiment.objective = read_objective(table);
   experiment.fitted = table.choice("use", {"fit", "predict"}, "fit") == "fit";
-  experiment.measurement_file = context.folder / table.text("measurement");
-  const std::string kind = context.kind
-                               ? table.choice("kind", {"load_deflection", "modes", "curve"})
-                               : table.choice("kind", {"curve"});
-  if (kind == "curve") {
-    if (tests.empty()) reject_curve_of_no_test(table, context);
+  const std::string kind =
+      context.kind ? table.choice("kind", {"load_deflection", "modes", "curve", "values"})
+                   : table.choice("kind", {"curve", "values"});
+  if ((kind == "curve" || kind == "values") && tests.empty())
+    reject_channel_of_no_test(table, kind, context);
+  if (kind != "values") experiment.measurement_file = context.folder / table.text("measurement");
+  if (kind == "values") {
+    experiment.observable = read_values(table, known_channels(tests));
+  } else if (kind == "curve") {
     const auto file = find_file(table, "measurement", context.folder, Measurements::required);
     experiment.observable = read_curve(table, file, known_channels(tests));
   } else if (kind == "modes") {

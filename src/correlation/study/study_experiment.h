@@ -28,6 +28,8 @@
 //   missing_mode = 1                   # |df| of a measured mode without a partner
 //   simulated_modes = 28               # lowest modes computed; 8 more than measured unless given
 //
+// Other kinds: "curve" (observable/curve.h), "values" (observable/values.h).
+//
 // To write measurements from the model itself (a twin), also say what the laboratory would measure:
 // deflections = ["5 mm", "10 mm"], or measured_modes = 12.
 #pragma once

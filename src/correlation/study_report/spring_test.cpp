@@ -63,13 +63,23 @@ measurement = "swiftly.csv"
 [experiment.alone]
 kind = "curve"
 y = "fast/force"
-measurement = "swiftly.csv"
+measurement = "alone.csv"
+use = "predict"
+[experiment.last]
+kind = "values"
+channel = "slow/force"
+of = "last"
+value = "180 N"
+[experiment.each]
+kind = "values"
+channel = "fast/force"
+values = ["160 N", "220 N", "300 N"]
 use = "predict"
 [doe]
 design = "full_factorial"
 levels = 3
 )");
-    for (const char* file : {"slowly.csv", "swiftly.csv"})
+    for (const char* file : {"slowly.csv", "swiftly.csv", "alone.csv"})
       write_text_file(folder_ / file, "travel [m],force [N]\n0.002,1\n0.005,1\n0.009,1\n");
     const auto written = write_twin(read());  // 20 N/mm and 300 N s/m
     EXPECT_TRUE(written) << (written ? "" : written.failure().reason);
@@ -106,9 +116,11 @@ TEST_F(AnyModel, IsFittedResumedIdentifiedPredictedAndReported) {
 
   const auto page = study_report(study, journal);
   ASSERT_TRUE(page) << page.failure().reason;
-  EXPECT_EQ(page->curves.size(), 3u);
+  EXPECT_EQ(page->curves.size(), 5u);
   EXPECT_EQ(page->experiments[2].name, "alone");
   EXPECT_LT(page->experiments[2].mean_error, 1e-4);
+  EXPECT_EQ(page->experiments[4].values, 3);
+  EXPECT_LT(page->experiments[4].largest_error, 1e-4);  // 20 N/mm x + 300 N s/m 0.4 m/s
 
   const experiment::SpecimenKind& kind = *study.specimens->kind();
   EXPECT_NE(kind.text(at(study.model, study.space, found.run.best()->point)).find("stiffness"),

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// One number of a channel: its largest, smallest, mean, first or last value.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace latsch::correlation {
+
+/// "largest", "smallest", "mean", "first", "last"
+const std::vector<std::string>& names_of_values();
+
+/// By one of those names; the channel has values.
+double value_of(const std::string& of, const std::vector<double>& values);
+
+}  // namespace latsch::correlation

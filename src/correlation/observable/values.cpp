@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/observable/values.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "correlation/observable/channel_value.h"
+#include "report/report.h"
+
+namespace latsch::correlation {
+
+Result<std::vector<double>> Values::simulated(const Channels& trial) const {
+  const Channel* channel = trial.find(m_.channel);
+  if (!channel)
+    return Failure{"channel " + in_quotes(m_.channel) + " is missing", Cause::bad_output};
+  std::vector<double> found = channel->values;
+  if (!m_.of.empty() && !found.empty()) found = {value_of(m_.of, found)};
+  if (found.size() != m_.values.size()) {
+    return Failure{
+        fmt::format("channel {} has {} values, expected {} as measured{}",
+                    in_quotes(m_.channel),
+                    found.size(),
+                    m_.values.size(),
+                    m_.values.size() == 1 ? "; of = \"largest\" takes one of several" : ""),
+        Cause::bad_output};
+  }
+  return found;
+}
+
+std::string Values::compared(const ObjectiveSettings&) const {
+  return m_.of.empty() ? m_.channel : m_.of + " " + m_.channel;
+}
+
+std::vector<std::string> Values::rows() const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < m_.values.size(); ++i) {
+    names.push_back(m_.values.size() == 1 ? compared({})
+                                          : fmt::format("{}, value {}", compared({}), i + 1));
+  }
+  return names;
+}
+
+std::vector<double> Values::deviations(const MeasurementNoise& noise,
+                                       const ObjectiveSettings&) const {
+  std::vector<double> deviations;
+  for (const double scale : m_.scales)
+    deviations.push_back(std::hypot(noise.relative, noise.absolute / scale));
+  return deviations;
+}
+
+Result<Comparison> Values::compare(const Channels& trial, const ObjectiveSettings& settings) const {
+  const auto found = simulated(trial);
+  if (!found) return found.failure();
+  Comparison comparison;
+  for (std::size_t i = 0; i < found->size(); ++i) {
+    const double d = (m_.values[i] - (*found)[i]) / m_.scales[i];
+    comparison.errors.push_back(d);
+    comparison.value += std::pow(std::abs(d), settings.exponent);
+    comparison.mean_error += std::abs(d);
+    comparison.largest_error = std::max(comparison.largest_error, std::abs(d));
+  }
+  const auto count = static_cast<double>(found->size());
+  comparison.value /= count;
+  comparison.mean_error /= count;
+  comparison.differences = comparison.errors;
+  return comparison;
+}
+
+std::vector<std::filesystem::path> Values::write(const Channels&, const MeasurementFiles&) const {
+  return {};
+}
+
+void Values::draw(const ShownExperiment& shown, report::StudyReport& page) const {
+  report::MeasuredCurve picture;
+  picture.experiment = shown.name;
+  picture.conditions = shown.conditions;
+  picture.fitted = shown.fitted;
+  picture.of_design = shown.of_design;
+  picture.errors = shown.comparison.errors;
+  picture.y_name = compared({});
+  picture.y_unit = m_.shown;
+  picture.y_measured = m_.values;
+  if (const auto found = simulated(shown.found)) picture.y_simulated = *found;
+  if (shown.initial) {
+    if (const auto start = simulated(*shown.initial)) picture.y_initial = *start;
+  }
+  page.curves.push_back(std::move(picture));
+}
+
+std::string Values::table(const Channels& trial, const Comparison& comparison) const {
+  const auto found = simulated(trial);
+  std::string text =
+      fmt::format("  {:<32} {:>16} {:>16} {:>9}\n", "value", "measured", "simulated", "error %");
+  const auto names = rows();
+  for (std::size_t i = 0; found && i < found->size(); ++i) {
+    text += fmt::format("  {:<32} {:>16} {:>16} {:9.2f}\n",
+                        names[i],
+                        format_quantity(m_.values[i], m_.shown, 5),
+                        format_quantity((*found)[i], m_.shown, 5),
+                        100.0 * comparison.errors[i]);
+  }
+  return text;
+}
+
+std::pair<std::string, nlohmann::ordered_json> Values::answer(const Channels& trial,
+                                                              const Comparison& comparison) const {
+  const auto found = simulated(trial);
+  return {"values",
+          {{"of", compared({})},
+           {"unit", m_.unit},
+           {"measured", json_of(m_.values)},
+           {"simulated", found ? json_of(*found) : nlohmann::ordered_json(nullptr)},
+           {"error", json_of(comparison.errors)}}};
+}
+
+std::shared_ptr<const Values> read_values(const Node& table,
+                                          const std::vector<KnownChannel>& channels) {
+  Values::Measurement m;
+  m.channel = table.text("channel");
+  std::vector<std::string> names;
+  const KnownChannel* known = nullptr;
+  for (const KnownChannel& one : channels) {
+    names.push_back(one.name);
+    if (one.name == m.channel) known = &one;
+  }
+  if (!known) {
+    table.reject("channel",
+                 fmt::format("is {}, which no test records{}; there are {}",
+                             in_quotes(m.channel),
+                             did_you_mean(m.channel, names),
+                             list_of(names)));
+  }
+  m.shown = known->unit;
+  m.unit = si_unit(Unit::of(known->unit).dimension());
+  if (table.has("value") == table.has("values"))
+    table.reject("value", "or values has to be there, one of the two");
+  if (table.has("value")) {
+    m.values = {table.quantity("value", m.unit)};
+    if (m.unit != "1") m.shown = parse_quantity(table.text("value"))->unit.text();
+    if (table.has("of")) m.of = table.choice("of", names_of_values());
+  } else {
+    m.values = table.quantities("values", m.unit);
+    if (m.values.empty()) table.reject("values", "is empty, expected at least one");
+  }
+  for (const double value : m.values) m.scales.push_back(std::abs(value));
+  if (table.has("scale"))
+    m.scales.assign(m.values.size(), table.quantity("scale", m.unit, Range::positive()));
+  for (const double scale : m.scales) {
+    if (!(scale > 0.0))
+      table.reject("scale", "is missing: a measured 0 does not say what counts as much");
+  }
+  return std::make_shared<Values>(std::move(m));
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Single values of a channel beside measured ones that stand in the study itself: a stiffness, the
+// length of a footprint, a characteristic number of a suspension.
+//
+//   [experiment.vertical_stiffness]
+//   kind = "values"
+//   channel = "standing/vertical"      # TEST/CHANNEL; of a simulator OUTPUT/QUANTITY
+//   value = "220 N/mm"                 # as measured
+//   of = "largest"                     # where the channel has several: or smallest, mean, first,
+//                                      # last
+//   scale = "10 N/mm"                  # an error of 100 %; the measured value unless given
+//
+//   [experiment.footprint_length]
+//   kind = "values"
+//   channel = "print/length"
+//   values = ["112 mm", "139 mm"]      # in the place of value: every value of the channel
+//
+// An error is  d_i = (y_i^mea - y_i^sim) / scale_i,  the scale of a value its own size unless
+// given.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/document.h"
+#include "correlation/observable/known_channels.h"
+#include "correlation/observable/observable.h"
+
+namespace latsch::correlation {
+
+class Values : public Observable {
+ public:
+  struct Measurement {
+    std::string channel, unit, shown;    // SI; as people read it
+    std::string of;                      // empty: every value of the channel
+    std::vector<double> values, scales;  // SI
+  };
+  explicit Values(Measurement measured) : m_(std::move(measured)) {}
+
+  /// One value for each measured. A Failure where the channel has more or fewer.
+  Result<std::vector<double>> simulated(const Channels& trial) const;
+
+  std::string kind() const override { return "values"; }
+  std::string compared(const ObjectiveSettings& settings) const override;
+  std::vector<std::string> asks() const override { return {m_.channel}; }
+  std::size_t values() const override { return m_.values.size(); }
+  std::vector<std::string> rows() const override;
+  bool is_sweep() const override { return false; }
+  std::string unit() const override { return m_.unit; }
+  std::vector<double> deviations(const MeasurementNoise& noise,
+                                 const ObjectiveSettings& settings) const override;
+  Result<Comparison> compare(const Channels& trial,
+                             const ObjectiveSettings& settings) const override;
+  /// Nothing: they stand in the study.
+  std::vector<std::filesystem::path> write(const Channels& trial,
+                                           const MeasurementFiles& files) const override;
+  void draw(const ShownExperiment& shown, report::StudyReport& page) const override;
+  std::string table(const Channels& trial, const Comparison& comparison) const override;
+  std::pair<std::string, nlohmann::ordered_json> answer(
+      const Channels& trial, const Comparison& comparison) const override;
+
+ private:
+  Measurement m_;
+};
+
+/// Throws InputError where there is no such channel or the values have another dimension.
+std::shared_ptr<const Values> read_values(const Node& table,
+                                          const std::vector<KnownChannel>& channels);
+
+}  // namespace latsch::correlation
