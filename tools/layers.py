@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks that every #include follows the architecture: a folder may use itself and what is listed here, a room the
-rooms before it; that no folder holds more files than one overlooks; and that what
-is written for the user goes through base/file.h, which knows of links, pipes, devices and full disks."""
+rooms before it; that no folder holds more files than one overlooks; that studies know no model; and that what is
+written for the user goes through base/file.h, which knows of links, pipes, devices and full disks."""
 import pathlib
 import re
 import sys
@@ -39,6 +39,11 @@ ROOMS = {
 # forces are the Magic Formula's.
 MODELS = {"road": [], "tire": ["road"], "rigid_ring": ["road", "tire", "magic_formula"]}
 EVERY_TIRE = ["road", "tire"]
+
+# Studies are of any model: what is written once for all of them knows none. The room that derives a tire from basic
+# data is of two models by its purpose.
+KNOWS_NO_MODEL, OF_MODELS = "correlation", "basic_data"
+KIND_BY_NAME = re.compile(r'name\(\)\s*[!=]=\s*"(fe_tire|ring_tire|rigid_ring|magic_formula)"')
 
 MOST_FILES = 40  # directly in one folder
 
@@ -93,6 +98,9 @@ def faults():
             elif layer == target == "models" and model_of(used) not in [
                     model_of(here), *MODELS.get(model_of(here), EVERY_TIRE)]:
                 yield f"{here}:{number}: model {model_of(here)} may not use model {model_of(used)}"
+            elif (layer == KNOWS_NO_MODEL and here.parts[1] != OF_MODELS and not here.stem.endswith(("_test", "_testing"))
+                  and str(used).startswith(("models/", "experiment/kinds/"))):
+                yield f"{here}:{number}: {layer} knows no model: what only a kind can do is a capability or SpecimenKind's"
             elif fault := room_fault(here, used):
                 yield f"{here}:{number}: {fault}"
 
@@ -103,6 +111,14 @@ def crowds():
             files = sum(1 for file in folder.iterdir() if file.is_file()) if folder.is_dir() else 0
             if files > MOST_FILES:
                 yield f"{folder.relative_to(SOURCE.parent)}: {files} files in one folder, at most {MOST_FILES}: make rooms"
+
+
+def kinds_by_name():
+    for folder in (SOURCE / KNOWS_NO_MODEL, SOURCE.parent / "apps"):
+        for file in sorted([*folder.rglob("*.h"), *folder.rglob("*.cpp")]):
+            for number, line in enumerate(file.read_text().splitlines(), 1):
+                if KIND_BY_NAME.search(line) and not file.stem.endswith("_test"):
+                    yield f"{file.relative_to(SOURCE.parent)}:{number}: asks which kind of model it has; ask for a capability"
 
 
 def writers():
@@ -117,6 +133,6 @@ def writers():
 
 
 if __name__ == "__main__":
-    found = [*faults(), *crowds(), *writers()]
+    found = [*faults(), *crowds(), *kinds_by_name(), *writers()]
     print("\n".join(found) or "layers: every #include follows the architecture")
     sys.exit(1 if found else 0)

@@ -15,7 +15,6 @@
 #include "correlation/observable/mode_set.h"
 #include "experiment/tests/modes.h"
 #include "formats/tables/csv_table.h"
-#include "models/fe_tire/description/tire_description.h"
 
 namespace latsch::correlation {
 namespace {
