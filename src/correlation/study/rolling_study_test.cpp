@@ -187,6 +187,29 @@ TEST_F(RollingStudy, AMeasurementInOtherAxesThanTheTestIsRefused) {
   EXPECT_NE(with("other.csv", "frame = \"W\"\n").find("has the column \"FYC\""), std::string::npos);
 }
 
+// What was an experiment of finite elements is one of any model that can do it.
+TEST_F(RollingStudy, IsPressedOnTheGroundAsAnyTireIs) {
+  const std::string press =
+      "[experiment.press]\nkind = \"load_deflection\"\nmeasurement = \"standing.csv\"\n";
+  write("study.toml", kRollingStudy + press);
+  const Study study = read();
+  const auto channels = simulate_all(study, study.space.initial());
+  ASSERT_TRUE(channels) << channels.failure().reason;
+  const Comparison comparison = compare(study.experiments.back(), *channels);
+  EXPECT_EQ(comparison.errors.size(), 2u);
+  EXPECT_NEAR(comparison.mean_error, 0.0, 1e-9);  // 190 N/mm, as measured
+  EXPECT_EQ(tests_asked_for(study), (std::vector<std::string>{"steady", "press"}));
+
+  write("study.toml", kRollingStudy + press + "pressure = \"2 bar\"\n");
+  try {
+    read();
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("takes pressure, friction"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST_F(RollingStudy, ComplaintsSayWhereAndWhatIsExpected) {
   EXPECT_NE(complaint("\"magic_formula\"", "\"mf\"").find("\"ring_tire\""), std::string::npos);
   EXPECT_NE(complaint("[experiment.side", "[experiments.side")

@@ -23,7 +23,11 @@ FeTire tire_of(const TireDescription& description) {
   return {fe_tire::build_mesh(description), fe_tire::build_materials(description), settings};
 }
 
-class FeTireSpecimen : public Specimen, public IsPressed, public Vibrates, public HasFootprint {
+class FeTireSpecimen : public Specimen,
+                       public IsPressed,
+                       public Vibrates,
+                       public HasFootprint,
+                       public TakesConditions {
  public:
   explicit FeTireSpecimen(TireDescription description)
       : description_(std::move(description)),

@@ -2,8 +2,8 @@
 // What can be done with a specimen: interfaces of physics, none of a test. One class of tests can
 // drive every specimen that has what it asks for.
 //
-// Conditions a test leaves open (pressure, friction) are the specimen's own; one that it states and
-// the specimen cannot take is an InputError.
+// Conditions a test leaves open (pressure, friction) are the specimen's own; a test that states
+// them is for specimens that take them.
 #pragma once
 
 #include <memory>
@@ -57,6 +57,12 @@ struct HasSteadyStates {
   virtual Channels steady(const formats::CsvTable& states) const = 0;
 };
 
+/// Takes the conditions that a test states. Those of others stand in their own files.
+struct TakesConditions {
+  static constexpr const char* kName = "takes pressure, friction and sensor points from a test";
+  virtual ~TakesConditions() = default;
+};
+
 /// Names of the capabilities a class of specimens has.
 template <class S>
 std::vector<std::string> abilities_of() {
@@ -69,6 +75,7 @@ std::vector<std::string> abilities_of() {
   add(static_cast<HasFootprint*>(nullptr));
   add(static_cast<Rolls*>(nullptr));
   add(static_cast<HasSteadyStates*>(nullptr));
+  add(static_cast<TakesConditions*>(nullptr));
   return names;
 }
 

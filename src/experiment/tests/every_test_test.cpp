@@ -154,6 +154,27 @@ TEST_F(EveryTest, ARingHasModesOnTheGroundAndOffIt) {
   EXPECT_THROW((void)run(formula, formula.read(tir), *standing), InputError);
 }
 
+// Pressure and friction stand in the files of tires that roll: said before anything runs.
+TEST_F(EveryTest, AStatedConditionIsForModelsThatTakeIt) {
+  const SpecimenKind &ring = *language().find_kind("ring_tire"),
+                     &fe = *language().find_kind("fe_tire");
+  const std::string press = "kind = \"load_deflection\"\ndeflections = [\"10 mm\"]\n";
+  for (const std::string& plain : {press,
+                                   std::string("kind = \"modes\"\n"),
+                                   std::string("kind = \"footprint\"\nloads = [\"4 kN\"]\n")}) {
+    EXPECT_TRUE(can(ring, *test(plain)) && can(fe, *test(plain))) << plain;
+    for (const char* condition : {"pressure = \"2 bar\"\n", "friction = 0.8\n"}) {
+      const auto stated = test(plain + condition);
+      EXPECT_TRUE(can(fe, *stated)) << plain << condition;
+      EXPECT_FALSE(can(ring, *stated)) << plain << condition;
+      EXPECT_EQ(language().kinds_for(*stated), std::vector<std::string>{"fe_tire"});
+    }
+  }
+  const auto curve = run(ring, ring.read(kRing), *test(press));
+  ASSERT_TRUE(curve);
+  EXPECT_GT((*curve)["force"][0], 500.0);
+}
+
 TEST_F(EveryTest, SteadyStatesAreForTheMagicFormulaAlone) {
   const auto tir = write("tire.tir", kTir);
   write("states.csv", "Fz [kN],alpha [deg]\n4,2\n4,-2\n");

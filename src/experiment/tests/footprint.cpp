@@ -40,7 +40,10 @@ class StandingFootprintTest : public Test {
     return channels;
   }
 
-  std::vector<std::string> needs() const override { return kFootprint.needs; }
+  std::vector<std::string> needs() const override {
+    if (test_.pressure || test_.friction) return {TakesConditions::kName};
+    return kFootprint.needs;
+  }
 
   std::optional<long> samples() const override {
     return std::ssize(test_.loads) + std::ssize(test_.deflections);

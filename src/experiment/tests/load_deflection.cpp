@@ -91,7 +91,10 @@ std::vector<ChannelInfo> LoadDeflectionTest::channels() const {
           {"patch_area", "m^2"}};
 }
 
-std::vector<std::string> LoadDeflectionTest::needs() const { return kLoadDeflection.needs; }
+std::vector<std::string> LoadDeflectionTest::needs() const {
+  if (test_.pressure || test_.ground.mu > 0.0) return {TakesConditions::kName};
+  return kLoadDeflection.needs;
+}
 
 std::optional<Reach> LoadDeflectionTest::reach(const std::string& channel) const {
   const auto& positions = channel == "deflection"      ? test_.deflections

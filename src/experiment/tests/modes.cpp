@@ -57,7 +57,11 @@ std::vector<ChannelInfo> ModesTest::channels() const {
   return {{"frequency", "Hz"}, {"n", "1"}, {"type", "1"}, {"phase", "1"}, {"damping", "1"}};
 }
 
-std::vector<std::string> ModesTest::needs() const { return kModes.needs; }
+std::vector<std::string> ModesTest::needs() const {
+  if (test_.pressure || test_.ground.mu > 0.0 || test_.points.cols() > 0)
+    return {TakesConditions::kName};
+  return kModes.needs;
+}
 
 Result<Channels> ModesTest::run(Specimen& specimen) const {
   return specimen.find<Vibrates>()->vibrate(test_);
