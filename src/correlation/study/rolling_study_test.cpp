@@ -4,11 +4,13 @@
 
 #include <fstream>
 
+#include "base/file.h"
 #include "base/scratch_folder_testing.h"
 #include "correlation/study/study.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/study_trials.h"
+#include "correlation/target/twin.h"
 #include "experiment/kinds/sparse_tir_testing.h"
 #include "formats/tables/csv_table.h"
 
@@ -185,6 +187,22 @@ TEST_F(RollingStudy, AMeasurementInOtherAxesThanTheTestIsRefused) {
   EXPECT_NE(with("other.csv", "").find("put frame = \"C\" into the file of [test.sweep]"),
             std::string::npos);
   EXPECT_NE(with("other.csv", "frame = \"W\"\n").find("has the column \"FYC\""), std::string::npos);
+}
+
+TEST_F(RollingStudy, ATwinIsWrittenButNotOverTheStatesOfATest) {
+  ASSERT_TRUE(write_twin(read()));
+  EXPECT_NEAR(
+      formats::CsvTable::read(folder_ / "standing.csv").numbers("force", "N")[1], 3800, 1e-6);
+  const auto at_truth = simulate_all(read(), read().space.initial());
+  EXPECT_EQ(compare(read().experiments[0], *at_truth).largest_error, 0.0);
+
+  std::string text = kRollingStudy;
+  text.replace(text.find("\"measured.csv\""), 14, "\"states.csv\"");
+  const std::string states = "Fz [N],alpha [deg],Fy [N]\n4000,4,-1\n4000,-4,1\n2000,2,-1\n";
+  write("states.csv", states);
+  write("study.toml", text);
+  EXPECT_THROW((void)write_twin(read()), InputError);
+  EXPECT_EQ(read_text_file(folder_ / "states.csv"), states);
 }
 
 // What was an experiment of finite elements is one of any model that can do it.

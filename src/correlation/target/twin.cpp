@@ -2,6 +2,7 @@
 #include "correlation/target/twin.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "correlation/observable/mode_set.h"
 #include "experiment/language/capabilities.h"
@@ -35,6 +36,26 @@ Study with_sensors(Study study, experiment::Specimen& specimen) {
   return study;
 }
 
+/// A measurement may stand in the table whose states a test runs through: writing it would take the
+/// states away.
+void refuse_to_overwrite_inputs(const Study& study) {
+  for (const StudyExperiment& experiment : study.experiments) {
+    const std::filesystem::path& file = experiment.measurement_file;
+    for (const StudyTest& test : study.tests) {
+      for (const std::filesystem::path& read : test.test->files()) {
+        std::error_code absent;
+        if (!std::filesystem::equivalent(file, read, absent)) continue;
+        throw InputError(
+            {study.file.string(), 0},
+            "experiment " + experiment.name + " is measured in " + file.string() + ", which test " +
+                test.name +
+                " reads its states from: a twin would write over them. Give the experiment a file "
+                "of its own");
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Result<std::vector<std::filesystem::path>> write_twin(const Study& study) {
@@ -44,6 +65,7 @@ Result<std::vector<std::filesystem::path>> write_twin(const Study& study) {
         {study.file.string(), 0},
         "has an outside program in a model's place: there is no tire to write a twin of");
   }
+  refuse_to_overwrite_inputs(study);
   const auto specimen = kind->build(study.model);
   const Study twin = with_sensors(study, *specimen);
   Channels trial;
