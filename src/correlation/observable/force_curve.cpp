@@ -90,16 +90,22 @@ std::string ForceCurve::table(const Channels& trial, const Comparison& compariso
                                  "length mm",
                                  "width mm",
                                  "area cm^2");
+  // Not every model knows its patch, not every test its radius.
+  const auto cell = [&](const char* name, std::size_t j, double factor, int digits) {
+    const Channel* found = trial.find(test_ + "/" + name);
+    if (!found || j >= found->values.size()) return std::string("-");
+    return fmt::format("{:.{}f}", found->values[j] * factor, digits);
+  };
   for (std::size_t j = 0; j < measured_.force.size(); ++j) {
-    text += fmt::format("  {:13.3f} {:16.3f} {:13.1f} {:13.1f} {:9.2f} {:10.1f} {:9.1f} {:10.1f}\n",
-                        channel(trial, "deflection")[j] * 1e3,
-                        channel(trial, "loaded_radius")[j] * 1e3,
+    text += fmt::format("  {:>13} {:>16} {:13.1f} {:13.1f} {:9.2f} {:>10} {:>9} {:>10}\n",
+                        cell("deflection", j, 1e3, 3),
+                        cell("loaded_radius", j, 1e3, 3),
                         measured_.force[j],
                         channel(trial, "force")[j],
                         comparison.errors[j] * 100.0,
-                        channel(trial, "patch_length")[j] * 1e3,
-                        channel(trial, "patch_width")[j] * 1e3,
-                        channel(trial, "patch_area")[j] * 1e4);
+                        cell("patch_length", j, 1e3, 1),
+                        cell("patch_width", j, 1e3, 1),
+                        cell("patch_area", j, 1e4, 1));
   }
   return text;
 }

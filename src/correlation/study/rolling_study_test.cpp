@@ -217,6 +217,9 @@ TEST_F(RollingStudy, IsPressedOnTheGroundAsAnyTireIs) {
   EXPECT_EQ(comparison.errors.size(), 2u);
   EXPECT_NEAR(comparison.mean_error, 0.0, 1e-9);  // 190 N/mm, as measured
   EXPECT_EQ(tests_asked_for(study), (std::vector<std::string>{"steady", "press"}));
+  // A rolling tire's recording has no patch: shown as not known.
+  const auto& observable = *study.experiments.back().observable;
+  EXPECT_NE(observable.table(*channels, comparison).find(" - "), std::string::npos);
 
   write("study.toml", kRollingStudy + press + "pressure = \"2 bar\"\n");
   try {
