@@ -94,7 +94,7 @@ std::string undisturbed(const Prey& prey, int workers) {
   const ScratchFolder folder;
   const fs::path file = prey.write(folder.path());
   if (end_of(start_latsch("run", file, workers)) != 0) return {};
-  return trajectory(correlation::read_study(file));
+  return trajectory(correlation::read_study(file, experiment::language()));
 }
 
 struct Killed {
@@ -126,7 +126,7 @@ void kill_and_resume(const Prey& prey,
                      Killed& killed) {
   const ScratchFolder folder;
   const fs::path file = prey.write(folder.path());
-  const correlation::Study study = correlation::read_study(file);
+  const correlation::Study study = correlation::read_study(file, experiment::language());
   std::vector<Trial> before;
   for (bool ended = false; !ended;) {
     const bool resuming = fs::exists(study.run.journal);

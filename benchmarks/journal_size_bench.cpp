@@ -49,7 +49,7 @@ correlation::Study magic_formula(const fs::path& folder) {
     if (is_head || row % 2 == 0) half << line << '\n';
   }
   half.close();
-  return correlation::read_study(folder / "study.toml");
+  return correlation::read_study(folder / "study.toml", experiment::language());
 }
 
 /// The fit of the study and its profiles, up to so many trials.
@@ -67,8 +67,8 @@ std::vector<Trial> search(const correlation::Study& study) {
 }
 
 std::vector<Trial> rings() {
-  const auto study =
-      correlation::read_study(fs::path(LATSCH_SOURCE_DIR) / "studies" / "cleat_fit" / "study.toml");
+  const auto study = correlation::read_study(
+      fs::path(LATSCH_SOURCE_DIR) / "studies" / "cleat_fit" / "study.toml", experiment::language());
   const Evaluator model = correlation::evaluator(study);
   std::vector<Trial> trials;
   for (const DesignPoint& point : latin_hypercube(study.space, kRings).points) {

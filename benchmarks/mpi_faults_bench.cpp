@@ -108,7 +108,7 @@ struct Counts {
 void live_through(const Fault& fault, const std::string& reference, long trials, Counts& counts) {
   const ScratchFolder folder;
   const fs::path file = write_small_study(folder.path(), kPause);
-  const correlation::Study study = correlation::read_study(file);
+  const correlation::Study study = correlation::read_study(file, experiment::language());
   const pid_t job = start_job(file, fault.recovery);
   wait_for_trials(study, trials);
   const std::vector<Trial> before = Journal::read(study.run.journal).trials();
@@ -166,7 +166,7 @@ int run(int repetitions) {
     const ScratchFolder folder;
     const fs::path file = write_small_study(folder.path(), 0.0);
     if (end_of(start_latsch("run", file, 1)) != 0) throw std::runtime_error("the study fails");
-    reference = trajectory(correlation::read_study(file));
+    reference = trajectory(correlation::read_study(file, experiment::language()));
   }
   for (const Fault& fault : faults()) {
     Counts counts;

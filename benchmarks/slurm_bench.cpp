@@ -58,7 +58,7 @@ std::string undisturbed(const fs::path& study) {
   fs::copy(study.parent_path(), folder.path(), fs::copy_options::recursive);
   const fs::path copy = folder / study.filename();
   if (end_of(start_latsch("run", copy, 1)) != 0) throw std::runtime_error("the study fails");
-  return trajectory(correlation::read_study(copy));
+  return trajectory(correlation::read_study(copy, experiment::language()));
 }
 
 /// kill -9 of `latsch run` on that task of the step that has the study.
@@ -102,7 +102,7 @@ void plain(Table& table, const std::string& reference) {
   const ScratchFolder folder;
   const fs::path file = write_small_study(folder.path(), 0.0);
   const Said said = said_by(srun("run", file, fmt::format("-n {}", kRanks)));
-  const bool same = trajectory(correlation::read_study(file)) == reference;
+  const bool same = trajectory(correlation::read_study(file, experiment::language())) == reference;
   table.row(fmt::format("srun -n {} latsch run", kRanks),
             said.exit_code != 0 ? said.text
             : same              ? "same bits"
@@ -120,7 +120,8 @@ void refused(Table& table) {
     const auto first = said.text.find("srun --mpi=pmix latsch run");
     const bool once = first != said.text.npos &&
                       said.text.find("srun --mpi=pmix latsch run", first + 1) == said.text.npos;
-    const bool untouched = !fs::exists(correlation::read_study(file).run.journal);
+    const bool untouched =
+        !fs::exists(correlation::read_study(file, experiment::language()).run.journal);
     table.row(fmt::format("srun --mpi={}: refused, the command that works", kind),
               fmt::format("{}, {}",
                           once ? "named once" : "not named once",
@@ -140,7 +141,7 @@ struct Counts {
 void live_through(int task, long trials, const std::string& reference, Counts& counts) {
   const ScratchFolder folder;
   const fs::path file = write_small_study(folder.path(), kPause);
-  const correlation::Study study = correlation::read_study(file);
+  const correlation::Study study = correlation::read_study(file, experiment::language());
   Said said;
   std::thread job([&] { said = said_by(srun("run", file, fmt::format("-n {}", kRanks))); });
   std::vector<Trial> before;
@@ -195,7 +196,7 @@ void array(Table& table) {
   std::vector<correlation::Study> studies;
   for (int i = 0; i < kStudies; ++i) {
     files.push_back(write_study_of_array(folder / std::to_string(i), i));
-    studies.push_back(correlation::read_study(files.back()));
+    studies.push_back(correlation::read_study(files.back(), experiment::language()));
   }
   const std::string command = fmt::format(
       "timeout 300 sbatch --wait --array=0-{} -n 2 --output=/dev/null --wrap 'srun {} run "

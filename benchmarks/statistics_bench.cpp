@@ -258,8 +258,9 @@ constexpr int kMostEvaluations = 200;
 
 /// The study of a race tire with five of its numbers.
 correlation::Study twin_study() {
-  correlation::Study study = correlation::read_study(std::filesystem::path(LATSCH_SOURCE_DIR) /
-                                                     "studies" / "race_tire_mf" / "study.toml");
+  correlation::Study study = correlation::read_study(
+      std::filesystem::path(LATSCH_SOURCE_DIR) / "studies" / "race_tire_mf" / "study.toml",
+      experiment::language());
   std::vector<DesignVariable> five;
   for (const DesignVariable& v : study.space.variables()) {
     for (const char* name : {"PCY1", "PDY1", "PEY1", "PKY1", "PKY2"}) {

@@ -54,7 +54,7 @@ endfunction()
 
 function(latsch_sources out folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$|/mpi/")  # mpi.cmake has a library of its own
+  list(FILTER sources EXCLUDE REGEX "_test(ing)?\\.cpp$|/mpi/")  # mpi.cmake has a library of its own
   list(SORT sources COMPARE FILE_BASENAME)  # a room more leaves together what is compiled together
   set(${out} ${sources} PARENT_SCOPE)
 endfunction()
@@ -95,16 +95,18 @@ function(latsch_module folder)
   latsch_tests(src/${folder} ${name} latsch::${name})
 endfunction()
 
-# latsch_program(apps/cli latsch LINK ...) makes bin/latsch from apps/cli.
+# latsch_program(apps/cli latsch LINK ...) makes bin/latsch from apps/cli/main.cpp and a library latsch_cli of all else.
 function(latsch_program folder program)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  get_filename_component(name ${folder} NAME)
   latsch_sources(sources ${folder})
-  if(sources)
-    add_executable(${program} ${sources})
-    target_link_libraries(${program} PRIVATE ${ARG_LINK})
-    target_include_directories(${program} PRIVATE ${CMAKE_SOURCE_DIR}/apps)
-    install(TARGETS ${program})
-  endif()
+  list(REMOVE_ITEM sources ${CMAKE_SOURCE_DIR}/${folder}/main.cpp)
+  add_library(latsch_${name} STATIC ${sources})
+  target_link_libraries(latsch_${name} PUBLIC ${ARG_LINK})
+  target_include_directories(latsch_${name} PUBLIC ${CMAKE_SOURCE_DIR}/apps)
+  add_executable(${program} ${folder}/main.cpp)
+  target_link_libraries(${program} PRIVATE latsch_${name})
+  install(TARGETS ${program})
 endfunction()
 
 # Every folder below that has a CMakeLists.txt.

@@ -5,7 +5,7 @@ find_package(MPI COMPONENTS CXX QUIET)
 if(MPI_CXX_FOUND)
   add_library(latsch_mpi STATIC ${CMAKE_SOURCE_DIR}/src/evaluation/executors/mpi/mpi_executor.cpp)
   target_link_libraries(latsch_mpi PUBLIC latsch::evaluation MPI::MPI_CXX)
-  target_link_libraries(latsch PRIVATE latsch_mpi)
+  target_link_libraries(latsch_cli PUBLIC latsch_mpi)
   set_source_files_properties(${CMAKE_SOURCE_DIR}/apps/cli/run/workers.cpp
                               PROPERTIES COMPILE_DEFINITIONS LATSCH_MPI)
   if(LATSCH_TESTS)

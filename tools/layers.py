@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks that every #include follows the architecture: a folder may use itself and what is listed here, a room the
-rooms before it; that no folder holds more files than one overlooks; that studies know no model; and that what is
+rooms before it; that no folder holds more files than one overlooks; that studies and verbs know no model; and that what is
 written for the user goes through base/file.h, which knows of links, pipes, devices and full disks."""
 import pathlib
 import re
@@ -43,6 +43,8 @@ EVERY_TIRE = ["road", "tire"]
 # Studies are of any model: what is written once for all of them knows none. The room that derives a tire from basic
 # data is of two models by its purpose.
 KNOWS_NO_MODEL, OF_MODELS = "correlation", "basic_data"
+# So are the verbs of the program, but for those that are of a model by their purpose.
+VERBS_OF_MODELS = {"evaluate", "export", "footprint", "mesh", "ring", "road", "shown_file", "shown_tire"}
 KIND_BY_NAME = re.compile(r'name\(\)\s*[!=]=\s*"(fe_tire|ring_tire|rigid_ring|magic_formula)"')
 
 MOST_FILES = 40  # directly in one folder
@@ -105,6 +107,17 @@ def faults():
                 yield f"{here}:{number}: {fault}"
 
 
+def models_in_verbs():
+    apps = SOURCE.parent / "apps"
+    for file in sorted([*apps.rglob("*.h"), *apps.rglob("*.cpp")]):
+        if file.stem in VERBS_OF_MODELS or file.parent.name == "templates":
+            continue
+        for number, line in enumerate(file.read_text().splitlines(), 1):
+            match = INCLUDE.match(line)
+            if match and match.group(1).startswith(("models/", "experiment/kinds/")):
+                yield f"{file.relative_to(SOURCE.parent)}:{number}: a verb for any model knows none: it asks the language"
+
+
 def crowds():
     for top in ("src", "apps", "benchmarks", "verification", "tools"):
         for folder in [SOURCE.parent / top, *(SOURCE.parent / top).rglob("*")]:
@@ -133,6 +146,6 @@ def writers():
 
 
 if __name__ == "__main__":
-    found = [*faults(), *crowds(), *kinds_by_name(), *writers()]
+    found = [*faults(), *models_in_verbs(), *crowds(), *kinds_by_name(), *writers()]
     print("\n".join(found) or "layers: every #include follows the architecture")
     sys.exit(1 if found else 0)

@@ -16,18 +16,19 @@ FOLDER = TREE / "src" / "correlation"
 TESTS = TREE / "src" / "experiment"
 PAGE = TREE / "docs" / "study_reference.md"
 
-# Heading, name of header and source. A reader of a study that is missing here ends the program with a complaint.
+# Heading, name of header and source. `latsch help study` leaves out what is headed as a test that its program does not
+# have. A reader of a study that is missing here ends the program with a complaint.
 SECTIONS = [
     ("A study", "study"),
     ("model, [model], [test.NAME]", "specimens"),
     ("[simulator]: an outside program in the model's place", "simulator_settings"),
-    ("A test: force over deflection", "load_deflection"),
-    ("A test: modes", "modes"),
-    ("A test: over a cleat on the drum", "drum_rig"),
-    ("A test: on a flat track", "slip_sweep"),
-    ("A test: stiffnesses of a standing tire", "static_stiffness"),
-    ("A test: footprint", "footprint_rig"),
-    ("A test: a table of states", "steady_states"),
+    ('Test "load_deflection": force over deflection', "load_deflection"),
+    ('Test "modes": frequencies and shapes', "modes"),
+    ('Test "drum_cleat": over a cleat on the drum', "drum_rig"),
+    ('Test "slip_sweep": on a flat track', "slip_sweep"),
+    ('Test "static_stiffness": of a standing tire', "static_stiffness"),
+    ('Test "footprint": where it touches the ground', "footprint_rig"),
+    ('Test "steady_states": a table of states', "steady_states"),
     ("[variable.NAME], [tie.NAME]", "variables"),
     ("[linear_constraint.NAME]", "linear_constraints"),
     ("[experiment.NAME]", "study_experiment"),

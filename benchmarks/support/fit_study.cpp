@@ -17,7 +17,8 @@ namespace latsch::benchmarks {
 namespace fs = std::filesystem;
 
 correlation::Study study_of_folder(const std::string& name) {
-  return correlation::read_study(fs::path(LATSCH_SOURCE_DIR) / "studies" / name / "study.toml");
+  return correlation::read_study(fs::path(LATSCH_SOURCE_DIR) / "studies" / name / "study.toml",
+                                 experiment::language());
 }
 
 namespace {
@@ -48,10 +49,10 @@ correlation::Study fresh_twin(const std::string& name, TwinMesh mesh) {
   if (mesh == TwinMesh::coarse) coarsen(copy / "tires");
   fs::copy(studies / name, copy / name);
   const fs::path file = copy / name / "study.toml";
-  const auto written =
-      correlation::write_twin(correlation::read_study(file, correlation::Measurements::not_yet));
+  const auto written = correlation::write_twin(
+      correlation::read_study(file, experiment::language(), correlation::Measurements::not_yet));
   if (!written) throw std::runtime_error(written.failure().reason);
-  return correlation::read_study(file);
+  return correlation::read_study(file, experiment::language());
 }
 
 fs::path program() { return fs::read_symlink("/proc/self/exe").parent_path() / "latsch"; }

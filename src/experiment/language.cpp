@@ -69,10 +69,10 @@ std::unique_ptr<Test> Language::read_test(const std::filesystem::path& file) con
   return test;
 }
 
-std::vector<std::string> Language::kinds_for(const Test& test) const {
+std::vector<std::string> Language::kinds_for(const std::vector<std::string>& needs) const {
   std::vector<std::string> names;
   for (const SpecimenKind* kind : kinds)
-    if (can(*kind, test)) names.push_back(kind->name());
+    if (can(*kind, needs)) names.push_back(kind->name());
   return names;
 }
 
@@ -85,11 +85,13 @@ bool can(const SpecimenKind& kind, const std::vector<std::string>& needs) {
   });
 }
 
-Result<Channels> run(const SpecimenKind& kind, const Document& numbers, const Test& test) {
+Result<Channels> Language::run(const SpecimenKind& kind,
+                               const Document& numbers,
+                               const Test& test) const {
   if (!can(kind, test)) {
     throw InputError("a " + kind.in_words() + " cannot do this test (" + test.in_words() +
                      "): it takes a model that " + test.needs().front() + ", such as " +
-                     list_of(language().kinds_for(test)));
+                     list_of(kinds_for(test.needs())));
   }
   return test.run(*kind.build(numbers));
 }

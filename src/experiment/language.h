@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All kinds of specimens and tests there are: the one table that readers, errors, help and pages
-// take them from.
+// take them from. It is handed to them as a value (apps/cli/run_cli.h).
 #pragma once
 
 #include <filesystem>
@@ -26,19 +26,18 @@ struct Language {
   const SpecimenKind& kind_of_file(const std::filesystem::path& file) const;
   /// The test that a file describes, which states its `kind`. InputError naming the place.
   std::unique_ptr<Test> read_test(const std::filesystem::path& file) const;
-  /// Kinds of specimens that can do a test: "ring_tire", ...
-  std::vector<std::string> kinds_for(const Test& test) const;
+  /// Kinds of specimens that have one of these capabilities, as tests need: "ring_tire", ...
+  std::vector<std::string> kinds_for(const std::vector<std::string>& needs) const;
+  /// Runs a test with the specimen these numbers make. Throws InputError where they make none or
+  /// the kind cannot do it.
+  Result<Channels> run(const SpecimenKind& kind, const Document& numbers, const Test& test) const;
 };
 
-/// What this program speaks.
+/// What latsch speaks as it is shipped; a program of one's own may speak another.
 const Language& language();
 
 /// Whether specimens of this kind have one of these capabilities; whether they can do the test.
 bool can(const SpecimenKind& kind, const std::vector<std::string>& needs);
 bool can(const SpecimenKind& kind, const Test& test);
-
-/// Runs a test with the specimen these numbers make. Throws InputError where they make none or the
-/// kind cannot do it.
-Result<Channels> run(const SpecimenKind& kind, const Document& numbers, const Test& test);
 
 }  // namespace latsch::experiment

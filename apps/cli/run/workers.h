@@ -37,7 +37,7 @@ class Workers {
   std::unique_ptr<Job> job_;  // before the executor, which talks through it to its end
   std::unique_ptr<Executor> executor_;
   int started_ = 0;
-  int expected_ = 1;       // how often the other ranks are started
+  int expected_ = 1;      // how often the other ranks are started
   bool refused_ = false;  // and another task says so
 };
 

@@ -59,7 +59,7 @@ class Console(Coarse):
         self.assertEqual(check["experiments"][0]["values"], 2)
         self.assertEqual(self.answer("mesh", self.study)["sectors"], 18)
         tire = self.folder / "found.toml"
-        self.assertEqual(self.answer("export", self.study, "--tire", tire)["files"], [str(tire)])
+        self.assertEqual(self.answer("export", self.study, "--model", tire)["files"], [str(tire)])
         tir = TREE / "studies" / "tire_model_comparison" / "magic_formula.tir"
         states = self.folder / "states.csv"
         states.write_text("Fz [kN],alpha [deg]\n4,2\n4,-2\n")

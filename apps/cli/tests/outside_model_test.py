@@ -210,11 +210,11 @@ step_tolerance = 0.002
             self.assertEqual(found(self.latsch("resume", study)), found(whole))
         self.assert_says(journal.with_suffix(".html").read_text(), "stage narrow, after wide")
 
-    def test_there_is_no_tire_to_export(self):
+    def test_there_is_no_model_to_export(self):
         for arguments in (("--vtu", "a.vtu"), ("--measurements",)):
             self.assert_says(self.latsch("export", self.study("quarter_car" if "--vtu" in arguments else
                                                               "cantilever_calculix"), *arguments, code=WRONG_INPUT),
-                             "no tire")
+                             "no model")
 
 
 class OnAnotherFileSystem(Outside):

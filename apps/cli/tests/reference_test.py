@@ -29,7 +29,10 @@ class Reference(unittest.TestCase):
 
     def test_the_program_prints_it(self):
         run = subprocess.run([LATSCH, "help", "study"], capture_output=True, text=True)
-        self.assertEqual(run.stdout, PAGE.read_text())
+        page, own = run.stdout.split("\n## Models and tests of this program\n")
+        self.assertEqual(page, PAGE.read_text())
+        self.assertRegex(own, r"\| `magic_formula` \| Magic Formula \| a \.tir file \|")
+        self.assertRegex(own, r"\| `footprint` \| .* \| fe_tire, ring_tire, rigid_ring, magic_formula \|")
 
 
 if __name__ == "__main__":

@@ -137,7 +137,7 @@ bounds = 0.4
 
     def test_export_writes_files_for_other_programs(self):
         tire, vtu, deck = (self.folder / name for name in ("identified.toml", "tire.vtu", "tire.inp"))
-        self.latsch("export", self.study, "--tire", tire, "--vtu", vtu, "--ccx", deck, "--deflection", "8 mm",
+        self.latsch("export", self.study, "--model", tire, "--vtu", vtu, "--ccx", deck, "--deflection", "8 mm",
                     "--modes", "3")
         self.assert_says(self.latsch("mesh", tire), "HEX8", "kg")
         self.assertIn("VTKFile", vtu.read_text()[:200])

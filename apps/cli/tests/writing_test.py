@@ -29,7 +29,7 @@ class Writing(unittest.TestCase):
         road = self.write("road.toml", 'kind = "cleat"\nheight = "20 mm"\nlength = "50 mm"\nplace = "1 m"\n')
         self.verbs = [("road", road, points, "--output"), ("show", points, "--html"),
                       ("footprint", ring, "--load", "2 kN", "-o"), ("footprint", ring, "--load", "2 kN", "--html"),
-                      ("footprint", ring, "--load", "2 kN", "--elements"), ("export", tire, "--tire"),
+                      ("footprint", ring, "--load", "2 kN", "--elements"), ("export", tire, "--model"),
                       ("export", tire, "--ccx")]
 
     def write(self, name, text):

@@ -146,8 +146,8 @@ void print_stages(const Study& study) {
   if (!start.empty()) say("\nThe search starts at {}\n", start);
 }
 
-void check(const std::string& file) {
-  const Study study = correlation::read_study(file);
+void check(const std::string& file, const experiment::Language& language) {
+  const Study study = correlation::read_study(file, language);
   reject_implausible(study);
   study.specimens->check(study);
   say("{}\n\n{}\n", study.title, study.specimens->describe(study));
@@ -181,13 +181,13 @@ void check(const std::string& file) {
 
 }  // namespace
 
-void add_check(CommandLine& app, int&) {
+void add_check(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand(
       "check", "Reads a study, its model and its measurements, and says what it understood");
   verb.footer("Example:\n  latsch check studies/tire_b_twin/study.toml");
   auto file = std::make_shared<std::string>();
   verb.add_option("study", *file, "Study file (TOML)").required();
-  verb.callback([file] { check(*file); });
+  verb.callback([file, &program] { check(*file, program.language); });
 }
 
 }  // namespace latsch::cli

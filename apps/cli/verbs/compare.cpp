@@ -40,8 +40,11 @@ void write_measurements(const ComparisonFile& file, const fs::path& folder) {
   }
 }
 
-void compare(const std::string& name, const std::string& measurements, std::string output) {
-  const ComparisonFile file = correlation::read_comparison_file(name);
+void compare(const std::string& name,
+             const experiment::Language& language,
+             const std::string& measurements,
+             std::string output) {
+  const ComparisonFile file = correlation::read_comparison_file(name, language);
   if (!measurements.empty()) return write_measurements(file, measurements);
   TireComparison comparison;
   {
@@ -70,7 +73,7 @@ void compare(const std::string& name, const std::string& measurements, std::stri
 
 }  // namespace
 
-void add_compare(CommandLine& app, int&) {
+void add_compare(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand(
       "compare", "Several tires over the same cleats, beside what was measured: what each can do");
   verb.footer(
@@ -94,7 +97,7 @@ void add_compare(CommandLine& app, int&) {
   verb.add_option("--write-measurements",
                   *measurements,
                   "Write what the specimen shows in every test into this folder, and end");
-  verb.callback([=] { compare(*file, *measurements, *output); });
+  verb.callback([=, &program] { compare(*file, program.language, *measurements, *output); });
 }
 
 }  // namespace latsch::cli

@@ -42,13 +42,16 @@ std::string journal_of(const std::string& file) {
   return journal.string();
 }
 
-int examine(const std::string& named, const std::string& salvaged, const std::string& study) {
+int examine(const std::string& named,
+            const std::string& salvaged,
+            const std::string& study,
+            const experiment::Language& language) {
   const std::string file = journal_of(named);
   const JournalReport report = examine_journal(file);
   print_findings(file, report);
   if (!salvaged.empty()) {
     std::optional<StudyIdentity> identity;
-    if (!study.empty()) identity = correlation::identity(correlation::read_study(study));
+    if (!study.empty()) identity = correlation::identity(correlation::read_study(study, language));
     salvage_journal(report, identity, salvaged);
     say("{} trials are saved in {}; put it in the place of the damaged file and go on with "
         "latsch resume\n",
@@ -62,7 +65,7 @@ int examine(const std::string& named, const std::string& salvaged, const std::st
 
 }  // namespace
 
-void add_doctor(CommandLine& app, int& exit_code) {
+void add_doctor(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand(
       "doctor", "Checks every page and hash of a journal, says what is damaged, saves the rest");
   verb.footer(
@@ -75,7 +78,8 @@ void add_doctor(CommandLine& app, int& exit_code) {
   verb.add_option("journal", *file, "Journal of a study (.latsch), or the study").required();
   verb.add_option("--salvage", *salvaged, "Write the intact trials to this new journal");
   verb.add_option("--study", *study, "The study it belongs to, where the journal cannot say");
-  verb.callback([=, &exit_code] { exit_code = examine(*file, *salvaged, *study); });
+  verb.callback(
+      [=, &program] { program.exit_code = examine(*file, *salvaged, *study, program.language); });
 }
 
 }  // namespace latsch::cli

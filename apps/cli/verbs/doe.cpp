@@ -124,8 +124,12 @@ void print_policy_of_designs(const FailurePolicy& policy) {
       policy.then == Then::recover ? "recover" : "continuation");
 }
 
-int doe(const std::string& file, int levels, int workers, bool retries_failed) {
-  Study study = correlation::read_study(file);
+int doe(const std::string& file,
+        const experiment::Language& language,
+        int levels,
+        int workers,
+        bool retries_failed) {
+  Study study = correlation::read_study(file, language);
   if (workers > 0) study.run.workers = workers;
   const StudyDesign design = design_of(study, levels);
   const SamplingPlan plan = correlation::plan(design, study.space);
@@ -182,7 +186,7 @@ int doe(const std::string& file, int levels, int workers, bool retries_failed) {
 
 }  // namespace
 
-void add_doe(CommandLine& app, int& exit_code) {
+void add_doe(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand(
       "doe", "Evaluates a design of experiments: sees local minima, chooses where to start");
   verb.footer(
@@ -203,7 +207,9 @@ void add_doe(CommandLine& app, int& exit_code) {
   verb.add_flag("--retry-failed",
                 *retries_failed,
                 "Tries the points that failed so far again, once their cause is mended");
-  verb.callback([=, &exit_code] { exit_code = doe(*file, *levels, *workers, *retries_failed); });
+  verb.callback([=, &program] {
+    program.exit_code = doe(*file, program.language, *levels, *workers, *retries_failed);
+  });
 }
 
 }  // namespace latsch::cli

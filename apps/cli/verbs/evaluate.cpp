@@ -115,7 +115,7 @@ int evaluate(const EvaluateOptions& options) {
 
 }  // namespace
 
-void add_evaluate(CommandLine& app, int& exit_code) {
+void add_evaluate(CommandLine& app, Program& program) {
   Verb verb =
       app.add_subcommand("evaluate", "Forces, moments, radii and patch of a tire in steady state");
   verb.footer(
@@ -144,7 +144,7 @@ void add_evaluate(CommandLine& app, int& exit_code) {
           "--side", options->side, "The vehicle side: as measured, or the other one (mirrored)")
       .one_of({"measured", "other"})
       .capture_default_str();
-  verb.callback([=, &exit_code] { exit_code = evaluate(*options); });
+  verb.callback([=, &program] { program.exit_code = evaluate(*options); });
 }
 
 }  // namespace latsch::cli

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch export: the tire for other programs, the identified tire, and measurements written from
-// the model itself.
+// latsch export: the identified model, measurements written from the model itself, and a tire of
+// finite elements for other programs.
 #include <fmt/format.h>
 
 #include "base/file.h"
 #include "cli/console/console.h"
 #include "cli/console/parsed.h"
-#include "cli/templates/tire_source.h"
+#include "cli/run/model_source.h"
+#include "cli/templates/meshed_tire.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/target/twin.h"
 #include "formats/mesh/ccx_deck.h"
@@ -23,7 +24,7 @@ using fe_tire::TireDescription;
 constexpr int kLoadSteps = 5;
 
 struct ExportOptions {
-  std::string file, vtu, ccx, tire, pressure, deflection;
+  std::string file, vtu, ccx, model, pressure, deflection;
   int modes = 0;
   bool measurements = false;
 };
@@ -112,39 +113,39 @@ void write_ccx(const ExportOptions& options, TireDescription tire) {
       fs::path(options.ccx).replace_extension().string());
 }
 
-void write_tire_file(const ExportOptions& options, const std::string& text) {
-  write_text_file(options.tire, text);
-  say_written(options.tire);
+void write_model(const ExportOptions& options, const std::string& text) {
+  write_text_file(options.model, text);
+  say_written(options.model);
 }
 
-void write_measurements(const std::string& file) {
-  const auto study = correlation::read_study(file, correlation::Measurements::not_yet);
+void write_measurements(const std::string& file, const experiment::Language& language) {
+  const auto study = correlation::read_study(file, language, correlation::Measurements::not_yet);
   for (const auto& path : required(correlation::write_twin(study))) {
     say_written(path.string());
   }
 }
 
-void export_files(const ExportOptions& options) {
-  if (options.measurements) return write_measurements(options.file);
-  if (options.vtu.empty() && options.ccx.empty() && options.tire.empty()) {
-    throw InputError("export: say what to write: --vtu, --ccx, --tire or --measurements");
+void export_files(const ExportOptions& options, const experiment::Language& language) {
+  if (options.measurements) return write_measurements(options.file, language);
+  if (options.vtu.empty() && options.ccx.empty() && options.model.empty()) {
+    throw InputError("export: say what to write: --vtu, --ccx, --model or --measurements");
   }
-  if (!options.tire.empty()) {
-    const ModelSource source = model_source(options.file);
-    write_tire_file(options, source.kind->text(source.numbers));
+  if (!options.model.empty()) {
+    const ModelSource source = model_source(options.file, language);
+    write_model(options, source.kind->text(source.numbers));
   }
   if (options.vtu.empty() && options.ccx.empty()) return;
-  const TireDescription tire = meshed_tire(options.file);
+  const TireDescription tire = meshed_tire(options.file, language);
   if (!options.vtu.empty()) write_vtu(options, tire);
   if (!options.ccx.empty()) write_ccx(options, tire);
 }
 
 }  // namespace
 
-void add_export(CommandLine& app, int&) {
+void add_export(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand(
       "export",
-      "Writes the tire for ParaView or CalculiX, the identified tire, or a twin's measurements");
+      "Writes the identified model, measurements of a twin, a mesh for ParaView or CalculiX");
   verb.footer(
       "A study file stands for its best point so far, or for the initial values where nothing has "
       "run.\n\n"
@@ -153,21 +154,21 @@ void add_export(CommandLine& app, int&) {
       "mm\" --modes 6\n"
       "  latsch export studies/tires/passenger_225_50R16.toml --ccx tire.inp --deflection \"25 "
       "mm\"\n"
-      "  latsch export studies/tire_b_twin/study.toml --tire identified.toml\n"
+      "  latsch export studies/tire_b_twin/study.toml --model identified.toml\n"
       "  latsch export studies/tire_b_twin/study.toml --measurements\n"
       "      what the laboratory would have measured on the model as its file describes it");
   auto options = std::make_shared<ExportOptions>();
-  verb.add_option("file", options->file, "Tire file or study file (TOML)").required();
+  verb.add_option("file", options->file, "Model file or study file").required();
   verb.add_option("--vtu", options->vtu, "ParaView file to write");
   verb.add_option("--ccx", options->ccx, "CalculiX deck to write");
-  verb.add_option("--tire", options->tire, "Tire file to write, with the identified values");
+  verb.add_option("--model", options->model, "Model file to write, with the identified values");
   verb.add_option("--pressure", options->pressure, "Inflation, the tire's own unless given");
   verb.add_option("--deflection", options->deflection, "Presses the tire on the ground");
   verb.add_option("--modes", options->modes, "Lowest modes").between(0, 200);
   verb.add_flag("--measurements",
                 options->measurements,
                 "Write the study's measurement files from the model itself: a twin");
-  verb.callback([=] { export_files(*options); });
+  verb.callback([=, &program] { export_files(*options, program.language); });
 }
 
 }  // namespace latsch::cli

@@ -11,7 +11,7 @@
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
 #include "cli/console/parsed.h"
-#include "cli/templates/tire_source.h"
+#include "cli/run/model_source.h"
 #include "cli/verbs/verbs.h"
 #include "experiment/language.h"
 #include "experiment/language/capabilities.h"
@@ -48,9 +48,10 @@ experiment::FootprintTest test_of(const FootprintOptions& options) {
   return test;
 }
 
-Result<std::vector<StandingFootprint>> footprints_of(const FootprintOptions& options) {
+Result<std::vector<StandingFootprint>> footprints_of(const FootprintOptions& options,
+                                                     const experiment::Language& language) {
   const auto test = test_of(options);
-  const ModelSource model = model_source(options.tire, options.kind);
+  const ModelSource model = model_source(options.tire, language, options.kind);
   const auto specimen = model.kind->build(model.numbers);
   if (auto* standing = specimen->find<experiment::HasFootprint>())
     return standing->footprints(test);
@@ -129,8 +130,8 @@ std::string page(const std::string& tire, const std::vector<StandingFootprint>& 
   return text.append(report::kPageEnd);
 }
 
-int footprint(const FootprintOptions& options) {
-  const auto states = footprints_of(options);
+int footprint(const FootprintOptions& options, const experiment::Language& language) {
+  const auto states = footprints_of(options, language);
   if (!states) {
     complain(states.failure().reason);
     return kFailed;
@@ -168,7 +169,7 @@ int footprint(const FootprintOptions& options) {
 
 }  // namespace
 
-void add_footprint(CommandLine& app, int& exit_code) {
+void add_footprint(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("footprint",
                                  "Length, width, area and pressure of a standing tire's patch");
   verb.footer(
@@ -188,8 +189,8 @@ void add_footprint(CommandLine& app, int& exit_code) {
   verb.add_option("--elements", options->elements, "CSV file of the pressure picture to write");
   verb.add_option("--html", options->html, "Page with the pressure pictures to write");
   verb.add_option("--kind", options->kind, "Of a .tir: magic_formula unless given")
-      .one_of(experiment::language().kind_names());
-  verb.callback([=, &exit_code] { exit_code = footprint(*options); });
+      .one_of(program.language.kind_names());
+  verb.callback([=, &program] { program.exit_code = footprint(*options, program.language); });
 }
 
 }  // namespace latsch::cli

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch help: what the program can do, what a verb takes, what may stand in a study.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
 #include "base/text.h"
 #include "cli/console/console.h"
 #include "cli/templates/study_reference.h"
@@ -8,8 +13,39 @@
 namespace latsch::cli {
 namespace {
 
-void help(const CommandLine& app, const std::string& topic) {
-  if (topic == "study") return put(study_reference());
+/// The sections of the page but those of tests this program does not have.
+std::string sections(std::string_view page, const std::vector<std::string>& tests) {
+  constexpr std::string_view kSection = "\n## ", kTest = "\n## Test \"";
+  std::string kept;
+  while (!page.empty()) {
+    const std::string_view section = page.substr(0, page.find(kSection, 1));
+    page.remove_prefix(section.size());
+    std::string_view name = section;
+    if (section.starts_with(kTest))
+      name = section.substr(kTest.size(), section.find('"', kTest.size()) - kTest.size());
+    if (name == section || std::find(tests.begin(), tests.end(), name) != tests.end())
+      kept += section;
+  }
+  return kept;
+}
+
+std::string models_and_tests(const experiment::Language& language) {
+  std::string text =
+      "\n## Models and tests of this program\n\n| model | is | its file |\n| --- | --- | --- |\n";
+  for (const experiment::SpecimenKind* kind : language.kinds)
+    text += fmt::format("| `{}` | {} | {} |\n", kind->name(), kind->in_words(), kind->file());
+  text += "\n| test | the model | models that can do it |\n| --- | --- | --- |\n";
+  for (const experiment::TestKind* test : language.tests)
+    text += fmt::format("| `{}` | {} | {} |\n",
+                        test->name,
+                        test->in_words,
+                        fmt::join(language.kinds_for(test->needs), ", "));
+  return text;
+}
+
+void help(const CommandLine& app, const experiment::Language& language, const std::string& topic) {
+  if (topic == "study")
+    return put(sections(study_reference(), language.test_names()) + models_and_tests(language));
   const auto text = app.help(topic);
   if (!text) {
     std::vector<std::string> topics = app.verbs();
@@ -22,12 +58,12 @@ void help(const CommandLine& app, const std::string& topic) {
 
 }  // namespace
 
-void add_help(CommandLine& app, int&) {
+void add_help(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("help", "What a verb takes, or what may stand in a study");
   verb.footer("Examples:\n  latsch help run\n  latsch help study");
   auto topic = std::make_shared<std::string>();
   verb.add_option("topic", *topic, "A verb, or \"study\"; without it all verbs");
-  verb.callback([&app, topic] { help(app, *topic); });
+  verb.callback([&app, &program, topic] { help(app, program.language, *topic); });
 }
 
 }  // namespace latsch::cli

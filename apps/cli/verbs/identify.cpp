@@ -56,8 +56,11 @@ bool rank_predictions(const Study& study, const correlation::Identifiability& wh
   return true;
 }
 
-int identify(const std::string& file, int workers, bool profiles) {
-  Study study = correlation::read_study(file);
+int identify(const std::string& file,
+             const experiment::Language& language,
+             int workers,
+             bool profiles) {
+  Study study = correlation::read_study(file, language);
   if (workers > 0) study.run.workers = workers;
   if (!std::filesystem::exists(study.run.journal)) {
     throw InputError(study.run.journal.string() +
@@ -116,7 +119,7 @@ int identify(const std::string& file, int workers, bool profiles) {
 
 }  // namespace
 
-void add_identify(CommandLine& app, int& exit_code) {
+void add_identify(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("identify",
                                  "Says which variables the measurements determine, and how well");
   verb.footer(
@@ -130,7 +133,9 @@ void add_identify(CommandLine& app, int& exit_code) {
   verb.add_option("--workers", *workers, "Worker processes, instead of the study's")
       .between(1, 1024);
   verb.add_flag("--short", *short_form, "Intervals only, one more trial a variable");
-  verb.callback([=, &exit_code] { exit_code = identify(*file, *workers, !*short_form); });
+  verb.callback([=, &program] {
+    program.exit_code = identify(*file, program.language, *workers, !*short_form);
+  });
 }
 
 }  // namespace latsch::cli

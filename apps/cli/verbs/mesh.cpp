@@ -10,7 +10,7 @@
 #include "base/units.h"
 #include "cli/console/console.h"
 #include "cli/console/parsed.h"
-#include "cli/templates/tire_source.h"
+#include "cli/templates/meshed_tire.h"
 #include "cli/verbs/verbs.h"
 #include "experiment/rigs/discretization.h"
 #include "formats/mesh/vtu_file.h"
@@ -106,8 +106,8 @@ int print_convergence(const TireDescription& tire, const MeshOptions& options) {
   return kDone;
 }
 
-int mesh(const MeshOptions& options) {
-  const TireDescription tire = meshed_tire(options.file);
+int mesh(const MeshOptions& options, const experiment::Language& language) {
+  const TireDescription tire = meshed_tire(options.file, language);
   const fe_tire::Mesh mesh = fe_tire::build_mesh(tire, options.refinement);
   fe_tire::check(mesh);
   print_counts(tire, mesh, fe_tire::FeTire(mesh, fe_tire::build_materials(tire)).total_mass());
@@ -120,7 +120,7 @@ int mesh(const MeshOptions& options) {
 
 }  // namespace
 
-void add_mesh(CommandLine& app, int& exit_code) {
+void add_mesh(CommandLine& app, Program& program) {
   Verb verb =
       app.add_subcommand("mesh", "Meshes a tire: counts, mass, how far it is from converged");
   verb.footer(
@@ -142,7 +142,7 @@ void add_mesh(CommandLine& app, int& exit_code) {
                   "Compares with meshes refined 2 to so many times, for --convergence")
       .between(3, 8);
   verb.add_option("--modes", options->modes, "Modes to compare, for --convergence").between(1, 100);
-  verb.callback([=, &exit_code] { exit_code = mesh(*options); });
+  verb.callback([=, &program] { program.exit_code = mesh(*options, program.language); });
 }
 
 }  // namespace latsch::cli

@@ -82,8 +82,8 @@ void make_measured(const correlation::Study& study, const std::string& comment) 
   }
 }
 
-void write_example(const fs::path& file) {
-  auto study = correlation::read_study(file, correlation::Measurements::not_yet);
+void write_example(const fs::path& file, const experiment::Language& language) {
+  auto study = correlation::read_study(file, language, correlation::Measurements::not_yet);
   DesignPoint truth = study.space.initial();
   const auto variables = starter_variables(study.model);
   for (std::size_t i = 0; i < variables.size(); ++i) truth.values[i] = variables[i].example;
@@ -96,7 +96,7 @@ void write_example(const fs::path& file) {
   for (const fs::path& table : *written) say_written(table.string());
 }
 
-void start_study(const NewOptions& options) {
+void start_study(const NewOptions& options, const experiment::Language& language) {
   const fs::path folder = options.folder, study = folder / "study.toml";
   if (fs::exists(study)) {
     throw InputError(Place{study.string(), 0}, "exists already; expected a new folder");
@@ -106,7 +106,7 @@ void start_study(const NewOptions& options) {
   fs::create_directories(folder);
   write(folder / "tire.toml", tire.text());
   write(study, text);
-  write_example(study);
+  write_example(study, language);
   say("\nReplace the example values of the .csv files by your measurements, then\n"
       "  latsch check {0}\n  latsch run {0}\n",
       study.string());
@@ -114,7 +114,7 @@ void start_study(const NewOptions& options) {
 
 }  // namespace
 
-void add_new(CommandLine& app, int&) {
+void add_new(CommandLine& app, Program& program) {
   Verb verb =
       app.add_subcommand("new", "Writes a study to start from: a tire, measurements, a study file");
   verb.footer(
@@ -134,7 +134,7 @@ void add_new(CommandLine& app, int&) {
   verb.add_flag("--coarse",
                 options->coarse,
                 "Some hundred elements: a trial takes a fraction of a second, some percent off");
-  verb.callback([=] { start_study(*options); });
+  verb.callback([=, &program] { start_study(*options, program.language); });
 }
 
 }  // namespace latsch::cli

@@ -15,8 +15,11 @@
 namespace latsch::cli {
 namespace {
 
-int pareto(const std::string& file, const std::string& a, const std::string& b) {
-  const auto study = correlation::read_study(file);
+int pareto(const std::string& file,
+           const experiment::Language& language,
+           const std::string& a,
+           const std::string& b) {
+  const auto study = correlation::read_study(file, language);
   const auto journal = Journal::read(study.run.journal, correlation::identity(study));
   const auto found = correlation::pareto_front(study, journal, a, b);
   say("{} trials in {}, none was run for this\n\nBest by the weights of the study: target {:.4f} "
@@ -52,7 +55,7 @@ int pareto(const std::string& file, const std::string& a, const std::string& b) 
 
 }  // namespace
 
-void add_pareto(CommandLine& app, int& exit_code) {
+void add_pareto(CommandLine& app, Program& program) {
   Verb verb =
       app.add_subcommand("pareto", "Two experiments against each other, from the trials there are");
   verb.footer(
@@ -63,7 +66,7 @@ void add_pareto(CommandLine& app, int& exit_code) {
   verb.add_option("study", *file, "Study file (TOML)").required();
   verb.add_option("a", *a, "Name of a fitted experiment").required();
   verb.add_option("b", *b, "Name of another one").required();
-  verb.callback([=, &exit_code] { exit_code = pareto(*file, *a, *b); });
+  verb.callback([=, &program] { program.exit_code = pareto(*file, program.language, *a, *b); });
 }
 
 }  // namespace latsch::cli

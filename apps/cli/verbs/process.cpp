@@ -128,7 +128,7 @@ void process(const std::string& file, bool synthetic, const std::string& output)
 
 }  // namespace
 
-void add_process(CommandLine& app, int&) {
+void add_process(CommandLine& app, Program&) {
   Verb verb = app.add_subcommand(
       "process",
       "Drum recordings to passages, averages, spectra, and a filter that takes the rig away");

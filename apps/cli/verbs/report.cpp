@@ -6,8 +6,8 @@
 namespace latsch::cli {
 namespace {
 
-int report(const std::string& file, bool on_the_ground) {
-  const auto study = correlation::read_study(file);
+int report(const std::string& file, const experiment::Language& language, bool on_the_ground) {
+  const auto study = correlation::read_study(file, language);
   return write_report(
       study,
       Journal::read(study.run.journal, correlation::identity(study)),
@@ -16,7 +16,7 @@ int report(const std::string& file, bool on_the_ground) {
 
 }  // namespace
 
-void add_report(CommandLine& app, int& exit_code) {
+void add_report(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("report", "Writes one self-contained HTML file beside the study");
   verb.footer("Example:\n  latsch report studies/tire_b_twin/study.toml");
   auto file = std::make_shared<std::string>();
@@ -25,7 +25,8 @@ void add_report(CommandLine& app, int& exit_code) {
   verb.add_flag("--convergence",
                 *on_the_ground,
                 "Also compares the tire on the ground with finer meshes: some minutes");
-  verb.callback([=, &exit_code] { exit_code = report(*file, *on_the_ground); });
+  verb.callback(
+      [=, &program] { program.exit_code = report(*file, program.language, *on_the_ground); });
 }
 
 }  // namespace latsch::cli

@@ -74,7 +74,7 @@ int ring(const RingOptions& options) {
 
 }  // namespace
 
-void add_ring(CommandLine& app, int& exit_code) {
+void add_ring(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("ring", "A ring tire from measured loads, stiffnesses and modes");
   verb.footer(
       "DATA names a tire file with known numbers, [variable.NAME] for those to be found and\n"
@@ -86,7 +86,7 @@ void add_ring(CommandLine& app, int& exit_code) {
   verb.add_option("data", options->data, "Data file").required();
   verb.add_option("--output", options->output, "Tire file to write");
   verb.add_option("--evaluations", options->evaluations, "At most").between(1, 100000);
-  verb.callback([=, &exit_code] { exit_code = ring(*options); });
+  verb.callback([=, &program] { program.exit_code = ring(*options); });
 }
 
 }  // namespace latsch::cli

@@ -90,7 +90,7 @@ int road(const RoadOptions& options) {
 
 }  // namespace
 
-void add_road(CommandLine& app, int& exit_code) {
+void add_road(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("road", "Height, normal and friction of a road at given points");
   verb.footer(
       "ROAD is OpenCRG (.crg), Adams road data (.rdf) or a road in words (.toml):\n"
@@ -113,7 +113,7 @@ void add_road(CommandLine& app, int& exit_code) {
   verb.add_option("--triangles",
                   options->triangles,
                   "Of a kerb: Adams road file of nodes and triangles to write");
-  verb.callback([=, &exit_code] { exit_code = road(*options); });
+  verb.callback([=, &program] { program.exit_code = road(*options); });
 }
 
 }  // namespace latsch::cli

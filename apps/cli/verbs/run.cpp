@@ -193,8 +193,8 @@ bool has_found(const Study& stage, const correlation::Fit& fit, const Journal& j
   return false;
 }
 
-int fit(const Asked& asked) {
-  Study study = correlation::read_study(asked.file);
+int fit(const Asked& asked, const experiment::Language& language) {
+  Study study = correlation::read_study(asked.file, language);
   if (asked.workers > 0) study.run.workers = asked.workers;
   const auto first_journal = correlation::stage(study, 0).run.journal;
   if (asked.resuming && !std::filesystem::exists(first_journal)) {
@@ -240,7 +240,7 @@ int fit(const Asked& asked) {
 
 }  // namespace
 
-void add_run(CommandLine& app, int& exit_code) {
+void add_run(CommandLine& app, Program& program) {
   for (const bool resuming : {false, true}) {
     Verb verb = app.add_subcommand(
         resuming ? "resume" : "run",
@@ -272,7 +272,7 @@ void add_run(CommandLine& app, int& exit_code) {
       verb.add_flag(
           "--anew", asked->anew, "Begins with an empty journal; the old one is kept beside");
     }
-    verb.callback([=, &exit_code] { exit_code = fit(*asked); });
+    verb.callback([=, &program] { program.exit_code = fit(*asked, program.language); });
   }
 }
 

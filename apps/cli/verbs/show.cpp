@@ -72,7 +72,7 @@ int show(const std::string& file, const std::string& html, const std::string& ax
 
 }  // namespace
 
-void add_show(CommandLine& app, int& exit_code) {
+void add_show(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("show", "What was read from a file: units, axes, channels");
   verb.footer(
       "Reads TYDEX (.tdx), tables (.csv), MATLAB (.mat), tires (.tir), roads (.crg, .rdf, .toml),\n"
@@ -84,7 +84,7 @@ void add_show(CommandLine& app, int& exit_code) {
   verb.add_option("--html", *html, "Page with plots and tables to write");
   auto axes = std::make_shared<std::string>("iso");
   verb.add_option("--axes", *axes, "Signs the file has: iso, adapted_sae or sae; shown are iso's");
-  verb.callback([=, &exit_code] { exit_code = show(*file, *html, *axes); });
+  verb.callback([=, &program] { program.exit_code = show(*file, *html, *axes); });
 }
 
 }  // namespace latsch::cli

@@ -16,8 +16,10 @@ namespace {
 
 using correlation::Study;
 
-int simulate(const std::string& file, const std::vector<std::string>& assignments) {
-  const Study study = correlation::read_study(file);
+int simulate(const std::string& file,
+             const experiment::Language& language,
+             const std::vector<std::string>& assignments) {
+  const Study study = correlation::read_study(file, language);
   DesignPoint point = study.space.initial();
   for (const std::string& assignment : assignments) set_variable(study.space, assignment, point);
   say("{}\n\n", study.title);
@@ -43,8 +45,8 @@ int simulate(const std::string& file, const std::vector<std::string>& assignment
 
 }  // namespace
 
-void add_simulate(CommandLine& app, int& exit_code) {
-  Verb verb = app.add_subcommand("simulate", "One trial: forces and modes beside the measurement");
+void add_simulate(CommandLine& app, Program& program) {
+  Verb verb = app.add_subcommand("simulate", "One trial: every experiment beside its measurement");
   verb.footer(
       "Examples:\n  latsch simulate studies/tire_b_twin/study.toml\n"
       "  latsch simulate studies/tire_b_twin/study.toml --set \"matrix=12 N/mm^2\" --set \"belt=5 "
@@ -54,7 +56,8 @@ void add_simulate(CommandLine& app, int& exit_code) {
   verb.add_option("study", *file, "Study file (TOML)").required();
   verb.add_option(
       "--set", *assignments, "NAME=VALUE of a variable, others at their initial values");
-  verb.callback([=, &exit_code] { exit_code = simulate(*file, *assignments); });
+  verb.callback(
+      [=, &program] { program.exit_code = simulate(*file, program.language, *assignments); });
 }
 
 }  // namespace latsch::cli

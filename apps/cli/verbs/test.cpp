@@ -9,9 +9,10 @@
 #include "base/document.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/text.h"
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
-#include "cli/templates/tire_source.h"
+#include "cli/run/model_source.h"
 #include "cli/verbs/verbs.h"
 #include "experiment/language.h"
 #include "experiment/tests/drum_cleat.h"
@@ -64,29 +65,26 @@ int say_convergence(const experiment::SpecimenKind& kind,
 }
 
 /// Which kinds of models can do which kinds of tests, by what both say of themselves.
-int say_matrix() {
-  const experiment::Language& language = experiment::language();
+int say_matrix(const experiment::Language& language) {
   Json& rows = answer()["tests"] = Json::array();
   for (const experiment::TestKind* test : language.tests) {
-    std::vector<std::string> able;
-    for (const experiment::SpecimenKind* kind : language.kinds)
-      if (experiment::can(*kind, test->needs)) able.push_back(kind->name());
+    const auto able = language.kinds_for(test->needs);
     rows.push_back({{"kind", test->name}, {"what", test->in_words}, {"models", able}});
     say("{:<17} {}\n{:<17} {}\n", test->name, test->in_words, "", fmt::join(able, ", "));
   }
   return kDone;
 }
 
-int test(const TestOptions& options) {
-  if (options.list) return say_matrix();
+int test(const TestOptions& options, const experiment::Language& language) {
+  if (options.list) return say_matrix(language);
   if (options.model.empty() || options.test.empty())
     throw InputError(
         "test: expected a model and a test, such as: latsch test tire.toml test.toml; "
         "latsch test --list says which model can do which");
-  const ModelSource model = model_source(options.model, options.kind);
-  const auto test = experiment::language().read_test(options.test);
+  const ModelSource model = model_source(options.model, language, options.kind);
+  const auto test = language.read_test(options.test);
   if (options.convergence) return say_convergence(*model.kind, model.numbers, *test);
-  const auto channels = experiment::run(*model.kind, model.numbers, *test);
+  const auto channels = language.run(*model.kind, model.numbers, *test);
   if (!channels) {
     complain(channels.failure().reason);
     return kFailed;
@@ -97,23 +95,16 @@ int test(const TestOptions& options) {
 
 }  // namespace
 
-void add_test(CommandLine& app, int& exit_code) {
-  Verb verb = app.add_subcommand(
-      "test", "Any model through a test: over a cleat, on a flat track, standing, its modes, ...");
+void add_test(CommandLine& app, Program& program) {
+  Verb verb = app.add_subcommand("test", "Any model through any test that it can do");
+  std::string tests;
+  for (const experiment::TestKind* test : program.language.tests)
+    tests += fmt::format("  kind = {:<20} {}\n", in_quotes(test->name), test->in_words);
   verb.footer(
-      "MODEL is a file with a model, or a study at its best point; TEST a file such as\n"
-      "  kind = \"drum_cleat\"\n"
-      "  speed = \"60 km/h\"\n"
-      "  load = \"4 kN\"                       or deflection = \"20 mm\"\n"
-      "  drum_diameter = \"2.5 m\"\n"
-      "  [cleat]\n"
-      "  height = \"15 mm\"\n"
-      "  length = \"30 mm\"\n\n"
-      "or\n"
-      "  kind = \"load_deflection\"\n"
-      "  deflections = [\"10 mm\", \"20 mm\"]\n\n"
-      "latsch help study has the keys of every test, latsch test --list which models can do "
-      "which.\n\n"
+      "MODEL is a file with a model, or a study at its best point; TEST a file that says its\n" +
+      tests +
+      "and the keys that latsch help study has for it; latsch test --list says which models can "
+      "do\nwhich.\n\n"
       "Examples:\n  latsch test tire.toml test.toml > forces.csv\n"
       "  latsch test tire.tir test.toml --kind rigid_ring -o forces.csv\n"
       "  latsch test studies/tire_b_twin/study.toml modes.toml\n"
@@ -123,13 +114,14 @@ void add_test(CommandLine& app, int& exit_code) {
   verb.add_option("model", options->model, "Model or study");
   verb.add_option("test", options->test, "Test file");
   verb.add_option("-o,--output", options->output, "CSV file to write; else the terminal");
-  verb.add_option("--kind", options->kind, "Of a .tir: magic_formula unless given")
-      .one_of(experiment::language().kind_names());
+  verb.add_option(
+          "--kind", options->kind, "Of a file that can be read as several: what it is taken for")
+      .one_of(program.language.kind_names());
   verb.add_flag("--list", options->list, "Which models can do which tests");
   verb.add_flag("--convergence",
                 options->convergence,
                 "Of a drum_cleat: what half the step and half as many segments again change");
-  verb.callback([=, &exit_code] { exit_code = test(*options); });
+  verb.callback([=, &program] { program.exit_code = test(*options, program.language); });
 }
 
 }  // namespace latsch::cli

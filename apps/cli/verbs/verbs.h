@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cli/console/command_line.h"
+#include "experiment/language.h"
 
 namespace latsch::cli {
 
@@ -13,26 +14,32 @@ inline constexpr int kFailed =
     1;  // the run failed: no trial succeeded, the journal cannot be written, interrupted
 inline constexpr int kWrongInput = 2;  // wrong arguments or wrong files
 
-void add_new(CommandLine& app, int& exit_code);
-void add_check(CommandLine& app, int& exit_code);
-void add_mesh(CommandLine& app, int& exit_code);
-void add_simulate(CommandLine& app, int& exit_code);
-void add_evaluate(CommandLine& app, int& exit_code);
-void add_doe(CommandLine& app, int& exit_code);
-void add_run(CommandLine& app, int& exit_code);  // run and resume
-void add_identify(CommandLine& app, int& exit_code);
-void add_pareto(CommandLine& app, int& exit_code);
-void add_report(CommandLine& app, int& exit_code);
-void add_doctor(CommandLine& app, int& exit_code);
-void add_export(CommandLine& app, int& exit_code);
-void add_compare(CommandLine& app, int& exit_code);
-void add_road(CommandLine& app, int& exit_code);
-void add_test(CommandLine& app, int& exit_code);
-void add_footprint(CommandLine& app, int& exit_code);
-void add_ring(CommandLine& app, int& exit_code);
-void add_show(CommandLine& app, int& exit_code);
-void add_help(CommandLine& app, int& exit_code);
-void add_process(CommandLine& app, int& exit_code);
-void add_worker(CommandLine& app, int& exit_code);  // hidden: what run and doe start
+/// What a verb knows of the program it belongs to.
+struct Program {
+  const experiment::Language& language;  // the models and tests there are
+  int exit_code = kDone;
+};
+
+void add_new(CommandLine& app, Program& program);
+void add_check(CommandLine& app, Program& program);
+void add_mesh(CommandLine& app, Program& program);
+void add_simulate(CommandLine& app, Program& program);
+void add_evaluate(CommandLine& app, Program& program);
+void add_doe(CommandLine& app, Program& program);
+void add_run(CommandLine& app, Program& program);  // run and resume
+void add_identify(CommandLine& app, Program& program);
+void add_pareto(CommandLine& app, Program& program);
+void add_report(CommandLine& app, Program& program);
+void add_doctor(CommandLine& app, Program& program);
+void add_export(CommandLine& app, Program& program);
+void add_compare(CommandLine& app, Program& program);
+void add_road(CommandLine& app, Program& program);
+void add_test(CommandLine& app, Program& program);
+void add_footprint(CommandLine& app, Program& program);
+void add_ring(CommandLine& app, Program& program);
+void add_show(CommandLine& app, Program& program);
+void add_help(CommandLine& app, Program& program);
+void add_process(CommandLine& app, Program& program);
+void add_worker(CommandLine& app, Program& program);  // hidden: what run and doe start
 
 }  // namespace latsch::cli

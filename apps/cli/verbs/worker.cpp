@@ -9,7 +9,7 @@
 
 namespace latsch::cli {
 
-void add_worker(CommandLine& app, int& exit_code) {
+void add_worker(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("worker", "Evaluates trials for `latsch run` and `latsch doe`");
   verb.hide();
   auto file = std::make_shared<std::string>();
@@ -22,10 +22,11 @@ void add_worker(CommandLine& app, int& exit_code) {
       "Started by the program itself, one process a worker: it reads points from its standard "
       "input\nand writes their outcomes to its standard output. To try it by hand there is latsch "
       "simulate.");
-  verb.callback([=, &exit_code] {
-    correlation::Study study = correlation::read_study(*file);
+  verb.callback([=, &program] {
+    correlation::Study study = correlation::read_study(*file, program.language);
     if (!stage->empty()) study = correlation::stage_called(study, *stage);
-    exit_code = serve(correlation::evaluator(*all ? correlation::with_predictions(study) : study));
+    program.exit_code =
+        serve(correlation::evaluator(*all ? correlation::with_predictions(study) : study));
   });
 }
 

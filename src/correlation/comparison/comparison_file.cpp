@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "correlation/study/specimens.h"
 
 namespace latsch::correlation {
 namespace {
@@ -20,8 +21,9 @@ fs::path existing(const Node& table, const char* key, const fs::path& folder) {
   return file;
 }
 
-ComparedTire read_tire(const Node& table, const fs::path& folder) {
-  const experiment::Language& language = experiment::language();
+ComparedTire read_tire(const Node& table,
+                       const fs::path& folder,
+                       const experiment::Language& language) {
   const auto* kind = language.find_kind(table.choice("kind", language.kind_names()));
   const fs::path file = existing(table, "file", folder);
   ComparedTire tire{table.name(), {}, kind, file, kind->read(file), {}, {}};
@@ -32,8 +34,10 @@ ComparedTire read_tire(const Node& table, const fs::path& folder) {
   return tire;
 }
 
-Specimen read_specimen(const Node& table, const fs::path& folder) {
-  Specimen specimen{read_tire(table, folder), 0.0, {}, 1};
+Specimen read_specimen(const Node& table,
+                       const fs::path& folder,
+                       const experiment::Language& language) {
+  Specimen specimen{read_tire(table, folder, language), 0.0, {}, 1};
   specimen.step = table.quantity("step", "s", Range::positive(), 0.0);
   specimen.seed = table.integer("seed", 0, 1'000'000'000, 1);
   if (const auto noise = table.find_table("noise")) {
@@ -45,11 +49,17 @@ Specimen read_specimen(const Node& table, const fs::path& folder) {
   return specimen;
 }
 
-ComparisonTest read_test(const Node& table, const fs::path& folder, bool specimen) {
+ComparisonTest read_test(const Node& table,
+                         const fs::path& folder,
+                         const experiment::Language& language,
+                         const std::vector<const experiment::SpecimenKind*>& kinds,
+                         bool specimen) {
   const fs::path file = existing(table, "file", folder);
-  const auto test = experiment::language().read_test(file);
+  const auto test = language.read_test(file);
   const auto* drum = dynamic_cast<const experiment::DrumCleatTest*>(test.get());
   if (!drum) table.reject("file", "is no drum test, expected kind = \"drum_cleat\" in it");
+  for (const experiment::SpecimenKind* kind : kinds)
+    if (const auto reason = reason_against(*kind, *test, language)) table.reject("file", *reason);
   ComparisonTest one{table.name(), drum->settings(), {}, table.flag("fitted", false)};
   if (specimen == table.has("measurement"))
     table.reject("measurement",
@@ -63,7 +73,7 @@ ComparisonTest read_test(const Node& table, const fs::path& folder, bool specime
 
 const char* unit_of(const std::string& channel) { return channel[0] == 'F' ? "N" : "N m"; }
 
-ComparisonFile read_comparison_file(const fs::path& file) {
+ComparisonFile read_comparison_file(const fs::path& file, const experiment::Language& language) {
   const Document document = Document::read(file);
   const Node root = document.root();
   const fs::path folder = file.parent_path();
@@ -85,9 +95,17 @@ ComparisonFile read_comparison_file(const fs::path& file) {
   }
   comparison.agreement = root.quantity("agreement", "1", Range::positive(), 3.0);
   if (const auto table = root.find_table("specimen"))
-    comparison.specimen = read_specimen(*table, folder);
+    comparison.specimen = read_specimen(*table, folder, language);
+  for (const Node& table : root.named_tables("tire"))
+    comparison.tires.push_back(read_tire(table, folder, language));
+  if (comparison.tires.empty())
+    root.reject("tire", "is missing, expected at least one [tire.NAME] with kind and file");
+  std::vector<const experiment::SpecimenKind*> kinds;
+  for (const ComparedTire& tire : comparison.tires) kinds.push_back(tire.kind);
+  if (comparison.specimen) kinds.push_back(comparison.specimen->tire.kind);
   for (const Node& table : root.named_tables("test"))
-    comparison.tests.push_back(read_test(table, folder, comparison.specimen.has_value()));
+    comparison.tests.push_back(
+        read_test(table, folder, language, kinds, comparison.specimen.has_value()));
   if (comparison.tests.empty())
     root.reject("test", "is missing, expected at least one [test.NAME] with its file");
   for (const ComparisonTest& test : comparison.tests) {
@@ -96,10 +114,6 @@ ComparisonFile read_comparison_file(const fs::path& file) {
     if (ratio < 0.5 || std::abs(ratio - std::round(ratio)) > 1e-6)
       root.table("specimen").reject("step", "does not divide the sample_step of test " + test.name);
   }
-  for (const Node& table : root.named_tables("tire"))
-    comparison.tires.push_back(read_tire(table, folder));
-  if (comparison.tires.empty())
-    root.reject("tire", "is missing, expected at least one [tire.NAME] with kind and file");
   root.close();
   return comparison;
 }

@@ -79,6 +79,7 @@ struct ComparisonFile {
 const char* unit_of(const std::string& channel);
 
 /// Throws InputError naming the place.
-ComparisonFile read_comparison_file(const std::filesystem::path& file);
+ComparisonFile read_comparison_file(const std::filesystem::path& file,
+                                    const experiment::Language& language);
 
 }  // namespace latsch::correlation

@@ -77,7 +77,7 @@ void find_heard(const ComparisonFile& file,
 }
 
 Channels run_of(const ComparedTire& tire, const ComparisonTest& test) {
-  auto channels = experiment::run(*tire.kind, tire.numbers, experiment::DrumCleatTest(test.drum));
+  auto channels = experiment::DrumCleatTest(test.drum).run(*tire.kind->build(tire.numbers));
   if (!channels) {
     throw std::runtime_error(
         fmt::format("{} in test {}: {}", tire.title, test.name, channels.failure().reason));

@@ -38,7 +38,7 @@ class ComparedTires : public testing::Test {
               "[tire.same]\nkind = \"magic_formula\"\nfile = \"same.tir\"\n"
               "[tire.stiff]\ntitle = \"Stiff & <odd>\"\nkind = \"magic_formula\"\n"
               "file = \"stiff.tir\"\n");
-    return read_comparison_file(folder_ / "comparison.toml");
+    return read_comparison_file(folder_ / "comparison.toml", experiment::language());
   }
 
   ScratchFolder folder_;

@@ -52,7 +52,7 @@ y = "out/y"
 measurement = "measured.csv"
 exponent = 2
 )" << settings;
-    return read_study(folder_ / "study.toml");
+    return read_study(folder_ / "study.toml", experiment::language());
   }
   static Channels simulated(const std::function<double(double)>& y) {
     Channel t{"out/t", "s", {}}, values{"out/y", "N", {}};

@@ -67,7 +67,7 @@ measurement = "measured.csv"
   /// The head and what follows it.
   Study read(const std::string& more, const std::string& name = "study.toml") {
     write(name, kHead + more);
-    return read_study(folder_ / name);
+    return read_study(folder_ / name, experiment::language());
   }
 
   /// All stages to their end or, after so many trials of a process, to a kill.

@@ -61,7 +61,7 @@ class RollingStudy : public testing::Test {
   void write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;
   }
-  Study read() { return read_study(folder_ / "study.toml"); }
+  Study read() { return read_study(folder_ / "study.toml", experiment::language()); }
   std::string complaint(const std::string& from, const std::string& to) {
     std::string text = kRollingStudy;
     text.replace(text.find(from), from.size(), to);

@@ -42,7 +42,7 @@ class SimulatorStudy : public testing::Test {
     write("measured.csv", "t [s],z [mm]\n0.5,1.5\n2,4\n");
   }
   void write(const char* name, const std::string& text) { std::ofstream(folder_ / name) << text; }
-  Study read() { return read_study(folder_ / "study.toml"); }
+  Study read() { return read_study(folder_ / "study.toml", experiment::language()); }
 
   void refused(const std::string& from, const std::string& to, const std::string& part) {
     std::string text = kStudy;

@@ -108,7 +108,7 @@ std::optional<std::string> reason_against(const SpecimenKind& kind,
                      test.in_words(),
                      fmt::join(test.needs(), " or "),
                      kind.in_words(),
-                     list_of(language.kinds_for(test)));
+                     list_of(language.kinds_for(test.needs())));
 }
 
 std::vector<StudyTest> read_tests(const Node& study,

@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <chrono>
+#include <thread>
+
 #include "experiment/language.h"
 
 namespace latsch::experiment {
@@ -37,11 +40,12 @@ class SpringKind : public SpecimenKind {
   }
 };
 
-/// kind = "pull": travels = ["1 mm", ...] at one speed.
+/// kind = "pull": travels = ["1 mm", ...] at one speed, each held for so long that a run can be
+/// killed on its way.
 class PullTest : public Test {
  public:
-  PullTest(std::vector<double> travels, double speed)
-      : travels_(std::move(travels)), speed_(speed) {}
+  PullTest(std::vector<double> travels, double speed, double hold)
+      : travels_(std::move(travels)), speed_(speed), hold_(hold) {}
   std::string in_words() const override { return fmt::format("pulled at {:g} m/s", speed_); }
   std::string identity() const override {
     return fmt::format("pull {} at {}", fmt::join(travels_, " "), speed_);
@@ -50,8 +54,10 @@ class PullTest : public Test {
   std::vector<std::string> needs() const override { return {Spring::kName}; }
   Result<Channels> run(Specimen& specimen) const override {
     Channel force{"force", "N", {}};
-    for (const double x : travels_)
+    for (const double x : travels_) {
+      std::this_thread::sleep_for(std::chrono::duration<double>(hold_));
       force.values.push_back(specimen.find<Spring>()->force(x, speed_));
+    }
     Channels channels;
     channels.add({"travel", "m", travels_});
     channels.add(std::move(force));
@@ -60,7 +66,7 @@ class PullTest : public Test {
 
  private:
   std::vector<double> travels_;  // m
-  double speed_;                 // m/s
+  double speed_, hold_;          // m/s, s
 };
 
 inline const Language& spring_language() {
@@ -69,7 +75,8 @@ inline const Language& spring_language() {
       "pull", "is pulled", {Spring::kName}, [](const Node& root, const std::filesystem::path&) {
         auto travels = root.quantities("travels", "m", Range::positive());
         const double speed = root.quantity("speed", "m/s", Range::not_negative());
-        return std::unique_ptr<Test>(std::make_unique<PullTest>(std::move(travels), speed));
+        const double hold = root.quantity("hold", "s", Range::not_negative(), 0.0);
+        return std::unique_ptr<Test>(std::make_unique<PullTest>(std::move(travels), speed, hold));
       }};
   static const Language language = {{&kind}, {&pull}};
   return language;

@@ -271,8 +271,8 @@ Study read(const Document& document,
 }  // namespace
 
 Study read_study(const std::filesystem::path& file,
-                 Measurements measurements,
-                 const experiment::Language& language) {
+                 const experiment::Language& language,
+                 Measurements measurements) {
   const Document document = Document::read(file);
   if (document.root().has("kind"))
     document.root().reject("kind",

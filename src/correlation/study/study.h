@@ -88,8 +88,8 @@ std::vector<std::string> tests_asked_for(const Study& study);
 /// measurements. With Measurements::not_yet, measurement files need not exist: for writing them
 /// from the model.
 Study read_study(const std::filesystem::path& file,
-                 Measurements measurements = Measurements::required,
-                 const experiment::Language& language = experiment::language());
+                 const experiment::Language& language,
+                 Measurements measurements = Measurements::required);
 
 /// What the channels of a trial depend on, for the journal: model, varied paths, load cases.
 /// Objectives are not part of it: they can be changed and recomputed from stored channels.

@@ -81,7 +81,7 @@ class StudyFile : public testing::Test {
     ASSERT_NE(text.find(from), std::string::npos) << from;
     write(name, text.replace(text.find(from), from.size(), to));
   }
-  Study read() const { return read_study(folder_ / "study.toml"); }
+  Study read() const { return read_study(folder_ / "study.toml", experiment::language()); }
   /// What the InputError says; "" where there is none.
   std::string complaint() const {
     try {

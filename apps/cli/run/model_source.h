@@ -7,7 +7,6 @@
 #include "base/document.h"
 #include "correlation/study/study.h"
 #include "experiment/language.h"
-#include "models/fe_tire/description/tire_description.h"
 
 namespace latsch::cli {
 
@@ -16,13 +15,15 @@ struct ModelSource {
   Document numbers = {};
 };
 
+/// Whether a file is a study, with a model or an outside program; else it is a model.
+bool is_study(const std::string& file);
+
 /// A model's file as it is; of a study its model at the best point of the journal, or at the
 /// initial values. `kind`: as what the file is read; empty: as it says. InputError for a study of
 /// an outside program.
-ModelSource model_source(const std::string& file, const std::string& kind = "");
-
-/// Of a file or study whose tire has a mesh; InputError for others.
-fe_tire::TireDescription meshed_tire(const std::string& file);
+ModelSource model_source(const std::string& file,
+                         const experiment::Language& language,
+                         const std::string& kind = "");
 
 /// The model of a study at the best point of its journal, or at the initial values.
 Document model_of(const correlation::Study& study);

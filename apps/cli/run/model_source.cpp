@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/run/model_source.h"
+
+#include <filesystem>
+
+#include "cli/console/console.h"
+#include "correlation/study/variables.h"
+#include "correlation/target/best_trial.h"
+
+namespace latsch::cli {
+namespace {
+
+/// InputError where an outside program stands in the model's place.
+ModelSource study_source(const std::string& file, const experiment::Language& language) {
+  const auto study = correlation::read_study(file, language);
+  if (!study.specimens->kind())
+    throw InputError({file, 0},
+                     "has a [simulator] in a model's place: there is no model to show or to write");
+  return {study.specimens->kind(), model_of(study)};
+}
+
+}  // namespace
+
+bool is_study(const std::string& file) {
+  if (std::filesystem::path(file).extension() == ".tir") return false;
+  const Node root = Document::read(file).root();
+  return root.has("model") || root.has("simulator");
+}
+
+ModelSource model_source(const std::string& file,
+                         const experiment::Language& language,
+                         const std::string& kind) {
+  if (is_study(file)) return study_source(file, language);
+  const experiment::SpecimenKind& of =
+      kind.empty() ? language.kind_of_file(file) : *language.find_kind(kind);
+  return {&of, of.read(file)};
+}
+
+Document model_of(const correlation::Study& study) {
+  DesignPoint point = study.space.initial();
+  if (std::filesystem::exists(study.run.journal)) {
+    const auto best = correlation::best_trial(study, Journal::read(study.run.journal));
+    if (best) point = best->point;
+    say("{} at {}\n", study.title, best ? "its best point" : "its initial values");
+  }
+  return correlation::at(study.model, study.space, point);
+}
+
+}  // namespace latsch::cli

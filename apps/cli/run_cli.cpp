@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/run_cli.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "cli/console/console.h"
+#include "cli/verbs/verbs.h"
+#include "experiment/language/capabilities.h"
+#include "numerics/kernels/kernel_set.h"
+
+namespace latsch::cli {
+namespace {
+
+std::string description(const experiment::Language& language) {
+  std::vector<std::string> models;
+  for (const experiment::SpecimenKind* kind : language.kinds) models.push_back(kind->in_words());
+  return fmt::format(
+      "Latsch identifies models from rig measurements: it drives them through virtual tests, "
+      "compares with\nwhat a laboratory measured, finds the parameters and says how far to trust "
+      "them.\nModels: {}.",
+      fmt::join(models, ", "));
+}
+
+/// Offered where a model of the program has the capability.
+struct OfferedVerb {
+  void (*add)(CommandLine& app, Program& program);
+  const char* capability = "";  // empty: any model
+};
+
+constexpr OfferedVerb kVerbs[] = {{add_new, experiment::IsPressed::kName},
+                                  {add_check},
+                                  {add_mesh, experiment::IsPressed::kName},
+                                  {add_simulate},
+                                  {add_evaluate, experiment::HasSteadyStates::kName},
+                                  {add_doe},
+                                  {add_run},
+                                  {add_identify},
+                                  {add_report},
+                                  {add_pareto},
+                                  {add_export},
+                                  {add_process},
+                                  {add_doctor},
+                                  {add_road, experiment::Rolls::kName},
+                                  {add_test},
+                                  {add_footprint, experiment::HasFootprint::kName},
+                                  {add_ring, experiment::Rolls::kName},
+                                  {add_compare, experiment::Rolls::kName},
+                                  {add_show},
+                                  {add_help},
+                                  {add_worker}};
+
+constexpr const char* kNew = R"(
+  latsch new my_tire                    writes a study to start from: a tire, measurements, a study file)";
+
+constexpr const char* kFooter = R"(
+  latsch check my_tire/study.toml       reads all of it and says what it understood
+  latsch run my_tire/study.toml         fits, and ends by naming the result and the report
+
+`latsch help VERB` shows what a verb takes, with an example; `latsch help study` all that may stand in
+a study. Every verb has --json, --quiet and --log FILE. A study can be interrupted (Ctrl-C, even kill -9) and goes on with
+`latsch resume`; the result is the same to the last bit.
+
+Exit codes: 0 done; 1 the run failed or was interrupted; 2 wrong input, with file, line, what was found, what was expected.)";
+
+int run(int argc, char** argv, const experiment::Language& language) {
+  const auto offers = [&](const OfferedVerb& verb) {
+    return !*verb.capability || !language.kinds_for({verb.capability}).empty();
+  };
+  // An impossible LATSCH_KERNELS ends every verb here.
+  const auto kernels = name(kernel_set());
+  CommandLine app(description(language),
+                  std::string("\nStart here:") + (offers(kVerbs[0]) ? kNew : "") + kFooter,
+                  fmt::format("latsch 0.1.0 ({}, kernels {})", processor_name(), kernels));
+  Program program{language};
+  for (const OfferedVerb& verb : kVerbs)
+    if (offers(verb)) verb.add(app, program);
+  if (!app.run(argc, argv)) return kWrongInput;
+  return program.exit_code;
+}
+
+}  // namespace
+
+int run_cli(int argc, char** argv, const experiment::Language& language) {
+  try {
+    return close_console(run(argc, argv, language));
+  } catch (const InputError& error) {
+    complain(error.what(), error.place());
+    return close_console(kWrongInput);
+  } catch (const std::filesystem::filesystem_error& error) {  // a folder that may not be written
+    const std::string path = error.path1().string();
+    complain(path + ": cannot be created or changed: " + error.code().message(), {path, 0});
+    return close_console(kWrongInput);
+  } catch (const std::exception& error) {
+    complain(error.what());
+    return close_console(kFailed);
+  }
+}
+
+}  // namespace latsch::cli

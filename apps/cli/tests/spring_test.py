@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""The proof that a model is one file and a line: a program whose language is a spring alone goes through every verb of a
+study, with itself as its worker.
+
+    spring_test.py PATH/TO/latsch     (the program "spring" lies beside it)
+"""
+import contextlib
+import json
+import pathlib
+import re
+import shutil
+import sqlite3
+import subprocess
+import tempfile
+import time
+import unittest
+
+from cli_testing import DONE, LATSCH, WRONG_INPUT, edit, trials_of
+
+SPRING = pathlib.Path(LATSCH).with_name("spring")
+
+STUDY = """
+model = "spring.toml"
+[test.fast]
+file = "fast.toml"
+[variable.stiffness]
+path = "stiffness"
+lower = "5 N/mm"
+upper = "60 N/mm"
+initial = "9 N/mm"
+[variable.damping]
+path = "damping"
+lower = "50 N s/m"
+upper = "900 N s/m"
+initial = "700 N s/m"
+[experiment.swiftly]
+kind = "curve"
+x = "fast/travel"
+y = "fast/force"
+measurement = "swiftly.csv"
+[experiment.last]
+kind = "values"
+channel = "fast/force"
+of = "last"
+value = "300 N"
+use = "predict"
+[experiment.alone]
+kind = "curve"
+y = "fast/force"
+measurement = "alone.csv"
+use = "predict"
+[experiment.each]
+kind = "values"
+channel = "fast/force"
+values = ["160 N", "220 N", "300 N"]
+use = "predict"
+[doe]
+design = "full_factorial"
+levels = 3
+[run]
+workers = 2
+"""
+
+
+class SpringAlone(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_spring_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.study, self.model = self.folder / "study.toml", self.folder / "spring.toml"
+        self.journal = self.folder / "study.latsch"
+        self.model.write_text('kind = "spring"\nstiffness = "20 N/mm"\ndamping = "300 N s/m"\n')
+        (self.folder / "fast.toml").write_text(
+            'kind = "pull"\nspeed = "0.4 m/s"\nhold = "20 ms"\ntravels = ["2 mm", "5 mm", "9 mm"]\n')
+        for table in ("swiftly.csv", "alone.csv"):
+            (self.folder / table).write_text("travel [m],force [N]\n0.002,1\n0.005,1\n0.009,1\n")
+        self.study.write_text(STUDY)
+
+    def spring(self, *arguments, code=DONE):
+        run = subprocess.run([SPRING, *arguments], capture_output=True, text=True, timeout=300)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return run.stdout if code == DONE else run.stderr
+
+    def answer(self, *arguments):
+        return json.loads(self.spring(*arguments, "--json"))["result"]
+
+    def write_twin(self):
+        self.spring("export", self.study, "--measurements")
+        rows = (self.folder / "swiftly.csv").read_text().splitlines()
+        force = [float(row.split(",")[1]) for row in rows if row[0].isdigit()]
+        for found, x in zip(force, (0.002, 0.005, 0.009), strict=True):
+            self.assertAlmostEqual(found, 20e3 * x + 300 * 0.4, places=6)
+
+    def found(self):
+        return {variable["name"]: variable["value"] for variable in self.answer("resume", self.study)["variables"]}
+
+    def test_it_is_checked_fitted_identified_and_written(self):
+        self.write_twin()
+        for said in (r"spring\.toml: spring", "pulled at 0.4 m/s", "Everything is in order"):
+            self.assertRegex(self.spring("check", self.study), said)
+        truth = self.answer("simulate", self.study, "--set", "stiffness=20 N/mm", "--set", "damping=300 N s/m")
+        self.assertEqual([e["name"] for e in truth["experiments"]], ["swiftly", "last", "alone", "each"])
+        for experiment in truth["experiments"]:
+            self.assertLess(experiment["largest_error"], 1e-9, experiment["name"])
+        self.assertRegex(self.spring("run", self.study), r"stiffness +20.* N/mm +95 %: ")
+        self.assertRegex(self.spring("identify", self.study), r"damping +identifiable")
+        self.assertIn("What the data determine", (self.folder / "study.html").read_text())
+        self.assertIn("9 of 9 points succeeded", self.spring("doe", self.study))
+        self.assertIn("Report: ", self.spring("report", self.study))
+        written = self.folder / "found.toml"
+        self.spring("export", self.study, "--model", written)
+        forces = {c["name"]: c["values"] for c in self.answer("test", written, self.folder / "fast.toml")["channels"]}
+        for force, x in zip(forces["force"], forces["travel"], strict=True):
+            self.assertAlmostEqual(force, 20e3 * x + 120, delta=0.1)
+
+    def test_killed_on_two_workers_it_goes_on_without_repeating_a_trial(self):
+        self.write_twin()
+        self.spring("run", self.study)
+        whole, trials = self.found(), trials_of(self.journal)
+        self.journal.unlink()
+        run = subprocess.Popen([SPRING, "run", self.study], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while trials_of(self.journal) < trials // 2:
+            self.assertIsNone(run.poll(), "the run ended before it was killed")
+            time.sleep(0.005)
+        run.kill()
+        run.wait()
+        with contextlib.closing(sqlite3.connect(self.journal)) as rows:
+            before = rows.execute("select number, point, finished from trials").fetchall()
+        self.assertEqual(self.found(), whole)
+        with contextlib.closing(sqlite3.connect(self.journal)) as rows:
+            after = rows.execute("select number, point, finished from trials").fetchall()
+        self.assertEqual(after[:len(before)], before)
+        self.assertEqual(len(after), len({point for _, point, _ in after}), "trials repeated")
+
+    def test_its_program_speaks_of_springs_alone(self):
+        self.assertEqual(self.answer("test", "--list")["tests"],
+                         [{"kind": "pull", "what": "is pulled", "models": ["spring"]}])
+        page = self.spring("help", "study")
+        self.assertRegex(page, r"\| `spring` \|.*\n(.*\n)*.*\| `pull` \| is pulled \|")
+        for word in ("drum", "footprint", "magic_formula", "load_deflection"):
+            self.assertNotRegex(re.sub(r"```(.|\n)*?```", "", page), rf"## .*{word}|\| `{word}` \|")
+        self.assertNotRegex(self.spring("help").replace("my_tire", ""), "latsch new|Magic|tire|cleat")
+        self.assertNotIn("ring_tire", self.spring("help", "test"))
+
+    def test_a_test_of_another_language_is_refused_with_its_own(self):
+        edit(self.folder / "fast.toml", ('"pull"', '"drum_cleat"'))
+        self.assertRegex(self.spring("check", self.study, code=WRONG_INPUT), r'fast\.toml:1: .*"drum_cleat", expected "pull"')
+        edit(self.model, ('"spring"', '"sprong"'))
+        self.assertRegex(self.spring("check", self.study, code=WRONG_INPUT), r'spring\.toml:1: .*"sprong".*"spring"')
+
+
+if __name__ == "__main__":
+    unittest.main()
