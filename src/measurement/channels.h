@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a rig records, real or virtual: named columns of numbers in SI units.
+// What a rig records, real or virtual: named columns of numbers in SI units, and how they change
+// with what was varied, where a model knows that.
 #pragma once
 
 #include <string>
@@ -13,6 +14,9 @@ struct Channel {
   std::string name;
   std::string unit;
   std::vector<double> values;
+  /// d value / d variable, a row a value, in SI; empty: not known. Which variables these are says
+  /// who asked for them.
+  std::vector<double> slopes = {};
 
   bool operator==(const Channel&) const = default;
 };
@@ -28,6 +32,8 @@ class Channels {
   const std::vector<double>& operator[](std::string_view name) const;
 
   const std::vector<Channel>& all() const { return channels_; }
+  /// Of one of them at least.
+  bool has_slopes() const;
   bool empty() const { return channels_.empty(); }
 
   bool operator==(const Channels&) const = default;

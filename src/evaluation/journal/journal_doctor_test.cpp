@@ -90,7 +90,7 @@ TEST(JournalDoctor, AHealthyJournalIsCalledHealthyAndSalvagedToTheSameTrials) {
   const JournalReport report = examine_journal(folder / "a");
   EXPECT_TRUE(report.healthy()) << report.findings.front();
   EXPECT_EQ(report.expected, 12);
-  EXPECT_EQ(report.format, 4);
+  EXPECT_EQ(report.format, 5);
   EXPECT_TRUE(all_authentic(report, 12, "healthy"));
   salvage_journal(report, std::nullopt, folder / "b");
   const auto trials = Journal::open(folder / "b", kPatient).trials();

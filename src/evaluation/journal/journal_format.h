@@ -10,6 +10,7 @@
 //   format 2   as above; failures say their cause
 //   format 3   outcomes say the CPU time of outside programs
 //   format 4   outcomes are packed (outcome_packing.h); there are marks
+//   format 5   channels have slopes
 //
 // A mark says what happened between two trials: that a search began which knew all of those before
 // it, that failed ones are to be tried again, which limits hold from here on. So a run that goes on
@@ -32,7 +33,7 @@
 namespace latsch::journal_format {
 
 inline constexpr int kApplicationId = 0x4C747368;  // "Ltsh", so that file(1) and we know our own
-inline constexpr int kFormat = 4;
+inline constexpr int kFormat = 5;
 
 /// Creates the tables; the file says it is a journal of kFormat.
 void create_tables(SQLite::Database& database);

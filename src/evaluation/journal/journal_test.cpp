@@ -224,6 +224,36 @@ TEST(Journal, PackedTrialsAreTheSameAfterAnyNumberOfOpenings) {
   EXPECT_LT(std::filesystem::file_size(folder / "a"), kTrials * 1200 * sizeof(double) / 2);
 }
 
+// A journal of format 4 is one of format 5 without slopes; the number alone differs.
+TEST(Journal, FormatFourIsReadAndMigratedWithABackup) {
+  const ScratchFolder folder;
+  const auto file = folder / "old";
+  {
+    Journal journal = Journal::open(file, kStudy);
+    for (int i = 0; i < 70; ++i) journal.append(long_trial(i));
+    journal.mark("start", "before");
+  }
+  SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 4");
+  EXPECT_EQ(Journal::read(file).trials().size(), 70u);
+  {
+    Journal journal = Journal::open(file, kStudy);
+    EXPECT_EQ(journal.marks().size(), 1u);
+    Trial sloping = long_trial(70);
+    Channels channels;
+    for (Channel channel : sloping.outcome.result->all()) {
+      channel.slopes.assign(3 * channel.values.size(), 0.5);
+      channels.add(std::move(channel));
+    }
+    sloping.outcome.result = channels;
+    journal.append(sloping);
+  }
+  const std::vector<Trial> trials = Journal::open(file, kStudy).trials();
+  ASSERT_EQ(trials.size(), 71u);
+  for (int i = 0; i < 70; ++i) expect_same(trials[i], long_trial(i));
+  EXPECT_EQ(trials[70].outcome.result->find("Fy")->slopes, std::vector<double>(3 * 1200, 0.5));
+  EXPECT_EQ(Journal::read(folder / "old.format4").trials().size(), 70u);
+}
+
 TEST(Journal, RemembersItsMarksAndDetectsThatOneIsSpoiled) {
   const ScratchFolder folder;
   {
@@ -550,6 +580,18 @@ TEST(Encoding, RejectsWhatIsNotOneEncodedValue) {
     EXPECT_FALSE(decode_outcome(std::string_view(bytes).substr(0, size)));
   }
   EXPECT_FALSE(decode_channels(std::string(8, '\xff')));  // a count of 2^64 - 1
+}
+
+TEST(Encoding, SlopesStandBehindTheirChannel) {
+  Channels channels;
+  channels.add({"Fz", "N", {1000.0, 2000.0}});
+  channels.add({"Fy", "N", {10.0, 20.0}, {1.0, 2.0, 3.0, 4.0}});
+  const std::string bytes = encode(channels);
+  const auto back = decode_channels(bytes);
+  ASSERT_TRUE(back);
+  EXPECT_TRUE(*back == channels);
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    EXPECT_FALSE(decode_channels(std::string_view(bytes).substr(0, size)));
 }
 
 TEST(Encoding, HashIsFnv1a) {

@@ -155,9 +155,13 @@ std::optional<Rest> take_planes(std::string_view& bytes, std::size_t count) {
   return rest;
 }
 
-const std::vector<double>* values_at(const Row& row, std::size_t channel, std::size_t count) {
-  if (channel >= row.channels.all().size()) return nullptr;
-  const std::vector<double>& values = row.channels.all()[channel].values;
+/// The columns of a row: the values of its channels, then their slopes.
+const std::vector<double>* values_at(const Row& row, std::size_t column, std::size_t count) {
+  const auto& channels = row.channels.all();
+  if (column >= 2 * channels.size()) return nullptr;
+  const bool is_slopes = column >= channels.size();
+  const Channel& channel = channels[column - (is_slopes ? channels.size() : 0)];
+  const std::vector<double>& values = is_slopes ? channel.slopes : channel.values;
   return values.size() == count ? &values : nullptr;
 }
 
@@ -312,11 +316,12 @@ std::uint32_t checksum(std::string_view bytes) {
 
 std::size_t values_of(const Channels& channels) {
   std::size_t count = 0;
-  for (const Channel& channel : channels.all()) count += channel.values.size();
+  for (const Channel& channel : channels.all())
+    count += channel.values.size() + channel.slopes.size();
   return count;
 }
 
-/// The outcome with the names of its channels, but without their values.
+/// The outcome with the names of its channels, but without their numbers.
 Outcome without_values(const Outcome& outcome) {
   Outcome bare = outcome;
   Channels channels;
@@ -357,6 +362,10 @@ std::string OutcomePacker::pack(std::int64_t number, const Outcome& outcome) {
   for (std::size_t c = 0; c < channels.size(); ++c) {
     put_channel(body, channels[c].values, c, number, block_);
   }
+  if (outcome.result->has_slopes()) {
+    for (std::size_t c = 0; c < channels.size(); ++c)
+      put_channel(body, channels[c].slopes, channels.size() + c, number, block_);
+  }
   put(bytes, static_cast<std::uint64_t>(body.size()));
   bytes += deflated(body);
   if (!is_single) remember(block_, number, *outcome.result);
@@ -378,12 +387,19 @@ std::optional<Outcome> OutcomeUnpacker::unpack(std::int64_t number, std::string_
   auto outcome = decode_outcome(rest.substr(0, head_size));
   rest.remove_prefix(head_size);
   if (!outcome || !outcome->result) return std::nullopt;
-  Channels channels;
-  for (const Channel& bare : outcome->result->all()) {
-    auto values = take_channel(rest, channels.all().size(), number, block_);
+  std::vector<Channel> found = outcome->result->all();
+  for (std::size_t c = 0; c < found.size(); ++c) {
+    auto values = take_channel(rest, c, number, block_);
     if (!values) return std::nullopt;
-    channels.add({bare.name, bare.unit, std::move(*values)});
+    found[c].values = std::move(*values);
   }
+  for (std::size_t c = 0; c < found.size() && !rest.empty(); ++c) {
+    auto slopes = take_channel(rest, found.size() + c, number, block_);
+    if (!slopes) return std::nullopt;
+    found[c].slopes = std::move(*slopes);
+  }
+  Channels channels;
+  for (Channel& channel : found) channels.add(std::move(channel));
   outcome->result = std::move(channels);
   if (!rest.empty() || checksum(encode(*outcome)) != sum) return std::nullopt;
   if (kind != Kind::single) remember(block_, number, *outcome->result);

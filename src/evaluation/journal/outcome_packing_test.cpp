@@ -88,6 +88,23 @@ TEST(OutcomePacking, KeepsAnyBits) {
   share(outcomes);
 }
 
+TEST(OutcomePacking, SlopesComeBackWhereThereAreSome) {
+  std::vector<Outcome> outcomes = search(80);
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (i % 5 == 0) continue;  // a trial that nobody asked for slopes
+    Channels with_slopes;
+    for (Channel channel : outcomes[i].result->all()) {
+      if (channel.name == "Fy") {
+        channel.slopes = channel.values;  // dFy/d ln p[0], then a variable that does not matter
+        channel.slopes.resize(2 * kStates, 0.0);
+      }
+      with_slopes.add(std::move(channel));
+    }
+    outcomes[i].result = with_slopes;
+  }
+  EXPECT_LE(share(outcomes), 0.25);
+}
+
 TEST(OutcomePacking, ALostRowCostsThoseOfItsBlockAtMost) {
   const auto outcomes = search(3 * kLongestBlock);
   OutcomePacker packer;

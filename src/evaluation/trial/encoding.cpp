@@ -77,6 +77,13 @@ enum Kind : std::uint8_t {
   kWithPrograms = 0x80
 };
 
+// Added to the count of channels where each is followed by its slopes; not before format 5.
+constexpr std::uint64_t kWithSlopes = std::uint64_t{1} << 63;
+
+bool is_table(const std::vector<double>& slopes, std::size_t rows) {
+  return slopes.empty() || (rows > 0 && slopes.size() % rows == 0);
+}
+
 Kind kind_of(const Result<Channels>& result) {
   if (result) return kChannels;
   switch (result.failure().cause) {
@@ -113,12 +120,17 @@ std::optional<Cause> cause_of(std::uint8_t kind) {
 
 Channels read_channels(Reader& reader) {
   Channels channels;
-  const auto count = reader.number<std::uint64_t>();
+  auto count = reader.number<std::uint64_t>();
+  const bool slopes = count & kWithSlopes;
+  count &= ~kWithSlopes;
   for (std::uint64_t i = 0; i < count && reader.ok; ++i) {
     Channel channel{.name = reader.text(), .unit = reader.text(), .values = reader.numbers()};
+    if (slopes) channel.slopes = reader.numbers();
+    if (!is_table(channel.slopes, channel.values.size())) reader.ok = false;
     if (channels.find(channel.name) != nullptr) reader.ok = false;  // names are unique
     if (reader.ok) channels.add(std::move(channel));
   }
+  if (slopes && !channels.has_slopes()) reader.ok = false;  // one value, one encoding
   return channels;
 }
 
@@ -132,11 +144,13 @@ std::string encode(const DesignPoint& point) {
 
 std::string encode(const Channels& channels) {
   std::string bytes;
-  put(bytes, static_cast<std::uint64_t>(channels.all().size()));
+  const bool slopes = channels.has_slopes();
+  put(bytes, static_cast<std::uint64_t>(channels.all().size()) | (slopes ? kWithSlopes : 0));
   for (const Channel& channel : channels.all()) {
     put_text(bytes, channel.name);
     put_text(bytes, channel.unit);
     put_numbers(bytes, channel.values);
+    if (slopes) put_numbers(bytes, channel.slopes);
   }
   return bytes;
 }
