@@ -21,6 +21,12 @@ const Channel* Channels::find(std::string_view name) const {
   return found == channels_.end() ? nullptr : &*found;
 }
 
+bool Channels::has_slopes() const {
+  return std::any_of(channels_.begin(), channels_.end(), [](const Channel& channel) {
+    return !channel.slopes.empty();
+  });
+}
+
 const std::vector<double>& Channels::operator[](std::string_view name) const {
   if (const Channel* channel = find(name)) return channel->values;
   std::vector<std::string> names;

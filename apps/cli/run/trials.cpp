@@ -29,6 +29,7 @@ ProcessOptions worker_processes(const correlation::Study& study) {
     options.arguments.emplace_back("--stage");
     options.arguments.push_back(study.stage);
   }
+  if (study.asks_slopes) options.arguments.emplace_back("--slopes");
   options.workers = study.run.workers;
   options.timeout = study.run.timeout;
   options.memory_limit = study.run.memory;

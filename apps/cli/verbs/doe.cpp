@@ -130,6 +130,7 @@ int doe(const std::string& file,
         int workers,
         bool retries_failed) {
   Study study = correlation::read_study(file, language);
+  study.asks_slopes = false;  // no search goes by them
   if (workers > 0) study.run.workers = workers;
   const StudyDesign design = design_of(study, levels);
   const SamplingPlan plan = correlation::plan(design, study.space);

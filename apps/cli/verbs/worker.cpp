@@ -18,6 +18,8 @@ void add_worker(CommandLine& app, Program& program) {
   auto stage = std::make_shared<std::string>();
   verb.add_option("--stage", *stage, "The model as that [stage.NAME] has it");
   verb.add_flag("--predictions", *all, "The experiments with use = \"predict\" too");
+  auto slopes = std::make_shared<bool>(false);
+  verb.add_flag("--slopes", *slopes, "With the slopes that the search asks for");
   verb.footer(
       "Started by the program itself, one process a worker: it reads points from its standard "
       "input\nand writes their outcomes to its standard output. To try it by hand there is latsch "
@@ -25,6 +27,7 @@ void add_worker(CommandLine& app, Program& program) {
   verb.callback([=, &program] {
     correlation::Study study = correlation::read_study(*file, program.language);
     if (!stage->empty()) study = correlation::stage_called(study, *stage);
+    study.asks_slopes = *slopes;
     program.exit_code =
         serve(correlation::evaluator(*all ? correlation::with_predictions(study) : study));
   });

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <type_traits>
 
 #include "base/text.h"
 #include "base/units.h"
@@ -25,7 +26,7 @@ constexpr double kRefitTolerance = 0.02;  // of the threshold that ends an inter
 template <class Analysis>
 class InRounds : public Optimizer {
  public:
-  explicit InRounds(Analysis& analysis) : analysis_(analysis) {}
+  InRounds(const DesignSpace& space, Analysis& analysis) : space_(space), analysis_(analysis) {}
 
   std::vector<DesignPoint> propose(int count) const override {
     const auto& wanted = analysis_.wanted();
@@ -33,7 +34,8 @@ class InRounds : public Optimizer {
     return {first, first + std::min<std::ptrdiff_t>(count, wanted.end() - first)};
   }
 
-  void observe(const DesignPoint&, const Result<Score>& outcome) override {
+  void observe(const DesignPoint& point, const Result<Score>& outcome) override {
+    if (seen_.empty() && takes_slopes(point, outcome)) return;
     seen_.push_back(residuals(outcome));
     if (seen_.size() < analysis_.wanted().size()) return;
     const auto round = std::move(seen_);
@@ -44,12 +46,23 @@ class InRounds : public Optimizer {
   bool converged() const override { return analysis_.wanted().empty(); }
 
  private:
+  bool takes_slopes(const DesignPoint& point, const Result<Score>& outcome) {
+    if constexpr (std::is_same_v<Analysis, Identification>) {
+      if (!outcome || !analysis_.takes_slopes()) return false;
+      const Eigen::MatrixXd J = space_.unit_jacobian(point, *outcome);
+      if (J.size() > 0) analysis_.observe_center(*residuals(outcome), J);
+      return J.size() > 0;
+    }
+    return false;
+  }
+
   static Result<Eigen::VectorXd> residuals(const Result<Score>& outcome) {
     if (!outcome) return outcome.failure();
     const auto& r = outcome->residuals;
     return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(r.data(), std::ssize(r)));
   }
 
+  const DesignSpace& space_;
   Analysis& analysis_;
   std::vector<Result<Eigen::VectorXd>> seen_;  // of this round
 };
@@ -102,13 +115,13 @@ bool cross_validate(const Study& study, Identifiability& result, const Drive& dr
                                   group,
                                   kRefitTolerance * identification.confidence().threshold());
   UsedRows used(*result.cross_validation, identification.residuals_used());
-  InRounds<UsedRows> rounds(used);
+  InRounds<UsedRows> rounds(study.space, used);
   return drive(rounds);
 }
 
 /// False where driving was stopped; `result` then holds what is complete.
 bool analyze(const Study& study, Identifiability& result, const Drive& drive) {
-  InRounds<Identification> rounds(result.identification);
+  InRounds<Identification> rounds(study.space, result.identification);
   if (!drive(rounds)) return false;
   if (result.identification.profiles().empty()) return true;
   return cross_validate(study, result, drive);
@@ -226,9 +239,14 @@ std::optional<Identifiability> recorded_identifiability(const Study& study,
   auto rated = rated_trials(study, journal);
   std::stable_sort(
       rated.begin(), rated.end(), [](const auto& a, const auto& b) { return a.target < b.target; });
-  std::set<std::string> known;
+  std::set<std::string> known, sloping;
   for (const RatedTrial& trial : rated) known.insert(trial.point.bits());
+  journal.for_each_asked([&](const Trial& trial) {
+    const auto& result = trial.outcome.result;
+    if (result && result->has_slopes()) sloping.insert(trial.point.bits());
+  });
   const auto has_neighbors = [&](const RatedTrial& trial) {
+    if (sloping.contains(trial.point.bits())) return true;
     const auto points =
         Identification(study.space, trial.point, options_for(study, Depth::profiles)).wanted();
     return std::all_of(points.begin(), points.end(), [&](const DesignPoint& point) {
@@ -255,6 +273,10 @@ std::optional<Identifiability> recorded_identifiability(const Study& study,
   Identifiability result = read_from_best(options);
   if (!result.identification.is_linearized()) {
     options.most_centers = 1;  // not known or not to be had beside the better point
+    result = read_from_best(options);
+  }
+  if (!result.identification.is_linearized() && sloping.contains(best->point.bits())) {
+    options.profiles = false;  // its own slopes are all there is
     result = read_from_best(options);
   }
   if (!result.identification.is_linearized()) return std::nullopt;

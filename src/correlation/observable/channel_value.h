@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "measurement/channels.h"
+
 namespace latsch::correlation {
 
 /// "largest", "smallest", "mean", "first", "last"
@@ -12,5 +14,8 @@ const std::vector<std::string>& names_of_values();
 
 /// By one of those names; the channel has values.
 double value_of(const std::string& of, const std::vector<double>& values);
+/// Its slopes, one a variable, of a channel that knows them; of the largest and smallest value as
+/// if they stayed where they are.
+std::vector<double> slopes_of(const std::string& of, const Channel& channel);
 
 }  // namespace latsch::correlation

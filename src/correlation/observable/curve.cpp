@@ -175,7 +175,7 @@ std::vector<std::string> Curve::rows() const {
 
 namespace {
 
-/// Simulated y at the measured abscissas.
+/// SimulatedValues y at the measured abscissas.
 Result<std::vector<double>> at_measured(const CurveMeasurement& curve,
                                         const std::vector<double>& x,
                                         const std::vector<double>& y) {
@@ -198,13 +198,46 @@ Result<std::vector<double>> at_measured(const CurveMeasurement& curve,
   return values;
 }
 
+/// Of the curve at the measured abscissas: dy - y' dx, where both move. Empty where one is not
+/// known.
+std::vector<double> slopes_at_measured(const CurveMeasurement& curve,
+                                       const Channel& x,
+                                       const Channel& y) {
+  if (x.slopes.empty() || y.slopes.empty() || x.values.size() < 2) return {};
+  const std::size_t n = y.slopes.size() / y.values.size();
+  std::vector<double> slopes;
+  for (const double at : curve.x_measured) {
+    const auto upper = std::upper_bound(x.values.begin(), x.values.end() - 1, at);
+    const auto r = static_cast<std::size_t>(upper - x.values.begin()), l = r - 1;
+    const double width = x.values[r] - x.values[l], share = (at - x.values[l]) / width;
+    const double steepness = (y.values[r] - y.values[l]) / width;
+    for (std::size_t j = 0; j < n; ++j) {
+      const auto between = [&](const std::vector<double>& S) {
+        return S[l * n + j] + share * (S[r * n + j] - S[l * n + j]);
+      };
+      slopes.push_back(between(y.slopes) - steepness * between(x.slopes));
+    }
+  }
+  return slopes;
+}
+
+std::vector<double> about_their_means(std::vector<double> slopes, std::size_t rows) {
+  const std::size_t n = slopes.size() / rows;
+  for (std::size_t j = 0; j < n; ++j) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < rows; ++i) sum += slopes[i * n + j];
+    for (std::size_t i = 0; i < rows; ++i) slopes[i * n + j] -= sum / static_cast<double>(rows);
+  }
+  return slopes;
+}
+
 }  // namespace
 
-Result<std::vector<double>> Curve::simulated(const Channels& trial) const {
+Result<SimulatedValues> Curve::simulated(const Channels& trial) const {
   const Channel* y = trial.find(c_.y);
   if (!y) return wrong(c_.y, "is missing");
   if (c_.x.empty()) {
-    if (y->values.size() == c_.y_measured.size()) return compared_values(c_.comparison, y->values);
+    if (y->values.size() == c_.y_measured.size()) return as_compared({y->values, y->slopes});
     return wrong(
         c_.y,
         fmt::format(
@@ -221,11 +254,19 @@ Result<std::vector<double>> Curve::simulated(const Channels& trial) const {
   }
   if (c_.comparison.what == ComparedCurve::path) {
     if (x->values.size() < 2) return wrong(c_.x, "has 1 value, expected a path of 2 at least");
-    return path_values(c_, x->values, y->values);
+    return SimulatedValues{path_values(c_, x->values, y->values)};
   }
   auto values = at_measured(c_, x->values, y->values);
-  if (!values) return values;
-  return compared_values(c_.comparison, *values);
+  if (!values) return values.failure();
+  return as_compared({std::move(*values), slopes_at_measured(c_, *x, *y)});
+}
+
+SimulatedValues Curve::as_compared(SimulatedValues curve) const {
+  curve.values = compared_values(c_.comparison, curve.values);
+  if (!passes_slopes()) curve.slopes.clear();
+  if (c_.comparison.what == ComparedCurve::about_mean)
+    curve.slopes = about_their_means(std::move(curve.slopes), curve.values.size());
+  return curve;
 }
 
 std::string Curve::compared(const ObjectiveSettings&) const { return c_.compared_name; }
@@ -245,19 +286,7 @@ std::vector<double> Curve::deviations(const MeasurementNoise& noise,
 Result<Comparison> Curve::compare(const Channels& trial, const ObjectiveSettings& settings) const {
   const auto found = simulated(trial);
   if (!found) return found.failure();
-  Comparison comparison;
-  for (std::size_t i = 0; i < found->size(); ++i) {
-    const double d = (c_.y_compared[i] - (*found)[i]) / c_.scale;
-    comparison.errors.push_back(d);
-    comparison.value += std::pow(std::abs(d), settings.exponent);
-    comparison.mean_error += std::abs(d);
-    comparison.largest_error = std::max(comparison.largest_error, std::abs(d));
-  }
-  const auto count = static_cast<double>(found->size());
-  comparison.value /= count;
-  comparison.differences = comparison.errors;
-  comparison.mean_error /= count;
-  return comparison;
+  return compare_values(c_.y_compared, *found, std::vector<double>(values(), c_.scale), settings);
 }
 
 namespace {
@@ -306,12 +335,12 @@ void Curve::draw(const ShownExperiment& shown, report::StudyReport& page) const 
     picture.y_unit = is_spectrum ? c_.y_compared_unit : c_.y_shown;
     picture.x_measured = picture.x_simulated = c_.x_compared;
     picture.y_measured = c_.y_compared;
-    if (const auto found = simulated(shown.found)) picture.y_simulated = *found;
-    const Result<std::vector<double>> start =
+    if (const auto found = simulated(shown.found)) picture.y_simulated = found->values;
+    const Result<SimulatedValues> start =
         shown.initial ? simulated(*shown.initial) : Failure{"not simulated"};
     if (start) {
       picture.x_initial = c_.x_compared;
-      picture.y_initial = *start;
+      picture.y_initial = start->values;
     }
   } else {
     picture.x_name = c_.x;
@@ -337,11 +366,11 @@ std::string Curve::table(const Channels& trial, const Comparison& comparison) co
                                  "measured " + c_.y_compared_unit,
                                  "simulated " + c_.y_compared_unit,
                                  "error %");
-  for (std::size_t i = 0; found && i < found->size(); ++i) {
+  for (std::size_t i = 0; found && i < found->values.size(); ++i) {
     text += fmt::format("  {:16.6g} {:18.6g} {:18.6g} {:9.2f}\n",
                         c_.x_compared.empty() ? static_cast<double>(i + 1) : c_.x_compared[i],
                         c_.y_compared[i],
-                        (*found)[i],
+                        found->values[i],
                         comparison.errors[i] * 100.0);
   }
   return text;
@@ -354,7 +383,7 @@ std::pair<std::string, nlohmann::ordered_json> Curve::answer(const Channels& tri
           {{"at", json_of(c_.x_compared)},
            {"at_unit", c_.x_compared.empty() ? "" : c_.x_compared_unit},
            {"measured", json_of(c_.y_compared)},
-           {"simulated", found ? json_of(*found) : nlohmann::ordered_json(nullptr)},
+           {"simulated", found ? json_of(found->values) : nlohmann::ordered_json(nullptr)},
            {"unit", c_.y_compared_unit},
            {"error", json_of(comparison.errors)}}};
 }

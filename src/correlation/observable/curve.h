@@ -53,7 +53,7 @@ class Curve : public Observable {
   /// What is compared, of the simulation: one value for each of y_compared. Of a path, the measured
   /// value less its distance. A Failure where there are too few values, x does not rise (but for a
   /// path) or the measurement reaches beyond it.
-  Result<std::vector<double>> simulated(const Channels& trial) const;
+  Result<SimulatedValues> simulated(const Channels& trial) const;
 
   std::string kind() const override { return "curve"; }
   std::string compared(const ObjectiveSettings& settings) const override;
@@ -67,6 +67,9 @@ class Curve : public Observable {
                                  const ObjectiveSettings& settings) const override;
   Result<Comparison> compare(const Channels& trial,
                              const ObjectiveSettings& settings) const override;
+  bool passes_slopes() const override {
+    return !c_.comparison.of_spectrum() && c_.comparison.what != ComparedCurve::path;
+  }
   std::vector<std::filesystem::path> write(const Channels& trial,
                                            const MeasurementFiles& files) const override;
   void draw(const ShownExperiment& shown, report::StudyReport& page) const override;
@@ -75,6 +78,8 @@ class Curve : public Observable {
       const Channels& trial, const Comparison& comparison) const override;
 
  private:
+  SimulatedValues as_compared(SimulatedValues curve) const;
+
   CurveMeasurement c_;
 };
 

@@ -76,6 +76,14 @@ double RobustLoss::operator()(double x) const {
   return std::copysign(scale * std::sqrt(rho), x);
 }
 
+double RobustLoss::slope(double x) const {
+  const double a = std::abs(x) / scale;
+  if (loss == Loss::squares || a == 0.0) return 1.0;
+  // d sqrt(rho) / da = rho' / (2 sqrt(rho))
+  if (loss == Loss::cauchy) return a / ((1.0 + a * a) * std::sqrt(std::log1p(a * a)));
+  return a <= 1.0 ? 1.0 : 1.0 / std::sqrt(2.0 * a - 1.0);
+}
+
 RobustLoss read_loss(const Node& table, bool noise_is_stated) {
   RobustLoss robust;
   const std::string loss = table.choice("loss", {"squares", "huber", "cauchy"}, "squares");

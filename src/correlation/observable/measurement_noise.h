@@ -48,6 +48,7 @@ struct RobustLoss {
   double scale = 1.0;  // in units of the noise where that is stated, of d otherwise
 
   double operator()(double x) const;
+  double slope(double x) const;
 };
 
 /// Throws InputError where a scale is missing or belongs to no loss.

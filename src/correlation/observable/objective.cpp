@@ -32,6 +32,23 @@ double relative(double measured, double simulated) { return (measured - simulate
 
 }  // namespace
 
+Comparison compare_values(const std::vector<double>& measured,
+                          const SimulatedValues& simulated,
+                          const std::vector<double>& scales,
+                          const ObjectiveSettings& settings) {
+  assert(measured.size() == simulated.values.size() && measured.size() == scales.size());
+  Comparison comparison;
+  for (size_t i = 0; i < measured.size(); ++i)
+    comparison.errors.push_back((measured[i] - simulated.values[i]) / scales[i]);
+  comparison.differences = comparison.errors;
+  comparison.value = mean_power(comparison.differences, settings.exponent);
+  summarize_errors(comparison);
+  const size_t variables = simulated.slopes.size() / measured.size();
+  for (size_t k = 0; k < simulated.slopes.size(); ++k)
+    comparison.slopes.push_back(-simulated.slopes[k] / scales[k / variables]);
+  return comparison;
+}
+
 Comparison compare_forces(const std::vector<double>& measured,
                           const std::vector<double>& simulated,
                           const ObjectiveSettings& settings) {
@@ -78,17 +95,34 @@ double target(const std::vector<Comparison>& comparisons, const std::vector<doub
   return sum / total;
 }
 
-std::vector<double> weighted_residuals(const std::vector<Comparison>& comparisons,
-                                       const std::vector<double>& weights) {
+namespace {
+
+std::vector<double> weighted(const std::vector<Comparison>& comparisons,
+                             const std::vector<double>& weights,
+                             std::vector<double> Comparison::*what) {
   assert(comparisons.size() == weights.size());
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  std::vector<double> residuals;
+  std::vector<double> all;
   for (size_t e = 0; e < comparisons.size(); ++e) {
-    const auto& d = comparisons[e].differences;
-    const double factor = std::sqrt(weights[e] / (static_cast<double>(d.size()) * total));
-    for (double difference : d) residuals.push_back(factor * difference);
+    const auto count = static_cast<double>(comparisons[e].differences.size());
+    const double factor = std::sqrt(weights[e] / (count * total));
+    for (const double one : comparisons[e].*what) all.push_back(factor * one);
   }
-  return residuals;
+  return all;
+}
+
+}  // namespace
+
+std::vector<double> weighted_residuals(const std::vector<Comparison>& comparisons,
+                                       const std::vector<double>& weights) {
+  return weighted(comparisons, weights, &Comparison::differences);
+}
+
+std::vector<double> weighted_slopes(const std::vector<Comparison>& comparisons,
+                                    const std::vector<double>& weights) {
+  for (const Comparison& comparison : comparisons)
+    if (comparison.slopes.empty()) return {};
+  return weighted(comparisons, weights, &Comparison::slopes);
 }
 
 std::string target_in_words(const std::vector<double>& exponents, double target) {

@@ -46,7 +46,20 @@ struct Comparison {
   std::vector<double> errors;       // signed dF_j or df_i as in (1), (2), one a measured value; a
                                     // missing mode: missing_mode
   ModePairing pairing;              // modal experiments
+  /// d difference / d variable, a row a difference; empty: not known.
+  std::vector<double> slopes = {};
 };
+
+/// What a trial has in the place of measured values, with its slopes: Channel::slopes.
+struct SimulatedValues {
+  std::vector<double> values, slopes = {};
+};
+
+/// Values that differ by d = (measured - simulated) / scale, a scale a value.
+Comparison compare_values(const std::vector<double>& measured,
+                          const SimulatedValues& simulated,
+                          const std::vector<double>& scales,
+                          const ObjectiveSettings& settings = {});
 
 /// Forces at the same deflections. Measured forces are positive, N.
 Comparison compare_forces(const std::vector<double>& measured,
@@ -70,5 +83,8 @@ std::string target_in_words(const std::vector<double>& exponents, double target)
 /// exponents of 2. What a least-squares method minimizes in the place of another exponent.
 std::vector<double> weighted_residuals(const std::vector<Comparison>& comparisons,
                                        const std::vector<double>& weights);
+/// Their slopes, a row each; empty where those of one comparison are not known.
+std::vector<double> weighted_slopes(const std::vector<Comparison>& comparisons,
+                                    const std::vector<double>& weights);
 
 }  // namespace latsch::correlation

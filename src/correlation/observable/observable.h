@@ -78,6 +78,9 @@ class Observable {
   virtual Result<Comparison> compare(const Channels& trial,
                                      const ObjectiveSettings& settings) const = 0;
 
+  /// Whether it can tell the slopes of its differences where the channels have theirs.
+  virtual bool passes_slopes() const { return false; }
+
   /// Writes what a laboratory would have measured of such a trial. Returns the files.
   virtual std::vector<std::filesystem::path> write(const Channels& trial,
                                                    const MeasurementFiles& files) const = 0;

@@ -13,17 +13,20 @@
 
 namespace latsch::correlation {
 
-Result<std::vector<double>> Values::simulated(const Channels& trial) const {
+Result<SimulatedValues> Values::simulated(const Channels& trial) const {
   const Channel* channel = trial.find(m_.channel);
   if (!channel)
     return Failure{"channel " + in_quotes(m_.channel) + " is missing", Cause::bad_output};
-  std::vector<double> found = channel->values;
-  if (!m_.of.empty() && !found.empty()) found = {value_of(m_.of, found)};
-  if (found.size() != m_.values.size()) {
+  SimulatedValues found{channel->values, channel->slopes};
+  if (!m_.of.empty() && !channel->values.empty()) {
+    found.values = {value_of(m_.of, channel->values)};
+    if (!channel->slopes.empty()) found.slopes = slopes_of(m_.of, *channel);
+  }
+  if (found.values.size() != m_.values.size()) {
     return Failure{
         fmt::format("channel {} has {} values, expected {} as measured{}",
                     in_quotes(m_.channel),
-                    found.size(),
+                    found.values.size(),
                     m_.values.size(),
                     m_.values.size() == 1 ? "; of = \"largest\" takes one of several" : ""),
         Cause::bad_output};
@@ -55,19 +58,7 @@ std::vector<double> Values::deviations(const MeasurementNoise& noise,
 Result<Comparison> Values::compare(const Channels& trial, const ObjectiveSettings& settings) const {
   const auto found = simulated(trial);
   if (!found) return found.failure();
-  Comparison comparison;
-  for (std::size_t i = 0; i < found->size(); ++i) {
-    const double d = (m_.values[i] - (*found)[i]) / m_.scales[i];
-    comparison.errors.push_back(d);
-    comparison.value += std::pow(std::abs(d), settings.exponent);
-    comparison.mean_error += std::abs(d);
-    comparison.largest_error = std::max(comparison.largest_error, std::abs(d));
-  }
-  const auto count = static_cast<double>(found->size());
-  comparison.value /= count;
-  comparison.mean_error /= count;
-  comparison.differences = comparison.errors;
-  return comparison;
+  return compare_values(m_.values, *found, m_.scales, settings);
 }
 
 std::vector<std::filesystem::path> Values::write(const Channels&, const MeasurementFiles&) const {
@@ -84,9 +75,9 @@ void Values::draw(const ShownExperiment& shown, report::StudyReport& page) const
   picture.y_name = compared({});
   picture.y_unit = m_.shown;
   picture.y_measured = m_.values;
-  if (const auto found = simulated(shown.found)) picture.y_simulated = *found;
+  if (const auto found = simulated(shown.found)) picture.y_simulated = found->values;
   if (shown.initial) {
-    if (const auto start = simulated(*shown.initial)) picture.y_initial = *start;
+    if (const auto start = simulated(*shown.initial)) picture.y_initial = start->values;
   }
   page.curves.push_back(std::move(picture));
 }
@@ -96,11 +87,11 @@ std::string Values::table(const Channels& trial, const Comparison& comparison) c
   std::string text =
       fmt::format("  {:<32} {:>16} {:>16} {:>9}\n", "value", "measured", "simulated", "error %");
   const auto names = rows();
-  for (std::size_t i = 0; found && i < found->size(); ++i) {
+  for (std::size_t i = 0; found && i < found->values.size(); ++i) {
     text += fmt::format("  {:<32} {:>16} {:>16} {:9.2f}\n",
                         names[i],
                         format_quantity(m_.values[i], m_.shown, 5),
-                        format_quantity((*found)[i], m_.shown, 5),
+                        format_quantity(found->values[i], m_.shown, 5),
                         100.0 * comparison.errors[i]);
   }
   return text;
@@ -113,7 +104,7 @@ std::pair<std::string, nlohmann::ordered_json> Values::answer(const Channels& tr
           {{"of", compared({})},
            {"unit", m_.unit},
            {"measured", json_of(m_.values)},
-           {"simulated", found ? json_of(*found) : nlohmann::ordered_json(nullptr)},
+           {"simulated", found ? json_of(found->values) : nlohmann::ordered_json(nullptr)},
            {"error", json_of(comparison.errors)}}};
 }
 

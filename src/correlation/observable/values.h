@@ -39,7 +39,7 @@ class Values : public Observable {
   explicit Values(Measurement measured) : m_(std::move(measured)) {}
 
   /// One value for each measured. A Failure where the channel has more or fewer.
-  Result<std::vector<double>> simulated(const Channels& trial) const;
+  Result<SimulatedValues> simulated(const Channels& trial) const;
 
   std::string kind() const override { return "values"; }
   std::string compared(const ObjectiveSettings& settings) const override;
@@ -52,6 +52,7 @@ class Values : public Observable {
                                  const ObjectiveSettings& settings) const override;
   Result<Comparison> compare(const Channels& trial,
                              const ObjectiveSettings& settings) const override;
+  bool passes_slopes() const override { return true; }
   /// Nothing: they stand in the study.
   std::vector<std::filesystem::path> write(const Channels& trial,
                                            const MeasurementFiles& files) const override;

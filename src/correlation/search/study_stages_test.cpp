@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/search/study_fit.h"
 #include "correlation/study/study_stages.h"
 
 #include <gmock/gmock.h>
 
 #include "correlation/analysis/pareto_front.h"
+#include "correlation/search/study_fit.h"
 #include "correlation/search/study_reuse_testing.h"
 
 namespace latsch::correlation {
@@ -85,6 +85,43 @@ TEST_F(StudyStages, WorkersChangeNoBit) {
   expect_same(fit_all(study, 4), one);
 }
 
+// Side force alone tells grip and stiffness; then the trail, which the side force does not depend
+// on.
+TEST_F(StudyStages, MoveTheirVariablesToTheirExperimentsAlone) {
+  const std::string more =
+      "[experiment.arm]\nkind = \"curve\"\ny = \"steady/Mz\"\nmeasurement = \"arm.csv\"\n"
+      "exponent = 2\n"
+      "[variable.trail]\npath = \"QDZ1\"\nlower = 0.01\nupper = 0.3\ninitial = 0.05\n"
+      "[stage.force]\nfree = [\"stiffness\", \"grip\"]\nexperiments = [\"light\"]\n"
+      "[stage.moment]\nfree = [\"trail\"]\nexperiments = [\"arm\"]\n[stage.all]\n";
+  std::string torques = "Mz [N m]\n";
+  for (int i = -12; i <= 12; ++i) torques += std::to_string(i) + "\n";
+  write("arm.csv", torques);
+  const DesignPoint truth{{1.3, -22.0, 0.12}};
+  Channels measured;
+  measured.add({"Mz", "N m", (*evaluator(read("exponent = 2\n" + more))(truth))["steady/Mz"]});
+  write("arm.csv", formats::csv_text(measured));
+  for (const char* method : {"auto", "residual_trust_region", "gss"}) {
+    std::filesystem::remove(folder_ / "study.latsch");
+    const Study study =
+        read("exponent = 2\n" + more + "[optimizer]\nmethod = \"" + method + "\"\n");
+    const auto fits = fit_all(study);
+    ASSERT_EQ(fits.size(), 3u) << method;
+    for (const auto& step : fits[0].run.steps) EXPECT_EQ(step.point.values[2], 0.05);
+    const DesignPoint force = fits[0].run.best()->point, moment = fits[1].run.best()->point;
+    for (const auto& step : fits[1].run.steps) {
+      EXPECT_EQ(step.point.values[0], force.values[0]);
+      EXPECT_EQ(step.point.values[1], force.values[1]);
+    }
+    EXPECT_NEAR(force.values[0], 1.3, 0.01) << method;
+    EXPECT_NEAR(moment.values[2], 0.12, 0.001) << method;
+    EXPECT_NEAR(fits[2].run.best()->point.values[2], 0.12, 0.001) << method;
+    evaluated_ = 0;
+    expect_same(fits, fit_all(study));
+    EXPECT_EQ(evaluated_, 0) << method;  // one journal
+  }
+}
+
 TEST_F(StudyStages, ARunThatIsHopelessSaysWhy) {
   const Study study = read("");
   Journal journal = Journal::open(study.run.journal, identity(study));
@@ -105,6 +142,11 @@ TEST_F(StudyStages, ComplaintsNameTheStage) {
   says("[stage.a]\nmodel.PDY1 = 1.6\n[stage.b]\n", "a variable of the study");
   says("[stage.a]\nbounds = 0.2\n[stage.b]\n", "first stage");
   says("[stage.a]\n[stage.b]\nbounds = 2\n", "bounds");
+  says("[stage.a]\nfree = [\"gripp\"]\n[stage.b]\n", "did you mean \"grip\"");
+  says("[stage.a]\nfree = []\n[stage.b]\n", "empty");
+  says("[stage.a]\nfree = [\"grip\", \"grip\"]\n[stage.b]\n", "twice");
+  says("[stage.a]\nexperiments = [\"heavy\"]\n[stage.b]\n", "expected some of light");
+  says("[stage.a]\n[stage.b]\nexperiments = [\"light\"]\n", "last stage");
   says("[stage.a]\nrestart = 2\n[stage.b]\n", "unknown key");
   says("[stage.a]\nmethod = \"gss\"\nrestarts = 2\n[stage.b]\n", "restarts belongs to");
 }

@@ -13,6 +13,7 @@
 #include "correlation/study/linear_constraints.h"
 #include "correlation/study/program_specimens.h"
 #include "correlation/study/simulator_settings.h"
+#include "correlation/study/study_slopes.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
 #include "correlation/study/variables.h"
@@ -262,6 +263,7 @@ Study read(const Document& document,
     if (curve && measurements == Measurements::required)
       check_reach(root, study.tests, experiment, curve->measured());
   }
+  study.asks_slopes = asks_slopes(study);
   study.stages = read_stages(root, document, study);
   root.close();
   study.search_key = search_key(study);

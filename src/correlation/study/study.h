@@ -56,6 +56,8 @@ struct StageSettings {
   StartSettings start = {};
   double bounds = 1.0;                                       // width over that of the study's
   std::vector<std::pair<std::string, double>> numbers = {};  // of the model, by path, SI
+  std::vector<int> free = {};                                // variables that move; none: all
+  std::vector<std::string> experiments = {};                 // that count; none: all
 };
 
 constexpr long kMostSteps = 1'000'000;
@@ -78,6 +80,8 @@ struct Study {
   StartSettings start = {};
   std::vector<StageSettings> stages = {};  // none: one run, as [optimizer] says
   std::string stage = {};                  // which of them this study is; empty: none
+  std::vector<int> free = {};              // variables that this stage moves; none: all
+  bool asks_slopes = false;                // of its trials: study_slopes.h
   std::string search_key = {};             // what a search depends on, for the journal's marks
 };
 

@@ -2,14 +2,20 @@
 #include "correlation/study/study_stages.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "base/text.h"
+#include "correlation/study/study_slopes.h"
 
 namespace latsch::correlation {
 namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 /// The number of a stage's table below `model`, at "mesh.sectors", in the unit of the model's.
 double read_number(const Node& stage, const std::string& path, const std::string& unit) {
@@ -68,6 +74,41 @@ bool varies(const Study& study, const std::string& path) {
                      });
 }
 
+/// Names of a list, each of which has to be one of the known; none where the key is not there.
+std::vector<std::string> read_names(const Node& table,
+                                    const char* key,
+                                    const std::vector<std::string>& known) {
+  if (!table.has(key)) return {};
+  const std::vector<std::string> names = table.texts(key);
+  if (names.empty()) table.reject(key, "is empty, expected at least one of " + list_of(known));
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (!contains(known, *name))
+      table.reject(key,
+                   "has " + in_quotes(*name) + did_you_mean(*name, known) + ", expected some of " +
+                       list_of(known));
+    if (std::find(names.begin(), name, *name) != name)
+      table.reject(key, "has " + in_quotes(*name) + " twice");
+  }
+  return names;
+}
+
+std::vector<int> read_free(const Node& table, const DesignSpace& space) {
+  std::vector<std::string> known;
+  for (const DesignVariable& variable : space.variables()) known.push_back(variable.name);
+  const std::vector<std::string> names = read_names(table, "free", known);
+  std::vector<int> free;
+  for (int i = 0; i < space.size(); ++i)
+    if (contains(names, space[i].name)) free.push_back(i);
+  return free;
+}
+
+std::vector<std::string> read_counting(const Node& table, const Study& study) {
+  std::vector<std::string> known;
+  for (const StudyExperiment& experiment : study.experiments)
+    if (experiment.fitted && experiment.objective.weight > 0.0) known.push_back(experiment.name);
+  return read_names(table, "experiments", known);
+}
+
 StageSettings read_stage(const Node& table, const Document& text, const Study& study) {
   StageSettings stage{.name = table.name(),
                       .optimizer = study.optimizer,
@@ -79,6 +120,8 @@ StageSettings read_stage(const Node& table, const Document& text, const Study& s
       table.reject("model", "sets " + path + ", which is a variable of the study");
     }
   }
+  stage.free = read_free(table, study.space);
+  stage.experiments = read_counting(table, study);
   stage.bounds = table.quantity("bounds", "1", Range{0.0, 1.0, true}, 1.0);
   if (has_optimizer_keys(table)) {
     stage.optimizer = read_optimizer(table, study.space, !study.constraints.empty());
@@ -103,6 +146,11 @@ std::vector<StageSettings> read_stages(const Node& root, const Document& text, c
                          "has other numbers in the last stage, whose result is the study's: "
                          "expected a last stage with the model as it is");
   }
+  if (!stages.empty() && !stages.back().experiments.empty()) {
+    tables.back().reject("experiments",
+                         "is of the last stage, whose result is the study's: expected a last stage "
+                         "in which all experiments count");
+  }
   if (!stages.empty() && stages.front().bounds != 1.0) {
     tables.front().reject("bounds",
                           "is of the first stage, before which there is no best point: give "
@@ -124,6 +172,11 @@ Study stage(const Study& study, int k, const std::optional<DesignPoint>& best_be
   part.search_key += "/" + settings.name;
   part.optimizer = settings.optimizer;
   part.max_steps = settings.max_steps;
+  part.free = settings.free;
+  for (StudyExperiment& experiment : part.experiments) {
+    if (!settings.experiments.empty() && !contains(settings.experiments, experiment.name))
+      experiment.objective.weight = 0.0;
+  }
   part.start = k == 0 ? settings.start : StartSettings{};
   for (const auto& [path, value] : settings.numbers) part.model.set(path, value);
   if (!settings.numbers.empty()) part.run.journal = journal_of(study, settings.name);
@@ -132,6 +185,7 @@ Study stage(const Study& study, int k, const std::optional<DesignPoint>& best_be
                                        : study.space.starting_at(*best_before);
   }
   part.run.on_failure.space = part.space;
+  part.asks_slopes = asks_slopes(part);
   return part;
 }
 
@@ -148,6 +202,9 @@ std::string in_words(const StageSettings& stage) {
     text += fmt::format("{}{} = {:g}", text.empty() ? "" : ", ", path, value);
   }
   if (text.empty()) text = "the model as it is";
+  if (!stage.free.empty()) text += fmt::format(", {} free", stage.free.size());
+  if (!stage.experiments.empty())
+    text += fmt::format(", fitted to {}", fmt::join(stage.experiments, ", "));
   if (stage.bounds < 1.0) text += fmt::format(", bounds {:g} as wide", stage.bounds);
   return text;
 }

@@ -7,6 +7,12 @@
 //   step_tolerance = 0.02           # keys of [optimizer] for this stage; a stage that has none is
 //   max_steps = 60                  # run as [optimizer] says
 //
+//   [stage.curve]
+//   free = ["PCY1", "PDY1"]         # the variables that move; the others stay where the stage
+//   before
+//                                   # has left them
+//   experiments = ["upright"]       # those that count in this stage
+//
 //   [stage.fine]
 //   bounds = 0.25                   # width of the bounds over those of the study, around the best
 //                                   # point of the stage before; 1: those of the study

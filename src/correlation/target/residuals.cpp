@@ -70,6 +70,7 @@ Objective residual_objective(const Study& study) {
       [experiments, mean, space = study.space](const DesignPoint& point,
                                                const Channels& channels) -> Result<Score> {
         Score score;
+        bool has_slopes = true;
         for (const StudyExperiment& experiment : experiments) {
           const Comparison comparison = compare(experiment, channels);
           std::vector<double> d = comparison.differences;
@@ -79,18 +80,29 @@ Objective residual_objective(const Study& study) {
           const std::vector<double> sigma = stated_deviations(experiment);
           const double weight = std::sqrt(experiment.objective.weight);
           const double factor = experiment.noise ? weight : weight * spread_of(experiment, mean);
+          has_slopes = has_slopes && !comparison.slopes.empty();
+          const size_t n = comparison.slopes.size() / d.size();
           for (size_t k = 0; k < d.size(); ++k) {
-            const double x = experiment.loss(sigma.empty() ? d[k] : d[k] / sigma[k]);
+            const double unit = sigma.empty() ? 1.0 : sigma[k];
+            const double x = experiment.loss(d[k] / unit);
             score.residuals.push_back(factor * x);
             if (std::isfinite(x)) score.value += factor * factor * x * x;
+            for (size_t i = 0; i < n; ++i) {
+              score.jacobian.push_back(factor * experiment.loss.slope(d[k] / unit) / unit *
+                                       comparison.slopes[k * n + i]);
+            }
           }
         }
         for (int i = 0; i < space.size(); ++i) {
           if (!space[i].prior) continue;
-          const double r = space[i].prior->residual(point.values[static_cast<size_t>(i)]);
+          const double x = point.values[static_cast<size_t>(i)];
+          const double r = space[i].prior->residual(x);
           score.residuals.push_back(r);
           score.value += r * r;
+          for (int j = 0; j < space.size(); ++j)
+            score.jacobian.push_back(i == j ? space[i].prior->slope(x) : 0.0);
         }
+        if (!has_slopes) score.jacobian.clear();
         return score;
       });
 }

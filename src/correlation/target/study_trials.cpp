@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 
+#include "correlation/study/study_slopes.h"
 #include "correlation/target/predictions.h"
 
 namespace latsch::correlation {
@@ -59,6 +60,7 @@ class StudyTrials {
         return recording;
       }
       for (Channel channel : recording->all()) {
+        if (!channel.slopes.empty()) channel.slopes = in_variables(study_, channel.slopes);
         if (!test.name.empty()) channel.name = test.name + "/" + channel.name;
         trial.add(std::move(channel));
       }
@@ -73,10 +75,11 @@ class StudyTrials {
   }
 
  private:
-  static Result<Channels> recorded(const StudyTest& test, experiment::Specimen& specimen) {
+  Result<Channels> recorded(const StudyTest& test, experiment::Specimen& specimen) const {
     auto recording = [&]() -> Result<Channels> {
       try {
-        return test.test->run(specimen);
+        if (!study_.asks_slopes) return test.test->run(specimen);
+        return test.test->run_with_slopes(specimen, asked_of(study_, test));
       } catch (const InputError& error) {
         return Failure{std::string("the model does not accept this point: ") + error.what()};
       }
@@ -127,12 +130,18 @@ void weigh(const StudyExperiment& experiment,
            Comparison& comparison) {
   if (!common && experiment.loss.loss == Loss::squares) return;
   const std::vector<double> sigma = stated_deviations(experiment);
+  const bool by_noise = common && !sigma.empty();
+  std::vector<double> factors;  // of the slopes
   comparison.value = 0.0;
   for (size_t k = 0; k < comparison.differences.size(); ++k) {
     double& d = comparison.differences[k];
-    d = common && !sigma.empty() ? *common * experiment.loss(d / sigma[k]) : experiment.loss(d);
+    const double size = by_noise ? *common : 1.0, unit = by_noise ? sigma[k] : 1.0;
+    factors.push_back(size * experiment.loss.slope(d / unit) / unit);
+    d = size * experiment.loss(d / unit);
     comparison.value += std::pow(std::abs(d), experiment.objective.exponent);
   }
+  const size_t n = comparison.slopes.size() / comparison.differences.size();
+  for (size_t k = 0; k < comparison.slopes.size(); ++k) comparison.slopes[k] *= factors[k / n];
   comparison.value /= static_cast<double>(comparison.differences.size());
 }
 
@@ -149,6 +158,11 @@ void add_priors(const DesignSpace& space,
     const double d = common * space[i].prior->residual(point.values[static_cast<size_t>(i)]);
     score.value += std::pow(std::abs(d), exponent) / total;
     score.residuals.push_back(d / std::sqrt(total));
+    if (score.jacobian.empty()) continue;
+    std::vector<double> row(static_cast<size_t>(space.size()), 0.0);
+    row[static_cast<size_t>(i)] =
+        common * space[i].prior->slope(point.values[static_cast<size_t>(i)]) / std::sqrt(total);
+    score.jacobian.insert(score.jacobian.end(), row.begin(), row.end());
   }
 }
 
@@ -184,7 +198,7 @@ Objective objective(const Study& study) {
     const double values = common ? static_cast<double>(experiment.values()) : 1.0;
     weights.push_back(experiment.objective.weight * values);
   }
-  return Objective::OfTrial(
+  return Objective(
       [fitted, weights, common, space = study.space, constraints = study.constraints](
           const DesignPoint& point, const Channels& channels) -> Result<Score> {
         std::vector<Comparison> comparisons;
@@ -197,6 +211,7 @@ Objective objective(const Study& study) {
         }
         score.value = target(comparisons, weights);
         score.residuals = weighted_residuals(comparisons, weights);
+        score.jacobian = weighted_slopes(comparisons, weights);
         if (common)
           add_priors(space, point, *common, weights, fitted.front().objective.exponent, score);
         for (const Comparison& comparison : comparisons) {
@@ -206,7 +221,8 @@ Objective objective(const Study& study) {
           if (auto failure = apply(constraint, channels, score)) return *failure;
         }
         return score;
-      });
+      },
+      study.asks_slopes);
 }
 
 }  // namespace latsch::correlation

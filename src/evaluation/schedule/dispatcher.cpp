@@ -33,6 +33,12 @@ void KnownScores::add(const Trial& trial) {
   scores_.insert_or_assign(trial.point.bits(), score(objective_, trial.point, trial.outcome));
 }
 
+void KnownScores::add_kept(const Trial& trial) {
+  auto known = score(objective_, trial.point, trial.outcome);
+  if (known && objective_.needs_slopes() && known->jacobian.empty()) return;
+  scores_.insert_or_assign(trial.point.bits(), std::move(known));
+}
+
 const Result<Score>* KnownScores::find(const DesignPoint& point) const {
   const auto found = scores_.find(point.bits());
   return found == scores_.end() ? nullptr : &found->second;
@@ -50,7 +56,7 @@ Dispatcher::Dispatcher(const Objective& objective,
       known_(objective),
       start_(executor.now()) {
   if (store) {
-    store->for_each([&](const Trial& trial) { known_.add(trial); });
+    store->for_each([&](const Trial& trial) { known_.add_kept(trial); });
     store->begin_asking();
   }
   progress_.planned = planned;

@@ -4,8 +4,8 @@
 // - A point that was evaluated, is being evaluated or is on its way to the disk is not started
 // again.
 // - A point is started at most `retries` + 2 times, whatever becomes of its copies: once, once more
-//   for what is not its own fault, and so often as the failure policy asks for. A start whose worker
-//   was lost before it began (Cause::not_begun) is none.
+//   for what is not its own fault, and so often as the failure policy asks for. A start whose
+//   worker was lost before it began (Cause::not_begun) is none.
 // - A trial whose worker was lost (Cause::transient) says nothing about its point and is repeated
 // as
 //   far as its starts last: where a point needs too much memory, the system kills every worker that
@@ -42,6 +42,9 @@ class KnownScores {
   explicit KnownScores(const Objective& objective) : objective_(objective) {}
 
   void add(const Trial& trial);
+  /// One that was kept earlier, for whatever purpose: without slopes where they are needed it is
+  /// evaluated again.
+  void add_kept(const Trial& trial);
   const Result<Score>* find(const DesignPoint& point) const;
 
  private:

@@ -135,7 +135,7 @@ Run replay(Optimizer& optimizer,
            long max_steps,
            const FailurePolicy& on_failure) {
   KnownScores known(objective);
-  journal.for_each([&](const Trial& trial) { known.add(trial); });
+  journal.for_each([&](const Trial& trial) { known.add_kept(trial); });
   Search search(
       optimizer,
       on_failure,

@@ -33,7 +33,9 @@ class Objective {
   using OfTrial = std::function<Result<Score>(const DesignPoint&, const Channels&)>;
 
   Objective() = default;
-  Objective(OfTrial of_trial) : of_trial_(std::move(of_trial)) {}
+  /// `needs_slopes`: a trial that was kept without them is not known to it.
+  Objective(OfTrial of_trial, bool needs_slopes = false)
+      : of_trial_(std::move(of_trial)), needs_slopes_(needs_slopes) {}
   template <class OfChannels, class = IfOfChannels<OfChannels>>
   Objective(OfChannels of_channels)
       : of_trial_([of_channels](const DesignPoint&, const Channels& channels) {
@@ -44,11 +46,13 @@ class Objective {
   Result<Score> operator()(const DesignPoint& point, const Channels& channels) const {
     return of_trial_(point, channels);
   }
+  bool needs_slopes() const { return needs_slopes_; }
   /// For one that does not ask for the point.
   Result<Score> operator()(const Channels& channels) const { return of_trial_({}, channels); }
 
  private:
   OfTrial of_trial_;
+  bool needs_slopes_ = false;
 };
 
 }  // namespace latsch

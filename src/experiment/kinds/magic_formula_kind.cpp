@@ -18,14 +18,19 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates {
     return std::make_unique<magic_formula::MagicFormulaTire>(parameters_);
   }
   Channels steady(const formats::CsvTable& table) const override {
+    return answers(formula(), slip_states(table, parameters_).states);
+  }
+  Channels steady_with_slopes(const formats::CsvTable& table, const Asked& asked) const override {
     const SlipStates given = slip_states(table, parameters_);
-    const magic_formula::MagicFormula formula(parameters_, {});
-    std::vector<magic_formula::SteadyState> results(given.states.size());
-    formula.evaluate(given.states, results);
-    return answers(results);
+    return with_slopes(
+        answers(formula(), given.states), formula(), given.states, asked.channels, asked.paths);
   }
 
  private:
+  magic_formula::MagicFormula formula() const {
+    return magic_formula::MagicFormula(parameters_, {});
+  }
+
   magic_formula::Parameters parameters_;
 };
 
@@ -48,6 +53,9 @@ class MagicFormulaKind : public SpecimenKind {
     return std::make_unique<MagicFormulaSpecimen>(numbers);
   }
   void check(const Document& numbers) const override { MagicFormulaSpecimen(numbers).tire(); }
+  bool knows_slopes_in(const std::string& path) const override {
+    return magic_formula::find_parameter(path) != nullptr;
+  }
   std::string text(const Document& numbers) const override { return tir_text_of(numbers); }
   void draw(const Document& numbers,
             const std::vector<const Test*>&,

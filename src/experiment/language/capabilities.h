@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "experiment/language/test.h"
 #include "experiment/rigs/footprint_rig.h"
 #include "experiment/rigs/load_case.h"
 #include "formats/tables/csv_table.h"
@@ -55,6 +56,10 @@ struct HasSteadyStates {
   static constexpr const char* kName = "has steady states";
   virtual ~HasSteadyStates() = default;
   virtual Channels steady(const formats::CsvTable& states) const = 0;
+  /// The same with the slopes asked for, where they are known.
+  virtual Channels steady_with_slopes(const formats::CsvTable& states, const Asked&) const {
+    return steady(states);
+  }
 };
 
 /// Takes the conditions that a test states. Those of others stand in their own files.

@@ -66,6 +66,9 @@ class SpecimenKind {
   /// The text of a file with these numbers.
   virtual std::string text(const Document& numbers) const;
 
+  /// Whether its specimens know the slopes of what they answer in the number at this path.
+  virtual bool knows_slopes_in(const std::string& /*path*/) const { return false; }
+
   /// A line for people: "Tire B, 225/50R16, 2400 HEX8, 40 sectors".
   virtual std::string describe(const Document& numbers) const;
   /// What to mind when this test is run with these numbers; empty: nothing.

@@ -30,6 +30,12 @@ struct Reach {
   double from, to;  // SI
 };
 
+/// Which slopes a recording shall have: of these channels in these numbers of the specimen, by
+/// their paths. Columns of Channel::slopes stand in the order of the paths, in SI.
+struct Asked {
+  std::vector<std::string> channels, paths;
+};
+
 class Test {
  public:
   virtual ~Test() = default;
@@ -55,6 +61,12 @@ class Test {
 
   /// Throws InputError where the specimen cannot take a condition of the test.
   virtual Result<Channels> run(Specimen& specimen) const = 0;
+  /// Whether run_with_slopes() tells slopes in every number in which the specimen knows them.
+  virtual bool tells_slopes() const { return false; }
+  /// The same values to the last bit, and the slopes that are asked for, as far as they are known.
+  virtual Result<Channels> run_with_slopes(Specimen& specimen, const Asked&) const {
+    return run(specimen);
+  }
 };
 
 struct TestKind {

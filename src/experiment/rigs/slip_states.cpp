@@ -8,6 +8,7 @@
 #include <cctype>
 
 #include "base/text.h"
+#include "models/magic_formula/magic_formula_slopes.h"
 
 namespace latsch {
 namespace {
@@ -114,6 +115,39 @@ Channels answers(const std::vector<SteadyState>& results) {
     channels.add(std::move(channel));
   }
   return channels;
+}
+
+Channels answers(const magic_formula::MagicFormula& tire, const std::vector<State>& states) {
+  std::vector<SteadyState> results(states.size());
+  tire.evaluate(states, results);
+  return answers(results);
+}
+
+Channels with_slopes(const Channels& answers,
+                     const magic_formula::MagicFormula& tire,
+                     const std::vector<State>& states,
+                     const std::vector<std::string>& channels,
+                     const std::vector<std::string>& parameters) {
+  std::vector<const AnswerColumn*> asked;
+  std::vector<magic_formula::Output> outputs;
+  for (const AnswerColumn& column : kAnswerColumns) {
+    if (std::find(channels.begin(), channels.end(), column.name) == channels.end()) continue;
+    asked.push_back(&column);
+    outputs.push_back(column.member);
+  }
+  const auto found = magic_formula::steady_state_slopes(tire, states, parameters, outputs);
+  Channels sloping;
+  for (Channel channel : answers.all()) {
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+      if (channel.name != asked[k]->name) continue;
+      const Eigen::MatrixXd& S = found.slopes[k];
+      channel.slopes.resize(static_cast<std::size_t>(S.size()));
+      using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+      Eigen::Map<Rows>(channel.slopes.data(), S.rows(), S.cols()) = asked[k]->factor * S;
+    }
+    sloping.add(std::move(channel));
+  }
+  return sloping;
 }
 
 int outside_of_ranges(const std::vector<State>& states, const Parameters& p) {

@@ -37,6 +37,16 @@ SlipStates slip_states(const formats::CsvTable& table, const magic_formula::Para
 /// Fx Fy Fz Mx My Mz R_e R_l rho length width t Mzr mux muy omega Kxk Kya Cx Cy Cz sigma_x sigma_y,
 /// a value a state.
 Channels answers(const std::vector<magic_formula::SteadyState>& results);
+Channels answers(const magic_formula::MagicFormula& tire,
+                 const std::vector<magic_formula::State>& states);
+
+/// The answers with the slopes of some channels in parameters of the tire, a row a state and a
+/// column a parameter, in SI: magic_formula_slopes.h.
+Channels with_slopes(const Channels& answers,
+                     const magic_formula::MagicFormula& tire,
+                     const std::vector<magic_formula::State>& states,
+                     const std::vector<std::string>& channels,
+                     const std::vector<std::string>& parameters);
 
 /// How many states lie outside of the ranges of the file, where limits clamp them.
 int outside_of_ranges(const std::vector<magic_formula::State>& states,

@@ -36,6 +36,10 @@ class SteadyStatesTest : public Test {
   Result<Channels> run(Specimen& specimen) const override {
     return specimen.find<HasSteadyStates>()->steady(states_);
   }
+  bool tells_slopes() const override { return true; }
+  Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
+    return specimen.find<HasSteadyStates>()->steady_with_slopes(states_, asked);
+  }
 
  private:
   formats::CsvTable states_;

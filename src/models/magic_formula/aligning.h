@@ -142,7 +142,7 @@ LATSCH_INLINE Aligning<R> aligning_terms(const TireOf<R>& tire,
   const R alphat_eq = select(alphat == 0.0, R(0.0), with_sign(arcs[1], alphat));  // (A55)
   R Et = (p.QEZ1 + p.QEZ2 * dfz + p.QEZ3 * dfz * dfz) *
          (1.0 + (p.QEZ4 + p.QEZ5 * o.gamma_star) * (2.0 / kPi) * arcs[2]);
-  if (conventions.limits) Et = smaller(Et, R(1.0));  // (4.E44)
+  if (conventions.limits) Et = at_most_one(Et);  // (4.E44)
   shapes.set(Shapes<R>::kTrail, Bt * alphat_eq, Ct, Et);
   return z;
 }

@@ -127,7 +127,7 @@ LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireOf<R>& tire,
          (1.0 + p.PEY5 * gamma_star * gamma_star -
           (p.PEY3 + p.PEY4 * gamma_star) * sign_or_one(alphay)) *
          p.LEY;  // (4.E24)
-  if (conventions.limits) Ey = smaller(Ey, R(1.0));
+  if (conventions.limits) Ey = at_most_one(Ey);
   y.By = y.Kya / (y.Cy * y.Dy + epsilon_for(y.Dy));  // (4.E26)
   shapes.set(upright ? Shapes<R>::kFyUpright : Shapes<R>::kFy, y.By * alphay, y.Cy, Ey);
   y.muy = select(o.Fz == 0.0, R(0.0), y.muy);
@@ -162,7 +162,7 @@ LATSCH_INLINE CombinedLateral<R> combined_lateral_terms(const TireOf<R>& tire,
   y.SVyk = DVyk * o.sin_RVY * p.LVYKA * o.fade;  // (4.E66)
   const R SHyk = p.RHY1 + p.RHY2 * o.dfz;        // (4.E65)
   R Eyk = p.REY1 + p.REY2 * o.dfz;               // (4.E64)
-  if (conventions.limits) Eyk = smaller(Eyk, R(1.0));
+  if (conventions.limits) Eyk = at_most_one(Eyk);
   const R Cyk = R(p.RCY1);                                                              // (4.E63)
   const R Byk = (p.RBY1 + p.RBY4 * o.gamma_star * o.gamma_star) * o.cos_RBY2 * p.LYKA;  // (4.E62)
   shapes.set(Shapes<R>::kGy0, Byk * SHyk, Cyk, Eyk);

@@ -8,11 +8,12 @@
 // two evaluations and what the variables reach: ask those you vary, and the outputs you compare.
 //
 // Kinks. The slope of |x| at 0 is that for rising x, the one of a sign 0. Where a limit holds (a
-// clamped input, E = 1, FZMAX, VXLOW) and at its very edge, it is that of the limited side. Of
-// jumps (Fz = 0, Vx = 0, a switch between equations) it is that of the piece the value is of. What
-// a file is silent about (Q_A1 and Q_A2, PTY2, LONGITUDINAL_STIFFNESS, LATERAL_STIFFNESS, Q_CAM1
-// and Q_CAM2, FZMIN, VXLOW at 0) switches equations: its slope at 0 is that of the silent file, 0.
-// QSX4, QSX10, LMUV and the like, 0 too, have their slope there.
+// clamped input, E > 1, FZMAX, VXLOW) and at its very edge, it is that of the limited side; at E =
+// 1 itself, a usual bound of a fit, that of the free one. Of jumps (Fz = 0, Vx = 0, a switch
+// between equations) it is that of the piece the value is of. What a file is silent about (Q_A1 and
+// Q_A2, PTY2, LONGITUDINAL_STIFFNESS, LATERAL_STIFFNESS, Q_CAM1 and Q_CAM2, FZMIN, VXLOW at 0)
+// switches equations: its slope at 0 is that of the silent file, 0. QSX4, QSX10, LMUV and the like,
+// 0 too, have their slope there.
 //
 // Where an output is not finite, neither need its slopes be: nothing is caught, NaN comes out of
 // what is computed with NaN. A variable that does not enter there still has 0.

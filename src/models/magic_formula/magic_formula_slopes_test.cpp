@@ -224,6 +224,33 @@ TEST(MagicFormulaSlopes, AtAKinkThoseOfTheSideThatIsSaid) {
                    slope(MagicFormula(p), clamped, &S::Fy, "alpha"));
 }
 
+// A fit whose PEY1 or QEZ1 has come to its bound has to see what the way back is worth.
+TEST(MagicFormulaSlopes, AtTheLargestCurvatureFactorThoseOfTheWayBack) {
+  constexpr double kStep = 1e-6;
+  for (const auto& [name, output] : {std::pair{"PEY1", &S::Fy}, std::pair{"QEZ1", &S::Mz}}) {
+    Parameters p;
+    p.UNLOADED_RADIUS = 0.3;
+    p.FNOMIN = 4000.0;
+    p.VERTICAL_STIFFNESS = 2e5;
+    p.NOMPRES = p.INFLPRES = 2.2e5;
+    p.PCY1 = 1.3;
+    p.PDY1 = 1.0;
+    p.PKY1 = -15.0;
+    p.PKY2 = 1.5;
+    p.QBZ1 = 10.0;
+    p.QCZ1 = 1.1;
+    p.QDZ1 = 0.1;
+    p.*find_parameter(name)->member = 1.0;
+    const MagicFormula at_one(p);
+    p.*find_parameter(name)->member = 1.0 - kStep;
+    State state{4000.0, 0.0, 0.08, 0.0, 0.0, 16.7, 2.2e5};
+    const double back =
+        (at_one.evaluate(state).*output - MagicFormula(p).evaluate(state).*output) / kStep;
+    EXPECT_NE(back, 0.0) << name;
+    EXPECT_NEAR(slope(at_one, state, output, name), back, 1e-4 * std::abs(back)) << name;
+  }
+}
+
 TEST(MagicFormulaSlopes, FiniteWhereverAWheelCanBe) {
   std::vector<std::string> variables = {"Fz", "kappa", "alpha", "gamma", "phit", "Vx", "p"};
   for (const ParameterField& field : parameter_fields())

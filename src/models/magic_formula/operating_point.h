@@ -83,6 +83,13 @@ LATSCH_INLINE R clamped(const R& x, const ConstantOf<R>& lower, const ConstantOf
   return larger(smaller(x, R(upper)), R(lower));
 }
 
+/// A limit E <= 1 whose slope at 1 itself is that of the side without limit: there a fit at the
+/// bound E = 1 finds its way back.
+template <class R>
+LATSCH_INLINE R at_most_one(const R& E) {
+  return select(E <= 1.0, E, R(1.0));
+}
+
 template <class R>
 LATSCH_INLINE void apply_limits(const TireOf<R>& tire,
                                 const Conventions& conventions,

@@ -87,6 +87,16 @@ void Identification::observe(const std::vector<Result<Eigen::VectorXd>>& residua
   }
 }
 
+void Identification::observe_center(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& J) {
+  assert(takes_slopes());
+  wanted_.clear();
+  if (!center_observed({residuals})) return;
+  at_ = Linearization{to_vector(space_.to_unit(center_)), *r_, J(rows_, Eigen::all)};
+  qualities_.assign(static_cast<size_t>(space_.size()), SlopeQuality::straight);
+  lengths_ = Eigen::VectorXd::Constant(space_.size(), options_.step);
+  confidence_ = latsch::confidence(*at_, options_.confidence);
+}
+
 std::optional<Eigen::VectorXd> Identification::used(
     const Result<Eigen::VectorXd>& residuals) const {
   if (!residuals) return std::nullopt;

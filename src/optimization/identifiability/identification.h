@@ -47,6 +47,11 @@ class Identification {
   const std::vector<DesignPoint>& wanted() const { return wanted_; }
   /// The residuals of the points wanted, in their order; a Failure where the evaluation failed.
   void observe(const std::vector<Result<Eigen::VectorXd>>& residuals);
+  /// Whether round 1 needs no more than the center where the model tells its slopes there. Profiles
+  /// look at the model over the lengths of intervals, by differences.
+  bool takes_slopes() const { return !options_.profiles && !at_; }
+  /// Round 1 by exact slopes: residuals and dr/du at the center.
+  void observe_center(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& J);
 
   /// The Failure that made round 1 impossible.
   const std::optional<Failure>& failure() const { return failure_; }

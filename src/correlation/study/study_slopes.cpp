@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/study/study_slopes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "correlation/study/study_optimizer.h"
+
+namespace latsch::correlation {
+namespace {
+
+/// A number of the model and how a variable moves it.
+struct MovedNumber {
+  std::string path;
+  int variable;
+  double factor;
+};
+
+std::vector<MovedNumber> moved_numbers(const DesignSpace& space) {
+  std::vector<MovedNumber> moved;
+  for (int i = 0; i < space.size(); ++i) {
+    for (const std::string& path : space[i].paths) moved.push_back({path, i, 1.0});
+    for (const Follower& follower : space[i].followers)
+      for (const std::string& path : follower.paths) moved.push_back({path, i, follower.factor});
+  }
+  return moved;
+}
+
+const StudyTest* find_test(const Study& study, const std::string& name) {
+  for (const StudyTest& test : study.tests)
+    if (test.name == name) return &test;
+  return nullptr;
+}
+
+bool uses_slopes(const OptimizerSettings& settings, const ProblemTraits& traits) {
+  switch (method_of(settings, traits).method) {
+    case Method::levenberg_marquardt:
+      return true;
+    case Method::sqp:
+      return !traits.has_nonlinear_constraints;
+    case Method::ensemble:
+      return std::any_of(settings.members.begin(), settings.members.end(), [&](const auto& member) {
+        return uses_slopes(member.settings, traits);
+      });
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+std::optional<std::string> reason_without_slopes(const Study& study) {
+  const experiment::SpecimenKind* kind = study.specimens->kind();
+  if (!kind) return "an outside program tells no slopes";
+  for (const MovedNumber& number : moved_numbers(study.space)) {
+    if (!kind->knows_slopes_in(number.path))
+      return fmt::format(
+          "a {} does not know its slopes in {}", kind->in_words(), in_quotes(number.path));
+  }
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (!experiment.fitted) continue;
+    if (experiment.objective.exponent != 2.0)
+      return fmt::format("experiment {} has the exponent {:g}, and slopes are of a sum of squares",
+                         experiment.name,
+                         experiment.objective.exponent);
+    if (!experiment.observable->passes_slopes())
+      return fmt::format("experiment {} compares {}, whose slopes are not known",
+                         experiment.name,
+                         experiment.observable->compared(experiment.objective));
+    for (const std::string& channel : experiment.observable->asks()) {
+      const StudyTest* test = find_test(study, test_of(channel));
+      if (!test || !test->test->tells_slopes())
+        return fmt::format(
+            "experiment {} compares {}, and that test tells no slopes", experiment.name, channel);
+    }
+  }
+  return std::nullopt;
+}
+
+bool asks_slopes(const Study& study) {
+  if (reason_without_slopes(study)) return false;
+  ProblemTraits traits = traits_of_residuals(study.space, !study.constraints.empty());
+  traits.has_jacobian = true;
+  return uses_slopes(study.optimizer, traits);
+}
+
+experiment::Asked asked_of(const Study& study, const StudyTest& test) {
+  experiment::Asked asked;
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (!experiment.fitted) continue;
+    for (const std::string& channel : experiment.observable->asks()) {
+      if (test_of(channel) == test.name)
+        asked.channels.push_back(channel.substr(test.name.size() + 1));
+    }
+  }
+  for (const MovedNumber& number : moved_numbers(study.space)) asked.paths.push_back(number.path);
+  return asked;
+}
+
+std::vector<double> in_variables(const Study& study, const std::vector<double>& slopes) {
+  const std::vector<MovedNumber> moved = moved_numbers(study.space);
+  const auto n = static_cast<std::size_t>(study.space.size());
+  const std::size_t rows = slopes.size() / moved.size();
+  std::vector<double> of_variables(rows * n, 0.0);
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+      of_variables[i * n + static_cast<std::size_t>(moved[k].variable)] +=
+          moved[k].factor * slopes[i * moved.size() + k];
+    }
+  }
+  return of_variables;
+}
+
+}  // namespace latsch::correlation
