@@ -145,7 +145,7 @@ TEST_F(StudyStages, ComplaintsNameTheStage) {
   says("[stage.a]\nfree = [\"gripp\"]\n[stage.b]\n", "did you mean \"grip\"");
   says("[stage.a]\nfree = []\n[stage.b]\n", "empty");
   says("[stage.a]\nfree = [\"grip\", \"grip\"]\n[stage.b]\n", "twice");
-  says("[stage.a]\nexperiments = [\"heavy\"]\n[stage.b]\n", "expected some of light");
+  says("[stage.a]\nexperiments = [\"heavy\"]\n[stage.b]\n", "expected some of \"light\"");
   says("[stage.a]\n[stage.b]\nexperiments = [\"light\"]\n", "last stage");
   says("[stage.a]\nrestart = 2\n[stage.b]\n", "unknown key");
   says("[stage.a]\nmethod = \"gss\"\nrestarts = 2\n[stage.b]\n", "restarts belongs to");
