@@ -16,6 +16,7 @@
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
 #include "correlation/study/variables.h"
+#include "correlation/target/derivative_check.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/journal/journal.h"
 #include "evaluation/journal/local_file_system.h"
@@ -146,6 +147,43 @@ void print_stages(const Study& study) {
   if (!start.empty()) say("\nThe search starts at {}\n", start);
 }
 
+/// Whether the slopes of the model are those of its values, variable by variable.
+int check_derivatives(const std::string& file, const experiment::Language& language) {
+  const Study study = correlation::read_study(file, language);
+  const auto slopes = correlation::check_slopes(study, study.space.initial());
+  if (!slopes) {
+    complain("a trial fails beside the initial values: " + slopes.failure().reason);
+    return kFailed;
+  }
+  say("Slopes of the residuals in the variables, beside differences of the residuals\n"
+      "  {:<16} {:>10}  {:<44} {:>12} {:>12}\n",
+      "variable",
+      "off by",
+      "most in",
+      "slope",
+      "difference");
+  bool all_agree = true;
+  for (const auto& one : *slopes) {
+    all_agree = all_agree && one.agrees;
+    say("  {:<16} {:>10.1e}  {:<44} {:>12.5g} {:>12.5g}{}\n",
+        one.variable,
+        one.off,
+        one.row,
+        one.slope,
+        one.difference,
+        one.agrees ? "" : "  wrong");
+    answer()["slopes"].push_back({{"variable", one.variable},
+                                  {"most_in", one.row},
+                                  {"off", one.off},
+                                  {"slope", one.slope},
+                                  {"difference", one.difference},
+                                  {"agrees", one.agrees}});
+  }
+  if (all_agree) say("\nAll of them agree\n");
+  if (!all_agree) complain("slopes disagree with differences: a fault of the model's derivatives");
+  return all_agree ? kDone : kFailed;
+}
+
 void check(const std::string& file, const experiment::Language& language) {
   const Study study = correlation::read_study(file, language);
   reject_implausible(study);
@@ -184,10 +222,23 @@ void check(const std::string& file, const experiment::Language& language) {
 void add_check(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand(
       "check", "Reads a study, its model and its measurements, and says what it understood");
-  verb.footer("Example:\n  latsch check studies/tire_b_twin/study.toml");
+  verb.footer(
+      "Examples:\n  latsch check studies/tire_b_twin/study.toml\n"
+      "  latsch check studies/race_tire_mf/study.toml --derivatives");
   auto file = std::make_shared<std::string>();
   verb.add_option("study", *file, "Study file (TOML)").required();
-  verb.callback([file, &program] { check(*file, program.language); });
+  auto derivatives = std::make_shared<bool>(false);
+  verb.add_flag(
+      "--derivatives",
+      *derivatives,
+      "Compares the slopes that the model tells with differences, four trials a variable");
+  verb.callback([=, &program] {
+    if (*derivatives) {
+      program.exit_code = check_derivatives(*file, program.language);
+    } else {
+      check(*file, program.language);
+    }
+  });
 }
 
 }  // namespace latsch::cli

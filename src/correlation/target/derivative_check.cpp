@@ -12,9 +12,9 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kLength = 1e-3;   // of the range
-constexpr double kOff = 1e-5;      // of the largest slope of a variable
-constexpr double kUnsure = 10.0;   // times what two lengths differ by
+constexpr double kLength = 1e-3;  // of the range
+constexpr double kOff = 1e-5;     // of the largest slope of a variable
+constexpr double kUnsure = 10.0;  // times what two lengths differ by
 
 /// Residuals over the unit cube.
 class Cube {
@@ -44,7 +44,9 @@ class Cube {
   Objective residuals_;
 };
 
-CheckedSlope worst(const Eigen::VectorXd& J, const Eigen::VectorXd& D, const Eigen::VectorXd& unsure) {
+CheckedSlope worst(const Eigen::VectorXd& J,
+                   const Eigen::VectorXd& D,
+                   const Eigen::VectorXd& unsure) {
   const double largest = std::max(J.cwiseAbs().maxCoeff(), D.cwiseAbs().maxCoeff());
   CheckedSlope found;
   Eigen::Index at = 0;
@@ -86,8 +88,9 @@ Result<std::vector<CheckedSlope>> check_slopes(const Study& study, const DesignP
     if (!half) return half.failure();
     CheckedSlope one = worst(J.col(i), (4.0 * *half - *whole) / 3.0, (*half - *whole).cwiseAbs());
     const ResidualRow& row = rows[std::stoul(one.row)];
-    one.row = row.experiment < 0 ? row.name
-                                 : study.experiments[static_cast<size_t>(row.experiment)].name + ": " + row.name;
+    one.row = row.experiment < 0
+                  ? row.name
+                  : study.experiments[static_cast<size_t>(row.experiment)].name + ": " + row.name;
     one.variable = study.space[i].name;
     all.push_back(std::move(one));
   }

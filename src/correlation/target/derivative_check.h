@@ -4,8 +4,8 @@
 //
 //   D = (4 D(h/2) - D(h)) / 3,    D(h) = (r(u + h) - r(u - h)) / 2h,    h = 1e-3 of the range
 //
-// A slope disagrees where it is off by more than 1e-5 of the largest of its variable and by more than
-// ten times what the two lengths differ by, which is much beside a kink. At a bound there are
+// A slope disagrees where it is off by more than 1e-5 of the largest of its variable and by more
+// than ten times what the two lengths differ by, which is much beside a kink. At a bound there are
 // differences to one side alone; the point then moves inward by h.
 #pragma once
 
@@ -19,9 +19,9 @@ namespace latsch::correlation {
 
 /// Of one variable the residual whose slope disagrees most, or is furthest off.
 struct CheckedSlope {
-  std::string variable, row;           // "PKY1"; "side_force: steady/Fy, sample 3"
+  std::string variable, row;             // "PKY1"; "side_force: steady/Fy, sample 3"
   double slope = 0.0, difference = 0.0;  // of that residual, over the range of the variable
-  double off = 0.0;                    // |slope - difference| over the largest |slope| of the variable
+  double off = 0.0;  // |slope - difference| over the largest |slope| of the variable
   bool agrees = true;
 };
 

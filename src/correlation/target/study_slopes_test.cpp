@@ -78,7 +78,7 @@ TEST_F(StudySlopes, CountNoiseRobustLossAndPriors) {
                linear.size(),
                "initial = 0.7\nscale = \"logarithmic\"\nprior = 1\nprior_sigma = \"10 %\"\n");
   write("study.toml", head + "exponent = 2\nnoise = \"30 N\"\n");
-  expect_exact(read_study(folder_ / "study.toml"));
+  expect_exact(read_study(folder_ / "study.toml", experiment::language()));
 }
 
 // The truth is 1.3 and -22: residuals vanish there, so steps of Gauss and Newton end quadratically.

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// A spring F = c x + d v with slopes that are right, dF/dc = x and dF/dd = v, or wrong.
+#include "correlation/target/derivative_check.h"
+
+#include <gtest/gtest.h>
+
+#include "base/file.h"
+#include "base/scratch_folder_testing.h"
+#include "correlation/study/spring_testing.h"
+
+namespace latsch::correlation {
+namespace {
+
+using namespace latsch::experiment;
+
+class SlopingSpring : public SpringKind {
+ public:
+  bool knows_slopes_in(const std::string& path) const override {
+    return path == "stiffness" || path == "damping";
+  }
+};
+
+class SlopingPull : public PullTest {
+ public:
+  SlopingPull(double speed, double wrong)
+      : PullTest({0.01, 0.02, 0.03}, speed, 0.0), speed_(speed), wrong_(wrong) {}
+  bool tells_slopes() const override { return true; }
+  Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
+    const auto plain = run(specimen);
+    Channels sloping;
+    for (Channel channel : plain->all()) {
+      for (const double x : (*plain)["travel"]) {
+        for (const std::string& path : asked.paths) {
+          const double slope = path == "stiffness" ? x : wrong_ * speed_;
+          channel.slopes.push_back(channel.name == "force" ? slope : 0.0);
+        }
+      }
+      sloping.add(std::move(channel));
+    }
+    return sloping;
+  }
+
+ private:
+  double speed_, wrong_;
+};
+
+class DerivativeCheck : public testing::Test {
+ protected:
+  /// Measured between the travels that the test drives.
+  Study read(double wrong, const std::string& x = "x = \"pull/travel\"\n") {
+    wrong_ = wrong;
+    write_text_file(folder_ / "spring.toml",
+                    "kind = \"spring\"\nstiffness = \"2000 N/m\"\ndamping = \"30 N s/m\"\n");
+    write_text_file(folder_ / "pull.toml", "kind = \"pull\"\n");
+    write_text_file(folder_ / "measured.csv", "travel [mm],force [N]\n10,21\n15,28\n30,60\n");
+    write_text_file(
+        folder_ / "study.toml",
+        "model = \"spring.toml\"\n[test.pull]\nfile = \"pull.toml\"\n"
+        "[variable.c]\npath = \"stiffness\"\nlower = \"500 N/m\"\nupper = \"5000 N/m\"\n"
+        "initial = \"1000 N/m\"\nscale = \"logarithmic\"\n"
+        "[variable.d]\npath = \"damping\"\nlower = \"0 N s/m\"\nupper = \"50 N s/m\"\n"
+        "initial = \"0 N s/m\"\n"
+        "[experiment.force]\nkind = \"curve\"\n" +
+            x +
+            "y = \"pull/force\"\n"
+            "measurement = \"measured.csv\"\nexponent = 2\n");
+    static const SlopingSpring kind;
+    static const TestKind pull = {
+        "pull", "is pulled", {Spring::kName}, [](const Node&, const std::filesystem::path&) {
+          return std::unique_ptr<experiment::Test>(std::make_unique<SlopingPull>(0.5, wrong_));
+        }};
+    static const Language language = {{&kind}, {&pull}};
+    return read_study(folder_ / "study.toml", language);
+  }
+
+  static inline double wrong_ = 1.0;
+  ScratchFolder folder_;
+};
+
+TEST_F(DerivativeCheck, RightSlopesAgreeAlsoBesideABound) {
+  const Study study = read(1.0);
+  const auto slopes = check_slopes(study, study.space.initial());
+  ASSERT_TRUE(slopes) << slopes.failure().reason;
+  ASSERT_EQ(slopes->size(), 2u);
+  for (const CheckedSlope& one : *slopes) {
+    EXPECT_TRUE(one.agrees) << one.variable << " " << one.off;
+    EXPECT_LT(one.off, 1e-8);
+  }
+  EXPECT_TRUE(check_slopes(read(1.0, ""), study.space.initial()));  // sample by sample
+}
+
+TEST_F(DerivativeCheck, NamesTheVariableWhoseSlopeIsWrong) {
+  const Study study = read(1.01);
+  const auto slopes = check_slopes(study, study.space.initial());
+  ASSERT_TRUE(slopes);
+  EXPECT_TRUE((*slopes)[0].agrees);
+  EXPECT_FALSE((*slopes)[1].agrees);
+  EXPECT_EQ((*slopes)[1].variable, "d");
+  EXPECT_NEAR((*slopes)[1].off, 0.01 / 1.01, 1e-6);
+  EXPECT_EQ((*slopes)[1].row.find("force: pull/force at "), 0u) << (*slopes)[1].row;
+}
+
+}  // namespace
+}  // namespace latsch::correlation
