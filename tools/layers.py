@@ -32,7 +32,7 @@ ROOMS = {
     "experiment": ["rigs", "language", "tests", "kinds"],
     "evaluation": ["trial", "executors", "journal", "schedule", "outside_program"],
     "correlation": ["observable", "study", "target", "analysis", "search", "basic_data", "study_report", "rig_data",
-                    "comparison"],
+                    "comparison", "validation"],
 }
 
 # One model does not use another, except these: every tire rolls on a road, and the rigid ring's slip

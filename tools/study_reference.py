@@ -42,6 +42,7 @@ SECTIONS = [
     ("[stage.NAME]: one fit after the other", "study_stages"),
     ("[doe]", "study_design"),
     ("[run]", "run_settings"),
+    ("A suite: acceptance of a model", "suite"),
 ]
 OTHER_ROOMS = {"basic_data", "rig_data", "comparison"}  # they read files that are no studies
 

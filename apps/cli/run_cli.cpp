@@ -49,6 +49,7 @@ constexpr OfferedVerb kVerbs[] = {{add_new, experiment::IsPressed::kName},
                                   {add_doctor},
                                   {add_road, experiment::Rolls::kName},
                                   {add_test},
+                                  {add_validate},
                                   {add_footprint, experiment::HasFootprint::kName},
                                   {add_ring, experiment::Rolls::kName},
                                   {add_compare, experiment::Rolls::kName},
@@ -67,7 +68,7 @@ constexpr const char* kFooter = R"(
 a study. Every verb has --json, --quiet and --log FILE. A study can be interrupted (Ctrl-C, even kill -9) and goes on with
 `latsch resume`; the result is the same to the last bit.
 
-Exit codes: 0 done; 1 the run failed or was interrupted; 2 wrong input, with file, line, what was found, what was expected.)";
+Exit codes: 0 done; 1 the run failed or was interrupted, or a model is not accepted; 2 wrong input, with file, line, what was found, what was expected.)";
 
 int run(int argc, char** argv, const experiment::Language& language) {
   const auto offers = [&](const OfferedVerb& verb) {

@@ -299,6 +299,7 @@ std::vector<Chapter> chapters(const StudyReport& report) {
   const auto add = [&all](const char* id, const char* title, std::string body) {
     if (!body.empty()) all.push_back({id, title, std::move(body)});
   };
+  add("checks", "Checks", report.checks.empty() ? "" : check_table(report));
   add("variables", "Design variables", report.variables.empty() ? "" : variable_table(report));
   add("experiments", "Experiments", report.experiments.empty() ? "" : experiment_table(report));
   add("forces", "Forces", report.forces.empty() ? "" : forces(report));

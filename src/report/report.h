@@ -162,6 +162,13 @@ struct TirePictures {
   std::vector<fe_tire::Mode> modes;       // at most about 12 are shown
 };
 
+/// One limit of a suite of checks, as people read it.
+struct CheckRow {
+  std::string check, what, value, limit, source;
+  std::string reason;  // why there is no value
+  bool accepted = false;
+};
+
 struct StudyReport {
   std::string title;
   std::string study_file, model_file;  // as a person would type them; may be empty
@@ -175,6 +182,7 @@ struct StudyReport {
   std::string target_definition;     // one line, "1/2 (mean |df| + mean |dF|)"; may be empty
   std::vector<std::string> remarks;  // what is assumed, what to mind
 
+  std::vector<CheckRow> checks;  // of a validation, in the place of a target
   std::vector<Variable> variables;
   std::vector<ExperimentRow> experiments;
   std::vector<ForceCurve> forces;

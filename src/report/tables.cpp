@@ -67,7 +67,32 @@ AtBound at_bound(const Variable& variable) {
   return share > 1.0 - kBoundShare ? AtBound::upper : AtBound::no;
 }
 
+std::string check_table(const StudyReport& report) {
+  std::string html =
+      "<div class=\"scroll\"><table><thead><tr><th>Check</th><th>Of</th><th class=\"n\">Value</th>"
+      "<th class=\"n\">Limit</th><th>Accepted</th><th>Source of the "
+      "limit</th></tr></thead><tbody>\n";
+  for (const CheckRow& row : report.checks) {
+    html +=
+        fmt::format("<tr><td>{}</td><td>{}</td>{}{}<td>{}</td><td class=\"quiet\">{}</td></tr>\n",
+                    escape(row.check),
+                    escape(row.what),
+                    number_cell(escape(row.reason.empty() ? row.value : row.reason), true),
+                    number_cell(escape(row.limit)),
+                    row.accepted ? "yes" : "<span class=\"flag\">no</span>",
+                    escape(row.source));
+  }
+  return html + "</tbody></table></div>";
+}
+
 std::string key_numbers(const StudyReport& report) {
+  if (!report.checks.empty()) {
+    const auto accepted = std::count_if(report.checks.begin(),
+                                        report.checks.end(),
+                                        [](const CheckRow& row) { return row.accepted; });
+    return "<div class=\"key\">" +
+           key(fmt::format("{} of {}", accepted, report.checks.size()), "Accepted") + "</div>\n";
+  }
   const std::string kind = report.is_of_design ? "compared " : "fitted ";
   std::string html = "<div class=\"key\">";
   std::string about = report.target_in_words;

@@ -8,6 +8,7 @@
 
 namespace latsch::report {
 
+std::string check_table(const StudyReport& report);
 std::string key_numbers(const StudyReport& report);
 std::string variable_table(const StudyReport& report);
 std::string experiment_table(const StudyReport& report);

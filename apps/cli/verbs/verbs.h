@@ -9,9 +9,9 @@
 namespace latsch::cli {
 
 /// Exit codes of the program.
-inline constexpr int kDone = 0;  // it did what was asked
-inline constexpr int kFailed =
-    1;  // the run failed: no trial succeeded, the journal cannot be written, interrupted
+inline constexpr int kDone = 0;    // it did what was asked
+inline constexpr int kFailed = 1;  // the run failed: no trial succeeded, the journal cannot be
+                                   // written, interrupted; or a model is not accepted
 inline constexpr int kWrongInput = 2;  // wrong arguments or wrong files
 
 /// What a verb knows of the program it belongs to.
@@ -31,6 +31,7 @@ void add_identify(CommandLine& app, Program& program);
 void add_pareto(CommandLine& app, Program& program);
 void add_report(CommandLine& app, Program& program);
 void add_doctor(CommandLine& app, Program& program);
+void add_validate(CommandLine& app, Program& program);
 void add_export(CommandLine& app, Program& program);
 void add_compare(CommandLine& app, Program& program);
 void add_road(CommandLine& app, Program& program);

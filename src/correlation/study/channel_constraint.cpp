@@ -56,26 +56,29 @@ void read_bounds(const Node& table, const std::string& unit, ChannelConstraint& 
 
 }  // namespace
 
+ChannelConstraint read_channel_range(const Node& table, const std::vector<KnownChannel>& known) {
+  ChannelConstraint range;
+  range.name = table.name();
+  range.channel = table.text("channel");
+  const std::string unit = constrained_unit(table, range.channel, known);
+  range.of = table.choice("of", names_of_values(), "largest");
+  read_bounds(table, unit, range);
+  return range;
+}
+
 ChannelConstraint read_channel_constraint(const Node& table,
                                           const std::vector<KnownChannel>& known) {
-  ChannelConstraint constraint;
-  constraint.name = table.name();
-  constraint.channel = table.text("channel");
-  const std::string unit = constrained_unit(table, constraint.channel, known);
-  constraint.of = table.choice("of", names_of_values(), "largest");
-  read_bounds(table, unit, constraint);
+  ChannelConstraint constraint = read_channel_range(table, known);
   const double size =
       std::max(std::abs(constraint.lower.value_or(0.0)), std::abs(constraint.upper.value_or(0.0)));
   if (!table.has("scale") && !(size > 0.0)) {
     table.reject("scale", "is missing: a bound of 0 does not say what counts as much");
   }
-  constraint.scale = table.quantity("scale", unit, Range::positive(), size);
+  constraint.scale = table.quantity("scale", constraint.unit, Range::positive(), size);
   return constraint;
 }
 
-std::optional<Failure> apply(const ChannelConstraint& constraint,
-                             const Channels& channels,
-                             Score& score) {
+Result<double> value_of(const ChannelConstraint& constraint, const Channels& channels) {
   const Channel* channel = channels.find(constraint.channel);
   if (!channel || channel->values.empty()) {
     return Failure{fmt::format("constraint \"{}\": the trial has no values of {}",
@@ -89,6 +92,15 @@ std::optional<Failure> apply(const ChannelConstraint& constraint,
         fmt::format("constraint \"{}\": {} is {}", constraint.name, constraint.channel, y),
         Cause::bad_output};
   }
+  return y;
+}
+
+std::optional<Failure> apply(const ChannelConstraint& constraint,
+                             const Channels& channels,
+                             Score& score) {
+  const auto value = value_of(constraint, channels);
+  if (!value) return value.failure();
+  const double y = *value;
   if (constraint.is_equation()) {
     score.equations.push_back((y - *constraint.upper) / constraint.scale);
     return std::nullopt;

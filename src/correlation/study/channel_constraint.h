@@ -41,7 +41,13 @@ struct ChannelConstraint {
 ChannelConstraint read_channel_constraint(const Node& table,
                                           const std::vector<KnownChannel>& known);
 
-/// Adds its c or h to the score. A Failure where the trial left no such channel or an empty one.
+/// The same without a scale: a number of a channel between bounds.
+ChannelConstraint read_channel_range(const Node& table, const std::vector<KnownChannel>& known);
+
+/// The number it is about. A Failure where the trial left no such channel or an empty one.
+Result<double> value_of(const ChannelConstraint& constraint, const Channels& channels);
+
+/// Adds its c or h to the score. A Failure where the trial left no such number.
 std::optional<Failure> apply(const ChannelConstraint& constraint,
                              const Channels& channels,
                              Score& score);

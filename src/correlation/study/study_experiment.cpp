@@ -224,6 +224,14 @@ std::vector<double> fitted_exponents(const std::vector<StudyExperiment>& experim
   return exponents;
 }
 
+std::string conditions_of(const StudyExperiment& experiment, const std::vector<StudyTest>& tests) {
+  if (!experiment.observable->over().empty()) return experiment.observable->over();
+  const std::string name = test_of(experiment.observable->asks().front());
+  for (const StudyTest& test : tests)
+    if (test.name == name) return test.test->conditions();
+  return "";
+}
+
 Comparison compare(const StudyExperiment& experiment, const Channels& trial) {
   const auto comparison = experiment.observable->compare(trial, experiment.objective);
   if (comparison) return *comparison;

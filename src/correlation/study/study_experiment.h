@@ -87,6 +87,9 @@ std::vector<double> stated_deviations(const StudyExperiment& experiment);
 /// Exponents of a study's fitted experiments, for target_in_words().
 std::vector<double> fitted_exponents(const std::vector<StudyExperiment>& experiments);
 
+/// Over what it is compared, or what was done.
+std::string conditions_of(const StudyExperiment& experiment, const std::vector<StudyTest>& tests);
+
 /// How the channels of a trial differ from the measurement. Throws InputError where they leave
 /// nothing to compare.
 Comparison compare(const StudyExperiment& experiment, const Channels& trial);

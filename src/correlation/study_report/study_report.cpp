@@ -38,15 +38,6 @@ Simulated recorded(const Journal& journal, const DesignPoint& point) {
   return simulated;
 }
 
-/// Over what it is compared, or what was done.
-std::string conditions_of(const Study& study, const StudyExperiment& experiment) {
-  if (!experiment.observable->over().empty()) return experiment.observable->over();
-  const std::string name = test_of(experiment.observable->asks().front());
-  for (const StudyTest& test : study.tests)
-    if (test.name == name) return test.test->conditions();
-  return "";
-}
-
 std::string compared_in(const StudyExperiment& experiment) {
   std::string text = experiment.observable->compared(experiment.objective);
   if (experiment.objective.exponent != 1.0)
@@ -93,7 +84,7 @@ void add_experiments(const Study& study,
                      StudyReport& page) {
   const Channels* start = initial.channels ? &*initial.channels : nullptr;
   for (const StudyExperiment& experiment : study.experiments) {
-    const std::string conditions = conditions_of(study, experiment);
+    const std::string conditions = conditions_of(experiment, study.tests);
     const Comparison comparison = compare(experiment, *found.channels);
     std::optional<Comparison> at_start;
     if (start) at_start = compare(experiment, *start);

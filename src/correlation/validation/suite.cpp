@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/validation/suite.h"
+
+namespace latsch::correlation {
+namespace {
+
+void read_number(const Node& table, const std::vector<StudyTest>& tests, Check& check) {
+  for (const char* key : {"mean_error", "largest_error"}) {
+    if (table.has(key))
+      table.reject(key,
+                   "is of what is compared with a measurement: expected kind (\"values\", "
+                   "\"curve\", ...) beside it; a number of a channel has lower and upper");
+  }
+  if (table.has("equal"))
+    table.reject("equal", "leaves no room for any difference, expected lower and upper");
+  check.number = read_channel_range(table, known_channels(tests));
+}
+
+void read_experiment_of(const Node& table,
+                        const ExperimentContext& context,
+                        std::vector<StudyTest>& tests,
+                        Check& check) {
+  for (const char* key : {"weight", "use", "exponent", "noise", "loss"}) {
+    if (table.has(key))
+      table.reject(key,
+                   "weighs a fit: it belongs into a study; a check has mean_error, "
+                   "largest_error");
+  }
+  if (table.has("mean_error"))
+    check.mean_error = table.quantity("mean_error", "1", Range::not_negative());
+  if (table.has("largest_error"))
+    check.largest_error = table.quantity("largest_error", "1", Range::not_negative());
+  if (!check.mean_error && !check.largest_error)
+    table.reject("largest_error",
+                 "is missing, expected a limit such as largest_error = \"5 %\", or mean_error");
+  check.experiment = read_experiment(table, context, tests);
+}
+
+}  // namespace
+
+Suite read_suite(const std::filesystem::path& file,
+                 const experiment::SpecimenKind& kind,
+                 const experiment::Language& language) {
+  const Document document = Document::read(file);
+  const Node root = document.root();
+  const auto checks = root.named_tables("check");
+  if (checks.empty())
+    root.reject("check",
+                "is missing, expected a suite, which has [check.NAME], each with what is compared, "
+                "its limits and their source");
+  const auto folder = file.parent_path();
+  Suite suite{
+      file, root.text("title", file.stem().string()), read_tests(root, folder, kind, language), {}};
+  const ExperimentContext context{folder, Measurements::required, language, &kind};
+  for (const Node& table : checks) {
+    Check check;
+    check.name = table.name();
+    check.source = table.text("source");
+    if (check.source.empty())
+      table.reject("source", "is empty, expected where the limit comes from");
+    if (table.has("kind")) {
+      read_experiment_of(table, context, suite.tests, check);
+    } else {
+      read_number(table, suite.tests, check);
+    }
+    suite.checks.push_back(std::move(check));
+  }
+  root.close();
+  return suite;
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Acceptance of a model: many checks, each with what is compared, how far off it may be, and where
+// that limit comes from. `latsch validate MODEL SUITE.toml` runs them.
+//
+//   title = "Passenger tire 205/55 R16 at 2.4 bar"
+//
+//   [test.standing]                    # as in a study
+//   file = "standing.toml"
+//
+//   [check.stiffness]                  # an experiment as in a study, with limits of its errors
+//   kind = "load_deflection"
+//   measurement = "stiffness.csv"
+//   mean_error = "5 %"                 # of the amounts of all, at most
+//   largest_error = "10 %"             # of each, at most; one of the two or both
+//   source = "test report 4711, March 2025"
+//
+//   [check.vertical]                   # or one number of a channel, as a constraint of a study
+//   channel = "standing/vertical"
+//   of = "largest"                     # or smallest, mean, first, last
+//   lower = "200 N/mm"                 # and upper, or one of them
+//   upper = "240 N/mm"
+//   source = "drawing 12-345, sheet 2"
+//
+// Limits are inclusive. A measured mode without a partner has the error missing_mode. What weighs a
+// fit (weight, use, exponent, noise, loss) has no place here: nothing is fitted.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "correlation/study/channel_constraint.h"
+#include "correlation/study/study_experiment.h"
+#include "experiment/language.h"
+
+namespace latsch::correlation {
+
+struct Check {
+  std::string name, source;
+  std::optional<StudyExperiment> experiment;        // and its limits; nullopt: of a number
+  std::optional<double> mean_error, largest_error;  // shares
+  ChannelConstraint number = {};
+};
+
+struct Suite {
+  std::filesystem::path file;
+  std::string title;
+  std::vector<StudyTest> tests;
+  std::vector<Check> checks;
+};
+
+/// For models of a kind. Throws InputError naming the place, also where the kind cannot do a test.
+Suite read_suite(const std::filesystem::path& file,
+                 const experiment::SpecimenKind& kind,
+                 const experiment::Language& language);
+
+}  // namespace latsch::correlation
