@@ -44,7 +44,7 @@ EVERY_TIRE = ["road", "tire"]
 # data is of two models by its purpose.
 KNOWS_NO_MODEL, OF_MODELS = "correlation", "basic_data"
 # So are the verbs of the program, but for those that are of a model by their purpose.
-VERBS_OF_MODELS = {"evaluate", "export", "footprint", "mesh", "ring", "road", "shown_file", "shown_tire"}
+VERBS_OF_MODELS = {"evaluate", "export", "mesh", "ring", "road", "shown_file", "shown_tire"}
 KIND_BY_NAME = re.compile(r'name\(\)\s*[!=]=\s*"(fe_tire|ring_tire|rigid_ring|magic_formula)"')
 
 MOST_FILES = 40  # directly in one folder

@@ -59,13 +59,16 @@ const SpecimenKind& Language::kind_of_file(const std::filesystem::path& file) co
 }
 
 std::unique_ptr<Test> Language::read_test(const std::filesystem::path& file) const {
-  const Document document = Document::read(file);
-  const Node root = document.root();
-  const std::string name = root.choice("kind", test_names());
+  return read_test(Document::read(file).root(), file.parent_path());
+}
+
+std::unique_ptr<Test> Language::read_test(const Node& keys,
+                                          const std::filesystem::path& folder) const {
+  const std::string name = keys.choice("kind", test_names());
   const auto kind = std::find_if(
       tests.begin(), tests.end(), [&](const TestKind* test) { return test->name == name; });
-  auto test = (*kind)->read(root, file.parent_path());
-  root.close();
+  auto test = (*kind)->read(keys, folder);
+  keys.close();
   return test;
 }
 

@@ -13,7 +13,7 @@ from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, Coarse, edit
 
 TREE = pathlib.Path(__file__).resolve().parents[3]
 VERBS = ("new", "check", "mesh", "simulate", "evaluate", "doe", "run", "resume", "identify", "report", "export", "doctor",
-         "process", "road", "test", "validate", "footprint", "ring", "compare", "show", "help")
+         "process", "road", "test", "validate", "ring", "compare", "show", "help")
 
 
 class Console(Coarse):
@@ -67,7 +67,8 @@ class Console(Coarse):
         self.assertEqual((channels["Fy"]["unit"], len(channels["Fy"]["values"])), ("N", 2))
         self.assertEqual(self.answer("show", states)["kind"], "Table (CSV)")
         ring = TREE / "studies" / "ring_tires" / "passenger_205_55R16.toml"
-        self.assertAlmostEqual(self.answer("footprint", ring, "--load", "4 kN")["channels"][0]["values"][0], 4000, delta=5)
+        self.assertAlmostEqual(self.answer("test", ring, '{kind = "footprint", loads = ["4 kN"]}')["channels"][0]["values"][0],
+                               4000, delta=5)
 
     def test_errors_are_answers_too(self):
         self.assertIn("did you mean", self.answer("runn", code=WRONG_INPUT)["message"])

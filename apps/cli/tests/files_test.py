@@ -43,16 +43,20 @@ class Files(unittest.TestCase):
     def test_a_footprint_is_a_table_a_picture_and_a_channel(self):
         tire = pathlib.Path(__file__).resolve().parents[3] / "studies" / "ring_tires" / "passenger_205_55R16.toml"
         page, table, blocks = (self.folder / name for name in ("page.html", "table.csv", "blocks.csv"))
-        self.latsch("footprint", tire, "--load", "2 kN", "--load", "4 kN", "--html", page, "-o", table,
-                    "--elements", blocks)
+        keys = 'kind = "footprint", loads = ["2 kN", "4 kN"]'
+        self.latsch("test", tire, "{" + keys + "}", "--html", page, "-o", table, "--details", blocks)
         rows = [line.split(",") for line in table.read_text().splitlines()]
         self.assertEqual(rows[0][:3], ["load [N]", "deflection [m]", "length [m]"])
-        self.assertEqual(page.read_text().count("<svg"), 2)
+        self.assertRegex(page.read_text(), r"<b>2000 N</b><svg(.|\n)*<b>4000 N</b><svg")
+        self.assertIn("Deflection ", page.read_text())
         pressed = [line.split(",") for line in blocks.read_text().splitlines()[1:]]
         self.assertEqual({float(row[0]) for row in pressed}, {1.0, 2.0})
-        test = self.write("test.toml", 'kind = "footprint"\nloads = ["2 kN", "4 kN"]\n')
+        test = self.write("test.toml", keys.replace(", loads", "\nloads"))
         self.assertEqual(self.latsch("test", tire, test), table.read_text())
-        self.assertIn("one of the two", self.latsch("footprint", tire, code=WRONG_INPUT))
+        for wrong, said in (('{kind = "footprint"}', "one of the two"), ('{kind = "footprnt"}', 'did you mean "footprint"'),
+                            ('{kind = "footprint"', "braces"), ('{kind = "modes", lods = 3}', 'did you mean "load"')):
+            self.assertIn(said, self.latsch("test", tire, wrong, code=WRONG_INPUT))
+        self.assertIn("no more numbers", self.latsch("test", tire, '{kind = "modes"}', "--details", blocks, code=WRONG_INPUT))
 
     def test_a_road_answers_with_height_normal_and_friction(self):
         road = self.write("road.toml", 'kind = "cleat"\nheight = "20 mm"\nlength = "50 mm"\nbevel = "10 mm"\n'

@@ -27,9 +27,9 @@ class Writing(unittest.TestCase):
         ring = STUDIES / "ring_tires" / "passenger_205_55R16.toml"
         tire = STUDIES / "tires" / "passenger_205_55R16.toml"
         road = self.write("road.toml", 'kind = "cleat"\nheight = "20 mm"\nlength = "50 mm"\nplace = "1 m"\n')
+        print_of = ("test", ring, '{kind = "footprint", loads = ["2 kN"]}')
         self.verbs = [("road", road, points, "--output"), ("show", points, "--html"),
-                      ("footprint", ring, "--load", "2 kN", "-o"), ("footprint", ring, "--load", "2 kN", "--html"),
-                      ("footprint", ring, "--load", "2 kN", "--elements"), ("export", tire, "--model"),
+                      (*print_of, "-o"), (*print_of, "--html"), (*print_of, "--details"), ("export", tire, "--model"),
                       ("export", tire, "--ccx")]
 
     def write(self, name, text):

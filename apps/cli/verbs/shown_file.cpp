@@ -28,29 +28,6 @@ std::string titled(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, unit);
 }
 
-/// Every channel over the one that is the time, or over the number of the sample.
-void add_channels(const Channels& written, AxisConvention axes, ShownFile& shown) {
-  const Channels channels = to_iso(written, axes);
-  ShownTable table{
-      "Channels, in SI", {"channel", "unit", "samples", "gaps", "smallest", "mean", "largest"}, {}};
-  const Channel* time = nullptr;
-  for (const Channel& channel : channels.all()) {
-    table.rows.push_back(statistics(channel));
-    if (!time && channel.unit == "s") time = &channel;
-  }
-  shown.tables.push_back(std::move(table));
-  for (const Channel& channel : channels.all()) {
-    if (&channel == time) continue;
-    report::PlotLine line{"", time ? time->values : std::vector<double>(), channel.values, 0, {}};
-    for (std::size_t i = line.x.size(); i < line.y.size(); ++i) {
-      line.x.push_back(static_cast<double>(i + 1));
-    }
-    const std::string x_title = time ? titled(time->name, time->unit) : "sample";
-    const std::string y_title = titled(channel.name, channel.unit);
-    shown.plots.push_back({y_title + " over " + x_title, x_title, y_title, {std::move(line)}});
-  }
-}
-
 ShownTable entries_table(const std::string& title, const std::vector<TydexFile::Entry>& entries) {
   ShownTable table{title, {"name", "as written", "in SI", "comment"}, {}};
   for (const TydexFile::Entry& entry : entries) {
@@ -87,7 +64,7 @@ ShownFile show_tydex(const std::filesystem::path& path, AxisConvention axes) {
          about.comment});
   }
   shown.tables.push_back(std::move(written));
-  add_channels(file.channels, axes, shown);
+  show_channels(to_iso(file.channels, axes), false, shown);
   return shown;
 }
 
@@ -97,7 +74,7 @@ ShownFile show_csv(const std::filesystem::path& path, AxisConvention axes) {
   shown.kind = "Table (CSV)";
   shown.facts.push_back(fmt::format("{} rows", table.rows()));
   try {
-    add_channels(table.channels(), axes, shown);
+    show_channels(to_iso(table.channels(), axes), false, shown);
   } catch (const InputError& error) {  // texts, or a unit that is none: shown as it stands
     shown.facts.push_back(std::string("no channels: ") + error.what());
     ShownTable rows{"As written", table.columns(), {}};
@@ -129,7 +106,7 @@ ShownFile show_mat(const std::filesystem::path& path, AxisConvention axes) {
     vectors = vectors || variable.is_vector();
   }
   shown.tables.push_back(std::move(table));
-  if (vectors) add_channels(file.channels(), axes, shown);
+  if (vectors) show_channels(to_iso(file.channels(), axes), false, shown);
   return shown;
 }
 
@@ -163,6 +140,28 @@ ShownFile show_inp(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+void show_channels(const Channels& channels, bool over_first, ShownFile& shown) {
+  ShownTable table{
+      "Channels, in SI", {"channel", "unit", "samples", "gaps", "smallest", "mean", "largest"}, {}};
+  const Channel* over = nullptr;
+  for (const Channel& channel : channels.all()) {
+    table.rows.push_back(statistics(channel));
+    if (!over && channel.unit == "s") over = &channel;
+  }
+  if (!over && over_first && !channels.all().empty()) over = &channels.all().front();
+  shown.tables.push_back(std::move(table));
+  for (const Channel& channel : channels.all()) {
+    if (&channel == over) continue;
+    report::PlotLine line{"", over ? over->values : std::vector<double>(), channel.values, 0, {}};
+    for (std::size_t i = line.x.size(); i < line.y.size(); ++i) {
+      line.x.push_back(static_cast<double>(i + 1));
+    }
+    const std::string x_title = over ? titled(over->name, over->unit) : "sample";
+    const std::string y_title = titled(channel.name, channel.unit);
+    shown.plots.push_back({y_title + " over " + x_title, x_title, y_title, {std::move(line)}});
+  }
+}
 
 std::vector<std::string> statistics(const Channel& channel) {
   double low = 0.0, high = 0.0, sum = 0.0;

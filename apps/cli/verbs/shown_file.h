@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "experiment/language/test.h"
 #include "measurement/axes.h"
 #include "measurement/channels.h"
 #include "report/line_plot.h"
@@ -22,6 +23,7 @@ struct ShownFile {
   std::string kind;  // "TYDEX 1.3"
   std::vector<std::string> facts;
   std::vector<ShownTable> tables;
+  std::vector<experiment::Test::Picture> pictures;
   std::vector<report::LinePlot> plots;
 };
 
@@ -31,6 +33,10 @@ ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes);
 
 ShownFile shown_tire(const std::filesystem::path& tir);
 ShownFile shown_road(const std::filesystem::path& road);
+
+/// Channels as table and plots: over the one that is the time; else over the first or, where none
+/// is, over the number of the sample.
+void show_channels(const Channels& channels, bool over_first, ShownFile& shown);
 
 /// name, unit, samples, gaps, smallest, mean, largest
 std::vector<std::string> statistics(const Channel& channel);

@@ -25,6 +25,16 @@ std::string table_html(const ShownTable& table) {
   return text + "</table>\n</section>\n";
 }
 
+std::string pictures_html(const ShownFile& shown) {
+  std::string text;
+  for (const experiment::Test::Picture& picture : shown.pictures)
+    text += fmt::format("<figure><b>{}</b>{}<figcaption>{}</figcaption></figure>\n",
+                        escape(picture.title),
+                        picture.svg,
+                        escape(picture.caption));
+  return text.empty() ? text : "<section>\n" + text + "</section>\n";
+}
+
 std::string plots_html(const ShownFile& shown) {
   if (shown.plots.empty()) return "";
   std::string text = "<section>\n<div class=\"figures\">\n";
@@ -48,6 +58,7 @@ std::string shown_page(const std::filesystem::path& file, const ShownFile& shown
                       escape(shown.kind),
                       escape(file.string()));
   for (const std::string& fact : shown.facts) text += "<p>" + escape(fact) + "</p>\n";
+  text += pictures_html(shown);
   text += plots_html(shown);
   for (const ShownTable& table : shown.tables) text += table_html(table);
   return text.append(report::kPageEnd);

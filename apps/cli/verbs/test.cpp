@@ -13,6 +13,7 @@
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
 #include "cli/run/model_source.h"
+#include "cli/verbs/shown_page.h"
 #include "cli/verbs/verbs.h"
 #include "experiment/language.h"
 #include "experiment/tests/drum_cleat.h"
@@ -23,7 +24,7 @@ namespace latsch::cli {
 namespace {
 
 struct TestOptions {
-  std::string model, test, output, kind;
+  std::string model, test, output, html, details, kind;
   bool convergence = false, list = false;
 };
 
@@ -75,6 +76,35 @@ int say_matrix(const experiment::Language& language) {
   return kDone;
 }
 
+/// A file, or its keys in braces.
+std::unique_ptr<experiment::Test> test_of(const std::string& text,
+                                          const experiment::Language& language) {
+  if (!text.starts_with('{')) return language.read_test(text);
+  return language.read_test(
+      Document::parse("test = " + text, "the test in braces").root().table("test"), "");
+}
+
+/// What beside the channels was asked for.
+void write_details(const TestOptions& options,
+                   const experiment::Test& test,
+                   const Channels& channels,
+                   const experiment::Test::Details& details) {
+  if (!options.details.empty()) {
+    if (details.numbers.all().empty())
+      throw InputError("--details: this test (" + test.in_words() +
+                       ") has no more numbers than its channels");
+    write_text_file(options.details, formats::csv_text(details.numbers));
+    say_written(options.details);
+  }
+  if (options.html.empty()) return;
+  ShownFile shown;
+  shown.kind = test.in_words();
+  shown.pictures = details.pictures;
+  show_channels(channels, true, shown);
+  write_text_file(options.html, shown_page(options.model, shown));
+  say_written(options.html);
+}
+
 int test(const TestOptions& options, const experiment::Language& language) {
   if (options.list) return say_matrix(language);
   if (options.model.empty() || options.test.empty())
@@ -82,12 +112,17 @@ int test(const TestOptions& options, const experiment::Language& language) {
         "test: expected a model and a test, such as: latsch test tire.toml test.toml; "
         "latsch test --list says which model can do which");
   const ModelSource model = model_source(options.model, language, options.kind);
-  const auto test = language.read_test(options.test);
+  const auto test = test_of(options.test, language);
   if (options.convergence) return say_convergence(*model.kind, model.numbers, *test);
   const auto channels = language.run(*model.kind, model.numbers, *test);
   if (!channels) {
     complain(channels.failure().reason);
     return kFailed;
+  }
+  if (!options.html.empty() || !options.details.empty()) {
+    const auto details = test->details(*model.kind->build(model.numbers));
+    if (!details) throw std::runtime_error(details.failure().reason);
+    write_details(options, *test, *channels, *details);
   }
   give(*channels, options.output);
   return kDone;
@@ -101,22 +136,29 @@ void add_test(CommandLine& app, Program& program) {
   for (const experiment::TestKind* test : program.language.tests)
     tests += fmt::format("  kind = {:<20} {}\n", in_quotes(test->name), test->in_words);
   verb.footer(
-      "MODEL is a file with a model, or a study at its best point; TEST a file that says its\n" +
+      "MODEL is a file with a model, or a study at its best point; TEST a file (or its keys "
+      "in\nbraces) that says its\n" +
       tests +
       "and the keys that latsch help study has for it; latsch test --list says which models can "
       "do\nwhich.\n\n"
       "Examples:\n  latsch test tire.toml test.toml > forces.csv\n"
+      "  latsch test tire.toml '{kind = \"footprint\", loads = [\"2 kN\", \"4 kN\"]}' --html "
+      "patch.html\n"
       "  latsch test tire.tir test.toml --kind rigid_ring -o forces.csv\n"
       "  latsch test studies/tire_b_twin/study.toml modes.toml\n"
       "  latsch test tire.toml test.toml --convergence\n"
       "  latsch test --list");
   auto options = std::make_shared<TestOptions>();
   verb.add_option("model", options->model, "Model or study");
-  verb.add_option("test", options->test, "Test file");
+  verb.add_option("test", options->test, "Test file, or its keys in braces");
   verb.add_option("-o,--output", options->output, "CSV file to write; else the terminal");
   verb.add_option(
           "--kind", options->kind, "Of a file that can be read as several: what it is taken for")
       .one_of(program.language.kind_names());
+  verb.add_option("--html", options->html, "Page with pictures to write");
+  verb.add_option("--details",
+                  options->details,
+                  "CSV file to write of what is more than channels: the pressures of a footprint");
   verb.add_flag("--list", options->list, "Which models can do which tests");
   verb.add_flag("--convergence",
                 options->convergence,

@@ -9,9 +9,9 @@
 namespace latsch::cli {
 
 /// Exit codes of the program.
-inline constexpr int kDone = 0;    // it did what was asked
-inline constexpr int kFailed = 1;  // the run failed: no trial succeeded, the journal cannot be
-                                   // written, interrupted; or a model is not accepted
+inline constexpr int kDone = 0;        // it did what was asked
+inline constexpr int kFailed = 1;      // the run failed: no trial succeeded, the journal cannot be
+                                       // written, interrupted; or a model is not accepted
 inline constexpr int kWrongInput = 2;  // wrong arguments or wrong files
 
 /// What a verb knows of the program it belongs to.
@@ -36,7 +36,6 @@ void add_export(CommandLine& app, Program& program);
 void add_compare(CommandLine& app, Program& program);
 void add_road(CommandLine& app, Program& program);
 void add_test(CommandLine& app, Program& program);
-void add_footprint(CommandLine& app, Program& program);
 void add_ring(CommandLine& app, Program& program);
 void add_show(CommandLine& app, Program& program);
 void add_help(CommandLine& app, Program& program);

@@ -61,6 +61,15 @@ class Test {
 
   /// Throws InputError where the specimen cannot take a condition of the test.
   virtual Result<Channels> run(Specimen& specimen) const = 0;
+  /// What a page shows of a run beside its channels, and the numbers that are too many for a trial.
+  struct Picture {
+    std::string title, svg, caption;
+  };
+  struct Details {
+    std::vector<Picture> pictures;
+    Channels numbers;
+  };
+  virtual Result<Details> details(Specimen&) const { return Details{}; }
   /// Whether run_with_slopes() tells slopes in every number in which the specimen knows them.
   virtual bool tells_slopes() const { return false; }
   /// The same values to the last bit, and the slopes that are asked for, as far as they are known.

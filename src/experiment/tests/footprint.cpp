@@ -8,6 +8,7 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
 #include "experiment/language/test_words.h"
+#include "experiment/tests/footprint_pictures.h"
 
 namespace latsch::experiment {
 
@@ -27,10 +28,15 @@ class StandingFootprintTest : public Test {
   }
 
   std::string identity() const override {
-    return fmt::format("footprint loads {} deflections {} camber {}",
+    const auto stated = [](const char* name, const std::optional<double>& value) {
+      return value ? fmt::format(" {} {}", name, *value) : "";
+    };
+    return fmt::format("footprint loads {} deflections {} camber {}{}{}",
                        fmt::join(test_.loads, " "),
                        fmt::join(test_.deflections, " "),
-                       test_.camber);
+                       test_.camber,
+                       stated("pressure", test_.pressure),
+                       stated("friction", test_.friction));
   }
 
   std::vector<ChannelInfo> channels() const override {
@@ -53,6 +59,11 @@ class StandingFootprintTest : public Test {
     const auto states = specimen.find<HasFootprint>()->footprints(test_);
     if (!states) return states.failure();
     return to_channels(*states);
+  }
+  Result<Details> details(Specimen& specimen) const override {
+    const auto states = specimen.find<HasFootprint>()->footprints(test_);
+    if (!states) return states.failure();
+    return footprint_details(*states);
   }
 
  private:
