@@ -49,6 +49,8 @@ class Files(unittest.TestCase):
         self.assertEqual(rows[0][:3], ["load [N]", "deflection [m]", "length [m]"])
         self.assertRegex(page.read_text(), r"<b>2000 N</b><svg(.|\n)*<b>4000 N</b><svg")
         self.assertIn("Deflection ", page.read_text())
+        self.latsch("test", tire, '{kind = "footprint", loads = ["4 kN"]}', "--html", page)
+        self.assertEqual(page.read_text().count("<svg"), 1)  # single values are no curves
         pressed = [line.split(",") for line in blocks.read_text().splitlines()[1:]]
         self.assertEqual({float(row[0]) for row in pressed}, {1.0, 2.0})
         test = self.write("test.toml", keys.replace(", loads", "\nloads"))

@@ -152,7 +152,7 @@ void show_channels(const Channels& channels, bool over_first, ShownFile& shown) 
   if (!over && over_first && !channels.all().empty()) over = &channels.all().front();
   shown.tables.push_back(std::move(table));
   for (const Channel& channel : channels.all()) {
-    if (&channel == over) continue;
+    if (&channel == over || channel.values.size() < 2) continue;  // one value: the table has it
     report::PlotLine line{"", over ? over->values : std::vector<double>(), channel.values, 0, {}};
     for (std::size_t i = line.x.size(); i < line.y.size(); ++i) {
       line.x.push_back(static_cast<double>(i + 1));
