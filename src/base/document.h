@@ -71,6 +71,9 @@ class Node {
   /// where there are none. The keys themselves are free names and count as asked for.
   std::vector<Node> named_tables(std::string_view key) const;
 
+  /// The names of all that stands in it, in the order of the file; none counts as asked for.
+  std::vector<std::string> keys() const;
+
   /// The last part of the path: "belt_1".
   const std::string& name() const;
   /// The path from the root: "layer.belt_1".

@@ -278,6 +278,12 @@ std::vector<Node> Node::named_tables(std::string_view key) const {
   return nodes;
 }
 
+std::vector<std::string> Node::keys() const {
+  std::vector<std::string> keys;
+  for (const int child : impl_->value().children) keys.push_back(impl_->tree->value(child).key);
+  return keys;
+}
+
 const std::string& Node::name() const { return impl_->value().key; }
 
 const std::string& Node::path() const { return impl_->value().path; }

@@ -130,9 +130,11 @@ bool CsvTable::has(std::string_view column) const {
       columns_.begin(), columns_.end(), [&](const Column& c) { return c.name == column; });
 }
 
-bool CsvTable::has_unit(std::string_view column) const {
-  return !columns_[index(column)].unit.empty();
+const std::string& CsvTable::unit(std::string_view column) const {
+  return columns_[index(column)].unit;
 }
+
+bool CsvTable::has_unit(std::string_view column) const { return !unit(column).empty(); }
 
 std::vector<std::string> CsvTable::columns() const {
   std::vector<std::string> names;
@@ -148,7 +150,7 @@ int CsvTable::index(std::string_view column) const {
                        " (columns: " + list_of(columns()) + ")");
 }
 
-double CsvTable::number(const CsvFields::Row& row, int column, const Unit& unit) const {
+double CsvTable::number_or_gap(const CsvFields::Row& row, int column, const Unit& unit) const {
   const std::string_view cell = trimmed(row.cells[static_cast<std::size_t>(column)]);
   const auto read = [&](std::string_view digits) {
     const auto parts = split_number(digits);
@@ -162,7 +164,13 @@ double CsvTable::number(const CsvFields::Row& row, int column, const Unit& unit)
   } else {
     si = read(cell);
   }
+  return std::isfinite(si) ? si : std::nan("");
+}
+
+double CsvTable::number(const CsvFields::Row& row, int column, const Unit& unit) const {
+  const double si = number_or_gap(row, column, unit);
   if (std::isfinite(si)) return si;
+  const std::string_view cell = trimmed(row.cells[static_cast<std::size_t>(column)]);
   throw InputError({file_, row.line},
                    columns_[static_cast<std::size_t>(column)].name + " " +
                        (cell.empty() ? "is empty" : "is " + in_quotes(cell)) +
@@ -211,6 +219,26 @@ std::vector<std::vector<double>> CsvTable::numbers(const std::vector<Wanted>& wa
   std::vector<std::vector<double>> all(wanted.size());
   for_blocks(wanted, std::max(rows_, 1), [&](auto& block) { all.swap(block); });
   return all;
+}
+
+std::vector<std::vector<double>> CsvTable::numbers_and_gaps(const std::vector<Wanted>& wanted,
+                                                            std::vector<int>& lines) const {
+  std::vector<int> places;
+  std::vector<Unit> units;
+  for (const Wanted& one : wanted) {
+    places.push_back(index(one.column));
+    units.push_back(one.unit.empty() ? Unit::of("1") : unit_of(places.back(), one.unit));
+  }
+  std::vector<std::vector<double>> values(wanted.size());
+  for (auto& column : values) column.reserve(static_cast<std::size_t>(rows_));
+  CsvFields fields = data();
+  CsvFields::Row row;
+  for (int i = 0; i < rows_ && fields.next(row); ++i) {
+    lines.push_back(row.line);
+    for (std::size_t k = 0; k < places.size(); ++k)
+      values[k].push_back(number_or_gap(row, places[k], units[k]));
+  }
+  return values;
 }
 
 std::vector<double> CsvTable::numbers(std::string_view column, std::string_view unit) const {

@@ -43,6 +43,8 @@ class CsvTable {
   bool has(std::string_view column) const;
   /// Whether the table names the unit of that column.
   bool has_unit(std::string_view column) const;
+  /// As written; empty where the table names none.
+  const std::string& unit(std::string_view column) const;
   /// Names in the order of the file.
   std::vector<std::string> columns() const;
   Place place(int row) const;
@@ -60,6 +62,10 @@ class CsvTable {
   void for_blocks(const std::vector<Wanted>& columns,
                   int rows,
                   const std::function<void(std::vector<std::vector<double>>&)>& block) const;
+  /// The same with gaps: NaN where a cell is no finite number. The lines of all rows go to `lines`;
+  /// an empty unit asks for the numbers as they are written.
+  std::vector<std::vector<double>> numbers_and_gaps(const std::vector<Wanted>& columns,
+                                                    std::vector<int>& lines) const;
   /// The unit to ask for where a column that names none is in SI: `unit`, or "1".
   std::string si_or_plain(std::string_view column, std::string_view unit) const {
     return has_unit(column) ? std::string(unit) : "1";
@@ -86,6 +92,7 @@ class CsvTable {
   int index(std::string_view column) const;
   Unit unit_of(int column, std::string_view unit) const;
   double number(const CsvFields::Row& row, int column, const Unit& unit) const;
+  double number_or_gap(const CsvFields::Row& row, int column, const Unit& unit) const;
   CsvFields data() const;  // at the first row
   CsvFields::Row row_of(CsvFields& fields, int row) const;
   void read_header(const CsvFields::Row& row);
@@ -100,9 +107,9 @@ class CsvTable {
   std::vector<CsvFields::Mark> marks_;  // of every kStride-th row of data
 };
 
-/// A table of channels, "name [unit]", one line a sample; a channel that is shorter than others (the
-/// deflection of a modal test) leaves its cells empty. `units` names the unit of each column; empty:
-/// SI. Reading a table of equal lengths gives the same bits back.
+/// A table of channels, "name [unit]", one line a sample; a channel that is shorter than others
+/// (the deflection of a modal test) leaves its cells empty. `units` names the unit of each column;
+/// empty: SI. Reading a table of equal lengths gives the same bits back.
 std::string csv_text(const Channels& channels, const std::vector<std::string>& units = {});
 
 /// The same in two parts, for tables written block by block.

@@ -158,6 +158,28 @@ MatFile MatFile::parse(std::string bytes, std::string file_name) {
   return result;
 }
 
+namespace {
+
+/// Units that one list of texts gives to the names in another: channel.units{2} to channel.name{2}.
+void take_listed_units(const std::vector<MatVariable>& variables,
+                       std::map<std::string, std::string>& units) {
+  std::map<std::string, std::string> texts;
+  for (const MatVariable& variable : variables)
+    if (variable.is_text) texts[variable.name] = variable.text;
+  for (const auto& [path, name] : texts) {
+    const std::size_t brace = path.rfind('{'), dot = path.rfind('.', brace);
+    if (brace == path.npos || dot == path.npos) continue;
+    const std::string_view list = std::string_view(path).substr(dot + 1, brace - dot - 1);
+    if (list != "name" && list != "names") continue;
+    for (const char* other : {"unit", "units"}) {
+      const auto unit = texts.find(path.substr(0, dot + 1) + other + path.substr(brace));
+      if (unit != texts.end()) units.insert({name, unit->second});
+    }
+  }
+}
+
+}  // namespace
+
 Channels MatFile::channels(const std::map<std::string, std::string>& units) const {
   std::map<std::string, std::string> written = units;
   std::set<std::string> names;
@@ -169,6 +191,7 @@ Channels MatFile::channels(const std::map<std::string, std::string>& units) cons
       if (field == unit) written.insert({variable.name.substr(0, dot), variable.text});
     }
   }
+  take_listed_units(variables, written);
   Channels channels;
   for (const MatVariable& variable : variables) {
     if (!variable.is_vector()) continue;

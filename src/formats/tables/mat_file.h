@@ -39,8 +39,9 @@ struct MatFile {
 
   /// Every vector of numbers as a channel in SI. Its unit is that of `units`, by name; or a text
   /// beside it in its struct: S.unit (or units) of S.data (or value, values), which then is called
-  /// S. Without either it is a plain number. Throws InputError for a unit that is unknown, a name
-  /// in `units` that is no vector, and where no vector is there.
+  /// S; or listed beside the names of all, channel.units{2} with channel.name{2}. Without any it is
+  /// a plain number. Throws InputError for a unit that is unknown, a name in `units` that is no
+  /// vector, and where no vector is there.
   Channels channels(const std::map<std::string, std::string>& units = {}) const;
 };
 

@@ -27,8 +27,8 @@ constexpr std::array kMeant = {
     Spelling{"rev/min", "rpm"},  Spelling{"min-1", "rpm"},     Spelling{"min^-1", "rpm"},
     Spelling{"mph", "mile/h"},   Spelling{"N-m", "Nm"},        Spelling{"N.m", "Nm"},
     Spelling{"ft-lb", "ft lbf"}, Spelling{"ft-lbf", "ft lbf"}, Spelling{"lbs", "lbf"},
-    Spelling{"deg/s", "deg/s"},  Spelling{"newton", "N"},      Spelling{"meter", "m"},
-    Spelling{"m/sec", "m/s"},
+    Spelling{"lb", "lbf"},       Spelling{"lb-ft", "ft lbf"},  Spelling{"deg/s", "deg/s"},
+    Spelling{"newton", "N"},     Spelling{"meter", "m"},       Spelling{"m/sec", "m/s"},
 };
 
 /// Known in any case.

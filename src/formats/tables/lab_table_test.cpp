@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/tables/lab_table.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "base/file.h"
+#include "base/scratch_folder_testing.h"
+
+namespace latsch::formats {
+namespace {
+
+class LabTables : public testing::Test {
+ protected:
+  LabTable read(const std::string& name,
+                const std::string& text,
+                const std::map<std::string, std::string>& units = {}) {
+    write_text_file(folder_ / name, text);
+    return read_lab_table(folder_ / name, units);
+  }
+  std::string complaint(const std::string& name,
+                        const std::string& text,
+                        const std::map<std::string, std::string>& units = {}) {
+    try {
+      read(name, text, units);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  ScratchFolder folder_;
+};
+
+// 1 lbf = 4.4482216152605 N, 1 ft lbf = 1.3558179483314 N m [NIST SP 811, B.8]
+TEST_F(LabTables, OfAConsortiumComeOutInSi) {
+  const LabTable table = read("run4.dat",
+                              "Tire: 16.0x7.5-10\tRun: 4\r\n"
+                              "ET\tV\tSA\tFZ\tMZ\tNFY\tTSTI\r\n"
+                              "sec\tmph\tdeg\tlb\tft-lb\t\tdeg F\r\n"
+                              "0.01\t25\t-180\t-100\t2\t0.5\t212\r\n"
+                              "0.02\t25\t90\t-200\t-2\t0.25\tNaN\r\n");
+  EXPECT_EQ(table.channels["ET"], (std::vector<double>{0.01, 0.02}));
+  EXPECT_NEAR(table.channels["V"][0], 25 * 0.44704, 1e-12);
+  EXPECT_NEAR(table.channels["SA"][0], -std::numbers::pi, 1e-15);
+  EXPECT_NEAR(table.channels["FZ"][1], -2 * 444.82216152605, 1e-9);
+  EXPECT_EQ(table.channels.find("FZ")->unit, "N");
+  EXPECT_NEAR(table.channels["MZ"][0], 2 * 1.3558179483314, 1e-12);
+  EXPECT_EQ(table.channels.find("NFY")->unit, "1");
+  EXPECT_NEAR(table.channels["TSTI"][0], 373.15, 1e-9);
+  EXPECT_TRUE(std::isnan(table.channels["TSTI"][1]));
+  EXPECT_EQ(table.lines, (std::vector<int>{4, 5}));
+}
+
+TEST_F(LabTables, OfAConsortiumMayStandBetweenBlanksAndNameNoUnits) {
+  const LabTable blanks = read("a.dat", "run 4\n ET   SA  FZ\n sec  deg  N \n  1   2  -3e2\n");
+  EXPECT_EQ(blanks.channels["FZ"], std::vector<double>{-300.0});
+  const LabTable bare = read("b.dat", "run 4\nET\tFZ\n1\t-3\n2\t-4\n", {{"FZ", "kN"}});
+  EXPECT_EQ(bare.channels["FZ"], (std::vector<double>{-3000.0, -4000.0}));
+  EXPECT_EQ(bare.channels.find("ET")->unit, "1");
+}
+
+TEST_F(LabTables, AreRefusedInWords) {
+  EXPECT_NE(complaint("a.dat", "run\nET\tFZ\nsec\tN\n1\t2\n1\n")
+                .find("a.dat:5: has 1 field, "
+                      "expected 2"),
+            std::string::npos);
+  EXPECT_NE(complaint("a.dat", "nothing here\n").find("no line of numbers"), std::string::npos);
+  EXPECT_NE(complaint("a.xls", "x").find("a.xls: ends in \".xls\", expected"), std::string::npos);
+  EXPECT_NE(
+      complaint("a.csv", "FY_N,FZ_N\n1,2\n", {{"FX_N", "N"}}).find("\"FX_N\" is missing, did"),
+      std::string::npos);
+  EXPECT_NE(complaint("a.csv", "Fz [kN]\n1\n", {{"Fz", "N"}}).find("Fz is in \"kN\""),
+            std::string::npos);
+}
+
+TEST_F(LabTables, KeepGapsAndTextsOfCsv) {
+  const LabTable table =
+      read("a.csv", "# note\nFz [kN],Fy,who,odd [furlongs per]\n1,,ann,1\n2,3,,2\n", {{"Fy", "N"}});
+  EXPECT_EQ(table.channels["Fz"], (std::vector<double>{1000.0, 2000.0}));
+  EXPECT_TRUE(std::isnan(table.channels["Fy"][0]));
+  EXPECT_EQ(table.channels.find("Fy")->unit, "N");
+  EXPECT_TRUE(std::isnan(table.channels["who"][1]));
+  EXPECT_NE(table.left_out.at("odd").find("unknown unit"), std::string::npos);
+  EXPECT_EQ(table.place(1).text(), (folder_ / "a.csv").string() + ":4");
+}
+
+TEST_F(LabTables, OfTydexHoldTheirConstantsAllAlong) {
+  const LabTable table =
+      read("a.tdx",
+           "**HEADER\nRELEASE   Release of TYDEX-Format                 1.3\n"
+           "**CONSTANTS\n"
+           "INFLPRES  Inflation pressure            kPa       69\n"
+           "FZW       Vertical force                N         1050\n"
+           "**MEASURCHANNELS\n"
+           "SLIPANGL  Slip angle                    deg       1         0         0\n"
+           "FZW       Vertical force                N         1         0         0\n"
+           "**MEASURDATA\n1 1000\n2 NOTAVAIL\n**END\n");
+  EXPECT_EQ(table.channels["INFLPRES"], (std::vector<double>{69e3, 69e3}));
+  EXPECT_EQ(table.channels["FZW"][0], 1000.0);
+  EXPECT_TRUE(std::isnan(table.channels["FZW"][1]));
+}
+
+// The layout of consortium files: vectors by name, their units in channel.units.
+TEST_F(LabTables, OfMatTakeTheUnitsListedBesideTheChannels) {
+  write_text_file(folder_ / "script",
+                  "import numpy as np, scipy.io as io\n"
+                  "o = lambda *a: np.array(a, dtype=object)\n"
+                  "io.savemat('run.mat', {'SA': np.array([[180.0], [90.0]]), 'FZ': "
+                  "np.array([[-1.0], [np.nan]]), 'tireid': 'x', 'channel': {'name': o('SA', 'FZ', "
+                  "'MX'), 'units': o('deg', 'kN', 'N-m')}})\n");
+  const std::string command =
+      "cd '" + folder_.path().string() + "' && /usr/bin/python3 script >/dev/null 2>&1";
+  if (std::system(command.c_str()) != 0)
+    GTEST_SKIP() << "SciPy is not installed (Debian: python3-scipy)";
+  const LabTable table = read_lab_table(folder_ / "run.mat");
+  EXPECT_NEAR(table.channels["SA"][0], std::numbers::pi, 1e-15);
+  EXPECT_EQ(table.channels["FZ"][0], -1000.0);
+  EXPECT_TRUE(std::isnan(table.channels["FZ"][1]));
+  EXPECT_EQ(table.place(1).line, 0);
+}
+
+}  // namespace
+}  // namespace latsch::formats
