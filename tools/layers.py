@@ -31,8 +31,8 @@ ROOMS = {
     "formats": ["text", "tables", "tire", "road", "mesh"],
     "experiment": ["rigs", "language", "tests", "kinds"],
     "evaluation": ["trial", "executors", "journal", "schedule", "outside_program"],
-    "correlation": ["observable", "study", "target", "analysis", "search", "basic_data", "study_report", "rig_data",
-                    "comparison", "validation"],
+    "correlation": ["laboratory", "observable", "study", "target", "analysis", "search", "basic_data", "study_report",
+                    "rig_data", "comparison", "validation"],
 }
 
 # One model does not use another, except these: every tire rolls on a road, and the rigid ring's slip

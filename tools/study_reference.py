@@ -31,6 +31,7 @@ SECTIONS = [
     ('Test "steady_states": a table of states', "steady_states"),
     ("[variable.NAME], [tie.NAME]", "variables"),
     ("[linear_constraint.NAME]", "linear_constraints"),
+    ("[measurement.NAME]: what a laboratory recorded", "measurement"),
     ("[experiment.NAME]", "study_experiment"),
     ("[experiment.NAME] with kind = \"curve\"", "curve"),
     ("What of a curve is compared", "curve_comparison"),

@@ -58,16 +58,16 @@ const SpecimenKind& Language::kind_of_file(const std::filesystem::path& file) co
                        list_of(kind_names()) + ", or a .tir file");
 }
 
-std::unique_ptr<Test> Language::read_test(const std::filesystem::path& file) const {
-  return read_test(Document::read(file).root(), file.parent_path());
+std::unique_ptr<Test> Language::read_test(const std::filesystem::path& file,
+                                          const MeasuredConditions& measured) const {
+  return read_test(Document::read(file).root(), {file.parent_path(), measured});
 }
 
-std::unique_ptr<Test> Language::read_test(const Node& keys,
-                                          const std::filesystem::path& folder) const {
+std::unique_ptr<Test> Language::read_test(const Node& keys, const TestSource& source) const {
   const std::string name = keys.choice("kind", test_names());
   const auto kind = std::find_if(
       tests.begin(), tests.end(), [&](const TestKind* test) { return test->name == name; });
-  auto test = (*kind)->read(keys, folder);
+  auto test = (*kind)->read(keys, source);
   keys.close();
   return test;
 }

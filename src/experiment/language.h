@@ -25,9 +25,10 @@ struct Language {
   /// InputError.
   const SpecimenKind& kind_of_file(const std::filesystem::path& file) const;
   /// The test that a file describes, which states its `kind`. InputError naming the place.
-  std::unique_ptr<Test> read_test(const std::filesystem::path& file) const;
-  /// The same of its keys, wherever they stand; files they name lie in the folder.
-  std::unique_ptr<Test> read_test(const Node& keys, const std::filesystem::path& folder) const;
+  std::unique_ptr<Test> read_test(const std::filesystem::path& file,
+                                  const MeasuredConditions& measured = nullptr) const;
+  /// The same of its keys, wherever they stand.
+  std::unique_ptr<Test> read_test(const Node& keys, const TestSource& source) const;
   /// Kinds of specimens that have one of these capabilities, as tests need: "ring_tire", ...
   std::vector<std::string> kinds_for(const std::vector<std::string>& needs) const;
   /// Runs a test with the specimen these numbers make. Throws InputError where they make none or

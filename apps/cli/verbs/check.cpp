@@ -65,8 +65,7 @@ void print_experiments(const Study& study) {
         name_width(study.experiments),
         what(study, experiment),
         values_in_words(experiment.values()),
-        experiment.measurement_file.empty() ? "the study"
-                                            : experiment.measurement_file.filename().string(),
+        experiment.measured_in(),
         experiment.fitted ? "fitted" : "predicted",
         experiment.objective.weight,
         exponent);

@@ -81,7 +81,7 @@ std::unique_ptr<experiment::Test> test_of(const std::string& text,
                                           const experiment::Language& language) {
   if (!text.starts_with('{')) return language.read_test(text);
   return language.read_test(
-      Document::parse("test = " + text, "the test in braces").root().table("test"), "");
+      Document::parse("test = " + text, "the test in braces").root().table("test"), {});
 }
 
 /// What beside the channels was asked for.

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/laboratory/measurement_twin.h"
 #include "formats/tables/csv_table.h"
 #include "report/report.h"
 
@@ -35,34 +35,21 @@ std::string last_part(const std::string& channel) {
   return channel.substr(channel.find_last_of('/') + 1);
 }
 
-/// A column of a measurement; the name of a force or moment may say its frame: "Fy", "FyW", "FZH".
-struct MeasuredColumn {
-  std::string name, frame;
-};
-MeasuredColumn column_of(const formats::CsvTable& table, const std::string& channel) {
-  const auto same = [](const std::string& a, const std::string& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
-      return std::tolower(x) == std::tolower(y);
-    });
-  };
-  if (!table.has(channel)) {
-    for (const std::string& column : table.columns())
-      for (const char* frame : {"W", "H", "C"})
-        if (same(column, channel + frame)) return {column, frame};
-  }
-  return {channel, ""};
-}
-
 /// Forces are compared in the frame of the measurement, which the rig records them in.
-void check_frame(const Node& table, const MeasuredColumn& measured, const KnownChannel& channel) {
-  std::string frame = measured.frame;
+void check_frame(const Node& table,
+                 const std::string& column,
+                 const Measurement& measurement,
+                 const KnownChannel& channel) {
+  std::string frame = measurement.frame(column);
   if (table.has("frame")) {
-    frame = table.choice("frame", {"W", "H", "C"});
-    if (!measured.frame.empty() && measured.frame != frame)
+    const std::string stated = table.choice("frame", {"W", "H", "C"});
+    if (!frame.empty() && frame != stated)
       table.reject("frame",
-                   fmt::format("is {}, but the measurement has the column {}",
-                               in_quotes(frame),
-                               in_quotes(measured.name)));
+                   fmt::format("is {}, but the measurement has the column {} in axes {}",
+                               in_quotes(stated),
+                               in_quotes(measurement.written(column).column),
+                               frame));
+    frame = stated;
   }
   if (frame.empty() || frame == channel.frame) return;
   const std::string test = channel.name.substr(0, channel.name.find('/'));
@@ -141,7 +128,7 @@ std::vector<double> path_values(const CurveMeasurement& curve,
 }  // namespace
 
 std::shared_ptr<const Curve> read_curve(const Node& table,
-                                        const std::filesystem::path& measurement,
+                                        const Measurement& measurement,
                                         const std::vector<KnownChannel>& channels) {
   CurveMeasurement curve;
   curve.x = table.text("x", "");
@@ -151,11 +138,10 @@ std::shared_ptr<const Curve> read_curve(const Node& table,
   curve.y_shown = y.unit;
   curve.x_unit = si_of(curve.x_shown);
   curve.y_unit = si_of(curve.y_shown);
-  const auto columns = formats::CsvTable::read(measurement);
-  if (!curve.x.empty()) curve.x_measured = columns.numbers(last_part(curve.x), curve.x_unit);
-  const MeasuredColumn column = column_of(columns, last_part(curve.y));
-  check_frame(table, column, y);
-  curve.y_measured = columns.numbers(column.name, curve.y_unit);
+  if (!curve.x.empty()) curve.x_measured = measurement.values(last_part(curve.x), curve.x_unit);
+  const std::string column = last_part(curve.y);
+  check_frame(table, column, measurement, y);
+  curve.y_measured = measurement.values(column, curve.y_unit);
   if (curve.y_measured.empty()) table.reject("measurement", "has no row of numbers");
   curve.comparison = read_comparison(table, curve.x_measured, curve.y_measured, curve.x_unit);
   take_what_is_compared(table, curve);
@@ -233,11 +219,11 @@ std::vector<double> about_their_means(std::vector<double> slopes, std::size_t ro
 
 }  // namespace
 
-Result<SimulatedValues> Curve::simulated(const Channels& trial) const {
+Result<SimulatedValues> Curve::samples(const Channels& trial) const {
   const Channel* y = trial.find(c_.y);
   if (!y) return wrong(c_.y, "is missing");
   if (c_.x.empty()) {
-    if (y->values.size() == c_.y_measured.size()) return as_compared({y->values, y->slopes});
+    if (y->values.size() == c_.y_measured.size()) return SimulatedValues{y->values, y->slopes};
     return wrong(
         c_.y,
         fmt::format(
@@ -258,14 +244,16 @@ Result<SimulatedValues> Curve::simulated(const Channels& trial) const {
   }
   auto values = at_measured(c_, x->values, y->values);
   if (!values) return values.failure();
-  return as_compared({std::move(*values), slopes_at_measured(c_, *x, *y)});
+  return SimulatedValues{std::move(*values), slopes_at_measured(c_, *x, *y)};
 }
 
-SimulatedValues Curve::as_compared(SimulatedValues curve) const {
-  curve.values = compared_values(c_.comparison, curve.values);
-  if (!passes_slopes()) curve.slopes.clear();
+Result<SimulatedValues> Curve::simulated(const Channels& trial) const {
+  auto curve = samples(trial);
+  if (!curve || c_.comparison.what == ComparedCurve::path) return curve;
+  curve->values = compared_values(c_.comparison, curve->values);
+  if (!passes_slopes()) curve->slopes.clear();
   if (c_.comparison.what == ComparedCurve::about_mean)
-    curve.slopes = about_their_means(std::move(curve.slopes), curve.values.size());
+    curve->slopes = about_their_means(std::move(curve->slopes), curve->values.size());
   return curve;
 }
 
@@ -301,6 +289,16 @@ std::vector<double> values_of(const Channels& channels, const std::string& name)
 std::vector<std::filesystem::path> Curve::write(const Channels& trial,
                                                 const MeasurementFiles& files) const {
   Channels columns;
+  if (files.measurement) {
+    if (c_.comparison.what == ComparedCurve::path)
+      throw InputError(files.measurement->place(),
+                       "cannot be written by a twin: " + c_.y +
+                           " is compared as a path, whose "
+                           "points no sample belongs to");
+    const auto y = samples(trial);
+    if (!y) throw InputError(files.measurement->place(), y.failure().reason);
+    return {write_twin(*files.measurement, {{last_part(c_.y), y->values}}, files.comment)};
+  }
   if (files.is_shared) {
     columns = formats::CsvTable::read(files.values).channels();
   }

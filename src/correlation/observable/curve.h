@@ -5,7 +5,8 @@
 //   kind = "curve"
 //   x = "response/time"                # channels: OUTPUT/QUANTITY; without x, sample by sample
 //   y = "response/z"
-//   measurement = "step.csv"           # columns time and z, as the channels are called
+//   measurement = "step.csv"           # columns time and z, as the channels are called; or the
+//                                      # name of a [measurement.NAME]
 //   frame = "W"                        # of a measured force or moment; a column may say it itself
 //                                      # ("FyW"). Not that of the test (rigs/hub_frame.h):
 //                                      # refused. Default: taken for the test's
@@ -24,6 +25,7 @@
 #include <vector>
 
 #include "base/document.h"
+#include "correlation/laboratory/measurement.h"
 #include "correlation/observable/curve_comparison.h"
 #include "correlation/observable/known_channels.h"
 #include "correlation/observable/observable.h"
@@ -78,14 +80,15 @@ class Curve : public Observable {
       const Channels& trial, const Comparison& comparison) const override;
 
  private:
-  SimulatedValues as_compared(SimulatedValues curve) const;
+  /// The simulated y of every measured sample.
+  Result<SimulatedValues> samples(const Channels& trial) const;
 
   CurveMeasurement c_;
 };
 
 /// Throws InputError where there is no such channel or the measurement has not these columns.
 std::shared_ptr<const Curve> read_curve(const Node& table,
-                                        const std::filesystem::path& measurement,
+                                        const Measurement& measurement,
                                         const std::vector<KnownChannel>& channels);
 
 }  // namespace latsch::correlation

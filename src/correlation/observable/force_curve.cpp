@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/units.h"
+#include "correlation/laboratory/measurement_twin.h"
 #include "formats/tables/measurement_file.h"
 #include "report/report.h"
 
@@ -59,6 +60,10 @@ std::vector<std::filesystem::path> ForceCurve::write(const Channels& trial,
                                                      const MeasurementFiles& files) const {
   LoadDeflectionCurve curve = measured_;
   const bool radii = curve.abscissa == Abscissa::loaded_radius;
+  if (files.measurement) {
+    const std::string column = files.measurement->has("force") ? "force" : "Fz";
+    return {write_twin(*files.measurement, {{column, channel(trial, "force")}}, files.comment)};
+  }
   curve.position = channel(trial, radii ? "loaded_radius" : "deflection");
   curve.force = channel(trial, "force");
   curve.spread.clear();
@@ -117,6 +122,20 @@ std::pair<std::string, nlohmann::ordered_json> ForceCurve::answer(
            {"measured_N", json_of(measured_.force)},
            {"simulated_N", json_of(channel(trial, "force"))},
            {"error", json_of(comparison.errors)}}};
+}
+
+LoadDeflectionCurve force_curve_of(const Measurement& measurement) {
+  LoadDeflectionCurve curve;
+  const bool radii = measurement.has("loaded_radius") && !measurement.has("deflection");
+  curve.abscissa = radii ? Abscissa::loaded_radius : Abscissa::deflection;
+  curve.position = measurement.values(radii ? "loaded_radius" : "deflection", "m");
+  curve.force = measurement.values(measurement.has("force") ? "force" : "Fz", "N");
+  if (measurement.has("spread")) curve.spread = measurement.values("spread", "N");
+  const auto fault = find_fault(curve);
+  if (!fault) return curve;
+  throw InputError(
+      fault->point < 0 ? measurement.place() : measurement.place(static_cast<size_t>(fault->point)),
+      "measurement." + measurement.name() + ": " + fault->message);
 }
 
 }  // namespace latsch::correlation

@@ -42,4 +42,8 @@ class ForceCurve : public Observable {
   LoadDeflectionCurve measured_;
 };
 
+/// Columns deflection or loaded_radius, force or Fz, and spread where it is there. Throws
+/// InputError naming the sample: they make no curve.
+LoadDeflectionCurve force_curve_of(const Measurement& measurement);
+
 }  // namespace latsch::correlation

@@ -17,7 +17,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "correlation/observable/measurement_noise.h"
+#include "correlation/laboratory/measurement.h"
+#include "correlation/laboratory/measurement_noise.h"
 #include "correlation/observable/objective.h"
 #include "measurement/channels.h"
 
@@ -43,6 +44,7 @@ struct MeasurementFiles {
   std::filesystem::path values, shapes;  // shapes: empty where none are measured
   std::string comment;                   // in their first line
   bool is_shared = false;  // another experiment has just written `values`: columns are added
+  const Measurement* measurement = nullptr;  // the [measurement.NAME] whose columns are replaced
 };
 
 class Observable {

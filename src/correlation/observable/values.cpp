@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/laboratory/measurement_twin.h"
 #include "correlation/observable/channel_value.h"
 #include "report/report.h"
 
@@ -61,8 +62,17 @@ Result<Comparison> Values::compare(const Channels& trial, const ObjectiveSetting
   return compare_values(m_.values, *found, m_.scales, settings);
 }
 
-std::vector<std::filesystem::path> Values::write(const Channels&, const MeasurementFiles&) const {
-  return {};
+std::vector<std::filesystem::path> Values::write(const Channels& trial,
+                                                 const MeasurementFiles& files) const {
+  if (!files.measurement) return {};
+  if (!m_.of.empty())
+    throw InputError(files.measurement->place(),
+                     "cannot be written by a twin: " + m_.channel + " is compared by its " + m_.of +
+                         " value alone");
+  const auto found = simulated(trial);
+  if (!found) throw InputError(files.measurement->place(), found.failure().reason);
+  const std::string column = m_.channel.substr(m_.channel.find_last_of('/') + 1);
+  return {write_twin(*files.measurement, {{column, found->values}}, files.comment)};
 }
 
 void Values::draw(const ShownExperiment& shown, report::StudyReport& page) const {
@@ -109,7 +119,8 @@ std::pair<std::string, nlohmann::ordered_json> Values::answer(const Channels& tr
 }
 
 std::shared_ptr<const Values> read_values(const Node& table,
-                                          const std::vector<KnownChannel>& channels) {
+                                          const std::vector<KnownChannel>& channels,
+                                          const Measurement* measurement) {
   Values::Measurement m;
   m.channel = table.text("channel");
   std::vector<std::string> names;
@@ -127,9 +138,15 @@ std::shared_ptr<const Values> read_values(const Node& table,
   }
   m.shown = known->unit;
   m.unit = si_unit(Unit::of(known->unit).dimension());
-  if (table.has("value") == table.has("values"))
-    table.reject("value", "or values has to be there, one of the two");
-  if (table.has("value")) {
+  if (table.has("value") + table.has("values") + (measurement != nullptr) != 1)
+    table.reject("value", "or values or measurement has to be there, one of them");
+  if (measurement) {
+    m.values = measurement->values(m.channel.substr(m.channel.find_last_of('/') + 1), m.unit);
+    if (table.has("of")) {
+      m.of = table.choice("of", names_of_values());
+      m.values = {value_of(m.of, m.values)};
+    }
+  } else if (table.has("value")) {
     m.values = {table.quantity("value", m.unit)};
     if (m.unit != "1") m.shown = parse_quantity(table.text("value"))->unit.text();
     if (table.has("of")) m.of = table.choice("of", names_of_values());

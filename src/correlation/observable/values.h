@@ -13,7 +13,8 @@
 //   [experiment.footprint_length]
 //   kind = "values"
 //   channel = "print/length"
-//   values = ["112 mm", "139 mm"]      # in the place of value: every value of the channel
+//   values = ["112 mm", "139 mm"]      # in the place of value: every value of the channel; or
+//   measurement = "prints"             # of a [measurement.NAME] or file, its column length
 //
 // An error is  d_i = (y_i^mea - y_i^sim) / scale_i,  the scale of a value its own size unless
 // given.
@@ -53,7 +54,7 @@ class Values : public Observable {
   Result<Comparison> compare(const Channels& trial,
                              const ObjectiveSettings& settings) const override;
   bool passes_slopes() const override { return true; }
-  /// Nothing: they stand in the study.
+  /// Nothing where they stand in the study.
   std::vector<std::filesystem::path> write(const Channels& trial,
                                            const MeasurementFiles& files) const override;
   void draw(const ShownExperiment& shown, report::StudyReport& page) const override;
@@ -65,8 +66,10 @@ class Values : public Observable {
   Measurement m_;
 };
 
-/// Throws InputError where there is no such channel or the values have another dimension.
+/// Throws InputError where there is no such channel or the values have another dimension. Without a
+/// measurement they stand in the table.
 std::shared_ptr<const Values> read_values(const Node& table,
-                                          const std::vector<KnownChannel>& channels);
+                                          const std::vector<KnownChannel>& channels,
+                                          const Measurement* measurement = nullptr);
 
 }  // namespace latsch::correlation

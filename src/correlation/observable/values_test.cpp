@@ -61,7 +61,7 @@ TEST(Values, SayWhatIsWrong) {
             std::string::npos);
   EXPECT_NE(values_complaint("channel = \"print/length\"\nvalue = \"0 m\"\n").find("scale"),
             std::string::npos);
-  EXPECT_NE(values_complaint("channel = \"print/length\"\n").find("one of the two"),
+  EXPECT_NE(values_complaint("channel = \"print/length\"\n").find("one of them"),
             std::string::npos);
 }
 

@@ -266,12 +266,14 @@ void examine_load_deflection(const StudyExperiment& experiment,
   constexpr double kGrowth = 1.1;  // by inflation, and a softer tire than described
   constexpr double kFirst = 0.03;  // of the section's height: below, first touch decides the force
   if (measured.force.empty()) return;
-  const auto table = formats::CsvTable::read(experiment.measurement_file);
+  std::optional<formats::CsvTable> table;
+  if (!experiment.measurement) table = formats::CsvTable::read(experiment.measurement_file);
   const bool radii = measured.abscissa == Abscissa::loaded_radius;
   const auto& positions = measured.position;
   std::vector<Finding> worst;
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const Place place = table.place(static_cast<int>(i));
+    const Place place =
+        table ? table->place(static_cast<int>(i)) : experiment.measurement->place(i);
     std::vector<Finding> of_row;
     if (radii && positions[i] > kGrowth * size.outer_radius) {
       of_row.push_back(
@@ -353,7 +355,8 @@ void examine_repetitions(const Study& study, const Document& file, std::vector<F
           (a.observable->asks() != b.observable->asks() ||
            a.observable->compared(a.objective) != b.observable->compared(b.objective));
       if (a.measurement_file.empty()) continue;  // its values stand in the study
-      if (!a.fitted || !b.fitted || a.measurement_file != b.measurement_file || other_columns)
+      if (!a.fitted || !b.fitted || a.measurement_file != b.measurement_file ||
+          a.measurement != b.measurement || other_columns)
         continue;
       found.push_back(
           {written_at(file, "experiment." + b.name + ".measurement").place,

@@ -13,7 +13,7 @@
 namespace latsch::correlation {
 namespace {
 
-const std::string kStudy = R"(
+const std::string kSimulatorStudy = R"(
 [simulator]
 command = ["/bin/sh", "{study}/program.sh"]
 inputs = ["in.txt"]
@@ -35,7 +35,7 @@ measurement = "measured.csv"
 class SimulatorStudy : public testing::Test {
  protected:
   void SetUp() override {
-    write("study.toml", kStudy);
+    write("study.toml", kSimulatorStudy);
     write("in.txt", "{k}\n");
     write("program.sh",
           "read k < in.txt; printf 't [s],z [mm]\\n0,0\\n1,%s\\n2,4\\n' $k > out.csv");
@@ -45,7 +45,7 @@ class SimulatorStudy : public testing::Test {
   Study read() { return read_study(folder_ / "study.toml", experiment::language()); }
 
   void refused(const std::string& from, const std::string& to, const std::string& part) {
-    std::string text = kStudy;
+    std::string text = kSimulatorStudy;
     text.replace(text.find(from), from.size(), to);
     write("study.toml", text);
     try {
@@ -84,7 +84,7 @@ TEST_F(SimulatorStudy, AProgramThatEndsTooEarlyHasFailed) {
 }
 
 TEST_F(SimulatorStudy, AVariableMayBeAPlainNumber) {
-  std::string text = kStudy;
+  std::string text = kSimulatorStudy;
   const std::string with_units = "lower = \"1 N/mm\"\nupper = \"9 N/mm\"\ninitial = \"2 N/mm\"";
   text.replace(text.find(with_units), with_units.size(), "lower = 1\nupper = 9\ninitial = 2");
   write("study.toml", text);

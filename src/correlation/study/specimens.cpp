@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "correlation/study/study.h"
 #include "correlation/study/variables.h"
+#include "formats/tables/csv_table.h"
 
 namespace latsch::correlation {
 namespace {
@@ -111,18 +112,65 @@ std::optional<std::string> reason_against(const SpecimenKind& kind,
                      list_of(language.kinds_for(test.needs())));
 }
 
+namespace {
+
+/// The conditions of a test that were measured, for {from = "measurement.NAME"}.
+Channels measured_conditions(const Node& table,
+                             const std::vector<experiment::MeasuredCondition>& conditions,
+                             const Laboratory& laboratory) {
+  const std::string from = table.text("from");
+  std::vector<std::string> names;
+  for (const auto& one : laboratory) names.push_back("measurement." + one->name());
+  const auto found = std::find(names.begin(), names.end(), from);
+  if (found == names.end())
+    table.reject("from",
+                 "is " + in_quotes(from) + ", which this study has not" +
+                     (names.empty() ? ": add a [measurement.NAME]"
+                                    : did_you_mean(from, names) + "; there are " + list_of(names)));
+  const Measurement& measurement = *laboratory[static_cast<std::size_t>(found - names.begin())];
+  Channels channels;
+  for (const auto& condition : conditions)
+    if (condition.is_needed || measurement.has(condition.channel))
+      channels.add({condition.channel,
+                    condition.unit,
+                    measurement.values(condition.channel, condition.unit)});
+  return channels;
+}
+
+StudyTest read_study_test(const Node& table,
+                          const fs::path& folder,
+                          const Language& language,
+                          const Laboratory& laboratory) {
+  std::string resolved;  // what it takes from measurements
+  const auto measured = [&](const Node& from, const auto& conditions) {
+    const Channels channels = measured_conditions(from, conditions, laboratory);
+    resolved += formats::csv_text(channels);
+    return channels;
+  };
+  if (table.has("kind")) {
+    if (table.has("file")) table.reject("file", "stands beside kind, expected one of the two");
+    std::shared_ptr<const experiment::Test> test = language.read_test(table, {folder, measured});
+    return {table.name(), test, test->identity()};
+  }
+  const fs::path file = existing_file(table, "file", folder);
+  StudyTest test{table.name(), language.read_test(file, measured), read_text_file(file)};
+  for (const fs::path& named : test.test->files()) test.text += read_text_file(named);
+  test.text += resolved;
+  return test;
+}
+
+}  // namespace
+
 std::vector<StudyTest> read_tests(const Node& study,
                                   const fs::path& folder,
                                   const SpecimenKind& kind,
-                                  const Language& language) {
+                                  const Language& language,
+                                  const Laboratory& laboratory) {
   std::vector<StudyTest> tests;
   for (const Node& table : study.named_tables("test")) {
-    const fs::path file = existing_file(table, "file", folder);
-    StudyTest test{table.name(), language.read_test(file), read_text_file(file)};
-    for (const fs::path& named : test.test->files()) test.text += read_text_file(named);
-    if (const auto reason = reason_against(kind, *test.test, language))
-      table.reject("file", *reason);
-    tests.push_back(std::move(test));
+    tests.push_back(read_study_test(table, folder, language, laboratory));
+    if (const auto reason = reason_against(kind, *tests.back().test, language))
+      table.reject(table.has("kind") ? "kind" : "file", *reason);
   }
   return tests;
 }

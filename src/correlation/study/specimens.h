@@ -12,7 +12,11 @@
 //   path = "sidewall.radial.stiffness"         # the name of the parameter: "PKY1"
 //
 //   [test.slow]
-//   file = "slow.toml"               # experiment/tests: a file with a kind of test
+//   file = "slow.toml"               # a file with a kind of test
+//
+//   [test.steady]                    # or what would stand in it
+//   kind = "steady_states"
+//   states = {from = "measurement.cornering"}
 //
 //   [experiment.slow_Fz]             # observable/curve.h
 //   kind = "curve"
@@ -30,6 +34,7 @@
 #include <vector>
 
 #include "base/document.h"
+#include "correlation/laboratory/measurement.h"
 #include "correlation/observable/known_channels.h"
 #include "evaluation/journal/study_identity.h"
 #include "experiment/language.h"
@@ -96,11 +101,13 @@ StudyModel read_model(const Node& study,
                       const std::filesystem::path& folder,
                       const experiment::Language& language);
 
-/// Reads every [test.NAME]. Throws InputError where the kind of the model cannot do it.
+/// Reads every [test.NAME], with conditions from the laboratory. Throws InputError where the kind
+/// of the model cannot do it.
 std::vector<StudyTest> read_tests(const Node& study,
                                   const std::filesystem::path& folder,
                                   const experiment::SpecimenKind& kind,
-                                  const experiment::Language& language);
+                                  const experiment::Language& language,
+                                  const Laboratory& laboratory);
 
 /// Why specimens of a kind cannot do a test, with those that can; nullopt where they can.
 std::optional<std::string> reason_against(const experiment::SpecimenKind& kind,

@@ -72,7 +72,7 @@ class PullTest : public Test {
 inline const Language& spring_language() {
   static const SpringKind kind;
   static const TestKind pull = {
-      "pull", "is pulled", {Spring::kName}, [](const Node& root, const std::filesystem::path&) {
+      "pull", "is pulled", {Spring::kName}, [](const Node& root, const TestSource&) {
         auto travels = root.quantities("travels", "m", Range::positive());
         const double speed = root.quantity("speed", "m/s", Range::not_negative());
         const double hold = root.quantity("hold", "s", Range::not_negative(), 0.0);

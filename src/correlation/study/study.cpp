@@ -123,6 +123,7 @@ void reject_unknown_table(const std::filesystem::path& file) {
                                                 "linear_constraint",
                                                 "tie",
                                                 "constraint",
+                                                "measurement",
                                                 "experiment",
                                                 "target",
                                                 "optimizer",
@@ -152,7 +153,9 @@ std::string search_key(const Study& study) {
     if (counts && !line.starts_with("title")) state = hash(line + "\n", state);
   }
   for (const StudyExperiment& experiment : study.experiments) {
-    for (const auto& file : {experiment.measurement_file, experiment.shapes_file}) {
+    std::vector<std::filesystem::path> files{experiment.measurement_file, experiment.shapes_file};
+    if (experiment.measurement) files = experiment.measurement->files();
+    for (const auto& file : files) {
       if (std::filesystem::is_regular_file(file)) {
         state = hash(read_text_file(file, kLargestMeasurement), state);
       }
@@ -206,7 +209,8 @@ struct WhatVaries {
 
 WhatVaries read_what_varies(const Node& root,
                             const std::filesystem::path& file,
-                            const experiment::Language& language) {
+                            const experiment::Language& language,
+                            const Laboratory& laboratory) {
   if (const auto table = root.find_table("simulator")) {
     DesignSpace space = read_variables(root, nullptr);
     const Simulator simulator = read_simulator(*table, file, space);
@@ -216,7 +220,7 @@ WhatVaries read_what_varies(const Node& root,
   }
   StudyModel model = read_model(root, file.parent_path(), language);
   const experiment::SpecimenKind& kind = *model.specimens->kind();
-  auto tests = read_tests(root, file.parent_path(), kind, language);
+  auto tests = read_tests(root, file.parent_path(), kind, language, laboratory);
   DesignSpace space = read_variables(root, &model.numbers);
   check_bounds(root, model.numbers, kind, space);
   return {std::move(model), std::move(space), std::move(tests)};
@@ -228,8 +232,10 @@ Study read(const Document& document,
            const experiment::Language& language) {
   const Node root = document.root();
   const auto folder = file.parent_path();
-  WhatVaries what = read_what_varies(root, file, language);
-  const ExperimentContext context{folder, measurements, language, what.model.specimens->kind()};
+  const Laboratory laboratory = read_laboratory(root, folder);
+  WhatVaries what = read_what_varies(root, file, language, laboratory);
+  const ExperimentContext context{
+      folder, measurements, language, laboratory, what.model.specimens->kind()};
   Study study{file,
               root.text("title", file.stem().string()),
               what.model.file,

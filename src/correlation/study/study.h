@@ -9,6 +9,7 @@
 //
 //   [variable.matrix]                         # see variables.h, as [tie.NAME]
 //   [linear_constraint.belt_softer]           # see linear_constraints.h
+//   [measurement.cornering]                   # see measurement.h
 //   [experiment.stiffness]                    # see study_experiment.h
 //   [constraint.stiff_enough]                 # see channel_constraint.h
 //

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "base/units.h"
 #include "correlation/observable/curve.h"
 #include "correlation/observable/force_curve.h"
 #include "correlation/observable/mode_set.h"
@@ -19,6 +20,10 @@ namespace {
 
 using experiment::LoadDeflection;
 using experiment::ModalTest;
+
+std::string last_part(const std::string& channel) {
+  return channel.substr(channel.find_last_of('/') + 1);
+}
 
 constexpr int kMoreModesThanMeasured = 8;  // so that a swapped neighbor is among them
 constexpr long kMostModes = 200;
@@ -42,6 +47,25 @@ std::filesystem::path find_file(const Node& table,
                "is \"" + table.text(key) +
                    "\", which does not exist; measure it, or write it from the model itself with "
                    "latsch export --measurements");
+}
+
+/// What `measurement` names: a [measurement.NAME], else a file.
+std::shared_ptr<const Measurement> read_named_measurement(const Node& table,
+                                                          const ExperimentContext& context) {
+  const std::string name = table.text("measurement");
+  if (auto stated = find(context.laboratory, name)) return stated;
+  if (!std::filesystem::exists(context.folder / name) && !context.laboratory.empty()) {
+    std::vector<std::string> names;
+    for (const auto& one : context.laboratory) names.push_back(one->name());
+    table.reject(
+        "measurement",
+        fmt::format("is {}, which is neither a file nor a [measurement.NAME]{}; there are {}",
+                    in_quotes(name),
+                    did_you_mean(name, names),
+                    list_of(names)));
+  }
+  return std::make_shared<Measurement>(
+      read_measurement(find_file(table, "measurement", context.folder, Measurements::required)));
 }
 
 /// The test of [test.NAME] that an experiment names, after a look at whether it can be meant.
@@ -77,14 +101,17 @@ void add_own_test(const Node& table,
 
 std::shared_ptr<const Observable> read_load_deflection(const Node& table,
                                                        const ExperimentContext& context,
+                                                       const Measurement* stated,
                                                        ObjectiveSettings& objective,
                                                        std::vector<StudyTest>& tests) {
   LoadDeflectionCurve measured;
   objective.compared = table.choice("compare", {"force", "root_force"}, "force") == "force"
                            ? Compared::force
                            : Compared::root_force;
-  const auto file = find_file(table, "measurement", context.folder, context.measurements);
-  if (!file.empty()) measured = formats::read_load_deflection(file);
+  const auto file = stated ? stated->files()[0]
+                           : find_file(table, "measurement", context.folder, context.measurements);
+  if (!file.empty())
+    measured = stated ? force_curve_of(*stated) : formats::read_load_deflection(file);
   if (table.has("test")) {
     const StudyTest& test = named_test(table, tests, "force");
     const auto samples = test.test->samples();
@@ -170,6 +197,18 @@ std::shared_ptr<const Observable> read_modes(const Node& table,
                                    test.points);
 }
 
+/// What the measurement says of the channel that is compared; of a spectrum it says nothing.
+std::optional<MeasurementNoise> noise_of(const StudyExperiment& experiment) {
+  const std::string channel = last_part(experiment.observable->asks().back());
+  const auto known = Unit::find(experiment.observable->unit());
+  for (const std::string& name : {channel, std::string(channel == "force" ? "Fz" : channel)}) {
+    const MeasurementNoise* noise = experiment.measurement->noise(name);
+    if (noise && known && known->same_dimension(Unit::of(experiment.measurement->unit(name))))
+      return *noise;
+  }
+  return std::nullopt;
+}
+
 [[noreturn]] void reject_channel_of_no_test(const Node& table,
                                             const std::string& kind,
                                             const ExperimentContext& context) {
@@ -196,20 +235,35 @@ StudyExperiment read_experiment(const Node& table,
                    : table.choice("kind", {"curve", "values"});
   if ((kind == "curve" || kind == "values") && tests.empty())
     reject_channel_of_no_test(table, kind, context);
-  if (kind != "values") experiment.measurement_file = context.folder / table.text("measurement");
+  std::shared_ptr<const Measurement> measured;  // of a curve or values
+  if (kind == "curve" || (kind == "values" && table.has("measurement")))
+    measured = read_named_measurement(table, context);
+  if (kind == "load_deflection") measured = find(context.laboratory, table.text("measurement"));
+  if (measured && (measured->is_stated() || kind == "values")) experiment.measurement = measured;
+  if (measured) {
+    experiment.measurement_file = measured->files()[0];
+  } else if (kind != "values") {
+    experiment.measurement_file = context.folder / table.text("measurement");
+  }
   if (kind == "values") {
-    experiment.observable = read_values(table, known_channels(tests));
+    experiment.observable = read_values(table, known_channels(tests), measured.get());
   } else if (kind == "curve") {
-    const auto file = find_file(table, "measurement", context.folder, Measurements::required);
-    experiment.observable = read_curve(table, file, known_channels(tests));
+    experiment.observable = read_curve(table, *measured, known_channels(tests));
   } else if (kind == "modes") {
     experiment.observable = read_modes(table, context, experiment, tests);
   } else {
-    experiment.observable = read_load_deflection(table, context, experiment.objective, tests);
+    experiment.observable =
+        read_load_deflection(table, context, measured.get(), experiment.objective, tests);
   }
   experiment.noise = read_noise(table, experiment.observable->unit());
+  if (!experiment.noise && experiment.measurement) experiment.noise = noise_of(experiment);
   experiment.loss = read_loss(table, experiment.noise.has_value());
   return experiment;
+}
+
+std::string StudyExperiment::measured_in() const {
+  if (measurement && measurement->is_stated()) return "measurement " + measurement->name();
+  return measurement_file.empty() ? "the study" : measurement_file.filename().string();
 }
 
 std::vector<double> stated_deviations(const StudyExperiment& experiment) {

@@ -9,7 +9,8 @@
 //   kind = "load_deflection"
 //   pressure = "2.6 bar"               # the tire's own unless given
 //   friction = 0.8                     # with the ground; 0 unless given
-//   measurement = "stiffness.csv"      # columns deflection (or loaded_radius) and force
+//   measurement = "stiffness.csv"      # columns deflection (or loaded_radius) and force; or the
+//                                      # name of a [measurement.NAME]
 //   compare = "force"                  # or "root_force", see objective.h
 //   exponent = 1
 //   weight = 1
@@ -41,7 +42,7 @@
 #include <vector>
 
 #include "base/document.h"
-#include "correlation/observable/measurement_noise.h"
+#include "correlation/laboratory/measurement_noise.h"
 #include "correlation/observable/objective.h"
 #include "correlation/observable/observable.h"
 #include "correlation/study/specimens.h"
@@ -57,13 +58,16 @@ struct StudyExperiment {
   bool fitted = true;                     // false: predicted only
   std::optional<MeasurementNoise> noise;  // standard deviation of a measured value
   RobustLoss loss = {};
-  std::filesystem::path measurement_file;
-  std::filesystem::path shapes_file;  // empty: no shapes
-  int measured_modes = 0;             // how many there are, or will be in a twin
+  std::filesystem::path measurement_file;  // of a [measurement.NAME] the first; empty: none
+  std::shared_ptr<const Measurement> measurement = {};  // nullptr: the observable read the file
+  std::filesystem::path shapes_file;                    // empty: no shapes
+  int measured_modes = 0;                               // how many there are, or will be in a twin
   std::shared_ptr<const Observable> observable = {};
 
   /// Measured values compared.
   size_t values() const { return observable->values(); }
+  /// Where they stand, for people: "measurement cornering", "stiffness.csv", "the study".
+  std::string measured_in() const;
 };
 
 /// Against what an experiment is read.
@@ -71,6 +75,7 @@ struct ExperimentContext {
   std::filesystem::path folder;  // of measurement files
   Measurements measurements = Measurements::required;
   const experiment::Language& language;
+  const Laboratory& laboratory;
   const experiment::SpecimenKind* kind = nullptr;  // of the model; nullptr: an outside program
 };
 

@@ -66,7 +66,7 @@ class DerivativeCheck : public testing::Test {
             "measurement = \"measured.csv\"\nexponent = 2\n");
     static const SlopingSpring kind;
     static const TestKind pull = {
-        "pull", "is pulled", {Spring::kName}, [](const Node&, const std::filesystem::path&) {
+        "pull", "is pulled", {Spring::kName}, [](const Node&, const experiment::TestSource&) {
           return std::unique_ptr<experiment::Test>(std::make_unique<SlopingPull>(0.5, wrong_));
         }};
     static const Language language = {{&kind}, {&pull}};

@@ -84,8 +84,12 @@ Result<std::vector<std::filesystem::path>> write_twin(const Study& study) {
   for (const StudyExperiment& experiment : twin.experiments) {
     const bool is_shared =
         std::find(written.begin(), written.end(), experiment.measurement_file) != written.end();
-    for (auto& file : experiment.observable->write(
-             trial, {experiment.measurement_file, experiment.shapes_file, kComment, is_shared}))
+    for (auto& file : experiment.observable->write(trial,
+                                                   {experiment.measurement_file,
+                                                    experiment.shapes_file,
+                                                    kComment,
+                                                    is_shared,
+                                                    experiment.measurement.get()}))
       if (!is_shared) written.push_back(std::move(file));
   }
   return written;

@@ -49,9 +49,12 @@ Suite read_suite(const std::filesystem::path& file,
                 "is missing, expected a suite, which has [check.NAME], each with what is compared, "
                 "its limits and their source");
   const auto folder = file.parent_path();
-  Suite suite{
-      file, root.text("title", file.stem().string()), read_tests(root, folder, kind, language), {}};
-  const ExperimentContext context{folder, Measurements::required, language, &kind};
+  const Laboratory laboratory = read_laboratory(root, folder);
+  Suite suite{file,
+              root.text("title", file.stem().string()),
+              read_tests(root, folder, kind, language, laboratory),
+              {}};
+  const ExperimentContext context{folder, Measurements::required, language, laboratory, &kind};
   for (const Node& table : checks) {
     Check check;
     check.name = table.name();

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -78,12 +79,29 @@ class Test {
   }
 };
 
+/// A condition that a test takes from a measurement of its study.
+struct MeasuredCondition {
+  std::string channel, unit;  // SI
+  bool is_needed = false;     // else left out where it was not recorded
+};
+
+/// Those that a table such as {from = "measurement.cornering"} names. InputError naming the place:
+/// no such measurement, a condition it lacks.
+using MeasuredConditions =
+    std::function<Channels(const Node& table, const std::vector<MeasuredCondition>& conditions)>;
+
+/// Where the keys of a test stand.
+struct TestSource {
+  std::filesystem::path folder;      // of files it names
+  MeasuredConditions measured = {};  // empty: outside of a study
+};
+
 struct TestKind {
   std::string name;                // "drum_cleat"
   std::string in_words;            // "rolls over a cleat on the drum"
   std::vector<std::string> needs;  // names of capabilities: a specimen has to have one of them
   /// Reads its keys, but `kind`. Throws InputError naming the place.
-  std::unique_ptr<Test> (*read)(const Node& root, const std::filesystem::path& folder);
+  std::unique_ptr<Test> (*read)(const Node& root, const TestSource& source);
 };
 
 }  // namespace latsch::experiment

@@ -59,6 +59,12 @@ bool same_name(const std::string& a, const std::string& b) {
 
 }  // namespace
 
+std::vector<StateName> state_names() {
+  std::vector<StateName> names;
+  for (const StateColumn& column : kStateColumns) names.push_back({column.name, column.unit});
+  return names;
+}
+
 std::vector<std::string> for_slip_states(const formats::CsvTable& table,
                                          const Parameters& tire,
                                          int rows,

@@ -18,6 +18,12 @@
 
 namespace latsch {
 
+/// A column of a table of states, in SI.
+struct StateName {
+  std::string name, unit;
+};
+std::vector<StateName> state_names();
+
 struct SlipStates {
   std::vector<magic_formula::State> states;
   std::vector<std::string> unused;  // columns

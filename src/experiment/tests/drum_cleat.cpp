@@ -87,7 +87,7 @@ Result<Channels> DrumCleatTest::run(Specimen& specimen) const {
 
 namespace {
 
-std::unique_ptr<Test> read_drum(const Node& root, const std::filesystem::path&) {
+std::unique_ptr<Test> read_drum(const Node& root, const TestSource&) {
   return std::make_unique<DrumCleatTest>(read_drum_test(root));
 }
 

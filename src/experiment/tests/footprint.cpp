@@ -70,7 +70,7 @@ class StandingFootprintTest : public Test {
   FootprintTest test_;
 };
 
-std::unique_ptr<Test> read_footprint(const Node& root, const std::filesystem::path&) {
+std::unique_ptr<Test> read_footprint(const Node& root, const TestSource&) {
   return std::make_unique<StandingFootprintTest>(read_footprint_test(root));
 }
 

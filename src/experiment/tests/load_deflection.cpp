@@ -116,7 +116,7 @@ Result<Channels> LoadDeflectionTest::run(Specimen& specimen) const {
 
 namespace {
 
-std::unique_ptr<Test> read_load_deflection(const Node& root, const std::filesystem::path&) {
+std::unique_ptr<Test> read_load_deflection(const Node& root, const TestSource&) {
   LoadDeflection test;
   test.pressure = read_pressure(root);
   test.ground = read_ground(root);

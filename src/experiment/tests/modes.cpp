@@ -69,7 +69,7 @@ Result<Channels> ModesTest::run(Specimen& specimen) const {
 
 namespace {
 
-std::unique_ptr<Test> read_modes_test(const Node& root, const std::filesystem::path&) {
+std::unique_ptr<Test> read_modes_test(const Node& root, const TestSource&) {
   constexpr long kMost = 200;
   ModalTest test;
   test.pressure = read_pressure(root);

@@ -123,7 +123,7 @@ class SlipSweepTest : public Test {
   double sample_step_;  // s
 };
 
-std::unique_ptr<Test> read_slip_sweep(const Node& root, const std::filesystem::path&) {
+std::unique_ptr<Test> read_slip_sweep(const Node& root, const TestSource&) {
   SlipSweep sweep;
   sweep.speed = root.quantity("speed", "m/s", Range::positive());
   sweep.load = root.quantity("load", "N", Range::positive());

@@ -106,7 +106,7 @@ class StaticStiffnessTest : public Test {
   StaticTest test_;
 };
 
-std::unique_ptr<Test> read_static_test(const Node& root, const std::filesystem::path&) {
+std::unique_ptr<Test> read_static_test(const Node& root, const TestSource&) {
   StaticTest test;
   if (root.has("deflections"))
     test.deflections = root.quantities("deflections", "m", Range::positive());

@@ -37,9 +37,11 @@ struct MeasurementNoise {
   bool operator==(const MeasurementNoise&) const = default;
 };
 
-/// Reads `noise`, in units of `unit` (SI) where it is absolute; nullopt where it is not given.
-/// Throws InputError where it is no positive deviation of that dimension.
-std::optional<MeasurementNoise> read_noise(const Node& table, const std::string& unit);
+/// Reads `key`, in units of `unit` (SI) where it is absolute; nullopt where it is not given. Throws
+/// InputError where it is no positive deviation of that dimension.
+std::optional<MeasurementNoise> read_noise(const Node& table,
+                                           const std::string& unit,
+                                           const std::string& key = "noise");
 
 enum class Loss { squares, huber, cauchy };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/observable/measurement_noise.h"
+#include "correlation/laboratory/measurement_noise.h"
 
 #include <cmath>
 
@@ -21,9 +21,10 @@ std::string wanted_noise(const std::string& unit) {
 void add_part(const Node& table,
               const std::string& part,
               const std::string& unit,
+              const std::string& key,
               MeasurementNoise& noise) {
   const auto reject = [&](const std::string& why) {
-    table.reject("noise", "is " + in_quotes(table.text("noise")) + why + ", " + wanted_noise(unit));
+    table.reject(key, "is " + in_quotes(table.text(key)) + why + ", " + wanted_noise(unit));
   };
   const auto quantity = parse_quantity(part);
   if (!quantity) reject(", of which " + in_quotes(part) + " is no number with a unit");
@@ -40,7 +41,7 @@ void add_part(const Node& table,
   given = quantity->si;
 }
 
-bool is_a_text(const Node& table, const char* key) {
+bool is_a_text(const Node& table, const std::string& key) {
   try {
     table.text(key);
     return true;
@@ -51,19 +52,22 @@ bool is_a_text(const Node& table, const char* key) {
 
 }  // namespace
 
-std::optional<MeasurementNoise> read_noise(const Node& table, const std::string& unit) {
-  if (!table.has("noise")) return std::nullopt;
+std::optional<MeasurementNoise> read_noise(const Node& table,
+                                           const std::string& unit,
+                                           const std::string& key) {
+  if (!table.has(key)) return std::nullopt;
   MeasurementNoise noise;
-  if (!is_a_text(table, "noise")) {
-    noise.relative = table.quantity("noise", "1", Range::positive());
+  if (!is_a_text(table, key)) {
+    noise.relative = table.quantity(key, "1", Range::positive());
     return noise;
   }
-  const std::string text = table.text("noise");
+  const std::string text = table.text(key);
   size_t from = 0;
   while (true) {
     // Not the sign of an exponent, "1e+2 N": a sum has room around its sign.
     const size_t plus = text.find(" + ", from);
-    add_part(table, text.substr(from, plus == std::string::npos ? plus : plus - from), unit, noise);
+    add_part(
+        table, text.substr(from, plus == std::string::npos ? plus : plus - from), unit, key, noise);
     if (plus == std::string::npos) return noise;
     from = plus + 3;
   }

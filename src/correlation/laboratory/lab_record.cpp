@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/laboratory/lab_record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "correlation/laboratory/channel_names.h"
+#include "formats/tables/lab_table.h"
+#include "numerics/signals/butterworth.h"
+
+namespace latsch::correlation {
+namespace {
+
+/// In our names; what two columns are called stays with the first.
+LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedColumn>& columns) {
+  std::map<std::string, std::string> stated;  // theirs -> ours
+  for (const auto& [ours, theirs] : columns) stated[theirs.column] = ours;
+  LabRecord record;
+  record.left_out = table.left_out;
+  record.header = table.header;
+  std::set<std::string> taken;
+  for (const auto& [theirs, ours] : stated) taken.insert(ours);
+  for (std::size_t k = 0; k < table.channels.all().size(); ++k) {
+    const Channel& channel = table.channels.all()[k];
+    const auto found = stated.find(channel.name);
+    std::string name = found == stated.end() ? our_name(channel.name, channel.unit) : found->second;
+    if (found == stated.end() && !taken.insert(name).second) {
+      name = channel.name;  // another column is called so
+      if (!taken.insert(name).second) continue;
+    }
+    record.channels.push_back({name, channel.unit, channel.values});
+    record.written[name] = {channel.name, table.units[k]};
+  }
+  const std::size_t samples = record.channels.empty() ? 0 : record.channels[0].values.size();
+  for (std::size_t i = 0; i < samples; ++i) record.places.push_back(table.place(i));
+  return record;
+}
+
+void append(const LabRecord& more, const std::string& file, LabRecord& record) {
+  std::erase_if(record.channels, [&](const Channel& channel) {
+    const Channel* other = more.find(channel.name);
+    if (other && other->name == channel.name && other->unit == channel.unit) return false;
+    record.left_out[channel.name] = "is not in " + file;
+    return true;
+  });
+  for (Channel& channel : record.channels) {
+    const auto& values = more.find(channel.name)->values;
+    channel.values.insert(channel.values.end(), values.begin(), values.end());
+  }
+  record.places.insert(record.places.end(), more.places.begin(), more.places.end());
+}
+
+/// Between gaps; those shorter than `least` become gaps.
+void filter_stretch(const std::vector<numerics::Section>& sections,
+                    const Stretch& stretch,
+                    std::size_t least,
+                    std::vector<double>& values) {
+  std::size_t first = stretch.first;
+  while (first < stretch.end) {
+    std::size_t end = first;
+    while (end < stretch.end && !std::isnan(values[end])) ++end;
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto until = values.begin() + static_cast<std::ptrdiff_t>(end);
+    if (end - first > least) {
+      const std::vector<double> part(begin, until);
+      const auto smooth = numerics::filter_forward_backward(sections, part);
+      std::copy(smooth.begin(), smooth.end(), begin);
+    } else {
+      std::fill(begin, until, std::nan(""));
+    }
+    first = end + 1;
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> LabRecord::names() const {
+  std::vector<std::string> names;
+  for (const Channel& channel : channels) names.push_back(channel.name);
+  return names;
+}
+
+const Channel* LabRecord::find(const std::string& name) const {
+  const std::string found = find_named(names(), name).name;
+  const auto channel = std::find_if(
+      channels.begin(), channels.end(), [&](const Channel& one) { return one.name == found; });
+  return found.empty() || channel == channels.end() ? nullptr : &*channel;
+}
+
+Channel* LabRecord::find(const std::string& name) {
+  return const_cast<Channel*>(std::as_const(*this).find(name));
+}
+
+std::vector<double> LabRecord::time() const {
+  const Channel* time = find("time");
+  return time && time->unit == "s" ? time->values : std::vector<double>{};
+}
+
+Channels LabRecord::table() const {
+  Channels table;
+  for (const Channel& channel : channels) table.add(channel);
+  return table;
+}
+
+LabRecord join_files(const std::vector<std::filesystem::path>& files,
+                     const std::map<std::string, StatedColumn>& columns,
+                     std::vector<std::string>& words) {
+  std::map<std::string, std::string> units;
+  for (const auto& [ours, theirs] : columns) units[theirs.column] = theirs.unit;
+  LabRecord record;
+  for (const std::filesystem::path& file : files) {
+    LabRecord more = record_of(formats::read_lab_table(file, units), columns);
+    words.push_back(fmt::format("{}: {} samples of {} channels",
+                                file.filename().string(),
+                                more.samples(),
+                                more.channels.size()));
+    if (record.channels.empty()) {
+      record = std::move(more);
+    } else {
+      append(more, file.filename().string(), record);
+    }
+  }
+  for (std::size_t i = 0; i < record.samples(); ++i)
+    record.numbers.push_back(static_cast<double>(i + 1));
+  return record;
+}
+
+void turn_axes(LabRecord& record, AxisConvention axes) {
+  record.channels = to_iso(record.table(), axes).all();
+}
+
+std::vector<std::string> conventions_that_fit(const LabRecord& record) {
+  constexpr double kMost = 0.9;     // of the samples: a wheel may hop
+  constexpr double kClearly = 0.5;  // correlation of side force and slip angle
+  const auto fits = [&](const LabRecord& one) {
+    const Channel *Fz = one.find("Fz"), *Fy = one.find("Fy"), *alpha = one.find("alpha");
+    if (Fz) {
+      const auto pulls = std::count_if(
+          Fz->values.begin(), Fz->values.end(), [](double value) { return value < 0.0; });
+      if (static_cast<double>(pulls) > kMost * static_cast<double>(one.samples())) return false;
+    }
+    if (!Fy || !alpha) return true;
+    double yy = 0.0, aa = 0.0, ya = 0.0;  // not about their means: a force has the sign of its slip
+    for (std::size_t i = 0; i < one.samples(); ++i) {
+      const double y = Fy->values[i], a = alpha->values[i];
+      if (std::isnan(y * a)) continue;
+      yy += y * y, aa += a * a, ya += y * a;
+    }
+    return !(ya > kClearly * std::sqrt(yy * aa));
+  };
+  std::vector<std::string> names;
+  for (const std::string& name : axis_convention_names()) {
+    LabRecord turned = record;
+    turn_axes(turned, axis_convention_of(name));
+    if (fits(turned)) names.push_back(name);
+  }
+  return names;
+}
+
+bool take_zero(LabRecord& record, Channel& channel, const Window& window, std::string& words) {
+  const auto time = record.time();
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (!(time[i] >= window.from && time[i] <= window.to) || std::isnan(channel.values[i]))
+      continue;
+    sum += channel.values[i];
+    ++count;
+  }
+  if (count == 0) return false;
+  const double mean = sum / static_cast<double>(count);
+  for (double& value : channel.values) value -= mean;
+  words = fmt::format("{} less {}, the mean of {} samples",
+                      channel.name,
+                      format_quantity(mean, channel.unit, 4),
+                      count);
+  return true;
+}
+
+std::string low_pass(LabRecord& record, double frequency, const Place& place) {
+  constexpr int kOrder = 2;
+  const auto time = record.time();
+  if (time.empty()) throw InputError(place, "low_pass needs a channel time, and there is none");
+  const auto stretches = stretches_of(time, record.samples());
+  const auto longest =
+      std::max_element(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) {
+        return a.end - a.first < b.end - b.first;
+      });
+  if (longest->end - longest->first < 2)
+    throw InputError(place, "low_pass needs a time that goes on, and no two samples do");
+  const double rate = static_cast<double>(longest->end - longest->first - 1) /
+                      (time[longest->end - 1] - time[longest->first]);
+  if (!(frequency < 0.5 * rate))
+    throw InputError(place,
+                     fmt::format("low_pass is {:g} Hz, but at {:.4g} samples a second it has to "
+                                 "be below {:.4g} Hz",
+                                 frequency,
+                                 rate,
+                                 0.5 * rate));
+  const auto sections = numerics::sections_of(
+      numerics::butterworth(kOrder, numerics::Band::low_pass, {frequency}, rate));
+  const auto least = static_cast<std::size_t>(numerics::forward_backward_padding(sections));
+  std::vector<bool> kept(record.samples(), true);
+  std::size_t left_out = 0;
+  for (const Stretch& stretch : stretches) {
+    if (stretch.end - stretch.first <= least) {
+      std::fill(kept.begin() + static_cast<std::ptrdiff_t>(stretch.first),
+                kept.begin() + static_cast<std::ptrdiff_t>(stretch.end),
+                false);
+      left_out += stretch.end - stretch.first;
+      continue;
+    }
+    for (Channel& channel : record.channels)
+      if (channel.name != "time") filter_stretch(sections, stretch, least, channel.values);
+  }
+  keep(record, kept);
+  std::string words = fmt::format("low pass {:g} Hz at {:.4g} samples a second, {} {}",
+                                  frequency,
+                                  rate,
+                                  stretches.size(),
+                                  stretches.size() == 1 ? "stretch" : "stretches");
+  if (left_out > 0)
+    words += fmt::format("; {} samples are left out, in stretches of {} at most", left_out, least);
+  return words;
+}
+
+void keep(LabRecord& record, const std::vector<bool>& kept) {
+  const auto filter = [&](auto& values) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      if (kept[i]) values[count++] = values[i];
+    values.resize(count);
+  };
+  for (Channel& channel : record.channels) filter(channel.values);
+  filter(record.places);
+  filter(record.numbers);
+}
+
+std::string read_unit(const std::string& unit) {
+  static const std::map<std::string, std::string> kRead = {
+      {"rad", "deg"}, {"Pa", "kPa"}, {"K", "degC"}, {"m/s", "km/h"}};
+  const auto read = kRead.find(unit);
+  return read == kRead.end() ? unit : read->second;
+}
+
+std::string range_in_words(const Channel& channel) {
+  const std::string unit = read_unit(channel.unit);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  std::size_t gaps = 0;
+  for (const double value : channel.values) {
+    if (std::isnan(value)) ++gaps;
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  const std::string in_gaps = gaps == 0 ? "" : fmt::format(", {} gaps", gaps);
+  if (gaps == channel.values.size()) return "nothing but gaps";
+  const Unit shown = Unit::of(unit);
+  return fmt::format("from {} to {}{}{}",
+                     format_number(shown.from_si(low), 4),
+                     format_number(shown.from_si(high), 4),
+                     unit == "1" ? "" : " " + unit,
+                     in_gaps);
+}
+
+}  // namespace latsch::correlation

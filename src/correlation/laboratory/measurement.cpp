@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/laboratory/measurement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "correlation/laboratory/lab_record.h"
+
+namespace latsch::correlation {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr long kMostThinned = 1'000'000;
+
+std::vector<std::string> names_of(const Channels& channels) {
+  std::vector<std::string> names;
+  for (const Channel& channel : channels.all()) names.push_back(channel.name);
+  return names;
+}
+
+/// A window or several.
+std::vector<std::string> windows_of(const Node& table, const std::string& key) {
+  try {
+    return {table.text(key)};
+  } catch (const InputError&) {
+  }
+  try {
+    return table.texts(key);
+  } catch (const InputError&) {
+    table.reject(key, "is no window such as \"900 N .. 1200 N\", nor a list of them");
+  }
+}
+
+std::vector<fs::path> read_files(const Node& table, const fs::path& folder) {
+  if (table.has("file") == table.has("files"))
+    table.reject("file", "or files has to be there, one of the two");
+  const char* key = table.has("file") ? "file" : "files";
+  std::vector<std::string> names =
+      table.has("file") ? std::vector<std::string>{table.text("file")} : table.texts("files");
+  if (names.empty()) table.reject("files", "is empty, expected at least one");
+  std::vector<fs::path> files;
+  for (const std::string& name : names) {
+    files.push_back(folder / name);
+    if (!fs::exists(files.back()))
+      table.reject(key, "is " + in_quotes(name) + ", which does not exist");
+  }
+  return files;
+}
+
+/// "P_kPa [kPa]" -> "P_kPa", "kPa".
+std::map<std::string, StatedColumn> read_columns(const Node& table) {
+  std::map<std::string, StatedColumn> columns;
+  const auto stated = table.find_table("columns");
+  if (!stated) return columns;
+  for (const std::string& ours : stated->keys()) {
+    const std::string text = stated->text(ours);
+    const auto bracket = text.ends_with(']') ? text.rfind('[') : text.npos;
+    StatedColumn column{std::string(trimmed(text.substr(0, bracket))), ""};
+    if (bracket != text.npos)
+      column.unit = trimmed(text.substr(bracket + 1, text.size() - bracket - 2));
+    columns[ours] = column;
+  }
+  return columns;
+}
+
+/// The channel a key of a table names.
+Channel& channel_of(const Node& table, const std::string& key, LabRecord& record) {
+  if (Channel* channel = record.find(key)) return *channel;
+  const auto reason = record.left_out.find(key);
+  table.reject(key,
+               reason != record.left_out.end()
+                   ? "is no channel: it " + reason->second
+                   : "is no channel" + did_you_mean(key, record.names()) +
+                         " (channels: " + list_of(record.names()) + ")");
+}
+
+void check_signs(const Node& table, const LabRecord& record, const std::string& axes) {
+  const auto fitting = conventions_that_fit(record);
+  if (std::find(fitting.begin(), fitting.end(), axes) != fitting.end()) return;
+  std::string found;
+  for (const char* name : {"Fz", "Fy", "alpha"})
+    if (const Channel* channel = record.find(name))
+      found += fmt::format(
+          "{}{} goes {}", found.empty() ? "" : ", ", channel->name, range_in_words(*channel));
+  table.reject(
+      "axes",
+      fmt::format("is {}, but these signs are not: {}, where a load has to be {} and a side "
+                  "force against its slip angle; {}",
+                  in_quotes(axes),
+                  found,
+                  axes == "sae" ? "negative" : "positive",
+                  fitting.empty() ? "no convention has such signs: is a column of another "
+                                    "sign than the others?"
+                                  : "they are as in " + list_of(fitting)));
+}
+
+void read_zero(const Node& table, LabRecord& record, std::vector<std::string>& words) {
+  const auto zero = table.find_table("zero");
+  if (!zero) return;
+  const auto [window, fault] = parse_window(zero->text("time"), "s");
+  if (!window) zero->reject("time", "is " + in_quotes(zero->text("time")) + ", " + fault);
+  if (record.time().empty()) zero->reject("time", "needs a channel time, and there is none");
+  for (const std::string& name : zero->texts("channels")) {
+    Channel* channel = record.find(name);
+    if (!channel)
+      zero->reject(
+          "channels",
+          "has " + in_quotes(name) + ", which is no channel" + did_you_mean(name, record.names()));
+    words.emplace_back();
+    if (!take_zero(record, *channel, *window, words.back()))
+      zero->reject("time",
+                   "is " + in_quotes(zero->text("time")) + ", which holds no sample; time goes " +
+                       range_in_words(*record.find("time")));
+  }
+}
+
+void read_shift(const Node& table, LabRecord& record, std::vector<std::string>& words) {
+  if (!table.has("shift")) return;
+  const double shift = table.quantity("shift", "s");
+  Channel* time = record.find("time");
+  if (!time) table.reject("shift", "needs a channel time, and there is none");
+  for (double& value : time->values) value += shift;
+  words.push_back("time shifted by " + format_quantity(shift, "s"));
+}
+
+/// Leaves the samples of a mask, and says how many; rejects `key` where these are none.
+void narrow(const Node& table,
+            const std::string& key,
+            const std::string& what,
+            const std::vector<bool>& mask,
+            const LabRecord& record,
+            std::vector<bool>& kept,
+            std::vector<std::string>& words) {
+  const std::vector<bool> before = kept;
+  for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = kept[i] && mask[i];
+  const auto count = [](const std::vector<bool>& one) {
+    return std::count(one.begin(), one.end(), true);
+  };
+  if (count(kept) == 0) {
+    LabRecord left = record;
+    keep(left, before);
+    table.reject(
+        key,
+        fmt::format("is {}, which leaves none of {} samples, where {} goes {} (before: {})",
+                    in_quotes(what),
+                    count(before),
+                    key,
+                    range_in_words(*left.find(key)),
+                    words.back()));
+  }
+  words.push_back(fmt::format("{} {}: {} of {} samples", key, what, count(kept), count(before)));
+}
+
+void read_sweeps(const Node& table,
+                 LabRecord& record,
+                 std::vector<bool>& kept,
+                 std::vector<std::string>& words) {
+  const auto sweep = table.find_table("sweep");
+  if (!sweep) return;
+  const auto stretches = stretches_of(record.time(), record.samples());
+  for (const std::string& key : sweep->keys()) {
+    const Channel& channel = channel_of(*sweep, key, record);
+    const std::string way = sweep->choice(key, {"rising", "falling"});
+    const auto directions = directions_of(channel.values, stretches);
+    std::vector<bool> mask;
+    for (const int one : directions) mask.push_back(one == (way == "rising" ? 1 : -1));
+    narrow(*sweep, key, way, mask, record, kept, words);
+  }
+}
+
+void read_selection(const Node& table,
+                    LabRecord& record,
+                    std::vector<bool>& kept,
+                    std::vector<std::string>& words) {
+  const auto select = table.find_table("select");
+  if (!select) return;
+  for (const std::string& key : select->keys()) {
+    const Channel& channel = channel_of(*select, key, record);
+    std::vector<bool> mask(record.samples(), false);
+    std::string what;
+    for (const std::string& text : windows_of(*select, key)) {
+      const auto [window, fault] = parse_window(text, channel.unit);
+      if (!window) select->reject(key, "is " + in_quotes(text) + ", " + fault);
+      for (std::size_t i = 0; i < mask.size(); ++i)
+        mask[i] = mask[i] || (channel.values[i] >= window->from && channel.values[i] <= window->to);
+      what += (what.empty() ? "" : " or ") + text;
+    }
+    narrow(*select, key, what, mask, record, kept, words);
+  }
+}
+
+void read_every(const Node& table, std::vector<bool>& kept, std::vector<std::string>& words) {
+  if (!table.has("every")) return;
+  const long every = table.integer("every", 1, kMostThinned);
+  long count = 0, left = 0;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (!kept[i]) continue;
+    kept[i] = count++ % every == 0;
+    left += kept[i] ? 1 : 0;
+  }
+  words.push_back(fmt::format("one of every {}: {} of {} samples", every, left, count));
+}
+
+std::map<std::string, MeasurementNoise> read_noises(const Node& table, LabRecord& record) {
+  std::map<std::string, MeasurementNoise> noises;
+  const auto noise = table.find_table("noise");
+  if (!noise) return noises;
+  for (const std::string& key : noise->keys()) {
+    const Channel& channel = channel_of(*noise, key, record);
+    noises[channel.name] = *read_noise(*noise, channel.unit, key);
+  }
+  return noises;
+}
+
+void tell_what_is_left(const LabRecord& record, std::vector<std::string>& words) {
+  for (const Channel& channel : record.channels)
+    words.push_back(channel.name + " " + range_in_words(channel));
+  for (const auto& [name, why] : record.left_out) words.push_back(name + " is left out: it " + why);
+}
+
+void take(LabRecord record, Measurement::Told& told) {
+  told.channels = record.table();
+  told.left_out = std::move(record.left_out);
+  told.written = std::move(record.written);
+  told.places = std::move(record.places);
+  told.numbers = std::move(record.numbers);
+}
+
+}  // namespace
+
+Measurement read_measurement(const Node& table, const fs::path& folder) {
+  Measurement::Told told;
+  told.name = table.name();
+  told.place = table.place();
+  told.files = read_files(table, folder);
+  if (table.has("frame")) told.frame = table.choice("frame", {"W", "H", "C"});
+  LabRecord record = join_files(told.files, read_columns(table), told.words);
+  if (record.samples() == 0) table.reject("file", "holds no sample");
+  if (table.has("axes")) {
+    const std::string axes = table.choice("axes", axis_convention_names());
+    check_signs(table, record, axes);
+    told.axes = axis_convention_of(axes);
+    turn_axes(record, told.axes);
+    told.words.push_back("signs of " + axes + (axes == "iso" ? "" : ", turned to iso"));
+  }
+  told.recorded = record.table();
+  read_zero(table, record, told.words);
+  if (table.has("low_pass"))
+    told.words.push_back(low_pass(
+        record, table.quantity("low_pass", "Hz", Range::positive()), table.place("low_pass")));
+  read_shift(table, record, told.words);
+  std::vector<bool> kept(record.samples(), true);
+  read_sweeps(table, record, kept, told.words);
+  read_selection(table, record, kept, told.words);
+  read_every(table, kept, told.words);
+  keep(record, kept);
+  told.noise = read_noises(table, record);
+  tell_what_is_left(record, told.words);
+  for (const char* step : {"zero", "low_pass", "sweep", "every", "select"})
+    if (table.has(step)) told.one_way.emplace_back(step);
+  take(std::move(record), told);
+  return Measurement(std::move(told));
+}
+
+Measurement read_measurement(const fs::path& file) {
+  Measurement::Told told;
+  told.name = file.filename().string();
+  told.is_stated = false;
+  told.files = {file};
+  LabRecord record = join_files(told.files, {}, told.words);
+  told.place = record.header;
+  told.recorded = record.table();
+  take(std::move(record), told);
+  return Measurement(std::move(told));
+}
+
+NamedChannel Measurement::named(const std::string& channel) const {
+  return find_named(names_of(told_.channels), channel);
+}
+
+bool Measurement::has(const std::string& channel) const { return !named(channel).name.empty(); }
+
+std::string Measurement::name_of(const std::string& channel) const { return named(channel).name; }
+
+std::string Measurement::frame(const std::string& channel) const {
+  const NamedChannel found = named(channel);
+  return found.frame.empty() ? told_.frame : found.frame;
+}
+
+const std::string& Measurement::unit(const std::string& channel) const {
+  return told_.channels.find(named(channel).name)->unit;
+}
+
+const StatedColumn& Measurement::written(const std::string& channel) const {
+  return told_.written.at(named(channel).name);
+}
+
+const MeasurementNoise* Measurement::noise(const std::string& channel) const {
+  const auto found = told_.noise.find(named(channel).name);
+  return found == told_.noise.end() ? nullptr : &found->second;
+}
+
+const std::vector<double>& Measurement::values(const std::string& channel,
+                                               const std::string& unit) const {
+  const std::string of = told_.is_stated ? "measurement." + told_.name + ": " : "";
+  const NamedChannel found = named(channel);
+  const auto names = names_of(told_.channels);
+  if (found.name.empty()) {
+    const auto reason = told_.left_out.find(channel);
+    if (reason != told_.left_out.end())
+      throw InputError(told_.place, of + "column " + in_quotes(channel) + " " + reason->second);
+    throw InputError(told_.place,
+                     of + "column " + in_quotes(channel) + " is missing" +
+                         did_you_mean(channel, names) + " (columns: " + list_of(names) + ")");
+  }
+  const Channel& values = *told_.channels.find(found.name);
+  const Unit expected = Unit::of(unit), has = Unit::of(values.unit);
+  if (!has.same_dimension(expected)) {
+    const std::string& column = written(channel).column;
+    const std::string with_unit = in_quotes(column + " [" + unit + "]");
+    throw InputError(
+        told_.place,
+        of + "column " + in_quotes(column) +
+            (has.dimensionless() ? " has no unit" : " is in " + in_quotes(values.unit)) +
+            ", expected " + words_for(expected).noun + ", such as " +
+            (told_.is_stated ? "columns = {" + found.name + " = " + with_unit + "}" : with_unit));
+  }
+  const auto is_gap = [](double value) { return std::isnan(value); };
+  const auto gap = std::find_if(values.values.begin(), values.values.end(), is_gap);
+  if (gap != values.values.end())
+    throw InputError(
+        told_.places[static_cast<std::size_t>(gap - values.values.begin())],
+        fmt::format("{}{} is no finite number here, the first of {} gaps in {} samples: fill them, "
+                    "cut them off, or leave them out by a [measurement.NAME.select] of the time",
+                    of,
+                    found.name,
+                    std::count_if(gap, values.values.end(), is_gap),
+                    values.values.size()));
+  return values.values;
+}
+
+Laboratory read_laboratory(const Node& study, const fs::path& folder) {
+  Laboratory laboratory;
+  for (const Node& table : study.named_tables("measurement"))
+    laboratory.push_back(std::make_shared<Measurement>(read_measurement(table, folder)));
+  return laboratory;
+}
+
+std::shared_ptr<const Measurement> find(const Laboratory& laboratory, const std::string& name) {
+  for (const auto& measurement : laboratory)
+    if (measurement->name() == name) return measurement;
+  return nullptr;
+}
+
+}  // namespace latsch::correlation

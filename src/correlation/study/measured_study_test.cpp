@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+// Studies whose experiments and tests take what a laboratory recorded, [measurement.NAME].
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/file.h"
+#include "base/scratch_folder_testing.h"
+#include "correlation/observable/force_curve.h"
+#include "correlation/study/spring_testing.h"
+#include "correlation/study/study.h"
+#include "correlation/study/variables.h"
+#include "correlation/target/residuals.h"
+#include "correlation/target/study_trials.h"
+#include "correlation/target/twin.h"
+#include "experiment/kinds/sparse_tir_testing.h"
+#include "formats/tables/csv_table.h"
+
+namespace latsch::correlation {
+namespace {
+
+// SAE signs, loads negative; the last row is warm-up.
+constexpr const char* kRecord =
+    "t_s,SA [deg],FZ [N],FY [N],SL,who\n"
+    "0,-4,-4000,3100,0,ann\n"
+    "1,4,-4000,-3000,,ann\n"
+    "2,-2,-2000,1000,0,bob\n"
+    "99,-3,-2000,1500,0,bob\n";
+constexpr const char* kMeasuredStudy = R"(
+model = "tire.tir"
+[measurement.cornering]
+file = "record.csv"
+axes = "sae"
+columns = {time = "t_s [s]"}
+[measurement.cornering.select]
+time = ".. 10 s"
+[measurement.cornering.noise]
+Fy = "20 N"
+[test.steady]
+kind = "steady_states"
+states = {from = "measurement.cornering"}
+[variable.grip]
+path = "PDY1"
+lower = 0.5
+upper = 2
+initial = 1
+[experiment.side_force]
+kind = "curve"
+y = "steady/Fy"
+measurement = "cornering"
+)";
+
+class MeasuredStudy : public testing::Test {
+ protected:
+  MeasuredStudy() {
+    write_text_file(folder_ / "tire.tir", experiment::sparse_tir(experiment::kSideForce));
+    write_text_file(folder_ / "record.csv", kRecord);
+  }
+  Study read(std::string from = "", const std::string& to = "") {
+    std::string text = kMeasuredStudy;
+    if (!from.empty()) text.replace(text.find(from), from.size(), to);
+    write_text_file(folder_ / "study.toml", text);
+    return read_study(folder_ / "study.toml", experiment::language());
+  }
+  void edit_record(const std::string& from, const std::string& to) {
+    std::string text = kRecord;
+    text.replace(text.find(from), from.size(), to);
+    write_text_file(folder_ / "record.csv", text);
+  }
+  template <class Action>
+  std::string complaint(Action action) {
+    try {
+      action();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "nothing";
+  }
+
+  ScratchFolder folder_;
+};
+
+// The same states and forces in our own axes, by hand, in files of their own.
+TEST_F(MeasuredStudy, IsTheStudyOfTheSameNumbersInFiles) {
+  const Study measured = read();
+  write_text_file(folder_ / "states.csv", "Fz [N],alpha [deg]\n4000,4\n4000,-4\n2000,2\n");
+  write_text_file(folder_ / "forces.csv", "Fy [N]\n-3100\n3000\n-1000\n");
+  write_text_file(folder_ / "steady.toml", "kind = \"steady_states\"\nstates = \"states.csv\"\n");
+  write_text_file(folder_ / "plain.toml", R"(
+model = "tire.tir"
+[test.steady]
+file = "steady.toml"
+[variable.grip]
+path = "PDY1"
+lower = 0.5
+upper = 2
+initial = 1
+[experiment.side_force]
+kind = "curve"
+y = "steady/Fy"
+measurement = "forces.csv"
+noise = "20 N"
+)");
+  const Study plain = read_study(folder_ / "plain.toml", experiment::language());
+  const auto one = objective(measured)(*evaluator(measured)(measured.space.initial()));
+  const auto other = objective(plain)(*evaluator(plain)(plain.space.initial()));
+  ASSERT_TRUE(one && other);
+  EXPECT_EQ(one->value, other->value);
+  EXPECT_EQ(one->residuals, other->residuals);  // weighted by the noise the measurement states
+}
+
+TEST_F(MeasuredStudy, AJournalDependsOnMeasuredConditionsNotOnMeasuredForces) {
+  const StudyIdentity before = identity(read());
+  edit_record("3100", "3123");
+  EXPECT_FALSE(difference(before, identity(read())));
+  edit_record("99,-3", "98,-5");  // left out
+  EXPECT_FALSE(difference(before, identity(read())));
+  edit_record("-2000,1000", "-2001,1000");
+  EXPECT_TRUE(difference(before, identity(read())));
+}
+
+TEST_F(MeasuredStudy, ANoiseOfItsOwnHasPrecedence) {
+  const Study study =
+      read("measurement = \"cornering\"\n", "measurement = \"cornering\"\nnoise = \"5 %\"\n");
+  EXPECT_EQ(study.experiments[0].noise, (MeasurementNoise{0.05, 0.0}));
+  EXPECT_EQ(read().experiments[0].noise, (MeasurementNoise{0.0, 20.0}));
+}
+
+TEST_F(MeasuredStudy, ATestInAFileOfItsOwnTakesItsStatesToo) {
+  write_text_file(folder_ / "steady.toml",
+                  "kind = \"steady_states\"\nstates = {from = \"measurement.cornering\"}\n");
+  const std::string test =
+      "kind = \"steady_states\"\nstates = {from = \"measurement.cornering\"}\n";
+  const StudyIdentity before = identity(read(test, "file = \"steady.toml\"\n"));
+  edit_record("3100", "3123");
+  EXPECT_FALSE(difference(before, identity(read(test, "file = \"steady.toml\"\n"))));
+  edit_record("-2000,1000", "-2001,1000");
+  EXPECT_TRUE(difference(before, identity(read(test, "file = \"steady.toml\"\n"))));
+}
+
+TEST_F(MeasuredStudy, ATwinKeepsTheFilesColumnsUnitsAndSigns) {
+  const std::string selection = "[measurement.cornering.select]\ntime = \".. 10 s\"\n";
+  const Study study = read(selection, "");
+  ASSERT_TRUE(write_twin(study));
+  const auto table = formats::CsvTable::read(folder_ / "record.csv");
+  EXPECT_EQ(table.columns(), (std::vector<std::string>{"t_s", "SA", "FZ", "FY", "SL", "who"}));
+  EXPECT_EQ(table.texts("who"), (std::vector<std::string>{"ann", "ann", "bob", "bob"}));
+  EXPECT_EQ(table.numbers("FZ", "N"), (std::vector<double>{-4000, -4000, -2000, -2000}));
+  EXPECT_GT(table.numbers("FY", "N")[0], 1000.0);  // against the slip angle, as it was
+  EXPECT_LT(table.numbers("FY", "N")[1], -1000.0);
+  const Study again = read(selection, "");
+  EXPECT_FALSE(difference(identity(study), identity(again)));
+  const auto found = objective(again)(*evaluator(again)(DesignPoint{{again.model.get("PDY1")}}));
+  ASSERT_TRUE(found) << found.failure().reason;
+  EXPECT_EQ(found->value, 0.0);
+}
+
+TEST_F(MeasuredStudy, ATwinRefusesWhatItCannotUndo) {
+  const Study study = read();
+  const std::string found = complaint([&] { (void)write_twin(study); });
+  EXPECT_NE(found.find("study.toml:3: measurement.cornering cannot be written by a twin: it has "
+                       "\"select\", which cannot be undone"),
+            std::string::npos)
+      << found;
+  EXPECT_EQ(read_text_file(folder_ / "record.csv"), kRecord);
+}
+
+TEST_F(MeasuredStudy, SaysWhatAStudyNamesThatIsNotThere) {
+  const auto expect = [&](const std::string& from, const std::string& to, const std::string& part) {
+    const std::string found = complaint([&] { read(from, to); });
+    EXPECT_NE(found.find(part), std::string::npos) << found;
+  };
+  expect("measurement = \"cornering\"\n",
+         "measurement = \"corner\"\n",
+         "neither a file nor a [measurement.NAME], did you mean \"cornering\"?");
+  expect("from = \"measurement.cornering\"",
+         "from = \"measurement.cornring\"",
+         "did you mean \"measurement.cornering\"?");
+  expect("columns = {time = \"t_s [s]\"}",
+         "columns = {time = \"t_s [s]\", Fz = \"SL\"}",
+         "column \"SL\" has no unit, expected a force, such as columns = {Fz = \"SL [N]\"}");
+  expect("columns = {time = \"t_s [s]\"}",
+         "columns = {time = \"t_s [s]\", kappa = \"SL\"}",
+         "record.csv:3: measurement.cornering: kappa is no finite number here, the first of 1 gaps "
+         "in 3 samples");
+  expect("y = \"steady/Fy\"", "y = \"steady/Mz\"", "column \"Mz\" is missing");
+  expect("[measurement.cornering]\n",
+         "[measurement.cornering]\nfiler = \"x\"\n",
+         "unknown key \"measurement.cornering.filer\", did you mean \"file\"?");
+  expect("[measurement.cornering]", "[measurment.cornering]", "did you mean \"measurement\"?");
+}
+
+TEST_F(MeasuredStudy, ATestOfAStudyAloneIsRefusedElsewhere) {
+  write_text_file(folder_ / "steady.toml",
+                  "kind = \"steady_states\"\nstates = {from = \"measurement.cornering\"}\n");
+  const std::string found =
+      complaint([&] { experiment::language().read_test(folder_ / "steady.toml"); });
+  EXPECT_NE(found.find("which only a test of a study can name"), std::string::npos) << found;
+}
+
+// 20 N/mm, without damping in a slow pull.
+TEST_F(MeasuredStudy, ValuesMayBeMeasuredToo) {
+  write_text_file(folder_ / "spring.toml",
+                  "kind = \"spring\"\nstiffness = \"20 N/mm\"\ndamping = \"0 N s/m\"\n");
+  write_text_file(folder_ / "pulled.csv", "force [kN]\n0.04\n0.1\n");
+  write_text_file(folder_ / "springs.toml", R"(
+model = "spring.toml"
+[test.pull]
+kind = "pull"
+speed = "0 m/s"
+travels = ["2 mm", "5 mm"]
+[variable.stiffness]
+path = "stiffness"
+lower = "5 N/mm"
+upper = "60 N/mm"
+initial = "20 N/mm"
+[experiment.forces]
+kind = "values"
+channel = "pull/force"
+measurement = "pulled.csv"
+)");
+  const Study study = read_study(folder_ / "springs.toml", experiment::spring_language());
+  EXPECT_EQ(study.experiments[0].values(), 2u);
+  const auto found = objective(study)(*evaluator(study)(study.space.initial()));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->value, 0.0, 1e-12);
+  write_text_file(folder_ / "pulled.csv", "force [kN]\n7\n8\n");
+  ASSERT_TRUE(write_twin(study));
+  EXPECT_EQ(formats::CsvTable::read(folder_ / "pulled.csv").texts("force"),
+            (std::vector<std::string>{"0.04", "0.1"}));
+}
+
+// Columns of a rig for a force curve: other names, one of several pressures.
+TEST_F(MeasuredStudy, AForceCurveIsSelectedFromATableOfMany) {
+  write_text_file(folder_ / "tire.toml", "");
+  write_text_file(folder_ / "radii.csv",
+                  "p_kPa,Fz_N,R_mm\n69,500,202.4\n83,500,203.5\n83,1000,200.6\n");
+  write_text_file(folder_ / "one.toml", R"(
+[measurement.radii]
+file = "radii.csv"
+columns = {p = "p_kPa [kPa]", Fz = "Fz_N [N]", loaded_radius = "R_mm [mm]"}
+select = {p = "83 +- 1 kPa"}
+)");
+  const Laboratory laboratory =
+      read_laboratory(Document::read(folder_ / "one.toml").root(), folder_.path());
+  const LoadDeflectionCurve curve = force_curve_of(*laboratory[0]);
+  EXPECT_EQ(curve.abscissa, Abscissa::loaded_radius);
+  EXPECT_EQ(curve.force, (std::vector<double>{500.0, 1000.0}));
+  EXPECT_NEAR(curve.position[1], 0.2006, 1e-15);
+}
+
+}  // namespace
+}  // namespace latsch::correlation
