@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kLineCorners = 1500;  // of a line: more than a picture shows
 constexpr double kLeft = 78.0, kTop = 34.0, kRight = 14.0, kBottom = 46.0;  // pixels
-constexpr double kLegendRow = 18.0;
+constexpr double kLegendRow = 18.0, kDot = 1.4;
 
 /// Where the names of the lines stand, left ends: as many rows as they need.
 std::vector<Point> legend_places(const std::vector<PlotLine>& lines, double width) {
@@ -35,7 +35,7 @@ std::vector<Point> legend_places(const std::vector<PlotLine>& lines, double widt
 PlotLine thinned(const PlotLine& line) {
   const std::size_t count = std::min(line.x.size(), line.y.size());
   if (count <= kLineCorners) return line;
-  PlotLine thin{line.name, {}, {}, line.color, {}};
+  PlotLine thin{line.name, {}, {}, line.color, {}, line.are_dots};
   const std::size_t stretches = kLineCorners / 2;
   for (std::size_t s = 0; s < stretches; ++s) {
     const std::size_t first = s * count / stretches, end = (s + 1) * count / stretches;
@@ -106,7 +106,13 @@ std::string line_plot(const LinePlot& plot) {
     draw_spread(svg, x, y, line);
     const auto stroke =
         fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"", category(line.color));
-    svg.polyline(points_of(x, y, line.x, line.y), stroke);
+    const auto points = points_of(x, y, line.x, line.y);
+    if (line.are_dots) {
+      const auto fill = fmt::format("fill=\"{}\"", category(line.color));
+      for (const Point& point : points) svg.circle(point, kDot, fill);
+    } else {
+      svg.polyline(points, stroke);
+    }
     if (line.name.empty()) continue;
     const Point at = legend[k];
     svg.line({at.x(), at.y()}, {at.x() + 18.0, at.y()}, stroke);

@@ -12,6 +12,7 @@ struct PlotLine {
   std::vector<double> x, y;    // as a person reads them; not finite: left out
   int color = 0;               // a category, see color_map.h
   std::vector<double> spread;  // a band of +- this around y; may be empty
+  bool are_dots = false;       // not joined
 };
 
 struct LinePlot {

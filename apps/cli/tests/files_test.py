@@ -146,6 +146,25 @@ class Files(unittest.TestCase):
         ring = self.write("ring.toml", 'kind = "ring_tire"\n[belt]\nradius = "305 mm"\n')
         self.assertRegex(self.latsch("show", ring), r"belt\.radius +0\.305 +m")
 
+    def test_show_draws_what_a_study_measures(self):
+        self.write("run.dat", "Run 4\nET\tSA\tFZ\tFY\nsec\tdeg\tN\tN\n0\t-1\t-900\t90\n1\t1\t-900\t-90\n2\t2\t-1500\t-90\n")
+        study = self.write("study.toml", '[measurement.cornering]\nfile = "run.dat"\naxes = "sae"\n'
+                           'select = {Fz = "800 .. 1000 N"}\n[measurement.all]\nfile = "run.dat"\n[experiment.side]\n')
+        page = self.folder / "test.html"
+        text = self.latsch("show", study, "--html", page)
+        for said in ("cornering: run.dat: 3 samples of 4 channels", "cornering: signs of sae, turned to iso",
+                     "cornering: Fz 800 .. 1000 N: 2 of 3 samples", "cornering: Fy from -90 to 90 N", "all: alpha from -1 to 2 deg"):
+            self.assertIn(said, text)
+        self.assertIn("cornering: Fz [N]", page.read_text())
+        self.assertEqual(page.read_text().count("<circle"), 3 * 2 + 3 * 3)
+        alone = self.latsch("show", study, "--measurement", "all")
+        self.assertNotIn("2 of 3 samples", alone)
+        self.assertIn('did you mean "all"?', self.latsch("show", study, "--measurement", "al", code=WRONG_INPUT))
+        study.write_text(study.read_text().replace("800 .. 1000 N", "8 .. 10 kN"))
+        self.assertIn("study.toml:4: measurement.cornering.select.Fz", self.latsch("show", study, code=WRONG_INPUT))
+        study.write_text(study.read_text().replace("select =", "selct ="))
+        self.assertIn('did you mean "select"?', self.latsch("show", study, code=WRONG_INPUT))
+
     def test_a_table_with_texts_is_shown_as_written(self):
         text = self.latsch("show", self.write("kerbs.csv", "name,width [mm]\nexit,800\n"))
         self.assertRegex(text, r'no channels: .*kerbs.csv:2')

@@ -51,8 +51,12 @@ void print_table(const ShownTable& table) {
   for (const auto& row : table.rows) print_row(row);
 }
 
-int show(const std::string& file, const std::string& html, const std::string& axes) {
-  const ShownFile shown = shown_file(file, axis_convention_of(axes));
+int show(const std::string& file,
+         const std::string& html,
+         const std::string& axes,
+         const std::string& measurement) {
+  const ShownFile shown = measurement.empty() ? shown_file(file, axis_convention_of(axes))
+                                              : shown_measurements(file, measurement);
   // First the page: `latsch show FILE --html PAGE | head` ends the program at the tenth line.
   if (!html.empty()) write_text_file(html, shown_page(file, shown));
   answer()["kind"] = shown.kind;
@@ -76,15 +80,18 @@ void add_show(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("show", "What was read from a file: units, axes, channels");
   verb.footer(
       "Reads TYDEX (.tdx), tables (.csv), MATLAB (.mat), tires (.tir), roads (.crg, .rdf, .toml),\n"
-      "decks (.inp); of any other .toml its numbers in SI.\n\n"
-      "Example:\n  latsch show cornering.tdx --axes sae --html cornering.html");
+      "decks (.inp); of a study its measurements, of any other .toml its numbers in SI.\n\n"
+      "Examples:\n  latsch show cornering.tdx --axes sae --html cornering.html\n"
+      "  latsch show study.toml --measurement cornering --html cornering.html");
   auto file = std::make_shared<std::string>();
   auto html = std::make_shared<std::string>();
   verb.add_option("file", *file, "File to look at").required();
   verb.add_option("--html", *html, "Page with plots and tables to write");
   auto axes = std::make_shared<std::string>("iso");
   verb.add_option("--axes", *axes, "Signs the file has: iso, adapted_sae or sae; shown are iso's");
-  verb.callback([=, &program] { program.exit_code = show(*file, *html, *axes); });
+  auto measurement = std::make_shared<std::string>();
+  verb.add_option("--measurement", *measurement, "Of a study: the one [measurement.NAME] to show");
+  verb.callback([=, &program] { program.exit_code = show(*file, *html, *axes, *measurement); });
 }
 
 }  // namespace latsch::cli

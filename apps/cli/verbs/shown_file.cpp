@@ -114,6 +114,7 @@ ShownFile show_document(const std::filesystem::path& path) {
   const Document document = Document::read(path);
   const Node root = document.root();
   if (root.has("kind") && road::is_road(root)) return shown_road(path);
+  if (root.has("measurement") && root.has("experiment")) return shown_measurements(path);
   ShownFile shown;
   shown.kind = "Document (TOML)";
   ShownTable table{"Numbers, in SI", {"path", "value", "unit"}, {}};

@@ -31,6 +31,8 @@ struct ShownFile {
 /// come out in iso, from the signs `axes` says the file has. Throws InputError.
 ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes);
 
+/// Every [measurement.NAME] of a study, or `only` one of them.
+ShownFile shown_measurements(const std::filesystem::path& study, const std::string& only = "");
 ShownFile shown_tire(const std::filesystem::path& tir);
 ShownFile shown_road(const std::filesystem::path& road);
 

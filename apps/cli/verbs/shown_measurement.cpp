@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The measurements of a study to look at: in words what was read and what each step left, and in
+// pictures what counts over what was recorded.
+#include <algorithm>
+
+#include "base/document.h"
+#include "base/text.h"
+#include "base/units.h"
+#include "cli/verbs/shown_file.h"
+#include "correlation/laboratory/measurement.h"
+
+namespace latsch::cli {
+namespace {
+
+using correlation::Measurement;
+
+/// In the unit people read it in.
+std::vector<double> read_in(const std::string& unit, std::vector<double> values) {
+  const Unit shown = Unit::of(unit);
+  for (double& value : values) value = shown.from_si(value);
+  return values;
+}
+
+/// The time, or the numbers of the samples.
+std::vector<double> abscissa(const Measurement& measurement, const Channels& channels) {
+  if (const Channel* time = channels.find("time")) return time->values;
+  const bool all = &channels == &measurement.recorded();
+  std::vector<double> numbers;
+  const std::size_t count = channels.all().front().values.size();
+  for (std::size_t i = 0; i < count; ++i)
+    numbers.push_back(all ? static_cast<double>(i + 1) : measurement.numbers()[i]);
+  return numbers;
+}
+
+void add_measurement(const Measurement& measurement, bool alone, ShownFile& shown) {
+  const std::string of = alone ? "" : measurement.name() + ": ";
+  for (const std::string& words : measurement.words()) shown.facts.push_back(of + words);
+  const bool timed = measurement.recorded().find("time") != nullptr;
+  const auto x_recorded = abscissa(measurement, measurement.recorded());
+  const auto x_counts = abscissa(measurement, measurement.channels());
+  for (const Channel& channel : measurement.recorded().all()) {
+    if (channel.name == "time") continue;
+    const std::string unit = correlation::read_unit(channel.unit);
+    const std::string y_title = channel.name + (unit == "1" ? "" : " [" + unit + "]");
+    report::PlotLine recorded{"recorded", x_recorded, read_in(unit, channel.values), 0, {}};
+    report::PlotLine counts{
+        "counts", x_counts, read_in(unit, measurement.channels()[channel.name]), 1, {}};
+    counts.are_dots = true;
+    shown.plots.push_back({of + y_title,
+                           timed ? "time [s]" : "sample",
+                           y_title,
+                           {std::move(recorded), std::move(counts)}});
+  }
+}
+
+}  // namespace
+
+ShownFile shown_measurements(const std::filesystem::path& study, const std::string& only) {
+  const Document document = Document::read(study);
+  const Node root = document.root();
+  std::vector<std::string> names;
+  for (const Node& table : root.named_tables("measurement")) names.push_back(table.name());
+  if (names.empty()) throw InputError({study.string(), 0}, "has no [measurement.NAME]");
+  if (!only.empty() && std::find(names.begin(), names.end(), only) == names.end())
+    throw InputError({study.string(), 0},
+                     "has no [measurement." + only + "]" + did_you_mean(only, names) +
+                         "; there are " + list_of(names));
+  ShownFile shown;
+  shown.kind = only.empty() ? "Measurements of a study" : "Measurement " + only;
+  for (const Node& table : root.named_tables("measurement")) {
+    if (!only.empty() && table.name() != only) continue;
+    const Measurement measurement = correlation::read_measurement(table, study.parent_path());
+    table.close();
+    add_measurement(measurement, names.size() == 1 || !only.empty(), shown);
+  }
+  return shown;
+}
+
+}  // namespace latsch::cli
