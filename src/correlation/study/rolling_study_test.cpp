@@ -98,6 +98,31 @@ TEST_F(RollingStudy, AVariableMovesTheNumberOfItsPath) {
   EXPECT_NEAR((*channels)["standing/force"][0], 2.5e5 * 0.01, 1.0);  // Q_FZ2 = 0: a line
 }
 
+TEST_F(RollingStudy, NumbersWithUsualBoundsNeedNoMoreThanTheirNames) {
+  std::string text = kRollingStudy;
+  write("study.toml", "vary = [\"PCY1\", \"PKY2\"]\n" + text);
+  const Study study = read();
+  ASSERT_EQ(study.space.size(), 4);
+  const DesignVariable& shape = study.space[2];
+  EXPECT_EQ(shape.name, "PCY1");
+  EXPECT_EQ(shape.paths, std::vector<std::string>{"PCY1"});
+  EXPECT_EQ(shape.lower, 1.0);
+  EXPECT_EQ(shape.initial, study.model.get("PCY1"));
+  const auto refused = [&](const std::string& vary, const std::string& part) {
+    write("study.toml", vary + text);
+    try {
+      read();
+      ADD_FAILURE() << vary;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+      EXPECT_EQ(error.place().line, 1);
+    }
+  };
+  refused("vary = [\"FNOMIN\"]\n", "no usual bounds");
+  refused("vary = [\"PCY9\"]\n", "no number at path");
+  refused("vary = [\"PCY1\", \"PCY1\"]\n", "twice");
+}
+
 // Measured with grip 1.2: the point of that value has no residual at all.
 TEST_F(RollingStudy, TheTargetVanishesAtTheValuesTheMeasurementCameFrom) {
   Study study = read();

@@ -23,19 +23,23 @@ namespace latsch::correlation {
 namespace {
 
 /// Without a model they stand for holes in the input files of a simulator.
-DesignSpace read_variables(const Node& root, const Document* model) {
+DesignSpace read_variables(const Node& root,
+                           const Document* model,
+                           const experiment::SpecimenKind* kind) {
   std::vector<DesignVariable> variables;
   for (const Node& table : root.named_tables("variable")) {
     variables.push_back(model ? read_variable(table, *model) : read_free_variable(table));
   }
   if (model) {
+    for (DesignVariable& variable : read_varied(root, *model, *kind))
+      variables.push_back(std::move(variable));
     read_ties(root, *model, variables);
   } else if (root.has("tie")) {
     root.reject("tie",
                 "needs a model: in the inputs of an outside program write its value instead");
   }
   if (variables.empty())
-    root.reject("variable", "is missing, expected at least one [variable.NAME]");
+    root.reject("variable", "is missing, expected at least one [variable.NAME], or vary");
   std::vector<LinearConstraint> constraints;
   for (const Node& table : root.named_tables("linear_constraint")) {
     constraints.push_back(read_linear_constraint(table, variables));
@@ -57,7 +61,9 @@ void check_bounds(const Node& root,
     try {
       kind.check(changed);
     } catch (const InputError& error) {
-      tables[i].reject(key, std::string("is a value the model does not accept: ") + error.what());
+      const std::string why = std::string("a value the model does not accept: ") + error.what();
+      if (i < std::ssize(tables)) tables[i].reject(key, "is " + why);
+      root.reject("vary", fmt::format("has {}, whose usual {} is {}", space[i].name, key, why));
     }
   };
   for (int i = 0; i < space.size(); ++i) {
@@ -212,7 +218,7 @@ WhatVaries read_what_varies(const Node& root,
                             const experiment::Language& language,
                             const Laboratory& laboratory) {
   if (const auto table = root.find_table("simulator")) {
-    DesignSpace space = read_variables(root, nullptr);
+    DesignSpace space = read_variables(root, nullptr, nullptr);
     const Simulator simulator = read_simulator(*table, file, space);
     StudyModel model;
     model.specimens = specimens_of(simulator);
@@ -221,7 +227,7 @@ WhatVaries read_what_varies(const Node& root,
   StudyModel model = read_model(root, file.parent_path(), language);
   const experiment::SpecimenKind& kind = *model.specimens->kind();
   auto tests = read_tests(root, file.parent_path(), kind, language, laboratory);
-  DesignSpace space = read_variables(root, &model.numbers);
+  DesignSpace space = read_variables(root, &model.numbers, &kind);
   check_bounds(root, model.numbers, kind, space);
   return {std::move(model), std::move(space), std::move(tests)};
 }

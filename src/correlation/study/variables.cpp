@@ -68,6 +68,32 @@ DesignVariable read_variable(const Node& table, const Document& model) {
   return variable;
 }
 
+std::vector<DesignVariable> read_varied(const Node& root,
+                                        const Document& model,
+                                        const experiment::SpecimenKind& kind) {
+  std::vector<DesignVariable> variables;
+  if (!root.has("vary")) return variables;
+  for (const std::string& path : root.texts("vary")) {
+    const std::string unit = unit_of(root, "vary", model, path);
+    const auto range = kind.usual_range(path);
+    if (!range)
+      root.reject("vary",
+                  "has " + in_quotes(path) + ", for which a " + kind.in_words() +
+                      " has no usual bounds; expected a [variable.NAME] with path, lower, upper "
+                      "and initial for it");
+    DesignVariable variable;
+    variable.name = path;
+    variable.paths = {path};
+    variable.place = root.place("vary");
+    variable.lower = range->lower;
+    variable.upper = range->upper;
+    variable.initial = std::clamp(model.get(path), range->lower, range->upper);
+    variable.unit = unit;
+    variables.push_back(std::move(variable));
+  }
+  return variables;
+}
+
 void read_prior(const Node& table, const std::string& unit, DesignVariable& variable) {
   if (!table.has("prior")) {
     if (table.has("prior_sigma")) table.reject("prior_sigma", "is given, but no prior beside it");

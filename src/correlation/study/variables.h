@@ -10,6 +10,10 @@
 //   prior = "10 N/mm^2"                      # what is known before: a value and its standard
 //   prior_sigma = "20 %"                     # deviation, a quantity or a share of the value
 //
+//   vary = ["PCY1", "PDY1"]                  # at the top of the study: each a variable of its own
+//                                            # name, from its value in the model's file, between
+//                                            # bounds the kind of model has for it
+//
 //   [tie.rim_side]                           # moves with a variable or another tie
 //   path = "rubber.rim.young_modulus"
 //   follows = "matrix"
@@ -23,6 +27,7 @@
 #include <vector>
 
 #include "base/document.h"
+#include "experiment/language/specimen.h"
 #include "optimization/problem/design_space.h"
 
 namespace latsch::correlation {
@@ -31,6 +36,12 @@ namespace latsch::correlation {
 /// A person reads the variable in the unit `initial` is written in. Bounds are checked by
 /// DesignSpace.
 DesignVariable read_variable(const Node& table, const Document& model);
+
+/// Reads `vary`: numbers of the model between their usual bounds; one that lies outside begins at the
+/// nearest. Throws InputError where a path leads to no number or to one without usual bounds.
+std::vector<DesignVariable> read_varied(const Node& root,
+                                        const Document& model,
+                                        const experiment::SpecimenKind& kind);
 
 /// Reads `prior` and `prior_sigma` of a variable; throws InputError where one is missing, the
 /// deviation is not positive or the prior of a logarithmic variable is not.

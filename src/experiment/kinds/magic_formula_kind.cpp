@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Magic Formula as a kind of specimen: rolling with relaxation, and in steady states.
+#include "experiment/kinds/magic_formula_ranges.h"
 #include "experiment/kinds/rolling_specimen.h"
 #include "experiment/kinds/slip_plots.h"
 #include "experiment/kinds/tir_numbers.h"
@@ -55,6 +56,9 @@ class MagicFormulaKind : public SpecimenKind {
   void check(const Document& numbers) const override { MagicFormulaSpecimen(numbers).tire(); }
   bool knows_slopes_in(const std::string& path) const override {
     return magic_formula::find_parameter(path) != nullptr;
+  }
+  std::optional<UsualRange> usual_range(const std::string& path) const override {
+    return usual_range_of(path);
   }
   std::string text(const Document& numbers) const override { return tir_text_of(numbers); }
   void draw(const Document& numbers,

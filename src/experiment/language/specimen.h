@@ -37,6 +37,11 @@ class Specimen {
 /// How much a page may compute of what it shows beside the fit.
 enum class Thoroughness { seconds, minutes };
 
+/// Between which values a number is looked for where a study says no bounds, SI.
+struct UsualRange {
+  double lower, upper;
+};
+
 /// How a file becomes numbers that can vary, and numbers a specimen. A new kind is one file
 /// x_kind.cpp and its line in language.cpp.
 class SpecimenKind {
@@ -68,6 +73,11 @@ class SpecimenKind {
 
   /// Whether its specimens know the slopes of what they answer in the number at this path.
   virtual bool knows_slopes_in(const std::string& /*path*/) const { return false; }
+
+  /// Of the number at this path; nullopt where it has none.
+  virtual std::optional<UsualRange> usual_range(const std::string& /*path*/) const {
+    return std::nullopt;
+  }
 
   /// A line for people: "Tire B, 225/50R16, 2400 HEX8, 40 sectors".
   virtual std::string describe(const Document& numbers) const;
