@@ -14,8 +14,8 @@ struct Channel {
   std::string name;
   std::string unit;
   std::vector<double> values;
-  /// d value / d variable, a row a value, in SI; empty: not known. Which variables these are says
-  /// who asked for them.
+  /// d value / d variable in SI, all values for the first variable, then for the next; empty: not
+  /// known. Which variables these are says who asked for them.
   std::vector<double> slopes = {};
 
   bool operator==(const Channel&) const = default;

@@ -22,18 +22,15 @@ double value_of(const std::string& of, const std::vector<double>& values) {
 }
 
 std::vector<double> slopes_of(const std::string& of, const Channel& channel) {
-  const std::size_t rows = channel.values.size(), n = channel.slopes.size() / rows;
-  const auto row = [&](std::size_t i) { return channel.slopes.begin() + static_cast<long>(i * n); };
-  if (of == "mean") {
-    std::vector<double> mean(n, 0.0);
-    for (std::size_t i = 0; i < rows; ++i)
-      for (std::size_t j = 0; j < n; ++j) mean[j] += row(i)[j] / static_cast<double>(rows);
-    return mean;
-  }
-  const auto at =
-      std::find(channel.values.begin(), channel.values.end(), value_of(of, channel.values));
-  const auto i = static_cast<std::size_t>(of == "last" ? rows - 1 : at - channel.values.begin());
-  return {row(i), row(i + 1)};
+  const auto rows = std::ssize(channel.values);
+  const double value = value_of(of, channel.values);
+  const auto row =
+      std::find(channel.values.begin(), channel.values.end(), value) - channel.values.begin();
+  const bool is_extreme = of == "largest" || of == "smallest";
+  std::vector<double> slopes;
+  for (auto from = channel.slopes.begin(); from != channel.slopes.end(); from += rows)
+    slopes.push_back(is_extreme ? from[row] : value_of(of, {from, from + rows}));
+  return slopes;
 }
 
 }  // namespace latsch::correlation

@@ -14,8 +14,8 @@ const std::vector<std::string>& names_of_values();
 
 /// By one of those names; the channel has values.
 double value_of(const std::string& of, const std::vector<double>& values);
-/// Its slopes, one a variable, of a channel that knows them; of the largest and smallest value as
-/// if they stayed where they are.
+/// Its slopes, one a variable, of a channel that knows them; the largest and the smallest value
+/// stay where they are.
 std::vector<double> slopes_of(const std::string& of, const Channel& channel);
 
 }  // namespace latsch::correlation

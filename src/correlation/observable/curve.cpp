@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "base/file.h"
 #include "base/text.h"
@@ -190,16 +191,16 @@ std::vector<double> slopes_at_measured(const CurveMeasurement& curve,
                                        const Channel& x,
                                        const Channel& y) {
   if (x.slopes.empty() || y.slopes.empty() || x.values.size() < 2) return {};
-  const std::size_t n = y.slopes.size() / y.values.size();
+  const std::size_t rows = y.values.size();
   std::vector<double> slopes;
-  for (const double at : curve.x_measured) {
-    const auto upper = std::upper_bound(x.values.begin(), x.values.end() - 1, at);
-    const auto r = static_cast<std::size_t>(upper - x.values.begin()), l = r - 1;
-    const double width = x.values[r] - x.values[l], share = (at - x.values[l]) / width;
-    const double steepness = (y.values[r] - y.values[l]) / width;
-    for (std::size_t j = 0; j < n; ++j) {
+  for (std::size_t column = 0; column < y.slopes.size(); column += rows) {
+    for (const double at : curve.x_measured) {
+      const auto upper = std::upper_bound(x.values.begin(), x.values.end() - 1, at);
+      const auto r = static_cast<std::size_t>(upper - x.values.begin()), l = r - 1;
+      const double width = x.values[r] - x.values[l], share = (at - x.values[l]) / width;
+      const double steepness = (y.values[r] - y.values[l]) / width;
       const auto between = [&](const std::vector<double>& S) {
-        return S[l * n + j] + share * (S[r * n + j] - S[l * n + j]);
+        return S[column + l] + share * (S[column + r] - S[column + l]);
       };
       slopes.push_back(between(y.slopes) - steepness * between(x.slopes));
     }
@@ -208,11 +209,10 @@ std::vector<double> slopes_at_measured(const CurveMeasurement& curve,
 }
 
 std::vector<double> about_their_means(std::vector<double> slopes, std::size_t rows) {
-  const std::size_t n = slopes.size() / rows;
-  for (std::size_t j = 0; j < n; ++j) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < rows; ++i) sum += slopes[i * n + j];
-    for (std::size_t i = 0; i < rows; ++i) slopes[i * n + j] -= sum / static_cast<double>(rows);
+  for (auto column = slopes.begin(); column != slopes.end(); column += static_cast<long>(rows)) {
+    const auto end = column + static_cast<long>(rows);
+    const double mean = std::accumulate(column, end, 0.0) / static_cast<double>(rows);
+    std::for_each(column, end, [mean](double& slope) { slope -= mean; });
   }
   return slopes;
 }

@@ -43,9 +43,11 @@ Comparison compare_values(const std::vector<double>& measured,
   comparison.differences = comparison.errors;
   comparison.value = mean_power(comparison.differences, settings.exponent);
   summarize_errors(comparison);
-  const size_t variables = simulated.slopes.size() / measured.size();
-  for (size_t k = 0; k < simulated.slopes.size(); ++k)
-    comparison.slopes.push_back(-simulated.slopes[k] / scales[k / variables]);
+  const size_t rows = measured.size(), variables = simulated.slopes.size() / rows;
+  for (size_t i = 0; i < rows; ++i) {
+    for (size_t j = 0; j < variables; ++j)
+      comparison.slopes.push_back(-simulated.slopes[j * rows + i] / scales[i]);
+  }
   return comparison;
 }
 

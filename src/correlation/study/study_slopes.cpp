@@ -101,14 +101,11 @@ experiment::Asked asked_of(const Study& study, const StudyTest& test) {
 
 std::vector<double> in_variables(const Study& study, const std::vector<double>& slopes) {
   const std::vector<MovedNumber> moved = moved_numbers(study.space);
-  const auto n = static_cast<std::size_t>(study.space.size());
   const std::size_t rows = slopes.size() / moved.size();
-  std::vector<double> of_variables(rows * n, 0.0);
-  for (std::size_t i = 0; i < rows; ++i) {
-    for (std::size_t k = 0; k < moved.size(); ++k) {
-      of_variables[i * n + static_cast<std::size_t>(moved[k].variable)] +=
-          moved[k].factor * slopes[i * moved.size() + k];
-    }
+  std::vector<double> of_variables(rows * static_cast<std::size_t>(study.space.size()), 0.0);
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    double* column = &of_variables[static_cast<std::size_t>(moved[k].variable) * rows];
+    for (std::size_t i = 0; i < rows; ++i) column[i] += moved[k].factor * slopes[k * rows + i];
   }
   return of_variables;
 }

@@ -29,8 +29,8 @@ class SlopingPull : public PullTest {
     const auto plain = run(specimen);
     Channels sloping;
     for (Channel channel : plain->all()) {
-      for (const double x : (*plain)["travel"]) {
-        for (const std::string& path : asked.paths) {
+      for (const std::string& path : asked.paths) {
+        for (const double x : (*plain)["travel"]) {
           const double slope = path == "stiffness" ? x : wrong_ * speed_;
           channel.slopes.push_back(channel.name == "force" ? slope : 0.0);
         }

@@ -9,6 +9,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -67,16 +68,17 @@ std::uint64_t folded(std::uint64_t difference) {
 std::uint64_t unfolded(std::uint64_t number) { return number >> 1 ^ (0 - (number & 1)); }
 
 using Rest = std::vector<std::uint64_t>;
+using Numbers = std::span<const double>;
 
 /// The place a sample is expected at by those before it.
-std::uint64_t expected(const std::vector<double>& x, std::size_t i, int order) {
+std::uint64_t expected(Numbers x, std::size_t i, int order) {
   order = std::min(order, static_cast<int>(i));
   if (order == 0) return place_of(0.0);
   if (order == 1) return place_of(x[i - 1]);
   return 2 * place_of(x[i - 1]) - place_of(x[i - 2]);
 }
 
-Rest rest_of_differences(const std::vector<double>& x, int order) {
+Rest rest_of_differences(Numbers x, int order) {
   Rest rest(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     rest[i] = folded(place_of(x[i]) - expected(x, i, order));
@@ -85,20 +87,18 @@ Rest rest_of_differences(const std::vector<double>& x, int order) {
 }
 
 /// The channel at that place of each row before, the last one first.
-using Before = std::vector<const std::vector<double>*>;
+using Before = std::vector<Numbers>;
 
 std::vector<double> combination(const Before& rows, const std::vector<double>& a) {
-  std::vector<double> x = *rows.front();
+  std::vector<double> x(rows.front().begin(), rows.front().end());
   for (std::size_t j = 0; j < a.size(); ++j) {
-    const std::vector<double>&base = *rows.front(), &other = *rows[j + 1];
+    const Numbers base = rows.front(), other = rows[j + 1];
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += a[j] * (other[i] - base[i]);
   }
   return x;
 }
 
-Rest rest_of_combination(const std::vector<double>& x,
-                         const Before& rows,
-                         const std::vector<double>& a) {
+Rest rest_of_combination(Numbers x, const Before& rows, const std::vector<double>& a) {
   const std::vector<double> y = combination(rows, a);
   Rest rest(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) rest[i] = folded(place_of(x[i]) - place_of(y[i]));
@@ -106,7 +106,7 @@ Rest rest_of_combination(const std::vector<double>& x,
 }
 
 /// Of least relative error, over samples spread evenly.
-std::vector<double> coefficients(const std::vector<double>& x, const Before& rows) {
+std::vector<double> coefficients(Numbers x, const Before& rows) {
   const auto n = static_cast<Eigen::Index>(x.size());
   const Eigen::Index fitted = std::min(n, kMostFitted);
   const auto m = static_cast<Eigen::Index>(rows.size()) - 1;
@@ -114,11 +114,11 @@ std::vector<double> coefficients(const std::vector<double>& x, const Before& row
   Eigen::VectorXd b(fitted);
   for (Eigen::Index k = 0; k < fitted; ++k) {
     const auto i = static_cast<std::size_t>(k * n / fitted);
-    const double base = (*rows.front())[i];
+    const double base = rows.front()[i];
     const double weight = x[i] != 0.0 ? 1.0 / std::abs(x[i]) : 1.0;
     b[k] = weight * (x[i] - base);
     for (Eigen::Index j = 0; j < m; ++j) {
-      A(k, j) = weight * ((*rows[static_cast<std::size_t>(j) + 1])[i] - base);
+      A(k, j) = weight * (rows[static_cast<std::size_t>(j) + 1][i] - base);
     }
   }
   if (m == 0 || !A.allFinite() || !b.allFinite()) return {};
@@ -155,27 +155,33 @@ std::optional<Rest> take_planes(std::string_view& bytes, std::size_t count) {
   return rest;
 }
 
-/// The columns of a row: the values of its channels, then their slopes.
-const std::vector<double>* values_at(const Row& row, std::size_t column, std::size_t count) {
+/// Numbers that are told together: the values of a channel, or its slopes in one variable.
+struct Column {
+  std::size_t channel;
+  std::optional<std::size_t> variable = {};
+};
+
+std::optional<Numbers> numbers_of(const Row& row, const Column& column, std::size_t count) {
   const auto& channels = row.channels.all();
-  if (column >= 2 * channels.size()) return nullptr;
-  const bool is_slopes = column >= channels.size();
-  const Channel& channel = channels[column - (is_slopes ? channels.size() : 0)];
-  const std::vector<double>& values = is_slopes ? channel.slopes : channel.values;
-  return values.size() == count ? &values : nullptr;
+  if (column.channel >= channels.size()) return std::nullopt;
+  const Channel& channel = channels[column.channel];
+  if (channel.values.size() != count) return std::nullopt;
+  if (!column.variable) return channel.values;
+  if ((*column.variable + 1) * count > channel.slopes.size()) return std::nullopt;
+  return Numbers(channel.slopes).subspan(*column.variable * count, count);
 }
 
 /// In rows of the block, the last one first; rows without such a channel are left out.
-Before before(const OutcomeBlock& block, std::size_t channel, std::size_t count) {
+Before before(const OutcomeBlock& block, const Column& column, std::size_t count) {
   Before rows;
   for (auto row = block.rows.rbegin(); row != block.rows.rend(); ++row) {
     if (std::ssize(rows) > kMostRows) break;
-    if (const auto* values = values_at(*row, channel, count)) rows.push_back(values);
+    if (const auto numbers = numbers_of(*row, column, count)) rows.push_back(*numbers);
   }
   return rows;
 }
 
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+bool same_bits(Numbers a, Numbers b) {
   return a.size() == b.size() &&
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
@@ -183,22 +189,22 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
 /// Of a row that has the very same values; 0: none has.
 std::uint8_t places_back(const OutcomeBlock& block,
                          std::int64_t number,
-                         std::size_t channel,
-                         const std::vector<double>& x) {
+                         const Column& column,
+                         Numbers x) {
   for (auto row = block.rows.rbegin(); row != block.rows.rend(); ++row) {
-    const auto* values = values_at(*row, channel, x.size());
-    if (values && same_bits(*values, x)) return static_cast<std::uint8_t>(number - row->number);
+    const auto numbers = numbers_of(*row, column, x.size());
+    if (numbers && same_bits(*numbers, x)) return static_cast<std::uint8_t>(number - row->number);
   }
   return 0;
 }
 
-void put_channel(std::string& bytes,
-                 const std::vector<double>& x,
-                 std::size_t channel,
-                 std::int64_t number,
-                 const OutcomeBlock& block) {
+void put_column(std::string& bytes,
+                Numbers x,
+                const Column& column,
+                std::int64_t number,
+                const OutcomeBlock& block) {
   put(bytes, static_cast<std::uint64_t>(x.size()));
-  if (const std::uint8_t back = places_back(block, number, channel, x)) {
+  if (const std::uint8_t back = places_back(block, number, column, x)) {
     put(bytes, kSame);
     put(bytes, back);
     return;
@@ -214,7 +220,7 @@ void put_channel(std::string& bytes,
       coding = static_cast<std::uint8_t>(kDifferences + order);
     }
   }
-  const Before rows = x.size() >= kLeastSamples ? before(block, channel, x.size()) : Before{};
+  const Before rows = x.size() >= kLeastSamples ? before(block, column, x.size()) : Before{};
   std::vector<double> a;
   if (!rows.empty()) {
     a = coefficients(x, rows);
@@ -234,7 +240,7 @@ void put_channel(std::string& bytes,
 }
 
 std::optional<std::vector<double>> take_same(std::string_view& bytes,
-                                             std::size_t channel,
+                                             const Column& column,
                                              std::size_t count,
                                              std::int64_t number,
                                              const OutcomeBlock& block) {
@@ -242,18 +248,19 @@ std::optional<std::vector<double>> take_same(std::string_view& bytes,
   if (!take(bytes, back)) return std::nullopt;
   for (const Row& row : block.rows) {
     if (row.number != number - back) continue;
-    if (const auto* values = values_at(row, channel, count)) return *values;
+    if (const auto numbers = numbers_of(row, column, count))
+      return std::vector<double>(numbers->begin(), numbers->end());
   }
   return std::nullopt;
 }
 
 std::optional<std::vector<double>> take_combined(std::string_view& bytes,
-                                                 std::size_t channel,
+                                                 const Column& column,
                                                  std::size_t count,
                                                  const OutcomeBlock& block) {
   std::uint8_t factors = 0;
   if (!take(bytes, factors)) return std::nullopt;
-  const Before rows = before(block, channel, count);
+  const Before rows = before(block, column, count);
   if (rows.empty() || factors + 1u > rows.size()) return std::nullopt;
   std::vector<double> a(factors);
   for (double& factor : a) {
@@ -266,15 +273,15 @@ std::optional<std::vector<double>> take_combined(std::string_view& bytes,
   return x;
 }
 
-std::optional<std::vector<double>> take_channel(std::string_view& bytes,
-                                                std::size_t channel,
-                                                std::int64_t number,
-                                                const OutcomeBlock& block) {
+std::optional<std::vector<double>> take_column(std::string_view& bytes,
+                                               const Column& column,
+                                               std::int64_t number,
+                                               const OutcomeBlock& block) {
   std::uint64_t count = 0;
   std::uint8_t coding = 0;
   if (!take(bytes, count) || !take(bytes, coding)) return std::nullopt;
-  if (coding == kSame) return take_same(bytes, channel, count, number, block);
-  if (coding == kCombined) return take_combined(bytes, channel, count, block);
+  if (coding == kSame) return take_same(bytes, column, count, number, block);
+  if (coding == kCombined) return take_combined(bytes, column, count, block);
   if (coding > kDifferences + kHighestOrder) return std::nullopt;
   const auto rest = take_planes(bytes, count);
   if (!rest) return std::nullopt;
@@ -283,6 +290,36 @@ std::optional<std::vector<double>> take_channel(std::string_view& bytes,
     x[i] = at_place(expected(x, i, coding) + unfolded((*rest)[i]));
   }
   return x;
+}
+
+void put_slopes(std::string& bytes,
+                const Channel& channel,
+                std::size_t place,
+                std::int64_t number,
+                const OutcomeBlock& block) {
+  const std::size_t rows = channel.values.size();
+  const std::size_t variables = channel.slopes.empty() ? 0 : channel.slopes.size() / rows;
+  put(bytes, static_cast<std::uint64_t>(variables));
+  for (std::size_t v = 0; v < variables; ++v) {
+    const Numbers column = Numbers(channel.slopes).subspan(v * rows, rows);
+    put_column(bytes, column, {place, v}, number, block);
+  }
+}
+
+/// False where they are not there.
+bool take_slopes(std::string_view& bytes,
+                 Channel& channel,
+                 std::size_t place,
+                 std::int64_t number,
+                 const OutcomeBlock& block) {
+  std::uint64_t variables = 0;
+  if (!take(bytes, variables)) return false;
+  for (std::uint64_t v = 0; v < variables; ++v) {
+    const auto column = take_column(bytes, {place, v}, number, block);
+    if (!column || column->empty() || column->size() != channel.values.size()) return false;
+    channel.slopes.insert(channel.slopes.end(), column->begin(), column->end());
+  }
+  return true;
 }
 
 std::string deflated(const std::string& bytes) {
@@ -360,11 +397,11 @@ std::string OutcomePacker::pack(std::int64_t number, const Outcome& outcome) {
   body += head;
   const auto& channels = outcome.result->all();
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    put_channel(body, channels[c].values, c, number, block_);
+    put_column(body, channels[c].values, {c}, number, block_);
   }
   if (outcome.result->has_slopes()) {
     for (std::size_t c = 0; c < channels.size(); ++c)
-      put_channel(body, channels[c].slopes, channels.size() + c, number, block_);
+      put_slopes(body, channels[c], c, number, block_);
   }
   put(bytes, static_cast<std::uint64_t>(body.size()));
   bytes += deflated(body);
@@ -389,14 +426,12 @@ std::optional<Outcome> OutcomeUnpacker::unpack(std::int64_t number, std::string_
   if (!outcome || !outcome->result) return std::nullopt;
   std::vector<Channel> found = outcome->result->all();
   for (std::size_t c = 0; c < found.size(); ++c) {
-    auto values = take_channel(rest, c, number, block_);
+    auto values = take_column(rest, {c}, number, block_);
     if (!values) return std::nullopt;
     found[c].values = std::move(*values);
   }
   for (std::size_t c = 0; c < found.size() && !rest.empty(); ++c) {
-    auto slopes = take_channel(rest, found.size() + c, number, block_);
-    if (!slopes) return std::nullopt;
-    found[c].slopes = std::move(*slopes);
+    if (!take_slopes(rest, found[c], c, number, block_)) return std::nullopt;
   }
   Channels channels;
   for (Channel& channel : found) channels.add(std::move(channel));

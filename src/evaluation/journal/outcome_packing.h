@@ -12,6 +12,8 @@
 // is small: its leading bytes are zeros. Bytes of one significance lie together and are deflated
 // (zlib). What a prediction cannot tell, the rounding of a simulation say, takes its full room.
 //
+// Slopes are told variable by variable, each as a channel of its own.
+//
 // A row refers to at most kLongestBlock - 1 rows before it, back to the last one that stands alone:
 // as many trials can a damaged row cost. Outcomes of less than a thousand numbers stand alone.
 //

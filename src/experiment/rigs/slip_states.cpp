@@ -146,10 +146,8 @@ Channels with_slopes(const Channels& answers,
   for (Channel channel : answers.all()) {
     for (std::size_t k = 0; k < asked.size(); ++k) {
       if (channel.name != asked[k]->name) continue;
-      const Eigen::MatrixXd& S = found.slopes[k];
-      channel.slopes.resize(static_cast<std::size_t>(S.size()));
-      using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-      Eigen::Map<Rows>(channel.slopes.data(), S.rows(), S.cols()) = asked[k]->factor * S;
+      const Eigen::MatrixXd S = asked[k]->factor * found.slopes[k];
+      channel.slopes.assign(S.data(), S.data() + S.size());
     }
     sloping.add(std::move(channel));
   }

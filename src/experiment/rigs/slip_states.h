@@ -46,8 +46,7 @@ Channels answers(const std::vector<magic_formula::SteadyState>& results);
 Channels answers(const magic_formula::MagicFormula& tire,
                  const std::vector<magic_formula::State>& states);
 
-/// The answers with the slopes of some channels in parameters of the tire, a row a state and a
-/// column a parameter, in SI: magic_formula_slopes.h.
+/// The answers with the slopes of some channels in parameters of the tire: magic_formula_slopes.h.
 Channels with_slopes(const Channels& answers,
                      const magic_formula::MagicFormula& tire,
                      const std::vector<magic_formula::State>& states,
