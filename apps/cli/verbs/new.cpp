@@ -12,6 +12,7 @@
 #include "base/random.h"
 #include "base/units.h"
 #include "cli/console/console.h"
+#include "cli/templates/magic_formula_template.h"
 #include "cli/templates/sized_tire.h"
 #include "cli/templates/study_template.h"
 #include "cli/verbs/verbs.h"
@@ -28,6 +29,8 @@ namespace fs = std::filesystem;
 struct NewOptions {
   std::string folder, tire = "passenger_205_55R16", size;
   bool coarse = false;
+  std::vector<std::string> recordings, columns;  // of a tire test
+  std::string axes, radius;
 };
 
 std::string_view text_of(const std::string& name) {
@@ -96,11 +99,41 @@ void write_example(const fs::path& file, const experiment::Language& language) {
   for (const fs::path& table : *written) say_written(table.string());
 }
 
-void start_study(const NewOptions& options, const experiment::Language& language) {
-  const fs::path folder = options.folder, study = folder / "study.toml";
-  if (fs::exists(study)) {
+/// The study of a folder that has none yet.
+fs::path new_study(const fs::path& folder) {
+  const fs::path study = folder / "study.toml";
+  if (fs::exists(study))
     throw InputError(Place{study.string(), 0}, "exists already; expected a new folder");
-  }
+  return study;
+}
+
+double length_of(const std::string& text) {
+  const auto quantity = parse_quantity(text);
+  if (!quantity || si_unit(quantity->unit.dimension()) != "m" || !(quantity->si > 0.0))
+    throw InputError("--radius " + text + ": expected a length such as \"0.32 m\"");
+  return quantity->si;
+}
+
+void start_magic_formula(const NewOptions& options, const experiment::Language& language) {
+  const fs::path folder = options.folder, study = new_study(folder);
+  TireTestFiles test{
+      {options.recordings.begin(), options.recordings.end()}, options.axes, options.columns, {}};
+  if (!options.radius.empty()) test.unloaded_radius = length_of(options.radius);
+  const MagicFormulaStudy written = magic_formula_study(test, folder);
+  fs::create_directories(folder);
+  write(folder / "tire.tir", written.tire);
+  write(study, written.study);
+  for (const std::string& word : written.words) say("  {}\n", word);
+  correlation::read_study(study, language);
+  say("\nNext\n"
+      "  latsch show {0}                         what counts of the recordings\n"
+      "  latsch run {0}                          fits, stage by stage\n"
+      "  latsch export {0} --model fitted.tir    the tire\n",
+      study.string());
+}
+
+void start_study(const NewOptions& options, const experiment::Language& language) {
+  const fs::path folder = options.folder, study = new_study(folder);
   const Document tire = Document::parse(tire_of(options), (folder / "tire.toml").string());
   const std::string text = study_template(tire);
   fs::create_directories(folder);
@@ -119,9 +152,13 @@ void add_new(CommandLine& app, Program& program) {
       app.add_subcommand("new", "Writes a study to start from: a tire, measurements, a study file");
   verb.footer(
       "Examples:\n  latsch new my_tire\n  latsch new my_tire --size 275/35R19\n"
-      "  latsch new race --tire race_16x7.5-10\n\n"
+      "  latsch new race --tire race_16x7.5-10\n"
+      "  latsch new mf --magic-formula cornering.dat drive_brake.dat\n\n"
       "The measurements are an example, computed from the tire with other moduli than the study\n"
-      "starts at: the first run ends at a target below 1 %. Put your own in their place.");
+      "starts at: the first run ends at a target below 1 %. Put your own in their place.\n"
+      "From recordings of a tire test comes a study of a Magic Formula: the coefficients that "
+      "they\n"
+      "tell, freed in stages.");
   auto options = std::make_shared<NewOptions>();
   std::vector<std::string> names;
   for (const TireTemplate& known : tire_templates()) names.emplace_back(known.name);
@@ -134,7 +171,20 @@ void add_new(CommandLine& app, Program& program) {
   verb.add_flag("--coarse",
                 options->coarse,
                 "Some hundred elements: a trial takes a fraction of a second, some percent off");
-  verb.callback([=, &program] { start_study(*options, program.language); });
+  verb.add_option("--magic-formula",
+                  options->recordings,
+                  "Recordings of a tire test: CSV, consortium .dat or .mat, TYDEX");
+  verb.add_option("--axes", options->axes, "Of the recordings; by the sign of Fz unless given")
+      .one_of({"iso", "adapted_sae", "sae"});
+  verb.add_option("--column", options->columns, "How a channel is called: \"Fz = LOAD [N]\"");
+  verb.add_option("--radius", options->radius, "Of the unloaded tire, where no loaded radius is");
+  verb.callback([=, &program] {
+    if (options->recordings.empty()) {
+      start_study(*options, program.language);
+    } else {
+      start_magic_formula(*options, program.language);
+    }
+  });
 }
 
 }  // namespace latsch::cli

@@ -15,6 +15,10 @@ ProblemTraits traits_of(const Study& study) {
   ProblemTraits traits = traits_of_residuals(study.space, !study.constraints.empty());
   if (!study.free.empty()) traits.variables = static_cast<int>(std::ssize(study.free));
   traits.has_jacobian = !reason_without_slopes(study);
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (experiment.fitted && experiment.objective.weight > 0.0)
+      traits.values += static_cast<long>(experiment.values());
+  }
   traits.noise_alone = noise_alone(study);
   return traits;
 }

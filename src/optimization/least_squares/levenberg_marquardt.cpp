@@ -22,7 +22,7 @@ constexpr double kGainToExpand = 0.75;      // makes it longer
 constexpr double kExpansionOfRadius = 2.0;  // of the step
 constexpr double kAfterFailure = 0.25;      // of the step
 constexpr double kLeastCut = 0.1, kMostCut = 0.5;
-constexpr double kPromisesNothing = 1e-10;  // of f
+constexpr double kPromisesNothing = 1e-10;  // of f, by a step in the radius
 constexpr double kPromisesMuch = 1e-6;      // of f
 constexpr double kNothingIsLeft = 1e-20;    // of the first f: ten digits of the residuals
 constexpr double kExhaustedStep = 0.01;     // of the tolerance: a radius so short finds nothing
@@ -142,7 +142,7 @@ struct LevenbergMarquardt::State {
     const LevenbergMarquardtStep step = steps.within(radius);
     if (x.f <= kNothingIsLeft * f_first) {
       end = End::nothing_left;
-    } else if (!(steps.most_promised() > kPromisesNothing * x.f)) {
+    } else if (!(steps.most_promised() > options.gain_tolerance * x.f)) {
       end = End::flat;
     } else if (length(steps.full()) < options.step_tolerance) {
       end = End::short_step;

@@ -13,7 +13,8 @@
 //   radius    a gain below 1/4 shortens Delta to the least value of the parabola through f(u), its
 //             slope and f(u + p), 1/10 to 1/2 of it; one above 3/4, or of a full step, makes it
 //             twice |D p|.
-//   end       where the linear model promises less than 1e-10 of f, or its full step is shorter
+//   end       where the linear model promises less than gain_tolerance of f, or its full step is
+//   shorter
 //             than the tolerance; where steps in the radius are. Asked before a step is evaluated.
 //
 // A variable is held at a bound where the slope pushes it over, and for the rest of a step at the
@@ -46,6 +47,8 @@ struct LevenbergMarquardtOptions {
   /// wide.
   double initial_step = 0.5;
   double step_tolerance = 1e-6;
+  /// What the full step of the linear model has to promise, of f.
+  double gain_tolerance = 1e-10;
 };
 
 class LevenbergMarquardt : public Optimizer {

@@ -36,7 +36,10 @@ const MethodWords& entry(Method method) {
 }
 
 constexpr double kMostFailures = 0.5;  // more, and models have nothing to stand on
-constexpr int kMostPolled = 40;        // variables: a poll is that many evaluations
+// f of as many values as noise makes is 1 a value, the square of a deviation: what is left is then
+// a thirtieth of a standard deviation of any variable at most.
+constexpr double kFeltByNobody = 1e-3;
+constexpr int kMostPolled = 40;  // variables: a poll is that many evaluations
 
 void check_constraints(Method method, const ProblemTraits& traits) {
   if (!traits.has_nonlinear_constraints || entry(method).knows_nonlinear) return;
@@ -156,8 +159,12 @@ std::unique_ptr<Optimizer> make_optimizer(Method method,
       options.noise_alone = traits.noise_alone;
       return std::make_unique<ResidualTrustRegion>(space, options);
     }
-    case Method::levenberg_marquardt:
-      return std::make_unique<LevenbergMarquardt>(space, settings.levenberg_marquardt);
+    case Method::levenberg_marquardt: {
+      LevenbergMarquardtOptions options = settings.levenberg_marquardt;
+      if (traits.values > 0)
+        options.gain_tolerance = kFeltByNobody / static_cast<double>(traits.values);
+      return std::make_unique<LevenbergMarquardt>(space, options);
+    }
     case Method::sqp:
       return std::make_unique<Sqp>(space, settings.sqp);
     case Method::gss_nlc:

@@ -55,6 +55,7 @@ struct ProblemTraits {
   int basins = 1;             // found by a design of experiments
   bool has_linear_constraints = false;
   bool has_nonlinear_constraints = false;  // reported by the evaluation
+  long values = 0;                         // measured, in a fit of them; 0: not known
   double noise_alone = 0.0;                // what noise, where stated, makes of the sum of squares
 };
 

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/templates/magic_formula_template.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "correlation/laboratory/measurement.h"
+#include "formats/tire/tir_file.h"
+
+namespace latsch::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using correlation::Measurement;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr std::size_t kMostSamples = 2000;  // more tell little of a sweep: neighbors share noise
+constexpr double kFreeRolling = 0.02;       // |kappa| of a wheel that is not driven
+
+/// A part of a channel's range.
+double quantile(std::vector<double> values, double share) {
+  std::erase_if(values, [](double x) { return !std::isfinite(x); });
+  if (values.empty()) return 0.0;
+  const auto at = values.begin() + std::lround(share * (std::ssize(values) - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// slope and value at 0 of the line through y over x, least squares.
+std::pair<double, double> line(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto n = static_cast<double>(x.size());
+  double mx = 0.0, my = 0.0, xx = 0.0, xy = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mx += x[i] / n;
+    my += y[i] / n;
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (x[i] - mx) * (x[i] - mx);
+    xy += (x[i] - mx) * (y[i] - my);
+  }
+  const double slope = xx > 0.0 ? xy / xx : 0.0;
+  return {slope, my - slope * mx};
+}
+
+/// The samples of a test and what varies in them.
+class TireTest {
+ public:
+  explicit TireTest(const Measurement& measured) : measured_(measured) {
+    const double least = quantile(of("Fz"), 0.05), most = quantile(of("Fz"), 0.95);
+    load = most > 1.2 * least;
+    cornering = has("Fy") && spread("alpha") > 1.0 * kDegree;
+    driving = has("Fx") && spread("kappa") > 2.0 * kFreeRolling;
+    combined = cornering && driving;
+    camber = spread("gamma") > 0.8 * kDegree;
+    pressure = spread("p") > 0.06 * std::max(1.0, quantile(of("p"), 0.5));
+  }
+
+  bool load, cornering, driving, combined, camber, pressure;
+
+  bool has(const std::string& channel) const {
+    return measured_.has(channel) && quantile(magnitudes(channel), 0.9) > 0.0;
+  }
+  const std::vector<double>& of(const std::string& channel) const {
+    static const std::vector<double> none;
+    return measured_.has(channel) ? measured_.values(channel, measured_.unit(channel)) : none;
+  }
+  double median(const std::string& channel) const { return quantile(of(channel), 0.5); }
+  double spread(const std::string& channel) const {
+    return quantile(of(channel), 0.97) - quantile(of(channel), 0.03);
+  }
+  std::vector<double> magnitudes(const std::string& channel) const {
+    std::vector<double> all = of(channel);
+    for (double& one : all) one = std::abs(one);
+    return all;
+  }
+  /// Grip: what a force reaches of the load.
+  double grip(const std::string& force) const { return quantile(shares(force), 0.98); }
+  /// Slope of a force over the load at slips below `most`, where the other slip is small.
+  double steepness(const std::string& force, const std::string& slip, double most) const {
+    std::vector<double> x, y;
+    const auto &Fz = of("Fz"), &F = of(force), &s = of(slip);
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      if (std::abs(s[i]) > most || Fz[i] < 0.5 * median("Fz")) continue;
+      x.push_back(s[i]);
+      y.push_back(F[i] / Fz[i]);
+    }
+    return x.size() < 3 ? 0.0 : line(x, y).first;
+  }
+
+ private:
+  std::vector<double> shares(const std::string& force) const {
+    std::vector<double> all = magnitudes(force);
+    const double light = 0.2 * median("Fz");
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i] = of("Fz")[i] > light ? all[i] / of("Fz")[i] : 0.0;
+    return all;
+  }
+
+  const Measurement& measured_;
+};
+
+/// Coefficients that a stage frees, where the test tells them.
+struct Stage {
+  const char* name;
+  std::vector<std::string> experiments, coefficients;
+};
+
+std::vector<std::string> joined(
+    std::initializer_list<std::pair<bool, std::vector<std::string>>> groups) {
+  std::vector<std::string> all;
+  for (const auto& [is_told, names] : groups)
+    if (is_told) all.insert(all.end(), names.begin(), names.end());
+  return all;
+}
+
+std::vector<Stage> stages_of(const TireTest& t) {
+  std::vector<Stage> stages;
+  const auto add = [&](Stage stage) {
+    if (!stage.coefficients.empty()) stages.push_back(std::move(stage));
+  };
+  if (t.cornering) {
+    add({"Fy",
+         {"Fy"},
+         joined({{true, {"PCY1", "PDY1", "PEY1", "PEY3", "PKY1", "PHY1", "PVY1"}},
+                 {t.load, {"PDY2", "PEY2", "PKY2", "PHY2", "PVY2"}}})});
+    add({"Fy_conditions",
+         {"Fy"},
+         joined({{t.camber, {"PDY3", "PEY4", "PKY3", "PKY6", "PVY3"}},
+                 {t.camber && t.load, {"PKY7", "PVY4"}},
+                 {t.pressure, {"PPY1", "PPY3"}},
+                 {t.pressure && t.load, {"PPY2", "PPY4"}}})});
+  }
+  if (t.driving) {
+    add({"Fx",
+         {"Fx"},
+         joined({{true, {"PCX1", "PDX1", "PEX1", "PKX1", "PHX1", "PVX1"}},
+                 {t.load, {"PDX2", "PKX2", "PKX3"}},
+                 {t.combined, {"RBX1", "RBX2", "RCX1"}}})});
+    add({"Fx_conditions",
+         {"Fx"},
+         joined({{t.camber, {"PDX3"}}, {t.pressure, {"PPX1", "PPX2", "PPX3", "PPX4"}}})});
+  }
+  if (t.combined)
+    add({"combined", {"Fy_driven"}, {"RBY1", "RBY2", "RBY3", "RCY1", "RHY1", "RVY1", "RVY5"}});
+  if (t.cornering && t.has("Mz")) {
+    add({"Mz",
+         {"Mz"},
+         joined({{true, {"QBZ1", "QBZ9", "QCZ1", "QDZ1", "QDZ6", "QEZ1", "QEZ4", "QHZ1"}},
+                 {t.load, {"QBZ2", "QDZ2", "QDZ7", "QEZ2", "QHZ2"}}})});
+    add({"Mz_conditions",
+         {"Mz"},
+         joined({{t.camber, {"QBZ4", "QBZ5", "QDZ3", "QDZ8", "QHZ3", "QEZ5"}},
+                 {t.camber && t.load, {"QDZ9", "QHZ4"}},
+                 {t.pressure, {"PPZ1", "PPZ2"}}})});
+  }
+  if (t.has("Mx"))
+    add({"Mx", {"Mx"}, joined({{true, {"QSX1"}}, {t.camber, {"QSX2"}}, {t.cornering, {"QSX3"}}})});
+  if (t.has("My")) add({"My", {"My"}, joined({{true, {"QSY1"}}, {t.load, {"QSY3"}}})});
+  return stages;
+}
+
+void check(const Measurement& measured, const TireTest& test) {
+  for (const char* needed : {"Fz", "alpha"}) {
+    if (!measured.has(needed))
+      throw InputError(measured.place(),
+                       fmt::format("has no channel {}: expected the recording of a tire test, with "
+                                   "Fz, slips and forces; --column \"{} = NAME [unit]\" says "
+                                   "how a column is called",
+                                   needed,
+                                   needed));
+  }
+  if (!test.cornering && !test.driving)
+    throw InputError(measured.place(),
+                     "neither slip angle nor slip goes through a sweep: there is no curve to fit");
+}
+
+/// What the recordings show at a glance.
+magic_formula::Parameters start_of(const TireTest& t,
+                                   const Measurement& measured,
+                                   const std::optional<double>& unloaded_radius) {
+  magic_formula::Parameters p;
+  const auto rounded = [](double x, double to) { return std::round(x / to) * to; };
+  p.FNOMIN = std::max(100.0, rounded(t.median("Fz"), 100.0));
+  p.NOMPRES = p.INFLPRES = t.has("p") ? rounded(t.median("p"), 1e3) : p.NOMPRES;
+  if (t.has("Vx")) p.LONGVL = rounded(std::abs(t.median("Vx")), 0.01);
+  double stiffness = 0.0;
+  if (t.has("loaded_radius")) {
+    const auto [slope, radius] = line(t.of("Fz"), t.of("loaded_radius"));
+    p.UNLOADED_RADIUS = rounded(radius, 1e-4);
+    if (slope < 0.0) stiffness = -1.0 / slope;
+  }
+  if (unloaded_radius) p.UNLOADED_RADIUS = *unloaded_radius;
+  if (!unloaded_radius && !t.has("loaded_radius"))
+    throw InputError(
+        measured.place(),
+        "has no loaded radius: the tire's radius has to be given, --radius \"0.32 m\"");
+  constexpr double kUsualDeflection = 0.05;  // of the radius, under the nominal load
+  p.VERTICAL_STIFFNESS =
+      rounded(stiffness > 0.0 ? stiffness : p.FNOMIN / (kUsualDeflection * p.UNLOADED_RADIUS), 1e3);
+  const auto digits = [](double x) { return std::round(x * 100.0) / 100.0; };
+  constexpr double kAtNominalLoad = 0.9;  // sin(2 atan(1 / PKY2)) of (4.E25)
+  p.PCY1 = 1.4;
+  p.PDY1 = t.cornering ? digits(t.grip("Fy")) : 1.0;
+  p.PEY1 = -0.5;
+  p.PKY1 = std::min(-8.0, digits(t.steepness("Fy", "alpha", 1.5 * kDegree) / kAtNominalLoad));
+  p.PKY2 = 1.6;
+  p.PCX1 = 1.5;
+  p.PDX1 = t.driving ? digits(t.grip("Fx")) : 1.0;
+  p.PEX1 = -0.5;
+  p.PKX1 = std::max(8.0, digits(t.steepness("Fx", "kappa", 0.02)));
+  p.QBZ1 = 8.0;
+  p.QCZ1 = 1.2;
+  p.QDZ1 = 0.1;
+  p.QEZ1 = -1.0;
+  p.RBX1 = p.RBY1 = 10.0;
+  p.RBX2 = p.RBY2 = 8.0;
+  p.RCX1 = p.RCY1 = 1.0;
+  return p;
+}
+
+std::string quoted(const std::vector<std::string>& names) {
+  return fmt::format("[\"{}\"]", fmt::join(names, "\", \""));
+}
+
+/// Keys of a measurement that all of them share.
+std::string measurement_keys(const TireTestFiles& test, std::size_t every) {
+  std::vector<std::string> files;
+  for (const fs::path& file : test.files) files.push_back(file.string());
+  std::string text = files.size() == 1 ? fmt::format("file = \"{}\"", files.front())
+                                       : fmt::format("files = {}", quoted(files));
+  if (!test.axes.empty()) text += fmt::format(", axes = \"{}\"", test.axes);
+  if (!test.columns.empty()) {
+    std::vector<std::string> columns;
+    for (const std::string& column : test.columns) {
+      const auto equals = column.find('=');
+      if (equals == std::string::npos)
+        throw InputError("--column " + in_quotes(column) +
+                         ": expected our name and the file's, such as \"Fz = LOAD [N]\"");
+      columns.push_back(fmt::format(
+          "{} = \"{}\"", trimmed(column.substr(0, equals)), trimmed(column.substr(equals + 1))));
+    }
+    text += fmt::format(", columns = {{{}}}", fmt::join(columns, ", "));
+  }
+  if (every > 1) text += fmt::format(", every = {}", every);
+  return text;
+}
+
+Measurement read_all(const TireTestFiles& test) {
+  const Document document =
+      Document::parse("measurement.all = {" + measurement_keys(test, 1) + "}\n", "recordings");
+  return correlation::read_measurement(document.root().table("measurement").table("all"), "");
+}
+
+/// With the axes that the sign of Fz tells, where nobody has said them.
+std::pair<TireTestFiles, Measurement> read(const TireTestFiles& test) {
+  Measurement measured = read_all(test);
+  if (!test.axes.empty() || !measured.has("Fz") || quantile(measured.values("Fz", "N"), 0.5) >= 0.0)
+    return {test, std::move(measured)};
+  TireTestFiles sae = test;
+  sae.axes = "sae";
+  measured = read_all(sae);
+  return {sae, std::move(measured)};
+}
+
+std::string experiment(const std::string& name,
+                       const std::string& channel,
+                       const std::string& set) {
+  return fmt::format(
+      "experiment.{} = {{kind = \"curve\", y = \"{}/{}\", measurement = \"{}\", exponent = 2}}\n",
+      name,
+      set,
+      channel,
+      set);
+}
+
+std::string experiments(const TireTest& t) {
+  std::string text;
+  if (t.cornering) text += experiment("Fy", "Fy", "cornering");
+  if (t.cornering && t.has("Mz")) text += experiment("Mz", "Mz", "cornering");
+  if (t.driving) text += experiment("Fx", "Fx", "driving");
+  if (t.combined) text += experiment("Fy_driven", "Fy", "driving");
+  const std::string set = t.cornering ? "cornering" : "driving";
+  for (const char* moment : {"Mx", "My"})
+    if (t.has(moment)) text += experiment(moment, moment, set);
+  return text;
+}
+
+std::string sets(const TireTest& t, const std::string& keys) {
+  std::string text;
+  const auto add = [&](const char* name, const std::string& select) {
+    text += fmt::format("measurement.{} = {{{}{}}}\n", name, keys, select);
+  };
+  if (t.cornering)
+    add("cornering",
+        t.driving ? fmt::format(", select = {{kappa = \"-{0} .. {0}\"}}", kFreeRolling) : "");
+  if (t.driving)
+    add("driving",
+        t.cornering ? fmt::format(", select = {{kappa = [\".. -{0}\", \"{0} ..\"]}}", kFreeRolling)
+                    : "");
+  for (const char* name : {"cornering", "driving"}) {
+    if (name == std::string("cornering") ? !t.cornering : !t.driving) continue;
+    text += fmt::format(
+        "test.{0} = {{kind = \"steady_states\", states = {{from = \"measurement.{0}\"}}}}\n", name);
+  }
+  return text;
+}
+
+}  // namespace
+
+MagicFormulaStudy magic_formula_study(const TireTestFiles& given, const fs::path& folder) {
+  auto [test, measured] = read(given);
+  for (fs::path& file : test.files) file = fs::proximate(fs::absolute(file), fs::absolute(folder));
+  const TireTest t(measured);
+  check(measured, t);
+  MagicFormulaStudy written;
+  written.words = measured.words();
+  written.tire = formats::tir_text(start_of(t, measured, test.unloaded_radius));
+  const auto stages = stages_of(t);
+  std::vector<std::string> coefficients;
+  for (const Stage& stage : stages)
+    coefficients.insert(coefficients.end(), stage.coefficients.begin(), stage.coefficients.end());
+  const std::size_t every = std::max<std::size_t>(1, measured.samples() / kMostSamples);
+  written.study = fmt::format(
+      "# Every coefficient goes through its usual range; [variable.NAME] in its place sets "
+      "another.\n"
+      "title = \"Magic Formula 6.1 from {}\"\nmodel = \"tire.tir\"\nvary = {}\n\n{}{}\n",
+      fmt::join(
+          [&] {
+            std::vector<std::string> names;
+            for (const fs::path& file : test.files) names.push_back(file.filename().string());
+            return names;
+          }(),
+          ", "),
+      quoted(coefficients),
+      sets(t, measurement_keys(test, every)),
+      experiments(t));
+  for (const Stage& stage : stages)
+    written.study += fmt::format("stage.{} = {{free = {}, experiments = {}}}\n",
+                                 stage.name,
+                                 quoted(stage.coefficients),
+                                 quoted(stage.experiments));
+  written.study += "stage.all = {}\n\n[run]\nworkers = 2\n";
+  return written;
+}
+
+}  // namespace latsch::cli

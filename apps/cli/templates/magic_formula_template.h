@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// The study `latsch new --magic-formula` writes for recordings of a tire test: the coefficients
+// that they tell, stage by stage.
+//
+//   Fy, Fx, Mz    the curve and what load changes in it; then what camber and pressure change,
+//   where
+//                 these vary; then what slip along and across takes from each other
+//   Mx, My        of what they depend on most
+//   all           every coefficient with every channel: the result, with its intervals
+//
+// What varies is what goes through more than a little of its usual range. Samples of cornering and
+// of driving are separate experiments. The tire begins with what the recordings show at a glance:
+// grip, slopes, nominal load and pressure, radius and stiffness from the loaded radius.
+//
+// Limits: samples are taken to be in steady state. A sweep of some degrees a second lags by its
+// relaxation length, which shows as a loop that no coefficient closes; relaxation lengths are not
+// fitted.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace latsch::cli {
+
+struct TireTestFiles {
+  std::vector<std::filesystem::path> files;
+  std::string axes;                       // "sae"; empty: by the sign of Fz
+  std::vector<std::string> columns = {};  // "Fz = LOAD [N]"
+  std::optional<double> unloaded_radius;  // m; unless the loaded radius was recorded
+};
+
+struct MagicFormulaStudy {
+  std::string tire, study;         // texts of a .tir and of the study
+  std::vector<std::string> words;  // what the recordings hold
+};
+
+/// The study lies in `folder`. Throws InputError where the files are no tire test or the radius is
+/// not known.
+MagicFormulaStudy magic_formula_study(const TireTestFiles& test,
+                                      const std::filesystem::path& folder);
+
+}  // namespace latsch::cli
