@@ -147,8 +147,7 @@ std::vector<Stage> stages_of(const TireTest& t) {
          {"Fx"},
          joined({{t.camber, {"PDX3"}}, {t.pressure, {"PPX1", "PPX2", "PPX3", "PPX4"}}})});
   }
-  if (t.combined)
-    add({"combined", {"Fy_driven"}, {"RBY1", "RBY2", "RBY3", "RCY1", "RHY1", "RVY1", "RVY5"}});
+  if (t.combined) add({"combined", {"Fy_driven"}, {"RBY1", "RBY2", "RCY1", "RHY1"}});
   if (t.cornering && t.has("Mz")) {
     add({"Mz",
          {"Mz"},

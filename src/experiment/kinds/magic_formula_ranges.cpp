@@ -33,8 +33,8 @@ constexpr Range kRanges[] = {
     {"PPX3", -4, 4},
     {"PPX4", -8, 8},
     // Fx, combined
-    {"RBX1", 2, 60},
-    {"RBX2", -40, 40},
+    {"RBX1", 2, 40},
+    {"RBX2", 0, 40},  // its sign does not matter
     {"RBX3", -1500, 1500},
     {"RCX1", 0.5, 2},
     {"REX1", -5, 1},
@@ -69,8 +69,8 @@ constexpr Range kRanges[] = {
     {"PPY4", -8, 8},
     {"PPY5", -8, 8},
     // Fy, combined
-    {"RBY1", 2, 60},
-    {"RBY2", -40, 40},
+    {"RBY1", 2, 40},
+    {"RBY2", 0, 40},  // its sign hardly matters, and the other one is a second minimum
     {"RBY3", -0.5, 0.5},
     {"RBY4", -4000, 4000},
     {"RCY1", 0.5, 2},

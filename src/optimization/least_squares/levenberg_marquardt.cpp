@@ -27,7 +27,16 @@ constexpr double kPromisesMuch = 1e-6;      // of f
 constexpr double kNothingIsLeft = 1e-20;    // of the first f: ten digits of the residuals
 constexpr double kExhaustedStep = 0.01;     // of the tolerance: a radius so short finds nothing
 
-enum class LevenbergMarquardtEnding { none, flat, short_step, nothing_left, edge, rough, hopeless };
+enum class LevenbergMarquardtEnding {
+  none,
+  flat,
+  short_step,
+  nothing_left,
+  slow,
+  edge,
+  rough,
+  hopeless
+};
 
 /// What is known of a point.
 struct Linear {
@@ -69,6 +78,7 @@ struct LevenbergMarquardt::State {
   double radius = 0.0;            // Delta
   double f_first = 0.0;
   bool has_failed = false;        // the last step
+  std::vector<double> reached;    // f after every step taken
   PendingPoints<Attempt> wanted;  // at most one; none: converged
   LevenbergMarquardtEnding end = LevenbergMarquardtEnding::none;
 
@@ -130,7 +140,15 @@ struct LevenbergMarquardt::State {
     } else if (gain > kGainToExpand || step.mu == 0.0) {
       radius = kExpansionOfRadius * step.length;
     }
-    if (gain > kTaken) move_to(std::move(*known));
+    if (!(gain > kTaken)) return;
+    move_to(std::move(*known));
+    reached.push_back(x.f);
+  }
+
+  bool is_slow() const {
+    constexpr std::size_t kSteps = 5;
+    return reached.size() > kSteps &&
+           reached[reached.size() - 1 - kSteps] - x.f < options.progress_tolerance * x.f;
   }
 
   void next_step() {
@@ -146,6 +164,8 @@ struct LevenbergMarquardt::State {
       end = End::flat;
     } else if (length(steps.full()) < options.step_tolerance) {
       end = End::short_step;
+    } else if (is_slow()) {
+      end = End::slow;
     } else if (!(step.promised > kPromisesNothing * x.f) ||
                length(step) < kExhaustedStep * options.step_tolerance) {
       const bool promises_much = steps.promised_by_one() > kPromisesMuch * x.f;
@@ -240,6 +260,9 @@ std::string LevenbergMarquardt::ending() const {
       return "at a minimum: the next step is shorter than the tolerance";
     case LevenbergMarquardtEnding::nothing_left:
       return "with nothing left: the residuals have vanished";
+    case LevenbergMarquardtEnding::slow:
+      return "in a bent valley or at a kink: five steps together gained less than one measured "
+             "value's noise is worth";
     case LevenbergMarquardtEnding::edge:
       return "at the edge of failed trials: steps that would gain fail";
     case LevenbergMarquardtEnding::rough:

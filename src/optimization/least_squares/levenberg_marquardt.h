@@ -15,7 +15,8 @@
 //             twice |D p|.
 //   end       where the linear model promises less than gain_tolerance of f, or its full step is
 //   shorter
-//             than the tolerance; where steps in the radius are. Asked before a step is evaluated.
+//             than the tolerance; where steps in the radius are; where steps gain too little.
+//             Asked before a step is evaluated.
 //
 // A variable is held at a bound where the slope pushes it over, and for the rest of a step at the
 // bound that the step would cross: a projected step, where Moré has no bounds. Among linear
@@ -49,6 +50,9 @@ struct LevenbergMarquardtOptions {
   double step_tolerance = 1e-6;
   /// What the full step of the linear model has to promise, of f.
   double gain_tolerance = 1e-10;
+  /// What five steps that are taken have to gain together, of f: less is the way along a bent
+  /// valley or a kink, which may be long. 0: anything.
+  double progress_tolerance = 0.0;
 };
 
 class LevenbergMarquardt : public Optimizer {

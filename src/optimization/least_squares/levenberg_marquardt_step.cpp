@@ -121,11 +121,13 @@ LevenbergMarquardtStep LevenbergMarquardtSteps::within(double radius) const {
   const auto excess = [&](const LevenbergMarquardtStep& s) {
     return 1.0 / s.length - 1.0 / radius;
   };
-  double low = 0.0, high = g_.norm() / radius;
+  const double of_radius = g_.norm() / radius;
+  double low = 0.0, high = of_radius;
   double at_low = excess(full_);
   LevenbergMarquardtStep step = damped(high);
   double at_high = excess(step);
-  for (int k = 0; k < kMostDampings; ++k) {
+  const bool is_cut = full_.length <= longest;  // short enough, and spoiled
+  for (int k = 0; k < kMostDampings && !is_cut; ++k) {
     if (step.length >= shortest && step.length <= longest) break;
     double mu = low - at_low * (high - low) / (at_high - at_low);
     const double margin = kMargin * (high - low);
@@ -136,7 +138,7 @@ LevenbergMarquardtStep LevenbergMarquardtSteps::within(double radius) const {
     (step.length > radius ? at_low : at_high) = excess(step);
   }
   // Variables held at faces can spoil a step; ever shorter ones go down the slope.
-  for (double mu = step.mu; !(step.promised > 0.0) && mu < kMostDampingOfStep * high; mu *= 10.0) {
+  for (double mu = step.mu; !(step.promised > 0.0) && mu < kMostDampingOfStep * of_radius; mu *= 10.0) {
     step = damped(10.0 * mu);
   }
   return step;

@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 
+#include "base/random.h"
 #include "optimization/least_squares/levenberg_marquardt_step.h"
 #include "optimization/problem/hock_schittkowski_testing.h"
 
@@ -249,6 +250,67 @@ TEST(LevenbergMarquardtSteps, AreTheSameAmongConstraintsThatDoNotMatter) {
     const auto b = LevenbergMarquardtSteps(r, J, D, u, cut).within(mu_of_radius);
     EXPECT_NEAR((a.p - b.p).norm(), 0.0, 1e-9) << mu_of_radius;
   }
+}
+
+// Rosenbrock's valley, whose floor falls by 1 in all, below a noise that nothing explains: 400
+// values of 1. What is left of the floor is then less than a hundredth of a deviation, and not
+// worth a way.
+TEST(LevenbergMarquardt, LeavesAValleyWhoseFloorFallsLessThanNoise) {
+  const DesignSpace space({{.name = "x", .lower = -3.0, .upper = 3.0, .initial = -1.2},
+                           {.name = "y", .lower = -3.0, .upper = 3.0, .initial = 1.0}});
+  const auto valley = [](const DesignPoint& p) {
+    const double x = p.values[0], y = p.values[1];
+    Score score{.residuals = {100.0 * (y - x * x), 0.1 * (1.0 - x)},
+                .jacobian = {-200.0 * x, 100.0, -0.1, 0.0}};
+    for (int i = 0; i < 400; ++i) {
+      score.residuals.push_back(1.0);
+      score.jacobian.insert(score.jacobian.end(), {0.0, 0.0});
+    }
+    for (const double r : score.residuals) score.value += r * r;
+    return score;
+  };
+  const auto run = [&](double progress) {
+    LevenbergMarquardt search(space, {.progress_tolerance = progress});
+    std::pair<int, double> steps_and_least{0, INFINITY};
+    while (!search.converged() && steps_and_least.first < 1000) {
+      const DesignPoint point = search.propose(1).front();
+      const Score score = valley(point);
+      search.observe(point, score);
+      ++steps_and_least.first;
+      steps_and_least.second = std::min(steps_and_least.second, score.value);
+    }
+    EXPECT_TRUE(search.converged());
+    return steps_and_least;
+  };
+  const auto whole = run(0.0), short_of_noise = run(1.0 / 402.0);
+  EXPECT_LT(2 * short_of_noise.first, whole.first);
+  EXPECT_LT(short_of_noise.second - whole.second, 0.1);
+}
+
+// A step of Gauss and Newton that bounds cut off may lead uphill although it is short: a shorter one
+// has to be found, however wide the radius.
+TEST(LevenbergMarquardtSteps, PromiseSomethingWhereverTheSlopeDoes) {
+  RandomStream random(11, 0);
+  int spoiled = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    constexpr int n = 4;
+    Eigen::MatrixXd J(8, n);
+    for (double& x : J.reshaped()) x = random.normal();
+    for (int i = 1; i < n; ++i) J.col(i) = J.col(0) + 0.05 * J.col(i);  // all but alike
+    Eigen::VectorXd r(8), u(n);
+    for (double& x : r) x = random.normal();
+    std::vector<DesignVariable> variables;
+    for (int i = 0; i < n; ++i) {
+      u[i] = random.uniform() < 0.5 ? 1e-3 * random.uniform() : random.uniform();
+      variables.push_back({.name = std::string(1, static_cast<char>('a' + i))});
+    }
+    const LevenbergMarquardtSteps steps(
+        r, J, J.colwise().norm().transpose(), u, FeasibleRegion(DesignSpace(variables)));
+    if (!(steps.promised_by_one() > 1e-6 * r.squaredNorm())) continue;
+    spoiled += steps.full().promised <= 0.0;
+    EXPECT_GT(steps.within(100.0).promised, 0.0) << trial;
+  }
+  EXPECT_GT(spoiled, 10);
 }
 
 }  // namespace

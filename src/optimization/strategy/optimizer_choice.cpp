@@ -36,8 +36,9 @@ const MethodWords& entry(Method method) {
 }
 
 constexpr double kMostFailures = 0.5;  // more, and models have nothing to stand on
-// f of as many values as noise makes is 1 a value, the square of a deviation: what is left is then
-// a thirtieth of a standard deviation of any variable at most.
+// f is 1 a value in units of the noise, as large as a step of a standard deviation in one variable
+// makes it larger. A linear model that promises a thousandth of that is a thirtieth of a standard
+// deviation from its minimum.
 constexpr double kFeltByNobody = 1e-3;
 constexpr int kMostPolled = 40;  // variables: a poll is that many evaluations
 
@@ -161,8 +162,11 @@ std::unique_ptr<Optimizer> make_optimizer(Method method,
     }
     case Method::levenberg_marquardt: {
       LevenbergMarquardtOptions options = settings.levenberg_marquardt;
-      if (traits.values > 0)
-        options.gain_tolerance = kFeltByNobody / static_cast<double>(traits.values);
+      if (traits.values > 0) {
+        const double one = 1.0 / static_cast<double>(traits.values);
+        options.gain_tolerance = kFeltByNobody * one;
+        options.progress_tolerance = one;
+      }
       return std::make_unique<LevenbergMarquardt>(space, options);
     }
     case Method::sqp:
