@@ -582,24 +582,5 @@ TEST(Encoding, RejectsWhatIsNotOneEncodedValue) {
   EXPECT_FALSE(decode_channels(std::string(8, '\xff')));  // a count of 2^64 - 1
 }
 
-TEST(Encoding, SlopesStandBehindTheirChannel) {
-  Channels channels;
-  channels.add({"Fz", "N", {1000.0, 2000.0}});
-  channels.add({"Fy", "N", {10.0, 20.0}, {1.0, 2.0, 3.0, 4.0}});
-  const std::string bytes = encode(channels);
-  const auto back = decode_channels(bytes);
-  ASSERT_TRUE(back);
-  EXPECT_TRUE(*back == channels);
-  for (std::size_t size = 0; size < bytes.size(); ++size)
-    EXPECT_FALSE(decode_channels(std::string_view(bytes).substr(0, size)));
-}
-
-TEST(Encoding, HashIsFnv1a) {
-  // Test vectors of draft-eastlake-fnv, appendix C.
-  EXPECT_EQ(hash(""), 0xcbf29ce484222325u);
-  EXPECT_EQ(hash("a"), 0xaf63dc4c8601ec8cu);
-  EXPECT_EQ(hash("foobar"), 0x85944171f73967e8u);
-}
-
 }  // namespace
 }  // namespace latsch
