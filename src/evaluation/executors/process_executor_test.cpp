@@ -171,7 +171,7 @@ std::string reason(ProcessExecutor& executor, Fault fault) {
   return trial.outcome.result.failure().reason;
 }
 
-void expect_contains(const std::string& text, const std::string& part) {
+void expect_in_output(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
@@ -190,18 +190,18 @@ TEST(ProcessExecutor, EveryFaultIsAFailureWithItsReason) {
   options.memory_limit = 1e9;
 #endif
   ProcessExecutor executor(options);
-  expect_contains(reason(executor, segfault), "killed by signal 11");
-  expect_contains(reason(executor, abort_), "killed by signal 6");
-  expect_contains(reason(executor, not_a_number), "channel \"y\" is nan at sample 2");
-  expect_contains(reason(executor, exception), "element 17 is inverted");
+  expect_in_output(reason(executor, segfault), "killed by signal 11");
+  expect_in_output(reason(executor, abort_), "killed by signal 6");
+  expect_in_output(reason(executor, not_a_number), "channel \"y\" is nan at sample 2");
+  expect_in_output(reason(executor, exception), "element 17 is inverted");
   const std::string exited = reason(executor, exit_code);
-  expect_contains(exited, "exited with code 7");
-  expect_contains(exited, "it last printed \"cannot go on\"");
-  expect_contains(reason(executor, garbage_answer), "not readable");
-  expect_contains(reason(executor, hanging_child), "killed by signal 11");
-  expect_contains(reason(executor, fails), "load step 2");
+  expect_in_output(exited, "exited with code 7");
+  expect_in_output(exited, "it last printed \"cannot go on\"");
+  expect_in_output(reason(executor, garbage_answer), "not readable");
+  expect_in_output(reason(executor, hanging_child), "killed by signal 11");
+  expect_in_output(reason(executor, fails), "load step 2");
 #if !defined(__SANITIZE_ADDRESS__)
-  expect_contains(reason(executor, out_of_memory), "out of memory");
+  expect_in_output(reason(executor, out_of_memory), "out of memory");
 #endif
 }
 
@@ -220,8 +220,8 @@ TEST(ProcessExecutor, ATrialWhoseWorkerIsStoppedFromOutsideIsRepeated) {
   EXPECT_TRUE(trials[0].outcome.result.ok());
   const Failure failure = trials[1].outcome.result.failure();
   EXPECT_EQ(failure.cause, Cause::transient);
-  expect_contains(failure.reason, "killed by signal 15");
-  expect_contains(failure.reason, "attempt 2 of 2");
+  expect_in_output(failure.reason, "killed by signal 15");
+  expect_in_output(failure.reason, "attempt 2 of 2");
 }
 
 TEST(ProcessExecutor, AnEvaluatorThatForksAnswersOnce) {
@@ -243,7 +243,7 @@ TEST(ProcessExecutor, AnAnswerToAnotherTrialIsRefused) {
 
 TEST(ProcessExecutor, AFullDiskIsAFailureOfTheTrialAlone) {
   ProcessExecutor executor(worker_options(1));
-  expect_contains(reason(executor, fills_the_disk), "File too large");
+  expect_in_output(reason(executor, fills_the_disk), "File too large");
 }
 
 TEST(ProcessExecutor, WhatAWorkerPrintsDoesNotDisturbItsAnswer) {
@@ -259,7 +259,7 @@ TEST(ProcessExecutor, AHangingTrialIsKilledAtMostASecondAfterItsTimeout) {
   ProcessExecutor executor(options);
   const Trial trial = run_one(executor, {{static_cast<double>(hang), 3.0}});
   ASSERT_FALSE(trial.outcome.result.ok());
-  expect_contains(trial.outcome.result.failure().reason, "took more than the 0.5 s allowed");
+  expect_in_output(trial.outcome.result.failure().reason, "took more than the 0.5 s allowed");
   EXPECT_GE(trial.outcome.wall_time, 0.5);
   EXPECT_LT(trial.outcome.wall_time, 1.5);
 }
@@ -324,7 +324,7 @@ TEST(ProcessExecutor, WorkersThatAreAlwaysKilledWhileTheyStartEndTheRun) {
     run_one(executor, {{0.0, 3.0}});
     FAIL() << "no error";
   } catch (const InputError& error) {
-    expect_contains(error.what(),
+    expect_in_output(error.what(),
                     "(Killed) before it was ready, 20 times in a row; is there too little memory");
   }
 }
@@ -339,7 +339,7 @@ TEST(ProcessExecutor, AProgramThatIsNoWorkerIsReportedInWords) {
     run_one(executor, {{0.0, 1.0}});
     FAIL() << "no error";
   } catch (const InputError& error) {
-    expect_contains(error.what(), "exited with code 2; it last printed \"wrong study\"");
+    expect_in_output(error.what(), "exited with code 2; it last printed \"wrong study\"");
   }
   EXPECT_THROW(ProcessExecutor(ProcessOptions{}), InputError);
 }
