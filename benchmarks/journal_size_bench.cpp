@@ -49,7 +49,10 @@ correlation::Study magic_formula(const fs::path& folder) {
     if (is_head || row % 2 == 0) half << line << '\n';
   }
   half.close();
-  return correlation::read_study(folder / "study.toml", experiment::language());
+  correlation::Study study = correlation::read_study(folder / "study.toml", experiment::language());
+  study.optimizer.method = "residual_trust_region";  // a search of many trials
+  study.asks_slopes = false;
+  return study;
 }
 
 /// The fit of the study and its profiles, up to so many trials.

@@ -310,7 +310,7 @@ void twin_row(Table& table) {
     for (auto& experiment : study.experiments) {
       const auto& curve = dynamic_cast<const correlation::Curve&>(*experiment.observable);
       correlation::CurveMeasurement noisy = curve.measured();
-      noisy.y_compared = *curve.simulated(*exact);
+      noisy.y_compared = curve.simulated(*exact)->values;
       for (double& value : noisy.y_compared) value += kNoise * noisy.scale * random.normal();
       experiment.observable = std::make_shared<correlation::Curve>(std::move(noisy));
     }
