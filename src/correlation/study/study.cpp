@@ -276,6 +276,13 @@ Study read(const Document& document,
       check_reach(root, study.tests, experiment, curve->measured());
   }
   study.asks_slopes = asks_slopes(study);
+  if (study.optimizer.method == name(Method::levenberg_marquardt)) {
+    if (const auto reason = reason_without_slopes(study))
+      root.table("optimizer")
+          .reject("method",
+                  "is \"levenberg_marquardt\", which goes by the slopes of the residuals, but " +
+                      *reason + "; expected \"auto\" or another method");
+  }
   study.stages = read_stages(root, document, study);
   root.close();
   study.search_key = search_key(study);

@@ -129,12 +129,12 @@ TEST_F(StudySlopes, WhereTheyEndIsSaidByName) {
       "exponent = 2\n[test.sweep]\nfile = \"sweep.toml\"\n[experiment.sweep]\nkind = \"curve\"\n"
       "x = \"sweep/time\"\ny = \"sweep/Fy\"\nmeasurement = \"swept.csv\"\nexponent = 2\n",
       "sweep/");
-  const Study study = read("exponent = 1\n[optimizer]\nmethod = \"levenberg_marquardt\"\n");
   try {
-    make_optimizer(study);
+    read("exponent = 1\n[optimizer]\nmethod = \"levenberg_marquardt\"\n");
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("exponent 1"), std::string::npos) << error.what();
+    EXPECT_GT(error.place().line, 0);
   }
 }
 
