@@ -13,6 +13,7 @@
 #include <set>
 
 #include "nist_strd/nist_strd.h"
+#include "optimization/strategy/optimizer_choice.h"
 #include "scipy_peer.h"
 
 namespace latsch::nist_strd {
@@ -38,10 +39,12 @@ Score score_at(const Problem& problem, const std::vector<double>& x) {
 }
 
 /// The first Delta as if every variable might change by its value, as SciPy begins.
-Found by_levenberg_marquardt(const Problem& problem, const DesignSpace& space) {
+LevenbergMarquardtOptions options_of(const Problem& problem) {
   const double steps = problem.steps.empty() ? 1.0 : 10.0;  // which are tenths of the start
-  LevenbergMarquardt method(
-      space, {.initial_step = steps / more_wild::kBoxWidth, .step_tolerance = 1e-13});
+  return {.initial_step = steps / more_wild::kBoxWidth, .step_tolerance = 1e-13};
+}
+
+Found found_by(Optimizer& method, const Problem& problem) {
   Found found;
   while (!method.converged() && found.evaluations < kMostEvaluations) {
     const DesignPoint point = method.propose(1).front();
@@ -50,6 +53,22 @@ Found by_levenberg_marquardt(const Problem& problem, const DesignSpace& space) {
     method.observe(point, score);
   }
   return found;
+}
+
+Found by_levenberg_marquardt(const Problem& problem, const DesignSpace& space) {
+  LevenbergMarquardt method(space, options_of(problem));
+  return found_by(method, problem);
+}
+
+/// Ended where a study ends it.
+Found by_a_study(const Problem& problem) {
+  OptimizerSettings settings;
+  settings.levenberg_marquardt = options_of(problem);
+  const auto method = make_optimizer(Method::levenberg_marquardt,
+                                     more_wild::space(problem),
+                                     settings,
+                                     {.values = problem.residual_count});
+  return found_by(*method, problem);
 }
 
 Found by_scipy(benchmarks::SciPy& scipy,
@@ -152,6 +171,23 @@ TEST(LevenbergMarquardt, NeedsHalfAsManyEvaluationsAgainAsSciPyAtMost) {
   RecordProperty("solved", fmt::format("{}, SciPy {}", own_solved, others_solved));
   EXPECT_GE(own_solved, others_solved);
   EXPECT_LE(own, 1.5 * others);
+}
+
+// A study ends it where more steps would gain less than the noise of one measured value is worth:
+// of m residuals, f / m.
+TEST(LevenbergMarquardt, EndsInAStudyWithinTheNoiseOfOneValue) {
+  int early = 0, all = 0;
+  for (const Problem& problem : all_problems()) {
+    const Found end = by_levenberg_marquardt(problem, more_wild::space(problem));
+    const Found in_study = by_a_study(problem);
+    const double nothing = 1e-14 * problem.value(problem.start);
+    EXPECT_LE(in_study.least, (1.0 + 1.0 / problem.residual_count) * end.least + nothing)
+        << problem.name << ": " << in_study.evaluations << " for " << end.evaluations;
+    early += in_study.evaluations;
+    all += end.evaluations;
+  }
+  RecordProperty("evaluations", fmt::format("{} for {}", early, all));
+  EXPECT_LT(early, all);
 }
 
 // The first parameter may go half of the way to its certified value. Not of Lanczos' problems,

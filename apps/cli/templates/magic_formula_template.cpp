@@ -120,6 +120,8 @@ std::vector<std::string> joined(
   return all;
 }
 
+/// Without what E owes to the side of the slip (PEY3, PEY4, QEZ4, QEZ5): where the formula cuts E
+/// off at 1 nothing tells it, and a search goes on along it for long.
 std::vector<Stage> stages_of(const TireTest& t) {
   std::vector<Stage> stages;
   const auto add = [&](Stage stage) {
@@ -128,14 +130,15 @@ std::vector<Stage> stages_of(const TireTest& t) {
   if (t.cornering) {
     add({"Fy",
          {"Fy"},
-         joined({{true, {"PCY1", "PDY1", "PEY1", "PEY3", "PKY1", "PHY1", "PVY1"}},
+         joined({{true, {"PCY1", "PDY1", "PEY1", "PKY1", "PHY1", "PVY1"}},
                  {t.load, {"PDY2", "PEY2", "PKY2", "PHY2", "PVY2"}}})});
     add({"Fy_conditions",
          {"Fy"},
-         joined({{t.camber, {"PDY3", "PEY4", "PKY3", "PKY6", "PVY3"}},
+         joined({{t.camber, {"PDY3", "PKY3", "PKY6", "PVY3"}},
                  {t.camber && t.load, {"PKY7", "PVY4"}},
                  {t.pressure, {"PPY1", "PPY3"}},
-                 {t.pressure && t.load, {"PPY2", "PPY4"}}})});
+                 {t.pressure && t.load, {"PPY2", "PPY4"}},
+                 {t.pressure && t.camber, {"PPY5"}}})});
   }
   if (t.driving) {
     add({"Fx",
@@ -151,11 +154,11 @@ std::vector<Stage> stages_of(const TireTest& t) {
   if (t.cornering && t.has("Mz")) {
     add({"Mz",
          {"Mz"},
-         joined({{true, {"QBZ1", "QBZ9", "QCZ1", "QDZ1", "QDZ6", "QEZ1", "QEZ4", "QHZ1"}},
+         joined({{true, {"QBZ1", "QBZ9", "QCZ1", "QDZ1", "QDZ6", "QEZ1", "QHZ1"}},
                  {t.load, {"QBZ2", "QDZ2", "QDZ7", "QEZ2", "QHZ2"}}})});
     add({"Mz_conditions",
          {"Mz"},
-         joined({{t.camber, {"QBZ4", "QBZ5", "QDZ3", "QDZ8", "QHZ3", "QEZ5"}},
+         joined({{t.camber, {"QBZ4", "QBZ5", "QDZ3", "QDZ8", "QHZ3"}},
                  {t.camber && t.load, {"QDZ9", "QHZ4"}},
                  {t.pressure, {"PPZ1", "PPZ2"}}})});
   }
@@ -267,6 +270,11 @@ std::pair<TireTestFiles, Measurement> read(const TireTestFiles& test) {
   measured = read_all(sae);
   return {sae, std::move(measured)};
 }
+
+/// A Magic Formula misses forces by some 2 % of the largest and moments by 5 %, more than rigs
+/// scatter. In the stage that fits all, a force counts so much more; else the side force would bend
+/// to what the trail cannot follow.
+constexpr int kWeightOfForces = 6;  // (5 / 2)^2
 
 std::string experiment(const std::string& name,
                        const std::string& channel,

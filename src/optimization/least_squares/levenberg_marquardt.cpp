@@ -145,10 +145,12 @@ struct LevenbergMarquardt::State {
     reached.push_back(x.f);
   }
 
-  bool is_slow() const {
-    constexpr std::size_t kSteps = 5;
-    return reached.size() > kSteps &&
-           reached[reached.size() - 1 - kSteps] - x.f < options.progress_tolerance * x.f;
+  /// Along a long valley far from its end steps gain as little, but the linear model promises much.
+  bool is_slow(const LevenbergMarquardtSteps& steps) const {
+    constexpr std::size_t kSteps = 3;
+    const double little = options.progress_tolerance * x.f;
+    return reached.size() > kSteps && reached[reached.size() - 1 - kSteps] - x.f < little &&
+           steps.most_promised() < 0.5 * little;
   }
 
   void next_step() {
@@ -164,7 +166,7 @@ struct LevenbergMarquardt::State {
       end = End::flat;
     } else if (length(steps.full()) < options.step_tolerance) {
       end = End::short_step;
-    } else if (is_slow()) {
+    } else if (is_slow(steps)) {
       end = End::slow;
     } else if (!(step.promised > kPromisesNothing * x.f) ||
                length(step) < kExhaustedStep * options.step_tolerance) {
@@ -261,8 +263,8 @@ std::string LevenbergMarquardt::ending() const {
     case LevenbergMarquardtEnding::nothing_left:
       return "with nothing left: the residuals have vanished";
     case LevenbergMarquardtEnding::slow:
-      return "in a bent valley or at a kink: five steps together gained less than one measured "
-             "value's noise is worth";
+      return "in a bent valley or at a kink: three steps together gained less than one measured "
+             "value's noise is worth, and the slopes promise no more";
     case LevenbergMarquardtEnding::edge:
       return "at the edge of failed trials: steps that would gain fail";
     case LevenbergMarquardtEnding::rough:

@@ -14,9 +14,8 @@
 //             slope and f(u + p), 1/10 to 1/2 of it; one above 3/4, or of a full step, makes it
 //             twice |D p|.
 //   end       where the linear model promises less than gain_tolerance of f, or its full step is
-//   shorter
-//             than the tolerance; where steps in the radius are; where steps gain too little.
-//             Asked before a step is evaluated.
+//             shorter than the tolerance; where steps in the radius are; where steps gain too
+//             little. Asked before a step is evaluated.
 //
 // A variable is held at a bound where the slope pushes it over, and for the rest of a step at the
 // bound that the step would cross: a projected step, where Moré has no bounds. Among linear
@@ -50,8 +49,9 @@ struct LevenbergMarquardtOptions {
   double step_tolerance = 1e-6;
   /// What the full step of the linear model has to promise, of f.
   double gain_tolerance = 1e-10;
-  /// What five steps that are taken have to gain together, of f: less is the way along a bent
-  /// valley or a kink, which may be long. 0: anything.
+  /// What three steps that are taken have to gain together, of f, where the full step of the linear
+  /// model promises less than half of it: the way along a bent valley or a kink may be long. 0:
+  /// anything.
   double progress_tolerance = 0.0;
 };
 
