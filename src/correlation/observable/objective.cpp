@@ -41,6 +41,7 @@ Comparison compare_values(const std::vector<double>& measured,
   for (size_t i = 0; i < measured.size(); ++i)
     comparison.errors.push_back((measured[i] - simulated.values[i]) / scales[i]);
   comparison.differences = comparison.errors;
+  comparison.pairing.missing = simulated.missing;
   comparison.value = mean_power(comparison.differences, settings.exponent);
   summarize_errors(comparison);
   const size_t rows = measured.size(), variables = simulated.slopes.size() / rows;

@@ -53,6 +53,7 @@ struct Comparison {
 /// What a trial has in the place of measured values, with its slopes: Channel::slopes.
 struct SimulatedValues {
   std::vector<double> values, slopes = {};
+  std::vector<int> missing = {};  // modes that are not there: 0 stands in their place
 };
 
 /// Values that differ by d = (measured - simulated) / scale, a scale a value.

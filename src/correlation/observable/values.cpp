@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -10,14 +11,25 @@
 #include "base/units.h"
 #include "correlation/laboratory/measurement_twin.h"
 #include "correlation/observable/channel_value.h"
+#include "experiment/rigs/mode_record.h"
 #include "report/report.h"
 
 namespace latsch::correlation {
+namespace {
+
+/// TEST/CHANNEL
+std::string test_part(const std::string& channel) { return channel.substr(0, channel.find('/')); }
+std::string channel_part(const std::string& channel) {
+  return channel.substr(channel.find_last_of('/') + 1);
+}
+
+}  // namespace
 
 Result<SimulatedValues> Values::simulated(const Channels& trial) const {
   const Channel* channel = trial.find(m_.channel);
   if (!channel)
     return Failure{"channel " + in_quotes(m_.channel) + " is missing", Cause::bad_output};
+  if (!m_.modes.empty()) return of_modes(trial);
   SimulatedValues found{channel->values, channel->slopes};
   if (!m_.of.empty() && !channel->values.empty()) {
     found.values = {value_of(m_.of, channel->values)};
@@ -35,6 +47,26 @@ Result<SimulatedValues> Values::simulated(const Channels& trial) const {
   return found;
 }
 
+SimulatedValues Values::of_modes(const Channels& trial) const {
+  const Channels recording = recording_of(test_part(m_.channel), trial);
+  const std::vector<double>& values = recording[channel_part(m_.channel)];
+  const auto modes = experiment::mode_records(recording);
+  SimulatedValues found;
+  for (const std::string& label : m_.modes) {
+    const auto named = experiment::mode_of_label(label);
+    int lowest = -1;
+    for (int i = 0; i < std::ssize(modes); ++i) {
+      const auto& mode = modes[i];
+      const bool is_named = mode.n == named->n && mode.type == named->type &&
+                            (named->phase == ' ' || mode.phase == named->phase);
+      if (is_named && (lowest < 0 || mode.frequency < modes[lowest].frequency)) lowest = i;
+    }
+    if (lowest < 0) found.missing.push_back(static_cast<int>(found.values.size()));
+    found.values.push_back(lowest < 0 ? 0.0 : values[lowest]);
+  }
+  return found;
+}
+
 std::string Values::compared(const ObjectiveSettings&) const {
   return m_.of.empty() ? m_.channel : m_.of + " " + m_.channel;
 }
@@ -42,8 +74,9 @@ std::string Values::compared(const ObjectiveSettings&) const {
 std::vector<std::string> Values::rows() const {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < m_.values.size(); ++i) {
-    names.push_back(m_.values.size() == 1 ? compared({})
-                                          : fmt::format("{}, value {}", compared({}), i + 1));
+    names.push_back(!m_.modes.empty()       ? compared({}) + " of " + m_.modes[i]
+                    : m_.values.size() == 1 ? compared({})
+                                            : fmt::format("{}, value {}", compared({}), i + 1));
   }
   return names;
 }
@@ -71,8 +104,8 @@ std::vector<std::filesystem::path> Values::write(const Channels& trial,
                          " value alone");
   const auto found = simulated(trial);
   if (!found) throw InputError(files.measurement->place(), found.failure().reason);
-  const std::string column = m_.channel.substr(m_.channel.find_last_of('/') + 1);
-  return {write_twin(*files.measurement, {{column, found->values}}, files.comment)};
+  return {
+      write_twin(*files.measurement, {{channel_part(m_.channel), found->values}}, files.comment)};
 }
 
 void Values::draw(const ShownExperiment& shown, report::StudyReport& page) const {
@@ -118,6 +151,32 @@ std::pair<std::string, nlohmann::ordered_json> Values::answer(const Channels& tr
            {"error", json_of(comparison.errors)}}};
 }
 
+namespace {
+
+std::vector<std::string> read_mode_names(const Node& table,
+                                         const Values::Measurement& m,
+                                         const std::vector<std::string>& channels) {
+  std::vector<std::string> modes = table.texts("modes");
+  const std::string n = test_part(m.channel) + "/n";
+  if (std::find(channels.begin(), channels.end(), n) == channels.end())
+    table.reject("modes",
+                 "is given, but the test of " + in_quotes(m.channel) + " records no modes");
+  if (!m.of.empty()) table.reject("modes", "stands beside of, expected one of them");
+  for (const std::string& mode : modes) {
+    if (!experiment::mode_of_label(mode))
+      table.reject("modes",
+                   "has " + in_quotes(mode) +
+                       ", expected torsional, lateral or radial and the number of waves, such as "
+                       "\"radial n=2\"");
+  }
+  if (modes.size() != m.values.size())
+    table.reject("modes",
+                 fmt::format("names {}, but there are {} values", modes.size(), m.values.size()));
+  return modes;
+}
+
+}  // namespace
+
 std::shared_ptr<const Values> read_values(const Node& table,
                                           const std::vector<KnownChannel>& channels,
                                           const Measurement* measurement) {
@@ -141,7 +200,7 @@ std::shared_ptr<const Values> read_values(const Node& table,
   if (table.has("value") + table.has("values") + (measurement != nullptr) != 1)
     table.reject("value", "or values or measurement has to be there, one of them");
   if (measurement) {
-    m.values = measurement->values(m.channel.substr(m.channel.find_last_of('/') + 1), m.unit);
+    m.values = measurement->values(channel_part(m.channel), m.unit);
     if (table.has("of")) {
       m.of = table.choice("of", names_of_values());
       m.values = {value_of(m.of, m.values)};
@@ -154,6 +213,7 @@ std::shared_ptr<const Values> read_values(const Node& table,
     m.values = table.quantities("values", m.unit);
     if (m.values.empty()) table.reject("values", "is empty, expected at least one");
   }
+  if (table.has("modes")) m.modes = read_mode_names(table, m, names);
   for (const double value : m.values) m.scales.push_back(std::abs(value));
   if (table.has("scale"))
     m.scales.assign(m.values.size(), table.quantity("scale", m.unit, Range::positive()));

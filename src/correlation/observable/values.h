@@ -16,8 +16,15 @@
 //   values = ["112 mm", "139 mm"]      # in the place of value: every value of the channel; or
 //   measurement = "prints"             # of a [measurement.NAME] or file, its column length
 //
+//   [experiment.damping]
+//   kind = "values"
+//   channel = "air/damping"            # of a test of kind "modes": or frequency
+//   modes = ["torsional n=0", "lateral n=1"]   # whose values; on the ground "lateral n=1 s" or a
+//   values = [0.0902, 0.0695]
+//
 // An error is  d_i = (y_i^mea - y_i^sim) / scale_i,  the scale of a value its own size unless
-// given.
+// given. Of several modes of one name the lowest is meant; one that is not there counts as 0, an
+// error of 100 %.
 #pragma once
 
 #include <memory>
@@ -35,6 +42,7 @@ class Values : public Observable {
   struct Measurement {
     std::string channel, unit, shown;    // SI; as people read it
     std::string of;                      // empty: every value of the channel
+    std::vector<std::string> modes;      // or those of these modes, by their labels
     std::vector<double> values, scales;  // SI
   };
   explicit Values(Measurement measured) : m_(std::move(measured)) {}
@@ -63,6 +71,8 @@ class Values : public Observable {
       const Channels& trial, const Comparison& comparison) const override;
 
  private:
+  SimulatedValues of_modes(const Channels& trial) const;
+
   Measurement m_;
 };
 

@@ -8,7 +8,12 @@
 namespace latsch::correlation {
 namespace {
 
-const std::vector<KnownChannel> kKnown = {{"print/length", "m"}, {"print/load", "N"}};
+const std::vector<KnownChannel> kKnown = {{"print/length", "m"},
+                                          {"print/load", "N"},
+                                          {"air/frequency", "Hz"},
+                                          {"air/n", "1"},
+                                          {"air/type", "1"},
+                                          {"air/damping", "1"}};
 
 std::shared_ptr<const Values> values_of(const std::string& text) {
   const Document document = Document::parse("[e.row]\n" + text, "study.toml");
@@ -52,6 +57,61 @@ TEST(Values, OneOfSeveralIsTakenByItsName) {
   EXPECT_NE(plain->compare(lengths({0.1, 0.2}), {}).failure().reason.find("of = \"largest\""),
             std::string::npos);
   EXPECT_FALSE(plain->compare(Channels(), {}));
+}
+
+/// Codes of mode_record.h: lateral n=0, radial n=2, lateral n=1 a and s, a lower radial n=2.
+Channels vibrations() {
+  Channels channels;
+  channels.add({"air/frequency", "Hz", {41.0, 95.0, 50.0, 51.0, 48.0}});
+  channels.add({"air/n", "1", {0.0, 2.0, 1.0, 1.0, 2.0}});
+  channels.add({"air/type", "1", {1.0, 2.0, 1.0, 1.0, 2.0}});
+  channels.add({"air/phase", "1", {0.0, 0.0, 2.0, 1.0, 0.0}});
+  channels.add({"air/damping", "1", {0.07, 0.03, 0.05, 0.04, 0.06}});
+  return channels;
+}
+
+// Whatever their order: by name, of several the lowest, unless the phase is named as well.
+TEST(Values, OfModesAreTakenByTheirNames) {
+  const auto named = values_of(
+      "channel = \"air/frequency\"\nmodes = [\"lateral n=1\", \"lateral n=1 s\", "
+      "\"radial n=2\"]\nvalues = [\"40 Hz\", \"51 Hz\", \"50 Hz\"]\n");
+  const auto comparison = named->compare(vibrations(), {});
+  ASSERT_TRUE(comparison) << comparison.failure().reason;
+  EXPECT_NEAR(comparison->errors[0], -0.25, 1e-12);
+  EXPECT_NEAR(comparison->errors[1], 0.0, 1e-12);
+  EXPECT_NEAR(comparison->errors[2], 0.04, 1e-12);
+  EXPECT_EQ(named->rows()[2], "air/frequency of radial n=2");
+  const auto damping =
+      values_of("channel = \"air/damping\"\nmodes = [\"radial n=2\"]\nvalues = [0.05]\n");
+  EXPECT_NEAR(damping->compare(vibrations(), {})->errors[0], -0.2, 1e-12);
+}
+
+// As in mode_set.h: an error of 100 %, of which nothing else is known.
+TEST(Values, OfAModeThatIsNotThereAreMissing) {
+  const auto named = values_of(
+      "channel = \"air/frequency\"\nmodes = [\"radial n=3\", \"radial n=2\"]\n"
+      "values = [\"100 Hz\", \"48 Hz\"]\n");
+  const auto comparison = named->compare(vibrations(), {});
+  ASSERT_TRUE(comparison);
+  EXPECT_EQ(comparison->errors[0], 1.0);
+  EXPECT_EQ(comparison->pairing.missing, std::vector<int>{0});
+  EXPECT_NEAR(comparison->errors[1], 0.0, 1e-12);
+}
+
+TEST(Values, OfModesSayWhatIsWrong) {
+  const std::string modes = "channel = \"air/frequency\"\nmodes = [\"radial n=2\"]\n";
+  EXPECT_NE(values_complaint(modes + "values = [\"1 Hz\", \"2 Hz\"]\n").find("there are 2 values"),
+            std::string::npos);
+  EXPECT_NE(values_complaint(modes + "value = \"1 Hz\"\nof = \"first\"\n").find("stands beside of"),
+            std::string::npos);
+  EXPECT_NE(values_complaint("channel = \"air/frequency\"\nmodes = [\"radial 2\"]\n"
+                             "values = [\"1 Hz\"]\n")
+                .find("such as \"radial n=2\""),
+            std::string::npos);
+  EXPECT_NE(values_complaint("channel = \"print/load\"\nmodes = [\"radial n=2\"]\n"
+                             "values = [\"1 N\"]\n")
+                .find("records no modes"),
+            std::string::npos);
 }
 
 TEST(Values, SayWhatIsWrong) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/rigs/mode_record.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -21,6 +22,19 @@ std::string ModeRecord::label() const {
   std::string text = type ? fe_tire::name(*type) : "?";
   text += n ? " n=" + std::to_string(*n) : " n=?";
   return phase == ' ' ? text : text + ' ' + phase;
+}
+
+std::optional<ModeRecord> mode_of_label(const std::string& label) {
+  const size_t type_end = label.find(" n=");
+  if (type_end == std::string::npos) return std::nullopt;
+  ModeRecord mode;
+  mode.type = fe_tire::mode_type(label.substr(0, type_end));
+  const size_t n_end = std::min(label.find(' ', type_end + 1), label.size());
+  const auto n = parse_number(label.substr(type_end + 3, n_end - type_end - 3));
+  if (n) mode.n = static_cast<int>(*n);
+  if (label.ends_with(" s") || label.ends_with(" a")) mode.phase = label.back();
+  return mode.type && mode.n.value_or(-1) >= 0 && mode.label() == label ? std::optional(mode)
+                                                                        : std::nullopt;
 }
 
 Channels to_channels(const std::vector<ModeRecord>& modes) {

@@ -28,6 +28,9 @@ struct ModeRecord {
   std::string label() const;
 };
 
+/// The inverse of label(), of a type and n that are known; nullopt for any other text.
+std::optional<ModeRecord> mode_of_label(const std::string& label);
+
 Channels to_channels(const std::vector<ModeRecord>& modes);
 /// The inverse; asserts that the channels come from a modal run.
 std::vector<ModeRecord> mode_records(const Channels& channels);

@@ -35,5 +35,23 @@ TEST(ModeRecord, LabelSaysWhatIsNotKnown) {
   EXPECT_EQ((ModeRecord{80.0, 2, std::nullopt, 'a', {}}).label(), "? n=2 a");
 }
 
+TEST(ModeRecord, IsFoundByItsLabel) {
+  for (const char* label : {"radial n=2", "torsional n=0", "lateral n=12 s", "lateral n=1 a"}) {
+    const auto mode = mode_of_label(label);
+    ASSERT_TRUE(mode) << label;
+    EXPECT_EQ(mode->label(), label);
+  }
+  for (const char* wrong : {"radial",
+                            "radial n=",
+                            "radial n=1.5",
+                            "radial n=-1",
+                            "axial n=1",
+                            "radial n=1 t",
+                            "radial n=1 s ",
+                            "? n=2",
+                            ""})
+    EXPECT_FALSE(mode_of_label(wrong)) << wrong;
+}
+
 }  // namespace
 }  // namespace latsch::experiment

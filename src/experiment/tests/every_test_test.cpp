@@ -101,6 +101,27 @@ TEST_F(EveryTest, AStandingTireHasTheStiffnessOfItsFile) {
   EXPECT_NEAR((*under_load)["vertical"][0], 190000.0, 500.0);
 }
 
+// The bristles of a patch that is turned far slide: the twist is part of the test, as is the
+// travel.
+TEST_F(EveryTest, StiffnessIsThatOverTheWayOfTheTest) {
+  const SpecimenKind& kind = *language().find_kind("ring_tire");
+  const auto found = [&](const std::string& way) {
+    const auto channels = language().run(kind,
+                                         kind.read(kRing),
+                                         *test("kind = \"static_stiffness\"\nload = \"4 kN\"\n"
+                                               "directions = [\"longitudinal\", \"torsional\"]\n" +
+                                               way));
+    EXPECT_TRUE(channels);
+    return std::pair((*channels)["longitudinal"][0], (*channels)["torsional"][0]);
+  };
+  const auto usual = found("");
+  const auto stated = found("travel = \"1 mm\"\ntwist = \"1 mrad\"\n");
+  EXPECT_EQ(stated, usual);
+  const auto far = found("travel = \"30 mm\"\ntwist = \"3 deg\"\n");
+  EXPECT_LT(far.first, 0.95 * usual.first);
+  EXPECT_LT(far.second, 0.95 * usual.second);
+}
+
 // The same test of three models: the ring's blocks, the formula's rectangle 2 a x 2 b, here with
 // Q_RA1 and Q_RB1 alone: a = R0 Q_RA1 sqrt(Fz/(Cz R0)), b = w Q_RB1 (Fz/(Cz R0))^(1/3).
 TEST_F(EveryTest, EveryTireHasAFootprint) {

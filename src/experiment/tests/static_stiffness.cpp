@@ -6,6 +6,8 @@
 //   deflections = ["10 mm", "20 mm"] # channels "deflection" and "force"
 //   load = "4 kN"                    # in its place: under the load, a channel of one value for
 //   directions = ["vertical", "longitudinal", "lateral", "torsional"]  # default: all
+//   travel = "1 mm"                  # over which a stiffness is taken, this unless given
+//   twist = "1 mrad"                 # and the torsional one, 0.001 rad unless given
 #include "experiment/rigs/static_stiffness.h"
 
 #include <fmt/format.h>
@@ -26,10 +28,13 @@ namespace {
 constexpr std::array<const char*, 4> kDirections = {
     "vertical", "longitudinal", "lateral", "torsional"};
 
+constexpr double kWay = 1e-3;  // m or rad: the patch hardly slides
+
 struct StaticTest {
   std::vector<double> deflections;  // m
   double load = 0.0;                // N
   std::vector<Direction> directions;
+  double travel = kWay, twist = kWay;  // m, rad
 };
 
 Result<Channels> stand(Tire& tire, const StaticTest& test) {
@@ -48,6 +53,7 @@ Result<Channels> stand(Tire& tire, const StaticTest& test) {
     StiffnessTest one;
     one.direction = direction;
     one.load = test.load;
+    one.travel = direction == Direction::torsional ? test.twist : test.travel;
     const auto found = stiffness(tire, one);
     if (!found) return found.failure();
     channels.add({kDirections[static_cast<int>(direction)],
@@ -74,10 +80,15 @@ class StaticStiffnessTest : public Test {
     std::vector<int> directions;
     for (const Direction direction : test_.directions)
       directions.push_back(static_cast<int>(direction));
-    return fmt::format("static_stiffness deflections {} load {} directions {}",
+    const auto stated = [](const char* name, double way) {
+      return way == kWay ? "" : fmt::format(" {} {}", name, way);
+    };
+    return fmt::format("static_stiffness deflections {} load {} directions {}{}{}",
                        fmt::join(test_.deflections, " "),
                        test_.load,
-                       fmt::join(directions, " "));
+                       fmt::join(directions, " "),
+                       stated("travel", test_.travel),
+                       stated("twist", test_.twist));
   }
 
   std::vector<ChannelInfo> channels() const override {
@@ -123,6 +134,8 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource&) {
       test.directions.push_back(static_cast<Direction>(known - kDirections.begin()));
     }
   }
+  test.travel = root.quantity("travel", "m", Range::positive(), test.travel);
+  test.twist = root.quantity("twist", "rad", Range::positive(), test.twist);
   if (test.deflections.empty() == test.directions.empty())
     root.reject("deflections", "or load with directions has to be there, one of the two");
   return std::make_unique<StaticStiffnessTest>(std::move(test));
