@@ -45,11 +45,12 @@
 #include "base/document.h"
 #include "base/file.h"
 #include "base/random.h"
-#include "correlation/basic_data/fe_ring_data.h"
+#include "base/scratch_folder_testing.h"
+#include "correlation/study/variables.h"
+#include "correlation/target/study_trials.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/tests/drum_cleat.h"
-#include "models/fe_tire/description/tire_description.h"
-#include "models/fe_tire/ring/fe_tire.h"
+#include "fit_study.h"
 #include "models/ring_tire/description/ring_reader.h"
 #include "models/ring_tire/ring/ring_tire.h"
 #include "numerics/signals/welch.h"
@@ -500,22 +501,25 @@ void fit_specimen(const std::string& name,
 /// The shipped ring with the numbers that the FE tire of its size asks for, and its twelve numbers
 /// as far off as those of the other specimen were.
 Document derived_from_fe(const Document& ring) {
-  const Document file =
-      Document::read(std::string(LATSCH_SOURCE_DIR) + "/studies/tires/passenger_205_55R16.toml");
-  const auto description = fe_tire::read_tire(file.root());
-  fe_tire::FeTire tire(fe_tire::build_mesh(description), fe_tire::build_materials(description));
-  const auto data = correlation::ring_data_of(tire, description.pressure, ring);
-  if (!data) throw InputError("the FE tire: " + data.failure().reason);
-  const auto fit = correlation::fit_ring(*data);
-  if (!fit) throw InputError("the ring of the FE tire: " + fit.failure().reason);
-  for (std::size_t i = 0; i < data->targets.size(); ++i)
-    fmt::print("  {:16} FE {:10.2f}  ring {:10.2f}\n",
-               data->targets[i].name,
-               data->targets[i].value,
-               fit->values[i]);
-  for (const DesignVariable& variable : data->space.variables())
-    fmt::print("  {:30} {:.5g}\n", variable.name, fit->tire.get(variable.paths.front()));
-  Document known = fit->tire;
+  const ScratchFolder scratch;
+  const std::string command = fmt::format(
+      "{} new {} --ring-data {}/studies/tires/passenger_205_55R16.toml --known {} --quiet",
+      benchmarks::program().string(),
+      (scratch.path() / "ring").string(),
+      LATSCH_SOURCE_DIR,
+      ring.file());
+  if (std::system(command.c_str()) != 0) throw InputError("latsch new --ring-data failed");
+  const auto study =
+      correlation::read_study(scratch.path() / "ring" / "study.toml", experiment::language());
+  const auto fit = benchmarks::fit(study, /*workers=*/2);
+  if (!fit.run.best()) throw InputError("the ring of the FE tire: no trial succeeded");
+  const DesignPoint& best = fit.run.best()->point;
+  const auto channels = correlation::simulate_all(study, best);
+  for (const auto& experiment : study.experiments)
+    fmt::print("{}", experiment.observable->table(*channels, compare(experiment, *channels)));
+  for (int i = 0; i < study.space.size(); ++i)
+    fmt::print("  {:30} {:.5g}\n", study.space[i].name, best.values[static_cast<std::size_t>(i)]);
+  Document known = correlation::at(study.model, study.space, best);
   for (const Number& number : kNumbers)
     known.set(number.path, known.get(number.path) / number.truth);
   return known;

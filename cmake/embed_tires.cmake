@@ -22,15 +22,14 @@ const std::vector<latsch::cli::TireTemplate>& latsch::cli::tire_templates() {
   target_sources(${program} PRIVATE ${CMAKE_BINARY_DIR}/generated/tire_templates.cpp)
 endfunction()
 
-# docs/study_reference.md, for `latsch help study`.
-function(latsch_embed_study_reference program)
-  set(page ${CMAKE_SOURCE_DIR}/docs/study_reference.md)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page})
-  file(READ ${page} text)
-  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/study_reference.cpp @ONLY CONTENT
-"#include \"cli/templates/study_reference.h\"
+# A file as a C++ source: what `function`, declared in `header`, returns.
+function(latsch_embed_text program file header function)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${file})
+  file(READ ${CMAKE_SOURCE_DIR}/${file} text)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/${function}.cpp @ONLY CONTENT
+"#include \"cli/templates/@header@\"
 
-std::string_view latsch::cli::study_reference() { return R\"page(@text@)page\"; }
+std::string_view latsch::cli::@function@() { return R\"page(@text@)page\"; }
 ")
-  target_sources(${program} PRIVATE ${CMAKE_BINARY_DIR}/generated/study_reference.cpp)
+  target_sources(${program} PRIVATE ${CMAKE_BINARY_DIR}/generated/${function}.cpp)
 endfunction()

@@ -31,7 +31,7 @@ ROOMS = {
     "formats": ["text", "tables", "tire", "road", "mesh"],
     "experiment": ["rigs", "language", "tests", "kinds"],
     "evaluation": ["trial", "executors", "journal", "schedule", "outside_program"],
-    "correlation": ["laboratory", "observable", "study", "target", "analysis", "search", "basic_data", "study_report",
+    "correlation": ["laboratory", "observable", "study", "target", "analysis", "search", "study_report",
                     "rig_data", "comparison", "validation"],
 }
 
@@ -40,11 +40,10 @@ ROOMS = {
 MODELS = {"road": [], "tire": ["road"], "rigid_ring": ["road", "tire", "magic_formula"]}
 EVERY_TIRE = ["road", "tire"]
 
-# Studies are of any model: what is written once for all of them knows none. The room that derives a tire from basic
-# data is of two models by its purpose.
-KNOWS_NO_MODEL, OF_MODELS = "correlation", "basic_data"
+# Studies are of any model: what is written once for all of them knows none.
+KNOWS_NO_MODEL = "correlation"
 # So are the verbs of the program, but for those that are of a model by their purpose.
-VERBS_OF_MODELS = {"evaluate", "export", "mesh", "ring", "road", "shown_file", "shown_tire"}
+VERBS_OF_MODELS = {"evaluate", "export", "mesh", "road", "shown_file", "shown_tire"}
 KIND_BY_NAME = re.compile(r'name\(\)\s*[!=]=\s*"(fe_tire|ring_tire|rigid_ring|magic_formula)"')
 
 MOST_FILES = 40  # directly in one folder
@@ -100,7 +99,7 @@ def faults():
             elif layer == target == "models" and model_of(used) not in [
                     model_of(here), *MODELS.get(model_of(here), EVERY_TIRE)]:
                 yield f"{here}:{number}: model {model_of(here)} may not use model {model_of(used)}"
-            elif (layer == KNOWS_NO_MODEL and here.parts[1] != OF_MODELS and not here.stem.endswith(("_test", "_testing"))
+            elif (layer == KNOWS_NO_MODEL and not here.stem.endswith(("_test", "_testing"))
                   and str(used).startswith(("models/", "experiment/kinds/"))):
                 yield f"{here}:{number}: {layer} knows no model: what only a kind can do is a capability or SpecimenKind's"
             elif fault := room_fault(here, used):

@@ -45,7 +45,7 @@ SECTIONS = [
     ("[run]", "run_settings"),
     ("A suite: acceptance of a model", "suite"),
 ]
-OTHER_ROOMS = {"basic_data", "rig_data", "comparison"}  # they read files that are no studies
+OTHER_ROOMS = {"rig_data", "comparison"}  # they read files that are no studies
 
 GETTER = re.compile(r"\b\w+(?:->|\.)(quantity|quantities|choice|integer|flag|texts?|rows)\(\s*(\w+|\"[^\"]*\")\s*([,)])")
 

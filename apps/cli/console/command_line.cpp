@@ -55,6 +55,11 @@ Option& Option::one_of(const std::vector<std::string>& values) {
   return *this;
 }
 
+Option& Option::or_alone(const std::string& value) {
+  option_->expected(0, 1)->default_str(value);
+  return *this;
+}
+
 Option& Option::capture_default_str() {
   option_->capture_default_str();
   return *this;

@@ -24,7 +24,8 @@ class Option {
   Option& required();
   Option& between(int least, int most);
   Option& one_of(const std::vector<std::string>& values);
-  Option& capture_default_str();  // --help tells the value it has now
+  Option& or_alone(const std::string& value);  // may stand without a value, for this one
+  Option& capture_default_str();               // --help tells the value it has now
 
  private:
   CLI::Option* option_;

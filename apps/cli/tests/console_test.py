@@ -13,7 +13,7 @@ from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, Coarse, edit
 
 TREE = pathlib.Path(__file__).resolve().parents[3]
 VERBS = ("new", "check", "mesh", "simulate", "evaluate", "doe", "run", "resume", "identify", "report", "export", "doctor",
-         "process", "road", "test", "validate", "ring", "compare", "show", "help")
+         "process", "road", "test", "validate", "compare", "show", "help")
 
 
 class Console(Coarse):

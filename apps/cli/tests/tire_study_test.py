@@ -145,7 +145,7 @@ bounds = 0.4
 
     def test_every_verb_has_help_with_an_example(self):
         for verb in ("new", "check", "mesh", "simulate", "evaluate", "doe", "run", "resume", "identify", "report", "pareto", "export", "doctor",
-                     "process", "road", "test", "validate", "ring", "compare", "show"):
+                     "process", "road", "test", "validate", "compare", "show"):
             self.assert_says(self.latsch(verb, "--help"), "xample", f"latsch {verb}")
 
 

@@ -12,7 +12,9 @@
 #include "base/random.h"
 #include "base/units.h"
 #include "cli/console/console.h"
+#include "cli/run/model_source.h"
 #include "cli/templates/magic_formula_template.h"
+#include "cli/templates/ring_template.h"
 #include "cli/templates/sized_tire.h"
 #include "cli/templates/study_template.h"
 #include "cli/verbs/verbs.h"
@@ -31,7 +33,9 @@ struct NewOptions {
   bool coarse = false;
   std::vector<std::string> recordings, columns;  // of a tire test
   std::string axes, radius;
+  std::string ring_data, known;  // a model, or kExample; a flexible ring
 };
+constexpr const char* kExample = "published example";
 
 std::string_view text_of(const std::string& name) {
   for (const TireTemplate& tire : tire_templates()) {
@@ -132,6 +136,35 @@ void start_magic_formula(const NewOptions& options, const experiment::Language& 
       study.string());
 }
 
+int start_ring(const NewOptions& options, const experiment::Language& language) {
+  const fs::path folder = options.folder, study = new_study(folder);
+  RingStudy written = example_ring_study();
+  if (options.ring_data != kExample) {
+    const ModelSource model = model_source(options.ring_data, language);
+    const Document known = options.known.empty() ? Document::parse(written.ring, "ring.toml")
+                                                 : Document::read(options.known);
+    auto derived = ring_study_of(*model.kind, model.numbers, known, language);
+    if (!derived) {
+      complain(options.ring_data + ": " + derived.failure().reason);
+      return kFailed;
+    }
+    written = std::move(*derived);
+  } else if (!options.known.empty()) {
+    throw InputError("--known: expected --ring-data with a model, whose ring begins at it");
+  }
+  fs::create_directories(folder);
+  write(folder / "ring.toml", written.ring);
+  write(study, written.study);
+  correlation::read_study(study, language);
+  say("\n{1}\n"
+      "  latsch run {0}                          finds the numbers\n"
+      "  latsch identify {0}                     what the data leave open\n"
+      "  latsch export {0} --model fitted.toml   the ring\n",
+      study.string(),
+      options.ring_data == kExample ? "Replace the example's values by your own, then" : "Next");
+  return kDone;
+}
+
 void start_study(const NewOptions& options, const experiment::Language& language) {
   const fs::path folder = options.folder, study = new_study(folder);
   const Document tire = Document::parse(tire_of(options), (folder / "tire.toml").string());
@@ -153,12 +186,15 @@ void add_new(CommandLine& app, Program& program) {
   verb.footer(
       "Examples:\n  latsch new my_tire\n  latsch new my_tire --size 275/35R19\n"
       "  latsch new race --tire race_16x7.5-10\n"
-      "  latsch new mf --magic-formula cornering.dat drive_brake.dat\n\n"
+      "  latsch new mf --magic-formula cornering.dat drive_brake.dat\n"
+      "  latsch new ring --ring-data my_tire/tire.toml\n\n"
       "The measurements are an example, computed from the tire with other moduli than the study\n"
       "starts at: the first run ends at a target below 1 %. Put your own in their place.\n"
       "From recordings of a tire test comes a study of a Magic Formula: the coefficients that "
       "they\n"
-      "tell, freed in stages.");
+      "tell, freed in stages. From a model of a tire comes a study of the flexible ring that "
+      "shows\n"
+      "the same loads and modes.");
   auto options = std::make_shared<NewOptions>();
   std::vector<std::string> names;
   for (const TireTemplate& known : tire_templates()) names.emplace_back(known.name);
@@ -178,8 +214,16 @@ void add_new(CommandLine& app, Program& program) {
       .one_of({"iso", "adapted_sae", "sae"});
   verb.add_option("--column", options->columns, "How a channel is called: \"Fz = LOAD [N]\"");
   verb.add_option("--radius", options->radius, "Of the unloaded tire, where no loaded radius is");
+  verb.add_option("--ring-data",
+                  options->ring_data,
+                  "A flexible ring from measured loads, modes and stiffnesses; with a model of a "
+                  "tire from what it shows of them")
+      .or_alone(kExample);
+  verb.add_option("--known", options->known, "Flexible ring whose numbers such a study begins at");
   verb.callback([=, &program] {
-    if (options->recordings.empty()) {
+    if (!options->ring_data.empty()) {
+      program.exit_code = start_ring(*options, program.language);
+    } else if (options->recordings.empty()) {
       start_study(*options, program.language);
     } else {
       start_magic_formula(*options, program.language);

@@ -36,7 +36,6 @@ void add_export(CommandLine& app, Program& program);
 void add_compare(CommandLine& app, Program& program);
 void add_road(CommandLine& app, Program& program);
 void add_test(CommandLine& app, Program& program);
-void add_ring(CommandLine& app, Program& program);
 void add_show(CommandLine& app, Program& program);
 void add_help(CommandLine& app, Program& program);
 void add_process(CommandLine& app, Program& program);

@@ -53,14 +53,7 @@ SimulatedValues Values::of_modes(const Channels& trial) const {
   const auto modes = experiment::mode_records(recording);
   SimulatedValues found;
   for (const std::string& label : m_.modes) {
-    const auto named = experiment::mode_of_label(label);
-    int lowest = -1;
-    for (int i = 0; i < std::ssize(modes); ++i) {
-      const auto& mode = modes[i];
-      const bool is_named = mode.n == named->n && mode.type == named->type &&
-                            (named->phase == ' ' || mode.phase == named->phase);
-      if (is_named && (lowest < 0 || mode.frequency < modes[lowest].frequency)) lowest = i;
-    }
+    const int lowest = experiment::find_mode(modes, *experiment::mode_of_label(label));
     if (lowest < 0) found.missing.push_back(static_cast<int>(found.values.size()));
     found.values.push_back(lowest < 0 ? 0.0 : values[lowest]);
   }

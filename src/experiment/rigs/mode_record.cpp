@@ -37,6 +37,17 @@ std::optional<ModeRecord> mode_of_label(const std::string& label) {
                                                                         : std::nullopt;
 }
 
+int find_mode(const std::vector<ModeRecord>& modes, const ModeRecord& named) {
+  int lowest = -1;
+  for (int i = 0; i < static_cast<int>(modes.size()); ++i) {
+    const ModeRecord& mode = modes[i];
+    const bool is_meant = mode.n == named.n && mode.type == named.type &&
+                          (named.phase == ' ' || mode.phase == named.phase);
+    if (is_meant && (lowest < 0 || mode.frequency < modes[lowest].frequency)) lowest = i;
+  }
+  return lowest;
+}
+
 Channels to_channels(const std::vector<ModeRecord>& modes) {
   Channel frequency{"frequency", "Hz", {}}, n{"n", "1", {}}, type{"type", "1", {}};
   Channel phase{"phase", "1", {}}, shape{"shape", "1", {}};

@@ -31,6 +31,9 @@ struct ModeRecord {
 /// The inverse of label(), of a type and n that are known; nullopt for any other text.
 std::optional<ModeRecord> mode_of_label(const std::string& label);
 
+/// Where the lowest mode of that name stands; of any phase unless it says one. -1: there is none.
+int find_mode(const std::vector<ModeRecord>& modes, const ModeRecord& named);
+
 Channels to_channels(const std::vector<ModeRecord>& modes);
 /// The inverse; asserts that the channels come from a modal run.
 std::vector<ModeRecord> mode_records(const Channels& channels);
