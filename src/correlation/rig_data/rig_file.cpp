@@ -18,17 +18,28 @@ constexpr double kSameSpeed = 1e-3;  // of a speed: "60 km/h" and "16.67 m/s" ar
 void read_channels(const Node& table, RigFile& rig) {
   rig.time = table.text("time", "time");
   rig.speed = table.text("speed", "speed");
+  rig.pulses = table.text("pulses", "");
+  if (!rig.pulses.empty() && table.has("speed"))
+    table.reject("pulses", "stands beside speed, expected one of them");
   rig.force = table.text("force");
   if (table.has("also")) rig.also = table.texts("also");
   const auto units = table.find_table("units");
   if (!units) return;
-  std::vector<std::string> names{rig.time, rig.speed, rig.force};
+  std::vector<std::string> names{rig.time, rig.speed, rig.force, rig.pulses};
   names.insert(names.end(), rig.also.begin(), rig.also.end());
   for (const std::string& name : names) {
     if (!units->has(name)) continue;
     rig.units[name] = units->text(name);
     if (!Unit::find(rig.units[name])) units->reject(name, "is " + unknown_unit(rig.units[name]));
   }
+}
+
+void read_drum(const Node& table, RigFile& rig) {
+  rig.circumference = table.quantity("circumference", "m", Range::positive());
+  if (table.has("teeth") || !rig.pulses.empty())
+    rig.teeth = static_cast<int>(table.integer("teeth", 1, 100000));
+  if (rig.teeth > 0 && rig.pulses.empty())
+    table.reject("teeth", "has no pulses to count, expected channels.pulses beside it");
 }
 
 void read_plateaus(const Node& table, RigFile& rig) {
@@ -166,7 +177,11 @@ RigFile read_rig_file(const std::filesystem::path& file) {
   rig.title = root.text("title", file.stem().string());
   read_channels(root.table("channels"), rig);
   if (const auto drum = root.find_table("drum")) {
-    rig.circumference = drum->quantity("circumference", "m", Range::positive());
+    read_drum(*drum, rig);
+  }
+  if (!rig.pulses.empty() && rig.teeth == 0) {
+    root.reject("drum",
+                "is missing, expected circumference and teeth: a speed from pulses needs both");
   }
   read_plateaus(root.table("plateaus"), rig);
   if (const auto passages = root.find_table("passages")) read_passages(*passages, rig);

@@ -4,13 +4,15 @@
 //   title = "Race tire on the drum"
 //   [channels]
 //   time = "time"                        # names as in the files
-//   speed = "speed"                      # of the drum's surface
+//   speed = "speed"                      # of the drum's surface; or pulses = "tooth", of a toothed
+//                                        # wheel on its shaft: pulse_speed.h
 //   force = "Fz"                         # gives period and alignment, is compensated
 //   also = ["Fx"]                        # averaged too; none unless given
 //   [channels.units]                     # of files that have none (MAT)
 //   Fz = "N"
 //   [drum]
 //   circumference = "6 m"                # optional: the period is then looked for around it
+//   teeth = 60                           # of that wheel
 //   [plateaus]
 //   speeds = ["30 km/h", "60 km/h", "90 km/h"]
 //   margin = "1 km/h"                    # and low_pass, order, trim, shortest: plateaus.h
@@ -90,6 +92,8 @@ struct RigFile {
   std::filesystem::path file;
   std::string title;
   std::string time, speed, force;
+  std::string pulses;  // empty: the speed was recorded
+  int teeth = 0;
   std::vector<std::string> also;
   std::map<std::string, std::string> units;  // by channel
   std::optional<double> circumference;       // m

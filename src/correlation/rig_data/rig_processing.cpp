@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "formats/tables/recording.h"
 #include "measurement/bootstrap.h"
+#include "measurement/pulse_speed.h"
 
 namespace latsch::correlation {
 namespace {
@@ -92,6 +93,16 @@ DrumRecord read_record(const RigFile& rig,
   return drum_record(std::move(channels), rig.time, file.string());
 }
 
+void add_speed(const RigFile& rig, DrumRecord& record) {
+  record.channels.add({rig.speed,
+                       "m/s",
+                       speed_of_pulses(record.channel(rig.pulses),
+                                       record.rate,
+                                       *rig.circumference / rig.teeth,
+                                       rig.pulses,
+                                       record.source)});
+}
+
 }  // namespace
 
 numerics::Density density_of(const RigFile& rig, const std::vector<double>& force, double rate) {
@@ -145,12 +156,13 @@ RigResults process(const RigFile& rig, const RigProgress& progress) {
   const long total =
       static_cast<long>(2 * rig.runs.size()) + (rig.hammer ? 1 : 0) + (rig.compensation ? 1 : 0);
   long done = 0;
-  std::vector<std::string> needed{rig.speed, rig.force};
+  std::vector<std::string> needed{rig.pulses.empty() ? rig.speed : rig.pulses, rig.force};
   needed.insert(needed.end(), rig.also.begin(), rig.also.end());
   RigResults results;
   for (const RigRun& run : rig.runs) {
     progress(done++, total, "reading " + run.file.filename().string());
     DrumRecord record = read_record(rig, run.file, needed);
+    if (!rig.pulses.empty()) add_speed(rig, record);
     progress(done++, total, "passages of " + run.name);
     results.runs.push_back(process_run(rig, run.name, std::move(record)));
   }

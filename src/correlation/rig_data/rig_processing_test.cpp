@@ -2,6 +2,7 @@
 // The whole chain on recordings of which everything is known.
 #include "correlation/rig_data/rig_processing.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -116,6 +117,50 @@ TEST_F(RigData, FindsTheRigAndItsInverseAgain) {
   EXPECT_NEAR(filter.zeta, back.zeta, 0.01);
   EXPECT_NEAR(filter.c, back.c, 0.05 * back.c);
   EXPECT_GT(found.compensation->over_hits.f, 0.0);
+}
+
+// A drum whose speed was recorded as the pulses of a toothed wheel: the angle is the integral of
+// the speed, a tooth's half of it high.
+TEST_F(RigData, TakesTheSpeedFromAToothedWheel) {
+  constexpr double kTeeth = 100.0, kWay = 6.0;
+  std::string text = replaced(kRig, "[channels]", "[channels]\npulses = \"tooth\"");
+  text = replaced(text, "[drum]", "[drum]\nteeth = 100");
+  for (const char* name : {"dummy", "real"}) {
+    const Channels recorded = formats::read_recording(folder_ / (std::string(name) + ".csv"), {});
+    const auto &time = recorded.find("time")->values, &v = recorded.find("speed")->values;
+    std::ofstream out(folder_ / (std::string(name) + "_pulses.csv"));
+    out << "time [s],tooth,Fz [N],Fx [N]\n";
+    double way = 0.0;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+      if (i > 0) way += 0.5 * (v[i] + v[i - 1]) * (time[i] - time[i - 1]);
+      const double turn = way * kTeeth / kWay;
+      out << fmt::format("{:.4f},{:.4f},{},{}\n",
+                         time[i],
+                         std::tanh(4.0 * std::sin(2.0 * std::numbers::pi * turn)),
+                         recorded.find("Fz")->values[i],
+                         recorded.find("Fx")->values[i]);
+    }
+    text = replaced(text, fmt::format("\"{}.csv\"", name), fmt::format("\"{}_pulses.csv\"", name));
+  }
+  const RigResults by_speed = results(), by_pulses = results(text);
+  for (std::size_t run = 0; run < by_speed.runs.size(); ++run) {
+    for (std::size_t k = 0; k < by_speed.runs[run].plateaus.size(); ++k) {
+      const Plateau &a = by_speed.runs[run].plateaus[k].plateau,
+                    &b = by_pulses.runs[run].plateaus[k].plateau;
+      EXPECT_NEAR(b.mean, a.mean, 1e-3 * a.mean);
+      EXPECT_EQ(by_pulses.runs[run].plateaus[k].passages.starts.size(),
+                by_speed.runs[run].plateaus[k].passages.starts.size());
+    }
+  }
+}
+
+TEST_F(RigData, PulsesNeedTheWheelTheyAreOf) {
+  const std::string pulses = replaced(kRig, "[channels]", "[channels]\npulses = \"tooth\"");
+  refused(pulses, "teeth");
+  refused(replaced(pulses, "[drum]\ncircumference = \"6 m\"", ""), "needs both");
+  refused(replaced(pulses, "force =", "speed = \"v\"\nforce ="), "stands beside speed");
+  refused(replaced(kRig, "[drum]", "[drum]\nteeth = 60"), "no pulses to count");
+  refused(replaced(pulses, "[drum]", "[drum]\nteeth = 60"), "channel \"tooth\" is missing");
 }
 
 // What follows the second digit of a deviation is chance, and other on other processors.

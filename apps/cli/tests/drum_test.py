@@ -1,0 +1,159 @@
+#!/usr/bin/env python3
+"""From the raw record of a drum to a fitted ring, without a script between: `latsch process` averages the passages, a
+[measurement.NAME] takes the average, a study fits the ring to its spectra.
+
+The record is a ring's own answer to a cleat, repeated as the drum turns, with noise and a run-up; where in a turn the
+cleat stands is told to nobody. The sidewall it was made with has to be found again.
+
+    drum_test.py PATH/TO/latsch
+"""
+import bisect
+import csv
+import json
+import math
+import pathlib
+import random
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from cli_testing import DONE, LATSCH, WRONG_INPUT
+
+RINGS = pathlib.Path(__file__).resolve().parents[3] / "studies/ring_tires"
+STIFFNESS, DAMPING = 0.55, 55.0  # MN/m^2, N s/m^2: of the shipped ring
+SPEED, DRUM = 40.0 / 3.6, 2.5    # m/s, m
+TEETH, RATE = 120, 2000          # Hz
+
+CLEAT = """kind = "drum_cleat"
+speed = "40 km/h"
+load = "4 kN"
+drum_diameter = "2.5 m"
+duration = "0.3 s"
+sample_step = "1 ms"
+cleat = {height = "10 mm", length = "20 mm"}
+"""
+
+RIG = f"""[channels]
+pulses = "tooth"
+force = "Fz"
+also = ["Fx"]
+[drum]
+circumference = "{math.pi * DRUM} m"
+teeth = {TEETH}
+[plateaus]
+speeds = ["40 km/h"]
+[run.tire]
+file = "raw.csv"
+"""
+
+STUDY = """model = "tire.toml"
+
+[measurement.passage]
+file = "rig_processed/average_tire_40kph.csv"
+shift = "-179 ms"                     # its hit onto that of the test, as well as one sees it
+select = {time = "-40 ms .. 200 ms"}
+
+[test.cleat]
+""" + CLEAT + """
+[variable.stiffness]
+path = "sidewall.radial.stiffness"
+lower = "0.3 MN/m^2"
+upper = "1 MN/m^2"
+initial = "0.7 MN/m^2"
+[variable.damping]
+path = "sidewall.radial.damping"
+lower = "10 N s/m^2"
+upper = "200 N s/m^2"
+initial = "100 N s/m^2"
+
+[experiment.Fz]
+kind = "curve"
+x = "cleat/time"
+y = "cleat/Fz"
+measurement = "passage"
+compare = "psd"
+[experiment.Fx]
+kind = "curve"
+x = "cleat/time"
+y = "cleat/Fx"
+measurement = "passage"
+compare = "psd"
+
+[run]
+workers = 2
+"""
+
+
+def between(x, xs, ys):
+    k = min(max(bisect.bisect(xs, x) - 1, 0), len(xs) - 2)
+    return ys[k] + (ys[k + 1] - ys[k]) * (x - xs[k]) / (xs[k + 1] - xs[k])
+
+
+class Drum(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_drum_"))
+        shutil.copy(RINGS / "passenger_205_55R16.toml", cls.folder / "tire.toml")
+        (cls.folder / "cleat.toml").write_text(CLEAT)
+        (cls.folder / "rig.toml").write_text(RIG)
+        (cls.folder / "study.toml").write_text(STUDY)
+        cls.record()
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    @classmethod
+    def latsch(cls, *arguments):
+        return subprocess.run([LATSCH, *arguments], cwd=cls.folder, capture_output=True, text=True)
+
+    @classmethod
+    def record(cls):
+        """20 s at a constant speed after 2 s of running up, 15 N of noise, a voltage for the teeth."""
+        cls.latsch("test", "tire.toml", "cleat.toml", "--output", "passage.csv")
+        with open(cls.folder / "passage.csv") as file:
+            rows = list(csv.DictReader(file))
+        time = [float(row["time [s]"]) for row in rows]
+        forces = [[float(row[name]) for row in rows] for name in ("Fz [N]", "Fx [N]")]
+        turn = math.pi * DRUM / SPEED
+        time.append(time[0] + turn)
+        for force in forces:
+            force.append(force[0])
+        chance, way = random.Random(1), 0.0
+        with open(cls.folder / "raw.csv", "w") as out:
+            out.write("time [s],tooth [V],Fz [N],Fx [N]\n")
+            for i in range(22 * RATE):
+                way += SPEED * min(1.0, i / RATE / 2.0) / RATE
+                at = time[0] + (way / SPEED - 0.31) % turn
+                tooth = 2.5 + 2.0 * math.sin(2 * math.pi * way * TEETH / (math.pi * DRUM))
+                Fz, Fx = (between(at, time, force) + chance.gauss(0, 15) for force in forces)
+                out.write(f"{i / RATE:.4f},{tooth:.3f},{Fz:.2f},{Fx:.2f}\n")
+
+    def test_a_raw_record_becomes_a_fitted_ring(self):
+        processed = self.latsch("process", "rig.toml")
+        self.assertEqual(processed.returncode, DONE, processed.stderr)
+        ran = self.latsch("run", "study.toml", "--json")
+        self.assertEqual(ran.returncode, DONE, ran.stderr)
+        variables = json.loads(ran.stdout)["result"]["variables"]
+        found = {variable["name"]: variable["value"] for variable in variables}
+        self.assertAlmostEqual(found["stiffness"] / STIFFNESS, 1.0, delta=0.01)
+        self.assertAlmostEqual(found["damping"] / DAMPING, 1.0, delta=0.05)
+
+    def test_what_a_processed_table_holds_is_shown(self):
+        self.assertEqual(self.latsch("process", "rig.toml").returncode, DONE)
+        shown = self.latsch("show", "study.toml", "--measurement", "passage")
+        self.assertEqual(shown.returncode, DONE, shown.stderr)
+        self.assertIn("time shifted by -0.179 s", shown.stdout)
+
+    def test_a_window_that_leaves_nothing_is_said(self):
+        self.assertEqual(self.latsch("process", "rig.toml").returncode, DONE)
+        text = STUDY.replace('shift = "-179 ms"', 'shift = "3 s"')
+        (self.folder / "late.toml").write_text(text)
+        checked = self.latsch("check", "late.toml")
+        self.assertEqual(checked.returncode, WRONG_INPUT)
+        self.assertIn("-40 ms .. 200 ms", checked.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
