@@ -22,7 +22,7 @@ RingParameters closed_form_ring(int nodes) {
   RingParameters ring = passenger_ring();
   ring.nodes = nodes;
   ring.belt.extension = 1.0e10;
-  ring.belt.bending_lateral = 1.0e7;
+  ring.belt.bending_out_of_plane = 1.0e7;
   return ring;
 }
 

@@ -143,7 +143,7 @@ double order_on_a_smooth_road() {
 int ring_speed() {
   benchmarks::Table table("ring_speed");
   RingParameters bent = tire_of(80, 50, 10);
-  bent.belt.section_bending = 8.0;
+  bent.belt.bending_across = 8.0;
   const std::vector<Cost> costs = least_costs({tire_of(80, 50, 10),
                                                tire_of(80, 25, 10),
                                                tire_of(160, 50, 10),

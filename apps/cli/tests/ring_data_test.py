@@ -20,7 +20,7 @@ AIR = '{kind = "modes", count = 30}'
 TYPES = ["torsional", "lateral", "radial"]  # codes of the channel
 FACTORS = {"belt.mass": 1.2, "sidewall.radial.stiffness": 0.8, "sidewall.tangential.stiffness": 1.25,
            "sidewall.lateral.stiffness": 0.75, "sidewall.torsion": 1.5, "sidewall.progressivity": 1.5,
-           "belt.pressure_width": 1.2, "belt.bending_in_plane": 2.0, "belt.bending_lateral": 0.6,
+           "belt.pressure_width": 1.2, "belt.bending_in_plane": 2.0, "belt.bending_out_of_plane": 0.6,
            "sidewall.radial.damping": 0.7, "sidewall.tangential.damping": 1.4, "sidewall.lateral.damping": 1.3}
 
 

@@ -10,7 +10,7 @@
 namespace latsch::ring_tire {
 
 struct BeltLaw {
-  double R, L0, T0, EA, EI, EI_lateral, GJ, pressure_width, s0;
+  double R, L0, T0, EA, EI, EI_out_of_plane, GJ, pressure_width, s0;
 };
 
 /// What the elements of node k carry: the string to node k + 1 (three components), (3) along x and
@@ -73,7 +73,7 @@ BeltForces::BeltForces(const Belt& belt, int nodes)
       T0_(belt.pressure * belt.pressure_width * R_ * std::cos(std::numbers::pi / nodes)),
       EA_(belt.extension),
       EI_(belt.bending_in_plane),
-      EI_lateral_(belt.bending_lateral),
+      EI_out_of_plane_(belt.bending_out_of_plane),
       GJ_(belt.twist),
       pressure_width_(belt.pressure * belt.pressure_width),
       s0_(-2.0 * R_ * (1.0 - std::cos(2.0 * std::numbers::pi / nodes))) {}
@@ -92,7 +92,8 @@ double BeltForces::energy(const NodeValues& q, const RimFrame& rim) const {
     const double u = rim.a.dot(x), u1 = rim.a.dot(x1), u0 = rim.a.dot(x0);
     const double curvature = (u1 + u0 - 2.0 * u) / (L0_ * L0_) + q(3, k) / R_;
     const double twist = (q(3, after) - q(3, k)) / L0_ - (u1 - u) / (L0_ * R_);
-    sum += 0.5 * L0_ * (EI_lateral_ * curvature * curvature + GJ_ * twist * twist);  // (4), (5)
+    sum +=
+        0.5 * L0_ * (EI_out_of_plane_ * curvature * curvature + GJ_ * twist * twist);  // (4), (5)
   }
   return sum;
 }
@@ -106,7 +107,7 @@ void BeltForces::add_force(const NodeValues& q, const RimFrame& rim, NodeValues&
       at.row(RimRows::kX), at.row(RimRows::kY), at.row(RimRows::kZ), at.row(RimRows::kTorsion)};
   double* const to[4] = {
       f.row(RimRows::kX), f.row(RimRows::kY), f.row(RimRows::kZ), f.row(RimRows::kTorsion)};
-  const BeltLaw law{R_, L0_, T0_, EA_, EI_, EI_lateral_, GJ_, pressure_width_, s0_};
+  const BeltLaw law{R_, L0_, T0_, EA_, EI_, EI_out_of_plane_, GJ_, pressure_width_, s0_};
   LATSCH_KERNEL(strain)(nodes_, law, x, e);
   LATSCH_KERNEL(gather)(nodes_, law, x, e, to);
   f.add_to(force, rim);
@@ -174,7 +175,7 @@ void BeltForces::add_lateral_stiffness(const RimFrame& rim, double scale, Cyclic
   Matrix4d of[3] = {Matrix4d::Zero(), Matrix4d::Zero(), Matrix4d::Zero()};
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j)
-      of[j - i] += (scale * EI_lateral_ * L0_) * curvature[i] * curvature[j].transpose();
+      of[j - i] += (scale * EI_out_of_plane_ * L0_) * curvature[i] * curvature[j].transpose();
   for (int i = 0; i < 2; ++i)
     for (int j = i; j < 2; ++j) of[j - i] += (scale * GJ_ * L0_) * twist[i] * twist[j].transpose();
   for (int k = 0; k < nodes_; ++k)

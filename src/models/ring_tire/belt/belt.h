@@ -6,7 +6,7 @@
 //   extension        1/2 (EA/L0) (|x_(k+1) - x_k| - L0 + T0 L0/EA)^2                          (1)
 //   pressure         -1/2 p w a . ((x_k - c) × (x_(k+1) - c)) (-1), the area enclosed          (2)
 //   bending          1/2 (EI/L0^3) (s_k - s_0)^2,  s_k = a . (d_k × c_k)/|c_k|                  (3)
-//   lateral bending  1/2 EI_l L0 ((u_(k+1) + u_(k-1) - 2 u_k)/L0^2 + ψ_k/R)^2                   (4)
+//   out-of-plane     1/2 EI_o L0 ((u_(k+1) + u_(k-1) - 2 u_k)/L0^2 + ψ_k/R)^2                   (4)
 //   twist            1/2 GJ L0 ((ψ_(k+1) - ψ_k)/L0 - (u_(k+1) - u_k)/(L0 R))^2                 (5)
 //
 // T0 = p w R cos(π/N) holds the pressure at rest, so nothing else is stressed there. (1) and (3) do
@@ -42,7 +42,7 @@ class BeltForces {
 
   int nodes_;
   double R_, L0_, T0_;
-  double EA_, EI_, EI_lateral_, GJ_, pressure_width_;
+  double EA_, EI_, EI_out_of_plane_, GJ_, pressure_width_;
   double s0_;  // of (3), at rest
 };
 

@@ -38,7 +38,7 @@ void strain(int nodes, const BeltLaw& law, const double* const rows[4], const El
     store(-(moment * tx), e.row[Elements::kBendZ] + k);
     store((sx * tx + sz * tz) * shorter, e.row[Elements::kTurning] + k);
     const Lanes psi1 = lanes(psi + k), psi2 = lanes(psi + k + 1);
-    store(law.EI_lateral * (((y2 + y0) - 2.0 * y1) * over + psi1 * of_psi),
+    store(law.EI_out_of_plane * (((y2 + y0) - 2.0 * y1) * over + psi1 * of_psi),
           e.row[Elements::kLateral] + k);                                                  // (4)
     store(law.GJ * ((psi2 - psi1) * by_L - dy * of_travel), e.row[Elements::kTwist] + k);  // (5)
   });

@@ -26,13 +26,13 @@ double inverse_at(double k, double s, int N, int d) {
 
 SectionBending::SectionBending(
     const Belt& belt, double width, double chord, double tension, int nodes)
-    : on_(belt.section_bending > 0.0), nodes_(nodes), width_(width) {
+    : on_(belt.bending_across > 0.0), nodes_(nodes), width_(width) {
   reset();
   if (!on_) return;
   green_.resize(kModes, nodes);
   const double coupling = belt.section_coupling * tension / chord;  // κ T0/L0
   for (int i = 0; i < kModes; ++i) {
-    const double own = belt.section_bending * std::pow(kBeta[i], 4) / std::pow(width, 3) * chord;
+    const double own = belt.bending_across * std::pow(kBeta[i], 4) / std::pow(width, 3) * chord;
     for (int d = 0; d < nodes; ++d) green_(i, d) = inverse_at(own, coupling, nodes, d);
   }
 }
@@ -154,7 +154,7 @@ double SectionBending::energy() const {
   return contact_.empty() ? 0.0 : 0.5 * values().dot(own_ * values());
 }
 
-void SectionBending::keep() {
+void SectionBending::accept() {
   spread();
   kept_ = field_;
 }

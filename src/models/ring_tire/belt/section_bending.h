@@ -31,7 +31,7 @@ class SectionBending {
   static constexpr int kModes = 3;
   using Field = Eigen::Matrix<double, kModes, Eigen::Dynamic>;  // γ of every node, m
 
-  /// With a belt whose section_bending is 0 the section stays straight: on() is false.
+  /// With a belt whose bending_across is 0 the section stays straight: on() is false.
   SectionBending(const Belt& belt, double width, double chord, double tension, int nodes);
 
   bool on() const { return on_; }
@@ -74,7 +74,7 @@ class SectionBending {
   /// J, (24).
   double energy() const;
   /// The step is done: γ beyond the contact follows.
-  void keep();
+  void accept();
 
  private:
   void spread();

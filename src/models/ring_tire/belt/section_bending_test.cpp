@@ -24,7 +24,7 @@ constexpr int kBendingNodes = 80;
 
 SectionBending section_of(double bending, double coupling) {
   Belt belt;
-  belt.section_bending = bending;
+  belt.bending_across = bending;
   belt.section_coupling = coupling;
   return {belt, kWidth, kChord, kTension, kBendingNodes};
 }
@@ -118,7 +118,7 @@ RingParameters crowned(double bending) {
   RingParameters ring = passenger_ring();
   ring.tread.lines = 10;
   ring.tread.crown_radius = 0.7;
-  ring.belt.section_bending = bending;
+  ring.belt.bending_across = bending;
   return ring;
 }
 

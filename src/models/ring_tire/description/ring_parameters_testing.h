@@ -15,7 +15,7 @@ inline RingParameters passenger_ring() {
                .torsion_inertia = 0.006,
                .extension = 2.0e6,
                .bending_in_plane = 1.8,
-               .bending_lateral = 88.0,
+               .bending_out_of_plane = 88.0,
                .twist = 97.0,
                .pressure = 2.4e5,
                .pressure_width = 0.08};

@@ -38,16 +38,25 @@ Sidewall read_sidewall(const Node& node) {
   return s;
 }
 
+/// Names that others use for something else.
+void reject_old_names(const Node& belt) {
+  for (const auto& [old, now] : {std::pair{"bending_lateral", "bending_out_of_plane"},
+                                 std::pair{"section_bending", "bending_across"}}) {
+    if (belt.has(old)) belt.reject(old, fmt::format("is called {} now", now));
+  }
+}
+
 Belt read_belt(const Node& node, double pressure) {
+  reject_old_names(node);
   Belt belt;
   belt.radius = node.quantity("radius", "m", Range::positive());
   belt.mass = node.quantity("mass", "kg", Range::positive());
   belt.torsion_inertia = node.quantity("torsion_inertia", "kg m", Range::positive());
   belt.extension = node.quantity("extension", "N", Range::positive());
   belt.bending_in_plane = node.quantity("bending_in_plane", "N m^2", Range::not_negative());
-  belt.bending_lateral = node.quantity("bending_lateral", "N m^2", Range::not_negative());
+  belt.bending_out_of_plane = node.quantity("bending_out_of_plane", "N m^2", Range::not_negative());
   belt.twist = node.quantity("twist", "N m^2", Range::not_negative());
-  belt.section_bending = node.quantity("section_bending", "N m", Range::not_negative(), 0.0);
+  belt.bending_across = node.quantity("bending_across", "N m", Range::not_negative(), 0.0);
   belt.section_coupling = node.quantity("section_coupling", "1", Range::not_negative(), 1.0);
   belt.pressure = pressure;
   belt.pressure_width = node.quantity("pressure_width", "m", Range::not_negative());

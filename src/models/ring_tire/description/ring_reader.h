@@ -10,11 +10,11 @@
 //   mass = "4.52 kg"                   # with the tread
 //   torsion_inertia = "0.006 kg m"     # of the section about the circumference, per length
 //   extension = "2 MN"                 # EA
-//   bending_in_plane = "1.8 N m^2"
-//   bending_lateral = "88 N m^2"
+//   bending_in_plane = "1.8 N m^2"     # EI about the axle
+//   bending_out_of_plane = "88 N m^2"  # EI about the radius
 //   twist = "97 N m^2"                 # per radian and length
 //   pressure_width = "80 mm"           # of the section whose pressure the belt's tension carries
-//   section_bending = "10 N m"         # of the section across, per length; default 0: straight
+//   bending_across = "10 N m"          # of the section across, per length; default 0: straight
 //   section_coupling = 1               # of the belt's tension that smooths bent sections; default
 //
 //   [sidewall]

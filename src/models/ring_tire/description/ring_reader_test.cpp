@@ -41,5 +41,21 @@ TEST(RingReader, ComplaintsNameThePlace) {
   }
 }
 
+// A file of before, whose names are other numbers elsewhere, is not read as if it had none of them.
+TEST(RingReader, SaysWhatANumberIsCalledNow) {
+  for (const auto& [old, now] : {std::pair("bending_lateral", "bending_out_of_plane"),
+                                 std::pair("section_bending", "bending_across")}) {
+    std::string text = example().text();
+    text.insert(text.find("[belt]") + 6, std::string("\n") + old + " = \"88 N m^2\"");
+    try {
+      read_ring_tire(Document::parse(text, "tire.toml").root());
+      FAIL() << old;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(std::string("is called ") + now), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace latsch::ring_tire

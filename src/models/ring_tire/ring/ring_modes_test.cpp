@@ -44,7 +44,7 @@ TEST(RingModes, ConvergeToTheClosedFormWithOrderTwo) {
 TEST(RingModes, LateralTranslationAndTiltHaveTheirClosedForms) {
   RingParameters ring = bare_ring();
   ring.nodes = 200;
-  ring.belt.bending_lateral = 1e7;  // rigid: the section turns with the ring
+  ring.belt.bending_out_of_plane = 1e7;  // rigid: the section turns with the ring
   const auto modes = unloaded_modes(ring, 1);
   EXPECT_NEAR(find_mode(modes, 0, true).frequency / lateral_frequency(ring), 1.0, 1e-5);
   EXPECT_NEAR(find_mode(modes, 1, true).frequency / tilt_frequency(ring), 1.0, 2e-4);

@@ -203,7 +203,7 @@ Result<HubForces> RingTire::advance(const WheelMotion& motion,
     const WheelMotion to =
         i == parts ? motion : between(last_motion_, motion, static_cast<double>(i) / parts);
     const double then = time - step * (1.0 - static_cast<double>(i) / parts);
-    const std::string trouble = go(from, to, road, then, step / parts, settings_.halvings);
+    const std::string trouble = substep(from, to, road, then, step / parts, settings_.halvings);
     if (!trouble.empty()) return Failure{trouble};
   }
   last_motion_ = motion;
@@ -211,17 +211,18 @@ Result<HubForces> RingTire::advance(const WheelMotion& motion,
 }
 
 /// A step, or where it has no solution two of half the length. Empty, or why there is none.
-std::string RingTire::go(const WheelMotion& from,
-                         const WheelMotion& to,
-                         const road::Road& road,
-                         double time,
-                         double step,
-                         int halvings) {
+std::string RingTire::substep(const WheelMotion& from,
+                              const WheelMotion& to,
+                              const road::Road& road,
+                              double time,
+                              double step,
+                              int halvings) {
   const std::string trouble = step_forward(to, road, time, step);
   if (trouble.empty() || halvings == 0) return trouble;
   const WheelMotion middle = between(from, to, 0.5);
-  const std::string first = go(from, middle, road, time - 0.5 * step, 0.5 * step, halvings - 1);
-  return first.empty() ? go(middle, to, road, time, 0.5 * step, halvings - 1) : first;
+  const std::string first =
+      substep(from, middle, road, time - 0.5 * step, 0.5 * step, halvings - 1);
+  return first.empty() ? substep(middle, to, road, time, 0.5 * step, halvings - 1) : first;
 }
 
 /// Where Newton's method starts: in a rolling tire accelerations stand in space rather than at a
@@ -283,14 +284,14 @@ void RingTire::balance() {
 }
 
 /// The step is done.
-void RingTire::keep() {
+void RingTire::accept() {
   q_ = q1_;
   v_ = v1_;
   a_ = a1_;
   force_ = total_;
   wall_.commit(q_, rim_, rule_);
   tread_.commit();
-  if (section_.on()) section_.keep();
+  if (section_.on()) section_.accept();
 }
 
 /// One step of (16), (17). Empty, or why there is no solution.
@@ -311,10 +312,10 @@ std::string RingTire::step_forward(const WheelMotion& motion,
   }
   const int evaluations = static_cast<int>(counts_.evaluations - before);
   if (held)
-    reuse_.took(evaluations, age);
+    reuse_.took_with_held(evaluations, age);
   else
-    reuse_.took_alone(evaluations);
-  keep();
+    reuse_.took_with_own(evaluations);
+  accept();
   return {};
 }
 
@@ -333,7 +334,7 @@ std::string RingTire::solve_step(bool held, double time) {
     const bool reduces = iteration > 0 && left <= kSlow * last;
     if (!reduces && !(held && iteration == 0)) {
       held = false;
-      if (!renew_tangent()) return lost(time, "its tangent is not definite");
+      if (!renew_tangent()) return no_solution(time, "its tangent is not definite");
     }
     last = left;
     if (held)
@@ -347,10 +348,10 @@ std::string RingTire::solve_step(bool held, double time) {
       return {};
     }
   }
-  return lost(time, fmt::format("{:.3g} N are left at a node", last));
+  return no_solution(time, fmt::format("{:.3g} N are left at a node", last));
 }
 
-std::string RingTire::lost(double time, const std::string& why) const {
+std::string RingTire::no_solution(double time, const std::string& why) const {
   return fmt::format(
       "the ring's step to {:.5f} s has no solution: {}; a shorter step may help", time, why);
 }

@@ -94,20 +94,20 @@ class RingTire final : public Tire {
   void follow();
   bool renew_tangent();
   void balance();
-  void keep();
+  void accept();
   void roll_on(const WheelMotion& motion);
-  std::string go(const WheelMotion& from,
-                 const WheelMotion& to,
-                 const road::Road& road,
-                 double time,
-                 double step,
-                 int halvings);
+  std::string substep(const WheelMotion& from,
+                      const WheelMotion& to,
+                      const road::Road& road,
+                      double time,
+                      double step,
+                      int halvings);
   std::string step_forward(const WheelMotion& motion,
                            const road::Road& road,
                            double time,
                            double step);
   std::string solve_step(bool held, double time);
-  std::string lost(double time, const std::string& why) const;
+  std::string no_solution(double time, const std::string& why) const;
   bool factorize(const NodeValues& q, double mass_factor, double scale, const StepRule& rule);
   /// residual_, and the section's, become Newton's step.
   void solve();

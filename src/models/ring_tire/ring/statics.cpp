@@ -104,7 +104,7 @@ Result<bool> RingTire::equilibrate(const road::Road& road, double time) {
     if (left <= settings_.static_tolerance) {
       wall_.commit(q_, rim_, rule_);
       tread_.commit();
-      if (section_.on()) section_.keep();
+      if (section_.on()) section_.accept();
       return true;
     }
     if (!relax()) break;

@@ -36,9 +36,9 @@ class TangentReuse {
   Eigen::Matrix3d turn(const RimFrame& rim) const { return rim.axes() * axes_.transpose(); }
 
   /// At the end of a step: with its own tangent alone it took so many evaluations.
-  void took_alone(int evaluations) { alone_ = evaluations; }
+  void took_with_own(int evaluations) { alone_ = evaluations; }
   /// With one `held` for that many steps it took so many, those after it was given up included.
-  void took(int evaluations, int held) {
+  void took_with_held(int evaluations, int held) {
     constexpr int kLongest = 31;
     if (evaluations <= alone_) return;
     patience_ = held == 1 ? std::min(2 * patience_ + 1, kLongest) : 0;

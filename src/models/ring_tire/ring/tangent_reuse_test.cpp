@@ -21,13 +21,13 @@ std::vector<int> steps_with_their_own(int steps, int lives) {
     const bool held = reuse.serves(kAcceleration);
     const int age = reuse.age();
     if (held) {
-      reuse.took(step - made < lives ? 3 : 4, age);
+      reuse.took_with_held(step - made < lives ? 3 : 4, age);
       continue;
     }
     own.push_back(step);
     made = step;
     reuse.made(rim, kAcceleration);
-    reuse.took_alone(3);
+    reuse.took_with_own(3);
   }
   return own;
 }
@@ -47,7 +47,7 @@ TEST(TangentReuse, IsTriedEverMoreRarelyWhereItNeverServes) {
 TEST(TangentReuse, ServesNoStepOfAnotherLength) {
   TangentReuse reuse;
   reuse.made(RimFrame::of({}), kAcceleration);
-  reuse.took_alone(3);
+  reuse.took_with_own(3);
   EXPECT_TRUE(reuse.serves(kAcceleration));
   EXPECT_FALSE(reuse.serves(4.0 * kAcceleration));
 }

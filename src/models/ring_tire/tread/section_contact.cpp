@@ -36,11 +36,11 @@ void TreadContact::bend(const SectionBending& section) {
   if (line_shapes_.empty())
     for (const double y : line_y_)
       line_shapes_.emplace_back(section.shape(0, y), section.shape(1, y), section.shape(2, y));
-  rises_.resize(2 * static_cast<std::size_t>(nodes_ * lines_));
+  section_rise_.resize(2 * static_cast<std::size_t>(nodes_ * lines_));
   for (int segment = 0; segment < nodes_; ++segment) {
     const Modes here = section.field().col(segment);
     const Modes next = section.field().col((segment + 1) % nodes_);
-    double* rise = &rises_[2 * static_cast<std::size_t>(segment * lines_)];
+    double* rise = &section_rise_[2 * static_cast<std::size_t>(segment * lines_)];
     for (const Modes& shape : line_shapes_) {
       *rise++ = shape.dot(here);
       *rise++ = shape.dot(next);

@@ -20,7 +20,7 @@ constexpr double kFar = 1e6;  // m, beyond any road's reach
 constexpr int kWide = 8;      // stations at once
 
 /// Stations of `blocks` that share a stiffness: a power of two, a twelfth of the segment at most.
-int stations_together(int blocks) {
+int stations_per_sum(int blocks) {
   return blocks >= 96 ? 8 : blocks >= 48 ? 4 : blocks >= 24 ? 2 : 1;
 }
 }  // namespace
@@ -30,7 +30,7 @@ TreadContact::TreadContact(const Tread& tread, double radius, int nodes)
       lines_(tread.lines),
       blocks_(tread.blocks),
       stride_((tread.blocks + kWide - 1) / kWide * kWide),
-      together_(stations_together(tread.blocks)),
+      stations_per_sum_(stations_per_sum(tread.blocks)),
       height_(tread.height),
       half_width_(0.5 * tread.width),
       damping_time_(tread.damping_time),
@@ -90,7 +90,7 @@ bool TreadContact::near_road(const NodeValues& q,
   // How far tips stand off the belt: height and half the width, leaning a little more than the rim.
   constexpr double kLean = 0.2;
   const double reach = 1.1 * height_ + half_width_ * (rim.a.cwiseAbs().z() + kLean * 0.25) +
-                       (rises_.empty() ? 0.0 : kBent);
+                       (section_rise_.empty() ? 0.0 : kBent);
   const double side = height_ + half_width_;
   const road::GroundBox box{low.x() - side, high.x() + side, low.y() - side, high.y() + side};
   return low.z() - reach <= road.bounds(box, time).highest + margin_;
@@ -136,7 +136,7 @@ void TreadContact::approach(const NodeValues& q,
                             double time,
                             const StepRule& rule) {
   rule_ = rule;
-  margin_ = rule.statics() ? kStandingMargin : rises_.empty() ? kMargin : kBentMargin;
+  margin_ = rule.statics() ? kStandingMargin : section_rise_.empty() ? kMargin : kBentMargin;
   a_ = rim.a;
   patches_.clear();
   for (int segment = 0; segment < nodes_; ++segment) {
@@ -188,7 +188,7 @@ bool TreadContact::is_level(Patch& patch, const road::Road& road, double time) c
 /// Its blocks near the road: [begin, end).
 void TreadContact::find_level_blocks(Patch& patch) {
   double* lowest = at_stations(kStationColumns - 1);
-  if (rises_.empty())
+  if (section_rise_.empty())
     lowest_tips(at_stations(kP), lines(), stride_, lowest);
   else
     for (int j = 0; j < blocks_; ++j) {
@@ -307,7 +307,7 @@ void TreadContact::add_force(const NodeValues& q, const NodeValues& v, NodeValue
                              .entering = entering(i)};
     double* to[4];
     for (int m = 0; m < 4; ++m) to[m] = force.col(node(patch.segment, m)).data();
-    if (!rises_.empty()) {
+    if (!section_rise_.empty()) {
       const BlockLines bent = bent_lines(patch.segment);
       if (rule_.statics())
         bent_standing_forces(at, bent, ground(i), before, law, results(i), to);

@@ -141,8 +141,8 @@ class TreadContact {
   /// H of (10), with the bending of the section.
   double height(int segment, int line, int j) const {
     const double H = line_height_[static_cast<std::size_t>(line)];
-    if (rises_.empty()) return H;
-    const double* rise = &rises_[2 * static_cast<std::size_t>(segment * lines_ + line)];
+    if (section_rise_.empty()) return H;
+    const double* rise = &section_rise_[2 * static_cast<std::size_t>(segment * lines_ + line)];
     return H + rise[0] + share_[static_cast<std::size_t>(j)] * (rise[1] - rise[0]);
   }
   Eigen::Vector3d tip(int line, int j) const {
@@ -186,7 +186,7 @@ class TreadContact {
   BlockLines lines() const { return {lines_, line_height_.data(), line_y_.data()}; }
   BlockLines bent_lines(int segment) const {
     BlockLines bent = lines();
-    bent.rise = &rises_[2 * static_cast<std::size_t>(segment * lines_)];
+    bent.rise = &section_rise_[2 * static_cast<std::size_t>(segment * lines_)];
     bent.share = share_.data();
     return bent;
   }
@@ -195,7 +195,7 @@ class TreadContact {
   BlockGround ground(std::size_t patch);
 
   int nodes_, lines_, blocks_, stride_;
-  int together_;  // stations whose stiffness is summed at one place
+  int stations_per_sum_;  // stations whose stiffness is summed at one place
   double height_, half_width_, area_, normal_, tangential_, damping_time_, positive_;
   FrictionLaw law_;
   std::vector<double> line_y_, line_height_;
@@ -203,7 +203,7 @@ class TreadContact {
   std::vector<double> lift_;
   std::vector<double> share_;                 // s of each station
   std::vector<Eigen::Vector3d> line_shapes_;  // q_i at the lines
-  std::vector<double> rises_;  // two a line of a segment; empty: sections are straight
+  std::vector<double> section_rise_;  // two a line of a segment; empty: sections are straight
   // Persistent, one a block: the tip on the road and whether it is there.
   std::array<std::vector<double>, 3> tip_;
   std::vector<double> touches_;

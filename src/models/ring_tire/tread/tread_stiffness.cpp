@@ -75,18 +75,18 @@ void TreadContact::add_stiffness(double scale, CyclicBand& K) {
       uneven_stiffness(span, lines(), ground(i), results(i), normal, tangential, at_stations(0));
     Matrix4d pairs[16];
     for (Matrix4d& pair : pairs) pair.setZero();
-    for (int j = patch.begin; j < patch.end; j += together_) add_stations(i, j, pairs);
+    for (int j = patch.begin; j < patch.end; j += stations_per_sum_) add_stations(i, j, pairs);
     for (int m = 0; m < 4; ++m)
       for (int o = m; o < 4; ++o) K.block(node(patch.segment, m), o - m) += pairs[4 * m + o];
   }
 }
 
-/// Stations [first, first + together_) as one: their sums at their mean place, weighted by
+/// Stations [first, first + stations_per_sum_) as one: their sums at their mean place, weighted by
 /// stiffness.
 void TreadContact::add_stations(std::size_t patch, int first, Matrix4d* pairs) {
   constexpr int kMeans = 15;  // w, d, t, n, length
   double sums[kStationColumns] = {}, mean[kMeans] = {}, weight = 0.0;
-  for (int j = first; j < first + together_; ++j) {
+  for (int j = first; j < first + stations_per_sum_; ++j) {
     const auto K = [&](int c) { return at_stations(c)[j]; };
     const double trace = K(0) + K(3) + K(5);
     if (trace == 0.0) continue;
