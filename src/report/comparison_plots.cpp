@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kMillimeter = 1e-3;
 constexpr double kKilonewton = 1e3;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> scaled(const std::vector<double>& values, double unit) {
   std::vector<double> result(values);
@@ -58,13 +59,16 @@ std::string force_plot(const ForceCurve& curve) {
   forces.insert(forces.end(), simulated.begin(), simulated.end());
   forces.insert(forces.end(), initial.begin(), initial.end());
   const Axis x = Axis::around(abscissa, 62, 500, !curve.over_loaded_radius);
-  const Axis y = Axis::around(forces, 270, 34, /*zero=*/true);
+  const auto lower = scaled(curve.band.lower, kKilonewton),
+             upper = scaled(curve.band.upper, kKilonewton);
+  const Axis y = Axis::around(with_band(forces, lower, upper), 270, 34, /*zero=*/true);
 
   Svg svg(520, 416, "Measured and simulated force, " + curve.experiment);
   double at = draw_legend(svg, {62, 18}, "measured", true, "measured");
   at = draw_legend(svg, {at, 18}, "found", false, drawn_as(curve.fitted, curve.of_design));
   if (!initial.empty()) draw_legend(svg, {at, 18}, "initial", false, "initial values");
   draw_frame(svg, x, y, "", "Force [kN]", {.label_x = false});
+  draw_band(svg, x, y, abscissa, lower, upper);
   if (!initial.empty()) svg.polyline(points_of(x, y, abscissa, initial), "class=\"initial\"");
   svg.polyline(points_of(x, y, abscissa, simulated), "class=\"found\"");
   for (size_t k = 0; k < abscissa.size(); ++k) {
@@ -84,12 +88,18 @@ std::string force_plot(const ForceCurve& curve) {
 std::string frequency_plot(const ModalComparison& comparison) {
   constexpr double kRow = 23.0, kTop = 30.0, kLeft = 178.0, kRight = 560.0;
   const auto rows = static_cast<double>(comparison.pairs.size());
-  std::vector<double> errors;
+  std::vector<double> errors, lower, upper;
   for (const ModePair& pair : comparison.pairs) {
-    errors.push_back(100.0 * (pair.measured - pair.simulated) / pair.measured);  // (1)
-    if (pair.initial) errors.push_back(100.0 * (pair.measured - *pair.initial) / pair.measured);
+    const auto error = [&](double f) {
+      return 100.0 * (pair.measured - f) / pair.measured;
+    };  // (1)
+    errors.push_back(error(pair.simulated));
+    if (pair.initial) errors.push_back(error(*pair.initial));
+    const std::size_t k = lower.size();
+    lower.push_back(k < comparison.band.upper.size() ? error(comparison.band.upper[k]) : kNaN);
+    upper.push_back(k < comparison.band.lower.size() ? error(comparison.band.lower[k]) : kNaN);
   }
-  const Axis x = Axis::around(errors, kLeft, kRight, /*zero=*/true);
+  const Axis x = Axis::around(with_band(errors, lower, upper), kLeft, kRight, /*zero=*/true);
   const double bottom = kTop + kRow * rows;
   Svg svg(780, bottom + 46, "Relative difference of the frequencies, " + comparison.experiment);
   for (const auto& tick : x.ticks()) {
@@ -125,6 +135,12 @@ std::string frequency_plot(const ModalComparison& comparison) {
                   kRow - 12,
                   "class=\"found-bar\"",
                   tip);
+    if (std::isfinite(lower[k]) && std::isfinite(upper[k])) {
+      const auto end = [&](double value) {
+        return Point(x.at(std::clamp(value, x.lower(), x.upper())), y + 0.5 * kRow);
+      };
+      svg.line(end(lower[k]), end(upper[k]), "class=\"ink\"");
+    }
     svg.text({640, middle}, fixed(pair.measured, 1), Anchor::end, "number");
     svg.text({710, middle}, fixed(pair.simulated, 1), Anchor::end, "number");
     svg.text({774, middle}, signed_percent(error / 100.0, 1), Anchor::end, "number");

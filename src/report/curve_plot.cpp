@@ -78,13 +78,16 @@ std::string curve_plot(const MeasuredCurve& curve) {
   std::vector<double> all = measured.y;
   all.insert(all.end(), simulated.y.begin(), simulated.y.end());
   all.insert(all.end(), initial.y.begin(), initial.y.end());
-  const Axis y = Axis::around(all, 270, 34);
+  const Samples lower = thinned(shown(curve, curve.x_band, curve.band.lower), kCorners),
+                upper = thinned(shown(curve, curve.x_band, curve.band.upper), kCorners);
+  const Axis y = Axis::around(with_band(all, lower.y, upper.y), 270, 34);
 
   Svg svg(520, 416, "Measured and simulated curve, " + curve.experiment);
   double at = draw_legend(svg, {72, 18}, "measured", true, "measured");
   at = draw_legend(svg, {at, 18}, "found", false, drawn_as(curve.fitted, curve.of_design));
   if (!initial.y.empty()) draw_legend(svg, {at, 18}, "initial", false, "initial values");
   draw_frame(svg, x, y, "", titled(curve.y_name, curve.y_unit), {.label_x = false});
+  draw_band(svg, x, y, lower.x, lower.y, upper.y);
   if (!initial.y.empty()) svg.polyline(points_of(x, y, initial.x, initial.y), "class=\"initial\"");
   svg.polyline(points_of(x, y, simulated.x, simulated.y), "class=\"found\"");
   const Samples dots = thinned(measured, kDots);

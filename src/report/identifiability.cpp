@@ -74,6 +74,26 @@ std::string left_out_table(const Identifiability& what) {
          "errors.</p>";
 }
 
+std::string band_table(const Identifiability& what) {
+  if (what.bands.empty()) return "";
+  std::string html =
+      "<h3>Computed values <span>how uncertain they are because the variables are: 95 % "
+      "bands</span></h3><div class=\"scroll\"><table><thead><tr><th>Experiment</th><th>Use</th>"
+      "<th>Widest band</th><th>Inside band and noise</th></tr></thead><tbody>\n";
+  std::string remarks;
+  for (const BandRow& row : what.bands) {
+    html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                        escape(row.experiment),
+                        row.fitted ? "fitted" : "predicted",
+                        row.widest.empty() ? "not known" : escape(typeset_unit(row.widest)),
+                        escape(row.inside));
+    for (const std::string& remark : row.remarks)
+      remarks +=
+          fmt::format("<p class=\"quiet\">{}: {}.</p>", escape(row.experiment), escape(remark));
+  }
+  return html + "</tbody></table></div>" + remarks;
+}
+
 std::string gain_table(const Identifiability& what) {
   if (what.gains.empty()) return "";
   std::string html =
@@ -126,7 +146,7 @@ std::string identifiability_chapter(const Identifiability& what) {
     }
     html += "</div>";
   }
-  return html + left_out_table(what) + gain_table(what);
+  return html + band_table(what) + left_out_table(what) + gain_table(what);
 }
 
 }  // namespace latsch::report

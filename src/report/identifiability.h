@@ -28,6 +28,15 @@ struct LeftOutExperiment {
   double fitted = 0.0, predicted = 0.0;  // root mean square of the relative errors; NaN: unknown
 };
 
+/// How uncertain the computed values of an experiment are.
+struct BandRow {
+  std::string experiment;
+  bool fitted = true;
+  std::string widest;                // "+- 12 N (3.1 %), 20 mm"; empty: not known
+  std::string inside;                // "19 of 20 measured values"
+  std::vector<std::string> remarks;  // why it is so wide, or not known
+};
+
 struct Gain {
   std::string measurement;
   double shrinkage = 1.0;  // of the volume of the confidence ellipsoid
@@ -44,6 +53,7 @@ struct Identifiability {
   Eigen::MatrixXd correlation;              // of the variables
   std::vector<ProfileCurve> profiles;       // may be empty
   std::vector<LeftOutExperiment> left_out;  // may be empty
+  std::vector<BandRow> bands;               // an experiment each; may be empty
   std::vector<Gain> gains;                  // most useful first; may be empty
   std::vector<std::string> remarks;         // what to mind; may be empty
 };

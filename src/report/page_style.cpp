@@ -121,6 +121,8 @@ svg .label, svg .number { font-size: 12.5px; }
 svg .grid { stroke: var(--grid); }
 svg .axis, svg .ink { stroke: var(--ink); }
 svg line.found, svg polyline.found { stroke: var(--found); stroke-width: 2; }
+svg polygon.band { fill: var(--found); fill-opacity: 0.22; }
+svg line.band { stroke: var(--found); stroke-opacity: 0.3; stroke-width: 7; }
 svg .found-dot { fill: var(--found); }
 svg line.initial, svg polyline.initial {
   stroke: var(--initial); stroke-width: 1.6; stroke-dasharray: 6 4;

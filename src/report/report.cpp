@@ -50,6 +50,13 @@ double mean_error(const std::vector<double>& measured, const std::vector<double>
   return sum / static_cast<double>(std::max<size_t>(1, count));
 }
 
+std::string band_in_words(std::string_view how, const Band& band) {
+  if (band.lower.empty()) return "";
+  return fmt::format(" {}: 95 % band, as uncertain as the variables are{}.",
+                     how,
+                     band.inside.empty() ? "" : "; " + band.inside + " inside band and noise");
+}
+
 std::string forces(const StudyReport& report) {
   std::string html = "<div class=\"figures\">";
   for (const ForceCurve& curve : report.forces) {
@@ -57,7 +64,8 @@ std::string forces(const StudyReport& report) {
                    with_kind(curve.conditions, curve.fitted),
                    force_plot(curve),
                    "Mean |ΔF| = " + percent(mean_error(curve.measured, curve.simulated)) +
-                       "; below, ΔF = (measured − simulated) / measured at every point.");
+                       "; below, ΔF = (measured − simulated) / measured at every point." +
+                       band_in_words("Shaded", curve.band));
   }
   return html + "</div>";
 }
@@ -73,7 +81,8 @@ std::string curves(const StudyReport& report) {
                curve_plot(curve),
                "Mean error " +
                    percent(sum / static_cast<double>(std::max<size_t>(1, curve.errors.size()))) +
-                   "; below, (measured − simulated) / scale at every measured value.");
+                   "; below, (measured − simulated) / scale at every measured value." +
+                   band_in_words("Shaded", curve.band));
   }
   return html + "</div>";
 }
@@ -102,6 +111,7 @@ std::string frequencies(const StudyReport& report) {
                                      comparison.pairs.end(),
                                      [](const ModePair& pair) { return pair.initial.has_value(); });
     if (initial) caption += " Dashed: at the initial values.";
+    caption += band_in_words("Lines", comparison.band);
     html += figure(comparison.experiment,
                    with_kind(comparison.conditions, comparison.fitted),
                    frequency_plot(comparison),

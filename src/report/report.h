@@ -42,6 +42,13 @@ struct ExperimentRow {
   std::optional<double> initial_mean_error;  // at the initial values of the variables
 };
 
+/// Between which values a computed one lies with 95 %, as the uncertainty of the variables has it;
+/// empty: not known, NaN: not of that value.
+struct Band {
+  std::vector<double> lower, upper;
+  std::string inside = {};  // "19 of 20 measured values": inside band and noise; empty: not known
+};
+
 /// Measured and simulated forces of one load-deflection experiment.
 struct ForceCurve {
   std::string experiment;
@@ -53,6 +60,7 @@ struct ForceCurve {
   std::vector<double> simulated;    // N, at the found point
   std::vector<double> initial;      // N, at the initial point; may be empty
   bool of_design = false;           // the best trial of a design: nothing was fitted
+  Band band = {};                   // N, of `simulated`
 };
 
 /// A measured curve y(x) and what an outside program made of it. Values in SI; units are those a
@@ -68,6 +76,8 @@ struct MeasuredCurve {
   std::vector<double> x_simulated, y_simulated;  // every sample of the program, at the found point
   std::vector<double> x_initial, y_initial;      // at the initial point; may be empty
   bool of_design = false;                        // the best trial of a design: nothing was fitted
+  std::vector<double> x_band;                    // where the band is known
+  Band band = {};
 };
 
 /// A measured mode and its simulated partner. Hz.
@@ -90,6 +100,7 @@ struct ModalComparison {
   std::vector<ModePair> pairs;         // in the order of the measurement
   std::vector<UnmatchedMode> missing;  // measured, not simulated
   std::vector<UnmatchedMode> extra;    // simulated, not measured
+  Band band = {};                      // Hz, of the simulated frequencies of `pairs`
 };
 
 /// Target of every trial in the order the optimizer saw them; NaN: a failed one.

@@ -307,6 +307,40 @@ TEST(CurvePlot, ShowsEveryMeasuredValueAndTheProgramWhereItWasMeasured) {
   EXPECT_EQ(std::count(points.begin(), points.end(), ','), 21) << points;
 }
 
+std::size_t count_of(const std::string& text, const std::string& what) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+    ++count;
+  return count;
+}
+
+// What is not known of a value in the middle leaves a gap; a value alone is a bar, and a band that
+// is far wider than the curve ends at the frame.
+TEST(CurvePlot, ShadesTheBandOfWhatIsComputed) {
+  MeasuredCurve curve;
+  curve.experiment = "pull";
+  curve.y_measured = curve.y_simulated = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0};
+  curve.errors.assign(6, 0.0);
+  const std::string without = curve_plot(curve);
+  EXPECT_EQ(without.find("class=\"band\""), std::string::npos);
+  const double unknown = std::nan("");
+  curve.band.lower = {0.5, 1.5, unknown, 3.9, unknown, -1e6};
+  curve.band.upper = {1.5, 2.5, unknown, 4.1, unknown, 1e6};
+  const std::string picture = curve_plot(curve);
+  EXPECT_EQ(count_of(picture, "<polygon"), count_of(without, "<polygon") + 1);
+  EXPECT_EQ(count_of(picture, "class=\"band\""), 3u);
+  EXPECT_EQ(picture.find("nan"), std::string::npos);
+  EXPECT_EQ(picture.find("e+"), std::string::npos);
+}
+
+TEST(FrequencyPlot, HasALineForTheBandOfEveryModeWhereItIsKnown) {
+  ModalComparison modes{.experiment = "modes",
+                        .pairs = {{"radial", 100.0, 101.0}, {"lateral", 50.0, 49.0}}};
+  const std::size_t before = count_of(frequency_plot(modes), "class=\"ink\"");
+  modes.band = {.lower = {99.0, std::nan("")}, .upper = {103.0, std::nan("")}};
+  EXPECT_EQ(count_of(frequency_plot(modes), "class=\"ink\""), before + 1);
+}
+
 TEST(CurvePlot, AMillionSamplesStayAPicture) {
   MeasuredCurve curve;
   curve.y_name = "y";
@@ -382,6 +416,8 @@ TEST(Report, SaysWhatTheDataDetermine) {
                     "one-sided",
                     "at least 2 GPa"}};
   what.left_out = {{"modes", 0.01, 0.12}};
+  what.bands = {
+      {"footprint", false, "+- 3 mm^2", "2 of 3 measured values", {"matrix <b> is held"}}};
   what.gains = {{"footprint", 20.0, "carcass"}};
   report.identifiability = what;
   report.effects = {{"carcass", 0.12, -0.05, 0.03, 10}};
@@ -399,6 +435,9 @@ TEST(Report, SaysWhatTheDataDetermine) {
                            "at least 2 GPa",
                            "1 / 20",
                            "12.00 %",
+                           "+- 3 mm²",
+                           "2 of 3 measured values",
+                           "is held",
                            "too coarse to trust",
                            "minima may hide"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;

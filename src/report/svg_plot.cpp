@@ -269,6 +269,52 @@ std::vector<Point> points_of(const Axis& x,
   return points;
 }
 
+void draw_band(Svg& svg,
+               const Axis& x,
+               const Axis& y,
+               const std::vector<double>& xs,
+               const std::vector<double>& lower,
+               const std::vector<double>& upper) {
+  const std::size_t count = std::min({xs.size(), lower.size(), upper.size()});
+  const auto at = [&](std::size_t k, double value) {
+    return Point(x.at(xs[k]), y.at(std::clamp(value, y.lower(), y.upper())));
+  };
+  const auto is_known = [&](std::size_t k) {
+    return std::isfinite(xs[k]) && std::isfinite(lower[k]) && std::isfinite(upper[k]);
+  };
+  for (std::size_t first = 0; first < count; ++first) {
+    std::size_t end = first;
+    while (end < count && is_known(end)) ++end;
+    if (end == first + 1)
+      svg.line(at(first, lower[first]), at(first, upper[first]), "class=\"band\"");
+    std::vector<Point> outline;
+    for (std::size_t k = first; k < end; ++k) outline.push_back(at(k, upper[k]));
+    for (std::size_t k = end; k-- > first;) outline.push_back(at(k, lower[k]));
+    if (end > first + 1) svg.polygon(outline, "class=\"band\"");
+    first = end;
+  }
+}
+
+std::vector<double> with_band(const std::vector<double>& values,
+                              const std::vector<double>& lower,
+                              const std::vector<double>& upper) {
+  constexpr double kBeyond = 0.5;  // of the range of the values
+  std::vector<double> all;
+  for (const double value : values) {
+    if (std::isfinite(value)) all.push_back(value);
+  }
+  if (all.empty()) return all;
+  const auto [least, most] = std::minmax_element(all.begin(), all.end());
+  const double beyond = kBeyond * (*most > *least ? *most - *least : std::abs(*most));
+  const double bottom = *least - beyond, top = *most + beyond;
+  for (const auto* ends : {&lower, &upper}) {
+    for (const double value : *ends) {
+      if (std::isfinite(value)) all.push_back(std::clamp(value, bottom, top));
+    }
+  }
+  return all;
+}
+
 void draw_color_bar(
     Svg& svg, Point top_left, double height, const Axis& values, std::string_view title) {
   constexpr int kSteps = 48;

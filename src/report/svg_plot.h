@@ -113,6 +113,21 @@ std::vector<Point> points_of(const Axis& x,
                              const std::vector<double>& xs,
                              const std::vector<double>& ys);
 
+/// The area between lower and upper over x, cut off at the range of y; values that are not finite
+/// leave gaps. A value alone is a bar.
+void draw_band(Svg& svg,
+               const Axis& x,
+               const Axis& y,
+               const std::vector<double>& xs,
+               const std::vector<double>& lower,
+               const std::vector<double>& upper);
+
+/// Values for Axis::around with those of a band, as far as they leave the values in sight: a
+/// band may be far wider.
+std::vector<double> with_band(const std::vector<double>& values,
+                              const std::vector<double>& lower,
+                              const std::vector<double>& upper);
+
 /// A vertical bar from low (bottom) to high with the colors of viridis.
 void draw_color_bar(
     Svg& svg, Point top_left, double height, const Axis& values, std::string_view title);

@@ -81,6 +81,28 @@ Json answer_of(const correlation::Study& study, const correlation::Identifiabili
   return all;
 }
 
+Json answer_of(const correlation::Study& study,
+               const std::vector<correlation::ExperimentBand>& bands) {
+  Json all = Json::array();
+  for (std::size_t e = 0; e < bands.size(); ++e) {
+    const StudyExperiment& experiment = study.experiments[e];
+    const correlation::ExperimentBand& band = bands[e];
+    all.push_back({{"name", experiment.name},
+                   {"fitted", experiment.fitted},
+                   {"unit", experiment.observable->unit()},
+                   {"rows", experiment.observable->rows()},
+                   {"measured", json_of(experiment.observable->measured_values())},
+                   {"computed", json_of(band.computed)},
+                   {"lower", json_of(band.lower)},
+                   {"upper", json_of(band.upper)},
+                   {"noise", json_of(band.noise)},
+                   {"inside", band.inside},
+                   {"compared", band.compared},
+                   {"remarks", band.remarks}});
+  }
+  return all;
+}
+
 Json answer_of(const StudyExperiment& experiment, const Channels& trial) {
   const Comparison found = compare(experiment, trial);
   Json all = {{"name", experiment.name},

@@ -9,6 +9,7 @@
 
 #include "cli/console/console.h"
 #include "correlation/analysis/identifiability.h"
+#include "correlation/analysis/prediction_bands.h"
 #include "correlation/study/study.h"
 #include "measurement/channels.h"
 
@@ -29,6 +30,11 @@ Json answer_of(const DesignSpace& space);
 
 /// The same as of a point with "interval": [lower, upper] at 95 %, null where nothing holds an end.
 Json answer_of(const correlation::Study& study, const correlation::Identifiability& result);
+
+/// Bands, an experiment each: values, ends and noise in SI, null where not known; how many measured
+/// values lie inside band and noise.
+Json answer_of(const correlation::Study& study,
+               const std::vector<correlation::ExperimentBand>& bands);
 
 /// One experiment: measured beside simulated, errors as shares, mean and largest.
 Json answer_of(const correlation::StudyExperiment& experiment, const Channels& trial);

@@ -103,6 +103,21 @@ void print_gains(const Study& study,
   }
 }
 
+void print_bands(const Study& study, const std::vector<correlation::ExperimentBand>& bands) {
+  say("\nComputed values: the widest 95 % band of each experiment, as uncertain as the variables "
+      "are\n");
+  for (size_t e = 0; e < bands.size(); ++e) {
+    const correlation::StudyExperiment& experiment = study.experiments[e];
+    const std::string inside = inside_text(bands[e]);
+    say("  {:<16} {:<10} {}{}\n",
+        experiment.name,
+        experiment.fitted ? "fitted" : "predicted",
+        bands[e].is_known() ? widest_text(experiment, bands[e]) : "",
+        inside.empty() ? "" : "; " + inside + " inside band and noise");
+    for (const std::string& remark : bands[e].remarks) say("  {:<16} {}\n", "", remark);
+  }
+}
+
 void print_intervals(const Study& study, const Identifiability& result) {
   const Confidence& c = result.identification.confidence();
   for (int i = 0; i < study.space.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include "correlation/analysis/identifiability.h"
 #include "correlation/analysis/measurement_gains.h"
+#include "correlation/analysis/prediction_bands.h"
 
 namespace latsch::cli {
 
@@ -16,6 +17,10 @@ void print_intervals(const correlation::Study& study, const correlation::Identif
 /// Spectrum, correlations, verdicts, cross-validation, and what to measure once more.
 void print_identifiability(const correlation::Study& study,
                            const correlation::Identifiability& result);
+
+/// How uncertain the computed values of every experiment are.
+void print_bands(const correlation::Study& study,
+                 const std::vector<correlation::ExperimentBand>& bands);
 
 /// Which measurements would tell the most.
 void print_gains(const correlation::Study& study,

@@ -102,7 +102,17 @@ class SpringAlone(unittest.TestCase):
         for experiment in truth["experiments"]:
             self.assertLess(experiment["largest_error"], 1e-9, experiment["name"])
         self.assertRegex(self.spring("run", self.study), r"stiffness +20.* N/mm +95 %: ")
-        self.assertRegex(self.spring("identify", self.study), r"damping +identifiable")
+        said = self.spring("identify", self.study)
+        self.assertRegex(said, r"damping +identifiable")
+        self.assertRegex(said, r"last +predicted +\+- .* N \(.* %\), last fast/force; 1 of 1 measured value inside")
+        bands = {band["name"]: band for band in self.answer("identify", self.study)["bands"]}
+        self.assertEqual(list(bands), ["swiftly", "last", "alone", "each"])
+        for band in bands.values():
+            for lower, computed, upper in zip(band["lower"], band["computed"], band["upper"], strict=True):
+                self.assertLess(lower, computed)
+                self.assertLess(computed, upper)
+            self.assertEqual(band["inside"], len(band["measured"]))
+        self.assertIn('class="band"', (self.folder / "study.html").read_text())
         self.assertIn("What the data determine", (self.folder / "study.html").read_text())
         self.assertIn("9 of 9 points succeeded", self.spring("doe", self.study))
         self.assertIn("Report: ", self.spring("report", self.study))

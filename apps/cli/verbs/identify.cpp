@@ -115,6 +115,9 @@ int identify(const std::string& file,
     say("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
     return kFailed;
   }
+  const auto bands = correlation::prediction_bands(study, **result, journal);
+  print_bands(study, bands);
+  answer()["bands"] = answer_of(study, bands);
   return write_report(study, journal);
 }
 

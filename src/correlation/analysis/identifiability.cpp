@@ -285,6 +285,21 @@ std::optional<Identifiability> recorded_identifiability(const Study& study,
   return result;
 }
 
+std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction) {
+  constexpr double kShare = 0.3;  // of the unit vector: less hardly takes part
+  Eigen::Index largest = 0;
+  direction.cwiseAbs().maxCoeff(&largest);
+  std::string text;
+  for (int i = 0; i < space.size(); ++i) {
+    if (std::abs(direction[i]) < kShare) continue;
+    text += fmt::format("{}{} {}",
+                        text.empty() ? "" : ", ",
+                        space[i].name,
+                        direction[i] * direction[largest] > 0.0 ? "up" : "down");
+  }
+  return text;
+}
+
 std::string profile_text(const DesignSpace& space, const Profile& profile) {
   const Interval beyond_bounds{-1.0, 2.0};
   std::string text = interval_text(space, profile.variable, profile.interval);

@@ -75,6 +75,9 @@ std::string value_text(const DesignSpace& space,
 /// beyond the bounds, "anywhere" where both do. Digits as those of the value.
 std::string interval_text(const DesignSpace& space, int variable, const Interval& interval);
 
+/// "matrix up, carcass down": the variables that make up most of a direction of the unit cube.
+std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction);
+
 /// The interval of a profile, and beyond which values the model fails.
 std::string profile_text(const DesignSpace& space, const Profile& profile);
 

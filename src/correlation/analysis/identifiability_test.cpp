@@ -358,7 +358,7 @@ TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
 
   const auto recorded = recorded_identifiability(s, journal);
   ASSERT_TRUE(recorded);
-  const report::Identifiability page = identifiability_page(s, *recorded);
+  const report::Identifiability page = identifiability_page(s, *recorded, {});
   EXPECT_EQ(page.gains[0].measurement, "alone");
   EXPECT_EQ(page.intervals[0], "anywhere between the bounds");
 }

@@ -28,20 +28,6 @@ std::vector<MeasurementGain> gains(const Eigen::MatrixXd& J,
   return rows;
 }
 
-/// Mean of the noise that the values of the fitted experiments state, relative; nullopt where they
-/// do not.
-std::optional<MeasurementNoise> typical_noise(const Study& study) {
-  double sum = 0.0, count = 0.0;
-  for (const StudyExperiment& experiment : study.experiments) {
-    if (!experiment.fitted) continue;
-    for (const double sigma : stated_deviations(experiment)) {
-      sum += sigma;
-      count += 1.0;
-    }
-  }
-  return count > 0.0 ? std::optional(MeasurementNoise{.relative = sum / count}) : std::nullopt;
-}
-
 /// Derivatives in units of what noise the variables feel; nullopt where that is not known or zero.
 std::optional<Eigen::MatrixXd> in_units_of_noise(const Identifiability& what) {
   const Confidence& c = what.identification.confidence();
@@ -57,6 +43,18 @@ DesignSpace without_priors(const DesignSpace& space) {
 }
 
 }  // namespace
+
+std::optional<MeasurementNoise> typical_noise(const Study& study) {
+  double sum = 0.0, count = 0.0;
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (!experiment.fitted) continue;
+    for (const double sigma : stated_deviations(experiment)) {
+      sum += sigma;
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? std::optional(MeasurementNoise{.relative = sum / count}) : std::nullopt;
+}
 
 std::vector<MeasurementGain> repetition_gains(const Study& study, const Identifiability& what) {
   const auto J = in_units_of_noise(what);

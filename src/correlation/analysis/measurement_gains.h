@@ -8,6 +8,7 @@
 // stated noise, or as the fitted values are.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ struct MeasurementGain {
   int helps = 0;            // the variable whose deviation falls by the largest factor
   double before = 0.0, after = 0.0;  // its standard deviation, in ranges
 };
+
+/// Mean of the noise that the values of the fitted experiments state, relative; nullopt where they
+/// do not.
+std::optional<MeasurementNoise> typical_noise(const Study& study);
 
 /// Every fitted experiment, and each of its values, measured once more; most useful first. Empty
 /// where the spread of the values is not known.

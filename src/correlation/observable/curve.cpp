@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -317,6 +318,44 @@ std::vector<std::filesystem::path> Curve::write(const Channels& trial,
   return {files.values};
 }
 
+namespace {
+
+/// The band of the measured abscissas, x rising, around all samples of the curve between them.
+void draw_around_samples(const report::Band& band,
+                         const std::vector<double>& x,
+                         const std::vector<double>& computed,
+                         report::MeasuredCurve& picture) {
+  std::map<double, std::pair<double, double>>
+      beside;  // ends beside the curve; of equal x the wider
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double lower = band.lower[k] - computed[k], upper = band.upper[k] - computed[k];
+    if (!std::isfinite(lower) || !std::isfinite(upper)) continue;
+    const auto [at, is_new] = beside.try_emplace(x[k], lower, upper);
+    if (!is_new)
+      at->second = {std::min(at->second.first, lower), std::max(at->second.second, upper)};
+  }
+  if (beside.empty()) return;
+  std::vector<double> xs, lower, upper;
+  for (const auto& [at, ends] : beside) {
+    xs.push_back(at);
+    lower.push_back(ends.first);
+    upper.push_back(ends.second);
+  }
+  std::vector<double> all = xs;
+  for (const double at : picture.x_simulated) {
+    if (xs.front() < at && at < xs.back()) all.push_back(at);
+  }
+  std::sort(all.begin(), all.end());
+  for (const double at : all) {
+    const double y = interpolated(picture.x_simulated, picture.y_simulated, at);
+    picture.x_band.push_back(at);
+    picture.band.lower.push_back(y + interpolated(xs, lower, at));
+    picture.band.upper.push_back(y + interpolated(xs, upper, at));
+  }
+}
+
+}  // namespace
+
 void Curve::draw(const ShownExperiment& shown, report::StudyReport& page) const {
   report::MeasuredCurve picture;
   picture.experiment = shown.name;
@@ -352,6 +391,16 @@ void Curve::draw(const ShownExperiment& shown, report::StudyReport& page) const 
     if (shown.initial) {
       picture.x_initial = values_of(*shown.initial, c_.x);
       picture.y_initial = values_of(*shown.initial, c_.y);
+    }
+  }
+  if (shown.band) {
+    const auto computed = simulated(shown.found);
+    if (computed && c_.comparison.what == ComparedCurve::values && !c_.x.empty()) {
+      picture.band.inside = shown.band->inside;
+      draw_around_samples(*shown.band, c_.x_measured, computed->values, picture);
+    } else {
+      picture.band = *shown.band;
+      picture.x_band = c_.x_compared;
     }
   }
   page.curves.push_back(std::move(picture));

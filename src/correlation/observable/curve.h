@@ -64,6 +64,8 @@ class Curve : public Observable {
   std::vector<std::string> asks() const override;
   std::size_t values() const override { return c_.y_compared.size(); }
   std::vector<std::string> rows() const override;
+  std::vector<double> measured_values() const override { return c_.y_compared; }
+  std::vector<double> scales() const override { return std::vector<double>(values(), c_.scale); }
   std::string unit() const override { return c_.y_compared_unit; }
   std::vector<double> deviations(const MeasurementNoise& noise,
                                  const ObjectiveSettings& settings) const override;

@@ -82,6 +82,7 @@ void ForceCurve::draw(const ShownExperiment& shown, report::StudyReport& page) c
   curve.measured = measured_.force;
   curve.simulated = channel(shown.found, "force");
   if (shown.initial) curve.initial = channel(*shown.initial, "force");
+  if (shown.band) curve.band = *shown.band;
   page.forces.push_back(std::move(curve));
 }
 

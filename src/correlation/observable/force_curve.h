@@ -23,6 +23,8 @@ class ForceCurve : public Observable {
   std::vector<std::string> asks() const override;
   std::size_t values() const override { return measured_.force.size(); }
   std::vector<std::string> rows() const override;
+  std::vector<double> measured_values() const override { return measured_.force; }
+  std::vector<double> scales() const override { return measured_.force; }
   std::string unit() const override { return "N"; }
   std::vector<double> deviations(const MeasurementNoise& noise,
                                  const ObjectiveSettings& settings) const override;

@@ -47,6 +47,12 @@ std::vector<std::string> ModeSet::rows() const {
   return names;
 }
 
+std::vector<double> ModeSet::measured_values() const {
+  std::vector<double> frequencies;
+  for (const ModeRecord& mode : measured_) frequencies.push_back(mode.frequency);
+  return frequencies;
+}
+
 std::vector<double> ModeSet::deviations(const MeasurementNoise& noise,
                                         const ObjectiveSettings&) const {
   std::vector<double> deviations;
@@ -65,6 +71,7 @@ void ModeSet::draw(const ShownExperiment& shown, report::StudyReport& page) cons
   modal.experiment = shown.name;
   modal.conditions = shown.conditions;
   modal.fitted = shown.fitted;
+  if (shown.band) modal.band.inside = shown.band->inside;
   const auto found = simulated(shown.found);
   std::map<int, double> at_start;  // frequency by measured mode
   if (shown.initial) {
@@ -81,6 +88,10 @@ void ModeSet::draw(const ShownExperiment& shown, report::StudyReport& page) cons
     if (const auto at = at_start.find(pair.measured); at != at_start.end())
       row.initial = at->second;
     if (measured.shape.size() > 0) row.likeness = pair.likeness;
+    if (shown.band) {
+      modal.band.lower.push_back(shown.band->lower[static_cast<std::size_t>(pair.measured)]);
+      modal.band.upper.push_back(shown.band->upper[static_cast<std::size_t>(pair.measured)]);
+    }
     modal.pairs.push_back(std::move(row));
   }
   for (const int i : shown.comparison.pairing.missing)

@@ -26,6 +26,8 @@ class ModeSet : public Observable {
   std::size_t values() const override { return measured_.size(); }
   std::vector<std::string> rows() const override;
   bool is_sweep() const override { return false; }
+  std::vector<double> measured_values() const override;
+  std::vector<double> scales() const override { return measured_values(); }
   std::string unit() const override { return "Hz"; }
   std::vector<double> deviations(const MeasurementNoise& noise,
                                  const ObjectiveSettings& settings) const override;

@@ -23,8 +23,9 @@
 #include "measurement/channels.h"
 
 namespace latsch::report {
+struct Band;
 struct StudyReport;
-}
+}  // namespace latsch::report
 
 namespace latsch::correlation {
 
@@ -37,6 +38,7 @@ struct ShownExperiment {
   const Comparison& comparison;
   const Channels* initial = nullptr;  // and its comparison; nullptr where that point failed
   const Comparison* initial_comparison = nullptr;
+  const report::Band* band = nullptr;  // one value a row; nullptr: not known
 };
 
 /// Where the measurement of an experiment lies.
@@ -72,6 +74,10 @@ class Observable {
   virtual bool is_sweep() const { return true; }
   /// SI, of what an absolute noise stands beside.
   virtual std::string unit() const = 0;
+  /// What was measured, one each, in that unit, and what an error of 100 % of it is: a trial has
+  ///   measured - error scale  in its place (Comparison::errors).
+  virtual std::vector<double> measured_values() const = 0;
+  virtual std::vector<double> scales() const = 0;
   /// The deviation of every value in units of its difference d as compared.
   virtual std::vector<double> deviations(const MeasurementNoise& noise,
                                          const ObjectiveSettings& settings) const = 0;

@@ -115,6 +115,7 @@ void Values::draw(const ShownExperiment& shown, report::StudyReport& page) const
   if (shown.initial) {
     if (const auto start = simulated(*shown.initial)) picture.y_initial = start->values;
   }
+  if (shown.band) picture.band = *shown.band;
   page.curves.push_back(std::move(picture));
 }
 

@@ -56,6 +56,8 @@ class Values : public Observable {
   std::size_t values() const override { return m_.values.size(); }
   std::vector<std::string> rows() const override;
   bool is_sweep() const override { return false; }
+  std::vector<double> measured_values() const override { return m_.values; }
+  std::vector<double> scales() const override { return m_.scales; }
   std::string unit() const override { return m_.unit; }
   std::vector<double> deviations(const MeasurementNoise& noise,
                                  const ObjectiveSettings& settings) const override;

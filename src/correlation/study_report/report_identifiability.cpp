@@ -78,22 +78,9 @@ std::vector<report::Gain> gains(const Study& study, const Identifiability& what)
 
 }  // namespace
 
-std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction) {
-  constexpr double kShare = 0.3;  // of the unit vector: less hardly takes part
-  Eigen::Index largest = 0;
-  direction.cwiseAbs().maxCoeff(&largest);
-  std::string text;
-  for (int i = 0; i < space.size(); ++i) {
-    if (std::abs(direction[i]) < kShare) continue;
-    text += fmt::format("{}{} {}",
-                        text.empty() ? "" : ", ",
-                        space[i].name,
-                        direction[i] * direction[largest] > 0.0 ? "up" : "down");
-  }
-  return text;
-}
-
-report::Identifiability identifiability_page(const Study& study, const Identifiability& what) {
+report::Identifiability identifiability_page(const Study& study,
+                                             const Identifiability& what,
+                                             const std::vector<ExperimentBand>& bands) {
   const Identification& identification = what.identification;
   const Confidence& c = identification.confidence();
   report::Identifiability page;
@@ -113,6 +100,14 @@ report::Identifiability identifiability_page(const Study& study, const Identifia
     page.profiles.push_back(curve(study, what, profile));
   }
   if (what.cross_validation) page.left_out = left_out(study, *what.cross_validation);
+  for (size_t e = 0; e < bands.size(); ++e) {
+    const StudyExperiment& experiment = study.experiments[e];
+    page.bands.push_back({experiment.name,
+                          experiment.fitted,
+                          widest_text(experiment, bands[e]),
+                          inside_text(bands[e]),
+                          bands[e].remarks});
+  }
   page.gains = gains(study, what);
   page.remarks = remarks(study, what);
   return page;

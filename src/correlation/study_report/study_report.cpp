@@ -81,9 +81,15 @@ std::vector<const experiment::Test*> tests_shown(const Study& study) {
 void add_experiments(const Study& study,
                      const Simulated& found,
                      const Simulated& initial,
+                     const std::vector<ExperimentBand>& bands,
                      StudyReport& page) {
   const Channels* start = initial.channels ? &*initial.channels : nullptr;
-  for (const StudyExperiment& experiment : study.experiments) {
+  for (size_t e = 0; e < study.experiments.size(); ++e) {
+    const StudyExperiment& experiment = study.experiments[e];
+    const bool has_band = e < bands.size() && bands[e].is_known();
+    const report::Band band =
+        has_band ? report::Band{bands[e].lower, bands[e].upper, inside_text(bands[e])}
+                 : report::Band{};
     const std::string conditions = conditions_of(experiment, study.tests);
     const Comparison comparison = compare(experiment, *found.channels);
     std::optional<Comparison> at_start;
@@ -96,7 +102,8 @@ void add_experiments(const Study& study,
                                  *found.channels,
                                  comparison,
                                  start,
-                                 at_start ? &*at_start : nullptr},
+                                 at_start ? &*at_start : nullptr,
+                                 has_band ? &band : nullptr},
                                 page);
   }
 }
@@ -214,12 +221,14 @@ Result<StudyReport> study_report(const Study& study,
   page.run = run_facts(study, journal);
   add_convergence(study, journal, page);
   page.is_of_design = !page.convergence;
-  add_experiments(study, found, initial, page);
+  std::vector<ExperimentBand> bands;
+  if (what) bands = prediction_bands(study, *what, journal, {{best->point, *found.channels}});
+  add_experiments(study, found, initial, bands, page);
   const auto rated = rated_trials(study, journal);
   page.surfaces = doe_surfaces(study, rated, best->point);
   page.basins = basins_of(study, rated);
   page.effects = effects_of(study, rated);
-  if (what) page.identifiability = identifiability_page(study, *what);
+  if (what) page.identifiability = identifiability_page(study, *what, bands);
   return page;
 }
 

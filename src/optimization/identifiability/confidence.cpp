@@ -109,15 +109,22 @@ namespace {
 
 /// The variables as sums of residuals, direction by direction:  u = -W felt' r.
 struct Estimates {
-  Eigen::MatrixXd W;     // n x n
-  Eigen::MatrixXd felt;  // m x n, orthonormal columns; 0 for a direction that no residual feels
+  Eigen::MatrixXd V;      // n x n: directions
+  Eigen::VectorXd scale;  // n: 1 / singular value
+  Eigen::MatrixXd W;      // n x n: V scale
+  Eigen::MatrixXd felt;   // m x n, orthonormal columns; 0 for a direction that no residual feels
   std::vector<Eigen::Index> flat;
 
-  Eigen::MatrixXd covariance(const ResidualNoise& noise) const {
+  /// Of the place along each direction.
+  Eigen::MatrixXd covariance_along(const ResidualNoise& noise) const {
     const Eigen::MatrixXd colored = noise.colored(felt);
     Eigen::MatrixXd K = colored.transpose() * colored;
     for (const Eigen::Index k : flat) K(k, k) = 1.0;
-    return W * K * W.transpose();
+    return scale.asDiagonal() * K * scale.asDiagonal();
+  }
+  /// How far the least squares lie along each direction where the residuals change by r.
+  Eigen::MatrixXd answer(const Eigen::MatrixXd& r) const {
+    return -(scale.asDiagonal() * (felt.transpose() * r));
   }
 };
 
@@ -127,7 +134,7 @@ Estimates estimates_of(const Eigen::MatrixXd& J) {
   const double least =
       std::max(kRoundingOfValues * s.values[0], std::numeric_limits<double>::min());
   const Eigen::VectorXd scale = s.values.cwiseMax(least).cwiseInverse();
-  Estimates estimates{s.directions * scale.asDiagonal(), {}, {}};
+  Estimates estimates{s.directions, scale, s.directions * scale.asDiagonal(), {}, {}};
   estimates.felt = J * estimates.W;
   for (Eigen::Index k = 0; k < s.values.size(); ++k) {
     if (s.values[k] > least) continue;
@@ -135,6 +142,28 @@ Estimates estimates_of(const Eigen::MatrixXd& J) {
     estimates.flat.push_back(k);
   }
   return estimates;
+}
+
+FreeDirections free_directions(const Linearization& at,
+                               const std::vector<int>& free,
+                               const Estimates& estimates,
+                               const ResidualNoise& noise,
+                               const Confidence& c) {
+  const Eigen::Index n = at.u.size(), f = std::ssize(free);
+  FreeDirections directions{Eigen::MatrixXd::Zero(n, f),
+                            Eigen::MatrixXd(f, f),
+                            Eigen::VectorXd(f),
+                            Eigen::MatrixXd::Zero(f, n),
+                            c.t};
+  if (f == 0) return directions;
+  directions.axes(free, Eigen::all) = estimates.V;
+  directions.covariance = c.sigma * c.sigma * estimates.covariance_along(noise);
+  directions.left = estimates.answer(at.r);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (c.held[static_cast<size_t>(i)] != Bound::none)
+      directions.following.col(i) = estimates.answer(at.J.col(i));
+  }
+  return directions;
 }
 
 }  // namespace
@@ -166,7 +195,8 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   const Eigen::VectorXd left = -inverse * gradient(free);  // to the least S
   c.left_to_gain = free.empty() ? 0.0 : -gradient(free).dot(left);
   const Estimates estimates = estimates_of(J_free);
-  const Eigen::MatrixXd C = estimates.covariance(noise);
+  c.free = free_directions(at, free, estimates, noise, c);
+  const Eigen::MatrixXd C = estimates.V * c.free.covariance * estimates.V.transpose();
   /// t^2 times the variance of y' r for a y of length 1: what S has risen by at the ends of an
   /// interval.
   const auto threshold_of = [&](const Eigen::VectorXd& y) {
@@ -174,6 +204,7 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
     const double t =
         c.is_colored ? numerics::student_t_quantile(p, stated ? noise.freedom_of(y, true) : freedom)
                      : c.t;
+    c.free.t = std::max(c.free.t, t);
     const double share = noise.colored(y).squaredNorm() / y.squaredNorm();
     return std::isfinite(share) ? c.sigma * c.sigma * t * t * share : c.threshold();
   };
@@ -183,7 +214,7 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   c.thresholds.resize(n);
   for (size_t a = 0; a < free.size(); ++a) {
     for (size_t b = 0; b < free.size(); ++b) {
-      c.covariance(free[a], free[b]) = c.sigma * c.sigma * C(a, b);
+      c.covariance(free[a], free[b]) = C(a, b);
       c.correlation(free[a], free[b]) = C(a, b) / std::sqrt(C(a, a) * C(b, b));
     }
     c.thresholds[free[a]] = threshold_of(estimates.felt * estimates.W.row(a).transpose());

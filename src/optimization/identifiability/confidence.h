@@ -60,6 +60,16 @@ struct Interval {
   double lower, upper;
 };
 
+/// What the data say of the variables that no bound holds, direction by direction: what values that
+/// follow from the variables are as uncertain as (prediction_band.h).
+struct FreeDirections {
+  Eigen::MatrixXd axes;        // n x f: a direction of the unit cube each, 0 in held variables
+  Eigen::MatrixXd covariance;  // f x f: of the place along each
+  Eigen::VectorXd left;        // f: what the search left of the way along each; 0 where flat
+  Eigen::MatrixXd following;   // f x n: how far each moves with a held variable, by the refit
+  double t = 0.0;              // the largest quantile of an interval
+};
+
 struct Confidence {
   double sigma;             // of a residual; NaN where there are no more residuals than variables
   double t;                 // Student's quantile, two-sided, of independent residuals
@@ -79,6 +89,7 @@ struct Confidence {
   double excess = 1.0;
   bool is_colored = false;    // neighbors share noise
   double left_to_gain = 0.0;  // S - least S, as J promises inside the bounds of held variables
+  FreeDirections free;
 
   /// s^2 t^2: of independent residuals.
   double threshold() const { return sigma * sigma * t * t; }

@@ -37,6 +37,13 @@ DesignPoint Identification::moved(int variable, double offset) const {
   return point;
 }
 
+std::vector<Identification::Term> Identification::derivative(int variable) const {
+  std::vector<Term> terms;
+  for (const auto& [offset, weight] : searches_[static_cast<size_t>(variable)].terms())
+    terms.push_back({offset == 0.0 ? center_ : moved(variable, offset), weight});
+  return terms;
+}
+
 void Identification::begin_at(const DesignPoint& center) {
   center_ = center;
   at_.reset();

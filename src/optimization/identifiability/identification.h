@@ -61,6 +61,13 @@ class Identification {
   const std::vector<SlopeQuality>& slopes() const { return qualities_; }
   /// Of the differences, a variable each, in the unit cube.
   const Eigen::VectorXd& lengths() const { return lengths_; }
+  /// What the derivative in a variable is made of, and any other quantity's over the same trials:
+  /// the sum of weight * value. Empty where the model told its slopes.
+  struct Term {
+    DesignPoint point;
+    double weight;
+  };
+  std::vector<Term> derivative(int variable) const;
   /// Whether linearization and confidence are there: not before round 1 is done, nor while it is
   /// done anew at a better point.
   bool is_linearized() const { return at_.has_value(); }

@@ -47,6 +47,25 @@ Analyzed analyze(const DesignSpace& space, const Model& model, IdentificationOpt
 
 const IdentificationOptions kNoise{.confidence = {.sigma = 0.01}};
 
+// Second order inside, at a bound and beside a failure: exact for squares.
+TEST(Identification, ItsDifferencesTellTheDerivativesOfAnyOtherQuantity) {
+  const DesignSpace space = box({0.5, 1.0}, 0, 1);
+  const auto a = analyze(space,
+                         [](const auto& x) {
+                           return Eigen::VectorXd{{x[0] + x[1] - 1.5, x[0] - 0.5, x[1] - 1}};
+                         },
+                         {.confidence = {.sigma = 0.01}, .profiles = false});
+  const double expected[] = {1.0, 4.0};
+  for (int i = 0; i < 2; ++i) {
+    double sum = 0.0;
+    for (const auto& [point, weight] : a.identification.derivative(i)) {
+      EXPECT_TRUE(space.contains(point));
+      sum += weight * (point.values[0] * point.values[0] + 2 * point.values[1] * point.values[1]);
+    }
+    EXPECT_NEAR(sum, expected[i], 1e-9);
+  }
+}
+
 // In a linear model the profile is the parabola of the linear interval, so both intervals agree;
 // the root of S is exactly linear between rungs.
 TEST(Identification, OfALinearModelTheProfileIsTheLinearInterval) {

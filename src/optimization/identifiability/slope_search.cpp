@@ -54,16 +54,19 @@ const Eigen::VectorXd* SlopeSearch::known(double offset) const {
 
 std::optional<SlopeSearch::Tried> SlopeSearch::stencil(const Eigen::VectorXd& center,
                                                        double h) const {
-  Tried t{h, 0.0, 0.0, {}, {}};
+  Tried t{h, 0.0, 0.0, {}, {}, {}};
   const Eigen::VectorXd *up = known(h), *down = known(-h);
   if (up && down) {
     t.slope = (*up - *down) / (2.0 * h);
+    t.terms = {{h, 0.5 / h}, {-h, -0.5 / h}};
     t.second = *up + *down - 2.0 * center;
   } else {
     const double side = known(2.0 * h) ? 1.0 : -1.0;
     const Eigen::VectorXd *one = known(side * h), *two = known(side * 2.0 * h);
     if (!one || !two) return std::nullopt;
     t.slope = side * (4.0 * *one - *two - 3.0 * center) / (2.0 * h);
+    const double unit = side / (2.0 * h);
+    t.terms = {{side * h, 4.0 * unit}, {side * 2.0 * h, -unit}, {0.0, -3.0 * unit}};
     t.second = *two + center - 2.0 * *one;
   }
   t.change = h * t.slope.norm();
@@ -142,6 +145,7 @@ void SlopeSearch::finish(const Eigen::VectorXd& center) {
       }
     }
     slope_ = best->slope;
+    terms_ = best->terms;
     length_ = best->length;
     quality_ = best->bend <= kStraight ? SlopeQuality::straight : SlopeQuality::rough;
     return;
@@ -152,6 +156,7 @@ void SlopeSearch::finish(const Eigen::VectorXd& center) {
   }
   if (!nearest) return;
   slope_ = (*nearest->r - center) / nearest->offset;
+  terms_ = {{nearest->offset, 1.0 / nearest->offset}, {0.0, -1.0 / nearest->offset}};
   length_ = std::abs(nearest->offset);
   quality_ = SlopeQuality::one_sided;
 }

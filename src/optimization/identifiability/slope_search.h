@@ -48,11 +48,18 @@ class SlopeSearch {
   SlopeQuality quality() const { return quality_; }
   const Eigen::VectorXd& slope() const { return slope_; }
   double length() const { return length_; }
+  /// What the slope is made of, and any other quantity's over the same points: the sum of
+  /// weight * value, one of them at the center, offset 0.
+  struct Term {
+    double offset, weight;
+  };
+  const std::vector<Term>& terms() const { return terms_; }
 
  private:
   struct Tried {
     double length, change, bend;
     Eigen::VectorXd slope, second;  // first derivative, second difference
+    std::vector<Term> terms;
   };
   struct Point {
     double offset;
@@ -75,6 +82,7 @@ class SlopeSearch {
   int shortened_ = 0;  // for failures
   SlopeQuality quality_ = SlopeQuality::unknown;
   Eigen::VectorXd slope_;
+  std::vector<Term> terms_;
   double length_ = 0.0;
 };
 
