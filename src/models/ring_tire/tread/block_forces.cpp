@@ -26,44 +26,12 @@ void find_entering(const BlockSpan& at, int lines, const double* touches, std::u
   LATSCH_KERNEL(find_entering)(at, lines, touches, entering);
 }
 
-void level_forces(const SegmentStations& at,
-                  const BlockLines& lines,
-                  const LevelGround& ground,
-                  const BlockMemory& before,
-                  const BlockLaw& law,
-                  const BlockResults& results,
-                  double* const force[4]) {
-  LATSCH_KERNEL(level_forces)(at, lines, ground, before, law, results, force);
+void level_forces(const BlockStep& step, const LevelGround& ground) {
+  LATSCH_KERNEL(level_forces)(step, ground);
 }
 
-void uneven_forces(const SegmentStations& at,
-                   const BlockLines& lines,
-                   const BlockGround& ground,
-                   const BlockMemory& before,
-                   const BlockLaw& law,
-                   const BlockResults& results,
-                   double* const force[4]) {
-  LATSCH_KERNEL(uneven_forces)(at, lines, ground, before, law, results, force);
-}
-
-void bent_level_forces(const SegmentStations& at,
-                       const BlockLines& lines,
-                       const LevelGround& ground,
-                       const BlockMemory& before,
-                       const BlockLaw& law,
-                       const BlockResults& results,
-                       double* const force[4]) {
-  LATSCH_KERNEL(bent_level_forces)(at, lines, ground, before, law, results, force);
-}
-
-void bent_uneven_forces(const SegmentStations& at,
-                        const BlockLines& lines,
-                        const BlockGround& ground,
-                        const BlockMemory& before,
-                        const BlockLaw& law,
-                        const BlockResults& results,
-                        double* const force[4]) {
-  LATSCH_KERNEL(bent_uneven_forces)(at, lines, ground, before, law, results, force);
+void uneven_forces(const BlockStep& step, const BlockGround& ground) {
+  LATSCH_KERNEL(uneven_forces)(step, ground);
 }
 
 void keep_tips(const BlockSpan& at,

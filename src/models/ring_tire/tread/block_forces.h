@@ -69,6 +69,16 @@ struct BlockLaw {
   const FrictionLaw* friction;
 };
 
+/// The blocks of a segment in a step, and what becomes of them.
+struct BlockStep {
+  SegmentStations at;
+  BlockLines lines;
+  BlockMemory before;
+  BlockLaw law;
+  BlockResults results;
+  double* force[4];  // of the segment's four nodes
+};
+
 /// t, n and |x'| of (10) at all stations.
 void station_frames(const double* const nodes[4],
                     const double* weights,
@@ -86,52 +96,11 @@ void lowest_tips(const double* columns, const BlockLines& lines, int stride, dou
 void find_entering(const BlockSpan& at, int lines, const double* touches, std::uint8_t* entering);
 
 /// (10) to (14) of all blocks at the stations [begin, end). Adds to the forces of the four nodes.
-void level_forces(const SegmentStations& at,
-                  const BlockLines& lines,
-                  const LevelGround& ground,
-                  const BlockMemory& before,
-                  const BlockLaw& law,
-                  const BlockResults& results,
-                  double* const force[4]);
-void uneven_forces(const SegmentStations& at,
-                   const BlockLines& lines,
-                   const BlockGround& ground,
-                   const BlockMemory& before,
-                   const BlockLaw& law,
-                   const BlockResults& results,
-                   double* const force[4]);
-
-/// The same of bent sections, `rise` of the lines given.
-void bent_level_forces(const SegmentStations& at,
-                       const BlockLines& lines,
-                       const LevelGround& ground,
-                       const BlockMemory& before,
-                       const BlockLaw& law,
-                       const BlockResults& results,
-                       double* const force[4]);
-void bent_uneven_forces(const SegmentStations& at,
-                        const BlockLines& lines,
-                        const BlockGround& ground,
-                        const BlockMemory& before,
-                        const BlockLaw& law,
-                        const BlockResults& results,
-                        double* const force[4]);
-void bent_standing_forces(const SegmentStations& at,
-                          const BlockLines& lines,
-                          const BlockGround& ground,
-                          const BlockMemory& before,
-                          const BlockLaw& law,
-                          const BlockResults& results,
-                          double* const force[4]);
-
+/// Sections are bent where the lines have a rise.
+void level_forces(const BlockStep& step, const LevelGround& ground);
+void uneven_forces(const BlockStep& step, const BlockGround& ground);
 /// In statics, with what friction holds from hold_friction(): standing_blocks.cpp.
-void standing_forces(const SegmentStations& at,
-                     const BlockLines& lines,
-                     const BlockGround& ground,
-                     const BlockMemory& before,
-                     const BlockLaw& law,
-                     const BlockResults& results,
-                     double* const force[4]);
+void standing_forces(const BlockStep& step, const BlockGround& ground);
 void hold_friction(const BlockSpan& at,
                    int lines,
                    const BlockGround& ground,

@@ -203,46 +203,12 @@ void station_columns(const SegmentStations& at, double* columns) {
   }
 }
 
-void level_forces(const SegmentStations& at,
-                  const BlockLines& lines,
-                  const LevelGround& ground,
-                  const BlockMemory& before,
-                  const BlockLaw& law,
-                  const BlockResults& results,
-                  double* const force[4]) {
-  add_block_forces(at, lines, before.entering, LevelBlocks{ground, before, law, results}, force);
+void level_forces(const BlockStep& step, const LevelGround& ground) {
+  add_block_forces(step, LevelBlocks{ground, step.before, step.law, step.results});
 }
 
-void uneven_forces(const SegmentStations& at,
-                   const BlockLines& lines,
-                   const BlockGround& ground,
-                   const BlockMemory& before,
-                   const BlockLaw& law,
-                   const BlockResults& results,
-                   double* const force[4]) {
-  add_block_forces(at, lines, before.entering, UnevenBlocks{ground, before, law, results}, force);
-}
-
-void bent_level_forces(const SegmentStations& at,
-                       const BlockLines& lines,
-                       const LevelGround& ground,
-                       const BlockMemory& before,
-                       const BlockLaw& law,
-                       const BlockResults& results,
-                       double* const force[4]) {
-  add_block_forces(
-      at, lines, before.entering, LevelBlocks{ground, before, law, results}, force, BentLines{});
-}
-
-void bent_uneven_forces(const SegmentStations& at,
-                        const BlockLines& lines,
-                        const BlockGround& ground,
-                        const BlockMemory& before,
-                        const BlockLaw& law,
-                        const BlockResults& results,
-                        double* const force[4]) {
-  add_block_forces(
-      at, lines, before.entering, UnevenBlocks{ground, before, law, results}, force, BentLines{});
+void uneven_forces(const BlockStep& step, const BlockGround& ground) {
+  add_block_forces(step, UnevenBlocks{ground, step.before, step.law, step.results});
 }
 
 void lowest_tips(const double* columns, const BlockLines& of, int stride, double* z) {

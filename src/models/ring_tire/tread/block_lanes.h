@@ -139,26 +139,34 @@ struct BentLines {
 
 /// All blocks of a segment. `Blocks` has at(stations, j, place, rate), the belt as its ground wants
 /// it, and force(belt, H, y, entering, block), the force of eight blocks of a line on the tire.
-template <class Blocks, class Shape = StraightLines>
-LATSCH_INLINE void add_block_forces(const SegmentStations& at,
-                                    const BlockLines& lines,
-                                    const std::uint8_t* entering,
+template <class Blocks, class Shape>
+LATSCH_INLINE void add_block_forces(const BlockStep& step,
                                     const Blocks& blocks,
-                                    double* const force[4],
-                                    const Shape& shape = {}) {
+                                    const Shape& shape) {
+  const SegmentStations& at = step.at;
+  const BlockLines& lines = step.lines;
   Lanes to_node[4][4] = {};
   for (int j = at.begin; j < at.end; j += kWide) {
     const auto belt =
         blocks.at(at, j, section(at, at.nodes, j, 1.0), section(at, at.rates, j, 0.0));
+    const bool entering = step.before.entering[j / kWide] != 0;
     StationSums sums = {};
     for (int line = 0; line < lines.count; ++line) {
       const auto H = shape.height(lines, line, j);
       const double y = lines.y[line];
-      sums.add(blocks.force(belt, H, y, entering[j / kWide] != 0, line * at.stride + j), H, y);
+      sums.add(blocks.force(belt, H, y, entering, line * at.stride + j), H, y);
     }
     spread(at, j, sums, to_node);
   }
-  add_to_nodes(to_node, force);
+  add_to_nodes(to_node, step.force);
+}
+
+template <class Blocks>
+LATSCH_INLINE void add_block_forces(const BlockStep& step, const Blocks& blocks) {
+  if (step.lines.rise)
+    add_block_forces(step, blocks, BentLines{});
+  else
+    add_block_forces(step, blocks, StraightLines{});
 }
 
 }  // namespace latsch::ring_tire::LATSCH_KERNELS

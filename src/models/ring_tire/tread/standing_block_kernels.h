@@ -47,25 +47,8 @@ struct StandingBlocks {
   }
 };
 
-void standing_forces(const SegmentStations& at,
-                     const BlockLines& lines,
-                     const BlockGround& ground,
-                     const BlockMemory& before,
-                     const BlockLaw& law,
-                     const BlockResults& results,
-                     double* const force[4]) {
-  add_block_forces(at, lines, before.entering, StandingBlocks{ground, before, law, results}, force);
-}
-
-void bent_standing_forces(const SegmentStations& at,
-                          const BlockLines& lines,
-                          const BlockGround& ground,
-                          const BlockMemory& before,
-                          const BlockLaw& law,
-                          const BlockResults& results,
-                          double* const force[4]) {
-  add_block_forces(
-      at, lines, before.entering, StandingBlocks{ground, before, law, results}, force, BentLines{});
+void standing_forces(const BlockStep& step, const BlockGround& ground) {
+  add_block_forces(step, StandingBlocks{ground, step.before, step.law, step.results});
 }
 
 void hold_friction(const BlockSpan& at,

@@ -6,24 +6,8 @@
 
 namespace latsch::ring_tire {
 
-void standing_forces(const SegmentStations& at,
-                     const BlockLines& lines,
-                     const BlockGround& ground,
-                     const BlockMemory& before,
-                     const BlockLaw& law,
-                     const BlockResults& results,
-                     double* const force[4]) {
-  LATSCH_KERNEL(standing_forces)(at, lines, ground, before, law, results, force);
-}
-
-void bent_standing_forces(const SegmentStations& at,
-                          const BlockLines& lines,
-                          const BlockGround& ground,
-                          const BlockMemory& before,
-                          const BlockLaw& law,
-                          const BlockResults& results,
-                          double* const force[4]) {
-  LATSCH_KERNEL(bent_standing_forces)(at, lines, ground, before, law, results, force);
+void standing_forces(const BlockStep& step, const BlockGround& ground) {
+  LATSCH_KERNEL(standing_forces)(step, ground);
 }
 
 void hold_friction(const BlockSpan& at,

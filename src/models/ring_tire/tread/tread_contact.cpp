@@ -300,27 +300,21 @@ void TreadContact::add_force(const NodeValues& q, const NodeValues& v, NodeValue
   const BlockLaw law = block_law();
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     const Patch& patch = patches_[i];
-    const SegmentStations at = stations_of(i, q, v);
     const std::size_t first = place(patch.segment);
-    const BlockMemory before{.tip = {&tip_[0][first], &tip_[1][first], &tip_[2][first]},
-                             .touches = &touches_[first],
-                             .entering = entering(i)};
-    double* to[4];
-    for (int m = 0; m < 4; ++m) to[m] = force.col(node(patch.segment, m)).data();
-    if (!section_rise_.empty()) {
-      const BlockLines bent = bent_lines(patch.segment);
-      if (rule_.statics())
-        bent_standing_forces(at, bent, ground(i), before, law, results(i), to);
-      else if (patch.level)
-        bent_level_forces(at, bent, patch.ground, before, law, results(i), to);
-      else
-        bent_uneven_forces(at, bent, ground(i), before, law, results(i), to);
-    } else if (rule_.statics())
-      standing_forces(at, lines(), ground(i), before, law, results(i), to);
+    BlockStep step{.at = stations_of(i, q, v),
+                   .lines = lines(patch.segment),
+                   .before = {.tip = {&tip_[0][first], &tip_[1][first], &tip_[2][first]},
+                              .touches = &touches_[first],
+                              .entering = entering(i)},
+                   .law = law,
+                   .results = results(i)};
+    for (int m = 0; m < 4; ++m) step.force[m] = force.col(node(patch.segment, m)).data();
+    if (rule_.statics())
+      standing_forces(step, ground(i));
     else if (patch.level)
-      level_forces(at, lines(), patch.ground, before, law, results(i), to);
+      level_forces(step, patch.ground);
     else
-      uneven_forces(at, lines(), ground(i), before, law, results(i), to);
+      uneven_forces(step, ground(i));
   }
 }
 

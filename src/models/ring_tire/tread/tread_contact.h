@@ -184,11 +184,13 @@ class TreadContact {
   template <class See>
   void see_touching(const NodeValues& q, const See& see) const;
   BlockLines lines() const { return {lines_, line_height_.data(), line_y_.data()}; }
-  BlockLines bent_lines(int segment) const {
-    BlockLines bent = lines();
-    bent.rise = &section_rise_[2 * static_cast<std::size_t>(segment * lines_)];
-    bent.share = share_.data();
-    return bent;
+  /// With what a segment's sections are bent by.
+  BlockLines lines(int segment) const {
+    BlockLines own = lines();
+    if (section_rise_.empty()) return own;
+    own.rise = &section_rise_[2 * static_cast<std::size_t>(segment * lines_)];
+    own.share = share_.data();
+    return own;
   }
   BlockLaw block_law() const;
   BlockResults results(std::size_t patch);
