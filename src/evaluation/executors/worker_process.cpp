@@ -18,6 +18,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "evaluation/executors/process_end.h"
 #include "evaluation/executors/process_tree.h"
 #include "evaluation/executors/worker.h"
 
@@ -104,21 +105,6 @@ void limit(pid_t pid, double memory_limit) {
   }
 }
 
-std::string last_line(const std::string& text) {
-  const std::size_t end = text.find_last_not_of(" \r\n\t");
-  if (end == std::string::npos) return {};
-  const std::size_t start = text.find_last_of('\n', end);
-  return text.substr(start == std::string::npos ? 0 : start + 1, end - (start + 1) + 1);
-}
-
-std::string describe(int status) {
-  if (WIFSIGNALED(status)) {
-    return fmt::format(
-        "was killed by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status)));
-  }
-  return fmt::format("exited with code {}", WEXITSTATUS(status));
-}
-
 bool readable(int fd, int milliseconds) {
   pollfd entry{fd, POLLIN, 0};
   return ::poll(&entry, 1, milliseconds) > 0;
@@ -198,8 +184,7 @@ std::string WorkerProcess::end() {
   }
   pid_ = -1;
   take_printed();
-  const std::string line = last_line(last_printed_);
-  return describe(status_) + (line.empty() ? "" : fmt::format("; it last printed \"{}\"", line));
+  return how_it_ended(status_, last_printed_);
 }
 
 bool WorkerProcess::was_stopped_from_outside() const {

@@ -18,9 +18,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 
 #include "base/text.h"
+#include "evaluation/executors/process_end.h"
 #include "evaluation/executors/process_tree.h"
 
 extern char** environ;
@@ -30,15 +30,13 @@ namespace {
 
 constexpr long kTail = 4096;  // bytes of what it printed in which the last line is looked for
 
-std::string last_line(const std::filesystem::path& printed) {
+std::string tail_of(const std::filesystem::path& printed) {
   std::ifstream file(printed, std::ios::binary | std::ios::ate);
   const long size = std::max<long>(file.tellg(), 0);
-  file.seekg(std::max(size - kTail, 0L));
-  std::string line, last;
-  while (std::getline(file, line)) {
-    if (!trimmed(line).empty()) last = line;
-  }
-  return std::string(trimmed(last));
+  std::string tail(static_cast<std::size_t>(std::min(size, kTail)), '\0');
+  file.seekg(size - std::ssize(tail));
+  file.read(tail.data(), std::ssize(tail));
+  return tail;
 }
 
 /// Waits for its end, but not for longer.
@@ -54,17 +52,6 @@ bool ends_within(pid_t pid, double timeout) {
   }
   ::close(process);
   return ended;
-}
-
-Failure ended(const std::string& program, int status, const std::filesystem::path& printed) {
-  const std::string how =
-      WIFSIGNALED(status)
-          ? fmt::format(
-                "was killed by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status)))
-          : fmt::format("exited with code {}", WEXITSTATUS(status));
-  const std::string line = last_line(printed);
-  return {in_quotes(program) + " " + how +
-          (line.empty() ? "" : "; it last printed " + in_quotes(line))};
 }
 
 }  // namespace
@@ -106,7 +93,7 @@ std::optional<Failure> run_program(const std::vector<std::string>& arguments,
                    Cause::timeout};
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::nullopt;
-  return ended(arguments.front(), status, printed);
+  return Failure{in_quotes(arguments.front()) + " " + how_it_ended(status, tail_of(printed))};
 }
 
 bool can_be_found(const std::string& program) {
