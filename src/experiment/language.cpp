@@ -88,15 +88,31 @@ bool can(const SpecimenKind& kind, const std::vector<std::string>& needs) {
   });
 }
 
+namespace {
+
+void check_ability(const Language& language, const SpecimenKind& kind, const Test& test) {
+  if (can(kind, test)) return;
+  throw InputError("a " + kind.in_words() + " cannot do this test (" + test.in_words() +
+                   "): it takes a model that " + test.needs().front() + ", such as " +
+                   list_of(language.kinds_for(test.needs())));
+}
+
+}  // namespace
+
 Result<Channels> Language::run(const SpecimenKind& kind,
                                const Document& numbers,
                                const Test& test) const {
-  if (!can(kind, test)) {
-    throw InputError("a " + kind.in_words() + " cannot do this test (" + test.in_words() +
-                     "): it takes a model that " + test.needs().front() + ", such as " +
-                     list_of(kinds_for(test.needs())));
-  }
+  check_ability(*this, kind, test);
   return test.run(*kind.build(numbers));
+}
+
+Result<std::vector<std::string>> Language::run_in_blocks(
+    const SpecimenKind& kind,
+    const Document& numbers,
+    const Test& test,
+    const std::function<void(const Channels&)>& tell) const {
+  check_ability(*this, kind, test);
+  return test.run_in_blocks(*kind.build(numbers), tell);
 }
 
 }  // namespace latsch::experiment

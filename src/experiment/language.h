@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,6 +35,12 @@ struct Language {
   /// Runs a test with the specimen these numbers make. Throws InputError where they make none or
   /// the kind cannot do it.
   Result<Channels> run(const SpecimenKind& kind, const Document& numbers, const Test& test) const;
+  /// The same by Test::run_in_blocks().
+  Result<std::vector<std::string>> run_in_blocks(
+      const SpecimenKind& kind,
+      const Document& numbers,
+      const Test& test,
+      const std::function<void(const Channels&)>& tell) const;
 };
 
 /// What latsch speaks as it is shipped; a program of one's own may speak another.

@@ -12,7 +12,7 @@ import unittest
 from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, Coarse, edit
 
 TREE = pathlib.Path(__file__).resolve().parents[3]
-VERBS = ("new", "check", "mesh", "simulate", "evaluate", "doe", "run", "resume", "identify", "report", "export", "doctor",
+VERBS = ("new", "check", "mesh", "simulate", "doe", "run", "resume", "identify", "report", "export", "doctor",
          "process", "road", "test", "validate", "compare", "show", "help")
 
 
@@ -63,7 +63,8 @@ class Console(Coarse):
         tir = TREE / "studies" / "tire_model_comparison" / "magic_formula.tir"
         states = self.folder / "states.csv"
         states.write_text("Fz [kN],alpha [deg]\n4,2\n4,-2\n")
-        channels = {c["name"]: c for c in self.answer("evaluate", tir, states)["channels"]}
+        steady = f'{{kind = "steady_states", states = "{states}"}}'
+        channels = {c["name"]: c for c in self.answer("test", tir, steady)["channels"]}
         self.assertEqual((channels["Fy"]["unit"], len(channels["Fy"]["values"])), ("N", 2))
         self.assertEqual(self.answer("show", states)["kind"], "Table (CSV)")
         ring = TREE / "studies" / "ring_tires" / "passenger_205_55R16.toml"

@@ -104,16 +104,17 @@ class Files(unittest.TestCase):
     def test_what_cannot_be_evaluated_is_said(self):
         tir = pathlib.Path(__file__).resolve().parents[3] / "studies" / "tire_model_comparison" / "magic_formula.tir"
         states = self.write("states.csv", "Fz,alpha [deg]\n4000,2\n")
-        self.assertIn("Fy [N]", self.latsch("evaluate", tir, states))
+        steady = f'{{kind = "steady_states", states = "{states}"}}'
+        self.assertIn("Fy [N]", self.latsch("test", tir, steady))
         for text, said in (("Fz,alpha\n", "no row follows the header"), ("alpha\n1\n", "there is no column Fz"),
                            ("Fz [m]\n1\n", "expected a force"), ("Fz,alpha\n4000\n", "has 1 field, expected 2")):
             states.write_text(text)
-            self.assertRegex(self.latsch("evaluate", tir, states, code=WRONG_INPUT), r"states\.csv:\d: .*" + said)
+            self.assertRegex(self.latsch("test", tir, steady, code=WRONG_INPUT), r"states\.csv:\d: .*" + said)
         states.write_text("Fz\n4000\n")
         bare = self.write("bare.tir", re.sub("(?m)^UNLOADED_RADIUS.*$", "", tir.read_text()))
-        self.assertIn("there is no UNLOADED_RADIUS", self.latsch("evaluate", bare, states, code=WRONG_INPUT))
-        ring = self.write("ring.toml", 'kind = "ring_tire"\n')
-        self.assertIn("of another kind", self.latsch("evaluate", ring, states, code=WRONG_INPUT))
+        self.assertIn("there is no UNLOADED_RADIUS", self.latsch("test", bare, steady, code=WRONG_INPUT))
+        ring = tir.parents[1] / "ring_tires" / "passenger_205_55R16.toml"
+        self.assertIn("cannot do this test", self.latsch("test", ring, steady, code=WRONG_INPUT))
 
     def test_a_road_without_a_model_or_a_column_is_said(self):
         self.assertIn("is this an Adams road file", self.latsch(

@@ -14,7 +14,7 @@ import unittest
 from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, Outside, edit, trials_of
 
 
-class Evaluate(Outside):
+class SteadyStates(Outside):
     """A steady-state tire on a table of states."""
 
     TIRE = """[MODEL]
@@ -33,27 +33,52 @@ PKY1 = -20
 PKY2 = 1.5
 """
 
+    @staticmethod
+    def steady(states, *keys):
+        return "{" + ", ".join(['kind = "steady_states"', f'states = "{states}"', *keys]) + "}"
+
     def test_forces_of_a_table_in_any_order_and_unit(self):
         tire, states, forces = (self.folder / name for name in ("tire.tir", "states.csv", "forces.csv"))
         tire.write_text(self.TIRE)
         states.write_text("alpha [deg],FZ [kN]\n90e-1,4\n-9,4\n2,9\n")
-        self.latsch("evaluate", tire, states, "-o", forces)
+        self.latsch("test", tire, self.steady(states), "-o", forces)
         head, *rows = [line.split(",") for line in forces.read_text().splitlines()]
         Fy = [float(row[head.index("Fy [N]")]) for row in rows]
         self.assertLess(Fy[0], -3000)
         self.assertAlmostEqual(Fy[0], -Fy[1], places=8)
         self.assertEqual(float(rows[2][head.index("Fz [N]")]), 5000)  # limited
-        self.latsch("evaluate", tire, states, "--limits", "off", "-o", forces)
+        self.latsch("test", tire, self.steady(states, 'limits = "off"'), "-o", forces)
         self.assertEqual(float(forces.read_text().splitlines()[3].split(",")[2]), 9000)
+
+    def test_what_is_to_be_minded_is_said(self):
+        tire, states, forces = (self.folder / name for name in ("tire.tir", "states.csv", "forces.csv"))
+        tire.write_text(self.TIRE)
+        states.write_text("Fz [N],wind [m/s]\n4000,1\n9000,1\n")
+        said = self.latsch("test", tire, self.steady(states, 'turn_slip = "on"'), "-o", forces)
+        self.assert_says(said, 'states.csv: column "wind" is not used', "1 of 2 states lie outside of the ranges",
+                         'limits = "off"', "no turn slip coefficients")
+
+    def test_a_long_table_is_answered_block_by_block(self):
+        """Longer than what is kept in memory, and than a block: as one of its parts."""
+        tire, states, forces = (self.folder / name for name in ("tire.tir", "states.csv", "forces.csv"))
+        tire.write_text(self.TIRE)
+        rows = [f"{2000 + k % 2999}.{k % 7}00000000,{k % 13 - 6}.500000000000" for k in range(20_000)]
+        states.write_text("Fz [N],alpha [deg]\n" + "\n".join(rows) + "\n" + "#" * (17 << 20) + "\n")
+        self.latsch("test", tire, self.steady(states), "-o", forces)
+        whole = forces.read_text().splitlines()
+        self.assertEqual(len(whole), 20_001)
+        states.write_text("Fz [N],alpha [deg]\n" + "\n".join(rows[9_000:9_010]) + "\n")
+        self.latsch("test", tire, self.steady(states), "-o", forces)
+        self.assertEqual(forces.read_text().splitlines()[1:], whole[9_001:9_011])
 
     def test_what_is_wrong_is_named(self):
         tire, states = self.folder / "tire.tir", self.folder / "states.csv"
         tire.write_text(self.TIRE.replace("UNLOADED_RADIUS = 0.3\n", ""))
         states.write_text("Fz\n4000\n")
-        self.assert_says(self.latsch("evaluate", tire, states, code=WRONG_INPUT), "tire.tir", "UNLOADED_RADIUS")
+        self.assert_says(self.latsch("test", tire, self.steady(states), code=WRONG_INPUT), "tire.tir", "UNLOADED_RADIUS")
         tire.write_text(self.TIRE)
         states.write_text("kappa\n0\n")
-        self.assert_says(self.latsch("evaluate", tire, states, code=WRONG_INPUT), "states.csv:1", "Fz")
+        self.assert_says(self.latsch("test", tire, self.steady(states), code=WRONG_INPUT), "states.csv:1", "Fz")
 
 
 class Simulators(Outside):

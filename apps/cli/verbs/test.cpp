@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "base/document.h"
 #include "base/error.h"
@@ -105,6 +107,67 @@ void write_details(const TestOptions& options,
   say_written(options.html);
 }
 
+/// CSV, its header before the first block.
+class CsvBlocks {
+ public:
+  explicit CsvBlocks(std::function<void(const std::string&)> to) : to_(std::move(to)) {}
+  void operator()(const Channels& block) {
+    if (is_first_) to_(formats::csv_header(block));
+    is_first_ = false;
+    to_(formats::csv_rows(block));
+  }
+
+ private:
+  std::function<void(const std::string&)> to_;
+  bool is_first_ = true;
+};
+
+void append(const Channels& block, Json& all) {
+  const Json more = answer_of(block);
+  if (all.empty()) {
+    all = more;
+    return;
+  }
+  for (std::size_t i = 0; i < more.size(); ++i)
+    for (const Json& value : more[i]["values"]) all[i]["values"].push_back(value);
+}
+
+/// A test that did not succeed, on its way out of a file that is then not written.
+struct Unsuccessful {
+  Failure failure;
+};
+
+/// Block by block, so that a recording of any length takes the same memory.
+int run_and_give(const TestOptions& options,
+                 const experiment::Language& language,
+                 const ModelSource& model,
+                 const experiment::Test& test) {
+  std::vector<std::string> notes;
+  const auto run = [&](const std::function<void(const Channels&)>& tell) {
+    const auto done = language.run_in_blocks(*model.kind, model.numbers, test, tell);
+    if (!done) throw Unsuccessful{done.failure()};
+    notes = *done;
+  };
+  try {
+    if (!options.output.empty()) {
+      write_file(options.output, [&](std::ostream& out) {
+        run(CsvBlocks([&](const std::string& text) { out << text; }));
+      });
+      say_written(options.output);
+    } else if (answers_in_json()) {
+      Json& all = answer()["channels"] = Json::array();
+      run([&](const Channels& block) { append(block, all); });
+    } else {
+      run(CsvBlocks([](const std::string& text) { put(text); }));
+    }
+  } catch (const Unsuccessful& unsuccessful) {
+    complain(unsuccessful.failure.reason);
+    return kFailed;
+  }
+  for (const std::string& note : notes) warn(note);
+  return kDone;
+}
+
 int test(const TestOptions& options, const experiment::Language& language) {
   if (options.list) return say_matrix(language);
   if (options.model.empty() || options.test.empty())
@@ -113,17 +176,20 @@ int test(const TestOptions& options, const experiment::Language& language) {
         "latsch test --list says which model can do which");
   const ModelSource model = model_source(options.model, language, options.kind);
   const auto test = test_of(options.test, language);
+  if (!is_study(options.model)) {
+    for (const std::string& note : model.kind->notes(options.model)) warn(note, {options.model, 0});
+  }
   if (options.convergence) return say_convergence(*model.kind, model.numbers, *test);
+  if (options.html.empty() && options.details.empty())
+    return run_and_give(options, language, model, *test);
   const auto channels = language.run(*model.kind, model.numbers, *test);
   if (!channels) {
     complain(channels.failure().reason);
     return kFailed;
   }
-  if (!options.html.empty() || !options.details.empty()) {
-    const auto details = test->details(*model.kind->build(model.numbers));
-    if (!details) throw std::runtime_error(details.failure().reason);
-    write_details(options, *test, *channels, *details);
-  }
+  const auto details = test->details(*model.kind->build(model.numbers));
+  if (!details) throw std::runtime_error(details.failure().reason);
+  write_details(options, *test, *channels, *details);
   give(*channels, options.output);
   return kDone;
 }
@@ -145,6 +211,7 @@ void add_test(CommandLine& app, Program& program) {
       "  latsch test tire.toml '{kind = \"footprint\", loads = [\"2 kN\", \"4 kN\"]}' --html "
       "patch.html\n"
       "  latsch test tire.tir test.toml --kind rigid_ring -o forces.csv\n"
+      "  latsch test tire.tir '{kind = \"steady_states\", states = \"states.csv\"}' -o forces.csv\n"
       "  latsch test studies/tire_b_twin/study.toml modes.toml\n"
       "  latsch test tire.toml test.toml --convergence\n"
       "  latsch test --list");

@@ -24,7 +24,6 @@ void add_new(CommandLine& app, Program& program);
 void add_check(CommandLine& app, Program& program);
 void add_mesh(CommandLine& app, Program& program);
 void add_simulate(CommandLine& app, Program& program);
-void add_evaluate(CommandLine& app, Program& program);
 void add_doe(CommandLine& app, Program& program);
 void add_run(CommandLine& app, Program& program);  // run and resume
 void add_identify(CommandLine& app, Program& program);

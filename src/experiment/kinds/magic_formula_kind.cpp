@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Magic Formula as a kind of specimen: rolling with relaxation, and in steady states.
+#include <fmt/format.h>
+
+#include "base/text.h"
 #include "experiment/kinds/magic_formula_ranges.h"
 #include "experiment/kinds/rolling_specimen.h"
 #include "experiment/kinds/slip_plots.h"
 #include "experiment/kinds/tir_numbers.h"
 #include "experiment/rigs/slip_states.h"
+#include "formats/tire/tir_file.h"
 #include "models/magic_formula/magic_formula_tire.h"
 #include "report/report.h"
 
 namespace latsch::experiment {
 namespace {
+
+using magic_formula::Conventions;
+using magic_formula::MagicFormula;
 
 class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates {
  public:
@@ -18,20 +25,47 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates {
   std::unique_ptr<Tire> tire() const override {
     return std::make_unique<magic_formula::MagicFormulaTire>(parameters_);
   }
-  Channels steady(const formats::CsvTable& table) const override {
-    return answers(formula(), slip_states(table, parameters_).states);
+  Channels steady(const formats::CsvTable& table, const Conventions& conventions) const override {
+    return answers(MagicFormula(parameters_, conventions), slip_states(table, parameters_).states);
   }
-  Channels steady_with_slopes(const formats::CsvTable& table, const Asked& asked) const override {
+  std::vector<std::string> steady_in_blocks(
+      const formats::CsvTable& table,
+      const Conventions& conventions,
+      const std::function<void(const Channels&)>& tell) const override {
+    constexpr int kBlock = 8192;  // states
+    const MagicFormula tire(parameters_, conventions);
+    std::vector<magic_formula::SteadyState> results;
+    long count = 0, outside = 0;
+    const auto unused = for_slip_states(table, parameters_, kBlock, [&](auto& states) {
+      results.resize(states.size());
+      tire.evaluate(states, results);
+      outside += outside_of_ranges(states, parameters_);
+      count += static_cast<long>(states.size());
+      tell(answers(results));
+    });
+    std::vector<std::string> notes;
+    for (const std::string& column : unused)
+      notes.push_back(fmt::format("{}: column {} is not used", table.file(), in_quotes(column)));
+    if (tire.conventions().limits && outside > 0)
+      notes.push_back(fmt::format(
+          "{} of {} states lie outside of the ranges of the tire's file and are limited "
+          "to them (limits = \"off\" takes them as they are)",
+          outside,
+          count));
+    if (conventions.turn_slip && !tire.conventions().turn_slip)
+      notes.emplace_back("the tire has no turn slip coefficients: it answers without");
+    return notes;
+  }
+  Channels steady_with_slopes(const formats::CsvTable& table,
+                              const Conventions& conventions,
+                              const Asked& asked) const override {
+    const MagicFormula tire(parameters_, conventions);
     const SlipStates given = slip_states(table, parameters_);
     return with_slopes(
-        answers(formula(), given.states), formula(), given.states, asked.channels, asked.paths);
+        answers(tire, given.states), tire, given.states, asked.channels, asked.paths);
   }
 
  private:
-  magic_formula::MagicFormula formula() const {
-    return magic_formula::MagicFormula(parameters_, {});
-  }
-
   magic_formula::Parameters parameters_;
 };
 
@@ -49,6 +83,9 @@ class MagicFormulaKind : public SpecimenKind {
     return file.extension() == ".tir";
   }
   Document read(const std::filesystem::path& file) const override { return read_tir_numbers(file); }
+  std::vector<std::string> notes(const std::filesystem::path& file) const override {
+    return formats::read_tir(file).notes;
+  }
   std::unique_ptr<Specimen> build(const Document& numbers,
                                   std::unique_ptr<Specimen>) const override {
     return std::make_unique<MagicFormulaSpecimen>(numbers);
@@ -65,7 +102,7 @@ class MagicFormulaKind : public SpecimenKind {
             const std::vector<const Test*>&,
             Thoroughness,
             report::StudyReport& page) const override {
-    page.slip_plots = slip_plots(magic_formula::MagicFormula(parameters_of(numbers)));
+    page.slip_plots = slip_plots(MagicFormula(parameters_of(numbers)));
   }
 };
 

@@ -6,6 +6,7 @@
 // them is for specimens that take them.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -17,6 +18,7 @@
 #include "experiment/rigs/load_case.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/channels.h"
+#include "models/magic_formula/conventions.h"
 #include "models/tire/tire.h"
 
 namespace latsch::experiment {
@@ -55,10 +57,18 @@ struct Rolls {
 struct HasSteadyStates {
   static constexpr const char* kName = "has steady states";
   virtual ~HasSteadyStates() = default;
-  virtual Channels steady(const formats::CsvTable& states) const = 0;
+  virtual Channels steady(const formats::CsvTable& states,
+                          const magic_formula::Conventions&) const = 0;
+  /// The same block by block. Gives back what is to be minded: Test::run_in_blocks().
+  virtual std::vector<std::string> steady_in_blocks(
+      const formats::CsvTable& states,
+      const magic_formula::Conventions&,
+      const std::function<void(const Channels&)>& tell) const = 0;
   /// The same with the slopes asked for, where they are known.
-  virtual Channels steady_with_slopes(const formats::CsvTable& states, const Asked&) const {
-    return steady(states);
+  virtual Channels steady_with_slopes(const formats::CsvTable& states,
+                                      const magic_formula::Conventions& conventions,
+                                      const Asked&) const {
+    return steady(states, conventions);
   }
 };
 

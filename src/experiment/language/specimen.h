@@ -62,6 +62,8 @@ class SpecimenKind {
   virtual bool recognizes(const std::filesystem::path& file) const = 0;
   /// The numbers of a file by their paths: "sidewall.radial.stiffness", "PKY1". InputError.
   virtual Document read(const std::filesystem::path& file) const = 0;
+  /// What that left out of the file or assumed for it, a sentence each.
+  virtual std::vector<std::string> notes(const std::filesystem::path&) const { return {}; }
   /// InputError where the numbers make no specimen. One of numbers before may hand on its work that
   /// does not depend on what has changed: the result is that of a fresh one to the last bit.
   virtual std::unique_ptr<Specimen> build(const Document& numbers,

@@ -62,6 +62,10 @@ class Test {
 
   /// Throws InputError where the specimen cannot take a condition of the test.
   virtual Result<Channels> run(Specimen& specimen) const = 0;
+  /// The same channels block by block, for a recording that is too long to be kept. Gives back what
+  /// is to be minded of it, a sentence each.
+  virtual Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const;
   /// What a page shows of a run beside its channels, and the numbers that are too many for a trial.
   struct Picture {
     std::string title, svg, caption;

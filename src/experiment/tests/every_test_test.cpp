@@ -209,6 +209,55 @@ TEST_F(EveryTest, SteadyStatesAreForTheMagicFormulaAlone) {
       InputError);
 }
 
+// A tire on the other side turns and leans the other way, and so do its forces; without the limit
+// the load is that of the table. What differs has another identity.
+TEST_F(EveryTest, SteadyStatesAreTakenAsTheTestSays) {
+  const auto tir = write("tire.tir", kTir);
+  write("states.csv", "Fz [kN],alpha [deg],gamma [deg]\n4,2,1\n4,-2,-1\n");
+  const std::string head = "kind = \"steady_states\"\nstates = \"states.csv\"\n";
+  const SpecimenKind& formula = *language().find_kind("magic_formula");
+  Document numbers = formula.read(tir);
+  numbers.set("PVY1", 0.05);  // a pull to one side
+  const auto plain = test(head), other = test(head + "side = \"other\"\n"),
+             tangent = test(head + "angles = \"tangent\"\n");
+  const Channels as_measured = *language().run(formula, numbers, *plain),
+                 mirrored = *language().run(formula, numbers, *other);
+  EXPECT_NEAR(mirrored["Fy"][0], -as_measured["Fy"][1], 1e-9);
+  EXPECT_NE(as_measured["Fy"][0], -as_measured["Fy"][1]);
+  const double ratio =
+      (*language().run(formula, numbers, *tangent))["Fy"][0] / as_measured["Fy"][0];
+  EXPECT_NE(ratio, 1.0);
+  EXPECT_NEAR(ratio, 1.0, 1e-3);  // tan 2 deg is 0.04 % more than 2 deg
+  EXPECT_NE(plain->identity(), other->identity());
+  EXPECT_NE(plain->identity(), tangent->identity());
+  EXPECT_EQ(plain->identity(), test(head + "limits = \"on\"\n")->identity());
+}
+
+// Slopes are those of the tire as the test takes it.
+TEST_F(EveryTest, SlopesOfSteadyStatesFollowTheConventionsOfTheTest) {
+  const auto tir = write("tire.tir", kTir);
+  write("states.csv", "Fz [kN],alpha [deg],gamma [deg]\n4,2,1\n4,-3,-1\n");
+  const auto steady = test(
+      "kind = \"steady_states\"\nstates = \"states.csv\"\nside = \"other\"\nangles = "
+      "\"tangent\"\n");
+  const SpecimenKind& formula = *language().find_kind("magic_formula");
+  const auto at = [&](double factor) {
+    Document numbers = formula.read(tir);
+    numbers.set("PKY1", factor * numbers.root().quantity("PKY1", "1"));
+    return numbers;
+  };
+  const double PKY1 = at(1.0).root().quantity("PKY1", "1"), h = 1e-5;
+  const auto found =
+      steady->run_with_slopes(*formula.build(at(1.0)), {.channels = {"Fy"}, .paths = {"PKY1"}});
+  ASSERT_TRUE(found);
+  const auto more = *language().run(formula, at(1.0 + h), *steady),
+             less = *language().run(formula, at(1.0 - h), *steady);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double slope = (more["Fy"][i] - less["Fy"][i]) / (2.0 * h * PKY1);
+    EXPECT_NEAR(found->find("Fy")->slopes[i], slope, 1e-6 * std::abs(slope));
+  }
+}
+
 // What stands in the file is what the tree of numbers gives back, to the last bit.
 TEST_F(EveryTest, TheNumbersOfATirAreThoseOfTheFile) {
   const auto tir = write("tire.tir", kTir);

@@ -5,12 +5,21 @@
 //   kind = "steady_states"
 //   states = "cornering.csv"         # beside the file; or as they were measured:
 //   states = {from = "measurement.cornering"}    # of a [measurement.NAME] of the study
+//   limits = "on"                    # inputs limited to the ranges of the tire's file, faded below
+//                                    # its VXLOW; or "off"
+//   angles = "direct"                # or "tangent": tan(alpha), sin(gamma) in their place
+//   turn_slip = "off"                # or "on": forces and moments of turning by phit
+//   side = "measured"                # of the vehicle; "other": the tire mirrored
 //
 // What was measured is resolved into numbers when the study is read: Fz has to be there, what was
 // not recorded is left out. A journal depends on these numbers, not on the forces beside them.
+//
+// latsch test answers to a table of any length block by block. A file above 16 MB is not copied
+// into memory, and must not be written to while it is read.
 #include <fmt/format.h>
 
 #include "base/file.h"
+#include "base/mapped_file.h"
 #include "base/text.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
@@ -21,14 +30,30 @@ namespace latsch::experiment {
 extern const TestKind kSteadyStates;
 namespace {
 
+using magic_formula::Angles;
+using magic_formula::Conventions;
+
 class SteadyStatesTest : public Test {
  public:
-  /// `text` of the table; an empty path: it stands in no file of its own.
-  SteadyStatesTest(const std::string& text, const std::string& name, std::filesystem::path file)
-      : text_(text), states_(formats::CsvTable::parse(text, name)), file_(std::move(file)) {}
+  /// An empty path: the table stands in no file of its own.
+  SteadyStatesTest(std::shared_ptr<const MappedFile> table,
+                   const std::string& name,
+                   std::filesystem::path file,
+                   const Conventions& conventions)
+      : table_(std::move(table)),
+        states_(formats::CsvTable::parse(table_, name)),
+        file_(std::move(file)),
+        conventions_(conventions) {}
 
   std::string in_words() const override { return fmt::format("{} steady states", states_.rows()); }
-  std::string identity() const override { return "steady_states\n" + text_; }
+  std::string identity() const override {
+    std::string text = "steady_states";
+    if (!conventions_.limits) text += ", without limits";
+    if (conventions_.angles == Angles::tangent) text += ", tangent angles";
+    if (conventions_.turn_slip) text += ", turn slip";
+    if (conventions_.mirrored) text += ", mirrored";
+    return text.append("\n").append(table_->text());
+  }
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     const Channels none = answers({});
@@ -41,18 +66,44 @@ class SteadyStatesTest : public Test {
   }
   std::optional<long> samples() const override { return states_.rows(); }
   Result<Channels> run(Specimen& specimen) const override {
-    return specimen.find<HasSteadyStates>()->steady(states_);
+    return specimen.find<HasSteadyStates>()->steady(states_, conventions_);
+  }
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    return specimen.find<HasSteadyStates>()->steady_in_blocks(states_, conventions_, tell);
   }
   bool tells_slopes() const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
-    return specimen.find<HasSteadyStates>()->steady_with_slopes(states_, asked);
+    return specimen.find<HasSteadyStates>()->steady_with_slopes(states_, conventions_, asked);
   }
 
  private:
-  std::string text_;
+  std::shared_ptr<const MappedFile> table_;
   formats::CsvTable states_;
   std::filesystem::path file_;
+  Conventions conventions_;
 };
+
+constexpr std::size_t kKept = std::size_t{16} << 20;         // bytes
+constexpr std::size_t kLargestTable = std::size_t{1} << 30;  // bytes
+
+/// In memory unless it is long: a file may be written to while a study runs for hours.
+std::shared_ptr<const MappedFile> table_of(const std::filesystem::path& file) {
+  std::error_code unknown;  // a pipe, or not there
+  const auto size = std::filesystem::file_size(file, unknown);
+  if (!unknown && size <= kKept) return std::make_shared<MappedFile>(read_text_file(file));
+  return std::make_shared<MappedFile>(file, kLargestTable);
+}
+
+Conventions read_conventions(const Node& root) {
+  Conventions conventions;
+  conventions.limits = root.choice("limits", {"on", "off"}, "on") == "on";
+  if (root.choice("angles", {"direct", "tangent"}, "direct") == "tangent")
+    conventions.angles = Angles::tangent;
+  conventions.turn_slip = root.choice("turn_slip", {"off", "on"}, "off") == "on";
+  conventions.mirrored = root.choice("side", {"measured", "other"}, "measured") == "other";
+  return conventions;
+}
 
 /// nullopt where it is a text.
 std::optional<Node> measured_states(const Node& root) {
@@ -65,11 +116,10 @@ std::optional<Node> measured_states(const Node& root) {
 
 std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& source) {
   const auto measured = measured_states(root);
+  const Conventions conventions = read_conventions(root);
   if (!measured) {
-    constexpr std::size_t kLargestTable = std::size_t{1} << 30;  // bytes
     const auto file = source.folder / root.text("states");
-    return std::make_unique<SteadyStatesTest>(
-        read_text_file(file, kLargestTable), file.string(), file);
+    return std::make_unique<SteadyStatesTest>(table_of(file), file.string(), file, conventions);
   }
   const std::string from = measured->text("from");
   if (!source.measured)
@@ -78,7 +128,10 @@ std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& sou
   for (const StateName& state : state_names())
     wanted.push_back({state.name, state.unit, state.name == "Fz"});
   return std::make_unique<SteadyStatesTest>(
-      formats::csv_text(source.measured(*measured, wanted)), from, std::filesystem::path());
+      std::make_shared<MappedFile>(formats::csv_text(source.measured(*measured, wanted))),
+      from,
+      std::filesystem::path(),
+      conventions);
 }
 
 }  // namespace
