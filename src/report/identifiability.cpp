@@ -110,6 +110,16 @@ std::string gain_table(const Identifiability& what) {
   return html + "</tbody></table></div>";
 }
 
+std::string missed_list(const Identifiability& what) {
+  if (what.missed.empty()) return "";
+  std::string html =
+      "<h3>Missed values <span>by more than three times their noise, 1 % where none is stated; to "
+      "first order</span></h3><ul>";
+  for (const std::string& sentence : what.missed)
+    html += fmt::format("<li>{}</li>", escape(sentence));
+  return html + "</ul>";
+}
+
 }  // namespace
 
 std::string identifiability_chapter(const Identifiability& what) {
@@ -146,7 +156,7 @@ std::string identifiability_chapter(const Identifiability& what) {
     }
     html += "</div>";
   }
-  return html + band_table(what) + left_out_table(what) + gain_table(what);
+  return html + missed_list(what) + band_table(what) + left_out_table(what) + gain_table(what);
 }
 
 }  // namespace latsch::report

@@ -56,6 +56,7 @@ struct Identifiability {
   std::vector<BandRow> bands;               // an experiment each; may be empty
   std::vector<Gain> gains;                  // most useful first; may be empty
   std::vector<std::string> remarks;         // what to mind; may be empty
+  std::vector<std::string> missed;          // values, what would mend each; may be empty
 };
 
 /// The chapter's body.

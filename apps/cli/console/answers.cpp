@@ -103,6 +103,23 @@ Json answer_of(const correlation::Study& study,
   return all;
 }
 
+Json answer_of(const correlation::Study& study,
+               const std::vector<correlation::MissedValue>& missed) {
+  Json all = Json::array();
+  for (const auto& one : missed) {
+    Json row = {{"value", one.missed.name},
+                {"error", one.missed.error},
+                {"fitted", one.fitted},
+                {"variable", nullptr},
+                {"payer", nullptr},
+                {"in_words", one.in_words(study.space)}};
+    if (one.variable) row["variable"] = study.space[*one.variable].name;
+    if (one.payer) row["payer"] = {{"value", one.payer->name}, {"error", one.payer->error}};
+    all.push_back(std::move(row));
+  }
+  return all;
+}
+
 Json answer_of(const StudyExperiment& experiment, const Channels& trial) {
   const Comparison found = compare(experiment, trial);
   Json all = {{"name", experiment.name},

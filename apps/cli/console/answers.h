@@ -9,6 +9,7 @@
 
 #include "cli/console/console.h"
 #include "correlation/analysis/identifiability.h"
+#include "correlation/analysis/missed_values.h"
 #include "correlation/analysis/prediction_bands.h"
 #include "correlation/study/study.h"
 #include "measurement/channels.h"
@@ -35,6 +36,11 @@ Json answer_of(const correlation::Study& study, const correlation::Identifiabili
 /// values lie inside band and noise.
 Json answer_of(const correlation::Study& study,
                const std::vector<correlation::ExperimentBand>& bands);
+
+/// [{"value", "error", "fitted", "variable", "payer", "in_words"}]; variable: null where none moves
+/// it; payer: what it would be {"value", "error"} if that variable mended the other alone.
+Json answer_of(const correlation::Study& study,
+               const std::vector<correlation::MissedValue>& missed);
 
 /// One experiment: measured beside simulated, errors as shares, mean and largest.
 Json answer_of(const correlation::StudyExperiment& experiment, const Channels& trial);

@@ -118,6 +118,12 @@ void print_bands(const Study& study, const std::vector<correlation::ExperimentBa
   }
 }
 
+void print_missed(const Study& study, const std::vector<correlation::MissedValue>& missed) {
+  if (missed.empty()) return;
+  say("\nMissed by more than three times their noise, 1 % where none is stated; to first order\n");
+  for (const correlation::MissedValue& one : missed) say("  {}\n", one.in_words(study.space));
+}
+
 void print_intervals(const Study& study, const Identifiability& result) {
   const Confidence& c = result.identification.confidence();
   for (int i = 0; i < study.space.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include "correlation/analysis/identifiability.h"
 #include "correlation/analysis/measurement_gains.h"
+#include "correlation/analysis/missed_values.h"
 #include "correlation/analysis/prediction_bands.h"
 
 namespace latsch::cli {
@@ -26,5 +27,9 @@ void print_bands(const correlation::Study& study,
 void print_gains(const correlation::Study& study,
                  const std::string& title,
                  const std::vector<correlation::MeasurementGain>& gains);
+
+/// Measured values that are missed, and what would mend each.
+void print_missed(const correlation::Study& study,
+                  const std::vector<correlation::MissedValue>& missed);
 
 }  // namespace latsch::cli

@@ -37,8 +37,8 @@ const std::vector<RingNumber> kNumbers = {
     {"torsion", "sidewall.torsion", "kN/rad", 10.0},
     {"progressivity", "sidewall.progressivity", "1", 20.0},
     {"pressure_width", "belt.pressure_width", "mm", 3.0},
-    {"bending", "belt.bending_in_plane", "N m^2", 20.0},
-    {"lateral_bending", "belt.bending_out_of_plane", "N m^2", 20.0}};
+    {"in_plane_bending", "belt.bending_in_plane", "N m^2", 20.0},
+    {"out_of_plane_bending", "belt.bending_out_of_plane", "N m^2", 20.0}};
 const std::vector<RingNumber> kDampings = {
     {"radial_damping", "sidewall.radial.damping", "N s/m^2", 5.0},
     {"tangential_damping", "sidewall.tangential.damping", "N s/m^2", 5.0},

@@ -122,6 +122,19 @@ class SpringAlone(unittest.TestCase):
         for force, x in zip(forces["force"], forces["travel"], strict=True):
             self.assertAlmostEqual(force, 20e3 * x + 120, delta=0.1)
 
+    def test_what_is_missed_is_told_with_what_would_mend_it(self):
+        self.write_twin()
+        edit(self.study, ('"220 N"', '"250 N"'))
+        self.spring("run", self.study)
+        [missed] = self.answer("identify", self.study)["missed"]
+        # 20 N/mm 5 mm + 300 N s/m 0.4 m/s = 220 N; 30 N more of damping are a tenth of the 300 N of the fitted curve
+        self.assertEqual([missed["value"], missed["fitted"], missed["variable"]],
+                         ["each, fast/force, value 2", False, "damping"])
+        self.assertAlmostEqual(missed["error"], 220 / 250 - 1, delta=1e-3)
+        self.assertRegex(missed["payer"]["value"], "^swiftly, ")
+        self.assertAlmostEqual(missed["payer"]["error"], 0.1, delta=1e-3)
+        self.assertIn("each, fast/force, value 2 is 12.0 % too low", (self.folder / "study.html").read_text())
+
     def test_killed_on_two_workers_it_goes_on_without_repeating_a_trial(self):
         self.write_twin()
         self.spring("run", self.study)

@@ -118,6 +118,9 @@ int identify(const std::string& file,
   const auto bands = correlation::prediction_bands(study, **result, journal);
   print_bands(study, bands);
   answer()["bands"] = answer_of(study, bands);
+  const auto missed = correlation::missed_values(study, **result);
+  answer()["missed"] = answer_of(study, missed);
+  print_missed(study, missed);
   return write_report(study, journal);
 }
 

@@ -158,7 +158,7 @@ int start_ring(const NewOptions& options, const experiment::Language& language) 
   correlation::read_study(study, language);
   say("\n{1}\n"
       "  latsch run {0}                          finds the numbers\n"
-      "  latsch identify {0}                     what the data leave open\n"
+      "  latsch identify {0}                     what the data leave open, what would mend misses\n"
       "  latsch export {0} --model fitted.toml   the ring\n",
       study.string(),
       options.ring_data == kExample ? "Replace the example's values by your own, then" : "Next");

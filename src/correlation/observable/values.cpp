@@ -67,7 +67,7 @@ std::string Values::compared(const ObjectiveSettings&) const {
 std::vector<std::string> Values::rows() const {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < m_.values.size(); ++i) {
-    names.push_back(!m_.modes.empty()       ? compared({}) + " of " + m_.modes[i]
+    names.push_back(!m_.modes.empty()       ? m_.modes[i]
                     : m_.values.size() == 1 ? compared({})
                                             : fmt::format("{}, value {}", compared({}), i + 1));
   }

@@ -80,7 +80,7 @@ TEST(Values, OfModesAreTakenByTheirNames) {
   EXPECT_NEAR(comparison->errors[0], -0.25, 1e-12);
   EXPECT_NEAR(comparison->errors[1], 0.0, 1e-12);
   EXPECT_NEAR(comparison->errors[2], 0.04, 1e-12);
-  EXPECT_EQ(named->rows()[2], "air/frequency of radial n=2");
+  EXPECT_EQ(named->rows()[2], "radial n=2");
   const auto damping =
       values_of("channel = \"air/damping\"\nmodes = [\"radial n=2\"]\nvalues = [0.05]\n");
   EXPECT_NEAR(damping->compare(vibrations(), {})->errors[0], -0.2, 1e-12);

@@ -10,6 +10,7 @@
 #include "correlation/analysis/doe_basins.h"
 #include "correlation/analysis/doe_effects.h"
 #include "correlation/analysis/measurement_gains.h"
+#include "correlation/analysis/missed_values.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/residuals.h"
 
@@ -110,6 +111,8 @@ report::Identifiability identifiability_page(const Study& study,
   }
   page.gains = gains(study, what);
   page.remarks = remarks(study, what);
+  for (const MissedValue& one : missed_values(study, what))
+    page.missed.push_back(one.in_words(study.space));
   return page;
 }
 

@@ -35,6 +35,12 @@ double spread_of(const StudyExperiment& experiment, double mean) {
                           : std::sqrt(mean / static_cast<double>(experiment.values()));
 }
 
+/// Residual over d / sigma, or over d where no noise is stated.
+double factor_of(const StudyExperiment& experiment, double mean) {
+  const double weight = std::sqrt(experiment.objective.weight);
+  return experiment.noise ? weight : weight * spread_of(experiment, mean);
+}
+
 }  // namespace
 
 ResidualTraits residual_traits(const Study& study) {
@@ -78,8 +84,7 @@ Objective residual_objective(const Study& study) {
             d[missing] = std::numeric_limits<double>::quiet_NaN();
           }
           const std::vector<double> sigma = stated_deviations(experiment);
-          const double weight = std::sqrt(experiment.objective.weight);
-          const double factor = experiment.noise ? weight : weight * spread_of(experiment, mean);
+          const double factor = factor_of(experiment, mean);
           has_slopes = has_slopes && !comparison.slopes.empty();
           const size_t n = comparison.slopes.size() / d.size();
           for (size_t k = 0; k < d.size(); ++k) {
@@ -119,11 +124,16 @@ double difference_of(const Study& study, int experiment, double residual) {
 
 std::vector<ResidualRow> residual_rows(const Study& study) {
   std::vector<ResidualRow> rows;
+  const double mean = mean_count(counting(study));
   for (size_t e = 0; e < study.experiments.size(); ++e) {
     const StudyExperiment& experiment = study.experiments[e];
     if (!counts(experiment)) continue;
-    for (std::string& name : experiment.observable->rows())
-      rows.push_back({static_cast<int>(e), std::move(name)});
+    const std::vector<double> sigma = stated_deviations(experiment);
+    const auto names = experiment.observable->rows();
+    for (size_t k = 0; k < names.size(); ++k)
+      rows.push_back({static_cast<int>(e),
+                      names[k],
+                      (sigma.empty() ? 1.0 : sigma[k]) / factor_of(experiment, mean)});
   }
   for (const DesignVariable& variable : study.space.variables()) {
     if (variable.prior) rows.push_back({-1, "prior of " + variable.name});

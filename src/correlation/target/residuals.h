@@ -41,6 +41,7 @@ double difference_of(const Study& study, int experiment, double residual);
 struct ResidualRow {
   int experiment = 0;  // place in the study; -1: a prior
   std::string name;    // "10 mm", "radial n=2"
+  double unit = 1.0;   // the difference d that makes a residual of 1, but for a robust loss
 };
 
 /// Of every residual, in their order.
