@@ -3,13 +3,13 @@
 // writes for its user goes through write_file(), so that it is the same everywhere.
 //
 //   nothing, a regular file   a temporary file beside it, flushed to the disk and renamed: a crash
-//   or
-//                             a full disk leaves either the old file or the new one, never half of
-//                             it. Owner and permissions stay.
+//                             or a full disk leaves either the old file or the new one, never
+//                             half of it. Owner and permissions stay.
 //   links                     stay; the file they lead to is the one that is written
 //   a device, a pipe          stays and is written to
 //   what we print to          (/dev/stdout, or -o FILE > FILE) is written to, after what was
-//   printed a folder, a disk          is refused
+//                             printed
+//   a folder, a disk          is refused
 //
 // A regular file is written in place where it cannot be replaced: its folder may not be written, or
 // it was mounted by itself. Other names (hard links) of a replaced file keep the old text.

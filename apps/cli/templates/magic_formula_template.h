@@ -3,8 +3,7 @@
 // that they tell, stage by stage.
 //
 //   Fy, Fx, Mz    the curve and what load changes in it; then what camber and pressure change,
-//   where
-//                 these vary; then what slip along and across takes from each other
+//                 where these vary; then what slip along and across takes from each other
 //   Mx, My        of what they depend on most
 //   all           every coefficient with every channel: the result, with its intervals
 //

@@ -9,8 +9,7 @@
 //
 //   [stage.curve]
 //   free = ["PCY1", "PDY1"]         # the variables that move; the others stay where the stage
-//   before
-//                                   # has left them
+//                                   # before has left them
 //   experiments = ["upright"]       # those that count in this stage
 //
 //   [stage.fine]

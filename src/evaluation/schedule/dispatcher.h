@@ -7,9 +7,8 @@
 //   for what is not its own fault, and so often as the failure policy asks for. A start whose
 //   worker was lost before it began (Cause::not_begun) is none.
 // - A trial whose worker was lost (Cause::transient) says nothing about its point and is repeated
-// as
-//   far as its starts last: where a point needs too much memory, the system kills every worker that
-//   tries it. Other failures are repeated as the failure policy says.
+//   as far as its starts last: where a point needs too much memory, the system kills every worker
+//   that tries it. Other failures are repeated as the failure policy says.
 // - A straggler, running much longer than the median while a worker has nothing to do, is started a
 //   second time, once. Evaluators are pure, so whichever copy ends first with channels gives the
 //   same bits. A copy that is lost or expires counts, and the other one goes on; there is no new

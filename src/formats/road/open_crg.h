@@ -9,7 +9,8 @@
 //   $ROAD_CRG_FILE              the rest stands in another file, found from the folder of this one
 //   $KD_DEFINITION
 //   #:LRFI                      L lines of 80 columns or K compact; D double or R single;
-//   D:reference line phi,rad    F digits or B binary, big-endian
+//                               F digits or B binary, big-endian
+//   D:reference line phi,rad
 //   D:long section 1,m
 //   $
 //   $$$$                        the records follow

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A flat road with obstacles of one section: a cleat or plank across it, a kerb along it.
 //
-// The section stands on a line through `origin` turned by `angle` about z: s runs along it, t to
-// its left,
+// The section stands on a line through `origin` turned by `angle` about z: s runs along it, t
+// to its left,
 //   s = (x - x0 + way of the belt) cos(angle) + (y - y0) sin(angle),
 //   z = along(s) across(t),
 // so angle 0 is a cleat parallel to the axle. With a pitch, along(s) on 0 ... pitch repeats,

@@ -8,8 +8,7 @@
 // [Wu & Simon, Thick-restart Lanczos method for large symmetric eigenvalue problems,
 //  SIAM J. Matrix Anal. Appl. 22 (2000)]
 // [Grimes, Lewis & Simon, A shifted block Lanczos algorithm for solving sparse symmetric
-// generalized
-//  eigenproblems, SIAM J. Matrix Anal. Appl. 15 (1994)]
+//  generalized eigenproblems, SIAM J. Matrix Anal. Appl. 15 (1994)]
 #pragma once
 
 #include <Eigen/Core>

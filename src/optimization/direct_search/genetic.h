@@ -5,12 +5,11 @@
 // In the unit cube, a population and, generation by generation, as many children:
 //   selection  the better of two drawn, twice
 //   crossover  simulated binary [Deb & Agrawal, Complex Systems 9 (1995) 115]: for every variable
-//   of
-//              a pair, with  b = (2 q)^(1/(eta_c+1))  or  (1 / (2 - 2 q))^(1/(eta_c+1)),
+//              of a pair, with  b = (2 q)^(1/(eta_c+1))  or  (1 / (2 - 2 q))^(1/(eta_c+1)),
 //              children  1/2 ((1 +- b) p_1 + (1 -+ b) p_2)
 //   mutation   polynomial [Deb & Goyal, Computer Science and Informatics 26 (1996) 30]: one
-//   variable
-//              a child on average, by  (2 q)^(1/(eta_m+1)) - 1  or  1 - (2 - 2 q)^(1/(eta_m+1))
+//              variable a child on average, by
+//              (2 q)^(1/(eta_m+1)) - 1  or  1 - (2 - 2 q)^(1/(eta_m+1))
 //   survival   the best of parents and children
 // Children outside of bounds and linear constraints are replaced by the nearest point inside.
 // It ends after the last generation, or when the population is within the tolerance of its best.

@@ -9,8 +9,8 @@
 //   C = s^2 (J' J)^-1 J' V J (J' J)^-1  covariance of the variables
 //   u_i +- (t sqrt(C_ii) + |d_i|)       confidence interval, t of Student's distribution
 //   d = -(J' J)^-1 J' r                 what the search left of the way to the least S
-// [Bard, Nonlinear Parameter Estimation, 1974, ch. 7; Seber, Wild, Nonlinear Regression, 1989, ch.
-// 5]
+// [Bard, Nonlinear Parameter Estimation, 1974, ch. 7; Seber, Wild, Nonlinear Regression, 1989,
+// ch. 5]
 //
 // Singular values of J tell how strongly the data hold the directions of the unit cube: along
 // direction v_k the standard deviation is s / sigma_k; where that is more than the range itself the

@@ -3,12 +3,10 @@
 // for every variable.
 //
 // Ask and tell, like an optimizer, but in rounds: all points of wanted() may be evaluated at once.
-//   1. the point and a step to both sides in each variable: the derivatives (slope_search.h), 2n +
-//   1
-//      points, and more where these tell that another length is better
+//   1. the point and a step to both sides in each variable: the derivatives (slope_search.h),
+//      2n + 1 points, and more where these tell that another length is better
 //   2. a refit of all variables (broyden_fit.h), because the fit may have ended early or have
-//   minimized
-//      another target over the same residuals
+//      minimized another target over the same residuals
 //   3. the profiles, two branches a variable side by side (profile.h)
 // Where any of them finds a point better than the center by more than kWorthwhile of the threshold
 // of an interval, all begins again there, most_centers - 1 times at most: intervals and profiles

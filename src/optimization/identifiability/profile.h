@@ -2,9 +2,8 @@
 // Profile likelihood: how well the data can still be explained when one variable is held at another
 // value and all others are fitted anew.
 //
-//   S_i(v) = least sum of squares with u_i = v                [Raue et al., Bioinformatics 25
-//   (2009)
-//                                                              1923, eq. (5)]
+//   S_i(v) = least sum of squares with u_i = v
+//                                         [Raue et al., Bioinformatics 25 (2009) 1923, eq. (5)]
 // All v with S_i(v) - S <= threshold belong to the confidence interval of variable i; s^2 t^2 for
 // independent residuals, Confidence::thresholds in general. Unlike the linear interval it sees
 // curvature, bounds and further minima. From the shape follows a verdict:

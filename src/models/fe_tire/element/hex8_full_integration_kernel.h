@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eight-node displacement element with 2x2x2 Gauss points, total Lagrangian (CalculiX' C3D8):
 //   F = x dN^T,  E = (F^T F - 1) / 2
-//   f = sum dV dN^T F S,  K(a i, b j) = sum dV dN_a^T (B_i^T D B_j + S delta_ij) dN_b,  B_i = dE /
-//   dF_i
+//   f = sum dV dN^T F S
+//   K(a i, b j) = sum dV dN_a^T (B_i^T D B_j + S delta_ij) dN_b,  B_i = dE / dF_i
 // For comparison: it locks in shear, in thickness bending and for nearly incompressible rubber.
 // [Bathe 1996] Finite Element Procedures, section 6.3.5.
 //

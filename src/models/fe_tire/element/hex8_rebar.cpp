@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rebar layers: a membrane at zeta = const that carries stress along its cords only, 2x2 Gauss
-// points,
+// Rebar layers: a membrane at zeta = const that carries stress along its cords only, 2x2
+// Gauss points,
 //   W = t int w(e) dA,   e = (l.l - 1) / 2,   l = a1 g_1 + a2 g_2                               (1)
 //   g_1 = x_1 + x_12 eta,  g_2 = x_2 + x_12 xi          (tangents of the layer's bilinear surface)
 // where a1, a2 are the cord's components in the undeformed surface, |a1 G_1 + a2 G_2| = 1. The
 // angle counts from the circumference at the point (of the true circle, not of the chord: cords of
 // 90 degrees are radial and know no torsion) toward +eta in the tangent plane. The stretch is the
 // full one. In bending in the plane of the layer the product 2 a1 a2 g_1 . g_2 varies along xi and
-// eta as it should not, which makes belts of inclined cords too stiff. The solid-shell takes it
-// out:
+// eta as it should not, which makes belts of inclined cords too stiff. The solid-shell takes
+// it out:
 //   e -= c ((xi - <xi>) x_1 + (eta - <eta>) x_2) . (x_12 - s_1 x_1 - s_2 x_2),  c = a1 a2       (2)
 // with X_12 = s_1 X_1 + s_2 X_2 in the undeformed plane: nothing in a constant strain, and
 // nothing in the mean over the layer's area, so that patch tests hold.
 // All of it is e = (sum W_mn y_m . y_n - 1) / 2 with y = (x_1, x_2, x_12).
 // Crossed plies of angle +-a want E_22 = -cot(a)^2 E_11 (six times, at 24 degrees). Where E_11
-// varies along eta the displacements cannot follow; the solid's enhanced strains can, so cords see
-// them,
-//   e += a1^2 L_1^2 (xi - <xi>) alpha_0 + a2^2 L_2^2 (eta - <eta>) alpha_1 (3)
+// varies along eta the displacements cannot follow; the solid's enhanced strains can, so cords
+// see them,
+//   e += a1^2 L_1^2 (xi - <xi>) alpha_0 + a2^2 L_2^2 (eta - <eta>) alpha_1                      (3)
 // and take part in the equilibrium of alpha.
 // The rubber the cords displace is not subtracted (its modulus is 1e-3 of theirs). No bending, no
 // slip.

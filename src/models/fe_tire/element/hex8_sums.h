@@ -4,9 +4,8 @@
 // the nodes.
 //
 // The eighth modal vector, the mean of the nodes, moves the element without strain. Entries of h
-// are
-// +-1/8, so the way back to the nodes takes sums and differences only: the fast transform of Walsh
-// and Hadamard in the three parent directions.
+// are +-1/8, so the way back to the nodes takes sums and differences only: the fast transform of
+// Walsh and Hadamard in the three parent directions.
 //
 // Read once a kernel set, by hex8_kernels.h alone.
 #if defined(LATSCH_FE_TIRE_HEX8_SUMS) == defined(LATSCH_KERNEL_TOGGLE)

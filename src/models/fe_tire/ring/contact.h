@@ -4,10 +4,9 @@
 //
 // At every Gauss point (2x2) of a tread face, with the height g of the point over the ground and dA
 // its reference area,
-//   normal traction     p = -epsilon g                   where g < 0, otherwise none (C.1)
-//   tangential trial    t = -epsilon_t (x_t - a)         from the anchor a the point sticks to
-//   (C.2) Coulomb             |t| <= mu p; beyond it the point slips: t = mu p t / |t|, a follows
-//   (C.3)
+//   normal traction     p = -epsilon g            where g < 0, otherwise none               (C.1)
+//   tangential trial    t = -epsilon_t (x_t - a)  from the anchor a the point sticks to     (C.2)
+//   Coulomb             |t| <= mu p; beyond it the point slips: t = mu p t / |t|, a follows (C.3)
 // Per reference area the normal part has the potential 1/2 epsilon g^2, so its tangent is exact and
 // symmetric; in slip the unsymmetric coupling of t with p is left out of the tangent (not out of
 // the force), which keeps it positive. A point that comes down within a load step is free to slide

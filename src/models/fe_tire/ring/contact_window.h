@@ -4,7 +4,7 @@
 // Without friction the ground acts along the vertical alone and knows of the tire nothing but the
 // heights z_a of these nodes. At a Gauss point of a face, z = sum N_a z_a, and with (C.1) of
 // contact.h
-//   c_a = -N_a p dA,   p = epsilon (h - z) where z < h, else 0 (W.1)
+//   c_a = -N_a p dA,   p = epsilon (h - z) where z < h, else 0                               (W.1)
 // is linear as long as no point comes down or lifts off. Faces farther away are no part of it; what
 // touches there is in the tangent like everything else.
 #pragma once

@@ -3,8 +3,8 @@
 // (inflated, not yet loaded).
 //
 // In sector frames the tangent of the ring is block-circulant: every sector sees
-//   A = K_00 + K_11   (its own nodes, from the elements on both sides),   B = K_01   (toward the
-//   next sector),
+//   A = K_00 + K_11   (its own nodes, from the elements on both sides)
+//   B = K_01          (toward the next sector)
 // so for displacements u_s = Re(u exp(i n s 2 pi / S)) of circumferential number n it acts as the
 // Hermitian matrix
 //   K(n) = A + B exp(i phi) + B^T exp(-i phi),   phi = 2 pi n / S.

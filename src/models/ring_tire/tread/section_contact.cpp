@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The blocks' forces on bent sections: a block at the share s of segment k, on the line at y,
-// stands
+// The blocks' forces on bent sections: a block at the share s of segment k, on the line at
+// y, stands
 //   Σ q_i(y) ((1 - s) γ_i,k + s γ_i,k+1)
 // higher than its line, so its force F counts F . G times these factors on γ, G = dT/dH of (10).
 #include <algorithm>
