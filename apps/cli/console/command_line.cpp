@@ -10,6 +10,14 @@
 namespace latsch::cli {
 namespace {
 
+/// How what a former verb did is done now; empty: it was none.
+std::string_view in_place_of(std::string_view verb) {
+  if (verb == "ring") return "a ring from measured data is a study: latsch new FOLDER --ring-data";
+  if (verb == "evaluate" || verb == "footprint" || verb == "drum")
+    return "every model goes through every test by latsch test MODEL TEST; latsch test --list";
+  return {};
+}
+
 /// Whether the first word is a verb or an option; otherwise says what it may have been.
 bool known(const CLI::App& app, const std::string& word) {
   if (word.starts_with('-')) return true;
@@ -18,7 +26,9 @@ bool known(const CLI::App& app, const std::string& word) {
     if (verb->get_name() == word) return true;
     if (!verb->get_group().empty()) shown.push_back(verb->get_name());
   }
-  complain("no verb " + in_quotes(word) + did_you_mean(word, shown) +
+  const std::string_view now = in_place_of(word);
+  complain("no verb " + in_quotes(word) +
+           (now.empty() ? did_you_mean(word, shown) : " any more: " + std::string(now)) +
            "\nlatsch --help lists the verbs");
   return false;
 }

@@ -21,6 +21,14 @@ class BadInput(Coarse):
         text = self.latsch("runn", code=WRONG_INPUT)
         self.assert_says(text, 'no verb "runn"', 'did you mean "run"?', "--help")
 
+    def test_what_a_former_verb_did_is_said(self):
+        for verb, now in (("ring", "latsch new FOLDER --ring-data"), ("evaluate", "latsch test MODEL TEST")):
+            self.assert_says(self.latsch(verb, "x.toml", code=WRONG_INPUT), f'no verb "{verb}" any more', now)
+
+    def test_data_of_a_former_verb_are_said_to_be_a_study_now(self):
+        self.study.write_text('tire = "tire.toml"\n[target.first_load]\nkind = "load"\n')
+        self.rejected("run", "is of data for a ring", "latsch new FOLDER --ring-data")
+
     def test_unknown_option_and_missing_study(self):
         text = self.latsch("run", self.study, "--wrkers", "2", code=WRONG_INPUT)
         self.assert_says(text, 'latsch run: no option "--wrkers"', 'did you mean "--workers"?', "latsch run --help")

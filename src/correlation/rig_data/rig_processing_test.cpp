@@ -129,12 +129,12 @@ TEST_F(RigData, TakesTheSpeedFromAToothedWheel) {
     const Channels recorded = formats::read_recording(folder_ / (std::string(name) + ".csv"), {});
     const auto &time = recorded.find("time")->values, &v = recorded.find("speed")->values;
     std::ofstream out(folder_ / (std::string(name) + "_pulses.csv"));
-    out << "time [s],tooth,Fz [N],Fx [N]\n";
+    out << "time [s],speed [m/s],tooth,Fz [N],Fx [N]\n";  // a speed of another sensor, out of order
     double way = 0.0;
     for (std::size_t i = 0; i < time.size(); ++i) {
       if (i > 0) way += 0.5 * (v[i] + v[i - 1]) * (time[i] - time[i - 1]);
       const double turn = way * kTeeth / kWay;
-      out << fmt::format("{:.4f},{:.4f},{},{}\n",
+      out << fmt::format("{:.4f},0,{:.4f},{},{}\n",
                          time[i],
                          std::tanh(4.0 * std::sin(2.0 * std::numbers::pi * turn)),
                          recorded.find("Fz")->values[i],

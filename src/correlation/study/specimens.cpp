@@ -93,6 +93,10 @@ StudyModel read_model(const Node& study, const fs::path& folder, const Language&
     kind = language.find_kind(table.choice("kind", language.kind_names()));
     model.file = existing_file(table, "file", folder);
   } else {
+    if (!study.has("model") && study.has("tire") && study.has("target"))
+      study.reject("tire",
+                   "is of data for a ring as they were once given; they are a study now: latsch "
+                   "new FOLDER --ring-data writes one to put them into");
     model.file = existing_file(study, "model", folder);
     kind = &language.kind_of_file(model.file);
   }
