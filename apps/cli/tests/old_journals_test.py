@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Journals that older programs wrote (verification/old_journals): each is brought to today's format with a backup, and
-the run goes on without a new trial.
+"""Journals that older programs wrote (verification/old_journals): one of format 4 is brought to today's with a backup,
+and the run goes on without a new trial; one of format 3 does not say by which program it was made, which is said, and
+`--adopt` takes its trials over.
 
 Should a search take other steps one day, its new trials are no fault of the journal: what has to hold is that every
 trial of the journal is reused.
@@ -16,7 +17,7 @@ import subprocess
 import tempfile
 import unittest
 
-from cli_testing import DONE, LATSCH, trials_of
+from cli_testing import DONE, LATSCH, WRONG_INPUT, trials_of
 
 STUDIES = pathlib.Path(__file__).resolve().parents[3] / "verification/old_journals"
 
@@ -27,28 +28,47 @@ def format_of(journal):
 
 
 class OldJournals(unittest.TestCase):
-    def goes_on(self, journal):
-        with tempfile.TemporaryDirectory(prefix="latsch_old_") as scratch:
-            folder = pathlib.Path(shutil.copytree(journal.parent, pathlib.Path(scratch) / "study"))
-            shutil.copy(journal, folder / "study.latsch")
-            written = int(journal.stem.removeprefix("format"))
-            self.assertEqual(format_of(folder / "study.latsch"), written)
-            trials = trials_of(folder / "study.latsch")
-            self.assertGreater(trials, 30)
-            ran = subprocess.run([LATSCH, "run", "study.toml"], cwd=folder, capture_output=True, text=True)
-            self.assertEqual(ran.returncode, DONE, ran.stderr)
-            self.assertEqual(int(re.search(r"(\d+) finished trials are reused", ran.stdout)[1]), trials)
-            self.assertEqual(trials_of(folder / "study.latsch"), trials)
-            self.assertGreater(format_of(folder / "study.latsch"), written)
-            backup = folder / f"study.latsch.format{written}"
-            self.assertEqual((format_of(backup), trials_of(backup)), (written, trials))
+    def setUp(self):
+        self.scratch = pathlib.Path(tempfile.mkdtemp(prefix="latsch_old_"))
+        self.addCleanup(shutil.rmtree, self.scratch)
 
-    def test_every_one_of_them_goes_on(self):
-        journals = sorted(STUDIES.glob("*/format*.journal"))
-        self.assertGreaterEqual(len(journals), 2)
+    def study_with(self, journal):
+        """A copy of the study with that journal as its own."""
+        self.folder = self.scratch / journal.parent.name
+        shutil.copytree(journal.parent, self.folder)
+        self.journal = self.folder / "study.latsch"
+        shutil.copy(journal, self.journal)
+        self.written, self.trials = format_of(self.journal), trials_of(self.journal)
+        self.assertEqual(self.written, int(journal.stem.removeprefix("format")))
+        self.assertGreater(self.trials, 30)
+
+    def latsch(self, *arguments):
+        return subprocess.run([LATSCH, *arguments], cwd=self.folder, capture_output=True, text=True)
+
+    def assert_taken_over(self, ran):
+        self.assertEqual(ran.returncode, DONE, ran.stderr)
+        self.assertEqual(int(re.search(r"(\d+) finished trials are reused", ran.stdout)[1]), self.trials)
+        self.assertGreater(format_of(self.journal), self.written)
+        backup = self.folder / f"study.latsch.format{self.written}"
+        self.assertEqual((format_of(backup), trials_of(backup)), (self.written, self.trials))
+
+    def test_those_of_format_4_go_on(self):
+        journals = sorted(STUDIES.glob("*/format4.journal"))
+        self.assertEqual(len(journals), 2)
         for journal in journals:
-            with self.subTest(journal.relative_to(STUDIES)):
-                self.goes_on(journal)
+            with self.subTest(journal.parent.name):
+                self.study_with(journal)
+                self.assert_taken_over(self.latsch("run", "study.toml"))
+                self.assertEqual(trials_of(self.journal), self.trials)
+
+    def test_one_that_does_not_say_by_which_program_has_to_be_adopted(self):
+        self.study_with(STUDIES / "program/format3.journal")
+        refused = self.latsch("run", "study.toml")
+        self.assertEqual(refused.returncode, WRONG_INPUT)
+        for words in ('"program files"', "being older than that", "--anew", "--adopt"):
+            self.assertIn(words, refused.stderr)
+        self.assertEqual(trials_of(self.journal), self.trials)
+        self.assert_taken_over(self.latsch("resume", "study.toml", "--adopt"))
 
 
 if __name__ == "__main__":
