@@ -67,7 +67,7 @@ class OldJournals(unittest.TestCase):
         self.assertEqual(refused.returncode, WRONG_INPUT)
         for words in ('"program files"', "being older than that", "--anew", "--adopt"):
             self.assertIn(words, refused.stderr)
-        self.assertEqual(trials_of(self.journal), self.trials)
+        self.assertEqual((format_of(self.journal), trials_of(self.journal)), (self.written, self.trials))
         self.assert_taken_over(self.latsch("resume", "study.toml", "--adopt"))
 
 

@@ -300,12 +300,12 @@ Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& id
     if (is_new) impl->create(identity);
     impl->read_identity();
     impl->read_tally();
+    impl->expect(identity);  // first: one that is refused stays as it is
     if (impl->format != kFormat) {
       const StudyIdentity same = impl->identity;
       impl->rewrite(same, migration_backup(file, impl->format));
     }
   });
-  impl->expect(identity);
   return Journal(std::move(impl));
 }
 
