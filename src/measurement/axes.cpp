@@ -65,6 +65,20 @@ AxisConvention axis_convention_of(std::string_view name) {
   return static_cast<AxisConvention>(found - names.begin());
 }
 
+const std::vector<std::string>& axis_frame_names() {
+  static const std::vector<std::string> kNames = {"W", "H", "C"};
+  return kNames;
+}
+
+std::string name_of(AxisFrame frame) { return axis_frame_names()[static_cast<std::size_t>(frame)]; }
+
+AxisFrame axis_frame_of(std::string_view name) {
+  const auto& names = axis_frame_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  assert(found != names.end());
+  return static_cast<AxisFrame>(found - names.begin());
+}
+
 Wrench to_iso(const Wrench& wrench, AxisConvention from) {
   const Wrench factors = signs(from);
   return {wrench.force.cwiseProduct(factors.force), wrench.moment.cwiseProduct(factors.moment)};

@@ -44,6 +44,12 @@ const std::vector<std::string>& axis_convention_names();
 /// Throws InputError for any other.
 AxisConvention axis_convention_of(std::string_view name);
 
+/// Names as users write them: "W", "H", "C".
+const std::vector<std::string>& axis_frame_names();
+std::string name_of(AxisFrame frame);
+/// Of one of these names.
+AxisFrame axis_frame_of(std::string_view name);
+
 struct Wrench {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // N m
@@ -65,7 +71,11 @@ Wrench to_iso(const Wrench& wrench, AxisConvention from);
 WheelSlip to_iso(const WheelSlip& slip, AxisConvention from);
 
 /// In iso, between frames: `gamma` is the camber, `loaded_radius` the distance from the wheel
-/// center to the contact point, along the wheel plane.
+/// center to the contact point, along the wheel plane. With A the turn about x by γ and r the way
+/// from the center to the contact point, in H,
+///   F_H = F_W            M_H = M_W + r x F_W        r = R_l (0, sin γ, -cos γ)
+///   F_H = A F_C          M_H = A M_C
+/// as follows from where the frames stand [TYDEX 1.3, axis systems; ISO 8855].
 Wrench in_frame(
     const Wrench& wrench, AxisFrame from, AxisFrame to, double gamma, double loaded_radius);
 

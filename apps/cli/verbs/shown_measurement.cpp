@@ -21,6 +21,11 @@ std::vector<double> read_in(const std::string& unit, std::vector<double> values)
   return values;
 }
 
+std::string title_of(const Channel& channel) {
+  const std::string unit = correlation::read_unit(channel.unit);
+  return channel.name + (unit == "1" ? "" : " [" + unit + "]");
+}
+
 /// The time, or the numbers of the samples.
 std::vector<double> abscissa(const Measurement& measurement, const Channels& channels) {
   if (const Channel* time = channels.find("time")) return time->values;
@@ -38,18 +43,26 @@ void add_measurement(const Measurement& measurement, bool alone, ShownFile& show
   const bool timed = measurement.recorded().find("time") != nullptr;
   const auto x_recorded = abscissa(measurement, measurement.recorded());
   const auto x_counts = abscissa(measurement, measurement.channels());
+  const char* x_title = timed ? "time [s]" : "sample";
+  const auto counts = [&](const Channel& channel, const std::string& unit) {
+    report::PlotLine line{"counts", x_counts, read_in(unit, channel.values), 1, {}};
+    line.are_dots = true;
+    return line;
+  };
   for (const Channel& channel : measurement.recorded().all()) {
     if (channel.name == "time") continue;
     const std::string unit = correlation::read_unit(channel.unit);
-    const std::string y_title = channel.name + (unit == "1" ? "" : " [" + unit + "]");
+    const std::string y_title = title_of(channel);
     report::PlotLine recorded{"recorded", x_recorded, read_in(unit, channel.values), 0, {}};
-    report::PlotLine counts{
-        "counts", x_counts, read_in(unit, measurement.channels()[channel.name]), 1, {}};
-    counts.are_dots = true;
-    shown.plots.push_back({of + y_title,
-                           timed ? "time [s]" : "sample",
-                           y_title,
-                           {std::move(recorded), std::move(counts)}});
+    shown.plots.push_back({of + y_title, x_title, y_title, {std::move(recorded)}});
+    if (const Channel* counting = measurement.channels().find(channel.name))
+      shown.plots.back().lines.push_back(counts(*counting, unit));
+  }
+  for (const Channel& channel : measurement.channels().all()) {
+    if (measurement.recorded().find(channel.name)) continue;  // turned into other axes
+    const std::string y_title = title_of(channel);
+    shown.plots.push_back(
+        {of + y_title, x_title, y_title, {counts(channel, correlation::read_unit(channel.unit))}});
   }
 }
 

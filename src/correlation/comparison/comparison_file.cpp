@@ -60,6 +60,8 @@ ComparisonTest read_test(const Node& table,
   if (!drum) table.reject("file", "is no drum test, expected kind = \"drum_cleat\" in it");
   for (const experiment::SpecimenKind* kind : kinds)
     if (const auto reason = reason_against(*kind, *test, language)) table.reject("file", *reason);
+  if (drum->settings().frames.size() > 1)
+    table.reject("file", "is of a test that records several frames, expected one of them in it");
   ComparisonTest one{table.name(), drum->settings(), {}, table.flag("fitted", false)};
   if (specimen == table.has("measurement"))
     table.reject("measurement",

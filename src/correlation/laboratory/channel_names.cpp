@@ -83,6 +83,10 @@ std::string our_name(const std::string& name, const std::string& unit) {
   return name;
 }
 
+std::string force_without_frame(const std::string& name) {
+  return force_or_moment(name).substr(0, 2);
+}
+
 NamedChannel find_named(const std::vector<std::string>& names, const std::string& wanted) {
   for (const std::string& one : {wanted, synonym_of(wanted)})
     if (std::find(names.begin(), names.end(), one) != names.end()) return {one, ""};

@@ -31,6 +31,9 @@ namespace latsch::correlation {
 /// Our name of what a file calls `name`, in the SI unit `unit`; `name` where we have none.
 std::string our_name(const std::string& name, const std::string& unit);
 
+/// "Fy", "FyW", "MZH" -> "Fy", "Fy", "Mz"; empty for what is no force or moment.
+std::string force_without_frame(const std::string& name);
+
 /// A channel among others; the name of a force or moment may say its frame: "Fy", "FyW", "FZH".
 struct NamedChannel {
   std::string name, frame;  // empty: there is none

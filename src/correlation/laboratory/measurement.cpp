@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/laboratory/frame_conversion.h"
 #include "correlation/laboratory/lab_record.h"
 
 namespace latsch::correlation {
@@ -117,6 +118,14 @@ void read_zero(const Node& table, LabRecord& record, std::vector<std::string>& w
                    "is " + in_quotes(zero->text("time")) + ", which holds no sample; time goes " +
                        range_in_words(*record.find("time")));
   }
+}
+
+/// Into the axes that the table asks for.
+void turn_frames(const Node& table, LabRecord& record, Measurement::Told& told) {
+  const std::string to = table.choice("in_frame", {"W", "H", "C"});
+  const std::string fault = turn_into_frame(record, told.frame, axis_frame_of(to), told.words);
+  if (!fault.empty()) table.reject("in_frame", "is " + in_quotes(to) + ", but " + fault);
+  told.frame = to;
 }
 
 void read_shift(const Node& table, LabRecord& record, std::vector<std::string>& words) {
@@ -250,6 +259,7 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
   }
   told.recorded = record.table();
   read_zero(table, record, told.words);
+  if (table.has("in_frame")) turn_frames(table, record, told);
   if (table.has("low_pass"))
     told.words.push_back(low_pass(
         record, table.quantity("low_pass", "Hz", Range::positive()), table.place("low_pass")));
@@ -261,7 +271,7 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
   keep(record, kept);
   told.noise = read_noises(table, record);
   tell_what_is_left(record, told.words);
-  for (const char* step : {"zero", "low_pass", "sweep", "every", "select"})
+  for (const char* step : {"zero", "in_frame", "low_pass", "sweep", "every", "select"})
     if (table.has(step)) told.one_way.emplace_back(step);
   take(std::move(record), told);
   return Measurement(std::move(told));
@@ -280,7 +290,10 @@ Measurement read_measurement(const fs::path& file) {
 }
 
 NamedChannel Measurement::named(const std::string& channel) const {
-  return find_named(names_of(told_.channels), channel);
+  const NamedChannel found = find_named(names_of(told_.channels), channel);
+  const std::string force = force_without_frame(channel);
+  if (!found.name.empty() || told_.frame.empty() || force + told_.frame != channel) return found;
+  return find_named(names_of(told_.channels), force);  // where the table says the frame
 }
 
 bool Measurement::has(const std::string& channel) const { return !named(channel).name.empty(); }
@@ -289,7 +302,10 @@ std::string Measurement::name_of(const std::string& channel) const { return name
 
 std::string Measurement::frame(const std::string& channel) const {
   const NamedChannel found = named(channel);
-  return found.frame.empty() ? told_.frame : found.frame;
+  if (!found.frame.empty()) return found.frame;
+  const std::string force = force_without_frame(found.name);
+  if (force.empty()) return "";
+  return force == found.name ? told_.frame : found.name.substr(2);
 }
 
 const std::string& Measurement::unit(const std::string& channel) const {

@@ -13,61 +13,17 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "correlation/laboratory/measurement_twin.h"
+#include "correlation/observable/compared_frame.h"
 #include "formats/tables/csv_table.h"
 #include "report/report.h"
 
 namespace latsch::correlation {
 namespace {
 
-const KnownChannel& known_channel(const Node& table,
-                                  const char* key,
-                                  const std::vector<KnownChannel>& channels,
-                                  const std::string& channel) {
-  std::vector<std::string> names;
-  for (const KnownChannel& known : channels) {
-    if (known.name == channel) return known;
-    names.push_back(known.name);
-  }
-  table.reject(key, "is " + in_quotes(channel) + ", expected " + list_of(names));
-}
-
 std::string si_of(const std::string& unit) { return si_unit(Unit::of(unit).dimension()); }
 
 std::string last_part(const std::string& channel) {
   return channel.substr(channel.find_last_of('/') + 1);
-}
-
-/// Forces are compared in the frame of the measurement, which the rig records them in.
-void check_frame(const Node& table,
-                 const std::string& column,
-                 const Measurement& measurement,
-                 const KnownChannel& channel) {
-  std::string frame = measurement.frame(column);
-  if (table.has("frame")) {
-    const std::string stated = table.choice("frame", {"W", "H", "C"});
-    if (!frame.empty() && frame != stated)
-      table.reject("frame",
-                   fmt::format("is {}, but the measurement has the column {} in axes {}",
-                               in_quotes(stated),
-                               in_quotes(measurement.written(column).column),
-                               frame));
-    frame = stated;
-  }
-  if (frame.empty() || frame == channel.frame) return;
-  const std::string test = channel.name.substr(0, channel.name.find('/'));
-  const char* key = table.has("frame") ? "frame" : "measurement";
-  if (channel.frame.empty())
-    table.reject(key,
-                 fmt::format("is in axes {}, but {} is no force or moment in a frame",
-                             frame,
-                             in_quotes(channel.name)));
-  table.reject(key,
-               fmt::format("is in axes {0}, but {1} is recorded in axes {2}; put frame = \"{0}\" "
-                           "into the file of [test.{3}]",
-                           frame,
-                           in_quotes(channel.name),
-                           channel.frame,
-                           test));
 }
 
 double largest(const std::vector<double>& values) {
@@ -134,16 +90,16 @@ std::shared_ptr<const Curve> read_curve(const Node& table,
                                         const std::vector<KnownChannel>& channels) {
   CurveMeasurement curve;
   curve.x = table.text("x", "");
-  curve.y = table.text("y");
-  if (!curve.x.empty()) curve.x_shown = known_channel(table, "x", channels, curve.x).unit;
-  const KnownChannel& y = known_channel(table, "y", channels, curve.y);
+  if (!curve.x.empty()) curve.x_shown = named_channel(table, "x", curve.x, channels).unit;
+  const std::string frame = table.has("frame") ? table.choice("frame", {"W", "H", "C"}) : "";
+  const KnownChannel& y =
+      channel_in_measured_frame(table, "y", table.text("y"), frame, channels, measurement);
+  curve.y = y.name;
   curve.y_shown = y.unit;
   curve.x_unit = si_of(curve.x_shown);
   curve.y_unit = si_of(curve.y_shown);
   if (!curve.x.empty()) curve.x_measured = measurement.values(last_part(curve.x), curve.x_unit);
-  const std::string column = last_part(curve.y);
-  check_frame(table, column, measurement, y);
-  curve.y_measured = measurement.values(column, curve.y_unit);
+  curve.y_measured = measurement.values(last_part(curve.y), curve.y_unit);
   if (curve.y_measured.empty()) table.reject("measurement", "has no row of numbers");
   curve.comparison = read_comparison(table, curve.x_measured, curve.y_measured, curve.x_unit);
   take_what_is_compared(table, curve);

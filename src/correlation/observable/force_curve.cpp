@@ -131,6 +131,11 @@ LoadDeflectionCurve force_curve_of(const Measurement& measurement) {
   curve.abscissa = radii ? Abscissa::loaded_radius : Abscissa::deflection;
   curve.position = measurement.values(radii ? "loaded_radius" : "deflection", "m");
   curve.force = measurement.values(measurement.has("force") ? "force" : "Fz", "N");
+  if (!measurement.has("force") && measurement.frame("Fz") == "C")
+    throw InputError(measurement.place(),
+                     "measurement." + measurement.name() +
+                         ": Fz is in axes C, where a tire is pressed along the normal of the road; "
+                         "put in_frame = \"W\" into it");
   if (measurement.has("spread")) curve.spread = measurement.values("spread", "N");
   const auto fault = find_fault(curve);
   if (!fault) return curve;

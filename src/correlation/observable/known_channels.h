@@ -3,6 +3,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "base/document.h"
 
 namespace latsch::correlation {
 
@@ -11,5 +14,13 @@ struct KnownChannel {
   std::string unit;        // in which people read it
   std::string frame = "";  // "W", "H" or "C" of a force or moment that a rig records
 };
+
+/// nullptr where none is called so.
+const KnownChannel* find(const std::vector<KnownChannel>& channels, const std::string& name);
+/// The one called `name`, which stands in `table` under `key`. InputError where there is none.
+const KnownChannel& named_channel(const Node& table,
+                                  const char* key,
+                                  const std::string& name,
+                                  const std::vector<KnownChannel>& channels);
 
 }  // namespace latsch::correlation

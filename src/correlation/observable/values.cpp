@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "correlation/laboratory/measurement_twin.h"
 #include "correlation/observable/channel_value.h"
+#include "correlation/observable/compared_frame.h"
 #include "experiment/rigs/mode_record.h"
 #include "report/report.h"
 
@@ -177,18 +178,12 @@ std::shared_ptr<const Values> read_values(const Node& table,
   Values::Measurement m;
   m.channel = table.text("channel");
   std::vector<std::string> names;
-  const KnownChannel* known = nullptr;
-  for (const KnownChannel& one : channels) {
-    names.push_back(one.name);
-    if (one.name == m.channel) known = &one;
-  }
-  if (!known) {
-    table.reject("channel",
-                 fmt::format("is {}, which no test records{}; there are {}",
-                             in_quotes(m.channel),
-                             did_you_mean(m.channel, names),
-                             list_of(names)));
-  }
+  for (const KnownChannel& one : channels) names.push_back(one.name);
+  const KnownChannel* known =
+      measurement
+          ? &channel_in_measured_frame(table, "channel", m.channel, "", channels, *measurement)
+          : &named_channel(table, "channel", m.channel, channels);
+  m.channel = known->name;
   m.shown = known->unit;
   m.unit = si_unit(Unit::of(known->unit).dimension());
   if (table.has("value") + table.has("values") + (measurement != nullptr) != 1)

@@ -209,7 +209,7 @@ TEST_F(RollingStudy, AMeasurementInOtherAxesThanTheTestIsRefused) {
   };
   EXPECT_EQ(with("axes.csv", ""), "");
   EXPECT_EQ(with("axes.csv", "frame = \"W\"\n"), "");
-  EXPECT_NE(with("other.csv", "").find("put frame = \"C\" into the file of [test.sweep]"),
+  EXPECT_NE(with("other.csv", "").find("or frame = \"C\" into the file of [test.sweep]"),
             std::string::npos);
   EXPECT_NE(with("other.csv", "frame = \"W\"\n").find("has the column \"FYC\""), std::string::npos);
 }

@@ -114,7 +114,7 @@ TEST_F(SimulatorStudy, AProgramThatChangedMakesAnotherIdentityAndSaysWhichFileIt
 TEST_F(SimulatorStudy, WhatMakesNoSenseIsRefusedInWords) {
   refused("\"in.txt\"", "\"absent.txt\"", "absent.txt");
   refused("[variable.k]", "[variable.k2]", "names no variable of the study, did you mean \"k2\"");
-  refused("\"out/z\"", "\"out/w\"", "expected \"out/t\" or \"out/z\"");
+  refused("\"out/z\"", "\"out/w\"", "there are \"out/t\" or \"out/z\"");
   refused("t [s]", "t [parsnip]", "expected a name and a unit");
   refused("reader = \"table\"", "reader = \"pattern\"\npattern = '(\\S+'", "no regular expression");
   refused("reader = \"table\"", "reader = \"pattern\"\npattern = '(.)'", "1 groups");

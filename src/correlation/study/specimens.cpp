@@ -9,6 +9,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "correlation/observable/compared_frame.h"
 #include "correlation/study/study.h"
 #include "correlation/study/variables.h"
 #include "formats/tables/csv_table.h"
@@ -133,11 +134,21 @@ Channels measured_conditions(const Node& table,
                                     : did_you_mean(from, names) + "; there are " + list_of(names)));
   const Measurement& measurement = *laboratory[static_cast<std::size_t>(found - names.begin())];
   Channels channels;
-  for (const auto& condition : conditions)
-    if (condition.is_needed || measurement.has(condition.channel))
-      channels.add({condition.channel,
-                    condition.unit,
-                    measurement.values(condition.channel, condition.unit)});
+  for (const auto& condition : conditions) {
+    if (!condition.is_needed && !measurement.has(condition.channel)) continue;
+    const auto& values = measurement.values(condition.channel, condition.unit);
+    const std::string frame = measurement.frame(condition.channel);
+    if (!frame.empty() && !is_same_in(condition.channel, frame, condition.frame))
+      table.reject("from",
+                   fmt::format("is {0}, whose {1} is in axes {2}, but the test takes it in axes "
+                               "{3}; put in_frame = \"{3}\" into [{4}]",
+                               in_quotes(from),
+                               condition.channel,
+                               frame,
+                               condition.frame,
+                               from));
+    channels.add({condition.channel, condition.unit, values});
+  }
   return channels;
 }
 

@@ -138,7 +138,7 @@ TEST_P(EveryTire, ForcesAreThoseOfTheFrameThatIsAskedFor) {
   constexpr double camber = 0.06;
   SlipSweep sweep{.load = 3500.0, .camber = camber, .alpha_to = 0.05, .duration = 0.1};
   const auto in = [&](AxisFrame frame) {
-    sweep.frame = frame;
+    sweep.frames = {frame};
     return *run(*tire(), sweep);
   };
   const Channels C = in(AxisFrame::C), H = in(AxisFrame::H), W = in(AxisFrame::W);
@@ -171,7 +171,7 @@ TEST_P(EveryTire, OnTheDrumTheFrameIsTheSame) {
                 .step = 1e-3,
                 .sample_step = 1e-3};
   const Channels C = *run(*tire(), test);
-  test.frame = AxisFrame::H;
+  test.frames = {AxisFrame::H};
   const Channels H = *run(*tire(), test);
   for (std::size_t i = 0; i < C["Fz"].size(); ++i)
     EXPECT_NEAR(

@@ -87,6 +87,7 @@ class Test {
 struct MeasuredCondition {
   std::string channel, unit;  // SI
   bool is_needed = false;     // else left out where it was not recorded
+  std::string frame = "";     // of a force
 };
 
 /// Those that a table such as {from = "measurement.cornering"} names. InputError naming the place:

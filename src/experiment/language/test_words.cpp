@@ -15,9 +15,13 @@ std::string cambered(double camber) {
   return camber == 0.0 ? "" : fmt::format(", camber {}", degrees(camber));
 }
 
-std::vector<ChannelInfo> framed(std::vector<ChannelInfo> channels, AxisFrame frame) {
-  for (ChannelInfo& channel : channels)
-    if (channel.unit == "N" || channel.unit == "N m") channel.frame = name_of(frame);
+std::vector<ChannelInfo> force_channels(const std::vector<AxisFrame>& frames) {
+  const auto names = force_names(frames);
+  std::vector<ChannelInfo> channels;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    channels.push_back({names[k],
+                        names[k][0] == 'F' ? "N" : "N m",
+                        name_of(frames[k * frames.size() / names.size()])});
   return channels;
 }
 

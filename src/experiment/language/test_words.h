@@ -14,7 +14,7 @@ namespace latsch::experiment {
 std::string degrees(double angle);
 /// ", camber 2 deg"; empty for none.
 std::string cambered(double camber);
-/// Forces and moments among the channels are of this frame.
-std::vector<ChannelInfo> framed(std::vector<ChannelInfo> channels, AxisFrame frame);
+/// Forces and moments of a test that records them in these frames (rigs/hub_frame.h).
+std::vector<ChannelInfo> force_channels(const std::vector<AxisFrame>& frames);
 
 }  // namespace latsch::experiment

@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "experiment/rigs/free_wheel.h"
@@ -48,43 +47,17 @@ double run_in_hold(const DrumTest& test, double time) {
   return left > 0.0 && left <= 1.0 ? kFirst * left * left : 0.0;
 }
 
-struct Record {
-  static constexpr std::array<const char*, 9> kNames = {
-      "time", "Fx", "Fy", "Fz", "Mx", "My", "Mz", "speed", "wheel_speed"};
-  static constexpr std::array<const char*, 9> kUnits = {
-      "s", "N", "N", "N", "N m", "N m", "N m", "m/s", "rad/s"};
-  std::array<std::vector<double>, 9> values;
-
-  void add(double time, const Wrench& hub, double speed, double wheel_speed) {
-    const std::array<double, 9> row = {time,
-                                       hub.force.x(),
-                                       hub.force.y(),
-                                       hub.force.z(),
-                                       hub.moment.x(),
-                                       hub.moment.y(),
-                                       hub.moment.z(),
-                                       speed,
-                                       wheel_speed};
-    for (std::size_t i = 0; i < row.size(); ++i) values[i].push_back(row[i]);
-  }
-
-  Channels channels() const {
-    Channels all;
-    for (std::size_t i = 0; i < values.size(); ++i) all.add({kNames[i], kUnits[i], values[i]});
-    return all;
-  }
-};
-
 /// Of records over the same times.
-Record mean(const std::vector<Record>& records) {
+Channels mean(const std::vector<Channels>& records) {
   if (records.size() == 1) return records.front();
-  Record mean = records.front();
-  for (std::size_t c = 0; c < mean.values.size(); ++c) {
-    for (std::size_t i = 0; i < mean.values[c].size(); ++i) {
+  Channels mean;
+  for (Channel channel : records.front().all()) {
+    for (std::size_t i = 0; i < channel.values.size(); ++i) {
       double sum = 0.0;
-      for (const Record& record : records) sum += record.values[c][i];
-      mean.values[c][i] = sum / static_cast<double>(records.size());
+      for (const Channels& record : records) sum += record[channel.name][i];
+      channel.values[i] = sum / static_cast<double>(records.size());
     }
+    mean.add(std::move(channel));
   }
   return mean;
 }
@@ -105,7 +78,7 @@ class Passage {
     motion_.spin_rate = test.speed / (tire.free_radius() - 0.35 * deflection);
   }
 
-  Result<Record> run() {
+  Result<Channels> run() {
     auto hub = tire_.settle(motion_, surfaces_.smooth, 0.0);
     if (!hub) return hub.failure();
     const double rolled = motion_.spin_rate;
@@ -116,7 +89,8 @@ class Passage {
     const long last = std::lround((test_.duration - test_.lead) / test_.step);
     const int parts = std::max(1, static_cast<int>(std::ceil(test_.step / kLongestStep - 1e-9)));
     const double h = test_.step / parts;
-    Record record;
+    ForceRecord forces(test_.frames);
+    std::vector<double> times, speeds, wheel_speeds;
     for (long i = -first + 1; i <= last; ++i) {
       for (int part = 1; part <= parts; ++part) {
         const double time =
@@ -127,12 +101,17 @@ class Passage {
         const double slower = run_in_hold(test_, time) * (motion_.spin_rate - rolled);
         wheel.correct(h, hub->moment.y() - test_.wheel_inertia * slower);
       }
-      if (i > -lead && (i + lead) % every == 0)
-        record.add(static_cast<double>(i) * test_.step,
-                   in_frame(*hub, motion_, test_.frame),
-                   test_.speed,
-                   wheel.rate());
+      if (i <= -lead || (i + lead) % every != 0) continue;
+      times.push_back(static_cast<double>(i) * test_.step);
+      forces.add(*hub, motion_);
+      speeds.push_back(test_.speed);
+      wheel_speeds.push_back(wheel.rate());
     }
+    Channels record;
+    record.add({"time", "s", std::move(times)});
+    forces.add_to(record);
+    record.add({"speed", "m/s", std::move(speeds)});
+    record.add({"wheel_speed", "rad/s", std::move(wheel_speeds)});
     return record;
   }
 
@@ -170,7 +149,7 @@ DrumTest read_drum_test(const Node& root) {
   test.passages = static_cast<int>(root.integer("passages", 1, 100, 1));
   test.wheel_step = root.quantity("wheel_step", "rad", {}, 0.0);
   test.wheel_start = root.quantity("wheel_start", "rad", {}, 0.0);
-  test.frame = read_frame(root, test.frame);
+  test.frames = read_frames(root, test.frames);
   const double ratio = test.sample_step / test.step;
   if (std::abs(ratio - std::round(ratio)) > 1e-6 || ratio < 0.5)
     root.reject("sample_step", "is no multiple of step");
@@ -232,14 +211,14 @@ Result<Channels> run(Tire& tire, const DrumTest& test) {
     if (!height) return height.failure();
     start.center.z() = *height;
   }
-  std::vector<Record> passages;
+  std::vector<Channels> passages;
   for (int k = 0; k < test.passages; ++k) {
     start.spin = test.wheel_start + k * test.wheel_step;
     auto record = Passage(tire, test, surfaces, start).run();
     if (!record) return Failure{"on the drum: " + record.failure().reason};
     passages.push_back(std::move(*record));
   }
-  return mean(passages).channels();
+  return mean(passages);
 }
 
 }  // namespace latsch::experiment

@@ -17,7 +17,8 @@
 //   wheel_step = "0.75 deg"          # the wheel is turned on by so much at every further passage
 //   wheel_start = "0.3 deg"          # and by so much at the first; default 0
 //   frame = "W"                      # of the forces recorded: W, H or C (hub_frame.h), that of the
-//                                    # measurement; default C, the axes of a hub's load cell
+//                                    # measurement; default C, the axes of a hub's load cell;
+//                                    # ["C", "W"] records both, "FyC" and "FyW"
 //   [cleat]                          # none: a smooth drum
 //   height = "15 mm"
 //   length = "30 mm"
@@ -31,6 +32,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "base/document.h"
 #include "base/result.h"
@@ -56,7 +58,7 @@ struct DrumTest {
   std::optional<DrumCleat> cleat = {};
   int passages = 1;
   double wheel_step = 0.0, wheel_start = 0.0;  // rad
-  AxisFrame frame = AxisFrame::C;
+  std::vector<AxisFrame> frames = {AxisFrame::C};
 };
 
 /// Throws InputError naming the place; unknown keys too.

@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "experiment/rigs/drum_rig.h"
@@ -41,7 +40,8 @@ class Track {
         entry_(std::lround(0.5 * sweep.run_in / sweep.step)),
         swept_(std::lround(sweep.duration / sweep.step)),
         belt_({.belt = sweep.speed}),
-        height_(height) {
+        height_(height),
+        forces_(sweep.frames) {
     const double deflection = std::max(tire.free_radius() - height, kLeastDeflection);
     resistance_ = kFollow * sweep.load / deflection;
     motion_.carrier = carrier_at(0.0, sweep.camber);
@@ -97,31 +97,23 @@ class Track {
   }
 
   void add(double time, const HubForces& hub) {
-    const Wrench forces = in_frame(hub, motion_, sweep_.frame);
-    const std::array<double, kColumns> row = {time,
-                                              alpha_,
-                                              kappa_,
-                                              forces.force.x(),
-                                              forces.force.y(),
-                                              forces.force.z(),
-                                              forces.moment.x(),
-                                              forces.moment.y(),
-                                              forces.moment.z(),
-                                              motion_.center.z() / std::cos(sweep_.camber)};
-    for (std::size_t c = 0; c < kColumns; ++c) rows_[c].push_back(row[c]);
+    forces_.add(hub, motion_);
+    times_.push_back(time);
+    alphas_.push_back(alpha_);
+    kappas_.push_back(kappa_);
+    loaded_radii_.push_back(motion_.center.z() / std::cos(sweep_.camber));
   }
 
   Channels channels() const {
-    constexpr const char* kNames[kColumns] = {
-        "time", "alpha", "kappa", "Fx", "Fy", "Fz", "Mx", "My", "Mz", "loaded_radius"};
-    constexpr const char* kUnits[kColumns] = {
-        "s", "rad", "1", "N", "N", "N", "N m", "N m", "N m", "m"};
     Channels channels;
-    for (std::size_t c = 0; c < kColumns; ++c) channels.add({kNames[c], kUnits[c], rows_[c]});
+    channels.add({"time", "s", times_});
+    channels.add({"alpha", "rad", alphas_});
+    channels.add({"kappa", "1", kappas_});
+    forces_.add_to(channels);
+    channels.add({"loaded_radius", "m", loaded_radii_});
     return channels;
   }
 
-  static constexpr std::size_t kColumns = 10;
   Tire& tire_;
   const SlipSweep& sweep_;
   int parts_;
@@ -132,7 +124,8 @@ class Track {
   double resistance_ = 0.0;  // N s/m
   WheelMotion motion_;
   double alpha_ = 0.0, kappa_ = 0.0;
-  std::array<std::vector<double>, kColumns> rows_;
+  ForceRecord forces_;
+  std::vector<double> times_, alphas_, kappas_, loaded_radii_;
 };
 
 }  // namespace

@@ -28,9 +28,9 @@ struct SlipSweep {
   double speed = 10.0;   // m/s, of the belt
   double load = 4000.0;  // N
   Axle axle = Axle::load;
-  AxisFrame frame = AxisFrame::W;           // of the forces
-  double camber = 0.0;                      // rad
-  double alpha_from = 0.0, alpha_to = 0.0;  // rad
+  std::vector<AxisFrame> frames = {AxisFrame::W};  // of the forces
+  double camber = 0.0;                             // rad
+  double alpha_from = 0.0, alpha_to = 0.0;         // rad
   double kappa_from = 0.0, kappa_to = 0.0;
   double run_in = 0.3;    // s, free rolling, then at the first slip of the sweep
   double duration = 1.0;  // s, of the sweep

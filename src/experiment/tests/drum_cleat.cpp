@@ -26,7 +26,7 @@ std::string DrumCleatTest::in_words() const {
       ", cleat {:.3g} mm x {:.3g} mm", test.cleat->height * 1e3, test.cleat->length * 1e3);
   if (test.cleat->angle != 0.0) text += fmt::format(" at {}", degrees(test.cleat->angle));
   if (test.passages > 1) text += fmt::format(", {} passages", test.passages);
-  if (test.frame != DrumTest().frame) text += fmt::format(", axes {}", name_of(test.frame));
+  if (test.frames != DrumTest().frames) text += ", axes " + names_of(test.frames);
   return text;
 }
 
@@ -49,7 +49,7 @@ std::string DrumCleatTest::identity() const {
       t.passages,
       t.wheel_step,
       t.wheel_start,
-      name_of(t.frame));
+      names_of(t.frames));
   if (t.cleat)
     text += fmt::format(
         " cleat {} {} {} {}", t.cleat->height, t.cleat->length, t.cleat->bevel, t.cleat->angle);
@@ -57,16 +57,11 @@ std::string DrumCleatTest::identity() const {
 }
 
 std::vector<ChannelInfo> DrumCleatTest::channels() const {
-  return framed({{"time", "s"},
-                 {"Fx", "N"},
-                 {"Fy", "N"},
-                 {"Fz", "N"},
-                 {"Mx", "N m"},
-                 {"My", "N m"},
-                 {"Mz", "N m"},
-                 {"speed", "m/s"},
-                 {"wheel_speed", "rad/s"}},
-                test_.frame);
+  std::vector<ChannelInfo> channels = {{"time", "s"}};
+  for (ChannelInfo& force : force_channels(test_.frames)) channels.push_back(std::move(force));
+  channels.push_back({"speed", "m/s"});
+  channels.push_back({"wheel_speed", "rad/s"});
+  return channels;
 }
 
 std::vector<std::string> DrumCleatTest::needs() const { return kDrumCleat.needs; }

@@ -41,7 +41,9 @@ double rms_of_difference(std::vector<double> one, const std::vector<double>& oth
 
 Result<std::vector<ChannelConvergence>> drum_convergence(const SpecimenKind& kind,
                                                          const Document& numbers,
-                                                         const DrumTest& test) {
+                                                         const DrumTest& asked) {
+  DrumTest test = asked;
+  test.frames.resize(1, AxisFrame::C);
   const auto given = run_on_drum(kind, numbers, test);
   if (!given) return given.failure();
   DrumTest half = test;

@@ -20,7 +20,7 @@ struct ChannelConvergence {
   double by_segments = 0.0;  // of that to 3/2 of the segments; 0: a tire without any
 };
 
-/// Of Fx .. Mz; a Failure where one of the runs has no solution.
+/// Of Fx .. Mz in the first of its frames; a Failure where one of the runs has no solution.
 Result<std::vector<ChannelConvergence>> drum_convergence(const SpecimenKind& kind,
                                                          const Document& numbers,
                                                          const DrumTest& test);

@@ -7,7 +7,8 @@
 //   load = "4 kN"
 //   camber = "2 deg"                 # default 0
 //   axle = "load"                    # what it keeps; "height": the axle's
-//   frame = "W"                      # of the forces recorded (hub_frame.h); "W", "H" or "C"
+//   frame = "W"                      # of the forces recorded (hub_frame.h); "W", "H", "C" or
+//                                    # several: ["C", "W"] records "FyC" and "FyW"
 //   alpha = ["-10 deg", "10 deg"]    # from, to
 //   kappa = [-0.1, 0.1]              # from, to
 //   run_in = "0.3 s"                 # default, as the next three
@@ -75,7 +76,7 @@ class SlipSweepTest : public Test {
         s.speed,
         s.load,
         static_cast<int>(s.axle),
-        name_of(s.frame),
+        names_of(s.frames),
         s.camber,
         s.alpha_from,
         s.alpha_to,
@@ -88,17 +89,10 @@ class SlipSweepTest : public Test {
   }
 
   std::vector<ChannelInfo> channels() const override {
-    return framed({{"time", "s"},
-                   {"alpha", "rad"},
-                   {"kappa", "1"},
-                   {"Fx", "N"},
-                   {"Fy", "N"},
-                   {"Fz", "N"},
-                   {"Mx", "N m"},
-                   {"My", "N m"},
-                   {"Mz", "N m"},
-                   {"loaded_radius", "m"}},
-                  sweep_.frame);
+    std::vector<ChannelInfo> channels = {{"time", "s"}, {"alpha", "rad"}, {"kappa", "1"}};
+    for (ChannelInfo& force : force_channels(sweep_.frames)) channels.push_back(std::move(force));
+    channels.push_back({"loaded_radius", "m"});
+    return channels;
   }
 
   std::vector<std::string> needs() const override { return kSlipSweep.needs; }
@@ -129,7 +123,7 @@ std::unique_ptr<Test> read_slip_sweep(const Node& root, const TestSource&) {
   sweep.load = root.quantity("load", "N", Range::positive());
   sweep.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
   if (root.choice("axle", {"load", "height"}, "load") == "height") sweep.axle = Axle::height;
-  sweep.frame = read_frame(root, sweep.frame);
+  sweep.frames = read_frames(root, sweep.frames);
   if (root.has("alpha") == root.has("kappa"))
     root.reject("alpha", "or kappa has to be there, one of the two");
   const auto alpha = ends(root, "alpha", "rad", Range::between(-1.0, 1.0));

@@ -18,11 +18,14 @@
 // into memory, and must not be written to while it is read.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/file.h"
 #include "base/mapped_file.h"
 #include "base/text.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
+#include "experiment/rigs/hub_frame.h"
 #include "experiment/rigs/slip_states.h"
 
 namespace latsch::experiment {
@@ -57,7 +60,12 @@ class SteadyStatesTest : public Test {
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     const Channels none = answers({});
-    for (const Channel& channel : none.all()) channels.push_back({channel.name, channel.unit});
+    const auto in_W = force_names({AxisFrame::W});
+    for (const Channel& channel : none.all()) {
+      const bool is_force = std::find(in_W.begin(), in_W.end(), channel.name) != in_W.end();
+      channels.push_back(
+          {channel.name, channel.unit, is_force ? name_of(AxisFrame::W) : std::string()});
+    }
     return channels;
   }
   std::vector<std::string> needs() const override { return kSteadyStates.needs; }
@@ -126,7 +134,10 @@ std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& sou
     measured->reject("from", "is " + in_quotes(from) + ", which only a test of a study can name");
   std::vector<MeasuredCondition> wanted;
   for (const StateName& state : state_names())
-    wanted.push_back({state.name, state.unit, state.name == "Fz"});
+    if (state.name == "Fz")
+      wanted.push_back({state.name, state.unit, true, name_of(AxisFrame::W)});
+    else
+      wanted.push_back({state.name, state.unit});
   return std::make_unique<SteadyStatesTest>(
       std::make_shared<MappedFile>(formats::csv_text(source.measured(*measured, wanted))),
       from,
