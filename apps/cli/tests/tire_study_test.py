@@ -13,7 +13,7 @@ import subprocess
 import time
 import unittest
 
-from cli_testing import FAILED, LATSCH, Coarse, edit, trials_of
+from cli_testing import FAILED, LATSCH, WRONG_INPUT, Coarse, edit, trials_of
 
 
 class GoodInput(Coarse):
@@ -28,6 +28,28 @@ class GoodInput(Coarse):
     def test_a_twin_is_perfect_at_the_values_it_was_written_with(self):
         text = self.latsch("simulate", self.study, "--set", "sidewall=5 N/mm^2")
         self.assertLess(float(re.search(r"target ([\d.]+) %", text)[1]), 0.001)
+
+    def test_a_test_takes_number_of_modes_and_sensors_from_their_measurement(self):
+        """As the experiment's own test does."""
+        edit(self.study, ("# shapes = .*", 'shapes = "mode_shapes.csv"'))
+        self.latsch("export", self.study, "--measurements")
+        own = json.loads(self.latsch("simulate", self.study, "--json"))["result"]["experiments"][-1]
+        (self.folder / "vibration.toml").write_text(
+            'kind = "modes"\npressure = "2.4 bar"\ncount = {from = "measurement.frequencies"}\n'
+            'points = {from = "measurement.shapes"}\n')
+        edit(self.study, (r'(\[experiment\.modes\]\nkind = "modes")\npressure = .*', r'\1\ntest = "vibration"'),
+             (r"\[experiment\.modes\]", """[measurement.frequencies]
+file = "modes.csv"
+[measurement.shapes]
+file = "mode_shapes.csv"
+[test.vibration]
+file = "vibration.toml"
+[experiment.modes]"""))
+        named = json.loads(self.latsch("simulate", self.study, "--json"))["result"]["experiments"][-1]
+        self.assertEqual(own, named)
+        edit(self.folder / "vibration.toml", (r"points = .*\n", ""))
+        self.assert_says(self.latsch("check", self.study, code=WRONG_INPUT),
+                         "sensor points, but [test.vibration] records shapes at none")
 
     def test_run_ends_with_result_and_report(self):
         text = self.latsch("run", self.study)

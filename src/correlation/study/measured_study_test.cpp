@@ -139,6 +139,35 @@ TEST_F(MeasuredStudy, ATestInAFileOfItsOwnTakesItsStatesToo) {
   EXPECT_TRUE(difference(before, identity(read(test, "file = \"steady.toml\"\n"))));
 }
 
+// Forces that were corrected leave every trial valid, deflections do not: whether the test stands in
+// the study or in a file.
+TEST_F(MeasuredStudy, AJournalDependsOnMeasuredDeflectionsNotOnTheForcesBesideThem) {
+  const std::string test =
+      "kind = \"load_deflection\"\ndeflections = {from = \"measurement.press\"}\n";
+  write_text_file(folder_ / "pressed.toml", test);
+  for (const std::string& keys : {test, std::string("file = \"pressed.toml\"\n")}) {
+    const auto with = [&](const std::string& rows) {
+      write_text_file(folder_ / "press.csv", "deflection [mm],Fz [N]\n" + rows);
+      write_text_file(folder_ / "press_study.toml",
+                      "model = \"tire.tir\"\n[measurement.press]\nfile = \"press.csv\"\n"
+                      "[test.pressed]\n" +
+                          keys +
+                          "[variable.stiffness]\npath = \"VERTICAL_STIFFNESS\"\n"
+                          "lower = \"100 N/mm\"\nupper = \"300 N/mm\"\ninitial = \"190 N/mm\"\n"
+                          "[experiment.force]\nkind = \"load_deflection\"\ntest = \"pressed\"\n"
+                          "measurement = \"press\"\n");
+      return read_study(folder_ / "press_study.toml", experiment::language());
+    };
+    const Study study = with("10,1900\n20,3800\n");
+    const auto found = objective(study)(*evaluator(study)(study.space.initial()));
+    ASSERT_TRUE(found) << found.failure().reason;
+    EXPECT_NEAR(found->value, 0.0, 1e-9);  // 190 N/mm at 10 and 20 mm, as measured
+    EXPECT_FALSE(difference(identity(study), identity(with("10,1950\n20,3700\n"))));
+    EXPECT_TRUE(difference(identity(study), identity(with("10,1900\n21,3800\n"))));
+    EXPECT_TRUE(difference(identity(study), identity(with("10,1900\n20,3800\n21,3990\n"))));
+  }
+}
+
 TEST_F(MeasuredStudy, ATwinKeepsTheFilesColumnsUnitsAndSigns) {
   const std::string selection = "[measurement.cornering.select]\ntime = \".. 10 s\"\n";
   const Study study = read(selection, "");

@@ -135,15 +135,17 @@ Channels measured_conditions(const Node& table,
   const Measurement& measurement = *laboratory[static_cast<std::size_t>(found - names.begin())];
   Channels channels;
   for (const auto& condition : conditions) {
-    if (!condition.is_needed && !measurement.has(condition.channel)) continue;
-    const auto& values = measurement.values(condition.channel, condition.unit);
-    const std::string frame = measurement.frame(condition.channel);
-    if (!frame.empty() && !is_same_in(condition.channel, frame, condition.frame))
+    const std::string channel =
+        conditions.size() == 1 ? table.text("channel", condition.channel) : condition.channel;
+    if (!condition.is_needed && !measurement.has(channel)) continue;
+    const auto& values = measurement.values(channel, condition.unit);
+    const std::string frame = measurement.frame(channel);
+    if (!frame.empty() && !condition.frame.empty() && !is_same_in(channel, frame, condition.frame))
       table.reject("from",
                    fmt::format("is {0}, whose {1} is in axes {2}, but the test takes it in axes "
                                "{3}; put in_frame = \"{3}\" into [{4}]",
                                in_quotes(from),
-                               condition.channel,
+                               channel,
                                frame,
                                condition.frame,
                                from));
@@ -157,9 +159,13 @@ StudyTest read_study_test(const Node& table,
                           const Language& language,
                           const Laboratory& laboratory) {
   std::string resolved;  // what it takes from measurements
+  bool is_in_identity = false;
   const auto measured = [&](const Node& from, const auto& conditions) {
     const Channels channels = measured_conditions(from, conditions, laboratory);
-    resolved += formats::csv_text(channels);
+    if (conditions.front().is_in_identity)
+      is_in_identity = true;
+    else
+      resolved += formats::csv_text(channels);
     return channels;
   };
   if (table.has("kind")) {
@@ -171,6 +177,7 @@ StudyTest read_study_test(const Node& table,
   StudyTest test{table.name(), language.read_test(file, measured), read_text_file(file)};
   for (const fs::path& named : test.test->files()) test.text += read_text_file(named);
   test.text += resolved;
+  if (is_in_identity) test.text += test.test->identity() + "\n";
   return test;
 }
 

@@ -25,7 +25,6 @@ std::string last_part(const std::string& channel) {
   return channel.substr(channel.find_last_of('/') + 1);
 }
 
-constexpr int kMoreModesThanMeasured = 8;  // so that a swapped neighbor is among them
 constexpr long kMostModes = 200;
 
 ObjectiveSettings read_objective(const Node& table) {
@@ -151,6 +150,20 @@ void read_state(const Node& table, ModalTest& test) {
   if (table.has("load")) test.load = table.quantity("load", "N", Range::positive());
 }
 
+/// Shapes are compared at the same points.
+void check_sensors(const Node& table, const StudyTest& test, const Eigen::Matrix3Xd& points) {
+  const auto* modal = dynamic_cast<const experiment::ModesTest*>(test.test.get());
+  const Eigen::Matrix3Xd recorded = modal ? modal->settings().points : Eigen::Matrix3Xd();
+  if (recorded.cols() == points.cols() && recorded == points) return;
+  table.reject("shapes",
+               fmt::format("has {} sensor points, but [test.{}] records shapes at {}; put points = "
+                           "{{from = \"measurement.NAME\"}} into it, of a [measurement.NAME] with "
+                           "that file",
+                           points.cols(),
+                           test.name,
+                           recorded.cols() == 0 ? "none" : "others"));
+}
+
 std::shared_ptr<const Observable> read_modes(const Node& table,
                                              const ExperimentContext& context,
                                              StudyExperiment& experiment,
@@ -171,25 +184,29 @@ std::shared_ptr<const Observable> read_modes(const Node& table,
     table.reject("measured_modes", "is missing: without a measurement it says how many to compute");
   }
   experiment.measured_modes = static_cast<int>(measured);
-  if (table.has("test"))
-    return std::make_shared<ModeSet>(named_test(table, tests, "frequency").name,
-                                     experiment::mode_records(modes),
-                                     static_cast<std::size_t>(measured));
   if (table.has("shapes")) {
     experiment.shapes_file = context.folder / table.text("shapes");
     const auto shapes = find_file(table, "shapes", context.folder, context.measurements);
     if (!file.empty() && !shapes.empty()) formats::read_shapes(shapes, modes);
+  }
+  if (table.has("test")) {
+    const StudyTest& test = named_test(table, tests, "frequency");
+    if (!modes.points.empty()) check_sensors(table, test, experiment::sensor_points(modes));
+    return std::make_shared<ModeSet>(test.name,
+                                     experiment::mode_records(modes),
+                                     static_cast<std::size_t>(measured),
+                                     experiment::sensor_points(modes));
   }
   ModalTest test;
   test.pressure = experiment::read_pressure(table);
   test.ground = experiment::read_ground(table);
   read_state(table, test);
   test.points = experiment::sensor_points(modes);
-  test.count =
-      static_cast<int>(table.integer("simulated_modes",
-                                     measured,
-                                     kMostModes,
-                                     std::min(kMostModes, measured + kMoreModesThanMeasured)));
+  test.count = static_cast<int>(
+      table.integer("simulated_modes",
+                    measured,
+                    kMostModes,
+                    std::min(kMostModes, measured + experiment::kMoreModesThanMeasured)));
   add_own_test(table, context, std::make_shared<experiment::ModesTest>(test), tests);
   return std::make_shared<ModeSet>(table.name(),
                                    experiment::mode_records(modes),

@@ -16,6 +16,7 @@
 #include "base/document.h"
 #include "base/result.h"
 #include "experiment/language/specimen.h"
+#include "experiment/rigs/measured_conditions.h"
 #include "measurement/channels.h"
 
 namespace latsch::experiment {
@@ -82,18 +83,6 @@ class Test {
     return run(specimen);
   }
 };
-
-/// A condition that a test takes from a measurement of its study.
-struct MeasuredCondition {
-  std::string channel, unit;  // SI
-  bool is_needed = false;     // else left out where it was not recorded
-  std::string frame = "";     // of a force
-};
-
-/// Those that a table such as {from = "measurement.cornering"} names. InputError naming the place:
-/// no such measurement, a condition it lacks.
-using MeasuredConditions =
-    std::function<Channels(const Node& table, const std::vector<MeasuredCondition>& conditions)>;
 
 /// Where the keys of a test stand.
 struct TestSource {

@@ -130,13 +130,17 @@ class Passage {
 
 }  // namespace
 
-DrumTest read_drum_test(const Node& root) {
+DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured) {
   root.choice("kind", {"drum_cleat"});
   DrumTest test;
-  test.speed = root.quantity("speed", "m/s", {0.0, kFastest, true});
+  const auto speed = find_measured(root, "speed"), load = find_measured(root, "load");
+  test.speed = speed ? measured_mean(*speed, {"Vx", "m/s"}, measured)
+                     : root.quantity("speed", "m/s", {0.0, kFastest, true});
   if (root.has("load") == root.has("deflection"))
     root.reject("load", "or deflection has to be there, one of the two");
-  if (root.has("load")) test.load = root.quantity("load", "N", Range::positive());
+  if (root.has("load"))
+    test.load = load ? measured_mean(*load, {"Fz", "N", true, "W"}, measured)
+                     : root.quantity("load", "N", Range::positive());
   if (root.has("deflection")) test.deflection = root.quantity("deflection", "m", Range::positive());
   test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
   test.diameter = root.quantity("drum_diameter", "m", Range::positive());

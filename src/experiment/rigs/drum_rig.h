@@ -3,7 +3,9 @@
 //
 //   kind = "drum_cleat"
 //   speed = "60 km/h"                # of the drum's surface
-//   load = "4 kN"                    # at rest, before the axle is held; or deflection = "20 mm"
+//   load = "4 kN"                    # at rest, before the axle is held; or deflection = "20 mm";
+//                                    # of speed and load also {from = "measurement.rolling"}: the
+//                                    # means of its Vx and Fz
 //   camber = "2 deg"                 # about x, top to the right; default 0
 //   drum_diameter = "2.5 m"
 //   wheel_inertia = "1 kg m^2"       # about the spin axis, default 1
@@ -37,6 +39,7 @@
 #include "base/document.h"
 #include "base/result.h"
 #include "experiment/rigs/hub_frame.h"
+#include "experiment/rigs/measured_conditions.h"
 #include "measurement/channels.h"
 #include "models/tire/tire.h"
 
@@ -62,7 +65,7 @@ struct DrumTest {
 };
 
 /// Throws InputError naming the place; unknown keys too.
-DrumTest read_drum_test(const Node& root);
+DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured = {});
 
 /// Of any tire; it is left as it stands at the end.
 Result<Channels> run(Tire& tire, const DrumTest& test);

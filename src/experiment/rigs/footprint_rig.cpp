@@ -23,11 +23,16 @@ Footprint footprint_of(const fe_tire::LoadPoint& point) {
 
 }  // namespace
 
-FootprintTest read_footprint_test(const Node& root) {
+FootprintTest read_footprint_test(const Node& root, const MeasuredConditions& measured) {
   root.choice("kind", {"footprint"});
   FootprintTest test;
-  if (root.has("loads")) test.loads = root.quantities("loads", "N", Range::positive());
-  if (root.has("deflections"))
+  if (const auto from = find_measured(root, "loads"))
+    test.loads = measured_values(*from, {"Fz", "N", true, "W"}, measured);
+  else if (root.has("loads"))
+    test.loads = root.quantities("loads", "N", Range::positive());
+  if (const auto from = find_measured(root, "deflections"))
+    test.deflections = measured_values(*from, {"deflection", "m"}, measured);
+  else if (root.has("deflections"))
     test.deflections = root.quantities("deflections", "m", Range::positive());
   if (test.loads.empty() == test.deflections.empty())
     root.reject("loads", "or deflections has to be there, one of the two");

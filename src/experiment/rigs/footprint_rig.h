@@ -3,7 +3,8 @@
 //
 //   kind = "footprint"
 //   loads = ["2 kN", "4 kN"]         # or deflections = ["10 mm", "20 mm"], from first touch of the
-//                                    # upright tire
+//                                    # upright tire; of either {from = "measurement.prints"}: its
+//                                    # Fz or deflection
 //   camber = "2 deg"                 # about x, top to the right; default 0
 //   pressure = "2.6 bar"             # of a finite-element tire, the tire's own unless given
 //   friction = 0.8                   # of a finite-element tire with the ground, 0 unless given
@@ -17,6 +18,7 @@
 
 #include "base/document.h"
 #include "base/result.h"
+#include "experiment/rigs/measured_conditions.h"
 #include "measurement/channels.h"
 #include "models/tire/tire.h"
 
@@ -35,7 +37,7 @@ struct FootprintTest {
 };
 
 /// Throws InputError naming the place; unknown keys too.
-FootprintTest read_footprint_test(const Node& root);
+FootprintTest read_footprint_test(const Node& root, const MeasuredConditions& measured = {});
 
 struct StandingFootprint {
   double deflection = 0.0;  // m

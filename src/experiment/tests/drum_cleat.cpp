@@ -82,8 +82,8 @@ Result<Channels> DrumCleatTest::run(Specimen& specimen) const {
 
 namespace {
 
-std::unique_ptr<Test> read_drum(const Node& root, const TestSource&) {
-  return std::make_unique<DrumCleatTest>(read_drum_test(root));
+std::unique_ptr<Test> read_drum(const Node& root, const TestSource& source) {
+  return std::make_unique<DrumCleatTest>(read_drum_test(root, source.measured));
 }
 
 }  // namespace

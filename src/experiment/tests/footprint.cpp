@@ -70,8 +70,8 @@ class StandingFootprintTest : public Test {
   FootprintTest test_;
 };
 
-std::unique_ptr<Test> read_footprint(const Node& root, const TestSource&) {
-  return std::make_unique<StandingFootprintTest>(read_footprint_test(root));
+std::unique_ptr<Test> read_footprint(const Node& root, const TestSource& source) {
+  return std::make_unique<StandingFootprintTest>(read_footprint_test(root, source.measured));
 }
 
 }  // namespace

@@ -116,13 +116,17 @@ Result<Channels> LoadDeflectionTest::run(Specimen& specimen) const {
 
 namespace {
 
-std::unique_ptr<Test> read_load_deflection(const Node& root, const TestSource&) {
+std::unique_ptr<Test> read_load_deflection(const Node& root, const TestSource& source) {
   LoadDeflection test;
   test.pressure = read_pressure(root);
   test.ground = read_ground(root);
-  if (root.has("deflections"))
+  if (const auto from = find_measured(root, "deflections"))
+    test.deflections = measured_values(*from, {"deflection", "m"}, source.measured);
+  else if (root.has("deflections"))
     test.deflections = root.quantities("deflections", "m", Range::positive());
-  if (root.has("loaded_radii"))
+  if (const auto from = find_measured(root, "loaded_radii"))
+    test.loaded_radii = measured_values(*from, {"loaded_radius", "m"}, source.measured);
+  else if (root.has("loaded_radii"))
     test.loaded_radii = root.quantities("loaded_radii", "m", Range::positive());
   if (test.deflections.empty() == test.loaded_radii.empty())
     root.reject("deflections", "or loaded_radii has to be there, one of the two");

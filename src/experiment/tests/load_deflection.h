@@ -4,7 +4,8 @@
 //   kind = "load_deflection"
 //   pressure = "2.6 bar"               # the tire's own unless given
 //   friction = 0.8                     # with the ground; 0 unless given
-//   deflections = ["5 mm", "10 mm"]    # from first touch; or loaded_radii = ["310 mm"]
+//   deflections = ["5 mm", "10 mm"]    # from first touch; or loaded_radii = ["310 mm"]; of either
+//                                      # {from = "measurement.pressed"}: as they were measured
 //
 // Channels, one value a position in the order asked for: "deflection", "loaded_radius" (m), "force"
 // (N), and of a tire that knows its patch "patch_length", "patch_width" (m), "patch_area" (m^2). A

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test_words.h"
@@ -69,17 +71,36 @@ Result<Channels> ModesTest::run(Specimen& specimen) const {
 
 namespace {
 
-std::unique_ptr<Test> read_modes_test(const Node& root, const TestSource&) {
+Eigen::Matrix3Xd points_of(const std::vector<std::vector<double>>& rows) {
+  Eigen::Matrix3Xd points(3, std::ssize(rows));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    points.col(static_cast<Eigen::Index>(i)) = Eigen::Vector3d::Map(rows[i].data());
+  return points;
+}
+
+std::unique_ptr<Test> read_modes_test(const Node& root, const TestSource& source) {
   constexpr long kMost = 200;
   ModalTest test;
   test.pressure = read_pressure(root);
   test.ground = read_ground(root);
-  if (root.has("load")) test.load = root.quantity("load", "N", Range::positive());
+  const auto load = find_measured(root, "load");
+  if (root.has("load"))
+    test.load = load ? measured_mean(*load, {"Fz", "N", true, "W"}, source.measured)
+                     : root.quantity("load", "N", Range::positive());
   if (root.has("deflection")) test.deflection = root.quantity("deflection", "m", Range::positive());
   if (test.load && test.deflection)
     root.reject("deflection", "stands beside load, expected one of them or none");
   test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
-  test.count = static_cast<int>(root.integer("count", 1, kMost, test.count));
+  if (const auto from = find_measured(root, "count")) {
+    const long measured = measured_count(*from, {"frequency", "Hz"}, source.measured);
+    test.count = static_cast<int>(std::min(kMost, measured + kMoreModesThanMeasured));
+  } else {
+    test.count = static_cast<int>(root.integer("count", 1, kMost, test.count));
+  }
+  if (const auto from = find_measured(root, "points"))
+    test.points = measured_points(*from, source.measured);
+  else if (root.has("points"))
+    test.points = points_of(root.rows("points", {"m", "m", "m"}));
   return std::make_unique<ModesTest>(std::move(test));
 }
 

@@ -4,7 +4,8 @@
 //
 //   kind = "slip_sweep"              # alpha, kappa: one of the two
 //   speed = "60 km/h"
-//   load = "4 kN"
+//   load = "4 kN"                    # of speed and load also {from = "measurement.rolling"}: the
+//                                    # means of its Vx and Fz
 //   camber = "2 deg"                 # default 0
 //   axle = "load"                    # what it keeps; "height": the axle's
 //   frame = "W"                      # of the forces recorded (hub_frame.h); "W", "H", "C" or
@@ -117,10 +118,13 @@ class SlipSweepTest : public Test {
   double sample_step_;  // s
 };
 
-std::unique_ptr<Test> read_slip_sweep(const Node& root, const TestSource&) {
+std::unique_ptr<Test> read_slip_sweep(const Node& root, const TestSource& source) {
   SlipSweep sweep;
-  sweep.speed = root.quantity("speed", "m/s", Range::positive());
-  sweep.load = root.quantity("load", "N", Range::positive());
+  const auto speed = find_measured(root, "speed"), load = find_measured(root, "load");
+  sweep.speed = speed ? measured_mean(*speed, {"Vx", "m/s"}, source.measured)
+                      : root.quantity("speed", "m/s", Range::positive());
+  sweep.load = load ? measured_mean(*load, {"Fz", "N", true, "W"}, source.measured)
+                    : root.quantity("load", "N", Range::positive());
   sweep.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
   if (root.choice("axle", {"load", "height"}, "load") == "height") sweep.axle = Axle::height;
   sweep.frames = read_frames(root, sweep.frames);

@@ -3,8 +3,10 @@
 // tire that stands.
 //
 //   kind = "static_stiffness"
-//   deflections = ["10 mm", "20 mm"] # channels "deflection" and "force"
-//   load = "4 kN"                    # in its place: under the load, a channel of one value for
+//   deflections = ["10 mm", "20 mm"] # channels "deflection" and "force"; as they were measured:
+//                                    # {from = "measurement.pressed"}
+//   load = "4 kN"                    # in its place: under the load, a channel of one value for;
+//                                    # {from = "measurement.pulled"}: the mean of its Fz
 //   directions = ["vertical", "longitudinal", "lateral", "torsional"]  # default: all
 //   travel = "1 mm"                  # over which a stiffness is taken, this unless given
 //   twist = "1 mrad"                 # and the torsional one, 0.001 rad unless given
@@ -117,12 +119,16 @@ class StaticStiffnessTest : public Test {
   StaticTest test_;
 };
 
-std::unique_ptr<Test> read_static_test(const Node& root, const TestSource&) {
+std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& source) {
   StaticTest test;
-  if (root.has("deflections"))
+  if (const auto from = find_measured(root, "deflections"))
+    test.deflections = measured_values(*from, {"deflection", "m"}, source.measured);
+  else if (root.has("deflections"))
     test.deflections = root.quantities("deflections", "m", Range::positive());
   if (root.has("load")) {
-    test.load = root.quantity("load", "N", Range::positive());
+    const auto from = find_measured(root, "load");
+    test.load = from ? measured_mean(*from, {"Fz", "N", true, "W"}, source.measured)
+                     : root.quantity("load", "N", Range::positive());
     std::vector<std::string> names(kDirections.begin(), kDirections.end());
     if (root.has("directions")) names = root.texts("directions");
     for (const std::string& name : names) {

@@ -22,7 +22,6 @@
 
 #include "base/file.h"
 #include "base/mapped_file.h"
-#include "base/text.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/hub_frame.h"
@@ -113,36 +112,25 @@ Conventions read_conventions(const Node& root) {
   return conventions;
 }
 
-/// nullopt where it is a text.
-std::optional<Node> measured_states(const Node& root) {
-  try {
-    return root.find_table("states");
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
-
 std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& source) {
-  const auto measured = measured_states(root);
+  const auto measured = find_measured(root, "states");
   const Conventions conventions = read_conventions(root);
   if (!measured) {
     const auto file = source.folder / root.text("states");
     return std::make_unique<SteadyStatesTest>(table_of(file), file.string(), file, conventions);
   }
   const std::string from = measured->text("from");
-  if (!source.measured)
-    measured->reject("from", "is " + in_quotes(from) + ", which only a test of a study can name");
   std::vector<MeasuredCondition> wanted;
   for (const StateName& state : state_names())
     if (state.name == "Fz")
       wanted.push_back({state.name, state.unit, true, name_of(AxisFrame::W)});
     else
       wanted.push_back({state.name, state.unit});
-  return std::make_unique<SteadyStatesTest>(
-      std::make_shared<MappedFile>(formats::csv_text(source.measured(*measured, wanted))),
-      from,
-      std::filesystem::path(),
-      conventions);
+  return std::make_unique<SteadyStatesTest>(std::make_shared<MappedFile>(formats::csv_text(
+                                                take_measured(*measured, wanted, source.measured))),
+                                            from,
+                                            std::filesystem::path(),
+                                            conventions);
 }
 
 }  // namespace

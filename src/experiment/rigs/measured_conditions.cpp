@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/measured_conditions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/text.h"
+#include "base/units.h"
+
+namespace latsch::experiment {
+namespace {
+
+/// The one channel, which the test's identity holds.
+std::vector<double> samples_of(const Node& table,
+                               MeasuredCondition condition,
+                               const MeasuredConditions& measured) {
+  condition.is_needed = condition.is_in_identity = true;
+  auto values = take_measured(table, {condition}, measured).all().front().values;
+  if (values.empty()) table.reject("from", "has no sample of " + condition.channel);
+  return values;
+}
+
+}  // namespace
+
+std::optional<Node> find_measured(const Node& test, std::string_view key) {
+  try {
+    const auto table = test.find_table(key);
+    if (table && table->has("from")) return table;
+  } catch (const InputError&) {  // a quantity, a list
+  }
+  return std::nullopt;
+}
+
+Channels take_measured(const Node& table,
+                       const std::vector<MeasuredCondition>& conditions,
+                       const MeasuredConditions& measured) {
+  if (!measured)
+    table.reject("from",
+                 "is " + in_quotes(table.text("from")) + ", which only a test of a study can name");
+  return measured(table, conditions);
+}
+
+std::vector<double> measured_values(const Node& table,
+                                    const MeasuredCondition& condition,
+                                    const MeasuredConditions& measured) {
+  const auto values = samples_of(table, condition, measured);
+  const auto wrong =
+      std::find_if(values.begin(), values.end(), [](double value) { return !(value > 0.0); });
+  if (wrong != values.end())
+    table.reject("from",
+                 fmt::format("is {}, whose {} is {} in sample {}, expected above 0; leave such "
+                             "samples out by a [measurement.NAME.select]",
+                             in_quotes(table.text("from")),
+                             condition.channel,
+                             format_quantity(*wrong, condition.unit),
+                             wrong - values.begin() + 1));
+  return values;
+}
+
+double measured_mean(const Node& table,
+                     const MeasuredCondition& condition,
+                     const MeasuredConditions& measured) {
+  constexpr double kHeld = 0.05;  // standard deviation over mean: rigs hold speed and load closer
+  const auto values = samples_of(table, condition, measured);
+  const auto count = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  double squares = 0.0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  if (!(mean > 0.0) || std::sqrt(squares / count) > kHeld * mean)
+    table.reject("from",
+                 fmt::format("is {}, whose {} goes from {} to {}, expected one that is held, above "
+                             "0: its mean is taken; select the samples that are meant",
+                             in_quotes(table.text("from")),
+                             condition.channel,
+                             format_quantity(*least, condition.unit, 4),
+                             format_quantity(*most, condition.unit, 4)));
+  return mean;
+}
+
+long measured_count(const Node& table,
+                    const MeasuredCondition& condition,
+                    const MeasuredConditions& measured) {
+  return std::ssize(samples_of(table, condition, measured));
+}
+
+Eigen::Matrix3Xd measured_points(const Node& table, const MeasuredConditions& measured) {
+  const Channels channels = take_measured(table,
+                                          {{"x", "m", true, "", true},
+                                           {"y", "m", true, "", true},
+                                           {"z", "m", true, "", true},
+                                           {"mode", "1", false, "", true}},
+                                          measured);
+  const Channel* mode = channels.find("mode");
+  std::vector<double> points;
+  for (std::size_t i = 0; i < channels["x"].size(); ++i) {
+    if (mode && mode->values[i] != mode->values[0]) continue;
+    for (const char* axis : {"x", "y", "z"}) points.push_back(channels[axis][i]);
+  }
+  return Eigen::Matrix3Xd::Map(points.data(), 3, std::ssize(points) / 3);
+}
+
+}  // namespace latsch::experiment
