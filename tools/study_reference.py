@@ -29,6 +29,7 @@ SECTIONS = [
     ('Test "static_stiffness": of a standing tire', "static_stiffness"),
     ('Test "footprint": where it touches the ground', "footprint_rig"),
     ('Test "steady_states": a table of states', "steady_states"),
+    ('Test "slip_history": slips as recorded, lagging', "slip_history"),
     ("[variable.NAME], [tie.NAME]", "variables"),
     ("[linear_constraint.NAME]", "linear_constraints"),
     ("[measurement.NAME]: what a laboratory recorded", "measurement"),

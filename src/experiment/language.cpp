@@ -12,7 +12,7 @@ const SpecimenKind& ring_tire_kind();
 const SpecimenKind& rigid_ring_kind();
 const SpecimenKind& magic_formula_kind();
 extern const TestKind kDrumCleat, kSlipSweep, kStaticStiffness, kFootprint, kModes, kSteadyStates,
-    kLoadDeflection;
+    kSlipHistory, kLoadDeflection;
 
 const Language& language() {
   static const Language all = {
@@ -23,6 +23,7 @@ const Language& language() {
        &kFootprint,
        &kModes,
        &kSteadyStates,
+       &kSlipHistory,
        &kLoadDeflection}};
   return all;
 }

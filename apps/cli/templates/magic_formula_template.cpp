@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "cli/templates/recorded_lag.h"
 #include "correlation/laboratory/measurement.h"
 #include "formats/tire/tir_file.h"
 
@@ -23,6 +24,7 @@ using correlation::Measurement;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kMostSamples = 2000;  // more tell little of a sweep: neighbors share noise
 constexpr double kFreeRolling = 0.02;       // |kappa| of a wheel that is not driven
+constexpr double kSmallAngle = 1.5 * kDegree, kSmallSlip = 0.02;  // up to which forces are straight
 
 /// A part of a channel's range.
 double quantile(std::vector<double> values, double share) {
@@ -60,8 +62,13 @@ class TireTest {
     combined = cornering && driving;
     camber = spread("gamma") > 0.8 * kDegree;
     pressure = spread("p") > 0.06 * std::max(1.0, quantile(of("p"), 0.5));
+    if (cornering) side_lag = recorded_lag(measured, "Fy", "alpha", kSmallAngle);
+    if (driving) drive_lag = recorded_lag(measured, "Fx", "kappa", kSmallSlip);
+    lags = (side_lag && side_lag->is_seen()) || (drive_lag && drive_lag->is_seen());
   }
 
+  std::optional<RecordedLag> side_lag, drive_lag;  // of Fy and Fx; none: cannot be told
+  bool lags = false;
   bool load, cornering, driving, combined, camber, pressure;
 
   bool has(const std::string& channel) const {
@@ -139,6 +146,7 @@ std::vector<Stage> stages_of(const TireTest& t) {
                  {t.pressure, {"PPY1", "PPY3"}},
                  {t.pressure && t.load, {"PPY2", "PPY4"}},
                  {t.pressure && t.camber, {"PPY5"}}})});
+    if (t.side_lag && t.side_lag->is_seen()) add({"relaxation_y", {"Fy"}, {"LATERAL_STIFFNESS"}});
   }
   if (t.driving) {
     add({"Fx",
@@ -149,6 +157,8 @@ std::vector<Stage> stages_of(const TireTest& t) {
     add({"Fx_conditions",
          {"Fx"},
          joined({{t.camber, {"PDX3"}}, {t.pressure, {"PPX1", "PPX2", "PPX3", "PPX4"}}})});
+    if (t.drive_lag && t.drive_lag->is_seen())
+      add({"relaxation_x", {"Fx"}, {"LONGITUDINAL_STIFFNESS"}});
   }
   if (t.combined) add({"combined", {"Fy_driven"}, {"RBY1", "RBY2", "RCY1", "RHY1"}});
   if (t.cornering && t.has("Mz")) {
@@ -211,12 +221,17 @@ magic_formula::Parameters start_of(const TireTest& t,
   p.PCY1 = 1.4;
   p.PDY1 = t.cornering ? digits(t.grip("Fy")) : 1.0;
   p.PEY1 = -0.5;
-  p.PKY1 = std::min(-8.0, digits(t.steepness("Fy", "alpha", 1.5 * kDegree) / kAtNominalLoad));
+  p.PKY1 = std::min(-8.0, digits(t.steepness("Fy", "alpha", kSmallAngle) / kAtNominalLoad));
   p.PKY2 = 1.6;
   p.PCX1 = 1.5;
   p.PDX1 = t.driving ? digits(t.grip("Fx")) : 1.0;
   p.PEX1 = -0.5;
-  p.PKX1 = std::max(8.0, digits(t.steepness("Fx", "kappa", 0.02)));
+  p.PKX1 = std::max(8.0, digits(t.steepness("Fx", "kappa", kSmallSlip)));
+  // relaxation lengths are slip stiffnesses over these (19)
+  if (t.side_lag && t.side_lag->is_seen())
+    p.LATERAL_STIFFNESS = rounded(-p.PKY1 * kAtNominalLoad * p.FNOMIN / t.side_lag->sigma, 100.0);
+  if (t.drive_lag && t.drive_lag->is_seen())
+    p.LONGITUDINAL_STIFFNESS = rounded(p.PKX1 * p.FNOMIN / t.drive_lag->sigma, 100.0);
   p.QBZ1 = 8.0;
   p.QCZ1 = 1.2;
   p.QDZ1 = 0.1;
@@ -313,9 +328,35 @@ std::string sets(const TireTest& t, const std::string& keys) {
                     : "");
   for (const char* name : {"cornering", "driving"}) {
     if (name == std::string("cornering") ? !t.cornering : !t.driving) continue;
-    text += fmt::format(
-        "test.{0} = {{kind = \"steady_states\", states = {{from = \"measurement.{0}\"}}}}\n", name);
+    text += fmt::format("test.{0} = {{kind = \"{1}\", states = {{from = \"measurement.{0}\"}}}}\n",
+                        name,
+                        t.lags ? "slip_history" : "steady_states");
   }
+  return text;
+}
+
+/// What the loops say, a comment each.
+std::string lags_in_words(const TireTest& t) {
+  std::string text;
+  const auto add =
+      [&](const char* force, const std::optional<RecordedLag>& lag, double unit, const char* rate) {
+        if (!lag) {
+          text += fmt::format(
+              "# {}: whether it lags cannot be told, for want of time, speed or samples\n", force);
+          return;
+        }
+        text += fmt::format(
+            "# {} lags by {:.3f} +- {:.3f} m (95 %), slips at {:.2g} {} and {:.3g} m/s: {}\n",
+            force,
+            lag->sigma,
+            2.0 * lag->deviation,
+            lag->rate / unit,
+            rate,
+            lag->speed,
+            lag->is_seen() ? "its relaxation length is fitted" : "states count as steady");
+      };
+  if (t.cornering) add("Fy", t.side_lag, kDegree, "deg/s");
+  if (t.driving) add("Fx", t.drive_lag, 1.0, "1/s");
   return text;
 }
 
@@ -336,8 +377,9 @@ MagicFormulaStudy magic_formula_study(const TireTestFiles& given, const fs::path
   const std::size_t every = std::max<std::size_t>(1, measured.samples() / kMostSamples);
   written.study = fmt::format(
       "# Every coefficient goes through its usual range; [variable.NAME] in its place sets "
-      "another.\n"
+      "another.\n{}"
       "title = \"Magic Formula 6.1 from {}\"\nmodel = \"tire.tir\"\nvary = {}\n\n{}{}\n",
+      lags_in_words(t),
       fmt::join(
           [&] {
             std::vector<std::string> names;

@@ -11,9 +11,10 @@
 // of driving are separate experiments. The tire begins with what the recordings show at a glance:
 // grip, slopes, nominal load and pressure, radius and stiffness from the loaded radius.
 //
-// Limits: samples are taken to be in steady state. A sweep of some degrees a second lags by its
-// relaxation length, which shows as a loop that no coefficient closes; relaxation lengths are not
-// fitted.
+// A sweep of some degrees a second lags by its relaxation length: a loop that no coefficient of the
+// steady state closes. Where a recording shows one (recorded_lag.h), its tests are slip_history,
+// and stages relaxation_y and relaxation_x fit the stiffnesses of the carcass behind it; else
+// samples count as steady states. The study says in a comment which of the two, by which figure.
 #pragma once
 
 #include <filesystem>

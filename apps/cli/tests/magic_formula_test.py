@@ -104,7 +104,7 @@ class MagicFormula(unittest.TestCase):
         folder = self.base / "fit"
         self.latsch("new", folder, "--magic-formula", self.base / "cornering.dat", self.base / "driving.dat")
         study = (folder / "study.toml").read_text()
-        self.assertLessEqual(len(study.splitlines()), 25)
+        self.assertLessEqual(len([line for line in study.splitlines() if line and not line.startswith("#")]), 25)
         self.assertIn('axes = "sae"', study)  # by the sign of Fz
         tire = (folder / "tire.tir").read_text()
         for name, value in (("FNOMIN", 1600), ("NOMPRES", 83000)):  # of which the coefficients are

@@ -7,6 +7,7 @@
 #include "experiment/kinds/rolling_specimen.h"
 #include "experiment/kinds/slip_plots.h"
 #include "experiment/kinds/tir_numbers.h"
+#include "experiment/rigs/slip_lag.h"
 #include "experiment/rigs/slip_states.h"
 #include "formats/tire/tir_file.h"
 #include "models/magic_formula/magic_formula_tire.h"
@@ -63,6 +64,13 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates {
     const SlipStates given = slip_states(table, parameters_);
     return with_slopes(
         answers(tire, given.states), tire, given.states, asked.channels, asked.paths);
+  }
+  Channels slip_history(const formats::CsvTable& table, const Asked& asked) const override {
+    return lagging_answers(MagicFormula(parameters_, {}),
+                           slip_states(table, parameters_).states,
+                           table.numbers("time", "s"),
+                           asked.channels,
+                           asked.paths);
   }
 
  private:

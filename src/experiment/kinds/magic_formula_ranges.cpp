@@ -126,6 +126,9 @@ constexpr Range kRanges[] = {
     {"SSZ2", -0.2, 0.2},
     {"SSZ3", -4, 4},
     {"SSZ4", -4, 4},
+    // of the carcass in the road, N/m: relaxation lengths are slip stiffnesses over these
+    {"LONGITUDINAL_STIFFNESS", 3e4, 3e6},
+    {"LATERAL_STIFFNESS", 2e4, 2e6},
 };
 
 }  // namespace

@@ -70,6 +70,9 @@ struct HasSteadyStates {
                                       const Asked&) const {
     return steady(states, conventions);
   }
+  /// Through a table of states with their times, slips lagging (rigs/slip_lag.h), with the
+  /// slopes asked for.
+  virtual Channels slip_history(const formats::CsvTable& states, const Asked&) const = 0;
 };
 
 /// Takes the conditions that a test states. Those of others stand in their own files.

@@ -8,6 +8,7 @@
 #include <cctype>
 
 #include "base/text.h"
+#include "measurement/axes.h"
 #include "models/magic_formula/magic_formula_slopes.h"
 
 namespace latsch {
@@ -59,10 +60,14 @@ bool same_name(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::vector<StateName> state_names() {
-  std::vector<StateName> names;
-  for (const StateColumn& column : kStateColumns) names.push_back({column.name, column.unit});
-  return names;
+std::vector<experiment::MeasuredCondition> measured_states() {
+  std::vector<experiment::MeasuredCondition> conditions;
+  for (const StateColumn& column : kStateColumns) {
+    const bool is_load = column.member == &State::Fz;
+    conditions.push_back(
+        {column.name, column.unit, is_load, is_load ? name_of(AxisFrame::W) : std::string()});
+  }
+  return conditions;
 }
 
 std::vector<std::string> for_slip_states(const formats::CsvTable& table,

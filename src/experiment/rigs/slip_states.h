@@ -12,17 +12,15 @@
 #include <string>
 #include <vector>
 
+#include "experiment/rigs/measured_conditions.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/channels.h"
 #include "models/magic_formula/magic_formula.h"
 
 namespace latsch {
 
-/// A column of a table of states, in SI.
-struct StateName {
-  std::string name, unit;
-};
-std::vector<StateName> state_names();
+/// Its columns, to be taken from a measurement: Fz, in W, has to be there.
+std::vector<experiment::MeasuredCondition> measured_states();
 
 struct SlipStates {
   std::vector<magic_formula::State> states;

@@ -120,17 +120,12 @@ std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& sou
     return std::make_unique<SteadyStatesTest>(table_of(file), file.string(), file, conventions);
   }
   const std::string from = measured->text("from");
-  std::vector<MeasuredCondition> wanted;
-  for (const StateName& state : state_names())
-    if (state.name == "Fz")
-      wanted.push_back({state.name, state.unit, true, name_of(AxisFrame::W)});
-    else
-      wanted.push_back({state.name, state.unit});
-  return std::make_unique<SteadyStatesTest>(std::make_shared<MappedFile>(formats::csv_text(
-                                                take_measured(*measured, wanted, source.measured))),
-                                            from,
-                                            std::filesystem::path(),
-                                            conventions);
+  return std::make_unique<SteadyStatesTest>(
+      std::make_shared<MappedFile>(
+          formats::csv_text(take_measured(*measured, measured_states(), source.measured))),
+      from,
+      std::filesystem::path(),
+      conventions);
 }
 
 }  // namespace

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/templates/recorded_lag.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "correlation/laboratory/selection.h"
+#include "numerics/dense/cholesky.h"
+
+namespace latsch::cli {
+namespace {
+
+using correlation::Measurement;
+
+constexpr std::size_t kReach = 2;      // samples to each side over which a slope in time is taken
+constexpr std::size_t kFewest = 30;    // samples of small slip
+constexpr double kNoOtherSlip = 0.02;  // rad or 1
+constexpr double kLightest = 0.5;      // of the median load: less is a wheel that is lifted
+
+std::vector<double> values_of(const Measurement& measured, const std::string& channel) {
+  if (!measured.has(channel)) return {};
+  return measured.values(channel, measured.unit(channel));
+}
+
+double quantile(std::vector<double> values, double share) {
+  const auto at = values.begin() + std::lround(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// By what a force over its load is told: s, ds/dt / |V|, 1, s^3, then load, s load, camber.
+constexpr int kAlways = 4, kAll = 7;
+using Regressors = Eigen::Matrix<double, kAll, 1>;
+
+struct Rows {
+  std::vector<double> y;
+  std::vector<Regressors> X;
+  std::vector<std::size_t> samples;
+  std::vector<double> rates, speeds;
+};
+
+Rows rows_of(const Measurement& measured,
+             const std::string& force,
+             const std::string& slip,
+             double most) {
+  const auto time = values_of(measured, "time"), V = values_of(measured, "Vx");
+  const auto F = values_of(measured, force), Fz = values_of(measured, "Fz");
+  const auto s = values_of(measured, slip), gamma = values_of(measured, "gamma");
+  const auto other = values_of(measured, slip == "alpha" ? "kappa" : "alpha");
+  Rows rows;
+  if (time.empty() || V.empty() || F.empty() || s.empty()) return rows;
+  const double usual = quantile(Fz, 0.5), least = kLightest * usual;
+  for (const auto& stretch : correlation::stretches_of(time, measured.samples())) {
+    for (std::size_t i = stretch.first + kReach; i + kReach < stretch.end; ++i) {
+      const double rate = (s[i + kReach] - s[i - kReach]) / (time[i + kReach] - time[i - kReach]);
+      if (std::abs(V[i]) < 1.0 || Fz[i] < least) continue;
+      if (!other.empty() && std::abs(other[i]) > kNoOtherSlip) continue;
+      rows.rates.push_back(std::abs(rate));
+      rows.speeds.push_back(std::abs(V[i]));
+      if (std::abs(s[i]) > most) continue;
+      rows.y.push_back(F[i] / Fz[i]);
+      const double load = Fz[i] / usual - 1.0;
+      rows.X.emplace_back();
+      rows.X.back() << s[i], rate / std::abs(V[i]), 1.0, s[i] * s[i] * s[i], load, s[i] * load,
+          gamma.empty() ? 0.0 : gamma[i];
+      rows.samples.push_back(i);
+    }
+  }
+  return rows;
+}
+
+/// Those that vary, each of length 1; `scale`: their lengths before.
+Eigen::MatrixXd columns_of(const Rows& rows, Eigen::VectorXd& scale) {
+  constexpr double kVaries = 0.02;  // root mean square of load over its median, rad of camber
+  const Eigen::Index n = std::ssize(rows.y);
+  Eigen::MatrixXd X(n, kAll);
+  for (Eigen::Index i = 0; i < n; ++i) X.row(i) = rows.X[static_cast<std::size_t>(i)];
+  const auto varies = [&](Eigen::Index k) {
+    return (X.col(k).array() - X.col(k).mean()).matrix().norm() >
+           kVaries * std::sqrt(static_cast<double>(n));
+  };
+  std::vector<Eigen::Index> taken = {0, 1, 2, 3};
+  if (varies(kAlways)) taken.insert(taken.end(), {kAlways, kAlways + 1});
+  if (varies(kAll - 1)) taken.push_back(kAll - 1);
+  const Eigen::MatrixXd kept = X(Eigen::all, taken);
+  scale = kept.colwise().norm();
+  return kept * scale.cwiseMax(1e-300).cwiseInverse().asDiagonal();
+}
+
+/// How many times the variance of a mean grows because neighbors share noise.
+double shared_noise(const Eigen::VectorXd& r, const std::vector<std::size_t>& samples) {
+  double products = 0.0, squares = 0.0;
+  for (Eigen::Index i = 1; i < r.size(); ++i) {
+    if (samples[static_cast<std::size_t>(i)] != samples[static_cast<std::size_t>(i) - 1] + 1)
+      continue;
+    products += r[i] * r[i - 1];
+    squares += 0.5 * (r[i] * r[i] + r[i - 1] * r[i - 1]);
+  }
+  const double rho = squares > 0.0 ? std::clamp(products / squares, 0.0, 0.99) : 0.0;
+  return (1.0 + rho) / (1.0 - rho);
+}
+
+}  // namespace
+
+bool RecordedLag::is_seen() const {
+  constexpr double kDeviations = 4.0, kLeast = 0.01;  // m
+  return sigma > kLeast && sigma > kDeviations * deviation;
+}
+
+std::optional<RecordedLag> recorded_lag(const Measurement& measured,
+                                        const std::string& force,
+                                        const std::string& slip,
+                                        double most) {
+  const Rows rows = rows_of(measured, force, slip, most);
+  if (rows.y.size() < kFewest) return std::nullopt;
+  const Eigen::Index n = std::ssize(rows.y);
+  Eigen::VectorXd scale;
+  const Eigen::MatrixXd A = columns_of(rows, scale);
+  const Eigen::Index columns = A.cols();
+  const Eigen::VectorXd y = Eigen::VectorXd::Map(rows.y.data(), n);
+  const numerics::Cholesky normal(A.transpose() * A);
+  if (!normal.is_positive_definite()) return std::nullopt;
+  const Eigen::VectorXd b = normal.solve(A.transpose() * y), r = y - A * b;
+  const double variance = r.squaredNorm() / static_cast<double>(n - columns);
+  const double slope = b[0] / scale[0], lag = b[1] / scale[1];
+  RecordedLag found;
+  found.sigma = -lag / slope;
+  // sigma = -b1/b0: its slopes in the two, and their covariance
+  Eigen::VectorXd by = Eigen::VectorXd::Zero(columns);
+  by[0] = -found.sigma / slope / scale[0];
+  by[1] = -1.0 / slope / scale[1];
+  found.deviation = std::sqrt(variance * by.dot(normal.solve(by)) * shared_noise(r, rows.samples));
+  found.rate = quantile(rows.rates, 0.9);
+  found.speed = quantile(rows.speeds, 0.5);
+  return found;
+}
+
+}  // namespace latsch::cli

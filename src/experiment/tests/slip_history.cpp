@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// kind = "slip_history": slips as they were recorded, one sample after the other, with the lag of
+// the tire's relaxation lengths (rigs/slip_lag.h).
+//
+//   kind = "slip_history"
+//   states = "sweep.csv"             # beside the file: time and the columns of steady_states; or as
+//                                    # they were measured:
+//   states = {from = "measurement.cornering"}    # of a [measurement.NAME] of the study
+//
+// Channels are those of steady_states, and the lagged slips "kappa" and "alpha". Relaxation lengths
+// are those of the tire: of formula 6 from LATERAL_STIFFNESS and LONGITUDINAL_STIFFNESS, none where
+// these are 0; of 5.2 from PTX1 to PTX3, PTY1 and PTY2.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/file.h"
+#include "experiment/language/capabilities.h"
+#include "experiment/language/test.h"
+#include "experiment/rigs/hub_frame.h"
+#include "experiment/rigs/slip_lag.h"
+#include "experiment/rigs/slip_states.h"
+
+namespace latsch::experiment {
+
+extern const TestKind kSlipHistory;
+namespace {
+
+class SlipHistoryTest : public Test {
+ public:
+  /// An empty path: the table stands in no file of its own.
+  SlipHistoryTest(const std::string& text, const std::string& name, std::filesystem::path file)
+      : text_(text), history_(formats::CsvTable::parse(text, name)), file_(std::move(file)) {
+    history_.numbers("time", "s");  // said at once where it is not there
+  }
+
+  std::string in_words() const override {
+    return fmt::format("slips of {} samples, lagging", history_.rows());
+  }
+  std::string identity() const override { return "slip_history\n" + text_; }
+  std::vector<ChannelInfo> channels() const override {
+    std::vector<ChannelInfo> channels;
+    const auto in_W = force_names({AxisFrame::W});
+    const Channels none = answers({});
+    for (const Channel& channel : none.all()) {
+      const bool is_force = std::find(in_W.begin(), in_W.end(), channel.name) != in_W.end();
+      channels.push_back(
+          {channel.name, channel.unit, is_force ? name_of(AxisFrame::W) : std::string()});
+    }
+    channels.push_back({"kappa", "1"});
+    channels.push_back({"alpha", "rad"});
+    return channels;
+  }
+  std::vector<std::string> needs() const override { return kSlipHistory.needs; }
+  std::vector<std::filesystem::path> files() const override {
+    return file_.empty() ? std::vector<std::filesystem::path>{} : std::vector{file_};
+  }
+  std::optional<long> samples() const override { return history_.rows(); }
+  Result<Channels> run(Specimen& specimen) const override {
+    return specimen.find<HasSteadyStates>()->slip_history(history_, {});
+  }
+  bool tells_slopes() const override { return true; }
+  Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
+    return specimen.find<HasSteadyStates>()->slip_history(history_, asked);
+  }
+
+ private:
+  std::string text_;
+  formats::CsvTable history_;
+  std::filesystem::path file_;
+};
+
+std::unique_ptr<Test> read_slip_history(const Node& root, const TestSource& source) {
+  constexpr std::size_t kLargest = std::size_t{256} << 20;  // bytes
+  if (const auto measured = find_measured(root, "states")) {
+    std::vector<MeasuredCondition> wanted = {{"time", "s", true}};
+    for (const MeasuredCondition& state : measured_states()) wanted.push_back(state);
+    return std::make_unique<SlipHistoryTest>(
+        formats::csv_text(take_measured(*measured, wanted, source.measured)),
+        measured->text("from"),
+        std::filesystem::path());
+  }
+  const auto file = source.folder / root.text("states");
+  return std::make_unique<SlipHistoryTest>(read_text_file(file, kLargest), file.string(), file);
+}
+
+}  // namespace
+
+const TestKind kSlipHistory = {"slip_history",
+                               "rolls through slips as they were recorded, lagging",
+                               {HasSteadyStates::kName},
+                               read_slip_history};
+
+}  // namespace latsch::experiment
