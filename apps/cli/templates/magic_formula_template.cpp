@@ -286,11 +286,6 @@ std::pair<TireTestFiles, Measurement> read(const TireTestFiles& test) {
   return {sae, std::move(measured)};
 }
 
-/// A Magic Formula misses forces by some 2 % of the largest and moments by 5 %, more than rigs
-/// scatter. In the stage that fits all, a force counts so much more; else the side force would bend
-/// to what the trail cannot follow.
-constexpr int kWeightOfForces = 6;  // (5 / 2)^2
-
 std::string experiment(const std::string& name,
                        const std::string& channel,
                        const std::string& set) {
