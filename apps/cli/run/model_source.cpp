@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "cli/console/console.h"
+#include "correlation/search/study_fit.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/best_trial.h"
 
@@ -39,7 +40,9 @@ ModelSource model_source(const std::string& file,
 Document model_of(const correlation::Study& study) {
   DesignPoint point = study.space.initial();
   if (std::filesystem::exists(study.run.journal)) {
-    const auto best = correlation::best_trial(study, Journal::read(study.run.journal));
+    const Journal journal = Journal::read(study.run.journal);
+    const auto best =
+        correlation::best_trial(correlation::with_estimated_noise(study, journal), journal);
     if (best) point = best->point;
     say("{} at {}\n", study.title, best ? "its best point" : "its initial values");
   }

@@ -14,6 +14,7 @@
 #include "cli/console/tables.h"
 #include "cli/run/interrupt.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/search/study_fit.h"
 #include "correlation/study_report/study_report.h"
 #include "evaluation/journal/local_file_system.h"
 #include "evaluation/schedule/retried_failures.h"
@@ -156,7 +157,8 @@ void print_mesh_error(const report::StudyReport& page) {
 int write_report(const correlation::Study& study,
                  const Journal& journal,
                  experiment::Thoroughness thoroughness) {
-  const auto page = correlation::study_report(study, journal, thoroughness);
+  const auto page = correlation::study_report(
+      correlation::with_estimated_noise(study, journal), journal, thoroughness);
   if (!page) {
     complain(page.failure().reason);
     return kFailed;

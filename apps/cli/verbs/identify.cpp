@@ -14,6 +14,7 @@
 #include "cli/run/trials.h"
 #include "cli/run/workers.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/search/study_fit.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/predictions.h"
 
@@ -70,6 +71,7 @@ int identify(const std::string& file,
   Workers workers_of_study(study);
   if (workers_of_study.served(study)) return kDone;
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
+  study = correlation::with_estimated_noise(study, journal);
   say_kind_of_journal(study);
   const auto best = correlation::best_trial(study, journal);
   if (!best) {

@@ -11,6 +11,7 @@
 #include "cli/console/tables.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/pareto_front.h"
+#include "correlation/search/study_fit.h"
 
 namespace latsch::cli {
 namespace {
@@ -19,8 +20,9 @@ int pareto(const std::string& file,
            const experiment::Language& language,
            const std::string& a,
            const std::string& b) {
-  const auto study = correlation::read_study(file, language);
+  auto study = correlation::read_study(file, language);
   const auto journal = Journal::read(study.run.journal, correlation::identity(study));
+  study = correlation::with_estimated_noise(study, journal);
   const auto found = correlation::pareto_front(study, journal, a, b);
   say("{} trials in {}, none was run for this\n\nBest by the weights of the study: target {:.4f} "
       "%\n",

@@ -22,6 +22,7 @@
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
 #include "correlation/target/best_trial.h"
+#include "correlation/target/estimated_noise.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/journal/journal_lock.h"
 
@@ -152,6 +153,8 @@ void print_beginning(const Study& study, int k, const Study& stage) {
   }
   const MethodChoice choice = correlation::method_of(stage);
   say("Optimizer {}: {}\n", in_words(choice.method), choice.reason);
+  const std::string noise = correlation::noise_in_words(stage);
+  if (!noise.empty()) say("Noise, as the stage before leaves it: {}\n", noise);
   const std::string start = correlation::in_words(stage.start);
   if (!start.empty()) say("It starts at {}\n", start);
 }
@@ -205,10 +208,10 @@ int fit(const Asked& asked, const experiment::Language& language) {
   if (workers.served(study, /*in_stages=*/true)) return kDone;
   reject_implausible(study);
   catch_interrupts();
-  std::optional<DesignPoint> best;
+  std::optional<correlation::StageEnd> before;
   Asked once = asked;
   for (int k = 0;; ++k) {
-    const Study stage = correlation::stage(study, k, best);
+    const Study stage = correlation::weighted_stage(study, k, before);
     Journal journal = open_journal(stage, once);
     print_beginning(study, k, stage);
     const TrialsRun trials(workers, stage);
@@ -216,10 +219,11 @@ int fit(const Asked& asked, const experiment::Language& language) {
     const correlation::Fit fitted =
         correlation::fit(stage, executor, journal, run_options(stage, /*length_known=*/false));
     if (!has_found(stage, fitted, journal)) return kFailed;
-    best = fitted.run.best()->point;
+    const DesignPoint best = fitted.run.best()->point;
     if (k + 1 == correlation::stage_count(study)) {
+      correlation::take_noise(stage, study);
       print_result(study, fitted.run, journal);
-      const DesignPoint shown = best_of_journal(study, *best, journal);
+      const DesignPoint shown = best_of_journal(study, best, journal);
       const auto depth = fitted.run.end == RunEnd::converged ? correlation::Depth::intervals
                                                              : correlation::Depth::at_the_point;
       if (!print_values(study, shown, depth, executor, journal)) return kFailed;
@@ -230,7 +234,8 @@ int fit(const Asked& asked, const experiment::Language& language) {
         fitted.run.steps.size(),
         100.0 * fitted.run.best()->outcome->value,
         fitted.run.ending);
-    print_point(study.space, *best);
+    print_point(study.space, best);
+    before = correlation::end_of_stage(best, journal);
     // Stages that share a journal: what was set aside or tried again stays so.
     const bool shares = correlation::stage(study, k + 1).run.journal == stage.run.journal;
     once.anew = asked.anew && !shares;

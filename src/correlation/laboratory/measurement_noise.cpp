@@ -52,6 +52,11 @@ bool is_a_text(const Node& table, const std::string& key) {
 
 }  // namespace
 
+bool is_estimated(const Node& experiment) {
+  return experiment.has("noise") && is_a_text(experiment, "noise") &&
+         experiment.text("noise") == "estimated";
+}
+
 std::optional<MeasurementNoise> read_noise(const Node& table,
                                            const std::string& unit,
                                            const std::string& key) {

@@ -4,7 +4,9 @@
 //   [experiment.cleat]
 //   noise = "20 N"         # standard deviation of each value: in the unit of what is compared,
 //                          # "2 %" of what counts as 100 % (the measured force or frequency, the
-//                          # scale of a curve), or "20 N + 2 %": the root of both squares
+//                          # scale of a curve), or "20 N + 2 %": the root of both squares; or
+//                          # "estimated" by the fit, in every fitted experiment or none: from
+//                          # stage to stage, the last of which is run twice
 //   loss = "huber"         # or "cauchy": far-off values count less; "squares" unless given
 //   loss_scale = 1.345     # from where: in units of the noise, 1.345 or 2.385 unless given;
 //                          # without noise an error such as "5 %", which has to be given
@@ -42,6 +44,9 @@ struct MeasurementNoise {
 std::optional<MeasurementNoise> read_noise(const Node& table,
                                            const std::string& unit,
                                            const std::string& key = "noise");
+
+/// Whether it is to be estimated by the fit.
+bool is_estimated(const Node& experiment);
 
 enum class Loss { squares, huber, cauchy };
 

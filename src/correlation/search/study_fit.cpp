@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "correlation/search/study_fit.h"
 #include "correlation/search/study_search.h"
 #include "correlation/study/study_stages.h"
+#include "correlation/target/estimated_noise.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/schedule/retried_failures.h"
 #include "optimization/strategy/hopeless_start.h"
@@ -25,11 +25,33 @@ Fit fit(const Study& stage, Executor& executor, Journal& journal, const RunOptio
   return result;
 }
 
-std::vector<Fit> recorded_fit(const Study& study, const Journal& journal) {
+StageEnd end_of_stage(const DesignPoint& best, const Journal& journal) {
+  StageEnd end{best, {}};
+  journal.for_each([&](const Trial& trial) {
+    if (trial.point == best && trial.outcome.result) end.recording = *trial.outcome.result;
+  });
+  return end;
+}
+
+Study weighted_stage(const Study& study, int k, const std::optional<StageEnd>& before) {
+  Study part = stage(study, k, before ? std::optional(before->point) : std::nullopt);
+  if (estimates_noise(study)) estimate_noise(part, before ? &before->recording : nullptr);
+  return part;
+}
+
+Study with_estimated_noise(const Study& study, const Journal& journal) {
+  if (!estimates_noise(study)) return study;
+  Study weighted = study;
+  recorded_fit(study, journal, &weighted);
+  return weighted;
+}
+
+std::vector<Fit> recorded_fit(const Study& study, const Journal& journal, Study* weighted) {
   std::vector<Fit> fits;
-  std::optional<DesignPoint> best;
+  std::optional<StageEnd> before;
   for (int k = 0; k < stage_count(study); ++k) {
-    const Study part = stage(study, k, best);
+    const Study part = weighted_stage(study, k, before);
+    if (weighted) take_noise(part, *weighted);
     std::optional<Journal> own;
     if (part.run.journal != study.run.journal) {
       if (!std::filesystem::exists(part.run.journal)) return fits;
@@ -47,7 +69,7 @@ std::vector<Fit> recorded_fit(const Study& study, const Journal& journal) {
     const Step* found = fit.run.best();
     if (!fit.run.steps.empty()) fits.push_back(fit);
     if (!has_ended || !found) return fits;
-    best = found->point;
+    before = end_of_stage(found->point, read);
   }
   return fits;
 }

@@ -11,6 +11,7 @@
 #include "evaluation/executors/executor.h"
 #include "evaluation/journal/journal.h"
 #include "evaluation/schedule/scheduler.h"
+#include "measurement/channels.h"
 
 namespace latsch::correlation {
 
@@ -22,7 +23,25 @@ struct Fit {
 /// One stage, or a study without any, from its start to its end.
 Fit fit(const Study& stage, Executor& executor, Journal& journal, const RunOptions& options);
 
+/// Where a stage has ended: its best point, with its recording.
+struct StageEnd {
+  DesignPoint point;
+  Channels recording;
+};
+StageEnd end_of_stage(const DesignPoint& best, const Journal& journal);
+
+/// Stage k of a study behind the end of the stage before, with noise as that tells it; of the first
+/// stage, which has none before, nothing is known.
+Study weighted_stage(const Study& study, int k, const std::optional<StageEnd>& before);
+
+/// A study as its last stage weighs it, as far as the journals know; the same where no noise is
+/// estimated. For whoever looks at trials.
+Study with_estimated_noise(const Study& study, const Journal& journal);
+
 /// The stages as far as their journals know them, without evaluating.
-std::vector<Fit> recorded_fit(const Study& study, const Journal& journal);
+/// `weighted`, where given, gets the noise of the last of them.
+std::vector<Fit> recorded_fit(const Study& study,
+                              const Journal& journal,
+                              Study* weighted = nullptr);
 
 }  // namespace latsch::correlation

@@ -77,6 +77,14 @@ void check_bounds(const Node& root,
 /// others cannot be taken at its word.
 void check_noise(const Node& root, const std::vector<StudyExperiment>& experiments) {
   const auto tables = root.named_tables("experiment");
+  const bool estimated = std::any_of(
+      experiments.begin(), experiments.end(), [](const auto& one) { return one.estimates_noise; });
+  for (size_t e = 0; estimated && e < experiments.size(); ++e) {
+    if (experiments[e].fitted && !experiments[e].estimates_noise)
+      tables[e].reject("noise",
+                       "is not \"estimated\", but that of another experiment is, expected all or "
+                       "none");
+  }
   bool some = false;
   for (const auto& experiment : experiments) some = some || (experiment.fitted && experiment.noise);
   for (size_t e = 0; e < experiments.size(); ++e) {

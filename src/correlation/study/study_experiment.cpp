@@ -272,8 +272,15 @@ StudyExperiment read_experiment(const Node& table,
     experiment.observable =
         read_load_deflection(table, context, measured.get(), experiment.objective, tests);
   }
-  experiment.noise = read_noise(table, experiment.observable->unit());
-  if (!experiment.noise && experiment.measurement) experiment.noise = noise_of(experiment);
+  experiment.estimates_noise = experiment.fitted && is_estimated(table);
+  if (!is_estimated(table)) {
+    experiment.noise = read_noise(table, experiment.observable->unit());
+    if (!experiment.noise && experiment.measurement) experiment.noise = noise_of(experiment);
+  } else if (table.has("loss")) {
+    table.reject("loss",
+                 "stands beside noise = \"estimated\", expected one of the two: far-off "
+                 "values would make the noise that they are judged by");
+  }
   experiment.loss = read_loss(table, experiment.noise.has_value());
   return experiment;
 }

@@ -15,8 +15,8 @@
 //   exponent = 1
 //   weight = 1
 //   noise = "1 %"                      # of a measured value, where known: weights the fit, tells
-//                                      # it when to end, and gives the intervals; also "20 N", and
-//                                      # loss: measurement_noise.h
+//                                      # it when to end, and gives the intervals; also "20 N",
+//                                      # "estimated" by the fit, and loss: measurement_noise.h
 //   use = "fit"                        # or "predict": compared in the report, not fitted
 //
 //   [experiment.modes]
@@ -57,6 +57,7 @@ struct StudyExperiment {
   ObjectiveSettings objective;
   bool fitted = true;                     // false: predicted only
   std::optional<MeasurementNoise> noise;  // standard deviation of a measured value
+  bool estimates_noise = false;           // by the fit: target/estimated_noise.h sets it
   RobustLoss loss = {};
   std::filesystem::path measurement_file;  // of a [measurement.NAME] the first; empty: none
   std::shared_ptr<const Measurement> measurement = {};  // nullptr: the observable read the file

@@ -130,6 +130,27 @@ StageSettings read_stage(const Node& table, const Document& text, const Study& s
   return stage;
 }
 
+/// Noise that is estimated needs a stage before, and a last stage whose noise is its own.
+void add_rounds_of_noise(const Study& study, std::vector<StageSettings>& stages) {
+  if (std::none_of(study.experiments.begin(), study.experiments.end(), [](const auto& one) {
+        return one.estimates_noise;
+      }))
+    return;
+  if (stages.empty()) {
+    StageSettings all;
+    all.name = "alike";
+    all.optimizer = study.optimizer;
+    all.max_steps = study.max_steps;
+    all.start = study.start;
+    stages.push_back(all);
+    all.name = "weighted";
+    stages.push_back(all);
+  }
+  stages.push_back(stages.back());
+  stages.back().name += "_anew";
+  stages.back().bounds = 1.0;
+}
+
 std::filesystem::path journal_of(const Study& study, const std::string& stage) {
   const auto& whole = study.run.journal;
   return whole.parent_path() / (whole.stem().string() + "." + stage + whole.extension().string());
@@ -156,6 +177,7 @@ std::vector<StageSettings> read_stages(const Node& root, const Document& text, c
                           "is of the first stage, before which there is no best point: give "
                           "[variable...] tighter bounds");
   }
+  add_rounds_of_noise(study, stages);
   return stages;
 }
 

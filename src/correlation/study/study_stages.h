@@ -22,6 +22,9 @@
 // is another model and has a journal of its own, STUDY.NAME.latsch; the others share that of the
 // study. Every stage can be interrupted and resumed as a fit without stages: what went before is
 // read from the journals. [Hempel, Oertel, KGK 04/2016: cascades with tightened bounds]
+//
+// Of a study with noise = "estimated" (target/estimated_noise.h) the last stage is followed by
+// itself, NAME_anew; one without stages has "alike", "weighted" and "weighted_anew".
 #pragma once
 
 #include <optional>

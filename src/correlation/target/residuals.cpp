@@ -63,9 +63,10 @@ ResidualTraits residual_traits(const Study& study) {
 }
 
 std::optional<double> residual_sigma(const Study& study) {
-  const bool stated = std::all_of(study.experiments.begin(),
-                                  study.experiments.end(),
-                                  [](const auto& e) { return !counts(e) || e.noise; });
+  const bool stated =
+      std::all_of(study.experiments.begin(), study.experiments.end(), [](const auto& e) {
+        return !counts(e) || (e.noise && !e.estimates_noise);
+      });
   return stated ? std::optional(1.0) : std::nullopt;
 }
 

@@ -184,6 +184,7 @@ double noise_alone(const Study& study) {
   for (const StudyExperiment& experiment : fitted) {
     const double w = experiment.objective.weight, N = static_cast<double>(experiment.values());
     if (w > 0.0 && experiment.loss.loss != Loss::squares) return 0.0;
+    if (experiment.estimates_noise) return 0.0;  // all that is left was called noise
     mean += w * N;
     variance += 2.0 * w * w * N;
   }

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/target/estimated_noise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace latsch::correlation {
+namespace {
+
+constexpr double kLeast = 1e-9;  // of 100 %: a model that is the measurement has no noise at all
+
+/// Root mean square of the differences, in units of those of an error of 100 %.
+double rms(const StudyExperiment& experiment, const Channels& at) {
+  const auto comparison = experiment.observable->compare(at, experiment.objective);
+  if (!comparison)
+    throw InputError("experiment " + experiment.name + ": " + comparison.failure().reason);
+  const auto unit = experiment.observable->deviations({.relative = 1.0}, experiment.objective);
+  const auto& missing = comparison->pairing.missing;
+  double squares = 0.0, count = 0.0;
+  for (std::size_t k = 0; k < unit.size(); ++k) {
+    if (std::find(missing.begin(), missing.end(), static_cast<int>(k)) != missing.end()) continue;
+    const double d = comparison->differences[k] / unit[k];
+    squares += d * d;
+    count += 1.0;
+  }
+  return count > 0.0 ? std::sqrt(squares / count) : 1.0;
+}
+
+}  // namespace
+
+bool estimates_noise(const Study& study) {
+  return std::any_of(study.experiments.begin(), study.experiments.end(), [](const auto& one) {
+    return one.estimates_noise;
+  });
+}
+
+void estimate_noise(Study& study, const Channels* at) {
+  double values = 0.0;
+  for (const StudyExperiment& experiment : study.experiments)
+    if (experiment.estimates_noise) values += static_cast<double>(experiment.values());
+  const double variables = study.space.size();
+  const double left = values > variables ? 1.0 - variables / values : 1.0;
+  for (StudyExperiment& experiment : study.experiments) {
+    if (!experiment.estimates_noise) continue;
+    experiment.noise.reset();
+    if (at)
+      experiment.noise = {.relative = std::max(kLeast, rms(experiment, *at) / std::sqrt(left))};
+  }
+}
+
+void take_noise(const Study& stage, Study& study) {
+  for (std::size_t e = 0; e < study.experiments.size(); ++e)
+    if (study.experiments[e].estimates_noise)
+      study.experiments[e].noise = stage.experiments[e].noise;
+}
+
+std::string noise_in_words(const Study& study) {
+  std::string text;
+  for (const StudyExperiment& experiment : study.experiments)
+    if (experiment.estimates_noise && experiment.noise)
+      text += fmt::format("{}{} {:.3g} %",
+                          text.empty() ? "" : ", ",
+                          experiment.name,
+                          100.0 * experiment.noise->relative);
+  return text;
+}
+
+}  // namespace latsch::correlation
