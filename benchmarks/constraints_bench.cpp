@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Problems of Hock and Schittkowski with bounds, linear and nonlinear constraints
 //
-// Solved: every constraint fulfilled (optimization/problem/score.h) and the target within 1e-4 of the
-// published one, 1 % for the search by penalties, relative to it or absolute where it is below 1.
-// Penalties with kinks are for comparison: they are known to end less accurately.
+// Solved: every constraint fulfilled (optimization/problem/score.h) and the target within 1e-4 of
+// the published one, 1 % for the search by penalties, relative to it or absolute where it is below
+// 1. Penalties with kinks are for comparison: they are known to end less accurately.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Checks that every #include follows the architecture: a folder may use itself and what is listed here, a room the
-rooms before it; that no folder holds more files than one overlooks; that studies and verbs know no model; and that what is
+rooms before it; that no folder holds more files than one overlooks; that comments, which clang-format leaves as they
+are, end where the code does; that studies and verbs know no model; and that what is
 written for the user goes through base/file.h, which knows of links, pipes, devices and full disks."""
 import pathlib
 import re
@@ -47,6 +48,7 @@ VERBS_OF_MODELS = {"export", "mesh", "road", "shown_file", "shown_tire"}
 KIND_BY_NAME = re.compile(r'name\(\)\s*[!=]=\s*"(fe_tire|ring_tire|rigid_ring|magic_formula)"')
 
 MOST_FILES = 40  # directly in one folder
+MOST_COLUMNS = 100  # ColumnLimit of .clang-format
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent / "src"
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
@@ -125,6 +127,14 @@ def crowds():
                 yield f"{folder.relative_to(SOURCE.parent)}: {files} files in one folder, at most {MOST_FILES}: make rooms"
 
 
+def wide_comments():
+    for top in ("src", "apps", "benchmarks", "verification"):
+        for file in sorted([*(SOURCE.parent / top).rglob("*.h"), *(SOURCE.parent / top).rglob("*.cpp")]):
+            for number, line in enumerate(file.read_text().splitlines(), 1):
+                if len(line) > MOST_COLUMNS and "//" in line:
+                    yield f"{file.relative_to(SOURCE.parent)}:{number}: {len(line)} columns, at most {MOST_COLUMNS}: wrap the comment"
+
+
 def kinds_by_name():
     for folder in (SOURCE / KNOWS_NO_MODEL, SOURCE.parent / "apps"):
         for file in sorted([*folder.rglob("*.h"), *folder.rglob("*.cpp")]):
@@ -145,6 +155,6 @@ def writers():
 
 
 if __name__ == "__main__":
-    found = [*faults(), *models_in_verbs(), *crowds(), *kinds_by_name(), *writers()]
+    found = [*faults(), *models_in_verbs(), *crowds(), *wide_comments(), *kinds_by_name(), *writers()]
     print("\n".join(found) or "layers: every #include follows the architecture")
     sys.exit(1 if found else 0)

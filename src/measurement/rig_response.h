@@ -43,8 +43,8 @@ struct RigResponse {
 /// Nothing where c is 0 or f^2 + A/c is not positive.
 std::optional<RigResponse> inverse(const RigResponse& response);
 
-/// The causal filter, exact at 0 and at f (bilinear transform, see numerics/signals/bilinear.h). A Failure
-/// where the response is not stable or f is above half the rate.
+/// The causal filter, exact at 0 and at f (bilinear transform, see numerics/signals/bilinear.h). A
+/// Failure where the response is not stable or f is above half the rate.
 Result<numerics::RationalFilter> filter_of(const RigResponse& response, double rate);
 
 /// The causal filter of 1/TF, with a low-pass of second order at `low_pass` Hz behind it; without

@@ -64,8 +64,8 @@ TEST(NistStrd, ResidualTrustRegionFindsTheCertifiedValues) {
       method.observe(point, score);
     }
     const Dataset data = read_dataset(problem.name.substr(0, problem.name.find(',')));
-    // The method ends where a step promises less than 1e-6 of the sum. An error e of b is one of e^2
-    // in the sum: half the digits.
+    // The method ends where a step promises less than 1e-6 of the sum. An error e of b is one
+    // of e^2 in the sum: half the digits.
     EXPECT_NEAR(least, data.sum, 1e-6 * data.sum) << problem.name;
     for (int i = 0; i < problem.n(); ++i) {
       EXPECT_NEAR(best.values[i] / data.certified[i], 1.0, 1e-3) << problem.name;

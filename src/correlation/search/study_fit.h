@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A study from its start to its end: every stage (study_stages.h) from its design of experiments, if
-// its search begins there, to the last step of its optimizer.
+// A study from its start to its end: every stage (study_stages.h) from its design of experiments,
+// if its search begins there, to the last step of its optimizer.
 #pragma once
 
 #include <optional>

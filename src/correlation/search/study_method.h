@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The optimizer of a study, with what the study knows of its own target: residuals, constraints, noise.
+// The optimizer of a study, with what the study knows of its own target: residuals, constraints,
+// noise.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The optimizer of a study with what it knows at its start (study_start.h): nothing, the trials of a
-// journal, or a design of experiments.
+// The optimizer of a study with what it knows at its start (study_start.h): nothing, the trials of
+// a journal, or a design of experiments.
 #pragma once
 
 #include <memory>

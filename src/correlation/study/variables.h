@@ -20,8 +20,8 @@
 //   factor = 1.5                             # times its value; 1 unless given
 //
 // A prior counts as one measured value more, in the fit and in the intervals
-// (optimization/problem/prior.h); it needs the noise of the experiments, against which it is weighed. Any
-// number in the model file can be varied; nothing in the model knows.
+// (optimization/problem/prior.h); it needs the noise of the experiments, against which it is
+// weighed. Any number in the model file can be varied; nothing in the model knows.
 #pragma once
 
 #include <vector>
@@ -37,8 +37,8 @@ namespace latsch::correlation {
 /// DesignSpace.
 DesignVariable read_variable(const Node& table, const Document& model);
 
-/// Reads `vary`: numbers of the model between their usual bounds; one that lies outside begins at the
-/// nearest. Throws InputError where a path leads to no number or to one without usual bounds.
+/// Reads `vary`: numbers of the model between their usual bounds; one that lies outside begins at
+/// the nearest. Throws InputError where a path leads to no number or to one without usual bounds.
 std::vector<DesignVariable> read_varied(const Node& root,
                                         const Document& model,
                                         const experiment::SpecimenKind& kind);

@@ -14,8 +14,8 @@
 
 namespace latsch::formats {
 
-/// A complete ring in the frame of models/fe_tire/element/mesh.h: spin axis y, angles from the bottom
-/// toward +x.
+/// A complete ring in the frame of models/fe_tire/element/mesh.h: spin axis y, angles from the
+/// bottom toward +x.
 struct Ring {
   Eigen::Matrix3Xd X;              // m
   std::vector<HexNodes> elements;  // node indices, local axes already those of mesh.h

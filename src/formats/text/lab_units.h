@@ -3,7 +3,8 @@
 //
 // The spelling of base/units.h holds; beyond it, as a tire rig means it and other sciences do not:
 // upper and lower case do not count where the text is no unit as it stands, "C" is degrees Celsius,
-// "S" seconds, "nm" newton meters, "lb" a force, "1/min" revolutions a minute, an empty unit a plain number.
+// "S" seconds, "nm" newton meters, "lb" a force, "1/min" revolutions a minute, an empty unit a
+// plain number.
 #pragma once
 
 #include <optional>

@@ -4,10 +4,10 @@
 //
 // A curve that is sampled twice as densely has twice as many samples and next to no more to tell
 // where its noise is slow. Residuals of one curve, in the order of its samples, are taken for an
-// autoregression (numerics/signals/autoregression.h) of an order up to kMostOrder, of those without a curve
-// each is alone. With D the stated deviations of the residuals in units of each other, R the
-// correlation matrix, r = D x and J = D G, the correlations are those of the greatest likelihood of
-// what the fit cannot reach,
+// autoregression (numerics/signals/autoregression.h) of an order up to kMostOrder, of those without
+// a curve each is alone. With D the stated deviations of the residuals in units of each other, R
+// the correlation matrix, r = D x and J = D G, the correlations are those of the greatest
+// likelihood of what the fit cannot reach,
 //   -2 l = ln|R| + ln|G' R^-1 G| + (m - n) ln(x' P x),   P = R^-1 - R^-1 G (G' R^-1 G)^-1 G' R^-1
 // the restricted likelihood [Patterson, Thompson, Biometrika 58 (1971) 545], which does not mistake
 // for whiteness that a fit bends towards its noise. The order is the one of least -2 l + 2 p

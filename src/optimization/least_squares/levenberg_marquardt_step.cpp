@@ -138,7 +138,8 @@ LevenbergMarquardtStep LevenbergMarquardtSteps::within(double radius) const {
     (step.length > radius ? at_low : at_high) = excess(step);
   }
   // Variables held at faces can spoil a step; ever shorter ones go down the slope.
-  for (double mu = step.mu; !(step.promised > 0.0) && mu < kMostDampingOfStep * of_radius; mu *= 10.0) {
+  const double most = kMostDampingOfStep * of_radius;
+  for (double mu = step.mu; !(step.promised > 0.0) && mu < most; mu *= 10.0) {
     step = damped(10.0 * mu);
   }
   return step;

@@ -287,8 +287,8 @@ TEST(LevenbergMarquardt, LeavesAValleyWhoseFloorFallsLessThanNoise) {
   EXPECT_LT(short_of_noise.second - whole.second, 0.1);
 }
 
-// A step of Gauss and Newton that bounds cut off may lead uphill although it is short: a shorter one
-// has to be found, however wide the radius.
+// A step of Gauss and Newton that bounds cut off may lead uphill although it is short: a shorter
+// one has to be found, however wide the radius.
 TEST(LevenbergMarquardtSteps, PromiseSomethingWhereverTheSlopeDoes) {
   RandomStream random(11, 0);
   int spoiled = 0;

@@ -8,8 +8,9 @@
 // that a crash or a timeout costs the trial and not the rank. Every rank says each second that it
 // lives, rank 0 in a thread of its own: reading a journal, proposing a step, writing a page may
 // take it minutes. One that is silent for too long is lost with the trial it had, which is then
-// repeated on another, and counts as tried if the rank had said that its worker is at it; only the time in which rank 0 listened counts. Without --enable-recovery
-// mpirun ends the whole job where a rank dies; the journal is then resumed by the same command.
+// repeated on another, and counts as tried if the rank had said that its worker is at it; only the
+// time in which rank 0 listened counts. Without --enable-recovery mpirun ends the whole job where a
+// rank dies; the journal is then resumed by the same command.
 #pragma once
 
 #include <condition_variable>

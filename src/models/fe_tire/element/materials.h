@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the elements are made of: rubber, smeared composites and cord layers.
 //
-// Voigt order everywhere: 11, 22, 33, 12, 23, 13; strains are engineering (2 E12), stresses are not.
+// Voigt order everywhere: 11, 22, 33, 12, 23, 13; strains are engineering (2 E12), stresses are
+// not.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,19 +14,22 @@ namespace latsch::fe_tire {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// Nearly incompressible rubber, W = C10 (I1bar - 3) + C01 (I2bar - 3) + K/2 (J - 1)^2; C01 = 0 is neo-Hooke.
+/// Nearly incompressible rubber; C01 = 0 is neo-Hooke:
+///   W = C10 (I1bar - 3) + C01 (I2bar - 3) + K/2 (J - 1)^2
 /// Small strain: shear modulus 2 (C10 + C01), bulk modulus K. All in Pa.
 struct Hyperelastic {
   double C10 = 0.0;
   double C01 = 0.0;
   double K = 0.0;
 
-  /// Neo-Hooke rubber of Young's modulus E (Pa) and Poisson's ratio nu; `ratio` = C01 / C10 makes it Mooney-Rivlin.
+  /// Neo-Hooke rubber of Young's modulus E (Pa) and Poisson's ratio nu; `ratio` = C01 / C10 makes
+  /// it Mooney-Rivlin.
   static Hyperelastic from_young_modulus(double E, double nu, double ratio = 0.0);
 };
 
-/// St. Venant-Kirchhoff S = D E with D in cylindrical axes (radial, circumferential, axial) at every Gauss point, where
-/// circumferential is the direction of increasing theta and axial = radial x circumferential. Pa.
+/// St. Venant-Kirchhoff S = D E with D in cylindrical axes (radial, circumferential, axial) at
+/// every Gauss point, where circumferential is the direction of increasing theta and axial = radial
+/// x circumferential. Pa.
 struct StVenantKirchhoff {
   Matrix6 D = Matrix6::Zero();
 };
@@ -36,7 +40,8 @@ struct Solid {
 };
 
 /// Parallel cords seen as a membrane that carries stress along the cords only.
-///   S = S0 + E_c e + (E_t - E_c) m(e),  e = (lambda^2 - 1) / 2 on the full stretch lambda; m: cord_law.h
+///   S = S0 + E_c e + (E_t - E_c) m(e),   e = (lambda^2 - 1) / 2
+/// on the full stretch lambda; m: cord_law.h.
 struct CordLayer {
   double E_tension = 0.0;      // Pa, of the cord
   double E_compression = 0.0;  // Pa

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // HEX8 mesh of a tire: one sector and its rotational copies around the spin axis.
 //
-// Frame: wheel center at the origin, x forward, y along the spin axis (left), z up (ISO 8855). Sector s = 0 starts at the
-// bottom, (0, y, -r); plane s is plane 0 turned by theta_s so that it lies at (r sin theta, y, -r cos theta). All planes
-// have the same coordinates in their own frames, so one is all that is stored, and displacements are kept in these
-// frames too: where sectors are equally wide, theta_s = 2 pi s / S, an element then looks the same in all of them.
+// Frame: wheel center at the origin, x forward, y along the spin axis (left), z up (ISO 8855).
+// Sector s = 0 starts at the bottom, (0, y, -r); plane s is plane 0 turned by theta_s so that it
+// lies at (r sin theta, y, -r cos theta). All planes have the same coordinates in their own frames,
+// so one is all that is stored, and displacements are kept in these frames too: where sectors are
+// equally wide, theta_s = 2 pi s / S, an element then looks the same in all of them.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,17 +15,19 @@
 
 namespace latsch::fe_tire {
 
-/// A layer of cords inside an element at the parametric thickness position zeta (-1 inner face, +1 outer face).
+/// A layer of cords inside an element at the parametric thickness position zeta (-1 inner face, +1
+/// outer face).
 struct RebarPlacement {
   int layer = 0;      // index into Materials::layers
   double zeta = 0.0;  // [-1, 1]
 };
 
-/// Local axes: xi around the circumference, eta from the +y bead over the crown to the -y bead, zeta outward.
-/// Nodes 0-3 lie on the inner face (zeta = -1), 4-7 on the outer face, both counterclockwise seen from outside
-/// (order of CalculiX' C3D8): (-,-) (+,-) (+,+) (-,+) in (xi, eta).
+/// Local axes: xi around the circumference, eta from the +y bead over the crown to the -y bead,
+/// zeta outward. Nodes 0-3 lie on the inner face (zeta = -1), 4-7 on the outer face, both
+/// counterclockwise seen from outside (order of CalculiX' C3D8): (-,-) (+,-) (+,+) (-,+) in
+/// (xi, eta).
 struct Element {
-  std::array<int, 8> node;  // < nodes_per_sector: own sector; otherwise node - nodes_per_sector of the next sector
+  std::array<int, 8> node;  // from nodes_per_sector on: node - nodes_per_sector of the next sector
   int solid = 0;            // index into Materials::solids
   int region = 0;           // index into Mesh::region_names
   bool inner = false;       // face zeta = -1 carries the inflation pressure
@@ -36,14 +39,14 @@ struct Element {
 };
 
 struct Mesh {
-  int sectors = 1;                 // S >= 3 rotational copies, or 1: a mesh without symmetry, complete as it is
-  /// theta_s, rad, of the planes s = 0 ... S - 1, ascending from 0 and the same on both sides of the contact:
-  /// theta_(S-s) = 2 pi - theta_s. Empty: all sectors equally wide.
+  int sectors = 1;  // S >= 3 rotational copies, or 1: a mesh without symmetry, complete as it is
+  /// theta_s, rad, of the planes s = 0 ... S - 1, ascending from 0 and the same on both sides of
+  /// the contact: theta_(S-s) = 2 pi - theta_s. Empty: all sectors equally wide.
   std::vector<double> theta;
-  Eigen::Matrix3Xd X;              // [3 x nodes_per_sector] reference positions in the sector frame, m
-  std::vector<Element> elements;   // of one sector
-  std::vector<int> clamped;        // nodes of one sector held by the rim, ascending
-  std::vector<int> sensors;        // nodes of one sector at which mode shapes are compared (outer surface)
+  Eigen::Matrix3Xd X;  // [3 x nodes_per_sector] reference positions in the sector frame, m
+  std::vector<Element> elements;  // of one sector
+  std::vector<int> clamped;       // nodes of one sector held by the rim, ascending
+  std::vector<int> sensors;       // of one sector's outer surface, where mode shapes are compared
   std::vector<std::string> region_names;
 
   int nodes_per_sector() const { return static_cast<int>(X.cols()); }
@@ -65,7 +68,8 @@ struct Mesh {
   double outer_radius() const;
 };
 
-/// Throws InputError naming element and reason for an inverted or degenerate element, an unused node, an index out of range.
+/// Throws InputError naming element and reason for an inverted or degenerate element, an unused
+/// node, an index out of range.
 void check(const Mesh& mesh);
 
 }  // namespace latsch::fe_tire
