@@ -55,7 +55,7 @@
 #include "models/ring_tire/ring/ring_tire.h"
 #include "numerics/signals/welch.h"
 #include "optimization/direct_search/genetic.h"
-#include "optimization/least_squares/residual_trust_region.h"
+#include "optimization/trust_region/residual_trust_region.h"
 #include "table.h"
 
 namespace {

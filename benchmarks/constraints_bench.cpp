@@ -10,9 +10,9 @@
 
 #include "optimization/direct_search/gss.h"
 #include "optimization/direct_search/gss_nlc.h"
-#include "optimization/least_squares/residual_trust_region.h"
 #include "optimization/problem/hock_schittkowski_testing.h"
 #include "optimization/sqp/sqp.h"
+#include "optimization/trust_region/residual_trust_region.h"
 #include "table.h"
 
 namespace {

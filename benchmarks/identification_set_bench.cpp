@@ -21,7 +21,7 @@
 
 #include "base/random.h"
 #include "identification_runs.h"
-#include "optimization/least_squares/residual_trust_region.h"
+#include "optimization/trust_region/residual_trust_region.h"
 #include "table.h"
 
 namespace {

@@ -11,7 +11,7 @@
 #include "evaluation/executors/simulated_executor.h"
 #include "evaluation/schedule/scheduler.h"
 #include "more_wild_runs.h"
-#include "optimization/least_squares/residual_trust_region.h"
+#include "optimization/trust_region/residual_trust_region.h"
 
 namespace latsch::benchmarks {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "base/random.h"
 #include "optimization/direct_search/gss.h"
-#include "optimization/least_squares/residual_trust_region.h"
+#include "optimization/trust_region/residual_trust_region.h"
 #include "table.h"
 
 namespace {

@@ -27,7 +27,7 @@ ROOMS = {
     "numerics": ["kernels", "dense", "sparse", "signals"],
     "models/fe_tire": ["element", "description", "ring"],
     "models/ring_tire": ["description", "belt", "tread", "ring"],
-    "optimization": ["problem", "region", "direct_search", "least_squares", "sqp", "design", "strategy",
+    "optimization": ["problem", "region", "direct_search", "least_squares", "trust_region", "sqp", "design", "strategy",
                      "identifiability"],
     "formats": ["text", "tables", "tire", "road", "mesh"],
     "experiment": ["rigs", "language", "tests", "kinds"],

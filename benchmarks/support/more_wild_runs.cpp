@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "base/random.h"
-#include "optimization/least_squares/residual_trust_region.h"
+#include "optimization/trust_region/residual_trust_region.h"
 #include "scipy_peer.h"
 
 namespace latsch::benchmarks {

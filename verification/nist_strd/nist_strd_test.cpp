@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "optimization/least_squares/residual_trust_region.h"
+#include "optimization/trust_region/residual_trust_region.h"
 
 namespace latsch::nist_strd {
 namespace {

@@ -8,14 +8,7 @@
 
 namespace latsch::correlation {
 
-double mac(const Eigen::VectorXd& phi, const Eigen::VectorXd& psi) {
-  assert(phi.size() == psi.size());
-  const double scale = phi.squaredNorm() * psi.squaredNorm();
-  const double product = phi.dot(psi);
-  return scale > 0.0 ? product * product / scale : 0.0;
-}
-
-double subspace_mac(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+double mac(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
   assert(A.rows() == B.rows());
   const Eigen::MatrixXd Q_A = numerics::range_basis(A), Q_B = numerics::range_basis(B);
   const auto dimension = std::min(Q_A.cols(), Q_B.cols());

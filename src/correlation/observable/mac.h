@@ -17,10 +17,8 @@
 
 namespace latsch::correlation {
 
-/// In [0, 1]; 0 where one of the vectors is zero.
-double mac(const Eigen::VectorXd& phi, const Eigen::VectorXd& psi);
-
-/// The columns span the subspaces [points x modes]; linearly dependent columns count once.
-double subspace_mac(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+/// In [0, 1]; 0 where one of them is zero. The columns span the subspaces [points x modes];
+/// linearly dependent columns count once.
+double mac(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
 }  // namespace latsch::correlation

@@ -60,9 +60,9 @@ Eigen::MatrixXd likeness_matrix(const std::vector<ModeRecord>& measured,
   const auto simulated_group = groups_of(simulated, same_frequency);
   for (Eigen::Index i = 0; i < likeness.rows(); ++i) {
     for (Eigen::Index j = 0; j < likeness.cols(); ++j) {
-      likeness(i, j) = by_shape ? subspace_mac(shapes(measured, measured_group[i]),
-                                               shapes(simulated, simulated_group[j]))
-                                : label_likeness(measured[i], simulated[j]);
+      likeness(i, j) =
+          by_shape ? mac(shapes(measured, measured_group[i]), shapes(simulated, simulated_group[j]))
+                   : label_likeness(measured[i], simulated[j]);
     }
   }
   return likeness;

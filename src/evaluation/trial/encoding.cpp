@@ -178,13 +178,6 @@ std::optional<DesignPoint> decode_point(std::string_view bytes) {
   return point;
 }
 
-std::optional<Channels> decode_channels(std::string_view bytes) {
-  Reader reader{bytes};
-  Channels channels = read_channels(reader);
-  if (!reader.finished()) return std::nullopt;
-  return channels;
-}
-
 std::optional<Outcome> decode_outcome(std::string_view bytes) {
   Reader reader{bytes};
   Outcome outcome{.result = Failure{}};

@@ -18,7 +18,6 @@ std::string encode(const Outcome& outcome);
 
 /// nullopt where the bytes are not exactly one encoded value.
 std::optional<DesignPoint> decode_point(std::string_view bytes);
-std::optional<Channels> decode_channels(std::string_view bytes);
 std::optional<Outcome> decode_outcome(std::string_view bytes);
 
 /// FNV-1a, 64 bits. Every step is one-to-one in the state, so a change of one byte is always seen.

@@ -10,12 +10,12 @@ TEST(Encoding, SlopesStandBehindTheirChannel) {
   Channels channels;
   channels.add({"Fz", "N", {1000.0, 2000.0}});
   channels.add({"Fy", "N", {10.0, 20.0}, {1.0, 2.0, 3.0, 4.0}});
-  const std::string bytes = encode(channels);
-  const auto back = decode_channels(bytes);
-  ASSERT_TRUE(back);
-  EXPECT_TRUE(*back == channels);
+  const std::string bytes = encode(Outcome{.result = channels});
+  const auto back = decode_outcome(bytes);
+  ASSERT_TRUE(back && back->result);
+  EXPECT_TRUE(*back->result == channels);
   for (std::size_t size = 0; size < bytes.size(); ++size)
-    EXPECT_FALSE(decode_channels(std::string_view(bytes).substr(0, size)));
+    EXPECT_FALSE(decode_outcome(std::string_view(bytes).substr(0, size)));
 }
 
 TEST(Encoding, HashIsFnv1a) {

@@ -151,11 +151,6 @@ GroundPoint DrumRoad::at(double x, double y, double time) const {
   return ground;
 }
 
-double DrumRoad::revolution_period(double time) const {
-  const double speed = std::abs(settings_.surface.speed(time));
-  return speed > 0.0 ? kTurn * R_ / speed : std::numeric_limits<double>::infinity();
-}
-
 std::vector<DrumRoad::Cleat> equally_spaced(int number, const DrumRoad::Cleat& first) {
   std::vector<DrumRoad::Cleat> cleats(number, first);
   for (int i = 0; i < number; ++i) cleats[i].starting_angle += kTurn * i / number;

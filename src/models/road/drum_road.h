@@ -51,8 +51,6 @@ class DrumRoad final : public Road {
   GroundBounds bounds(const GroundBox& box, double time) const override;
 
   double radius() const { return R_; }
-  /// s, between two hits of one cleat at the speed of `time`; infinite at rest.
-  double revolution_period(double time) const;
 
  private:
   struct Surface {

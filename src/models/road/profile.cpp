@@ -120,15 +120,4 @@ Profile rounded_profile(const std::vector<Profile::Point>& points,
   return Profile(std::move(rounded));
 }
 
-Profile half_round_profile(double radius, int pieces) {
-  assert(radius > 0.0 && pieces >= 2);
-  std::vector<Profile::Point> points;
-  for (int i = 0; i <= pieces; ++i) {
-    const double angle = std::numbers::pi * i / pieces;
-    const bool end = i == 0 || i == pieces;
-    points.push_back({-radius * std::cos(angle), end ? 0.0 : radius * std::sin(angle)});
-  }
-  return Profile(std::move(points));
-}
-
 }  // namespace latsch::road

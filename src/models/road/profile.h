@@ -58,7 +58,4 @@ Profile cleat_profile(double height, double length, double bevel);
 Profile rounded_profile(const std::vector<Profile::Point>& points,
                         const std::vector<double>& radii);
 
-/// The upper half of a bar of round section, `radius` high; chords of `pieces` equal angles.
-Profile half_round_profile(double radius, int pieces = 64);
-
 }  // namespace latsch::road

@@ -84,17 +84,6 @@ TEST(Profile, PointsAsGoodAsAboveEachOtherAreAFlank) {
   EXPECT_EQ(spike.at(0.0).height, 1.0);
 }
 
-TEST(Profile, HalfRoundBarIsWithinTheSagOfItsChords) {
-  constexpr double r = 0.1016;
-  const Profile bar = half_round_profile(r);
-  const double sag = r * (1.0 - std::cos(std::numbers::pi / 128));
-  for (double s = -0.1; s <= 0.1; s += 0.0037) {
-    const double height = bar.at(s).height;
-    EXPECT_LE(std::hypot(s, height), r * (1.0 + kRounding));
-    EXPECT_GE(std::hypot(s, height), r - sag * (1.0 + 1e-6));
-  }
-}
-
 TEST(CleatRoad, TurnsWithItsAngleAndTravelsWithItsBelt) {
   constexpr double angle = 0.4;
   const ProfileRoad road = cleat_road(2.0, 0.02, 0.05, 0.005, angle);
@@ -177,7 +166,6 @@ TEST_P(Drum, CleatPassesTheTopOnceATurn) {
   const DrumRoad road(with);
   const double first = 0.5 * 1.25 / 20.0;  // the cleat has to come 0.5 rad
   const double period = 2.0 * std::numbers::pi * 1.25 / 20.0;
-  EXPECT_NEAR(road.revolution_period(0.0), period, kRounding);
   // The flat top is a chord: its middle lies nearer to the axis than its corners at 7.5 mm of arc.
   const double sag = (GetParam() ? 1.23 : 1.27) * (1.0 - std::cos(0.0075 / 1.25));
   for (int turn = 0; turn < 3; ++turn) {

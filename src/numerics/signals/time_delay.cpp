@@ -146,15 +146,6 @@ std::vector<double> autocorrelation(std::span<const double> x, int lags) {
   return r;
 }
 
-std::vector<double> cross_correlation(std::span<const double> x, std::span<const double> y) {
-  const Correlation r(x, y);
-  std::vector<double> values;
-  for (int lag = 1 - static_cast<int>(x.size()); lag < static_cast<int>(y.size()); ++lag) {
-    values.push_back(r.at(lag));
-  }
-  return values;
-}
-
 Delay delay_between(std::span<const double> x, std::span<const double> y, int lower, int upper) {
   const Correlation r(x, y);
   lower = std::max(lower, 1 - static_cast<int>(x.size()));

@@ -16,9 +16,6 @@ namespace latsch::numerics {
 /// R_xx at the lags 0 .. lags - 1; lags <= x.size().
 std::vector<double> autocorrelation(std::span<const double> x, int lags);
 
-/// R_xy at the lags -(x.size() - 1) .. y.size() - 1.
-std::vector<double> cross_correlation(std::span<const double> x, std::span<const double> y);
-
 /// By how many samples y comes after x, lower <= delay <= upper: the maximum of R_xy.
 struct Delay {
   double samples = 0.0;

@@ -22,8 +22,6 @@ struct Factorization::Impl {
   virtual void reduce(Eigen::Ref<Eigen::VectorXd> x) = 0;
   virtual void expand(Eigen::Ref<Eigen::VectorXd> x) = 0;
   std::shared_ptr<const Elimination> elimination;
-  double flops = 0.0;
-  long long entries = 0;
 };
 
 namespace {
@@ -145,10 +143,7 @@ void Multifrontal<Real>::plan(const Elimination& order) {
       }
       plan.in_parent = runs(places, block_);
     }
-    const double k = plan.pivots, u = plan.below();
     panels += static_cast<size_t>(plan.pivots) * plan.rows;
-    entries += static_cast<long long>(0.5 * k * (k + 1.0) + k * u);
-    flops += k * k * k / 3.0 + k * k * u + k * u * (u + 1.0);
     // The update is made above those of the children, then takes their place.
     const size_t update = static_cast<size_t>(plan.below()) * plan.below();
     highest = std::max(highest, stack + update);
@@ -423,7 +418,6 @@ FactorStatus Factorization::condense(const SymmetricMatrix& A) { return impl_->f
 Eigen::MatrixXd Factorization::condensed() const { return impl_->condensed(); }
 void Factorization::reduce(Eigen::Ref<Eigen::VectorXd> x) const { impl_->reduce(x); }
 void Factorization::expand(Eigen::Ref<Eigen::VectorXd> x) const { impl_->expand(x); }
-bool Factorization::ready() const { return impl_->ready; }
 void Factorization::solve(Eigen::Ref<Eigen::VectorXd> x) const {
   impl_->solve(Eigen::Map<Eigen::MatrixXd>(x.data(), x.size(), 1));
 }
@@ -433,7 +427,5 @@ void Factorization::solve_columns(Eigen::Ref<Eigen::MatrixXd> X) const {
 const std::shared_ptr<const Elimination>& Factorization::elimination() const {
   return impl_->elimination;
 }
-double Factorization::flops() const { return impl_->flops; }
-long long Factorization::entries() const { return impl_->entries; }
 
 }  // namespace latsch::numerics

@@ -59,8 +59,6 @@ class Factorization {
   Factorization& operator=(Factorization&&) noexcept;
 
   FactorStatus factorize(const SymmetricMatrix& A);
-  /// Whether the last factorize() left a factor.
-  bool ready() const;
 
   /// x <- A^-1 x, in place.
   void solve(Eigen::Ref<Eigen::VectorXd> x) const;
@@ -83,8 +81,6 @@ class Factorization {
   void expand(Eigen::Ref<Eigen::VectorXd> x) const;
 
   const std::shared_ptr<const Elimination>& elimination() const;
-  double flops() const;       // floating-point operations of one factorization
-  long long entries() const;  // numbers in L
 
   struct Impl;  // factorization.cpp
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "optimization/least_squares/levenberg_marquardt.h"
-#include "optimization/least_squares/residual_trust_region.h"
+#include "optimization/trust_region/residual_trust_region.h"
 
 namespace latsch {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "optimization/direct_search/gss.h"
-#include "optimization/least_squares/residual_trust_region.h"
+#include "optimization/trust_region/residual_trust_region.h"
 
 namespace latsch {
 namespace {

@@ -22,9 +22,9 @@
 #include "optimization/direct_search/gss_nlc.h"
 #include "optimization/direct_search/nelder_mead.h"
 #include "optimization/least_squares/levenberg_marquardt.h"
-#include "optimization/least_squares/residual_trust_region.h"
 #include "optimization/sqp/sqp.h"
 #include "optimization/strategy/ensemble.h"
+#include "optimization/trust_region/residual_trust_region.h"
 
 namespace latsch {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimization/least_squares/residual_trust_region.h"
+#include "optimization/trust_region/residual_trust_region.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

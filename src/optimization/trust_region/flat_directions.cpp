@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimization/least_squares/flat_directions.h"
+#include "optimization/trust_region/flat_directions.h"
 
 #include "numerics/dense/singular_values.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimization/least_squares/residual_memory.h"
+#include "optimization/trust_region/residual_memory.h"
 
 #include <algorithm>
 #include <utility>

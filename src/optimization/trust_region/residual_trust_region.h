@@ -84,6 +84,8 @@ struct ResidualTrustRegionOptions {
   std::uint64_t seed = 1;  // of restarts and of points around predicted ones
 };
 
+class LostVariableTrials;
+
 class ResidualTrustRegion : public Optimizer {
  public:
   /// Starts at the initial values of the space. Throws InputError for options out of range.
@@ -99,8 +101,7 @@ class ResidualTrustRegion : public Optimizer {
   std::string ending() const override;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<LostVariableTrials> search_;
 };
 
 }  // namespace latsch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimization/least_squares/trust_box.h"
+#include "optimization/trust_region/trust_box.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,10 +9,10 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "optimization/least_squares/natural_frame.h"
 #include "optimization/least_squares/residual_kriging.h"
 #include "optimization/problem/shared_history.h"
 #include "optimization/region/failure_edges.h"
+#include "optimization/trust_region/natural_frame.h"
 
 namespace latsch {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "optimization/design/sobol.h"
-#include "optimization/least_squares/residual_trust_region.h"
 #include "optimization/problem/hock_schittkowski_testing.h"
+#include "optimization/trust_region/residual_trust_region.h"
 
 namespace latsch {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimization/least_squares/natural_frame.h"
+#include "optimization/trust_region/natural_frame.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimization/least_squares/lost_variables.h"
+#include "optimization/trust_region/lost_variables.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "optimization/least_squares/residual_trust_region.h"
 #include "optimization/problem/point_vector.h"
+#include "optimization/trust_region/residual_trust_region.h"
 
 namespace latsch {
 namespace {

@@ -6,26 +6,14 @@
 #include <Eigen/Core>
 #include <limits>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "optimization/least_squares/residual_trust_region.h"
-#include "optimization/least_squares/trust_box.h"
+#include "optimization/trust_region/fresh_slopes.h"
+#include "optimization/trust_region/residual_trust_region.h"
+#include "optimization/trust_region/search_ending.h"
+#include "optimization/trust_region/trust_box.h"
 
 namespace latsch {
-
-/// Why a run ended.
-enum class Ending {
-  none,       // it has not
-  verified,   // fresh slopes promise nothing
-  noise,      // nor do they above noise and ripple
-  edge,       // steps that gain fail
-  rough,      // steps do not bring what fresh slopes promise
-  known,      // the model's own slopes promise nothing
-  explained,  // next to nothing is left of the residuals
-  hopeless    // nothing ever succeeded
-};
-std::string in_words(Ending ending);
 
 class TrustRegionRun {
  public:
@@ -45,9 +33,7 @@ class TrustRegionRun {
   /// Of the search that led to the best point.
   Ending ending() const { return is_hopeless() ? Ending::hopeless : ending_; }
   /// Nothing is left that the noise of the measured values, where it is known, does not explain.
-  bool is_down_to_noise() const {
-    return options_.noise_alone > 0.0 && box_.best() >= 0 && best().f <= options_.noise_alone;
-  }
+  bool is_down_to_noise() const { return box_.is_down_to(options_.noise_alone); }
   int restarts_left() const { return options_.restarts - restarts_; }
   void go_on(int restarts_left);
   /// Wants `count` points at a time from here on.
@@ -66,42 +52,30 @@ class TrustRegionRun {
   };
 
   int n() const { return box_.n(); }
-  bool is_step_awaited() const;
-  bool is_hopeless() const;
+  // What to ask next: a search in the box, verified at its end, started again.
+  void fill();
   std::optional<Wanted> next();
   std::optional<Wanted> next_of_search();
+  OpenDirection open_direction() const;
+  bool is_step_awaited() const;
+  std::optional<Wanted> another_step(const ResidualKriging& m);
   bool widen_in_noise();
+  std::optional<Wanted> look_around();
   bool begin_verification();
   std::optional<Wanted> next_to_verify();
-  void new_round(const Eigen::MatrixXd& J);
-  void judge_verifying_step(double gain, double promise);
-  OpenDirection open_direction() const;
-  std::optional<Wanted> another_step(const ResidualKriging& m);
   std::optional<Wanted> restart();
   std::optional<Wanted> release();
   Wanted start();
-  void fill();
   void start_again(const Eigen::VectorXd& failed);
-  void take_failure(const Wanted& tried);
+  bool is_hopeless() const;
+  // What an outcome makes of the box.
   void take(const Wanted& tried, ResidualSample sample);
-
-  /// Fresh slopes at the end of a search, one round after the other.
-  struct Verification {
-    NaturalFrame frame;
-    int axis = 0;  // the next to be probed
-    int rounds = 0;
-    double change = 1.0;            // of the residuals along an axis, of what they are
-    int misses = 0;                 // steps in a row
-    bool has_failed = false;        // the last step
-    bool has_disappointed = false;  // in this round, by more than noise explains
-    double deviation = 0.0;         // that noise makes of f
-    double reach = 0.0;
-    double f_begin = 0.0;  // of this round
-  };
+  void take_failure(const Wanted& tried);
+  void judge_verifying_step(double gain, double promise);
 
   ResidualTrustRegionOptions options_;
   TrustBox box_;
-  std::optional<Verification> verification_;
+  std::optional<FreshSlopes> verification_;  // at the end of a search
   Ending ending_ = Ending::known;
   double rise_ = 0.0;  // of f, an initial radius off the best point, when it last was the center
   double f_first_ = std::numeric_limits<double>::infinity();  // of the start, or the first success

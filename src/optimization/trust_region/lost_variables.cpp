@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimization/least_squares/lost_variables.h"
+#include "optimization/trust_region/lost_variables.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimization/least_squares/variable_scale.h"
+#include "optimization/trust_region/variable_scale.h"
 
 namespace latsch {
 namespace {

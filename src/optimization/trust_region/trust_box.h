@@ -16,12 +16,12 @@
 #include <vector>
 
 #include "base/random.h"
-#include "optimization/least_squares/natural_frame.h"
-#include "optimization/least_squares/residual_memory.h"
-#include "optimization/least_squares/variable_scale.h"
 #include "optimization/problem/design_space.h"
 #include "optimization/problem/feasible_region.h"
 #include "optimization/problem/pending_points.h"
+#include "optimization/trust_region/natural_frame.h"
+#include "optimization/trust_region/residual_memory.h"
+#include "optimization/trust_region/variable_scale.h"
 
 namespace latsch {
 
@@ -59,6 +59,10 @@ class TrustBox {
   bool has_center() const { return center_ >= 0; }
   /// The best sample of all inside the region; -1: none.
   int best() const { return best_; }
+  /// Whether its value is no more than that; false for 0.
+  bool is_down_to(double value) const {
+    return value > 0.0 && best_ >= 0 && memory[best_].f <= value;
+  }
 
   /// Begins anew around u.
   void move_to(const Eigen::VectorXd& u);

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/trust_region/residual_trust_region.h"
+
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+#include "optimization/problem/option_check.h"
+#include "optimization/problem/point_vector.h"
+#include "optimization/trust_region/lost_variable_trials.h"
+
+namespace latsch {
+namespace {
+
+void check(const ResidualTrustRegionOptions& options) {
+  const OptionCheck check("residual trust region");
+  check.lengths(options.initial_radius, options.step_tolerance, 0.5, "initial radius");
+  check.require(options.explained >= 0.0, "explained", options.explained, "0 or more");
+  check.require(options.noise_alone >= 0.0, "noise_alone", options.noise_alone, "0 or more");
+  check.require(options.restarts >= 0, "restarts", options.restarts, "0 or more");
+  check.require(options.outstanding >= 1, "outstanding", options.outstanding, "1 or more");
+}
+
+std::optional<ResidualSample> sample(const TrustBox& box,
+                                     const DesignPoint& point,
+                                     const Eigen::VectorXd& u,
+                                     const Result<Score>& outcome) {
+  if (!outcome) return std::nullopt;
+  if (outcome->residuals.empty()) {
+    throw InputError(
+        "residual trust region: the target function gives no residuals; use another method, "
+        "such as gss");
+  }
+  const Eigen::VectorXd r = to_vector(outcome->residuals);
+  const bool is_odd = box.memory.size() > 0 && r.size() != box.memory[0].r.size();
+  if (is_odd || !std::isfinite(r.squaredNorm())) return std::nullopt;
+  return ResidualSample{
+      u, r, box.space.unit_jacobian(point, *outcome), r.squaredNorm(), outcome->stand_ins};
+}
+
+}  // namespace
+
+ResidualTrustRegion::ResidualTrustRegion(const DesignSpace& space,
+                                         const ResidualTrustRegionOptions& options) {
+  check(options);
+  search_ = std::make_unique<LostVariableTrials>(space, options);
+}
+
+ResidualTrustRegion::~ResidualTrustRegion() = default;
+
+/// What it waits for, then what it would ask next if outcomes were as predicted.
+std::vector<DesignPoint> ResidualTrustRegion::propose(int count) const {
+  assert(count >= 1);
+  Plan plan(count);
+  plan.add(search_->wanted());
+  if (plan.is_empty() || plan.is_full()) return plan.points();
+  LostVariableTrials future = *search_;
+  // Nothing to expect yet: the geometry will be wanted anyway.
+  if (!future.run().box().has_center()) {
+    future.widen(count);
+    plan.add(future.wanted());
+  }
+  while (!plan.is_full() && future.run().box().has_center() && !future.wanted().empty()) {
+    const DesignPoint first = future.wanted().front().point;
+    const ResidualSample expected = future.expected(first);
+    future.observe(first, expected.u, expected);
+    plan.add(future.wanted());
+  }
+  return plan.points();
+}
+
+void ResidualTrustRegion::observe(const DesignPoint& point, const Result<Score>& outcome) {
+  const TrustBox& box = search_->run().box();
+  const auto place = box.space.place(point);
+  if (!place) return;  // foreign: nothing can be learned of it
+  const Eigen::VectorXd u = to_vector(*place);
+  search_->observe(point, u, sample(box, point, u, outcome));
+}
+
+std::string ResidualTrustRegion::ending() const {
+  if (!converged()) return {};
+  std::string words = in_words(search_->run().ending());
+  if (search_->run().is_down_to_noise()) {
+    words += "; what is left is no more than the stated noise makes of it";
+  }
+  return words;
+}
+
+bool ResidualTrustRegion::converged() const { return search_->wanted().empty(); }
+
+}  // namespace latsch

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/trust_region/search_ending.h"
+
+namespace latsch {
+
+std::string in_words(Ending ending) {
+  switch (ending) {
+    case Ending::none:
+      return "";
+    case Ending::verified:
+      return "at a minimum: slopes taken afresh around the best point promise nothing better";
+    case Ending::noise:
+      return "in the noise: slopes taken afresh around the best point promise nothing above noise "
+             "and ripple of the simulations";
+    case Ending::edge:
+      return "at the edge of failed trials: steps that would gain fail";
+    case Ending::rough:
+      return "on rough ground: steps do not bring what slopes around the best point promise";
+    case Ending::known:
+      return "at a minimum: the slopes the model brings promise nothing better";
+    case Ending::explained:
+      return "with nothing left: less than a ten-thousandth of the first residuals";
+    case Ending::hopeless:
+      return "without a result: every trial failed";
+  }
+  return "";
+}
+
+}  // namespace latsch

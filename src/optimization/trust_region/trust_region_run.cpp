@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/trust_region/trust_region_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "optimization/problem/point_vector.h"
+#include "optimization/trust_region/flat_directions.h"
+
+namespace latsch {
+namespace {
+
+using Kind = Wanted::Kind;
+
+// Of the variance of slopes before anything was known:
+constexpr double kUnknown = 0.5;  // a direction to be probed before any step
+constexpr double kPoor =
+    0.02;  // one to be probed when a step disappoints: no sample within 7 radii
+
+constexpr double kGoodGain = 0.5;
+constexpr double kBadGain = 0.1;
+constexpr double kGrowth = 2.0;      // of the radius over the step, at least, after a good gain
+constexpr double kMostGrowth = 4.0;  // at most
+constexpr double kShrinkage = 0.7;   // of the radius after a bad gain
+constexpr double kMostShrinkage = 0.1;
+constexpr double kWidest = 0.5;  // a box as wide as the cube
+
+constexpr double kSettled = 0.1;  // of the initial radius: below it a flat model is believed
+
+constexpr int kFailuresToShrink = 2;
+constexpr int kFailuresToGiveUp = 4;  // in a row: no more probes beside this center
+constexpr int kDisappointments = 3;   // in a row, before noise is looked for
+constexpr double kDrowned = 1e4;      // noise as large as the slopes
+constexpr int kWidenings = 3;         // of a box too small for the noise
+
+/// Boxes for further steps while the outcome of the first one is awaited.
+constexpr std::array kBoxes{1.0, 0.25, 2.0, 0.5, 0.1, 4.0, 0.03, 0.01};
+/// Of the initial radius: how far from the best point restarts begin, one after the other.
+constexpr std::array kJumps{0.1, 1.0, 0.03, 0.3};
+
+// Verification:
+constexpr double kSharp = 0.1;  // of the step tolerance: the shortest move for fresh slopes
+constexpr double kWorthASearch = 0.5;
+constexpr double kBeyondNoise = 0.9;   // of the value: less is verified anew whatever the noise
+constexpr double kNothingLeft = 1e-8;  // of the first value: a ten-thousandth of the residuals
+
+constexpr double kAtBound = 1e-9;
+
+constexpr double kWorthALook = 0.9;  // of the value when it last had settled
+
+/// Of the sum of squares, by slopes J, over moves of a length, mean of all directions.
+double mean_rise(const Eigen::MatrixXd& J, double length) {
+  return length * length * J.squaredNorm() / static_cast<double>(J.cols());
+}
+
+}  // namespace
+
+TrustRegionRun::TrustRegionRun(const DesignSpace& space, const ResidualTrustRegionOptions& options)
+    : options_(options), box_(space, options.initial_radius, options.seed) {
+  wanted_.push_back(box_.at(box_.c(), Kind::start));
+  fill();
+}
+
+void TrustRegionRun::fill() {
+  while (wanted_.size() < options_.outstanding) {
+    auto next_point = next();
+    if (!next_point) return;
+    wanted_.push_back(std::move(*next_point));
+  }
+}
+
+/// The next point, after those already wanted_; nullopt at the end.
+std::optional<Wanted> TrustRegionRun::next() {
+  if (is_over_ || has_settled_) return std::nullopt;
+  if (verification_) return next_to_verify();
+  if (auto point = next_of_search()) return point;
+  if (is_hopeless() || !box_.has_center()) return std::nullopt;
+  if (wanted_.empty() && widen_in_noise()) {
+    if (auto point = next_of_search()) return point;
+  }
+  if (wanted_.empty() && begin_verification()) return next_to_verify();
+  if (wanted_.empty()) return restart();
+  return look_around();
+}
+
+/// Geometry, model, step, radius; nullopt where nothing is promised any more.
+std::optional<Wanted> TrustRegionRun::next_of_search() {
+  while (box_.radius >= options_.step_tolerance && !is_hopeless()) {
+    const bool bears_probes = !box_.has_center() || failures_ < kFailuresToGiveUp;
+    const OpenDirection open = open_direction();
+    if (open.share > kUnknown && bears_probes) {
+      if (auto probe = box_.probe(open.direction, wanted_)) return probe;
+    }
+    if (!box_.has_center()) return box_.explore(wanted_);
+    if (std::exchange(is_geometry_doubted_, false) && open.share > kPoor) {
+      if (auto probe = box_.probe(open.direction, wanted_)) return probe;
+    }
+    const ResidualKriging m = box_.model(disappointments_ >= kDisappointments);
+    if (box_.noise >= kDrowned && !has_widened_ && box_.radius < options_.initial_radius) {
+      has_widened_ = true;
+      box_.radius *= 2.0;
+      continue;
+    }
+    if (is_step_awaited()) return another_step(m);
+    const Wanted first = box_.step(m, kBoxes.front(), wanted_);
+    if (first.length > 0.0) return first;
+    if (open.share > kPoor && bears_probes) {
+      if (auto probe = box_.probe(open.direction, wanted_)) return probe;
+    }
+    if (!box_.promises(first) && box_.radius < kSettled * options_.initial_radius) break;
+    box_.radius *= 0.1;
+  }
+  return std::nullopt;
+}
+
+void TrustRegionRun::observe(const DesignPoint& point,
+                             const Eigen::VectorXd& u,
+                             const std::optional<ResidualSample>& sample) {
+  const std::optional<Wanted> own = wanted_.take(point);
+  if (!own && !sample) {  // whoever asked for it: it says nothing about the steps of this run
+    box_.memory.add_failure(u);
+    return;
+  }
+  const Wanted tried = own ? *own : Wanted{u, point, Kind::probe, box_.center(), box_.f()};
+  has_widened_ = false;
+  if (sample && sample->f < box_.explosion() && !box_.leaps(*sample)) {
+    take(tried, {tried.u, sample->r, sample->J, sample->f, sample->stand_ins});
+  } else {
+    take_failure(tried);
+  }
+  fill();
+}
+
+void TrustRegionRun::take(const Wanted& tried, ResidualSample sample) {
+  failures_ = 0;
+  const double gain = (tried.f_center - sample.f) / (tried.f_center - tried.predicted);
+  const bool is_of_center = tried.center == box_.center();
+  if (tried.kind == Kind::start && is_scouting_ && is_same(sample.r, box_.memory[box_.best()].r)) {
+    wanted_.push_back(start());
+    return;
+  }
+  const bool is_known = f_first_ < std::numeric_limits<double>::infinity();
+  if (restarts_ == 0 && (tried.kind == Kind::start || !is_known)) f_first_ = sample.f;
+  const bool is_best = box_.take(std::move(sample));
+  if (is_best) explored_ = 0;
+  if (tried.kind != Kind::step) return;
+  if (verification_) return judge_verifying_step(gain, tried.f_center - tried.predicted);
+  if (gain > kGoodGain) disappointments_ = 0;
+  if (is_best && gain > kGoodGain) {
+    box_.radius = std::clamp(box_.radius, kGrowth * tried.length, kMostGrowth * tried.length);
+    box_.radius = std::min(box_.radius, kWidest);
+  } else if (gain < kBadGain && is_of_center && tried.length <= 1.01 * box_.radius) {
+    box_.radius *= std::clamp(tried.length / box_.radius, kMostShrinkage, kShrinkage);
+    is_geometry_doubted_ = true;
+    ++disappointments_;
+  }
+}
+
+void TrustRegionRun::take_failure(const Wanted& tried) {
+  box_.memory.add_failure(tried.u);
+  ++failures_;
+  if (tried.kind == Kind::start && !box_.has_center()) return start_again(tried.u);
+  if (verification_) {
+    if (tried.kind == Kind::step) verification_->observe_failed_step();
+    return;
+  }
+  if (failures_ >= kFailuresToGiveUp) {
+    box_.radius *= 0.1;
+  } else if (tried.kind == Kind::step && failures_ >= kFailuresToShrink) {
+    box_.radius *= 0.5;
+  }
+}
+
+/// The one least known; none where the model brought its slopes, or the region is a point.
+TrustRegionRun::OpenDirection TrustRegionRun::open_direction() const {
+  if (box_.has_center() && box_.memory[box_.center()].J.size() > 0) return {};
+  const SlopeVariance g = box_.geometry(wanted_);
+  const Eigen::Index last = g.share.size() - 1;
+  if (last < 0) return {};
+  return {g.share[last], g.directions.col(last)};
+}
+
+bool TrustRegionRun::is_step_awaited() const {
+  return std::any_of(wanted_.begin(), wanted_.end(), [&](const Wanted& w) {
+    return w.kind == Kind::step && w.center == box_.center();
+  });
+}
+
+std::optional<Wanted> TrustRegionRun::another_step(const ResidualKriging& m) {
+  for (std::size_t k = 1; k < kBoxes.size(); ++k) {
+    Wanted other = box_.step(m, kBoxes[k], wanted_);
+    if (other.length > 0.0) return other;
+  }
+  return box_.explore(wanted_);
+}
+
+/// Where steps chased noise until the box was too small to show anything else: back to twice the
+/// radius at which curvature, whose variance in the box counts as radius^4, is as large as noise.
+bool TrustRegionRun::widen_in_noise() {
+  if (box_.noise <= 0.0 || box_.radius >= options_.initial_radius) return false;
+  if (widenings_ >= kWidenings) return false;
+  ++widenings_;
+  const double wide = 2.0 * box_.radius * std::pow(std::max(1.0, box_.noise), 0.25);
+  box_.radius = std::min(wide, options_.initial_radius);
+  disappointments_ = 0;
+  return true;
+}
+
+/// Outcomes under way may lead on; meanwhile idle workers look around, each once.
+std::optional<Wanted> TrustRegionRun::look_around() {
+  return explored_++ < options_.outstanding ? box_.explore(wanted_) : std::nullopt;
+}
+
+/// False where nothing is left to gain, the last one still holds but for noise, the model brings
+/// its slopes, or the region is a point.
+bool TrustRegionRun::begin_verification() {
+  if (box_.memory[box_.center()].J.size() > 0 || box_.f() >= f_verified_) return false;
+  if (box_.f() < kNothingLeft * f_first_) {
+    ending_ = Ending::explained;
+    return false;
+  }
+  verification_.emplace(box_,
+                        FreshSlopes::Options{.shortest = kSharp * options_.step_tolerance,
+                                             .noise_alone = options_.noise_alone,
+                                             .f_least = kNothingLeft * f_first_});
+  if (!verification_->has_axes()) {
+    ending_ = Ending::verified;
+    verification_.reset();
+  }
+  return verification_.has_value();
+}
+
+/// Where nothing is promised above noise: a restart.
+std::optional<Wanted> TrustRegionRun::next_to_verify() {
+  if (auto point = verification_->next(box_, wanted_)) return point;
+  if (!wanted_.empty()) return look_around();
+  f_verified_ = std::max(box_.f() - verification_->deviation(), kBeyondNoise * box_.f());
+  if (box_.center() == box_.best()) ending_ = verification_->ending();
+  verification_.reset();
+  return restart();
+}
+
+/// Where it gained much, a search begins anew.
+void TrustRegionRun::judge_verifying_step(double gain, double promise) {
+  verification_->observe_step(gain < kBadGain, promise);
+  if (gain > kGoodGain && box_.f() < kWorthASearch * verification_->f_begin()) {
+    box_.radius = kSettled * options_.initial_radius;
+    disappointments_ = 0;
+    verification_.reset();
+  }
+}
+
+std::optional<Wanted> TrustRegionRun::restart() {
+  if (restarts_ >= options_.restarts || box_.best() < 0 || box_.is_point()) return std::nullopt;
+  if (box_.center() == box_.best()) rise_ = mean_rise(box_.slopes(), options_.initial_radius);
+  if (is_down_to_noise()) return std::nullopt;
+  const bool is_explained = best().f < options_.explained * std::min(f_first_, rise_);
+  if (!is_explained && box_.center() == box_.best()) {
+    if (best().f < kWorthALook * f_settled_) {
+      f_settled_ = best().f;
+      has_settled_ = true;
+      return std::nullopt;
+    }
+    flat_ = flat_directions(box_.slopes(), options_.initial_radius, best().r.norm());
+  }
+  if (auto released = release()) return released;
+  if (is_explained) return std::nullopt;
+  scouts_ = flat_.cols() > 0 ? n() + 1 : 0;
+  explored_ = 0;
+  const double jump = kJumps[restarts_++ % kJumps.size()] * options_.initial_radius;
+  box_.radius = std::max(jump, options_.step_tolerance);
+  return start();
+}
+
+/// From the middle of the ranges of variables that ended on a bound, once a best point.
+std::optional<Wanted> TrustRegionRun::release() {
+  if (!box_.region.is_cube() || best().f >= kWorthALook * f_released_) return std::nullopt;
+  if (best().f < kNothingLeft * f_first_) return std::nullopt;
+  Eigen::VectorXd u = best().u;
+  bool is_held = false;
+  for (double& value : u) {
+    if (value > kAtBound && value < 1.0 - kAtBound) continue;
+    value = 0.5;
+    is_held = true;
+  }
+  if (!is_held) return std::nullopt;
+  f_released_ = best().f;
+  ++restarts_;
+  scouts_ = 0;
+  explored_ = 0;
+  is_scouting_ = false;
+  box_.radius = options_.initial_radius;
+  box_.move_to(u);
+  return box_.at(box_.c(), Kind::start);
+}
+
+/// Beside the best point: along flat_ directions as long as there are scouts_.
+Wanted TrustRegionRun::start() {
+  const Eigen::VectorXd best = box_.memory[box_.best()].u;
+  is_scouting_ = scouts_-- > 0;
+  if (is_scouting_) {
+    const Eigen::VectorXd along = flat_ * (flat_.transpose() * box_.draw());
+    box_.move_to(box_.region.nearest(best + options_.initial_radius * along));
+  } else {
+    box_.move_to(box_.moved(best, box_.radius));
+  }
+  return box_.at(box_.c(), Kind::start);
+}
+
+/// Where a start failed: the next scout or restart; elsewhere, farther and farther away, as long
+/// as nothing ever succeeded.
+void TrustRegionRun::start_again(const Eigen::VectorXd& failed) {
+  if (is_hopeless()) return;
+  if (box_.best() >= 0) {
+    auto another = is_scouting_ ? std::optional(start()) : restart();
+    is_over_ = !another;
+    if (another) wanted_.push_back(*another);
+    return;
+  }
+  const double reach = options_.initial_radius * (1.0 + failures_ / n());
+  constexpr int kTries = 100;  // the region may be thin
+  for (int k = 0; k < kTries; ++k) {
+    const Eigen::VectorXd u = box_.drawn_near(failed, reach);
+    if (box_.memory.has_failed_near(u)) continue;  // the same bits again
+    box_.move_to(u);
+    wanted_.push_back(box_.at(u, Kind::start));
+    return;
+  }
+}
+
+/// Nothing ever succeeded, in many places.
+bool TrustRegionRun::is_hopeless() const { return box_.best() < 0 && failures_ > 20 * (n() + 1); }
+
+void TrustRegionRun::go_on(int restarts_left) {
+  has_settled_ = false;
+  options_.restarts = restarts_ + restarts_left;
+  fill();
+}
+
+void TrustRegionRun::widen(int count) {
+  options_.outstanding = count;
+  fill();
+}
+
+}  // namespace latsch
