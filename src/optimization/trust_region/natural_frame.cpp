@@ -36,12 +36,14 @@ Groups groups(const Eigen::VectorXd& u, const Eigen::MatrixXd& along) {
 
 }  // namespace
 
-NaturalFrame natural_frame(const Eigen::MatrixXd& J,
+NaturalFrame natural_frame(const Eigen::MatrixXd& slopes,
                            double r,
                            const Eigen::VectorXd& u,
                            const Eigen::VectorXd& widths,
                            const Eigen::MatrixXd& along,
                            const FrameLengths& lengths) {
+  Eigen::MatrixXd J = slopes;
+  if (!J.allFinite()) J.setZero();
   const Groups split = groups(u, along);
   NaturalFrame frame{Eigen::MatrixXd(u.size(), 0), {}};
   const auto add = [&](const Eigen::VectorXd& direction, double felt) {  // in widths

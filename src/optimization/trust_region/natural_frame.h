@@ -31,8 +31,9 @@ struct FrameLengths {
   double longest;   // of a range, in every variable
 };
 
-/// `J`: dr/du at u; `r`: norm of the residuals, or how much they are to change; `along`:
-/// orthonormal columns, directions along the equations in widths.
+/// `J`: dr/du at u; where it is not finite as if nothing were felt; `r`: norm of the residuals, or
+/// how much they are to change; `along`: orthonormal columns, directions along the equations in
+/// widths.
 NaturalFrame natural_frame(const Eigen::MatrixXd& J,
                            double r,
                            const Eigen::VectorXd& u,

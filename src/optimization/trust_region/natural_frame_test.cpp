@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace latsch {
 namespace {
 
@@ -30,6 +32,21 @@ TEST(NaturalFrame, AVariableAtABoundHasAnAxisOfItsOwn) {
   ASSERT_EQ(frame.axes(), 2);
   EXPECT_EQ(frame.T(0, 0), 0.0);
   EXPECT_EQ(frame.T(1, 1), 0.0);
+}
+
+// Decompositions of what is no number leave memory as it was: another search every time.
+TEST(NaturalFrame, SlopesThatAreNoNumbersCountAsUnknown) {
+  const auto frame_of = [](const Eigen::Matrix2d& J) {
+    return natural_frame(J,
+                         0.01,
+                         Eigen::Vector2d(0.5, 0.5),
+                         Eigen::Vector2d(1.0, 2.0),
+                         Eigen::Matrix2d::Identity(),
+                         {1e-6, 0.2});
+  };
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(frame_of(Eigen::Matrix2d{{3.0, none}, {0.0, 0.5}}).T,
+            frame_of(Eigen::Matrix2d::Zero()).T);
 }
 
 }  // namespace
