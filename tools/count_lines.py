@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Counts the lines of the program by module: all, and code alone (neither blank nor comment). Tests and their helpers are
-not counted (x_test, x_testing, apps/cli/tests), nor what is generated. Readers of foreign files and recordings are told
+not counted (x_test, x_testing), nor what is generated; the tests of tires in src/experiment/tests are the program. Readers of foreign files and recordings are told
 apart.
 
     tools/count_lines.py    of the files that git knows, in the folder above this one
@@ -16,7 +16,7 @@ READERS = ("src/formats", "src/correlation/laboratory")
 
 def counted(file):
     return (file.suffix in (".cpp", ".h") and file.parts[0] in ("src", "apps")
-            and not file.stem.endswith(("_test", "_testing")) and "tests" not in file.parts[:-1])
+            and not file.stem.endswith(("_test", "_testing")))
 
 
 def module_of(file):

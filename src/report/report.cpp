@@ -9,6 +9,7 @@
 
 #include "report/comparison_plots.h"
 #include "report/curve_plot.h"
+#include "report/html_parts.h"
 #include "report/html_text.h"
 #include "report/page_style.h"
 #include "report/surface_plot.h"
@@ -22,21 +23,6 @@ namespace {
 struct Chapter {
   std::string id, title, body;
 };
-
-std::string figure(std::string_view heading,
-                   std::string_view quiet,
-                   std::string_view picture,
-                   std::string_view caption) {
-  std::string html = "<figure>";
-  if (!heading.empty()) {
-    html += fmt::format("<b>{}{}</b>",
-                        escape(heading),
-                        quiet.empty() ? "" : fmt::format(" <span>{}</span>", escape(quiet)));
-  }
-  html += picture;
-  if (!caption.empty()) html += fmt::format("<figcaption>{}</figcaption>", escape(caption));
-  return html + "</figure>\n";
-}
 
 std::string with_kind(const std::string& conditions, bool fitted) {
   return fitted ? conditions : conditions.empty() ? "predicted" : conditions + ", predicted";

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "report/html_parts.h"
 #include "report/html_text.h"
 #include "report/page_style.h"
 
@@ -28,10 +29,7 @@ std::string table_html(const ShownTable& table) {
 std::string pictures_html(const ShownFile& shown) {
   std::string text;
   for (const experiment::Test::Picture& picture : shown.pictures)
-    text += fmt::format("<figure><b>{}</b>{}<figcaption>{}</figcaption></figure>\n",
-                        escape(picture.title),
-                        picture.svg,
-                        escape(picture.caption));
+    text += report::figure(picture.title, "", picture.svg, picture.caption);
   return text.empty() ? text : "<section>\n" + text + "</section>\n";
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "optimization/design/basins.h"
+#include "optimization/problem/point_vector.h"
 
 namespace latsch::correlation {
 namespace {
@@ -46,10 +47,7 @@ bool complete(const std::vector<double>& values) {
 
 std::vector<Eigen::VectorXd> in_the_unit_cube(const DesignSpace& space, const SamplingPlan& plan) {
   std::vector<Eigen::VectorXd> all;
-  for (const DesignPoint& point : plan.points) {
-    const auto u = space.to_unit(point);
-    all.emplace_back(Eigen::Map<const Eigen::VectorXd>(u.data(), space.size()));
-  }
+  for (const DesignPoint& point : plan.points) all.push_back(to_vector(space.to_unit(point)));
   return all;
 }
 

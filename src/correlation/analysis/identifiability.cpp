@@ -14,6 +14,7 @@
 #include "base/units.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/residuals.h"
+#include "optimization/problem/point_vector.h"
 
 namespace latsch::correlation {
 namespace {
@@ -58,8 +59,7 @@ class InRounds : public Optimizer {
 
   static Result<Eigen::VectorXd> residuals(const Result<Score>& outcome) {
     if (!outcome) return outcome.failure();
-    const auto& r = outcome->residuals;
-    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(r.data(), std::ssize(r)));
+    return to_vector(outcome->residuals);
   }
 
   const DesignSpace& space_;

@@ -8,6 +8,7 @@
 #include "correlation/target/residuals.h"
 #include "correlation/target/study_trials.h"
 #include "optimization/identifiability/d_optimality.h"
+#include "optimization/problem/point_vector.h"
 
 namespace latsch::correlation {
 namespace {
@@ -102,8 +103,7 @@ std::vector<MeasurementGain> prediction_gains(const Study& study,
     std::vector<Eigen::VectorXd> r;
     for (const Channels& channels : at_points) {
       const auto score = residuals(channels);
-      r.emplace_back(
-          Eigen::Map<const Eigen::VectorXd>(score->residuals.data(), std::ssize(score->residuals)));
+      r.push_back(to_vector(score->residuals));
     }
     const auto known = known_residuals(r);
     if (known.empty()) continue;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "report/html_parts.h"
 #include "report/html_text.h"
 #include "report/line_plot.h"
 #include "report/page_style.h"
@@ -13,36 +14,14 @@ namespace latsch::correlation {
 namespace {
 
 using report::escape;
+using report::figure;
+using report::number_table;
 using report::significant;
 
 constexpr int kMeasuredColor = 1;
 
 /// A color a tire keeps on the whole page, other than that of the measurement.
 int color_of(std::size_t tire) { return tire == 0 ? 0 : static_cast<int>(tire) + 1; }
-
-std::string figure(const std::string& heading,
-                   const report::LinePlot& plot,
-                   const std::string& caption) {
-  return fmt::format("<figure><b>{}</b>{}<figcaption>{}</figcaption></figure>\n",
-                     escape(heading),
-                     report::line_plot(plot),
-                     escape(caption));
-}
-
-std::string row(const std::vector<std::string>& cells, const char* tag) {
-  std::string html = "<tr>";
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    html += fmt::format("<{0}{1}>{2}</{0}>", tag, i == 0 ? "" : " class=\"n\"", escape(cells[i]));
-  return html + "</tr>\n";
-}
-
-std::string table(const std::vector<std::string>& heads,
-                  const std::vector<std::vector<std::string>>& rows) {
-  std::string html =
-      "<div class=\"scroll\"><table><thead>" + row(heads, "th") + "</thead><tbody>\n";
-  for (const auto& cells : rows) html += row(cells, "td");
-  return html + "</tbody></table></div>\n";
-}
 
 std::string range(FrequencyBand band) {
   return band.upper > 0.0 ? fmt::format("{:.0f} to {:.0f} Hz", band.lower, band.upper) : "nowhere";
@@ -68,7 +47,7 @@ std::string summary_table(const ComparisonFile& file, const TireComparison& comp
     cells.push_back(significant(sum.cpu_over_time, 2));
     rows.push_back(std::move(cells));
   }
-  return table(heads, rows);
+  return number_table(heads, rows);
 }
 
 std::string needs_table(const ComparisonFile& file) {
@@ -173,7 +152,7 @@ std::string error_table(const ComparisonFile& file, const TestComparison& test) 
     cells.push_back(significant(test.tires[i].cpu_over_time, 2));
     rows.push_back(std::move(cells));
   }
-  return table(heads, rows);
+  return number_table(heads, rows);
 }
 
 std::string test_chapter(const ComparisonFile& file,

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "correlation/rig_data/rig_tables.h"
+#include "report/html_parts.h"
 #include "report/html_text.h"
 #include "report/line_plot.h"
 #include "report/page_style.h"
@@ -16,35 +17,10 @@ namespace latsch::correlation {
 namespace {
 
 using report::escape;
+using report::figure;
+using report::number_table;
 using report::significant;
 using report::true_minus;
-
-std::string figure(const std::string& heading,
-                   const report::LinePlot& plot,
-                   const std::string& caption) {
-  return fmt::format("<figure><b>{}</b>{}<figcaption>{}</figcaption></figure>\n",
-                     escape(heading),
-                     report::line_plot(plot),
-                     escape(caption));
-}
-
-/// A table; the first column is text, the others are numbers.
-std::string table(const std::vector<std::string>& heads,
-                  const std::vector<std::vector<std::string>>& rows) {
-  std::string html = "<div class=\"scroll\"><table><thead><tr>";
-  for (std::size_t i = 0; i < heads.size(); ++i) {
-    html += fmt::format("<th{}>{}</th>", i == 0 ? "" : " class=\"n\"", escape(heads[i]));
-  }
-  html += "</tr></thead><tbody>\n";
-  for (const auto& row : rows) {
-    html += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      html += fmt::format("<td{}>{}</td>", i == 0 ? "" : " class=\"n\"", escape(row[i]));
-    }
-    html += "</tr>\n";
-  }
-  return html + "</tbody></table></div>\n";
-}
 
 std::string kph(double speed) { return format_quantity(speed, "km/h", 4); }
 
@@ -72,17 +48,17 @@ std::string plateau_table(const RigResults& results) {
                       significant(likeness, 4)});
     }
   }
-  return table({"Run",
-                "From s",
-                "To s",
-                "Speed km/h",
-                "Its range km/h",
-                "Period ms",
-                "Strength",
-                "Passages",
-                "Left out",
-                "Least likeness"},
-               rows);
+  return number_table({"Run",
+                       "From s",
+                       "To s",
+                       "Speed km/h",
+                       "Its range km/h",
+                       "Period ms",
+                       "Strength",
+                       "Passages",
+                       "Left out",
+                       "Least likeness"},
+                      rows);
 }
 
 std::string speed_figures(const RigFile& rig, const RigResults& results) {
@@ -205,7 +181,7 @@ std::string responses(const RigFile& rig, const RigResults& results) {
   std::string html =
       "<p>TF(s) = A / (s² + 2 f ζ s + f²) + c (3-3); ± is one standard deviation over hits drawn "
       "again.</p>" +
-      table({"Response", "f Hz", "ζ", "A/f²", "c"}, rows);
+      number_table({"Response", "f Hz", "ζ", "A/f²", "c"}, rows);
   if (!results.hammer) return html;
   const MeasuredResponse& m = results.hammer->measured;
   std::vector<double> measured, fitted;
@@ -258,8 +234,9 @@ std::string case_chapter(const RigFile& rig, const RigResults& results) {
       "<p>Against the real rim, dummy rim → dummy rim filtered; averages without their means, "
       "after "
       "the delay that makes them most alike.</p>" +
-      table({"Case", "Speed", "RMS of time series N", "RMS of PSD N²/Hz", "Distance of PSD dB"},
-            rows) +
+      number_table(
+          {"Case", "Speed", "RMS of time series N", "RMS of PSD N²/Hz", "Distance of PSD dB"},
+          rows) +
       "<div class=\"figures\">";
   for (const CaseRow& row : c.cases) {
     const auto t = times(row.real.size(), results.runs[0].record.rate);

@@ -43,16 +43,22 @@ MagicFormulaTire::MagicFormulaTire(const Parameters& parameters,
   if (settings_.pressure <= 0.0) settings_.pressure = parameters.INFLPRES;
 }
 
+std::optional<Footprint> footprint_of(const MagicFormula& formula,
+                                      double Fz,
+                                      double speed,
+                                      double pressure) {
+  if (!(Fz > 0.0)) return Footprint{};
+  const SteadyState patch = formula.evaluate({Fz, 0.0, 0.0, 0.0, 0.0, speed, pressure});
+  if (!(patch.a > 0.0 && patch.b > 0.0)) return std::nullopt;
+  return Footprint::rectangle(Fz, 2.0 * patch.a, 2.0 * patch.b);
+}
+
 double MagicFormulaTire::free_radius() const {
   return parameters_.UNLOADED_RADIUS * parameters_.Q_RE0;
 }
 
 std::optional<Footprint> MagicFormulaTire::footprint() const {
-  if (!(forces_.Fz > 0.0)) return Footprint{};
-  const SteadyState patch =
-      formula_.evaluate({forces_.Fz, 0.0, 0.0, 0.0, 0.0, parameters_.LONGVL, settings_.pressure});
-  if (!(patch.a > 0.0 && patch.b > 0.0)) return std::nullopt;
-  return Footprint::rectangle(forces_.Fz, 2.0 * patch.a, 2.0 * patch.b);
+  return footprint_of(formula_, forces_.Fz, parameters_.LONGVL, settings_.pressure);
 }
 
 std::unique_ptr<Tire> MagicFormulaTire::clone() const {

@@ -29,6 +29,12 @@ struct MagicFormulaTireSettings {
   double pressure = 0.0;  // Pa; 0: INFLPRES
 };
 
+/// The rectangle 2 a x 2 b of the formula without slip; nullopt where it has no coefficients of it.
+std::optional<Footprint> footprint_of(const MagicFormula& formula,
+                                      double Fz,
+                                      double speed,
+                                      double pressure);
+
 class MagicFormulaTire final : public Tire {
  public:
   explicit MagicFormulaTire(const Parameters& parameters,
@@ -40,7 +46,6 @@ class MagicFormulaTire final : public Tire {
                             const road::Road& road,
                             double time,
                             double step) override;
-  /// The rectangle 2 a x 2 b of the formula, where the file has coefficients of it.
   std::optional<Footprint> footprint() const override;
   std::unique_ptr<Tire> clone() const override;
 

@@ -56,11 +56,7 @@ double RigidRingTire::free_radius() const {
 }
 
 std::optional<Footprint> RigidRingTire::footprint() const {
-  if (!(forces_.Fz > 0.0)) return Footprint{};
-  const SteadyState patch =
-      formula_.evaluate({forces_.Fz, 0.0, 0.0, 0.0, 0.0, parameters_.LONGVL, settings_.pressure});
-  if (!(patch.a > 0.0 && patch.b > 0.0)) return std::nullopt;
-  return Footprint::rectangle(forces_.Fz, 2.0 * patch.a, 2.0 * patch.b);
+  return footprint_of(formula_, forces_.Fz, parameters_.LONGVL, settings_.pressure);
 }
 
 std::unique_ptr<Tire> RigidRingTire::clone() const {

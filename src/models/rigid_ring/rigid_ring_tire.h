@@ -43,7 +43,6 @@ class RigidRingTire final : public Tire {
                             const road::Road& road,
                             double time,
                             double step) override;
-  /// The rectangle 2 a x 2 b of the formula, where the file has coefficients of it.
   std::optional<Footprint> footprint() const override;
   std::unique_ptr<Tire> clone() const override;
 

@@ -217,11 +217,7 @@ void Identification::take_slopes() {
                                    .most_evaluations = kEvaluationsOfTheRefit + 2 * n,
                                    .differences = lengths_,
                                    .region = FeasibleRegion(space_)});
-  if (refit_->wanted()) {
-    wanted_ = {space_.from_unit(numbers(*refit_->wanted()))};
-  } else {
-    begin_profiles();
-  }
+  ask_for_refit();
 }
 
 bool Identification::continues_at_better_point() {
@@ -235,6 +231,11 @@ bool Identification::continues_at_better_point() {
 
 void Identification::refit_observed(const std::optional<Eigen::VectorXd>& residuals) {
   refit_->observe(residuals);
+  ask_for_refit();
+}
+
+/// The next point of the refit; the profiles where it has ended.
+void Identification::ask_for_refit() {
   if (refit_->wanted()) {
     wanted_ = {space_.from_unit(numbers(*refit_->wanted()))};
   } else {

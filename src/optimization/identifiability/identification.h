@@ -90,6 +90,7 @@ class Identification {
   bool continues_at_better_point();
   DesignPoint moved(int variable, double offset) const;
   void refit_observed(const std::optional<Eigen::VectorXd>& residuals);
+  void ask_for_refit();
   void begin_profiles();
   void ask_branches();
   std::optional<Eigen::VectorXd> used(const Result<Eigen::VectorXd>& residuals) const;
