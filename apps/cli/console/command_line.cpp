@@ -2,7 +2,6 @@
 #include "cli/console/command_line.h"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
 #include "base/text.h"
 #include "cli/console/console.h"

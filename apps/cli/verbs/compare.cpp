@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch compare: tires of several kinds through the same drum tests, beside what was measured.
-#include <fmt/format.h>
 
 #include <cmath>
 #include <filesystem>

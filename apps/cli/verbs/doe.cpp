@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch doe: a design of experiments over the worker processes, all channels kept in the journal.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>

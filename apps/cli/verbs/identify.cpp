@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch identify: what the measurements determine around the best trial of a journal.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch pareto: two experiments against each other, from the trials in the journal.
-#include <fmt/format.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>

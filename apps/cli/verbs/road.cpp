@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch road: what a tire finds on a road at given points.
-#include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/document.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch show: what was read from a file, with units, on the terminal or as a page.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

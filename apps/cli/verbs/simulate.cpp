@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch simulate: one trial, every experiment beside its measurement.
-#include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 

@@ -3,11 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
 
 #include "base/units.h"
 #include "optimization/design/full_factorial.h"

@@ -2,7 +2,6 @@
 #include "correlation/analysis/measurement_gains.h"
 
 #include <cassert>
-#include <cmath>
 #include <optional>
 
 #include "correlation/target/residuals.h"

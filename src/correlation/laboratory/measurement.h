@@ -9,8 +9,8 @@
 //   columns = {Fz = "LOAD", p = "P_kPa [kPa]"}  # our name = the file's column, with a unit where
 //                                               # the file states none
 //   zero = {channels = ["Fy"], time = "0 s .. 2 s"}  # less their means of that time
-//   in_frame = "W"                  # turned into these axes from those of frame or of the names, by
-//                                   # the record's gamma and loaded_radius (frame_conversion.h)
+//   in_frame = "W"                  # turned into these axes from those of frame or of the names,
+//                                   # by the record's gamma and loaded_radius (frame_conversion.h)
 //   low_pass = "20 Hz"              # Butterworth of order 2, forward and backward: no delay, 6 dB
 //                                   # down there; stretches between jumps of time by themselves
 //   shift = "-12 ms"                # added to the time: onto that of the test

@@ -139,8 +139,8 @@ TEST_F(MeasuredStudy, ATestInAFileOfItsOwnTakesItsStatesToo) {
   EXPECT_TRUE(difference(before, identity(read(test, "file = \"steady.toml\"\n"))));
 }
 
-// Forces that were corrected leave every trial valid, deflections do not: whether the test stands in
-// the study or in a file.
+// Forces that were corrected leave every trial valid, deflections do not: whether the test stands
+// in the study or in a file.
 TEST_F(MeasuredStudy, AJournalDependsOnMeasuredDeflectionsNotOnTheForcesBesideThem) {
   const std::string test =
       "kind = \"load_deflection\"\ndeflections = {from = \"measurement.press\"}\n";

@@ -16,8 +16,9 @@
 //
 //   [test.steady]                    # or what would stand in it
 //   kind = "steady_states"
-//   states = {from = "measurement.cornering"}  # numbers as they were measured; of a key that takes
-//                                              # one channel also of another: channel = "drum_speed"
+//   states = {from = "measurement.cornering"}  # numbers as they were measured; of a key that
+//                                              # takes one channel also of another: channel =
+//                                              # "drum_speed"
 //
 //   [experiment.slow_Fz]             # observable/curve.h
 //   kind = "curve"

@@ -4,7 +4,6 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <cstring>
 #include <ctime>
 
 #include "evaluation/trial/encoding.h"

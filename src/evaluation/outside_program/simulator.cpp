@@ -15,7 +15,6 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/text.h"
 #include "evaluation/outside_program/outside_program.h"
 #include "evaluation/trial/encoding.h"
 

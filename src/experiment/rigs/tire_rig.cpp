@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 
 #include "experiment/rigs/deflection_for_load.h"
 #include "experiment/rigs/mode_record.h"

@@ -6,15 +6,15 @@
 //   pressure = "2.6 bar"             # the tire's own unless given
 //   friction = 0.8                   # with the ground; 0 unless given
 //   camber = "2 deg"                 # about x, top to the right; default 0
-//   count = 12                       # lowest modes; default 10; {from = "measurement.modes"}: 8 more
-//                                    # than it has frequencies
+//   count = 12                       # lowest modes; default 10; {from = "measurement.modes"}: 8
+//                                    # more than it has frequencies
 //   points = [["0 mm", "0 mm", "310 mm"]]   # where shapes are recorded, of the undeformed tire in
 //                                    # the wheel frame; {from = "measurement.shapes"}: its x, y, z;
 //                                    # default: no shapes
 //
 // Channels, one value a mode: "frequency" (Hz), "n", "type", "phase", the numbers of
-// rigs/mode_record.h; "shape" at the points; "damping" (of critical) where the model has it; on the ground one value of
-// "deflection", "loaded_radius" (m) and "force" (N) where the model says them.
+// rigs/mode_record.h; "shape" at the points; "damping" (of critical) where the model has it; on the
+// ground one value of "deflection", "loaded_radius" (m) and "force" (N) where the model says them.
 #pragma once
 
 #include "experiment/language/test.h"

@@ -5,7 +5,6 @@
 #include <fmt/ostream.h>
 
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include "base/error.h"

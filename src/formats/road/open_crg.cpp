@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/road/open_crg.h"
 
-#include <functional>
-
 #include "base/file.h"
 #include "base/text.h"
 #include "formats/road/open_crg_grid.h"

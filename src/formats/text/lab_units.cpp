@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/text/lab_units.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/magic_formula/deflection_62.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "models/magic_formula/magic_formula.h"

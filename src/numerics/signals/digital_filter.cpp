@@ -4,7 +4,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <numeric>
 
 namespace latsch::numerics {

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <bit>
-#include <cassert>
 
 #include "base/error.h"
 #include "base/random.h"

@@ -2,7 +2,6 @@
 #include "optimization/direct_search/quadratic_model.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "numerics/dense/orthogonal_factors.h"

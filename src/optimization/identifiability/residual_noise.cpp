@@ -2,7 +2,6 @@
 #include "optimization/identifiability/residual_noise.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>

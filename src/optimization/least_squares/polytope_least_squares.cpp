@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/least_squares/polytope_least_squares.h"
 
-#include <cmath>
-
 #include "optimization/least_squares/levenberg_descent.h"
 #include "optimization/problem/quadratic_program.h"
 

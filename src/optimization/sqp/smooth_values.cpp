@@ -2,7 +2,6 @@
 #include "optimization/sqp/smooth_values.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "numerics/dense/orthogonal_factors.h"
 #include "optimization/problem/point_vector.h"

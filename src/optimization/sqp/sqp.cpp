@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 #include <optional>
 
 #include "optimization/problem/option_check.h"

@@ -15,8 +15,6 @@
 
 #include <Eigen/Core>
 
-#include "optimization/problem/feasible_region.h"
-
 namespace latsch {
 
 struct NaturalFrame {

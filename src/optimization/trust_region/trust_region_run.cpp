@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "optimization/problem/point_vector.h"
 #include "optimization/trust_region/flat_directions.h"
 
 namespace latsch {

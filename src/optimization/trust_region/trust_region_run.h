@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 #include <limits>
 #include <optional>
-#include <vector>
 
 #include "optimization/trust_region/fresh_slopes.h"
 #include "optimization/trust_region/residual_trust_region.h"

@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 namespace latsch::fe_tire {
 namespace {

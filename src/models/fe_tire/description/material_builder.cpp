@@ -4,7 +4,6 @@
 // The smeared layer, for comparison with programs that have no rebars, is the isotropic law of its
 // rubber plus the cords' stiffness spread over the wall inside the reference line:
 //   D = (K - 2/3 G) I(x)I + 2 G I4 + sum_c (E_c t_c / t_inside) d_c(x)d_c(x)d_c(x)d_c
-#include <array>
 #include <cmath>
 
 #include "models/fe_tire/description/section_plan.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // From the description of a section to the HEX8 mesh of one sector.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>

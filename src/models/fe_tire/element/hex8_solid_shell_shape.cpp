@@ -3,7 +3,6 @@
 // hex8_solid_shell.h.
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
 
 #include "models/fe_tire/element/hex8_solid_shell.h"

@@ -2,7 +2,6 @@
 #include "models/fe_tire/ring/contact.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

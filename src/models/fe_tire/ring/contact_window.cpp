@@ -2,7 +2,6 @@
 #include "models/fe_tire/ring/contact_window.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace latsch::fe_tire {

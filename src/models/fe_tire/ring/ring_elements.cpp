@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/fe_tire/ring/ring_elements.h"
 
-#include <algorithm>
-
 namespace latsch::fe_tire {
 
 RingElements::RingElements(const Ring& ring, Materials materials)

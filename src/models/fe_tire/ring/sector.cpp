@@ -2,7 +2,6 @@
 #include "models/fe_tire/ring/sector.h"
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 #include <numbers>
 
