@@ -139,7 +139,7 @@ TireDescription shipped(const std::string& file) {
 /// CPU seconds of a trial of a tire as it is shipped, mesh and symbolic work included.
 double seconds_as_shipped(const TireDescription& description, bool loaded_modes) {
   const double start = cpu_seconds(RUSAGE_SELF);
-  FeTire tire(build_mesh(description), build_materials(description));
+  FeTire tire(description);
   run_trial(tire,
             description.pressure,
             tire.mesh().outer_radius() + kClear,

@@ -63,7 +63,7 @@ double time_of(Work work) {
 }
 
 void compare_modes(const std::string& name, const TireDescription& description, Table& table) {
-  FeTire tire(build_mesh(description), build_materials(description));
+  FeTire tire(description);
   const Inflated inflated = take(tire.inflate(description.pressure));
   std::vector<Mode> by_harmonics, by_ring;
   const double fast = time_of([&] { by_harmonics = take(tire.modes(inflated, kModes)); });

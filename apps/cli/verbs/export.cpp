@@ -69,9 +69,7 @@ void write_patch(const fs::path& tire, const fe_tire::LoadPoint& point) {
 
 void write_vtu(const ExportOptions& options, const TireDescription& tire) {
   const State state = state_of(options, tire);
-  fe_tire::SolverSettings settings;
-  settings.element = tire.element;
-  fe_tire::FeTire model(fe_tire::build_mesh(tire), fe_tire::build_materials(tire), settings);
+  fe_tire::FeTire model(tire);
   const auto inflated = required(model.inflate(state.pressure));
   std::vector<formats::VtuField> fields = {{"inflation", inflated.u}};
   if (state.deflection == 0.0) {
@@ -101,10 +99,8 @@ void write_ccx(const ExportOptions& options, TireDescription tire) {
   run.pressure = state.pressure;
   if (options.modes > 0) run.modes = options.modes;
   if (state.deflection > 0.0) {
-    fe_tire::SolverSettings settings;
-    settings.element = fe_tire::ElementKind::full_integration;
-    const auto inflated =
-        required(fe_tire::FeTire(mesh, materials, settings).inflate(state.pressure));
+    fe_tire::FeTire model(mesh, materials, {.element = fe_tire::ElementKind::full_integration});
+    const auto inflated = required(model.inflate(state.pressure));
     run.ground = formats::CcxGround{inflated.radius, state.deflection};
   }
   formats::write_ccx_deck(fs::path(options.ccx), mesh, materials, run);

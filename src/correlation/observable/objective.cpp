@@ -86,6 +86,19 @@ Comparison compare_modes(const std::vector<ModeRecord>& measured,
   return comparison;
 }
 
+void scale_by_noise(Comparison& comparison,
+                    const std::vector<double>& sigma,
+                    const RobustLoss& loss,
+                    double size) {
+  const size_t n = comparison.slopes.size() / comparison.differences.size();
+  for (size_t k = 0; k < comparison.differences.size(); ++k) {
+    const double unit = sigma.empty() ? 1.0 : sigma[k], x = comparison.differences[k] / unit;
+    comparison.differences[k] = size * loss(x);
+    const double factor = size * loss.slope(x) / unit;
+    for (size_t i = 0; i < n; ++i) comparison.slopes[k * n + i] *= factor;
+  }
+}
+
 double target(const std::vector<Comparison>& comparisons, const std::vector<double>& weights) {
   assert(comparisons.size() == weights.size());
   double sum = 0.0, total = 0.0;

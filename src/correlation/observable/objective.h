@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "correlation/laboratory/measurement_noise.h"
 #include "correlation/observable/mode_pairing.h"
 
 namespace latsch::correlation {
@@ -71,6 +72,12 @@ Comparison compare_forces(const std::vector<double>& measured,
 Comparison compare_modes(const std::vector<ModeRecord>& measured,
                          const std::vector<ModeRecord>& simulated,
                          const ObjectiveSettings& settings = {});
+
+/// d -> size loss(d / sigma) with its slopes; sigma empty: 1 for all.
+void scale_by_noise(Comparison& comparison,
+                    const std::vector<double>& sigma,
+                    const RobustLoss& loss,
+                    double size);
 
 /// sum w_e T_e / sum w_e; the sum of the weights is positive.
 double target(const std::vector<Comparison>& comparisons, const std::vector<double>& weights);

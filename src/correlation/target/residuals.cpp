@@ -73,44 +73,38 @@ std::optional<double> residual_sigma(const Study& study) {
 Objective residual_objective(const Study& study) {
   const auto experiments = counting(study);
   const double mean = mean_count(experiments);
-  return Objective::OfTrial(
-      [experiments, mean, space = study.space](const DesignPoint& point,
-                                               const Channels& channels) -> Result<Score> {
-        Score score;
-        bool has_slopes = true;
-        for (const StudyExperiment& experiment : experiments) {
-          const Comparison comparison = compare(experiment, channels);
-          std::vector<double> d = comparison.differences;
-          for (int missing : comparison.pairing.missing) {
-            d[missing] = std::numeric_limits<double>::quiet_NaN();
-          }
-          const std::vector<double> sigma = stated_deviations(experiment);
-          const double factor = factor_of(experiment, mean);
-          has_slopes = has_slopes && !comparison.slopes.empty();
-          const size_t n = comparison.slopes.size() / d.size();
-          for (size_t k = 0; k < d.size(); ++k) {
-            const double unit = sigma.empty() ? 1.0 : sigma[k];
-            const double x = experiment.loss(d[k] / unit);
-            score.residuals.push_back(factor * x);
-            if (std::isfinite(x)) score.value += factor * factor * x * x;
-            for (size_t i = 0; i < n; ++i) {
-              score.jacobian.push_back(factor * experiment.loss.slope(d[k] / unit) / unit *
-                                       comparison.slopes[k * n + i]);
-            }
-          }
-        }
-        for (int i = 0; i < space.size(); ++i) {
-          if (!space[i].prior) continue;
-          const double x = point.values[static_cast<size_t>(i)];
-          const double r = space[i].prior->residual(x);
-          score.residuals.push_back(r);
-          score.value += r * r;
-          for (int j = 0; j < space.size(); ++j)
-            score.jacobian.push_back(i == j ? space[i].prior->slope(x) : 0.0);
-        }
-        if (!has_slopes) score.jacobian.clear();
-        return score;
-      });
+  return Objective::OfTrial([experiments, mean, space = study.space](
+                                const DesignPoint& point,
+                                const Channels& channels) -> Result<Score> {
+    Score score;
+    bool has_slopes = true;
+    for (const StudyExperiment& experiment : experiments) {
+      Comparison comparison = compare(experiment, channels);
+      for (int missing : comparison.pairing.missing) {
+        comparison.differences[missing] = std::numeric_limits<double>::quiet_NaN();
+      }
+      scale_by_noise(
+          comparison, stated_deviations(experiment), experiment.loss, factor_of(experiment, mean));
+      has_slopes = has_slopes && !comparison.slopes.empty();
+      for (const double r : comparison.differences) {
+        score.residuals.push_back(r);
+        if (std::isfinite(r)) score.value += r * r;
+      }
+      score.jacobian.insert(
+          score.jacobian.end(), comparison.slopes.begin(), comparison.slopes.end());
+    }
+    for (int i = 0; i < space.size(); ++i) {
+      if (!space[i].prior) continue;
+      const double x = point.values[static_cast<size_t>(i)];
+      const double r = space[i].prior->residual(x);
+      score.residuals.push_back(r);
+      score.value += r * r;
+      for (int j = 0; j < space.size(); ++j)
+        score.jacobian.push_back(i == j ? space[i].prior->slope(x) : 0.0);
+    }
+    if (!has_slopes) score.jacobian.clear();
+    return score;
+  });
 }
 
 double difference_of(const Study& study, int experiment, double residual) {

@@ -14,6 +14,14 @@
 namespace latsch::correlation {
 namespace {
 
+std::vector<StudyExperiment> fitted_of(const Study& study) {
+  std::vector<StudyExperiment> fitted;
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (experiment.fitted) fitted.push_back(experiment);
+  }
+  return fitted;
+}
+
 /// Specimens of earlier points, for whoever builds the next one.
 class Reuse {
  public:
@@ -36,13 +44,11 @@ class Reuse {
 
 class StudyTrials {
  public:
-  explicit StudyTrials(const Study& study) : study_(study) {
+  explicit StudyTrials(const Study& study) : study_(study), fitted_(fitted_of(study)) {
     const auto asked = tests_asked_for(study);
     for (const StudyTest& test : study.tests) {
       if (std::find(asked.begin(), asked.end(), test.name) != asked.end()) tests_.push_back(test);
     }
-    for (const StudyExperiment& experiment : study.experiments)
-      if (experiment.fitted) fitted_.push_back(experiment);
   }
 
   Result<Channels> run(const DesignPoint& point) {
@@ -129,19 +135,12 @@ void weigh(const StudyExperiment& experiment,
            const std::optional<double>& common,
            Comparison& comparison) {
   if (!common && experiment.loss.loss == Loss::squares) return;
-  const std::vector<double> sigma = stated_deviations(experiment);
-  const bool by_noise = common && !sigma.empty();
-  std::vector<double> factors;  // of the slopes
+  std::vector<double> sigma;
+  if (common) sigma = stated_deviations(experiment);
+  scale_by_noise(comparison, sigma, experiment.loss, sigma.empty() ? 1.0 : *common);
   comparison.value = 0.0;
-  for (size_t k = 0; k < comparison.differences.size(); ++k) {
-    double& d = comparison.differences[k];
-    const double size = by_noise ? *common : 1.0, unit = by_noise ? sigma[k] : 1.0;
-    factors.push_back(size * experiment.loss.slope(d / unit) / unit);
-    d = size * experiment.loss(d / unit);
+  for (const double d : comparison.differences)
     comparison.value += std::pow(std::abs(d), experiment.objective.exponent);
-  }
-  const size_t n = comparison.slopes.size() / comparison.differences.size();
-  for (size_t k = 0; k < comparison.slopes.size(); ++k) comparison.slopes[k] *= factors[k / n];
   comparison.value /= static_cast<double>(comparison.differences.size());
 }
 
@@ -164,14 +163,6 @@ void add_priors(const DesignSpace& space,
         common * space[i].prior->slope(point.values[static_cast<size_t>(i)]) / std::sqrt(total);
     score.jacobian.insert(score.jacobian.end(), row.begin(), row.end());
   }
-}
-
-std::vector<StudyExperiment> fitted_of(const Study& study) {
-  std::vector<StudyExperiment> fitted;
-  for (const StudyExperiment& experiment : study.experiments) {
-    if (experiment.fitted) fitted.push_back(experiment);
-  }
-  return fitted;
 }
 
 }  // namespace

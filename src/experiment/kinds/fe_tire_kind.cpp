@@ -17,12 +17,6 @@ namespace {
 using fe_tire::FeTire;
 using fe_tire::TireDescription;
 
-FeTire tire_of(const TireDescription& description) {
-  fe_tire::SolverSettings settings;
-  settings.element = description.element;
-  return {fe_tire::build_mesh(description), fe_tire::build_materials(description), settings};
-}
-
 class FeTireSpecimen : public Specimen,
                        public IsPressed,
                        public Vibrates,
@@ -31,7 +25,7 @@ class FeTireSpecimen : public Specimen,
  public:
   explicit FeTireSpecimen(TireDescription description)
       : description_(std::move(description)),
-        tire_(tire_of(description_)),
+        tire_(description_),
         rig_(std::make_unique<TireRig>(tire_, description_.pressure)) {}
 
   /// The same with other materials: the symbolic work on the mesh is kept. False where the mesh is

@@ -95,10 +95,7 @@ void add_pictures(const fe_tire::TireDescription& description,
                   const std::vector<const Test*>& tests,
                   report::StudyReport& page) {
   page.tire = description.name + ", " + description.size;
-  fe_tire::SolverSettings settings;
-  settings.element = description.element;
-  fe_tire::FeTire tire(
-      fe_tire::build_mesh(description), fe_tire::build_materials(description), settings);
+  fe_tire::FeTire tire(description);
   report::TirePictures pictures;
   pictures.mesh = tire.mesh();
   pictures.layers = cord_layers(description);

@@ -100,9 +100,9 @@ Result<std::vector<DiscretizationRow>> refine(
     const std::function<void(const std::string&)>& progress) {
   std::vector<MeshQuantities> meshes;
   for (int r : refinements) {
-    fe_tire::SolverSettings solver;
-    solver.element = settings.element;
-    FeTire model(fe_tire::build_mesh(tire, r), fe_tire::build_materials(tire, r), solver);
+    FeTire model(fe_tire::build_mesh(tire, r),
+                 fe_tire::build_materials(tire, r),
+                 {.element = settings.element});
     if (progress) {
       progress(fmt::format("{}: {} x refined, {} elements, {} unknowns",
                            what,

@@ -2,48 +2,12 @@
 #include "numerics/dense/dense_products.h"
 
 #include <cassert>
-#include <cstddef>
 
 #include "numerics/dense/blas_core.h"
-
-extern "C" {
-void dgemm_(const char* transa,
-            const char* transb,
-            const int* m,
-            const int* n,
-            const int* k,
-            const double* alpha,
-            const double* a,
-            const int* lda,
-            const double* b,
-            const int* ldb,
-            const double* beta,
-            double* c,
-            const int* ldc,
-            std::size_t transa_length,
-            std::size_t transb_length);
-void zgemm_(const char* transa,
-            const char* transb,
-            const int* m,
-            const int* n,
-            const int* k,
-            const std::complex<double>* alpha,
-            const std::complex<double>* a,
-            const int* lda,
-            const std::complex<double>* b,
-            const int* ldb,
-            const std::complex<double>* beta,
-            std::complex<double>* c,
-            const int* ldc,
-            std::size_t transa_length,
-            std::size_t transb_length);
-}
+#include "numerics/dense/blas_functions.h"
 
 namespace latsch::numerics {
 namespace {
-
-constexpr auto* gemm(double) { return dgemm_; }
-constexpr auto* gemm(std::complex<double>) { return zgemm_; }
 
 template <class Matrix>
 int stride(const Matrix& A) {

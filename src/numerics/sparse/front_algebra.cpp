@@ -1,160 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "numerics/sparse/front_algebra.h"
 
-#include <cstddef>
-
 #include "numerics/dense/blas_core.h"
-
-extern "C" {
-void spotrf_(const char*, const int*, float*, const int*, int*, std::size_t);
-void strsm_(const char*,
-            const char*,
-            const char*,
-            const char*,
-            const int*,
-            const int*,
-            const float*,
-            const float*,
-            const int*,
-            float*,
-            const int*,
-            std::size_t,
-            std::size_t,
-            std::size_t,
-            std::size_t);
-void ssyrk_(const char*,
-            const char*,
-            const int*,
-            const int*,
-            const float*,
-            const float*,
-            const int*,
-            const float*,
-            float*,
-            const int*,
-            std::size_t,
-            std::size_t);
-void sgemm_(const char*,
-            const char*,
-            const int*,
-            const int*,
-            const int*,
-            const float*,
-            const float*,
-            const int*,
-            const float*,
-            const int*,
-            const float*,
-            float*,
-            const int*,
-            std::size_t,
-            std::size_t);
-void strsv_(const char*,
-            const char*,
-            const char*,
-            const int*,
-            const float*,
-            const int*,
-            float*,
-            const int*,
-            std::size_t,
-            std::size_t,
-            std::size_t);
-void sgemv_(const char*,
-            const int*,
-            const int*,
-            const float*,
-            const float*,
-            const int*,
-            const float*,
-            const int*,
-            const float*,
-            float*,
-            const int*,
-            std::size_t);
-void dpotrf_(const char*, const int*, double*, const int*, int*, std::size_t);
-void dtrsm_(const char*,
-            const char*,
-            const char*,
-            const char*,
-            const int*,
-            const int*,
-            const double*,
-            const double*,
-            const int*,
-            double*,
-            const int*,
-            std::size_t,
-            std::size_t,
-            std::size_t,
-            std::size_t);
-void dsyrk_(const char*,
-            const char*,
-            const int*,
-            const int*,
-            const double*,
-            const double*,
-            const int*,
-            const double*,
-            double*,
-            const int*,
-            std::size_t,
-            std::size_t);
-void dgemm_(const char*,
-            const char*,
-            const int*,
-            const int*,
-            const int*,
-            const double*,
-            const double*,
-            const int*,
-            const double*,
-            const int*,
-            const double*,
-            double*,
-            const int*,
-            std::size_t,
-            std::size_t);
-void dtrsv_(const char*,
-            const char*,
-            const char*,
-            const int*,
-            const double*,
-            const int*,
-            double*,
-            const int*,
-            std::size_t,
-            std::size_t,
-            std::size_t);
-void dgemv_(const char*,
-            const int*,
-            const int*,
-            const double*,
-            const double*,
-            const int*,
-            const double*,
-            const int*,
-            const double*,
-            double*,
-            const int*,
-            std::size_t);
-}
+#include "numerics/dense/blas_functions.h"
 
 namespace latsch::numerics {
 namespace {
 
-constexpr auto* potrf(float) { return spotrf_; }
-constexpr auto* potrf(double) { return dpotrf_; }
-constexpr auto* trsm(float) { return strsm_; }
-constexpr auto* trsm(double) { return dtrsm_; }
-constexpr auto* syrk(float) { return ssyrk_; }
-constexpr auto* syrk(double) { return dsyrk_; }
-constexpr auto* gemm(float) { return sgemm_; }
-constexpr auto* gemm(double) { return dgemm_; }
-constexpr auto* trsv(float) { return strsv_; }
-constexpr auto* trsv(double) { return dtrsv_; }
-constexpr auto* gemv(float) { return sgemv_; }
-constexpr auto* gemv(double) { return dgemv_; }
+/// X <- op(L)^-1 X, op "N" or "T" (transposed).
+template <class Real>
+void solve(const char* op, int n, int columns, const Real* L, int ld, Real* X, int ldx) {
+  const BlasTurn turn;
+  const Real one = 1;
+  const int next = 1;
+  if (columns == 1) {
+    trsv(Real())("L", op, "N", &n, L, &ld, X, &next, 1, 1, 1);
+  } else {
+    trsm(Real())("L", "L", op, "N", &n, &columns, &one, L, &ld, X, &ldx, 1, 1, 1, 1);
+  }
+}
 
 }  // namespace
 
@@ -182,26 +46,12 @@ void negative_square(int rows, int n, const Real* B, int ld, Real* C) {
 
 template <class Real>
 void solve_lower(int n, int columns, const Real* L, int ld, Real* X, int ldx) {
-  const BlasTurn turn;
-  const Real one = 1;
-  const int next = 1;
-  if (columns == 1) {
-    trsv(Real())("L", "N", "N", &n, L, &ld, X, &next, 1, 1, 1);
-  } else {
-    trsm(Real())("L", "L", "N", "N", &n, &columns, &one, L, &ld, X, &ldx, 1, 1, 1, 1);
-  }
+  solve("N", n, columns, L, ld, X, ldx);
 }
 
 template <class Real>
 void solve_lower_transposed(int n, int columns, const Real* L, int ld, Real* X, int ldx) {
-  const BlasTurn turn;
-  const Real one = 1;
-  const int next = 1;
-  if (columns == 1) {
-    trsv(Real())("L", "T", "N", &n, L, &ld, X, &next, 1, 1, 1);
-  } else {
-    trsm(Real())("L", "L", "T", "N", &n, &columns, &one, L, &ld, X, &ldx, 1, 1, 1, 1);
-  }
+  solve("T", n, columns, L, ld, X, ldx);
 }
 
 template <class Real>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/fe_tire/description/tire_description.h"
 #include "models/fe_tire/ring/contact.h"
 #include "models/fe_tire/ring/equilibrium.h"
 #include "models/fe_tire/ring/inflation.h"
@@ -130,6 +131,10 @@ Failure unstable() {
 
 FeTire::FeTire(Mesh mesh, Materials materials, SolverSettings settings)
     : impl_(std::make_unique<Impl>(std::move(mesh), materials, settings)) {}
+FeTire::FeTire(const TireDescription& description)
+    : FeTire(
+          build_mesh(description), build_materials(description), {.element = description.element}) {
+}
 FeTire::~FeTire() = default;
 FeTire::FeTire(FeTire&&) noexcept = default;
 FeTire& FeTire::operator=(FeTire&&) noexcept = default;

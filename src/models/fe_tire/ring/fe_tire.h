@@ -97,9 +97,13 @@ struct SolverCounts {
   int assemblies = 0, factorizations = 0, cg_iterations = 0, solves = 0, shifts = 0;
 };
 
+struct TireDescription;
+
 class FeTire {
  public:
   FeTire(Mesh mesh, Materials materials, SolverSettings settings = {});
+  /// With the mesh, the materials and the elements of the description.
+  explicit FeTire(const TireDescription& description);
   ~FeTire();
   FeTire(FeTire&&) noexcept;
   FeTire& operator=(FeTire&&) noexcept;

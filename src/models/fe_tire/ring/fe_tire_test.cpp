@@ -26,9 +26,7 @@ TireDescription small_tire() {
 }
 
 FeTire make(const TireDescription& tire, ElementKind kind = ElementKind::full_integration) {
-  SolverSettings settings;
-  settings.element = kind;
-  return FeTire(build_mesh(tire), build_materials(tire), settings);
+  return FeTire(build_mesh(tire), build_materials(tire), {.element = kind});
 }
 
 TEST(FeTire, HarmonicModesEqualThoseOfTheWholeRing) {

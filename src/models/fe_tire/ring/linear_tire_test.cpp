@@ -69,7 +69,7 @@ TEST(LinearTire, AnswersTheGroundExactly) {
 TEST(LinearTire, EquilibriaAreThoseOfNewtonsMethodAlone) {
   for (const TireDescription& description :
        {coarse(reference_tire_a()), coarse(reference_tire_b())}) {
-    FeTire tire(build_mesh(description), build_materials(description));
+    FeTire tire(description);
     const auto inflated = tire.inflate(kInflation);
     ASSERT_TRUE(inflated);
     const std::vector<double> deflections = {0.005, 0.01, 0.015, 0.02, 0.025};
@@ -88,7 +88,7 @@ TEST(LinearTire, EquilibriaAreThoseOfNewtonsMethodAlone) {
 TEST(LinearTire, AnEquilibriumTakesAsManyPassesAsItsElementsNeed) {
   for (const TireDescription& description :
        {coarse(reference_tire_a()), coarse(reference_tire_b()), reference_tire_b()}) {
-    FeTire tire(build_mesh(description), build_materials(description));
+    FeTire tire(description);
     const auto inflated = tire.inflate(kInflation);
     ASSERT_TRUE(inflated);
     for (const std::vector<double>& deflections :
