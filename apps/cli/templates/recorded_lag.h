@@ -3,8 +3,8 @@
 // its slip goes on: by the loop between a sweep up and a sweep down.
 //
 // A force that lags by a relaxation length sigma answers, in a slow sweep, to the slip it had sigma
-// before:  F/Fz = c (s - sigma/|V| ds/dt) + c0.  That is fitted to small slips by least squares in s,
-// ds/dt / |V| and 1, with s^3, and with what load and camber change in c and c0 where they vary;
+// before:  F/Fz = c (s - sigma/|V| ds/dt) + c0.  That is fitted to small slips by least squares in
+// s, ds/dt / |V| and 1, with s^3, and with what load and camber change in c and c0 where they vary;
 // sigma is the ratio of the first two slopes. Its deviation takes into account that neighbors share
 // noise (autocorrelation of the residuals at one sample, as of a process of order 1). What pressure
 // and a tire that warms up change counts as noise.

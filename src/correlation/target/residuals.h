@@ -3,8 +3,8 @@
 //
 // Fit and intervals use the same: residuals here are in proportion to those of objective(). Of each
 // of the N values of a fitted experiment of positive weight w, with d its difference as compared,
-//   r = sqrt(w) d / sigma        where the experiments state their noise (measurement_noise.h) or it
-//                                is estimated (estimated_noise.h), then in units of a common
+//   r = sqrt(w) d / sigma        where the experiments state their noise (measurement_noise.h) or
+//                                it is estimated (estimated_noise.h), then in units of a common
 //                                spread that is estimated from the fit, or
 //   r = sqrt(w n / N) d          where not, n the mean of all N; the weights then stand for how far
 //                                values can be trusted, and the common spread of sqrt(w) d is

@@ -3,8 +3,8 @@
 // the tire's relaxation lengths (rigs/slip_lag.h).
 //
 //   kind = "slip_history"
-//   states = "sweep.csv"             # beside the file: time and the columns of steady_states; or as
-//                                    # they were measured:
+//   states = "sweep.csv"             # beside the file: time and the columns of steady_states; or
+//                                    # as they were measured:
 //   states = {from = "measurement.cornering"}    # of a [measurement.NAME] of the study
 //
 // Channels are those of steady_states, and the lagged slips "kappa" and "alpha". Relaxation lengths
