@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// The belt: a closed chain of N nodes under pressure. With x_k the positions, ψ_k the torsions,
-// u_k = a . (x_k - c) the lateral travel, L0 = 2 R sin(π/N) the chord at rest and c_k = x_(k+1) -
-// x_(k-1), d_k = x_(k+1) + x_(k-1) - 2 x_k in the plane of the rim, its energy is the sum over k of
+// The belt: a closed chain of N nodes under pressure, the control points of belt_curve.h. With L0 =
+// 2π R/N the length of a segment at rest, g_k the curve's slope in the middle of segment k, g0 its
+// length at rest, u = a . (x - c), n the outward normal in the plane of the rim and primes by s of
+// one a segment, its energy is the sum over k of
 //
-//   extension        1/2 (EA/L0) (|x_(k+1) - x_k| - L0 + T0 L0/EA)^2                          (1)
-//   pressure         -1/2 p w a . ((x_k - c) × (x_(k+1) - c)) (-1), the area enclosed          (2)
-//   bending          1/2 (EI/L0^3) (s_k - s_0)^2,  s_k = a . (d_k × c_k)/|c_k|                  (3)
-//   out-of-plane     1/2 EI_o L0 ((u_(k+1) + u_(k-1) - 2 u_k)/L0^2 + ψ_k/R)^2                   (4)
-//   twist            1/2 GJ L0 ((ψ_(k+1) - ψ_k)/L0 - (u_(k+1) - u_k)/(L0 R))^2                 (5)
+//   extension        1/2 EA L0 (|g_k|/g0 - 1 + T0/EA)^2                                        (1)
+//   pressure         p w a . ((x_k - c) × ((x_(k+1) - c)/3 + (x_(k+2) - c)/12))                (2)
+//   bending          1/2 (EI/L0^3) (s - s_0)^2,  s = n . X''                                   (3)
+//   out-of-plane     1/2 EI_o L0 (u''/L0^2 + ζ ψ/R)^2                                          (4)
+//   twist            1/2 GJ L0 ((ψ' - u'/R)/L0)^2                                              (5)
 //
-// T0 = p w R cos(π/N) holds the pressure at rest, so nothing else is stressed there. (1) and (3) do
-// not change when the ring is turned, (4) and (5) not when it is tilted: u = γ R cos φ, ψ = γ cos φ
-// is a rigid tilt by γ, also of the discrete ring. Lateral travel and torsion are taken as small;
-// in-plane motion may be large. Equations: docs/ring_tire.md, section 2.
+// (1) and (5) are taken in the middle of each segment: more points would hold a curve that hardly
+// stretches back from bending. (3) and (4) by Simpson's rule, at the knots and between them; (2),
+// less the area, at the knots. All are of fourth order in L0. T0 holds the pressure at rest, so
+// nothing else is stressed there. (1) and (3) do not change when the ring is turned, (4) and (5)
+// not when it is tilted, which is what ζ = 1 + O(L0^2) is for. Lateral travel and torsion are taken
+// as small; in-plane motion may be large. Equations: docs/ring_tire.md, section 2.
 #pragma once
 
 #include "models/ring_tire/belt/cyclic_band.h"
@@ -20,6 +23,18 @@
 #include "models/ring_tire/description/ring_parameters.h"
 
 namespace latsch::ring_tire {
+
+/// What the elements know; stretch0: g0, s0: of (3) at rest at a knot and between
+/// two, tilt: ζ likewise.
+struct BeltLaw {
+  double R, L0, stretch0, T0, EA, EI, EI_out_of_plane, GJ, pressure_width, s0, s0_between, tilt,
+      tilt_between;
+};
+
+/// Of (2): the weights of the next node and of that after it.
+constexpr double kArea1 = 1.0 / 3.0, kArea2 = 1.0 / 12.0;
+/// Of (3): Simpson's rule has a third at the knots, the rest between them.
+constexpr double kKnotShare = 1.0 / 3.0;
 
 class BeltForces {
  public:
@@ -32,18 +47,18 @@ class BeltForces {
   /// K += scale * energy''.
   void add_stiffness(const NodeValues& q, const RimFrame& rim, double scale, CyclicBand& K) const;
 
-  double chord() const { return L0_; }
-  double tension() const { return T0_; }
+  /// L0, T0.
+  double segment() const { return law_.L0; }
+  double tension() const { return law_.T0; }
 
  private:
+  void add_string_stiffness(const NodeValues& q, int k, double scale, CyclicBand& K) const;
   void add_bending_stiffness(
       const NodeValues& q, const RimFrame& rim, int k, double scale, CyclicBand& K) const;
   void add_lateral_stiffness(const RimFrame& rim, double scale, CyclicBand& K) const;
 
   int nodes_;
-  double R_, L0_, T0_;
-  double EA_, EI_, EI_out_of_plane_, GJ_, pressure_width_;
-  double s0_;  // of (3), at rest
+  BeltLaw law_;
 };
 
 }  // namespace latsch::ring_tire

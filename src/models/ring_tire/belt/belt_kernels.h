@@ -12,35 +12,69 @@ LATSCH_INLINE void by_eight(int begin, int end, const Body& body) {
   for (int i = begin; i < end; i += 8) body(i + 8 <= end ? i : end - 8);
 }
 
-/// Elements -1 .. nodes of nodes at x, y, z with torsions (rows of rim_rows.h). In the rim's axes
-/// a × (t_x, 0, t_z) = (t_z, 0, -t_x).
+/// (26) of a row, of eight segments.
+LATSCH_INLINE Lanes slope_at(const double* row, int k) {
+  return 0.125 *
+         (5.0 * (lanes(row + k + 1) - lanes(row + k)) + (lanes(row + k + 2) - lanes(row + k - 1)));
+}
+
+/// Its transpose: what a value in the middle of each segment is on eight nodes.
+LATSCH_INLINE Lanes from_slopes(const double* row, int k) {
+  return 0.125 *
+         (5.0 * (lanes(row + k) - lanes(row + k - 1)) + (lanes(row + k + 1) - lanes(row + k - 2)));
+}
+
+/// Second derivative by s in the middle of eight segments.
+LATSCH_INLINE Lanes bend_between(const double* row, int k) {
+  return 0.5 * ((lanes(row + k - 1) + lanes(row + k + 2)) - (lanes(row + k) + lanes(row + k + 1)));
+}
+
+/// Elements of the segments -2 .. nodes and of the knots -1 .. nodes, nodes at x, y, z with
+/// torsions (rows of rim_rows.h). In the rim's axes a × (t_x, 0, t_z) = (t_z, 0, -t_x).
 void strain(int nodes, const BeltLaw& law, const double* const rows[4], const Elements& e) {
   const double *x = rows[0], *y = rows[1], *z = rows[2], *psi = rows[3];
-  const double spring = law.EA / law.L0, bend = law.EI / (law.L0 * law.L0 * law.L0);
-  const double over = 1.0 / (law.L0 * law.L0), of_psi = 1.0 / law.R, by_L = 1.0 / law.L0;
-  const double of_travel = 1.0 / (law.L0 * law.R);
+  const double at_knot = kKnotShare * law.EI / (law.L0 * law.L0 * law.L0);
+  const double between = (1.0 - kKnotShare) * law.EI / (law.L0 * law.L0 * law.L0);
+  const double spring = law.EA / law.stretch0, of = law.L0 / law.stretch0;
+  const double over = 1.0 / (law.L0 * law.L0), of_psi = law.tilt / (6.0 * law.R);
+  const double psi_between = law.tilt_between / (48.0 * law.R), by_R = 1.0 / law.R;
+  const double out_of_plane = kKnotShare * law.EI_out_of_plane,
+               out_of_plane_between = (1.0 - kKnotShare) * law.EI_out_of_plane;
+  by_eight(-2, nodes + 1, [&](int k) {
+    const Lanes dx = slope_at(x, k), dy = slope_at(y, k), dz = slope_at(z, k);
+    const Lanes length = sqrt(dx * dx + dy * dy + dz * dz);
+    const Lanes tension = of * (law.T0 + spring * (length - law.stretch0)) / length;  // (1)
+    store(tension * dx, e.row[Elements::kString] + k);
+    store(tension * dy, e.row[Elements::kString + 1] + k);
+    store(tension * dz, e.row[Elements::kString + 2] + k);
+    store(law.GJ * (slope_at(psi, k) - dy * by_R), e.row[Elements::kTwist] + k);  // (5), times L0
+    const Lanes torsion =
+        (lanes(psi + k - 1) + lanes(psi + k + 2)) + 23.0 * (lanes(psi + k) + lanes(psi + k + 1));
+    store(out_of_plane_between * (bend_between(y, k) * over + torsion * psi_between),
+          e.row[Elements::kLateralBetween] + k);  // (4)
+    const Lanes sx = bend_between(x, k), sz = bend_between(z, k);
+    const Lanes shorter = 1.0 / sqrt(dx * dx + dz * dz);
+    const Lanes tx = dx * shorter, tz = dz * shorter;
+    const Lanes moment = between * ((sx * tz - sz * tx) - law.s0_between);  // (3)
+    store(moment * tz, e.row[Elements::kBetweenX] + k);
+    store(-(moment * tx), e.row[Elements::kBetweenZ] + k);
+    store((sx * tx + sz * tz) * shorter, e.row[Elements::kBetweenTurning] + k);
+  });
   by_eight(-1, nodes + 1, [&](int k) {
     const Lanes x0 = lanes(x + k - 1), x1 = lanes(x + k), x2 = lanes(x + k + 1);
     const Lanes y0 = lanes(y + k - 1), y1 = lanes(y + k), y2 = lanes(y + k + 1);
     const Lanes z0 = lanes(z + k - 1), z1 = lanes(z + k), z2 = lanes(z + k + 1);
-    const Lanes dx = x2 - x1, dy = y2 - y1, dz = z2 - z1;
-    const Lanes chord = sqrt(dx * dx + dy * dy + dz * dz);
-    const Lanes tension = (law.T0 + spring * (chord - law.L0)) / chord;  // (1)
-    store(tension * dx, e.row[Elements::kString] + k);
-    store(tension * dy, e.row[Elements::kString + 1] + k);
-    store(tension * dz, e.row[Elements::kString + 2] + k);
     const Lanes cx = x2 - x0, cz = z2 - z0;
     const Lanes sx = (x2 + x0) - 2.0 * x1, sz = (z2 + z0) - 2.0 * z1;
     const Lanes shorter = 1.0 / sqrt(cx * cx + cz * cz);
     const Lanes tx = cx * shorter, tz = cz * shorter;
-    const Lanes moment = bend * ((sx * tz - sz * tx) - law.s0);  // (3)
+    const Lanes moment = at_knot * ((sx * tz - sz * tx) - law.s0);  // (3)
     store(moment * tz, e.row[Elements::kBendX] + k);
     store(-(moment * tx), e.row[Elements::kBendZ] + k);
     store((sx * tx + sz * tz) * shorter, e.row[Elements::kTurning] + k);
-    const Lanes psi1 = lanes(psi + k), psi2 = lanes(psi + k + 1);
-    store(law.EI_out_of_plane * (((y2 + y0) - 2.0 * y1) * over + psi1 * of_psi),
-          e.row[Elements::kLateral] + k);                                                  // (4)
-    store(law.GJ * ((psi2 - psi1) * by_L - dy * of_travel), e.row[Elements::kTwist] + k);  // (5)
+    const Lanes torsion = lanes(psi + k - 1) + 4.0 * lanes(psi + k) + lanes(psi + k + 1);
+    store(out_of_plane * (((y2 + y0) - 2.0 * y1) * over + torsion * of_psi),
+          e.row[Elements::kLateral] + k);  // (4)
   });
 }
 
@@ -51,30 +85,46 @@ void gather(int nodes,
             const Elements& e,
             double* const forces[4]) {
   const double *x = rows[0], *z = rows[2];
-  const double half = 0.5 * law.pressure_width, length = law.L0 / law.R;
+  const double area1 = law.pressure_width * kArea1, area2 = law.pressure_width * kArea2;
   const double by_L = 1.0 / law.L0, by_R = 1.0 / law.R;
+  const double of_psi = law.tilt * law.L0 / (6.0 * law.R);
+  const double of_psi_between = law.tilt_between * law.L0 / (48.0 * law.R);
   by_eight(0, nodes, [&](int k) {
     const auto at = [&](int row, int node) { return lanes(e.row[row] + node); };
     // At k itself, from the node behind, from the node ahead.
     const Lanes behind = 1.0 - at(Elements::kTurning, k - 1),
                 ahead = 1.0 + at(Elements::kTurning, k + 1);
-    const auto bending = [&](int row) {
-      return 2.0 * at(row, k) - behind * at(row, k - 1) - ahead * at(row, k + 1);
+    const auto turning = [&](int segment) {
+      return 0.125 * at(Elements::kBetweenTurning, segment);
     };
-    store((at(Elements::kString, k) - at(Elements::kString, k - 1)) +
-              half * (lanes(z + k + 1) - lanes(z + k - 1)) + bending(Elements::kBendX),
+    const Lanes first = 0.5 + turning(k + 1), second = 0.5 - 5.0 * turning(k),
+                third = 0.5 + 5.0 * turning(k - 1), fourth = 0.5 - turning(k - 2);
+    const auto bending = [&](int row, int between) {
+      return (2.0 * at(row, k) - behind * at(row, k - 1) - ahead * at(row, k + 1)) +
+             ((second * at(between, k) - first * at(between, k + 1)) +
+              (third * at(between, k - 1) - fourth * at(between, k - 2)));
+    };
+    const auto across = [&](const double* row) {
+      return area1 * (lanes(row + k + 1) - lanes(row + k - 1)) +
+             area2 * (lanes(row + k + 2) - lanes(row + k - 2));
+    };
+    store(from_slopes(e.row[Elements::kString], k) + across(z) +
+              bending(Elements::kBendX, Elements::kBetweenX),
           forces[0] + k);
-    store((at(Elements::kString + 2, k) - at(Elements::kString + 2, k - 1)) -
-              half * (lanes(x + k + 1) - lanes(x + k - 1)) + bending(Elements::kBendZ),
+    store(from_slopes(e.row[Elements::kString + 2], k) - across(x) +
+              bending(Elements::kBendZ, Elements::kBetweenZ),
           forces[2] + k);
-    const Lanes lateral = at(Elements::kLateral, k);
-    const Lanes curving =
-        2.0 * lateral - at(Elements::kLateral, k - 1) - at(Elements::kLateral, k + 1);
-    const Lanes twisting = at(Elements::kTwist, k) - at(Elements::kTwist, k - 1);
-    store((at(Elements::kString + 1, k) - at(Elements::kString + 1, k - 1)) + curving * by_L -
-              twisting * by_R,
+    const Lanes before = at(Elements::kLateral, k - 1), here = at(Elements::kLateral, k),
+                after = at(Elements::kLateral, k + 1);
+    const Lanes inner = at(Elements::kLateralBetween, k) + at(Elements::kLateralBetween, k - 1),
+                outer = at(Elements::kLateralBetween, k + 1) + at(Elements::kLateralBetween, k - 2);
+    const Lanes twisting = by_L * from_slopes(e.row[Elements::kTwist], k);
+    store(from_slopes(e.row[Elements::kString + 1], k) +
+              ((2.0 * here - before - after) + 0.5 * (inner - outer)) * by_L - twisting * by_R,
           forces[1] + k);
-    store(twisting - lateral * length, forces[3] + k);
+    store(
+        twisting - of_psi * (before + 4.0 * here + after) - of_psi_between * (outer + 23.0 * inner),
+        forces[3] + k);
   });
 }
 

@@ -23,16 +23,19 @@ RimFrame some_rim() {
   return RimFrame::of(motion);
 }
 
-NodeValues at_rest(const RimFrame& rim, double radius) {
+/// Nodes whose curve has its knots at `radius`.
+NodeValues nodes_at_rest(const RimFrame& rim, double radius) {
   const NodeAngles angles(kBeltNodes);
   NodeValues q(4, kBeltNodes);
-  for (int k = 0; k < kBeltNodes; ++k) q.col(k) << rim.center + radius * angles.radial(rim, k), 0.0;
+  const double outside = radius * node_radius_over_knot_radius(kBeltNodes);
+  for (int k = 0; k < kBeltNodes; ++k)
+    q.col(k) << rim.center + outside * angles.radial(rim, k), 0.0;
   return q;
 }
 
 /// Deformed by centimeters and tenths of a radian.
 NodeValues deformed(const RimFrame& rim, double radius) {
-  NodeValues q = at_rest(rim, radius);
+  NodeValues q = nodes_at_rest(rim, radius);
   RandomStream random(11, 1);
   for (int k = 0; k < kBeltNodes; ++k) {
     for (int i = 0; i < 3; ++i) q(i, k) += 0.02 * (random.uniform() - 0.5);
@@ -74,13 +77,14 @@ TEST(BeltForces, VanishAtRestAndUnderARigidTilt) {
   slack.belt.pressure = 0.0;
   const RimFrame rim = some_rim();
   NodeValues force = NodeValues::Zero(4, kBeltNodes);
-  BeltForces(ring.belt, kBeltNodes).add_force(at_rest(rim, ring.belt.radius), rim, force);
+  BeltForces(ring.belt, kBeltNodes).add_force(nodes_at_rest(rim, ring.belt.radius), rim, force);
   EXPECT_LT(force.norm(), 1e-11 * ring.belt.extension);  // rounding of the springs
 
-  NodeValues q = at_rest(rim, ring.belt.radius);
+  NodeValues q = nodes_at_rest(rim, ring.belt.radius);
   const double tilt = 1e-3;
   for (int k = 0; k < kBeltNodes; ++k) {
-    const double c = std::cos(2.0 * M_PI * k / kBeltNodes);
+    const double c =
+        node_radius_over_knot_radius(kBeltNodes) * std::cos(2.0 * M_PI * k / kBeltNodes);
     q.col(k).head<3>() += tilt * ring.belt.radius * c * rim.a;
     q(3, k) = tilt * c;
   }
@@ -101,22 +105,24 @@ TEST(SidewallForces, AreTheGradientOfTheEnergyAndTheStiffnessItsHessian) {
   const NodeValues q = deformed(rim, ring.belt.radius), v = NodeValues::Zero(4, kBeltNodes);
   const StepRule statics;
   NodeValues force = NodeValues::Zero(4, kBeltNodes);
-  wall.add_force(q, v, rim, statics, force);
+  wall.add_force(at_knots(q), v, rim, statics, force);
+  force = at_knots(force);
   CyclicBand K(kBeltNodes);
-  wall.add_stiffness(q, rim, statics, 1.0, K);
+  wall.add_stiffness(at_knots(q), rim, statics, 1.0, K);
   const double h = 1e-6;
   for (int i = 0; i < 4; ++i) {
     NodeValues plus = q, minus = q, direction = NodeValues::Zero(4, kBeltNodes);
     plus(i, 3) += h;
     minus(i, 3) -= h;
     direction(i, 3) = 1.0;
-    const double slope = (wall.energy(plus, rim) - wall.energy(minus, rim)) / (2.0 * h);
+    const double slope =
+        (wall.energy(at_knots(plus), rim) - wall.energy(at_knots(minus), rim)) / (2.0 * h);
     EXPECT_NEAR(force(i, 3), -slope, 1e-8 * force.norm() + 1e-5);
     NodeValues f1 = NodeValues::Zero(4, kBeltNodes), f0 = f1;
-    wall.add_force(plus, v, rim, statics, f1);
-    wall.add_force(minus, v, rim, statics, f0);
+    wall.add_force(at_knots(plus), v, rim, statics, f1);
+    wall.add_force(at_knots(minus), v, rim, statics, f0);
     const NodeValues column = K.multiply(direction);
-    EXPECT_LT((column + (f1 - f0) / (2.0 * h)).norm(), 1e-7 * column.norm());
+    EXPECT_LT((column + at_knots(f1 - f0) / (2.0 * h)).norm(), 1e-7 * column.norm());
   }
 }
 
@@ -130,7 +136,7 @@ TEST(SidewallForces, FrictionElementsMakeALoopOfTheirForce) {
   const RimFrame rim = some_rim();
   const NodeValues v = NodeValues::Zero(4, kBeltNodes);
   const auto force_at = [&](double radius) {
-    const NodeValues q = at_rest(rim, radius);
+    const NodeValues q = at_knots(nodes_at_rest(rim, radius));
     NodeValues force = NodeValues::Zero(4, kBeltNodes);
     wall.add_force(q, v, rim, {}, force);
     wall.commit(q, rim, {});

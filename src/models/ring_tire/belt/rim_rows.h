@@ -12,7 +12,7 @@ namespace latsch::ring_tire {
 
 class RimRows {
  public:
-  static constexpr int kBeyond = 2;
+  static constexpr int kBeyond = 3;
   enum Row { kX, kY, kZ, kTorsion, kRows };
 
   /// With `more` rows for a loop's own use behind the four.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "models/ring_tire/belt/belt_curve.h"
 #include "models/ring_tire/belt/rim_rows.h"
 
 #define LATSCH_KERNELS_IN "models/ring_tire/belt/sidewall_kernels.h"
@@ -165,13 +166,14 @@ void SidewallForces::add_stiffness(const NodeValues& q,
     }
     slope *= scale;
     const double torsion = scale * torsion_, lambda = torsion_by_lateral_;
-    auto& block = K.block(k, 0);
-    block.topLeftCorner<3, 3>() +=
+    Eigen::Matrix4d block = Eigen::Matrix4d::Zero();
+    block.topLeftCorner<3, 3>() =
         slope[0] * er * er.transpose() + slope[1] * et * et.transpose() +
         (slope[2] + torsion * lambda * lambda) * rim.a * rim.a.transpose();
-    block.block<3, 1>(0, 3) -= torsion * lambda * rim.a;
-    block.block<1, 3>(3, 0) -= torsion * lambda * rim.a.transpose();
-    block(3, 3) += torsion + scale * torsion_damping_ * rule.velocity;
+    block.block<3, 1>(0, 3) = -torsion * lambda * rim.a;
+    block.block<1, 3>(3, 0) = -torsion * lambda * rim.a.transpose();
+    block(3, 3) = torsion + scale * torsion_damping_ * rule.velocity;
+    add_at_knot(block, k, K);
   }
 }
 

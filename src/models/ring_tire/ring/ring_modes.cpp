@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "models/ring_tire/belt/belt.h"
+#include "models/ring_tire/belt/belt_curve.h"
 #include "models/ring_tire/belt/sidewall.h"
 
 namespace latsch::ring_tire {
@@ -30,14 +31,16 @@ Matrix4d axes(const RimFrame& rim, const NodeAngles& angles, int k) {
 struct RestingRing {
   explicit RestingRing(const RingParameters& ring)
       : angles(ring.nodes), rim(RimFrame::of(WheelMotion())), q(4, ring.nodes), K(ring.nodes) {
-    for (int k = 0; k < ring.nodes; ++k) q.col(k) << ring.belt.radius * angles.radial(rim, k), 0.0;
+    const double radius = ring.belt.radius * node_radius_over_knot_radius(ring.nodes);
+    for (int k = 0; k < ring.nodes; ++k) q.col(k) << radius * angles.radial(rim, k), 0.0;
     BeltForces(ring.belt, ring.nodes).add_stiffness(q, rim, 1.0, K);
     Sidewall wall = ring.sidewall;
     SidewallForces(wall, ring.belt.radius, ring.nodes)
         .add_stiffness(q, rim, {.step = 0.0, .velocity = 0.0}, 1.0, K);
   }
 
-  /// K(n) of (20); node 0 is far enough from the ring's end that blocks to both sides are stored.
+  /// K(n) of (20), of amplitudes at the knots; node 0 is far enough from the ring's end that
+  /// blocks to both sides are stored.
   Matrix4cd harmonic(int n) const {
     const int N = angles.nodes(), at = CyclicBand::kReach;
     const Matrix4d Q = axes(rim, angles, at);
@@ -49,7 +52,23 @@ struct RestingRing {
           Q.transpose() * K.block(at - j, j).transpose() * axes(rim, angles, at - j);
       sum += after * std::polar(1.0, phase) + before * std::polar(1.0, -phase);
     }
-    return sum;
+    // e_r and e_t turn from node to node: a wave n of them is one of n + 1 and one of n - 1 along
+    // axes that stand.
+    const Matrix4cd B = knots_over_nodes(n);
+    const Matrix4cd inverse = B.inverse();
+    return inverse.adjoint() * sum * inverse;
+  }
+
+  /// B of belt_curve.h for waves n.
+  Matrix4cd knots_over_nodes(int n) const {
+    const int N = angles.nodes();
+    const Matrix4d Q = axes(rim, angles, 0);
+    const double phase = 2.0 * std::numbers::pi * n / N;
+    const Matrix4d after = Q.transpose() * axes(rim, angles, 1);
+    const Matrix4d before = Q.transpose() * axes(rim, angles, N - 1);
+    return (4.0 * Matrix4cd::Identity() + after * std::polar(1.0, phase) +
+            before * std::polar(1.0, -phase)) /
+           6.0;
   }
 
   NodeAngles angles;

@@ -48,7 +48,7 @@ RingTire::RingTire(const RingParameters& parameters, const RingSettings& setting
       tread_(parameters.tread, parameters.belt.radius, parameters.nodes),
       section_(parameters.belt,
                parameters.tread.width,
-               belt_.chord(),
+               belt_.segment(),
                belt_.tension(),
                parameters.nodes),
       mass_(mass_of_node(parameters)),
@@ -66,6 +66,7 @@ RingTire::RingTire(const RingParameters& parameters, const RingSettings& setting
                              &a1_,
                              &inner_,
                              &total_,
+                             &wall_force_,
                              &residual_})
     *values = NodeValues::Zero(4, parameters.nodes);
   place_at_rest();
@@ -74,8 +75,9 @@ RingTire::RingTire(const RingParameters& parameters, const RingSettings& setting
 double RingTire::free_radius() const { return parameters_.belt.radius + parameters_.tread.height; }
 
 void RingTire::place_at_rest() {
+  const double radius = parameters_.belt.radius * node_radius_over_knot_radius(angles_.nodes());
   for (int k = 0; k < angles_.nodes(); ++k)
-    q_.col(k) << rim_.center + parameters_.belt.radius * angles_.radial(rim_, k), 0.0;
+    q_.col(k) << rim_.center + radius * angles_.radial(rim_, k), 0.0;
   v_.setZero();
   a_.setZero();
   wall_.reset();
@@ -87,7 +89,9 @@ void RingTire::place_at_rest() {
 void RingTire::evaluate_inner(const NodeValues& q, const NodeValues& v) {
   inner_.setZero();
   belt_.add_force(q, rim_, inner_);
-  wall_.add_force(q, v, rim_, rule_, inner_);
+  wall_force_.setZero();
+  wall_.add_force(at_knots(q), at_knots(v), rim_, rule_, wall_force_);
+  inner_ += at_knots(wall_force_);
 }
 
 void RingTire::evaluate(const NodeValues& q, const NodeValues& v) {
@@ -129,9 +133,9 @@ bool RingTire::factorize(const NodeValues& q,
                          const StepRule& rule) {
   ++counts_.factorizations;
   K_.set_zero();
-  K_.add_diagonal(mass_factor * mass_[0], mass_factor * mass_[3]);
+  add_mass(mass_factor, K_);
   belt_.add_stiffness(q, rim_, scale, K_);
-  wall_.add_stiffness(q, rim_, rule, scale, K_);
+  wall_.add_stiffness(at_knots(q), rim_, rule, scale, K_);
   tread_.add_stiffness(scale, K_);
   if (!factor_.factorize(K_)) return false;
   if (!section_.on()) return true;
@@ -144,15 +148,23 @@ CyclicBand RingTire::stiffness() {
   K_.set_zero();
   const StepRule statics;
   belt_.add_stiffness(q_, rim_, 1.0, K_);
-  wall_.add_stiffness(q_, rim_, statics, 1.0, K_);
+  wall_.add_stiffness(at_knots(q_), rim_, statics, 1.0, K_);
   tread_.add_stiffness(1.0, K_);
   return K_;
 }
 
+void RingTire::add_mass(double factor, CyclicBand& K) const {
+  const Eigen::Matrix4d of_knot = (factor * mass_).asDiagonal();
+  for (int k = 0; k < angles_.nodes(); ++k) add_at_knot(of_knot, k, K);
+}
+
+NodeValues RingTire::times_mass(const NodeValues& a) const {
+  return at_knots(mass_.asDiagonal() * at_knots(a));
+}
+
 double RingTire::energy() const {
-  double kinetic = 0.0;
-  for (int k = 0; k < angles_.nodes(); ++k) kinetic += 0.5 * mass_.dot(v_.col(k).cwiseAbs2());
-  return kinetic + belt_.energy(q_, rim_) + wall_.energy(q_, rim_) + tread_.energy(q_) +
+  const double kinetic = 0.5 * (v_.array() * times_mass(v_).array()).sum();
+  return kinetic + belt_.energy(q_, rim_) + wall_.energy(at_knots(q_), rim_) + tread_.energy(q_) +
          section_.energy();
 }
 
@@ -164,11 +176,12 @@ std::optional<Footprint> RingTire::footprint() const {
 
 HubForces RingTire::hub_forces(const Eigen::Matrix3d& carrier) const {
   Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
+  const double tilted = node_radius_over_knot_radius(angles_.nodes());  // ψ of nodes in a tilt
   for (int k = 0; k < angles_.nodes(); ++k) {
     const Vector3d f = inner_.col(k).head<3>();
     force -= f;
-    moment -=
-        (q_.col(k).head<3>() - rim_.center).cross(f) + inner_(3, k) * angles_.tangential(rim_, k);
+    moment -= (q_.col(k).head<3>() - rim_.center).cross(f) +
+              tilted * inner_(3, k) * angles_.tangential(rim_, k);
   }
   return {carrier.transpose() * force, carrier.transpose() * moment};  // (18)
 }
@@ -187,8 +200,8 @@ void RingTire::roll_on(const WheelMotion& motion) {
     v_.col(k).head<3>() +=
         motion.velocity + motion.angular_velocity.cross(x(0).head<3>() - motion.center);
     a_.col(k) = rate * rate * bend;
-    force_.col(k) = mass_.cwiseProduct(a_.col(k));
   }
+  force_ = times_mass(a_);
 }
 
 Result<HubForces> RingTire::advance(const WheelMotion& motion,
@@ -280,7 +293,7 @@ void RingTire::balance() {
   const double theta = settings_.dissipation;
   follow();
   evaluate_inner(q1_, v1_);
-  total_ = (mass_.asDiagonal() * a1_ - theta * force_) / (1.0 - theta);
+  total_ = (times_mass(a1_) - theta * force_) / (1.0 - theta);
 }
 
 /// The step is done.
@@ -289,7 +302,7 @@ void RingTire::accept() {
   v_ = v1_;
   a_ = a1_;
   force_ = total_;
-  wall_.commit(q_, rim_, rule_);
+  wall_.commit(at_knots(q_), rim_, rule_);
   tread_.commit();
   if (section_.on()) section_.accept();
 }
@@ -327,7 +340,7 @@ std::string RingTire::solve_step(bool held, double time) {
   for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
     follow();
     evaluate(q1_, v1_);
-    residual_ = (1.0 - theta) * total_ + theta * force_ - mass_.asDiagonal() * a1_;
+    residual_ = (1.0 - theta) * total_ + theta * force_ - times_mass(a1_);
     const double left = left_at_a_node();
     if (!std::isfinite(left)) break;
     if (left <= settings_.tolerance) return {};

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Flexible ring tire: belt.h on sidewall.h with tread_contact.h, in statics and in time.
 //
-//   m q'' = f(q, q', t),  q: positions of the nodes and torsions of their sections          (15)
+//   M q'' = f(q, q', t),  q: positions of the nodes and torsions of their sections          (15)
 //   q1 = q0 + h v0 + h^2 ((1/2 - β) a0 + β a1),  v1 = v0 + h ((1 - γ) a0 + γ a1)            (16)
-//   m a1 = (1 - θ) f1 + θ f0,  β = (1 + θ)^2/4,  γ = 1/2 + θ                                (17)
+//   M a1 = (1 - θ) f1 + θ f0,  β = (1 + θ)^2/4,  γ = 1/2 + θ                                (17)
 // θ = 0 is the trapezoidal rule; a small θ damps what vibrates faster than the step, still of order
 // 2 [Hilber, Hughes, Taylor 1977]. Each step is solved by Newton's method with the cyclic band
-// matrix m/(β h^2) + (1 - θ) (K + γ/(β h) C).
+// matrix M/(β h^2) + (1 - θ) (K + γ/(β h) C).
 //   hub force = -Σ f_k, moment = -Σ ((x_k - c) × f_k + ψ-moment e_t), f: all but the road's (18)
 //
 // settle() lowers the rim from first touch in equal steps, each an equilibrium (statics.cpp),
@@ -19,6 +19,7 @@
 #include <string>
 
 #include "models/ring_tire/belt/belt.h"
+#include "models/ring_tire/belt/belt_curve.h"
 #include "models/ring_tire/belt/section_bending.h"
 #include "models/ring_tire/belt/sidewall.h"
 #include "models/ring_tire/description/ring_parameters.h"
@@ -69,16 +70,16 @@ class RingTire final : public Tire {
   /// What small vibrations about the tire as it stands feel: friction of the road and in the
   /// sidewall sticks. `maxwell`: stiffness of the Maxwell elements, of one time constant.
   struct Linearized {
-    CyclicBand stiffness, damping, maxwell;
+    CyclicBand mass, stiffness, damping, maxwell;
     double time_constant;
     // What the bending of the sections adds: SectionBending::border().
     Eigen::MatrixXd section_border, section_stiffness;
   };
   Linearized linearized() const;
-  /// Tangent stiffness of belt, sidewall and contact as they stand, and mass of a node (m, m, m,
+  /// Tangent stiffness of belt, sidewall and contact as they stand, and mass of a knot (m, m, m,
   /// J).
   CyclicBand stiffness();
-  Eigen::Vector4d node_mass() const { return mass_; }
+  Eigen::Vector4d knot_mass() const { return mass_; }
 
  private:
   /// f of (15) at q, v, on the rim where it stands: inner forces, then those of the road.
@@ -117,6 +118,9 @@ class RingTire final : public Tire {
   double left_at_a_node() const;
   /// Of all together.
   double left_together() const;
+  void add_mass(double factor, CyclicBand& K) const;
+  /// B' m B a of belt_curve.h.
+  NodeValues times_mass(const NodeValues& a) const;
   HubForces hub_forces(const Eigen::Matrix3d& carrier) const;
   void place_at_rest();
 
@@ -132,7 +136,7 @@ class RingTire final : public Tire {
   StepRule rule_;
   NodeValues q_, v_, force_;  // at the end of the last step; f of (15)
   NodeValues q1_, v1_, a1_, q_predicted_, v_predicted_, a_;
-  NodeValues inner_, total_, residual_;
+  NodeValues inner_, wall_force_, total_, residual_;
   CyclicBand K_;
   CyclicBandFactor factor_;
   TangentReuse reuse_;

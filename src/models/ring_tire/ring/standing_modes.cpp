@@ -21,10 +21,9 @@ Eigen::Map<const NodeValues> nodes_of(const double* values, int nodes) {
 
 numerics::EigenPairs<double> lowest(const CyclicBandFactor& factor,
                                     const SectionBending& section,
-                                    const Eigen::Vector4d& node_mass,
+                                    const CyclicBand& mass,
                                     int nodes,
                                     int count) {
-  const Eigen::VectorXd mass = node_mass.replicate(nodes, 1);
   numerics::EigenProblem<double> problem;
   problem.size = 4 * nodes;
   problem.solve = [&](Eigen::Ref<MatrixXd> X) {
@@ -35,18 +34,19 @@ numerics::EigenPairs<double> lowest(const CyclicBandFactor& factor,
     }
   };
   problem.mass = [&](const Eigen::Ref<const MatrixXd>& X, Eigen::Ref<MatrixXd> Y) {
-    Y = mass.asDiagonal() * X;
+    for (Eigen::Index i = 0; i < X.cols(); ++i)
+      Y.col(i) = mass.multiply(nodes_of(X.col(i).data(), nodes)).reshaped();
   };
   return numerics::lanczos(problem, {.count = count, .tolerance = 1e-10});
 }
 
-/// The shape along e_r, e_t, a of each node.
+/// The shape at the knots, along e_r, e_t, a of each.
 NodeValues along_node_axes(const NodeValues& shape, const RingTire& tire) {
-  NodeValues along = shape;
+  NodeValues along = at_knots(shape);
   const RimFrame& rim = tire.rim();
   const NodeAngles angles(static_cast<int>(shape.cols()));
   for (int k = 0; k < angles.nodes(); ++k) {
-    const Eigen::Vector3d u = shape.col(k).head<3>();
+    const Eigen::Vector3d u = along.col(k).head<3>();
     along.col(k).head<3>() << angles.radial(rim, k).dot(u), angles.tangential(rim, k).dot(u),
         rim.a.dot(u);
   }
@@ -105,8 +105,8 @@ Result<std::vector<StandingMode>> standing_modes(const RingTire& tire, int count
   SectionBending section = tire.section();
   if (section.on() && !section.border(factor, small.section_border, small.section_stiffness, 1.0))
     return Failure{"the ring's bent sections do not stand stably"};
-  const Eigen::Vector4d mass = tire.node_mass();
-  const auto pairs = lowest(factor, section, mass, N, count);
+  const Eigen::Vector4d mass = tire.knot_mass();
+  const auto pairs = lowest(factor, section, small.mass, N, count);
   if (!pairs.converged) return Failure{"the modes of the standing ring were not found"};
   const bool upright = node_is_lowest(tire.rim());
   std::vector<StandingMode> modes;

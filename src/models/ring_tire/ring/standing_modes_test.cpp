@@ -35,14 +35,12 @@ using NodesOfBlock = std::array<Eigen::Vector4d, 4>;
 
 /// (10) of a block at the share s of its segment, its frame following the belt.
 Vector3d tip_of(const NodesOfBlock& x, double s, double H, double y, const Vector3d& a) {
-  const double w[4] = {-0.5 * s + s * s - 0.5 * s * s * s,
-                       1.0 - 2.5 * s * s + 1.5 * s * s * s,
-                       0.5 * s + 2.0 * s * s - 1.5 * s * s * s,
-                       -0.5 * s * s + 0.5 * s * s * s};
-  const double d[4] = {-0.5 + 2.0 * s - 1.5 * s * s,
-                       -5.0 * s + 4.5 * s * s,
-                       0.5 + 4.0 * s - 4.5 * s * s,
-                       -s + 1.5 * s * s};
+  const double r = 1.0 - s;
+  const double w[4] = {r * r * r / 6.0,
+                       2.0 / 3.0 - s * s + 0.5 * s * s * s,
+                       2.0 / 3.0 - r * r + 0.5 * r * r * r,
+                       s * s * s / 6.0};
+  const double d[4] = {-0.5 * r * r, -2.0 * s + 1.5 * s * s, 2.0 * r - 1.5 * r * r, 0.5 * s * s};
   Eigen::Vector4d p = Eigen::Vector4d::Zero(), slope = Eigen::Vector4d::Zero();
   for (std::size_t m = 0; m < 4; ++m) {
     p += w[m] * x[m];
@@ -75,6 +73,17 @@ Eigen::Matrix<double, 16, 16> block_stiffness(
   return K;
 }
 
+/// Masses at the knots, of which each moves as one sixth, four and one of its nodes.
+MatrixXd consistent_mass(const RingTire& tire) {
+  const int N = tire.parameters().nodes;
+  MatrixXd knots = MatrixXd::Zero(4 * N, 4 * N);
+  for (int k = 0; k < N; ++k)
+    for (const auto& [other, share] :
+         {std::pair{k, 4.0}, {(k + 1) % N, 1.0}, {(k + N - 1) % N, 1.0}})
+      knots.block<4, 4>(4 * k, 4 * other).diagonal().setConstant(share / 6.0);
+  return knots.transpose() * tire.knot_mass().replicate(N, 1).asDiagonal() * knots;
+}
+
 /// Differences of the belt's and the sidewall's forces and of the blocks' energy, all unknowns.
 MatrixXd stiffness_by_differences(const RingTire& tire) {
   const RingParameters& ring = tire.parameters();
@@ -83,8 +92,9 @@ MatrixXd stiffness_by_differences(const RingTire& tire) {
   const SidewallForces wall(ring.sidewall, ring.belt.radius, N);
   const auto force = [&](const NodeValues& q) {
     NodeValues f = NodeValues::Zero(4, N);
+    wall.add_force(at_knots(q), NodeValues::Zero(4, N), tire.rim(), {}, f);
+    f = at_knots(f);
     belt.add_force(q, tire.rim(), f);
-    wall.add_force(q, NodeValues::Zero(4, N), tire.rim(), {}, f);
     return Eigen::VectorXd(f.reshaped());
   };
   MatrixXd K(4 * N, 4 * N);
@@ -141,7 +151,7 @@ TEST(StandingModes, AreThoseOfADenseMatrixOfDifferences) {
   for (const double depth : {0.004, 0.025}) {
     const RingTire tire = standing(ring, depth);
     const MatrixXd K = stiffness_by_differences(tire);
-    const MatrixXd M = tire.node_mass().replicate(ring.nodes, 1).asDiagonal();
+    const MatrixXd M = consistent_mass(tire);
     const Eigen::VectorXd squares =
         numerics::generalized_eigenvalues(MatrixXd(0.5 * (K + K.transpose())), M);
     const auto modes = standing_modes(tire, 24);
@@ -184,18 +194,20 @@ struct Poles {
 };
 Poles symmetric_poles(const RingParameters& ring) {
   Poles poles;
-  const double w[4] = {-0.0625, 0.5625, 0.5625, -0.0625};
+  const double x = 2.0 * std::numbers::pi / ring.nodes;
+  // How far the curve in the middle of a segment moves in a wave m that its knots take part in.
+  const auto middle = [&](int m) {
+    const double knots = (4.0 + 2.0 * std::cos(m * x)) / 6.0;
+    return (23.0 * std::cos(0.5 * m * x) + std::cos(1.5 * m * x)) / 24.0 / knots;
+  };
   for (const RingMode& mode : unloaded_modes(ring, ring.nodes / 2)) {
     if (mode.lateral) continue;
     // u_r = A cos n φ, u_t = -+B sin n φ: minus where the belt keeps its length, u_r + u_t' = 0,
     // which is the lower of two; plus in the upper, by orthogonality.
     const double sign = mode.order == 1 ? -1.0 : 1.0;
-    double down = 0.0;
-    for (int m = 0; m < 4; ++m) {
-      const double phi = 2.0 * std::numbers::pi / ring.nodes * (m - 1.5);
-      down += w[m] * (mode.shape[0] * std::cos(mode.n * phi) * std::cos(phi) -
-                      sign * mode.shape[1] * std::sin(mode.n * phi) * std::sin(phi));
-    }
+    // Down is u_r cos φ - u_t sin φ: waves n + 1 and n - 1.
+    const double u_r = mode.shape[0], u_t = sign * mode.shape[1];
+    const double down = 0.5 * ((u_r + u_t) * middle(mode.n + 1) + (u_r - u_t) * middle(mode.n - 1));
     const bool single = mode.n == 0 || 2 * mode.n == ring.nodes;
     poles.squared.push_back(std::pow(2.0 * std::numbers::pi * mode.frequency, 2));
     poles.moved.push_back((single ? 1.0 : 2.0) / ring.nodes * down * down);

@@ -45,19 +45,25 @@ void TreadContact::add_sticking(const NodeValues& q, CyclicBand& K, CyclicBand& 
 RingTire::Linearized RingTire::linearized() const {
   const int nodes = angles_.nodes();
   const SidewallForces::Losses losses = wall_.losses();
-  Linearized tire{
-      CyclicBand(nodes), CyclicBand(nodes), CyclicBand(nodes), losses.time_constant, {}, {}};
+  Linearized tire{CyclicBand(nodes),
+                  CyclicBand(nodes),
+                  CyclicBand(nodes),
+                  CyclicBand(nodes),
+                  losses.time_constant,
+                  {},
+                  {}};
+  add_mass(1.0, tire.mass);
   belt_.add_stiffness(q_, rim_, 1.0, tire.stiffness);
   SidewallForces wall = wall_;
   wall.stick();
-  wall.add_stiffness(q_, rim_, {}, 1.0, tire.stiffness);
+  wall.add_stiffness(at_knots(q_), rim_, {}, 1.0, tire.stiffness);
   for (int k = 0; k < nodes; ++k) {
     Matrix4d axes = Matrix4d::Identity();
     axes.block<3, 1>(0, 0) = angles_.radial(rim_, k);
     axes.block<3, 1>(0, 1) = angles_.tangential(rim_, k);
     axes.block<3, 1>(0, 2) = rim_.a;
-    tire.damping.block(k, 0) += along_axes(axes, losses.damping);
-    tire.maxwell.block(k, 0) += along_axes(axes, losses.maxwell);
+    add_at_knot(along_axes(axes, losses.damping), k, tire.damping);
+    add_at_knot(along_axes(axes, losses.maxwell), k, tire.maxwell);
   }
   tread_.add_sticking(q_, tire.stiffness, tire.damping);
   if (section_.on())

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "models/ring_tire/belt/belt_curve.h"
+
 namespace latsch::ring_tire {
 namespace {
 
@@ -50,17 +52,13 @@ TreadContact::TreadContact(const Tread& tread, double radius, int nodes)
   lift_.resize(static_cast<std::size_t>(stride_));
   share_.resize(static_cast<std::size_t>(stride_));
   for (int j = 0; j < stride_; ++j) {
-    const double s = (std::min(j, blocks_ - 1) + 0.5) / blocks_, s2 = s * s, s3 = s2 * s;
-    const double catmull_rom[8] = {0.5 * (-s3 + 2.0 * s2 - s),
-                                   0.5 * (3.0 * s3 - 5.0 * s2 + 2.0),
-                                   0.5 * (-3.0 * s3 + 4.0 * s2 + s),
-                                   0.5 * (s3 - s2),
-                                   0.5 * (-3.0 * s2 + 4.0 * s - 1.0),
-                                   0.5 * (9.0 * s2 - 10.0 * s),
-                                   0.5 * (-9.0 * s2 + 8.0 * s + 1.0),
-                                   0.5 * (3.0 * s2 - 2.0 * s)};
-    for (int m = 0; m < 8; ++m)
-      weights_[static_cast<std::size_t>(m * stride_ + j)] = catmull_rom[m];
+    const double s = (std::min(j, blocks_ - 1) + 0.5) / blocks_;
+    const CurveWeights at = curve_weights(s);
+    for (std::size_t m = 0; m < 4; ++m) {
+      const std::size_t stride = static_cast<std::size_t>(stride_), i = static_cast<std::size_t>(j);
+      weights_[m * stride + i] = at.place[m];
+      weights_[(4 + m) * stride + i] = at.slope[m];
+    }
     lift_[static_cast<std::size_t>(j)] = j < blocks_ ? 0.0 : kFar;
     share_[static_cast<std::size_t>(j)] = s;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tread blocks between belt and road. A block sits at the fraction s of segment k, on one of the
-// lines across the width at y; its root is interpolated from the four nodes k-1 .. k+2 by cubic
-// splines (Catmull-Rom). With p, x' the belt's middle there and its derivative by s, t along x' in
+// lines across the width at y; its root is a point of the belt's curve, which hangs
+// on the four nodes k-1 .. k+2 (belt_curve.h). With p, x' the belt's middle there and its derivative by s, t along x' in
 // the rim's plane, n = a × t outward, H the height from belt to tip, the unloaded tip is
 //   T = p + H (n - ν_n t + ψ a) + y (a - ν_a t - ψ n),  ν_n = n . x'/|x'|,  ν_a = a . x'/|x'|  (10)
 // The ν turn the section with the belt's slope, so that a force at the tip has its right moment.
