@@ -29,8 +29,8 @@ void TreadContact::add_sticking(const NodeValues& q, CyclicBand& K, CyclicBand& 
                               height(segment, block.line, block.station),
                               line_y_[static_cast<std::size_t>(block.line)]);
     const Eigen::Matrix3d spring =
-        tangential_ * Eigen::Matrix3d::Identity() +
-        (normal_ - tangential_) * block.normal * block.normal.transpose();
+        block.share * (tangential_ * Eigen::Matrix3d::Identity() +
+                       (normal_ - tangential_) * block.normal * block.normal.transpose());
     const Matrix4d turning = arms.turning(block.Fn * block.normal + block.F);
     for (int m = 0; m < 4; ++m)
       for (int o = m; o < 4; ++o) {

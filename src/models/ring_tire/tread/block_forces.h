@@ -23,6 +23,7 @@ struct SegmentStations {
   const double* nodes[4];        // positions and torsions of the four nodes
   const double* rates[4];        // and their rates
   const double* weights;         // of position w and of its derivative d: four columns each
+  const double* halves;          // half of what w gains along a block's cell: four columns
   const double* lift;            // m, 0 at a block's own station, else far above any road
   const double *t, *n, *length;  // columns of (10): three, three, one
   const double* a;
@@ -37,7 +38,7 @@ struct BlockLines {
 
 /// What the blocks of a segment know at the beginning of a step.
 struct BlockMemory {
-  const double *tip[3], *touches;  // tip on the road; 1 where it is there, else 0
+  const double *tip[3], *touches;  // tip on the road; share of the block's cell that is there
   const std::uint8_t* entering;    // of each eight stations: not all touch
 };
 
@@ -46,6 +47,7 @@ struct BlockResults {
   double* F[3];     // tangential force on the tire
   double* Fn;       // normal force
   double* gripped;  // tangential force over that of a sticking tip
+  double* share;    // of the block's cell, on the road
   double* tip[3];   // on the road, where the block touches
 };
 

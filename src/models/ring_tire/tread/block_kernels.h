@@ -6,15 +6,26 @@
 namespace latsch::ring_tire::LATSCH_KERNELS {
 
 /// (11). The damper carries no more than the spring: no jump at the touch and no pull.
-LATSCH_INLINE Lanes push(const BlockLaw& law, const Lanes& depth, const Lanes& rate) {
-  const Lanes fast = smaller(law.damping_time * rate, depth);
-  return select(depth > 0.0, law.normal * (depth + larger(fast, -depth)), all(0.0));
+LATSCH_INLINE Lanes push(const BlockLaw& law, const Touch& touch, const Lanes& rate) {
+  const Lanes fast = smaller(law.damping_time * touch.share * rate, touch.depth);
+  return law.normal * (touch.depth + larger(fast, -touch.depth));
 }
 
-/// s since a block touched that did not at the beginning of the step.
-LATSCH_INLINE Lanes since_touch(const BlockLaw& law, const Lanes& depth, const Lanes& rate) {
-  const Lanes since = select(rate * law.step > depth, depth / rate, all(law.step));
-  return select(depth > 0.0, since, all(law.step));
+/// s since what touches now and did not at the beginning of the step came down: half a step where
+/// a part of the block did, else by its depth.
+LATSCH_INLINE Lanes since_touch(const BlockLaw& law,
+                                const Touch& touch,
+                                const Lanes& rate,
+                                const Lanes& before) {
+  const Lanes closing = touch.share * rate;
+  const Lanes since =
+      select(closing * law.step > touch.depth, touch.depth / closing, all(law.step));
+  return select(before > 0.0, all(0.5 * law.step), since);
+}
+
+/// Of what touches, the share that did at the beginning of the step.
+LATSCH_INLINE Lanes kept(const Touch& touch, const Lanes& before) {
+  return smaller(touch.share, before) / larger(touch.share, all(1e-300));
 }
 
 /// Force over that of a sticking tip, and how far the tip gave way, per force T.
@@ -23,14 +34,18 @@ struct Grip {
 };
 
 /// (13), (14): what of the force T of sticking tips friction holds. False where it holds all.
-LATSCH_INLINE bool slides(
-    const BlockLaw& law, const Lanes& T2, const Lanes& Fn, const Lanes& factor, Grip& grip) {
-  const Lanes p = Fn * law.by_force;
+LATSCH_INLINE bool slides(const BlockLaw& law,
+                          const Lanes& T2,
+                          const Lanes& Fn,
+                          const Lanes& share,
+                          const Lanes& factor,
+                          Grip& grip) {
+  const Lanes p = Fn * law.by_force / larger(share, all(1e-300));
   const Lanes limit = factor * adhesion(law.friction->table(), p) * Fn;
   const Lanes over = T2 - limit * limit;
   if (!any(over > 0.0)) return false;
   const Lanes T = sqrt(select(over > 0.0, T2, all(1.0)));
-  const double slope = law.tangential * (law.step + law.damping_time);
+  const Lanes slope = share * (law.tangential * (law.step + law.damping_time));
   const Lanes v = sliding_speed(law.friction->table(), T, slope, Fn, p, factor);
   const Lanes F = T - slope * v, slip = v * law.step;
   grip = {select(over > 0.0, F / T, all(1.0)), select(over > 0.0, slip / T, all(0.0))};
@@ -55,32 +70,40 @@ struct LevelBlocks {
               rate.p.y - ground.velocity[1],
               rate.p.z - ground.velocity[2]};
     const double td = law.damping_time;
-    const auto plus = [&](const Lanes3& a, const Lanes3& b) {
+    const auto lag = [&](const Lanes3& a, const Lanes3& b) {
       return Lanes3{a.x + td * b.x, a.y + td * b.y, a.z};
     };
-    return {place, rate, {plus(place.p, rate.p), plus(place.G, rate.G), plus(place.A, rate.A)}};
+    return {place, rate, {lag(place.p, rate.p), lag(place.G, rate.G), lag(place.A, rate.A)}};
   }
 
   template <class Height>
-  LATSCH_INLINE Lanes3
-  force(const Belt& s, const Height& H, double y, bool entering, int block) const {
+  LATSCH_INLINE Lanes3 force(const Belt& s,
+                             const Lanes3& half,
+                             const Height& H,
+                             double y,
+                             bool entering,
+                             int block,
+                             Lanes3& moment) const {
     const Lanes depth = ground.height - at_line(s.place.p.z, s.place.G.z, s.place.A.z, H, y);
+    const Touch touch = touch_of(depth, -half.z);
     const Lanes rate = -at_line(s.rate.p.z, s.rate.G.z, s.rate.A.z, H, y);
     Lanes tip_x = lanes(before.tip[0] + block) + law.step * ground.velocity[0];
     Lanes tip_y = lanes(before.tip[1] + block) + law.step * ground.velocity[1];
     if (entering) {
       const Lanes3 T = at_line(s.place, H, y), V = at_line(s.rate, H, y);
-      const Lanes touches = lanes(before.touches + block), since = since_touch(law, depth, rate);
-      tip_x = select(touches > 0.5, tip_x, T.x - V.x * since);
-      tip_y = select(touches > 0.5, tip_y, T.y - V.y * since);
+      const Lanes touched = lanes(before.touches + block), old = kept(touch, touched);
+      const Lanes since = since_touch(law, touch, rate, touched);
+      const Lanes new_x = T.x - V.x * since, new_y = T.y - V.y * since;
+      tip_x = new_x + old * (tip_x - new_x);
+      tip_y = new_y + old * (tip_y - new_y);
     }
-    const Lanes stick = select(depth > 0.0, all(law.tangential), all(0.0));
+    const Lanes stick = law.tangential * touch.share;
     Lanes3 F = {stick * (tip_x - at_line(s.lagging.p.x, s.lagging.G.x, s.lagging.A.x, H, y)),
                 stick * (tip_y - at_line(s.lagging.p.y, s.lagging.G.y, s.lagging.A.y, H, y)),
-                push(law, depth, rate)};  // (12)
+                push(law, touch, rate)};  // (12)
     Grip grip;
     Lanes gripped = all(1.0);
-    if (slides(law, F.x * F.x + F.y * F.y, F.z, all(ground.friction), grip)) {
+    if (slides(law, F.x * F.x + F.y * F.y, F.z, touch.share, all(ground.friction), grip)) {
       tip_x -= grip.slip * F.x;
       tip_y -= grip.slip * F.y;
       F.x *= grip.share;
@@ -93,6 +116,8 @@ struct LevelBlocks {
     store(gripped, results.gripped + block);
     store(tip_x, results.tip[0] + block);
     store(tip_y, results.tip[1] + block);
+    store(touch.share, results.share + block);
+    moment.z += law.normal * touch.moment;
     return F;
   }
 };
@@ -113,28 +138,36 @@ struct UnevenBlocks {
   }
 
   template <class Height>
-  LATSCH_INLINE Lanes3 force(const Belt& s, const Height& H, double y, bool, int block) const {
+  LATSCH_INLINE Lanes3 force(const Belt& s,
+                             const Lanes3& half,
+                             const Height& H,
+                             double y,
+                             bool,
+                             int block,
+                             Lanes3& moment) const {
     const Lanes3 N = lanes3(ground.N, block), road = lanes3(ground.velocity, block);
     const Lanes3 T = at_line(s.place, H, y);
     Lanes3 V = at_line(s.rate, H, y);
     V = {V.x - road.x, V.y - road.y, V.z - road.z};
     const Lanes depth = lanes(ground.level + block) - dot(N, T), rate = -dot(N, V);
-    const Lanes Fn = push(law, depth, rate);
-    const Lanes touches = lanes(before.touches + block), since = since_touch(law, depth, rate);
+    const Touch touch = touch_of(depth, -dot(N, half));
+    const Lanes Fn = push(law, touch, rate);
+    const Lanes touched = lanes(before.touches + block), old = kept(touch, touched);
+    const Lanes fresh = (old - 1.0) * since_touch(law, touch, rate, touched);
     const Lanes3 tip = lanes3(before.tip, block);
-    Lanes3 e = {select(touches > 0.5, tip.x + law.step * road.x - T.x, -V.x * since),
-                select(touches > 0.5, tip.y + law.step * road.y - T.y, -V.y * since),
-                select(touches > 0.5, tip.z + law.step * road.z - T.z, -V.z * since)};
+    Lanes3 e = {old * (tip.x + law.step * road.x - T.x) + fresh * V.x,
+                old * (tip.y + law.step * road.y - T.y) + fresh * V.y,
+                old * (tip.z + law.step * road.z - T.z) + fresh * V.z};
     const Lanes across = dot(N, e);
     e = {e.x - N.x * across, e.y - N.y * across, e.z - N.z * across};
-    const Lanes stick = select(depth > 0.0, all(law.tangential), all(0.0));
+    const Lanes stick = law.tangential * touch.share;
     const double td = law.damping_time;
     Lanes3 F = {stick * (e.x - td * (V.x + N.x * rate)),  // (12)
                 stick * (e.y - td * (V.y + N.y * rate)),
                 stick * (e.z - td * (V.z + N.z * rate))};
     Grip grip;
     Lanes gripped = all(1.0);
-    if (slides(law, dot(F, F), Fn, lanes(ground.friction + block), grip)) {
+    if (slides(law, dot(F, F), Fn, touch.share, lanes(ground.friction + block), grip)) {
       e = {e.x - grip.slip * F.x, e.y - grip.slip * F.y, e.z - grip.slip * F.z};
       F = {F.x * grip.share, F.y * grip.share, F.z * grip.share};
       gripped = grip.share;
@@ -145,6 +178,9 @@ struct UnevenBlocks {
     store3({T.x + depth * N.x + e.x, T.y + depth * N.y + e.y, T.z + depth * N.z + e.z},
            results.tip,
            block);
+    store(touch.share, results.share + block);
+    const Lanes push = law.normal * touch.moment;
+    moment = {moment.x + push * N.x, moment.y + push * N.y, moment.z + push * N.z};
     return {F.x + Fn * N.x, F.y + Fn * N.y, F.z + Fn * N.z};
   }
 };
@@ -231,7 +267,8 @@ void keep_tips(const BlockSpan& at,
   for (int line = 0; line < count; ++line)
     for (int j = at.begin; j < at.end; j += kWide) {
       const int block = line * at.stride + j;
-      store(select(lanes(results.Fn + block) > 0.0, all(1.0), all(0.0)), touches + block);
+      store(select(lanes(results.Fn + block) > 0.0, lanes(results.share + block), all(0.0)),
+            touches + block);
       store(lanes(results.tip[0] + block), tip[0] + block);
       store(lanes(results.tip[1] + block), tip[1] + block);
       store(level ? all(*level) : lanes(results.tip[2] + block), tip[2] + block);
@@ -257,7 +294,8 @@ void level_stiffness(const BlockSpan& at,
     for (int line = 0; line < of.count; ++line) {
       const double y = of.y[line];
       const int block = line * at.stride + j;
-      const Lanes on = select(lanes(results.Fn + block) > 0.0, all(1.0), all(0.0));
+      const Lanes on =
+          select(lanes(results.Fn + block) > 0.0, lanes(results.share + block), all(0.0));
       const Lanes gripped = lanes(results.gripped + block);
       const Lanes plane = on * tangential * gripped;
       Lanes xx = plane, yy = plane;
@@ -288,7 +326,8 @@ void uneven_stiffness(const BlockSpan& at,
     for (int line = 0; line < of.count; ++line) {
       const double y = of.y[line];
       const int block = line * at.stride + j;
-      const Lanes on = select(lanes(results.Fn + block) > 0.0, all(1.0), all(0.0));
+      const Lanes on =
+          select(lanes(results.Fn + block) > 0.0, lanes(results.share + block), all(0.0));
       const Lanes gripped = lanes(results.gripped + block);
       const Lanes plane = on * tangential * gripped;
       const Lanes3 F = lanes3(results.F, block), N = lanes3(ground.N, block);

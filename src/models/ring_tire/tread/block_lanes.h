@@ -71,6 +71,21 @@ LATSCH_INLINE Section section(const SegmentStations& at,
                 own * az - nu_a * t.z - psi * n.z}};
 }
 
+/// A block's cell on the road, its depth running linearly from δ - g at one end to δ + g at the
+/// other: the share λ of it that touches, and the means of (δ + g ξ)_+ and of ξ (δ + g ξ)_+ over
+/// ξ = -1 .. 1. All are of continuous slope in δ and g, so nothing jumps where blocks come and go.
+struct Touch {
+  Lanes share, depth, moment;
+};
+
+LATSCH_INLINE Touch touch_of(const Lanes& depth, const Lanes& g) {
+  const Lanes a = larger(larger(g, -g), all(1e-12));
+  const Lanes share = larger(smaller((depth + a) / (2.0 * a), all(1.0)), all(0.0));
+  const Lanes square = share * share;
+  return {
+      share, a * square + larger(depth - a, all(0.0)), g * square * (1.0 - (2.0 / 3.0) * share)};
+}
+
 // H: of a line, or of eight stations of one where the section is bent.
 template <class Height>
 LATSCH_INLINE Lanes
@@ -84,9 +99,9 @@ LATSCH_INLINE Lanes3 at_line(const Section& s, const Height& H, double y) {
           at_line(s.p.z, s.G.z, s.A.z, H, y)};
 }
 
-/// Forces of the lines at eight stations, F, H F and y F.
+/// Forces of the lines at eight stations, F, H F and y F, and their moments on half a cell.
 struct StationSums {
-  Lanes3 F, FH, Fy;
+  Lanes3 F, FH, Fy, moment;
 
   template <class Height>
   LATSCH_INLINE void add(const Lanes3& f, const Height& H, double y) {
@@ -112,9 +127,10 @@ LATSCH_INLINE void spread(const SegmentStations& at,
   for (int m = 0; m < 4; ++m) {
     const Lanes w = lanes(at.weights + m * at.stride + j);
     const Lanes d = lanes(at.weights + (4 + m) * at.stride + j);
-    to_node[m][0] += w * sums.F.x + d * turning.x;
-    to_node[m][1] += w * sums.F.y + d * turning.y;
-    to_node[m][2] += w * sums.F.z + d * turning.z;
+    const Lanes half = lanes(at.halves + m * at.stride + j);
+    to_node[m][0] += w * sums.F.x + d * turning.x + half * sums.moment.x;
+    to_node[m][1] += w * sums.F.y + d * turning.y + half * sums.moment.y;
+    to_node[m][2] += w * sums.F.z + d * turning.z + half * sums.moment.z;
     to_node[m][3] += w * torsion;
   }
 }
@@ -137,8 +153,16 @@ struct BentLines {
   }
 };
 
+/// Half of what the belt gains along the cells of eight stations.
+LATSCH_INLINE Lanes3 half_cell(const SegmentStations& at, int j) {
+  Lanes half[4];
+  for (int m = 0; m < 4; ++m) half[m] = lanes(at.halves + m * at.stride + j);
+  return {mixed(half, at.nodes, 0), mixed(half, at.nodes, 1), mixed(half, at.nodes, 2)};
+}
+
 /// All blocks of a segment. `Blocks` has at(stations, j, place, rate), the belt as its ground wants
-/// it, and force(belt, H, y, entering, block), the force of eight blocks of a line on the tire.
+/// it, and force(belt, half, H, y, entering, block, moment), the force of eight blocks of a line on
+/// the tire, which adds to the moment on their half cells.
 template <class Blocks, class Shape>
 LATSCH_INLINE void add_block_forces(const BlockStep& step,
                                     const Blocks& blocks,
@@ -149,12 +173,14 @@ LATSCH_INLINE void add_block_forces(const BlockStep& step,
   for (int j = at.begin; j < at.end; j += kWide) {
     const auto belt =
         blocks.at(at, j, section(at, at.nodes, j, 1.0), section(at, at.rates, j, 0.0));
+    const Lanes3 half = half_cell(at, j);
     const bool entering = step.before.entering[j / kWide] != 0;
     StationSums sums = {};
     for (int line = 0; line < lines.count; ++line) {
       const auto H = shape.height(lines, line, j);
       const double y = lines.y[line];
-      sums.add(blocks.force(belt, H, y, entering, line * at.stride + j), H, y);
+      const int block = line * at.stride + j;
+      sums.add(blocks.force(belt, half, H, y, entering, block, sums.moment), H, y);
     }
     spread(at, j, sums, to_node);
   }

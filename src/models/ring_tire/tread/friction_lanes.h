@@ -24,10 +24,10 @@ LATSCH_INLINE Lanes adhesion(const FrictionLaw::Table& law, const Lanes& p) {
   return coefficient(law.at[0], clamped(law, p));
 }
 
-/// v >= 0 of (14); `factor` of the road multiplies μ, `slope` is c (h + t_d).
+/// v >= 0 of (14); `factor` of the road multiplies μ, `slope` is c (h + t_d), c of what touches.
 LATSCH_INLINE Lanes sliding_speed(const FrictionLaw::Table& law,
                                   const Lanes& T,
-                                  double slope,
+                                  const Lanes& slope,
                                   const Lanes& Fn,
                                   const Lanes& p,
                                   const Lanes& factor) {

@@ -5,7 +5,7 @@
 namespace latsch::ring_tire::LATSCH_KERNELS {
 
 double sliding_speed_of(const FrictionLaw& law, double T, double slope, double Fn, double p) {
-  return sliding_speed(law.table(), all(T), slope, all(Fn), all(p), all(1.0)).at(7);
+  return sliding_speed(law.table(), all(T), all(slope), all(Fn), all(p), all(1.0)).at(7);
 }
 
 }  // namespace latsch::ring_tire::LATSCH_KERNELS

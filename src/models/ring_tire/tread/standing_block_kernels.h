@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Blocks of a tire that stands. Their forces are the gradient of an energy, so that an equilibrium
 // is a minimum which a line search cannot miss:
-//   normal      1/2 c_n δ^2 where δ > 0
-//   tangential  1/2 c_t |e|^2 up to |F_t| = g, from there on g (|e| - g/(2 c_t)): the tip gives way
-// g = μ_adhesion F_n is held while an equilibrium is sought and then renewed with the F_n found
-// (Tresca's friction as a step towards Coulomb's). A block that was in the air one step of the
-// rim before has no e and holds nothing along the road: where its tip touched is not known.
+//   normal      1/2 c_n times the mean of δ^2 over the cell where δ > 0
+//   tangential  1/2 k |e|^2 up to |F_t| = g, from there on g (|e| - g/(2 k)): the tip gives way
+// k = c_t times the share of the cell that was on the road one step of the rim before: what was in
+// the air has no e and holds nothing along the road, where it touched is not known. g = μ_adhesion
+// F_n is held while an equilibrium is sought and then renewed with the F_n found (Tresca's friction
+// as a step towards Coulomb's).
 #include "models/ring_tire/tread/block_lanes.h"
 #include "models/ring_tire/tread/friction_lanes.h"
 
@@ -22,27 +23,38 @@ struct StandingBlocks {
   }
 
   template <class Height>
-  LATSCH_INLINE Lanes3 force(const Section& s, const Height& H, double y, bool, int block) const {
+  LATSCH_INLINE Lanes3 force(const Section& s,
+                             const Lanes3& half,
+                             const Height& H,
+                             double y,
+                             bool,
+                             int block,
+                             Lanes3& moment) const {
     const Lanes3 T = at_line(s, H, y);
     const Lanes3 N = lanes3(ground.N, block), tip = lanes3(before.tip, block);
     const Lanes depth = lanes(ground.level + block) - dot(N, T);
-    const Lanes Fn = law.normal * larger(depth, all(0.0));  // (11)
+    const Touch touch = touch_of(depth, -dot(N, half));
+    const Lanes Fn = law.normal * touch.depth;  // (11)
     Lanes3 e = {tip.x - T.x, tip.y - T.y, tip.z - T.z};
     const Lanes across = dot(N, e);
     e = {e.x - N.x * across, e.y - N.y * across, e.z - N.z * across};
     const Lanes held = lanes(ground.held + block);
-    const Lanes trial = law.tangential * sqrt(dot(e, e));
+    const Lanes touched = lanes(before.touches + block), k = law.tangential * touched;
+    const Lanes trial = k * sqrt(dot(e, e));
     const Lanes holds = select(trial > held, held / larger(trial, all(1e-300)), all(1.0));  // (13)
-    const Lanes gripped = select(lanes(before.touches + block) > 0.5, holds, all(0.0));
+    const Lanes3 F = {k * holds * e.x, k * holds * e.y, k * holds * e.z};                   // (12)
+    // Spread over all that touches now.
+    const Lanes gripped = holds * touched / larger(larger(touched, touch.share), all(1e-300));
     e = {gripped * e.x, gripped * e.y, gripped * e.z};
-    const double k = law.tangential;
-    const Lanes3 F = {k * e.x, k * e.y, k * e.z};  // (12)
     store3(F, results.F, block);
     store(Fn, results.Fn + block);
     store(gripped, results.gripped + block);
     store3({T.x + depth * N.x + e.x, T.y + depth * N.y + e.y, T.z + depth * N.z + e.z},
            results.tip,
            block);
+    store(touch.share, results.share + block);
+    const Lanes push = law.normal * touch.moment;
+    moment = {moment.x + push * N.x, moment.y + push * N.y, moment.z + push * N.z};
     return {F.x + Fn * N.x, F.y + Fn * N.y, F.z + Fn * N.z};
   }
 };

@@ -14,6 +14,7 @@ struct TreadContact::BlockState {
   Eigen::Vector3d normal, F, root, tip;
   Eigen::Vector3d G;  // how the unloaded tip moves with its height
   double Fn, gripped;
+  double share;  // of its cell, on the road
   double depth;  // m, of the unloaded tip below the road
   std::size_t patch;
   int station, line;
@@ -40,6 +41,7 @@ void TreadContact::see_blocks(const NodeValues& q, const See& see) const {
                                columns[static_cast<std::size_t>((kG + 2) * stride_ + j)]},
                          .Fn = at(kFn),
                          .gripped = at(kGripped),
+                         .share = at(kShare),
                          .depth = 0.0,
                          .patch = i,
                          .station = j,

@@ -18,8 +18,9 @@ using Eigen::Vector3d;
 constexpr double kMargin = 5e-4, kStandingMargin = 4e-3;
 // The same of bent sections, which have no inertia, and how far these may stand off the belt.
 constexpr double kBentMargin = 2e-3, kBent = 5e-3;
-constexpr double kFar = 1e6;  // m, beyond any road's reach
-constexpr int kWide = 8;      // stations at once
+constexpr double kSteepest = 0.35;  // slope of the tread against the road where it touches
+constexpr double kFar = 1e6;        // m, beyond any road's reach
+constexpr int kWide = 8;            // stations at once
 
 /// Stations of `blocks` that share a stiffness: a power of two, a twelfth of the segment at most.
 int stations_per_sum(int blocks) {
@@ -33,6 +34,7 @@ TreadContact::TreadContact(const Tread& tread, double radius, int nodes)
       blocks_(tread.blocks),
       stride_((tread.blocks + kWide - 1) / kWide * kWide),
       stations_per_sum_(stations_per_sum(tread.blocks)),
+      half_cell_rise_(kSteepest * std::numbers::pi * radius / (nodes * tread.blocks)),
       height_(tread.height),
       half_width_(0.5 * tread.width),
       damping_time_(tread.damping_time),
@@ -49,15 +51,18 @@ TreadContact::TreadContact(const Tread& tread, double radius, int nodes)
     line_height_.push_back(tread.height - drop);
   }
   weights_.resize(static_cast<std::size_t>(8 * stride_));
+  halves_.resize(static_cast<std::size_t>(4 * stride_));
   lift_.resize(static_cast<std::size_t>(stride_));
   share_.resize(static_cast<std::size_t>(stride_));
   for (int j = 0; j < stride_; ++j) {
     const double s = (std::min(j, blocks_ - 1) + 0.5) / blocks_;
-    const CurveWeights at = curve_weights(s);
+    const CurveWeights at = curve_weights(s), begin = curve_weights(s - 0.5 / blocks_),
+                       end = curve_weights(s + 0.5 / blocks_);
     for (std::size_t m = 0; m < 4; ++m) {
       const std::size_t stride = static_cast<std::size_t>(stride_), i = static_cast<std::size_t>(j);
       weights_[m * stride + i] = at.place[m];
       weights_[(4 + m) * stride + i] = at.slope[m];
+      halves_[m * stride + i] = 0.5 * (end.place[m] - begin.place[m]);
     }
     lift_[static_cast<std::size_t>(j)] = j < blocks_ ? 0.0 : kFar;
     share_[static_cast<std::size_t>(j)] = s;
@@ -107,6 +112,7 @@ SegmentStations TreadContact::stations_of(std::size_t patch,
     at.rates[m] = v.col(node(of.segment, m)).data();
   }
   at.weights = weights_.data();
+  at.halves = halves_.data();
   at.lift = lift_.data();
   at.t = frame(patch, kT);
   at.n = frame(patch, kN);
@@ -135,6 +141,7 @@ void TreadContact::approach(const NodeValues& q,
                             const StepRule& rule) {
   rule_ = rule;
   margin_ = rule.statics() ? kStandingMargin : section_rise_.empty() ? kMargin : kBentMargin;
+  margin_ += half_cell_rise_;
   a_ = rim.a;
   patches_.clear();
   for (int segment = 0; segment < nodes_; ++segment) {
@@ -235,14 +242,43 @@ std::pair<int, int> TreadContact::find_line(std::size_t patch,
       const Vector3d at = tip(line, j);
       return at.z() > road.height(at.x(), at.y(), time) + margin_;
     });
-    for (int j = begin; j < end; ++j) {
-      const Vector3d at = tip(line, j);
-      const road::GroundPoint ground = road.at(at.x(), at.y(), time);
-      const double level = ground.normal.dot(Vector3d(at.x(), at.y(), ground.height));
-      place_ground(patch, line * stride_ + j, ground, level);
-    }
+    place_cells(patch, line, begin, end, road, time);
   }
   return {begin, end};
+}
+
+/// Below each block the plane that its cell sees on an uneven road: its mean height by Simpson's
+/// rule, its slope along the cell from end to end, across it and all else from the middle. So edges
+/// shorter than a cell come gradually.
+void TreadContact::place_cells(
+    std::size_t patch, int line, int begin, int end, const road::Road& road, double time) {
+  const auto border = [&](int j) -> Vector3d {  // between the cells j - 1 and j
+    if (blocks_ == 1) return tip(line, 0);
+    if (j == 0) return 1.5 * tip(line, 0) - 0.5 * tip(line, 1);
+    if (j == blocks_) return 1.5 * tip(line, j - 1) - 0.5 * tip(line, j - 2);
+    return 0.5 * (tip(line, j - 1) + tip(line, j));
+  };
+  const auto height = [&](const Vector3d& at) { return road.height(at.x(), at.y(), time); };
+  Vector3d from = border(begin);
+  double from_height = height(from);
+  for (int j = begin; j < end; ++j) {
+    const Vector3d to = border(j + 1), at = tip(line, j);
+    const double to_height = height(to);
+    road::GroundPoint ground = road.at(at.x(), at.y(), time);
+    const Eigen::Vector2d along = (to - from).head<2>();
+    const double length = along.norm();
+    if (length > 0.0) {
+      Eigen::Vector2d slope = -ground.normal.head<2>() / ground.normal.z();
+      const Eigen::Vector2d e = along / length;
+      slope += ((to_height - from_height) / length - slope.dot(e)) * e;
+      ground.normal = Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
+      ground.height = (from_height + 4.0 * ground.height + to_height) / 6.0;
+    }
+    const double level = ground.normal.dot(Vector3d(at.x(), at.y(), ground.height));
+    place_ground(patch, line * stride_ + j, ground, level);
+    from = to;
+    from_height = to_height;
+  }
 }
 
 /// The plane of the road below a block.
@@ -264,6 +300,7 @@ BlockResults TreadContact::results(std::size_t patch) {
   return {.F = {at(kF), at(kF + 1), at(kF + 2)},
           .Fn = at(kFn),
           .gripped = at(kGripped),
+          .share = at(kShare),
           .tip = {at(kTip), at(kTip + 1), at(kTip + 2)}};
 }
 

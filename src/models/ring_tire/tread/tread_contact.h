@@ -111,7 +111,8 @@ class TreadContact {
     kVelocity = 12,
     kFriction = 15,
     kHeld = 16,
-    kColumns = 17
+    kShare = 17,
+    kColumns = 18
   };
   static constexpr double kNoRoad = 1e6;  // m, below the blocks of a line that are not looked at
   /// t, n and |x'| at the stations of a patch.
@@ -169,6 +170,8 @@ class TreadContact {
   bool is_level(Patch& patch, const road::Road& road, double time) const;
   void find_level_blocks(Patch& patch);
   void find_uneven_blocks(Patch& patch, const road::Road& road, double time);
+  void place_cells(
+      std::size_t patch, int line, int begin, int end, const road::Road& road, double time);
   std::pair<int, int> find_line(std::size_t patch, int line, const road::Road& road, double time);
   road::GroundBox below(int first_line, int last_line) const;
   void place_ground(std::size_t patch, int block, const road::GroundPoint& ground, double level);
@@ -197,11 +200,13 @@ class TreadContact {
   BlockGround ground(std::size_t patch);
 
   int nodes_, lines_, blocks_, stride_;
-  int stations_per_sum_;  // stations whose stiffness is summed at one place
+  int stations_per_sum_;   // stations whose stiffness is summed at one place
+  double half_cell_rise_;  // m, the most by which a cell's end may be deeper than its middle
   double height_, half_width_, area_, normal_, tangential_, damping_time_, positive_;
   FrictionLaw law_;
   std::vector<double> line_y_, line_height_;
   std::vector<double> weights_;  // of position and of its derivative by s: eight columns
+  std::vector<double> halves_;   // half of what that of position gains along a block's cell: four
   std::vector<double> lift_;
   std::vector<double> share_;                 // s of each station
   std::vector<Eigen::Vector3d> line_shapes_;  // q_i at the lines
