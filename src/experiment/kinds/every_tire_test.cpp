@@ -85,7 +85,8 @@ double rms_of_difference(const std::vector<double>& one, const std::vector<doubl
 // A free wheel over a cleat; a tire that touches in a point rolls on the drum alone, from the speed
 // it is let go with. Two halvings of the step make the change sixteen times smaller at order 2 and
 // four times at order 1; corners of the cleat and blocks that come and go in the midst of a step
-// scatter the ratio from one halving to the next.
+// scatter the ratio from one halving to the next. A block of the ring comes down in 0.3 ms: longer
+// steps do not see how.
 TEST_P(EveryTire, TheDrumIsOfOrderTwo) {
   DrumTest test{.speed = 30.0 / 3.6,
                 .load = 3500.0,
@@ -100,7 +101,7 @@ TEST_P(EveryTire, TheDrumIsOfOrderTwo) {
     test.run_in = 0.0;
   }
   std::vector<Channels> runs;
-  for (const double step : {5e-4, 2.5e-4, 1.25e-4, 6.25e-5}) {
+  for (const double step : {2.5e-4, 1.25e-4, 6.25e-5, 3.125e-5}) {
     test.step = step;
     auto channels = run(*tire(), test);
     ASSERT_TRUE(channels) << channels.failure().reason;

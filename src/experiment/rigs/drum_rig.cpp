@@ -181,7 +181,7 @@ Result<double> height_under_load(Tire& tire,
                                  const Eigen::Matrix3d& carrier,
                                  double load) {
   constexpr int kMost = 12;
-  constexpr double kClose = 1e-3;  // of the load
+  constexpr double kClose = 1e-5;  // of the load
   const double free = tire.free_radius();
   const auto failure = [&](double height, const std::string& why) {
     return Failure{

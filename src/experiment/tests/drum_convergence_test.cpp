@@ -28,13 +28,13 @@ DrumTest test_with(double step) {
 }
 
 // Tire and wheel are integrated with order 2, and over a cleat still: half the step changes a
-// quarter, along the road and upward.
+// quarter, along the road and upward, of steps shorter than a block takes to come down.
 TEST(DrumConvergence, AStepChangesFourTimesLessWhenHalved) {
   const Document ring = example_ring();
   std::vector<ChannelConvergence> runs[2];
   for (int i = 0; i < 2; ++i) {
     const auto found =
-        drum_convergence(*language().find_kind("ring_tire"), ring, test_with(5e-4 / (1 + i)));
+        drum_convergence(*language().find_kind("ring_tire"), ring, test_with(1.25e-4 / (1 + i)));
     ASSERT_TRUE(found) << found.failure().reason;
     ASSERT_EQ(found->size(), 6u);
     runs[i] = *found;

@@ -126,8 +126,8 @@ Footprint TreadContact::footprint(const NodeValues& q,
 double TreadContact::energy(const NodeValues& q) const {
   double sum = 0.0;
   see_touching(q, [&](const BlockState& block) {
-    sum += 0.5 *
-           (block.Fn * block.Fn / normal_ + tangential_ * (block.tip - block.root).squaredNorm());
+    sum += 0.5 * (normal_ * CellSquares(block.depth, block.half).mean +
+                  tangential_ * block.share * (block.tip - block.root).squaredNorm());
   });
   return sum;
 }

@@ -3,7 +3,8 @@
 //   θ = n . dx'/|x'|,  σ = t . dx'/|x'|,  α = a . dx'/|x'|
 // (10) with the frame following the belt is to second order, of a section that stands upright,
 //   dT = dp - H θ t - y α t + (H a - y n) dψ - 1/2 H (θ^2 n - 2 θ σ t) + y (α σ t - α θ n + dψ θ t)
-// so a block with force F on the tire and stiffness K_b has the energy 1/2 dT K_b dT - F . d²T.
+// so a block with force F on the tire and stiffness K_b has the energy 1/2 dT K_b dT - F . d²T, and
+// what its cell's slope adds.
 #include <Eigen/Core>
 
 #include "models/ring_tire/ring/ring_tire.h"
@@ -32,8 +33,20 @@ void TreadContact::add_sticking(const NodeValues& q, CyclicBand& K, CyclicBand& 
         block.share * (tangential_ * Eigen::Matrix3d::Identity() +
                        (normal_ - tangential_) * block.normal * block.normal.transpose());
     const Matrix4d turning = arms.turning(block.Fn * block.normal + block.F);
+    const CellSquares cell(block.depth, block.half);
+    const auto depth_by = [&](int m) -> Vector4d {
+      return arms.tip_by(m).transpose() * block.normal;
+    };
+    const auto half_by = [&](int m) -> Vector4d {
+      const double half = halves_[static_cast<std::size_t>(m * stride_ + block.station)];
+      return (Vector4d() << half * block.normal, 0.0).finished();
+    };
     for (int m = 0; m < 4; ++m)
       for (int o = m; o < 4; ++o) {
+        K.block(node(segment, m), o - m) +=
+            normal_ * cell.by_both * depth_by(m) * half_by(o).transpose() +
+            normal_ * half_by(m) *
+                (cell.by_both * depth_by(o) + cell.by_half * half_by(o)).transpose();
         const Matrix4d springs = arms.tip_by(m).transpose() * spring * arms.tip_by(o);
         K.block(node(segment, m), o - m) +=
             springs + arms.turning_by(m).transpose() * turning * arms.turning_by(o);

@@ -11,16 +11,15 @@ LATSCH_INLINE Lanes push(const BlockLaw& law, const Touch& touch, const Lanes& r
   return law.normal * (touch.depth + larger(fast, -touch.depth));
 }
 
-/// s since what touches now and did not at the beginning of the step came down: half a step where
-/// a part of the block did, else by its depth.
+/// s since what touches now and did not at the beginning of the step came down, by its mean depth:
+/// the part of the cell behind the share that did.
 LATSCH_INLINE Lanes since_touch(const BlockLaw& law,
                                 const Touch& touch,
                                 const Lanes& rate,
                                 const Lanes& before) {
-  const Lanes closing = touch.share * rate;
-  const Lanes since =
-      select(closing * law.step > touch.depth, touch.depth / closing, all(law.step));
-  return select(before > 0.0, all(0.5 * law.step), since);
+  const Lanes behind = 0.5 * (smaller(touch.share, before) + touch.share);
+  const Lanes depth = larger(touch.deepest - behind * touch.range, all(0.0));
+  return select(rate * law.step > depth, depth / rate, all(law.step));
 }
 
 /// Of what touches, the share that did at the beginning of the step.

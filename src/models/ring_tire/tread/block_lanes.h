@@ -76,14 +76,18 @@ LATSCH_INLINE Section section(const SegmentStations& at,
 /// ξ = -1 .. 1. All are of continuous slope in δ and g, so nothing jumps where blocks come and go.
 struct Touch {
   Lanes share, depth, moment;
+  Lanes deepest, range;  // of its ends; from one to the other
 };
 
 LATSCH_INLINE Touch touch_of(const Lanes& depth, const Lanes& g) {
   const Lanes a = larger(larger(g, -g), all(1e-12));
   const Lanes share = larger(smaller((depth + a) / (2.0 * a), all(1.0)), all(0.0));
   const Lanes square = share * share;
-  return {
-      share, a * square + larger(depth - a, all(0.0)), g * square * (1.0 - (2.0 / 3.0) * share)};
+  return {share,
+          a * square + larger(depth - a, all(0.0)),
+          g * square * (1.0 - (2.0 / 3.0) * share),
+          depth + a,
+          2.0 * a};
 }
 
 // H: of a line, or of eight stations of one where the section is bent.

@@ -3,11 +3,28 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "models/ring_tire/tread/tread_contact.h"
 
 namespace latsch::ring_tire {
+
+/// Mean of δ² over a cell where δ > 0, its depth running from δ - g to δ + g, and the second
+/// derivatives of half of it by δ and g.
+struct CellSquares {
+  double mean, by_depth, by_both, by_half;
+
+  CellSquares(double depth, double g) {
+    const double a = std::max(std::abs(g), 1e-12);
+    const double share = std::clamp(0.5 * (depth + a) / a, 0.0, 1.0);
+    const double square = share * share, cube = 4.0 / 3.0 * square * share;
+    mean = a * a * cube + std::max(depth - a, 0.0) * (depth + a);
+    by_depth = share;
+    by_both = std::copysign(share - square, g);
+    by_half = share - 2.0 * square + cube;
+  }
+};
 
 /// What one block of a patch does.
 struct TreadContact::BlockState {
@@ -16,6 +33,7 @@ struct TreadContact::BlockState {
   double Fn, gripped;
   double share;  // of its cell, on the road
   double depth;  // m, of the unloaded tip below the road
+  double half;   // m, by how much more its cell's end is
   std::size_t patch;
   int station, line;
 };
@@ -43,6 +61,7 @@ void TreadContact::see_blocks(const NodeValues& q, const See& see) const {
                          .gripped = at(kGripped),
                          .share = at(kShare),
                          .depth = 0.0,
+                         .half = 0.0,
                          .patch = i,
                          .station = j,
                          .line = line};
@@ -55,6 +74,7 @@ void TreadContact::see_blocks(const NodeValues& q, const See& see) const {
         }
         state.depth =
             (patch.level ? patch.ground.height : at(kLevel)) - state.normal.dot(state.root);
+        state.half = -state.normal.dot(half_cell(i, j, q));
         state.root += state.normal * state.normal.dot(state.tip - state.root);
         see(state);
       }

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tread blocks between belt and road. A block sits at the fraction s of segment k, on one of the
-// lines across the width at y; its root is a point of the belt's curve, which hangs
-// on the four nodes k-1 .. k+2 (belt_curve.h). With p, x' the belt's middle there and its derivative by s, t along x' in
-// the rim's plane, n = a × t outward, H the height from belt to tip, the unloaded tip is
+// lines across the width at y; its root is a point of the belt's curve, which hangs on the four
+// nodes k-1 .. k+2 (belt_curve.h). With p, x' the belt's middle there and its derivative by s, t
+// along x' in the rim's plane, n = a × t outward, H the height from belt to tip, the unloaded tip is
 //   T = p + H (n - ν_n t + ψ a) + y (a - ν_a t - ψ n),  ν_n = n . x'/|x'|,  ν_a = a . x'/|x'|  (10)
 // The ν turn the section with the belt's slope, so that a force at the tip has its right moment.
 // t, n and |x'| are those of the beginning of a Newton solution (the predicted state of a step,
 // which is as good as its end to third order): then T is linear in the unknowns and forces have
-// an energy. The road below the tip is the plane through G with normal N, its material at v_G.
-//   δ = N . (G - T),  F_n = c_n (δ + t_d δ')  where both are positive                        (11)
-//   e: tip on the road minus T, in the plane;  F_t = c_t (e + t_d e')  while the tip sticks    (12)
+// an energy. The block stands for its cell, from the middle to one neighbor to that to the other;
+// p_E: half of what the belt gains along it, ξ = -1 .. 1. The road below is the plane through G with
+// normal N, its material at v_G.
+//   δ = N . (G - T),  g = -N . p_E,  λ: share of the cell where δ + g ξ > 0
+//   F_n = c_n (D + t_d λ δ'),  D: mean of (δ + g ξ)_+; on p_E the mean of c_n ξ (δ + g ξ)_+     (11)
+//   e: tip on the road minus T, in the plane;  F_t = λ c_t (e + t_d e')  while the tip sticks   (12)
 //   |F_t| <= μ_adhesion F_n, else the tip slides: tread_friction.h                            (13)
-// A block that comes down within a step starts its e at the touch.
+// What comes down within a step starts its e at the touch; e is the mean over what touches.
 //
 // Only blocks near the road are looked at: a patch, the stations of one segment that may touch.
 // What a step needs of them stands together, one quantity after the other, line by line.
@@ -182,6 +185,14 @@ class TreadContact {
   struct StationBorder;  // section_contact.cpp
   std::vector<StationBorder> station_borders(const NodeValues& q, bool all_stick) const;
   Arms arms_at(std::size_t patch, int station, double H, double y) const;
+  /// Half of what the belt gains along a cell.
+  Eigen::Vector3d half_cell(std::size_t patch, int station, const NodeValues& q) const {
+    Eigen::Vector3d half = Eigen::Vector3d::Zero();
+    for (int m = 0; m < 4; ++m)
+      half += halves_[static_cast<std::size_t>(m * stride_ + station)] *
+              q.col(node(patches_[patch].segment, m)).head<3>();
+    return half;
+  }
   template <class See>
   void see_blocks(const NodeValues& q, const See& see) const;
   template <class See>
@@ -211,7 +222,7 @@ class TreadContact {
   std::vector<double> share_;                 // s of each station
   std::vector<Eigen::Vector3d> line_shapes_;  // q_i at the lines
   std::vector<double> section_rise_;  // two a line of a segment; empty: sections are straight
-  // Persistent, one a block: the tip on the road and whether it is there.
+  // Persistent, one a block: the tip on the road and the share of its cell that is there.
   std::array<std::vector<double>, 3> tip_;
   std::vector<double> touches_;
   std::vector<Patch> touched_;  // at the last commit

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "models/ring_tire/description/ring_parameters_testing.h"
+#include "models/ring_tire/tread/touching_blocks.h"
 #include "models/road/plane_road.h"
 
 #define LATSCH_KERNELS_IN "models/ring_tire/tread/friction_testing.h"
@@ -54,7 +55,8 @@ struct Pressed {
   road::PlaneRoad road{{.grade = 0.05, .bank = 0.02}};
   StepRule rule{.step = 1e-3, .velocity = 2.0e3};
 
-  Pressed() {
+  explicit Pressed(int blocks = 10) {
+    ring.tread.blocks = blocks;
     ring.tread.damping_time = 1e-4;
     tread = TreadContact(ring.tread, ring.belt.radius, ring.nodes);
     WheelMotion motion;
@@ -79,20 +81,54 @@ struct Pressed {
   }
 };
 
-TEST(TreadContact, StiffnessIsTheDerivativeOfTheForceWhileTipsStick) {
-  Pressed pressed;
+/// How far the stiffness is from the derivative of the force, largest of some columns.
+double error_of_stiffness(int blocks) {
+  Pressed pressed(blocks);
   const NodeValues none = NodeValues::Zero(4, pressed.ring.nodes);
   pressed.force_at(none);
   CyclicBand K(pressed.ring.nodes);
   pressed.tread.add_stiffness(1.0, K);
-  ASSERT_GT(pressed.tread.contacts(pressed.q).size(), 50u);
+  EXPECT_GT(pressed.tread.contacts(pressed.q).size(), 50u);
+  double error = 0.0;
   for (int k : {79, 0, 1})
     for (int i = 0; i < 4; ++i) {
       NodeValues dq = none;
       dq(i, k) = 1e-8;
       const NodeValues slope = (pressed.force_at(-dq) - pressed.force_at(dq)) / 2e-8;
       const NodeValues column = K.multiply(dq) / 1e-8;
-      EXPECT_LT((slope - column).norm(), 1e-5 * column.norm()) << k << " " << i;
+      error = std::max(error, (slope - column).norm() / column.norm());
+    }
+  return error;
+}
+
+// What the slopes of cells change is left out of it; that falls with the square of their length.
+TEST(TreadContact, StiffnessIsTheDerivativeOfTheForceOfNarrowCellsWhileTipsStick) {
+  const double wide = error_of_stiffness(5), narrow = error_of_stiffness(20);
+  EXPECT_LT(narrow, 5e-4);
+  EXPECT_GT(wide, 12.0 * narrow);
+}
+
+// The closed forms of a cell half on the road.
+TEST(TreadContact, CellsAreTheMeanOfThinBlocks) {
+  const double a = 3e-4;
+  for (const double depth : {-4e-4, -2e-4, -5e-5, 1e-4, 5e-4})
+    for (const double g : {a, -a, 0.0}) {
+      constexpr int kThin = 20000;
+      double mean = 0.0, share = 0.0, both = 0.0, half = 0.0;
+      for (int i = 0; i < kThin; ++i) {
+        const double xi = (2.0 * i + 1.0) / kThin - 1.0, at = depth + g * xi;
+        if (at <= 0.0) continue;
+        mean += at * at / kThin;
+        share += 1.0 / kThin;
+        both += xi / kThin;
+        half += xi * xi / kThin;
+      }
+      const CellSquares cell(depth, g);
+      EXPECT_NEAR(cell.mean, mean, 1e-11) << depth << " " << g;
+      EXPECT_NEAR(cell.by_depth, share, 1e-4) << depth << " " << g;
+      if (g == 0.0) continue;
+      EXPECT_NEAR(cell.by_both, both, 1e-4) << depth << " " << g;
+      EXPECT_NEAR(cell.by_half, half, 1e-4) << depth << " " << g;
     }
 }
 
