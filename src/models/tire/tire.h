@@ -23,6 +23,8 @@ struct WheelMotion {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // rad/s, of C, inertial
   double spin = 0.0;       // rad, of the rim about the carrier's y; rolling forward: positive rate
   double spin_rate = 0.0;  // rad/s
+
+  bool operator==(const WheelMotion&) const = default;
 };
 
 /// What the tire does to the rim at the wheel center, in C.

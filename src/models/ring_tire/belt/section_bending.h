@@ -49,6 +49,9 @@ class SectionBending {
   /// Nodes in contact from here on: the unknowns.
   void touch(std::vector<int> nodes);
   const Field& field() const { return field_; }
+  /// γ at the last accept(), and where restart() goes from here on.
+  const Field& kept() const { return kept_; }
+  void keep(const Field& field) { field_ = kept_ = field; }
   const std::vector<int>& contact() const { return contact_; }
   Eigen::Index unknowns() const { return kModes * static_cast<Eigen::Index>(contact_.size()); }
 

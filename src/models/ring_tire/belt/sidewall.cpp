@@ -71,9 +71,9 @@ SidewallForces::SidewallForces(const Sidewall& sidewall, double radius, int node
 
 void SidewallForces::reset() {
   const int nodes = angles_.nodes();
-  u_ = Eigen::Matrix3Xd::Zero(3, nodes);
-  maxwell_ = Eigen::Matrix3Xd::Zero(3, nodes);
-  slip_ = Eigen::Matrix<double, kFrictions, Eigen::Dynamic>::Zero(kFrictions, nodes);
+  memory_.travel = Eigen::Matrix3Xd::Zero(3, nodes);
+  memory_.maxwell = Eigen::Matrix3Xd::Zero(3, nodes);
+  memory_.slip = Eigen::Matrix<double, kFrictions, Eigen::Dynamic>::Zero(kFrictions, nodes);
 }
 
 Vector3d SidewallForces::travel(const NodeValues& q, const RimFrame& rim, int k) const {
@@ -92,7 +92,7 @@ double SidewallForces::memory_slope(int k, int direction, double u, const StepRu
   for (int i = 0; i < kFrictions; ++i) {
     const Friction& f = friction_[i];
     if (f.direction == direction && f.k > 0.0 &&
-        std::abs(slip_(i, k) + u - u_(direction, k)) < most_stretch(f))
+        std::abs(memory_.slip(i, k) + u - memory_.travel(direction, k)) < most_stretch(f))
       slope += f.k;
   }
   return slope;
@@ -112,13 +112,14 @@ void SidewallForces::add_memory(int direction,
                                 const StepRule& rule,
                                 double* F) const {
   const int nodes = angles_.nodes();
-  const double* before = u_.data() + direction * nodes;
+  const double* before = memory_.travel.data() + direction * nodes;
   if (const double kM = direction_[direction].k_maxwell; kM > 0.0 && !rule.statics())
-    LATSCH_KERNEL(add_maxwell)(nodes, kM, half_step(rule), before, &maxwell_(direction, 0), u, F);
+    LATSCH_KERNEL(add_maxwell)
+    (nodes, kM, half_step(rule), before, &memory_.maxwell(direction, 0), u, F);
   for (int i = 0; i < kFrictions; ++i) {
     const Friction& f = friction_[i];
     if (f.direction == direction && f.k > 0.0)
-      LATSCH_KERNEL(add_friction)(nodes, f.k, most_stretch(f), before, &slip_(i, 0), u, F);
+      LATSCH_KERNEL(add_friction)(nodes, f.k, most_stretch(f), before, &memory_.slip(i, 0), u, F);
   }
 }
 
@@ -192,16 +193,21 @@ void SidewallForces::commit(const NodeValues& q, const RimFrame& rim, const Step
   to_polar(nodes, angles_, R_, at, u.data());
   if (has_memory_) {
     // Nothing is left of Maxwell's forces at rest.
-    if (rule.statics()) maxwell_.setZero();
+    if (rule.statics()) memory_.maxwell.setZero();
     for (int i = 0; i < 3 && !rule.statics(); ++i)
-      LATSCH_KERNEL(go_on_maxwell)(nodes, half_step(rule), &u_(i, 0), &u(i, 0), &maxwell_(i, 0));
+      LATSCH_KERNEL(go_on_maxwell)
+      (nodes, half_step(rule), &memory_.travel(i, 0), &u(i, 0), &memory_.maxwell(i, 0));
     for (int i = 0; i < kFrictions; ++i) {
       const Friction& f = friction_[i];
       LATSCH_KERNEL(go_on_friction)
-      (nodes, most_stretch(f), &u_(f.direction, 0), &u(f.direction, 0), &slip_(i, 0));
+      (nodes,
+       most_stretch(f),
+       &memory_.travel(f.direction, 0),
+       &u(f.direction, 0),
+       &memory_.slip(i, 0));
     }
   }
-  u_ = u;
+  memory_.travel = u;
 }
 
 double SidewallForces::energy(const NodeValues& q, const RimFrame& rim) const {
@@ -210,13 +216,14 @@ double SidewallForces::energy(const NodeValues& q, const RimFrame& rim) const {
     const Vector3d u = travel(q, rim, k);
     for (int i = 0; i < 3; ++i)
       sum += 0.5 * (direction_[i].k * u[i] * u[i] +
-                    direction_[i].k_maxwell * maxwell_(i, k) * maxwell_(i, k));
+                    direction_[i].k_maxwell * memory_.maxwell(i, k) * memory_.maxwell(i, k));
     const double up = progressive_travel_, ratio = u[0] / up;
     if (progressivity_ > 0.0)  // the integral of (7) beyond k u
       sum += direction_[0].k * progressivity_ *
              (0.5 * u[0] * u[0] -
               up * up * (ratio * std::atan(ratio) - 0.5 * std::log1p(ratio * ratio)));
-    for (int i = 0; i < kFrictions; ++i) sum += 0.5 * friction_[i].k * slip_(i, k) * slip_(i, k);
+    for (int i = 0; i < kFrictions; ++i)
+      sum += 0.5 * friction_[i].k * memory_.slip(i, k) * memory_.slip(i, k);
     const double twist = q(3, k) - torsion_by_lateral_ * u[2];
     sum += 0.5 * torsion_ * twist * twist;
   }

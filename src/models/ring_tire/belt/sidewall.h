@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Belt and rim. x_k, v_k: of the knots of the belt (belt_curve.h), called nodes here. Travel of k along the rim's e_r, e_t and a:
+// Belt and rim. The knots of the belt (belt_curve.h) are called nodes here. Travel of node k along the rim's e_r, e_t and a:
 //   u_r = e_r . (x_k - c) - R,  u_t = e_t . (x_k - c),  u_y = a . (x_k - c)
 // Along each, times the node's share of the circumference 2π R/N:
 //   F = k u + d u' + k_M (u - u_i) + sum of friction elements,  τ u_i' = u - u_i             (6)
@@ -30,8 +30,23 @@ class SidewallForces {
  public:
   SidewallForces(const Sidewall& sidewall, double radius, int nodes);
 
+  /// One value a node along e_r, e_t and a, row by row.
+  using Travels = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
+  static constexpr int kRadialFrictions = 5;
+  static constexpr int kFrictions = kRadialFrictions + 2;
+  /// What the elements remember of the last commit.
+  struct Memory {
+    Travels travel;                                                           // m
+    Travels maxwell;                                                          // u - u_i of (6), m
+    Eigen::Matrix<double, kFrictions, Eigen::Dynamic, Eigen::RowMajor> slip;  // stretch of (8), m
+
+    bool operator==(const Memory&) const = default;
+  };
+
   /// All elements relaxed, the belt in its place at rest.
   void reset();
+  const Memory& memory() const { return memory_; }
+  void remember(const Memory& memory) { memory_ = memory; }
   /// At the end of a step from the last committed state.
   void add_force(const NodeValues& q,
                  const NodeValues& v,
@@ -51,7 +66,7 @@ class SidewallForces {
   };
   Losses losses() const;
   /// Friction springs forget their force: small vibrations about here do not slip them.
-  void stick() { slip_.setZero(); }
+  void stick() { memory_.slip.setZero(); }
   /// The step is done: its end is where the next one starts.
   void commit(const NodeValues& q, const RimFrame& rim, const StepRule& rule);
 
@@ -59,9 +74,6 @@ class SidewallForces {
   double energy(const NodeValues& q, const RimFrame& rim) const;
 
  private:
-  static constexpr int kRadialFrictions = 5;
-  static constexpr int kFrictions = kRadialFrictions + 2;
-
   struct Direction {
     double k, d, k_maxwell;
   };
@@ -69,9 +81,6 @@ class SidewallForces {
     int direction;
     double k, limit;
   };
-  /// One value a node along e_r, e_t and a, row by row.
-  using Travels = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
-
   Eigen::Vector3d travel(const NodeValues& q, const RimFrame& rim, int k) const;
   double spring_slope(int direction, double u) const;
   /// Of Maxwell and friction elements of a node whose travel becomes u.
@@ -87,10 +96,7 @@ class SidewallForces {
   Direction direction_[3];
   Friction friction_[kFrictions];
   bool has_memory_;
-  Travels u_;        // at the last commit
-  Travels maxwell_;  // u - u_i
-  // Stretch of the friction springs.
-  Eigen::Matrix<double, kFrictions, Eigen::Dynamic, Eigen::RowMajor> slip_;
+  Memory memory_;
 };
 
 }  // namespace latsch::ring_tire

@@ -209,7 +209,23 @@ Result<HubForces> RingTire::advance(const WheelMotion& motion,
                                     double time,
                                     double step) {
   assert(settled_ && step > 0.0);
+  const std::string trouble = advance_in_parts(motion, road, time, step);
+  if (!trouble.empty()) return Failure{trouble};
+  last_motion_ = motion;
+  return hub_forces(motion.carrier);
+}
+
+/// Empty, or why there is no state at the end: then it is the one before.
+std::string RingTire::advance_in_parts(const WheelMotion& motion,
+                                       const road::Road& road,
+                                       double time,
+                                       double step) {
   const int parts = std::max(1, static_cast<int>(std::ceil(step / settings_.largest_step - 1e-9)));
+  if (parts == 1) {
+    const std::string trouble = step_forward(motion, road, time, step);
+    if (trouble.empty()) return trouble;
+  }
+  const RingState before = state();
   for (int i = 1; i <= parts; ++i) {
     const WheelMotion from =
         i == 1 ? last_motion_ : between(last_motion_, motion, (i - 1.0) / parts);
@@ -217,10 +233,48 @@ Result<HubForces> RingTire::advance(const WheelMotion& motion,
         i == parts ? motion : between(last_motion_, motion, static_cast<double>(i) / parts);
     const double then = time - step * (1.0 - static_cast<double>(i) / parts);
     const std::string trouble = substep(from, to, road, then, step / parts, settings_.halvings);
-    if (!trouble.empty()) return Failure{trouble};
+    if (trouble.empty()) continue;
+    restore(before);
+    return trouble;
   }
-  last_motion_ = motion;
-  return hub_forces(motion.carrier);
+  return {};
+}
+
+RingState RingTire::state() const {
+  return {.motion = last_motion_,
+          .place = q_,
+          .rate = v_,
+          .acceleration = a_,
+          .force = force_,
+          .sidewall = wall_.memory(),
+          .tread = tread_.memory(),
+          .section = section_.kept()};
+}
+
+void RingTire::restore(const RingState& state) {
+  assert(state.place.cols() == q_.cols());
+  last_motion_ = state.motion;
+  rim_ = RimFrame::of(state.motion);
+  q_ = state.place;
+  v_ = state.rate;
+  a_ = state.acceleration;
+  force_ = state.force;
+  wall_.remember(state.sidewall);
+  tread_.remember(state.tread);
+  section_.keep(state.section);
+  reuse_.forget();
+  settled_ = true;
+}
+
+Result<RingTrial> RingTire::trial(const RingState& from,
+                                  const WheelMotion& motion,
+                                  const road::Road& road,
+                                  double time,
+                                  double step) {
+  restore(from);
+  const Result<HubForces> hub = advance(motion, road, time, step);
+  if (!hub) return hub.failure();
+  return RingTrial{*hub, state()};
 }
 
 /// A step, or where it has no solution two of half the length. Empty, or why there is none.

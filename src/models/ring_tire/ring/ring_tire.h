@@ -23,6 +23,7 @@
 #include "models/ring_tire/belt/section_bending.h"
 #include "models/ring_tire/belt/sidewall.h"
 #include "models/ring_tire/description/ring_parameters.h"
+#include "models/ring_tire/ring/ring_state.h"
 #include "models/ring_tire/ring/tangent_reuse.h"
 #include "models/ring_tire/tread/tread_contact.h"
 #include "models/tire/tire.h"
@@ -44,6 +45,12 @@ struct RingCounts {
   long steps = 0, evaluations = 0, factorizations = 0;
 };
 
+/// A step tried: what the rim would feel, and the state it would leave.
+struct RingTrial {
+  HubForces hub;
+  RingState state;
+};
+
 class RingTire final : public Tire {
  public:
   explicit RingTire(const RingParameters& parameters, const RingSettings& settings = {});
@@ -54,6 +61,17 @@ class RingTire final : public Tire {
                             const road::Road& road,
                             double time,
                             double step) override;
+  /// All that advance() goes on from. A step that fails leaves it as it was.
+  RingState state() const;
+  /// Goes on from there. Contacts and footprint are those of a step: none until the next.
+  void restore(const RingState& state);
+  /// A step from `from` to `motion` with this tire's memory for its work: taken by restore() of what
+  /// comes back, else thrown away. The same bits whatever was computed before.
+  Result<RingTrial> trial(const RingState& from,
+                          const WheelMotion& motion,
+                          const road::Road& road,
+                          double time,
+                          double step);
   std::optional<Footprint> footprint() const override;
   std::unique_ptr<Tire> clone() const override { return std::make_unique<RingTire>(*this); }
 
@@ -97,6 +115,10 @@ class RingTire final : public Tire {
   void balance();
   void accept();
   void roll_on(const WheelMotion& motion);
+  std::string advance_in_parts(const WheelMotion& motion,
+                               const road::Road& road,
+                               double time,
+                               double step);
   std::string substep(const WheelMotion& from,
                       const WheelMotion& to,
                       const road::Road& road,

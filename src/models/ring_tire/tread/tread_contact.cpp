@@ -353,12 +353,17 @@ void TreadContact::add_force(const NodeValues& q, const NodeValues& v, NodeValue
   }
 }
 
-void TreadContact::commit() {
-  for (const Patch& patch : touched_)
+void TreadContact::forget() {
+  for (const TreadMemory::Stations& at : touched_)
     for (int line = 0; line < lines_; ++line) {
-      double* touches = &touches_[place(patch.segment) + static_cast<std::size_t>(line * stride_)];
-      std::fill(touches + patch.begin, touches + patch.end, 0.0);
+      double* touches = &touches_[place(at.segment) + static_cast<std::size_t>(line * stride_)];
+      std::fill(touches + at.begin, touches + at.end, 0.0);
     }
+  touched_.clear();
+}
+
+void TreadContact::commit() {
+  forget();
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     const Patch& patch = patches_[i];
     const std::size_t first = place(patch.segment);
@@ -369,8 +374,36 @@ void TreadContact::commit() {
               patch.level ? &patch.ground.height : nullptr,
               tip,
               &touches_[first]);
+    touched_.push_back({patch.segment, patch.begin, patch.end});
   }
-  touched_ = patches_;
+}
+
+TreadMemory TreadContact::memory() const {
+  TreadMemory memory{touched_, {}};
+  for (const TreadMemory::Stations& at : touched_)
+    for (int line = 0; line < lines_; ++line)
+      for (int j = at.begin; j < at.end; ++j) {
+        const std::size_t block = place(at.segment) + static_cast<std::size_t>(line * stride_ + j);
+        const double share = touches_[block];
+        memory.tips.push_back(
+            share > 0.0 ? std::array{tip_[0][block], tip_[1][block], tip_[2][block], share}
+                        : std::array<double, 4>{});
+      }
+  return memory;
+}
+
+void TreadContact::remember(const TreadMemory& memory) {
+  forget();
+  patches_.clear();
+  auto block_memory = memory.tips.begin();
+  for (const TreadMemory::Stations& at : memory.stations)
+    for (int line = 0; line < lines_; ++line)
+      for (int j = at.begin; j < at.end; ++j, ++block_memory) {
+        const std::size_t block = place(at.segment) + static_cast<std::size_t>(line * stride_ + j);
+        for (std::size_t i = 0; i < 3; ++i) tip_[i][block] = (*block_memory)[i];
+        touches_[block] = (*block_memory)[3];
+      }
+  touched_ = memory.stations;
 }
 
 }  // namespace latsch::ring_tire

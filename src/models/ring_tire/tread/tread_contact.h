@@ -46,12 +46,27 @@ struct BlockContact {
   bool sticks = true;
 };
 
+/// What the blocks remember of the last commit, those of the patch alone.
+struct TreadMemory {
+  struct Stations {
+    int segment, begin, end;
+    bool operator==(const Stations&) const = default;
+  };
+  std::vector<Stations> stations;
+  /// Block by block, line after line: the tip on the road, and the share of the cell that is there.
+  std::vector<std::array<double, 4>> tips;
+
+  bool operator==(const TreadMemory&) const = default;
+};
+
 class TreadContact {
  public:
   TreadContact(const Tread& tread, double radius, int nodes);
 
   /// No block touches.
   void reset();
+  TreadMemory memory() const;
+  void remember(const TreadMemory& memory);
   /// Sections bent as they are there from here on: lines stand off the belt by Σ γ_i q_i(y) more.
   void bend(const SectionBending& section);
   /// Nodes that blocks of the patches hang on, in ascending order.
@@ -163,6 +178,8 @@ class TreadContact {
             at(kP + 2) + H * at(kG + 2) + y * at(kA + 2)};
   }
 
+  /// No block is on the road.
+  void forget();
   bool near_road(const NodeValues& q,
                  const RimFrame& rim,
                  const road::Road& road,
@@ -225,7 +242,7 @@ class TreadContact {
   // Persistent, one a block: the tip on the road and the share of its cell that is there.
   std::array<std::vector<double>, 3> tip_;
   std::vector<double> touches_;
-  std::vector<Patch> touched_;  // at the last commit
+  std::vector<TreadMemory::Stations> touched_;  // at the last commit
   // Of the step at work.
   StepRule rule_;
   double margin_ = 0.0;  // m

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/ring_tire/ring/ring_state.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "models/ring_tire/description/ring_parameters_testing.h"
+#include "models/ring_tire/ring/ring_tire.h"
+#include "models/road/profile_road.h"
+
+namespace latsch::ring_tire {
+namespace {
+
+constexpr double kStep = 5e-4, kSpeed = 10.0;
+
+/// With memory in the sidewall, in the tread and, where sections bend, in them.
+RingParameters with_memory(double bending_across) {
+  RingParameters ring = passenger_ring();
+  ring.sidewall.radial.dynamic_stiffening = 0.2;
+  ring.sidewall.radial.friction_stiffening = 0.1;
+  ring.sidewall.radial.friction_force = 500.0;
+  ring.belt.bending_across = bending_across;
+  return ring;
+}
+
+WheelMotion at_step(int i) {
+  WheelMotion motion;
+  motion.center = {i * kStep * kSpeed, 0.0, 0.296};
+  motion.velocity.x() = kSpeed;
+  motion.spin_rate = kSpeed / 0.308;
+  motion.spin = i * kStep * motion.spin_rate;
+  return motion;
+}
+
+class RingStateOn : public testing::TestWithParam<double> {
+ protected:
+  /// Rolled up to a cleat by 40 steps.
+  RingTire before_the_cleat() {
+    RingTire tire(with_memory(GetParam()));
+    EXPECT_TRUE(tire.settle(at_step(0), road_, 0.0));
+    for (int i = 1; i <= 40; ++i) EXPECT_TRUE(tire.advance(at_step(i), road_, i * kStep, kStep));
+    return tire;
+  }
+  /// Forces of the next steps, each tried twice and taken.
+  std::vector<HubForces> over_the_cleat(RingTire& tire, RingState state) {
+    std::vector<HubForces> forces;
+    for (int i = 41; i <= 60; ++i) {
+      const auto lost = tire.trial(state, at_step(i + 1), road_, (i + 1) * kStep, 2.0 * kStep);
+      EXPECT_TRUE(lost);
+      const auto step = tire.trial(state, at_step(i), road_, i * kStep, kStep);
+      EXPECT_TRUE(step) << step.failure().reason;
+      if (!step) break;
+      state = step->state;
+      forces.push_back(step->hub);
+    }
+    return forces;
+  }
+
+  road::ProfileRoad road_ = road::cleat_road(0.3, 0.015, 0.03, 0.005);
+};
+
+INSTANTIATE_TEST_SUITE_P(Sections, RingStateOn, testing::Values(0.0, 8.0));
+
+TEST_P(RingStateOn, StepsFromAStateAreTheSameBitsInAnyTire) {
+  RingTire tire = before_the_cleat(), other(with_memory(GetParam()));
+  const RingState state = tire.state();
+  const auto forces = over_the_cleat(tire, state), again = over_the_cleat(other, state);
+  ASSERT_EQ(forces.size(), 20u);
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    EXPECT_EQ(forces[i].force, again[i].force) << i;
+    EXPECT_EQ(forces[i].moment, again[i].moment) << i;
+  }
+  EXPECT_TRUE(tire.state() == other.state());
+  EXPECT_FALSE(tire.state() == state);
+}
+
+TEST_P(RingStateOn, ComesBackAsItWas) {
+  RingTire tire = before_the_cleat();
+  const RingState state = tire.state();
+  for (int i = 41; i <= 60; ++i) ASSERT_TRUE(tire.advance(at_step(i), road_, i * kStep, kStep));
+  EXPECT_FALSE(tire.state() == state);
+  tire.restore(state);
+  EXPECT_TRUE(tire.state() == state);
+  EXPECT_TRUE(tire.contacts().empty());
+}
+
+// A wheel far into the ground in ten substeps, and one at no place: no state there, and nothing lost.
+TEST_P(RingStateOn, IsAsItWasAfterAStepThatFails) {
+  RingTire tire = before_the_cleat();
+  const RingState state = tire.state();
+  WheelMotion in_the_ground = at_step(41), nowhere = at_step(41);
+  in_the_ground.center.z() = -5.0;
+  nowhere.center.x() = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& [motion, step] :
+       {std::pair{in_the_ground, 20.0 * kStep}, {nowhere, kStep}, {nowhere, 20.0 * kStep}}) {
+    const auto hub = tire.advance(motion, road_, 41 * kStep, step);
+    ASSERT_FALSE(hub);
+    EXPECT_FALSE(hub.failure().reason.empty());
+    EXPECT_TRUE(tire.state() == state);
+  }
+  EXPECT_TRUE(tire.advance(at_step(41), road_, 41 * kStep, kStep));
+}
+
+// Of the tread the patch alone.
+TEST_P(RingStateOn, IsSmall) {
+  const RingState state = before_the_cleat().state();
+  EXPECT_GT(state.tread.tips.size(), 100u);
+  EXPECT_LT(state.tread.tips.size(), 80u * 6u * 16u / 4u);
+}
+
+}  // namespace
+}  // namespace latsch::ring_tire
