@@ -115,7 +115,7 @@ void SidewallForces::add_memory(int direction,
   const double* before = memory_.travel.data() + direction * nodes;
   if (const double kM = direction_[direction].k_maxwell; kM > 0.0 && !rule.statics())
     LATSCH_KERNEL(add_maxwell)
-    (nodes, kM, half_step(rule), before, &memory_.maxwell(direction, 0), u, F);
+  (nodes, kM, half_step(rule), before, &memory_.maxwell(direction, 0), u, F);
   for (int i = 0; i < kFrictions; ++i) {
     const Friction& f = friction_[i];
     if (f.direction == direction && f.k > 0.0)
@@ -194,9 +194,8 @@ void SidewallForces::commit(const NodeValues& q, const RimFrame& rim, const Step
   if (has_memory_) {
     // Nothing is left of Maxwell's forces at rest.
     if (rule.statics()) memory_.maxwell.setZero();
-    for (int i = 0; i < 3 && !rule.statics(); ++i)
-      LATSCH_KERNEL(go_on_maxwell)
-      (nodes, half_step(rule), &memory_.travel(i, 0), &u(i, 0), &memory_.maxwell(i, 0));
+    for (int i = 0; i < 3 && !rule.statics(); ++i) LATSCH_KERNEL(go_on_maxwell)
+    (nodes, half_step(rule), &memory_.travel(i, 0), &u(i, 0), &memory_.maxwell(i, 0));
     for (int i = 0; i < kFrictions; ++i) {
       const Friction& f = friction_[i];
       LATSCH_KERNEL(go_on_friction)

@@ -380,29 +380,31 @@ void TreadContact::commit() {
 
 TreadMemory TreadContact::memory() const {
   TreadMemory memory{touched_, {}};
+  std::size_t size = 0;
   for (const TreadMemory::Stations& at : touched_)
-    for (int line = 0; line < lines_; ++line)
-      for (int j = at.begin; j < at.end; ++j) {
-        const std::size_t block = place(at.segment) + static_cast<std::size_t>(line * stride_ + j);
-        const double share = touches_[block];
-        memory.tips.push_back(
-            share > 0.0 ? std::array{tip_[0][block], tip_[1][block], tip_[2][block], share}
-                        : std::array<double, 4>{});
-      }
+    size += 4 * static_cast<std::size_t>(lines_ * (at.end - at.begin));
+  memory.tips.reserve(size);
+  for (const TreadMemory::Stations& at : touched_)
+    for (int line = 0; line < lines_; ++line) {
+      const std::size_t block = place(at.segment) + static_cast<std::size_t>(line * stride_);
+      for (const std::vector<double>* from : {&tip_[0], &tip_[1], &tip_[2], &touches_})
+        memory.tips.insert(memory.tips.end(), &(*from)[block] + at.begin, &(*from)[block] + at.end);
+    }
   return memory;
 }
 
 void TreadContact::remember(const TreadMemory& memory) {
   forget();
   patches_.clear();
-  auto block_memory = memory.tips.begin();
+  const double* from = memory.tips.data();
   for (const TreadMemory::Stations& at : memory.stations)
-    for (int line = 0; line < lines_; ++line)
-      for (int j = at.begin; j < at.end; ++j, ++block_memory) {
-        const std::size_t block = place(at.segment) + static_cast<std::size_t>(line * stride_ + j);
-        for (std::size_t i = 0; i < 3; ++i) tip_[i][block] = (*block_memory)[i];
-        touches_[block] = (*block_memory)[3];
+    for (int line = 0; line < lines_; ++line) {
+      const std::size_t block = place(at.segment) + static_cast<std::size_t>(line * stride_);
+      for (std::vector<double>* to : {&tip_[0], &tip_[1], &tip_[2], &touches_}) {
+        std::copy(from, from + (at.end - at.begin), &(*to)[block] + at.begin);
+        from += at.end - at.begin;
       }
+    }
   touched_ = memory.stations;
 }
 

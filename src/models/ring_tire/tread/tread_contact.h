@@ -53,8 +53,8 @@ struct TreadMemory {
     bool operator==(const Stations&) const = default;
   };
   std::vector<Stations> stations;
-  /// Block by block, line after line: the tip on the road, and the share of the cell that is there.
-  std::vector<std::array<double, 4>> tips;
+  /// Of each stations' lines: x, y, z of the tips on the road and the shares of the cells there.
+  std::vector<double> tips;
 
   bool operator==(const TreadMemory&) const = default;
 };
