@@ -247,9 +247,9 @@ std::pair<int, int> TreadContact::find_line(std::size_t patch,
   return {begin, end};
 }
 
-/// Below each block the plane that its cell sees on an uneven road: its mean height by Simpson's
-/// rule, its slope along the cell from end to end, across it and all else from the middle. So edges
-/// shorter than a cell come gradually.
+/// Below each block the plane that its cell sees on an uneven road: its mean height, its slope along
+/// the cell from end to end, across it and all else from the middle. So edges shorter than a cell
+/// come gradually.
 void TreadContact::place_cells(
     std::size_t patch, int line, int begin, int end, const road::Road& road, double time) {
   const auto border = [&](int j) -> Vector3d {  // between the cells j - 1 and j
@@ -258,6 +258,8 @@ void TreadContact::place_cells(
     if (j == blocks_) return 1.5 * tip(line, j - 1) - 0.5 * tip(line, j - 2);
     return 0.5 * (tip(line, j - 1) + tip(line, j));
   };
+  constexpr double kStraight = 1e-6;  // m
+  constexpr int kSamples = 16;
   const auto height = [&](const Vector3d& at) { return road.height(at.x(), at.y(), time); };
   Vector3d from = border(begin);
   double from_height = height(from);
@@ -272,7 +274,11 @@ void TreadContact::place_cells(
       const Eigen::Vector2d e = along / length;
       slope += ((to_height - from_height) / length - slope.dot(e)) * e;
       ground.normal = Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
-      ground.height = (from_height + 4.0 * ground.height + to_height) / 6.0;
+      if (std::abs(from_height + to_height - 2.0 * ground.height) > kStraight) {
+        double sum = 0.0;
+        for (int i = 0; i < kSamples; ++i) sum += height(from + (i + 0.5) / kSamples * (to - from));
+        ground.height = sum / kSamples;
+      }
     }
     const double level = ground.normal.dot(Vector3d(at.x(), at.y(), ground.height));
     place_ground(patch, line * stride_ + j, ground, level);
