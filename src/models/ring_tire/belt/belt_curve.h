@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The belt's curve: a closed uniform cubic B-spline. Node k is a control point, and knot k stands at
-// the angle φ_k of the rim, between the knots runs segment k. At knot k
-//   P_k = (x_(k-1) + 4 x_k + x_(k+1))/6,  P' = (x_(k+1) - x_(k-1))/2,  P'' = x_(k-1) - 2 x_k + x_(k+1)
-// and in the middle of segment k, by the parameter s of one a segment,
-//   X' = (5 (x_(k+1) - x_k) + x_(k+2) - x_(k-1))/8                                              (26)
+// The belt's curve: a closed uniform cubic B-spline. Node k is a control point, knot k stands at
+// the angle φ_k of the rim, between the knots runs segment k. At knot k, by s of one a segment,
+//   P = (x_(k-1) + 4 x_k + x_(k+1))/6,  P' = (x_(k+1) - x_(k-1))/2,  P'' = x_(k-1) - 2 x_k + x_(k+1)
+// and in the middle of segment k
+//   X' = (5 (x_(k+1) - x_k) + x_(k+2) - x_(k-1))/8                                           (26)
 // Torsion is interpolated alike. The curve bends without kinks (C²), so what runs through the tread
 // does not feel where the knots are; chords, and curves of continuous slope alone, let the road
 // feel every segment. A rigid motion of the nodes is one of the curve.

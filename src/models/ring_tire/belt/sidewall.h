@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Belt and rim. The knots of the belt (belt_curve.h) are called nodes here. Travel of node k along the rim's e_r, e_t and a:
+// Belt and rim. The knots of the belt (belt_curve.h) are called nodes here. Travel of node k along
+// the rim's e_r, e_t and a:
 //   u_r = e_r . (x_k - c) - R,  u_t = e_t . (x_k - c),  u_y = a . (x_k - c)
 // Along each, times the node's share of the circumference 2π R/N:
 //   F = k u + d u' + k_M (u - u_i) + sum of friction elements,  τ u_i' = u - u_i             (6)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a flexible ring remembers from one step to the next: a value, copied, compared, stored. Of the
-// tread the patch alone is in it.
+// What a flexible ring remembers from one step to the next: a value, copied, compared, stored. Of
+// the tread the patch alone is in it.
 #pragma once
 
 #include "models/ring_tire/belt/rim_frame.h"

@@ -87,7 +87,7 @@ TEST_P(RingStateOn, ComesBackAsItWas) {
   EXPECT_TRUE(tire.contacts().empty());
 }
 
-// A wheel far into the ground in ten substeps, and one at no place: no state there, and nothing lost.
+// A wheel far into the ground in ten substeps, and one at no place: nothing is lost.
 TEST_P(RingStateOn, IsAsItWasAfterAStepThatFails) {
   RingTire tire = before_the_cleat();
   const RingState state = tire.state();

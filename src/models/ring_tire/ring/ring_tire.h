@@ -65,8 +65,8 @@ class RingTire final : public Tire {
   RingState state() const;
   /// Goes on from there. Contacts and footprint are those of a step: none until the next.
   void restore(const RingState& state);
-  /// A step from `from` to `motion` with this tire's memory for its work: taken by restore() of what
-  /// comes back, else thrown away. The same bits whatever was computed before.
+  /// A step from `from` to `motion` with this tire's memory for its work: taken by restore() of
+  /// what comes back, else thrown away. The same bits whatever was computed before.
   Result<RingTrial> trial(const RingState& from,
                           const WheelMotion& motion,
                           const road::Road& road,

@@ -247,9 +247,9 @@ std::pair<int, int> TreadContact::find_line(std::size_t patch,
   return {begin, end};
 }
 
-/// Below each block the plane that its cell sees on an uneven road: its mean height, its slope along
-/// the cell from end to end, across it and all else from the middle. So edges shorter than a cell
-/// come gradually.
+/// Below each block the plane that its cell sees on an uneven road: its mean height, its slope
+/// along the cell from end to end, across it and all else from the middle. So edges shorter than a
+/// cell come gradually.
 void TreadContact::place_cells(
     std::size_t patch, int line, int begin, int end, const road::Road& road, double time) {
   const auto border = [&](int j) -> Vector3d {  // between the cells j - 1 and j

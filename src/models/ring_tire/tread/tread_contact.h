@@ -2,17 +2,17 @@
 // Tread blocks between belt and road. A block sits at the fraction s of segment k, on one of the
 // lines across the width at y; its root is a point of the belt's curve, which hangs on the four
 // nodes k-1 .. k+2 (belt_curve.h). With p, x' the belt's middle there and its derivative by s, t
-// along x' in the rim's plane, n = a × t outward, H the height from belt to tip, the unloaded tip is
+// along x' in the rim's plane, n = a × t outward, H the height from belt to tip, the free tip is
 //   T = p + H (n - ν_n t + ψ a) + y (a - ν_a t - ψ n),  ν_n = n . x'/|x'|,  ν_a = a . x'/|x'|  (10)
 // The ν turn the section with the belt's slope, so that a force at the tip has its right moment.
 // t, n and |x'| are those of the beginning of a Newton solution (the predicted state of a step,
 // which is as good as its end to third order): then T is linear in the unknowns and forces have
 // an energy. The block stands for its cell, from the middle to one neighbor to that to the other;
-// p_E: half of what the belt gains along it, ξ = -1 .. 1. The road below is the plane through G with
-// normal N, its material at v_G.
+// p_E: half of what the belt gains along it, ξ = -1 .. 1. The road below is the plane through G
+// with normal N, its material at v_G.
 //   δ = N . (G - T),  g = -N . p_E,  λ: share of the cell where δ + g ξ > 0
-//   F_n = c_n (D + t_d λ δ'),  D: mean of (δ + g ξ)_+; on p_E the mean of c_n ξ (δ + g ξ)_+     (11)
-//   e: tip on the road minus T, in the plane;  F_t = λ c_t (e + t_d e')  while the tip sticks   (12)
+//   F_n = c_n (D + t_d λ δ'),  D: mean of (δ + g ξ)_+; on p_E the mean of c_n ξ (δ + g ξ)_+   (11)
+//   e: tip on the road minus T, in the plane;  F_t = λ c_t (e + t_d e')  while the tip sticks (12)
 //   |F_t| <= μ_adhesion F_n, else the tip slides: tread_friction.h                            (13)
 // What comes down within a step starts its e at the touch; e is the mean over what touches.
 //
