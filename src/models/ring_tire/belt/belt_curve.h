@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The belt's curve: a closed uniform cubic B-spline. Node k is a control point, knot k stands at
 // the angle φ_k of the rim, between the knots runs segment k. At knot k, by s of one a segment,
-//   P = (x_(k-1) + 4 x_k + x_(k+1))/6,  P' = (x_(k+1) - x_(k-1))/2,  P'' = x_(k-1) - 2 x_k + x_(k+1)
+//   P = (x_(k-1) + 4 x_k + x_(k+1))/6,  P' = (x_(k+1) - x_(k-1))/2
 // and in the middle of segment k
 //   X' = (5 (x_(k+1) - x_k) + x_(k+2) - x_(k-1))/8                                           (26)
 // Torsion is interpolated alike. The curve bends without kinks (C²), so what runs through the tread
