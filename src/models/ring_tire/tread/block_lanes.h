@@ -73,7 +73,8 @@ LATSCH_INLINE Section section(const SegmentStations& at,
 
 /// A block's cell on the road, its depth running linearly from δ - g at one end to δ + g at the
 /// other: the share λ of it that touches, and the means of (δ + g ξ)_+ and of ξ (δ + g ξ)_+ over
-/// ξ = -1 .. 1. All are of continuous slope in δ and g, so nothing jumps where blocks come and go.
+/// ξ = -1 .. 1. The means are of continuous slope in δ and g, the share is continuous: nothing
+/// jumps where blocks come and go.
 struct Touch {
   Lanes share, depth, moment;
   Lanes deepest, range;  // of its ends; from one to the other
