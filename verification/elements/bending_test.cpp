@@ -11,12 +11,9 @@ namespace latsch::verification {
 namespace {
 
 Materials linear(double E, double nu) {
-  Matrix6 D = Matrix6::Zero();
   const double G = E / (2.0 * (1.0 + nu)), lambda = E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
-  D.topLeftCorner<3, 3>().setConstant(lambda);
-  D.diagonal() << lambda + 2 * G, lambda + 2 * G, lambda + 2 * G, G, G, G;
   Materials materials;
-  materials.solids = {{StVenantKirchhoff{D}, 1.0}};
+  materials.solids = {{StVenantKirchhoff::isotropic(G, lambda), 1.0}};
   return materials;
 }
 

@@ -66,11 +66,8 @@ std::vector<double> frequencies(const Hoop& hoop, int n, ElementKind kind) {
   const Ring ring(mesh_of(hoop), kind);
   const double G = hoop.E / (2.0 * (1.0 + hoop.nu));
   const double lambda = hoop.E * hoop.nu / ((1.0 + hoop.nu) * (1.0 - 2.0 * hoop.nu));
-  Matrix6 D = Matrix6::Zero();
-  D.topLeftCorner<3, 3>().setConstant(lambda);
-  D.diagonal() << lambda + 2 * G, lambda + 2 * G, lambda + 2 * G, G, G, G;
   Materials materials;
-  materials.solids = {{StVenantKirchhoff{D}, hoop.density}};
+  materials.solids = {{StVenantKirchhoff::isotropic(G, lambda), hoop.density}};
   Eigen::VectorXd alpha =
       Eigen::VectorXd::Zero(ring.alphas_per_element() * ring.elements_per_sector() + 1);
   Eigen::VectorXd f;

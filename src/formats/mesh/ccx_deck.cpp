@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "formats/mesh/hexahedron.h"
 
 namespace latsch::formats {
 namespace {
@@ -171,13 +172,12 @@ class DeckWriter {
 
   /// Upper triangle column by column in CalculiX' order 11 22 33 12 13 23.
   bool write_law(const fe_tire::StVenantKirchhoff& law) {
-    static constexpr int kOurs[6] = {0, 1, 2, 3, 5, 4};
     print("*ELASTIC,TYPE=ANISO\n");
     int count = 0;
     for (int column = 0; column < 6; ++column)
       for (int row = 0; row <= column; ++row)
         print("{:.12g}{}",
-              law.D(kOurs[row], kOurs[column]) * kMegapascals,
+              law.D(kVoigtOfCalculix[row], kVoigtOfCalculix[column]) * kMegapascals,
               ++count % 8 == 0 || count == 21 ? "\n" : ",");
     return true;
   }

@@ -10,6 +10,10 @@ namespace latsch::formats {
 using HexNodes = std::array<int, 8>;
 using Hex = Eigen::Matrix<double, 3, 8>;
 
+/// Where the stress components 11 22 33 12 13 23 of CalculiX and Abaqus stand in the Voigt order of
+/// models/fe_tire.
+inline constexpr int kVoigtOfCalculix[6] = {0, 1, 2, 3, 5, 4};
+
 /// A direction along a local axis of an element: axis 0, 1, 2 and sign.
 struct LocalDirection {
   int axis = 0;

@@ -6,29 +6,26 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
+#include "formats/mesh/hexahedron.h"
+
 namespace latsch::formats {
 namespace {
 
 using fe_tire::Matrix6;
 
-Matrix6 isotropic(double E, double nu) {
+fe_tire::StVenantKirchhoff isotropic(double E, double nu) {
   const double G = E / (2.0 * (1.0 + nu)), lambda = 2.0 * G * nu / (1.0 - 2.0 * nu);
-  Matrix6 D = Matrix6::Zero();
-  D.topLeftCorner<3, 3>().setConstant(lambda);
-  D.topLeftCorner<3, 3>().diagonal().array() += 2.0 * G;
-  D.bottomRightCorner<3, 3>().diagonal().setConstant(G);
-  return D;
+  return fe_tire::StVenantKirchhoff::isotropic(G, lambda);
 }
 
 /// The upper triangle column by column, 11 22 33 12 13 23 (CalculiX, Abaqus), to 11 22 33 12 23 13.
 Matrix6 anisotropic(const std::vector<double>& c) {
-  static constexpr int kOurs[6] = {0, 1, 2, 3, 5, 4};
   Matrix6 D;
   int next = 0;
   for (int column = 0; column < 6; ++column)
     for (int row = 0; row <= column; ++row) {
-      D(kOurs[row], kOurs[column]) = c[next];
-      D(kOurs[column], kOurs[row]) = c[next++];
+      D(kVoigtOfCalculix[row], kVoigtOfCalculix[column]) = c[next];
+      D(kVoigtOfCalculix[column], kVoigtOfCalculix[row]) = c[next++];
     }
   return D;
 }
@@ -47,7 +44,7 @@ fe_tire::Solid solid_from(const InpMaterial& material, const InpUnits& units) {
     solid.law = fe_tire::Hyperelastic{law.C10 * stress, law.C01 * stress, 2.0 / law.D1 * stress};
   } else if (!material.elastic.empty()) {
     solid.law =
-        fe_tire::StVenantKirchhoff{isotropic(material.elastic[0], material.elastic[1]) * stress};
+        fe_tire::StVenantKirchhoff{isotropic(material.elastic[0], material.elastic[1]).D * stress};
   } else if (!material.anisotropic.empty()) {
     const Matrix6 D = anisotropic(material.anisotropic);
     if (Eigen::LLT<Matrix6>(D).info() != Eigen::Success)

@@ -14,16 +14,8 @@ namespace {
 /// d (x) d of a direction in Voigt order, for stresses: d^T E d = v . E_voigt.
 Vector6 dyad(const Eigen::Vector3d& d) {
   Vector6 v;
-  v << d[0] * d[0], d[1] * d[1], d[2] * d[2], d[0] * d[1], d[1] * d[2], d[0] * d[2];
+  for (int k = 0; k < 6; ++k) v[k] = d[voigt::kRow[k]] * d[voigt::kColumn[k]];
   return v;
-}
-
-Matrix6 isotropic(double G, double K) {
-  Matrix6 D = Matrix6::Zero();
-  D.topLeftCorner<3, 3>().setConstant(K - 2.0 * G / 3.0);
-  D.topLeftCorner<3, 3>().diagonal().array() += 2.0 * G;
-  D.bottomRightCorner<3, 3>().diagonal().setConstant(G);
-  return D;
 }
 
 /// What a column of elements is like in its middle.
@@ -60,7 +52,8 @@ CordLayer cords_at(const CordPly& ply, double r, double r_crown) {
 StVenantKirchhoff smear(const Hyperelastic& rubber,
                         const Column& column,
                         const std::vector<CordLayer>& cords) {
-  StVenantKirchhoff law{isotropic(2.0 * (rubber.C10 + rubber.C01), rubber.K)};
+  const double G = 2.0 * (rubber.C10 + rubber.C01);
+  StVenantKirchhoff law = StVenantKirchhoff::isotropic(G, rubber.K - 2.0 * G / 3.0);
   for (const CordLayer& c : cords) {
     const Eigen::Vector3d d =
         std::cos(c.angle) * Eigen::Vector3d::UnitY() + std::sin(c.angle) * column.meridional;

@@ -144,7 +144,7 @@ void add_stiffness(const Cords& cords, ModalSums& sums, V (*coupling)[3][kModes]
       }
     }
     for (int block = 0; block < 6; ++block) {
-      const int i = kBlockRow[block], j = kBlockColumn[block];
+      const int i = voigt::kRow[block], j = voigt::kColumn[block];
       for (int m = 0; m < 3; ++m) {
         for (int n = 0; n < 3; ++n) {
           V sum = i == j ? stress[m][n] : V(0.0);

@@ -42,14 +42,13 @@ LATSCH_INLINE void moduli(const V (*D)[6], const V* F_i, const V* F_j, V (*C)[3]
 
 LATSCH_INLINE void add_point_stiffness(
     const double (*dN)[8], const V (*F)[3], const V* S, const V (*D)[6], NodalSums& sums) {
-  using rubber_law::kVoigt;
   for (int block = 0; block < 6; ++block) {
-    const int i = kBlockRow[block], j = kBlockColumn[block];
+    const int i = voigt::kRow[block], j = voigt::kColumn[block];
     V C[3][3];
     moduli(D, F[i], F[j], C);
     if (i == j) {
       for (int k = 0; k < 3; ++k) {
-        for (int l = 0; l < 3; ++l) C[k][l] += S[kVoigt[k][l]];
+        for (int l = 0; l < 3; ++l) C[k][l] += S[voigt::kPlace[k][l]];
       }
     }
     for (int b = 0; b < 8; ++b) {
@@ -69,7 +68,7 @@ LATSCH_INLINE void add_point_stiffness(
 
 /// Adds to the sums of the nodes at x[3 a + i]; void where it fails.
 Mask add_full_integration(const ElementLaw& law, bool stiffness, const V* x, NodalSums& sums) {
-  using rubber_law::kColumn, rubber_law::kRow;
+  using voigt::kColumn, voigt::kRow;
   const HexShape& shape = *law.shape;
   Mask valid = V(1.0) > V(0.0);
   for (int q = 0; q < 8; ++q) {

@@ -35,8 +35,6 @@ namespace {
 // angles count from the xi line.
 constexpr double kLeastProjection = 1e-3;
 
-constexpr double kXi4[4] = {-1, 1, 1, -1}, kEta4[4] = {-1, -1, 1, 1};
-
 /// The layer's bilinear surface in the undeformed element.
 struct Surface {
   Eigen::Vector3d X0;
@@ -84,7 +82,7 @@ Eigen::Vector2d set_points(const Surface& surface, double angle, CordSheet::Poin
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   double area = 0.0;
   for (int q = 0; q < 4; ++q) {
-    const double xi = kGauss * kXi4[q], eta = kGauss * kEta4[q];
+    const double xi = kGauss * kXi[q], eta = kGauss * kEta[q];
     const Direction d = direction(surface, xi, eta, angle);
     const double v[3] = {d.a1, d.a2, d.a1 * eta + d.a2 * xi};
     for (int m = 0; m < 3; ++m) {
@@ -109,7 +107,7 @@ void assume(const Surface& surface,
   const Eigen::Matrix2d metric = Y.leftCols<2>().transpose() * Y.leftCols<2>();
   const Eigen::Vector2d s = metric.inverse() * Y.leftCols<2>().transpose() * Y.col(2);
   for (int q = 0; q < 4; ++q) {
-    const double xi = kGauss * kXi4[q] - mean[0], eta = kGauss * kEta4[q] - mean[1];
+    const double xi = kGauss * kXi[q] - mean[0], eta = kGauss * kEta[q] - mean[1];
     const double p = center.a1 * center.a2 * xi, r = center.a1 * center.a2 * eta;
     auto& W = points[q].W;
     W[0][0] += 2.0 * p * s[0];
@@ -154,8 +152,8 @@ Matrix8 rebar_mass(const Matrix38& X,
     const CordLayer& layer = materials.layers[rebar.layer];
     const Surface surface = surface_at(X, rebar.zeta);
     for (int q = 0; q < 4; ++q) {
-      const double dA = direction(surface, kGauss * kXi4[q], kGauss * kEta4[q], 0.0).dA;
-      const Vector8 N = shape_functions(point * kXi4[q], point * kEta4[q], rebar.zeta);
+      const double dA = direction(surface, kGauss * kXi[q], kGauss * kEta[q], 0.0).dA;
+      const Vector8 N = shape_functions(point * kXi[q], point * kEta[q], rebar.zeta);
       M.noalias() += layer.density * layer.thickness * dA * N * N.transpose();
     }
   }

@@ -95,7 +95,7 @@ LATSCH_INLINE Mask follow(const SolidShellShape& s, Kinematics& k) {
 
 /// (E_c, e), equations (2) and (3).
 LATSCH_INLINE void generalized_strains(const SolidShellShape& s, const Kinematics& k, V* g) {
-  using rubber_law::kColumn, rubber_law::kRow;
+  using voigt::kColumn, voigt::kRow;
   for (int r = 0; r < 6; ++r) {
     const V C = dot(k.F[kRow[r]], k.F[kColumn[r]]);
     g[r] = r < 3 ? 0.5 * (C - 1.0) : C;
@@ -125,7 +125,7 @@ void strain_operator(const SolidShellShape& s,
                      const Kinematics& k,
                      const V (*Dc)[3][kModes],
                      V (*B)[3][kModes]) {
-  using rubber_law::kColumn, rubber_law::kRow;
+  using voigt::kColumn, voigt::kRow;
   for (int i = 0; i < 3; ++i) {
     for (int m = 0; m < kModes; ++m) {
       for (int r = 0; r < 6; ++r) {
@@ -500,7 +500,7 @@ void times_B(const V (*rows)[kStrains],
 /// K += (de/dx)^T DB of the rows of e.
 void add_pairs(const V (*x)[3], const V (*DB)[3][kModes], ModalSums& sums) {
   for (int block = 0; block < 6; ++block) {
-    const int i = kBlockRow[block], j = kBlockColumn[block];
+    const int i = voigt::kRow[block], j = voigt::kColumn[block];
     for (const auto& [e, m, n] : kPairs) {
       const V x_m = x[m][i], x_n = x[n][i];
       const V* row = DB[6 + e][j];

@@ -21,13 +21,12 @@ Eigen::Matrix<double, 7, 8> solid_shell::modal_matrix() {
 
 namespace {
 
-constexpr int kRow[6] = {0, 1, 2, 0, 1, 0};
-constexpr int kColumn[6] = {0, 1, 2, 1, 2, 2};
 constexpr int kSquareCount = SolidShellShape::kSquares;
 constexpr int kModes = 12 + SolidShellShape::kEnhanced;
 
 using ModeOperator = Eigen::Matrix<double, 6, kModes>;
 using solid_shell::kPairs;
+using voigt::kColumn, voigt::kRow;
 
 /// E' = A^T E A in Voigt order.
 Matrix6 strain_transform(const Eigen::Matrix3d& A) {

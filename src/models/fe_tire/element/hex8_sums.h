@@ -21,10 +21,8 @@ namespace latsch::fe_tire::LATSCH_KERNELS {
 
 inline constexpr int kModes = SolidShellShape::kModes;
 
-/// The pairs of directions (i, j), j >= i, in the order in which their blocks are stored.
-inline constexpr int kBlockRow[6] = {0, 1, 2, 0, 1, 0}, kBlockColumn[6] = {0, 1, 2, 1, 2, 2};
-
-/// By direction and modal vector; of blocks (i, i) the entries n >= m are kept.
+/// By direction and modal vector; blocks of the pairs of directions (i, j), j >= i, in Voigt order,
+/// of blocks (i, i) the entries n >= m are kept.
 struct ModalSums {
   V f[3][kModes];
   V K[6][kModes][kModes];
@@ -109,7 +107,7 @@ LATSCH_INLINE void block_to_nodes(const V (*block)[kModes], int i, int j, NodalS
 
 void stiffness_to_nodes(const ModalSums& modal, NodalSums& sums) {
   for (int block = 0; block < 6; ++block) {
-    block_to_nodes(modal.K[block], kBlockRow[block], kBlockColumn[block], sums);
+    block_to_nodes(modal.K[block], voigt::kRow[block], voigt::kColumn[block], sums);
   }
 }
 
@@ -138,7 +136,7 @@ LATSCH_INLINE void tile(
 void add_product(const V (*L)[3][kModes], const V (*R)[3][kModes], int count, ModalSums& sums) {
   constexpr int stride = 3 * kModes;
   for (int block = 0; block < 6; ++block) {
-    const int i = kBlockRow[block], j = kBlockColumn[block];
+    const int i = voigt::kRow[block], j = voigt::kColumn[block];
     const V *left = L[0][i], *right = R[0][j];
     V(*K)[kModes] = sums.K[block];
     tile<4, 3>(left, stride, right, stride, count, K);

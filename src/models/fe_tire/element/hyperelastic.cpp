@@ -10,8 +10,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr int kRow[6] = {0, 1, 2, 0, 1, 0};
-constexpr int kColumn[6] = {0, 1, 2, 1, 2, 2};
+using voigt::kColumn, voigt::kRow;
 
 Eigen::Matrix3d right_cauchy_green(const Vector6& E) {
   Eigen::Matrix3d C = Eigen::Matrix3d::Identity();
@@ -28,6 +27,14 @@ Hyperelastic Hyperelastic::from_young_modulus(double E, double nu, double ratio)
   const double G = E / (2.0 * (1.0 + nu));
   const double C10 = G / (2.0 * (1.0 + ratio));
   return {.C10 = C10, .C01 = ratio * C10, .K = E / (3.0 * (1.0 - 2.0 * nu))};
+}
+
+StVenantKirchhoff StVenantKirchhoff::isotropic(double G, double lambda) {
+  StVenantKirchhoff law;
+  law.D.topLeftCorner<3, 3>().setConstant(lambda);
+  law.D.diagonal().head<3>().array() += 2.0 * G;
+  law.D.diagonal().tail<3>().setConstant(G);
+  return law;
 }
 
 bool stress(const Hyperelastic& law, const Vector6& E, Vector6& S, Matrix6* D) {

@@ -14,6 +14,14 @@ namespace latsch::fe_tire {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
+namespace voigt {
+
+/// The component (i, j) of a place, and the place of a component.
+inline constexpr int kRow[6] = {0, 1, 2, 0, 1, 0}, kColumn[6] = {0, 1, 2, 1, 2, 2};
+inline constexpr int kPlace[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+
+}  // namespace voigt
+
 /// Nearly incompressible rubber; C01 = 0 is neo-Hooke:
 ///   W = C10 (I1bar - 3) + C01 (I2bar - 3) + K/2 (J - 1)^2
 /// Small strain: shear modulus 2 (C10 + C01), bulk modulus K. All in Pa.
@@ -32,6 +40,9 @@ struct Hyperelastic {
 /// x circumferential. Pa.
 struct StVenantKirchhoff {
   Matrix6 D = Matrix6::Zero();
+
+  /// Of Lame's constants: shear modulus G and lambda.
+  static StVenantKirchhoff isotropic(double G, double lambda);
 };
 
 struct Solid {

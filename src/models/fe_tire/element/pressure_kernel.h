@@ -20,8 +20,6 @@ namespace latsch::fe_tire::LATSCH_KERNELS {
 /// Pressure p on the face x[3 a + i], whose corners are the nodes `node` of the sums or (-1) fixed.
 LATSCH_INLINE void add_face_pressure(
     const V* x, const int* node, double p, bool stiffness, NodalSums& sums) {
-  constexpr double g = 0.57735026918962576451;
-  constexpr double kCornerXi[4] = {-1.0, 1.0, 1.0, -1.0}, kCornerEta[4] = {-1.0, -1.0, 1.0, 1.0};
   V w[6][3];  // K_ab = [w]x of the pairs b > a
   for (V& v : std::span(&w[0][0], 18)) v = 0.0;
   for (int q = 0; q < 4; ++q) {
@@ -29,11 +27,11 @@ LATSCH_INLINE void add_face_pressure(
     V x_xi[3], x_eta[3];
     for (int i = 0; i < 3; ++i) x_xi[i] = x_eta[i] = 0.0;
     for (int a = 0; a < 4; ++a) {
-      const double s = 1.0 + g * kCornerXi[q] * kCornerXi[a];
-      const double t = 1.0 + g * kCornerEta[q] * kCornerEta[a];
+      const double s = 1.0 + kGauss * kXi[q] * kXi[a];
+      const double t = 1.0 + kGauss * kEta[q] * kEta[a];
       N[a] = 0.25 * s * t;
-      N_xi[a] = 0.25 * kCornerXi[a] * t;
-      N_eta[a] = 0.25 * s * kCornerEta[a];
+      N_xi[a] = 0.25 * kXi[a] * t;
+      N_eta[a] = 0.25 * s * kEta[a];
       for (int i = 0; i < 3; ++i) {
         x_xi[i] += N_xi[a] * x[3 * a + i];
         x_eta[i] += N_eta[a] * x[3 * a + i];

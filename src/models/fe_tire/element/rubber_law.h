@@ -18,11 +18,6 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS::rubber_law {
 
-/// Place of the component (i, j) in Voigt order.
-inline constexpr int kVoigt[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
-inline constexpr int kRow[6] = {0, 1, 2, 0, 1, 0};
-inline constexpr int kColumn[6] = {0, 1, 2, 1, 2, 2};
-
 /// C and its inverse (Voigt) from the strain E.
 LATSCH_INLINE void invert(const V* E, V* C, V* Ci, V& det) {
   for (int k = 0; k < 6; ++k) C[k] = k < 3 ? 2.0 * E[k] + 1.0 : E[k];
@@ -39,11 +34,13 @@ LATSCH_INLINE void invert(const V* E, V* C, V* Ci, V& det) {
 
 /// D = ci (C^-1 (.) C^-1) + A x C^-1 + C^-1 x A, symmetric.
 LATSCH_INLINE void tangent(const V* Ci, const V* A, const V& ci, V (*D)[6]) {
+  using voigt::kPlace;
   const V half = 0.5 * ci;
   for (int a = 0; a < 6; ++a) {
     for (int b = a; b < 6; ++b) {
-      const int i = kRow[a], j = kColumn[a], k = kRow[b], l = kColumn[b];
-      const V product = Ci[kVoigt[i][k]] * Ci[kVoigt[j][l]] + Ci[kVoigt[i][l]] * Ci[kVoigt[j][k]];
+      const int i = voigt::kRow[a], j = voigt::kColumn[a];
+      const int k = voigt::kRow[b], l = voigt::kColumn[b];
+      const V product = Ci[kPlace[i][k]] * Ci[kPlace[j][l]] + Ci[kPlace[i][l]] * Ci[kPlace[j][k]];
       D[a][b] = D[b][a] = half * product + (A[a] * Ci[b] + Ci[a] * A[b]);
     }
   }

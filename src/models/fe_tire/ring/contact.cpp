@@ -5,27 +5,25 @@
 #include <cmath>
 #include <limits>
 
+#include "models/fe_tire/element/hex8_shape.h"
+
 namespace latsch::fe_tire {
 namespace {
 
 // The ground resists sliding before slip as stiffly, by half, as it resists penetration.
 constexpr double kTangentialShare = 0.5;
 
-constexpr double kSqrt13 = 0.57735026918962576;
+constexpr double kOuter = 1.0;  // zeta of the tread face
 
-/// Outward area vector dx/dxi x dx/deta of a four-node face at (xi, eta).
+/// Outward area vector dx/dxi x dx/deta of a tread face at (xi, eta).
 Eigen::Vector3d area_vector(const Matrix34& x, double xi, double eta) {
-  const Eigen::Vector4d N_xi(-(1 - eta) / 4, (1 - eta) / 4, (1 + eta) / 4, -(1 + eta) / 4);
-  const Eigen::Vector4d N_eta(-(1 - xi) / 4, -(1 + xi) / 4, (1 + xi) / 4, (1 - xi) / 4);
-  return (x * N_xi).cross(Eigen::Vector3d(x * N_eta));
+  const Eigen::Matrix<double, 4, 3> dN =
+      parent_gradients(xi, eta, kOuter).rightCols<4>().transpose();
+  return (x * dN.col(0)).cross(Eigen::Vector3d(x * dN.col(1)));
 }
 
-Eigen::Vector4d shape_functions(double xi, double eta) {
-  return Eigen::Vector4d((1 - xi) * (1 - eta),
-                         (1 + xi) * (1 - eta),
-                         (1 + xi) * (1 + eta),
-                         (1 - xi) * (1 + eta)) /
-         4.0;
+Eigen::Vector4d face_functions(double xi, double eta) {
+  return shape_functions(xi, eta, kOuter).tail<4>();
 }
 
 // A footprint is what comes this close to the ground: elements are longer than the patch is sharp,
@@ -43,7 +41,7 @@ struct Footprint {
     for (int i = 0; i < kSamples * kSamples; ++i) {
       const double xi = (2.0 * (i % kSamples) + 1.0) / kSamples - 1.0;
       const double eta = (2.0 * (i / kSamples) + 1.0) / kSamples - 1.0;
-      const Eigen::Vector3d at = face * shape_functions(xi, eta);
+      const Eigen::Vector3d at = face * face_functions(xi, eta);
       if (at.z() >= ground + kTouch) continue;
       area += std::abs(area_vector(face, xi, eta).z()) * 4.0 / (kSamples * kSamples);
       lowest = lowest.cwiseMin(at.head<2>());
@@ -72,8 +70,8 @@ void add_images(ContactPatch& patch) {
   }
 }
 
-double gauss_xi(int q) { return (q & 1) ? kSqrt13 : -kSqrt13; }
-double gauss_eta(int q) { return (q & 2) ? kSqrt13 : -kSqrt13; }
+double gauss_xi(int q) { return (q & 1) ? kGauss : -kGauss; }
+double gauss_eta(int q) { return (q & 2) ? kGauss : -kGauss; }
 
 }  // namespace
 
@@ -101,7 +99,7 @@ GroundContact::Face GroundContact::face_of(int sector, int element) const {
   Face face{element, {}, {}};
   for (int q = 0; q < 4; ++q) {
     const double xi = gauss_xi(q), eta = gauss_eta(q);
-    face.N[q] = shape_functions(xi, eta);
+    face.N[q] = face_functions(xi, eta);
     face.dA[q] = area_vector(X, xi, eta).norm();
   }
   return face;
