@@ -83,7 +83,30 @@ std::vector<double> path_values(const CurveMeasurement& curve,
   return values;
 }
 
+ComparedValues compared_curve(const CurveMeasurement& c) {
+  ComparedValues values{
+      .kind = "curve",
+      .compared = c.compared_name,
+      .over = c.x.empty() ? "sample by sample" : "over " + c.x,
+      .whole = fmt::format("{:g} {}", c.scale, c.y_compared_unit),
+      .asks = c.x.empty() ? std::vector{c.y} : std::vector{c.x, c.y},
+      .passes_slopes = !c.comparison.of_spectrum() && c.comparison.what != ComparedCurve::path,
+      .unit = c.y_compared_unit,
+      .measured = c.y_compared,
+      .scales = std::vector<double>(c.y_compared.size(), c.scale)};
+  for (std::size_t i = 0; i < c.y_compared.size(); ++i) {
+    values.rows.push_back(
+        c.x_compared.empty()
+            ? fmt::format("{}, sample {}", c.compared_name, i + 1)
+            : fmt::format("{} at {:g} {}", c.compared_name, c.x_compared[i], c.x_compared_unit));
+  }
+  return values;
+}
+
 }  // namespace
+
+Curve::Curve(CurveMeasurement measured)
+    : Observable(compared_curve(measured)), c_(std::move(measured)) {}
 
 std::shared_ptr<const Curve> read_curve(const Node& table,
                                         const Measurement& measurement,
@@ -104,17 +127,6 @@ std::shared_ptr<const Curve> read_curve(const Node& table,
   curve.comparison = read_comparison(table, curve.x_measured, curve.y_measured, curve.x_unit);
   take_what_is_compared(table, curve);
   return std::make_shared<Curve>(std::move(curve));
-}
-
-std::vector<std::string> Curve::rows() const {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < c_.y_compared.size(); ++i) {
-    names.push_back(
-        c_.x_compared.empty()
-            ? fmt::format("{}, sample {}", c_.compared_name, i + 1)
-            : fmt::format("{} at {:g} {}", c_.compared_name, c_.x_compared[i], c_.x_compared_unit));
-  }
-  return names;
 }
 
 namespace {
@@ -214,24 +226,10 @@ Result<SimulatedValues> Curve::simulated(const Channels& trial) const {
   return curve;
 }
 
-std::string Curve::compared(const ObjectiveSettings&) const { return c_.compared_name; }
-
-std::string Curve::whole() const { return fmt::format("{:g} {}", c_.scale, c_.y_compared_unit); }
-
-std::vector<std::string> Curve::asks() const {
-  if (c_.x.empty()) return {c_.y};
-  return {c_.x, c_.y};
-}
-
-std::vector<double> Curve::deviations(const MeasurementNoise& noise,
-                                      const ObjectiveSettings&) const {
-  return std::vector<double>(values(), std::hypot(noise.relative, noise.absolute / c_.scale));
-}
-
 Result<Comparison> Curve::compare(const Channels& trial, const ObjectiveSettings& settings) const {
   const auto found = simulated(trial);
   if (!found) return found.failure();
-  return compare_values(c_.y_compared, *found, std::vector<double>(values(), c_.scale), settings);
+  return compare_values(c_.y_compared, *found, scales(), settings);
 }
 
 namespace {

@@ -50,7 +50,7 @@ struct CurveMeasurement {
 
 class Curve : public Observable {
  public:
-  explicit Curve(CurveMeasurement measured) : c_(std::move(measured)) {}
+  explicit Curve(CurveMeasurement measured);
 
   const CurveMeasurement& measured() const { return c_; }
   /// What is compared, of the simulation: one value for each of y_compared. Of a path, the measured
@@ -58,23 +58,8 @@ class Curve : public Observable {
   /// path) or the measurement reaches beyond it.
   Result<SimulatedValues> simulated(const Channels& trial) const;
 
-  std::string kind() const override { return "curve"; }
-  std::string compared(const ObjectiveSettings& settings) const override;
-  std::string over() const override { return c_.x.empty() ? "sample by sample" : "over " + c_.x; }
-  std::string whole() const override;
-  std::vector<std::string> asks() const override;
-  std::size_t values() const override { return c_.y_compared.size(); }
-  std::vector<std::string> rows() const override;
-  std::vector<double> measured_values() const override { return c_.y_compared; }
-  std::vector<double> scales() const override { return std::vector<double>(values(), c_.scale); }
-  std::string unit() const override { return c_.y_compared_unit; }
-  std::vector<double> deviations(const MeasurementNoise& noise,
-                                 const ObjectiveSettings& settings) const override;
   Result<Comparison> compare(const Channels& trial,
                              const ObjectiveSettings& settings) const override;
-  bool passes_slopes() const override {
-    return !c_.comparison.of_spectrum() && c_.comparison.what != ComparedCurve::path;
-  }
   std::vector<std::filesystem::path> write(const Channels& trial,
                                            const MeasurementFiles& files) const override;
   void draw(const ShownExperiment& shown, report::StudyReport& page) const override;

@@ -14,32 +14,42 @@
 
 namespace latsch::correlation {
 
+namespace {
+
+ComparedValues compared_forces(const std::string& test, const LoadDeflectionCurve& measured) {
+  std::vector<std::string> rows;
+  for (const double x : measured.position) rows.push_back(format_quantity(x, "mm", 4));
+  return {.kind = "load_deflection",
+          .compared = "force",
+          .error_name = "dF",
+          .asks = {test + "/force"},
+          .rows = std::move(rows),
+          .unit = "N",
+          .measured = measured.force,
+          .scales = measured.force};
+}
+
+}  // namespace
+
 ForceCurve::ForceCurve(std::string test, LoadDeflectionCurve measured)
-    : test_(std::move(test)), measured_(std::move(measured)) {}
+    : Observable(compared_forces(test, measured)),
+      test_(std::move(test)),
+      measured_(std::move(measured)) {}
 
 const std::vector<double>& ForceCurve::channel(const Channels& trial, const char* name) const {
   return trial[test_ + "/" + name];
 }
 
 std::string ForceCurve::compared(const ObjectiveSettings& settings) const {
-  return settings.compared == Compared::force ? "force" : "root of force";
-}
-
-std::vector<std::string> ForceCurve::asks() const { return {test_ + "/force"}; }
-
-std::vector<std::string> ForceCurve::rows() const {
-  std::vector<std::string> names;
-  for (const double x : measured_.position) names.push_back(format_quantity(x, "mm", 4));
-  return names;
+  return (settings.compared == Compared::force ? "" : "root of ") + Observable::compared(settings);
 }
 
 std::vector<double> ForceCurve::deviations(const MeasurementNoise& noise,
                                            const ObjectiveSettings& settings) const {
   // A root is off by half as much, relative.
   const double part = settings.compared == Compared::root_force ? 0.5 : 1.0;
-  std::vector<double> deviations;
-  for (const double F : measured_.force)
-    deviations.push_back(part * std::hypot(noise.relative, noise.absolute / F));
+  auto deviations = Observable::deviations(noise, settings);
+  for (double& one : deviations) one *= part;
   return deviations;
 }
 

@@ -17,15 +17,7 @@ class ForceCurve : public Observable {
   /// Positions m, forces N.
   const LoadDeflectionCurve& measured() const { return measured_; }
 
-  std::string kind() const override { return "load_deflection"; }
   std::string compared(const ObjectiveSettings& settings) const override;
-  std::string error_name() const override { return "dF"; }
-  std::vector<std::string> asks() const override;
-  std::size_t values() const override { return measured_.force.size(); }
-  std::vector<std::string> rows() const override;
-  std::vector<double> measured_values() const override { return measured_.force; }
-  std::vector<double> scales() const override { return measured_.force; }
-  std::string unit() const override { return "N"; }
   std::vector<double> deviations(const MeasurementNoise& noise,
                                  const ObjectiveSettings& settings) const override;
   Result<Comparison> compare(const Channels& trial,

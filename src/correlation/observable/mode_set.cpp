@@ -13,11 +13,31 @@
 
 namespace latsch::correlation {
 
+namespace {
+
+ComparedValues compared_modes(const std::string& test, const std::vector<ModeRecord>& measured) {
+  ComparedValues values{.kind = "modes",
+                        .compared = "frequency",
+                        .error_name = "df",
+                        .asks = {test + "/frequency"},
+                        .is_sweep = false,
+                        .unit = "Hz"};
+  for (const ModeRecord& mode : measured) {
+    values.rows.push_back(mode.label());
+    values.measured.push_back(mode.frequency);
+  }
+  values.scales = values.measured;
+  return values;
+}
+
+}  // namespace
+
 ModeSet::ModeSet(std::string test,
                  std::vector<ModeRecord> measured,
                  std::size_t count,
                  Eigen::Matrix3Xd points)
-    : test_(std::move(test)),
+    : Observable(compared_modes(test, measured)),
+      test_(std::move(test)),
       measured_(std::move(measured)),
       count_(count),
       points_(std::move(points)) {}
@@ -35,30 +55,6 @@ std::vector<std::filesystem::path> ModeSet::write(const Channels& trial,
 
 std::vector<ModeRecord> ModeSet::simulated(const Channels& trial) const {
   return experiment::mode_records(recording_of(test_, trial));
-}
-
-std::string ModeSet::compared(const ObjectiveSettings&) const { return "frequency"; }
-
-std::vector<std::string> ModeSet::asks() const { return {test_ + "/frequency"}; }
-
-std::vector<std::string> ModeSet::rows() const {
-  std::vector<std::string> names;
-  for (const ModeRecord& mode : measured_) names.push_back(mode.label());
-  return names;
-}
-
-std::vector<double> ModeSet::measured_values() const {
-  std::vector<double> frequencies;
-  for (const ModeRecord& mode : measured_) frequencies.push_back(mode.frequency);
-  return frequencies;
-}
-
-std::vector<double> ModeSet::deviations(const MeasurementNoise& noise,
-                                        const ObjectiveSettings&) const {
-  std::vector<double> deviations;
-  for (const ModeRecord& mode : measured_)
-    deviations.push_back(std::hypot(noise.relative, noise.absolute / mode.frequency));
-  return deviations;
 }
 
 Result<Comparison> ModeSet::compare(const Channels& trial,

@@ -19,18 +19,6 @@ class ModeSet : public Observable {
 
   const std::vector<ModeRecord>& measured() const { return measured_; }
 
-  std::string kind() const override { return "modes"; }
-  std::string compared(const ObjectiveSettings& settings) const override;
-  std::string error_name() const override { return "df"; }
-  std::vector<std::string> asks() const override;
-  std::size_t values() const override { return measured_.size(); }
-  std::vector<std::string> rows() const override;
-  bool is_sweep() const override { return false; }
-  std::vector<double> measured_values() const override;
-  std::vector<double> scales() const override { return measured_values(); }
-  std::string unit() const override { return "Hz"; }
-  std::vector<double> deviations(const MeasurementNoise& noise,
-                                 const ObjectiveSettings& settings) const override;
   Result<Comparison> compare(const Channels& trial,
                              const ObjectiveSettings& settings) const override;
   std::vector<std::filesystem::path> write(const Channels& trial,

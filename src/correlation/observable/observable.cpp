@@ -6,6 +6,14 @@
 
 namespace latsch::correlation {
 
+std::vector<double> Observable::deviations(const MeasurementNoise& noise,
+                                           const ObjectiveSettings&) const {
+  std::vector<double> deviations;
+  for (const double scale : scales())
+    deviations.push_back(std::hypot(noise.relative, noise.absolute / scale));
+  return deviations;
+}
+
 Channels recording_of(const std::string& test, const Channels& trial) {
   const std::string prefix = test + "/";
   Channels own;

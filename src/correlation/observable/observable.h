@@ -49,45 +49,49 @@ struct MeasurementFiles {
   const Measurement* measurement = nullptr;  // the [measurement.NAME] whose columns are replaced
 };
 
-class Observable {
- public:
-  virtual ~Observable() = default;
-
-  /// "load_deflection", "modes", "curve", "values": as a study names it.
-  virtual std::string kind() const = 0;
-  /// What is compared: "root of force", "PSD of response/z".
-  virtual std::string compared(const ObjectiveSettings& settings) const = 0;
-  /// Over what: "over response/time"; empty where the conditions of the test say all.
-  virtual std::string over() const { return ""; }
-  /// What an error of 100 % is, where it is the same for all values: "10 mm"; else empty.
-  virtual std::string whole() const { return ""; }
-  /// The sign of one error: "dF", "df", "d".
-  virtual std::string error_name() const { return "d"; }
-  /// The channels of a trial it needs, "TEST/CHANNEL".
-  virtual std::vector<std::string> asks() const = 0;
-
-  /// Measured values compared.
-  virtual std::size_t values() const = 0;
-  /// What each of them is called: "10 mm", "radial n=2".
-  virtual std::vector<std::string> rows() const = 0;
-  /// Whether values beside each other can share noise, as those of one sweep do.
-  virtual bool is_sweep() const { return true; }
-  /// SI, of what an absolute noise stands beside.
-  virtual std::string unit() const = 0;
+/// What is known of the values compared before there is a trial.
+struct ComparedValues {
+  std::string kind;        // "load_deflection", "modes", "curve", "values": as a study names it
+  std::string compared;    // "force", "PSD of response/z"
+  std::string over = "";   // "over response/time"; empty: the conditions of the test say all
+  std::string whole = "";  // an error of 100 %, where the same for all: "10 mm"; else empty
+  std::string error_name = "d";        // the sign of one error: "dF", "df"
+  std::vector<std::string> asks = {};  // channels of a trial, "TEST/CHANNEL"
+  std::vector<std::string> rows = {};  // what each value is called: "10 mm", "radial n=2"
+  bool is_sweep = true;                // values beside each other can share noise
+  bool passes_slopes = false;          // of the channels to its differences
+  std::string unit = "1";              // SI, of what an absolute noise stands beside
   /// What was measured, one each, in that unit, and what an error of 100 % of it is: a trial has
   ///   measured - error scale  in its place (Comparison::errors).
-  virtual std::vector<double> measured_values() const = 0;
-  virtual std::vector<double> scales() const = 0;
+  std::vector<double> measured = {}, scales = {};
+};
+
+class Observable {
+ public:
+  explicit Observable(ComparedValues values) : values_(std::move(values)) {}
+  virtual ~Observable() = default;
+
+  const std::string& kind() const { return values_.kind; }
+  const std::string& over() const { return values_.over; }
+  const std::string& whole() const { return values_.whole; }
+  const std::string& error_name() const { return values_.error_name; }
+  const std::vector<std::string>& asks() const { return values_.asks; }
+  std::size_t values() const { return values_.measured.size(); }
+  const std::vector<std::string>& rows() const { return values_.rows; }
+  bool is_sweep() const { return values_.is_sweep; }
+  bool passes_slopes() const { return values_.passes_slopes; }
+  const std::string& unit() const { return values_.unit; }
+  const std::vector<double>& measured_values() const { return values_.measured; }
+  const std::vector<double>& scales() const { return values_.scales; }
+
+  virtual std::string compared(const ObjectiveSettings&) const { return values_.compared; }
   /// The deviation of every value in units of its difference d as compared.
   virtual std::vector<double> deviations(const MeasurementNoise& noise,
-                                         const ObjectiveSettings& settings) const = 0;
+                                         const ObjectiveSettings& settings) const;
 
   /// A Failure where the channels leave nothing to compare: a mode without a partner is no failure.
   virtual Result<Comparison> compare(const Channels& trial,
                                      const ObjectiveSettings& settings) const = 0;
-
-  /// Whether it can tell the slopes of its differences where the channels have theirs.
-  virtual bool passes_slopes() const { return false; }
 
   /// Writes what a laboratory would have measured of such a trial. Returns the files.
   virtual std::vector<std::filesystem::path> write(const Channels& trial,
@@ -100,6 +104,9 @@ class Observable {
   /// For a program: the key and what stands there. Both stay what they are.
   virtual std::pair<std::string, nlohmann::ordered_json> answer(
       const Channels& trial, const Comparison& comparison) const = 0;
+
+ private:
+  ComparedValues values_;
 };
 
 /// The channels of one test out of those of a trial, under their own names.

@@ -24,7 +24,28 @@ std::string channel_part(const std::string& channel) {
   return channel.substr(channel.find_last_of('/') + 1);
 }
 
+ComparedValues compared_single_values(const Values::Measurement& m) {
+  ComparedValues values{.kind = "values",
+                        .compared = m.of.empty() ? m.channel : m.of + " " + m.channel,
+                        .asks = {m.channel},
+                        .rows = m.modes,
+                        .is_sweep = false,
+                        .passes_slopes = true,
+                        .unit = m.unit,
+                        .measured = m.values,
+                        .scales = m.scales};
+  for (std::size_t i = values.rows.size(); i < m.values.size(); ++i) {
+    values.rows.push_back(m.values.size() == 1
+                              ? values.compared
+                              : fmt::format("{}, value {}", values.compared, i + 1));
+  }
+  return values;
+}
+
 }  // namespace
+
+Values::Values(Measurement measured)
+    : Observable(compared_single_values(measured)), m_(std::move(measured)) {}
 
 Result<SimulatedValues> Values::simulated(const Channels& trial) const {
   const Channel* channel = trial.find(m_.channel);
@@ -59,28 +80,6 @@ SimulatedValues Values::of_modes(const Channels& trial) const {
     found.values.push_back(lowest < 0 ? 0.0 : values[lowest]);
   }
   return found;
-}
-
-std::string Values::compared(const ObjectiveSettings&) const {
-  return m_.of.empty() ? m_.channel : m_.of + " " + m_.channel;
-}
-
-std::vector<std::string> Values::rows() const {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < m_.values.size(); ++i) {
-    names.push_back(!m_.modes.empty()       ? m_.modes[i]
-                    : m_.values.size() == 1 ? compared({})
-                                            : fmt::format("{}, value {}", compared({}), i + 1));
-  }
-  return names;
-}
-
-std::vector<double> Values::deviations(const MeasurementNoise& noise,
-                                       const ObjectiveSettings&) const {
-  std::vector<double> deviations;
-  for (const double scale : m_.scales)
-    deviations.push_back(std::hypot(noise.relative, noise.absolute / scale));
-  return deviations;
 }
 
 Result<Comparison> Values::compare(const Channels& trial, const ObjectiveSettings& settings) const {

@@ -45,25 +45,13 @@ class Values : public Observable {
     std::vector<std::string> modes;      // or those of these modes, by their labels
     std::vector<double> values, scales;  // SI
   };
-  explicit Values(Measurement measured) : m_(std::move(measured)) {}
+  explicit Values(Measurement measured);
 
   /// One value for each measured. A Failure where the channel has more or fewer.
   Result<SimulatedValues> simulated(const Channels& trial) const;
 
-  std::string kind() const override { return "values"; }
-  std::string compared(const ObjectiveSettings& settings) const override;
-  std::vector<std::string> asks() const override { return {m_.channel}; }
-  std::size_t values() const override { return m_.values.size(); }
-  std::vector<std::string> rows() const override;
-  bool is_sweep() const override { return false; }
-  std::vector<double> measured_values() const override { return m_.values; }
-  std::vector<double> scales() const override { return m_.scales; }
-  std::string unit() const override { return m_.unit; }
-  std::vector<double> deviations(const MeasurementNoise& noise,
-                                 const ObjectiveSettings& settings) const override;
   Result<Comparison> compare(const Channels& trial,
                              const ObjectiveSettings& settings) const override;
-  bool passes_slopes() const override { return true; }
   /// Nothing where they stand in the study.
   std::vector<std::filesystem::path> write(const Channels& trial,
                                            const MeasurementFiles& files) const override;
