@@ -63,8 +63,8 @@ Analyzed analyze(const DesignSpace& space,
                  const IdentificationOptions& options) {
   Analyzed a{Identification(space, point, options)};
   while (!a.identification.wanted().empty()) {
-    std::vector<Result<Eigen::VectorXd>> residuals;
-    for (const DesignPoint& p : a.identification.wanted()) residuals.push_back(model(p.values));
+    std::vector<Result<Evaluated>> residuals;
+    for (const DesignPoint& p : a.identification.wanted()) residuals.emplace_back(model(p.values));
     a.evaluations += std::ssize(residuals);
     a.identification.observe(residuals);
   }

@@ -61,7 +61,6 @@ int identify(const std::string& file,
              int workers,
              bool profiles) {
   Study study = correlation::read_study(file, language);
-  study.asks_slopes = false;  // no search goes by them
   if (workers > 0) study.run.workers = workers;
   if (!std::filesystem::exists(study.run.journal)) {
     throw InputError(study.run.journal.string() +

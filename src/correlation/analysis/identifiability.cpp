@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <set>
-#include <type_traits>
 
 #include "base/text.h"
 #include "base/units.h"
@@ -35,9 +34,8 @@ class InRounds : public Optimizer {
   }
 
   void observe(const DesignPoint& point, const Result<Score>& outcome) override {
-    if (seen_.empty() && takes_slopes(point, outcome)) return;
-    seen_.push_back(residuals(outcome));
-    if (seen_.size() < analysis_.wanted().size()) return;
+    seen_.push_back(evaluated(point, outcome));
+    if (seen_.size() < analysis_.wanted().size() && !analysis_.is_enough(seen_.front())) return;
     const auto round = std::move(seen_);
     seen_ = {};
     analysis_.observe(round);
@@ -46,24 +44,14 @@ class InRounds : public Optimizer {
   bool converged() const override { return analysis_.wanted().empty(); }
 
  private:
-  bool takes_slopes(const DesignPoint& point, const Result<Score>& outcome) {
-    if constexpr (std::is_same_v<Analysis, Identification>) {
-      if (!outcome || !analysis_.takes_slopes()) return false;
-      const Eigen::MatrixXd J = space_.unit_jacobian(point, *outcome);
-      if (J.size() > 0) analysis_.observe_center(*residuals(outcome), J);
-      return J.size() > 0;
-    }
-    return false;
-  }
-
-  static Result<Eigen::VectorXd> residuals(const Result<Score>& outcome) {
+  Result<Evaluated> evaluated(const DesignPoint& point, const Result<Score>& outcome) const {
     if (!outcome) return outcome.failure();
-    return to_vector(outcome->residuals);
+    return Evaluated(to_vector(outcome->residuals), space_.unit_jacobian(point, *outcome));
   }
 
   const DesignSpace& space_;
   Analysis& analysis_;
-  std::vector<Result<Eigen::VectorXd>> seen_;  // of this round
+  std::vector<Result<Evaluated>> seen_;  // of this round
 };
 
 /// SI, where the variable stands at u of its range.
@@ -89,11 +77,12 @@ class UsedRows {
       : validation_(validation), rows_(rows) {}
 
   const std::vector<DesignPoint>& wanted() const { return validation_.wanted(); }
-  void observe(std::vector<Result<Eigen::VectorXd>> residuals) {
-    for (auto& r : residuals) {
-      if (r) r = Eigen::VectorXd((*r)(rows_));
+  bool is_enough(const Result<Evaluated>&) const { return false; }
+  void observe(std::vector<Result<Evaluated>> evaluated) {
+    for (auto& one : evaluated) {
+      if (one) one = one->of(rows_);
     }
-    validation_.observe(residuals);
+    validation_.observe(evaluated);
   }
 
  private:

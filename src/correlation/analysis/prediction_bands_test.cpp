@@ -282,6 +282,45 @@ TEST_F(MagicBands, AreTheSameBySlopesAndByDifferences) {
   }
 }
 
+// Slopes that the recordings carry make the profiles as well, with fewer of them: none beside the
+// center, and none to take a quarter of the derivatives anew at every rung.
+TEST_F(MagicBands, ProfilesBySlopesAreThoseByDifferencesWithFewerRecordings) {
+  const Channels truth = *simulate_all(read(kHeldOut), truth_);
+  measure(truth["steady/Fy"], 60.0, 1);
+  Study study = read(kHeldOut);
+  fit_all(study);
+  const DesignPoint best = best_trial(study, Journal::read(study.run.journal))->point;
+  std::vector<Profile> profiles[2];
+  std::vector<ExperimentBand> bands[2];
+  long recordings[2];
+  for (const bool by_slopes : {false, true}) {
+    study.asks_slopes = by_slopes;
+    study.run.journal = folder_ / (by_slopes ? "slopes.latsch" : "differences.latsch");
+    Journal journal = Journal::open(study.run.journal, identity(study));
+    InlineExecutor executor(evaluator(study));
+    const auto what = identify(study, best, Depth::profiles, executor, journal, {});
+    ASSERT_TRUE(what && *what);
+    profiles[by_slopes] = (*what)->identification.profiles();
+    bands[by_slopes] = prediction_bands(study, **what, journal);
+    recordings[by_slopes] = journal.size();
+    const auto read = recorded_identifiability(study, journal);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->identification.profiles().size(), 2u);
+  }
+  EXPECT_LT(3 * recordings[true], 2 * recordings[false]);
+  for (int i = 0; i < 2; ++i) {
+    const Interval &one = profiles[false][i].interval, &other = profiles[true][i].interval;
+    EXPECT_EQ(profiles[true][i].verdict, profiles[false][i].verdict);
+    // Either refit may end a fiftieth of the threshold early, which moves an end by a hundredth.
+    EXPECT_NEAR(other.lower, one.lower, 0.02 * (one.upper - one.lower));
+    EXPECT_NEAR(other.upper, one.upper, 0.02 * (one.upper - one.lower));
+  }
+  for (std::size_t k = 0; k < bands[true][0].upper.size(); ++k)
+    EXPECT_NEAR(bands[true][0].upper[k],
+                bands[false][0].upper[k],
+                0.02 * (bands[false][0].upper[k] - bands[false][0].lower[k]));
+}
+
 TEST_F(MagicBands, AreDrawnAndTabledOnThePage) {
   const Channels truth = *simulate_all(read(kHeldOut), truth_);
   measure(truth["steady/Fy"], 60.0, 1);

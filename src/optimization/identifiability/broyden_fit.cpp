@@ -106,34 +106,38 @@ bool BroydenFit::promises(const Eigen::VectorXd& d) const {
   return d.lpNorm<Eigen::Infinity>() >= kShortestStep && promised > options_.tolerance;
 }
 
-void BroydenFit::observe(const std::optional<Eigen::VectorXd>& residuals) {
+void BroydenFit::observe(const std::optional<Evaluated>& evaluated) {
   assert(wanted_);
   ++evaluations_;
   if (!columns_.empty()) {
-    difference_observed(residuals);
+    difference_observed(evaluated);
   } else {
-    step_observed(residuals);
+    step_observed(evaluated);
   }
 }
 
-void BroydenFit::step_observed(const std::optional<Eigen::VectorXd>& residuals) {
-  if (!residuals && moving_) {
+void BroydenFit::step_observed(const std::optional<Evaluated>& evaluated) {
+  if (!evaluated && moving_) {
     wanted_.reset();
     return;
   }
   const Eigen::VectorXd d = *wanted_ - best_.u;
-  const bool better = residuals && (moving_ || residuals->squaredNorm() < best_.r.squaredNorm());
-  if (residuals && d.squaredNorm() > 0.0) broyden(best_.J, d, *residuals - best_.r);
+  const bool better = evaluated && (moving_ || evaluated->r.squaredNorm() < best_.r.squaredNorm());
+  const bool has_slopes = better && evaluated->has_slopes();
+  const bool corrects = evaluated && !has_slopes && (better || !best_.is_exact);
+  if (corrects && d.squaredNorm() > 0.0) broyden(best_.J, d, evaluated->r - best_.r);
   moving_ = false;
   if (better) {
     best_.u = *wanted_;
-    best_.r = *residuals;
+    best_.r = evaluated->r;
+    if (has_slopes) best_.J = evaluated->J;
+    best_.is_exact = has_slopes;
     lambda_ = lambda_ > 0.0 ? lambda_ / kLambdaFactor : 0.0;
     failed_steps_ = 0;
   } else {
     const double least = kFirstLambda * best_.J.colwise().squaredNorm().maxCoeff();
     lambda_ = std::max(least, lambda_ * kLambdaFactor);
-    if (++failed_steps_ == kFailedSteps) {
+    if (++failed_steps_ == kFailedSteps && !best_.is_exact) {
       begin_differences(free_);
       return;
     }
@@ -141,9 +145,9 @@ void BroydenFit::step_observed(const std::optional<Eigen::VectorXd>& residuals) 
   plan_step();
 }
 
-void BroydenFit::difference_observed(const std::optional<Eigen::VectorXd>& residuals) {
+void BroydenFit::difference_observed(const std::optional<Evaluated>& evaluated) {
   const int i = columns_[difference_];
-  if (residuals) best_.J.col(i) = (*residuals - best_.r) / ((*wanted_)[i] - best_.u[i]);
+  if (evaluated) best_.J.col(i) = (evaluated->r - best_.r) / ((*wanted_)[i] - best_.u[i]);
   ++difference_;
   plan_difference();
 }
@@ -183,7 +187,7 @@ void BroydenFit::plan_step() {
   const auto full = step_from(best_.u, best_.r, 0.0);
   if (!full) return;
   const bool has_enough = !promises(*full);
-  if (has_enough && !options_.refresh.empty() && !verified_ &&
+  if (has_enough && !options_.refresh.empty() && !verified_ && !best_.is_exact &&
       evaluations_ < options_.most_evaluations) {
     verified_ = true;
     begin_differences(options_.refresh);

@@ -14,9 +14,10 @@
 // elsewhere. It has converged where a step promises less than `tolerance` of S; at
 // `most_evaluations`, or where evaluations fail whatever the step, it ends without. Among linear
 // constraints the step is a quadratic program, and a difference for which neither side has room
-// leaves its column of J to the corrections.
+// leaves its column of J to the corrections. Where the evaluations bring the model's own slopes, J
+// is those of the best point: nothing is corrected or taken anew, and the steps are Levenberg's.
 //
-// Ask and tell: evaluate wanted(), observe() its residuals, until wanted() is empty.
+// Ask and tell: evaluate wanted(), observe() what they tell, until wanted() is empty.
 #pragma once
 
 #include <optional>
@@ -50,8 +51,8 @@ class BroydenFit {
 
   /// The next point of the unit cube; nullopt when it is done.
   const std::optional<Eigen::VectorXd>& wanted() const { return wanted_; }
-  /// Its residuals; nullopt where the evaluation failed.
-  void observe(const std::optional<Eigen::VectorXd>& residuals);
+  /// nullopt where the evaluation failed.
+  void observe(const std::optional<Evaluated>& evaluated);
 
   /// False where a moved variable's point failed: there is no fit at its value.
   bool fitted() const { return !moving_; }
@@ -71,8 +72,8 @@ class BroydenFit {
                                            const Eigen::VectorXd& r,
                                            double lambda) const;
   bool promises(const Eigen::VectorXd& d) const;
-  void step_observed(const std::optional<Eigen::VectorXd>& residuals);
-  void difference_observed(const std::optional<Eigen::VectorXd>& residuals);
+  void step_observed(const std::optional<Evaluated>& evaluated);
+  void difference_observed(const std::optional<Evaluated>& evaluated);
 
   Linearization best_;
   std::vector<int> free_;

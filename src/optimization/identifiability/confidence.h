@@ -37,11 +37,26 @@
 
 namespace latsch {
 
+/// What an evaluation tells: residuals, and dr/du where the model knows its slopes.
+struct Evaluated {
+  Evaluated(Eigen::VectorXd residuals, Eigen::MatrixXd slopes = {})
+      : r(std::move(residuals)), J(std::move(slopes)) {}
+
+  bool has_slopes() const { return J.size() > 0; }
+  Evaluated of(const std::vector<Eigen::Index>& rows) const {
+    return {r(rows), has_slopes() ? Eigen::MatrixXd(J(rows, Eigen::all)) : Eigen::MatrixXd()};
+  }
+
+  Eigen::VectorXd r;
+  Eigen::MatrixXd J;  // empty: not known
+};
+
 /// Residuals and their derivatives at a point of the unit cube.
 struct Linearization {
-  Eigen::VectorXd u;  // n
-  Eigen::VectorXd r;  // m
-  Eigen::MatrixXd J;  // m x n
+  Eigen::VectorXd u;      // n
+  Eigen::VectorXd r;      // m
+  Eigen::MatrixXd J;      // m x n
+  bool is_exact = false;  // J is the model's own, not made of differences
 
   double sum_of_squares() const { return r.squaredNorm(); }
 };

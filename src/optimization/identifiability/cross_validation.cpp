@@ -31,7 +31,7 @@ CrossValidation::CrossValidation(const DesignSpace& space,
     for (size_t row = 0; row < group.size(); ++row)
       (group[row] == left ? out : rest).push_back(row);
     assert(!rest.empty());
-    const Linearization without{best.u, best.r(rest), best.J(rest, Eigen::all)};
+    const Linearization without{best.u, best.r(rest), best.J(rest, Eigen::all), best.is_exact};
     const double now = root_mean_square(best.r(out));
     folds_.push_back({rest,
                       out,
@@ -46,17 +46,17 @@ CrossValidation::CrossValidation(const DesignSpace& space,
   ask();
 }
 
-void CrossValidation::observe(const std::vector<Result<Eigen::VectorXd>>& residuals) {
-  assert(residuals.size() == wanted_.size());
+void CrossValidation::observe(const std::vector<Result<Evaluated>>& evaluated) {
+  assert(evaluated.size() == wanted_.size());
   for (size_t k = 0; k < asked_.size(); ++k) {
     Fold& fold = folds_[asked_[k]];
     const Eigen::VectorXd u = *fold.refit.wanted();
-    std::optional<Eigen::VectorXd> rest;
-    if (residuals[k] && residuals[k]->allFinite()) rest = (*residuals[k])(fold.rest);
+    std::optional<Evaluated> rest;
+    if (evaluated[k] && evaluated[k]->r.allFinite()) rest = evaluated[k]->of(fold.rest);
     fold.refit.observe(rest);
     if (!rest || fold.refit.best().u != u) continue;
     fold.result.u = u;
-    fold.result.predicted = root_mean_square((*residuals[k])(fold.out));
+    fold.result.predicted = root_mean_square(evaluated[k]->r(fold.out));
   }
   ask();
 }

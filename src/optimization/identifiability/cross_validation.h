@@ -36,7 +36,7 @@ class CrossValidation {
                   double tolerance);
 
   const std::vector<DesignPoint>& wanted() const { return wanted_; }
-  void observe(const std::vector<Result<Eigen::VectorXd>>& residuals);
+  void observe(const std::vector<Result<Evaluated>>& evaluated);
 
   /// One a group, in ascending order, when done.
   const std::vector<LeftOut>& left_out() const { return left_out_; }

@@ -9,19 +9,19 @@
 namespace latsch {
 namespace {
 
-using Model = std::function<Result<Eigen::VectorXd>(double)>;
+using Model = std::function<Result<Evaluated>(double)>;
 
 /// Two groups of one number x: x - 0.4 twice, x - 0.6 twice. Together the best x is 0.5 with errors
 /// of 0.1; fitted to one group, the other is off by 0.2.
-Eigen::VectorXd two_groups(double x) { return Eigen::Vector4d(x - 0.4, x - 0.4, x - 0.6, x - 0.6); }
+Evaluated two_groups(double x) { return Eigen::VectorXd{{x - 0.4, x - 0.4, x - 0.6, x - 0.6}}; }
 
 std::vector<LeftOut> validate(const Model& model) {
   const DesignSpace space({{.name = "x"}});
   const Linearization best{
-      Eigen::VectorXd::Constant(1, 0.5), two_groups(0.5), Eigen::MatrixXd::Ones(4, 1)};
+      Eigen::VectorXd::Constant(1, 0.5), two_groups(0.5).r, Eigen::MatrixXd::Ones(4, 1)};
   CrossValidation validation(space, best, {0, 0, 1, 1}, 1e-6);
   while (!validation.wanted().empty()) {
-    std::vector<Result<Eigen::VectorXd>> residuals;
+    std::vector<Result<Evaluated>> residuals;
     for (const DesignPoint& point : validation.wanted())
       residuals.push_back(model(point.values[0]));
     validation.observe(residuals);
@@ -42,7 +42,7 @@ TEST(CrossValidation, PredictsAGroupFromTheOthers) {
 // Above 0.5 the model fails: what is left without group 0 cannot be fitted. That is no prediction
 // as good as the fit.
 TEST(CrossValidation, ARefitThatFailsPredictsNothing) {
-  const auto folds = validate([](double x) -> Result<Eigen::VectorXd> {
+  const auto folds = validate([](double x) -> Result<Evaluated> {
     if (x > 0.5) return Failure{"no solution"};
     return two_groups(x);
   });

@@ -79,58 +79,48 @@ void Identification::ask_slopes() {
   }
 }
 
-void Identification::observe(const std::vector<Result<Eigen::VectorXd>>& residuals) {
-  assert(residuals.size() == wanted_.size() && !wanted_.empty());
+void Identification::observe(const std::vector<Result<Evaluated>>& evaluated) {
+  assert(!wanted_.empty());
+  assert(evaluated.size() == wanted_.size() || is_enough(evaluated.front()));
   if (!at_) {
-    slopes_observed(residuals);
+    slopes_observed(evaluated);
     return;
   }
-  look_for_better(residuals);
+  look_for_better(evaluated);
   if (refit_) {
-    refit_observed(used(residuals.front()));
+    refit_observed(used(evaluated.front()));
   } else {
-    for (size_t k = 0; k < asked_.size(); ++k) branches_[asked_[k]].observe(used(residuals[k]));
+    for (size_t k = 0; k < asked_.size(); ++k) branches_[asked_[k]].observe(used(evaluated[k]));
     ask_branches();
   }
 }
 
-void Identification::observe_center(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& J) {
-  assert(takes_slopes());
-  wanted_.clear();
-  if (!center_observed({residuals})) return;
-  at_ = Linearization{to_vector(space_.to_unit(center_)), *r_, J(rows_, Eigen::all)};
-  qualities_.assign(static_cast<size_t>(space_.size()), SlopeQuality::straight);
-  lengths_ = Eigen::VectorXd::Constant(space_.size(), options_.step);
-  confidence_ = latsch::confidence(*at_, options_.confidence);
+std::optional<Evaluated> Identification::used(const Result<Evaluated>& evaluated) const {
+  if (!evaluated) return std::nullopt;
+  Evaluated rows = evaluated->of(rows_);
+  return rows.r.allFinite() ? std::optional(std::move(rows)) : std::nullopt;
 }
 
-std::optional<Eigen::VectorXd> Identification::used(
-    const Result<Eigen::VectorXd>& residuals) const {
-  if (!residuals) return std::nullopt;
-  const Eigen::VectorXd rows = (*residuals)(rows_);
-  return rows.allFinite() ? std::optional(rows) : std::nullopt;
-}
-
-void Identification::look_for_better(const std::vector<Result<Eigen::VectorXd>>& residuals) {
-  for (size_t k = 0; k < residuals.size(); ++k) {
-    const auto r = used(residuals[k]);
-    if (!r || r->squaredNorm() >= least_) continue;
-    least_ = r->squaredNorm();
+void Identification::look_for_better(const std::vector<Result<Evaluated>>& evaluated) {
+  for (size_t k = 0; k < evaluated.size(); ++k) {
+    const auto rows = used(evaluated[k]);
+    if (!rows || rows->r.squaredNorm() >= least_) continue;
+    least_ = rows->r.squaredNorm();
     least_point_ = wanted_[k];
   }
 }
 
 /// The rows used are those known at the center and wherever beside it the model does not fail; of a
 /// later center the same.
-bool Identification::center_observed(const std::vector<Result<Eigen::VectorXd>>& residuals) {
-  if (!residuals.front()) {
-    failure_ = Failure{"at the point the evaluation failed: " + residuals.front().failure().reason};
+bool Identification::center_observed(const std::vector<Result<Evaluated>>& evaluated) {
+  if (!evaluated.front()) {
+    failure_ = Failure{"at the point the evaluation failed: " + evaluated.front().failure().reason};
     return false;
   }
   if (centers_ == 1) {
     std::vector<Eigen::VectorXd> all;
-    for (const auto& r : residuals) {
-      if (r) all.push_back(*r);
+    for (const auto& one : evaluated) {
+      if (one) all.push_back(one->r);
     }
     rows_ = known_residuals(all);
     if (rows_.empty()) {
@@ -144,8 +134,9 @@ bool Identification::center_observed(const std::vector<Result<Eigen::VectorXd>>&
       scale_ = to_vector(deviations);
     }
   }
-  r_ = used(residuals.front());
-  assert(r_);  // of a later center it was known before
+  const auto rows = used(evaluated.front());
+  assert(rows);  // of a later center it was known before
+  r_ = rows->r;
   least_ = r_->squaredNorm();
   least_point_ = center_;
   return true;
@@ -160,24 +151,31 @@ double Identification::felt() const {
   return freedom > 0.0 ? kAsAtTheEnds * x.norm() / std::sqrt(freedom) : 0.0;
 }
 
-void Identification::slopes_observed(const std::vector<Result<Eigen::VectorXd>>& residuals) {
+void Identification::slopes_observed(const std::vector<Result<Evaluated>>& evaluated) {
   size_t first = 0;
   if (!r_) {
-    if (!center_observed(residuals)) {
+    const bool is_told = is_enough(evaluated.front());
+    if (!center_observed(evaluated)) {
       wanted_.clear();
+      return;
+    }
+    if (is_told) {
+      qualities_.assign(static_cast<size_t>(space_.size()), SlopeQuality::straight);
+      lengths_ = Eigen::VectorXd::Constant(space_.size(), options_.step);
+      linearized({to_vector(space_.to_unit(center_)), *r_, used(evaluated.front())->J, true});
       return;
     }
     first = 1;
   }
-  look_for_better(residuals);
+  look_for_better(evaluated);
   const Eigen::VectorXd center = r_->cwiseQuotient(scale_);
   for (int i = 0; i < space_.size(); ++i) {
     std::vector<std::optional<Eigen::VectorXd>> own;
     for (size_t k = 0; k < owners_.size(); ++k) {
       if (owners_[k] != i) continue;
-      auto r = used(residuals[first + k]);
-      if (r) r = Eigen::VectorXd(r->cwiseQuotient(scale_));
-      own.push_back(std::move(r));
+      const auto rows = used(evaluated[first + k]);
+      own.emplace_back();
+      if (rows) own.back() = rows->r.cwiseQuotient(scale_);
     }
     if (!own.empty()) searches_[static_cast<size_t>(i)].observe(center, felt(), own);
   }
@@ -202,6 +200,12 @@ void Identification::take_slopes() {
     lengths_[i] = search.length();
     qualities_.push_back(search.quality());
   }
+  linearized(std::move(at));
+}
+
+/// Round 1 is done.
+void Identification::linearized(Linearization at) {
+  wanted_.clear();
   at_ = std::move(at);
   confidence_ = latsch::confidence(*at_, options_.confidence);
   if (!std::isfinite(confidence_->sigma)) return;
@@ -209,6 +213,7 @@ void Identification::take_slopes() {
     continues_at_better_point();
     return;
   }
+  const int n = space_.size();
   std::vector<int> every(static_cast<size_t>(n));
   std::iota(every.begin(), every.end(), 0);
   refit_.emplace(*at_,
@@ -229,8 +234,8 @@ bool Identification::continues_at_better_point() {
   return true;
 }
 
-void Identification::refit_observed(const std::optional<Eigen::VectorXd>& residuals) {
-  refit_->observe(residuals);
+void Identification::refit_observed(const std::optional<Evaluated>& evaluated) {
+  refit_->observe(evaluated);
   ask_for_refit();
 }
 

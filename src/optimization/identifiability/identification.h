@@ -4,7 +4,8 @@
 //
 // Ask and tell, like an optimizer, but in rounds: all points of wanted() may be evaluated at once.
 //   1. the point and a step to both sides in each variable: the derivatives (slope_search.h),
-//      2n + 1 points, and more where these tell that another length is better
+//      2n + 1 points, and more where these tell that another length is better; the point alone
+//      where the model tells its slopes there
 //   2. a refit of all variables (broyden_fit.h), because the fit may have ended early or have
 //      minimized another target over the same residuals
 //   3. the profiles, two branches a variable side by side (profile.h)
@@ -14,6 +15,8 @@
 //
 //   Identification identification(space, best_point);
 //   while (!identification.wanted().empty()) identification.observe(evaluate(wanted()));
+//
+// Slopes that evaluations bring are taken wherever they are there, in the refits as well.
 //
 // A residual that is NaN in round 1 is not known, an unpaired mode for example, and is left out.
 #pragma once
@@ -43,13 +46,13 @@ class Identification {
 
   /// Empty when done.
   const std::vector<DesignPoint>& wanted() const { return wanted_; }
-  /// The residuals of the points wanted, in their order; a Failure where the evaluation failed.
-  void observe(const std::vector<Result<Eigen::VectorXd>>& residuals);
-  /// Whether round 1 needs no more than the center where the model tells its slopes there. Profiles
-  /// look at the model over the lengths of intervals, by differences.
-  bool takes_slopes() const { return !options_.profiles && !at_; }
-  /// Round 1 by exact slopes: residuals and dr/du at the center.
-  void observe_center(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& J);
+  /// What the points wanted tell, in their order; a Failure where the evaluation failed. The first
+  /// alone where it is_enough().
+  void observe(const std::vector<Result<Evaluated>>& evaluated);
+  /// Whether the first of the points wanted makes the others needless: the center by its slopes.
+  bool is_enough(const Result<Evaluated>& first) const {
+    return !r_ && first && first->has_slopes();
+  }
 
   /// The Failure that made round 1 impossible.
   const std::optional<Failure>& failure() const { return failure_; }
@@ -81,19 +84,20 @@ class Identification {
 
  private:
   void begin_at(const DesignPoint& center);
-  void slopes_observed(const std::vector<Result<Eigen::VectorXd>>& residuals);
-  bool center_observed(const std::vector<Result<Eigen::VectorXd>>& residuals);
+  void slopes_observed(const std::vector<Result<Evaluated>>& evaluated);
+  bool center_observed(const std::vector<Result<Evaluated>>& evaluated);
   void ask_slopes();
   void take_slopes();
+  void linearized(Linearization at);
   double felt() const;
-  void look_for_better(const std::vector<Result<Eigen::VectorXd>>& residuals);
+  void look_for_better(const std::vector<Result<Evaluated>>& evaluated);
   bool continues_at_better_point();
   DesignPoint moved(int variable, double offset) const;
-  void refit_observed(const std::optional<Eigen::VectorXd>& residuals);
+  void refit_observed(const std::optional<Evaluated>& evaluated);
   void ask_for_refit();
   void begin_profiles();
   void ask_branches();
-  std::optional<Eigen::VectorXd> used(const Result<Eigen::VectorXd>& residuals) const;
+  std::optional<Evaluated> used(const Result<Evaluated>& evaluated) const;
 
   DesignSpace space_;
   IdentificationOptions options_;

@@ -33,11 +33,11 @@ struct Analyzed {
 Analyzed analyze(const DesignSpace& space, const Model& model, IdentificationOptions options = {}) {
   Analyzed analyzed{Identification(space, space.initial(), options)};
   while (!analyzed.identification.wanted().empty()) {
-    std::vector<Result<Eigen::VectorXd>> residuals;
+    std::vector<Result<Evaluated>> residuals;
     for (const DesignPoint& point : analyzed.identification.wanted()) {
       EXPECT_TRUE(space.contains(point));
       const Eigen::VectorXd r = model(point.values);
-      residuals.push_back(r.size() > 0 ? Result<Eigen::VectorXd>(r) : Failure{"no solution"});
+      residuals.push_back(r.size() > 0 ? Result<Evaluated>(r) : Failure{"no solution"});
     }
     analyzed.evaluations += static_cast<int>(residuals.size());
     analyzed.identification.observe(residuals);

@@ -117,9 +117,9 @@ std::optional<Eigen::VectorXd> ProfileBranch::wanted() const {
   return refit_ ? refit_->wanted() : std::nullopt;
 }
 
-void ProfileBranch::observe(const std::optional<Eigen::VectorXd>& residuals) {
+void ProfileBranch::observe(const std::optional<Evaluated>& evaluated) {
   assert(refit_ && refit_->wanted());
-  refit_->observe(residuals);
+  refit_->observe(evaluated);
   if (refit_->wanted()) return;
   const bool fitted = refit_->fitted(), converged = refit_->converged();
   const Linearization reached = refit_->best();

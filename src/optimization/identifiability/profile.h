@@ -55,7 +55,7 @@ class ProfileBranch {
 
   /// nullopt at the end of the ladder.
   std::optional<Eigen::VectorXd> wanted() const;
-  void observe(const std::optional<Eigen::VectorXd>& residuals);
+  void observe(const std::optional<Evaluated>& evaluated);
 
   /// From the best point outward, without it.
   const std::vector<ProfilePoint>& points() const { return points_; }
