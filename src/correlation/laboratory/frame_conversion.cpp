@@ -112,6 +112,7 @@ void turn(LabRecord& record,
           turned(v, from, to, gamma ? gamma->values[i] : 0.0, R_l ? R_l->values[i] : 0.0)[row]);
     }
     record.written[result.name] = record.written[source->name];
+    record.turned_from[result.name] = from;
     done.emplace_back(kForces[row]);
     results.push_back(std::move(result));
   }

@@ -28,6 +28,8 @@ struct LabRecord {
   Place header;                                 // of the first file
   std::map<std::string, StatedColumn> written;  // how that has a channel
   std::map<std::string, std::string> left_out;  // columns that are no channels, and why
+  std::map<std::string, AxisFrame>
+      turned_from;  // of channels that stand in another frame than there
 
   std::size_t samples() const { return places.size(); }
   std::vector<std::string> names() const;

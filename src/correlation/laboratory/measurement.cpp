@@ -236,6 +236,7 @@ void take(LabRecord record, Measurement::Told& told) {
   told.channels = record.table();
   told.left_out = std::move(record.left_out);
   told.written = std::move(record.written);
+  told.turned_from = std::move(record.turned_from);
   told.places = std::move(record.places);
   told.numbers = std::move(record.numbers);
 }
@@ -271,7 +272,7 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
   keep(record, kept);
   told.noise = read_noises(table, record);
   tell_what_is_left(record, told.words);
-  for (const char* step : {"zero", "in_frame", "low_pass", "sweep", "every", "select"})
+  for (const char* step : {"zero", "low_pass", "sweep", "every", "select"})
     if (table.has(step)) told.one_way.emplace_back(step);
   take(std::move(record), told);
   return Measurement(std::move(told));
@@ -299,6 +300,10 @@ NamedChannel Measurement::named(const std::string& channel) const {
 bool Measurement::has(const std::string& channel) const { return !named(channel).name.empty(); }
 
 std::string Measurement::name_of(const std::string& channel) const { return named(channel).name; }
+
+bool Measurement::is_turned(const std::string& channel) const {
+  return told_.turned_from.contains(named(channel).name);
+}
 
 std::string Measurement::frame(const std::string& channel) const {
   const NamedChannel found = named(channel);

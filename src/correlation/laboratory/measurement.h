@@ -71,8 +71,9 @@ class Measurement {
     std::vector<std::string> words;    // what was read and what each step left, a line each
     std::vector<std::string> one_way;  // steps that cannot be undone: "low_pass", ...
     std::map<std::string, MeasurementNoise> noise;
-    std::map<std::string, std::string> left_out;  // channels that are none, and why
-    std::map<std::string, StatedColumn> written;  // how the file has a channel
+    std::map<std::string, std::string> left_out;   // channels that are none, and why
+    std::map<std::string, StatedColumn> written;   // how the file has a channel
+    std::map<std::string, AxisFrame> turned_from;  // its frame there, where in_frame has turned it
     AxisConvention axes = AxisConvention::iso;
     Channels recorded;            // as read, in our names and axes
     Channels channels;            // what counts
@@ -106,6 +107,9 @@ class Measurement {
   std::string name_of(const std::string& channel) const;
   /// Its column and unit in the file.
   const StatedColumn& written(const std::string& channel) const;
+  /// Forces and moments that in_frame has turned, and the frame they have in the file.
+  const std::map<std::string, AxisFrame>& turned_from() const { return told_.turned_from; }
+  bool is_turned(const std::string& channel) const;
   const MeasurementNoise* noise(const std::string& channel) const;
 
  private:

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 
 #include "base/file.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/laboratory/frame_conversion.h"
 #include "formats/tables/csv_table.h"
 #include "formats/text/lab_units.h"
 #include "measurement/axes.h"
@@ -28,16 +30,56 @@ void refuse_what_cannot_be_undone(const Measurement& measurement) {
     refuse(in_quotes(measurement.files()[0].filename().string()) + " is no .csv");
 }
 
+using Values = std::map<std::string, std::vector<double>>;
+
+/// Forces and moments back in the frames of the file, under the names of the measurement.
+Values turned_back(const Measurement& measurement, const Values& values) {
+  LabRecord record;
+  std::string frame;
+  const auto add = [&](const std::string& name, const std::string& unit, const auto& si) {
+    record.channels.push_back({name, unit, si});
+    record.places.resize(si.size());
+  };
+  for (const auto& [name, si] : values) {
+    frame = measurement.frame(name);
+    add(force_without_frame(name), "", si);
+  }
+  for (const auto& [name, unit] : {std::pair{"gamma", "rad"}, std::pair{"loaded_radius", "m"}})
+    if (measurement.has(name)) add(name, unit, measurement.values(name, unit));
+  const auto recorded = record.names();
+  Values back;
+  for (const auto& [name, from] : measurement.turned_from()) {
+    LabRecord turned = record;
+    std::vector<std::string> words;
+    turn_into_frame(turned, frame, from, words);
+    const std::string force = force_without_frame(name);
+    const Channel* found = turned.find(force);
+    const bool is_recorded = std::find(recorded.begin(), recorded.end(), force) != recorded.end();
+    if (!found)
+      throw InputError(
+          measurement.place(),
+          fmt::format("measurement.{} cannot be written by a twin: {} {}",
+                      measurement.name(),
+                      force,
+                      is_recorded ? turned.left_out[force] : "is not recorded by the test"));
+    back[name] = found->values;
+  }
+  return back;
+}
+
 }  // namespace
 
 std::filesystem::path write_twin(const Measurement& measurement,
                                  const std::map<std::string, std::vector<double>>& values,
                                  const std::string& comment) {
   refuse_what_cannot_be_undone(measurement);
+  const bool is_turned = std::any_of(values.begin(), values.end(), [&](const auto& value) {
+    return measurement.is_turned(value.first);
+  });
   const std::filesystem::path& file = measurement.files()[0];
   const auto table = formats::CsvTable::read(file);
   std::map<std::string, std::vector<std::string>> cells;
-  for (const auto& [channel, si] : values) {
+  for (const auto& [channel, si] : is_turned ? turned_back(measurement, values) : values) {
     assert(static_cast<int>(si.size()) == table.rows());
     const StatedColumn& column = measurement.written(channel);
     Channels turned;

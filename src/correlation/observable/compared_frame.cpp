@@ -56,6 +56,14 @@ std::string measured_frame(const Node& table,
 
 }  // namespace
 
+std::vector<std::string> forces_beside(const std::string& channel) {
+  const std::size_t at = channel.size() - column_of(channel).size();
+  std::vector<std::string> forces;
+  for (const char* force : {"Fx", "Fy", "Fz", "Mx", "My", "Mz"})
+    forces.push_back(channel.substr(0, at) + force + channel.substr(at + 2));
+  return forces;
+}
+
 bool is_same_in(const std::string& channel, const std::string& frame, const std::string& other) {
   return frame == other || (channel.starts_with('F') && frame != "C" && other != "C");
 }

@@ -23,6 +23,10 @@ const KnownChannel& channel_in_measured_frame(const Node& table,
                                               const std::vector<KnownChannel>& channels,
                                               const Measurement& measurement);
 
+/// The six forces and moments of a test in the frame of one of them: "sweep/FxC" to "sweep/MzC" of
+/// "sweep/FyC".
+std::vector<std::string> forces_beside(const std::string& channel);
+
 /// Whether a force or moment is the same in both: a force in W and H.
 bool is_same_in(const std::string& channel, const std::string& frame, const std::string& other);
 

@@ -188,13 +188,13 @@ std::vector<double> about_their_means(std::vector<double> slopes, std::size_t ro
 
 }  // namespace
 
-Result<SimulatedValues> Curve::samples(const Channels& trial) const {
-  const Channel* y = trial.find(c_.y);
-  if (!y) return wrong(c_.y, "is missing");
+Result<SimulatedValues> Curve::samples(const Channels& trial, const std::string& y_name) const {
+  const Channel* y = trial.find(y_name);
+  if (!y) return wrong(y_name, "is missing");
   if (c_.x.empty()) {
     if (y->values.size() == c_.y_measured.size()) return SimulatedValues{y->values, y->slopes};
     return wrong(
-        c_.y,
+        y_name,
         fmt::format(
             "has {} values, expected {} as measured", y->values.size(), c_.y_measured.size()));
   }
@@ -204,7 +204,7 @@ Result<SimulatedValues> Curve::samples(const Channels& trial) const {
     return wrong(c_.x,
                  fmt::format("has {} values and \"{}\" {}, expected as many",
                              x->values.size(),
-                             c_.y,
+                             y_name,
                              y->values.size()));
   }
   if (c_.comparison.what == ComparedCurve::path) {
@@ -217,7 +217,7 @@ Result<SimulatedValues> Curve::samples(const Channels& trial) const {
 }
 
 Result<SimulatedValues> Curve::simulated(const Channels& trial) const {
-  auto curve = samples(trial);
+  auto curve = samples(trial, c_.y);
   if (!curve || c_.comparison.what == ComparedCurve::path) return curve;
   curve->values = compared_values(c_.comparison, curve->values);
   if (!passes_slopes()) curve->slopes.clear();
@@ -250,9 +250,13 @@ std::vector<std::filesystem::path> Curve::write(const Channels& trial,
                        "cannot be written by a twin: " + c_.y +
                            " is compared as a path, whose "
                            "points no sample belongs to");
-    const auto y = samples(trial);
+    const auto y = samples(trial, c_.y);
     if (!y) throw InputError(files.measurement->place(), y.failure().reason);
-    return {write_twin(*files.measurement, {{last_part(c_.y), y->values}}, files.comment)};
+    std::map<std::string, std::vector<double>> values{{last_part(c_.y), y->values}};
+    if (files.measurement->is_turned(last_part(c_.y)))
+      for (const std::string& beside : forces_beside(c_.y))
+        if (const auto found = samples(trial, beside)) values[last_part(beside)] = found->values;
+    return {write_twin(*files.measurement, values, files.comment)};
   }
   if (files.is_shared) {
     columns = formats::CsvTable::read(files.values).channels();

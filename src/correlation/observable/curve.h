@@ -68,8 +68,8 @@ class Curve : public Observable {
       const Channels& trial, const Comparison& comparison) const override;
 
  private:
-  /// The simulated y of every measured sample.
-  Result<SimulatedValues> samples(const Channels& trial) const;
+  /// The simulated y of every measured sample, or another channel in its place.
+  Result<SimulatedValues> samples(const Channels& trial, const std::string& y_name) const;
 
   CurveMeasurement c_;
 };

@@ -97,8 +97,11 @@ std::vector<std::filesystem::path> Values::write(const Channels& trial,
                          " value alone");
   const auto found = simulated(trial);
   if (!found) throw InputError(files.measurement->place(), found.failure().reason);
-  return {
-      write_twin(*files.measurement, {{channel_part(m_.channel), found->values}}, files.comment)};
+  std::map<std::string, std::vector<double>> values{{channel_part(m_.channel), found->values}};
+  if (files.measurement->is_turned(channel_part(m_.channel)))
+    for (const std::string& name : forces_beside(m_.channel))
+      if (const Channel* beside = trial.find(name)) values[channel_part(name)] = beside->values;
+  return {write_twin(*files.measurement, values, files.comment)};
 }
 
 void Values::draw(const ShownExperiment& shown, report::StudyReport& page) const {
