@@ -62,7 +62,7 @@ class OldJournals(unittest.TestCase):
                 self.assertEqual(trials_of(self.journal), self.trials)
 
     def test_older_ones_do_not_say_by_which_version_and_have_to_be_adopted(self):
-        for name, lacks in (("fe_tire/format1", "model version"),
+        for name, lacks in (("fe_tire/format1", "model version"), ("program/format2", "program files"),
                             ("program/format3", "program files")):
             with self.subTest(name):
                 self.study_with(STUDIES / f"{name}.journal")
