@@ -34,6 +34,12 @@ GroundPoint PlacedRoad::at(double x, double y, double time) const {
   return ground;
 }
 
+double PlacedRoad::mean_height(const Eigen::Vector2d& from,
+                               const Eigen::Vector2d& to,
+                               double time) const {
+  return road_->mean_height(local(from.x(), from.y()), local(to.x(), to.y()), time) + origin_.z();
+}
+
 /// Of the rectangle along the axes of the road itself that holds the turned one.
 GroundBounds PlacedRoad::bounds(const GroundBox& box, double time) const {
   Eigen::Vector2d low = local(box.x0, box.y0), high = low;

@@ -15,6 +15,9 @@ class PlacedRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
+  double mean_height(const Eigen::Vector2d& from,
+                     const Eigen::Vector2d& to,
+                     double time) const override;
   GroundBounds bounds(const GroundBox& box, double time) const override;
 
  private:

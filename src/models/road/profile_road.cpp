@@ -13,10 +13,14 @@ ProfileRoad::ProfileRoad(const Settings& settings)
   assert(!settings_.along.empty() && settings_.pitch >= 0.0 && settings_.count >= 0);
 }
 
-ProfileRoad::Place ProfileRoad::locate(double x, double y, double time) const {
+Eigen::Vector2d ProfileRoad::local(double x, double y, double time) const {
   const double forward = x - settings_.origin.x() + settings_.belt.distance(time);
   const double left = y - settings_.origin.y();
-  double s = forward * cos_ + left * sin_;
+  return {forward * cos_ + left * sin_, left * cos_ - forward * sin_};
+}
+
+ProfileRoad::Place ProfileRoad::locate(const Eigen::Vector2d& local) const {
+  double s = local.x();
   if (settings_.pitch > 0.0) {
     double number = std::floor(s / settings_.pitch);
     if (settings_.count > 0) number = std::clamp(number, 0.0, settings_.count - 1.0);
@@ -25,7 +29,7 @@ ProfileRoad::Place ProfileRoad::locate(double x, double y, double time) const {
   Place place{settings_.along.at(s), {1.0, 0.0}, true};
   place.on_obstacle = s >= settings_.along.begin() && s <= settings_.along.end();
   if (settings_.across) {
-    const double t = left * cos_ - forward * sin_;
+    const double t = local.y();
     place.across = settings_.across->at(t);
     place.on_obstacle =
         place.on_obstacle && t >= settings_.across->begin() && t <= settings_.across->end();
@@ -33,13 +37,57 @@ ProfileRoad::Place ProfileRoad::locate(double x, double y, double time) const {
   return place;
 }
 
-double ProfileRoad::height(double x, double y, double time) const {
-  const Place place = locate(x, y, time);
+double ProfileRoad::height_at(const Eigen::Vector2d& local) const {
+  const Place place = locate(local);
   return place.along.height * place.across.height;
 }
 
+double ProfileRoad::height(double x, double y, double time) const {
+  return height_at(local(x, y, time));
+}
+
+double ProfileRoad::mean_height(const Eigen::Vector2d& from,
+                                const Eigen::Vector2d& to,
+                                double time) const {
+  const Eigen::Vector2d begin = local(from.x(), from.y(), time),
+                        way = local(to.x(), to.y(), time) - begin;
+  std::vector<double> corners{0.0, 1.0};  // where on the way
+  const auto add_corner = [&](double distance, double run) {
+    if (const double u = distance / run; u > 0.0 && u < 1.0) corners.push_back(u);
+  };
+  const auto add = [&](const Profile& profile, double shift, double start, double run) {
+    for (const Profile::Point& p : profile.points()) add_corner(p.s + shift - start, run);
+  };
+  if (settings_.across) add(*settings_.across, 0.0, begin.y(), way.y());
+  if (settings_.pitch == 0.0) {
+    add(settings_.along, 0.0, begin.x(), way.x());
+  } else {
+    const double first = std::min(begin.x(), begin.x() + way.x()), last = first + std::abs(way.x());
+    const double most = settings_.count > 0 ? settings_.count - 1.0 : 1e300;
+    const double least = settings_.count > 0 ? 0.0 : -1e300;
+    const double end = std::clamp(std::floor(last / settings_.pitch), least, most);
+    for (double n = std::clamp(std::floor(first / settings_.pitch), least, most); n <= end; ++n) {
+      add_corner(n * settings_.pitch - begin.x(), way.x());  // the seam
+      add(settings_.along, n * settings_.pitch, begin.x(), way.x());
+    }
+  }
+  std::sort(corners.begin(), corners.end());
+  // Two points of Gauss a piece: exact to the third degree, and never on a flank.
+  const double off = 0.5 / std::sqrt(3.0);
+  double sum = 0.0;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const double length = corners[i] - corners[i - 1];
+    if (length == 0.0) continue;
+    const double middle = 0.5 * (corners[i] + corners[i - 1]);
+    sum += 0.5 * length *
+           (height_at(begin + (middle - off * length) * way) +
+            height_at(begin + (middle + off * length) * way));
+  }
+  return sum;
+}
+
 GroundPoint ProfileRoad::at(double x, double y, double time) const {
-  const Place place = locate(x, y, time);
+  const Place place = locate(local(x, y, time));
   const double along = place.along.slope * place.across.height;   // dz/ds
   const double across = place.along.height * place.across.slope;  // dz/dt
   GroundPoint ground;
@@ -51,7 +99,8 @@ GroundPoint ProfileRoad::at(double x, double y, double time) const {
   return ground;
 }
 
-/// A plane where the whole box is beside the sections or on one straight piece of an endless one.
+/// A plane where the whole box is beside the sections or on one straight piece, as long as what
+/// stands across does not change in it.
 GroundBounds ProfileRoad::bounds(const GroundBox& box, double time) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double shift = settings_.belt.distance(time) - settings_.origin.x();
@@ -81,21 +130,24 @@ GroundBounds ProfileRoad::bounds(const GroundBox& box, double time) const {
 }
 
 GroundBounds ProfileRoad::bounds_between(Span s, Span t) const {
+  const auto corner_in = [](const Profile& profile, const Span& span) {
+    const auto& points = profile.points();
+    return std::any_of(points.begin(), points.end(), [&](const Profile::Point& p) {
+      return p.s >= span.from && p.s <= span.to;
+    });
+  };
   const bool beside = s.to < settings_.along.begin() || s.from > settings_.along.end();
   const Profile::Extremes along = settings_.along.between(s.from, s.to);
-  if (!settings_.across) {
-    const auto& points = settings_.along.points();
-    const bool piece = std::none_of(points.begin(), points.end(), [&](const Profile::Point& p) {
-      return p.s >= s.from && p.s <= s.to;
-    });
-    return {along.highest, beside || piece};
-  }
+  const bool straight = beside || !corner_in(settings_.along, s);
+  if (!settings_.across) return {along.highest, straight};
   const Profile::Extremes across = settings_.across->between(t.from, t.to);
+  const bool level = along.highest == 0.0 && along.lowest == 0.0;
+  const bool uniform = across.lowest == across.highest && !corner_in(*settings_.across, t);
   return {std::max({along.highest * across.highest,
                     along.highest * across.lowest,
                     along.lowest * across.highest,
                     along.lowest * across.lowest}),
-          beside && along.highest == 0.0 && along.lowest == 0.0};
+          uniform ? straight : beside && level};
 }
 
 ProfileRoad cleat_road(double x, double height, double length, double bevel, double angle) {

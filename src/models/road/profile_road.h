@@ -37,6 +37,10 @@ class ProfileRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
+  /// Exact: between corners the height is of second degree.
+  double mean_height(const Eigen::Vector2d& from,
+                     const Eigen::Vector2d& to,
+                     double time) const override;
   GroundBounds bounds(const GroundBox& box, double time) const override;
 
  private:
@@ -53,7 +57,10 @@ class ProfileRoad final : public Road {
     }
   };
   GroundBounds bounds_between(Span s, Span t) const;
-  Place locate(double x, double y, double time) const;
+  /// s and t of a place.
+  Eigen::Vector2d local(double x, double y, double time) const;
+  Place locate(const Eigen::Vector2d& local) const;
+  double height_at(const Eigen::Vector2d& local) const;
 
   Settings settings_;
   double cos_, sin_;

@@ -37,6 +37,11 @@ class Road {
   virtual GroundPoint at(double x, double y, double time) const = 0;
   /// The height alone, m, bit for bit that of `at`: what enveloping and contact search ask most.
   virtual double height(double x, double y, double time) const { return at(x, y, time).height; }
+  /// The mean of the height along the straight line between two places of the ground: what a piece
+  /// of tread stands on. By samples unless a road knows it in closed form.
+  virtual double mean_height(const Eigen::Vector2d& from,
+                             const Eigen::Vector2d& to,
+                             double time) const;
   /// For tires that ask thousands of points a step. Nothing is promised unless a road overrides it.
   virtual GroundBounds bounds(const GroundBox&, double) const { return {}; }
 };

@@ -319,6 +319,38 @@ TEST(Road, BoundsHoldInTheWholeBox) {
   EXPECT_GT(planes, 500);
 }
 
+// Against a sum of many heights; where edges are vertical no sum of few would do.
+TEST(Road, MeanHeightIsTheIntegralOverTheWay) {
+  Kerb ramped{.pitch = 0.1, .width = 0.2, .height = 0.02, .count = 3, .ramp = 0.05, .angle = 0.3};
+  const ProfileRoad kerb = kerb_road(ramped);
+  const ProfileRoad cleat = cleat_road(0.05, 0.02, 0.03, 0.005, 0.5);
+  const ProfileRoad row({.along = cleat_profile(0.02, 0.03, 0.0), .pitch = 0.2, .belt = 2.0});
+  const PlacedRoad placed(
+      std::make_unique<ProfileRoad>(cleat_road(0.1, 0.02, 0.03, 0.005, 0.5)), 0.7, {0.1, 0.0, 0.3});
+  RandomStream random(5, 1);
+  for (const Road* road : std::initializer_list<const Road*>{&kerb, &cleat, &row, &placed}) {
+    int uneven = 0;
+    for (int i = 0; i < 60; ++i) {
+      const Eigen::Vector2d from(0.4 * random.uniform() - 0.1, 0.3 * random.uniform() - 0.1);
+      const Eigen::Vector2d to = from + 0.1 * Eigen::Vector2d(random.uniform(), random.uniform());
+      const double time = random.uniform();
+      constexpr int kParts = 20000;
+      double sum = 0.0, low = 1e9, high = -1e9;
+      for (int k = 0; k < kParts; ++k) {
+        const Eigen::Vector2d at = from + (k + 0.5) / kParts * (to - from);
+        const double z = road->height(at.x(), at.y(), time);
+        sum += z / kParts;
+        low = std::min(low, z);
+        high = std::max(high, z);
+      }
+      // Of a vertical flank a sum knows the place by half a part.
+      EXPECT_NEAR(road->mean_height(from, to, time), sum, 1e-9 + 2.0 * 0.02 / kParts);
+      uneven += high > low;
+    }
+    EXPECT_GT(uneven, 5);
+  }
+}
+
 // A box that shrinks on a point in the end promises its height: what finds the highest point of a
 // road by halving comes to an end.
 TEST(Road, BoundsCloseInOnAPoint) {

@@ -20,6 +20,7 @@ Travel::Travel(std::vector<Point> points) : points_(std::move(points)) {
 }
 
 double Travel::speed(double time) const {
+  if (points_.size() == 1) return points_[0].speed;
   const auto right = std::upper_bound(
       points_.begin(), points_.end(), time, [](double t, const Point& p) { return t < p.time; });
   if (right == points_.begin()) return right->speed;
@@ -29,6 +30,7 @@ double Travel::speed(double time) const {
 }
 
 double Travel::from_first(double time) const {
+  if (points_.size() == 1) return (time - points_[0].time) * points_[0].speed;
   const auto right = std::upper_bound(
       points_.begin(), points_.end(), time, [](double t, const Point& p) { return t < p.time; });
   if (right == points_.begin()) return (time - right->time) * right->speed;

@@ -259,7 +259,6 @@ void TreadContact::place_cells(
     return 0.5 * (tip(line, j - 1) + tip(line, j));
   };
   constexpr double kStraight = 1e-6;  // m
-  constexpr int kSamples = 16;
   const auto height = [&](const Vector3d& at) { return road.height(at.x(), at.y(), time); };
   Vector3d from = border(begin);
   double from_height = height(from);
@@ -274,11 +273,8 @@ void TreadContact::place_cells(
       const Eigen::Vector2d e = along / length;
       slope += ((to_height - from_height) / length - slope.dot(e)) * e;
       ground.normal = Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
-      if (std::abs(from_height + to_height - 2.0 * ground.height) > kStraight) {
-        double sum = 0.0;
-        for (int i = 0; i < kSamples; ++i) sum += height(from + (i + 0.5) / kSamples * (to - from));
-        ground.height = sum / kSamples;
-      }
+      if (std::abs(from_height + to_height - 2.0 * ground.height) > kStraight)
+        ground.height = road.mean_height(from.head<2>(), to.head<2>(), time);
     }
     const double level = ground.normal.dot(Vector3d(at.x(), at.y(), ground.height));
     place_ground(patch, line * stride_ + j, ground, level);
