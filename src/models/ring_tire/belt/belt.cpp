@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "models/ring_tire/belt/belt_curve.h"
+#include "models/ring_tire/belt/bend_rule.h"
 #include "models/ring_tire/belt/rim_rows.h"
 
 namespace latsch::ring_tire {
@@ -38,48 +39,18 @@ struct Elements {
 namespace latsch::ring_tire {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Matrix3d cross_matrix(const Vector3d& a) {
-  Matrix3d m;
-  m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-  return m;
-}
-
-/// Where (3) and (4) are taken: what the nodes k-1 .. k+2 count in the curve's place and in its
-/// first and second derivative by s.
-struct BendRule {
-  double place[4], slope[4], second[4];
-};
-constexpr BendRule kAtKnot{
-    {1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0, 0.0}, {-0.5, 0.0, 0.5, 0.0}, {1.0, -2.0, 1.0, 0.0}};
-constexpr BendRule kBetween{{1.0 / 48.0, 23.0 / 48.0, 23.0 / 48.0, 1.0 / 48.0},
-                            {-0.125, -0.625, 0.625, 0.125},
-                            {0.5, -0.5, -0.5, 0.5}};
-
-/// What (3) is made of there.
-struct Bend {
-  double length;    // of the slope in the plane of the rim
-  Vector3d t, n;    // along it; outward
-  double s, along;  // the second derivative along n; along t, over the length
-};
-
+/// s of (3).
 template <class Place>
-Bend bend_of(const BendRule& rule, const Place& place, const Vector3d& a) {
+double bend_of(const BendRule& rule, const Place& place, const Vector3d& a) {
   Vector3d c = Vector3d::Zero(), d = Vector3d::Zero();
   for (int i = 0; i < 4; ++i) {
     c += rule.slope[i] * place(i - 1);
     d += rule.second[i] * place(i - 1);
   }
   c -= a * a.dot(c);
-  Bend bend;
-  bend.length = c.norm();
-  bend.t = c / bend.length;
-  bend.n = a.cross(bend.t);
-  bend.s = d.dot(bend.n);
-  bend.along = d.dot(bend.t) / bend.length;
-  return bend;
+  return d.dot(a.cross(c)) / c.norm();
 }
 
 }  // namespace
@@ -129,8 +100,8 @@ double BeltForces::energy(const NodeValues& q, const RimFrame& rim) const {
     sum += 0.5 * EA * L0 * strain * strain;  // (1)
     sum +=
         pressure_width * rim.a.dot(place(0).cross(kArea1 * place(1) + kArea2 * place(2)));  // (2)
-    const double at_knot = bend_of(kAtKnot, place, rim.a).s - s0;
-    const double between = bend_of(kBetween, place, rim.a).s - s0_between;
+    const double at_knot = bend_of(kAtKnot, place, rim.a) - s0;
+    const double between = bend_of(kBetween, place, rim.a) - s0_between;
     sum += 0.5 * EI / (L0 * L0 * L0) *
            (kKnotShare * at_knot * at_knot + (1.0 - kKnotShare) * between * between);  // (3)
     const auto curvature = [&](const BendRule& rule, double by_torsion) {
@@ -161,92 +132,6 @@ void BeltForces::add_force(const NodeValues& q, const RimFrame& rim, NodeValues&
   LATSCH_KERNEL(strain)(nodes_, law_, x, e);
   LATSCH_KERNEL(gather)(nodes_, law_, x, e, to);
   f.add_to(force, rim);
-}
-
-void BeltForces::add_stiffness(const NodeValues& q,
-                               const RimFrame& rim,
-                               double scale,
-                               CyclicBand& K) const {
-  const Matrix3d turned = scale * law_.pressure_width * cross_matrix(rim.a);
-  for (int k = 0; k < nodes_; ++k) {
-    add_string_stiffness(q, k, scale, K);
-    K.block(k, 1).topLeftCorner<3, 3>() -= kArea1 * turned;  // (2)
-    K.block(k, 2).topLeftCorner<3, 3>() -= kArea2 * turned;
-    add_bending_stiffness(q, rim, k, scale, K);
-  }
-  add_lateral_stiffness(rim, scale, K);
-}
-
-/// (1) in the middle of segment k.
-void BeltForces::add_string_stiffness(const NodeValues& q,
-                                      int k,
-                                      double scale,
-                                      CyclicBand& K) const {
-  const int node[4] = {(k + nodes_ - 1) % nodes_, k, (k + 1) % nodes_, (k + 2) % nodes_};
-  Vector3d slope = Vector3d::Zero();
-  for (int i = 0; i < 4; ++i) slope += kBetween.slope[i] * q.col(node[i]).head<3>();
-  const double length = slope.norm(), rest = law_.stretch0, of = scale * law_.L0 / rest;
-  const double string = of * (law_.T0 + law_.EA * (length - rest) / rest) / length;
-  const Vector3d e = slope / length;
-  const Matrix3d spring =
-      (of * law_.EA / rest - string) * e * e.transpose() + string * Matrix3d::Identity();
-  for (int i = 0; i < 4; ++i)
-    for (int j = i; j < 4; ++j)
-      K.block(node[i], j - i).topLeftCorner<3, 3>() +=
-          kBetween.slope[i] * kBetween.slope[j] * spring;
-}
-
-/// s = a . (d × c)/|c| is a product of linear forms over a length, so its second derivatives in the
-/// slope c and the second derivative d are short.
-void BeltForces::add_bending_stiffness(
-    const NodeValues& q, const RimFrame& rim, int k, double scale, CyclicBand& K) const {
-  const int node[4] = {(k + nodes_ - 1) % nodes_, k, (k + 1) % nodes_, (k + 2) % nodes_};
-  const auto place = [&](int i) -> Vector3d { return q.col(node[i + 1]).head<3>(); };
-  const double EI = scale * law_.EI / (law_.L0 * law_.L0 * law_.L0);
-  const auto add = [&](const BendRule& rule, int nodes, double stiffness, double s0) {
-    const Bend bend = bend_of(rule, place, rim.a);
-    const double moment = stiffness * (bend.s - s0);
-    const Matrix3d nn = bend.n * bend.n.transpose(), tn = bend.t * bend.n.transpose();
-    const Matrix3d cc = (bend.along / bend.length) * (tn + tn.transpose()) -
-                        (bend.s / (bend.length * bend.length)) * nn;
-    const Matrix3d cd = -tn.transpose() / bend.length;  // rows c, columns d
-    const auto weight = [&](int i) { return rule.second[i] - bend.along * rule.slope[i]; };
-    for (int i = 0; i < nodes; ++i)
-      for (int j = i; j < nodes; ++j)
-        K.block(node[i], j - i).topLeftCorner<3, 3>() +=
-            stiffness * weight(i) * weight(j) * nn +
-            moment * (rule.slope[i] * rule.slope[j] * cc + rule.slope[i] * rule.second[j] * cd +
-                      rule.second[i] * rule.slope[j] * cd.transpose());
-  };
-  add(kAtKnot, 3, kKnotShare * EI, law_.s0);
-  add(kBetween, 4, (1.0 - kKnotShare) * EI, law_.s0_between);
-}
-
-/// (4) and (5) are the same at every node.
-void BeltForces::add_lateral_stiffness(const RimFrame& rim, double scale, CyclicBand& K) const {
-  using Eigen::Matrix4d, Eigen::Vector4d;
-  const auto row = [&](double lateral, double torsion) {
-    Vector4d g;
-    g << lateral * rim.a, torsion;
-    return g;
-  };
-  Matrix4d of[4] = {Matrix4d::Zero(), Matrix4d::Zero(), Matrix4d::Zero(), Matrix4d::Zero()};
-  const auto add = [&](double stiffness, const auto& row_of) {
-    for (int i = 0; i < 4; ++i)
-      for (int j = i; j < 4; ++j) of[j - i] += stiffness * row_of(i) * row_of(j).transpose();
-  };
-  const auto curvature = [&](const BendRule& rule, double tilt) {
-    return [&rule, &row, tilt, this](int i) {
-      return row(rule.second[i] / (law_.L0 * law_.L0), tilt / law_.R * rule.place[i]);
-    };
-  };
-  const double EI = scale * law_.EI_out_of_plane * law_.L0;
-  add(kKnotShare * EI, curvature(kAtKnot, law_.tilt));
-  add((1.0 - kKnotShare) * EI, curvature(kBetween, law_.tilt_between));
-  add(scale * law_.GJ / law_.L0,
-      [&](int i) { return row(-kBetween.slope[i] / law_.R, kBetween.slope[i]); });
-  for (int k = 0; k < nodes_; ++k)
-    for (int j = 0; j < 4; ++j) K.block(k, j) += of[j];
 }
 
 }  // namespace latsch::ring_tire

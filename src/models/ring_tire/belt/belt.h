@@ -52,9 +52,6 @@ class BeltForces {
   double tension() const { return law_.T0; }
 
  private:
-  void add_string_stiffness(const NodeValues& q, int k, double scale, CyclicBand& K) const;
-  void add_bending_stiffness(
-      const NodeValues& q, const RimFrame& rim, int k, double scale, CyclicBand& K) const;
   void add_lateral_stiffness(const RimFrame& rim, double scale, CyclicBand& K) const;
 
   int nodes_;
