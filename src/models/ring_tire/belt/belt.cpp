@@ -7,7 +7,6 @@
 
 #include "models/ring_tire/belt/belt_curve.h"
 #include "models/ring_tire/belt/bend_rule.h"
-#include "models/ring_tire/belt/rim_rows.h"
 
 namespace latsch::ring_tire {
 
@@ -120,18 +119,18 @@ double BeltForces::energy(const NodeValues& q, const RimFrame& rim) const {
   return sum;
 }
 
-void BeltForces::add_force(const NodeValues& q, const RimFrame& rim, NodeValues& force) const {
-  RimRows at(nodes_), f(nodes_, Elements::kRows);
-  at.place(q, rim);
+void BeltForces::find_force(const RimRows& at, RimRows& force) const {
+  static_assert(kScratch == Elements::kRows);
   Elements e;
-  for (int i = 0; i < Elements::kRows; ++i) e.row[i] = f.row(RimRows::kRows + i);
+  for (int i = 0; i < Elements::kRows; ++i) e.row[i] = force.row(RimRows::kRows + i);
   const double* const x[4] = {
       at.row(RimRows::kX), at.row(RimRows::kY), at.row(RimRows::kZ), at.row(RimRows::kTorsion)};
-  double* const to[4] = {
-      f.row(RimRows::kX), f.row(RimRows::kY), f.row(RimRows::kZ), f.row(RimRows::kTorsion)};
+  double* const to[4] = {force.row(RimRows::kX),
+                         force.row(RimRows::kY),
+                         force.row(RimRows::kZ),
+                         force.row(RimRows::kTorsion)};
   LATSCH_KERNEL(strain)(nodes_, law_, x, e);
   LATSCH_KERNEL(gather)(nodes_, law_, x, e, to);
-  f.add_to(force, rim);
 }
 
 }  // namespace latsch::ring_tire

@@ -18,8 +18,9 @@
 // as small; in-plane motion may be large. Equations: docs/ring_tire.md, section 2.
 #pragma once
 
-#include "models/ring_tire/belt/cyclic_band.h"
 #include "models/ring_tire/belt/rim_frame.h"
+#include "models/ring_tire/belt/rim_rows.h"
+#include "models/ring_tire/belt/stiffness_rows.h"
 #include "models/ring_tire/description/ring_parameters.h"
 
 namespace latsch::ring_tire {
@@ -42,17 +43,18 @@ class BeltForces {
 
   /// J, of the configuration q, against that of the ring at rest but for the constant of (2).
   double energy(const NodeValues& q, const RimFrame& rim) const;
-  /// force -= energy'.
-  void add_force(const NodeValues& q, const RimFrame& rim, NodeValues& force) const;
-  /// K += scale * energy''.
-  void add_stiffness(const NodeValues& q, const RimFrame& rim, double scale, CyclicBand& K) const;
+  /// force = -energy', nodes at their places `at`; with kScratch rows more.
+  void find_force(const RimRows& at, RimRows& force) const;
+  static constexpr int kScratch = 12;
+  /// K = scale * energy''.
+  void find_stiffness(const RimRows& at, double scale, StiffnessRows& K) const;
 
   /// L0, T0.
   double segment() const { return law_.L0; }
   double tension() const { return law_.T0; }
 
  private:
-  void add_lateral_stiffness(const RimFrame& rim, double scale, CyclicBand& K) const;
+  void add_lateral_stiffness(double scale, StiffnessRows& K) const;
 
   int nodes_;
   BeltLaw law_;

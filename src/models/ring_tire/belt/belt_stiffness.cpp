@@ -8,8 +8,6 @@
 //   C = -κ along n n' - (m/|c|) t n'
 #include "models/ring_tire/belt/belt.h"
 #include "models/ring_tire/belt/bend_rule.h"
-#include "models/ring_tire/belt/rim_rows.h"
-#include "models/ring_tire/belt/stiffness_rows.h"
 
 namespace latsch::ring_tire {
 
@@ -28,38 +26,30 @@ struct ElementStiffness {
 
 namespace latsch::ring_tire {
 
-void BeltForces::add_stiffness(const NodeValues& q,
-                               const RimFrame& rim,
-                               double scale,
-                               CyclicBand& K) const {
-  RimRows at(nodes_);
-  at.place(q, rim);
+void BeltForces::find_stiffness(const RimRows& at, double scale, StiffnessRows& K) const {
+  static_assert(ElementStiffness::kRows <= StiffnessRows::kScratch);
   const double* const x[3] = {at.row(RimRows::kX), at.row(RimRows::kY), at.row(RimRows::kZ)};
-  StiffnessRows sums(nodes_, ElementStiffness::kRows);
   ElementStiffness e;
-  for (int i = 0; i < ElementStiffness::kRows; ++i) e.row[i] = sums.more(i);
-  LATSCH_KERNEL(stiffen)(nodes_, law_, scale, x, e);
-  double* rows[4 * StiffnessRows::kEntries];
-  for (int j = 0; j < 4; ++j)
+  for (int i = 0; i < ElementStiffness::kRows; ++i) e.row[i] = K.scratch(i);
+  double* rows[(CyclicBand::kReach + 1) * StiffnessRows::kEntries];
+  for (int j = 0; j <= CyclicBand::kReach; ++j)
     for (int i = 0; i < StiffnessRows::kEntries; ++i)
-      rows[j * StiffnessRows::kEntries + i] = sums.row(j, static_cast<StiffnessRows::Entry>(i));
+      rows[j * StiffnessRows::kEntries + i] = K.row(j, static_cast<StiffnessRows::Entry>(i));
+  K.start();
+  LATSCH_KERNEL(stiffen)(nodes_, law_, scale, x, e);
   LATSCH_KERNEL(gather_stiffness)(nodes_, scale * law_.pressure_width, e, rows);
-  sums.add_to(K, rim);
-  add_lateral_stiffness(rim, scale, K);
+  add_lateral_stiffness(scale, K);
 }
 
 /// (4) and (5) are the same at every node.
-void BeltForces::add_lateral_stiffness(const RimFrame& rim, double scale, CyclicBand& K) const {
-  using Eigen::Matrix4d, Eigen::Vector4d;
-  const auto row = [&](double lateral, double torsion) {
-    Vector4d g;
-    g << lateral * rim.a, torsion;
-    return g;
+void BeltForces::add_lateral_stiffness(double scale, StiffnessRows& K) const {
+  using Eigen::Vector4d;
+  const auto row = [&](double lateral, double torsion) -> Vector4d {
+    return {0.0, lateral, 0.0, torsion};
   };
-  Matrix4d of[4] = {Matrix4d::Zero(), Matrix4d::Zero(), Matrix4d::Zero(), Matrix4d::Zero()};
   const auto add = [&](double stiffness, const auto& row_of) {
     for (int i = 0; i < 4; ++i)
-      for (int j = i; j < 4; ++j) of[j - i] += stiffness * row_of(i) * row_of(j).transpose();
+      for (int j = i; j < 4; ++j) K.same(j - i) += stiffness * row_of(i) * row_of(j).transpose();
   };
   const auto curvature = [&](const BendRule& rule, double tilt) {
     return [&rule, &row, tilt, this](int i) {
@@ -71,8 +61,6 @@ void BeltForces::add_lateral_stiffness(const RimFrame& rim, double scale, Cyclic
   add((1.0 - kKnotShare) * EI, curvature(kBetween, law_.tilt_between));
   add(scale * law_.GJ / law_.L0,
       [&](int i) { return row(-kBetween.slope[i] / law_.R, kBetween.slope[i]); });
-  for (int k = 0; k < nodes_; ++k)
-    for (int j = 0; j < 4; ++j) K.block(k, j) += of[j];
 }
 
 }  // namespace latsch::ring_tire

@@ -131,7 +131,8 @@ LATSCH_INLINE void gather_blocks(int nodes,
   });
 }
 
-/// What the elements and the pressure are to the nodes: seven rows of each j.
+/// What the elements and the pressure are to the nodes, in place of what stood there: seven rows of
+/// each j.
 void gather_stiffness(int nodes, double pressure, const ElementStiffness& e, double* const* rows) {
   gather_blocks<0>(nodes, 0.0, e, rows);
   gather_blocks<1>(nodes, kArea1 * pressure, e, rows + 7);

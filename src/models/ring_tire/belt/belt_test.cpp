@@ -7,7 +7,8 @@
 #include <cmath>
 
 #include "base/random.h"
-#include "models/ring_tire/belt/sidewall.h"
+#include "models/ring_tire/belt/belt_curve.h"
+#include "models/ring_tire/belt/belt_testing.h"
 #include "models/ring_tire/description/ring_parameters_testing.h"
 
 namespace latsch::ring_tire {
@@ -49,10 +50,8 @@ TEST(BeltForces, AreTheGradientOfTheEnergyAndTheStiffnessItsHessian) {
   const BeltForces belt(ring.belt, kBeltNodes);
   const RimFrame rim = some_rim();
   const NodeValues q = deformed(rim, ring.belt.radius);
-  NodeValues force = NodeValues::Zero(4, kBeltNodes);
-  belt.add_force(q, rim, force);
-  CyclicBand K(kBeltNodes);
-  belt.add_stiffness(q, rim, 1.0, K);
+  const NodeValues force = force_of(belt, q, rim);
+  const CyclicBand K = stiffness_of(belt, q, rim);
   const double h = 1e-6;
   for (int k : {0, 5, kBeltNodes - 1})
     for (int i = 0; i < 4; ++i) {
@@ -63,9 +62,7 @@ TEST(BeltForces, AreTheGradientOfTheEnergyAndTheStiffnessItsHessian) {
       const double slope = (belt.energy(plus, rim) - belt.energy(minus, rim)) / (2.0 * h);
       // The rounding of an energy of some kJ over 2h.
       EXPECT_NEAR(force(i, k), -slope, 1e-9 * force.norm() + 1e-5);
-      NodeValues f1 = NodeValues::Zero(4, kBeltNodes), f0 = f1;
-      belt.add_force(plus, rim, f1);
-      belt.add_force(minus, rim, f0);
+      const NodeValues f1 = force_of(belt, plus, rim), f0 = force_of(belt, minus, rim);
       const NodeValues column = K.multiply(direction);
       EXPECT_LT((column + (f1 - f0) / (2.0 * h)).norm(), 1e-7 * column.norm() + 1e-3);
     }
@@ -76,8 +73,8 @@ TEST(BeltForces, VanishAtRestAndUnderARigidTilt) {
   RingParameters slack = ring;
   slack.belt.pressure = 0.0;
   const RimFrame rim = some_rim();
-  NodeValues force = NodeValues::Zero(4, kBeltNodes);
-  BeltForces(ring.belt, kBeltNodes).add_force(nodes_at_rest(rim, ring.belt.radius), rim, force);
+  NodeValues force =
+      force_of(BeltForces(ring.belt, kBeltNodes), nodes_at_rest(rim, ring.belt.radius), rim);
   EXPECT_LT(force.norm(), 1e-11 * ring.belt.extension);  // rounding of the springs
 
   NodeValues q = nodes_at_rest(rim, ring.belt.radius);
@@ -88,9 +85,7 @@ TEST(BeltForces, VanishAtRestAndUnderARigidTilt) {
     q.col(k).head<3>() += tilt * ring.belt.radius * c * rim.a;
     q(3, k) = tilt * c;
   }
-  force.setZero();
-  const BeltForces belt(slack.belt, kBeltNodes);
-  belt.add_force(q, rim, force);
+  force = force_of(BeltForces(slack.belt, kBeltNodes), q, rim);
   // What is left is of second order in the tilt: the extension of the belt, EA tilt²/2.
   EXPECT_LT(force.row(3).norm(), 1e-9);
   EXPECT_LT(force.norm(), 3.0 * slack.belt.extension * tilt * tilt);
@@ -102,13 +97,9 @@ TEST(SidewallForces, AreTheGradientOfTheEnergyAndTheStiffnessItsHessian) {
   ring.sidewall.torsion_by_lateral = 2.0;
   const SidewallForces wall(ring.sidewall, ring.belt.radius, kBeltNodes);
   const RimFrame rim = some_rim();
-  const NodeValues q = deformed(rim, ring.belt.radius), v = NodeValues::Zero(4, kBeltNodes);
-  const StepRule statics;
-  NodeValues force = NodeValues::Zero(4, kBeltNodes);
-  wall.add_force(at_knots(q), v, rim, statics, force);
-  force = at_knots(force);
-  CyclicBand K(kBeltNodes);
-  wall.add_stiffness(at_knots(q), rim, statics, 1.0, K);
+  const NodeValues q = deformed(rim, ring.belt.radius);
+  const NodeValues force = at_knots(force_of(wall, at_knots(q), rim));
+  const CyclicBand K = stiffness_of(wall, at_knots(q), rim);
   const double h = 1e-6;
   for (int i = 0; i < 4; ++i) {
     NodeValues plus = q, minus = q, direction = NodeValues::Zero(4, kBeltNodes);
@@ -118,9 +109,8 @@ TEST(SidewallForces, AreTheGradientOfTheEnergyAndTheStiffnessItsHessian) {
     const double slope =
         (wall.energy(at_knots(plus), rim) - wall.energy(at_knots(minus), rim)) / (2.0 * h);
     EXPECT_NEAR(force(i, 3), -slope, 1e-8 * force.norm() + 1e-5);
-    NodeValues f1 = NodeValues::Zero(4, kBeltNodes), f0 = f1;
-    wall.add_force(at_knots(plus), v, rim, statics, f1);
-    wall.add_force(at_knots(minus), v, rim, statics, f0);
+    const NodeValues f1 = force_of(wall, at_knots(plus), rim),
+                     f0 = force_of(wall, at_knots(minus), rim);
     const NodeValues column = K.multiply(direction);
     EXPECT_LT((column + at_knots(f1 - f0) / (2.0 * h)).norm(), 1e-7 * column.norm());
   }
@@ -134,12 +124,12 @@ TEST(SidewallForces, FrictionElementsMakeALoopOfTheirForce) {
   ring.sidewall.radial.friction_force = 1000.0;
   SidewallForces wall(ring.sidewall, ring.belt.radius, kBeltNodes);
   const RimFrame rim = some_rim();
-  const NodeValues v = NodeValues::Zero(4, kBeltNodes);
   const auto force_at = [&](double radius) {
     const NodeValues q = at_knots(nodes_at_rest(rim, radius));
-    NodeValues force = NodeValues::Zero(4, kBeltNodes);
-    wall.add_force(q, v, rim, {}, force);
-    wall.commit(q, rim, {});
+    const NodeValues force = force_of(wall, q, rim);
+    RimRows at(kBeltNodes);
+    at.place(q, rim);
+    wall.commit(at, {});
     double sum = 0.0;
     const NodeAngles angles(kBeltNodes);
     for (int k = 0; k < kBeltNodes; ++k) sum += angles.radial(rim, k).dot(force.col(k).head<3>());

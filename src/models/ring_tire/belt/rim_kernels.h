@@ -19,14 +19,29 @@ void turn_to_rim(
   }
 }
 
-void add_turned_back(int nodes, const Rows& rows, const double* axes, double* columns) {
+void turn_to_inertial(int nodes, const ConstRows& rows, const double* axes, double* columns) {
   const Lanes4 X = four(axes[0], axes[1], axes[2], 0.0), a = four(axes[3], axes[4], axes[5], 0.0),
                Z = four(axes[6], axes[7], axes[8], 0.0), torsion = four(0.0, 0.0, 0.0, 1.0);
-  for (int k = 0; k < nodes; ++k) {
-    const Lanes4 turned =
-        X * rows.x[k] + a * rows.y[k] + (Z * rows.z[k] + torsion * rows.torsion[k]);
-    store(lanes4(columns + 4 * k) + turned, columns + 4 * k);
-  }
+  for (int k = 0; k < nodes; ++k)
+    store(X * rows.x[k] + a * rows.y[k] + (Z * rows.z[k] + torsion * rows.torsion[k]),
+          columns + 4 * k);
+}
+
+/// (26) at the knot k of a row; T: Lanes for eight at a time, Lane for one.
+template <class T>
+LATSCH_INLINE T knots(const double* row, int k) {
+  return (4.0 / 6.0) * T::load(row + k) +
+         (1.0 / 6.0) * (T::load(row + k - 1) + T::load(row + k + 1));
+}
+void mean_of_three(int nodes, const double* row, double* to) {
+  int k = 0;
+  for (; k + 8 <= nodes; k += 8) store(knots<Lanes>(row, k), to + k);
+  for (; k < nodes; ++k) knots<Lane>(row, k).save(to + k);
+}
+void add_mean_of_three(int nodes, const double* row, double* to) {
+  int k = 0;
+  for (; k + 8 <= nodes; k += 8) store(lanes(to + k) + knots<Lanes>(row, k), to + k);
+  for (; k < nodes; ++k) Lane(Lane::load(to + k) + knots<Lane>(row, k)).save(to + k);
 }
 
 }  // namespace latsch::ring_tire::LATSCH_KERNELS

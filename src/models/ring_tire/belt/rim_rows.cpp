@@ -6,6 +6,9 @@ namespace latsch::ring_tire {
 struct Rows {
   double *x, *y, *z, *torsion;
 };
+struct ConstRows {
+  const double *x, *y, *z, *torsion;
+};
 
 }  // namespace latsch::ring_tire
 
@@ -13,24 +16,11 @@ struct Rows {
 #include "numerics/kernels/for_each_kernel_set.h"
 
 namespace latsch::ring_tire {
-namespace {
-
-/// Columns X, a, Z.
-Eigen::Matrix3d axes_of(const RimFrame& rim) {
-  Eigen::Matrix3d axes;
-  axes << rim.X, rim.a, rim.Z;
-  return axes;
-}
-
-}  // namespace
 
 RimRows::RimRows(int nodes, int more)
     : nodes_(nodes), memory_(static_cast<std::size_t>((kRows + more) * (nodes + 2 * kBeyond))) {}
 
-void RimRows::place(const NodeValues& q, const RimFrame& rim) {
-  const Eigen::Matrix3d axes = axes_of(rim);
-  LATSCH_KERNEL(turn_to_rim)
-  (nodes_, q.data(), rim.center.data(), axes.data(), {row(kX), row(kY), row(kZ), row(kTorsion)});
+void RimRows::close() {
   for (int i = 0; i < kRows; ++i)
     for (int k = 0; k < kBeyond; ++k) {
       row(i)[-1 - k] = row(i)[nodes_ - 1 - k];
@@ -38,8 +28,15 @@ void RimRows::place(const NodeValues& q, const RimFrame& rim) {
     }
 }
 
-void RimRows::place_rates(RimRows& at, const NodeValues& v, const RimFrame& rim) {
-  const Eigen::Matrix3d axes = axes_of(rim);
+void RimRows::place(const NodeValues& q, const RimFrame& rim) {
+  const Eigen::Matrix3d axes = rim.axes();
+  LATSCH_KERNEL(turn_to_rim)
+  (nodes_, q.data(), rim.center.data(), axes.data(), {row(kX), row(kY), row(kZ), row(kTorsion)});
+  close();
+}
+
+void RimRows::place_rates(const RimRows& at, const NodeValues& v, const RimFrame& rim) {
+  const Eigen::Matrix3d axes = rim.axes();
   LATSCH_KERNEL(turn_to_rim)
   (nodes_, v.data(), rim.velocity.data(), axes.data(), {row(kX), row(kY), row(kZ), row(kTorsion)});
   const Eigen::Vector3d omega = axes.transpose() * rim.angular_velocity;
@@ -49,11 +46,22 @@ void RimRows::place_rates(RimRows& at, const NodeValues& v, const RimFrame& rim)
     row(kY)[k] -= omega.z() * x - omega.x() * z;
     row(kZ)[k] -= omega.x() * y - omega.y() * x;
   }
+  close();
 }
 
-void RimRows::add_to(NodeValues& force, const RimFrame& rim) {
-  const Eigen::Matrix3d axes = axes_of(rim);
-  LATSCH_KERNEL(add_turned_back)
+void RimRows::place_knots(const RimRows& nodes) {
+  for (int i = 0; i < kRows; ++i) LATSCH_KERNEL(mean_of_three)(nodes_, nodes.row(i), row(i));
+  close();
+}
+
+void RimRows::add_from_knots(RimRows& knots) {
+  knots.close();
+  for (int i = 0; i < kRows; ++i) LATSCH_KERNEL(add_mean_of_three)(nodes_, knots.row(i), row(i));
+}
+
+void RimRows::turn_back(const RimFrame& rim, NodeValues& force) const {
+  const Eigen::Matrix3d axes = rim.axes();
+  LATSCH_KERNEL(turn_to_inertial)
   (nodes_, {row(kX), row(kY), row(kZ), row(kTorsion)}, axes.data(), force.data());
 }
 

@@ -21,15 +21,24 @@ class RimRows {
   int nodes() const { return nodes_; }
   /// Row i; its node k = -kBeyond .. nodes + kBeyond - 1 stands at [k].
   double* row(int i) { return memory_.data() + i * (nodes_ + 2 * kBeyond) + kBeyond; }
+  const double* row(int i) const {
+    return memory_.data() + i * (nodes_ + 2 * kBeyond) + kBeyond;
+  }
   /// Positions and torsions.
   void place(const NodeValues& q, const RimFrame& rim);
   /// Velocities against the rim's material, v - v_c - ω × (x - c), of nodes at their places `at`,
   /// and rates of torsion.
-  void place_rates(RimRows& at, const NodeValues& v, const RimFrame& rim);
-  /// force += the four rows, forces in the rim's axes.
-  void add_to(NodeValues& force, const RimFrame& rim);
+  void place_rates(const RimRows& at, const NodeValues& v, const RimFrame& rim);
+  /// B x of belt_curve.h.
+  void place_knots(const RimRows& nodes);
+  /// += B' f, f at the knots.
+  void add_from_knots(RimRows& knots);
+  /// Turned back: forces in inertial axes.
+  void turn_back(const RimFrame& rim, NodeValues& force) const;
 
  private:
+  void close();
+
   int nodes_;
   std::vector<double> memory_;
 };

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/ring_tire/belt/sidewall.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "models/ring_tire/belt/belt_curve.h"
-#include "models/ring_tire/belt/rim_rows.h"
 
 #define LATSCH_KERNELS_IN "models/ring_tire/belt/sidewall_kernels.h"
 #include "numerics/kernels/for_each_kernel_set.h"
@@ -18,25 +17,26 @@ using Eigen::Vector3d;
 namespace {
 
 /// Along e_r = (sin, 0, -cos), less R, e_t = (cos, 0, sin) and a: three rows one after the other.
-void to_polar(int nodes, const NodeAngles& angles, double R, RimRows& at, double* polar) {
+void to_polar(
+    int nodes, const NodeAngles& angles, double R, const RimRows& at, double* const polar[3]) {
   const double *s = angles.sine(), *c = angles.cosine();
   const double *x = at.row(RimRows::kX), *y = at.row(RimRows::kY), *z = at.row(RimRows::kZ);
 #pragma GCC ivdep
   for (int k = 0; k < nodes; ++k) {
-    polar[k] = x[k] * s[k] - z[k] * c[k] - R;
-    polar[nodes + k] = x[k] * c[k] + z[k] * s[k];
-    polar[2 * nodes + k] = y[k];
+    polar[0][k] = x[k] * s[k] - z[k] * c[k] - R;
+    polar[1][k] = x[k] * c[k] + z[k] * s[k];
+    polar[2][k] = y[k];
   }
 }
 
-void from_polar(int nodes, const NodeAngles& angles, const double* polar, RimRows& to) {
+void from_polar(int nodes, const NodeAngles& angles, const double* const polar[3], RimRows& to) {
   const double *s = angles.sine(), *c = angles.cosine();
   double *x = to.row(RimRows::kX), *y = to.row(RimRows::kY), *z = to.row(RimRows::kZ);
 #pragma GCC ivdep
   for (int k = 0; k < nodes; ++k) {
-    x[k] = polar[k] * s[k] + polar[nodes + k] * c[k];
-    y[k] = polar[2 * nodes + k];
-    z[k] = -polar[k] * c[k] + polar[nodes + k] * s[k];
+    x[k] = polar[0][k] * s[k] + polar[1][k] * c[k];
+    y[k] = polar[2][k];
+    z[k] = -polar[0][k] * c[k] + polar[1][k] * s[k];
   }
 }
 
@@ -81,21 +81,26 @@ Vector3d SidewallForces::travel(const NodeValues& q, const RimFrame& rim, int k)
   return {angles_.radial(rim, k).dot(x) - R_, angles_.tangential(rim, k).dot(x), rim.a.dot(x)};
 }
 
-double SidewallForces::spring_slope(int direction, double u) const {
-  const double k = direction_[direction].k, up = progressive_travel_;
-  return direction == 0 ? k * (1.0 + progressivity_ * u * u / (u * u + up * up)) : k;  // (7)
-}
-
-double SidewallForces::memory_slope(int k, int direction, double u, const StepRule& rule) const {
-  double slope = 0.0;
-  if (!rule.statics()) slope += direction_[direction].k_maxwell / (1.0 + rule.step / (2.0 * tau_));
+void SidewallForces::find_slopes(int direction,
+                                 const double* u,
+                                 const StepRule& rule,
+                                 double* slope) const {
+  const int nodes = angles_.nodes();
+  const Direction& of = direction_[direction];
+  double constant = of.k + of.d * rule.velocity;
+  if (has_memory_ && !rule.statics()) constant += of.k_maxwell / (1.0 + half_step(rule));
+  if (direction == 0 && progressivity_ > 0.0)
+    LATSCH_KERNEL(find_progressive)
+  (nodes, constant, of.k * progressivity_, progressive_travel_, u, slope);
+  else std::fill(slope, slope + nodes, constant);
+  if (!has_memory_) return;
+  const double* before = &memory_.travel(direction, 0);
   for (int i = 0; i < kFrictions; ++i) {
     const Friction& f = friction_[i];
-    if (f.direction == direction && f.k > 0.0 &&
-        std::abs(memory_.slip(i, k) + u - memory_.travel(direction, k)) < most_stretch(f))
-      slope += f.k;
+    if (f.direction == direction && f.k > 0.0)
+      LATSCH_KERNEL(add_sticking)
+    (nodes, f.k, most_stretch(f), before, &memory_.slip(i, 0), u, slope);
   }
-  return slope;
 }
 
 void SidewallForces::add_spring(int direction, const double* u, double* F) const {
@@ -123,59 +128,72 @@ void SidewallForces::add_memory(int direction,
   }
 }
 
-void SidewallForces::add_force(const NodeValues& q,
-                               const NodeValues& v,
-                               const RimFrame& rim,
-                               const StepRule& rule,
-                               NodeValues& force) const {
+void SidewallForces::find_force(const RimRows& at,
+                                const RimRows& rate,
+                                const StepRule& rule,
+                                RimRows& force) const {
   const int nodes = angles_.nodes();
-  RimRows at(nodes), rate(nodes), f(nodes);
-  at.place(q, rim);
-  if (!rule.statics()) rate.place_rates(at, v, rim);
-  Travels u(3, nodes), w(3, nodes), F = Travels::Zero(3, nodes);
-  to_polar(nodes, angles_, R_, at, u.data());
-  to_polar(nodes, angles_, 0.0, rate, w.data());
+  double *u[3], *w[3], *F[3];
   for (int i = 0; i < 3; ++i) {
-    add_spring(i, &u(i, 0), &F(i, 0));
-    if (has_memory_) add_memory(i, &u(i, 0), rule, &F(i, 0));
-    if (!rule.statics()) LATSCH_KERNEL(add_multiple)(nodes, -direction_[i].d, &w(i, 0), &F(i, 0));
+    u[i] = force.row(RimRows::kRows + i);
+    w[i] = force.row(RimRows::kRows + 3 + i);
+    F[i] = force.row(RimRows::kRows + 6 + i);
   }
-  from_polar(nodes, angles_, F.data(), f);
+  to_polar(nodes, angles_, R_, at, u);
+  if (!rule.statics()) to_polar(nodes, angles_, 0.0, rate, w);
+  for (int i = 0; i < 3; ++i) {
+    std::fill(F[i], F[i] + nodes, 0.0);
+    add_spring(i, u[i], F[i]);
+    if (has_memory_) add_memory(i, u[i], rule, F[i]);
+    if (!rule.statics()) LATSCH_KERNEL(add_multiple)(nodes, -direction_[i].d, w[i], F[i]);
+  }
+  from_polar(nodes, angles_, F, force);
   const double* psi = at.row(RimRows::kTorsion);
   const double* psi_rate = rate.row(RimRows::kTorsion);
   const double damping = rule.statics() ? 0.0 : torsion_damping_;
   for (int k = 0; k < nodes; ++k) {
-    const double torsion = torsion_ * (psi[k] - torsion_by_lateral_ * u(2, k));  // (9)
-    f.row(RimRows::kY)[k] += torsion_by_lateral_ * torsion;
-    f.row(RimRows::kTorsion)[k] = -torsion - damping * psi_rate[k];
+    const double torsion = torsion_ * (psi[k] - torsion_by_lateral_ * u[2][k]);  // (9)
+    force.row(RimRows::kY)[k] += torsion_by_lateral_ * torsion;
+    force.row(RimRows::kTorsion)[k] = -torsion - damping * psi_rate[k];
   }
-  f.add_to(force, rim);
 }
 
-void SidewallForces::add_stiffness(const NodeValues& q,
-                                   const RimFrame& rim,
+/// Along e_r, e_t and a at the knots, then in the rim's axes, then on the nodes.
+void SidewallForces::add_stiffness(const RimRows& at,
                                    const StepRule& rule,
                                    double scale,
-                                   CyclicBand& K) const {
-  for (int k = 0; k < angles_.nodes(); ++k) {
-    const Vector3d er = angles_.radial(rim, k), et = angles_.tangential(rim, k);
-    const Vector3d u = travel(q, rim, k);
-    Vector3d slope;
-    for (int i = 0; i < 3; ++i) {
-      slope[i] = spring_slope(i, u[i]) + direction_[i].d * rule.velocity;
-      if (has_memory_) slope[i] += memory_slope(k, i, u[i], rule);
-    }
-    slope *= scale;
-    const double torsion = scale * torsion_, lambda = torsion_by_lateral_;
-    Eigen::Matrix4d block = Eigen::Matrix4d::Zero();
-    block.topLeftCorner<3, 3>() =
-        slope[0] * er * er.transpose() + slope[1] * et * et.transpose() +
-        (slope[2] + torsion * lambda * lambda) * rim.a * rim.a.transpose();
-    block.block<3, 1>(0, 3) = -torsion * lambda * rim.a;
-    block.block<1, 3>(3, 0) = -torsion * lambda * rim.a.transpose();
-    block(3, 3) = torsion + scale * torsion_damping_ * rule.velocity;
-    add_at_knot(block, k, K);
+                                   StiffnessRows& K) const {
+  const int nodes = angles_.nodes();
+  double *u[3], *slope[3], *knots[4];  // xx, xz, zz, yy
+  for (int i = 0; i < 3; ++i) {
+    u[i] = K.scratch(i);
+    slope[i] = K.scratch(3 + i);
   }
+  for (int i = 0; i < 4; ++i) knots[i] = K.scratch(6 + i);
+  to_polar(nodes, angles_, R_, at, u);
+  for (int i = 0; i < 3; ++i) find_slopes(i, u[i], rule, slope[i]);
+  LATSCH_KERNEL(turn_slopes)(nodes, scale, slope, angles_.sine(), angles_.cosine(), knots);
+  for (double* row : knots) {
+    row[-1] = row[nodes - 1];
+    row[nodes] = row[0];
+  }
+  using Rows = StiffnessRows;
+  for (int j = 0; j < 3; ++j) {
+    const auto add = [&](Rows::Entry entry, int from) {
+      LATSCH_KERNEL(add_from_knots)(nodes, j, knots[from], K.row(j, entry));
+    };
+    add(Rows::kXX, 0);
+    add(Rows::kXZ, 1);
+    add(Rows::kZX, 1);
+    add(Rows::kZZ, 2);
+    add(Rows::kYY, 3);
+  }
+  const double torsion = scale * torsion_, lambda = torsion_by_lateral_;  // (9)
+  Eigen::Matrix4d of_torsion = Eigen::Matrix4d::Zero();
+  of_torsion(1, 1) = torsion * lambda * lambda;
+  of_torsion(1, 3) = of_torsion(3, 1) = -torsion * lambda;
+  of_torsion(3, 3) = torsion + scale * torsion_damping_ * rule.velocity;
+  K.add_at_knots(of_torsion);
 }
 
 SidewallForces::Losses SidewallForces::losses() const {
@@ -185,12 +203,11 @@ SidewallForces::Losses SidewallForces::losses() const {
           .time_constant = tau_};
 }
 
-void SidewallForces::commit(const NodeValues& q, const RimFrame& rim, const StepRule& rule) {
+void SidewallForces::commit(const RimRows& at, const StepRule& rule) {
   const int nodes = angles_.nodes();
-  RimRows at(nodes);
-  at.place(q, rim);
   Travels u(3, nodes);
-  to_polar(nodes, angles_, R_, at, u.data());
+  double* const rows[3] = {&u(0, 0), &u(1, 0), &u(2, 0)};
+  to_polar(nodes, angles_, R_, at, rows);
   if (has_memory_) {
     // Nothing is left of Maxwell's forces at rest.
     if (rule.statics()) memory_.maxwell.setZero();

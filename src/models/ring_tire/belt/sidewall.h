@@ -12,8 +12,9 @@
 // Maxwell elements by the trapezoidal rule, friction elements by return to the slip force.
 #pragma once
 
-#include "models/ring_tire/belt/cyclic_band.h"
 #include "models/ring_tire/belt/rim_frame.h"
+#include "models/ring_tire/belt/rim_rows.h"
+#include "models/ring_tire/belt/stiffness_rows.h"
 #include "models/ring_tire/description/ring_parameters.h"
 
 namespace latsch::ring_tire {
@@ -48,17 +49,17 @@ class SidewallForces {
   void reset();
   const Memory& memory() const { return memory_; }
   void remember(const Memory& memory) { memory_ = memory; }
-  /// At the end of a step from the last committed state.
-  void add_force(const NodeValues& q,
-                 const NodeValues& v,
-                 const RimFrame& rim,
-                 const StepRule& rule,
-                 NodeValues& force) const;
-  void add_stiffness(const NodeValues& q,
-                     const RimFrame& rim,
+  /// At the end of a step from the last committed state: knots at their places `at` and their rates;
+  /// force with kScratch rows more.
+  void find_force(const RimRows& at,
+                  const RimRows& rate,
+                  const StepRule& rule,
+                  RimRows& force) const;
+  static constexpr int kScratch = 9;
+  void add_stiffness(const RimRows& at,
                      const StepRule& rule,
                      double scale,
-                     CyclicBand& K) const;
+                     StiffnessRows& K) const;
   /// Damping of a node along e_r, e_t, a and of its torsion, and the stiffness of its Maxwell
   /// elements.
   struct Losses {
@@ -69,7 +70,7 @@ class SidewallForces {
   /// Friction springs forget their force: small vibrations about here do not slip them.
   void stick() { memory_.slip.setZero(); }
   /// The step is done: its end is where the next one starts.
-  void commit(const NodeValues& q, const RimFrame& rim, const StepRule& rule);
+  void commit(const RimRows& at, const StepRule& rule);
 
   /// J in all springs, after commit.
   double energy(const NodeValues& q, const RimFrame& rim) const;
@@ -83,9 +84,8 @@ class SidewallForces {
     double k, limit;
   };
   Eigen::Vector3d travel(const NodeValues& q, const RimFrame& rim, int k) const;
-  double spring_slope(int direction, double u) const;
-  /// Of Maxwell and friction elements of a node whose travel becomes u.
-  double memory_slope(int k, int direction, double u, const StepRule& rule) const;
+  /// Of all elements of one direction along it.
+  void find_slopes(int direction, const double* u, const StepRule& rule, double* slope) const;
   void add_spring(int direction, const double* u, double* F) const;
   void add_memory(int direction, const double* u, const StepRule& rule, double* F) const;
   double half_step(const StepRule& rule) const { return rule.step / (2.0 * tau_); }

@@ -31,6 +31,66 @@ void add_progressive(int nodes, double k, double P, double up, const double* u, 
   });
 }
 
+/// constant + kP u²/(u² + u_p²), the slope of (7).
+void find_progressive(
+    int nodes, double constant, double kP, double up, const double* u, double* slope) {
+  around(nodes, [&](auto type, int i) {
+    using T = decltype(type);
+    const T square = T::load(u + i) * T::load(u + i);
+    T(constant + kP * square / (square + up * up)).save(slope + i);
+  });
+}
+
+/// k where a friction element of (8) sticks.
+void add_sticking(int nodes,
+                  double k,
+                  double most,
+                  const double* before,
+                  const double* stretch,
+                  const double* u,
+                  double* slope) {
+  around(nodes, [&](auto type, int i) {
+    using T = decltype(type);
+    const T end = T::load(stretch + i) + (T::load(u + i) - T::load(before + i));
+    const T sticks = select(larger(end, -end) < most, T(k), T(0.0));
+    T(T::load(slope + i) + sticks).save(slope + i);
+  });
+}
+
+/// Slopes along e_r = (s, 0, -c), e_t = (c, 0, s) and a as entries xx, xz, zz, yy.
+void turn_slopes(int nodes,
+                 double scale,
+                 const double* const slope[3],
+                 const double* sine,
+                 const double* cosine,
+                 double* const to[4]) {
+  around(nodes, [&](auto type, int i) {
+    using T = decltype(type);
+    const T r = scale * T::load(slope[0] + i), t = scale * T::load(slope[1] + i);
+    const T s = T::load(sine + i), c = T::load(cosine + i);
+    T(r * s * s + t * c * c).save(to[0] + i);
+    T((t - r) * s * c).save(to[1] + i);
+    T(r * c * c + t * s * s).save(to[2] + i);
+    T(scale * T::load(slope[2] + i)).save(to[3] + i);
+  });
+}
+
+/// What is k at the knots is B' k B on the nodes: its blocks (i, i + j).
+void add_from_knots(int nodes, int j, const double* k, double* to) {
+  around(nodes, [&](auto type, int i) {
+    using T = decltype(type);
+    const T next = T::load(k + i + 1);
+    T more;
+    if (j == 0)
+      more = T::load(k + i - 1) + 16.0 * T::load(k + i) + next;
+    else if (j == 1)
+      more = 4.0 * (T::load(k + i) + next);
+    else
+      more = next;
+    T(T::load(to + i) + (1.0 / 36.0) * more).save(to + i);
+  });
+}
+
 /// (6) by the trapezoidal rule: u - u_i at the end of the step; half: h/(2 τ).
 template <class T>
 LATSCH_INLINE T maxwell_end(double half, const T& before, const T& stretch, const T& u) {

@@ -6,17 +6,37 @@
 
 namespace latsch::ring_tire {
 
-StiffnessRows::StiffnessRows(int nodes, int more)
+StiffnessRows::StiffnessRows(int nodes)
     : nodes_(nodes),
-      memory_(static_cast<std::size_t>((kOwn + more) * (nodes + 2 * kBeyond)), 0.0) {}
+      memory_(static_cast<std::size_t>((kOwn + kScratch) * (nodes + 2 * kBeyond)), 0.0) {
+  start();
+}
 
-void StiffnessRows::add_to(CyclicBand& K, const RimFrame& rim) {
+void StiffnessRows::start() {
+  for (Eigen::Matrix4d& block : same_) block.setZero();
+}
+
+void StiffnessRows::add_at_knots(const Eigen::Matrix4d& k) {
+  same_[0] += 18.0 / 36.0 * k;
+  same_[1] += 8.0 / 36.0 * k;
+  same_[2] += 1.0 / 36.0 * k;
+}
+
+void StiffnessRows::turn_back(const RimFrame& rim, CyclicBand& K) const {
   const Eigen::Matrix3d axes = rim.axes();
+  Eigen::Matrix4d turn = Eigen::Matrix4d::Identity();
+  turn.topLeftCorner<3, 3>() = axes;
   for (int j = 0; j <= CyclicBand::kReach; ++j) {
     const double* rows[kEntries];
-    for (int entry = 0; entry < kEntries; ++entry) rows[entry] = row(j, static_cast<Entry>(entry));
-    LATSCH_KERNEL(add_turned)
-    (nodes_, rows, axes.data(), K.block(0, j).data(), 16 * (CyclicBand::kReach + 1));
+    for (int entry = 0; entry < kEntries; ++entry) rows[entry] = at(j * kEntries + entry);
+    const Eigen::Matrix4d same = turn * same_[static_cast<std::size_t>(j)] * turn.transpose();
+    LATSCH_KERNEL(turn_blocks)
+    (nodes_,
+     rows,
+     axes.data(),
+     same.data(),
+     K.block(0, j).data(),
+     16 * (CyclicBand::kReach + 1));
   }
 }
 

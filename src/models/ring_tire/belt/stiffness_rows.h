@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The places' part of a CyclicBand in the rim's axes, one row an entry of the blocks (k, k + j), so
-// that it is summed for several nodes at once. Across the plane of the rim it is symmetric block by
-// block: a string and a spring are, and bending stays in the plane.
+// A CyclicBand in the making, in the rim's axes: what differs from node to node by rows, one an
+// entry of the blocks (k, k + j), so that it is summed for several nodes at once; what is the same
+// at every node once. Only places of the nodes have what differs, and across the plane of the rim
+// it is symmetric block by block: a string and a spring are, and bending stays in the plane.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "models/ring_tire/belt/cyclic_band.h"
@@ -14,25 +16,33 @@ namespace latsch::ring_tire {
 class StiffnessRows {
  public:
   enum Entry { kXX, kXY, kXZ, kYY, kYZ, kZX, kZZ, kEntries };
+  static constexpr int kScratch = 26;
 
-  /// All zero, with `more` rows of the same length for a loop's own use.
-  explicit StiffnessRows(int nodes, int more = 0);
+  explicit StiffnessRows(int nodes);
 
+  /// Nothing is the same at every node.
+  void start();
   /// Entry of the blocks (k, k + j), j = 0 .. CyclicBand::kReach; block k at [k].
-  double* row(int j, Entry entry) { return more(j * kEntries + entry - kOwn); }
-  /// A loop's own row; [k] from k = -kBeyond to nodes + kBeyond - 1.
-  double* more(int i) {
-    return memory_.data() + (kOwn + i) * (nodes_ + 2 * kBeyond) + kBeyond;
-  }
-  /// K += these, turned into inertial axes.
-  void add_to(CyclicBand& K, const RimFrame& rim);
+  double* row(int j, Entry entry) { return at(j * kEntries + entry); }
+  /// For loops to work on: [k] from k = -kBeyond to nodes + kBeyond - 1.
+  double* scratch(int i) { return at(kOwn + i); }
+  /// Of all blocks (k, k + j).
+  Eigen::Matrix4d& same(int j) { return same_[static_cast<std::size_t>(j)]; }
+  /// What is k at every knot: B' k B of belt_curve.h.
+  void add_at_knots(const Eigen::Matrix4d& k);
+  /// K = these, turned into inertial axes.
+  void turn_back(const RimFrame& rim, CyclicBand& K) const;
 
  private:
   static constexpr int kOwn = (CyclicBand::kReach + 1) * kEntries;
   static constexpr int kBeyond = 3;  // as in rim_rows.h
 
+  double* at(int i) { return memory_.data() + i * (nodes_ + 2 * kBeyond) + kBeyond; }
+  const double* at(int i) const { return memory_.data() + i * (nodes_ + 2 * kBeyond) + kBeyond; }
+
   int nodes_;
   std::vector<double> memory_;
+  std::array<Eigen::Matrix4d, CyclicBand::kReach + 1> same_;
 };
 
 }  // namespace latsch::ring_tire

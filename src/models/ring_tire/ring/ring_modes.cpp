@@ -7,9 +7,8 @@
 #include <complex>
 #include <numbers>
 
-#include "models/ring_tire/belt/belt.h"
 #include "models/ring_tire/belt/belt_curve.h"
-#include "models/ring_tire/belt/sidewall.h"
+#include "models/ring_tire/belt/inner_forces.h"
 
 namespace latsch::ring_tire {
 namespace {
@@ -33,10 +32,7 @@ struct RestingRing {
       : angles(ring.nodes), rim(RimFrame::of(WheelMotion())), q(4, ring.nodes), K(ring.nodes) {
     const double radius = ring.belt.radius * node_radius_over_knot_radius(ring.nodes);
     for (int k = 0; k < ring.nodes; ++k) q.col(k) << radius * angles.radial(rim, k), 0.0;
-    BeltForces(ring.belt, ring.nodes).add_stiffness(q, rim, 1.0, K);
-    Sidewall wall = ring.sidewall;
-    SidewallForces(wall, ring.belt.radius, ring.nodes)
-        .add_stiffness(q, rim, {.step = 0.0, .velocity = 0.0}, 1.0, K);
+    InnerForces(ring).find_stiffness(q, rim, {}, 1.0).turn_back(rim, K);
   }
 
   /// K(n) of (20), of amplitudes at the knots; node 0 is far enough from the ring's end that

@@ -43,13 +43,12 @@ RingTire::RingTire(const RingParameters& parameters, const RingSettings& setting
     : parameters_(parameters),
       settings_(settings),
       angles_(parameters.nodes),
-      belt_(parameters.belt, parameters.nodes),
-      wall_(parameters.sidewall, parameters.belt.radius, parameters.nodes),
+      inner_forces_(parameters),
       tread_(parameters.tread, parameters.belt.radius, parameters.nodes),
       section_(parameters.belt,
                parameters.tread.width,
-               belt_.segment(),
-               belt_.tension(),
+               inner_forces_.belt().segment(),
+               inner_forces_.belt().tension(),
                parameters.nodes),
       mass_(mass_of_node(parameters)),
       rim_(RimFrame::of(WheelMotion())),
@@ -66,7 +65,7 @@ RingTire::RingTire(const RingParameters& parameters, const RingSettings& setting
                              &a1_,
                              &inner_,
                              &total_,
-                             &wall_force_,
+                             &inertia_,
                              &residual_})
     *values = NodeValues::Zero(4, parameters.nodes);
   place_at_rest();
@@ -80,23 +79,15 @@ void RingTire::place_at_rest() {
     q_.col(k) << rim_.center + radius * angles_.radial(rim_, k), 0.0;
   v_.setZero();
   a_.setZero();
-  wall_.reset();
+  inner_forces_.sidewall().reset();
   tread_.reset();
   section_.reset();
   tread_.bend(section_);
 }
 
-void RingTire::evaluate_inner(const NodeValues& q, const NodeValues& v) {
-  inner_.setZero();
-  belt_.add_force(q, rim_, inner_);
-  wall_force_.setZero();
-  wall_.add_force(at_knots(q), at_knots(v), rim_, rule_, wall_force_);
-  inner_ += at_knots(wall_force_);
-}
-
 void RingTire::evaluate(const NodeValues& q, const NodeValues& v) {
   ++counts_.evaluations;
-  evaluate_inner(q, v);
+  inner_forces_.find_force(q, v, rim_, rule_, inner_);
   total_ = inner_;
   if (section_.on()) tread_.bend(section_);
   tread_.add_force(q, v, total_);
@@ -132,10 +123,9 @@ bool RingTire::factorize(const NodeValues& q,
                          double scale,
                          const StepRule& rule) {
   ++counts_.factorizations;
-  K_.set_zero();
-  add_mass(mass_factor, K_);
-  belt_.add_stiffness(q, rim_, scale, K_);
-  wall_.add_stiffness(at_knots(q), rim_, rule, scale, K_);
+  StiffnessRows& K = inner_forces_.find_stiffness(q, rim_, rule, scale);
+  K.add_at_knots((mass_factor * mass_).asDiagonal());
+  K.turn_back(rim_, K_);
   tread_.add_stiffness(scale, K_);
   if (!factor_.factorize(K_)) return false;
   if (!section_.on()) return true;
@@ -145,26 +135,21 @@ bool RingTire::factorize(const NodeValues& q,
 }
 
 CyclicBand RingTire::stiffness() {
-  K_.set_zero();
-  const StepRule statics;
-  belt_.add_stiffness(q_, rim_, 1.0, K_);
-  wall_.add_stiffness(at_knots(q_), rim_, statics, 1.0, K_);
+  inner_forces_.find_stiffness(q_, rim_, {}, 1.0).turn_back(rim_, K_);
   tread_.add_stiffness(1.0, K_);
   return K_;
 }
 
-void RingTire::add_mass(double factor, CyclicBand& K) const {
-  const Eigen::Matrix4d of_knot = (factor * mass_).asDiagonal();
-  for (int k = 0; k < angles_.nodes(); ++k) add_at_knot(of_knot, k, K);
-}
-
-NodeValues RingTire::times_mass(const NodeValues& a) const {
-  return at_knots(mass_.asDiagonal() * at_knots(a));
+void RingTire::times_mass(const NodeValues& a, NodeValues& force) const {
+  at_knots_and_back(a, force);
+  force = mass_.asDiagonal() * force;
 }
 
 double RingTire::energy() const {
-  const double kinetic = 0.5 * (v_.array() * times_mass(v_).array()).sum();
-  return kinetic + belt_.energy(q_, rim_) + wall_.energy(at_knots(q_), rim_) + tread_.energy(q_) +
+  NodeValues momentum;
+  times_mass(v_, momentum);
+  return 0.5 * (v_.array() * momentum.array()).sum() + inner_forces_.belt().energy(q_, rim_) +
+         inner_forces_.sidewall().energy(at_knots(q_), rim_) + tread_.energy(q_) +
          section_.energy();
 }
 
@@ -201,7 +186,7 @@ void RingTire::roll_on(const WheelMotion& motion) {
         motion.velocity + motion.angular_velocity.cross(x(0).head<3>() - motion.center);
     a_.col(k) = rate * rate * bend;
   }
-  force_ = times_mass(a_);
+  times_mass(a_, force_);
 }
 
 Result<HubForces> RingTire::advance(const WheelMotion& motion,
@@ -246,7 +231,7 @@ RingState RingTire::state() const {
           .rate = v_,
           .acceleration = a_,
           .force = force_,
-          .sidewall = wall_.memory(),
+          .sidewall = inner_forces_.sidewall().memory(),
           .tread = tread_.memory(),
           .section = section_.kept()};
 }
@@ -259,7 +244,7 @@ void RingTire::restore(const RingState& state) {
   v_ = state.rate;
   a_ = state.acceleration;
   force_ = state.force;
-  wall_.remember(state.sidewall);
+  inner_forces_.sidewall().remember(state.sidewall);
   tread_.remember(state.tread);
   section_.keep(state.section);
   reuse_.forget();
@@ -346,8 +331,9 @@ bool RingTire::renew_tangent() {
 void RingTire::balance() {
   const double theta = settings_.dissipation;
   follow();
-  evaluate_inner(q1_, v1_);
-  total_ = (times_mass(a1_) - theta * force_) / (1.0 - theta);
+  inner_forces_.find_force(q1_, v1_, rim_, rule_, inner_);
+  times_mass(a1_, inertia_);
+  total_ = (inertia_ - theta * force_) / (1.0 - theta);
 }
 
 /// The step is done.
@@ -356,7 +342,7 @@ void RingTire::accept() {
   v_ = v1_;
   a_ = a1_;
   force_ = total_;
-  wall_.commit(at_knots(q_), rim_, rule_);
+  inner_forces_.commit(q_, rim_, rule_);
   tread_.commit();
   if (section_.on()) section_.accept();
 }
@@ -394,7 +380,8 @@ std::string RingTire::solve_step(bool held, double time) {
   for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
     follow();
     evaluate(q1_, v1_);
-    residual_ = (1.0 - theta) * total_ + theta * force_ - times_mass(a1_);
+    times_mass(a1_, inertia_);
+    residual_ = (1.0 - theta) * total_ + theta * force_ - inertia_;
     const double left = left_at_a_node();
     if (!std::isfinite(left)) break;
     if (left <= settings_.tolerance) return {};

@@ -18,10 +18,9 @@
 
 #include <string>
 
-#include "models/ring_tire/belt/belt.h"
 #include "models/ring_tire/belt/belt_curve.h"
+#include "models/ring_tire/belt/inner_forces.h"
 #include "models/ring_tire/belt/section_bending.h"
-#include "models/ring_tire/belt/sidewall.h"
 #include "models/ring_tire/description/ring_parameters.h"
 #include "models/ring_tire/ring/ring_state.h"
 #include "models/ring_tire/ring/tangent_reuse.h"
@@ -140,17 +139,15 @@ class RingTire final : public Tire {
   double left_at_a_node() const;
   /// Of all together.
   double left_together() const;
-  void add_mass(double factor, CyclicBand& K) const;
   /// B' m B a of belt_curve.h.
-  NodeValues times_mass(const NodeValues& a) const;
+  void times_mass(const NodeValues& a, NodeValues& force) const;
   HubForces hub_forces(const Eigen::Matrix3d& carrier) const;
   void place_at_rest();
 
   RingParameters parameters_;
   RingSettings settings_;
   NodeAngles angles_;
-  BeltForces belt_;
-  SidewallForces wall_;
+  InnerForces inner_forces_;
   TreadContact tread_;
   SectionBending section_;
   Eigen::Vector4d mass_;
@@ -158,7 +155,7 @@ class RingTire final : public Tire {
   StepRule rule_;
   NodeValues q_, v_, force_;  // at the end of the last step; f of (15)
   NodeValues q1_, v1_, a1_, q_predicted_, v_predicted_, a_;
-  NodeValues inner_, wall_force_, total_, residual_;
+  NodeValues inner_, inertia_, total_, residual_;  // inertia: M a1
   CyclicBand K_;
   CyclicBandFactor factor_;
   TangentReuse reuse_;

@@ -10,6 +10,8 @@
 #include <functional>
 #include <numbers>
 
+#include "models/ring_tire/belt/belt_curve.h"
+#include "models/ring_tire/belt/belt_testing.h"
 #include "models/ring_tire/description/ring_parameters_testing.h"
 #include "models/ring_tire/ring/ring_modes.h"
 #include "models/road/plane_road.h"
@@ -115,10 +117,8 @@ MatrixXd stiffness_by_differences(const RingTire& tire) {
   const BeltForces belt(ring.belt, N);
   const SidewallForces wall(ring.sidewall, ring.belt.radius, N);
   const auto force = [&](const NodeValues& q) {
-    NodeValues f = NodeValues::Zero(4, N);
-    wall.add_force(at_knots(q), NodeValues::Zero(4, N), tire.rim(), {}, f);
-    f = at_knots(f);
-    belt.add_force(q, tire.rim(), f);
+    const NodeValues f =
+        force_of(belt, q, tire.rim()) + at_knots(force_of(wall, at_knots(q), tire.rim()));
     return Eigen::VectorXd(f.reshaped());
   };
   MatrixXd K(4 * N, 4 * N);

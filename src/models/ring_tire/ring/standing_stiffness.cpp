@@ -57,7 +57,7 @@ void TreadContact::add_sticking(const NodeValues& q, CyclicBand& K, CyclicBand& 
 
 RingTire::Linearized RingTire::linearized() const {
   const int nodes = angles_.nodes();
-  const SidewallForces::Losses losses = wall_.losses();
+  const SidewallForces::Losses losses = inner_forces_.sidewall().losses();
   Linearized tire{CyclicBand(nodes),
                   CyclicBand(nodes),
                   CyclicBand(nodes),
@@ -65,11 +65,12 @@ RingTire::Linearized RingTire::linearized() const {
                   losses.time_constant,
                   {},
                   {}};
-  add_mass(1.0, tire.mass);
-  belt_.add_stiffness(q_, rim_, 1.0, tire.stiffness);
-  SidewallForces wall = wall_;
-  wall.stick();
-  wall.add_stiffness(at_knots(q_), rim_, {}, 1.0, tire.stiffness);
+  StiffnessRows mass(nodes);
+  mass.add_at_knots(mass_.asDiagonal());
+  mass.turn_back(rim_, tire.mass);
+  InnerForces inner = inner_forces_;
+  inner.sidewall().stick();
+  inner.find_stiffness(q_, rim_, {}, 1.0).turn_back(rim_, tire.stiffness);
   for (int k = 0; k < nodes; ++k) {
     Matrix4d axes = Matrix4d::Identity();
     axes.block<3, 1>(0, 0) = angles_.radial(rim_, k);

@@ -102,7 +102,7 @@ Result<bool> RingTire::equilibrate(const road::Road& road, double time) {
     evaluate(q_, v1_);
     left = left_together();
     if (left <= settings_.static_tolerance) {
-      wall_.commit(at_knots(q_), rim_, rule_);
+      inner_forces_.commit(q_, rim_, rule_);
       tread_.commit();
       if (section_.on()) section_.accept();
       return true;
