@@ -376,7 +376,8 @@ std::string RingTire::step_forward(const WheelMotion& motion,
 std::string RingTire::solve_step(bool held, double time) {
   constexpr double kSlow = 0.2;  // a tangent that reduces less than to that is renewed
   const double theta = settings_.dissipation;
-  double last = std::numeric_limits<double>::infinity();
+  constexpr double kViolent = 1000.0;  // N, left at a node by the guess of a step
+  double last = std::numeric_limits<double>::infinity(), tolerance = settings_.tolerance;
   for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
     follow();
     evaluate(q1_, v1_);
@@ -384,7 +385,8 @@ std::string RingTire::solve_step(bool held, double time) {
     residual_ = (1.0 - theta) * total_ + theta * force_ - inertia_;
     const double left = left_at_a_node();
     if (!std::isfinite(left)) break;
-    if (left <= settings_.tolerance) return {};
+    if (iteration == 0) tolerance *= std::max(1.0, left / kViolent);
+    if (left <= tolerance) return {};
     const bool reduces = iteration > 0 && left <= kSlow * last;
     if (!reduces && !(held && iteration == 0)) {
       held = false;
@@ -397,7 +399,7 @@ std::string RingTire::solve_step(bool held, double time) {
       solve();
     q1_ += residual_;
     if (section_.on()) section_.set_values(section_.values() + section_.direction());
-    if (reduces && left <= settings_.tolerance / kSlow) {
+    if (reduces && left <= tolerance / kSlow) {
       balance();
       return {};
     }

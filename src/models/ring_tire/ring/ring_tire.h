@@ -31,7 +31,9 @@ namespace latsch::ring_tire {
 
 struct RingSettings {
   double dissipation = 0.05;       // θ, 0 .. 1/3
-  double tolerance = 0.1;          // N (m on torsion: per meter), largest force left at a node
+  // N (m on torsion: per meter), largest force left at a node; of more where a step begins with
+  // more than kilonewtons, the same share.
+  double tolerance = 0.1;
   double static_tolerance = 1e-3;  // N, all forces left together
   int halvings = 4;                // of a step that has no solution
   int most_iterations = 15;        // of Newton's method a step

@@ -148,10 +148,11 @@ void TreadContact::approach(const NodeValues& q,
     if (!near_road(q, rim, road, time, segment)) continue;
     add_patch(q, segment);
     Patch& patch = patches_.back();
-    if (!rule.statics() && is_level(patch, road, time))
-      find_level_blocks(patch);
+    const std::optional<Plane> plane = plane_below(0, lines_ - 1, road, time);
+    if (!rule.statics() && plane && plane->ground.normal == Vector3d::UnitZ())
+      find_level_blocks(patch, plane->ground);
     else
-      find_uneven_blocks(patch, road, time);
+      find_uneven_blocks(patch, plane, road, time);
     patch.begin = patch.begin / kWide * kWide;
     patch.end = std::min(stride_, (patch.end + kWide - 1) / kWide * kWide);
     if (patch.begin >= patch.end) {
@@ -179,19 +180,24 @@ road::GroundBox TreadContact::below(int first_line, int last_line) const {
   return {low.x() - room, high.x() + room, low.y() - room, high.y() + room};
 }
 
-bool TreadContact::is_level(Patch& patch, const road::Road& road, double time) const {
-  const road::GroundBox box = below(0, lines_ - 1);
-  if (!road.bounds(box, time).plane) return false;
-  const road::GroundPoint ground = road.at(0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1), time);
-  patch.level = ground.normal == Vector3d::UnitZ();
-  patch.ground = {.height = ground.height,
-                  .velocity = {ground.velocity.x(), ground.velocity.y(), ground.velocity.z()},
-                  .friction = ground.friction};
-  return patch.level;
+/// Where the road knows it to be one plane under some lines.
+std::optional<TreadContact::Plane> TreadContact::plane_below(int first_line,
+                                                             int last_line,
+                                                             const road::Road& road,
+                                                             double time) const {
+  const road::GroundBox box = below(first_line, last_line);
+  if (!road.bounds(box, time).plane) return std::nullopt;
+  const double x = 0.5 * (box.x0 + box.x1), y = 0.5 * (box.y0 + box.y1);
+  const road::GroundPoint ground = road.at(x, y, time);
+  return Plane{ground, ground.normal.dot(Vector3d(x, y, ground.height))};
 }
 
 /// Its blocks near the road: [begin, end).
-void TreadContact::find_level_blocks(Patch& patch) {
+void TreadContact::find_level_blocks(Patch& patch, const road::GroundPoint& ground) {
+  patch.level = true;
+  patch.ground = {.height = ground.height,
+                  .velocity = {ground.velocity.x(), ground.velocity.y(), ground.velocity.z()},
+                  .friction = ground.friction};
   double* lowest = at_stations(kStationColumns - 1);
   if (section_rise_.empty())
     lowest_tips(at_stations(kP), lines(), stride_, lowest);
@@ -206,14 +212,18 @@ void TreadContact::find_level_blocks(Patch& patch) {
   while (patch.end > patch.begin && lowest[patch.end - 1] > reach) --patch.end;
 }
 
-void TreadContact::find_uneven_blocks(Patch& patch, const road::Road& road, double time) {
+void TreadContact::find_uneven_blocks(Patch& patch,
+                                      const std::optional<Plane>& plane,
+                                      const road::Road& road,
+                                      double time) {
   const int whole = patch.end;
   patch.begin = whole;
   patch.end = 0;
   const std::size_t at = patches_.size() - 1;
   for (int line = 0; line < lines_; ++line) {
     for (int j = 0; j < whole; ++j) place_ground(at, line * stride_ + j, {}, -kNoRoad);
-    const auto [begin, end] = find_line(at, line, road, time);
+    const auto [begin, end] =
+        find_line(at, line, plane ? plane : plane_below(line, line, road, time), road, time);
     if (begin == end) continue;
     patch.begin = std::min(patch.begin, begin);
     patch.end = std::max(patch.end, end);
@@ -223,6 +233,7 @@ void TreadContact::find_uneven_blocks(Patch& patch, const road::Road& road, doub
 /// Blocks of one line near the road and the planes below them.
 std::pair<int, int> TreadContact::find_line(std::size_t patch,
                                             int line,
+                                            const std::optional<Plane>& plane,
                                             const road::Road& road,
                                             double time) {
   int begin = 0, end = blocks_;
@@ -230,13 +241,12 @@ std::pair<int, int> TreadContact::find_line(std::size_t patch,
     while (begin < end && above(begin)) ++begin;
     while (end > begin && above(end - 1)) --end;
   };
-  const road::GroundBox box = below(line, line);
-  if (road.bounds(box, time).plane) {
-    const double x = 0.5 * (box.x0 + box.x1), y = 0.5 * (box.y0 + box.y1);
-    const road::GroundPoint ground = road.at(x, y, time);
-    const double level = ground.normal.dot(Vector3d(x, y, ground.height));
-    narrow([&](int j) { return ground.normal.dot(tip(line, j)) > level + margin_; });
-    for (int j = begin; j < end; ++j) place_ground(patch, line * stride_ + j, ground, level);
+  if (plane) {
+    narrow([&](int j) {
+      return plane->ground.normal.dot(tip(line, j)) > plane->level + margin_;
+    });
+    for (int j = begin; j < end; ++j)
+      place_ground(patch, line * stride_ + j, plane->ground, plane->level);
   } else {
     narrow([&](int j) {
       const Vector3d at = tip(line, j);

@@ -22,6 +22,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -187,12 +188,27 @@ class TreadContact {
                  int segment) const;
   /// One more patch, all of a segment, with its frames; columns of (10) at_stations.
   void add_patch(const NodeValues& q, int segment);
-  bool is_level(Patch& patch, const road::Road& road, double time) const;
-  void find_level_blocks(Patch& patch);
-  void find_uneven_blocks(Patch& patch, const road::Road& road, double time);
+  /// The road under all of a patch, or of a line of it, where that is one plane.
+  struct Plane {
+    road::GroundPoint ground;
+    double level;  // N . G
+  };
+  std::optional<Plane> plane_below(int first_line,
+                                   int last_line,
+                                   const road::Road& road,
+                                   double time) const;
+  void find_level_blocks(Patch& patch, const road::GroundPoint& ground);
+  void find_uneven_blocks(Patch& patch,
+                          const std::optional<Plane>& plane,
+                          const road::Road& road,
+                          double time);
   void place_cells(
       std::size_t patch, int line, int begin, int end, const road::Road& road, double time);
-  std::pair<int, int> find_line(std::size_t patch, int line, const road::Road& road, double time);
+  std::pair<int, int> find_line(std::size_t patch,
+                                int line,
+                                const std::optional<Plane>& plane,
+                                const road::Road& road,
+                                double time);
   road::GroundBox below(int first_line, int last_line) const;
   void place_ground(std::size_t patch, int block, const road::GroundPoint& ground, double level);
   SegmentStations stations_of(std::size_t patch, const NodeValues& q, const NodeValues& v) const;
