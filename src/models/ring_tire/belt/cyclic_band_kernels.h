@@ -14,12 +14,17 @@ LATSCH_INLINE void subtract_product(double* C, const double* L, const double* A)
           C + 4 * c);
 }
 
-/// L = A S, S symmetric.
-LATSCH_INLINE void product(double* L, const double* A, const double* S) {
+/// A <- A S, S symmetric; `old` keeps A. By whole columns: copied by halves, A would be read back
+/// before its halves have met, at ten times the wait.
+LATSCH_INLINE void multiply(double* A, double* old, const double* S) {
   const Lanes4 a0 = lanes4(A), a1 = lanes4(A + 4), a2 = lanes4(A + 8), a3 = lanes4(A + 12);
+  store(a0, old);
+  store(a1, old + 4);
+  store(a2, old + 8);
+  store(a3, old + 12);
   for (int c = 0; c < 4; ++c) {
     const double* s = S + 4 * c;
-    store(a0 * s[0] + a1 * s[1] + (a2 * s[2] + a3 * s[3]), L + 4 * c);
+    store(a0 * s[0] + a1 * s[1] + (a2 * s[2] + a3 * s[3]), A + 4 * c);
   }
 }
 
@@ -78,8 +83,7 @@ LATSCH_INLINE bool eliminate(int k,
   Eigen::Matrix4d old[kColumn];
   for (int i = 0; i < kColumn; ++i) {
     if (i >= reach && i < kReach) continue;
-    old[i] = column[i];
-    product(column[i].data(), old[i].data(), inverse);
+    multiply(column[i].data(), old[i].data(), inverse);
   }
   for (int i = 0; i < reach; ++i) {
     subtract_product(diagonal[k + 1 + i].data(), column[i].data(), old[i].data());
@@ -106,8 +110,7 @@ bool eliminate_chain(int interior,
     if (!invert(border[4 * k].data())) return false;
     Eigen::Matrix4d old[3];
     for (int i = k + 1; i < 3; ++i) {
-      old[i] = border[3 * i + k];
-      product(border[3 * i + k].data(), old[i].data(), border[4 * k].data());
+      multiply(border[3 * i + k].data(), old[i].data(), border[4 * k].data());
     }
     for (int i = k + 1; i < 3; ++i)
       for (int j = k + 1; j <= i; ++j)
