@@ -1,10 +1,90 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a station's stiffness is to the four nodes of its segment (tread_stiffness.cpp).
-#include "numerics/kernels/kernel_lanes.h"
+#include "models/ring_tire/tread/block_lanes.h"
 
 namespace latsch::ring_tire::LATSCH_KERNELS {
 
-using namespace latsch::LATSCH_KERNELS;
+struct SymmetricLanes {
+  Lanes xx, xy, xz, yy, yz, zz;
+
+  LATSCH_INLINE Lanes3 operator*(const Lanes3& v) const {
+    return {xx * v.x + xy * v.y + xz * v.z,
+            xy * v.x + yy * v.y + yz * v.z,
+            xz * v.x + yz * v.y + zz * v.z};
+  }
+};
+
+LATSCH_INLINE SymmetricLanes symmetric_lanes(const double* columns, int stride, int j) {
+  const auto at = [&](int c) { return lanes(columns + c * stride + j); };
+  return {at(0), at(1), at(2), at(3), at(4), at(5)};
+}
+
+LATSCH_INLINE Lanes3 scaled(const Lanes& s, const Lanes3& v) { return {s * v.x, s * v.y, s * v.z}; }
+LATSCH_INLINE Lanes3 less(const Lanes3& a, const Lanes3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/// An entry of one matrix of eight stations.
+struct StationEntry {
+  StationStiffness* of;
+  LATSCH_INLINE void put(Eigen::Matrix4d StationStiffness::*matrix,
+                         int row,
+                         int column,
+                         const Lanes& value) const {
+    double each[8];
+    store(value, each);
+    for (int i = 0; i < 8; ++i) (of[i].*matrix).data()[4 * column + row] = each[i];
+  }
+};
+
+/// Of the stations of a span: sums K, y K and y² K of their blocks in 18 columns, their t, n, |x'|
+/// in seven.
+void find_station_stiffness(const BlockSpan& at,
+                            const double* sums,
+                            const double* frame,
+                            const double* axis,
+                            double height,
+                            StationStiffness* stations) {
+  for (int j = at.begin; j < at.end; j += kWide) {
+    const SymmetricLanes K = symmetric_lanes(sums, at.stride, j),
+                         Ky = symmetric_lanes(sums + 6 * at.stride, at.stride, j),
+                         Kyy = symmetric_lanes(sums + 12 * at.stride, at.stride, j);
+    const Lanes3 t = lanes3(frame, at.stride, j), n = lanes3(frame + 3 * at.stride, at.stride, j);
+    const Lanes3 a = {axis[0], axis[1], axis[2]};
+    const Lanes over = 1.0 / lanes(frame + 6 * at.stride + j), H = height;
+    // Columns of sum K D: how the summed force, and y times it, follow p, ν_n, ν_a and ψ.
+    const Lanes3 by_n = scaled(-H, K * t), by_a = scaled(-1.0, Ky * t);
+    const Lanes3 by_psi = less(scaled(H, K * a), Ky * n);
+    const Lanes3 y_by_a = scaled(-1.0, Kyy * t), y_by_psi = less(scaled(H, Ky * a), Kyy * n);
+    const Lanes nn = -(H * dot(t, by_n)), na = -(H * dot(t, by_a)), aa = -dot(t, y_by_a);
+    const Lanes n_psi = -(H * dot(t, by_psi)), a_psi = -dot(t, y_by_psi);
+    const Lanes psi_psi = H * dot(a, by_psi) - dot(n, y_by_psi);
+    const Lanes3 en3 = scaled(over, n), ea3 = scaled(over, a);
+    const StationEntry to{stations + j};
+    const Lanes k[3][3] = {{K.xx, K.xy, K.xz}, {K.xy, K.yy, K.yz}, {K.xz, K.yz, K.zz}};
+    const Lanes en[3] = {en3.x, en3.y, en3.z}, ea[3] = {ea3.x, ea3.y, ea3.z};
+    const Lanes bn[3] = {by_n.x, by_n.y, by_n.z}, ba[3] = {by_a.x, by_a.y, by_a.z},
+                bp[3] = {by_psi.x, by_psi.y, by_psi.z};
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c) {
+        const Lanes wd = bn[r] * en[c] + ba[r] * ea[c];
+        to.put(&StationStiffness::ww, r, c, k[r][c]);
+        to.put(&StationStiffness::wd, r, c, wd);
+        to.put(&StationStiffness::dw, c, r, wd);
+        to.put(&StationStiffness::dd,
+               r,
+               c,
+               nn * en[r] * en[c] + aa * ea[r] * ea[c] + na * (en[r] * ea[c] + ea[r] * en[c]));
+      }
+      const Lanes psi = n_psi * en[r] + a_psi * ea[r];
+      to.put(&StationStiffness::ww, r, 3, bp[r]);
+      to.put(&StationStiffness::ww, 3, r, bp[r]);
+      to.put(&StationStiffness::wd, 3, r, psi);
+      to.put(&StationStiffness::dw, r, 3, psi);
+    }
+    to.put(&StationStiffness::ww, 3, 3, psi_psi);
+  }
+}
 
 /// B += x X + y Y + z Z + u U.
 LATSCH_INLINE void add_scaled(double* B,
@@ -21,23 +101,25 @@ LATSCH_INLINE void add_scaled(double* B,
           B + c);
 }
 
-/// The ten pairs of the four nodes, pair (m, m') at 4 m + m'.
+/// The ten pairs of the four nodes, pair (m, m') at 4 m + m'; weights w and d of the station,
+/// `stride` apart.
 void add_pairs(const StationStiffness& M,
-               const double* w,
-               const double* d,
+               const double* weights,
+               int stride,
                Eigen::Matrix4d* pairs) {
-  const Eigen::Matrix4d dw = M.wd.transpose();
+  const auto w = [&](int m) { return weights[m * stride]; };
+  const auto d = [&](int m) { return weights[(4 + m) * stride]; };
   for (int m = 0; m < 4; ++m)
     for (int o = m; o < 4; ++o)
       add_scaled(pairs[4 * m + o].data(),
                  M.ww.data(),
-                 w[m] * w[o],
+                 w(m) * w(o),
                  M.wd.data(),
-                 w[m] * d[o],
-                 dw.data(),
-                 d[m] * w[o],
+                 w(m) * d(o),
+                 M.dw.data(),
+                 d(m) * w(o),
                  M.dd.data(),
-                 d[m] * d[o]);
+                 d(m) * d(o));
 }
 
 }  // namespace latsch::ring_tire::LATSCH_KERNELS

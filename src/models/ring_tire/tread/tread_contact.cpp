@@ -22,10 +22,6 @@ constexpr double kSteepest = 0.35;  // slope of the tread against the road where
 constexpr double kFar = 1e6;        // m, beyond any road's reach
 constexpr int kWide = 8;            // stations at once
 
-/// Stations of `blocks` that share a stiffness: a power of two, a twelfth of the segment at most.
-int stations_per_sum(int blocks) {
-  return blocks >= 96 ? 8 : blocks >= 48 ? 4 : blocks >= 24 ? 2 : 1;
-}
 }  // namespace
 
 TreadContact::TreadContact(const Tread& tread, double radius, int nodes)
@@ -33,7 +29,6 @@ TreadContact::TreadContact(const Tread& tread, double radius, int nodes)
       lines_(tread.lines),
       blocks_(tread.blocks),
       stride_((tread.blocks + kWide - 1) / kWide * kWide),
-      stations_per_sum_(stations_per_sum(tread.blocks)),
       half_cell_rise_(kSteepest * std::numbers::pi * radius / (nodes * tread.blocks)),
       height_(tread.height),
       half_width_(0.5 * tread.width),
@@ -70,6 +65,7 @@ TreadContact::TreadContact(const Tread& tread, double radius, int nodes)
   for (auto& tips : tip_) tips.resize(static_cast<std::size_t>(nodes) * lines_ * stride_);
   touches_.resize(tip_[0].size());
   stations_.resize(static_cast<std::size_t>(kStationColumns) * stride_);
+  station_stiffness_.resize(static_cast<std::size_t>(stride_));
 }
 
 void TreadContact::reset() {
@@ -221,7 +217,8 @@ void TreadContact::find_uneven_blocks(Patch& patch,
   patch.end = 0;
   const std::size_t at = patches_.size() - 1;
   for (int line = 0; line < lines_; ++line) {
-    for (int j = 0; j < whole; ++j) place_ground(at, line * stride_ + j, {}, -kNoRoad);
+    for (int c = kNormal; c <= kFriction; ++c)
+      std::fill_n(column(at, c) + line * stride_, whole, c == kLevel ? -kNoRoad : 0.0);
     const auto [begin, end] =
         find_line(at, line, plane ? plane : plane_below(line, line, road, time), road, time);
     if (begin == end) continue;

@@ -60,6 +60,12 @@ struct TreadMemory {
   bool operator==(const TreadMemory&) const = default;
 };
 
+/// What a station does to the four nodes of its segment, of weights w and derivatives d: node m on
+/// node o by w_m w_o ww + w_m d_o wd + d_m w_o dw + d_m d_o dd.
+struct StationStiffness {
+  Eigen::Matrix4d ww = Eigen::Matrix4d::Zero(), wd = ww, dw = ww, dd = ww;
+};
+
 class TreadContact {
  public:
   TreadContact(const Tread& tread, double radius, int nodes);
@@ -212,7 +218,6 @@ class TreadContact {
   road::GroundBox below(int first_line, int last_line) const;
   void place_ground(std::size_t patch, int block, const road::GroundPoint& ground, double level);
   SegmentStations stations_of(std::size_t patch, const NodeValues& q, const NodeValues& v) const;
-  void add_stations(std::size_t patch, int first, Eigen::Matrix4d* pairs);
   struct BlockState;     // touching_blocks.h
   struct Arms;           // block_arms.h
   struct StationBorder;  // section_contact.cpp
@@ -244,7 +249,6 @@ class TreadContact {
   BlockGround ground(std::size_t patch);
 
   int nodes_, lines_, blocks_, stride_;
-  int stations_per_sum_;   // stations whose stiffness is summed at one place
   double half_cell_rise_;  // m, the most by which a cell's end may be deeper than its middle
   double height_, half_width_, area_, normal_, tangential_, damping_time_, positive_;
   FrictionLaw law_;
@@ -266,6 +270,7 @@ class TreadContact {
   std::vector<Patch> patches_;  // around the ring
   std::vector<double> frames_, memory_, stations_;
   std::vector<std::uint8_t> entering_;  // of each eight stations of a patch
+  std::vector<StationStiffness> station_stiffness_;
 };
 
 }  // namespace latsch::ring_tire
