@@ -114,7 +114,8 @@ GroundBounds DrumRoad::bounds(const GroundBox& box, double time) const {
   const double farthest = std::max(std::abs(box.x0), std::abs(box.x1));
   const double x = up_ < 0.0 ? nearest : farthest;
   if (farthest > edge_x_) return {};
-  GroundBounds bounds{up_ * x * x / (R_ + std::sqrt(R_ * R_ - x * x)), false};
+  GroundBounds bounds{.highest = up_ * x * x / (R_ + std::sqrt(R_ * R_ - x * x))};
+  bool smooth = true;
   const double turned = settings_.surface.distance(time) / R_;
   const double first = std::asin(box.x0 / R_), last = std::asin(box.x1 / R_);
   for (int i = 0; i < std::ssize(settings_.cleats); ++i) {
@@ -124,9 +125,17 @@ GroundBounds DrumRoad::bounds(const GroundBox& box, double time) const {
     const double middle = cleat.starting_angle - turned;
     const double theta = middle - kTurn * std::round((middle - 0.5 * (first + last)) / kTurn);
     if (theta + lean1 + windows_[i] < first || theta + lean0 - windows_[i] > last) continue;
+    smooth = false;
     bounds.highest =
         std::max(bounds.highest, highest(cleat, box.x0, box.x1, theta + lean0, theta + lean1));
   }
+  if (smooth)
+    bounds.cylinder = Cylinder{.x = 0.0,
+                               .z = up_ * R_,
+                               .radius = R_,
+                               .up = up_,
+                               .rate = up_ * settings_.surface.speed(time) / R_,
+                               .friction = settings_.friction};
   return bounds;
 }
 

@@ -51,6 +51,7 @@ GroundBounds PlacedRoad::bounds(const GroundBox& box, double time) const {
   }
   GroundBounds bounds = road_->bounds({low.x(), high.x(), low.y(), high.y()}, time);
   bounds.highest += origin_.z();
+  bounds.cylinder.reset();  // its axis is parallel to y no more
   return bounds;
 }
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <optional>
 
 namespace latsch::road {
 
@@ -22,10 +23,20 @@ struct GroundBox {
   double x0, x1, y0, y1;
 };
 
+/// A smooth drum: a cylinder about an axis parallel to y that turns about it.
+struct Cylinder {
+  double x, z;      // m, of the axis
+  double radius;    // m
+  double up;        // 1 where the ground lies below the axis, the drum's inside; else -1
+  double rate;      // rad/s, about y
+  double friction;  // factor
+};
+
 /// What a road can say at once about all of a rectangle.
 struct GroundBounds {
   double highest = std::numeric_limits<double>::infinity();  // m: no point of it is higher
   bool plane = false;  // all of it is the plane and the friction that `at` finds in its middle
+  std::optional<Cylinder> cylinder = std::nullopt;  // all of it is that
 };
 
 class Road {

@@ -2,6 +2,8 @@
 // Roads against the geometry they are drawn from.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <numbers>
 
@@ -287,7 +289,7 @@ TEST(Road, BoundsHoldInTheWholeBox) {
   const TriangleRoad level(hilly_mesh(0.0)), hills(hilly_mesh(0.01));
   const CrgRoad grid(banked_grid());
   RandomStream random(3, 1);
-  int planes = 0;
+  int planes = 0, cylinders = 0;
   for (const Road* road : std::initializer_list<const Road*>{&drum,
                                                              &inner,
                                                              &straight,
@@ -311,12 +313,23 @@ TEST(Road, BoundsHoldInTheWholeBox) {
         const double px = x + a * random.uniform(), py = y + b * random.uniform();
         const GroundPoint point = road->at(px, py, t);
         EXPECT_LE(point.height, bounds.highest + 1e-12);
+        if (bounds.cylinder) {
+          const Cylinder& drum = *bounds.cylinder;
+          const Eigen::Vector3d arm(px - drum.x, 0.0, point.height - drum.z);
+          const Eigen::Vector3d rate(0.0, drum.rate, 0.0);
+          EXPECT_NEAR(arm.norm(), drum.radius, 1e-12);
+          EXPECT_LT((point.normal + drum.up * arm / drum.radius).norm(), 1e-12);
+          EXPECT_LT((point.velocity - rate.cross(arm)).norm(), 1e-12);
+          EXPECT_EQ(point.friction, drum.friction);
+          ++cylinders;
+        }
         if (!bounds.plane) continue;
         EXPECT_NEAR(middle.normal.dot(Eigen::Vector3d(px, py, point.height) - G), 0.0, 1e-12);
         EXPECT_EQ(point.friction, middle.friction);
       }
     }
   EXPECT_GT(planes, 500);
+  EXPECT_GT(cylinders, 5000);
 }
 
 // Against a sum of many heights; where edges are vertical no sum of few would do.

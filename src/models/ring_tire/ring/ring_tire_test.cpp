@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "models/ring_tire/description/ring_parameters_testing.h"
+#include "models/road/drum_road.h"
+#include "models/road/kerb.h"
 #include "models/road/plane_road.h"
 #include "models/road/profile_road.h"
 #include "numerics/kernels/kernel_set.h"
@@ -276,18 +278,19 @@ TEST(RingTire, IsOfOrderTwoInRolling) {
 /// A road that says nothing of what it looks like around a point.
 class SilentRoad final : public road::Road {
  public:
+  explicit SilentRoad(const road::Road& road) : road_(road) {}
   road::GroundPoint at(double x, double y, double time) const override {
-    return plane_.at(x, y, time);
+    return road_.at(x, y, time);
   }
 
  private:
-  road::PlaneRoad plane_;
+  const road::Road& road_;
 };
 
 // Level ground has a shorter way to the same forces.
 TEST(RingTire, RollsOnLevelGroundAsOnAnyGround) {
-  const SilentRoad silent;
   const road::PlaneRoad plane;
+  const SilentRoad silent(plane);
   HubForces forces[2];
   for (int i : {0, 1}) {
     const road::Road& road = i == 0 ? static_cast<const road::Road&>(silent) : plane;
@@ -374,6 +377,45 @@ TEST(RingTire, RegressionOverAnObliqueCleat) {
     EXPECT_LT((hub.force - at.force).norm(), 1e-3 * at.force.norm()) << at.steps;
     EXPECT_LT((hub.moment - at.moment).norm(), 1e-3 * at.force.norm()) << at.steps;
   }
+}
+
+// What a road says of rectangles saves time and changes nothing: drum, plane and kerb with it and
+// without, blocks that do not fill their lanes included.
+TEST(RingTire, WhatARoadSaysOfRectanglesChangesNoForce) {
+  const road::DrumRoad outside({.diameter = 2.5, .surface = 12.0}),
+      inside({.diameter = 3.0, .inner = true, .surface = 12.0});
+  const road::PlaneRoad slope({.grade = 0.05, .bank = -0.03});
+  const road::ProfileRoad kerb = road::kerb_road({.shape = road::Kerb::Shape::triangle,
+                                                  .pitch = 0.4,
+                                                  .height = -0.01,
+                                                  .start = {0.05, -0.4}});
+  for (const int blocks : {8, 10})
+    for (const road::Road* road :
+         std::initializer_list<const road::Road*>{&outside, &inside, &slope, &kerb}) {
+      const bool drum = road == &outside || road == &inside;
+      const SilentRoad silent(*road);
+      RingParameters ring = passenger_ring();
+      ring.tread.blocks = blocks;
+      RingTire known(ring, {.tolerance = 1e-6}), asked(ring, {.tolerance = 1e-6});
+      WheelMotion motion;
+      motion.carrier = Eigen::AngleAxisd(0.03, Eigen::Vector3d::UnitX()).toRotationMatrix();
+      motion.center.z() = known.free_radius() - 0.02;
+      motion.spin_rate = 12.0 / 0.308;
+      if (!drum) motion.velocity.x() = 12.0;
+      ASSERT_TRUE(known.settle(motion, *road, 0.0));
+      ASSERT_TRUE(asked.settle(motion, silent, 0.0));
+      const double h = 5e-4;
+      for (int i = 1; i <= 40; ++i) {
+        motion.center += h * motion.velocity;
+        motion.spin += h * motion.spin_rate;
+        const auto by_bounds = known.advance(motion, *road, i * h, h);
+        const auto by_points = asked.advance(motion, silent, i * h, h);
+        ASSERT_TRUE(by_bounds && by_points);
+        // The mean height over a cell is exact here, there a sum.
+        EXPECT_LT((by_bounds->force - by_points->force).norm(), 1e-3 * by_points->force.norm())
+            << "step " << i;
+      }
+    }
 }
 
 }  // namespace

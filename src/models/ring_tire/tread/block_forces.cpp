@@ -22,6 +22,15 @@ void lowest_tips(const double* columns, const BlockLines& lines, int stride, dou
   LATSCH_KERNEL(lowest_tips)(columns, lines, stride, z);
 }
 
+void drum_planes(const BlockSpan& at,
+                 int first,
+                 const double* x,
+                 double cell,
+                 const road::Cylinder& drum,
+                 const BlockGround& ground) {
+  LATSCH_KERNEL(drum_planes)(at, first, x, cell, drum, ground);
+}
+
 void find_entering(const BlockSpan& at, int lines, const double* touches, std::uint8_t* entering) {
   LATSCH_KERNEL(find_entering)(at, lines, touches, entering);
 }

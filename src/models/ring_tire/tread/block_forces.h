@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "models/ring_tire/tread/tread_friction.h"
+#include "models/road/road.h"
 
 namespace latsch::ring_tire {
 
@@ -94,6 +95,15 @@ void station_columns(const SegmentStations& at, double* columns);
 
 /// z of the lowest of the lines' tips at all stations, `columns` from station_columns.
 void lowest_tips(const double* columns, const BlockLines& lines, int stride, double* z);
+
+/// The planes of a drum's surface below blocks at x, whose cells are `cell` long, from block
+/// `first` on.
+void drum_planes(const BlockSpan& at,
+                 int first,
+                 const double* x,
+                 double cell,
+                 const road::Cylinder& drum,
+                 const BlockGround& ground);
 
 void find_entering(const BlockSpan& at, int lines, const double* touches, std::uint8_t* entering);
 

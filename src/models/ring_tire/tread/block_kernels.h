@@ -257,6 +257,33 @@ void lowest_tips(const double* columns, const BlockLines& of, int stride, double
   }
 }
 
+void drum_planes(const BlockSpan& at,
+                 int first,
+                 const double* places,
+                 double cell,
+                 const road::Cylinder& drum,
+                 const BlockGround& ground) {
+  const double R2 = drum.radius * drum.radius;
+  for (int j = at.begin; j < at.end; j += kWide) {
+    const int block = first + j;
+    const Lanes x = lanes(places + j), from_axis = x - drum.x;
+    const Lanes depth = sqrt(R2 - from_axis * from_axis), over = 1.0 / depth;
+    const Lanes slope = drum.up * from_axis * over, cosine = depth * (1.0 / drum.radius);
+    // Of second derivative up R²/depth³: its mean over the cell is by 1/24 of the length squared
+    // off that in the middle.
+    const Lanes bow = (drum.up * R2 * cell * cell * (1.0 / 24.0)) * over * over * over;
+    const Lanes z = drum.z - drum.up * depth + bow;
+    store(-slope * cosine, ground.N[0] + block);
+    store(all(0.0), ground.N[1] + block);
+    store(cosine, ground.N[2] + block);
+    store(cosine * (z - slope * x), ground.level + block);
+    store(drum.rate * (z - drum.z), ground.velocity[0] + block);
+    store(all(0.0), ground.velocity[1] + block);
+    store(-drum.rate * from_axis, ground.velocity[2] + block);
+    store(all(drum.friction), ground.friction + block);
+  }
+}
+
 void keep_tips(const BlockSpan& at,
                int count,
                const BlockResults& results,

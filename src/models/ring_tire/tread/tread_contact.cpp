@@ -144,11 +144,12 @@ void TreadContact::approach(const NodeValues& q,
     if (!near_road(q, rim, road, time, segment)) continue;
     add_patch(q, segment);
     Patch& patch = patches_.back();
-    const std::optional<Plane> plane = plane_below(0, lines_ - 1, road, time);
+    const Ground ground = ground_below(0, lines_ - 1, road, time);
+    const Plane* plane = std::get_if<Plane>(&ground);
     if (!rule.statics() && plane && plane->ground.normal == Vector3d::UnitZ())
       find_level_blocks(patch, plane->ground);
     else
-      find_uneven_blocks(patch, plane, road, time);
+      find_uneven_blocks(patch, ground, road, time);
     patch.begin = patch.begin / kWide * kWide;
     patch.end = std::min(stride_, (patch.end + kWide - 1) / kWide * kWide);
     if (patch.begin >= patch.end) {
@@ -176,13 +177,15 @@ road::GroundBox TreadContact::below(int first_line, int last_line) const {
   return {low.x() - room, high.x() + room, low.y() - room, high.y() + room};
 }
 
-/// Where the road knows it to be one plane under some lines.
-std::optional<TreadContact::Plane> TreadContact::plane_below(int first_line,
-                                                             int last_line,
-                                                             const road::Road& road,
-                                                             double time) const {
+/// What the road knows of all that is under some lines.
+TreadContact::Ground TreadContact::ground_below(int first_line,
+                                                int last_line,
+                                                const road::Road& road,
+                                                double time) const {
   const road::GroundBox box = below(first_line, last_line);
-  if (!road.bounds(box, time).plane) return std::nullopt;
+  const road::GroundBounds bounds = road.bounds(box, time);
+  if (bounds.cylinder) return *bounds.cylinder;
+  if (!bounds.plane) return {};
   const double x = 0.5 * (box.x0 + box.x1), y = 0.5 * (box.y0 + box.y1);
   const road::GroundPoint ground = road.at(x, y, time);
   return Plane{ground, ground.normal.dot(Vector3d(x, y, ground.height))};
@@ -209,18 +212,20 @@ void TreadContact::find_level_blocks(Patch& patch, const road::GroundPoint& grou
 }
 
 void TreadContact::find_uneven_blocks(Patch& patch,
-                                      const std::optional<Plane>& plane,
+                                      const Ground& ground,
                                       const road::Road& road,
                                       double time) {
   const int whole = patch.end;
   patch.begin = whole;
   patch.end = 0;
   const std::size_t at = patches_.size() - 1;
+  const bool known = !std::holds_alternative<std::monostate>(ground);
   for (int line = 0; line < lines_; ++line) {
-    for (int c = kNormal; c <= kFriction; ++c)
-      std::fill_n(column(at, c) + line * stride_, whole, c == kLevel ? -kNoRoad : 0.0);
-    const auto [begin, end] =
-        find_line(at, line, plane ? plane : plane_below(line, line, road, time), road, time);
+    const Ground own = known ? ground : ground_below(line, line, road, time);
+    if (!std::holds_alternative<road::Cylinder>(own))
+      for (int c = kNormal; c <= kFriction; ++c)
+        std::fill_n(column(at, c) + line * stride_, whole, c == kLevel ? -kNoRoad : 0.0);
+    const auto [begin, end] = find_line(at, line, own, road, time);
     if (begin == end) continue;
     patch.begin = std::min(patch.begin, begin);
     patch.end = std::max(patch.end, end);
@@ -230,7 +235,7 @@ void TreadContact::find_uneven_blocks(Patch& patch,
 /// Blocks of one line near the road and the planes below them.
 std::pair<int, int> TreadContact::find_line(std::size_t patch,
                                             int line,
-                                            const std::optional<Plane>& plane,
+                                            const Ground& ground,
                                             const road::Road& road,
                                             double time) {
   int begin = 0, end = blocks_;
@@ -238,12 +243,22 @@ std::pair<int, int> TreadContact::find_line(std::size_t patch,
     while (begin < end && above(begin)) ++begin;
     while (end > begin && above(end - 1)) --end;
   };
-  if (plane) {
+  if (const Plane* plane = std::get_if<Plane>(&ground)) {
     narrow([&](int j) {
       return plane->ground.normal.dot(tip(line, j)) > plane->level + margin_;
     });
     for (int j = begin; j < end; ++j)
       place_ground(patch, line * stride_ + j, plane->ground, plane->level);
+  } else if (const road::Cylinder* drum = std::get_if<road::Cylinder>(&ground)) {
+    place_drum(patch, line, *drum);
+    const BlockGround planes = this->ground(patch);
+    narrow([&](int j) {
+      const int block = line * stride_ + j;
+      const Vector3d N(planes.N[0][block], planes.N[1][block], planes.N[2][block]);
+      return N.dot(tip(line, j)) > planes.level[block] + margin_;
+    });
+    for (int j = 0; j < stride_; ++j)
+      if (j < begin || j >= end) planes.level[line * stride_ + j] = -kNoRoad;
   } else {
     narrow([&](int j) {
       const Vector3d at = tip(line, j);
@@ -252,6 +267,16 @@ std::pair<int, int> TreadContact::find_line(std::size_t patch,
     place_cells(patch, line, begin, end, road, time);
   }
   return {begin, end};
+}
+
+/// Below each block of a line the plane that its cell sees on a drum: the tangent, at the mean
+/// height over the cell.
+void TreadContact::place_drum(std::size_t patch, int line, const road::Cylinder& drum) {
+  double* const x = at_stations(kStationColumns - 1);
+  for (int j = 0; j < stride_; ++j) x[j] = tip(line, std::min(j, blocks_ - 1)).x();
+  const double cell = blocks_ > 1 ? (x[blocks_ - 1] - x[0]) / (blocks_ - 1) : 0.0;
+  drum_planes(
+      {stride_, 0, stride_}, line * stride_, x, cell, drum, ground(patch));
 }
 
 /// Below each block the plane that its cell sees on an uneven road: its mean height, its slope

@@ -22,8 +22,8 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "models/ring_tire/belt/cyclic_band.h"
@@ -194,27 +194,26 @@ class TreadContact {
                  int segment) const;
   /// One more patch, all of a segment, with its frames; columns of (10) at_stations.
   void add_patch(const NodeValues& q, int segment);
-  /// The road under all of a patch, or of a line of it, where that is one plane.
+  /// The road under all of a patch, or of a line of it, where that is one plane or drum.
   struct Plane {
     road::GroundPoint ground;
     double level;  // N . G
   };
-  std::optional<Plane> plane_below(int first_line,
-                                   int last_line,
-                                   const road::Road& road,
-                                   double time) const;
+  using Ground = std::variant<std::monostate, Plane, road::Cylinder>;
+  Ground ground_below(int first_line, int last_line, const road::Road& road, double time) const;
   void find_level_blocks(Patch& patch, const road::GroundPoint& ground);
   void find_uneven_blocks(Patch& patch,
-                          const std::optional<Plane>& plane,
+                          const Ground& ground,
                           const road::Road& road,
                           double time);
   void place_cells(
       std::size_t patch, int line, int begin, int end, const road::Road& road, double time);
   std::pair<int, int> find_line(std::size_t patch,
                                 int line,
-                                const std::optional<Plane>& plane,
+                                const Ground& ground,
                                 const road::Road& road,
                                 double time);
+  void place_drum(std::size_t patch, int line, const road::Cylinder& drum);
   road::GroundBox below(int first_line, int last_line) const;
   void place_ground(std::size_t patch, int block, const road::GroundPoint& ground, double level);
   SegmentStations stations_of(std::size_t patch, const NodeValues& q, const NodeValues& v) const;
