@@ -10,6 +10,7 @@
 #include "models/ring_tire/ring/ring_tire.h"
 #include "models/road/plane_road.h"
 #include "models/road/profile_road.h"
+#include "ring_kerb.h"
 #include "table.h"
 #include "yardstick.h"
 
@@ -285,6 +286,9 @@ int ring_speed() {
             fmt::format("{:.1e} of the load's", growth),
             "<= 0",
             growth <= 0.0);
+  benchmarks::kerb_rows(table);
+  benchmarks::car_row(table);
+  benchmarks::drum_row(table);
   ripple_rows(table);
   state_row(table);
   const double order = order_on_a_smooth_road();

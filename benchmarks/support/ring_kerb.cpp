@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ring_kerb.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "models/ring_tire/description/ring_parameters_testing.h"
+#include "models/ring_tire/ring/ring_tire.h"
+#include "models/road/drum_road.h"
+#include "models/road/kerb.h"
+#include "models/road/plane_road.h"
+#include "yardstick.h"
+
+namespace latsch::benchmarks {
+namespace {
+
+using namespace ring_tire;
+
+constexpr double kStep = 2e-4, kSpeed = 60.0, kDuration = 0.09;
+constexpr double kSample = 1e-3;  // s, between forces compared
+constexpr int kRounds = 15;
+
+RingParameters ring_of(int nodes, int blocks, int lines) {
+  RingParameters ring = passenger_ring();
+  ring.nodes = nodes;
+  ring.sidewall.radial.dynamic_stiffening = 0.2;
+  ring.sidewall.tangential.dynamic_stiffening = 0.05;
+  ring.tread.lines = lines;
+  ring.tread.blocks = blocks;
+  ring.tread.damping_time = 1e-4;
+  return ring;
+}
+
+/// What the rows are measured with.
+RingParameters small_ring() { return ring_of(60, 8, 6); }
+
+/// Four valleys one after the other, each 0.8 m long, 0.8 m wide and 25 mm deep.
+road::ProfileRoad kerb() {
+  return road::kerb_road({.shape = road::Kerb::Shape::triangle,
+                          .pitch = 0.8,
+                          .width = 0.8,
+                          .height = -0.025,
+                          .count = 4,
+                          .start = {1.0, -0.4}});
+}
+
+WheelMotion rolling(const RingTire& tire, double speed) {
+  WheelMotion motion;
+  motion.center.z() = tire.free_radius() - 0.022;
+  motion.velocity.x() = speed;
+  motion.spin_rate = speed / 0.3085;
+  return motion;
+}
+
+struct Run {
+  double time;  // CPU time over simulated time
+  std::vector<double> Fx, Fz;
+};
+
+/// Nothing where the ring finds no state. `on_drum`: the hub stands.
+std::optional<Run> roll(const RingParameters& ring,
+                        const RingSettings& settings,
+                        const road::Road& road,
+                        double speed,
+                        double step,
+                        bool on_drum = false) {
+  RingTire tire(ring, settings);
+  WheelMotion motion = rolling(tire, speed);
+  if (on_drum) motion.velocity.setZero();
+  if (!tire.settle(motion, road, 0.0)) return std::nullopt;
+  const int steps = static_cast<int>(std::lround(kDuration / step)),
+            every = static_cast<int>(std::lround(kSample / step));
+  Run run{};
+  const double start = cpu_time();
+  for (int i = 1; i <= steps; ++i) {
+    motion.center += step * motion.velocity;
+    motion.spin += step * motion.spin_rate;
+    const auto hub = tire.advance(motion, road, i * step, step);
+    if (!hub) return std::nullopt;
+    if (i % every != 0) continue;
+    run.Fx.push_back(hub->force.x());
+    run.Fz.push_back(hub->force.z());
+  }
+  run.time = (cpu_time() - start) / kDuration;
+  return run;
+}
+
+double rms(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+}  // namespace
+
+void kerb_rows(Table& table) {
+  const road::ProfileRoad road = kerb();
+  const auto refined = roll(ring_of(320, 20, 10), {.tolerance = 1e-2}, road, kSpeed, 2.5e-5);
+  const auto coarse = roll(ring_of(80, 50, 10), {}, road, kSpeed, 5e-4);
+  auto ring = roll(small_ring(), {}, road, kSpeed, kStep);
+  if (!refined || !coarse || !ring) {
+    table.row("ring over a kerb", "no state found", "runs", false);
+    return;
+  }
+  for (int round = 1; round < kRounds; ++round)
+    ring->time = std::min(ring->time, roll(small_ring(), {}, road, kSpeed, kStep)->time);
+  const double Fx = rms(ring->Fx, refined->Fx), Fz = rms(ring->Fz, refined->Fz);
+  table.row("60 segments x 8 blocks x 6 lines, 0.2 ms, 60 m/s over a kerb of 25 mm",
+            fmt::format("{:.3f} x real time", ring->time),
+            "<= 0.2",
+            ring->time <= 0.2);
+  table.row("off the refined solution (rms): Fx, Fz, of those of 80 x 50 x 10 at 0.5 ms",
+            fmt::format("{:.0f}, {:.0f} N, {:.2f}, {:.2f}",
+                        Fx,
+                        Fz,
+                        Fx / rms(coarse->Fx, refined->Fx),
+                        Fz / rms(coarse->Fz, refined->Fz)),
+            "<= 1",
+            Fx <= rms(coarse->Fx, refined->Fx) && Fz <= rms(coarse->Fz, refined->Fz));
+}
+
+void car_row(Table& table) {
+  const road::ProfileRoad road = kerb();
+  double least = 1e9;
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<RingTire> tires(4, RingTire(small_ring()));
+    std::vector<WheelMotion> motions;
+    for (int i = 0; i < 4; ++i) {
+      motions.push_back(rolling(tires[i], kSpeed));
+      motions[i].center += Eigen::Vector3d(i < 2 ? 0.0 : -2.6, i % 2 == 0 ? 0.0 : 1.6, 0.0);
+      if (!tires[i].settle(motions[i], road, 0.0)) return table.row("car", "stands", "no", false);
+    }
+    const int steps = static_cast<int>(std::lround(kDuration / kStep));
+    const double start = cpu_time();
+    for (int i = 1; i <= steps; ++i)
+      for (std::size_t k = 0; k < tires.size(); ++k) {
+        motions[k].center += kStep * motions[k].velocity;
+        motions[k].spin += kStep * motions[k].spin_rate;
+        if (!tires[k].advance(motions[k], road, i * kStep, kStep))
+          return table.row("four rings at 5 kHz", "no state found", "runs", false);
+      }
+    least = std::min(least, (cpu_time() - start) / kDuration);
+  }
+  table.row("four rings at 5 kHz and 60 m/s, two over the kerb, two beside it, one core",
+            fmt::format("real time x {:.2f}", 1.0 / least),
+            ">= 1.5",
+            1.0 / least >= 1.5);
+}
+
+void drum_row(Table& table) {
+  constexpr double kRolling = 60.0 / 3.6;
+  const road::DrumRoad drum({.diameter = 2.5, .surface = kRolling});
+  const road::PlaneRoad flat;
+  const RingParameters ring = ring_of(100, 12, 10);
+  double on_drum = 1e9, on_flat = 1e9;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto a = roll(ring, {}, drum, kRolling, kStep, true);
+    const auto b = roll(ring, {}, flat, kRolling, kStep);
+    if (!a || !b) return table.row("drum", "no state found", "runs", false);
+    on_drum = std::min(on_drum, a->time);
+    on_flat = std::min(on_flat, b->time);
+  }
+  table.row("drum in place of a flat road, 100 x 12 x 10, 0.2 ms",
+            fmt::format("{:.2f} x the time", on_drum / on_flat),
+            "<= 1.2",
+            on_drum <= 1.2 * on_flat);
+}
+
+}  // namespace latsch::benchmarks

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of ring_speed: the ring over a kerb, four of them under a car, a drum in place of a road.
+#pragma once
+
+#include "table.h"
+
+namespace latsch::benchmarks {
+
+/// One ring in steps of 0.2 ms at 60 m/s over a kerb 25 mm deep, and how far it is from the refined
+/// solution, beside 80 segments x 50 blocks x 10 lines in steps of 0.5 ms.
+void kerb_rows(Table& table);
+/// Two rings over that kerb, two beside it, in steps of 0.2 ms.
+void car_row(Table& table);
+/// A smooth drum, beside a flat road.
+void drum_row(Table& table);
+
+}  // namespace latsch::benchmarks
