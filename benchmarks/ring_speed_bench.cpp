@@ -235,7 +235,7 @@ void state_row(benchmarks::Table& table) {
     const RingState state = tire.state();
     for (int k = 0; k < kCopies; ++k) {
       tire.restore(state);
-      same = same && tire.state().tread.tips.size() == state.tread.tips.size();
+      same = same && tire.state().place.cols() == state.place.cols();
     }
     copy += (benchmarks::cpu_time() - stepped) / kCopies;
     step += stepped - start;

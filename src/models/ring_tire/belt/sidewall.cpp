@@ -73,7 +73,9 @@ void SidewallForces::reset() {
   const int nodes = angles_.nodes();
   memory_.travel = Eigen::Matrix3Xd::Zero(3, nodes);
   memory_.maxwell = Eigen::Matrix3Xd::Zero(3, nodes);
-  memory_.slip = Eigen::Matrix<double, kFrictions, Eigen::Dynamic>::Zero(kFrictions, nodes);
+  const bool rubs = std::any_of(
+      std::begin(friction_), std::end(friction_), [](const Friction& f) { return f.k > 0.0; });
+  memory_.slip.setZero(kFrictions, rubs ? nodes : 0);
 }
 
 Vector3d SidewallForces::travel(const NodeValues& q, const RimFrame& rim, int k) const {
@@ -215,6 +217,7 @@ void SidewallForces::commit(const RimRows& at, const StepRule& rule) {
     (nodes, half_step(rule), &memory_.travel(i, 0), &u(i, 0), &memory_.maxwell(i, 0));
     for (int i = 0; i < kFrictions; ++i) {
       const Friction& f = friction_[i];
+      if (f.k == 0.0) continue;
       LATSCH_KERNEL(go_on_friction)
       (nodes,
        most_stretch(f),
@@ -239,7 +242,8 @@ double SidewallForces::energy(const NodeValues& q, const RimFrame& rim) const {
              (0.5 * u[0] * u[0] -
               up * up * (ratio * std::atan(ratio) - 0.5 * std::log1p(ratio * ratio)));
     for (int i = 0; i < kFrictions; ++i)
-      sum += 0.5 * friction_[i].k * memory_.slip(i, k) * memory_.slip(i, k);
+      if (friction_[i].k > 0.0)
+        sum += 0.5 * friction_[i].k * memory_.slip(i, k) * memory_.slip(i, k);
     const double twist = q(3, k) - torsion_by_lateral_ * u[2];
     sum += 0.5 * torsion_ * twist * twist;
   }

@@ -40,7 +40,7 @@ class SidewallForces {
   struct Memory {
     Travels travel;                                                           // m
     Travels maxwell;                                                          // u - u_i of (6), m
-    Eigen::Matrix<double, kFrictions, Eigen::Dynamic, Eigen::RowMajor> slip;  // stretch of (8), m
+    Eigen::Matrix<double, kFrictions, Eigen::Dynamic, Eigen::RowMajor> slip;  // stretch of (8), m; none: empty
 
     bool operator==(const Memory&) const = default;
   };

@@ -107,8 +107,8 @@ TEST_P(RingStateOn, IsAsItWasAfterAStepThatFails) {
 // Of the tread the patch alone.
 TEST_P(RingStateOn, IsSmall) {
   const RingState state = before_the_cleat().state();
-  EXPECT_GT(state.tread.tips.size(), 400u);
-  EXPECT_LT(state.tread.tips.size(), 4u * 80u * 6u * 16u / 4u);
+  EXPECT_GT(state.tread.tips()->columns.size(), 400u);
+  EXPECT_LT(state.tread.tips()->columns.size(), 4u * 80u * 6u * 16u / 4u);
 }
 
 }  // namespace

@@ -62,15 +62,13 @@ TreadContact::TreadContact(const Tread& tread, double radius, int nodes)
     lift_[static_cast<std::size_t>(j)] = j < blocks_ ? 0.0 : kFar;
     share_[static_cast<std::size_t>(j)] = s;
   }
-  for (auto& tips : tip_) tips.resize(static_cast<std::size_t>(nodes) * lines_ * stride_);
-  touches_.resize(tip_[0].size());
+  none_.resize(static_cast<std::size_t>(lines_ * stride_), 0.0);
   stations_.resize(static_cast<std::size_t>(kStationColumns) * stride_);
   station_stiffness_.resize(static_cast<std::size_t>(stride_));
 }
 
 void TreadContact::reset() {
-  std::fill(touches_.begin(), touches_.end(), 0.0);
-  touched_.clear();
+  tips_.reset();
   patches_.clear();
 }
 
@@ -159,7 +157,7 @@ void TreadContact::approach(const NodeValues& q,
     entering_.resize(patches_.size() * static_cast<std::size_t>(stride_ / kWide));
     find_entering({stride_, patch.begin, patch.end},
                   lines_,
-                  &touches_[place(segment)],
+                  before(segment, TreadTips::kShare),
                   entering(patches_.size() - 1));
   }
 }
@@ -369,11 +367,11 @@ void TreadContact::add_force(const NodeValues& q, const NodeValues& v, NodeValue
   const BlockLaw law = block_law();
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     const Patch& patch = patches_[i];
-    const std::size_t first = place(patch.segment);
+    const auto was = [&](TreadTips::Column c) { return before(patch.segment, c); };
     BlockStep step{.at = stations_of(i, q, v),
                    .lines = lines(patch.segment),
-                   .before = {.tip = {&tip_[0][first], &tip_[1][first], &tip_[2][first]},
-                              .touches = &touches_[first],
+                   .before = {.tip = {was(TreadTips::kX), was(TreadTips::kY), was(TreadTips::kZ)},
+                              .touches = was(TreadTips::kShare),
                               .entering = entering(i)},
                    .law = law,
                    .results = results(i)};
@@ -387,59 +385,42 @@ void TreadContact::add_force(const NodeValues& q, const NodeValues& v, NodeValue
   }
 }
 
-void TreadContact::forget() {
-  for (const TreadMemory::Stations& at : touched_)
-    for (int line = 0; line < lines_; ++line) {
-      double* touches = &touches_[place(at.segment) + static_cast<std::size_t>(line * stride_)];
-      std::fill(touches + at.begin, touches + at.end, 0.0);
-    }
-  touched_.clear();
+const double* TreadContact::before(int segment, TreadTips::Column column) const {
+  if (!tips_) return none_.data();
+  const auto& segments = tips_->segments;
+  const auto at = std::lower_bound(segments.begin(), segments.end(), segment);
+  if (at == segments.end() || *at != segment) return none_.data();
+  return tips_->column(static_cast<std::size_t>(at - segments.begin()), column);
 }
 
 void TreadContact::commit() {
-  forget();
+  // What nobody else remembers is written over.
+  if (!spare_ || spare_.use_count() > 1) spare_ = std::make_shared<TreadTips>();
+  TreadTips& tips = *spare_;
+  tips.blocks = lines_ * stride_;
+  tips.segments.clear();
+  tips.columns.assign(patches_.size() * TreadTips::kColumns * none_.size(), 0.0);
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     const Patch& patch = patches_[i];
-    const std::size_t first = place(patch.segment);
-    double* const tip[3] = {&tip_[0][first], &tip_[1][first], &tip_[2][first]};
+    tips.segments.push_back(patch.segment);
+    double* const tip[3] = {tips.column(i, TreadTips::kX),
+                            tips.column(i, TreadTips::kY),
+                            tips.column(i, TreadTips::kZ)};
     keep_tips({stride_, patch.begin, patch.end},
               lines_,
               results(i),
               patch.level ? &patch.ground.height : nullptr,
               tip,
-              &touches_[first]);
-    touched_.push_back({patch.segment, patch.begin, patch.end});
+              tips.column(i, TreadTips::kShare));
   }
-}
-
-TreadMemory TreadContact::memory() const {
-  TreadMemory memory{touched_, {}};
-  std::size_t size = 0;
-  for (const TreadMemory::Stations& at : touched_)
-    size += 4 * static_cast<std::size_t>(lines_ * (at.end - at.begin));
-  memory.tips.reserve(size);
-  for (const TreadMemory::Stations& at : touched_)
-    for (int line = 0; line < lines_; ++line) {
-      const std::size_t block = place(at.segment) + static_cast<std::size_t>(line * stride_);
-      for (const std::vector<double>* from : {&tip_[0], &tip_[1], &tip_[2], &touches_})
-        memory.tips.insert(memory.tips.end(), &(*from)[block] + at.begin, &(*from)[block] + at.end);
-    }
-  return memory;
+  std::shared_ptr<TreadTips> before = std::const_pointer_cast<TreadTips>(tips_);
+  tips_ = std::move(spare_);
+  spare_ = std::move(before);
 }
 
 void TreadContact::remember(const TreadMemory& memory) {
-  forget();
   patches_.clear();
-  const double* from = memory.tips.data();
-  for (const TreadMemory::Stations& at : memory.stations)
-    for (int line = 0; line < lines_; ++line) {
-      const std::size_t block = place(at.segment) + static_cast<std::size_t>(line * stride_);
-      for (std::vector<double>* to : {&tip_[0], &tip_[1], &tip_[2], &touches_}) {
-        std::copy(from, from + (at.end - at.begin), &(*to)[block] + at.begin);
-        from += at.end - at.begin;
-      }
-    }
-  touched_ = memory.stations;
+  tips_ = memory.tips();
 }
 
 }  // namespace latsch::ring_tire

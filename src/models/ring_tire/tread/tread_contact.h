@@ -20,8 +20,8 @@
 // What a step needs of them stands together, one quantity after the other, line by line.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -33,6 +33,7 @@
 #include "models/ring_tire/description/ring_parameters.h"
 #include "models/ring_tire/tread/block_forces.h"
 #include "models/ring_tire/tread/tread_friction.h"
+#include "models/ring_tire/tread/tread_memory.h"
 #include "models/tire/footprint.h"
 
 namespace latsch::ring_tire {
@@ -47,19 +48,6 @@ struct BlockContact {
   bool sticks = true;
 };
 
-/// What the blocks remember of the last commit, those of the patch alone.
-struct TreadMemory {
-  struct Stations {
-    int segment, begin, end;
-    bool operator==(const Stations&) const = default;
-  };
-  std::vector<Stations> stations;
-  /// Of each stations' lines: x, y, z of the tips on the road and the shares of the cells there.
-  std::vector<double> tips;
-
-  bool operator==(const TreadMemory&) const = default;
-};
-
 /// What a station does to the four nodes of its segment, of weights w and derivatives d: node m on
 /// node o by w_m w_o ww + w_m d_o wd + d_m w_o dw + d_m d_o dd.
 struct StationStiffness {
@@ -72,7 +60,7 @@ class TreadContact {
 
   /// No block touches.
   void reset();
-  TreadMemory memory() const;
+  TreadMemory memory() const { return TreadMemory(tips_); }
   void remember(const TreadMemory& memory);
   /// Sections bent as they are there from here on: lines stand off the belt by Σ γ_i q_i(y) more.
   void bend(const SectionBending& section);
@@ -145,9 +133,6 @@ class TreadContact {
   /// Of the segment at work: columns of (10), or sums over the lines.
   enum StationColumn { kP = 0, kG = 3, kA = 6, kStationColumns = 18 };
 
-  std::size_t place(int segment) const {
-    return static_cast<std::size_t>(segment) * lines_ * stride_;
-  }
   int node(int segment, int m) const { return (segment + m - 1 + nodes_) % nodes_; }
   double* column(std::size_t patch, int c) {
     return memory_.data() + (patch * kColumns + static_cast<std::size_t>(c)) * lines_ * stride_;
@@ -185,8 +170,8 @@ class TreadContact {
             at(kP + 2) + H * at(kG + 2) + y * at(kA + 2)};
   }
 
-  /// No block is on the road.
-  void forget();
+  /// x, y, z of the tips or shares at the last commit.
+  const double* before(int segment, TreadTips::Column column) const;
   bool near_road(const NodeValues& q,
                  const RimFrame& rim,
                  const road::Road& road,
@@ -258,10 +243,9 @@ class TreadContact {
   std::vector<double> share_;                 // s of each station
   std::vector<Eigen::Vector3d> line_shapes_;  // q_i at the lines
   std::vector<double> section_rise_;  // two a line of a segment; empty: sections are straight
-  // Persistent, one a block: the tip on the road and the share of its cell that is there.
-  std::array<std::vector<double>, 3> tip_;
-  std::vector<double> touches_;
-  std::vector<TreadMemory::Stations> touched_;  // at the last commit
+  std::shared_ptr<const TreadTips> tips_;  // at the last commit; none: no block touched
+  std::shared_ptr<TreadTips> spare_;       // of one before, written over where nobody has it
+  std::vector<double> none_;               // of a segment that was not near the road
   // Of the step at work.
   StepRule rule_;
   double margin_ = 0.0;  // m
