@@ -95,20 +95,28 @@ TEST(SidewallForces, AreTheGradientOfTheEnergyAndTheStiffnessItsHessian) {
   RingParameters ring = passenger_ring();
   ring.sidewall.progressivity = 1.2;
   ring.sidewall.torsion_by_lateral = 2.0;
+  ring.sidewall.rim_travel = 0.001;
+  ring.sidewall.rim_stiffness = 4e6;
   const SidewallForces wall(ring.sidewall, ring.belt.radius, kBeltNodes);
   const RimFrame rim = some_rim();
   const NodeValues q = deformed(rim, ring.belt.radius);
   const NodeValues force = at_knots(force_of(wall, at_knots(q), rim));
   const CyclicBand K = stiffness_of(wall, at_knots(q), rim);
+  int on_rim = 0;
+  for (int k = 0; k < kBeltNodes; ++k)
+    on_rim += (at_knots(q).col(k).head<3>() - rim.center).norm() < ring.belt.radius - 0.001;
+  EXPECT_GT(on_rim, 2);
+  EXPECT_LT(on_rim, kBeltNodes - 2);
   const double h = 1e-6;
-  for (int i = 0; i < 4; ++i) {
+  for (int j = 0; j < 4 * kBeltNodes; ++j) {
+    const int i = j % 4, k = j / 4;
     NodeValues plus = q, minus = q, direction = NodeValues::Zero(4, kBeltNodes);
-    plus(i, 3) += h;
-    minus(i, 3) -= h;
-    direction(i, 3) = 1.0;
+    plus(i, k) += h;
+    minus(i, k) -= h;
+    direction(i, k) = 1.0;
     const double slope =
         (wall.energy(at_knots(plus), rim) - wall.energy(at_knots(minus), rim)) / (2.0 * h);
-    EXPECT_NEAR(force(i, 3), -slope, 1e-8 * force.norm() + 1e-5);
+    EXPECT_NEAR(force(i, k), -slope, 1e-8 * force.norm() + 1e-5);
     const NodeValues f1 = force_of(wall, at_knots(plus), rim),
                      f0 = force_of(wall, at_knots(minus), rim);
     const NodeValues column = K.multiply(direction);

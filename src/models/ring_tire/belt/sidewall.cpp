@@ -47,8 +47,10 @@ SidewallForces::SidewallForces(const Sidewall& sidewall, double radius, int node
       R_(radius),
       tau_(sidewall.time_constant),
       progressivity_(sidewall.progressivity),
-      progressive_travel_(sidewall.progressive_travel) {
+      progressive_travel_(sidewall.progressive_travel),
+      rim_travel_(sidewall.rim_travel) {
   const double share = 2.0 * std::numbers::pi * radius / nodes;
+  rim_stiffness_ = share * sidewall.rim_stiffness;
   const SidewallElement* elements[3] = {&sidewall.radial, &sidewall.tangential, &sidewall.lateral};
   has_memory_ = false;
   int place = 0;
@@ -95,6 +97,8 @@ void SidewallForces::find_slopes(int direction,
     LATSCH_KERNEL(find_progressive)
   (nodes, constant, of.k * progressivity_, progressive_travel_, u, slope);
   else std::fill(slope, slope + nodes, constant);
+  if (direction == 0 && rim_stiffness_ > 0.0)
+    LATSCH_KERNEL(add_rim_slope)(nodes, rim_stiffness_, rim_travel_, u, slope);
   if (!has_memory_) return;
   const double* before = &memory_.travel(direction, 0);
   for (int i = 0; i < kFrictions; ++i) {
@@ -112,6 +116,8 @@ void SidewallForces::add_spring(int direction, const double* u, double* F) const
     LATSCH_KERNEL(add_progressive)(nodes, k, progressivity_, progressive_travel_, u, F);
   else
     LATSCH_KERNEL(add_multiple)(nodes, -k, u, F);
+  if (direction == 0 && rim_stiffness_ > 0.0)
+    LATSCH_KERNEL(add_rim)(nodes, rim_stiffness_, rim_travel_, u, F);
 }
 
 void SidewallForces::add_memory(int direction,
@@ -244,6 +250,8 @@ double SidewallForces::energy(const NodeValues& q, const RimFrame& rim) const {
     for (int i = 0; i < kFrictions; ++i)
       if (friction_[i].k > 0.0)
         sum += 0.5 * friction_[i].k * memory_.slip(i, k) * memory_.slip(i, k);
+    const double on_rim = std::min(u[0] + rim_travel_, 0.0);
+    sum += 0.5 * rim_stiffness_ * on_rim * on_rim;  // (28)
     const double twist = q(3, k) - torsion_by_lateral_ * u[2];
     sum += 0.5 * torsion_ * twist * twist;
   }

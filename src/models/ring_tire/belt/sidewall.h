@@ -6,6 +6,8 @@
 //   F = k u + d u' + k_M (u - u_i) + sum of friction elements,  τ u_i' = u - u_i             (6)
 // The radial spring's slope grows with travel toward the rim or away from it, bounded:
 //   F_r = k (u + P (u - u_p atan(u/u_p))),  slope k (1 + P u^2/(u^2 + u_p^2))                (7)
+// Beyond the travel b inward the belt lies on the rim:
+//   F_r = k_b (u + b) more where u < -b                                                     (28)
 // Friction element i of n: a spring S k/n that slips at F_i = F 2i/(n(n+1)); n = 5 radially.  (8)
 // The section's torsion against the rim, coupled to lateral travel:
 //   energy 1/2 c_ψ (ψ - λ u_y)^2, damping d_ψ                                               (9)
@@ -93,6 +95,7 @@ class SidewallForces {
 
   NodeAngles angles_;
   double R_, tau_, progressivity_, progressive_travel_;
+  double rim_travel_, rim_stiffness_;  // m; N/m of a node, 0: no rim
   double torsion_, torsion_damping_, torsion_by_lateral_;
   Direction direction_[3];
   Friction friction_[kFrictions];

@@ -31,6 +31,21 @@ void add_progressive(int nodes, double k, double P, double up, const double* u, 
   });
 }
 
+/// (28)
+void add_rim(int nodes, double k, double travel, const double* u, double* F) {
+  around(nodes, [&](auto type, int i) {
+    using T = decltype(type);
+    T(T::load(F + i) - k * smaller(T::load(u + i) + travel, T(0.0))).save(F + i);
+  });
+}
+void add_rim_slope(int nodes, double k, double travel, const double* u, double* slope) {
+  around(nodes, [&](auto type, int i) {
+    using T = decltype(type);
+    const T more = select(T::load(u + i) + travel < T(0.0), T(k), T(0.0));
+    T(T::load(slope + i) + more).save(slope + i);
+  });
+}
+
 /// constant + kP u²/(u² + u_p²), the slope of (7).
 void find_progressive(
     int nodes, double constant, double kP, double up, const double* u, double* slope) {

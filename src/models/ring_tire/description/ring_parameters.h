@@ -22,6 +22,8 @@ struct Sidewall {
   double time_constant = 0.015;       // s, of the Maxwell elements
   double progressivity = 0.0;         // radial: the slope grows from k to k (1 + progressivity)
   double progressive_travel = 0.015;  // m, travel of half that growth
+  double rim_travel = 0.0;            // m, inward, until the belt lies on the rim; 0: no rim
+  double rim_stiffness = 0.0;         // N/m per m, from there on
   double torsion = 0.0;               // N per rad: section against rim about the circumference
   double torsion_damping = 0.0;       // N s per rad
   double torsion_by_lateral = 0.0;    // rad/m, twist of the section that a lateral travel brings

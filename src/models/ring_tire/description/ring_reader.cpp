@@ -23,7 +23,25 @@ SidewallElement read_element(const Node& node) {
   return e;
 }
 
-Sidewall read_sidewall(const Node& node) {
+/// Where the belt lies on the rim.
+void read_rim(const Node& node, Sidewall& s) {
+  s.rim_travel = node.quantity("travel", "m", Range::positive());
+  s.rim_stiffness = node.quantity("stiffness", "N/m^2", Range::positive());
+}
+
+/// Springs as stiff as the pressure makes them: of each, the share `pressure_share` is the
+/// pressure's at `reference_pressure`, the rest its own.
+void stiffen_by_pressure(const Node& node, double pressure, Sidewall& s) {
+  const double share = node.quantity("pressure_share", "1", Range::between(0.0, 1.0), 0.0);
+  if (share == 0.0) return;
+  const double reference = node.quantity("reference_pressure", "Pa", Range::positive());
+  const double factor = 1.0 + share * (pressure / reference - 1.0);
+  if (!(factor > 0.0))
+    node.reject("pressure_share", "leaves a sidewall without stiffness at this pressure");
+  for (SidewallElement* e : {&s.radial, &s.tangential, &s.lateral}) e->stiffness *= factor;
+}
+
+Sidewall read_sidewall(const Node& node, double pressure) {
   Sidewall s;
   s.radial = read_element(node.table("radial"));
   s.tangential = read_element(node.table("tangential"));
@@ -32,6 +50,8 @@ Sidewall read_sidewall(const Node& node) {
   s.progressivity = node.quantity("progressivity", "1", Range::not_negative(), s.progressivity);
   s.progressive_travel =
       node.quantity("progressive_travel", "m", Range::positive(), s.progressive_travel);
+  stiffen_by_pressure(node, pressure, s);
+  if (const auto rim = node.find_table("rim")) read_rim(*rim, s);
   s.torsion = node.quantity("torsion", "N/rad", Range::not_negative());
   s.torsion_damping = node.quantity("torsion_damping", "N s/rad", Range::not_negative(), 0.0);
   s.torsion_by_lateral = node.quantity("torsion_by_lateral", "rad/m", {}, 0.0);
@@ -121,8 +141,12 @@ RingParameters read_ring_tire(const Node& root) {
   RingParameters ring;
   const Node belt = root.table("belt");
   ring.nodes = static_cast<int>(belt.integer("nodes", 16, kMostNodes, ring.nodes));
-  ring.belt = read_belt(belt, root.quantity("pressure", "Pa", Range::not_negative()));
-  ring.sidewall = read_sidewall(root.table("sidewall"));
+  const double pressure = root.quantity("pressure", "Pa", Range::not_negative());
+  ring.belt = read_belt(belt, pressure);
+  ring.sidewall = read_sidewall(root.table("sidewall"), pressure);
+  if (ring.sidewall.rim_travel >= ring.belt.radius)
+    root.table("sidewall").table("rim").reject(
+        "travel", "reaches the axle, expected less than the belt's radius");
   ring.tread = read_tread(root.table("tread"));
   if (ring.tread.crown_radius > 0.0) {
     const double half = 0.5 * ring.tread.width;

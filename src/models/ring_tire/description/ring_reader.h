@@ -24,6 +24,9 @@
 //   torsion_by_lateral = "0 rad/m"
 //   progressivity = 1.2                # radial slope: from k to k (1 + 1.2)
 //   progressive_travel = "15 mm"       # where half of that is reached
+//   pressure_share = 0                 # of the stiffnesses below that is the pressure's,
+//   reference_pressure = "2.4 bar"     # at this pressure; the rest is the sidewall's own
+//   rim = {travel = "80 mm", stiffness = "5 MN/m^2"}   # inward, until the belt lies on it; none
 //   [sidewall.radial]                  # and tangential, lateral; per length of circumference
 //   stiffness = "0.55 MN/m^2"
 //   damping = "60 N s/m^2"

@@ -30,6 +30,19 @@ TEST(RingReader, EveryNumberCanBeVaried) {
   EXPECT_NEAR(ring.tread.young_modulus, 3.70e6, 0.01e6);
 }
 
+TEST(RingReader, KnowsTheRimAndWhatPressureDoesToTheSidewall) {
+  std::string text = example().text();
+  const double own = read_ring_tire(example().root()).sidewall.radial.stiffness;
+  text.insert(text.find("[sidewall]") + 10,
+              "\npressure_share = 0.6\nreference_pressure = \"2 bar\"\n"
+              "rim = {travel = \"70 mm\", stiffness = \"5 MN/m^2\"}");
+  const Document document = Document::parse(text, "tire.toml");
+  const RingParameters ring = read_ring_tire(document.root());
+  EXPECT_DOUBLE_EQ(ring.sidewall.rim_travel, 0.07);
+  EXPECT_DOUBLE_EQ(ring.sidewall.rim_stiffness, 5e6);
+  EXPECT_NEAR(ring.sidewall.radial.stiffness, own * (1.0 + 0.6 * 0.2), 1e-9 * own);  // 2.4 bar
+}
+
 TEST(RingReader, ComplaintsNameThePlace) {
   std::string text = example().text();
   text.insert(text.find("[belt]"), "presure_gain = 1\n");

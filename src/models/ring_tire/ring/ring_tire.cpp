@@ -358,7 +358,8 @@ std::string RingTire::step_forward(const WheelMotion& motion,
   const bool held = reuse_.serves(rule_.acceleration) && !section_.on();
   const int age = reuse_.age();
   const long before = counts_.evaluations;
-  const std::string trouble = solve_step(held, time);
+  std::string trouble = solve_step(held, time);
+  if (trouble.empty()) trouble = torn_off(q1_, time);
   if (!trouble.empty()) {
     reuse_.forget();
     return trouble;
@@ -405,6 +406,25 @@ std::string RingTire::solve_step(bool held, double time) {
     }
   }
   return no_solution(time, fmt::format("{:.3g} N are left at a node", last));
+}
+
+/// Empty, or that the belt is so near the axle, or so far from it, that what is found there means
+/// nothing.
+std::string RingTire::torn_off(const NodeValues& q, double time) const {
+  constexpr double kNearest = 0.3, kFarthest = 2.0;  // of the belt's radius
+  const double R = parameters_.belt.radius;
+  for (int k = 0; k < angles_.nodes(); ++k) {
+    const double distance = (q.col(k).head<3>() - rim_.center).norm();
+    if (distance >= kNearest * R && distance <= kFarthest * R) continue;
+    return fmt::format(
+        "the ring's belt is {:.0f} mm from the axle at {:.5f} s, at rest {:.0f} mm: the wheel moved "
+        "too far in a step or is driven into the road; sidewall.rim says where the belt meets the "
+        "rim",
+        1e3 * distance,
+        time,
+        1e3 * R);
+  }
+  return {};
 }
 
 std::string RingTire::no_solution(double time, const std::string& why) const {

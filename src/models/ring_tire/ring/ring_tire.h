@@ -131,6 +131,7 @@ class RingTire final : public Tire {
                            double time,
                            double step);
   std::string solve_step(bool held, double time);
+  std::string torn_off(const NodeValues& q, double time) const;
   std::string no_solution(double time, const std::string& why) const;
   bool factorize(const NodeValues& q, double mass_factor, double scale, const StepRule& rule);
   /// residual_, and the section's, become Newton's step.

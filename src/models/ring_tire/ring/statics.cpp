@@ -142,6 +142,7 @@ Result<HubForces> RingTire::settle(const WheelMotion& motion, const road::Road& 
     if (!found) return found.failure();
     height = next;
   }
+  if (const std::string why = torn_off(q_, time); !why.empty()) return Failure{why};
   const HubForces forces = hub_forces(motion.carrier);
   roll_on(motion);
   last_motion_ = motion;
