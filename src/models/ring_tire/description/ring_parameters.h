@@ -40,6 +40,7 @@ struct Belt {
   double bending_across = 0.0;  // N m, of the section across, per length; 0: it stays straight
   double section_coupling =
       1.0;                      // share of the belt's tension that smooths its bends along the ring
+  double gravity = 0.0;         // m/s^2, downward; 0: forces as a rig shows them that is tared
   double pressure = 0.0;        // Pa
   double pressure_width = 0.0;  // m, of the section whose pressure the belt's tension carries
 };

@@ -78,6 +78,7 @@ Belt read_belt(const Node& node, double pressure) {
   belt.twist = node.quantity("twist", "N m^2", Range::not_negative());
   belt.bending_across = node.quantity("bending_across", "N m", Range::not_negative(), 0.0);
   belt.section_coupling = node.quantity("section_coupling", "1", Range::not_negative(), 1.0);
+  belt.gravity = node.quantity("gravity", "m/s^2", Range::not_negative(), 0.0);
   belt.pressure = pressure;
   belt.pressure_width = node.quantity("pressure_width", "m", Range::not_negative());
   return belt;

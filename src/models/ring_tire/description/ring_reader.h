@@ -16,6 +16,7 @@
 //   pressure_width = "80 mm"           # of the section whose pressure the belt's tension carries
 //   bending_across = "10 N m"          # of the section across, per length; default 0: straight
 //   section_coupling = 1               # of the belt's tension that smooths bent sections; default
+//   gravity = "9.81 m/s^2"             # of the belt; default 0: as a rig shows it that is tared
 //
 //   [sidewall]
 //   time_constant = "15 ms"            # of dynamic stiffening

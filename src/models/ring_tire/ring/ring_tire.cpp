@@ -89,6 +89,7 @@ void RingTire::evaluate(const NodeValues& q, const NodeValues& v) {
   ++counts_.evaluations;
   inner_forces_.find_force(q, v, rim_, rule_, inner_);
   total_ = inner_;
+  total_.row(2).array() -= mass_[0] * parameters_.belt.gravity;
   if (section_.on()) tread_.bend(section_);
   tread_.add_force(q, v, total_);
   if (section_.on()) section_.set_forces(tread_.section_forces(section_, q));
@@ -148,7 +149,9 @@ void RingTire::times_mass(const NodeValues& a, NodeValues& force) const {
 double RingTire::energy() const {
   NodeValues momentum;
   times_mass(v_, momentum);
-  return 0.5 * (v_.array() * momentum.array()).sum() + inner_forces_.belt().energy(q_, rim_) +
+  const double weight = mass_[0] * parameters_.belt.gravity;
+  return 0.5 * (v_.array() * momentum.array()).sum() + weight * q_.row(2).sum() +
+         inner_forces_.belt().energy(q_, rim_) +
          inner_forces_.sidewall().energy(at_knots(q_), rim_) + tread_.energy(q_) +
          section_.energy();
 }

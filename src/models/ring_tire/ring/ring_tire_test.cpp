@@ -275,6 +275,25 @@ TEST(RingTire, IsOfOrderTwoInRolling) {
     EXPECT_GT(change(0, axis), 7.0 * change(2, axis)) << "axis " << axis;
 }
 
+// In the air the hub carries the belt; on the road the road does.
+TEST(RingTire, TheHubCarriesTheBeltsWeight) {
+  RingParameters ring = passenger_ring();
+  ring.belt.gravity = 9.81;
+  RingTire tire(ring);
+  WheelMotion motion;
+  motion.center.z() = 1.0;
+  const auto in_the_air = tire.settle(motion, road::PlaneRoad(), 0.0);
+  ASSERT_TRUE(in_the_air);
+  EXPECT_LT((in_the_air->force - Vector3d(0.0, 0.0, -ring.belt.mass * 9.81)).norm(), 0.01);
+  EXPECT_LT(in_the_air->moment.norm(), 0.01);
+  motion.center.z() = tire.free_radius() - 0.02;
+  const auto standing = tire.settle(motion, road::PlaneRoad(), 0.0);
+  ASSERT_TRUE(standing);
+  double of_road = 0.0;
+  for (const BlockContact& block : tire.contacts()) of_road += block.force.z();
+  EXPECT_NEAR(standing->force.z(), of_road - ring.belt.mass * 9.81, 0.01);
+}
+
 /// A road that says nothing of what it looks like around a point.
 class SilentRoad final : public road::Road {
  public:
