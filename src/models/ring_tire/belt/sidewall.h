@@ -40,9 +40,10 @@ class SidewallForces {
   static constexpr int kFrictions = kRadialFrictions + 2;
   /// What the elements remember of the last commit.
   struct Memory {
-    Travels travel;                                                           // m
-    Travels maxwell;                                                          // u - u_i of (6), m
-    Eigen::Matrix<double, kFrictions, Eigen::Dynamic, Eigen::RowMajor> slip;  // stretch of (8), m; none: empty
+    Travels travel;   // m
+    Travels maxwell;  // u - u_i of (6), m
+    /// Stretch of (8), m; empty where nothing rubs.
+    Eigen::Matrix<double, kFrictions, Eigen::Dynamic, Eigen::RowMajor> slip;
 
     bool operator==(const Memory&) const = default;
   };
@@ -51,8 +52,8 @@ class SidewallForces {
   void reset();
   const Memory& memory() const { return memory_; }
   void remember(const Memory& memory) { memory_ = memory; }
-  /// At the end of a step from the last committed state: knots at their places `at` and their rates;
-  /// force with kScratch rows more.
+  /// At the end of a step from the last committed state: knots at their places `at` and their
+  /// rates; force with kScratch rows more.
   void find_force(const RimRows& at,
                   const RimRows& rate,
                   const StepRule& rule,
