@@ -15,10 +15,10 @@
 //   penalty = "l2_squared"        # gss_nlc; or l1, l2, linf, l1_smoothed, l2_smoothed,
 //                                 # linf_smoothed: optimization/direct_search/penalty.h
 //   penalty_parameter = 1         # gss_nlc: rho at first
-//   restarts = 4                  # residual_trust_region: begins again so often where more than a
-//                                 # thousandth of the first target is left, and more than stated
-//                                 # noise makes: out of local minima, or where variables may be
-//                                 # lost (lost_variables.h)
+//   restarts = 4                  # residual_trust_region: begins again so often where more is left
+//                                 # than stated noise makes or, where none is, than a thousandth
+//                                 # of the first target: out of local minima, or where variables
+//                                 # may be lost (lost_variables.h)
 //   difference = 0.0001           # sqp: step of differences, of the range
 //   population = 40               # genetic
 //   generations = 50              # genetic

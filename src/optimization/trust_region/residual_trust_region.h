@@ -69,13 +69,14 @@ struct ResidualTrustRegionOptions {
   /// How often it starts again after it ended, unless what is left of the sum of squares is less
   /// than `explained` of its first value and of what a move by the initial radius adds to it, mean
   /// of all directions, by the slopes at the best point: then it has found what it was sent for. A
-  /// bad start alone explains nothing.
+  /// bad start alone explains nothing. Where noise is stated, it alone says what is left: by the
+  /// walls of a narrow valley everything on its floor is next to nothing.
   int restarts = 4;
   double explained = 1e-3;
   /// What the noise of the measured values, where it is known, makes of the sum of squares at the
   /// true values, with two standard deviations: for m residuals in units of their noise
   /// m + 2 sqrt(2 m). At or below it nothing better can be told from noise, and no restart follows
-  /// [Morozov's discrepancy principle]. 0: not known.
+  /// [Morozov's discrepancy principle]; above it restarts do. 0: not known.
   double noise_alone = 0.0;
   /// Points the method decides on before it knows the outcome of the first of them: part of the
   /// method, so that its trajectory does not depend on the workers. 1 needs the fewest evaluations,

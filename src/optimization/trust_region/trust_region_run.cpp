@@ -255,7 +255,9 @@ std::optional<Wanted> TrustRegionRun::restart() {
   if (restarts_ >= options_.restarts || box_.best() < 0 || box_.is_point()) return std::nullopt;
   if (box_.center() == box_.best()) rise_ = mean_rise(box_.slopes(), options_.initial_radius);
   if (is_down_to_noise()) return std::nullopt;
-  const bool is_explained = best().f < options_.explained * std::min(f_first_, rise_);
+  const bool is_noise_stated = options_.noise_alone > 0.0;
+  const bool is_explained =
+      !is_noise_stated && best().f < options_.explained * std::min(f_first_, rise_);
   if (!is_explained && box_.center() == box_.best()) {
     if (best().f < kWorthALook * f_settled_) {
       f_settled_ = best().f;
