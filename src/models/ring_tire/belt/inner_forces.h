@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Belt and sidewall together, with the memory their loops work on: nothing is allocated in a step.
+// Belt and sidewall together, with the memory their loops work on, kept from step to step.
 #pragma once
 
 #include "models/ring_tire/belt/belt.h"

@@ -74,6 +74,7 @@ SidewallForces::SidewallForces(const Sidewall& sidewall, double radius, int node
 void SidewallForces::reset() {
   const int nodes = angles_.nodes();
   memory_.travel = Eigen::Matrix3Xd::Zero(3, nodes);
+  now_ = memory_.travel;
   memory_.maxwell = Eigen::Matrix3Xd::Zero(3, nodes);
   const bool rubs = std::any_of(
       std::begin(friction_), std::end(friction_), [](const Friction& f) { return f.k > 0.0; });
@@ -213,7 +214,7 @@ SidewallForces::Losses SidewallForces::losses() const {
 
 void SidewallForces::commit(const RimRows& at, const StepRule& rule) {
   const int nodes = angles_.nodes();
-  Travels u(3, nodes);
+  Travels& u = now_;
   double* const rows[3] = {&u(0, 0), &u(1, 0), &u(2, 0)};
   to_polar(nodes, angles_, R_, at, rows);
   if (has_memory_) {
@@ -232,7 +233,7 @@ void SidewallForces::commit(const RimRows& at, const StepRule& rule) {
        &memory_.slip(i, 0));
     }
   }
-  memory_.travel = u;
+  memory_.travel.swap(u);
 }
 
 double SidewallForces::energy(const NodeValues& q, const RimFrame& rim) const {

@@ -102,6 +102,7 @@ class SidewallForces {
   Friction friction_[kFrictions];
   bool has_memory_;
   Memory memory_;
+  Travels now_;  // of the step at its end
 };
 
 }  // namespace latsch::ring_tire
