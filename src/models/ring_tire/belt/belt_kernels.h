@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The belt's elements and their forces (belt.h), eight nodes at a time.
-#include "numerics/kernels/kernel_lanes.h"
+#include "numerics/kernels/kernel_loops.h"
 
 namespace latsch::ring_tire::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
-
-/// body(i) for i = begin, begin + 8 .. up to the last eight, which may come twice in part.
-template <class Body>
-LATSCH_INLINE void by_eight(int begin, int end, const Body& body) {
-  for (int i = begin; i < end; i += 8) body(i + 8 <= end ? i : end - 8);
-}
 
 /// (26) of a row, of eight segments.
 LATSCH_INLINE Lanes slope_at(const double* row, int k) {

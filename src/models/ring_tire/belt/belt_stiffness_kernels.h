@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stiffness of the belt's elements in the rim's axes (belt_stiffness.cpp), eight nodes at a time.
-#include "numerics/kernels/kernel_lanes.h"
+#include "numerics/kernels/kernel_loops.h"
 
 namespace latsch::ring_tire::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
-
-/// body(i) for i = begin, begin + 8 .. up to the last eight, which may come twice in part.
-template <class Body>
-LATSCH_INLINE void by_eight(int begin, int end, const Body& body) {
-  for (int i = begin; i < end; i += 8) body(i + 8 <= end ? i : end - 8);
-}
 
 /// A row of eight segments by weights of the nodes k-1 .. k+2, nothing for a weight of 0.
 LATSCH_INLINE Lanes weighted(const double* row, int k, const double (&w)[4]) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Between columns of nodes and rows in the rim's axes (rim_rows.h).
-#include "numerics/kernels/kernel_lanes.h"
+#include "numerics/kernels/kernel_loops.h"
 
 namespace latsch::ring_tire::LATSCH_KERNELS {
 
@@ -34,14 +34,13 @@ LATSCH_INLINE T knots(const double* row, int k) {
          (1.0 / 6.0) * (T::load(row + k - 1) + T::load(row + k + 1));
 }
 void mean_of_three(int nodes, const double* row, double* to) {
-  int k = 0;
-  for (; k + 8 <= nodes; k += 8) store(knots<Lanes>(row, k), to + k);
-  for (; k < nodes; ++k) knots<Lane>(row, k).save(to + k);
+  around(nodes, [&](auto type, int k) { knots<decltype(type)>(row, k).save(to + k); });
 }
 void add_mean_of_three(int nodes, const double* row, double* to) {
-  int k = 0;
-  for (; k + 8 <= nodes; k += 8) store(lanes(to + k) + knots<Lanes>(row, k), to + k);
-  for (; k < nodes; ++k) Lane(Lane::load(to + k) + knots<Lane>(row, k)).save(to + k);
+  around(nodes, [&](auto type, int k) {
+    using T = decltype(type);
+    T(T::load(to + k) + knots<T>(row, k)).save(to + k);
+  });
 }
 
 }  // namespace latsch::ring_tire::LATSCH_KERNELS

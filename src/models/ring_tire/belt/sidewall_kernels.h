@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Springs, Maxwell and friction elements of the sidewall (sidewall.h), one value a node.
+#include "numerics/kernels/kernel_loops.h"
 #include "numerics/kernels/kernel_math.h"
 
 namespace latsch::ring_tire::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
-
-/// body(T(), i) over i = 0 .. nodes - 1: T is Lanes for eight at a time, then Lane for the rest.
-template <class Body>
-LATSCH_INLINE void around(int nodes, const Body& body) {
-  int i = 0;
-  for (; i + 8 <= nodes; i += 8) body(Lanes(), i);
-  for (; i < nodes; ++i) body(Lane(), i);
-}
 
 void add_multiple(int nodes, double k, const double* u, double* F) {
   around(nodes, [&](auto type, int i) {

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // From rows in the rim's axes to blocks in inertial ones (stiffness_rows.h).
-#include "numerics/kernels/kernel_lanes.h"
+#include "numerics/kernels/kernel_loops.h"
 
 namespace latsch::ring_tire::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
 
-/// blocks = same + axes B axes^T, of eight nodes at a time; the last eight may come twice in part.
-/// `axes`: X, a, Z one after the other. Blocks are columns of four, `apart` from node to node.
+/// blocks = same + axes B axes^T, of eight nodes at a time. `axes`: X, a, Z one after the other.
+/// Blocks are columns of four, `apart` from node to node.
 void turn_blocks(int nodes,
                  const double* const rows[7],
                  const double* axes,
                  const double* same,
                  double* blocks,
                  int apart) {
-  for (int begin = 0; begin < nodes; begin += 8) {
-    const int k = begin + 8 <= nodes ? begin : nodes - 8;
+  by_eight(0, nodes, [&](int k) {
     const Lanes xx = lanes(rows[0] + k), xy = lanes(rows[1] + k), xz = lanes(rows[2] + k),
                 yy = lanes(rows[3] + k), yz = lanes(rows[4] + k), zx = lanes(rows[5] + k),
                 zz = lanes(rows[6] + k);
@@ -38,7 +37,7 @@ void turn_blocks(int nodes,
       }
     }
     for (int i = 0; i < 8; ++i) to[i * apart + 15] = same[15];
-  }
+  });
 }
 
 }  // namespace latsch::ring_tire::LATSCH_KERNELS

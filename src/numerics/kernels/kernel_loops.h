@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Loops over a row, eight at a time.
+#if defined(LATSCH_KERNEL_LOOPS) == defined(LATSCH_KERNEL_TOGGLE)
+#ifdef LATSCH_KERNEL_LOOPS
+#undef LATSCH_KERNEL_LOOPS
+#else
+#define LATSCH_KERNEL_LOOPS
+#endif
+
+#include "numerics/kernels/kernel_lanes.h"
+
+namespace latsch::LATSCH_KERNELS {
+
+/// body(i) for i = begin, begin + 8 .. up to the last eight, which may come twice in part: for what
+/// is set, not added to. At least eight.
+template <class Body>
+LATSCH_INLINE void by_eight(int begin, int end, const Body& body) {
+  for (int i = begin; i < end; i += 8) body(i + 8 <= end ? i : end - 8);
+}
+
+/// body(T(), i) over i = 0 .. size - 1: T is Lanes for eight at a time, then Lane for the rest.
+template <class Body>
+LATSCH_INLINE void around(int size, const Body& body) {
+  int i = 0;
+  for (; i + 8 <= size; i += 8) body(Lanes(), i);
+  for (; i < size; ++i) body(Lane(), i);
+}
+
+}  // namespace latsch::LATSCH_KERNELS
+#endif
