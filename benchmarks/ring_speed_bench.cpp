@@ -6,7 +6,6 @@
 #include <complex>
 #include <vector>
 
-#include "models/ring_tire/description/ring_parameters_testing.h"
 #include "models/ring_tire/ring/ring_tire.h"
 #include "models/road/plane_road.h"
 #include "models/road/profile_road.h"
@@ -18,17 +17,7 @@ namespace {
 
 using namespace latsch;
 using namespace latsch::ring_tire;
-
-RingParameters tire_of(int nodes, int blocks, int lines) {
-  RingParameters ring = passenger_ring();
-  ring.nodes = nodes;
-  ring.sidewall.radial.dynamic_stiffening = 0.2;
-  ring.sidewall.tangential.dynamic_stiffening = 0.05;
-  ring.tread.lines = lines;
-  ring.tread.blocks = blocks;
-  ring.tread.damping_time = 1e-4;
-  return ring;
-}
+using benchmarks::ring_of;
 
 WheelMotion rolling(double height, double speed) {
   WheelMotion motion;
@@ -103,7 +92,7 @@ std::vector<Cost> least_costs(const std::vector<RingParameters>& tires) {
 /// Largest growth of energy from one step to the next, relative to the energy the load left, after
 /// the road fell away under the tire.
 double energy_growth() {
-  RingTire tire(tire_of(80, 10, 6), {.tolerance = 1e-3});
+  RingTire tire(ring_of(80, 10, 6), {.tolerance = 1e-3});
   WheelMotion motion;
   motion.center.z() = tire.free_radius() - 0.025;
   const road::PlaneRoad pit({.height = -1.0});
@@ -125,7 +114,7 @@ double energy_growth() {
 double order_on_a_smooth_road() {
   std::vector<double> forces;
   for (const int parts : {80, 160, 320}) {
-    RingTire tire(tire_of(80, 10, 6), {.tolerance = 1e-5});
+    RingTire tire(ring_of(80, 10, 6), {.tolerance = 1e-5});
     const double h = 0.02 / parts, height = tire.free_radius() - 0.015;
     WheelMotion motion;
     motion.center.z() = height;
@@ -203,12 +192,12 @@ void ripple_rows(benchmarks::Table& table) {
   };
   for (const auto& [speed, step, chords] :
        {Case{2.0, 5e-4, 12.9}, {5.0, 5e-4, 5.40}, {60.0 / 3.6, 1.25e-4, 2.24}}) {
-    const Ripple same = free_ripple(tire_of(80, 12, 10), speed, step);
+    const Ripple same = free_ripple(ring_of(80, 12, 10), speed, step);
     table.note(
         fmt::format("ripple of Fx, free rolling at {:.1f} m/s, 80 segments x 12 blocks", speed),
         fmt::format(
             "{:.2f} N, {:.3f} of the chords'; Fz {:.2f} N", same.Fx, same.Fx / chords, same.Fz));
-    const Ripple ripple = free_ripple(tire_of(100, 12, 10), speed, step);
+    const Ripple ripple = free_ripple(ring_of(100, 12, 10), speed, step);
     table.row(
         fmt::format("the same, 100 segments x 12 blocks"),
         fmt::format("{:.2f} N, {:.3f} of the chords' with 80 x 50", ripple.Fx, ripple.Fx / chords),
@@ -220,7 +209,7 @@ void ripple_rows(benchmarks::Table& table) {
 /// Beside the step it saves: 0.2 ms over a cleat at 60 km/h, 100 x 12 x 10.
 void state_row(benchmarks::Table& table) {
   const road::ProfileRoad road = road::cleat_road(2.0, 0.015, 0.03, 0.005);
-  RingTire tire(tire_of(100, 12, 10));
+  RingTire tire(ring_of(100, 12, 10));
   WheelMotion motion = rolling(tire.free_radius() - 0.022, 60.0 / 3.6);
   constexpr double kStep = 2e-4;
   constexpr int kSteps = 200, kCopies = 20;
@@ -250,14 +239,14 @@ void state_row(benchmarks::Table& table) {
 
 int ring_speed() {
   benchmarks::Table table("ring_speed");
-  RingParameters bent = tire_of(80, 50, 10);
+  RingParameters bent = ring_of(80, 50, 10);
   bent.belt.bending_across = 8.0;
-  const std::vector<Cost> costs = least_costs({tire_of(80, 50, 10),
-                                               tire_of(80, 25, 10),
-                                               tire_of(160, 50, 10),
-                                               tire_of(80, 5, 10),
+  const std::vector<Cost> costs = least_costs({ring_of(80, 50, 10),
+                                               ring_of(80, 25, 10),
+                                               ring_of(160, 50, 10),
+                                               ring_of(80, 5, 10),
                                                bent,
-                                               tire_of(320, 50, 10)});
+                                               ring_of(320, 50, 10)});
   const double whole = costs[0].time, half_blocks = costs[1].time, double_nodes = costs[2].time;
   table.row("80 segments x 50 blocks x 10 lines, 0.5 ms, cleat at 60 km/h",
             fmt::format("{:.3f} x real time", whole),

@@ -16,13 +16,8 @@
 #include "yardstick.h"
 
 namespace latsch::benchmarks {
-namespace {
 
 using namespace ring_tire;
-
-constexpr double kStep = 2e-4, kSpeed = 60.0, kDuration = 0.09;
-constexpr double kSample = 1e-3;  // s, between forces compared
-constexpr int kRounds = 15;
 
 RingParameters ring_of(int nodes, int blocks, int lines) {
   RingParameters ring = passenger_ring();
@@ -34,6 +29,12 @@ RingParameters ring_of(int nodes, int blocks, int lines) {
   ring.tread.damping_time = 1e-4;
   return ring;
 }
+
+namespace {
+
+constexpr double kStep = 2e-4, kSpeed = 60.0, kDuration = 0.09;
+constexpr double kSample = 1e-3;  // s, between forces compared
+constexpr int kRounds = 15;
 
 /// What the rows are measured with.
 RingParameters small_ring() { return ring_of(60, 8, 6); }

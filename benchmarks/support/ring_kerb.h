@@ -2,9 +2,13 @@
 // Rows of ring_speed: the ring over a kerb, four of them under a car, a drum in place of a road.
 #pragma once
 
+#include "models/ring_tire/description/ring_parameters.h"
 #include "table.h"
 
 namespace latsch::benchmarks {
+
+/// A passenger tire's ring with memory in its sidewall.
+ring_tire::RingParameters ring_of(int nodes, int blocks, int lines);
 
 /// One ring in steps of 0.2 ms at 60 m/s over a kerb 25 mm deep, and how far it is from the refined
 /// solution, beside 80 segments x 50 blocks x 10 lines in steps of 0.5 ms.

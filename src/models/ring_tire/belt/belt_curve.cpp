@@ -28,8 +28,8 @@ void at_knots_and_back(const NodeValues& x, NodeValues& to) {
            (1.0 / 36.0) * (from[i - 8] + from[i + 8]);
   for (const Eigen::Index k : {Eigen::Index{0}, Eigen::Index{1}, N - 2, N - 1}) {
     const auto at = [&](Eigen::Index i) { return x.col((k + i + N) % N); };
-    to.col(k) = (18.0 / 36.0) * at(0) + (8.0 / 36.0) * (at(-1) + at(1)) +
-                (1.0 / 36.0) * (at(-2) + at(2));
+    to.col(k) =
+        (18.0 / 36.0) * at(0) + (8.0 / 36.0) * (at(-1) + at(1)) + (1.0 / 36.0) * (at(-2) + at(2));
   }
 }
 

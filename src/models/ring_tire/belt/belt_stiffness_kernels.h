@@ -81,10 +81,7 @@ struct PlaneSums {
 
 /// (27) of all elements of a rule on both nodes.
 template <int kNodes, int j>
-LATSCH_INLINE void add_bending(const BendRule& rule,
-                               double* const* rows,
-                               int k,
-                               PlaneSums& sums) {
+LATSCH_INLINE void add_bending(const BendRule& rule, double* const* rows, int k, PlaneSums& sums) {
 #pragma GCC unroll 4
   for (int i = 0; i < kNodes - j; ++i) {
     const int at = k - i + 1;  // the element whose node i is k
@@ -93,8 +90,7 @@ LATSCH_INLINE void add_bending(const BendRule& rule,
     const double bg = rule.second[i] * rule.slope[i + j], gb = rule.slope[i] * rule.second[i + j];
     sums.xx += bb * value(ElementStiffness::kA) + gg * value(ElementStiffness::kB) +
                (bg + gb) * value(ElementStiffness::kC);
-    const Lanes both =
-        bb * value(ElementStiffness::kA + 1) + gg * value(ElementStiffness::kB + 1);
+    const Lanes both = bb * value(ElementStiffness::kA + 1) + gg * value(ElementStiffness::kB + 1);
     const Lanes xz = value(ElementStiffness::kC + 1), zx = value(ElementStiffness::kC + 2);
     sums.xz += both + bg * xz + gb * zx;
     sums.zx += both + bg * zx + gb * xz;
@@ -119,8 +115,7 @@ LATSCH_INLINE void gather_blocks(int nodes,
     PlaneSums sums{string[0], string[2] - area, string[2] + area, string[5]};  // (2)
     add_bending<4, j>(kBetween, e.row + ElementStiffness::kBetween, k, sums);
     add_bending<3, j>(kAtKnot, e.row + ElementStiffness::kKnot, k, sums);
-    const Lanes values[7] = {
-        sums.xx, string[1], sums.xz, string[3], string[4], sums.zx, sums.zz};
+    const Lanes values[7] = {sums.xx, string[1], sums.xz, string[3], string[4], sums.zx, sums.zz};
     for (int entry = 0; entry < 7; ++entry) store(values[entry], to[entry] + k);
   });
 }

@@ -21,9 +21,7 @@ class RimRows {
   int nodes() const { return nodes_; }
   /// Row i; its node k = -kBeyond .. nodes + kBeyond - 1 stands at [k].
   double* row(int i) { return memory_.data() + i * (nodes_ + 2 * kBeyond) + kBeyond; }
-  const double* row(int i) const {
-    return memory_.data() + i * (nodes_ + 2 * kBeyond) + kBeyond;
-  }
+  const double* row(int i) const { return memory_.data() + i * (nodes_ + 2 * kBeyond) + kBeyond; }
   /// Positions and torsions.
   void place(const NodeValues& q, const RimFrame& rim);
   /// Velocities against the rim's material, v - v_c - ω × (x - c), of nodes at their places `at`,

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-
 #define LATSCH_KERNELS_IN "models/ring_tire/belt/sidewall_kernels.h"
 #include "numerics/kernels/for_each_kernel_set.h"
 
@@ -94,8 +93,7 @@ void SidewallForces::find_slopes(int direction,
   const Direction& of = direction_[direction];
   double constant = of.k + of.d * rule.velocity;
   if (has_memory_ && !rule.statics()) constant += of.k_maxwell / (1.0 + half_step(rule));
-  if (direction == 0 && progressivity_ > 0.0)
-    LATSCH_KERNEL(find_progressive)
+  if (direction == 0 && progressivity_ > 0.0) LATSCH_KERNEL(find_progressive)
   (nodes, constant, of.k * progressivity_, progressive_travel_, u, slope);
   else std::fill(slope, slope + nodes, constant);
   if (direction == 0 && rim_stiffness_ > 0.0)
@@ -104,8 +102,7 @@ void SidewallForces::find_slopes(int direction,
   const double* before = &memory_.travel(direction, 0);
   for (int i = 0; i < kFrictions; ++i) {
     const Friction& f = friction_[i];
-    if (f.direction == direction && f.k > 0.0)
-      LATSCH_KERNEL(add_sticking)
+    if (f.direction == direction && f.k > 0.0) LATSCH_KERNEL(add_sticking)
     (nodes, f.k, most_stretch(f), before, &memory_.slip(i, 0), u, slope);
   }
 }

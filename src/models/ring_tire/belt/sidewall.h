@@ -59,10 +59,7 @@ class SidewallForces {
                   const StepRule& rule,
                   RimRows& force) const;
   static constexpr int kScratch = 9;
-  void add_stiffness(const RimRows& at,
-                     const StepRule& rule,
-                     double scale,
-                     StiffnessRows& K) const;
+  void add_stiffness(const RimRows& at, const StepRule& rule, double scale, StiffnessRows& K) const;
   /// Damping of a node along e_r, e_t, a and of its torsion, and the stiffness of its Maxwell
   /// elements.
   struct Losses {

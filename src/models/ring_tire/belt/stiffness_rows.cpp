@@ -31,12 +31,7 @@ void StiffnessRows::turn_back(const RimFrame& rim, CyclicBand& K) const {
     for (int entry = 0; entry < kEntries; ++entry) rows[entry] = at(j * kEntries + entry);
     const Eigen::Matrix4d same = turn * same_[static_cast<std::size_t>(j)] * turn.transpose();
     LATSCH_KERNEL(turn_blocks)
-    (nodes_,
-     rows,
-     axes.data(),
-     same.data(),
-     K.block(0, j).data(),
-     16 * (CyclicBand::kReach + 1));
+    (nodes_, rows, axes.data(), same.data(), K.block(0, j).data(), 16 * (CyclicBand::kReach + 1));
   }
 }
 

@@ -146,8 +146,9 @@ RingParameters read_ring_tire(const Node& root) {
   ring.belt = read_belt(belt, pressure);
   ring.sidewall = read_sidewall(root.table("sidewall"), pressure);
   if (ring.sidewall.rim_travel >= ring.belt.radius)
-    root.table("sidewall").table("rim").reject(
-        "travel", "reaches the axle, expected less than the belt's radius");
+    root.table("sidewall")
+        .table("rim")
+        .reject("travel", "reaches the axle, expected less than the belt's radius");
   ring.tread = read_tread(root.table("tread"));
   if (ring.tread.crown_radius > 0.0) {
     const double half = 0.5 * ring.tread.width;

@@ -94,8 +94,10 @@ TEST_P(RingStateOn, IsAsItWasAfterAStepThatFails) {
   WheelMotion in_the_ground = at_step(41), nowhere = at_step(41);
   in_the_ground.center.z() = -5.0;
   nowhere.center.x() = std::numeric_limits<double>::quiet_NaN();
-  for (const auto& [motion, step] :
-       {std::pair{in_the_ground, kStep}, {in_the_ground, 20.0 * kStep}, {nowhere, kStep}, {nowhere, 20.0 * kStep}}) {
+  for (const auto& [motion, step] : {std::pair{in_the_ground, kStep},
+                                     {in_the_ground, 20.0 * kStep},
+                                     {nowhere, kStep},
+                                     {nowhere, 20.0 * kStep}}) {
     const auto hub = tire.advance(motion, road_, 41 * kStep, step);
     ASSERT_FALSE(hub);
     EXPECT_FALSE(hub.failure().reason.empty());

@@ -30,7 +30,7 @@
 namespace latsch::ring_tire {
 
 struct RingSettings {
-  double dissipation = 0.05;       // θ, 0 .. 1/3
+  double dissipation = 0.05;  // θ, 0 .. 1/3
   // N (m on torsion: per meter), largest force left at a node; of more where a step begins with
   // more than kilonewtons, the same share.
   double tolerance = 0.1;

@@ -404,10 +404,8 @@ TEST(RingTire, WhatARoadSaysOfRectanglesChangesNoForce) {
   const road::DrumRoad outside({.diameter = 2.5, .surface = 12.0}),
       inside({.diameter = 3.0, .inner = true, .surface = 12.0});
   const road::PlaneRoad slope({.grade = 0.05, .bank = -0.03});
-  const road::ProfileRoad kerb = road::kerb_road({.shape = road::Kerb::Shape::triangle,
-                                                  .pitch = 0.4,
-                                                  .height = -0.01,
-                                                  .start = {0.05, -0.4}});
+  const road::ProfileRoad kerb = road::kerb_road(
+      {.shape = road::Kerb::Shape::triangle, .pitch = 0.4, .height = -0.01, .start = {0.05, -0.4}});
   for (const int blocks : {8, 10})
     for (const road::Road* road :
          std::initializer_list<const road::Road*>{&outside, &inside, &slope, &kerb}) {

@@ -23,12 +23,13 @@ void lowest_tips(const double* columns, const BlockLines& lines, int stride, dou
 }
 
 void drum_planes(const BlockSpan& at,
-                 int first,
-                 const double* x,
+                 const double* columns,
+                 const BlockLines& lines,
+                 int line,
                  double cell,
                  const road::Cylinder& drum,
                  const BlockGround& ground) {
-  LATSCH_KERNEL(drum_planes)(at, first, x, cell, drum, ground);
+  LATSCH_KERNEL(drum_planes)(at, columns, lines, line, cell, drum, ground);
 }
 
 void find_entering(const BlockSpan& at, int lines, const double* touches, std::uint8_t* entering) {

@@ -96,11 +96,12 @@ void station_columns(const SegmentStations& at, double* columns);
 /// z of the lowest of the lines' tips at all stations, `columns` from station_columns.
 void lowest_tips(const double* columns, const BlockLines& lines, int stride, double* z);
 
-/// The planes of a drum's surface below blocks at x, whose cells are `cell` long, from block
-/// `first` on.
+/// The planes of a drum's surface below the blocks of a line, whose cells are `cell` long along x;
+/// `columns` from station_columns.
 void drum_planes(const BlockSpan& at,
-                 int first,
-                 const double* x,
+                 const double* columns,
+                 const BlockLines& lines,
+                 int line,
                  double cell,
                  const road::Cylinder& drum,
                  const BlockGround& ground);

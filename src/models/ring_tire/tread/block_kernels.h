@@ -257,16 +257,22 @@ void lowest_tips(const double* columns, const BlockLines& of, int stride, double
   }
 }
 
-void drum_planes(const BlockSpan& at,
-                 int first,
-                 const double* places,
-                 double cell,
-                 const road::Cylinder& drum,
-                 const BlockGround& ground) {
+template <class Shape>
+LATSCH_INLINE void planes_of_drum(const BlockSpan& at,
+                                  const double* columns,
+                                  const BlockLines& of,
+                                  int line,
+                                  double cell,
+                                  const road::Cylinder& drum,
+                                  const BlockGround& ground,
+                                  const Shape& shape) {
   const double R2 = drum.radius * drum.radius;
   for (int j = at.begin; j < at.end; j += kWide) {
-    const int block = first + j;
-    const Lanes x = lanes(places + j), from_axis = x - drum.x;
+    const int block = line * at.stride + j;
+    const auto along_x = [&](int c) { return lanes(columns + 3 * c * at.stride + j); };
+    const Lanes x =
+        at_line(along_x(0), along_x(1), along_x(2), shape.height(of, line, j), of.y[line]);
+    const Lanes from_axis = x - drum.x;
     const Lanes depth = sqrt(R2 - from_axis * from_axis), over = 1.0 / depth;
     const Lanes slope = drum.up * from_axis * over, cosine = depth * (1.0 / drum.radius);
     // Of second derivative up R²/depth³: its mean over the cell is by 1/24 of the length squared
@@ -282,6 +288,19 @@ void drum_planes(const BlockSpan& at,
     store(-drum.rate * from_axis, ground.velocity[2] + block);
     store(all(drum.friction), ground.friction + block);
   }
+}
+
+void drum_planes(const BlockSpan& at,
+                 const double* columns,
+                 const BlockLines& lines,
+                 int line,
+                 double cell,
+                 const road::Cylinder& drum,
+                 const BlockGround& ground) {
+  if (lines.rise)
+    planes_of_drum(at, columns, lines, line, cell, drum, ground, BentLines{});
+  else
+    planes_of_drum(at, columns, lines, line, cell, drum, ground, StraightLines{});
 }
 
 void keep_tips(const BlockSpan& at,

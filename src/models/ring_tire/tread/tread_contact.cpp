@@ -231,20 +231,15 @@ void TreadContact::find_uneven_blocks(Patch& patch,
 }
 
 /// Blocks of one line near the road and the planes below them.
-std::pair<int, int> TreadContact::find_line(std::size_t patch,
-                                            int line,
-                                            const Ground& ground,
-                                            const road::Road& road,
-                                            double time) {
+std::pair<int, int> TreadContact::find_line(
+    std::size_t patch, int line, const Ground& ground, const road::Road& road, double time) {
   int begin = 0, end = blocks_;
   const auto narrow = [&](const auto& above) {
     while (begin < end && above(begin)) ++begin;
     while (end > begin && above(end - 1)) --end;
   };
   if (const Plane* plane = std::get_if<Plane>(&ground)) {
-    narrow([&](int j) {
-      return plane->ground.normal.dot(tip(line, j)) > plane->level + margin_;
-    });
+    narrow([&](int j) { return plane->ground.normal.dot(tip(line, j)) > plane->level + margin_; });
     for (int j = begin; j < end; ++j)
       place_ground(patch, line * stride_ + j, plane->ground, plane->level);
   } else if (const road::Cylinder* drum = std::get_if<road::Cylinder>(&ground)) {
@@ -270,11 +265,15 @@ std::pair<int, int> TreadContact::find_line(std::size_t patch,
 /// Below each block of a line the plane that its cell sees on a drum: the tangent, at the mean
 /// height over the cell.
 void TreadContact::place_drum(std::size_t patch, int line, const road::Cylinder& drum) {
-  double* const x = at_stations(kStationColumns - 1);
-  for (int j = 0; j < stride_; ++j) x[j] = tip(line, std::min(j, blocks_ - 1)).x();
-  const double cell = blocks_ > 1 ? (x[blocks_ - 1] - x[0]) / (blocks_ - 1) : 0.0;
-  drum_planes(
-      {stride_, 0, stride_}, line * stride_, x, cell, drum, ground(patch));
+  const double length = tip(line, blocks_ - 1).x() - tip(line, 0).x();
+  const double cell = blocks_ > 1 ? length / (blocks_ - 1) : 0.0;
+  drum_planes({stride_, 0, stride_},
+              at_stations(kP),
+              lines(patches_[patch].segment),
+              line,
+              cell,
+              drum,
+              ground(patch));
 }
 
 /// Below each block the plane that its cell sees on an uneven road: its mean height, its slope

@@ -187,17 +187,11 @@ class TreadContact {
   using Ground = std::variant<std::monostate, Plane, road::Cylinder>;
   Ground ground_below(int first_line, int last_line, const road::Road& road, double time) const;
   void find_level_blocks(Patch& patch, const road::GroundPoint& ground);
-  void find_uneven_blocks(Patch& patch,
-                          const Ground& ground,
-                          const road::Road& road,
-                          double time);
+  void find_uneven_blocks(Patch& patch, const Ground& ground, const road::Road& road, double time);
   void place_cells(
       std::size_t patch, int line, int begin, int end, const road::Road& road, double time);
-  std::pair<int, int> find_line(std::size_t patch,
-                                int line,
-                                const Ground& ground,
-                                const road::Road& road,
-                                double time);
+  std::pair<int, int> find_line(
+      std::size_t patch, int line, const Ground& ground, const road::Road& road, double time);
   void place_drum(std::size_t patch, int line, const road::Cylinder& drum);
   road::GroundBox below(int first_line, int last_line) const;
   void place_ground(std::size_t patch, int block, const road::GroundPoint& ground, double level);
@@ -242,7 +236,7 @@ class TreadContact {
   std::vector<double> lift_;
   std::vector<double> share_;                 // s of each station
   std::vector<Eigen::Vector3d> line_shapes_;  // q_i at the lines
-  std::vector<double> section_rise_;  // two a line of a segment; empty: sections are straight
+  std::vector<double> section_rise_;       // two a line of a segment; empty: sections are straight
   std::shared_ptr<const TreadTips> tips_;  // at the last commit; none: no block touched
   std::shared_ptr<TreadTips> spare_;       // of one before, written over where nobody has it
   std::vector<double> none_;               // of a segment that was not near the road
