@@ -119,7 +119,12 @@ bool SectionBending::border(const CyclicBandFactor& factor,
     KB_.col(i) = column.reshaped();
   }
   if (B.cols() == 0) return true;
-  schur_.compute(scale * (own_ + A) - B_.transpose() * KB_);
+  // B is of the nodes that blocks on the road hang on.
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index i = 0; i < B_.rows(); ++i)
+    if ((B_.row(i).array() != 0.0).any()) rows.push_back(i);
+  const Eigen::MatrixXd of_contact = B_(rows, Eigen::all);
+  schur_.compute(scale * (own_ + A) - of_contact.transpose() * KB_(rows, Eigen::all));
   return schur_.info() == Eigen::Success;
 }
 
