@@ -31,8 +31,8 @@ namespace latsch::ring_tire {
 
 struct RingSettings {
   double dissipation = 0.05;  // θ, 0 .. 1/3
-  // N (m on torsion: per meter), largest force left at a node; of more where a step begins with
-  // more than kilonewtons, the same share.
+  // N (m on torsion: per meter), largest force left at a node. Where a step begins with more than
+  // 1 kN left at one, as large a share of that.
   double tolerance = 0.1;
   double static_tolerance = 1e-3;  // N, all forces left together
   int halvings = 4;                // of a step that has no solution

@@ -2,6 +2,7 @@
 #include "models/ring_tire/tread/tread_contact.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -393,8 +394,9 @@ const double* TreadContact::before(int segment, TreadTips::Column column) const 
 }
 
 void TreadContact::commit() {
-  // What nobody else remembers is written over.
+  // What nobody else remembers is written over, after whoever did has read it for the last time.
   if (!spare_ || spare_.use_count() > 1) spare_ = std::make_shared<TreadTips>();
+  std::atomic_thread_fence(std::memory_order_acquire);
   TreadTips& tips = *spare_;
   tips.blocks = lines_ * stride_;
   tips.segments.clear();
