@@ -66,7 +66,9 @@ double ProfileRoad::mean_height(const Eigen::Vector2d& from,
     const double most = settings_.count > 0 ? settings_.count - 1.0 : 1e300;
     const double least = settings_.count > 0 ? 0.0 : -1e300;
     const double end = std::clamp(std::floor(last / settings_.pitch), least, most);
-    for (double n = std::clamp(std::floor(first / settings_.pitch), least, most); n <= end; ++n) {
+    const double start = std::clamp(std::floor(first / settings_.pitch), least, most);
+    for (double i = 0.0; i <= end - start; ++i) {  // far out start + i no longer grows by steps
+      const double n = start + i;
       add_corner(n * settings_.pitch - begin.x(), way.x());  // the seam
       add(settings_.along, n * settings_.pitch, begin.x(), way.x());
     }

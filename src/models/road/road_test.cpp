@@ -363,6 +363,14 @@ TEST(Road, MeanHeightIsTheIntegralOverTheWay) {
   }
 }
 
+// Where places are farther apart than sections, adding one to the number of a section leaves it.
+TEST(Road, MeanHeightFarOutComesToAnEnd) {
+  const ProfileRoad row({.along = cleat_profile(0.02, 0.03, 0.005), .pitch = 0.2});
+  const double mean = row.mean_height({4e15, 0.0}, {4e15 + 1.0, 0.0}, 0.0);
+  EXPECT_GE(mean, 0.0);
+  EXPECT_LE(mean, 0.02);
+}
+
 // A box that shrinks on a point in the end promises its height: what finds the highest point of a
 // road by halving comes to an end.
 TEST(Road, BoundsCloseInOnAPoint) {

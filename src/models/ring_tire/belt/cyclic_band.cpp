@@ -13,10 +13,6 @@ CyclicBand::CyclicBand(int nodes)
   assert(nodes >= 2 * kReach + 2);
 }
 
-void CyclicBand::set_zero() {
-  for (Block& block : blocks_) block.setZero();
-}
-
 void CyclicBand::add_diagonal(double translation, double torsion) {
   const Eigen::Vector4d value(translation, translation, translation, torsion);
   for (int k = 0; k < nodes_; ++k) block(k, 0).diagonal() += value;

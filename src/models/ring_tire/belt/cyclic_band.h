@@ -24,7 +24,6 @@ class CyclicBand {
   explicit CyclicBand(int nodes);
 
   int nodes() const { return nodes_; }
-  void set_zero();
   /// A(k, k + j), j = 0 .. kReach, around the ring; that of j = 0 is kept whole.
   Block& block(int k, int j) { return blocks_[static_cast<std::size_t>(k * (kReach + 1) + j)]; }
   const Block& block(int k, int j) const {

@@ -33,7 +33,7 @@ void read_rim(const Node& node, Sidewall& s) {
 /// pressure's at `reference_pressure`, the rest its own.
 void stiffen_by_pressure(const Node& node, double pressure, Sidewall& s) {
   const double share = node.quantity("pressure_share", "1", Range::between(0.0, 1.0), 0.0);
-  if (share == 0.0) return;
+  if (share == 0.0 && !node.has("reference_pressure")) return;
   const double reference = node.quantity("reference_pressure", "Pa", Range::positive());
   const double factor = 1.0 + share * (pressure / reference - 1.0);
   if (!(factor > 0.0))

@@ -41,6 +41,9 @@ TEST(RingReader, KnowsTheRimAndWhatPressureDoesToTheSidewall) {
   EXPECT_DOUBLE_EQ(ring.sidewall.rim_travel, 0.07);
   EXPECT_DOUBLE_EQ(ring.sidewall.rim_stiffness, 5e6);
   EXPECT_NEAR(ring.sidewall.radial.stiffness, own * (1.0 + 0.6 * 0.2), 1e-9 * own);  // 2.4 bar
+  Document without = document;  // a share that is varied may come to nothing
+  without.set("sidewall.pressure_share", 0.0);
+  EXPECT_DOUBLE_EQ(read_ring_tire(without.root()).sidewall.radial.stiffness, own);
 }
 
 TEST(RingReader, ComplaintsNameThePlace) {

@@ -103,8 +103,6 @@ class RingTire final : public Tire {
  private:
   /// f of (15) at q, v, on the rim where it stands: inner forces, then those of the road.
   void evaluate(const NodeValues& q, const NodeValues& v);
-  /// Of belt and sidewall alone.
-  void evaluate_inner(const NodeValues& q, const NodeValues& v);
   Result<bool> equilibrate(const road::Road& road, double time);
   bool relax();
   bool advance_along(const NodeValues& direction);
