@@ -260,6 +260,35 @@ measurement = "pulled.csv"
             (std::vector<std::string>{"0.04", "0.1"}));
 }
 
+// Two tests, one column of a file: only one of them could be found again.
+TEST_F(MeasuredStudy, ATwinRefusesAColumnThatTwoTestsFill) {
+  write_text_file(folder_ / "spring.toml",
+                  "kind = \"spring\"\nstiffness = \"20 N/mm\"\ndamping = \"5 N s/m\"\n");
+  const std::string pulled = "force [kN]\n0.04\n0.1\n";
+  const auto with = [&](const std::string& speed) {
+    write_text_file(folder_ / "pulled.csv", pulled);
+    std::string text = "model = \"spring.toml\"\n[variable.stiffness]\npath = \"stiffness\"\n"
+                       "lower = \"5 N/mm\"\nupper = \"60 N/mm\"\ninitial = \"20 N/mm\"\n";
+    for (const auto& [name, v] : {std::pair{"slow", std::string("0 m/s")}, {"fast", speed}}) {
+      text += fmt::format(
+          "[test.{0}]\nkind = \"pull\"\nspeed = \"{1}\"\ntravels = [\"2 mm\", \"5 mm\"]\n"
+          "[experiment.{0}]\nkind = \"values\"\nchannel = \"{0}/force\"\n"
+          "measurement = \"pulled.csv\"\n",
+          name,
+          v);
+    }
+    write_text_file(folder_ / "springs.toml", text);
+    return read_study(folder_ / "springs.toml", experiment::spring_language());
+  };
+  const Study study = with("1 m/s");
+  const std::string found = complaint([&] { (void)write_twin(study); });
+  EXPECT_NE(found.find("experiments slow and fast are both measured in"), std::string::npos)
+      << found;
+  EXPECT_NE(found.find("slow/force and fast/force differ"), std::string::npos) << found;
+  EXPECT_EQ(read_text_file(folder_ / "pulled.csv"), pulled);
+  EXPECT_TRUE(write_twin(with("0 m/s")));  // the same values twice are no loss
+}
+
 // Columns of a rig for a force curve: other names, one of several pressures.
 TEST_F(MeasuredStudy, AForceCurveIsSelectedFromATableOfMany) {
   write_text_file(folder_ / "tire.toml", "");

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/target/twin.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
+#include "correlation/laboratory/frame_conversion.h"
+#include "correlation/laboratory/measurement.h"
 #include "correlation/observable/mode_set.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/tests/modes.h"
@@ -56,6 +61,49 @@ void refuse_to_overwrite_inputs(const Study& study) {
   }
 }
 
+/// The channels an experiment's measurement will hold; where in_frame has turned one force of a
+/// file, all of them.
+std::vector<std::string> answers(const StudyExperiment& experiment) {
+  std::vector<std::string> all = experiment.observable->asks();
+  if (!experiment.measurement || all.empty()) return all;
+  const std::string test = all[0].substr(0, all[0].find('/') + 1);
+  for (const auto& [name, from] : experiment.measurement->turned_from()) {
+    const std::string channel = test + force_without_frame(name);
+    if (std::find(all.begin(), all.end(), channel) == all.end()) all.push_back(channel);
+  }
+  return all;
+}
+
+/// A file has one column of a name: of two tests that fill it differently one would be lost.
+void refuse_two_answers(const Study& study, const Channels& trial) {
+  struct Answer {
+    const StudyExperiment* experiment;
+    const Channel* channel;
+  };
+  std::map<std::pair<std::filesystem::path, std::string>, Answer> columns;
+  for (const StudyExperiment& experiment : study.experiments) {
+    for (const std::string& name : answers(experiment)) {
+      const Channel* channel = trial.find(name);
+      if (!channel) continue;
+      const std::string column = name.substr(name.find('/') + 1);
+      const auto [at, is_new] =
+          columns.try_emplace({experiment.measurement_file, column}, Answer{&experiment, channel});
+      const Answer& other = at->second;
+      if (is_new || other.channel->values == channel->values) continue;
+      throw InputError(
+          {study.file.string(), 0},
+          fmt::format("experiments {} and {} are both measured in {}, and {} and {} differ: a twin "
+                      "would keep the {} of one. Give each test a file of its own",
+                      other.experiment->name,
+                      experiment.name,
+                      experiment.measurement_file.string(),
+                      other.channel->name,
+                      name,
+                      column));
+    }
+  }
+}
+
 }  // namespace
 
 Result<std::vector<std::filesystem::path>> write_twin(const Study& study) {
@@ -80,6 +128,7 @@ Result<std::vector<std::filesystem::path>> write_twin(const Study& study) {
       trial.add(std::move(channel));
     }
   }
+  refuse_two_answers(twin, trial);
   std::vector<std::filesystem::path> written;
   for (const StudyExperiment& experiment : twin.experiments) {
     const bool is_shared =
