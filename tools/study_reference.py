@@ -26,6 +26,7 @@ SECTIONS = [
     ('Test "modes": frequencies and shapes', "modes"),
     ('Test "drum_cleat": over a cleat on the drum', "drum_rig"),
     ('Test "slip_sweep": on a flat track', "slip_sweep"),
+    ('Test "rolling_stiffness": slopes at free rolling', "rolling_stiffness"),
     ('Test "static_stiffness": of a standing tire', "static_stiffness"),
     ('Test "footprint": where it touches the ground', "footprint_rig"),
     ('Test "steady_states": a table of states', "steady_states"),

@@ -11,14 +11,15 @@ const SpecimenKind& fe_tire_kind();
 const SpecimenKind& ring_tire_kind();
 const SpecimenKind& rigid_ring_kind();
 const SpecimenKind& magic_formula_kind();
-extern const TestKind kDrumCleat, kSlipSweep, kStaticStiffness, kFootprint, kModes, kSteadyStates,
-    kSlipHistory, kLoadDeflection;
+extern const TestKind kDrumCleat, kSlipSweep, kRollingStiffness, kStaticStiffness, kFootprint,
+    kModes, kSteadyStates, kSlipHistory, kLoadDeflection;
 
 const Language& language() {
   static const Language all = {
       {&fe_tire_kind(), &ring_tire_kind(), &rigid_ring_kind(), &magic_formula_kind()},
       {&kDrumCleat,
        &kSlipSweep,
+       &kRollingStiffness,
        &kStaticStiffness,
        &kFootprint,
        &kModes,

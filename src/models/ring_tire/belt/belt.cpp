@@ -24,7 +24,10 @@ struct Elements {
     kBetweenTurning,
     kLateral,
     kLateralBetween,
+    kTorsion,
+    kTorsionBetween,
     kTwist,
+    kTwistAcross,
     kRows
   };
   double* row[kRows];
@@ -71,9 +74,10 @@ BeltForces::BeltForces(const Belt& belt, int nodes) : nodes_(nodes), law_() {
           .pressure_width = belt.pressure * belt.pressure_width,
           .s0 = -2.0 * node_radius * (1.0 - std::cos(x)),
           .s0_between = -node_radius * (std::cos(0.5 * x) - std::cos(1.5 * x)),
-          .tilt = 2.0 * (1.0 - std::cos(x)) * node_radius / (belt.radius * x * x),
-          .tilt_between = 24.0 * (std::cos(0.5 * x) - std::cos(1.5 * x)) /
-                          ((23.0 * std::cos(0.5 * x) + std::cos(1.5 * x)) * x * x)};
+          .tilt_between = 24.0 * belt.radius /
+                          ((23.0 * std::cos(0.5 * x) + std::cos(1.5 * x)) * node_radius),
+          .tilt_twist = belt.radius * x * x /
+                        (node_radius * (std::cos(0.5 * x) - std::cos(1.5 * x)))};
 }
 
 double BeltForces::energy(const NodeValues& q, const RimFrame& rim) const {
@@ -88,8 +92,8 @@ double BeltForces::energy(const NodeValues& q, const RimFrame& rim) const {
                pressure_width,
                s0,
                s0_between,
-               tilt,
-               tilt_between] = law_;
+               tilt_between,
+               tilt_twist] = law_;
   double sum = 0.0;
   for (int k = 0; k < nodes_; ++k) {
     const auto node = [&](int i) -> Eigen::Vector4d { return q.col((k + i + nodes_) % nodes_); };
@@ -99,19 +103,22 @@ double BeltForces::energy(const NodeValues& q, const RimFrame& rim) const {
     sum += 0.5 * EA * L0 * strain * strain;  // (1)
     sum +=
         pressure_width * rim.a.dot(place(0).cross(kArea1 * place(1) + kArea2 * place(2)));  // (2)
-    const double at_knot = bend_of(kAtKnot, place, rim.a) - s0;
-    const double between = bend_of(kBetween, place, rim.a) - s0_between;
+    const double at_knot = bend_of(kAtKnot, place, rim.a);
+    const double between = bend_of(kBetween, place, rim.a);
     sum += 0.5 * EI / (L0 * L0 * L0) *
-           (kKnotShare * at_knot * at_knot + (1.0 - kKnotShare) * between * between);  // (3)
-    const auto curvature = [&](const BendRule& rule, double by_torsion) {
+           (kKnotShare * (at_knot - s0) * (at_knot - s0) +
+            (1.0 - kKnotShare) * (between - s0_between) * (between - s0_between));  // (3)
+    const auto curvature = [&](const BendRule& rule, double torsion_by_bend) {
       double sum = 0.0;
       for (int i = 0; i < 4; ++i)
-        sum += rule.second[i] / (L0 * L0) * rim.a.dot(place(i - 1)) +
-               by_torsion / R * rule.place[i] * node(i - 1)[3];
-      return sum;
+        sum += rule.second[i] * rim.a.dot(place(i - 1)) -
+               torsion_by_bend * rule.place[i] * node(i - 1)[3];
+      return sum / (L0 * L0);
     };
-    const double knot = curvature(kAtKnot, tilt), middle = curvature(kBetween, tilt_between);
-    const double twist = (slope[3] - rim.a.dot(slope.head<3>()) / R) / L0;
+    const double knot = curvature(kAtKnot, at_knot),
+                 middle = curvature(kBetween, tilt_between * between);
+    const double twist =
+        (slope[3] + rim.a.dot(slope.head<3>()) * tilt_twist * between / (L0 * L0)) / L0;
     sum += 0.5 * L0 * EI_out_of_plane *
            (kKnotShare * knot * knot + (1.0 - kKnotShare) * middle * middle);  // (4)
     sum += 0.5 * L0 * GJ * twist * twist;                                      // (5)

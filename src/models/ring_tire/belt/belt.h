@@ -28,8 +28,8 @@ namespace latsch::ring_tire {
 /// What the elements know; stretch0: g0, s0: of (3) at rest at a knot and between
 /// two, tilt: ζ likewise.
 struct BeltLaw {
-  double R, L0, stretch0, T0, EA, EI, EI_out_of_plane, GJ, pressure_width, s0, s0_between, tilt,
-      tilt_between;
+  double R, L0, stretch0, T0, EA, EI, EI_out_of_plane, GJ, pressure_width, s0, s0_between,
+      tilt_between, tilt_twist;
 };
 
 /// Of (2): the weights of the next node and of that after it.
@@ -45,7 +45,7 @@ class BeltForces {
   double energy(const NodeValues& q, const RimFrame& rim) const;
   /// force = -energy', nodes at their places `at`; with kScratch rows more.
   void find_force(const RimRows& at, RimRows& force) const;
-  static constexpr int kScratch = 12;
+  static constexpr int kScratch = 15;
   /// K = scale * energy''.
   void find_stiffness(const RimRows& at, double scale, StiffnessRows& K) const;
 

@@ -30,10 +30,9 @@ void strain(int nodes, const BeltLaw& law, const double* const rows[4], const El
   const double at_knot = kKnotShare * law.EI / (law.L0 * law.L0 * law.L0);
   const double between = (1.0 - kKnotShare) * law.EI / (law.L0 * law.L0 * law.L0);
   const double spring = law.EA / law.stretch0, of = law.L0 / law.stretch0;
-  const double over = 1.0 / (law.L0 * law.L0), of_psi = law.tilt / (6.0 * law.R);
-  const double psi_between = law.tilt_between / (48.0 * law.R), by_R = 1.0 / law.R;
-  const double out_of_plane = kKnotShare * law.EI_out_of_plane,
-               out_of_plane_between = (1.0 - kKnotShare) * law.EI_out_of_plane;
+  const double over = 1.0 / (law.L0 * law.L0), by_L = 1.0 / law.L0;
+  const double out_of_plane = kKnotShare * law.EI_out_of_plane * over,
+               out_of_plane_between = (1.0 - kKnotShare) * law.EI_out_of_plane * over;
   by_eight(-2, nodes + 1, [&](int k) {
     const Lanes dx = slope_at(x, k), dy = slope_at(y, k), dz = slope_at(z, k);
     const Lanes length = sqrt(dx * dx + dy * dy + dz * dz);
@@ -41,15 +40,22 @@ void strain(int nodes, const BeltLaw& law, const double* const rows[4], const El
     store(tension * dx, e.row[Elements::kString] + k);
     store(tension * dy, e.row[Elements::kString + 1] + k);
     store(tension * dz, e.row[Elements::kString + 2] + k);
-    store(law.GJ * (slope_at(psi, k) - dy * by_R), e.row[Elements::kTwist] + k);  // (5), times L0
-    const Lanes torsion =
-        (lanes(psi + k - 1) + lanes(psi + k + 2)) + 23.0 * (lanes(psi + k) + lanes(psi + k + 1));
-    store(out_of_plane_between * (bend_between(y, k) * over + torsion * psi_between),
-          e.row[Elements::kLateralBetween] + k);  // (4)
     const Lanes sx = bend_between(x, k), sz = bend_between(z, k);
     const Lanes shorter = 1.0 / sqrt(dx * dx + dz * dz);
     const Lanes tx = dx * shorter, tz = dz * shorter;
-    const Lanes moment = between * ((sx * tz - sz * tx) - law.s0_between);  // (3)
+    const Lanes s = sx * tz - sz * tx;
+    const Lanes turned = law.tilt_twist * over * s;
+    const Lanes twist = law.GJ * (slope_at(psi, k) + dy * turned);  // (5), times L0
+    store(twist, e.row[Elements::kTwist] + k);
+    store(twist * turned, e.row[Elements::kTwistAcross] + k);
+    const Lanes torsion =
+        (law.tilt_between / 48.0) *
+        ((lanes(psi + k - 1) + lanes(psi + k + 2)) + 23.0 * (lanes(psi + k) + lanes(psi + k + 1)));
+    const Lanes lateral = out_of_plane_between * (bend_between(y, k) - torsion * s);  // (4)
+    store(lateral, e.row[Elements::kLateralBetween] + k);
+    store(law.tilt_between * by_L * lateral * s, e.row[Elements::kTorsionBetween] + k);
+    const Lanes moment = between * (s - law.s0_between) +
+                         by_L * ((law.tilt_twist * over) * twist * dy - torsion * lateral);  // (3)
     store(moment * tz, e.row[Elements::kBetweenX] + k);
     store(-(moment * tx), e.row[Elements::kBetweenZ] + k);
     store((sx * tx + sz * tz) * shorter, e.row[Elements::kBetweenTurning] + k);
@@ -62,13 +68,16 @@ void strain(int nodes, const BeltLaw& law, const double* const rows[4], const El
     const Lanes sx = (x2 + x0) - 2.0 * x1, sz = (z2 + z0) - 2.0 * z1;
     const Lanes shorter = 1.0 / sqrt(cx * cx + cz * cz);
     const Lanes tx = cx * shorter, tz = cz * shorter;
-    const Lanes moment = at_knot * ((sx * tz - sz * tx) - law.s0);  // (3)
+    const Lanes s = sx * tz - sz * tx;
+    const Lanes torsion =
+        (lanes(psi + k - 1) + 4.0 * lanes(psi + k) + lanes(psi + k + 1)) * (1.0 / 6.0);
+    const Lanes lateral = out_of_plane * (((y2 + y0) - 2.0 * y1) - torsion * s);  // (4)
+    store(lateral, e.row[Elements::kLateral] + k);
+    store(by_L * lateral * s, e.row[Elements::kTorsion] + k);
+    const Lanes moment = at_knot * (s - law.s0) - by_L * torsion * lateral;  // (3)
     store(moment * tz, e.row[Elements::kBendX] + k);
     store(-(moment * tx), e.row[Elements::kBendZ] + k);
     store((sx * tx + sz * tz) * shorter, e.row[Elements::kTurning] + k);
-    const Lanes torsion = lanes(psi + k - 1) + 4.0 * lanes(psi + k) + lanes(psi + k + 1);
-    store(out_of_plane * (((y2 + y0) - 2.0 * y1) * over + torsion * of_psi),
-          e.row[Elements::kLateral] + k);  // (4)
   });
 }
 
@@ -80,9 +89,7 @@ void gather(int nodes,
             double* const forces[4]) {
   const double *x = rows[0], *z = rows[2];
   const double area1 = law.pressure_width * kArea1, area2 = law.pressure_width * kArea2;
-  const double by_L = 1.0 / law.L0, by_R = 1.0 / law.R;
-  const double of_psi = law.tilt * law.L0 / (6.0 * law.R);
-  const double of_psi_between = law.tilt_between * law.L0 / (48.0 * law.R);
+  const double by_L = 1.0 / law.L0;
   by_eight(0, nodes, [&](int k) {
     const auto at = [&](int row, int node) { return lanes(e.row[row] + node); };
     // At k itself, from the node behind, from the node ahead.
@@ -112,13 +119,18 @@ void gather(int nodes,
                 after = at(Elements::kLateral, k + 1);
     const Lanes inner = at(Elements::kLateralBetween, k) + at(Elements::kLateralBetween, k - 1),
                 outer = at(Elements::kLateralBetween, k + 1) + at(Elements::kLateralBetween, k - 2);
-    const Lanes twisting = by_L * from_slopes(e.row[Elements::kTwist], k);
     store(from_slopes(e.row[Elements::kString + 1], k) +
-              ((2.0 * here - before - after) + 0.5 * (inner - outer)) * by_L - twisting * by_R,
+              ((2.0 * here - before - after) + 0.5 * (inner - outer)) * by_L +
+              by_L * from_slopes(e.row[Elements::kTwistAcross], k),
           forces[1] + k);
-    store(
-        twisting - of_psi * (before + 4.0 * here + after) - of_psi_between * (outer + 23.0 * inner),
-        forces[3] + k);
+    const Lanes of_knots = at(Elements::kTorsion, k - 1) + 4.0 * at(Elements::kTorsion, k) +
+                           at(Elements::kTorsion, k + 1);
+    const Lanes between =
+        23.0 * (at(Elements::kTorsionBetween, k) + at(Elements::kTorsionBetween, k - 1)) +
+        (at(Elements::kTorsionBetween, k + 1) + at(Elements::kTorsionBetween, k - 2));
+    store(by_L * from_slopes(e.row[Elements::kTwist], k) + (1.0 / 6.0) * of_knots +
+              (1.0 / 48.0) * between,
+          forces[3] + k);
   });
 }
 

@@ -6,15 +6,26 @@
 //   b_i b_j A + g_i g_j B + b_i g_j C + g_i b_j C'                                          (27)
 //   A = κ n n',  B = κ along² n n' + m ((along/|c|) (t n' + n t') - (s/|c|²) n n'),
 //   C = -κ along n n' - (m/|c|) t n'
+// Left out is what vanishes where the belt has neither torsion nor travel across its plane: what
+// (4) and (5) have to do with the places in that plane.
 #include "models/ring_tire/belt/belt.h"
 #include "models/ring_tire/belt/bend_rule.h"
 
 namespace latsch::ring_tire {
 
 /// What the elements of node k carry: the string of segment k, symmetric, and (27) in the middle of
-/// the segment and at knot k.
+/// the segment and at knot k, EI_o ζ s and EI_o ζ² s² of (4) at both places, GJ times the slope of
+/// (5)'s twist by u' and its square.
 struct ElementStiffness {
-  enum { kString = 0, kBetween = 6, kKnot = 16, kRows = 26 };
+  enum {
+    kString = 0,
+    kBetween = 6,
+    kKnot = 16,
+    kTiltBetween = 26,
+    kTilt = 28,
+    kTwist = 30,
+    kRows = 32
+  };
   enum { kA = 0, kB = 3, kC = 6 };  // xx, xz, zz; the same; xx, xz, zx, zz
   double* row[kRows];
 };
@@ -41,26 +52,17 @@ void BeltForces::find_stiffness(const RimRows& at, double scale, StiffnessRows& 
   add_lateral_stiffness(scale, K);
 }
 
-/// (4) and (5) are the same at every node.
+/// Of (4) and (5) what does not change with the belt's bend.
 void BeltForces::add_lateral_stiffness(double scale, StiffnessRows& K) const {
-  using Eigen::Vector4d;
-  const auto row = [&](double lateral, double torsion) -> Vector4d {
-    return {0.0, lateral, 0.0, torsion};
-  };
-  const auto add = [&](double stiffness, const auto& row_of) {
-    for (int i = 0; i < 4; ++i)
-      for (int j = i; j < 4; ++j) K.same(j - i) += stiffness * row_of(i) * row_of(j).transpose();
-  };
-  const auto curvature = [&](const BendRule& rule, double tilt) {
-    return [&rule, &row, tilt, this](int i) {
-      return row(rule.second[i] / (law_.L0 * law_.L0), tilt / law_.R * rule.place[i]);
-    };
-  };
-  const double EI = scale * law_.EI_out_of_plane * law_.L0;
-  add(kKnotShare * EI, curvature(kAtKnot, law_.tilt));
-  add((1.0 - kKnotShare) * EI, curvature(kBetween, law_.tilt_between));
-  add(scale * law_.GJ / law_.L0,
-      [&](int i) { return row(-kBetween.slope[i] / law_.R, kBetween.slope[i]); });
+  const double EI = scale * law_.EI_out_of_plane / (law_.L0 * law_.L0 * law_.L0);
+  const double GJ = scale * law_.GJ / law_.L0;
+  for (int i = 0; i < 4; ++i)
+    for (int j = i; j < 4; ++j) {
+      Eigen::Matrix4d& block = K.same(j - i);
+      block(1, 1) += EI * (kKnotShare * kAtKnot.second[i] * kAtKnot.second[j] +
+                           (1.0 - kKnotShare) * kBetween.second[i] * kBetween.second[j]);
+      block(3, 3) += GJ * kBetween.slope[i] * kBetween.slope[j];
+    }
 }
 
 }  // namespace latsch::ring_tire

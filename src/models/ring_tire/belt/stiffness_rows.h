@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A CyclicBand in the making, in the rim's axes: what differs from node to node by rows, one an
 // entry of the blocks (k, k + j), so that it is summed for several nodes at once; what is the same
-// at every node once. Only places of the nodes have what differs, and across the plane of the rim
-// it is symmetric block by block: a string and a spring are, and bending stays in the plane.
+// at every node once. Across the plane of the rim a string and a spring are symmetric block by block,
+// and bending stays in the plane; torsion differs with travel across it alone.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ namespace latsch::ring_tire {
 
 class StiffnessRows {
  public:
-  enum Entry { kXX, kXY, kXZ, kYY, kYZ, kZX, kZZ, kEntries };
-  static constexpr int kScratch = 26;
+  enum Entry { kXX, kXY, kXZ, kYY, kYZ, kZX, kZZ, kYPsi, kPsiY, kPsiPsi, kEntries };
+  static constexpr int kScratch = 32;
 
   explicit StiffnessRows(int nodes);
 

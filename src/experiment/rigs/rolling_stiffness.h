@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a little slip, slip angle or camber does to a tire that rolls: the slopes at free rolling by
+// which tires are known. Of any tire.
+//
+// On the flat track (flat_track.h), its axle following the load, the wheel rolls with the value and
+// with its opposite until both are steady; forces are means over a turn of the wheel:
+//
+//   slip stiffness        C_κ = (Fx(κ) - Fx(-κ))/2κ
+//   cornering stiffness   C_α = -(Fy(α) - Fy(-α))/2α
+//   pneumatic trail       t = -(Mz(α) - Mz(-α))/(Fy(α) - Fy(-α))
+//   camber stiffness      C_γ = -(Fy(γ) - Fy(-γ))/2γ, above 0: toward the side it leans to
+//
+// Forces in W (NOTATION.md). Each difference also holds what friction takes off C at that slip.
+#pragma once
+
+#include "base/result.h"
+#include "models/tire/tire.h"
+
+namespace latsch::experiment {
+
+struct RollingStiffnessTest {
+  double speed = 60.0 / 3.6;              // m/s
+  double load = 4000.0;                   // N
+  double slip = 2e-3;                     // κ, to both sides
+  double angle = 0.25 * 0.0174532925199;  // rad, α
+  double camber = 1.0 * 0.0174532925199;  // rad, γ
+  double step = 5e-4;                     // s
+};
+
+struct Cornering {
+  double stiffness, trail;  // N/rad, m
+};
+
+/// N.
+Result<double> slip_stiffness(Tire& tire, const RollingStiffnessTest& test);
+Result<Cornering> cornering(Tire& tire, const RollingStiffnessTest& test);
+/// N/rad.
+Result<double> camber_stiffness(Tire& tire, const RollingStiffnessTest& test);
+
+}  // namespace latsch::experiment

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// kind = "rolling_stiffness" (rigs/rolling_stiffness.h): slopes of a tire's forces at free rolling.
+//
+//   kind = "rolling_stiffness"
+//   load = "4 kN"                    # of load and speed also {from = "measurement.rolling"}: the
+//                                    # means of its Fz and Vx
+//   measures = ["slip", "cornering", "camber"]   # default: all. Channels "slip_stiffness";
+//                                    # "cornering_stiffness" and "pneumatic_trail";
+//                                    # "camber_stiffness", above 0 toward the side it leans to
+//   speed = "60 km/h"                # default, as the next four
+//   slip = "0.2 %"                   # to both sides of free rolling
+//   angle = "0.25 deg"
+//   camber = "1 deg"
+//   step = "0.5 ms"
+#include "experiment/rigs/rolling_stiffness.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "experiment/language/capabilities.h"
+#include "experiment/language/test.h"
+
+namespace latsch::experiment {
+
+extern const TestKind kRollingStiffness;
+namespace {
+
+const std::vector<std::string> kMeasures = {"slip", "cornering", "camber"};
+
+class RollingStiffness : public Test {
+ public:
+  RollingStiffness(const RollingStiffnessTest& test, std::vector<std::string> measures)
+      : test_(test), measures_(std::move(measures)) {}
+
+  std::string in_words() const override {
+    return fmt::format("rolling freely, {:.4g} km/h, {:.4g} N: {}",
+                       3.6 * test_.speed,
+                       test_.load,
+                       fmt::join(measures_, ", "));
+  }
+
+  std::string identity() const override {
+    return fmt::format("rolling_stiffness speed {} load {} slip {} angle {} camber {} step {} {}",
+                       test_.speed,
+                       test_.load,
+                       test_.slip,
+                       test_.angle,
+                       test_.camber,
+                       test_.step,
+                       fmt::join(measures_, " "));
+  }
+
+  std::vector<ChannelInfo> channels() const override {
+    std::vector<ChannelInfo> channels;
+    if (wants("slip")) channels.push_back({"slip_stiffness", "N"});
+    if (wants("cornering")) {
+      channels.push_back({"cornering_stiffness", "N/rad"});
+      channels.push_back({"pneumatic_trail", "m"});
+    }
+    if (wants("camber")) channels.push_back({"camber_stiffness", "N/rad"});
+    return channels;
+  }
+
+  std::vector<std::string> needs() const override { return kRollingStiffness.needs; }
+
+  Result<Channels> run(Specimen& specimen) const override {
+    const auto tire = specimen.find<Rolls>()->tire();
+    std::vector<double> values;
+    if (wants("slip")) {
+      const auto found = slip_stiffness(*tire, test_);
+      if (!found) return found.failure();
+      values.push_back(*found);
+    }
+    if (wants("cornering")) {
+      const auto found = cornering(*tire, test_);
+      if (!found) return found.failure();
+      values.insert(values.end(), {found->stiffness, found->trail});
+    }
+    if (wants("camber")) {
+      const auto found = camber_stiffness(*tire, test_);
+      if (!found) return found.failure();
+      values.push_back(*found);
+    }
+    Channels recorded;
+    for (const ChannelInfo& channel : channels())
+      recorded.add({channel.name, channel.unit, {values[recorded.all().size()]}});
+    return recorded;
+  }
+
+ private:
+  bool wants(const char* measure) const {
+    return std::find(measures_.begin(), measures_.end(), measure) != measures_.end();
+  }
+
+  RollingStiffnessTest test_;
+  std::vector<std::string> measures_;
+};
+
+std::unique_ptr<Test> read_rolling_stiffness(const Node& root, const TestSource& source) {
+  RollingStiffnessTest test;
+  const auto load = find_measured(root, "load"), speed = find_measured(root, "speed");
+  test.load = load ? measured_mean(*load, {"Fz", "N", true, "W"}, source.measured)
+                   : root.quantity("load", "N", Range::positive());
+  test.speed = speed ? measured_mean(*speed, {"Vx", "m/s"}, source.measured)
+                     : root.quantity("speed", "m/s", Range::positive(), test.speed);
+  test.slip = root.quantity("slip", "1", {0.0, 0.1, true}, test.slip);
+  test.angle = root.quantity("angle", "rad", {0.0, 0.1, true}, test.angle);
+  test.camber = root.quantity("camber", "rad", {0.0, 0.2, true}, test.camber);
+  test.step = root.quantity("step", "s", {0.0, 0.01, true}, test.step);
+  std::vector<std::string> measures = root.has("measures") ? root.texts("measures") : kMeasures;
+  for (const std::string& name : measures)
+    if (std::find(kMeasures.begin(), kMeasures.end(), name) == kMeasures.end())
+      root.reject("measures", "has " + in_quotes(name) + ", expected " + list_of(kMeasures));
+  if (measures.empty()) root.reject("measures", "is empty, expected some of " + list_of(kMeasures));
+  return std::make_unique<RollingStiffness>(test, std::move(measures));
+}
+
+}  // namespace
+
+const TestKind kRollingStiffness = {"rolling_stiffness",
+                                    "rolls freely: slip, cornering and camber stiffness, trail",
+                                    {Rolls::kName},
+                                    read_rolling_stiffness};
+
+}  // namespace latsch::experiment
