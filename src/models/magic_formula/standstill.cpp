@@ -77,10 +77,17 @@ SteadyState at_any_speed(const MagicFormula& formula, State state, double r) {
   return s;
 }
 
+double Pivot::loosening(double w, double V_r) const {
+  return std::abs(w) * stiffness / limit + std::abs(V_r) / length;
+}
+
+double Pivot::twist_rate(double psi, double w, double V_r) const {
+  return limit > 0.0 ? w - loosening(w, V_r) * psi : 0.0;
+}
+
 double Pivot::twisted(double psi, double w, double V_r, double step) const {
   if (!(limit > 0.0)) return 0.0;
-  const double most = limit / stiffness;
-  return relaxed(psi, w, std::abs(w) / most + std::abs(V_r) / length, most, step);
+  return relaxed(psi, w, loosening(w, V_r), limit / stiffness, step);
 }
 
 Pivot pivot_of(const Parameters& p, const SteadyState& at) {

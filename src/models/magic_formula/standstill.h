@@ -61,8 +61,13 @@ struct Pivot {
   double limit = 0.0;      // N m, M_inf
   double length = 0.0;     // m, a
 
-  /// psi after `step` with yaw rate w and rolling speed V_r.
+  /// dpsi/dt with yaw rate w and rolling speed V_r.
+  double twist_rate(double psi, double w, double V_r) const;
+  /// psi after `step`.
   double twisted(double psi, double w, double V_r, double step) const;
+
+ private:
+  double loosening(double w, double V_r) const;  // 1/s
 };
 /// Under the load and friction of `at`.
 Pivot pivot_of(const Parameters& parameters, const SteadyState& at);
