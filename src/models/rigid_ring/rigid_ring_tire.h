@@ -6,8 +6,9 @@
 //   I phi.. + gyroscopic  = M_c - k_phi phi - c_phi w_rel     phi = (gamma, theta, psi)
 //   du/dt + |Vx|/sigma_c u = -Vsx                             u, v: deflections of the residual
 //   dv/dt + |Vx|/sigma_c v = Vsy                              springs, sigma_c = K/c_r
-//   Vsx = Vx - Omega R_e(Fz) - (R_l - R_e) (w_c - w_y)        w_c: turning of the effective plane
-//   kappa' = u/sigma_c,  alpha' = atan(v/sigma_c)             about the contact's y, w_y: of the rim
+//   kappa' = u/sigma_c,  alpha' = atan(v/sigma_c)
+//   Vsx = Vx - Omega R_e(Fz) - (R_l - R_e) (w_c - w_y)        w_c, w_y: rates of pitch, of the
+//                                                             effective plane and of the rim
 //   Fz(rho_r):  Fz = F_static(rho_r + Fz/k_bz) + DAMP_RESIDUAL c_rz d rho_r/dt
 //
 // so that at rest and in steady rolling the ring in series with the residual springs is the overall
