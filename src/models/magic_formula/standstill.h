@@ -26,6 +26,8 @@
 //
 // Limits: the pivoting patch has its friction for itself, sliding takes nothing of it; psi is
 // rolled off over half the patch. Mx keeps what the side force without slip adds to it.
+// With turn slip (USE_MODE 5) and backward faster than V_low the torque of turning has the sign of
+// MF-Tyre's formula, that of rolling forward.
 #pragma once
 
 #include <string>

@@ -203,13 +203,21 @@ TEST(Standstill, ForcesAreContinuousOnTheWayToRestAndBack) {
 
 TEST(Standstill, TheMirroredWayBackwardGivesMirroredForces) {
   const Parameters p = parking_tire();
-  for (const int mode : {14, 24}) {
+  for (const int mode : {14, 24, 15}) {
     const auto ahead = errand(p, mode, 4000, 1.0), back = errand(p, mode, 4000, -1.0);
     for (std::size_t i = 0; i < ahead.size(); ++i) {
       EXPECT_NEAR(back[i].x(), -ahead[i].x(), 1e-7);
       EXPECT_NEAR(back[i].y(), ahead[i].y(), 1e-7);
       EXPECT_NEAR(back[i].z(), -ahead[i].z(), 1e-8);
     }
+  }
+}
+
+TEST(Standstill, TurnSlipAndTwistHoldAWheelThatYaws) {
+  for (const double V : {10.0, 0.6, 0.0, -0.6}) {
+    Ride ride(parking_tire(), 15);
+    for (int i = 0; i < 2000; ++i) ride.go(V, 0.0, 0.5, V / 0.2946, 1e-3);
+    EXPECT_LT(ride.tire.contact_forces().Mz, -1.0) << V;
   }
 }
 
