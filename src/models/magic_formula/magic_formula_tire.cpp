@@ -177,7 +177,7 @@ MagicFormulaTire::Patch MagicFormulaTire::lag(const WheelContact& contact,
                                               const Sliding& now,
                                               double step) const {
   if (!transient(settings_.use_mode)) {
-    const double floor = std::max(std::abs(contact.Vx), parameters_.VXLOW);
+    const double floor = std::max(std::abs(contact.Vx), low_speed(parameters_));
     return {std::clamp(-now.Vsx / floor, -kMostSlip, kMostSlip), std::atan(now.Vsy / floor)};
   }
   const Sliding& before = before_ ? *before_ : now;

@@ -342,6 +342,14 @@ TEST(Standstill, WithoutTurnSlipInTheFileThePatchRubs) {
   EXPECT_TRUE(assumed_at_standstill(parking_tire()).empty());
 }
 
+TEST(Standstill, AFileWithoutVXLOWStandsToo) {
+  Parameters p = parking_tire();
+  p.VXLOW = 0.0;
+  for (const int mode : {4, 14, 15, 24})
+    for (const Vector3d& force : errand(p, mode, 800)) ASSERT_TRUE(force.allFinite());
+  EXPECT_EQ(assumed_at_standstill(p).size(), 1U);
+}
+
 TEST(Standstill, AMotionThatIsNoneIsToldAndForgotten) {
   const Parameters p = parking_tire();
   Ride ride(p), twin(p);
