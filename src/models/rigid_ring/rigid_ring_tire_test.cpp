@@ -428,6 +428,44 @@ TEST(RigidRing, TurnedOnTheSpotItIsHeldByYawStiffnessUpToTheFormulasTorque) {
   EXPECT_NEAR(moved(*make(p), {0.0, 0.0, 0.0}, 1e-4, 1.0).moment.z(), -0.5, 0.01 * 0.5);
 }
 
+// Through standstill, steered and pushed aside, and the same backward in a mirror across the road.
+TEST(RigidRing, TheMirroredWayBackwardGivesMirroredForces) {
+  Parameters p = ring_tire();
+  p.YAW_STIFFNESS = 5000.0;
+  constexpr double kStep = 1e-3;
+  std::vector<HubForces> hubs[2];
+  for (const int back : {0, 1}) {
+    const double way = back ? -1.0 : 1.0;
+    const auto tire = make(p);
+    const SineRoad road(0.003, 4.0);
+    WheelMotion motion = standing(0.28);
+    motion.center.x() = std::numbers::pi / 8.0;  // a crest, from which both ways are alike
+    double heading = 0.0;
+    ASSERT_TRUE(tire->settle(motion, road, 0.0).ok());
+    for (int i = 1; i <= 2000; ++i) {
+      const double t = i * kStep, Vx = way * 2.0 * std::sin(0.5 * std::numbers::pi * t + 1.0);
+      const double yaw_rate = way * 0.2 * std::sin(3.0 * t);
+      motion.velocity = {Vx, 0.05 * std::sin(4.0 * t), 0.0};
+      motion.angular_velocity.z() = yaw_rate;
+      motion.spin_rate = 0.98 * Vx / 0.2946;
+      motion.center += kStep * motion.velocity;
+      heading += kStep * yaw_rate;
+      motion.carrier = Eigen::AngleAxisd(heading, Vector3d::UnitZ()).toRotationMatrix();
+      const auto hub = tire->advance(motion, road, t, kStep);
+      ASSERT_TRUE(hub.ok());
+      hubs[back].push_back(*hub);
+    }
+  }
+  for (std::size_t i = 0; i < hubs[0].size(); ++i) {
+    const HubForces &ahead = hubs[0][i], &back = hubs[1][i];
+    ASSERT_LT((back.force - Vector3d(-ahead.force.x(), ahead.force.y(), ahead.force.z())).norm(),
+              1e-3);
+    ASSERT_LT(
+        (back.moment - Vector3d(ahead.moment.x(), -ahead.moment.y(), -ahead.moment.z())).norm(),
+        1e-3);
+  }
+}
+
 TEST(RigidRing, AMotionThatIsNoneIsToldAndForgotten) {
   const auto tire = make(ring_tire());
   WheelMotion motion = standing(0.28);
