@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kNoSlip = 1e-4;      // below it the formula is straight
 constexpr double kLeastSigma = 0.01;  // m: shorter than any contact patch
-constexpr double kMostSlip = 3.0;     // of u/sigma and v/sigma: far in the sliding region
 
 Conventions for_mode(Conventions conventions, int use_mode) {
   conventions.turn_slip = conventions.turn_slip || use_mode % 10 == 5;
@@ -88,32 +87,37 @@ double MagicFormulaTire::vertical_force(const WheelContact& contact, double spin
 
 SteadyState MagicFormulaTire::evaluate(const WheelContact& contact,
                                        double Fz,
-                                       const Slips& slips) const {
+                                       const Patch& patch) const {
   const bool lags = transient(settings_.use_mode);
-  const double Vx = lags ? formula_speed(contact.Vx, parameters_.VXLOW) : contact.Vx;
-  const double phit = std::abs(Vx) > 0.0 ? -contact.yaw_rate / std::abs(Vx) : 0.0;
-  // The formula's kappa is (omega R_e - Vx)/Vx, which changes sign backwards.
+  const double low = low_speed(parameters_);
+  const double V = lags ? std::max(std::abs(contact.Vx), low) : std::abs(contact.Vx);
+  const double phit = V > 0.0 ? -contact.yaw_rate / V : 0.0;
   State state{Fz,
-              std::copysign(1.0, Vx) * slips.kappa,
-              slips.alpha,
+              patch.kappa,
+              patch.alpha,
               contact.gamma,
-              phit,
-              Vx,
+              lags ? awake(contact.Vx, low) * phit : phit,
+              contact.Vx,
               settings_.pressure};
+  const auto ask = [&](State s) {
+    if (lags) return at_any_speed(formula_, s, patch.r);
+    // The formula's kappa is (omega R_e - Vx)/Vx, which changes sign backwards.
+    s.kappa = std::copysign(1.0, s.Vx) * s.kappa;
+    return formula_.evaluate(s);
+  };
   const int forces = settings_.use_mode % 10;
   if (forces == 1) state.alpha = 0.0;
   if (forces == 2) state.kappa = 0.0;
-  SteadyState s = formula_.evaluate(state);
+  SteadyState s = ask(state);
   if (forces == 3) {
     State straight = state;
     straight.alpha = 0.0;
-    const SteadyState x = formula_.evaluate(straight);
+    const SteadyState x = ask(straight);
     state.kappa = 0.0;
-    s = formula_.evaluate(state);
+    s = ask(state);
     s.Fx = x.Fx;
     s.My = x.My;
   }
-  if (lags) s.My *= rolling_share(contact.Vx, parameters_.VXLOW);
   if (forces == 0 || forces == 2) s.Fx = s.My = 0.0;
   if (forces == 0 || forces == 1) s.Fy = s.Mx = s.Mz = 0.0;
   return s;
@@ -122,54 +126,84 @@ SteadyState MagicFormulaTire::evaluate(const WheelContact& contact,
 /// Relaxation lengths at these slips: that of the secant from no slip, where ply steer, conicity
 /// and camber leave a force that needs no deflection. Of the tangent where the slip is next to
 /// none.
-MagicFormulaTire::Lengths MagicFormulaTire::lengths(const WheelContact& contact,
+MagicFormulaTire::Carcass MagicFormulaTire::carcass(const WheelContact& contact,
                                                     double Fz,
-                                                    const Slips& slips) const {
-  const SteadyState here = evaluate(contact, Fz, slips);
-  Lengths sigma{std::max(here.sigma_x, kLeastSigma), std::max(here.sigma_y, kLeastSigma)};
-  if (settings_.use_mode / 10 % 10 < 2) return sigma;
+                                                    const Patch& patch) const {
+  const SteadyState here = evaluate(contact, Fz, patch);
+  Carcass c{std::max(here.sigma_x, kLeastSigma),
+            std::max(here.sigma_y, kLeastSigma),
+            here.mux * Fz,
+            here.muy * Fz,
+            here.Kxk,
+            here.Kya,
+            pivot_of(parameters_, here)};
+  if (settings_.use_mode / 10 % 10 < 2) return c;
   const auto secant = [&](double slip, double longest, double stiffness, auto force_at) {
     if (stiffness <= 0.0) return longest;
     const double far = std::abs(slip) < kNoSlip ? std::copysign(kNoSlip, slip) : slip;
     const double length = std::abs((force_at(far) - force_at(0.0)) / (stiffness * far));
     return std::clamp(length, kLeastSigma, longest);
   };
-  sigma.x = secant(slips.kappa, sigma.x, here.Cx, [&](double kappa) {
-    return evaluate(contact, Fz, {kappa, slips.alpha}).Fx;
+  c.sigma_x = secant(patch.kappa, c.sigma_x, here.Cx, [&](double kappa) {
+    return evaluate(contact, Fz, {kappa, patch.alpha, patch.r}).Fx;
   });
-  sigma.y = secant(std::tan(slips.alpha), sigma.y, here.Cy, [&](double tan_alpha) {
-    return evaluate(contact, Fz, {slips.kappa, std::atan(tan_alpha)}).Fy;
+  c.sigma_y = secant(std::tan(patch.alpha), c.sigma_y, here.Cy, [&](double tan_alpha) {
+    return evaluate(contact, Fz, {patch.kappa, std::atan(tan_alpha), patch.r}).Fy;
   });
-  return sigma;
+  return c;
 }
 
-/// The slips `step` later where the patch slides with `at`; exact for constant velocities.
-MagicFormulaTire::Slips MagicFormulaTire::relaxed_slips(const Sliding& at,
-                                                        const Lengths& sigma,
+/// The patch `step` later where it slides with `at`; exact for constant velocities.
+MagicFormulaTire::Patch MagicFormulaTire::relaxed_patch(const Sliding& at,
+                                                        const Carcass& c,
                                                         double step) const {
+  const double low = low_speed(parameters_);
+  const double V_r = at.Vx - (1.0 - awake(at.Vx, low)) * at.Vsx;
+  const double speed = std::max(std::abs(at.Vx), std::hypot(at.Vsx, at.Vsy));
+  const double x = c.sigma_x, y = c.sigma_y;
+  const double most_x = most_slip(speed, low, c.peak_x, c.slope_x) * x;
+  const double most_y = most_slip(speed, low, c.peak_y, c.slope_y) * y;
   // The states are slips: a relaxation length that changes with the load moves no force by itself.
-  const double u =
-      relaxed(slips_.kappa * sigma.x, -at.Vsx, at.Vx, sigma.x, kMostSlip * sigma.x, step);
-  const double v =
-      relaxed(std::tan(slips_.alpha) * sigma.y, at.Vsy, at.Vx, sigma.y, kMostSlip * sigma.y, step);
-  return {u / sigma.x, std::atan(v / sigma.y)};
+  const double u = relaxed(patch_.kappa * x, -at.Vsx, std::abs(V_r) / x, most_x, step);
+  const double v = relaxed(std::tan(patch_.alpha) * y, at.Vsy, std::abs(V_r) / y, most_y, step);
+  return {u / x,
+          std::atan(v / y),
+          relaxed(patch_.r, V_r / y, std::abs(V_r) / y, 1.0, step),
+          c.pivot.twisted(patch_.psi, at.yaw_rate, V_r, step)};
 }
 
 /// The exponential midpoint rule: velocities and relaxation lengths of the middle of the step.
-MagicFormulaTire::Slips MagicFormulaTire::lag(const WheelContact& contact,
+MagicFormulaTire::Patch MagicFormulaTire::lag(const WheelContact& contact,
                                               const Sliding& now,
                                               double step) const {
   if (!transient(settings_.use_mode)) {
-    const double floor = std::max(std::abs(contact.Vx), parameters_.VXLOW);
+    const double floor = std::max(std::abs(contact.Vx), low_speed(parameters_));
     return {std::clamp(-now.Vsx / floor, -kMostSlip, kMostSlip), std::atan(now.Vsy / floor)};
   }
   const Sliding& before = before_ ? *before_ : now;
   const Sliding middle{0.5 * (before.Vx + now.Vx),
                        0.5 * (before.Vsx + now.Vsx),
                        0.5 * (before.Vsy + now.Vsy),
+                       0.5 * (before.yaw_rate + now.yaw_rate),
                        0.5 * (before.Fz + now.Fz)};
-  const Slips half = relaxed_slips(before, lengths(contact, before.Fz, slips_), 0.5 * step);
-  return relaxed_slips(middle, lengths(contact, middle.Fz, half), step);
+  const Patch half = relaxed_patch(before, carcass(contact, before.Fz, patch_), 0.5 * step);
+  return relaxed_patch(middle, carcass(contact, middle.Fz, half), step);
+}
+
+/// Forces of the patch where it slides with `now`: below VXLOW also of damping and twist.
+SteadyState MagicFormulaTire::answer(const WheelContact& contact,
+                                     const Sliding& now,
+                                     Patch patch) const {
+  const double k = standing_damping(contact.Vx, parameters_);
+  if (!transient(settings_.use_mode) || k == 0.0) return evaluate(contact, now.Fz, patch);
+  const Carcass c = carcass(contact, now.Fz, patch);
+  const auto bounded = [](double slip) { return std::clamp(slip, -kMostSlip, kMostSlip); };
+  patch.kappa = bounded(patch.kappa - k * now.Vsx / c.sigma_x);
+  patch.alpha = std::atan(bounded(std::tan(patch.alpha) + k * now.Vsy / c.sigma_y));
+  SteadyState s = evaluate(contact, now.Fz, patch);
+  const double still = 1.0 - awake(contact.Vx, low_speed(parameters_));
+  if (settings_.use_mode % 10 > 1) s.Mz -= still * c.pivot.stiffness * patch.psi;
+  return s;
 }
 
 /// Load and slips at the end of a step; where forces along the road lower the load, the ones there.
@@ -177,25 +211,25 @@ void MagicFormulaTire::roll(const WheelContact& contact, double spin_rate, doubl
   constexpr int kMost = 20;
   constexpr double kClose = 1e-9;  // of the load
   const bool coupled = parameters_.Q_FCX != 0.0 || parameters_.Q_FCY != 0.0;
-  Slips slips = slips_;
+  Patch patch = patch_;
   Sliding now;
   for (int i = 0; i < kMost; ++i) {
     const double Fz = vertical_force(contact, spin_rate);
     if (Fz <= 0.0) {
-      slips_ = {};
+      patch_ = {};
       before_.reset();
       forces_ = {};
       return;
     }
     const bool settled = std::abs(Fz - now.Fz) <= kClose * Fz;
-    const double R_e = evaluate(contact, Fz, slips_).R_e;
-    now = {contact.Vx, contact.Vx - spin_rate * R_e, contact.Vy, Fz};
-    slips = lag(contact, now, step);
-    forces_ = evaluate(contact, Fz, slips);
+    const double R_e = evaluate(contact, Fz, patch_).R_e;
+    now = {contact.Vx, contact.Vx - spin_rate * R_e, contact.Vy, contact.yaw_rate, Fz};
+    patch = lag(contact, now, step);
+    forces_ = answer(contact, now, patch);
     forces_.Fz = Fz;  // also beyond FZMAX, where the formula's is limited
     if (settled || !coupled) break;
   }
-  slips_ = slips;
+  patch_ = patch;
   before_ = now;
 }
 
@@ -208,16 +242,18 @@ HubForces MagicFormulaTire::hub_forces(const WheelMotion& motion,
 Result<HubForces> MagicFormulaTire::settle(const WheelMotion& motion,
                                            const road::Road& road,
                                            double time) {
-  slips_ = {};
+  if (const std::string trouble = trouble_with(motion); !trouble.empty()) return Failure{trouble};
+  patch_ = {};
   before_.reset();
   forces_ = {};
   const RoadPlane plane = tangent_plane(motion, road, time);
   auto contact = touch(motion, plane);
   if (!contact) return Failure{"the wheel lies flat: its spin axis stands on the road"};
   take_friction(contact->friction);
-  contact->approach = 0.0;
-  // At rest nothing slips: the load alone, through the contact point.
-  forces_.Fz = vertical_force(*contact, 0.0);
+  contact->approach = contact->Vx = contact->Vy = contact->yaw_rate = 0.0;
+  const double Fz = vertical_force(*contact, 0.0);
+  if (Fz > 0.0) forces_ = answer(*contact, {.Fz = Fz}, patch_);
+  forces_.Fz = Fz;
   return hub_forces(motion, *contact);
 }
 
@@ -225,6 +261,8 @@ Result<HubForces> MagicFormulaTire::advance(const WheelMotion& motion,
                                             const road::Road& road,
                                             double time,
                                             double step) {
+  if (const std::string trouble = trouble_with(motion, step); !trouble.empty())
+    return Failure{trouble};
   const RoadPlane plane = tangent_plane(motion, road, time);
   const auto contact = touch(motion, plane);
   if (!contact) return Failure{"the wheel lies flat: its spin axis stands on the road"};

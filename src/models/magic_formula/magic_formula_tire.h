@@ -13,11 +13,13 @@
 // sigma = |F - F(0)|/(C slip), as the sliding part of the patch needs no deflection
 // [Pacejka 2012, 7.2.3]; F(0) is the force that ply steer, conicity, camber and the other slip
 // leave without this slip. A step is of order 2 in its length, and exact where velocities and load
-// stand. Units: 0 vertical force alone, 1 Fx and My, 2 Fy, Mx, Mz, 3 all without interaction of the
-// slips, 4 and 5 all (5: with turn slip).
+// stand. Below VXLOW, at rest and on the spot: standstill.h, of every mode with relaxation.
+// Units: 0 vertical force alone, 1 Fx and My, 2 Fy, Mx, Mz, 3 all without interaction of the slips,
+// 4 and 5 all (5: with turn slip).
 #pragma once
 
 #include "models/magic_formula/magic_formula.h"
+#include "models/magic_formula/standstill.h"
 #include "models/magic_formula/wheel_contact.h"
 #include "models/tire/tire.h"
 
@@ -51,27 +53,31 @@ class MagicFormulaTire final : public Tire {
 
   /// Of the last step: load, lagged slips, forces in W.
   const SteadyState& contact_forces() const { return forces_; }
-  double lagged_kappa() const { return slips_.kappa; }
-  double lagged_alpha() const { return slips_.alpha; }
+  double lagged_kappa() const { return patch_.kappa; }
+  double lagged_alpha() const { return patch_.alpha; }
 
  private:
-  struct Slips {
-    double kappa = 0.0, alpha = 0.0;
+  /// What the tire remembers: lagged slips, the way it was rolled in, rad of twist.
+  struct Patch {
+    double kappa = 0.0, alpha = 0.0, r = 0.0, psi = 0.0;
   };
-  /// m: relaxation lengths.
-  struct Lengths {
-    double x, y;
+  /// How the patch hangs on the carcass.
+  struct Carcass {
+    double sigma_x, sigma_y;                  // m: relaxation lengths
+    double peak_x, peak_y, slope_x, slope_y;  // N, over the slip
+    Pivot pivot;
   };
-  /// The patch over the ground, m/s, and its load, N.
+  /// The patch over the ground, m/s and rad/s, and its load, N.
   struct Sliding {
-    double Vx = 0.0, Vsx = 0.0, Vsy = 0.0, Fz = 0.0;
+    double Vx = 0.0, Vsx = 0.0, Vsy = 0.0, yaw_rate = 0.0, Fz = 0.0;
   };
 
   double vertical_force(const WheelContact& contact, double spin_rate) const;
-  SteadyState evaluate(const WheelContact& contact, double Fz, const Slips& slips) const;
-  Lengths lengths(const WheelContact& contact, double Fz, const Slips& slips) const;
-  Slips relaxed_slips(const Sliding& at, const Lengths& sigma, double step) const;
-  Slips lag(const WheelContact& contact, const Sliding& now, double step) const;
+  SteadyState evaluate(const WheelContact& contact, double Fz, const Patch& patch) const;
+  Carcass carcass(const WheelContact& contact, double Fz, const Patch& patch) const;
+  Patch relaxed_patch(const Sliding& at, const Carcass& carcass, double step) const;
+  Patch lag(const WheelContact& contact, const Sliding& now, double step) const;
+  SteadyState answer(const WheelContact& contact, const Sliding& now, Patch patch) const;
   void roll(const WheelContact& contact, double spin_rate, double step);
   HubForces hub_forces(const WheelMotion& motion, const WheelContact& contact) const;
   void take_friction(double friction);
@@ -79,8 +85,8 @@ class MagicFormulaTire final : public Tire {
   Parameters parameters_;
   MagicFormulaTireSettings settings_;
   MagicFormula formula_;
-  double friction_ = 1.0;          // of the road, in formula_
-  Slips slips_;                    // lagged
+  double friction_ = 1.0;  // of the road, in formula_
+  Patch patch_;
   std::optional<Sliding> before_;  // at the end of the last step; nothing in the air
   SteadyState forces_{};
 };

@@ -6,7 +6,7 @@
 //   [Pacejka 2012, ch. 7.2]
 //
 // A step is exact for constant velocities, so any step is stable. At a standstill u and v are the
-// deflections of a carcass that sticks, bounded where the patch slides.
+// deflections of a carcass that sticks, bounded where the patch slides (standstill.h).
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,8 @@
 
 namespace latsch::magic_formula {
 
-/// u after `step`: du/dt = source - |Vx|/sigma u. |u| <= bound.
-inline double relaxed(double u, double source, double Vx, double sigma, double bound, double step) {
-  const double rate = std::abs(Vx) / sigma;
+/// u after `step`: du/dt = source - rate u. |u| <= bound.
+inline double relaxed(double u, double source, double rate, double bound, double step) {
   // (1 - exp(-rate step)) / rate, also for a rate of 0.
   const double gain = rate * step > 1e-12 ? -std::expm1(-rate * step) / rate : step;
   return std::clamp(u + gain * (source - rate * u), -bound, bound);

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <optional>
 
 #include "models/road/road.h"
@@ -39,16 +38,6 @@ std::optional<WheelContact> touch(const WheelMotion& motion, const RoadPlane& pl
 
 /// The plane tangent to the road where the wheel touches it.
 RoadPlane tangent_plane(const WheelMotion& motion, const road::Road& road, double time);
-
-/// The speed for which the formula is asked where slips lag: its own fading below VXLOW is for
-/// slips of the wheel, and up to there a wheel that rolls back is taken as one that rolls forward.
-inline double formula_speed(double Vx, double VXLOW) {
-  return Vx < -VXLOW ? Vx : std::max(Vx, VXLOW);
-}
-/// What of the rolling resistance is left at that speed.
-inline double rolling_share(double Vx, double VXLOW) {
-  return Vx < -VXLOW ? 1.0 : std::clamp(Vx / VXLOW, -1.0, 1.0);
-}
 
 /// Forces and moments in W at the contact point as the rim feels them, in C.
 HubForces at_hub(const WheelMotion& motion,

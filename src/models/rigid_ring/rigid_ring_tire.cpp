@@ -9,6 +9,7 @@
 namespace latsch::rigid_ring {
 
 using Eigen::Vector3d;
+using magic_formula::kMostSlip;
 using magic_formula::MagicFormula;
 using magic_formula::MagicFormulaTireSettings;
 using magic_formula::Parameters;
@@ -19,7 +20,6 @@ namespace {
 
 constexpr double kLeastSigma = 0.01;  // m
 constexpr double kLeastShare = 0.05;  // of the nominal load: a patch that lifts off has that length
-constexpr double kMostSlip = 3.0;     // of u/sigma and v/sigma: far in the sliding region
 
 /// The loaded radius at the nominal load, standing.
 double nominal_radius(const Parameters& p) {
@@ -100,44 +100,50 @@ double RigidRingTire::load(double rho, double approach, double spin_rate, double
   return std::max(Fz + parameters_.DAMP_RESIDUAL * ring_.c_rz * approach, 0.0);
 }
 
-void RigidRingTire::slip(const WheelContact& wheel, double spin_rate, Contact& c, State y) {
+/// `turning`: w_c - w_y, rad/s.
+void RigidRingTire::slip(
+    const WheelContact& wheel, double spin_rate, double turning, Contact& c, const State& y) {
+  using namespace magic_formula;
   const Parameters& p = parameters_;
-  const double Fz = forces_.Fz, V = std::abs(wheel.Vx);
-  const double Vx = magic_formula::formula_speed(wheel.Vx, p.VXLOW);
-  const double phit = -wheel.yaw_rate / std::abs(Vx);
-  const SteadyState still =
-      formula_.evaluate({Fz, 0.0, 0.0, wheel.gamma, phit, Vx, settings_.pressure});
+  const double Fz = forces_.Fz, low = low_speed(p), q = awake(wheel.Vx, low);
+  const double phit = q * (-wheel.yaw_rate / std::max(std::abs(wheel.Vx), low));
+  magic_formula::State state{Fz, 0.0, 0.0, wheel.gamma, phit, wheel.Vx, settings_.pressure};
+  const SteadyState still = at_any_speed(formula_, state, y[14]);
   const double sigma_x = std::max(std::abs(still.Kxk) / ring_.c_rx, kLeastSigma);
   const double sigma_y = std::max(std::abs(still.Kya) / ring_.c_ry, kLeastSigma);
-  const double Vsx = wheel.Vx - spin_rate * still.R_e, Vsy = wheel.Vy;
-  const double crawl =
-      V < p.VXLOW ? 0.5 * (1.0 + std::cos(std::numbers::pi * V / p.VXLOW)) * p.DAMP_VLOW : 0.0;
-  const double kappa = std::clamp((y[12] - crawl * Vsx) / sigma_x, -kMostSlip, kMostSlip);
-  const double tan_alpha = std::clamp((y[13] + crawl * Vsy) / sigma_y, -kMostSlip, kMostSlip);
-  forces_ = formula_.evaluate({Fz,
-                               std::copysign(1.0, Vx) * kappa,
-                               std::atan(tan_alpha),
-                               wheel.gamma,
-                               phit,
-                               Vx,
-                               settings_.pressure});
+  const double Vsx = wheel.Vx - spin_rate * still.R_e - (wheel.height - still.R_e) * turning;
+  const double Vsy = wheel.Vy;
+  const double k = standing_damping(wheel.Vx, p);
+  state.kappa = std::clamp((y[12] - k * Vsx) / sigma_x, -kMostSlip, kMostSlip);
+  state.alpha = std::atan(std::clamp((y[13] + k * Vsy) / sigma_y, -kMostSlip, kMostSlip));
+  forces_ = at_any_speed(formula_, state, y[14]);
   forces_.Fz = Fz;
-  forces_.My *= magic_formula::rolling_share(wheel.Vx, p.VXLOW);
-  c.u_rate = bounded_rate(y[12], -Vsx - V / sigma_x * y[12], kMostSlip * sigma_x);
-  c.v_rate = bounded_rate(y[13], Vsy - V / sigma_y * y[13], kMostSlip * sigma_y);
+  Pivot pivot = pivot_of(p, still);
+  if (ring_.c_rpsi > 0.0) pivot.stiffness = ring_.c_rpsi;
+  forces_.Mz -= (1.0 - q) * pivot.stiffness * y[15];
+
+  const double V_r = wheel.Vx - (1.0 - q) * Vsx, V = std::abs(V_r);
+  const double speed = std::max(std::abs(wheel.Vx), std::hypot(Vsx, Vsy));
+  const double most_x = most_slip(speed, low, still.mux * Fz, still.Kxk) * sigma_x;
+  const double most_y = most_slip(speed, low, still.muy * Fz, still.Kya) * sigma_y;
+  c.rate = {bounded_rate(y[12], -Vsx - V / sigma_x * y[12], most_x),
+            bounded_rate(y[13], Vsy - V / sigma_y * y[13], most_y),
+            (V_r - V * y[14]) / sigma_y,
+            pivot.twist_rate(y[15], wheel.yaw_rate, V_r)};
+  if (speed < low) c.most = {most_x, most_y};
 }
 
-RigidRingTire::Contact RigidRingTire::contact(const State& y,
-                                              const WheelMotion& rim,
-                                              const magic_formula::RoadPlane& plane,
-                                              bool rolling) {
+RigidRingTire::Contact RigidRingTire::contact(const State& y, const Rim& at, bool rolling) {
   const Parameters& p = parameters_;
+  const WheelMotion& rim = at.motion;
   const WheelMotion belt = belt_motion(y, rim);
-  const auto wheel = touch(belt, plane);
+  const auto wheel = touch(belt, at.plane);
   Contact c;
   if (!wheel) return c;
   const double speed = belt.spin_rate * p.UNLOADED_RADIUS / p.LONGVL;
   const double R_omega = p.UNLOADED_RADIUS * (p.Q_RE0 + p.Q_V1 * speed * speed);
+  const double turning =
+      at.normal_rate.dot(wheel->axes.col(0)) - rim.angular_velocity.dot(wheel->axes.col(1));
   // Where forces along the road lower the load, those that it makes.
   const bool coupled = rolling && (p.Q_FCX != 0.0 || p.Q_FCY != 0.0);
   constexpr int kMost = 20;
@@ -147,14 +153,13 @@ RigidRingTire::Contact RigidRingTire::contact(const State& y,
         R_omega - wheel->height, rolling ? wheel->approach : 0.0, belt.spin_rate, wheel->gamma);
     if (Fz <= 0.0) {
       forces_ = {};
-      c.u_rate = -y[12] / 1e-3;  // what was sheared springs back within a millisecond
-      c.v_rate = -y[13] / 1e-3;
+      c.rate = -y.tail<4>() / 1e-3;  // what was sheared springs back within a millisecond
       return c;
     }
     const bool settled = i > 0 && std::abs(Fz - forces_.Fz) <= kClose * Fz;
     if (!rolling) forces_ = {};
     forces_.Fz = Fz;
-    if (rolling) slip(*wheel, belt.spin_rate, c, y);
+    if (rolling) slip(*wheel, belt.spin_rate, turning, c, y);
     if (settled) break;
   }
   const Vector3d force = wheel->axes * Vector3d(forces_.Fx, forces_.Fy, forces_.Fz);
@@ -181,7 +186,7 @@ void RigidRingTire::springs(const State& y,
 }
 
 RigidRingTire::State RigidRingTire::rate(const State& y, const Rim& rim) {
-  const Contact c = contact(y, rim.motion, rim.plane, true);
+  const Contact c = contact(y, rim, true);
   const double spin_rate = rim.motion.spin_rate;
   Vector3d force, moment;
   springs(y, spin_rate, force, moment);
@@ -196,8 +201,8 @@ RigidRingTire::State RigidRingTire::rate(const State& y, const Rim& rim) {
   rate.segment<3>(9) =
       (c.moment - moment + gyroscopic).cwiseQuotient(Vector3d(ring_.I_xx, ring_.I_yy, ring_.I_xx));
   rate[10] -= rim.spin_acceleration;
-  rate[12] = c.u_rate;
-  rate[13] = c.v_rate;
+  rate.tail<4>() = c.rate;
+  most_ = c.most;
   return rate;
 }
 
@@ -244,6 +249,7 @@ int RigidRingTire::substeps(double step, double Vx) const {
 Result<HubForces> RigidRingTire::settle(const WheelMotion& motion,
                                         const road::Road& road,
                                         double time) {
+  if (const std::string trouble = trouble_with(motion); !trouble.empty()) return Failure{trouble};
   WheelMotion rest = motion;
   rest.velocity.setZero();
   rest.angular_velocity.setZero();
@@ -255,7 +261,7 @@ Result<HubForces> RigidRingTire::settle(const WheelMotion& motion,
   for (int round = 0; round < kRounds; ++round) {
     plane_ = plane_ahead(rest, 0.0, road, time);
     take_friction(plane_.friction);
-    const Contact c = contact(state_, rest, plane_, false);
+    const Contact c = contact(state_, {.motion = rest, .plane = plane_}, false);
     const Vector3d weight =
         rest.carrier.transpose() * Vector3d(0.0, 0.0, ring_.m_b * parameters_.GRAVITY);
     state_.segment<3>(0) =
@@ -289,6 +295,7 @@ RigidRingTire::Rim RigidRingTire::between(const WheelMotion& motion,
                            .toRotationMatrix();
   rim.motion.spin_rate = before_.spin_rate + share * (motion.spin_rate - before_.spin_rate);
   rim.plane = plane;
+  rim.normal_rate = (plane.normal - plane_.normal) / step;
   rim.plane.point = mix(plane_.point, plane.point);
   rim.plane.normal = mix(plane_.normal, plane.normal).normalized();
   rim.plane.velocity = mix(plane_.velocity, plane.velocity);
@@ -299,6 +306,8 @@ Result<HubForces> RigidRingTire::advance(const WheelMotion& motion,
                                          const road::Road& road,
                                          double time,
                                          double step) {
+  if (const std::string trouble = trouble_with(motion, step); !trouble.empty())
+    return Failure{trouble};
   if (!moving_) {
     before_ = motion;
     plane_ = plane_ahead(motion, 0.0, road, time);
@@ -308,6 +317,7 @@ Result<HubForces> RigidRingTire::advance(const WheelMotion& motion,
   const auto wheel = touch(belt_motion(state_, motion), plane);
   if (!wheel) return Failure{"the wheel lies flat: its spin axis stands on the road"};
   take_friction(plane.friction);
+  if (step == 0.0) return hub_forces(state_, motion.spin_rate);
   const int n = substeps(step, wheel->Vx);
   const double h = step / n, load_before = forces_.Fz;
   const auto at = [&](double share) { return between(motion, plane, step, share); };
@@ -318,6 +328,7 @@ Result<HubForces> RigidRingTire::advance(const WheelMotion& motion,
     const State k3 = rate(state_ + 0.5 * h * k2, middle);
     const State k4 = rate(state_ + h * k3, end);
     state_ += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+    state_.segment<2>(12) = state_.segment<2>(12).cwiseMax(-most_).cwiseMin(most_);
   }
   before_ = motion;
   plane_ = plane;

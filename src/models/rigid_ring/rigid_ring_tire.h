@@ -7,6 +7,8 @@
 //   du/dt + |Vx|/sigma_c u = -Vsx                             u, v: deflections of the residual
 //   dv/dt + |Vx|/sigma_c v = Vsy                              springs, sigma_c = K/c_r
 //   kappa' = u/sigma_c,  alpha' = atan(v/sigma_c)
+//   Vsx = Vx - Omega R_e(Fz) - (R_l - R_e) (w_c - w_y)        w_c, w_y: rates of pitch, of the
+//                                                             effective plane and of the rim
 //   Fz(rho_r):  Fz = F_static(rho_r + Fz/k_bz) + DAMP_RESIDUAL c_rz d rho_r/dt
 //
 // so that at rest and in steady rolling the ring in series with the residual springs is the overall
@@ -17,14 +19,24 @@
 // plane go straight on in a step, which makes it of order 2. [Zegelaar 1998; Maurice 2000; Schmeitz
 // 2004; Pacejka 2012, ch. 9 and 10]
 //
-// Limits: the variation of the effective rolling radius over an obstacle and the residual yaw
-// stiffness are left out; small rotations of the belt; Q_BVX and Q_BVT (stiffness over speed) are
-// not used.
+// The three ways in which a road changes the effective rolling radius [Zegelaar 1998; Schmeitz
+// 2004]: the load of the moment in R_e (7); the slope, along which Vx is taken; the curvature. In
+// axes that turn with the plane the belt turns with Omega + w_y - w_c over ground that comes with
+// Vx - R_l (w_c - w_y): so Vsx. A disc, R_l = R_e, feels no curvature.
+//
+// Below VXLOW, at rest and on the spot as in standstill.h, the yaw stiffness there being the
+// residual one.
+//
+// Limits: the twist of the patch is felt below VXLOW alone; the moment of Fx about the axle has the
+// arm R_l (what makes it R_e is in QSY2 of the file, if anywhere); small rotations of the belt;
+// Q_BVX and Q_BVT (stiffness over speed) are not used.
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 #include "models/magic_formula/magic_formula_tire.h"
+#include "models/magic_formula/standstill.h"
 #include "models/rigid_ring/ring_constants.h"
 #include "models/rigid_ring/tandem_cams.h"
 
@@ -53,19 +65,21 @@ class RigidRingTire final : public Tire {
   const magic_formula::RoadPlane& effective_plane() const { return plane_; }
 
  private:
-  /// d, phi, their rates, u, v.
-  using State = Eigen::Matrix<double, 14, 1>;
+  /// d, phi, their rates, u, v, the way the patch was rolled in, its twist.
+  using State = Eigen::Matrix<double, 16, 1>;
   /// Rim and effective plane at a time of the step.
   struct Rim {
     WheelMotion motion;
     Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  // m/s^2, inertial
     double spin_acceleration = 0.0;
     magic_formula::RoadPlane plane;
+    Eigen::Vector3d normal_rate = Eigen::Vector3d::Zero();  // 1/s, of the plane's
   };
   struct Contact {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();   // on the belt, C
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // about the belt's center, C
-    double u_rate = 0.0, v_rate = 0.0;
+    Eigen::Vector4d rate = Eigen::Vector4d::Zero();    // of the state from u on
+    Eigen::Vector2d most{INFINITY, INFINITY};          // m: |u|, |v| of a patch that stands
   };
 
   RigidRingTire(const magic_formula::Parameters& parameters,
@@ -74,11 +88,12 @@ class RigidRingTire final : public Tire {
 
   WheelMotion belt_motion(const State& y, const WheelMotion& rim) const;
   double load(double rho, double approach, double spin_rate, double gamma) const;
-  Contact contact(const State& y,
-                  const WheelMotion& rim,
-                  const magic_formula::RoadPlane& plane,
-                  bool rolling);
-  void slip(const magic_formula::WheelContact& wheel, double spin_rate, Contact& c, State y);
+  Contact contact(const State& y, const Rim& rim, bool rolling);
+  void slip(const magic_formula::WheelContact& wheel,
+            double spin_rate,
+            double turning,
+            Contact& c,
+            const State& y);
   State rate(const State& y, const Rim& rim);
   void springs(const State& y,
                double spin_rate,
@@ -106,6 +121,7 @@ class RigidRingTire final : public Tire {
   bool moving_ = false;             // before_ is known
   magic_formula::RoadPlane plane_;  // at the end of the last step
   double load_rate_ = 0.0;          // N/s, over the last step
+  Eigen::Vector2d most_;            // m: of |u|, |v|, as the last rate had it
   magic_formula::SteadyState forces_{};
 };
 

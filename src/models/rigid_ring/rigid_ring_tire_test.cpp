@@ -198,18 +198,22 @@ TEST(RigidRing, OverAStepTheLoadRisesAndSettlesAgain) {
   EXPECT_NEAR(hub->force.z(), 5000.0, 50.0);  // where it ends
 }
 
-/// A wave, smooth where the cams touch it.
+/// A wave A sin(k x), smooth where the cams touch it.
 class SineRoad : public road::Road {
  public:
+  explicit SineRoad(double A = 0.004, double k = 4.0) : A_(A), k_(k) {}
   road::GroundPoint at(double x, double, double) const override {
-    return {.height = 0.004 * std::sin(4.0 * x)};
+    return {.height = A_ * std::sin(k_ * x)};
   }
   road::GroundBounds bounds(const road::GroundBox& box, double) const override {
     const double quarter = 0.5 * std::numbers::pi, turn = 4.0 * quarter;
-    const double crest = turn * std::ceil((4.0 * box.x0 - quarter) / turn) + quarter;
-    if (crest <= 4.0 * box.x1) return {0.004, false};
-    return {0.004 * std::max(std::sin(4.0 * box.x0), std::sin(4.0 * box.x1)), false};
+    const double crest = turn * std::ceil((k_ * box.x0 - quarter) / turn) + quarter;
+    if (crest <= k_ * box.x1) return {A_, false};
+    return {A_ * std::max(std::sin(k_ * box.x0), std::sin(k_ * box.x1)), false};
   }
+
+ private:
+  double A_, k_;
 };
 
 /// Hub force after 0.04 s over a smooth wave, drifting, braked, in `parts` steps.
@@ -272,6 +276,212 @@ TEST(RigidRing, OnAFastBeltItRollsAsOverAFastRoad) {
     forces[belt] = hub->force;
   }
   EXPECT_LT((forces[1] - forces[0]).norm(), 1e-9 * forces[0].norm());
+}
+
+/// A ring tire whose effective radius goes with the load, that rolls without resistance.
+Parameters free_rolling_tire() {
+  Parameters p = ring_tire();
+  p.QSY1 = 0.0;
+  p.FREFF = 0.3;  // a change of R_e that is seen: 6 mm over the nominal load
+  return p;
+}
+
+/// What is read each step of a wheel that rolls freely with 2 m/s at constant height over a wave.
+struct Rolled {
+  double omega, R_e, beta, height, Fz;
+  Vector3d center;  // of the belt
+};
+std::vector<Rolled> roll_over(const Parameters& p, const SineRoad& road, double way) {
+  constexpr double kSpeed = 2.0, kStep = 5e-4, kInertia = 1.0;
+  const auto tire = make(p);
+  const MagicFormula formula(p);
+  WheelMotion motion = standing(0.28);
+  EXPECT_TRUE(tire->settle(motion, road, 0.0).ok());
+  motion.velocity.x() = kSpeed;
+  motion.spin_rate = kSpeed / 0.295;
+  std::vector<Rolled> rolled;
+  for (int i = 1; motion.center.x() < way; ++i) {
+    motion.center.x() += kStep * kSpeed;
+    const auto hub = tire->advance(motion, road, i * kStep, kStep);
+    EXPECT_TRUE(hub.ok());
+    const double Fz = tire->contact_forces().Fz;
+    const auto at = formula.evaluate({Fz, 0.0, 0.0, 0.0, 0.0, kSpeed, 2.2e5});
+    const auto& plane = tire->effective_plane();
+    const Vector3d center = motion.center + tire->belt_displacement();
+    rolled.push_back({motion.spin_rate,
+                      at.R_e,
+                      std::atan2(-plane.normal.x(), plane.normal.z()),
+                      plane.normal.dot(center - plane.point),
+                      Fz,
+                      center});
+    motion.spin_rate += kStep / kInertia * hub->moment.y();
+  }
+  return rolled;
+}
+
+// Slowly over a long wave a free wheel turns with V/R_e of the load of the moment.
+TEST(RigidRing, OverALongWaveTheSpinFollowsTheRadiusOfTheLoad) {
+  const auto rolled = roll_over(free_rolling_tire(), SineRoad(0.005, 0.5), 25.0);
+  double off = 0.0, varies = 0.0, load = 0.0;
+  for (std::size_t i = rolled.size() / 2; i < rolled.size(); ++i) {
+    const Rolled& r = rolled[i];
+    off = std::max(off, std::abs(r.omega * r.R_e / 2.0 - 1.0));
+    varies = std::max(varies, std::abs(r.omega / rolled[rolled.size() / 2].omega - 1.0));
+    load = std::max(load, r.Fz);
+  }
+  EXPECT_GT(load, 4900.0);
+  EXPECT_GT(varies, 4e-3);
+  EXPECT_LT(off, 0.005 * varies);
+}
+
+// Over a shorter one slope and curvature show: omega R_e = V cos(beta) + (R_l - R_e) dbeta/dt, the
+// same for a tire whose axle follows the wave. A disc would turn as on the flat.
+TEST(RigidRing, OverAShortWaveTheSpinFollowsTheCurvature) {
+  Parameters p = free_rolling_tire();
+  p.FREFF = p.DREFF = 0.0;  // R_e is that of the free tire at every load
+  const auto rolled = roll_over(p, SineRoad(0.004, 4.0), 16.0);
+  double off = 0.0, varies = 0.0;
+  for (std::size_t i = rolled.size() * 3 / 4; i + 1 < rolled.size(); ++i) {  // the start rang off
+    const Rolled &r = rolled[i], &before = rolled[i - 1], &after = rolled[i + 1];
+    const double turning = (after.beta - before.beta) / 1e-3;
+    const Vector3d along(std::cos(r.beta), 0.0, std::sin(r.beta));
+    const double speed = along.dot(after.center - before.center) / 1e-3;
+    const double omega = (speed + (r.height - r.R_e) * turning) / r.R_e;
+    off = std::max(off, std::abs(r.omega - omega));
+    varies = std::max(varies, std::abs(r.omega - 2.0 / r.R_e));
+  }
+  EXPECT_GT(varies, 5e-3);
+  EXPECT_LT(off, 0.01 * varies);
+}
+
+// Braked over a long wave with a spin that stands, straight on and in a corner, the slip itself
+// goes with the load: the force is the formula's at kappa = omega R_e(Fz)/V - 1, lagging
+// behind the springs of patch and belt: d(sigma_c kappa')/dt = V (kappa - kappa') - dFx/dt / k_b.
+TEST(RigidRing, BrakedOverALongWaveTheSlipFollowsTheRadiusOfTheLoad) {
+  const Parameters p = free_rolling_tire();
+  const MagicFormula formula(p);
+  const SineRoad road(0.005, 0.5);
+  constexpr double kSpeed = 2.0, kStep = 1e-3;
+  for (const double alpha : {0.0, 0.03}) {
+    const auto tire = make(p);
+    WheelMotion motion = standing(0.28);
+    ASSERT_TRUE(tire->settle(motion, road, 0.0).ok());
+    motion.velocity = {kSpeed, kSpeed * std::tan(alpha), 0.0};
+    motion.spin_rate = 0.97 * kSpeed / 0.294;
+    double least = 0.0, most = -1.0, off = 0.0, u = 0.0, Fx_before = 0.0;
+    for (int i = 1; i < 12000; ++i) {
+      motion.center += kStep * motion.velocity;
+      ASSERT_TRUE(tire->advance(motion, road, i * kStep, kStep).ok());
+      const double Fz = tire->contact_forces().Fz;
+      const auto still = formula.evaluate({Fz, 0.0, 0.0, 0.0, 0.0, kSpeed, 2.2e5});
+      const double kappa = motion.spin_rate * still.R_e / kSpeed - 1.0;
+      const auto& ring = tire->constants();
+      const double by_belt = 1.0 / ring.k_bx + still.R_l * still.R_e / ring.k_btheta;
+      const double Fx = tire->contact_forces().Fx, sigma_c = still.Kxk / ring.c_rx;
+      u += kStep * kSpeed * (kappa - u / sigma_c) - (Fx - Fx_before) * by_belt;
+      Fx_before = Fx;
+      if (i < 3000) continue;
+      const auto s = formula.evaluate({Fz, u / sigma_c, alpha, 0.0, 0.0, kSpeed, 2.2e5});
+      off = std::max(off, std::abs(tire->contact_forces().Fx / s.Fx - 1.0));
+      least = std::min(least, kappa);
+      most = std::max(most, kappa);
+    }
+    EXPECT_LT(off, alpha == 0.0 ? 1e-3 : 0.01);  // the belt turns a little under Mz
+    EXPECT_GT(most - least, 8e-3);               // of a slip of 3 %
+  }
+}
+
+/// After `steps` steps of a ring that stands and is moved with a smooth bump of these velocities.
+HubForces moved(RigidRingTire& tire, const Vector3d& way, double angle, double time) {
+  constexpr double kStep = 1e-3;
+  WheelMotion motion = standing(0.28);
+  EXPECT_TRUE(tire.settle(motion, PlaneRoad(), 0.0).ok());
+  HubForces hub;
+  const int steps = static_cast<int>(time / kStep);
+  for (int i = 1; i <= 2 * steps; ++i) {
+    const double rate =
+        i < steps ? (1.0 - std::cos(2.0 * std::numbers::pi * i / steps)) / time : 0.0;
+    motion.velocity = rate * way;
+    motion.angular_velocity.z() = rate * angle;
+    motion.center += kStep * motion.velocity;
+    motion.carrier = Eigen::AngleAxisd(kStep * rate * angle, Vector3d::UnitZ()) * motion.carrier;
+    const auto result = tire.advance(motion, PlaneRoad(), i * kStep, kStep);
+    EXPECT_TRUE(result.ok());
+    hub = *result;
+  }
+  return hub;
+}
+
+TEST(RigidRing, PushedFarWhileStandingItIsHeldByFriction) {
+  const Parameters p = ring_tire();
+  EXPECT_NEAR(moved(*make(p), {0.3, 0.0, 0.0}, 0.0, 3.0).force.x(), -4800.0, 60.0);
+  EXPECT_NEAR(moved(*make(p), {0.0, 0.3, 0.0}, 0.0, 3.0).force.y(), -4000.0, 60.0);
+}
+
+// Limit by the turn slip of the file, slope by its yaw stiffness: that of the belt's springs with
+// the residual one.
+TEST(RigidRing, TurnedOnTheSpotItIsHeldByYawStiffnessUpToTheFormulasTorque) {
+  Parameters p = ring_tire();
+  p.YAW_STIFFNESS = 5000.0;
+  const double M_inf = 0.2 * 4000.0 * 0.3;
+  EXPECT_NEAR(moved(*make(p), {0.0, 0.0, 0.0}, 0.6, 3.0).moment.z(), -M_inf, 0.01 * M_inf);
+  EXPECT_NEAR(moved(*make(p), {0.0, 0.0, 0.0}, 1e-4, 1.0).moment.z(), -0.5, 0.01 * 0.5);
+}
+
+// Through standstill, steered and pushed aside, and the same backward in a mirror across the road.
+TEST(RigidRing, TheMirroredWayBackwardGivesMirroredForces) {
+  Parameters p = ring_tire();
+  p.YAW_STIFFNESS = 5000.0;
+  constexpr double kStep = 1e-3;
+  std::vector<HubForces> hubs[2];
+  for (const int back : {0, 1}) {
+    const double way = back ? -1.0 : 1.0;
+    const auto tire = make(p);
+    const SineRoad road(0.003, 4.0);
+    WheelMotion motion = standing(0.28);
+    motion.center.x() = std::numbers::pi / 8.0;  // a crest, from which both ways are alike
+    double heading = 0.0;
+    ASSERT_TRUE(tire->settle(motion, road, 0.0).ok());
+    for (int i = 1; i <= 2000; ++i) {
+      const double t = i * kStep, Vx = way * 2.0 * std::sin(0.5 * std::numbers::pi * t + 1.0);
+      const double yaw_rate = way * 0.2 * std::sin(3.0 * t);
+      motion.velocity = {Vx, 0.05 * std::sin(4.0 * t), 0.0};
+      motion.angular_velocity.z() = yaw_rate;
+      motion.spin_rate = 0.98 * Vx / 0.2946;
+      motion.center += kStep * motion.velocity;
+      heading += kStep * yaw_rate;
+      motion.carrier = Eigen::AngleAxisd(heading, Vector3d::UnitZ()).toRotationMatrix();
+      const auto hub = tire->advance(motion, road, t, kStep);
+      ASSERT_TRUE(hub.ok());
+      hubs[back].push_back(*hub);
+    }
+  }
+  for (std::size_t i = 0; i < hubs[0].size(); ++i) {
+    const HubForces &ahead = hubs[0][i], &back = hubs[1][i];
+    ASSERT_LT((back.force - Vector3d(-ahead.force.x(), ahead.force.y(), ahead.force.z())).norm(),
+              1e-3);
+    ASSERT_LT(
+        (back.moment - Vector3d(ahead.moment.x(), -ahead.moment.y(), -ahead.moment.z())).norm(),
+        1e-3);
+  }
+}
+
+TEST(RigidRing, AMotionThatIsNoneIsToldAndForgotten) {
+  const auto tire = make(ring_tire());
+  WheelMotion motion = standing(0.28);
+  ASSERT_TRUE(tire->settle(motion, PlaneRoad(), 0.0).ok());
+  motion.velocity.x() = 0.1;
+  ASSERT_TRUE(tire->advance(motion, PlaneRoad(), 0.0, 1e-3).ok());
+  const auto twin = tire->clone();
+  WheelMotion none = motion;
+  none.center.z() = std::nan("");
+  EXPECT_FALSE(tire->advance(none, PlaneRoad(), 0.0, 1e-3).ok());
+  EXPECT_FALSE(tire->advance(motion, PlaneRoad(), 0.0, -1e-3).ok());
+  EXPECT_TRUE(tire->advance(motion, PlaneRoad(), 0.0, 0.0)->force.allFinite());
+  const auto a = tire->advance(motion, PlaneRoad(), 0.0, 1e-3);
+  const auto b = twin->advance(motion, PlaneRoad(), 0.0, 1e-3);
+  EXPECT_EQ(a->force, b->force);
+  EXPECT_EQ(a->moment, b->moment);
 }
 
 }  // namespace

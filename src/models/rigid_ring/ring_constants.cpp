@@ -50,6 +50,7 @@ Result<RingConstants> ring_constants(const magic_formula::Parameters& p, double 
   c.c_rx = residual(p.LONGITUDINAL_STIFFNESS, 1.0 / c.k_bx + R_l * R_l / c.k_btheta);
   c.c_ry = residual(p.LATERAL_STIFFNESS, 1.0 / c.k_by + R_l * R_l / c.k_bgamma);
   c.c_rz = residual(p.VERTICAL_STIFFNESS, 1.0 / c.k_bx);
+  if (p.YAW_STIFFNESS > 0.0) c.c_rpsi = residual(p.YAW_STIFFNESS, 1.0 / c.k_bgamma);
   return c;
 }
 

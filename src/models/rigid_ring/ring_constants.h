@@ -10,6 +10,7 @@
 //   1/C_z = 1/k_bz + 1/c_rz
 //   1/C_x = 1/k_bx + R_l^2/k_btheta + 1/c_rx
 //   1/C_y = 1/k_by + R_l^2/k_bgamma + 1/c_ry
+//   1/C_psi = 1/k_bpsi + 1/c_rpsi
 // [Zegelaar 1998; Maurice 2000; Pacejka 2012, ch. 9]
 #pragma once
 
@@ -23,6 +24,7 @@ struct RingConstants {
   double k_bx = 0.0, k_by = 0.0, k_bgamma = 0.0, k_btheta = 0.0;  // N/m, N m/rad; k_bz = k_bx
   double c_bx = 0.0, c_by = 0.0, c_bgamma = 0.0, c_btheta = 0.0;
   double c_rx = 0.0, c_ry = 0.0, c_rz = 0.0;  // N/m, residual
+  double c_rpsi = 0.0;                        // N m/rad, residual; 0: no YAW_STIFFNESS in the file
   /// In some direction the ring alone is (nearly) as soft as the file wants the whole tire; the
   /// residual spring is then twenty times as stiff as the whole, which the tire stays short of.
   bool too_soft = false;

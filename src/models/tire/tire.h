@@ -6,8 +6,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "base/result.h"
 #include "models/road/road.h"
@@ -26,6 +28,15 @@ struct WheelMotion {
 
   bool operator==(const WheelMotion&) const = default;
 };
+
+/// Empty, or why no tire can follow: a number that is none, a step (s) back in time.
+inline std::string trouble_with(const WheelMotion& motion, double step = 0.0) {
+  if (!(motion.center.allFinite() && motion.carrier.allFinite() && motion.velocity.allFinite() &&
+        motion.angular_velocity.allFinite() && std::isfinite(motion.spin) &&
+        std::isfinite(motion.spin_rate)))
+    return "the wheel's motion is not finite";
+  return step >= 0.0 && std::isfinite(step) ? "" : "a step of the tire needs a time of 0 or more";
+}
 
 /// What the tire does to the rim at the wheel center, in C.
 struct HubForces {
