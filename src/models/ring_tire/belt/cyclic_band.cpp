@@ -73,4 +73,15 @@ void CyclicBandFactor::solve(Eigen::Matrix4Xd& x) const {
   LATSCH_KERNEL(solve_chain)(interior_, diagonal_.data(), lower_.data(), border_.data(), x.data());
 }
 
+void CyclicBandFactor::solve(Columns& x) const {
+  assert(x.cols() % 8 == 0 && x.rows() >= 4 * (interior_ + 3));
+  LATSCH_KERNEL(solve_chain_of_columns)
+  (interior_,
+   diagonal_.data(),
+   lower_.data(),
+   border_.data(),
+   x.data(),
+   static_cast<int>(x.cols()));
+}
+
 }  // namespace latsch::ring_tire

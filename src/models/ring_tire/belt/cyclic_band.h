@@ -48,6 +48,10 @@ class CyclicBandFactor {
   bool factorize(const CyclicBand& A);
   /// x <- A^-1 x.
   void solve(Eigen::Matrix4Xd& x) const;
+  /// The same of as many right-hand sides as columns, a multiple of eight: a row an unknown, four a
+  /// node; rows beyond stay.
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  void solve(Columns& x) const;
 
  private:
   static constexpr int kReach = CyclicBand::kReach;

@@ -156,4 +156,74 @@ void solve_chain(int interior,
   }
 }
 
+/// A node's four unknowns of eight columns.
+struct Rows4 {
+  Lanes v[4];
+
+  LATSCH_INLINE Rows4(const double* x, int stride)
+      : v{lanes(x), lanes(x + stride), lanes(x + 2 * stride), lanes(x + 3 * stride)} {}
+  LATSCH_INLINE void save(double* x, int stride) const {
+    for (int i = 0; i < 4; ++i) store(v[i], x + i * stride);
+  }
+  /// - L x
+  LATSCH_INLINE void less_times(const double* L, const Rows4& x) {
+    for (int i = 0; i < 4; ++i)
+      v[i] = (v[i] - x.v[0] * L[i] - x.v[1] * L[4 + i]) - (x.v[2] * L[8 + i] + x.v[3] * L[12 + i]);
+  }
+  /// - L^T x
+  LATSCH_INLINE void less_transposed(const double* L, const Rows4& x) {
+    for (int i = 0; i < 4; ++i)
+      v[i] = (v[i] - x.v[0] * L[4 * i] - x.v[1] * L[4 * i + 1]) -
+             (x.v[2] * L[4 * i + 2] + x.v[3] * L[4 * i + 3]);
+  }
+};
+
+/// solve_chain for `columns` right-hand sides side by side, eight at a time.
+void solve_chain_of_columns(int interior,
+                            const Eigen::Matrix4d* inverse,
+                            const Eigen::Matrix4d* lower,
+                            const Eigen::Matrix4d* border,
+                            double* all_columns,
+                            int columns) {
+  constexpr int kReach = CyclicBand::kReach, kColumn = kReach + 3;
+  for (double* x = all_columns; x != all_columns + columns; x += 8) {
+    const auto at = [&](int node) { return x + 4 * node * columns; };
+    // `node` less what `other` does to it by L, or by its transpose.
+    const auto less = [&](int node, const Eigen::Matrix4d& L, const Rows4& other) {
+      Rows4 y(at(node), columns);
+      y.less_times(L.data(), other);
+      y.save(at(node), columns);
+    };
+    for (int k = 0; k < interior; ++k) {
+      const Eigen::Matrix4d* column = lower + k * kColumn;
+      const int reach = interior - 1 - k < kReach ? interior - 1 - k : kReach;
+      const Rows4 own(at(k), columns);
+      for (int i = 0; i < reach; ++i) less(k + 1 + i, column[i], own);
+      for (int i = 0; i < 3; ++i) less(interior + i, column[kReach + i], own);
+    }
+    for (int k = 0; k < 3; ++k)
+      for (int i = k + 1; i < 3; ++i)
+        less(interior + i, border[3 * i + k], Rows4(at(interior + k), columns));
+    for (int k = interior + 2; k >= 0; --k) {
+      const Rows4 own(at(k), columns);
+      Rows4 y = own;
+      for (Lanes& v : y.v) v = all(0.0);
+      y.less_times((k < interior ? inverse[k] : border[4 * (k - interior)]).data(), own);
+      for (Lanes& v : y.v) v = -v;
+      if (k >= interior) {
+        for (int i = k - interior + 1; i < 3; ++i)
+          y.less_transposed(border[3 * i + k - interior].data(), Rows4(at(interior + i), columns));
+      } else {
+        const Eigen::Matrix4d* column = lower + k * kColumn;
+        const int reach = interior - 1 - k < kReach ? interior - 1 - k : kReach;
+        for (int i = 0; i < reach; ++i)
+          y.less_transposed(column[i].data(), Rows4(at(k + 1 + i), columns));
+        for (int i = 0; i < 3; ++i)
+          y.less_transposed(column[kReach + i].data(), Rows4(at(interior + i), columns));
+      }
+      y.save(at(k), columns);
+    }
+  }
+}
+
 }  // namespace latsch::ring_tire::LATSCH_KERNELS

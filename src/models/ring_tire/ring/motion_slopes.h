@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the forces of a step on the hub change with the wheel's motion m at its end. Newton's method
+// has solved r(q1; m) = 0 of (17), so
+//   J dq1/dm = dr/dm,  J = -dr/dq1;  dF/dm = dF/dm at q1 + dF/dq1 dq1/dm                     (29)
+// with v1 and a1 of (16). The rim's part of dr/dm is written out: moving the rim is moving the
+// belt the other way, and turning forces. Frames of the blocks and planes of the road follow the
+// spin axis: differences of the blocks' forces. A step divided in parts is followed part by part:
+// the end's motion enters those between, and each begins with the slopes of the state before it.
+//   Valid: where no block is about to touch, to leave, to slip or to stick, and no friction
+// element of the sidewall to slip. There slopes are one-sided, and these are of the side that
+// the end of the step is on.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "models/ring_tire/ring/ring_tire.h"
+
+namespace latsch::ring_tire {
+
+class ExactTangent;
+
+class MotionSlopes {
+ public:
+  /// Of a step from `from` to `to`, with the tire's memory for the work.
+  MotionSlopes(RingTire& tire,
+               const RingState& from,
+               const WheelMotion& to,
+               const road::Road& road,
+               double time,
+               double step)
+      : tire_(tire), from_(from), to_(to), road_(road), time_(time), step_(step) {}
+
+  /// By the steps that were taken to its end. Nothing where a tangent there is not definite, or
+  /// where what may touch the road changes.
+  std::optional<HubSlopes> over(const std::vector<RingTire::StepTaken>& parts);
+
+ private:
+  using Step = RingTire::StepTaken;
+  using Columns = CyclicBandFactor::Columns;
+
+  /// What one column does at the end of a part, with the nodes held there.
+  struct Direction {
+    Eigen::Vector3d center, velocity;  // of the rim
+    Eigen::Vector3d carrier, turn;     // rotations: of the carrier, of the rim with its spin
+    Eigen::Vector3d rate;              // of the rim's angular velocity
+    NodeValues rigid;                  // as which places of the nodes their rim moves
+    NodeValues damped;                 // velocities against the rim, beside those of dq1/dm
+    NodeValues velocities, accelerations;  // by the state at the beginning
+    NodeValues memory;                     // forces, by that of the sidewall
+  };
+
+  WheelMotion part_motion(int column, double by) const;
+  bool begin_part(const Step& part);
+  bool place(const RingState& begin, const WheelMotion& motion);
+  Eigen::VectorXd tread_forces();
+  std::optional<Eigen::VectorXd> tread_slope(const RingState& more,
+                                             const RingState& less,
+                                             const WheelMotion& further,
+                                             const WheelMotion& back,
+                                             double over);
+  void find_rigid_fields();
+  void find_direction(int column);
+  bool find_right_sides();
+  void solve(const ExactTangent& tangent);
+  NodeValues damping(const NodeValues& rate) const;
+  NodeValues dampers_turn(const NodeValues& place) const;
+  NodeValues slope_of_place(int column) const;
+  HubSlopes hub_slopes() const;
+  bool follow_state(const Step& part);
+
+  RingTire& tire_;
+  const RingState& from_;
+  const WheelMotion& to_;
+  const road::Road& road_;
+  const double time_, step_;
+  std::vector<RingState> slopes_;  // by column, of the state at the beginning; empty: none
+
+  // Of the part at work.
+  const RingState* begin_ = nullptr;
+  double part_time_ = 0.0, part_step_ = 0.0, share_ = 1.0;
+  WheelMotion motion_;
+  RimFrame rim_;
+  StepRule rule_;
+  NodeValues q1_, v1_, inner_;
+  Eigen::VectorXd gamma_;
+  std::vector<Eigen::Matrix4d> dampers_;  // of knots, in inertial axes
+  // Unit translations, rotations about the center, and these with the sections' torsion; what the
+  // belt's stiffness makes of them, and the dampers.
+  NodeValues fields_[9], stiff_[9], damped_[9];
+  std::vector<Direction> directions_;
+  Columns x_;  // dr/dm, then d(q1, γ)/dm
+};
+
+}  // namespace latsch::ring_tire
