@@ -71,13 +71,25 @@ bool memory_slope(const RingState& more, const RingState& less, double over, Rin
 }
 
 /// ω × x of all nodes.
-NodeValues turned_by(const Vector3d& omega, const NodeValues& x) {
-  NodeValues to = NodeValues::Zero(4, x.cols());
-  for (Eigen::Index k = 0; k < x.cols(); ++k) to.col(k).head<3>() = omega.cross(x.col(k).head<3>());
+template <class Values>
+Values turned_by(const Vector3d& omega, const Values& x) {
+  Values to = Values::Zero(x.rows(), x.cols());
+  for (Eigen::Index k = 0; k + 3 < x.rows(); k += 4) {
+    to.row(k) = omega.y() * x.row(k + 2) - omega.z() * x.row(k + 1);
+    to.row(k + 1) = omega.z() * x.row(k) - omega.x() * x.row(k + 2);
+    to.row(k + 2) = omega.x() * x.row(k + 1) - omega.y() * x.row(k);
+  }
   return to;
 }
 
-double product(const NodeValues& a, const NodeValues& b) { return a.cwiseProduct(b).sum(); }
+/// Unit rotations: e_j × x of all nodes in three columns.
+CyclicBandFactor::Columns unit_turns(const NodeValues& x) {
+  CyclicBandFactor::Columns to = CyclicBandFactor::Columns::Zero(x.size(), 3);
+  for (Eigen::Index k = 0; k < x.cols(); ++k)
+    to.middleRows<3>(4 * k) << 0.0, x(2, k), -x(1, k), -x(2, k), 0.0, x(0, k), x(1, k), -x(0, k),
+        0.0;
+  return to;
+}
 
 }  // namespace
 
@@ -93,9 +105,10 @@ std::optional<HubSlopes> MotionSlopes::over(const std::vector<Step>& parts) {
     if (tire_.section_.on()) tire_.tread_.section_border(tire_.section_, q1_, false, B, A);
     const ExactTangent tangent(tire_.factor_, tire_.section_, blocks, tread, B, A, scale);
     find_rigid_fields();
-    directions_.clear();
-    for (int column = 0; column < kMotionColumns; ++column) find_direction(column);
-    if (!find_right_sides()) return std::nullopt;
+    find_rim_motion();
+    find_held_forces();
+    if (!find_tread_slopes()) return std::nullopt;
+    find_right_sides();
     solve(tangent);
     if (&part == &parts.back()) break;
     if (!follow_state(part)) return std::nullopt;
@@ -178,16 +191,19 @@ std::optional<Eigen::VectorXd> MotionSlopes::tread_slope(const RingState& more,
   return (at_more - tread_forces()) / over;
 }
 
-NodeValues MotionSlopes::damping(const NodeValues& rate) const {
-  NodeValues at = at_knots(rate);
-  for (Eigen::Index k = 0; k < at.cols(); ++k)
-    at.col(k) = (dampers_[static_cast<std::size_t>(k)] * at.col(k)).eval();
-  return at_knots(at);
-}
-
-/// Forces of dampers by places, as the rim's turning has it.
-NodeValues MotionSlopes::dampers_turn(const NodeValues& place) const {
-  return damping(turned_by(rim_.angular_velocity, place));
+/// What dampers at the knots hold against velocities of the nodes.
+MotionSlopes::Columns MotionSlopes::damping(const Columns& rate) const {
+  const Eigen::Index N = q1_.cols();
+  Columns at(4 * N, rate.cols()), force(4 * N, rate.cols());
+  const auto mean = [N](const Columns& x, Eigen::Index k) {
+    return (1.0 / 6.0) * (x.middleRows<4>(4 * ((k + N - 1) % N)) +
+                          4.0 * x.middleRows<4>(4 * k) + x.middleRows<4>(4 * ((k + 1) % N)));
+  };
+  for (Eigen::Index k = 0; k < N; ++k)
+    at.middleRows<4>(4 * k) =
+        dampers_[static_cast<std::size_t>(k)].lazyProduct(mean(rate, k).eval());
+  for (Eigen::Index k = 0; k < N; ++k) force.middleRows<4>(4 * k) = mean(at, k);
+  return force;
 }
 
 void MotionSlopes::find_rigid_fields() {
@@ -195,178 +211,178 @@ void MotionSlopes::find_rigid_fields() {
   const int N = t.angles_.nodes();
   const Eigen::Vector4d d = t.inner_forces_.sidewall().losses().damping;
   dampers_.assign(static_cast<std::size_t>(N), Eigen::Matrix4d::Zero());
+  const double tilted = node_radius_over_knot_radius(N);
+  NodeValues arms = q1_;
+  arms.topRows<3>().colwise() -= rim_.center;
+  fields_.setZero(4 * N, 9);
+  fields_.middleCols<3>(3) = fields_.rightCols<3>() = unit_turns(arms);
   for (int k = 0; k < N; ++k) {
-    Eigen::Matrix4d& D = dampers_[static_cast<std::size_t>(k)];
     const Vector3d r = t.angles_.radial(rim_, k), along = t.angles_.tangential(rim_, k);
+    Eigen::Matrix4d& D = dampers_[static_cast<std::size_t>(k)];
     D.topLeftCorner<3, 3>() = d[0] * r * r.transpose() + d[1] * along * along.transpose() +
                               d[2] * rim_.a * rim_.a.transpose();
     D(3, 3) = d[3];
+    fields_.block<3, 3>(4 * k, 0).setIdentity();
+    fields_.block<1, 3>(4 * k + 3, 6) = tilted * along.transpose();
   }
   CyclicBand stiffness(N);
   t.inner_forces_.find_stiffness(q1_, rim_, rule_, 1.0).turn_back(rim_, stiffness);
-  const double tilted = node_radius_over_knot_radius(N);
-  for (int i = 0; i < 9; ++i) {
-    const Vector3d e = Vector3d::Unit(i % 3);
-    fields_[i] = NodeValues::Zero(4, N);
-    for (int k = 0; k < N; ++k) {
-      fields_[i].col(k).head<3>() =
-          i < 3 ? e : Vector3d(e.cross(q1_.col(k).head<3>() - rim_.center));
-      if (i >= 6) fields_[i](3, k) = tilted * t.angles_.tangential(rim_, k)[i % 3];
-    }
-    stiff_[i] = stiffness.multiply(fields_[i]);
-    damped_[i] = damping(fields_[i]);
+  stiff_.resize(4 * N, 9);
+  for (int i = 0; i < 9; ++i)
+    stiff_.col(i) = stiffness.multiply(fields_.col(i).reshaped(4, N)).reshaped();
+}
+
+void MotionSlopes::find_rim_motion() {
+  for (int column = 0; column < kMotionColumns; ++column) {
+    const double by = nudge(column, step_), over = 0.5 / by;
+    const WheelMotion more = part_motion(column, by), less = part_motion(column, -by);
+    center_.col(column) = over * (more.center - less.center);
+    velocity_.col(column) = over * (more.velocity - less.velocity);
+    carrier_.col(column) = over * rotation_between(less.carrier, more.carrier);
+    turn_.col(column) = carrier_.col(column) + over * (more.spin - less.spin) * rim_.a;
+    rate_.col(column) = over * (more.angular_velocity - less.angular_velocity) +
+                        over * (more.spin_rate - less.spin_rate) * rim_.a +
+                        motion_.spin_rate * Vector3d(carrier_.col(column)).cross(rim_.a);
   }
 }
 
-void MotionSlopes::find_direction(int column) {
-  Direction d;
-  const double by = nudge(column, step_);
-  const WheelMotion more = part_motion(column, by), less = part_motion(column, -by);
-  d.center = (more.center - less.center) / (2.0 * by);
-  d.velocity = (more.velocity - less.velocity) / (2.0 * by);
-  d.carrier = rotation_between(less.carrier, more.carrier) / (2.0 * by);
-  d.turn = d.carrier + (more.spin - less.spin) / (2.0 * by) * rim_.a;
-  d.rate = (more.angular_velocity - less.angular_velocity) / (2.0 * by) +
-           (more.spin_rate - less.spin_rate) / (2.0 * by) * rim_.a +
-           motion_.spin_rate * d.carrier.cross(rim_.a);
+/// Forces of belt and sidewall turn with the rim; nodes that stay move against it by -c - φ × x,
+/// with velocities -v_c - ω × x + Ω × c - φ × (their own against the rim), of which the stiffness
+/// has the rule's share of their places.
+void MotionSlopes::find_held_forces() {
   const Eigen::Index N = q1_.cols();
-  d.rigid = d.damped = NodeValues::Zero(4, N);
-  for (Eigen::Index k = 0; k < N; ++k) {
-    const Vector3d arm = q1_.col(k).head<3>() - rim_.center;
-    const Vector3d against = v1_.col(k).head<3>() - rim_.velocity_at(q1_.col(k).head<3>());
-    const Vector3d rigid = -d.center - d.turn.cross(arm);
-    d.rigid.col(k).head<3>() = rigid;
-    d.damped.col(k).head<3>() = -d.velocity - d.rate.cross(arm) +
-                                rim_.angular_velocity.cross(d.center) - d.turn.cross(against) -
-                                rule_.velocity * rigid;
-  }
-  d.velocities = d.accelerations = d.memory = NodeValues::Zero(4, N);
+  NodeValues against = v1_;
+  for (Eigen::Index k = 0; k < N; ++k)
+    against.col(k).head<3>() -= rim_.velocity_at(q1_.col(k).head<3>());
+  Eigen::Matrix<double, 3, kMotionColumns> even = rule_.velocity * center_ - velocity_;
+  for (int column = 0; column < kMotionColumns; ++column)
+    even.col(column) += rim_.angular_velocity.cross(Vector3d(center_.col(column)));
+  Columns rates(4 * N, kMotionColumns);
+  rates.noalias() = fields_.leftCols<3>() * even;
+  rates.noalias() += fields_.middleCols<3>(3) * (rule_.velocity * turn_ - rate_);
+  rates.noalias() -= unit_turns(against) * turn_;
+  held_.resize(4 * N, kMotionColumns);
+  held_.noalias() = unit_turns(inner_) * turn_;
+  held_.noalias() += stiff_.leftCols<3>() * center_;
+  held_.noalias() += stiff_.middleCols<3>(3) * turn_;
   if (!slopes_.empty()) {
-    const RingState& slope = slopes_[static_cast<std::size_t>(column)];
-    const double h = part_step_;
-    const NodeValues predicted = slope.place + h * slope.rate + 0.5 * h * h * slope.acceleration;
-    d.velocities = slope.rate + h * slope.acceleration - rule_.velocity * predicted;
-    d.accelerations = slope.acceleration - rule_.acceleration * predicted;
-    d.damped += d.velocities;
-    SidewallForces& sidewall = tire_.inner_forces_.sidewall();
-    NodeValues at_more, at_less;
-    at_more = at_less = NodeValues::Zero(4, N);
-    sidewall.remember(along(*begin_, slope, by).sidewall);
-    tire_.inner_forces_.find_force(q1_, v1_, rim_, rule_, at_more);
-    sidewall.remember(along(*begin_, slope, -by).sidewall);
-    tire_.inner_forces_.find_force(q1_, v1_, rim_, rule_, at_less);
-    sidewall.remember(begin_->sidewall);
-    d.memory = (at_more - at_less) / (2.0 * by);
+    velocities_.resize(4 * N, kMotionColumns);
+    accelerations_.resize(4 * N, kMotionColumns);
+    for (int column = 0; column < kMotionColumns; ++column) add_state(column);
+    rates += velocities_;
   }
-  directions_.push_back(std::move(d));
+  held_ -= damping(rates);
 }
 
-/// dr/dm. The blocks, where they feel it.
-bool MotionSlopes::find_right_sides() {
-  const Eigen::Index belt = q1_.size(), all = belt + gamma_.size();
-  const double theta = tire_.settings_.dissipation, scale = 1.0 - theta;
-  Eigen::MatrixXd tread = Eigen::MatrixXd::Zero(all, kMotionColumns);
-  const auto find = [&](int column) {
+/// What the state at the beginning does to velocities, accelerations and the sidewall's memory.
+void MotionSlopes::add_state(int column) {
+  const RingState& slope = slopes_[static_cast<std::size_t>(column)];
+  const double h = part_step_, by = nudge(column, step_);
+  const NodeValues predicted = slope.place + h * slope.rate + 0.5 * h * h * slope.acceleration;
+  velocities_.col(column) =
+      (slope.rate + h * slope.acceleration - rule_.velocity * predicted).reshaped();
+  accelerations_.col(column) =
+      (slope.acceleration - rule_.acceleration * predicted).reshaped();
+  SidewallForces& sidewall = tire_.inner_forces_.sidewall();
+  NodeValues forces[2] = {inner_, inner_};
+  for (const int i : {0, 1}) {
+    sidewall.remember(along(*begin_, slope, i == 0 ? by : -by).sidewall);
+    tire_.inner_forces_.find_force(q1_, v1_, rim_, rule_, forces[i]);
+  }
+  sidewall.remember(begin_->sidewall);
+  held_.col(column) += ((forces[0] - forces[1]) / (2.0 * by)).reshaped();
+}
+
+/// The blocks, where they feel it: the spin axis at first, and where sections flow the spin rate;
+/// later the state at the beginning as well.
+bool MotionSlopes::find_tread_slopes() {
+  tread_.setZero(q1_.size() + gamma_.size(), kMotionColumns);
+  const auto find = [&](int column, const RingState& more, const RingState& less) {
     const double by = nudge(column, step_);
-    const bool held = slopes_.empty();
-    const RingState* slope = held ? nullptr : &slopes_[static_cast<std::size_t>(column)];
-    const auto of = tread_slope(held ? *begin_ : along(*begin_, *slope, by),
-                                held ? *begin_ : along(*begin_, *slope, -by),
-                                part_motion(column, by),
-                                part_motion(column, -by),
-                                2.0 * by);
-    if (of) tread.col(column) = *of;
+    const auto of = tread_slope(
+        more, less, part_motion(column, by), part_motion(column, -by), 2.0 * by);
+    if (of) tread_.col(column) = *of;
     return of.has_value();
   };
-  if (!slopes_.empty()) {
-    for (int column = 0; column < kMotionColumns; ++column)
-      if (!find(column)) return false;
-  } else {
-    // The spin axis alone counts, and where sections flow the spin rate.
-    if (gamma_.size() > 0 && !find(kBySpinRate)) return false;
-    for (const Vector3d& about : {rim_.X, rim_.Z}) {
-      const double by = nudge(kByRotation, step_);
-      const auto of = tread_slope(
-          *begin_, *begin_, turned(motion_, about, by), turned(motion_, about, -by), 2.0 * by);
-      if (!of) return false;
-      for (int column = 0; column < kMotionColumns; ++column)
-        tread.col(column) += directions_[static_cast<std::size_t>(column)].carrier.dot(about) * *of;
-    }
+  for (int column = 0; !slopes_.empty() && column < kMotionColumns; ++column) {
+    const RingState& slope = slopes_[static_cast<std::size_t>(column)];
+    const double by = nudge(column, step_);
+    if (!find(column, along(*begin_, slope, by), along(*begin_, slope, -by))) return false;
   }
-  x_.setZero(all, kPadded);
-  NodeValues inertia;
-  for (int column = 0; column < kMotionColumns; ++column) {
-    const Direction& d = directions_[static_cast<std::size_t>(column)];
-    NodeValues force = turned_by(d.turn, inner_) - damping(d.damped) + d.memory;
-    for (int i = 0; i < 3; ++i)
-      force += d.center[i] * stiff_[i] + d.turn[i] * stiff_[3 + i];
-    NodeValues r = scale * force;
-    if (!slopes_.empty()) {
-      tire_.times_mass(d.accelerations, inertia);
-      r += theta * slopes_[static_cast<std::size_t>(column)].force - inertia;
-    }
-    x_.col(column).head(belt) = r.reshaped();
-    x_.col(column) += scale * tread.col(column);
+  if (!slopes_.empty()) return true;
+  if (gamma_.size() > 0 && !find(kBySpinRate, *begin_, *begin_)) return false;
+  for (const Vector3d& about : {rim_.X, rim_.Z}) {
+    const double by = nudge(kByRotation, step_);
+    const auto of = tread_slope(
+        *begin_, *begin_, turned(motion_, about, by), turned(motion_, about, -by), 2.0 * by);
+    if (!of) return false;
+    tread_ += *of * (about.transpose() * carrier_);
   }
   return true;
 }
 
-/// (29), the dampers' turning by iteration: a thousandth of the tangent in common steps.
+/// dr/dm.
+void MotionSlopes::find_right_sides() {
+  const double theta = tire_.settings_.dissipation, scale = 1.0 - theta;
+  x_.setZero(tread_.rows(), kPadded);
+  x_.leftCols<kMotionColumns>() = scale * tread_;
+  x_.topLeftCorner(q1_.size(), kMotionColumns) += scale * held_;
+  NodeValues inertia;
+  for (std::size_t i = 0; i < slopes_.size(); ++i) {
+    const Eigen::Index column = static_cast<Eigen::Index>(i);
+    tire_.times_mass(accelerations_.col(column).reshaped(4, q1_.cols()), inertia);
+    x_.col(column).head(q1_.size()) += (theta * slopes_[i].force - inertia).reshaped();
+  }
+}
+
+/// (29), the dampers' turning by iteration: 1e-4 of the tangent in steps of 0.2 ms at 60 m/s.
 void MotionSlopes::solve(const ExactTangent& tangent) {
   constexpr double kEnough = 1e-7;
   constexpr int kMost = 20;
   tangent.solve(x_);
   const double scale = 1.0 - tire_.settings_.dissipation;
-  Columns step = x_;
+  const auto size = [](const Columns& x) { return x.cwiseAbs().colwise().maxCoeff().eval(); };
+  Columns step = x_, next(x_.rows(), x_.cols());
   for (int i = 0; i < kMost; ++i) {
-    Columns next = Columns::Zero(x_.rows(), x_.cols());
-    for (int column = 0; column < kMotionColumns; ++column)
-      next.col(column).head(q1_.size()) =
-          scale *
-          dampers_turn(step.col(column).head(q1_.size()).reshaped(4, q1_.cols())).reshaped();
+    next.topRows(q1_.size()) = scale * damping(turned_by(rim_.angular_velocity, step));
+    next.bottomRows(gamma_.size()).setZero();
     tangent.solve(next);
     x_ += next;
+    // What is still to come, as a geometric series.
+    const double ratio =
+        (size(next).array() / size(step).array().max(1e-300)).leftCols(kMotionColumns).maxCoeff();
+    if ((ratio * size(next).array() <= kEnough * size(x_).array()).all()) break;
     step = next;
-    const auto size = [](const Columns& x) { return x.cwiseAbs().colwise().maxCoeff().eval(); };
-    if ((size(step).array() <= kEnough * size(x_).array()).all()) break;
   }
-}
-
-NodeValues MotionSlopes::slope_of_place(int column) const {
-  return x_.col(column).head(q1_.size()).reshaped(4, q1_.cols());
 }
 
 /// dF/dm of (18), turned into the carrier's axes, which turn too.
 HubSlopes MotionSlopes::hub_slopes() const {
-  HubSlopes hub;
-  const double tilted = node_radius_over_knot_radius(tire_.angles_.nodes());
-  Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
-  for (Eigen::Index k = 0; k < q1_.cols(); ++k) {
-    force -= inner_.col(k).head<3>();
-    moment -= (q1_.col(k).head<3>() - rim_.center).cross(inner_.col(k).head<3>()) +
-              tilted * inner_(3, k) * tire_.angles_.tangential(rim_, static_cast<int>(k));
+  const int N = tire_.angles_.nodes();
+  const double tilted = node_radius_over_knot_radius(N);
+  Vector3d sum = Vector3d::Zero(), torsions = sum, moment = sum;
+  for (int k = 0; k < N; ++k) {
+    const Vector3d f = inner_.col(k).head<3>();
+    sum += f;
+    torsions += tilted * inner_(3, k) * tire_.angles_.tangential(rim_, k);
+    moment -= (q1_.col(k).head<3>() - rim_.center).cross(f);
   }
+  moment -= torsions;
+  const std::vector<int> chosen = {0, 1, 2, 6, 7, 8};
+  const Columns weights = fields_(Eigen::all, chosen);
+  // Of dq1/dm: by stiffness and dampers, and by the arms of the forces.
+  Columns of_place = stiff_(Eigen::all, chosen) +
+                     turned_by(rim_.angular_velocity, damping(weights));
+  of_place.rightCols<3>() += unit_turns(inner_);
+  HubSlopes hub = -(weights.transpose() * held_);
+  hub += of_place.transpose() * x_.topLeftCorner(q1_.size(), kMotionColumns);
+  const Eigen::Matrix3d to_carrier = motion_.carrier.transpose();
   for (int column = 0; column < kMotionColumns; ++column) {
-    const Direction& d = directions_[static_cast<std::size_t>(column)];
-    const NodeValues dq = slope_of_place(column);
-    const NodeValues held = turned_by(d.turn, inner_) + d.memory;
-    const NodeValues rate = d.damped - turned_by(rim_.angular_velocity, dq);
-    const NodeValues place = d.rigid + dq;
-    const auto sum = [&](int field) {
-      return product(fields_[field], held) - product(stiff_[field], place) -
-             product(damped_[field], rate);
-    };
-    Vector3d dF, dM;
-    for (int i = 0; i < 3; ++i) {
-      dF[i] = -sum(i);
-      dM[i] = -sum(6 + i);
-    }
-    for (Eigen::Index k = 0; k < q1_.cols(); ++k)
-      dM -= (dq.col(k).head<3>() - d.center).cross(inner_.col(k).head<3>()) +
-            tilted * inner_(3, k) *
-                d.turn.cross(tire_.angles_.tangential(rim_, static_cast<int>(k)));
-    hub.col(column) << motion_.carrier.transpose() * (dF - d.carrier.cross(force)),
-        motion_.carrier.transpose() * (dM - d.carrier.cross(moment));
+    const Vector3d turn = carrier_.col(column);
+    hub.col(column).tail<3>() += Vector3d(center_.col(column)).cross(sum) -
+                                 Vector3d(turn_.col(column)).cross(torsions);
+    hub.col(column) << to_carrier * (hub.col(column).head<3>() + turn.cross(sum)),
+        to_carrier * (hub.col(column).tail<3>() - turn.cross(moment));
   }
   return hub;
 }
@@ -376,12 +392,15 @@ bool MotionSlopes::follow_state(const Step& part) {
   const double theta = tire_.settings_.dissipation;
   std::vector<RingState> after;
   for (int column = 0; column < kMotionColumns; ++column) {
-    const Direction& d = directions_[static_cast<std::size_t>(column)];
     const std::size_t at = static_cast<std::size_t>(column);
     RingState to;
-    to.place = slope_of_place(column);
-    to.rate = d.velocities + rule_.velocity * to.place;
-    to.acceleration = d.accelerations + rule_.acceleration * to.place;
+    to.place = x_.col(column).head(q1_.size()).reshaped(4, q1_.cols());
+    to.rate = rule_.velocity * to.place;
+    to.acceleration = rule_.acceleration * to.place;
+    if (!slopes_.empty()) {
+      to.rate += velocities_.col(column).reshaped(4, q1_.cols());
+      to.acceleration += accelerations_.col(column).reshaped(4, q1_.cols());
+    }
     tire_.times_mass(to.acceleration, to.force);
     if (!slopes_.empty()) to.force -= theta * slopes_[at].force;
     to.force /= 1.0 - theta;

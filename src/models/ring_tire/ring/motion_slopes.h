@@ -40,16 +40,7 @@ class MotionSlopes {
   using Step = RingTire::StepTaken;
   using Columns = CyclicBandFactor::Columns;
 
-  /// What one column does at the end of a part, with the nodes held there.
-  struct Direction {
-    Eigen::Vector3d center, velocity;  // of the rim
-    Eigen::Vector3d carrier, turn;     // rotations: of the carrier, of the rim with its spin
-    Eigen::Vector3d rate;              // of the rim's angular velocity
-    NodeValues rigid;                  // as which places of the nodes their rim moves
-    NodeValues damped;                 // velocities against the rim, beside those of dq1/dm
-    NodeValues velocities, accelerations;  // by the state at the beginning
-    NodeValues memory;                     // forces, by that of the sidewall
-  };
+  using Vectors = Eigen::Matrix<double, 3, kMotionColumns>;
 
   WheelMotion part_motion(int column, double by) const;
   bool begin_part(const Step& part);
@@ -61,12 +52,13 @@ class MotionSlopes {
                                              const WheelMotion& back,
                                              double over);
   void find_rigid_fields();
-  void find_direction(int column);
-  bool find_right_sides();
+  void find_rim_motion();
+  bool find_tread_slopes();
+  void find_held_forces();
+  void add_state(int column);
+  void find_right_sides();
   void solve(const ExactTangent& tangent);
-  NodeValues damping(const NodeValues& rate) const;
-  NodeValues dampers_turn(const NodeValues& place) const;
-  NodeValues slope_of_place(int column) const;
+  Columns damping(const Columns& rate) const;
   HubSlopes hub_slopes() const;
   bool follow_state(const Step& part);
 
@@ -87,9 +79,14 @@ class MotionSlopes {
   Eigen::VectorXd gamma_;
   std::vector<Eigen::Matrix4d> dampers_;  // of knots, in inertial axes
   // Unit translations, rotations about the center, and these with the sections' torsion; what the
-  // belt's stiffness makes of them, and the dampers.
-  NodeValues fields_[9], stiff_[9], damped_[9];
-  std::vector<Direction> directions_;
+  // belt's stiffness makes of them.
+  Columns fields_, stiff_;
+  // By column, of the rim: its center, rotation with spin, velocity, angular velocity; and the
+  // rotation of the carrier.
+  Vectors center_, turn_, velocity_, rate_, carrier_;
+  // By column, with the nodes held: forces of belt and sidewall, of the blocks (and theirs on
+  // sections); velocities and accelerations by the state at the beginning.
+  Columns held_, tread_, velocities_, accelerations_;
   Columns x_;  // dr/dm, then d(q1, γ)/dm
 };
 
