@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "numerics/dense/lu.h"
 
-#include <Eigen/LU>
-
 namespace latsch::numerics {
 
-Lu::Lu(const Eigen::MatrixXd& A) {
-  const Eigen::PartialPivLU<Eigen::MatrixXd> factors(A);
-  LU_ = factors.matrixLU();
-  row_ = Eigen::PermutationMatrix<Eigen::Dynamic>(factors.permutationP().inverse()).indices();
-}
+void Lu::factorize(const Eigen::MatrixXd& A) { factors_.compute(A); }
 
-Eigen::MatrixXd Lu::solve(const Eigen::MatrixXd& B) const {
-  Eigen::MatrixXd x = B(row_, Eigen::all);
-  LU_.triangularView<Eigen::UnitLower>().solveInPlace(x);
-  LU_.triangularView<Eigen::Upper>().solveInPlace(x);
-  return x;
+void Lu::solve(Eigen::MatrixXd& B) const {
+  B = factors_.permutationP() * B;
+  factors_.matrixLU().triangularView<Eigen::UnitLower>().solveInPlace(B);
+  factors_.matrixLU().triangularView<Eigen::Upper>().solveInPlace(B);
 }
 
 }  // namespace latsch::numerics

@@ -4,20 +4,21 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 namespace latsch::numerics {
 
+/// Keeps its memory from one matrix to the next.
 class Lu {
  public:
   /// n x n, not singular.
-  explicit Lu(const Eigen::MatrixXd& A);
+  void factorize(const Eigen::MatrixXd& A);
 
-  /// A^-1 B, column by column.
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
+  /// B <- A^-1 B, column by column.
+  void solve(Eigen::MatrixXd& B) const;
 
  private:
-  Eigen::MatrixXd LU_;   // ones on the diagonal of L
-  Eigen::VectorXi row_;  // of A, first in P A
+  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
 };
 
 }  // namespace latsch::numerics

@@ -52,10 +52,13 @@ TEST(CyclicBand, SolvesLikeADenseFactorization) {
     EXPECT_LT((Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()) - expected).norm(),
               1e-13 * expected.norm());
     EXPECT_LT((A.multiply(x) - b).norm(), 1e-13 * b.norm());
-    CyclicBandFactor::Columns many(4 * nodes + 1, 16);  // column j: (j + 1) b
+    SideBySide many(4 * nodes + 1, 16);  // column j: (j + 1) b
     many.setOnes();
     for (int j = 0; j < 16; ++j) many.col(j).head(4 * nodes) = (j + 1.0) * b.reshaped();
-    factor.solve(many);
+    const SideBySide before = many;
+    factor.solve_columns(many);
+    EXPECT_LT((A.multiply_columns(SideBySide(many.topRows(4 * nodes))) - before.topRows(4 * nodes)).norm(),
+              1e-13 * before.norm());
     for (int j = 0; j < 16; ++j)
       EXPECT_LT((many.col(j).head(4 * nodes) - (j + 1.0) * expected).norm(),
                 1e-13 * (j + 1.0) * expected.norm());

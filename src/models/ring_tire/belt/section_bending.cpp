@@ -136,8 +136,8 @@ void SectionBending::solve(const CyclicBandFactor& factor, Eigen::Matrix4Xd& x) 
   x.reshaped() -= KB_ * direction_;
 }
 
-void SectionBending::solve(const CyclicBandFactor& factor, CyclicBandFactor::Columns& x) const {
-  factor.solve(x);
+void SectionBending::solve_columns(const CyclicBandFactor& factor, Eigen::Ref<SideBySide> x) const {
+  factor.solve_columns(x);
   if (unknowns() == 0) return;
   auto belt = x.topRows(4 * nodes_);
   auto own = x.bottomRows(unknowns());

@@ -5,31 +5,45 @@
 
 namespace latsch::ring_tire {
 
-ExactTangent::ExactTangent(const CyclicBandFactor& factor,
-                           const SectionBending& section,
-                           const std::vector<PatchSlopes>& exact,
-                           const CyclicBand& approximate,
-                           const Eigen::MatrixXd& B,
-                           const Eigen::MatrixXd& A,
-                           double scale)
-    : factor_(factor), section_(section) {
+namespace {
+
+void solve_approximately(const CyclicBandFactor& factor,
+                         const SectionBending& section,
+                         Eigen::Ref<SideBySide> x) {
+  if (section.on())
+    section.solve_columns(factor, x);
+  else
+    factor.solve_columns(x);
+}
+
+Eigen::Index place_of(const std::vector<int>& in, int node) {
+  return std::lower_bound(in.begin(), in.end(), node) - in.begin();
+}
+
+}  // namespace
+
+/// E among the unknowns that patches hang on.
+void ExactTangent::find_left_out(const SectionBending& section,
+                                 const std::vector<PatchSlopes>& exact,
+                                 const CyclicBand& approximate,
+                                 const Eigen::MatrixXd& B,
+                                 const Eigen::MatrixXd& A,
+                                 double scale) {
   const int N = approximate.nodes();
-  std::vector<int> nodes;
+  std::vector<int>& nodes = nodes_;
+  nodes.clear();
+  rows_.clear();
   for (const PatchSlopes& patch : exact)
     nodes.insert(nodes.end(), std::begin(patch.nodes), std::end(patch.nodes));
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  const Eigen::Index sections = section.on() ? section.unknowns() : 0;
+  const Eigen::Index sections = section.unknowns();
   const Eigen::Index belt = 4 * static_cast<Eigen::Index>(nodes.size()), count = belt + sections;
-  if (nodes.empty()) return;
   for (const int node : nodes)
     for (int i = 0; i < 4; ++i) rows_.push_back(4 * node + i);
   for (Eigen::Index i = 0; i < sections; ++i) rows_.push_back(4 * N + i);
 
-  const auto place_of = [](const std::vector<int>& in, int node) -> Eigen::Index {
-    return std::lower_bound(in.begin(), in.end(), node) - in.begin();
-  };
-  E_ = Eigen::MatrixXd::Zero(count, count);
+  E_.setZero(count, count);
   for (const PatchSlopes& patch : exact) {
     Eigen::Index at[PatchSlopes::kAll];
     for (int i = 0; i < PatchSlopes::kNodes; ++i)
@@ -60,31 +74,45 @@ ExactTangent::ExactTangent(const CyclicBandFactor& factor,
     E_.bottomLeftCorner(sections, belt) -= border.transpose();
     E_.bottomRightCorner(sections, sections) -= scale * A;
   }
-  Columns units = Columns::Zero(4 * N + sections, (count + 7) / 8 * 8);
-  for (Eigen::Index i = 0; i < count; ++i) units(rows_[static_cast<std::size_t>(i)], i) = 1.0;
-  solve_approximately(units);
-  const Eigen::MatrixXd S = units.leftCols(count)(rows_, Eigen::all);
-  Eigen::MatrixXd whole = Eigen::MatrixXd::Identity(count, count);
-  whole.noalias() += E_ * S;
-  lu_ = std::make_unique<numerics::Lu>(whole);
 }
 
-void ExactTangent::solve_approximately(Columns& x) const {
-  if (section_.on())
-    section_.solve(factor_, x);
-  else
-    factor_.solve(x);
-}
-
-void ExactTangent::solve(Columns& x) const {
-  if (!rows_.empty()) {
-    Columns y = x;
-    solve_approximately(y);
-    const Eigen::MatrixXd w = lu_->solve(E_ * y(rows_, Eigen::all));
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-      x.row(rows_[i]) -= w.row(static_cast<Eigen::Index>(i));
+void ExactTangent::find(const CyclicBandFactor& factor,
+                        const SectionBending& section,
+                        const std::vector<PatchSlopes>& exact,
+                        const CyclicBand& approximate,
+                        const Eigen::MatrixXd& B,
+                        const Eigen::MatrixXd& A,
+                        double scale) {
+  find_left_out(section, exact, approximate, B, A, scale);
+  const Eigen::Index count = E_.rows(), all = 4 * approximate.nodes() + section.unknowns();
+  if (count == 0) return;
+  S_.resize(count, count);
+  y_.resize(all, 8);
+  for (Eigen::Index first = 0; first < count; first += 8) {
+    const Eigen::Index some = std::min<Eigen::Index>(8, count - first);
+    y_.setZero();
+    for (Eigen::Index i = 0; i < some; ++i) y_(rows_[static_cast<std::size_t>(first + i)], i) = 1.0;
+    solve_approximately(factor, section, y_);
+    S_.middleCols(first, some) = y_(rows_, Eigen::seqN(0, some));
   }
-  solve_approximately(x);
+  whole_.setIdentity(count, count);
+  whole_.noalias() += E_ * S_;
+  lu_.factorize(whole_);
+}
+
+void ExactTangent::solve(const CyclicBandFactor& factor,
+                         const SectionBending& section,
+                         Eigen::Ref<SideBySide> x) {
+  if (!rows_.empty()) {
+    y_ = x;
+    solve_approximately(factor, section, y_);
+    y_c_ = y_(rows_, Eigen::all);
+    w_.noalias() = E_ * y_c_;
+    lu_.solve(w_);
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      x.row(rows_[i]) -= w_.row(static_cast<Eigen::Index>(i));
+  }
+  solve_approximately(factor, section, x);
 }
 
 }  // namespace latsch::ring_tire

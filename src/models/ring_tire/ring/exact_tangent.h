@@ -6,7 +6,7 @@
 // and D by iteration.
 #pragma once
 
-#include <memory>
+#include <vector>
 
 #include "models/ring_tire/belt/section_bending.h"
 #include "models/ring_tire/tread/tread_contact.h"
@@ -14,30 +14,36 @@
 
 namespace latsch::ring_tire {
 
+/// Keeps its memory from one tangent to the next.
 class ExactTangent {
  public:
-  using Columns = CyclicBandFactor::Columns;
-
-  /// `exact`: of the blocks; `approximate`: what K has of them; `scale`: of both in r. K, the
-  /// factor and the section's border, are asked as long as this lives.
-  ExactTangent(const CyclicBandFactor& factor,
-               const SectionBending& section,
-               const std::vector<PatchSlopes>& exact,
-               const CyclicBand& approximate,
-               const Eigen::MatrixXd& B,
-               const Eigen::MatrixXd& A,
-               double scale);
-  /// x <- (K + E)^-1 x; a multiple of eight columns.
-  void solve(Columns& x) const;
+  /// `exact`: of the blocks; `approximate`: what the factor has of them; B, A: of the section's
+  /// border; `scale`: of blocks and sections in r.
+  void find(const CyclicBandFactor& factor,
+            const SectionBending& section,
+            const std::vector<PatchSlopes>& exact,
+            const CyclicBand& approximate,
+            const Eigen::MatrixXd& B,
+            const Eigen::MatrixXd& A,
+            double scale);
+  /// x <- (K + E)^-1 x, of the factor and the border it was found with; a multiple of eight columns.
+  void solve(const CyclicBandFactor& factor,
+             const SectionBending& section,
+             Eigen::Ref<SideBySide> x);
 
  private:
-  void solve_approximately(Columns& x) const;
+  void find_left_out(const SectionBending& section,
+                     const std::vector<PatchSlopes>& exact,
+                     const CyclicBand& approximate,
+                     const Eigen::MatrixXd& B,
+                     const Eigen::MatrixXd& A,
+                     double scale);
 
-  const CyclicBandFactor& factor_;
-  const SectionBending& section_;
+  std::vector<int> nodes_;          // of the patches
   std::vector<Eigen::Index> rows_;  // c
-  Eigen::MatrixXd E_;
-  std::unique_ptr<numerics::Lu> lu_;  // of 1 + E S
+  Eigen::MatrixXd E_, S_, whole_, y_c_, w_;
+  numerics::Lu lu_;  // of 1 + E S
+  SideBySide y_;
 };
 
 }  // namespace latsch::ring_tire

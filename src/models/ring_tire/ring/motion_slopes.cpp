@@ -6,14 +6,13 @@
 #include <cmath>
 
 #include "models/ring_tire/belt/belt_curve.h"
-#include "models/ring_tire/ring/exact_tangent.h"
+#include "models/ring_tire/ring/ring_tire.h"
 
 namespace latsch::ring_tire {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kPadded = (kMotionColumns + 7) / 8 * 8;
 // The ends of a difference are as far away as moves nodes by that.
 constexpr double kNear = 1e-7;  // m
 
@@ -70,21 +69,10 @@ bool memory_slope(const RingState& more, const RingState& less, double over, Rin
   return true;
 }
 
-/// ω × x of all nodes.
-template <class Values>
-Values turned_by(const Vector3d& omega, const Values& x) {
-  Values to = Values::Zero(x.rows(), x.cols());
-  for (Eigen::Index k = 0; k + 3 < x.rows(); k += 4) {
-    to.row(k) = omega.y() * x.row(k + 2) - omega.z() * x.row(k + 1);
-    to.row(k + 1) = omega.z() * x.row(k) - omega.x() * x.row(k + 2);
-    to.row(k + 2) = omega.x() * x.row(k + 1) - omega.y() * x.row(k);
-  }
-  return to;
-}
-
 /// Unit rotations: e_j × x of all nodes in three columns.
-CyclicBandFactor::Columns unit_turns(const NodeValues& x) {
-  CyclicBandFactor::Columns to = CyclicBandFactor::Columns::Zero(x.size(), 3);
+Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> unit_turns(const NodeValues& x) {
+  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> to;
+  to.setZero(x.size(), 3);
   for (Eigen::Index k = 0; k < x.cols(); ++k)
     to.middleRows<3>(4 * k) << 0.0, x(2, k), -x(1, k), -x(2, k), 0.0, x(0, k), x(1, k), -x(0, k),
         0.0;
@@ -93,23 +81,29 @@ CyclicBandFactor::Columns unit_turns(const NodeValues& x) {
 
 }  // namespace
 
-std::optional<HubSlopes> MotionSlopes::over(const std::vector<Step>& parts) {
-  begin_ = &from_;
-  for (const Step& part : parts) {
+std::optional<HubSlopes> MotionSlopes::over(RingTire& tire,
+                                            const RingState& from,
+                                            const WheelMotion& to,
+                                            const road::Road& road,
+                                            double time,
+                                            double step,
+                                            const std::vector<StepTaken>& parts) {
+  tire_ = &tire;
+  from_ = begin_ = &from;
+  to_ = &to;
+  road_ = &road;
+  time_ = time;
+  step_ = step;
+  slopes_.clear();
+  for (const StepTaken& part : parts) {
     if (!begin_part(part)) return std::nullopt;
-    const std::vector<PatchSlopes> blocks = tire_.tread_.patch_slopes(tire_.section_, q1_, v1_);
-    const double scale = 1.0 - tire_.settings_.dissipation;
-    CyclicBand tread(tire_.angles_.nodes());
-    tire_.tread_.add_stiffness(scale, tread);
-    Eigen::MatrixXd B, A;
-    if (tire_.section_.on()) tire_.tread_.section_border(tire_.section_, q1_, false, B, A);
-    const ExactTangent tangent(tire_.factor_, tire_.section_, blocks, tread, B, A, scale);
+    find_tangent();
     find_rigid_fields();
     find_rim_motion();
     find_held_forces();
     if (!find_tread_slopes()) return std::nullopt;
     find_right_sides();
-    solve(tangent);
+    solve();
     if (&part == &parts.back()) break;
     if (!follow_state(part)) return std::nullopt;
     begin_ = &part.end;
@@ -119,21 +113,21 @@ std::optional<HubSlopes> MotionSlopes::over(const std::vector<Step>& parts) {
 
 /// The motion at the end of the part, where that of the step is `by` more of a column.
 WheelMotion MotionSlopes::part_motion(int column, double by) const {
-  const WheelMotion to = moved(to_, column, by);
-  return share_ == 1.0 ? to : between(from_.motion, to, share_);
+  const WheelMotion to = moved(*to_, column, by);
+  return share_ == 1.0 ? to : between(from_->motion, to, share_);
 }
 
 /// The tire at the end of the part, with the tangent there. False: it is not definite.
-bool MotionSlopes::begin_part(const Step& part) {
+bool MotionSlopes::begin_part(const StepTaken& part) {
   part_time_ = part.time;
   part_step_ = part.step;
   const double left = (time_ - part.time) / step_;
   share_ = left < 1e-9 ? 1.0 : 1.0 - left;
-  motion_ = share_ == 1.0 ? to_ : between(from_.motion, to_, share_);
+  motion_ = share_ == 1.0 ? *to_ : between(from_->motion, *to_, share_);
   q1_ = part.end.place;
-  RingTire& t = tire_;
+  RingTire& t = *tire_;
   t.restore(*begin_);
-  t.predict(motion_, road_, part_time_, part_step_);
+  t.predict(motion_, *road_, part_time_, part_step_);
   if (t.section_.on()) {
     const auto& contact = t.section_.contact();
     gamma_.resize(t.section_.unknowns());
@@ -153,23 +147,22 @@ bool MotionSlopes::begin_part(const Step& part) {
   return t.factorize(q1_, rule_.acceleration, 1.0 - t.settings_.dissipation, rule_);
 }
 
-/// The tire at the end of a part that begins and moves otherwise, with nodes and sections as they
-/// are. False where others may touch.
-bool MotionSlopes::place(const RingState& begin, const WheelMotion& motion) {
-  tire_.restore(begin);
-  tire_.predict(motion, road_, part_time_, part_step_);
-  if (tire_.section_.on()) {
-    if (tire_.section_.unknowns() != gamma_.size()) return false;
-    tire_.section_.set_values(gamma_);
+/// The tire, restored to a beginning, at the end of a part that moves otherwise, with nodes and
+/// sections as they are. False where others may touch.
+bool MotionSlopes::place(const WheelMotion& motion) {
+  tire_->predict(motion, *road_, part_time_, part_step_);
+  if (tire_->section_.on()) {
+    if (tire_->section_.unknowns() != gamma_.size()) return false;
+    tire_->section_.set_values(gamma_);
   }
-  tire_.q1_ = q1_;
-  tire_.follow();
+  tire_->q1_ = q1_;
+  tire_->follow();
   return true;
 }
 
 /// Of the blocks on nodes and sections.
 Eigen::VectorXd MotionSlopes::tread_forces() {
-  RingTire& t = tire_;
+  RingTire& t = *tire_;
   if (t.section_.on()) t.tread_.bend(t.section_);
   NodeValues force = NodeValues::Zero(4, q1_.cols());
   t.tread_.add_force(t.q1_, t.v1_, force);
@@ -180,42 +173,73 @@ Eigen::VectorXd MotionSlopes::tread_forces() {
   return all;
 }
 
-std::optional<Eigen::VectorXd> MotionSlopes::tread_slope(const RingState& more,
-                                                         const RingState& less,
+/// Over `by` on either side, along the slope of the state at the beginning, if there is one.
+std::optional<Eigen::VectorXd> MotionSlopes::tread_slope(const RingState* slope,
                                                          const WheelMotion& further,
                                                          const WheelMotion& back,
-                                                         double over) {
-  if (!place(more, further)) return std::nullopt;
-  const Eigen::VectorXd at_more = tread_forces();
-  if (!place(less, back)) return std::nullopt;
-  return (at_more - tread_forces()) / over;
+                                                         double by) {
+  if (slope) tire_->restore(along(*begin_, *slope, by));
+  if (!place(further)) return std::nullopt;
+  const Eigen::VectorXd more = tread_forces();
+  if (slope) tire_->restore(along(*begin_, *slope, -by));
+  if (!place(back)) return std::nullopt;
+  return (more - tread_forces()) / (2.0 * by);
+}
+
+/// ω × x of all nodes.
+void MotionSlopes::turn_by(const Vector3d& omega, const Columns& x, Columns& to) const {
+  to.resize(4 * q1_.cols(), kPadded);
+  for (Eigen::Index k = 0; k < 4 * q1_.cols(); k += 4) {
+    to.row(k) = omega.y() * x.row(k + 2) - omega.z() * x.row(k + 1);
+    to.row(k + 1) = omega.z() * x.row(k) - omega.x() * x.row(k + 2);
+    to.row(k + 2) = omega.x() * x.row(k + 1) - omega.y() * x.row(k);
+    to.row(k + 3).setZero();
+  }
 }
 
 /// What dampers at the knots hold against velocities of the nodes.
-MotionSlopes::Columns MotionSlopes::damping(const Columns& rate) const {
+void MotionSlopes::damp(const Columns& rate, Columns& force) {
   const Eigen::Index N = q1_.cols();
-  Columns at(4 * N, rate.cols()), force(4 * N, rate.cols());
-  const auto mean = [N](const Columns& x, Eigen::Index k) {
-    return (1.0 / 6.0) * (x.middleRows<4>(4 * ((k + N - 1) % N)) +
-                          4.0 * x.middleRows<4>(4 * k) + x.middleRows<4>(4 * ((k + 1) % N)));
+  const auto mean = [N](const Columns& x, Eigen::Index k, auto&& to) {
+    to = (4.0 / 6.0) * x.middleRows<4>(4 * k) +
+         (1.0 / 6.0) * (x.middleRows<4>(4 * (k > 0 ? k - 1 : N - 1)) +
+                        x.middleRows<4>(4 * (k + 1 < N ? k + 1 : 0)));
   };
-  for (Eigen::Index k = 0; k < N; ++k)
-    at.middleRows<4>(4 * k) =
-        dampers_[static_cast<std::size_t>(k)].lazyProduct(mean(rate, k).eval());
-  for (Eigen::Index k = 0; k < N; ++k) force.middleRows<4>(4 * k) = mean(at, k);
-  return force;
+  knots_.resize(4 * N, kPadded);
+  force.resize(4 * N, kPadded);
+  Eigen::Matrix<double, 4, kPadded, Eigen::RowMajor> at;
+  for (Eigen::Index k = 0; k < N; ++k) {
+    mean(rate, k, at);
+    const Eigen::Matrix4d& D = dampers_[static_cast<std::size_t>(k)];
+    for (int i = 0; i < 3; ++i)
+      knots_.row(4 * k + i) = D(i, 0) * at.row(0) + D(i, 1) * at.row(1) + D(i, 2) * at.row(2);
+    knots_.row(4 * k + 3) = D(3, 3) * at.row(3);
+  }
+  for (Eigen::Index k = 0; k < N; ++k) mean(knots_, k, force.middleRows<4>(4 * k));
+}
+
+/// Of the end of the part, by the factor that the tire has there.
+void MotionSlopes::find_tangent() {
+  RingTire& t = *tire_;
+  const double scale = 1.0 - t.settings_.dissipation;
+  const std::vector<PatchSlopes> blocks = t.tread_.patch_slopes(t.section_, q1_, v1_);
+  CyclicBand tread(t.angles_.nodes());
+  t.tread_.add_stiffness(scale, tread);
+  Eigen::MatrixXd B, A;
+  if (t.section_.on()) t.tread_.section_border(t.section_, q1_, false, B, A);
+  tangent_.find(t.factor_, t.section_, blocks, tread, B, A, scale);
 }
 
 void MotionSlopes::find_rigid_fields() {
-  RingTire& t = tire_;
+  RingTire& t = *tire_;
   const int N = t.angles_.nodes();
   const Eigen::Vector4d d = t.inner_forces_.sidewall().losses().damping;
   dampers_.assign(static_cast<std::size_t>(N), Eigen::Matrix4d::Zero());
   const double tilted = node_radius_over_knot_radius(N);
   NodeValues arms = q1_;
   arms.topRows<3>().colwise() -= rim_.center;
-  fields_.setZero(4 * N, 9);
-  fields_.middleCols<3>(3) = fields_.rightCols<3>() = unit_turns(arms);
+  fields_.setZero(4 * N, kPadded);
+  fields_.middleCols<3>(3) = fields_.middleCols<3>(6) = unit_turns(arms);
   for (int k = 0; k < N; ++k) {
     const Vector3d r = t.angles_.radial(rim_, k), along = t.angles_.tangential(rim_, k);
     Eigen::Matrix4d& D = dampers_[static_cast<std::size_t>(k)];
@@ -227,12 +251,11 @@ void MotionSlopes::find_rigid_fields() {
   }
   CyclicBand stiffness(N);
   t.inner_forces_.find_stiffness(q1_, rim_, rule_, 1.0).turn_back(rim_, stiffness);
-  stiff_.resize(4 * N, 9);
-  for (int i = 0; i < 9; ++i)
-    stiff_.col(i) = stiffness.multiply(fields_.col(i).reshaped(4, N)).reshaped();
+  stiff_ = stiffness.multiply_columns(SideBySide(fields_));
 }
 
 void MotionSlopes::find_rim_motion() {
+  for (Vectors* of : {&center_, &turn_, &velocity_, &rate_, &carrier_}) of->setZero();
   for (int column = 0; column < kMotionColumns; ++column) {
     const double by = nudge(column, step_), over = 0.5 / by;
     const WheelMotion more = part_motion(column, by), less = part_motion(column, -by);
@@ -254,24 +277,24 @@ void MotionSlopes::find_held_forces() {
   NodeValues against = v1_;
   for (Eigen::Index k = 0; k < N; ++k)
     against.col(k).head<3>() -= rim_.velocity_at(q1_.col(k).head<3>());
-  Eigen::Matrix<double, 3, kMotionColumns> even = rule_.velocity * center_ - velocity_;
+  Vectors even = rule_.velocity * center_ - velocity_;
   for (int column = 0; column < kMotionColumns; ++column)
     even.col(column) += rim_.angular_velocity.cross(Vector3d(center_.col(column)));
-  Columns rates(4 * N, kMotionColumns);
-  rates.noalias() = fields_.leftCols<3>() * even;
-  rates.noalias() += fields_.middleCols<3>(3) * (rule_.velocity * turn_ - rate_);
-  rates.noalias() -= unit_turns(against) * turn_;
-  held_.resize(4 * N, kMotionColumns);
+  rates_.noalias() = fields_.leftCols<3>() * even;
+  rates_.noalias() += fields_.middleCols<3>(3) * (rule_.velocity * turn_ - rate_);
+  rates_.noalias() -= unit_turns(against) * turn_;
+  held_.resize(4 * N, kPadded);
   held_.noalias() = unit_turns(inner_) * turn_;
   held_.noalias() += stiff_.leftCols<3>() * center_;
   held_.noalias() += stiff_.middleCols<3>(3) * turn_;
   if (!slopes_.empty()) {
-    velocities_.resize(4 * N, kMotionColumns);
-    accelerations_.resize(4 * N, kMotionColumns);
+    velocities_.setZero(4 * N, kPadded);
+    accelerations_.setZero(4 * N, kPadded);
     for (int column = 0; column < kMotionColumns; ++column) add_state(column);
-    rates += velocities_;
+    rates_ += velocities_;
   }
-  held_ -= damping(rates);
+  damp(rates_, more_);
+  held_ -= more_;
 }
 
 /// What the state at the beginning does to velocities, accelerations and the sidewall's memory.
@@ -283,11 +306,11 @@ void MotionSlopes::add_state(int column) {
       (slope.rate + h * slope.acceleration - rule_.velocity * predicted).reshaped();
   accelerations_.col(column) =
       (slope.acceleration - rule_.acceleration * predicted).reshaped();
-  SidewallForces& sidewall = tire_.inner_forces_.sidewall();
+  SidewallForces& sidewall = tire_->inner_forces_.sidewall();
   NodeValues forces[2] = {inner_, inner_};
   for (const int i : {0, 1}) {
     sidewall.remember(along(*begin_, slope, i == 0 ? by : -by).sidewall);
-    tire_.inner_forces_.find_force(q1_, v1_, rim_, rule_, forces[i]);
+    tire_->inner_forces_.find_force(q1_, v1_, rim_, rule_, forces[i]);
   }
   sidewall.remember(begin_->sidewall);
   held_.col(column) += ((forces[0] - forces[1]) / (2.0 * by)).reshaped();
@@ -296,25 +319,27 @@ void MotionSlopes::add_state(int column) {
 /// The blocks, where they feel it: the spin axis at first, and where sections flow the spin rate;
 /// later the state at the beginning as well.
 bool MotionSlopes::find_tread_slopes() {
-  tread_.setZero(q1_.size() + gamma_.size(), kMotionColumns);
-  const auto find = [&](int column, const RingState& more, const RingState& less) {
+  tread_.setZero(q1_.size() + gamma_.size(), kPadded);
+  const auto find = [&](int column) {
     const double by = nudge(column, step_);
     const auto of = tread_slope(
-        more, less, part_motion(column, by), part_motion(column, -by), 2.0 * by);
+        slopes_.empty() ? nullptr : &slopes_[static_cast<std::size_t>(column)],
+        part_motion(column, by),
+        part_motion(column, -by),
+        by);
     if (of) tread_.col(column) = *of;
     return of.has_value();
   };
-  for (int column = 0; !slopes_.empty() && column < kMotionColumns; ++column) {
-    const RingState& slope = slopes_[static_cast<std::size_t>(column)];
-    const double by = nudge(column, step_);
-    if (!find(column, along(*begin_, slope, by), along(*begin_, slope, -by))) return false;
+  if (!slopes_.empty()) {
+    for (int column = 0; column < kMotionColumns; ++column)
+      if (!find(column)) return false;
+    return true;
   }
-  if (!slopes_.empty()) return true;
-  if (gamma_.size() > 0 && !find(kBySpinRate, *begin_, *begin_)) return false;
+  if (gamma_.size() > 0 && !find(kBySpinRate)) return false;
   for (const Vector3d& about : {rim_.X, rim_.Z}) {
     const double by = nudge(kByRotation, step_);
-    const auto of = tread_slope(
-        *begin_, *begin_, turned(motion_, about, by), turned(motion_, about, -by), 2.0 * by);
+    const auto of =
+        tread_slope(nullptr, turned(motion_, about, by), turned(motion_, about, -by), by);
     if (!of) return false;
     tread_ += *of * (about.transpose() * carrier_);
   }
@@ -323,59 +348,62 @@ bool MotionSlopes::find_tread_slopes() {
 
 /// dr/dm.
 void MotionSlopes::find_right_sides() {
-  const double theta = tire_.settings_.dissipation, scale = 1.0 - theta;
-  x_.setZero(tread_.rows(), kPadded);
-  x_.leftCols<kMotionColumns>() = scale * tread_;
-  x_.topLeftCorner(q1_.size(), kMotionColumns) += scale * held_;
+  const double theta = tire_->settings_.dissipation, scale = 1.0 - theta;
+  x_ = scale * tread_;
+  x_.topRows(q1_.size()) += scale * held_;
   NodeValues inertia;
   for (std::size_t i = 0; i < slopes_.size(); ++i) {
     const Eigen::Index column = static_cast<Eigen::Index>(i);
-    tire_.times_mass(accelerations_.col(column).reshaped(4, q1_.cols()), inertia);
+    tire_->times_mass(accelerations_.col(column).reshaped(4, q1_.cols()), inertia);
     x_.col(column).head(q1_.size()) += (theta * slopes_[i].force - inertia).reshaped();
   }
 }
 
 /// (29), the dampers' turning by iteration: 1e-4 of the tangent in steps of 0.2 ms at 60 m/s.
-void MotionSlopes::solve(const ExactTangent& tangent) {
+void MotionSlopes::solve() {
   constexpr double kEnough = 1e-7;
   constexpr int kMost = 20;
-  tangent.solve(x_);
-  const double scale = 1.0 - tire_.settings_.dissipation;
+  const double scale = 1.0 - tire_->settings_.dissipation;
   const auto size = [](const Columns& x) { return x.cwiseAbs().colwise().maxCoeff().eval(); };
-  Columns step = x_, next(x_.rows(), x_.cols());
+  tangent_.solve(tire_->factor_, tire_->section_, x_);
+  next_ = x_;
+  auto before = size(next_);
   for (int i = 0; i < kMost; ++i) {
-    next.topRows(q1_.size()) = scale * damping(turned_by(rim_.angular_velocity, step));
-    next.bottomRows(gamma_.size()).setZero();
-    tangent.solve(next);
-    x_ += next;
+    turn_by(rim_.angular_velocity, next_, turned_);
+    damp(turned_, more_);
+    next_.topRows(q1_.size()) = scale * more_;
+    next_.bottomRows(gamma_.size()).setZero();
+    tangent_.solve(tire_->factor_, tire_->section_, next_);
+    x_ += next_;
     // What is still to come, as a geometric series.
-    const double ratio =
-        (size(next).array() / size(step).array().max(1e-300)).leftCols(kMotionColumns).maxCoeff();
-    if ((ratio * size(next).array() <= kEnough * size(x_).array()).all()) break;
-    step = next;
+    const auto now = size(next_);
+    const double ratio = (now.array() / before.array().max(1e-300)).maxCoeff();
+    if ((ratio * now.array() <= kEnough * size(x_).array()).all()) break;
+    before = now;
   }
 }
 
 /// dF/dm of (18), turned into the carrier's axes, which turn too.
-HubSlopes MotionSlopes::hub_slopes() const {
-  const int N = tire_.angles_.nodes();
+HubSlopes MotionSlopes::hub_slopes() {
+  const int N = tire_->angles_.nodes();
   const double tilted = node_radius_over_knot_radius(N);
   Vector3d sum = Vector3d::Zero(), torsions = sum, moment = sum;
   for (int k = 0; k < N; ++k) {
     const Vector3d f = inner_.col(k).head<3>();
     sum += f;
-    torsions += tilted * inner_(3, k) * tire_.angles_.tangential(rim_, k);
+    torsions += tilted * inner_(3, k) * tire_->angles_.tangential(rim_, k);
     moment -= (q1_.col(k).head<3>() - rim_.center).cross(f);
   }
   moment -= torsions;
-  const std::vector<int> chosen = {0, 1, 2, 6, 7, 8};
-  const Columns weights = fields_(Eigen::all, chosen);
   // Of dq1/dm: by stiffness and dampers, and by the arms of the forces.
-  Columns of_place = stiff_(Eigen::all, chosen) +
-                     turned_by(rim_.angular_velocity, damping(weights));
-  of_place.rightCols<3>() += unit_turns(inner_);
-  HubSlopes hub = -(weights.transpose() * held_);
-  hub += of_place.transpose() * x_.topLeftCorner(q1_.size(), kMotionColumns);
+  damp(fields_, more_);
+  turn_by(rim_.angular_velocity, more_, turned_);
+  turned_ += stiff_;
+  turned_.middleCols<3>(6) += unit_turns(inner_);
+  const Eigen::Matrix<double, kPadded, kPadded> all =
+      turned_.transpose() * x_.topRows(q1_.size()) - fields_.transpose() * held_;
+  HubSlopes hub;
+  hub << all.topLeftCorner<3, kMotionColumns>(), all.block<3, kMotionColumns>(6, 0);
   const Eigen::Matrix3d to_carrier = motion_.carrier.transpose();
   for (int column = 0; column < kMotionColumns; ++column) {
     const Vector3d turn = carrier_.col(column);
@@ -388,8 +416,8 @@ HubSlopes MotionSlopes::hub_slopes() const {
 }
 
 /// Slopes of the state that the part leaves: nodes by (16), (17), memory by differences.
-bool MotionSlopes::follow_state(const Step& part) {
-  const double theta = tire_.settings_.dissipation;
+bool MotionSlopes::follow_state(const StepTaken& part) {
+  const double theta = tire_->settings_.dissipation;
   std::vector<RingState> after;
   for (int column = 0; column < kMotionColumns; ++column) {
     const std::size_t at = static_cast<std::size_t>(column);
@@ -401,21 +429,20 @@ bool MotionSlopes::follow_state(const Step& part) {
       to.rate += velocities_.col(column).reshaped(4, q1_.cols());
       to.acceleration += accelerations_.col(column).reshaped(4, q1_.cols());
     }
-    tire_.times_mass(to.acceleration, to.force);
+    tire_->times_mass(to.acceleration, to.force);
     if (!slopes_.empty()) to.force -= theta * slopes_[at].force;
     to.force /= 1.0 - theta;
     const double by = nudge(column, step_);
     const auto end = [&](double way) -> std::optional<RingState> {
-      if (!place(slopes_.empty() ? *begin_ : along(*begin_, slopes_[at], way),
-                 part_motion(column, way)))
-        return std::nullopt;
-      tire_.q1_ += way * to.place;
-      tire_.follow();
-      if (tire_.section_.on())
-        tire_.section_.set_values(gamma_ + way * x_.col(column).tail(gamma_.size()));
+      tire_->restore(slopes_.empty() ? *begin_ : along(*begin_, slopes_[at], way));
+      if (!place(part_motion(column, way))) return std::nullopt;
+      tire_->q1_ += way * to.place;
+      tire_->follow();
+      if (tire_->section_.on())
+        tire_->section_.set_values(gamma_ + way * x_.col(column).tail(gamma_.size()));
       tread_forces();
-      tire_.accept();
-      return tire_.state();
+      tire_->accept();
+      return tire_->state();
     };
     const auto more = end(by), less = end(-by);
     if (!more || !less || !memory_slope(*more, *less, 2.0 * by, to)) return false;

@@ -15,58 +15,67 @@
 #include <optional>
 #include <vector>
 
-#include "models/ring_tire/ring/ring_tire.h"
+#include "models/ring_tire/belt/sidewall.h"
+#include "models/ring_tire/ring/exact_tangent.h"
+#include "models/ring_tire/ring/ring_state.h"
+#include "models/ring_tire/ring/wheel_motions.h"
 
 namespace latsch::ring_tire {
 
-class ExactTangent;
+class RingTire;
 
+/// A step of a ring's advance, by its end.
+struct StepTaken {
+  double time, step;  // s
+  RingState end;
+};
+
+/// Keeps its memory from one step to the next.
 class MotionSlopes {
  public:
-  /// Of a step from `from` to `to`, with the tire's memory for the work.
-  MotionSlopes(RingTire& tire,
-               const RingState& from,
-               const WheelMotion& to,
-               const road::Road& road,
-               double time,
-               double step)
-      : tire_(tire), from_(from), to_(to), road_(road), time_(time), step_(step) {}
-
-  /// By the steps that were taken to its end. Nothing where a tangent there is not definite, or
-  /// where what may touch the road changes.
-  std::optional<HubSlopes> over(const std::vector<RingTire::StepTaken>& parts);
+  /// Of a step from `from` to `to`, `step` long, that ends at `time`, by the steps that were taken
+  /// to its end. The tire's memory is used, restore() comes after. Nothing where a tangent is not
+  /// definite, or where what may touch the road changes.
+  std::optional<HubSlopes> over(RingTire& tire,
+                                const RingState& from,
+                                const WheelMotion& to,
+                                const road::Road& road,
+                                double time,
+                                double step,
+                                const std::vector<StepTaken>& parts);
 
  private:
-  using Step = RingTire::StepTaken;
-  using Columns = CyclicBandFactor::Columns;
+  static constexpr int kPadded = (kMotionColumns + 7) / 8 * 8;
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, kPadded, Eigen::RowMajor>;
 
-  using Vectors = Eigen::Matrix<double, 3, kMotionColumns>;
+  using Vectors = Eigen::Matrix<double, 3, kPadded>;
 
   WheelMotion part_motion(int column, double by) const;
-  bool begin_part(const Step& part);
-  bool place(const RingState& begin, const WheelMotion& motion);
+  bool begin_part(const StepTaken& part);
+  bool place(const WheelMotion& motion);
   Eigen::VectorXd tread_forces();
-  std::optional<Eigen::VectorXd> tread_slope(const RingState& more,
-                                             const RingState& less,
+  std::optional<Eigen::VectorXd> tread_slope(const RingState* slope,
                                              const WheelMotion& further,
                                              const WheelMotion& back,
-                                             double over);
+                                             double by);
+  void find_tangent();
   void find_rigid_fields();
   void find_rim_motion();
   bool find_tread_slopes();
   void find_held_forces();
   void add_state(int column);
   void find_right_sides();
-  void solve(const ExactTangent& tangent);
-  Columns damping(const Columns& rate) const;
-  HubSlopes hub_slopes() const;
-  bool follow_state(const Step& part);
+  void solve();
+  void turn_by(const Eigen::Vector3d& omega, const Columns& x, Columns& to) const;
+  void damp(const Columns& rate, Columns& force);
+  HubSlopes hub_slopes();
+  bool follow_state(const StepTaken& part);
 
-  RingTire& tire_;
-  const RingState& from_;
-  const WheelMotion& to_;
-  const road::Road& road_;
-  const double time_, step_;
+  RingTire* tire_ = nullptr;
+  const RingState* from_ = nullptr;
+  const WheelMotion* to_ = nullptr;
+  const road::Road* road_ = nullptr;
+  double time_ = 0.0, step_ = 0.0;
   std::vector<RingState> slopes_;  // by column, of the state at the beginning; empty: none
 
   // Of the part at work.
@@ -87,7 +96,9 @@ class MotionSlopes {
   // By column, with the nodes held: forces of belt and sidewall, of the blocks (and theirs on
   // sections); velocities and accelerations by the state at the beginning.
   Columns held_, tread_, velocities_, accelerations_;
-  Columns x_;  // dr/dm, then d(q1, γ)/dm
+  ExactTangent tangent_;
+  Columns x_;                            // dr/dm, then d(q1, γ)/dm
+  Columns rates_, turned_, knots_, more_, next_;  // at work
 };
 
 }  // namespace latsch::ring_tire

@@ -8,8 +8,6 @@
 #include <limits>
 #include <numbers>
 
-#include "models/ring_tire/ring/motion_slopes.h"
-
 namespace latsch::ring_tire {
 namespace {
 
@@ -252,8 +250,7 @@ Result<RingTrial> RingTire::trial(const RingState& from,
   taken_ = nullptr;
   if (!hub) return hub.failure();
   RingTrial trial{*hub, state(), std::nullopt};
-  if (with_slopes) trial.slopes = 
-      MotionSlopes(*this, from, motion, road, time, step).over(taken);
+  if (with_slopes) trial.slopes = slopes_.over(*this, from, motion, road, time, step, taken);
   return trial;
 }
 

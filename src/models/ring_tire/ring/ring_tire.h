@@ -24,9 +24,9 @@
 #include "models/ring_tire/belt/inner_forces.h"
 #include "models/ring_tire/belt/section_bending.h"
 #include "models/ring_tire/description/ring_parameters.h"
+#include "models/ring_tire/ring/motion_slopes.h"
 #include "models/ring_tire/ring/ring_state.h"
 #include "models/ring_tire/ring/tangent_reuse.h"
-#include "models/ring_tire/ring/wheel_motions.h"
 #include "models/ring_tire/tread/tread_contact.h"
 #include "models/tire/tire.h"
 
@@ -110,11 +110,6 @@ class RingTire final : public Tire {
 
  private:
   friend class MotionSlopes;
-  /// A step of advance(), by its end.
-  struct StepTaken {
-    double time, step;  // s
-    RingState end;
-  };
 
   /// f of (15) at q, v, on the rim where it stands: inner forces, then those of the road.
   void evaluate(const NodeValues& q, const NodeValues& v);
@@ -177,6 +172,7 @@ class RingTire final : public Tire {
   TangentReuse reuse_;
   WheelMotion last_motion_;
   bool settled_ = false;
+  MotionSlopes slopes_;
   std::vector<StepTaken>* taken_ = nullptr;  // where someone keeps the steps of an advance
   RingCounts counts_;
 };

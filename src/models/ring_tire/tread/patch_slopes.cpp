@@ -81,6 +81,7 @@ std::vector<PatchSlopes> TreadContact::patch_slopes(const SectionBending& sectio
                                                     const NodeValues& q,
                                                     const NodeValues& v) {
   std::vector<PatchSlopes> slopes;
+  slopes.reserve(patches_.size());
   std::vector<double> aside(kColumns * none_.size());
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     const double* const Fn = column(i, kFn);
