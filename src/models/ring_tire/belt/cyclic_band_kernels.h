@@ -188,7 +188,8 @@ struct Rows4 {
   }
 };
 
-/// y += A x around the ring, rows `columns` long, eight columns at a time. blocks: kReach + 1 a node.
+/// y += A x around the ring, rows `columns` long, eight columns at a time; blocks: kReach + 1 a
+/// node.
 void add_product(
     int nodes, const Eigen::Matrix4d* blocks, const double* x, double* y, int columns) {
   constexpr int kReach = CyclicBand::kReach;

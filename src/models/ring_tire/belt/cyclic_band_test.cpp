@@ -57,7 +57,8 @@ TEST(CyclicBand, SolvesLikeADenseFactorization) {
     for (int j = 0; j < 16; ++j) many.col(j).head(4 * nodes) = (j + 1.0) * b.reshaped();
     const SideBySide before = many;
     factor.solve_columns(many);
-    EXPECT_LT((A.multiply_columns(SideBySide(many.topRows(4 * nodes))) - before.topRows(4 * nodes)).norm(),
+    EXPECT_LT((A.multiply_columns(SideBySide(many.topRows(4 * nodes))) - before.topRows(4 * nodes))
+                  .norm(),
               1e-13 * before.norm());
     for (int j = 0; j < 16; ++j)
       EXPECT_LT((many.col(j).head(4 * nodes) - (j + 1.0) * expected).norm(),

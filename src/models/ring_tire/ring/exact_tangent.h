@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// -dr/d(place, γ) of a step's residual r, (17) with the rows of (25) below, solved to rounding. With
-// K the factorized tangent, E what that leaves out of the blocks (among the unknowns c that patches
-// hang on) and D the turning of dampers with the wheel (everywhere, small),
-//   (K + E) x = b:  x = K^-1 (b - w), w = (1 + E S)^-1 E K^-1 b, S = K^-1 among c     [Woodbury]
-// and D by iteration.
+// -dr/d(place, γ) of a step's residual r, (17) with the rows of (25) below, but for the turning of
+// dampers with the wheel. With K the factorized tangent and E what that leaves out of the blocks,
+// among the unknowns c that patches hang on,
+//   (K + E) x = b:  x = K^-1 (b - w),  w = (1 + E S)^-1 E K^-1 b,  S: K^-1 among c
+// which is Woodbury's formula.
 #pragma once
 
 #include <vector>
@@ -26,7 +26,7 @@ class ExactTangent {
             const Eigen::MatrixXd& B,
             const Eigen::MatrixXd& A,
             double scale);
-  /// x <- (K + E)^-1 x, of the factor and the border it was found with; a multiple of eight columns.
+  /// x <- (K + E)^-1 x of a multiple of eight columns, by the factor and border it was found with.
   void solve(const CyclicBandFactor& factor,
              const SectionBending& section,
              Eigen::Ref<SideBySide> x);

@@ -7,22 +7,12 @@
 
 #include "models/ring_tire/belt/belt_curve.h"
 #include "models/ring_tire/ring/ring_tire.h"
+#include "models/ring_tire/ring/state_slopes.h"
 
 namespace latsch::ring_tire {
 namespace {
 
 using Eigen::Vector3d;
-
-// The ends of a difference are as far away as moves nodes by that.
-constexpr double kNear = 1e-7;  // m
-
-/// In units of the column, in a step of that length.
-double nudge(int column, double step) {
-  constexpr double kRadius = 0.3;  // m
-  const bool turns = (column >= kByRotation && column < kByVelocity) || column >= kByAngularVelocity;
-  const bool rate = (column >= kByVelocity && column < kBySpin) || column == kBySpinRate;
-  return kNear / (turns ? kRadius : 1.0) / (rate ? step : 1.0);
-}
 
 WheelMotion turned(const WheelMotion& motion, const Vector3d& about, double by) {
   WheelMotion to = motion;
@@ -33,40 +23,6 @@ WheelMotion turned(const WheelMotion& motion, const Vector3d& about, double by) 
 Vector3d rotation_between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
   const Eigen::AngleAxisd turn(to * from.transpose());
   return turn.angle() * turn.axis();
-}
-
-/// A state further along its slopes; those of memory alone: q, v, a and f are added by `also`.
-RingState along(const RingState& state, const RingState& slope, double by) {
-  RingState to = state;
-  to.place += by * slope.place;
-  to.rate += by * slope.rate;
-  to.acceleration += by * slope.acceleration;
-  to.force += by * slope.force;
-  to.sidewall.travel += by * slope.sidewall.travel;
-  to.sidewall.maxwell += by * slope.sidewall.maxwell;
-  to.sidewall.slip += by * slope.sidewall.slip;
-  to.section += by * slope.section;
-  if (!state.tread.tips()) return to;
-  auto tips = std::make_shared<TreadTips>(*state.tread.tips());
-  for (std::size_t i = 0; i < tips->columns.size(); ++i)
-    tips->columns[i] += by * slope.tread.tips()->columns[i];
-  to.tread = TreadMemory(std::move(tips));
-  return to;
-}
-
-/// What is remembered, not the nodes: false where patches differ.
-bool memory_slope(const RingState& more, const RingState& less, double over, RingState& to) {
-  to.sidewall.travel = (more.sidewall.travel - less.sidewall.travel) / over;
-  to.sidewall.maxwell = (more.sidewall.maxwell - less.sidewall.maxwell) / over;
-  to.sidewall.slip = (more.sidewall.slip - less.sidewall.slip) / over;
-  to.section = (more.section - less.section) / over;
-  const TreadTips &a = *more.tread.tips(), &b = *less.tread.tips();
-  if (a.segments != b.segments) return false;
-  auto tips = std::make_shared<TreadTips>(a);
-  for (std::size_t i = 0; i < a.columns.size(); ++i)
-    tips->columns[i] = (a.columns[i] - b.columns[i]) / over;
-  to.tread = TreadMemory(std::move(tips));
-  return true;
 }
 
 /// Unit rotations: e_j × x of all nodes in three columns.
@@ -132,9 +88,8 @@ bool MotionSlopes::begin_part(const StepTaken& part) {
     const auto& contact = t.section_.contact();
     gamma_.resize(t.section_.unknowns());
     for (std::size_t c = 0; c < contact.size(); ++c)
-      gamma_.segment<SectionBending::kModes>(SectionBending::kModes *
-                                             static_cast<Eigen::Index>(c)) =
-          part.end.section.col(contact[c]);
+      gamma_.segment<SectionBending::kModes>(
+          SectionBending::kModes * static_cast<Eigen::Index>(c)) = part.end.section.col(contact[c]);
     t.section_.set_values(gamma_);
   }
   t.q1_ = q1_;
@@ -168,8 +123,7 @@ Eigen::VectorXd MotionSlopes::tread_forces() {
   t.tread_.add_force(t.q1_, t.v1_, force);
   Eigen::VectorXd all(4 * q1_.cols() + (t.section_.on() ? t.section_.unknowns() : 0));
   all.head(force.size()) = force.reshaped();
-  if (t.section_.on())
-    all.tail(t.section_.unknowns()) = t.tread_.section_forces(t.section_, t.q1_);
+  if (t.section_.on()) all.tail(t.section_.unknowns()) = t.tread_.section_forces(t.section_, t.q1_);
   return all;
 }
 
@@ -257,7 +211,7 @@ void MotionSlopes::find_rigid_fields() {
 void MotionSlopes::find_rim_motion() {
   for (Vectors* of : {&center_, &turn_, &velocity_, &rate_, &carrier_}) of->setZero();
   for (int column = 0; column < kMotionColumns; ++column) {
-    const double by = nudge(column, step_), over = 0.5 / by;
+    const double by = difference_step(column, step_), over = 0.5 / by;
     const WheelMotion more = part_motion(column, by), less = part_motion(column, -by);
     center_.col(column) = over * (more.center - less.center);
     velocity_.col(column) = over * (more.velocity - less.velocity);
@@ -280,13 +234,12 @@ void MotionSlopes::find_held_forces() {
   Vectors even = rule_.velocity * center_ - velocity_;
   for (int column = 0; column < kMotionColumns; ++column)
     even.col(column) += rim_.angular_velocity.cross(Vector3d(center_.col(column)));
-  rates_.noalias() = fields_.leftCols<3>() * even;
-  rates_.noalias() += fields_.middleCols<3>(3) * (rule_.velocity * turn_ - rate_);
-  rates_.noalias() -= unit_turns(against) * turn_;
-  held_.resize(4 * N, kPadded);
-  held_.noalias() = unit_turns(inner_) * turn_;
-  held_.noalias() += stiff_.leftCols<3>() * center_;
-  held_.noalias() += stiff_.middleCols<3>(3) * turn_;
+  rates_ = fields_.leftCols<3>().lazyProduct(even);
+  rates_ += fields_.middleCols<3>(3).lazyProduct((rule_.velocity * turn_ - rate_).eval());
+  rates_ -= unit_turns(against).lazyProduct(turn_);
+  held_ = unit_turns(inner_).lazyProduct(turn_);
+  held_ += stiff_.leftCols<3>().lazyProduct(center_);
+  held_ += stiff_.middleCols<3>(3).lazyProduct(turn_);
   if (!slopes_.empty()) {
     velocities_.setZero(4 * N, kPadded);
     accelerations_.setZero(4 * N, kPadded);
@@ -300,12 +253,11 @@ void MotionSlopes::find_held_forces() {
 /// What the state at the beginning does to velocities, accelerations and the sidewall's memory.
 void MotionSlopes::add_state(int column) {
   const RingState& slope = slopes_[static_cast<std::size_t>(column)];
-  const double h = part_step_, by = nudge(column, step_);
+  const double h = part_step_, by = difference_step(column, step_);
   const NodeValues predicted = slope.place + h * slope.rate + 0.5 * h * h * slope.acceleration;
   velocities_.col(column) =
       (slope.rate + h * slope.acceleration - rule_.velocity * predicted).reshaped();
-  accelerations_.col(column) =
-      (slope.acceleration - rule_.acceleration * predicted).reshaped();
+  accelerations_.col(column) = (slope.acceleration - rule_.acceleration * predicted).reshaped();
   SidewallForces& sidewall = tire_->inner_forces_.sidewall();
   NodeValues forces[2] = {inner_, inner_};
   for (const int i : {0, 1}) {
@@ -321,12 +273,12 @@ void MotionSlopes::add_state(int column) {
 bool MotionSlopes::find_tread_slopes() {
   tread_.setZero(q1_.size() + gamma_.size(), kPadded);
   const auto find = [&](int column) {
-    const double by = nudge(column, step_);
-    const auto of = tread_slope(
-        slopes_.empty() ? nullptr : &slopes_[static_cast<std::size_t>(column)],
-        part_motion(column, by),
-        part_motion(column, -by),
-        by);
+    const double by = difference_step(column, step_);
+    const auto of =
+        tread_slope(slopes_.empty() ? nullptr : &slopes_[static_cast<std::size_t>(column)],
+                    part_motion(column, by),
+                    part_motion(column, -by),
+                    by);
     if (of) tread_.col(column) = *of;
     return of.has_value();
   };
@@ -337,7 +289,7 @@ bool MotionSlopes::find_tread_slopes() {
   }
   if (gamma_.size() > 0 && !find(kBySpinRate)) return false;
   for (const Vector3d& about : {rim_.X, rim_.Z}) {
-    const double by = nudge(kByRotation, step_);
+    const double by = difference_step(kByRotation, step_);
     const auto of =
         tread_slope(nullptr, turned(motion_, about, by), turned(motion_, about, -by), by);
     if (!of) return false;
@@ -400,15 +352,17 @@ HubSlopes MotionSlopes::hub_slopes() {
   turn_by(rim_.angular_velocity, more_, turned_);
   turned_ += stiff_;
   turned_.middleCols<3>(6) += unit_turns(inner_);
-  const Eigen::Matrix<double, kPadded, kPadded> all =
-      turned_.transpose() * x_.topRows(q1_.size()) - fields_.transpose() * held_;
   HubSlopes hub;
-  hub << all.topLeftCorner<3, kMotionColumns>(), all.block<3, kMotionColumns>(6, 0);
+  for (const int field : {0, 6}) {
+    const Vectors of = turned_.middleCols<3>(field).transpose() * x_.topRows(q1_.size()) -
+                       fields_.middleCols<3>(field).transpose() * held_;
+    hub.middleRows<3>(field / 2) = of.leftCols<kMotionColumns>();
+  }
   const Eigen::Matrix3d to_carrier = motion_.carrier.transpose();
   for (int column = 0; column < kMotionColumns; ++column) {
     const Vector3d turn = carrier_.col(column);
-    hub.col(column).tail<3>() += Vector3d(center_.col(column)).cross(sum) -
-                                 Vector3d(turn_.col(column)).cross(torsions);
+    hub.col(column).tail<3>() +=
+        Vector3d(center_.col(column)).cross(sum) - Vector3d(turn_.col(column)).cross(torsions);
     hub.col(column) << to_carrier * (hub.col(column).head<3>() + turn.cross(sum)),
         to_carrier * (hub.col(column).tail<3>() - turn.cross(moment));
   }
@@ -432,7 +386,7 @@ bool MotionSlopes::follow_state(const StepTaken& part) {
     tire_->times_mass(to.acceleration, to.force);
     if (!slopes_.empty()) to.force -= theta * slopes_[at].force;
     to.force /= 1.0 - theta;
-    const double by = nudge(column, step_);
+    const double by = difference_step(column, step_);
     const auto end = [&](double way) -> std::optional<RingState> {
       tire_->restore(slopes_.empty() ? *begin_ : along(*begin_, slopes_[at], way));
       if (!place(part_motion(column, way))) return std::nullopt;
@@ -445,7 +399,7 @@ bool MotionSlopes::follow_state(const StepTaken& part) {
       return tire_->state();
     };
     const auto more = end(by), less = end(-by);
-    if (!more || !less || !memory_slope(*more, *less, 2.0 * by, to)) return false;
+    if (!more || !less || !find_memory_slope(*more, *less, 2.0 * by, to)) return false;
     if (to.tread.tips()->segments != part.end.tread.tips()->segments) return false;
     after.push_back(std::move(to));
   }

@@ -97,7 +97,7 @@ class MotionSlopes {
   // sections); velocities and accelerations by the state at the beginning.
   Columns held_, tread_, velocities_, accelerations_;
   ExactTangent tangent_;
-  Columns x_;                            // dr/dm, then d(q1, γ)/dm
+  Columns x_;                                     // dr/dm, then d(q1, γ)/dm
   Columns rates_, turned_, knots_, more_, next_;  // at work
 };
 

@@ -104,9 +104,8 @@ TEST(MotionSlopes, OnTheEdgeOfACleat) {
 }
 
 TEST(MotionSlopes, OnAKerb) {
-  const auto kerb = road::kerb_road({.shape = road::Kerb::Shape::triangle,
-                                     .height = -0.025,
-                                     .start = {0.05, -0.4}});
+  const auto kerb = road::kerb_road(
+      {.shape = road::Kerb::Shape::triangle, .height = -0.025, .start = {0.05, -0.4}});
   for (const int steps : {20, 40})
     EXPECT_LT(deviation(plain(), kerb, {.slip = 0.01, .camber = 0.02}, steps, 2e-4), kTolerance)
         << steps;
@@ -114,7 +113,8 @@ TEST(MotionSlopes, OnAKerb) {
 
 TEST(MotionSlopes, OnADrum) {
   const road::DrumRoad drum({.diameter = 2.5, .surface = kRollingSpeed});
-  EXPECT_LT(deviation(plain(), drum, {.camber = 0.02, .surface = kRollingSpeed}, 20, 5e-4), kTolerance);
+  EXPECT_LT(deviation(plain(), drum, {.camber = 0.02, .surface = kRollingSpeed}, 20, 5e-4),
+            kTolerance);
 }
 
 TEST(MotionSlopes, OfMaxwellAndFrictionElements) {
@@ -136,6 +136,25 @@ TEST(MotionSlopes, OfAStepDividedInParts) {
   EXPECT_LT(deviation(plain(), road::PlaneRoad(), tilted, 30, 9e-4, 3e-4), kTolerance);
   EXPECT_LT(deviation(remembering(), cleat, tilted, 27, 9e-4, 3e-4), kTolerance);
   EXPECT_LT(deviation(bent(remembering()), cleat, tilted, 27, 9e-4, 3e-4), kTolerance);
+}
+
+// Where a step has no solution within some iterations, it is taken in halves.
+TEST(MotionSlopes, OfAStepThatIsHalved) {
+  const auto cleat = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);
+  const SlippingWheel tilted{.slip = -0.02, .camber = 0.03, .steer = 0.02, .yaw_rate = 2.0};
+  RingTire tire(plain());
+  const auto at = [&](double time) { return tilted.at(tire.free_radius(), time); };
+  ASSERT_TRUE(tire.settle(at(0.0), cleat, 0.0));
+  for (int i = 1; i <= 27; ++i) ASSERT_TRUE(tire.advance(at(i * 4e-4), cleat, i * 4e-4, 4e-4));
+  const double step = 1.6e-3, time = 27 * 4e-4 + step;
+  RingSettings settings = kUntilRounding;
+  settings.halvings = 4;
+  settings.most_iterations = 8;
+  RingTire tight(plain(), settings);
+  ASSERT_TRUE(tight.trial(tire.state(), at(time), cleat, time, step));
+  EXPECT_GT(tight.counts().steps, 2);
+  EXPECT_LT(slopes_off_differences(plain(), settings, tire.state(), at(time), cleat, time, step),
+            kTolerance);
 }
 
 // Asked for or not: the same forces and state, to the bit.

@@ -10,15 +10,8 @@
 namespace latsch::ring_tire {
 
 /// Positions of a meter have 1e-16 m, springs of the belt 1e8 N/m.
-inline const RingSettings kUntilRounding = {.tolerance = 1e-7, .halvings = 0, .most_iterations = 100};
-
-/// How far the ends of the difference are from the motion, by column: nodes differ by about 1e-7 m.
-inline double difference_step(int column, double step) {
-  constexpr double kPlace = 1e-7, kRadius = 0.3;  // m
-  const bool turns = (column >= kByRotation && column < kByVelocity) || column >= kByAngularVelocity;
-  const bool rate = (column >= kByVelocity && column < kBySpin) || column == kBySpinRate;
-  return kPlace / (turns ? kRadius : 1.0) / (rate ? step : 1.0);
-}
+inline const RingSettings kUntilRounding = {
+    .tolerance = 1e-7, .halvings = 0, .most_iterations = 100};
 
 /// Over columns, the largest deviation from central differences of forces, and that of moments,
 /// over the largest of the column. Infinite where a trial fails.

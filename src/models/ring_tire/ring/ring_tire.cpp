@@ -410,7 +410,8 @@ std::string RingTire::torn_off(const NodeValues& q, double time) const {
     const double distance = (q.col(k).head<3>() - rim_.center).norm();
     if (distance >= kNearest * R && distance <= kFarthest * R) continue;
     return fmt::format(
-        "the ring's belt is {:.0f} mm from the axle at {:.5f} s, at rest {:.0f} mm: the wheel moved "
+        "the ring's belt is {:.0f} mm from the axle at {:.5f} s, at rest {:.0f} mm: the wheel "
+        "moved "
         "too far in a step or stands in the road; sidewall.rim says where belt and rim meet",
         1e3 * distance,
         time,

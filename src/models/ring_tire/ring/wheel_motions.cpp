@@ -26,8 +26,8 @@ WheelMotion moved(const WheelMotion& motion, int column, double by) {
   if (column < kByRotation)
     to.center[column - kByCenter] += by;
   else if (column < kByVelocity)
-    to.carrier = Eigen::AngleAxisd(by, Eigen::Vector3d::Unit(column - kByRotation)) *
-                 motion.carrier;
+    to.carrier =
+        Eigen::AngleAxisd(by, Eigen::Vector3d::Unit(column - kByRotation)) * motion.carrier;
   else if (column < kByAngularVelocity)
     to.velocity[column - kByVelocity] += by;
   else if (column < kBySpin)
@@ -35,6 +35,14 @@ WheelMotion moved(const WheelMotion& motion, int column, double by) {
   else
     (column == kBySpin ? to.spin : to.spin_rate) += by;
   return to;
+}
+
+double difference_step(int column, double step) {
+  constexpr double kPlace = 1e-7, kRadius = 0.3;  // m
+  const bool turns =
+      (column >= kByRotation && column < kByVelocity) || column >= kByAngularVelocity;
+  const bool rate = (column >= kByVelocity && column < kBySpin) || column == kBySpinRate;
+  return kPlace / (turns ? kRadius : 1.0) / (rate ? step : 1.0);
 }
 
 }  // namespace latsch::ring_tire

@@ -26,6 +26,9 @@ enum MotionColumn {
 /// stay in inertial axes.
 WheelMotion moved(const WheelMotion& motion, int column, double by);
 
+/// By how much to move for differences: nodes differ by about 1e-7 m at the end of a step so long.
+double difference_step(int column, double step);
+
 /// d(hub force, then moment, in C)/d(motion), N and N m per unit of the column.
 using HubSlopes = Eigen::Matrix<double, 6, kMotionColumns>;
 

@@ -9,8 +9,8 @@
 namespace latsch::ring_tire {
 namespace {
 
-constexpr double kShift = 1e-7;   // m
-constexpr double kTurn = 1e-6;    // rad, of a section: at its edge about as much
+constexpr double kShift = 1e-7;  // m
+constexpr double kTurn = 1e-6;   // rad, of a section: at its edge about as much
 
 }  // namespace
 
@@ -68,8 +68,8 @@ struct TreadContact::ProbedPatch {
 
   /// γ of a mode at one of the two nodes grows.
   void bend(int end, int mode, double by) {
-    double* rise = &tread.section_rise_[2 * static_cast<std::size_t>(
-                                                tread.patches_[patch].segment * tread.lines_)];
+    double* rise = &tread.section_rise_[2 * static_cast<std::size_t>(tread.patches_[patch].segment *
+                                                                     tread.lines_)];
     for (const Eigen::Vector3d& shape : tread.line_shapes_) {
       rise[end] += by * shape[mode];
       rise += 2;
@@ -92,7 +92,9 @@ std::vector<PatchSlopes> TreadContact::patch_slopes(const SectionBending& sectio
                                        [](double F) { return F > 0.0; });
     if (!touches) continue;
     ProbedPatch probe{*this, i, step_of(i, q, v), {}, {}};
-    const auto apart = [&](int c) { return aside.data() + static_cast<std::size_t>(c) * none_.size(); };
+    const auto apart = [&](int c) {
+      return aside.data() + static_cast<std::size_t>(c) * none_.size();
+    };
     probe.step.results = {.F = {apart(kF), apart(kF + 1), apart(kF + 2)},
                           .Fn = apart(kFn),
                           .gripped = apart(kGripped),
