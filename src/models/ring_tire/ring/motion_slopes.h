@@ -47,7 +47,6 @@ class MotionSlopes {
  private:
   static constexpr int kPadded = (kMotionColumns + 7) / 8 * 8;
   using Columns = Eigen::Matrix<double, Eigen::Dynamic, kPadded, Eigen::RowMajor>;
-
   using Vectors = Eigen::Matrix<double, 3, kPadded>;
 
   WheelMotion part_motion(int column, double by) const;

@@ -250,7 +250,9 @@ Result<RingTrial> RingTire::trial(const RingState& from,
   taken_ = nullptr;
   if (!hub) return hub.failure();
   RingTrial trial{*hub, state(), std::nullopt};
-  if (with_slopes) trial.slopes = slopes_.over(*this, from, motion, road, time, step, taken);
+  if (!with_slopes) return trial;
+  trial.slopes = slopes_.over(*this, from, motion, road, time, step, taken);
+  restore(trial.state);
   return trial;
 }
 
@@ -411,8 +413,7 @@ std::string RingTire::torn_off(const NodeValues& q, double time) const {
     if (distance >= kNearest * R && distance <= kFarthest * R) continue;
     return fmt::format(
         "the ring's belt is {:.0f} mm from the axle at {:.5f} s, at rest {:.0f} mm: the wheel "
-        "moved "
-        "too far in a step or stands in the road; sidewall.rim says where belt and rim meet",
+        "moved too far in a step or stands in the road; sidewall.rim says where belt and rim meet",
         1e3 * distance,
         time,
         1e3 * R);

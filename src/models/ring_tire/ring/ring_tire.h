@@ -53,7 +53,7 @@ struct RingCounts {
 struct RingTrial {
   HubForces hub;
   RingState state;
-  /// Where they were asked for; nothing where the tangent at the end of a step is not definite.
+  /// Where they were asked for and are to be had: MotionSlopes::over().
   std::optional<HubSlopes> slopes;
 };
 
@@ -72,9 +72,8 @@ class RingTire final : public Tire {
   /// Goes on from there. Contacts and footprint are those of a step: none until the next.
   void restore(const RingState& state);
   /// A step from `from` to `motion` with this tire's memory for its work: taken by restore() of
-  /// what comes back, else thrown away. The same bits whatever was computed before. With slopes
-  /// too: how the hub's forces change with `motion`, motion_slopes.h; contacts and footprint are
-  /// then those of no step.
+  /// what comes back, else thrown away. The same bits whatever was computed before. With slopes:
+  /// also how the hub's forces change with `motion`, motion_slopes.h; then there is no footprint.
   Result<RingTrial> trial(const RingState& from,
                           const WheelMotion& motion,
                           const road::Road& road,
