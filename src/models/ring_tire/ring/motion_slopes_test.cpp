@@ -148,7 +148,6 @@ TEST(MotionSlopes, OfAStepThatIsHalved) {
   for (int i = 1; i <= 27; ++i) ASSERT_TRUE(tire.advance(at(i * 4e-4), cleat, i * 4e-4, 4e-4));
   const double step = 1.6e-3, time = 27 * 4e-4 + step;
   RingSettings settings = kUntilRounding;
-  settings.halvings = 4;
   settings.most_iterations = 8;
   RingTire tight(plain(), settings);
   ASSERT_TRUE(tight.trial(tire.state(), at(time), cleat, time, step));
