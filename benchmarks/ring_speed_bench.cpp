@@ -277,6 +277,7 @@ int ring_speed() {
             growth <= 0.0);
   benchmarks::kerb_rows(table);
   benchmarks::car_row(table);
+  benchmarks::slopes_rows(table);
   benchmarks::drum_row(table);
   ripple_rows(table);
   state_row(table);

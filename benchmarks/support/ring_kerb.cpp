@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "models/ring_tire/description/ring_parameters_testing.h"
-#include "models/ring_tire/ring/ring_tire.h"
+#include "models/ring_tire/ring/motion_slopes_testing.h"
 #include "models/road/drum_road.h"
 #include "models/road/kerb.h"
 #include "models/road/plane_road.h"
@@ -150,6 +150,45 @@ void car_row(Table& table) {
             fmt::format("real time x {:.2f}", 1.0 / least),
             ">= 1.5",
             1.0 / least >= 1.5);
+}
+
+void slopes_rows(Table& table) {
+  const road::ProfileRoad road = kerb();
+  const RingParameters ring = small_ring();
+  RingTire tire(ring);
+  const int steps = static_cast<int>(std::lround(kDuration / kStep));
+  std::vector<double> off;
+  double without = 1e9, with = 1e9;
+  for (int round = 0; round < kRounds; ++round) {
+    WheelMotion motion = rolling(tire, kSpeed);
+    bool runs = static_cast<bool>(tire.settle(motion, road, 0.0));
+    RingState state = tire.state();
+    double time[2] = {0.0, 0.0};
+    for (int i = 1; runs && i <= steps; ++i) {
+      motion.center += kStep * motion.velocity;
+      motion.spin += kStep * motion.spin_rate;
+      if (round == 0)
+        off.push_back(
+            slopes_off_differences(ring, kUntilRounding, state, motion, road, i * kStep, kStep));
+      for (const bool slopes : {true, false}) {
+        const double start = cpu_time();
+        const auto trial = tire.trial(state, motion, road, i * kStep, kStep, slopes);
+        time[slopes] += cpu_time() - start;
+        runs = runs && trial && trial->slopes.has_value() == slopes;
+        if (!slopes && trial) state = trial->state;
+      }
+    }
+    if (!runs) return table.row("slopes of trials", "no state found", "runs", false);
+    without = std::min(without, time[0]);
+    with = std::min(with, time[1]);
+  }
+  std::sort(off.begin(), off.end());
+  table.row("∂force/∂motion against differences of trials, 450 steps over that kerb",
+            fmt::format("{:.1e}, median {:.1e}", off.back(), off[off.size() / 2]),
+            "<= 1e-5",
+            off.back() <= 1e-5);
+  table.note("a trial with ∂force/∂motion, 14 columns",
+             fmt::format("{:.2f} x one without, {:.0f} us", with / without, 1e6 * with / steps));
 }
 
 void drum_row(Table& table) {

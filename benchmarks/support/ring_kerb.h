@@ -15,6 +15,8 @@ ring_tire::RingParameters ring_of(int nodes, int blocks, int lines);
 void kerb_rows(Table& table);
 /// Two rings over that kerb, two beside it, in steps of 0.2 ms.
 void car_row(Table& table);
+/// Over that kerb: the derivatives of trials, beside differences, and what they cost.
+void slopes_rows(Table& table);
 /// A smooth drum, beside a flat road.
 void drum_row(Table& table);
 

@@ -31,6 +31,14 @@ Eigen::Matrix4Xd CyclicBand::multiply(const Eigen::Matrix4Xd& x) const {
   return y;
 }
 
+SideBySide CyclicBand::multiply_columns(const SideBySide& x) const {
+  assert(x.cols() % 8 == 0 && x.rows() == 4 * nodes_);
+  SideBySide y = SideBySide::Zero(x.rows(), x.cols());
+  LATSCH_KERNEL(add_product)
+  (nodes_, blocks_.data(), x.data(), y.data(), static_cast<int>(x.cols()));
+  return y;
+}
+
 CyclicBandFactor::CyclicBandFactor(int nodes)
     : interior_(nodes - 3),
       diagonal_(static_cast<std::size_t>(interior_)),
@@ -71,6 +79,18 @@ void CyclicBandFactor::place(int row, int column, const Eigen::Matrix4d& block) 
 
 void CyclicBandFactor::solve(Eigen::Matrix4Xd& x) const {
   LATSCH_KERNEL(solve_chain)(interior_, diagonal_.data(), lower_.data(), border_.data(), x.data());
+}
+
+void CyclicBandFactor::solve_columns(Eigen::Ref<SideBySide> x) const {
+  assert(x.cols() % 8 == 0 && x.rows() >= 4 * (interior_ + 3));
+  LATSCH_KERNEL(solve_chain_of_columns)
+  (interior_,
+   diagonal_.data(),
+   lower_.data(),
+   border_.data(),
+   x.data(),
+   static_cast<int>(x.cols()),
+   static_cast<int>(x.outerStride()));
 }
 
 }  // namespace latsch::ring_tire

@@ -15,6 +15,9 @@
 
 namespace latsch::ring_tire {
 
+/// Values of several right-hand sides or solutions side by side: a row an unknown, four a node.
+using SideBySide = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 class CyclicBand {
  public:
   static constexpr int kReach = 3;  // neighbors on either side
@@ -33,6 +36,8 @@ class CyclicBand {
 
   /// A x, node by node a column.
   Eigen::Matrix4Xd multiply(const Eigen::Matrix4Xd& x) const;
+  /// The same of a multiple of eight columns.
+  SideBySide multiply_columns(const SideBySide& x) const;
 
  private:
   int nodes_;
@@ -48,6 +53,8 @@ class CyclicBandFactor {
   bool factorize(const CyclicBand& A);
   /// x <- A^-1 x.
   void solve(Eigen::Matrix4Xd& x) const;
+  /// The same of a multiple of eight columns; rows beyond the nodes' stay.
+  void solve_columns(Eigen::Ref<SideBySide> x) const;
 
  private:
   static constexpr int kReach = CyclicBand::kReach;

@@ -156,4 +156,106 @@ void solve_chain(int interior,
   }
 }
 
+/// A node's four unknowns of eight columns.
+struct Rows4 {
+  Lanes v[4] = {all(0.0), all(0.0), all(0.0), all(0.0)};
+
+  Rows4() = default;
+  LATSCH_INLINE Rows4(const double* x, int stride)
+      : v{lanes(x), lanes(x + stride), lanes(x + 2 * stride), lanes(x + 3 * stride)} {}
+  LATSCH_INLINE void save(double* x, int stride) const {
+    for (int i = 0; i < 4; ++i) store(v[i], x + i * stride);
+  }
+  LATSCH_INLINE void add_times(const double* A, const Rows4& x) {
+    for (int i = 0; i < 4; ++i)
+      v[i] = (v[i] + x.v[0] * A[i] + x.v[1] * A[4 + i]) + (x.v[2] * A[8 + i] + x.v[3] * A[12 + i]);
+  }
+  LATSCH_INLINE void add_transposed(const double* A, const Rows4& x) {
+    for (int i = 0; i < 4; ++i)
+      v[i] = (v[i] + x.v[0] * A[4 * i] + x.v[1] * A[4 * i + 1]) +
+             (x.v[2] * A[4 * i + 2] + x.v[3] * A[4 * i + 3]);
+  }
+  /// - L x
+  LATSCH_INLINE void less_times(const double* L, const Rows4& x) {
+    for (int i = 0; i < 4; ++i)
+      v[i] = (v[i] - x.v[0] * L[i] - x.v[1] * L[4 + i]) - (x.v[2] * L[8 + i] + x.v[3] * L[12 + i]);
+  }
+  /// - L^T x
+  LATSCH_INLINE void less_transposed(const double* L, const Rows4& x) {
+    for (int i = 0; i < 4; ++i)
+      v[i] = (v[i] - x.v[0] * L[4 * i] - x.v[1] * L[4 * i + 1]) -
+             (x.v[2] * L[4 * i + 2] + x.v[3] * L[4 * i + 3]);
+  }
+};
+
+/// y += A x around the ring, rows `columns` long, eight columns at a time; blocks: kReach + 1 a
+/// node.
+void add_product(
+    int nodes, const Eigen::Matrix4d* blocks, const double* x, double* y, int columns) {
+  constexpr int kReach = CyclicBand::kReach;
+  for (int first = 0; first < columns; first += 8)
+    for (int k = 0; k < nodes; ++k) {
+      const Rows4 own(x + 4 * k * columns + first, columns);
+      double* const to = y + 4 * k * columns + first;
+      Rows4 sum(to, columns);
+      for (int j = 0; j <= kReach; ++j) {
+        const int other = 4 * ((k + j) % nodes) * columns + first;
+        const double* const A = blocks[k * (kReach + 1) + j].data();
+        sum.add_times(A, Rows4(x + other, columns));
+        if (j == 0) continue;
+        Rows4 there(y + other, columns);
+        there.add_transposed(A, own);
+        there.save(y + other, columns);
+      }
+      sum.save(to, columns);
+    }
+}
+
+/// solve_chain for `columns` right-hand sides side by side, eight at a time; rows `stride` apart.
+void solve_chain_of_columns(int interior,
+                            const Eigen::Matrix4d* inverse,
+                            const Eigen::Matrix4d* lower,
+                            const Eigen::Matrix4d* border,
+                            double* all_columns,
+                            int columns,
+                            int stride) {
+  constexpr int kReach = CyclicBand::kReach, kColumn = kReach + 3;
+  for (double* x = all_columns; x != all_columns + columns; x += 8) {
+    const auto at = [&](int node) { return x + 4 * node * stride; };
+    // `node` less what `other` does to it by L, or by its transpose.
+    const auto less = [&](int node, const Eigen::Matrix4d& L, const Rows4& other) {
+      Rows4 y(at(node), stride);
+      y.less_times(L.data(), other);
+      y.save(at(node), stride);
+    };
+    for (int k = 0; k < interior; ++k) {
+      const Eigen::Matrix4d* column = lower + k * kColumn;
+      const int reach = interior - 1 - k < kReach ? interior - 1 - k : kReach;
+      const Rows4 own(at(k), stride);
+      for (int i = 0; i < reach; ++i) less(k + 1 + i, column[i], own);
+      for (int i = 0; i < 3; ++i) less(interior + i, column[kReach + i], own);
+    }
+    for (int k = 0; k < 3; ++k)
+      for (int i = k + 1; i < 3; ++i)
+        less(interior + i, border[3 * i + k], Rows4(at(interior + k), stride));
+    for (int k = interior + 2; k >= 0; --k) {
+      const Rows4 own(at(k), stride);
+      Rows4 y;
+      y.add_times((k < interior ? inverse[k] : border[4 * (k - interior)]).data(), own);
+      if (k >= interior) {
+        for (int i = k - interior + 1; i < 3; ++i)
+          y.less_transposed(border[3 * i + k - interior].data(), Rows4(at(interior + i), stride));
+      } else {
+        const Eigen::Matrix4d* column = lower + k * kColumn;
+        const int reach = interior - 1 - k < kReach ? interior - 1 - k : kReach;
+        for (int i = 0; i < reach; ++i)
+          y.less_transposed(column[i].data(), Rows4(at(k + 1 + i), stride));
+        for (int i = 0; i < 3; ++i)
+          y.less_transposed(column[kReach + i].data(), Rows4(at(interior + i), stride));
+      }
+      y.save(at(k), stride);
+    }
+  }
+}
+
 }  // namespace latsch::ring_tire::LATSCH_KERNELS

@@ -52,6 +52,18 @@ TEST(CyclicBand, SolvesLikeADenseFactorization) {
     EXPECT_LT((Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()) - expected).norm(),
               1e-13 * expected.norm());
     EXPECT_LT((A.multiply(x) - b).norm(), 1e-13 * b.norm());
+    SideBySide many(4 * nodes + 1, 16);  // column j: (j + 1) b
+    many.setOnes();
+    for (int j = 0; j < 16; ++j) many.col(j).head(4 * nodes) = (j + 1.0) * b.reshaped();
+    const SideBySide before = many;
+    factor.solve_columns(many);
+    EXPECT_LT((A.multiply_columns(SideBySide(many.topRows(4 * nodes))) - before.topRows(4 * nodes))
+                  .norm(),
+              1e-13 * before.norm());
+    for (int j = 0; j < 16; ++j)
+      EXPECT_LT((many.col(j).head(4 * nodes) - (j + 1.0) * expected).norm(),
+                1e-13 * (j + 1.0) * expected.norm());
+    EXPECT_EQ(many.row(4 * nodes), Eigen::RowVectorXd::Ones(16));
   }
 }
 

@@ -136,6 +136,15 @@ void SectionBending::solve(const CyclicBandFactor& factor, Eigen::Matrix4Xd& x) 
   x.reshaped() -= KB_ * direction_;
 }
 
+void SectionBending::solve_columns(const CyclicBandFactor& factor, Eigen::Ref<SideBySide> x) const {
+  factor.solve_columns(x);
+  if (unknowns() == 0) return;
+  auto belt = x.topRows(4 * nodes_);
+  auto own = x.bottomRows(unknowns());
+  own = schur_.solve(own - B_.transpose() * belt).eval();
+  belt.noalias() -= KB_ * own;
+}
+
 void SectionBending::solve_free(const CyclicBandFactor& factor, Eigen::Matrix4Xd& x) const {
   factor.solve(x);
   if (B_.cols() == 0) return;

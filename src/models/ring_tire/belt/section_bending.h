@@ -71,6 +71,8 @@ class SectionBending {
   /// The same for a force on the belt alone.
   void solve_free(const CyclicBandFactor& factor, Eigen::Matrix4Xd& x) const;
   const Eigen::VectorXd& direction() const { return direction_; }
+  /// The same of several right-hand sides: rows of the belt, then our own, scaled as the belt's.
+  void solve_columns(const CyclicBandFactor& factor, Eigen::Ref<SideBySide> x) const;
   /// γ of the unknowns.
   Eigen::VectorXd values() const;
   void set_values(const Eigen::VectorXd& values);

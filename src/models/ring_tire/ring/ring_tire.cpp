@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -19,22 +18,6 @@ Eigen::Vector4d mass_of_node(const RingParameters& p) {
   const double J = p.belt.torsion_inertia * 2.0 * std::numbers::pi * p.belt.radius / p.nodes;
   assert(m > 0.0 && J > 0.0);
   return {m, m, m, J};
-}
-
-WheelMotion between(const WheelMotion& from, const WheelMotion& to, double share) {
-  const auto mix = [&](const auto& a, const auto& b) {
-    return ((1.0 - share) * a + share * b).eval();
-  };
-  WheelMotion motion;
-  motion.center = mix(from.center, to.center);
-  motion.velocity = mix(from.velocity, to.velocity);
-  motion.angular_velocity = mix(from.angular_velocity, to.angular_velocity);
-  motion.carrier = Eigen::Quaterniond(from.carrier)
-                       .slerp(share, Eigen::Quaterniond(to.carrier))
-                       .toRotationMatrix();
-  motion.spin = (1.0 - share) * from.spin + share * to.spin;
-  motion.spin_rate = (1.0 - share) * from.spin_rate + share * to.spin_rate;
-  return motion;
 }
 
 }  // namespace
@@ -258,11 +241,19 @@ Result<RingTrial> RingTire::trial(const RingState& from,
                                   const WheelMotion& motion,
                                   const road::Road& road,
                                   double time,
-                                  double step) {
+                                  double step,
+                                  bool with_slopes) {
   restore(from);
+  std::vector<StepTaken> taken;
+  if (with_slopes) taken_ = &taken;
   const Result<HubForces> hub = advance(motion, road, time, step);
+  taken_ = nullptr;
   if (!hub) return hub.failure();
-  return RingTrial{*hub, state()};
+  RingTrial trial{*hub, state(), std::nullopt};
+  if (!with_slopes) return trial;
+  trial.slopes = slopes_.over(*this, from, motion, road, time, step, taken);
+  restore(trial.state);
+  return trial;
 }
 
 /// A step, or where it has no solution two of half the length. Empty, or why there is none.
@@ -373,6 +364,7 @@ std::string RingTire::step_forward(const WheelMotion& motion,
   else
     reuse_.took_with_own(evaluations);
   accept();
+  if (taken_) taken_->push_back({time, h, state()});
   return {};
 }
 
@@ -420,8 +412,8 @@ std::string RingTire::torn_off(const NodeValues& q, double time) const {
     const double distance = (q.col(k).head<3>() - rim_.center).norm();
     if (distance >= kNearest * R && distance <= kFarthest * R) continue;
     return fmt::format(
-        "the ring's belt is {:.0f} mm from the axle at {:.5f} s, at rest {:.0f} mm: the wheel moved "
-        "too far in a step or stands in the road; sidewall.rim says where belt and rim meet",
+        "the ring's belt is {:.0f} mm from the axle at {:.5f} s, at rest {:.0f} mm: the wheel "
+        "moved too far in a step or stands in the road; sidewall.rim says where belt and rim meet",
         1e3 * distance,
         time,
         1e3 * R);

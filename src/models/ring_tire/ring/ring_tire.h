@@ -16,12 +16,15 @@
 //   Limits: docs/ring_tire.md, section 9.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "models/ring_tire/belt/belt_curve.h"
 #include "models/ring_tire/belt/inner_forces.h"
 #include "models/ring_tire/belt/section_bending.h"
 #include "models/ring_tire/description/ring_parameters.h"
+#include "models/ring_tire/ring/motion_slopes.h"
 #include "models/ring_tire/ring/ring_state.h"
 #include "models/ring_tire/ring/tangent_reuse.h"
 #include "models/ring_tire/tread/tread_contact.h"
@@ -50,6 +53,8 @@ struct RingCounts {
 struct RingTrial {
   HubForces hub;
   RingState state;
+  /// Where they were asked for and are to be had: MotionSlopes::over().
+  std::optional<HubSlopes> slopes;
 };
 
 class RingTire final : public Tire {
@@ -67,12 +72,14 @@ class RingTire final : public Tire {
   /// Goes on from there. Contacts and footprint are those of a step: none until the next.
   void restore(const RingState& state);
   /// A step from `from` to `motion` with this tire's memory for its work: taken by restore() of
-  /// what comes back, else thrown away. The same bits whatever was computed before.
+  /// what comes back, else thrown away. The same bits whatever was computed before. With slopes:
+  /// also how the hub's forces change with `motion`, motion_slopes.h; then there is no footprint.
   Result<RingTrial> trial(const RingState& from,
                           const WheelMotion& motion,
                           const road::Road& road,
                           double time,
-                          double step);
+                          double step,
+                          bool with_slopes = false);
   std::optional<Footprint> footprint() const override;
   std::unique_ptr<Tire> clone() const override { return std::make_unique<RingTire>(*this); }
 
@@ -101,6 +108,8 @@ class RingTire final : public Tire {
   Eigen::Vector4d knot_mass() const { return mass_; }
 
  private:
+  friend class MotionSlopes;
+
   /// f of (15) at q, v, on the rim where it stands: inner forces, then those of the road.
   void evaluate(const NodeValues& q, const NodeValues& v);
   Result<bool> equilibrate(const road::Road& road, double time);
@@ -162,6 +171,8 @@ class RingTire final : public Tire {
   TangentReuse reuse_;
   WheelMotion last_motion_;
   bool settled_ = false;
+  MotionSlopes slopes_;
+  std::vector<StepTaken>* taken_ = nullptr;  // where someone keeps the steps of an advance
   RingCounts counts_;
 };
 

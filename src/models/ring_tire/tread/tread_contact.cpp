@@ -363,25 +363,33 @@ void TreadContact::hold_friction() {
                              column(i, kFn));
 }
 
+BlockStep TreadContact::step_of(std::size_t patch, const NodeValues& q, const NodeValues& v) {
+  const int segment = patches_[patch].segment;
+  const auto was = [&](TreadTips::Column c) { return before(segment, c); };
+  return {.at = stations_of(patch, q, v),
+          .lines = lines(segment),
+          .before = {.tip = {was(TreadTips::kX), was(TreadTips::kY), was(TreadTips::kZ)},
+                     .touches = was(TreadTips::kShare),
+                     .entering = entering(patch)},
+          .law = block_law(),
+          .results = results(patch),
+          .force = {}};
+}
+
+void TreadContact::add_patch_force(std::size_t patch, const BlockStep& step) {
+  if (rule_.statics())
+    standing_forces(step, ground(patch));
+  else if (patches_[patch].level)
+    level_forces(step, patches_[patch].ground);
+  else
+    uneven_forces(step, ground(patch));
+}
+
 void TreadContact::add_force(const NodeValues& q, const NodeValues& v, NodeValues& force) {
-  const BlockLaw law = block_law();
   for (std::size_t i = 0; i < patches_.size(); ++i) {
-    const Patch& patch = patches_[i];
-    const auto was = [&](TreadTips::Column c) { return before(patch.segment, c); };
-    BlockStep step{.at = stations_of(i, q, v),
-                   .lines = lines(patch.segment),
-                   .before = {.tip = {was(TreadTips::kX), was(TreadTips::kY), was(TreadTips::kZ)},
-                              .touches = was(TreadTips::kShare),
-                              .entering = entering(i)},
-                   .law = law,
-                   .results = results(i)};
-    for (int m = 0; m < 4; ++m) step.force[m] = force.col(node(patch.segment, m)).data();
-    if (rule_.statics())
-      standing_forces(step, ground(i));
-    else if (patch.level)
-      level_forces(step, patch.ground);
-    else
-      uneven_forces(step, ground(i));
+    BlockStep step = step_of(i, q, v);
+    for (int m = 0; m < 4; ++m) step.force[m] = force.col(node(patches_[i].segment, m)).data();
+    add_patch_force(i, step);
   }
 }
 

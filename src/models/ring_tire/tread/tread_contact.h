@@ -54,6 +54,17 @@ struct StationStiffness {
   Eigen::Matrix4d ww = Eigen::Matrix4d::Zero(), wd = ww, dw = ww, dd = ww;
 };
 
+/// How the forces of a segment's blocks change with what they hang on at the end of a step: those
+/// on its four nodes, four a node, then those on γ of the two in the middle, three a node; by the
+/// places of the nodes, whose velocities follow, and by these γ. N/m and the like.
+struct PatchSlopes {
+  static constexpr int kNodes = 16, kAll = kNodes + 2 * SectionBending::kModes;
+  using Matrix = Eigen::Matrix<double, kAll, kAll>;
+
+  int nodes[4];
+  Matrix forces = Matrix::Zero();  // of γ: 0 where sections stay straight
+};
+
 class TreadContact {
  public:
   TreadContact(const Tread& tread, double radius, int nodes);
@@ -89,6 +100,11 @@ class TreadContact {
   /// K: their springs and, since forces keep their direction where the belt turns their arms, the
   /// turning of (10); C: their dampers.
   void add_sticking(const NodeValues& q, CyclicBand& K, CyclicBand& C) const;
+  /// Of the patches with blocks on the road at q, v of the last add_force; exact but for rounding
+  /// where no block is about to touch, to leave or to slip.
+  std::vector<PatchSlopes> patch_slopes(const SectionBending& section,
+                                        const NodeValues& q,
+                                        const NodeValues& v);
   /// Statics: from here on tips give way at the friction of the normal forces at the last
   /// add_force.
   void hold_friction();
@@ -196,6 +212,7 @@ class TreadContact {
   road::GroundBox below(int first_line, int last_line) const;
   void place_ground(std::size_t patch, int block, const road::GroundPoint& ground, double level);
   SegmentStations stations_of(std::size_t patch, const NodeValues& q, const NodeValues& v) const;
+  struct ProbedPatch;    // patch_slopes.cpp
   struct BlockState;     // touching_blocks.h
   struct Arms;           // block_arms.h
   struct StationBorder;  // section_contact.cpp
@@ -223,6 +240,9 @@ class TreadContact {
     return own;
   }
   BlockLaw block_law() const;
+  /// All but the forces' places.
+  BlockStep step_of(std::size_t patch, const NodeValues& q, const NodeValues& v);
+  void add_patch_force(std::size_t patch, const BlockStep& step);
   BlockResults results(std::size_t patch);
   BlockGround ground(std::size_t patch);
 

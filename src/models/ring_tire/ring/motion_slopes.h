@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the forces of a step on the hub change with the wheel's motion m at its end. Newton's method
+// has solved r(q1; m) = 0 of (17), so
+//   J dq1/dm = dr/dm,  J = -dr/dq1;  dF/dm = dF/dm at q1 + dF/dq1 dq1/dm                     (29)
+// with v1 and a1 of (16). The rim's part of dr/dm is written out: moving the rim is moving the
+// belt the other way, and turning forces. Frames of the blocks and planes of the road follow the
+// spin axis: differences of the blocks' forces. A step divided in parts is followed part by part:
+// the end's motion enters those between, and each begins with the slopes of the state before it.
+//   Valid: where no block is about to touch, to leave, to slip or to stick, and no friction
+// element of the sidewall to slip. There slopes are one-sided, and these are of the side that
+// the end of the step is on.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "models/ring_tire/belt/sidewall.h"
+#include "models/ring_tire/ring/exact_tangent.h"
+#include "models/ring_tire/ring/ring_state.h"
+#include "models/ring_tire/ring/wheel_motions.h"
+
+namespace latsch::ring_tire {
+
+class RingTire;
+
+/// A step of a ring's advance, by its end.
+struct StepTaken {
+  double time, step;  // s
+  RingState end;
+};
+
+/// Keeps its memory from one step to the next.
+class MotionSlopes {
+ public:
+  /// Of a step from `from` to `to`, `step` long, that ends at `time`, by the steps that were taken
+  /// to its end. The tire's memory is used, restore() comes after. Nothing where a tangent is not
+  /// definite, or where what may touch the road changes.
+  std::optional<HubSlopes> over(RingTire& tire,
+                                const RingState& from,
+                                const WheelMotion& to,
+                                const road::Road& road,
+                                double time,
+                                double step,
+                                const std::vector<StepTaken>& parts);
+
+ private:
+  static constexpr int kPadded = (kMotionColumns + 7) / 8 * 8;
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, kPadded, Eigen::RowMajor>;
+  using Vectors = Eigen::Matrix<double, 3, kPadded>;
+
+  WheelMotion part_motion(int column, double by) const;
+  bool begin_part(const StepTaken& part);
+  bool place(const WheelMotion& motion);
+  Eigen::VectorXd tread_forces();
+  std::optional<Eigen::VectorXd> tread_slope(const RingState* slope,
+                                             const WheelMotion& further,
+                                             const WheelMotion& back,
+                                             double by);
+  void find_tangent();
+  void find_rigid_fields();
+  void find_rim_motion();
+  bool find_tread_slopes();
+  void find_held_forces();
+  void add_state(int column);
+  void find_right_sides();
+  void solve();
+  void turn_by(const Eigen::Vector3d& omega, const Columns& x, Columns& to) const;
+  void damp(const Columns& rate, Columns& force);
+  HubSlopes hub_slopes();
+  bool follow_state(const StepTaken& part);
+
+  RingTire* tire_ = nullptr;
+  const RingState* from_ = nullptr;
+  const WheelMotion* to_ = nullptr;
+  const road::Road* road_ = nullptr;
+  double time_ = 0.0, step_ = 0.0;
+  std::vector<RingState> slopes_;  // by column, of the state at the beginning; empty: none
+
+  // Of the part at work.
+  const RingState* begin_ = nullptr;
+  double part_time_ = 0.0, part_step_ = 0.0, share_ = 1.0;
+  WheelMotion motion_;
+  RimFrame rim_;
+  StepRule rule_;
+  NodeValues q1_, v1_, inner_;
+  Eigen::VectorXd gamma_;
+  std::vector<Eigen::Matrix4d> dampers_;  // of knots, in inertial axes
+  // Unit translations, rotations about the center, and these with the sections' torsion; what the
+  // belt's stiffness makes of them.
+  Columns fields_, stiff_;
+  // By column, of the rim: its center, rotation with spin, velocity, angular velocity; and the
+  // rotation of the carrier.
+  Vectors center_, turn_, velocity_, rate_, carrier_;
+  // By column, with the nodes held: forces of belt and sidewall, of the blocks (and theirs on
+  // sections); velocities and accelerations by the state at the beginning.
+  Columns held_, tread_, velocities_, accelerations_;
+  ExactTangent tangent_;
+  Columns x_;                                     // dr/dm, then d(q1, γ)/dm
+  Columns rates_, turned_, knots_, more_, next_;  // at work
+};
+
+}  // namespace latsch::ring_tire

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// Differences of the blocks' forces, patch by patch: they hang on sixteen numbers alone, or on six
+// more where sections bend, and are piecewise as good as quadratic in each. Central ones, as near
+// as rounding allows (1e-13 m a kilometer from the origin), since kinks between are averaged.
+#include <algorithm>
+
+#include "models/ring_tire/tread/touching_blocks.h"
+
+namespace latsch::ring_tire {
+namespace {
+
+constexpr double kShift = 2e-8;  // m
+constexpr double kTurn = 2e-7;   // rad, of a section: at its edge about as much
+
+}  // namespace
+
+/// Blocks of a patch, set apart from what the step keeps of them.
+struct TreadContact::ProbedPatch {
+  using Forces = Eigen::Vector<double, PatchSlopes::kAll>;
+
+  TreadContact& tread;
+  std::size_t patch;
+  BlockStep step;
+  Eigen::Matrix4d place, rate;  // of the four nodes
+  std::vector<double> columns = {}, kept = {};
+
+  /// With place and rate as they stand.
+  Forces forces(bool bends) {
+    Forces to = Forces::Zero();
+    for (int m = 0; m < 4; ++m) {
+      step.at.nodes[m] = place.col(m).data();
+      step.at.rates[m] = rate.col(m).data();
+      step.force[m] = to.data() + 4 * m;
+    }
+    tread.add_patch_force(patch, step);
+    if (bends) to.tail<2 * SectionBending::kModes>() = on_sections();
+    return to;
+  }
+
+  /// As section_forces(), of this patch.
+  Eigen::Vector<double, 2 * SectionBending::kModes> on_sections() {
+    using Modes = Eigen::Vector<double, SectionBending::kModes>;
+    columns.resize(static_cast<std::size_t>(9 * tread.stride_));
+    station_columns(step.at, columns.data());
+    const bool level = tread.patches_[patch].level;
+    const BlockGround ground = tread.ground(patch);
+    Modes here = Modes::Zero(), next = Modes::Zero();
+    for (int line = 0; line < tread.lines_; ++line)
+      for (int j = step.at.begin; j < std::min(step.at.end, tread.blocks_); ++j) {
+        const int block = line * tread.stride_ + j;
+        const double Fn = step.results.Fn[block];
+        if (!(Fn > 0.0)) continue;
+        double along = 0.0;  // F . G
+        for (int i = 0; i < 3; ++i) {
+          const double N = level ? (i == 2 ? 1.0 : 0.0) : ground.N[i][block];
+          const double F = level && i == 2 ? 0.0 : step.results.F[i][block];
+          along += (Fn * N + F) * columns[static_cast<std::size_t>((kG + i) * tread.stride_ + j)];
+        }
+        const Modes& shape = tread.line_shapes_[static_cast<std::size_t>(line)];
+        const double share = tread.share_[static_cast<std::size_t>(j)];
+        here += (1.0 - share) * along * shape;
+        next += share * along * shape;
+      }
+    Eigen::Vector<double, 2 * SectionBending::kModes> both;
+    both << here, next;
+    return both;
+  }
+
+  /// γ of a mode at one of the two nodes grows.
+  void bend(int end, int mode, double by) {
+    double* rise = &tread.section_rise_[2 * static_cast<std::size_t>(tread.patches_[patch].segment *
+                                                                     tread.lines_)];
+    for (const Eigen::Vector3d& shape : tread.line_shapes_) {
+      rise[end] += by * shape[mode];
+      rise += 2;
+    }
+  }
+};
+
+std::vector<PatchSlopes> TreadContact::patch_slopes(const SectionBending& section,
+                                                    const NodeValues& q,
+                                                    const NodeValues& v) {
+  std::vector<PatchSlopes> slopes;
+  slopes.reserve(patches_.size());
+  std::vector<double> aside(kColumns * none_.size());
+  for (std::size_t i = 0; i < patches_.size(); ++i) {
+    const double* const Fn = column(i, kFn);
+    bool touches = false;
+    for (int line = 0; line < lines_; ++line)
+      touches = touches || std::any_of(Fn + line * stride_ + patches_[i].begin,
+                                       Fn + line * stride_ + patches_[i].end,
+                                       [](double F) { return F > 0.0; });
+    if (!touches) continue;
+    ProbedPatch probe{*this, i, step_of(i, q, v), {}, {}};
+    const auto apart = [&](int c) {
+      return aside.data() + static_cast<std::size_t>(c) * none_.size();
+    };
+    probe.step.results = {.F = {apart(kF), apart(kF + 1), apart(kF + 2)},
+                          .Fn = apart(kFn),
+                          .gripped = apart(kGripped),
+                          .share = apart(kShare),
+                          .tip = {apart(kTip), apart(kTip + 1), apart(kTip + 2)}};
+    PatchSlopes& of = slopes.emplace_back();
+    for (int m = 0; m < 4; ++m) {
+      of.nodes[m] = node(patches_[i].segment, m);
+      probe.place.col(m) = q.col(of.nodes[m]);
+      probe.rate.col(m) = v.col(of.nodes[m]);
+    }
+    const bool bends = section.on();
+    const auto slope = [&](double by, const auto& move) -> ProbedPatch::Forces {
+      move(by);
+      const auto more = probe.forces(bends);
+      move(-2.0 * by);
+      const auto less = probe.forces(bends);
+      move(by);
+      return (more - less) / (2.0 * by);
+    };
+    for (int entry = 0; entry < PatchSlopes::kNodes; ++entry) {
+      const Eigen::Matrix4d place = probe.place, rate = probe.rate;
+      of.forces.col(entry) = slope(entry % 4 == 3 ? kTurn : kShift, [&](double by) {
+        probe.place.data()[entry] += by;
+        probe.rate.data()[entry] += rule_.velocity * by;
+      });
+      probe.place = place;
+      probe.rate = rate;
+    }
+    if (!bends) continue;
+    for (int entry = 0; entry < 2 * SectionBending::kModes; ++entry)
+      of.forces.col(PatchSlopes::kNodes + entry) = slope(kShift, [&](double by) {
+        probe.bend(entry / SectionBending::kModes, entry % SectionBending::kModes, by);
+      });
+  }
+  return slopes;
+}
+
+}  // namespace latsch::ring_tire
