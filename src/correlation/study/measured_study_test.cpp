@@ -267,8 +267,9 @@ TEST_F(MeasuredStudy, ATwinRefusesAColumnThatTwoTestsFill) {
   const std::string pulled = "force [kN]\n0.04\n0.1\n";
   const auto with = [&](const std::string& speed) {
     write_text_file(folder_ / "pulled.csv", pulled);
-    std::string text = "model = \"spring.toml\"\n[variable.stiffness]\npath = \"stiffness\"\n"
-                       "lower = \"5 N/mm\"\nupper = \"60 N/mm\"\ninitial = \"20 N/mm\"\n";
+    std::string text =
+        "model = \"spring.toml\"\n[variable.stiffness]\npath = \"stiffness\"\n"
+        "lower = \"5 N/mm\"\nupper = \"60 N/mm\"\ninitial = \"20 N/mm\"\n";
     for (const auto& [name, v] : {std::pair{"slow", std::string("0 m/s")}, {"fast", speed}}) {
       text += fmt::format(
           "[test.{0}]\nkind = \"pull\"\nspeed = \"{1}\"\ntravels = [\"2 mm\", \"5 mm\"]\n"

@@ -12,7 +12,7 @@
 #include "experiment/language.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/rigs/drum_rig.h"
-#include "experiment/rigs/flat_track.h"
+#include "experiment/rigs/slip/flat_track.h"
 #include "models/road/plane_road.h"
 #include "models/road/profile_road.h"
 

@@ -70,7 +70,7 @@ struct HasSteadyStates {
                                       const Asked&) const {
     return steady(states, conventions);
   }
-  /// Through a table of states with their times, slips lagging (rigs/slip_lag.h), with the
+  /// Through a table of states with their times, slips lagging (rigs/slip/slip_lag.h), with the
   /// slopes asked for.
   virtual Channels slip_history(const formats::CsvTable& states, const Asked&) const = 0;
 };

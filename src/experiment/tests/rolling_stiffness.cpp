@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// kind = "rolling_stiffness" (rigs/rolling_stiffness.h): slopes of a tire's forces at free rolling.
+// kind = "rolling_stiffness" (rigs/slip/rolling_stiffness.h): slopes of a tire's forces at free
+// rolling.
 //
 //   kind = "rolling_stiffness"
 //   load = "4 kN"                    # of load and speed also {from = "measurement.rolling"}: the
@@ -12,7 +13,7 @@
 //   angle = "0.25 deg"
 //   camber = "1 deg"
 //   step = "0.5 ms"
-#include "experiment/rigs/rolling_stiffness.h"
+#include "experiment/rigs/slip/rolling_stiffness.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

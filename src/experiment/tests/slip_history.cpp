@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // kind = "slip_history": slips as they were recorded, one sample after the other, with the lag of
-// the tire's relaxation lengths (rigs/slip_lag.h).
+// the tire's relaxation lengths (rigs/slip/slip_lag.h).
 //
 //   kind = "slip_history"
 //   states = "sweep.csv"             # beside the file: time and the columns of steady_states; or
@@ -18,8 +18,8 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/hub_frame.h"
-#include "experiment/rigs/slip_lag.h"
-#include "experiment/rigs/slip_states.h"
+#include "experiment/rigs/slip/slip_lag.h"
+#include "experiment/rigs/slip/slip_states.h"
 
 namespace latsch::experiment {
 

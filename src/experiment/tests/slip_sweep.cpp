@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// kind = "slip_sweep": the belt of a flat track (rigs/flat_track.h) below a wheel that is steered
-// or braked.
+// kind = "slip_sweep": the belt of a flat track (rigs/slip/flat_track.h) below a wheel that is
+// steered or braked.
 //
 //   kind = "slip_sweep"              # alpha, kappa: one of the two
 //   speed = "60 km/h"
@@ -24,7 +24,7 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
 #include "experiment/language/test_words.h"
-#include "experiment/rigs/flat_track.h"
+#include "experiment/rigs/slip/flat_track.h"
 
 namespace latsch::experiment {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// kind = "steady_states": what a tire answers to a table of states (rigs/slip_states.h has its
+// kind = "steady_states": what a tire answers to a table of states (rigs/slip/slip_states.h has its
 // columns).
 //
 //   kind = "steady_states"
@@ -25,7 +25,7 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/hub_frame.h"
-#include "experiment/rigs/slip_states.h"
+#include "experiment/rigs/slip/slip_states.h"
 
 namespace latsch::experiment {
 

@@ -63,21 +63,21 @@ BeltForces::BeltForces(const Belt& belt, int nodes) : nodes_(nodes), law_() {
   // The pressure on a node at rest; the tension along g_k counts T0 L0/R there.
   const double outward = 2.0 * (kArea1 * std::sin(x) + kArea2 * std::sin(2.0 * x)) * node_radius *
                          belt.pressure * belt.pressure_width;
-  law_ = {.R = belt.radius,
-          .L0 = belt.radius * x,
-          .stretch0 = 0.25 * node_radius * (5.0 * std::sin(0.5 * x) + std::sin(1.5 * x)),
-          .T0 = outward * node_radius / (belt.radius * x),
-          .EA = belt.extension,
-          .EI = belt.bending_in_plane,
-          .EI_out_of_plane = belt.bending_out_of_plane,
-          .GJ = belt.twist,
-          .pressure_width = belt.pressure * belt.pressure_width,
-          .s0 = -2.0 * node_radius * (1.0 - std::cos(x)),
-          .s0_between = -node_radius * (std::cos(0.5 * x) - std::cos(1.5 * x)),
-          .tilt_between = 24.0 * belt.radius /
-                          ((23.0 * std::cos(0.5 * x) + std::cos(1.5 * x)) * node_radius),
-          .tilt_twist = belt.radius * x * x /
-                        (node_radius * (std::cos(0.5 * x) - std::cos(1.5 * x)))};
+  law_ = {
+      .R = belt.radius,
+      .L0 = belt.radius * x,
+      .stretch0 = 0.25 * node_radius * (5.0 * std::sin(0.5 * x) + std::sin(1.5 * x)),
+      .T0 = outward * node_radius / (belt.radius * x),
+      .EA = belt.extension,
+      .EI = belt.bending_in_plane,
+      .EI_out_of_plane = belt.bending_out_of_plane,
+      .GJ = belt.twist,
+      .pressure_width = belt.pressure * belt.pressure_width,
+      .s0 = -2.0 * node_radius * (1.0 - std::cos(x)),
+      .s0_between = -node_radius * (std::cos(0.5 * x) - std::cos(1.5 * x)),
+      .tilt_between =
+          24.0 * belt.radius / ((23.0 * std::cos(0.5 * x) + std::cos(1.5 * x)) * node_radius),
+      .tilt_twist = belt.radius * x * x / (node_radius * (std::cos(0.5 * x) - std::cos(1.5 * x)))};
 }
 
 double BeltForces::energy(const NodeValues& q, const RimFrame& rim) const {

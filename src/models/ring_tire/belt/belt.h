@@ -7,15 +7,17 @@
 //   extension        1/2 EA L0 (|g_k|/g0 - 1 + T0/EA)^2                                        (1)
 //   pressure         p w a . ((x_k - c) × ((x_(k+1) - c)/3 + (x_(k+2) - c)/12))                (2)
 //   bending          1/2 (EI/L0^3) (s - s_0)^2,  s = n . X''                                   (3)
-//   out-of-plane     1/2 EI_o L0 (u''/L0^2 + ζ ψ/R)^2                                          (4)
-//   twist            1/2 GJ L0 ((ψ' - u'/R)/L0)^2                                              (5)
+//   out-of-plane     1/2 (EI_o/L0^3) (u'' - ζ ψ s)^2                                           (4)
+//   twist            1/2 (GJ/L0) (ψ' + ζ u' s/L0^2)^2                                          (5)
 //
 // (1) and (5) are taken in the middle of each segment: more points would hold a curve that hardly
 // stretches back from bending. (3) and (4) by Simpson's rule, at the knots and between them; (2),
 // less the area, at the knots. All are of fourth order in L0. T0 holds the pressure at rest, so
 // nothing else is stressed there. (1) and (3) do not change when the ring is turned, (4) and (5)
-// not when it is tilted, which is what ζ = 1 + O(L0^2) is for. Lateral travel and torsion are taken
-// as small; in-plane motion may be large. Equations: docs/ring_tire.md, section 2.
+// not when it is tilted, which is what ζ = 1 + O(L0^2) is for. A section that has turned by ψ bends
+// across with what the belt bends now, s: at rest -L0^2/R, in a flat patch nothing. Lateral travel
+// and torsion are taken as small; in-plane motion may be large. Equations: docs/ring_tire.md,
+// section 2.
 #pragma once
 
 #include "models/ring_tire/belt/rim_frame.h"
@@ -25,8 +27,8 @@
 
 namespace latsch::ring_tire {
 
-/// What the elements know; stretch0: g0, s0: of (3) at rest at a knot and between
-/// two, tilt: ζ likewise.
+/// What the elements know; stretch0: g0, s0: of (3) at rest at a knot and between two,
+/// tilt_between: ζ of (4) there (1 at a knot), tilt_twist: of (5).
 struct BeltLaw {
   double R, L0, stretch0, T0, EA, EI, EI_out_of_plane, GJ, pressure_width, s0, s0_between,
       tilt_between, tilt_twist;

@@ -6,27 +6,21 @@
 //   b_i b_j A + g_i g_j B + b_i g_j C + g_i b_j C'                                          (27)
 //   A = κ n n',  B = κ along² n n' + m ((along/|c|) (t n' + n t') - (s/|c|²) n n'),
 //   C = -κ along n n' - (m/|c|) t n'
-// Left out is what vanishes where the belt has neither torsion nor travel across its plane: what
-// (4) and (5) have to do with the places in that plane.
+// (4) and (5) add to κ and m, their second and first derivative by s, and hang places in the plane
+// of the rim together with torsion and travel across it: s changes by (b_j - g_j along) n of node
+// j.
 #include "models/ring_tire/belt/belt.h"
 #include "models/ring_tire/belt/bend_rule.h"
 
 namespace latsch::ring_tire {
 
-/// What the elements of node k carry: the string of segment k, symmetric, and (27) in the middle of
-/// the segment and at knot k, EI_o ζ s and EI_o ζ² s² of (4) at both places, GJ times the slope of
-/// (5)'s twist by u' and its square.
+/// What the elements of node k carry: the string of segment k, symmetric; in the middle of the
+/// segment and at knot k (27), then of (4) and (5): u'' with ψ, ψ with itself, along, n, and s with
+/// u'', ψ and between knots u' and ψ'; of (5) u' with ψ' and with itself.
 struct ElementStiffness {
-  enum {
-    kString = 0,
-    kBetween = 6,
-    kKnot = 16,
-    kTiltBetween = 26,
-    kTilt = 28,
-    kTwist = 30,
-    kRows = 32
-  };
+  enum { kString = 0, kBetween = 6, kKnot = 25, kTwist = 42, kRows = 44 };
   enum { kA = 0, kB = 3, kC = 6 };  // xx, xz, zz; the same; xx, xz, zx, zz
+  enum { kTilt = 10, kTiltTilt, kAlong, kNx, kNz, kBendS, kTorsionS, kSlopeS, kTwistS };
   double* row[kRows];
 };
 
@@ -39,13 +33,14 @@ namespace latsch::ring_tire {
 
 void BeltForces::find_stiffness(const RimRows& at, double scale, StiffnessRows& K) const {
   static_assert(ElementStiffness::kRows <= StiffnessRows::kScratch);
-  const double* const x[3] = {at.row(RimRows::kX), at.row(RimRows::kY), at.row(RimRows::kZ)};
+  const double* const x[4] = {
+      at.row(RimRows::kX), at.row(RimRows::kY), at.row(RimRows::kZ), at.row(RimRows::kTorsion)};
   ElementStiffness e;
   for (int i = 0; i < ElementStiffness::kRows; ++i) e.row[i] = K.scratch(i);
   double* rows[(CyclicBand::kReach + 1) * StiffnessRows::kEntries];
   for (int j = 0; j <= CyclicBand::kReach; ++j)
     for (int i = 0; i < StiffnessRows::kEntries; ++i)
-      rows[j * StiffnessRows::kEntries + i] = K.row(j, static_cast<StiffnessRows::Entry>(i));
+      rows[j * StiffnessRows::kEntries + i] = K.row(j, i);
   K.start();
   LATSCH_KERNEL(stiffen)(nodes_, law_, scale, x, e);
   LATSCH_KERNEL(gather_stiffness)(nodes_, scale * law_.pressure_width, e, rows);

@@ -13,19 +13,24 @@ LATSCH_INLINE Lanes weighted(const double* row, int k, const double (&w)[4]) {
   return sum;
 }
 
-/// A, B and C of (27), ten rows. In the rim's axes n = a × (t_x, 0, t_z) = (t_z, 0, -t_x). Gives s.
-LATSCH_INLINE Lanes bending(const BendRule& rule,
-                           double stiffness,
-                           double s0,
-                           const double* const rows[3],
-                           int k,
-                           double* const* to) {
+/// s of (3) and what it hangs on. In the rim's axes n = a × (t_x, 0, t_z) = (t_z, 0, -t_x).
+struct Bend {
+  Lanes tx, tz, shorter, s, along;
+};
+
+LATSCH_INLINE Bend bend_of(const BendRule& rule, const double* const rows[4], int k) {
   const Lanes cx = weighted(rows[0], k, rule.slope), cz = weighted(rows[2], k, rule.slope);
   const Lanes dx = weighted(rows[0], k, rule.second), dz = weighted(rows[2], k, rule.second);
   const Lanes shorter = 1.0 / sqrt(cx * cx + cz * cz);
   const Lanes tx = cx * shorter, tz = cz * shorter;
-  const Lanes s = dx * tz - dz * tx, along = (dx * tx + dz * tz) * shorter;
-  const Lanes moment = stiffness * (s - s0) * shorter;  // m/|c|
+  return {tx, tz, shorter, dx * tz - dz * tx, (dx * tx + dz * tz) * shorter};
+}
+
+/// A, B and C of (27), ten rows; stiffness and moment: κ, m.
+LATSCH_INLINE void bending(
+    const Bend& bend, const Lanes& stiffness, const Lanes& m, int k, double* const* to) {
+  const auto& [tx, tz, shorter, s, along] = bend;
+  const Lanes moment = m * shorter;
   const Lanes nn = stiffness * along * along - moment * s * shorter, tn = moment * along;
   const Lanes C = -(stiffness * along);
   const auto put = [&](int row, const Lanes& value) { store(value, to[row] + k); };
@@ -39,19 +44,44 @@ LATSCH_INLINE Lanes bending(const BendRule& rule,
   put(ElementStiffness::kC + 1, moment * tx * tx - C * tz * tx);
   put(ElementStiffness::kC + 2, -(moment * tz * tz + C * tx * tz));
   put(ElementStiffness::kC + 3, C * tx * tx + moment * tz * tx);
-  return s;
+  put(ElementStiffness::kAlong, along);
+  put(ElementStiffness::kNx, tz);
+  put(ElementStiffness::kNz, -tx);
 }
 
-/// Of the segments -2 .. nodes and of the knots -1 .. nodes, nodes at x, y, z.
+/// First and second derivative by s of what (4), and where there is (5) that, add to (3).
+struct BySlope {
+  Lanes moment, stiffness;
+};
+
+/// (4), EI (u'' - ζ ψ s)²/2, of a rule.
+LATSCH_INLINE BySlope tilting(const BendRule& rule,
+                              double EI,
+                              double zeta,
+                              const Lanes& s,
+                              const double* const rows[4],
+                              int k,
+                              double* const* to) {
+  const Lanes tilt = zeta * weighted(rows[3], k, rule.place);
+  const Lanes lateral = EI * (weighted(rows[1], k, rule.second) - tilt * s);
+  const auto put = [&](int row, const Lanes& value) { store(value, to[row] + k); };
+  put(ElementStiffness::kTilt, -(EI * zeta * s));
+  put(ElementStiffness::kTiltTilt, EI * zeta * zeta * s * s);
+  put(ElementStiffness::kBendS, -(EI * tilt));
+  put(ElementStiffness::kTorsionS, zeta * (EI * tilt * s - lateral));
+  return {-(lateral * tilt), EI * tilt * tilt};
+}
+
+/// Of the segments -2 .. nodes and of the knots -1 .. nodes, nodes at x, y, z with torsions.
 void stiffen(int nodes,
              const BeltLaw& law,
              double scale,
-             const double* const rows[3],
+             const double* const rows[4],
              const ElementStiffness& e) {
-  const double EI = scale * law.EI / (law.L0 * law.L0 * law.L0);
+  const double cube = law.L0 * law.L0 * law.L0, EI = scale * law.EI / cube,
+               EI_out = scale * law.EI_out_of_plane / cube;
+  const double GJ = scale * law.GJ / law.L0, by_s = law.tilt_twist / (law.L0 * law.L0);
   const double of = scale * law.L0 / law.stretch0, spring = of * law.EA / law.stretch0;
-  const double EI_out = scale * law.EI_out_of_plane / (law.L0 * law.L0 * law.L0);
-  const double GJ = scale * law.GJ / law.L0, of_bend = law.tilt_twist / (law.L0 * law.L0);
   by_eight(-2, nodes + 1, [&](int k) {
     const Lanes d[3] = {weighted(rows[0], k, kBetween.slope),
                         weighted(rows[1], k, kBetween.slope),
@@ -65,67 +95,88 @@ void stiffen(int nodes,
         const Lanes stretched = more * d[i] * d[j];
         store(i == j ? stretched + string : stretched, e.row[row++] + k);
       }
-    const Lanes s = bending(kBetween,
-                            (1.0 - kKnotShare) * EI,
-                            law.s0_between,
-                            rows,
-                            k,
-                            e.row + ElementStiffness::kBetween);
-    const Lanes tilted = law.tilt_between * s, turned = of_bend * s;
-    store((1.0 - kKnotShare) * EI_out * tilted, e.row[ElementStiffness::kTiltBetween] + k);
-    store((1.0 - kKnotShare) * EI_out * tilted * tilted,
-          e.row[ElementStiffness::kTiltBetween + 1] + k);
-    store(GJ * turned, e.row[ElementStiffness::kTwist] + k);
-    store(GJ * turned * turned, e.row[ElementStiffness::kTwist + 1] + k);
+    double* const* const to = e.row + ElementStiffness::kBetween;
+    constexpr double kShare = 1.0 - kKnotShare;
+    const Bend bend = bend_of(kBetween, rows, k);
+    const BySlope tilt = tilting(kBetween, kShare * EI_out, law.tilt_between, bend.s, rows, k, to);
+    const Lanes turned = by_s * d[1], follows = by_s * bend.s;  // (5): ψ' + u' by_s s
+    const Lanes twist = GJ * (weighted(rows[3], k, kBetween.slope) + d[1] * follows);
+    store(GJ * follows, e.row[ElementStiffness::kTwist] + k);
+    store(GJ * follows * follows, e.row[ElementStiffness::kTwist + 1] + k);
+    store(by_s * twist + GJ * turned * follows, to[ElementStiffness::kSlopeS] + k);
+    store(GJ * turned, to[ElementStiffness::kTwistS] + k);
+    bending(bend,
+            kShare * EI + tilt.stiffness + GJ * turned * turned,
+            kShare * EI * (bend.s - law.s0_between) + tilt.moment + twist * turned,
+            k,
+            to);
   });
   by_eight(-1, nodes + 1, [&](int k) {
-    const Lanes s =
-        bending(kAtKnot, kKnotShare * EI, law.s0, rows, k, e.row + ElementStiffness::kKnot);
-    store(kKnotShare * EI_out * s, e.row[ElementStiffness::kTilt] + k);
-    store(kKnotShare * EI_out * s * s, e.row[ElementStiffness::kTilt + 1] + k);
+    double* const* const to = e.row + ElementStiffness::kKnot;
+    const Bend bend = bend_of(kAtKnot, rows, k);
+    const BySlope tilt = tilting(kAtKnot, kKnotShare * EI_out, 1.0, bend.s, rows, k, to);
+    bending(bend,
+            kKnotShare * EI + tilt.stiffness,
+            kKnotShare * EI * (bend.s - law.s0) + tilt.moment,
+            k,
+            to);
   });
 }
 
-/// The in-plane part of the blocks (k, k + j) of eight nodes.
-struct PlaneSums {
-  Lanes xx, xz, zx, zz;
+/// Blocks (k, k + j) of eight nodes: x, across the plane, z, torsion.
+struct BlockSums {
+  Lanes of[4][4];
 };
 
-/// (27) of all elements of a rule on both nodes.
-template <int kNodes, int j>
-LATSCH_INLINE void add_bending(const BendRule& rule, double* const* rows, int k, PlaneSums& sums) {
+/// (27) and what (4) and (5) hang together, of all elements of a rule on both nodes. `twists`: the
+/// rule has (5).
+template <int kNodes, int j, bool twists>
+LATSCH_INLINE void add_bending(const BendRule& rule, double* const* rows, int k, BlockSums& sums) {
+  enum { x, y, z, psi };
+  auto& to = sums.of;
 #pragma GCC unroll 4
   for (int i = 0; i < kNodes - j; ++i) {
-    const int at = k - i + 1;  // the element whose node i is k
+    const int at = k - i + 1, n = i + j;  // the element whose node i is k, and n is k + j
     const auto value = [&](int row) { return lanes(rows[row] + at); };
-    const double bb = rule.second[i] * rule.second[i + j], gg = rule.slope[i] * rule.slope[i + j];
-    const double bg = rule.second[i] * rule.slope[i + j], gb = rule.slope[i] * rule.second[i + j];
-    sums.xx += bb * value(ElementStiffness::kA) + gg * value(ElementStiffness::kB) +
-               (bg + gb) * value(ElementStiffness::kC);
+    const double bb = rule.second[i] * rule.second[n], gg = rule.slope[i] * rule.slope[n];
+    const double bg = rule.second[i] * rule.slope[n], gb = rule.slope[i] * rule.second[n];
+    to[x][x] += bb * value(ElementStiffness::kA) + gg * value(ElementStiffness::kB) +
+                (bg + gb) * value(ElementStiffness::kC);
     const Lanes both = bb * value(ElementStiffness::kA + 1) + gg * value(ElementStiffness::kB + 1);
     const Lanes xz = value(ElementStiffness::kC + 1), zx = value(ElementStiffness::kC + 2);
-    sums.xz += both + bg * xz + gb * zx;
-    sums.zx += both + bg * zx + gb * xz;
-    sums.zz += bb * value(ElementStiffness::kA + 2) + gg * value(ElementStiffness::kB + 2) +
-               (bg + gb) * value(ElementStiffness::kC + 3);
-  }
-}
+    to[x][z] += both + bg * xz + gb * zx;
+    to[z][x] += both + bg * zx + gb * xz;
+    to[z][z] += bb * value(ElementStiffness::kA + 2) + gg * value(ElementStiffness::kB + 2) +
+                (bg + gb) * value(ElementStiffness::kC + 3);
 
-/// What ψ has to do with itself and with travel across the plane.
-struct TorsionSums {
-  Lanes y_psi, psi_y, psi_psi;
-};
+    const Lanes tilt = value(ElementStiffness::kTilt);
+    to[y][psi] += rule.second[i] * rule.place[n] * tilt;
+    to[psi][y] += rule.place[i] * rule.second[n] * tilt;
+    to[psi][psi] += rule.place[i] * rule.place[n] * value(ElementStiffness::kTiltTilt);
 
-/// (4) of all elements of a rule on both nodes; `rows`: EI_o ζ s and EI_o ζ² s².
-template <int kNodes, int j>
-LATSCH_INLINE void add_tilt(const BendRule& rule, double* const* rows, int k, TorsionSums& sums) {
-#pragma GCC unroll 4
-  for (int i = 0; i < kNodes - j; ++i) {
-    const int at = k - i + 1;
-    const Lanes tilt = lanes(rows[0] + at);
-    sums.y_psi -= rule.second[i] * rule.place[i + j] * tilt;
-    sums.psi_y -= rule.place[i] * rule.second[i + j] * tilt;
-    sums.psi_psi += rule.place[i] * rule.place[i + j] * lanes(rows[1] + at);
+    const auto across = [&](int node) {
+      const Lanes bent = rule.second[node] * value(ElementStiffness::kBendS);
+      return twists ? bent + rule.slope[node] * value(ElementStiffness::kSlopeS) : bent;
+    };
+    const auto torsion = [&](int node) {
+      const Lanes placed = rule.place[node] * value(ElementStiffness::kTorsionS);
+      return twists ? placed + rule.slope[node] * value(ElementStiffness::kTwistS) : placed;
+    };
+    const auto bent = [&](int node) {
+      return rule.second[node] - rule.slope[node] * value(ElementStiffness::kAlong);
+    };
+    const Lanes ahead = bent(n), here = bent(i);
+    const Lanes nx = value(ElementStiffness::kNx), nz = value(ElementStiffness::kNz);
+    const Lanes y_s = across(i) * ahead, s_y = across(n) * here;
+    const Lanes psi_s = torsion(i) * ahead, s_psi = torsion(n) * here;
+    to[y][x] += y_s * nx;
+    to[y][z] += y_s * nz;
+    to[x][y] += s_y * nx;
+    to[z][y] += s_y * nz;
+    to[psi][x] += psi_s * nx;
+    to[psi][z] += psi_s * nz;
+    to[x][psi] += s_psi * nx;
+    to[z][psi] += s_psi * nz;
   }
 }
 
@@ -133,44 +184,35 @@ template <int j>
 LATSCH_INLINE void gather_blocks(int nodes,
                                  double area,
                                  const ElementStiffness& e,
-                                 double* const to[10]) {
+                                 double* const to[16]) {
   by_eight(0, nodes, [&](int k) {
-    Lanes string[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, twist = 0.0, across = 0.0;
+    Lanes string[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, twist = 0.0, turning = 0.0;
 #pragma GCC unroll 4
     for (int i = 0; i < 4 - j; ++i) {
       const double w = kBetween.slope[i] * kBetween.slope[i + j];
+      const auto value = [&](int row) { return w * lanes(e.row[row] + k - i + 1); };
       for (int entry = 0; entry < 6; ++entry)
-        string[entry] += w * lanes(e.row[ElementStiffness::kString + entry] + k - i + 1);
-      twist += w * lanes(e.row[ElementStiffness::kTwist] + k - i + 1);
-      across += w * lanes(e.row[ElementStiffness::kTwist + 1] + k - i + 1);
+        string[entry] += value(ElementStiffness::kString + entry);
+      twist += value(ElementStiffness::kTwist);
+      turning += value(ElementStiffness::kTwist + 1);
     }
-    PlaneSums sums{string[0], string[2] - area, string[2] + area, string[5]};  // (2)
-    add_bending<4, j>(kBetween, e.row + ElementStiffness::kBetween, k, sums);
-    add_bending<3, j>(kAtKnot, e.row + ElementStiffness::kKnot, k, sums);
-    TorsionSums torsion{twist, twist, 0.0};  // (5)
-    add_tilt<4, j>(kBetween, e.row + ElementStiffness::kTiltBetween, k, torsion);
-    add_tilt<3, j>(kAtKnot, e.row + ElementStiffness::kTilt, k, torsion);
-    const Lanes values[10] = {sums.xx,
-                              string[1],
-                              sums.xz,
-                              string[3] + across,
-                              string[4],
-                              sums.zx,
-                              sums.zz,
-                              torsion.y_psi,
-                              torsion.psi_y,
-                              torsion.psi_psi};
-    for (int entry = 0; entry < 10; ++entry) store(values[entry], to[entry] + k);
+    BlockSums sums{{{string[0], string[1], string[2] - area, 0.0},
+                    {string[1], string[3] + turning, string[4], twist},
+                    {string[2] + area, string[4], string[5], 0.0},  // (2)
+                    {0.0, twist, 0.0, 0.0}}};
+    add_bending<4, j, true>(kBetween, e.row + ElementStiffness::kBetween, k, sums);
+    add_bending<3, j, false>(kAtKnot, e.row + ElementStiffness::kKnot, k, sums);
+    for (int entry = 0; entry < 16; ++entry) store(sums.of[entry / 4][entry % 4], to[entry] + k);
   });
 }
 
-/// What the elements and the pressure are to the nodes, in place of what stood there: ten rows of each
-/// j.
+/// What the elements and the pressure are to the nodes, in place of what stood there: sixteen rows
+/// of each j.
 void gather_stiffness(int nodes, double pressure, const ElementStiffness& e, double* const* rows) {
   gather_blocks<0>(nodes, 0.0, e, rows);
-  gather_blocks<1>(nodes, kArea1 * pressure, e, rows + 10);
-  gather_blocks<2>(nodes, kArea2 * pressure, e, rows + 20);
-  gather_blocks<3>(nodes, 0.0, e, rows + 30);
+  gather_blocks<1>(nodes, kArea1 * pressure, e, rows + 16);
+  gather_blocks<2>(nodes, kArea2 * pressure, e, rows + 32);
+  gather_blocks<3>(nodes, 0.0, e, rows + 48);
 }
 
 }  // namespace latsch::ring_tire::LATSCH_KERNELS

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A CyclicBand in the making, in the rim's axes: what differs from node to node by rows, one an
 // entry of the blocks (k, k + j), so that it is summed for several nodes at once; what is the same
-// at every node once. Across the plane of the rim a string and a spring are symmetric block by block,
-// and bending stays in the plane; torsion differs with travel across it alone.
+// at every node once.
 #pragma once
 
 #include <array>
@@ -15,15 +14,16 @@ namespace latsch::ring_tire {
 
 class StiffnessRows {
  public:
-  enum Entry { kXX, kXY, kXZ, kYY, kYZ, kZX, kZZ, kYPsi, kPsiY, kPsiPsi, kEntries };
-  static constexpr int kScratch = 32;
+  /// Of a block, row by row: x, y across the plane of the rim, z, torsion.
+  enum Entry { kXX = 0, kXZ = 2, kYY = 5, kZX = 8, kZZ = 10, kEntries = 16 };
+  static constexpr int kScratch = 44;
 
   explicit StiffnessRows(int nodes);
 
   /// Nothing is the same at every node.
   void start();
-  /// Entry of the blocks (k, k + j), j = 0 .. CyclicBand::kReach; block k at [k].
-  double* row(int j, Entry entry) { return at(j * kEntries + entry); }
+  /// Entry 4 row + column of the blocks (k, k + j), j = 0 .. CyclicBand::kReach; block k at [k].
+  double* row(int j, int entry) { return at(j * kEntries + entry); }
   /// For loops to work on: [k] from k = -kBeyond to nodes + kBeyond - 1.
   double* scratch(int i) { return at(kOwn + i); }
   /// Of all blocks (k, k + j).

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/rigs/slip_lag.h"
+#include "experiment/rigs/slip/slip_lag.h"
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
-#include "experiment/rigs/slip_states.h"
+#include "experiment/rigs/slip/slip_states.h"
 #include "models/magic_formula/magic_formula_slopes.h"
 
 namespace latsch {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lag against the closed forms of a first-order delay.
-#include "experiment/rigs/slip_lag.h"
+#include "experiment/rigs/slip/slip_lag.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
 #include "experiment/kinds/sparse_tir_testing.h"
-#include "experiment/rigs/slip_states.h"
+#include "experiment/rigs/slip/slip_states.h"
 #include "formats/tire/tir_file.h"
 
 namespace latsch {

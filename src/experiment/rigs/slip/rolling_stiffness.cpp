@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/rigs/rolling_stiffness.h"
+#include "experiment/rigs/slip/rolling_stiffness.h"
 
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
-#include "experiment/rigs/flat_track.h"
+#include "experiment/rigs/slip/flat_track.h"
 
 namespace latsch::experiment {
 namespace {

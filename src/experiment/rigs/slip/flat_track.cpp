@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/rigs/flat_track.h"
+#include "experiment/rigs/slip/flat_track.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/rigs/slip_states.h"
+#include "experiment/rigs/slip/slip_states.h"
 
 #include <fmt/format.h>
 
