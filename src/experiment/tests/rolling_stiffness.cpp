@@ -1,18 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // kind = "rolling_stiffness" (rigs/slip/rolling_stiffness.h): slopes of a tire's forces at free
 // rolling.
-//
-//   kind = "rolling_stiffness"
-//   load = "4 kN"                    # of load and speed also {from = "measurement.rolling"}: the
-//                                    # means of its Fz and Vx
-//   measures = ["slip", "cornering", "camber"]   # default: all. Channels "slip_stiffness";
-//                                    # "cornering_stiffness" and "pneumatic_trail";
-//                                    # "camber_stiffness", above 0 toward the side it leans to
-//   speed = "60 km/h"                # default, as the next four
-//   slip = "0.2 %"                   # to both sides of free rolling
-//   angle = "0.25 deg"
-//   camber = "1 deg"
-//   step = "0.5 ms"
 #include "experiment/rigs/slip/rolling_stiffness.h"
 
 #include <fmt/format.h>

@@ -10,6 +10,18 @@
 //   pneumatic trail       t = -(Mz(α) - Mz(-α))/(Fy(α) - Fy(-α))
 //   camber stiffness      C_γ = -(Fy(γ) - Fy(-γ))/2γ, above 0: toward the side it leans to
 //
+//   kind = "rolling_stiffness"
+//   load = "4 kN"                    # of load and speed also {from = "measurement.rolling"}: the
+//                                    # means of its Fz and Vx
+//   measures = ["slip", "cornering", "camber"]   # default: all. Channels "slip_stiffness" (N),
+//                                    # "cornering_stiffness" (N/rad) and "pneumatic_trail" (m),
+//                                    # "camber_stiffness" (N/rad)
+//   speed = "60 km/h"                # default, as the next four
+//   slip = 0.002                     # to both sides of free rolling
+//   angle = "0.25 deg"
+//   camber = "1 deg"
+//   step = "0.5 ms"
+//
 // Forces in W (NOTATION.md). Each difference also holds what friction takes off C at that slip.
 #pragma once
 
