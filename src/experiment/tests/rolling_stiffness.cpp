@@ -17,6 +17,7 @@ namespace latsch::experiment {
 extern const TestKind kRollingStiffness;
 namespace {
 
+constexpr double kFarthestStep = 0.02;  // m: a block comes down and leaves within some steps
 const std::vector<std::string> kMeasures = {"slip", "cornering", "camber"};
 
 class RollingStiffness : public Test {
@@ -94,11 +95,21 @@ std::unique_ptr<Test> read_rolling_stiffness(const Node& root, const TestSource&
   test.load = load ? measured_mean(*load, {"Fz", "N", true, "W"}, source.measured)
                    : root.quantity("load", "N", Range::positive());
   test.speed = speed ? measured_mean(*speed, {"Vx", "m/s"}, source.measured)
-                     : root.quantity("speed", "m/s", Range::positive(), test.speed);
+                     : root.quantity("speed", "m/s", Range::between(1.0, 100.0), test.speed);
+  if (!(test.speed >= 1.0))
+    root.reject("speed", fmt::format("is {:.3g} m/s as measured, expected 1 at least", test.speed));
+  test.step = std::min(test.step, kFarthestStep / test.speed);
   test.slip = root.quantity("slip", "1", {0.0, 0.1, true}, test.slip);
   test.angle = root.quantity("angle", "rad", {0.0, 0.1, true}, test.angle);
   test.camber = root.quantity("camber", "rad", {0.0, 0.2, true}, test.camber);
   test.step = root.quantity("step", "s", {0.0, 0.01, true}, test.step);
+  if (test.speed * test.step > kFarthestStep * (1.0 + 1e-9))
+    root.reject(
+        "step",
+        fmt::format("takes the tire {:.3g} mm on at {:.3g} km/h, expected at most {:.3g} mm",
+                    1e3 * test.speed * test.step,
+                    3.6 * test.speed,
+                    1e3 * kFarthestStep));
   std::vector<std::string> measures = root.has("measures") ? root.texts("measures") : kMeasures;
   for (const std::string& name : measures)
     if (std::find(kMeasures.begin(), kMeasures.end(), name) == kMeasures.end())

@@ -62,6 +62,7 @@ Result<Cornering> cornering(Tire& tire, const RollingStiffnessTest& test) {
     return SlipSweep{.alpha_from = alpha, .alpha_to = alpha};
   });
   if (!found) return found.failure();
+  if (found->Fy == 0.0) return Failure{"slip angle makes no side force: there is no trail to tell"};
   return Cornering{-found->Fy / test.angle, -found->Mz / found->Fy};
 }
 
@@ -69,7 +70,7 @@ Result<double> camber_stiffness(Tire& tire, const RollingStiffnessTest& test) {
   const auto found =
       odd_part(tire, test, [&](double sign) { return SlipSweep{.camber = sign * test.camber}; });
   if (!found) return found.failure();
-  return -found->Fy / test.camber;
+  return 0.0 - found->Fy / test.camber;
 }
 
 }  // namespace latsch::experiment

@@ -20,7 +20,7 @@
 //   slip = 0.002                     # to both sides of free rolling
 //   angle = "0.25 deg"
 //   camber = "1 deg"
-//   step = "0.5 ms"
+//   step = "0.5 ms"                  # less from 144 km/h on: 20 mm of road
 //
 // Forces in W (NOTATION.md). Each difference also holds what friction takes off C at that slip.
 #pragma once
