@@ -9,6 +9,7 @@
 #include "models/ring_tire/ring/ring_tire.h"
 #include "models/road/plane_road.h"
 #include "models/road/profile_road.h"
+#include "ring_balance.h"
 #include "ring_kerb.h"
 #include "table.h"
 #include "yardstick.h"
@@ -275,6 +276,8 @@ int ring_speed() {
             fmt::format("{:.1e} of the load's", growth),
             "<= 0",
             growth <= 0.0);
+  benchmarks::momentum_row(table);
+  benchmarks::energy_rows(table);
   benchmarks::kerb_rows(table);
   benchmarks::car_row(table);
   benchmarks::slopes_rows(table);

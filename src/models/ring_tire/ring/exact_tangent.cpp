@@ -22,6 +22,17 @@ Eigen::Index place_of(const std::vector<int>& in, int node) {
 
 }  // namespace
 
+Eigen::Index patch_row(const PatchSlopes& patch,
+                       int entry,
+                       const SectionBending& section,
+                       int nodes) {
+  if (entry < PatchSlopes::kNodes) return 4 * patch.nodes[entry / 4] + entry % 4;
+  constexpr int kModes = SectionBending::kModes;
+  const int of = entry - PatchSlopes::kNodes;
+  return 4 * nodes + kModes * place_of(section.contact(), patch.nodes[1 + of / kModes]) +
+         of % kModes;
+}
+
 /// E among the unknowns that patches hang on.
 void ExactTangent::find_left_out(const SectionBending& section,
                                  const std::vector<PatchSlopes>& exact,

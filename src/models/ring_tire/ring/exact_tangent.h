@@ -14,6 +14,12 @@
 
 namespace latsch::ring_tire {
 
+/// Where what an entry of a patch stands for is among all unknowns, those of the belt's nodes first.
+Eigen::Index patch_row(const PatchSlopes& patch,
+                       int entry,
+                       const SectionBending& section,
+                       int nodes);
+
 /// Keeps its memory from one tangent to the next.
 class ExactTangent {
  public:

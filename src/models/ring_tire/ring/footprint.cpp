@@ -38,10 +38,15 @@ double TreadContact::deepest(const NodeValues& q,
 
 std::vector<BlockContact> TreadContact::contacts(const NodeValues& q) const {
   std::vector<BlockContact> contacts;
-  see_touching(q, [&](const BlockState& block) {
+  see_blocks(q, [&](const BlockState& block) {
+    if (!(block.share > 0.0)) return;
+    const Vector3d push =
+        normal_ * CellSquares(block.depth, block.half).first_moment * block.normal;
     contacts.push_back({.tip = block.tip,
                         .root = block.root,
+                        .unloaded = block.unloaded,
                         .force = block.Fn * block.normal + block.F,
+                        .moment = half_cell(block.patch, block.station, q).cross(push),
                         .area = area_,
                         .pressure = block.Fn / (positive_ * area_),
                         .sticks = block.gripped == 1.0 || block.F.isZero(0.0)});

@@ -97,6 +97,7 @@ bool MotionSlopes::begin_part(const StepTaken& part) {
   v1_ = t.v1_;
   t.evaluate(q1_, v1_);
   inner_ = t.inner_;
+  moment_on_rim_ = t.tread_.moment_on_rim();
   rim_ = t.rim_;
   rule_ = t.rule_;
   return t.factorize(q1_, rule_.acceleration, 1.0 - t.settings_.dissipation, rule_);
@@ -115,15 +116,18 @@ bool MotionSlopes::place(const WheelMotion& motion) {
   return true;
 }
 
-/// Of the blocks on nodes and sections.
+/// Of the blocks on nodes and sections, and their moment on the rim.
 Eigen::VectorXd MotionSlopes::tread_forces() {
   RingTire& t = *tire_;
   if (t.section_.on()) t.tread_.bend(t.section_);
   NodeValues force = NodeValues::Zero(4, q1_.cols());
   t.tread_.add_force(t.q1_, t.v1_, force);
-  Eigen::VectorXd all(4 * q1_.cols() + (t.section_.on() ? t.section_.unknowns() : 0));
+  const Eigen::Index sections = t.section_.on() ? t.section_.unknowns() : 0;
+  Eigen::VectorXd all(force.size() + sections + 3);
   all.head(force.size()) = force.reshaped();
-  if (t.section_.on()) all.tail(t.section_.unknowns()) = t.tread_.section_forces(t.section_, t.q1_);
+  if (sections > 0)
+    all.segment(force.size(), sections) = t.tread_.section_forces(t.section_, t.q1_);
+  all.tail<3>() = t.tread_.moment_on_rim();
   return all;
 }
 
@@ -176,12 +180,12 @@ void MotionSlopes::damp(const Columns& rate, Columns& force) {
 void MotionSlopes::find_tangent() {
   RingTire& t = *tire_;
   const double scale = 1.0 - t.settings_.dissipation;
-  const std::vector<PatchSlopes> blocks = t.tread_.patch_slopes(t.section_, q1_, v1_);
+  blocks_ = t.tread_.patch_slopes(t.section_, q1_, v1_);
   CyclicBand tread(t.angles_.nodes());
   t.tread_.add_stiffness(scale, tread);
   Eigen::MatrixXd B, A;
   if (t.section_.on()) t.tread_.section_border(t.section_, q1_, false, B, A);
-  tangent_.find(t.factor_, t.section_, blocks, tread, B, A, scale);
+  tangent_.find(t.factor_, t.section_, blocks_, tread, B, A, scale);
 }
 
 void MotionSlopes::find_rigid_fields() {
@@ -189,11 +193,10 @@ void MotionSlopes::find_rigid_fields() {
   const int N = t.angles_.nodes();
   const Eigen::Vector4d d = t.inner_forces_.sidewall().losses().damping;
   dampers_.assign(static_cast<std::size_t>(N), Eigen::Matrix4d::Zero());
-  const double tilted = node_radius_over_knot_radius(N);
   NodeValues arms = q1_;
   arms.topRows<3>().colwise() -= rim_.center;
   fields_.setZero(4 * N, kPadded);
-  fields_.middleCols<3>(3) = fields_.middleCols<3>(6) = unit_turns(arms);
+  fields_.middleCols<3>(3) = unit_turns(arms);
   for (int k = 0; k < N; ++k) {
     const Vector3d r = t.angles_.radial(rim_, k), along = t.angles_.tangential(rim_, k);
     Eigen::Matrix4d& D = dampers_[static_cast<std::size_t>(k)];
@@ -201,7 +204,6 @@ void MotionSlopes::find_rigid_fields() {
                               d[2] * rim_.a * rim_.a.transpose();
     D(3, 3) = d[3];
     fields_.block<3, 3>(4 * k, 0).setIdentity();
-    fields_.block<1, 3>(4 * k + 3, 6) = tilted * along.transpose();
   }
   CyclicBand stiffness(N);
   t.inner_forces_.find_stiffness(q1_, rim_, rule_, 1.0).turn_back(rim_, stiffness);
@@ -271,7 +273,7 @@ void MotionSlopes::add_state(int column) {
 /// The blocks, where they feel it: the spin axis at first, and where sections flow the spin rate;
 /// later the state at the beginning as well.
 bool MotionSlopes::find_tread_slopes() {
-  tread_.setZero(q1_.size() + gamma_.size(), kPadded);
+  tread_.setZero(q1_.size() + gamma_.size() + 3, kPadded);
   const auto find = [&](int column) {
     const double by = difference_step(column, step_);
     const auto of =
@@ -301,7 +303,7 @@ bool MotionSlopes::find_tread_slopes() {
 /// dr/dm.
 void MotionSlopes::find_right_sides() {
   const double theta = tire_->settings_.dissipation, scale = 1.0 - theta;
-  x_ = scale * tread_;
+  x_ = scale * tread_.topRows(q1_.size() + gamma_.size());
   x_.topRows(q1_.size()) += scale * held_;
   NodeValues inertia;
   for (std::size_t i = 0; i < slopes_.size(); ++i) {
@@ -338,31 +340,35 @@ void MotionSlopes::solve() {
 /// dF/dm of (18), turned into the carrier's axes, which turn too.
 HubSlopes MotionSlopes::hub_slopes() {
   const int N = tire_->angles_.nodes();
-  const double tilted = node_radius_over_knot_radius(N);
-  Vector3d sum = Vector3d::Zero(), torsions = sum, moment = sum;
+  Vector3d sum = Vector3d::Zero(), moment = moment_on_rim_;
   for (int k = 0; k < N; ++k) {
     const Vector3d f = inner_.col(k).head<3>();
     sum += f;
-    torsions += tilted * inner_(3, k) * tire_->angles_.tangential(rim_, k);
     moment -= (q1_.col(k).head<3>() - rim_.center).cross(f);
   }
-  moment -= torsions;
   // Of dq1/dm: by stiffness and dampers, and by the arms of the forces.
   damp(fields_, more_);
   turn_by(rim_.angular_velocity, more_, turned_);
   turned_ += stiff_;
-  turned_.middleCols<3>(6) += unit_turns(inner_);
+  turned_.middleCols<3>(3) += unit_turns(inner_);
   HubSlopes hub;
-  for (const int field : {0, 6}) {
+  for (const int field : {0, 3}) {
     const Vectors of = turned_.middleCols<3>(field).transpose() * x_.topRows(q1_.size()) -
                        fields_.middleCols<3>(field).transpose() * held_;
-    hub.middleRows<3>(field / 2) = of.leftCols<kMotionColumns>();
+    hub.middleRows<3>(field) = of.leftCols<kMotionColumns>();
   }
+  Vectors on_rim = tread_.bottomRows<3>();
+  for (const PatchSlopes& patch : blocks_) {
+    const int all = gamma_.size() > 0 ? PatchSlopes::kAll : PatchSlopes::kNodes;
+    for (int entry = 0; entry < all; ++entry)
+      on_rim +=
+          patch.moment_on_rim.col(entry) * x_.row(patch_row(patch, entry, tire_->section_, N));
+  }
+  hub.bottomRows<3>() += on_rim.leftCols<kMotionColumns>();
   const Eigen::Matrix3d to_carrier = motion_.carrier.transpose();
   for (int column = 0; column < kMotionColumns; ++column) {
     const Vector3d turn = carrier_.col(column);
-    hub.col(column).tail<3>() +=
-        Vector3d(center_.col(column)).cross(sum) - Vector3d(turn_.col(column)).cross(torsions);
+    hub.col(column).tail<3>() += Vector3d(center_.col(column)).cross(sum);
     hub.col(column) << to_carrier * (hub.col(column).head<3>() + turn.cross(sum)),
         to_carrier * (hub.col(column).tail<3>() - turn.cross(moment));
   }

@@ -84,17 +84,18 @@ class MotionSlopes {
   RimFrame rim_;
   StepRule rule_;
   NodeValues q1_, v1_, inner_;
+  Eigen::Vector3d moment_on_rim_;
   Eigen::VectorXd gamma_;
   std::vector<Eigen::Matrix4d> dampers_;  // of knots, in inertial axes
-  // Unit translations, rotations about the center, and these with the sections' torsion; what the
-  // belt's stiffness makes of them.
+  // Unit translations and rotations about the center; what the belt's stiffness makes of them.
   Columns fields_, stiff_;
   // By column, of the rim: its center, rotation with spin, velocity, angular velocity; and the
   // rotation of the carrier.
   Vectors center_, turn_, velocity_, rate_, carrier_;
-  // By column, with the nodes held: forces of belt and sidewall, of the blocks (and theirs on
-  // sections); velocities and accelerations by the state at the beginning.
+  // By column, with the nodes held: forces of belt and sidewall; of the blocks on nodes and
+  // sections, and their moment on the rim; velocities and accelerations by the state at the beginning.
   Columns held_, tread_, velocities_, accelerations_;
+  std::vector<PatchSlopes> blocks_;
   ExactTangent tangent_;
   Columns x_;                                     // dr/dm, then d(q1, γ)/dm
   Columns rates_, turned_, knots_, more_, next_;  // at work

@@ -129,14 +129,21 @@ void RingTire::times_mass(const NodeValues& a, NodeValues& force) const {
   force = mass_.asDiagonal() * force;
 }
 
-double RingTire::energy() const {
+double RingTire::energy() const { return inner_energy() + tread_.energy(q_); }
+
+double RingTire::inner_energy() const {
   NodeValues momentum;
   times_mass(v_, momentum);
   const double weight = mass_[0] * parameters_.belt.gravity;
   return 0.5 * (v_.array() * momentum.array()).sum() + weight * q_.row(2).sum() +
          inner_forces_.belt().energy(q_, rim_) +
-         inner_forces_.sidewall().energy(at_knots(q_), rim_) + tread_.energy(q_) +
-         section_.energy();
+         inner_forces_.sidewall().energy(at_knots(q_), rim_) + section_.energy();
+}
+
+NodeValues RingTire::road_forces() const {
+  NodeValues of_road = force_ - inner_;
+  of_road.row(2).array() += mass_[0] * parameters_.belt.gravity;
+  return of_road;
 }
 
 std::optional<Footprint> RingTire::footprint() const {
@@ -146,13 +153,11 @@ std::optional<Footprint> RingTire::footprint() const {
 }
 
 HubForces RingTire::hub_forces(const Eigen::Matrix3d& carrier) const {
-  Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
-  const double tilted = node_radius_over_knot_radius(angles_.nodes());  // ψ of nodes in a tilt
+  Vector3d force = Vector3d::Zero(), moment = tread_.moment_on_rim();
   for (int k = 0; k < angles_.nodes(); ++k) {
     const Vector3d f = inner_.col(k).head<3>();
     force -= f;
-    moment -= (q_.col(k).head<3>() - rim_.center).cross(f) +
-              tilted * inner_(3, k) * angles_.tangential(rim_, k);
+    moment -= (q_.col(k).head<3>() - rim_.center).cross(f);
   }
   return {carrier.transpose() * force, carrier.transpose() * moment};  // (18)
 }

@@ -7,7 +7,10 @@
 // θ = 0 is the trapezoidal rule; a small θ damps what vibrates faster than the step, still of order
 // 2 [Hilber, Hughes, Taylor 1977]. Each step is solved by Newton's method with the cyclic band
 // matrix M/(β h^2) + (1 - θ) (K + γ/(β h) C).
-//   hub force = -Σ f_k, moment = -Σ ((x_k - c) × f_k + ψ-moment e_t), f: all but the road's (18)
+//   hub force = -Σ f_k,  f: all but those of road and weight                                (18)
+//   moment = -Σ (x_k - c) × f_k + Σ (T - c) × F + p_E × M - Σ (x_k - c) × f_road,k
+// so that road and hub agree about all axes: what of the blocks' moment the nodes do not carry, the
+// sections hand to the rim, against which ψ is counted.
 //
 // settle() lowers the rim from first touch in equal steps, each an equilibrium (statics.cpp),
 // so friction in the contact has the history of a tire pressed down. Where the wheel spins, the
@@ -90,9 +93,13 @@ class RingTire final : public Tire {
   const NodeValues& velocities() const { return v_; }
   /// The blocks on the road.
   std::vector<BlockContact> contacts() const { return tread_.contacts(q_); }
+  /// N, N m on the nodes, of the last step: what the blocks on the road do.
+  NodeValues road_forces() const;
   const RingCounts& counts() const { return counts_; }
   /// J: kinetic and in all springs.
   double energy() const;
+  /// Without the blocks' springs: what the road's work on the nodes goes into.
+  double inner_energy() const;
   /// What small vibrations about the tire as it stands feel: friction of the road and in the
   /// sidewall sticks. `maxwell`: stiffness of the Maxwell elements, of one time constant.
   struct Linearized {

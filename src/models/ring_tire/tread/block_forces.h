@@ -80,6 +80,7 @@ struct BlockStep {
   BlockLaw law;
   BlockResults results;
   double* force[4];  // of the segment's four nodes
+  double* moment;    // on the rim: what of theirs about any point the nodes do not carry
 };
 
 /// t, n and |x'| of (10) at all stations.

@@ -116,12 +116,19 @@ struct StationSums {
   }
 };
 
-/// Adds the stations' forces to four nodes by (10); a node's x, y, z and torsion are still spread
-/// over the lanes.
+LATSCH_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Adds the stations' forces to four nodes by (10), and what of their moment these do not carry to
+/// that of the rim (18); a node's x, y, z and torsion, and the moment, are still spread over the
+/// lanes.
 LATSCH_INLINE void spread(const SegmentStations& at,
                           int j,
+                          const Section& belt,
                           const StationSums& sums,
-                          Lanes to_node[4][4]) {
+                          Lanes to_node[4][4],
+                          Lanes3& to_rim) {
   const Lanes3 t = lanes3(at.t, at.stride, j), n = lanes3(at.n, at.stride, j);
   const Lanes over = -1.0 / lanes(at.length + j);
   const Lanes by_n = dot(sums.FH, t) * over, by_a = dot(sums.Fy, t) * over;
@@ -129,15 +136,23 @@ LATSCH_INLINE void spread(const SegmentStations& at,
       by_n * n.x + by_a * at.a[0], by_n * n.y + by_a * at.a[1], by_n * n.z + by_a * at.a[2]};
   const Lanes torsion =
       sums.FH.x * at.a[0] + sums.FH.y * at.a[1] + sums.FH.z * at.a[2] - dot(sums.Fy, n);
+  Lanes3 slope = {};
   for (int m = 0; m < 4; ++m) {
     const Lanes w = lanes(at.weights + m * at.stride + j);
     const Lanes d = lanes(at.weights + (4 + m) * at.stride + j);
+    slope = {
+        slope.x + d * at.nodes[m][0], slope.y + d * at.nodes[m][1], slope.z + d * at.nodes[m][2]};
     const Lanes half = lanes(at.halves + m * at.stride + j);
     to_node[m][0] += w * sums.F.x + d * turning.x + half * sums.moment.x;
     to_node[m][1] += w * sums.F.y + d * turning.y + half * sums.moment.y;
     to_node[m][2] += w * sums.F.z + d * turning.z + half * sums.moment.z;
     to_node[m][3] += w * torsion;
   }
+  const Lanes3 by_height = cross(belt.G, sums.FH), across = cross(belt.A, sums.Fy),
+               carried = cross(slope, turning);
+  to_rim = {to_rim.x + by_height.x + across.x - carried.x,
+            to_rim.y + by_height.y + across.y - carried.y,
+            to_rim.z + by_height.z + across.z - carried.z};
 }
 
 LATSCH_INLINE void add_to_nodes(const Lanes to_node[4][4], double* const force[4]) {
@@ -175,9 +190,10 @@ LATSCH_INLINE void add_block_forces(const BlockStep& step,
   const SegmentStations& at = step.at;
   const BlockLines& lines = step.lines;
   Lanes to_node[4][4] = {};
+  Lanes3 to_rim = {};
   for (int j = at.begin; j < at.end; j += kWide) {
-    const auto belt =
-        blocks.at(at, j, section(at, at.nodes, j, 1.0), section(at, at.rates, j, 0.0));
+    const Section place = section(at, at.nodes, j, 1.0);
+    const auto belt = blocks.at(at, j, place, section(at, at.rates, j, 0.0));
     const Lanes3 half = half_cell(at, j);
     const bool entering = step.before.entering[j / kWide] != 0;
     StationSums sums = {};
@@ -187,9 +203,12 @@ LATSCH_INLINE void add_block_forces(const BlockStep& step,
       const int block = line * at.stride + j;
       sums.add(blocks.force(belt, half, H, y, entering, block, sums.moment), H, y);
     }
-    spread(at, j, sums, to_node);
+    spread(at, j, place, sums, to_node, to_rim);
   }
   add_to_nodes(to_node, step.force);
+  step.moment[0] += sum(to_rim.x);
+  step.moment[1] += sum(to_rim.y);
+  step.moment[2] += sum(to_rim.z);
 }
 
 template <class Blocks>

@@ -16,7 +16,8 @@ constexpr double kTurn = 2e-7;   // rad, of a section: at its edge about as much
 
 /// Blocks of a patch, set apart from what the step keeps of them.
 struct TreadContact::ProbedPatch {
-  using Forces = Eigen::Vector<double, PatchSlopes::kAll>;
+  /// On the nodes, on the sections, and the moment on the rim.
+  using Forces = Eigen::Vector<double, PatchSlopes::kAll + 3>;
 
   TreadContact& tread;
   std::size_t patch;
@@ -32,8 +33,9 @@ struct TreadContact::ProbedPatch {
       step.at.rates[m] = rate.col(m).data();
       step.force[m] = to.data() + 4 * m;
     }
+    step.moment = to.data() + PatchSlopes::kAll;
     tread.add_patch_force(patch, step);
-    if (bends) to.tail<2 * SectionBending::kModes>() = on_sections();
+    if (bends) to.segment<2 * SectionBending::kModes>(PatchSlopes::kNodes) = on_sections();
     return to;
   }
 
@@ -107,17 +109,19 @@ std::vector<PatchSlopes> TreadContact::patch_slopes(const SectionBending& sectio
       probe.rate.col(m) = v.col(of.nodes[m]);
     }
     const bool bends = section.on();
-    const auto slope = [&](double by, const auto& move) -> ProbedPatch::Forces {
+    const auto find = [&](int entry, double by, const auto& move) {
       move(by);
       const auto more = probe.forces(bends);
       move(-2.0 * by);
       const auto less = probe.forces(bends);
       move(by);
-      return (more - less) / (2.0 * by);
+      const ProbedPatch::Forces slope = (more - less) / (2.0 * by);
+      of.forces.col(entry) = slope.head<PatchSlopes::kAll>();
+      of.moment_on_rim.col(entry) = slope.tail<3>();
     };
     for (int entry = 0; entry < PatchSlopes::kNodes; ++entry) {
       const Eigen::Matrix4d place = probe.place, rate = probe.rate;
-      of.forces.col(entry) = slope(entry % 4 == 3 ? kTurn : kShift, [&](double by) {
+      find(entry, entry % 4 == 3 ? kTurn : kShift, [&](double by) {
         probe.place.data()[entry] += by;
         probe.rate.data()[entry] += rule_.velocity * by;
       });
@@ -126,7 +130,7 @@ std::vector<PatchSlopes> TreadContact::patch_slopes(const SectionBending& sectio
     }
     if (!bends) continue;
     for (int entry = 0; entry < 2 * SectionBending::kModes; ++entry)
-      of.forces.col(PatchSlopes::kNodes + entry) = slope(kShift, [&](double by) {
+      find(PatchSlopes::kNodes + entry, kShift, [&](double by) {
         probe.bend(entry / SectionBending::kModes, entry % SectionBending::kModes, by);
       });
   }

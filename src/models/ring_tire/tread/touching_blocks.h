@@ -11,15 +11,16 @@
 namespace latsch::ring_tire {
 
 /// Mean of δ² over a cell where δ > 0, its depth running from δ - g to δ + g, and the second
-/// derivatives of half of it by δ and g.
+/// derivatives of half of it by δ and g; mean of ξ (δ + g ξ)_+.
 struct CellSquares {
-  double mean, by_depth, by_both, by_half;
+  double mean, first_moment, by_depth, by_both, by_half;
 
   CellSquares(double depth, double g) {
     const double a = std::max(std::abs(g), 1e-12);
     const double share = std::clamp(0.5 * (depth + a) / a, 0.0, 1.0);
     const double square = share * share, cube = 4.0 / 3.0 * square * share;
     mean = a * a * cube + std::max(depth - a, 0.0) * (depth + a);
+    first_moment = g * square * (1.0 - 2.0 / 3.0 * share);
     by_depth = share;
     by_both = std::copysign(share - square, g);
     by_half = share - 2.0 * square + cube;
@@ -28,7 +29,7 @@ struct CellSquares {
 
 /// What one block of a patch does.
 struct TreadContact::BlockState {
-  Eigen::Vector3d normal, F, root, tip;
+  Eigen::Vector3d normal, F, root, unloaded, tip;
   Eigen::Vector3d G;  // how the unloaded tip moves with its height
   double Fn, gripped;
   double share;  // of its cell, on the road
@@ -53,6 +54,7 @@ void TreadContact::see_blocks(const NodeValues& q, const See& see) const {
         BlockState state{.normal = {at(kNormal), at(kNormal + 1), at(kNormal + 2)},
                          .F = {at(kF), at(kF + 1), at(kF + 2)},
                          .root = tip(columns.data(), patch.segment, line, j),
+                         .unloaded = tip(columns.data(), patch.segment, line, j),
                          .tip = {at(kTip), at(kTip + 1), at(kTip + 2)},
                          .G = {columns[static_cast<std::size_t>(kG * stride_ + j)],
                                columns[static_cast<std::size_t>((kG + 1) * stride_ + j)],

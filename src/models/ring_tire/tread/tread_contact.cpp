@@ -373,7 +373,8 @@ BlockStep TreadContact::step_of(std::size_t patch, const NodeValues& q, const No
                      .entering = entering(patch)},
           .law = block_law(),
           .results = results(patch),
-          .force = {}};
+          .force = {},
+          .moment = nullptr};
 }
 
 void TreadContact::add_patch_force(std::size_t patch, const BlockStep& step) {
@@ -386,9 +387,11 @@ void TreadContact::add_patch_force(std::size_t patch, const BlockStep& step) {
 }
 
 void TreadContact::add_force(const NodeValues& q, const NodeValues& v, NodeValues& force) {
+  moment_on_rim_.setZero();
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     BlockStep step = step_of(i, q, v);
     for (int m = 0; m < 4; ++m) step.force[m] = force.col(node(patches_[i].segment, m)).data();
+    step.moment = moment_on_rim_.data();
     add_patch_force(i, step);
   }
 }

@@ -40,11 +40,13 @@ namespace latsch::ring_tire {
 
 /// A block on the road.
 struct BlockContact {
-  Eigen::Vector3d tip;    // m, inertial, on the road
-  Eigen::Vector3d root;   // m, where the tip would stand without shear: where its force acts
-  Eigen::Vector3d force;  // N, on the tire
-  double area = 0.0;      // m^2, of tread surface that is the block's
-  double pressure = 0.0;  // Pa, on the rubber
+  Eigen::Vector3d tip;       // m, inertial, on the road
+  Eigen::Vector3d root;      // m, on the road, where the tip would stand without shear
+  Eigen::Vector3d unloaded;  // m, below the road, T of (10): where its force acts
+  Eigen::Vector3d force;     // N, on the tire
+  Eigen::Vector3d moment;    // N m, of pressure that differs along the cell
+  double area = 0.0;         // m^2, of tread surface that is the block's
+  double pressure = 0.0;     // Pa, on the rubber
   bool sticks = true;
 };
 
@@ -63,6 +65,7 @@ struct PatchSlopes {
 
   int nodes[4];
   Matrix forces = Matrix::Zero();  // of γ: 0 where sections stay straight
+  Eigen::Matrix<double, 3, kAll> moment_on_rim = Eigen::Matrix<double, 3, kAll>::Zero();
 };
 
 class TreadContact {
@@ -93,6 +96,9 @@ class TreadContact {
                 const StepRule& rule);
   /// Forces of all blocks at q, v; kept for add_stiffness and commit.
   void add_force(const NodeValues& q, const NodeValues& v, NodeValues& force);
+  /// N m, of the last add_force: what of the blocks' moment, about any point, the forces on the
+  /// nodes do not have. Sections are upright to the rim (10), so it is the rim that holds them.
+  const Eigen::Vector3d& moment_on_rim() const { return moment_on_rim_; }
   /// K += scale * stiffness at the last add_force; without the growth of a sliding force with F_n,
   /// which would not be symmetric.
   void add_stiffness(double scale, CyclicBand& K);
@@ -113,7 +119,8 @@ class TreadContact {
 
   /// m, how far the deepest tip would be below the road at q; negative above.
   double deepest(const NodeValues& q, const RimFrame& rim, const road::Road& road, double time);
-  /// The blocks that touch; q: of the last add_force.
+  /// The blocks that touch, those included whose damper takes all of the spring's force; q: of the
+  /// last add_force.
   std::vector<BlockContact> contacts(const NodeValues& q) const;
   /// The same as a plate sees it; x along the unit vector `heading` of the horizontal plane.
   Footprint footprint(const NodeValues& q,
@@ -266,6 +273,7 @@ class TreadContact {
   Eigen::Vector3d a_ = Eigen::Vector3d::UnitY();
   std::vector<Patch> patches_;  // around the ring
   std::vector<double> frames_, memory_, stations_;
+  Eigen::Vector3d moment_on_rim_ = Eigen::Vector3d::Zero();
   std::vector<std::uint8_t> entering_;  // of each eight stations of a patch
   std::vector<StationStiffness> station_stiffness_;
 };

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the wheel gets from the tire is what the road gives, less what goes into the belt's motion:
+// forces, moments about all axes, energy.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "models/ring_tire/belt/belt_curve.h"
+#include "models/ring_tire/description/ring_parameters_testing.h"
+#include "models/ring_tire/ring/motion_slopes_testing.h"
+#include "models/ring_tire/ring/ring_tire.h"
+#include "models/road/plane_road.h"
+#include "models/road/profile_road.h"
+
+namespace latsch::ring_tire {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kSpeed = 15.0;
+
+struct Wrench {
+  Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();  // about the wheel center
+};
+
+/// Of the blocks on the road, one by one.
+Wrench of_road(const RingTire& tire, const Vector3d& center) {
+  Wrench sum;
+  for (const BlockContact& block : tire.contacts()) {
+    sum.force += block.force;
+    sum.moment += (block.unloaded - center).cross(block.force) + block.moment;
+  }
+  return sum;
+}
+
+/// Rates of momentum and angular momentum, from the accelerations, and the belt's weight.
+Wrench of_inertia(const RingParameters& ring, const RingState& state) {
+  NodeValues M_a;
+  at_knots_and_back(state.acceleration, M_a);
+  M_a *= ring.belt.mass / ring.nodes;
+  Wrench sum;
+  for (Eigen::Index k = 0; k < M_a.cols(); ++k) {
+    const Vector3d f =
+        M_a.col(k).head<3>() + Vector3d(0.0, 0.0, ring.belt.mass / ring.nodes * ring.belt.gravity);
+    sum.force += f;
+    sum.moment += (state.place.col(k).head<3>() - state.motion.center).cross(f);
+  }
+  return sum;
+}
+
+struct Case {
+  std::string name;
+  double camber, steer, slip;
+  double bending_across = 0.0;
+};
+
+class RingMomentum : public testing::TestWithParam<Case> {
+ protected:
+  RingParameters ring() const {
+    RingParameters ring = passenger_ring();
+    ring.nodes = 60;
+    ring.tread.blocks = 8;
+    ring.tread.crown_radius = 0.7;
+    ring.tread.damping_time = 1e-4;
+    ring.belt.gravity = 9.81;
+    ring.belt.bending_across = GetParam().bending_across;
+    ring.sidewall.torsion_by_lateral = 3.0;
+    ring.sidewall.radial.dynamic_stiffening = 0.2;
+    ring.sidewall.lateral.friction_stiffening = 0.1;
+    ring.sidewall.lateral.friction_force = 200.0;
+    return ring;
+  }
+  WheelMotion at(double time) const {
+    WheelMotion motion;
+    motion.center = {kSpeed * time, 0.0, 0.294};
+    motion.velocity.x() = kSpeed;
+    motion.carrier = (Eigen::AngleAxisd(GetParam().steer, Vector3d::UnitZ()) *
+                      Eigen::AngleAxisd(GetParam().camber, Vector3d::UnitX()))
+                         .toRotationMatrix();
+    motion.spin_rate = (1.0 + GetParam().slip) * kSpeed / 0.306;
+    motion.spin = motion.spin_rate * time;
+    return motion;
+  }
+};
+
+TEST_P(RingMomentum, StandingHubAndRoadAgreeAboutAllAxes) {
+  const RingParameters numbers = ring();
+  RingTire tire(numbers, {.static_tolerance = 1e-6});
+  const road::ProfileRoad road = road::cleat_road(0.05, 0.015, 0.03, 0.005);
+  const WheelMotion motion = at(0.0);
+  const auto hub = tire.settle(motion, road, 0.0);
+  ASSERT_TRUE(hub) << hub.failure().reason;
+  Wrench ground = of_road(tire, motion.center), weight;
+  for (int k = 0; k < numbers.nodes; ++k) {
+    const Vector3d f(0.0, 0.0, -numbers.belt.mass / numbers.nodes * numbers.belt.gravity);
+    weight.force += f;
+    weight.moment += (tire.positions().col(k).head<3>() - motion.center).cross(f);
+  }
+  ASSERT_GT(ground.force.z(), 2000.0);
+  EXPECT_LT((motion.carrier * hub->force - ground.force - weight.force).norm(), 1e-5);
+  EXPECT_LT((motion.carrier * hub->moment - ground.moment - weight.moment).norm(), 1e-5);
+}
+
+TEST_P(RingMomentum, RollingHubAndRoadAgreeAboutAllAxes) {
+  const RingParameters numbers = ring();
+  RingSettings exact = kUntilRounding;
+  exact.dissipation = 0.0;
+  RingTire tire(numbers, exact);
+  const road::ProfileRoad road = road::cleat_road(0.25, 0.015, 0.03, 0.005);
+  ASSERT_TRUE(tire.settle(at(0.0), road, 0.0));
+  constexpr double kStep = 5e-4;
+  double most = 0.0;
+  for (int i = 1; i <= 50; ++i) {
+    const WheelMotion motion = at(i * kStep);
+    const auto hub = tire.advance(motion, road, i * kStep, kStep);
+    ASSERT_TRUE(hub) << hub.failure().reason;
+    const Wrench ground = of_road(tire, motion.center), belt = of_inertia(numbers, tire.state());
+    ASSERT_GT(ground.force.z(), 1000.0);
+    EXPECT_LT((motion.carrier * hub->force + belt.force - ground.force).norm(),
+              1e-9 * ground.force.norm())
+        << i;
+    EXPECT_LT((motion.carrier * hub->moment + belt.moment - ground.moment).norm(),
+              1e-9 * ground.force.norm())
+        << i;  // arms of a meter
+    most = std::max(most, hub->moment.norm());
+  }
+  EXPECT_GT(most, 10.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Wheels,
+                         RingMomentum,
+                         testing::Values(Case{"upright", 0.0, 0.0, 0.0},
+                                         Case{"cambered", 0.08, 0.0, 0.0},
+                                         Case{"cornering", -0.05, 0.06, 0.02},
+                                         Case{"braked", 0.03, -0.02, -0.1},
+                                         Case{"bent", 0.05, 0.04, 0.02, 8.0}),
+                         [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace latsch::ring_tire
