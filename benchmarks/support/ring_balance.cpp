@@ -55,8 +55,8 @@ struct Drift {
   double work;  // J, of the road on the belt, either way
 };
 
-/// Over the cleat in steps of h. Kinetic energy and that of belt and sidewall, less the work of road
-/// and rim, which goes by the trapezoidal rule like the steps; the springs of the blocks are the
+/// Over the cleat in steps of h. Kinetic energy and that of belt and sidewall, less the work of
+/// road and rim, which goes by the trapezoidal rule like the steps; the blocks' springs are the
 /// road's side.
 std::optional<Drift> drift_of(double h) {
   RingSettings settings = kUntilRounding;

@@ -56,6 +56,7 @@ TEST(RollingStiffness, OfAStiffRingIsThatOfABrush) {
   ring.sidewall.torsion = 1e5;
   ring.belt.bending_out_of_plane = 1e4;
   ring.tread.shear_ratio = 0.01;
+  ring.tread.damping_time = 0.0;  // dampers let go of the road before the patch ends
   ring_tire::RingTire tire(ring);
   const RollingStiffnessTest test{.load = 4000.0, .step = 1e-4};
   const auto slip = slip_stiffness(tire, test);
@@ -66,7 +67,7 @@ TEST(RollingStiffness, OfAStiffRingIsThatOfABrush) {
   const auto patch = tire.footprint();
   ASSERT_TRUE(patch);
   const double a = 0.5 * patch->length;
-  EXPECT_NEAR(steered->trail, a / 3.0, 0.025 * a);
+  EXPECT_NEAR(steered->trail, a / 3.0, 0.015 * a);
 }
 
 }  // namespace

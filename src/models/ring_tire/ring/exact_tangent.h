@@ -14,7 +14,7 @@
 
 namespace latsch::ring_tire {
 
-/// Where what an entry of a patch stands for is among all unknowns, those of the belt's nodes first.
+/// Where what an entry of a patch stands for is among all unknowns, those of the belt first.
 Eigen::Index patch_row(const PatchSlopes& patch,
                        int entry,
                        const SectionBending& section,

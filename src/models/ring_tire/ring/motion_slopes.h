@@ -93,7 +93,8 @@ class MotionSlopes {
   // rotation of the carrier.
   Vectors center_, turn_, velocity_, rate_, carrier_;
   // By column, with the nodes held: forces of belt and sidewall; of the blocks on nodes and
-  // sections, and their moment on the rim; velocities and accelerations by the state at the beginning.
+  // sections, and their moment on the rim; velocities and accelerations by the state at the
+  // beginning.
   Columns held_, tread_, velocities_, accelerations_;
   std::vector<PatchSlopes> blocks_;
   ExactTangent tangent_;
