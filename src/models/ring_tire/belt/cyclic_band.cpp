@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/ring_tire/belt/cyclic_band.h"
 
+#include <algorithm>
 #include <cassert>
 
 #define LATSCH_KERNELS_IN "models/ring_tire/belt/cyclic_band_kernels.h"
@@ -40,53 +41,48 @@ SideBySide CyclicBand::multiply_columns(const SideBySide& x) const {
 }
 
 CyclicBandFactor::CyclicBandFactor(int nodes)
-    : interior_(nodes - 3),
-      diagonal_(static_cast<std::size_t>(interior_)),
-      lower_(static_cast<std::size_t>(interior_) * (kReach + 3)) {}
+    : interior_(nodes - 3), panels_(static_cast<std::size_t>(nodes) * BandPanel::kSize, 0.0) {}
 
 bool CyclicBandFactor::factorize(const CyclicBand& A) {
   assert(A.nodes() == interior_ + 3);
-  for (Eigen::Matrix4d& block : border_) block.setZero();
+  constexpr int kRows = BandPanel::kRows, kBorder = BandPanel::kBorder;
+  constexpr int kBorderRows = BandPanel::kBorderRows;
+  const auto put = [](const auto& block, double* to, int apart) {
+    Eigen::Map<Eigen::Matrix4d, 0, Eigen::OuterStride<>>(to, Eigen::OuterStride<>(apart)) = block;
+  };
+  border_.fill(0.0);
   for (int k = 0; k < interior_; ++k) {
-    diagonal_[static_cast<std::size_t>(k)] = A.block(k, 0);
-    for (int i = 0; i < kReach + 3; ++i)
-      lower_[static_cast<std::size_t>(k * (kReach + 3) + i)].setZero();
+    double* const own = panel(k);
+    put(A.block(k, 0), own, kRows);
+    for (int c = 0; c < 4; ++c) std::fill_n(own + kRows * c + kBorder, kBorderRows, 0.0);
+    for (int j = 1; j <= kReach; ++j) {
+      const int other = k + j;
+      put(A.block(k, j).transpose(),
+          own + (other < interior_ ? 4 * j : kBorder + 4 * (other - interior_)),
+          kRows);
+      if (other >= interior_) put(Eigen::Matrix4d::Zero(), own + 4 * j, kRows);
+    }
   }
-  for (int k = 0; k < A.nodes(); ++k)
-    for (int j = k < interior_ ? 1 : 0; j <= kReach; ++j)
-      place(k, (k + j) % A.nodes(), A.block(k, j));
-  return LATSCH_KERNEL(eliminate_chain)(interior_, diagonal_.data(), lower_.data(), border_.data());
-}
-
-/// A(row, column) into the place of its transpose or its own, whichever lies below the diagonal.
-void CyclicBandFactor::place(int row, int column, const Eigen::Matrix4d& block) {
-  constexpr int kColumn = kReach + 3;
-  if (row >= interior_ && column >= interior_) {
-    const int i = row - interior_, j = column - interior_;
-    if (i >= j)
-      border_[static_cast<std::size_t>(3 * i + j)] = block;
-    else
-      border_[static_cast<std::size_t>(3 * j + i)] = block.transpose();
-  } else if (row >= interior_) {
-    lower_[static_cast<std::size_t>(column * kColumn + kReach + row - interior_)] = block;
-  } else if (column >= interior_) {
-    lower_[static_cast<std::size_t>(row * kColumn + kReach + column - interior_)] =
-        block.transpose();
-  } else {
-    lower_[static_cast<std::size_t>(row * kColumn + column - row - 1)] = block.transpose();
-  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j <= kReach; ++j) {
+      const CyclicBand::Block& block = A.block(interior_ + i, j);
+      if (i + j < 3)
+        put(block.transpose(), border_.data() + kBorderRows * 4 * i + 4 * (i + j), kBorderRows);
+      else
+        put(block, panel(i + j - 3) + kBorder + 4 * i, kRows);
+    }
+  return LATSCH_KERNEL(eliminate_chain)(interior_, panels_.data(), border_.data());
 }
 
 void CyclicBandFactor::solve(Eigen::Matrix4Xd& x) const {
-  LATSCH_KERNEL(solve_chain)(interior_, diagonal_.data(), lower_.data(), border_.data(), x.data());
+  LATSCH_KERNEL(solve_chain)(interior_, panels_.data(), border_.data(), x.data());
 }
 
 void CyclicBandFactor::solve_columns(Eigen::Ref<SideBySide> x) const {
   assert(x.cols() % 8 == 0 && x.rows() >= 4 * (interior_ + 3));
   LATSCH_KERNEL(solve_chain_of_columns)
   (interior_,
-   diagonal_.data(),
-   lower_.data(),
+   panels_.data(),
    border_.data(),
    x.data(),
    static_cast<int>(x.cols()),

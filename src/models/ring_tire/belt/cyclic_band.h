@@ -6,7 +6,8 @@
 // band. Eliminating node k reaches k+1 .. k+3 and the border, so the work is the same for every
 // node and the whole is linear in their number:
 //   L_ik = A_ik D_k^-1,   A_ij <- A_ij - L_ik A_jk^T      i, j: the neighbors of k and the border
-// Four doubles make a column of a block: one register of the processor.
+// All that a node's elimination reads is one panel, column by column: registers hold several of
+// its blocks.
 #pragma once
 
 #include <Eigen/Core>
@@ -44,6 +45,13 @@ class CyclicBand {
   std::vector<Block> blocks_;
 };
 
+/// A node's four columns below and with its diagonal, one after the other: its own rows, those of
+/// its three neighbors, those of the border.
+struct BandPanel {
+  static constexpr int kNext = 4, kLast = 12, kBorder = 16, kRows = 28, kSize = 4 * kRows;
+  static constexpr int kBorderRows = 12;
+};
+
 /// Reuses its memory from one matrix to the next.
 class CyclicBandFactor {
  public:
@@ -59,12 +67,13 @@ class CyclicBandFactor {
  private:
   static constexpr int kReach = CyclicBand::kReach;
 
-  void place(int row, int column, const Eigen::Matrix4d& block);
+  double* panel(int k) { return panels_.data() + k * BandPanel::kSize; }
 
   int interior_;
-  std::vector<Eigen::Matrix4d> diagonal_;  // D_k, then its inverse
-  std::vector<Eigen::Matrix4d> lower_;     // kReach + 3 a node: A_ik, then L_ik
-  std::array<Eigen::Matrix4d, 9> border_;  // row by row; the lower triangle counts
+  // A, then L with the inverse of D in the diagonal's place; three more of zeros, which the last
+  // eliminations reach.
+  std::vector<double> panels_;
+  std::array<double, BandPanel::kBorderRows * BandPanel::kBorderRows> border_;  // the same
 };
 
 }  // namespace latsch::ring_tire

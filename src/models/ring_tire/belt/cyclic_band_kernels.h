@@ -1,158 +1,227 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elimination of the cyclic band (cyclic_band.h), blocks of 4 x 4, columns one after the other.
+// Elimination of the cyclic band and its solution (cyclic_band.h), panel by panel.
+#include "models/ring_tire/belt/cyclic_band.h"
 #include "numerics/kernels/kernel_lanes.h"
 
 namespace latsch::ring_tire::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
 
-/// C <- C - L A^T, columns of 4.
-LATSCH_INLINE void subtract_product(double* C, const double* L, const double* A) {
-  const Lanes4 l0 = lanes4(L), l1 = lanes4(L + 4), l2 = lanes4(L + 8), l3 = lanes4(L + 12);
-  for (int c = 0; c < 4; ++c)
-    store(lanes4(C + 4 * c) - l0 * A[c] - l1 * A[4 + c] - l2 * A[8 + c] - l3 * A[12 + c],
-          C + 4 * c);
+constexpr int kRows = BandPanel::kRows, kNext = BandPanel::kNext, kLast = BandPanel::kLast,
+              kBorder = BandPanel::kBorder, kBorderRows = BandPanel::kBorderRows;
+
+/// The inverse of a symmetric block, of which the lower triangle counts, by halves of two rows;
+/// false where it is not positive definite. Exactly symmetric: eliminations would let what rounding
+/// leaves between the triangles grow along the chain, 1e-16 at its beginning to all digits after a
+/// hundred nodes of a stiff belt.
+LATSCH_INLINE bool invert(const double* S, int stride, double* inverse) {
+  const auto at = [&](int r, int c) { return S[c * stride + r]; };
+  const double a = at(0, 0), b = at(1, 0), c = at(1, 1), det = a * c - b * b;
+  if (!(a > 0.0 && det > 0.0)) return false;
+  const double over = 1.0 / det, p00 = c * over, p10 = -b * over, p11 = a * over;
+  const double w20 = at(2, 0) * p00 + at(2, 1) * p10, w21 = at(2, 0) * p10 + at(2, 1) * p11,
+               w30 = at(3, 0) * p00 + at(3, 1) * p10, w31 = at(3, 0) * p10 + at(3, 1) * p11;
+  const double t22 = at(2, 2) - (w20 * at(2, 0) + w21 * at(2, 1)),
+               t32 = at(3, 2) - (w30 * at(2, 0) + w31 * at(2, 1)),
+               t33 = at(3, 3) - (w30 * at(3, 0) + w31 * at(3, 1)), rest = t22 * t33 - t32 * t32;
+  if (!(t22 > 0.0 && rest > 0.0)) return false;
+  const double of_rest = 1.0 / rest, q22 = t33 * of_rest, q32 = -t32 * of_rest, q33 = t22 * of_rest;
+  const double u20 = q22 * w20 + q32 * w30, u21 = q22 * w21 + q32 * w31,
+               u30 = q32 * w20 + q33 * w30, u31 = q32 * w21 + q33 * w31;
+  inverse[0] = p00 + (w20 * u20 + w30 * u30);
+  inverse[1] = inverse[4] = p10 + (w20 * u21 + w30 * u31);
+  inverse[5] = p11 + (w21 * u21 + w31 * u31);
+  inverse[2] = inverse[8] = -u20;
+  inverse[3] = inverse[12] = -u30;
+  inverse[6] = inverse[9] = -u21;
+  inverse[7] = inverse[13] = -u31;
+  inverse[10] = q22;
+  inverse[11] = inverse[14] = q32;
+  inverse[15] = q33;
+  return true;
 }
 
-/// A <- A S, S symmetric; `old` keeps A. By whole columns: copied by halves, A would be read back
-/// before its halves have met, at ten times the wait.
-LATSCH_INLINE void multiply(double* A, double* old, const double* S) {
-  const Lanes4 a0 = lanes4(A), a1 = lanes4(A + 4), a2 = lanes4(A + 8), a3 = lanes4(A + 12);
-  store(a0, old);
-  store(a1, old + 4);
-  store(a2, old + 8);
-  store(a3, old + 12);
-  for (int c = 0; c < 4; ++c) {
-    const double* s = S + 4 * c;
-    store(a0 * s[0] + a1 * s[1] + (a2 * s[2] + a3 * s[3]), A + 4 * c);
-  }
+/// y - L x, L: columns `stride` apart.
+LATSCH_INLINE Lanes4 less_times(const Lanes4& y, const double* L, int stride, const double* x) {
+  return (y - lanes4(L) * x[0] - lanes4(L + stride) * x[1]) -
+         (lanes4(L + 2 * stride) * x[2] + lanes4(L + 3 * stride) * x[3]);
+}
+LATSCH_INLINE Lanes less_times(const Lanes& y, const double* L, int stride, const double* x) {
+  return (y - lanes(L) * x[0] - lanes(L + stride) * x[1]) -
+         (lanes(L + 2 * stride) * x[2] + lanes(L + 3 * stride) * x[3]);
 }
 
-/// y - L x
-LATSCH_INLINE Lanes4 less_times(const Lanes4& y, const double* L, const double* x) {
-  return (y - lanes4(L) * x[0] - lanes4(L + 4) * x[1]) -
-         (lanes4(L + 8) * x[2] + lanes4(L + 12) * x[3]);
+/// to - A b, A: four columns in registers; b: four numbers `apart`.
+LATSCH_INLINE void subtract(double* to, const Lanes* A, const double* b, int apart) {
+  store(lanes(to) - A[0] * b[0] - A[1] * b[apart] - A[2] * b[2 * apart] - A[3] * b[3 * apart], to);
+}
+LATSCH_INLINE void subtract(double* to, const Lanes4* A, const double* b, int apart) {
+  store(lanes4(to) - A[0] * b[0] - A[1] * b[apart] - A[2] * b[2 * apart] - A[3] * b[3 * apart], to);
 }
 
-/// y <- y - L x.
-LATSCH_INLINE void subtract_times(double* y, const double* L, const double* x) {
-  store(less_times(lanes4(y), L, x), y);
+/// Rows of a panel under its diagonal: two neighbors, the third, two nodes of the border, the third.
+struct PanelRows {
+  Lanes near, border;
+  Lanes4 third, last;
+};
+
+LATSCH_INLINE PanelRows rows_of(const double* column) {
+  return {.near = lanes(column + kNext),
+          .border = lanes(column + kBorder),
+          .third = lanes4(column + kLast),
+          .last = lanes4(column + kBorder + 8)};
 }
 
-/// y <- y - L^T x.
-LATSCH_INLINE void subtract_transposed(double* y, const double* L, const double* x) {
-  const Lanes4 v = lanes4(x);
-  for (int c = 0; c < 4; ++c) y[c] -= sum(lanes4(L + 4 * c) * v);
-}
-
-/// S <- S^-1 by sweeps without pivoting; false where S is not positive definite. What rounding has
-/// left between the two triangles is dropped: eliminations would let it grow along the chain, 1e-16
-/// at its beginning to all digits after a hundred nodes of a stiff belt.
-LATSCH_INLINE bool invert(double* S) {
-  for (int c = 0; c < 4; ++c)
-    for (int r = c + 1; r < 4; ++r) S[4 * r + c] = S[4 * c + r];
-  for (int p = 0; p < 4; ++p) {
-    const double pivot = S[5 * p];
-    if (!(pivot > 0.0)) return false;
-    const double inverse = 1.0 / pivot;
-    const Lanes4 column = lanes4(S + 4 * p) * inverse;
+/// Eliminates the node of a panel from those of its three neighbors, which follow, and from the
+/// border. Its rows of A become those of L, its diagonal its inverse.
+LATSCH_INLINE bool eliminate(double* panel, double* border) {
+  double inverse[16];
+  if (!invert(panel, kRows, inverse)) return false;
+  // By registers of L, as they meet the panels they are taken from.
+  Lanes near[4], shifted[4], third[4], of_border[4];
+  Lanes4 first[4], second[4], lone[4], border_high[4], border_last[4];
+  {
+    PanelRows A[4];
+    for (int a = 0; a < 4; ++a) A[a] = rows_of(panel + kRows * a);
     for (int c = 0; c < 4; ++c) {
-      if (c == p) continue;
-      const double factor = S[4 * c + p];
-      store(lanes4(S + 4 * c) - column * factor, S + 4 * c);
-      S[4 * c + p] = factor * inverse;
+      const double* s = inverse + 4 * c;
+      near[c] = A[0].near * s[0] + A[1].near * s[1] + (A[2].near * s[2] + A[3].near * s[3]);
+      of_border[c] =
+          A[0].border * s[0] + A[1].border * s[1] + (A[2].border * s[2] + A[3].border * s[3]);
+      lone[c] = A[0].third * s[0] + A[1].third * s[1] + (A[2].third * s[2] + A[3].third * s[3]);
+      border_last[c] = A[0].last * s[0] + A[1].last * s[1] + (A[2].last * s[2] + A[3].last * s[3]);
+      first[c] = low_half(near[c]);
+      second[c] = high_half(near[c]);
+      shifted[c] = joined(second[c], lone[c]);
+      third[c] = joined(lone[c], Lanes4(0.0));
+      border_high[c] = high_half(of_border[c]);
     }
-    store(-column, S + 4 * p);
-    S[5 * p] = inverse;
   }
-  return true;
-}
-
-/// Eliminates node k of an open chain of `interior` nodes. `column` k: blocks to k+1 .. k+3, then
-/// to the three nodes of the border; `border`: 12 x 12.
-LATSCH_INLINE bool eliminate(int k,
-                             int interior,
-                             Eigen::Matrix4d* diagonal,
-                             Eigen::Matrix4d* lower,
-                             Eigen::Matrix4d* border) {
-  constexpr int kReach = CyclicBand::kReach, kColumn = kReach + 3;
-  double* inverse = diagonal[k].data();
-  if (!invert(inverse)) return false;
-  Eigen::Matrix4d* column = lower + k * kColumn;
-  const int reach = interior - 1 - k < kReach ? interior - 1 - k : kReach;
-  Eigen::Matrix4d old[kColumn];
-  for (int i = 0; i < kColumn; ++i) {
-    if (i >= reach && i < kReach) continue;
-    multiply(column[i].data(), old[i].data(), inverse);
-  }
-  for (int i = 0; i < reach; ++i) {
-    subtract_product(diagonal[k + 1 + i].data(), column[i].data(), old[i].data());
-    Eigen::Matrix4d* next = lower + (k + 1 + i) * kColumn;
-    for (int j = i + 1; j < reach; ++j)
-      subtract_product(next[j - i - 1].data(), column[j].data(), old[i].data());
-    for (int j = kReach; j < kColumn; ++j)
-      subtract_product(next[j].data(), column[j].data(), old[i].data());
-  }
+#pragma GCC unroll 3
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j <= i; ++j)
-      subtract_product(border[3 * i + j].data(), column[kReach + i].data(), old[kReach + j].data());
-  return true;
-}
-
-bool eliminate_chain(int interior,
-                     Eigen::Matrix4d* diagonal,
-                     Eigen::Matrix4d* lower,
-                     Eigen::Matrix4d* border) {
-  for (int k = 0; k < interior; ++k)
-    if (!eliminate(k, interior, diagonal, lower, border)) return false;
-  // The border itself, a full matrix of three by three blocks.
-  for (int k = 0; k < 3; ++k) {
-    if (!invert(border[4 * k].data())) return false;
-    Eigen::Matrix4d old[3];
-    for (int i = k + 1; i < 3; ++i) {
-      multiply(border[3 * i + k].data(), old[i].data(), border[4 * k].data());
+#pragma GCC unroll 4
+    for (int c = 0; c < 4; ++c) {
+      double* const to = panel + (i + 1) * BandPanel::kSize + kRows * c;
+      const double* const b = panel + kNext + 4 * i + c;
+      subtract(to, i == 0 ? first : i == 1 ? second : lone, b, kRows);
+      if (i < 2) subtract(to + kNext, i == 0 ? shifted : third, b, kRows);
+      subtract(to + kBorder, of_border, b, kRows);
+      subtract(to + kBorder + 8, border_last, b, kRows);
     }
-    for (int i = k + 1; i < 3; ++i)
-      for (int j = k + 1; j <= i; ++j)
-        subtract_product(border[3 * i + j].data(), border[3 * i + k].data(), old[j].data());
+#pragma GCC unroll 3
+  for (int j = 0; j < 3; ++j)
+#pragma GCC unroll 4
+    for (int c = 0; c < 4; ++c) {
+      double* const to = border + kBorderRows * (4 * j + c);
+      const double* const b = panel + kBorder + 4 * j + c;
+      if (j == 0) subtract(to, of_border, b, kRows);
+      if (j == 1) subtract(to + 4, border_high, b, kRows);
+      subtract(to + 8, border_last, b, kRows);
+    }
+  for (int c = 0; c < 4; ++c) {
+    double* const to = panel + kRows * c;
+    store(lanes4(inverse + 4 * c), to);
+    store(near[c], to + kNext);
+    store(lone[c], to + kLast);
+    store(of_border[c], to + kBorder);
+    store(border_last[c], to + kBorder + 8);
   }
   return true;
 }
 
-void solve_chain(int interior,
-                 const Eigen::Matrix4d* inverse,
-                 const Eigen::Matrix4d* lower,
-                 const Eigen::Matrix4d* border,
-                 double* x) {
-  constexpr int kReach = CyclicBand::kReach, kColumn = kReach + 3;
-  for (int k = 0; k < interior; ++k) {
-    const Eigen::Matrix4d* column = lower + k * kColumn;
-    const int reach = interior - 1 - k < kReach ? interior - 1 - k : kReach;
-    for (int i = 0; i < reach; ++i)
-      subtract_times(x + 4 * (k + 1 + i), column[i].data(), x + 4 * k);
-    for (int i = 0; i < 3; ++i)
-      subtract_times(x + 4 * (interior + i), column[kReach + i].data(), x + 4 * k);
+/// `panels`: a node each, three more of zeros; `border`: 12 x 12, of which the lower triangle of
+/// blocks counts.
+bool eliminate_chain(int interior, double* panels, double* border) {
+  for (int k = 0; k < interior; ++k)
+    if (!eliminate(panels + k * BandPanel::kSize, border)) return false;
+  for (int k = 0; k < 3; ++k) {
+    double* const own = border + (kBorderRows + 1) * 4 * k;
+    double inverse[16];
+    if (!invert(own, kBorderRows, inverse)) return false;
+    Lanes4 A[8];  // by block below and column
+    double old[32];
+    for (int i = k + 1; i < 3; ++i)
+      for (int c = 0; c < 4; ++c) {
+        const int at = 4 * (i - k - 1) + c;
+        A[at] = lanes4(own + kBorderRows * c + 4 * (i - k));
+        store(A[at], old + 4 * at);
+      }
+    for (int i = k + 1; i < 3; ++i) {
+      const Lanes4* of = A + 4 * (i - k - 1);
+      Lanes4 L[4];
+      for (int c = 0; c < 4; ++c) {
+        const double* s = inverse + 4 * c;
+        L[c] = of[0] * s[0] + of[1] * s[1] + (of[2] * s[2] + of[3] * s[3]);
+        store(L[c], own + kBorderRows * c + 4 * (i - k));
+      }
+      for (int j = k + 1; j <= i; ++j)
+        for (int c = 0; c < 4; ++c) {
+          subtract(border + kBorderRows * (4 * j + c) + 4 * i, L, old + 16 * (j - k - 1) + c, 4);
+        }
+    }
+    for (int c = 0; c < 4; ++c) store(lanes4(inverse + 4 * c), own + kBorderRows * c);
   }
+  return true;
+}
+
+/// D^-1 x
+LATSCH_INLINE Lanes4 diagonal_times(const double* inverse, int stride, const double* x) {
+  return lanes4(inverse) * x[0] + lanes4(inverse + stride) * x[1] +
+         (lanes4(inverse + 2 * stride) * x[2] + lanes4(inverse + 3 * stride) * x[3]);
+}
+
+/// The neighbors of the node at work stay in registers: what was just stored by fours is not to be
+/// read by eights.
+void solve_chain(int interior, const double* panels, const double* border, double* x) {
+  double* const at_border = x + 4 * interior;
+  Lanes of_border = lanes(at_border);
+  Lanes4 last = lanes4(at_border + 8), next[3];
+  for (int i = 0; i < 3; ++i) next[i] = lanes4(x + 4 * (i + 1));
+  for (int k = 0; k < interior; ++k) {
+    const double *L = panels + k * BandPanel::kSize, *own = x + 4 * k;
+    of_border = less_times(of_border, L + kBorder, kRows, own);
+    last = less_times(last, L + kBorder + 8, kRows, own);
+    for (int i = 0; i < 3; ++i) next[i] = less_times(next[i], L + kNext + 4 * i, kRows, own);
+    if (k + 1 == interior) break;
+    store(next[0], x + 4 * (k + 1));
+    next[0] = next[1];
+    next[1] = next[2];
+    if (k + 4 < interior) next[2] = lanes4(x + 4 * (k + 4));
+  }
+  store(of_border, at_border);
+  store(last, at_border + 8);
   for (int k = 0; k < 3; ++k)
     for (int i = k + 1; i < 3; ++i)
-      subtract_times(x + 4 * (interior + i), border[3 * i + k].data(), x + 4 * (interior + k));
-  for (int k = 0; k < interior + 3; ++k) {
-    const double* D = k < interior ? inverse[k].data() : border[4 * (k - interior)].data();
-    double y[4];
-    store(lanes4(x + 4 * k), y);
-    store(lanes4(D) * y[0] + lanes4(D + 4) * y[1] + (lanes4(D + 8) * y[2] + lanes4(D + 12) * y[3]),
-          x + 4 * k);
-  }
-  for (int k = 2; k >= 0; --k)
+      store(less_times(lanes4(at_border + 4 * i),
+                       border + kBorderRows * 4 * k + 4 * i,
+                       kBorderRows,
+                       at_border + 4 * k),
+            at_border + 4 * i);
+  for (int k = 2; k >= 0; --k) {
+    double* const own = at_border + 4 * k;
+    store(diagonal_times(border + (kBorderRows + 1) * 4 * k, kBorderRows, own), own);
     for (int i = k + 1; i < 3; ++i)
-      subtract_transposed(x + 4 * (interior + k), border[3 * i + k].data(), x + 4 * (interior + i));
+      for (int c = 0; c < 4; ++c)
+        own[c] -=
+            sum(lanes4(border + kBorderRows * (4 * k + c) + 4 * i) * lanes4(at_border + 4 * i));
+  }
+  of_border = joined(lanes4(at_border), lanes4(at_border + 4));
+  last = lanes4(at_border + 8);
+  for (Lanes4& node : next) node = Lanes4(0.0);
   for (int k = interior - 1; k >= 0; --k) {
-    const Eigen::Matrix4d* column = lower + k * kColumn;
-    const int reach = interior - 1 - k < kReach ? interior - 1 - k : kReach;
-    for (int i = 0; i < reach; ++i)
-      subtract_transposed(x + 4 * k, column[i].data(), x + 4 * (k + 1 + i));
-    for (int i = 0; i < 3; ++i)
-      subtract_transposed(x + 4 * k, column[kReach + i].data(), x + 4 * (interior + i));
+    const double* const L = panels + k * BandPanel::kSize;
+    const Lanes near = joined(next[0], next[1]);
+    double less[4];
+    for (int c = 0; c < 4; ++c) {
+      const PanelRows column = rows_of(L + kRows * c);
+      const Lanes eight = column.near * near + column.border * of_border;
+      const Lanes4 rest = column.third * next[2] + column.last * last;
+      less[c] = sum(low_half(eight) + high_half(eight) + rest);
+    }
+    next[2] = next[1];
+    next[1] = next[0];
+    next[0] = diagonal_times(L, kRows, x + 4 * k) - four(less[0], less[1], less[2], less[3]);
+    store(next[0], x + 4 * k);
   }
 }
 
@@ -166,9 +235,11 @@ struct Rows4 {
   LATSCH_INLINE void save(double* x, int stride) const {
     for (int i = 0; i < 4; ++i) store(v[i], x + i * stride);
   }
-  LATSCH_INLINE void add_times(const double* A, const Rows4& x) {
+  /// Columns of A and L are `apart`.
+  LATSCH_INLINE void add_times(const double* A, int apart, const Rows4& x) {
     for (int i = 0; i < 4; ++i)
-      v[i] = (v[i] + x.v[0] * A[i] + x.v[1] * A[4 + i]) + (x.v[2] * A[8 + i] + x.v[3] * A[12 + i]);
+      v[i] = (v[i] + x.v[0] * A[i] + x.v[1] * A[apart + i]) +
+             (x.v[2] * A[2 * apart + i] + x.v[3] * A[3 * apart + i]);
   }
   LATSCH_INLINE void add_transposed(const double* A, const Rows4& x) {
     for (int i = 0; i < 4; ++i)
@@ -176,15 +247,16 @@ struct Rows4 {
              (x.v[2] * A[4 * i + 2] + x.v[3] * A[4 * i + 3]);
   }
   /// - L x
-  LATSCH_INLINE void less_times(const double* L, const Rows4& x) {
+  LATSCH_INLINE void less_times(const double* L, int apart, const Rows4& x) {
     for (int i = 0; i < 4; ++i)
-      v[i] = (v[i] - x.v[0] * L[i] - x.v[1] * L[4 + i]) - (x.v[2] * L[8 + i] + x.v[3] * L[12 + i]);
+      v[i] = (v[i] - x.v[0] * L[i] - x.v[1] * L[apart + i]) -
+             (x.v[2] * L[2 * apart + i] + x.v[3] * L[3 * apart + i]);
   }
   /// - L^T x
-  LATSCH_INLINE void less_transposed(const double* L, const Rows4& x) {
+  LATSCH_INLINE void less_transposed(const double* L, int apart, const Rows4& x) {
     for (int i = 0; i < 4; ++i)
-      v[i] = (v[i] - x.v[0] * L[4 * i] - x.v[1] * L[4 * i + 1]) -
-             (x.v[2] * L[4 * i + 2] + x.v[3] * L[4 * i + 3]);
+      v[i] = (v[i] - x.v[0] * L[apart * i] - x.v[1] * L[apart * i + 1]) -
+             (x.v[2] * L[apart * i + 2] + x.v[3] * L[apart * i + 3]);
   }
 };
 
@@ -201,7 +273,7 @@ void add_product(
       for (int j = 0; j <= kReach; ++j) {
         const int other = 4 * ((k + j) % nodes) * columns + first;
         const double* const A = blocks[k * (kReach + 1) + j].data();
-        sum.add_times(A, Rows4(x + other, columns));
+        sum.add_times(A, 4, Rows4(x + other, columns));
         if (j == 0) continue;
         Rows4 there(y + other, columns);
         there.add_transposed(A, own);
@@ -213,46 +285,47 @@ void add_product(
 
 /// solve_chain for `columns` right-hand sides side by side, eight at a time; rows `stride` apart.
 void solve_chain_of_columns(int interior,
-                            const Eigen::Matrix4d* inverse,
-                            const Eigen::Matrix4d* lower,
-                            const Eigen::Matrix4d* border,
+                            const double* panels,
+                            const double* border,
                             double* all_columns,
                             int columns,
                             int stride) {
-  constexpr int kReach = CyclicBand::kReach, kColumn = kReach + 3;
   for (double* x = all_columns; x != all_columns + columns; x += 8) {
     const auto at = [&](int node) { return x + 4 * node * stride; };
-    // `node` less what `other` does to it by L, or by its transpose.
-    const auto less = [&](int node, const Eigen::Matrix4d& L, const Rows4& other) {
+    // `node` less what `other` does to it by L.
+    const auto less = [&](int node, const double* L, int apart, const Rows4& other) {
       Rows4 y(at(node), stride);
-      y.less_times(L.data(), other);
+      y.less_times(L, apart, other);
       y.save(at(node), stride);
     };
+    const auto reach = [&](int k) { return interior - 1 - k < 3 ? interior - 1 - k : 3; };
     for (int k = 0; k < interior; ++k) {
-      const Eigen::Matrix4d* column = lower + k * kColumn;
-      const int reach = interior - 1 - k < kReach ? interior - 1 - k : kReach;
+      const double* const L = panels + k * BandPanel::kSize;
       const Rows4 own(at(k), stride);
-      for (int i = 0; i < reach; ++i) less(k + 1 + i, column[i], own);
-      for (int i = 0; i < 3; ++i) less(interior + i, column[kReach + i], own);
+      for (int i = 0; i < reach(k); ++i) less(k + 1 + i, L + kNext + 4 * i, kRows, own);
+      for (int i = 0; i < 3; ++i) less(interior + i, L + kBorder + 4 * i, kRows, own);
     }
+    const auto border_block = [&](int row, int column) {
+      return border + kBorderRows * 4 * column + 4 * row;
+    };
     for (int k = 0; k < 3; ++k)
       for (int i = k + 1; i < 3; ++i)
-        less(interior + i, border[3 * i + k], Rows4(at(interior + k), stride));
-    for (int k = interior + 2; k >= 0; --k) {
-      const Rows4 own(at(k), stride);
+        less(interior + i, border_block(i, k), kBorderRows, Rows4(at(interior + k), stride));
+    for (int k = 2; k >= 0; --k) {
       Rows4 y;
-      y.add_times((k < interior ? inverse[k] : border[4 * (k - interior)]).data(), own);
-      if (k >= interior) {
-        for (int i = k - interior + 1; i < 3; ++i)
-          y.less_transposed(border[3 * i + k - interior].data(), Rows4(at(interior + i), stride));
-      } else {
-        const Eigen::Matrix4d* column = lower + k * kColumn;
-        const int reach = interior - 1 - k < kReach ? interior - 1 - k : kReach;
-        for (int i = 0; i < reach; ++i)
-          y.less_transposed(column[i].data(), Rows4(at(k + 1 + i), stride));
-        for (int i = 0; i < 3; ++i)
-          y.less_transposed(column[kReach + i].data(), Rows4(at(interior + i), stride));
-      }
+      y.add_times(border_block(k, k), kBorderRows, Rows4(at(interior + k), stride));
+      for (int i = k + 1; i < 3; ++i)
+        y.less_transposed(border_block(i, k), kBorderRows, Rows4(at(interior + i), stride));
+      y.save(at(interior + k), stride);
+    }
+    for (int k = interior - 1; k >= 0; --k) {
+      const double* const L = panels + k * BandPanel::kSize;
+      Rows4 y;
+      y.add_times(L, kRows, Rows4(at(k), stride));
+      for (int i = 0; i < reach(k); ++i)
+        y.less_transposed(L + kNext + 4 * i, kRows, Rows4(at(k + 1 + i), stride));
+      for (int i = 0; i < 3; ++i)
+        y.less_transposed(L + kBorder + 4 * i, kRows, Rows4(at(interior + i), stride));
       y.save(at(k), stride);
     }
   }
