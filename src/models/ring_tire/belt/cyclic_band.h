@@ -52,6 +52,8 @@ struct BandPanel {
   static constexpr int kBorderRows = 12;
 };
 
+class StiffnessRows;
+
 /// Reuses its memory from one matrix to the next.
 class CyclicBandFactor {
  public:
@@ -59,6 +61,14 @@ class CyclicBandFactor {
 
   /// False where A is not positive definite: then there is no factor.
   bool factorize(const CyclicBand& A);
+  /// The same of a matrix in axes that are turned, their unit vectors being columns: what rows
+  /// say, and more in blocks (k, k + j). Solutions and what they are of stay in inertial axes.
+  void start(const StiffnessRows& A, const Eigen::Matrix3d& axes);
+  void add(int k, int j, const CyclicBand::Block& block);
+  bool factorize();
+  /// From here on as if it had been made in these axes: the matrix turns with them.
+  void turn_to(const Eigen::Matrix3d& axes);
+
   /// x <- A^-1 x.
   void solve(Eigen::Matrix4Xd& x) const;
   /// The same of a multiple of eight columns; rows beyond the nodes' stay.
@@ -68,8 +78,12 @@ class CyclicBandFactor {
   static constexpr int kReach = CyclicBand::kReach;
 
   double* panel(int k) { return panels_.data() + k * BandPanel::kSize; }
+  void clear_border();
+  void close_ring();
 
   int interior_;
+  bool turned_ = false;
+  Eigen::Matrix4d axes_ = Eigen::Matrix4d::Identity();
   // A, then L with the inverse of D in the diagonal's place; three more of zeros, which the last
   // eliminations reach.
   std::vector<double> panels_;

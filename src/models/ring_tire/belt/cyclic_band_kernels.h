@@ -164,6 +164,15 @@ bool eliminate_chain(int interior, double* panels, double* border) {
   return true;
 }
 
+/// x <- A x at every node, A: columns of four.
+void turn_nodes(int nodes, const double* A, double* x) {
+  const Lanes4 a0 = lanes4(A), a1 = lanes4(A + 4), a2 = lanes4(A + 8), a3 = lanes4(A + 12);
+  for (int k = 0; k < nodes; ++k) {
+    double* const own = x + 4 * k;
+    store(a0 * own[0] + a1 * own[1] + (a2 * own[2] + a3 * own[3]), own);
+  }
+}
+
 /// D^-1 x
 LATSCH_INLINE Lanes4 diagonal_times(const double* inverse, int stride, const double* x) {
   return lanes4(inverse) * x[0] + lanes4(inverse + stride) * x[1] +
@@ -280,6 +289,17 @@ void add_product(
         there.save(y + other, columns);
       }
       sum.save(to, columns);
+    }
+}
+
+/// turn_nodes for `columns` side by side, eight at a time; rows `stride` apart.
+void turn_columns(int nodes, const double* A, double* x, int columns, int stride) {
+  for (int k = 0; k < nodes; ++k)
+    for (int first = 0; first < columns; first += 8) {
+      double* const own = x + 4 * k * stride + first;
+      Rows4 turned;
+      turned.add_times(A, 4, Rows4(own, stride));
+      turned.save(own, stride);
     }
 }
 

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include "base/random.h"
+#include "models/ring_tire/belt/stiffness_rows.h"
 #include "models/ring_tire/description/ring_parameters_testing.h"
 #include "models/ring_tire/ring/ring_tire.h"
 
@@ -81,6 +83,45 @@ TEST(CyclicBand, SolvesAStiffBeltOfAnyLength) {
     factor.solve(x);
     const double size = dense(A).norm() * x.norm();
     EXPECT_LT((A.multiply(x) - b).norm(), 1e-14 * nodes * size) << nodes;
+  }
+}
+
+// A matrix given in turned axes, some by rows and some by blocks, and turned on from there.
+TEST(CyclicBand, SolvesInTurnedAxes) {
+  for (int nodes : {8, 9, 40}) {
+    const CyclicBand A = random_band(nodes);
+    StiffnessRows rows(nodes);
+    rows.start();
+    for (int j = 0; j <= CyclicBand::kReach; ++j)
+      for (int entry = 0; entry < StiffnessRows::kEntries; ++entry)
+        for (int k = 0; k < nodes; ++k)
+          rows.row(j, entry)[k] = 0.25 * A.block(k, j)(entry / 4, entry % 4);
+    const Eigen::Matrix3d first = Eigen::AngleAxisd(1.0, Eigen::Vector3d(0.6, 0.0, 0.8)).matrix(),
+                          then = Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitX()) * first;
+    CyclicBandFactor factor(nodes);
+    factor.start(rows, first);
+    for (int k = 0; k < nodes; ++k)
+      for (int j = 0; j <= CyclicBand::kReach; ++j) factor.add(k, j, 0.75 * A.block(k, j));
+    ASSERT_TRUE(factor.factorize());
+    for (const Eigen::Matrix3d& axes : {first, then}) {
+      factor.turn_to(axes);
+      CyclicBand turned(nodes);
+      Eigen::Matrix4d turn = Eigen::Matrix4d::Identity();
+      turn.topLeftCorner<3, 3>() = axes;
+      for (int k = 0; k < nodes; ++k)
+        for (int j = 0; j <= CyclicBand::kReach; ++j)
+          turned.block(k, j) = turn * A.block(k, j) * turn.transpose();
+      Eigen::Matrix4Xd b = Eigen::Matrix4Xd::Ones(4, nodes);
+      b.row(1).setLinSpaced(-1.0, 2.0);
+      Eigen::Matrix4Xd x = b;
+      factor.solve(x);
+      EXPECT_LT((turned.multiply(x) - b).norm(), 1e-13 * b.norm());
+      SideBySide many(4 * nodes, 8);
+      for (int j = 0; j < 8; ++j) many.col(j) = (j + 1.0) * b.reshaped();
+      const SideBySide before = many;
+      factor.solve_columns(many);
+      EXPECT_LT((turned.multiply_columns(many) - before).norm(), 1e-13 * before.norm());
+    }
   }
 }
 

@@ -22,6 +22,15 @@ void StiffnessRows::add_at_knots(const Eigen::Matrix4d& k) {
   same_[2] += 1.0 / 36.0 * k;
 }
 
+void StiffnessRows::fill_panels(double* panels) const {
+  for (int j = 0; j <= CyclicBand::kReach; ++j) {
+    const double* rows[kEntries];
+    for (int entry = 0; entry < kEntries; ++entry) rows[entry] = at(j * kEntries + entry);
+    LATSCH_KERNEL(fill_panels)
+    (nodes_, rows, same_[static_cast<std::size_t>(j)].data(), panels + 4 * j);
+  }
+}
+
 void StiffnessRows::turn_back(const RimFrame& rim, CyclicBand& K) const {
   const Eigen::Matrix3d axes = rim.axes();
   Eigen::Matrix4d turn = Eigen::Matrix4d::Identity();

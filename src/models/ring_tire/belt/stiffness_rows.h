@@ -30,6 +30,8 @@ class StiffnessRows {
   Eigen::Matrix4d& same(int j) { return same_[static_cast<std::size_t>(j)]; }
   /// What is k at every knot: B' k B of belt_curve.h.
   void add_at_knots(const Eigen::Matrix4d& k);
+  /// The same blocks, transposed, below the diagonals of panels.
+  void fill_panels(double* panels) const;
   /// K = these, turned into inertial axes.
   void turn_back(const RimFrame& rim, CyclicBand& K) const;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // From rows in the rim's axes to blocks in inertial ones (stiffness_rows.h).
+#include "models/ring_tire/belt/cyclic_band.h"
 #include "numerics/kernels/kernel_loops.h"
 
 namespace latsch::ring_tire::LATSCH_KERNELS {
@@ -33,6 +34,19 @@ void turn_blocks(int nodes,
     for (int r = 0; r < 3; ++r)
       put(axes[r] * B(0, 3) + axes[3 + r] * B(1, 3) + axes[6 + r] * B(2, 3), 12 + r);
     put(B(3, 3), 15);
+  });
+}
+
+/// Rows of panels, of eight nodes at a time: (same + B)^T. `same`: columns of four.
+void fill_panels(int nodes, const double* const rows[16], const double* same, double* panels) {
+  by_eight(0, nodes, [&](int k) {
+    double* const to = panels + k * BandPanel::kSize;
+    for (int r = 0; r < 4; ++r)
+      for (int c = 0; c < 4; ++c) {
+        double values[8];
+        store(lanes(rows[4 * r + c] + k) + all(same[4 * c + r]), values);
+        for (int i = 0; i < 8; ++i) to[i * BandPanel::kSize + BandPanel::kRows * r + c] = values[i];
+      }
   });
 }
 

@@ -35,7 +35,6 @@ RingTire::RingTire(const RingParameters& parameters, const RingSettings& setting
                parameters.nodes),
       mass_(mass_of_node(parameters)),
       rim_(RimFrame::of(WheelMotion())),
-      K_(parameters.nodes),
       factor_(parameters.nodes) {
   for (NodeValues* values : {&q_,
                              &v_,
@@ -95,13 +94,6 @@ void RingTire::solve() {
     factor_.solve(residual_);
 }
 
-void RingTire::solve_turned() {
-  const Eigen::Matrix3d turn = reuse_.turn(rim_);
-  residual_.topRows<3>() = (turn.transpose() * residual_.topRows<3>()).eval();
-  factor_.solve(residual_);
-  residual_.topRows<3>() = (turn * residual_.topRows<3>()).eval();
-}
-
 bool RingTire::factorize(const NodeValues& q,
                          double mass_factor,
                          double scale,
@@ -109,9 +101,9 @@ bool RingTire::factorize(const NodeValues& q,
   ++counts_.factorizations;
   StiffnessRows& K = inner_forces_.find_stiffness(q, rim_, rule, scale);
   K.add_at_knots((mass_factor * mass_).asDiagonal());
-  K.turn_back(rim_, K_);
-  tread_.add_stiffness(scale, K_);
-  if (!factor_.factorize(K_)) return false;
+  factor_.start(K, rim_.axes());
+  tread_.add_stiffness(scale, rim_.axes(), factor_);
+  if (!factor_.factorize()) return false;
   if (!section_.on()) return true;
   Eigen::MatrixXd B, A;
   tread_.section_border(section_, q, false, B, A);
@@ -119,9 +111,10 @@ bool RingTire::factorize(const NodeValues& q,
 }
 
 CyclicBand RingTire::stiffness() {
-  inner_forces_.find_stiffness(q_, rim_, {}, 1.0).turn_back(rim_, K_);
-  tread_.add_stiffness(1.0, K_);
-  return K_;
+  CyclicBand K(angles_.nodes());
+  inner_forces_.find_stiffness(q_, rim_, {}, 1.0).turn_back(rim_, K);
+  tread_.add_stiffness(1.0, K);
+  return K;
 }
 
 void RingTire::times_mass(const NodeValues& a, NodeValues& force) const {
@@ -319,7 +312,7 @@ bool RingTire::renew_tangent() {
   constexpr double kMostMass = 64.0;
   for (double more = 1.0; more <= kMostMass; more *= 2.0) {
     if (!factorize(q1_, more * rule_.acceleration, 1.0 - settings_.dissipation, rule_)) continue;
-    reuse_.made(rim_, more * rule_.acceleration);
+    reuse_.made(more * rule_.acceleration);
     return true;
   }
   return false;
@@ -378,6 +371,7 @@ std::string RingTire::solve_step(bool held, double time) {
   constexpr double kSlow = 0.2;  // a tangent that reduces less than to that is renewed
   const double theta = settings_.dissipation;
   constexpr double kViolent = 1000.0;  // N, left at a node by the guess of a step
+  if (held) factor_.turn_to(rim_.axes());
   double last = std::numeric_limits<double>::infinity(), tolerance = settings_.tolerance;
   for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
     follow();
@@ -394,10 +388,7 @@ std::string RingTire::solve_step(bool held, double time) {
       if (!renew_tangent()) return no_solution(time, "its tangent is not definite");
     }
     last = left;
-    if (held)
-      solve_turned();
-    else
-      solve();
+    solve();
     q1_ += residual_;
     if (section_.on()) section_.set_values(section_.values() + section_.direction());
     if (reduces && left <= tolerance / kSlow) {

@@ -150,8 +150,6 @@ class RingTire final : public Tire {
   bool factorize(const NodeValues& q, double mass_factor, double scale, const StepRule& rule);
   /// residual_, and the section's, become Newton's step.
   void solve();
-  /// The same with the tangent of an earlier step, turned on with the rim.
-  void solve_turned();
   /// The largest force left, N; on the section's unknowns too.
   double left_at_a_node() const;
   /// Of all together.
@@ -173,7 +171,6 @@ class RingTire final : public Tire {
   NodeValues q_, v_, force_;  // at the end of the last step; f of (15)
   NodeValues q1_, v1_, a1_, q_predicted_, v_predicted_, a_;
   NodeValues inner_, inertia_, total_, residual_;  // inertia: M a1
-  CyclicBand K_;
   CyclicBandFactor factor_;
   TangentReuse reuse_;
   WheelMotion last_motion_;

@@ -8,8 +8,6 @@
 
 #include <algorithm>
 
-#include "models/ring_tire/belt/rim_frame.h"
-
 namespace latsch::ring_tire {
 
 class TangentReuse {
@@ -27,14 +25,10 @@ class TangentReuse {
     return acceleration == acceleration_;
   }
   /// A step made its own tangent.
-  void made(const RimFrame& rim, double acceleration) {
-    axes_ = rim.axes();
+  void made(double acceleration) {
     acceleration_ = acceleration;
     age_ = 0;
   }
-  /// How the rim has turned since.
-  Eigen::Matrix3d turn(const RimFrame& rim) const { return rim.axes() * axes_.transpose(); }
-
   /// At the end of a step: with its own tangent alone it took so many evaluations.
   void took_with_own(int evaluations) { alone_ = evaluations; }
   /// With one `held` for that many steps it took so many, those after it was given up included.
@@ -48,7 +42,6 @@ class TangentReuse {
   int age() const { return age_; }
 
  private:
-  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
   double acceleration_ = 0.0;  // 0: none
   int age_ = 0;                // steps since it was made
   int alone_ = 0;

@@ -14,7 +14,6 @@ constexpr double kAcceleration = 4e8;  // 1/s^2
 /// than its own after `lives` steps.
 std::vector<int> steps_with_their_own(int steps, int lives) {
   TangentReuse reuse;
-  RimFrame rim = RimFrame::of({});
   std::vector<int> own;
   int made = 0;
   for (int step = 0; step < steps; ++step) {
@@ -26,7 +25,7 @@ std::vector<int> steps_with_their_own(int steps, int lives) {
     }
     own.push_back(step);
     made = step;
-    reuse.made(rim, kAcceleration);
+    reuse.made(kAcceleration);
     reuse.took_with_own(3);
   }
   return own;
@@ -46,20 +45,10 @@ TEST(TangentReuse, IsTriedEverMoreRarelyWhereItNeverServes) {
 
 TEST(TangentReuse, ServesNoStepOfAnotherLength) {
   TangentReuse reuse;
-  reuse.made(RimFrame::of({}), kAcceleration);
+  reuse.made(kAcceleration);
   reuse.took_with_own(3);
   EXPECT_TRUE(reuse.serves(kAcceleration));
   EXPECT_FALSE(reuse.serves(4.0 * kAcceleration));
-}
-
-TEST(TangentReuse, TurnsWithTheRim) {
-  TangentReuse reuse;
-  WheelMotion motion;
-  reuse.made(RimFrame::of(motion), kAcceleration);
-  motion.spin = 0.3;
-  const RimFrame rim = RimFrame::of(motion);
-  EXPECT_LT((reuse.turn(rim) * Eigen::Vector3d::UnitX() - rim.X).norm(), 1e-15);
-  EXPECT_LT((reuse.turn(rim) * Eigen::Vector3d::UnitY() - rim.a).norm(), 1e-15);
 }
 
 }  // namespace

@@ -19,6 +19,20 @@ LATSCH_INLINE SymmetricLanes symmetric_lanes(const double* columns, int stride, 
   return {at(0), at(1), at(2), at(3), at(4), at(5)};
 }
 
+/// In turned axes, whose unit vectors stand one after the other.
+LATSCH_INLINE Lanes3 in_axes(const Lanes3& v, const double* axes) {
+  return {v.x * axes[0] + v.y * axes[1] + v.z * axes[2],
+          v.x * axes[3] + v.y * axes[4] + v.z * axes[5],
+          v.x * axes[6] + v.y * axes[7] + v.z * axes[8]};
+}
+LATSCH_INLINE SymmetricLanes matrix_in_axes(const SymmetricLanes& K, const double* axes) {
+  const Lanes3 x = in_axes({K.xx, K.xy, K.xz}, axes), y = in_axes({K.xy, K.yy, K.yz}, axes),
+               z = in_axes({K.xz, K.yz, K.zz}, axes);
+  const Lanes3 first = in_axes({x.x, y.x, z.x}, axes), second = in_axes({x.y, y.y, z.y}, axes),
+               third = in_axes({x.z, y.z, z.z}, axes);
+  return {first.x, first.y, first.z, second.y, second.z, third.z};
+}
+
 LATSCH_INLINE Lanes3 scaled(const Lanes& s, const Lanes3& v) { return {s * v.x, s * v.y, s * v.z}; }
 LATSCH_INLINE Lanes3 less(const Lanes3& a, const Lanes3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
@@ -37,20 +51,23 @@ struct StationEntry {
   }
 };
 
-/// Of the stations of a span: sums K, y K and y² K of their blocks in 18 columns, their t, n, |x'|
-/// in seven.
+/// Of the stations of a span, in turned axes: sums K, y K and y² K of their blocks in 18 columns,
+/// their t, n, |x'| in seven.
 void find_station_stiffness(const BlockSpan& at,
                             const double* sums,
                             const double* frame,
                             const double* axis,
+                            const double* axes,
                             double height,
                             StationStiffness* stations) {
   for (int j = at.begin; j < at.end; j += kWide) {
-    const SymmetricLanes K = symmetric_lanes(sums, at.stride, j),
-                         Ky = symmetric_lanes(sums + 6 * at.stride, at.stride, j),
-                         Kyy = symmetric_lanes(sums + 12 * at.stride, at.stride, j);
-    const Lanes3 t = lanes3(frame, at.stride, j), n = lanes3(frame + 3 * at.stride, at.stride, j);
-    const Lanes3 a = {axis[0], axis[1], axis[2]};
+    const auto matrix = [&](int c) {
+      return matrix_in_axes(symmetric_lanes(sums + c * at.stride, at.stride, j), axes);
+    };
+    const SymmetricLanes K = matrix(0), Ky = matrix(6), Kyy = matrix(12);
+    const Lanes3 t = in_axes(lanes3(frame, at.stride, j), axes),
+                 n = in_axes(lanes3(frame + 3 * at.stride, at.stride, j), axes),
+                 a = in_axes({axis[0], axis[1], axis[2]}, axes);
     const Lanes over = 1.0 / lanes(frame + 6 * at.stride + j), H = height;
     // Columns of sum K D: how the summed force, and y times it, follow p, ν_n, ν_a and ψ.
     const Lanes3 by_n = scaled(-H, K * t), by_a = scaled(-1.0, Ky * t);

@@ -102,6 +102,8 @@ class TreadContact {
   /// K += scale * stiffness at the last add_force; without the growth of a sliding force with F_n,
   /// which would not be symmetric.
   void add_stiffness(double scale, CyclicBand& K);
+  /// The same in turned axes, columns of which are their unit vectors.
+  void add_stiffness(double scale, const Eigen::Matrix3d& axes, CyclicBandFactor& K);
   /// What small vibrations about q feel of blocks whose tips all stick, q: of the last add_force.
   /// K: their springs and, since forces keep their direction where the belt turns their arms, the
   /// turning of (10); C: their dampers.
@@ -249,6 +251,8 @@ class TreadContact {
   BlockLaw block_law() const;
   /// All but the forces' places.
   BlockStep step_of(std::size_t patch, const NodeValues& q, const NodeValues& v);
+  template <class Add>
+  void find_stiffness(double scale, const Eigen::Matrix3d& axes, const Add& add);
   void add_patch_force(std::size_t patch, const BlockStep& step);
   BlockResults results(std::size_t patch);
   BlockGround ground(std::size_t patch);

@@ -14,7 +14,9 @@
 
 namespace latsch::ring_tire {
 
-void TreadContact::add_stiffness(double scale, CyclicBand& K) {
+/// Calls `add` with the blocks (k, k + j) of every patch, in turned axes.
+template <class Add>
+void TreadContact::find_stiffness(double scale, const Eigen::Matrix3d& axes, const Add& add) {
   const double rate = 1.0 + (rule_.statics() ? 0.0 : damping_time_ * rule_.velocity);
   const double normal = scale * normal_ * rate, tangential = scale * tangential_ * rate;
   for (std::size_t i = 0; i < patches_.size(); ++i) {
@@ -27,14 +29,25 @@ void TreadContact::add_stiffness(double scale, CyclicBand& K) {
     // First all stations, then what they do: a station read at once would be waited for.
     StationStiffness* const stations = station_stiffness_.data();
     LATSCH_KERNEL(find_station_stiffness)
-    (span, at_stations(0), frame(i, 0), a_.data(), height_, stations);
+    (span, at_stations(0), frame(i, 0), a_.data(), axes.data(), height_, stations);
     Eigen::Matrix4d pairs[16];
     for (Eigen::Matrix4d& pair : pairs) pair.setZero();
     for (int j = patch.begin; j < std::min(patch.end, blocks_); ++j)
       LATSCH_KERNEL(add_pairs)(stations[j], weights_.data() + j, stride_, pairs);
     for (int m = 0; m < 4; ++m)
-      for (int o = m; o < 4; ++o) K.block(node(patch.segment, m), o - m) += pairs[4 * m + o];
+      for (int o = m; o < 4; ++o) add(node(patch.segment, m), o - m, pairs[4 * m + o]);
   }
+}
+
+void TreadContact::add_stiffness(double scale, CyclicBand& K) {
+  find_stiffness(scale,
+                 Eigen::Matrix3d::Identity(),
+                 [&](int k, int j, const Eigen::Matrix4d& block) { K.block(k, j) += block; });
+}
+
+void TreadContact::add_stiffness(double scale, const Eigen::Matrix3d& axes, CyclicBandFactor& K) {
+  find_stiffness(
+      scale, axes, [&](int k, int j, const Eigen::Matrix4d& block) { K.add(k, j, block); });
 }
 
 }  // namespace latsch::ring_tire
