@@ -77,7 +77,9 @@ BeltForces::BeltForces(const Belt& belt, int nodes) : nodes_(nodes), law_() {
       .s0_between = -node_radius * (std::cos(0.5 * x) - std::cos(1.5 * x)),
       .tilt_between =
           24.0 * belt.radius / ((23.0 * std::cos(0.5 * x) + std::cos(1.5 * x)) * node_radius),
-      .tilt_twist = belt.radius * x * x / (node_radius * (std::cos(0.5 * x) - std::cos(1.5 * x)))};
+      .tilt_twist = belt.radius * x * x / (node_radius * (std::cos(0.5 * x) - std::cos(1.5 * x))),
+      .damping_time = belt.damping_time,
+      .extension_damping_time = belt.extension_damping_time};
 }
 
 double BeltForces::energy(const NodeValues& q, const RimFrame& rim) const {
@@ -93,7 +95,9 @@ double BeltForces::energy(const NodeValues& q, const RimFrame& rim) const {
                s0,
                s0_between,
                tilt_between,
-               tilt_twist] = law_;
+               tilt_twist,
+               damping_time,
+               extension_damping_time] = law_;
   double sum = 0.0;
   for (int k = 0; k < nodes_; ++k) {
     const auto node = [&](int i) -> Eigen::Vector4d { return q.col((k + i + nodes_) % nodes_); };
@@ -126,7 +130,7 @@ double BeltForces::energy(const NodeValues& q, const RimFrame& rim) const {
   return sum;
 }
 
-void BeltForces::find_force(const RimRows& at, RimRows& force) const {
+void BeltForces::find_force(const RimRows& at, const RimRows* rate, RimRows& force) const {
   static_assert(kScratch == Elements::kRows);
   Elements e;
   for (int i = 0; i < Elements::kRows; ++i) e.row[i] = force.row(RimRows::kRows + i);
@@ -136,7 +140,15 @@ void BeltForces::find_force(const RimRows& at, RimRows& force) const {
                          force.row(RimRows::kY),
                          force.row(RimRows::kZ),
                          force.row(RimRows::kTorsion)};
-  LATSCH_KERNEL(strain)(nodes_, law_, x, e);
+  if (rate && damped()) {
+    const double* const v[4] = {rate->row(RimRows::kX),
+                                rate->row(RimRows::kY),
+                                rate->row(RimRows::kZ),
+                                rate->row(RimRows::kTorsion)};
+    LATSCH_KERNEL(strain_damped)(nodes_, law_, x, v, e);
+  } else {
+    LATSCH_KERNEL(strain)(nodes_, law_, x, e);
+  }
   LATSCH_KERNEL(gather)(nodes_, law_, x, e, to);
 }
 

@@ -18,6 +18,11 @@
 // across with what the belt bends now, s: at rest -L0^2/R, in a flat patch nothing. Lateral travel
 // and torsion are taken as small; in-plane motion may be large. Equations: docs/ring_tire.md,
 // section 2.
+//
+// Damping: beside the stress of (1) and (3) to (5), K times the strain e, stands K τ e'       (30)
+// with the strain's rate e' by the velocities against the turning rim; τ_e of extension, which is
+// the cords', τ_b of all others, which are the rubber's between them. Where the belt moves as a
+// rigid body in the plane of the rim nothing is lost.
 #pragma once
 
 #include "models/ring_tire/belt/rim_frame.h"
@@ -32,6 +37,23 @@ namespace latsch::ring_tire {
 struct BeltLaw {
   double R, L0, stretch0, T0, EA, EI, EI_out_of_plane, GJ, pressure_width, s0, s0_between,
       tilt_between, tilt_twist;
+  double damping_time, extension_damping_time;  // s, τ_b and τ_e of (30)
+
+  /// Times more of what strains stretch: (1) alone, all others.
+  BeltLaw stiffer(double extension, double bending) const {
+    BeltLaw law = *this;
+    law.EA *= extension;
+    law.EI *= bending;
+    law.EI_out_of_plane *= bending;
+    law.GJ *= bending;
+    return law;
+  }
+  /// Without stress or pressure, of the same shape.
+  BeltLaw slack() const {
+    BeltLaw law = stiffer(0.0, 0.0);
+    law.T0 = law.pressure_width = 0.0;
+    return law;
+  }
 };
 
 /// Of (2): the weights of the next node and of that after it.
@@ -45,18 +67,29 @@ class BeltForces {
 
   /// J, of the configuration q, against that of the ring at rest but for the constant of (2).
   double energy(const NodeValues& q, const RimFrame& rim) const;
-  /// force = -energy', nodes at their places `at`; with kScratch rows more.
-  void find_force(const RimRows& at, RimRows& force) const;
+  /// Whether (30) has anything to damp.
+  bool damped() const { return law_.damping_time > 0.0 || law_.extension_damping_time > 0.0; }
+  /// force = -energy', nodes at their places `at`; with kScratch rows more. Where their rates are
+  /// given, less the damping (30).
+  void find_force(const RimRows& at, const RimRows* rate, RimRows& force) const;
   static constexpr int kScratch = 15;
-  /// K = scale * energy''.
-  void find_stiffness(const RimRows& at, double scale, StiffnessRows& K) const;
+  /// K = scale * (energy'' + velocity C), C: of find_damping().
+  void find_stiffness(const RimRows& at, double velocity, double scale, StiffnessRows& K) const;
+  /// C = scale * (minus the slope of (30) by the rates).
+  void find_damping(const RimRows& at, double scale, StiffnessRows& C) const;
+  const BeltLaw& law() const { return law_; }
 
   /// L0, T0.
   double segment() const { return law_.L0; }
   double tension() const { return law_.T0; }
 
  private:
-  void add_lateral_stiffness(double scale, StiffnessRows& K) const;
+  void find_by_laws(const BeltLaw& stress,
+                    const BeltLaw& stretch,
+                    const RimRows& at,
+                    double scale,
+                    StiffnessRows& K) const;
+  void add_lateral_stiffness(const BeltLaw& law, double scale, StiffnessRows& K) const;
 
   int nodes_;
   BeltLaw law_;

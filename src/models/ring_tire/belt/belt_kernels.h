@@ -23,10 +23,34 @@ LATSCH_INLINE Lanes bend_between(const double* row, int k) {
   return 0.5 * ((lanes(row + k - 1) + lanes(row + k + 2)) - (lanes(row + k) + lanes(row + k + 1)));
 }
 
+/// Torsion there, times ζ of (4).
+LATSCH_INLINE Lanes torsion_between(double zeta, const double* psi, int k) {
+  return (zeta / 48.0) *
+         ((lanes(psi + k - 1) + lanes(psi + k + 2)) + 23.0 * (lanes(psi + k) + lanes(psi + k + 1)));
+}
+
+/// At eight knots: torsion, twice the first and the second derivative by s.
+LATSCH_INLINE Lanes torsion_at(const double* psi, int k) {
+  return (lanes(psi + k - 1) + 4.0 * lanes(psi + k) + lanes(psi + k + 1)) * (1.0 / 6.0);
+}
+LATSCH_INLINE Lanes gain_at(const double* row, int k) {
+  return lanes(row + k + 1) - lanes(row + k - 1);
+}
+LATSCH_INLINE Lanes bend_at(const double* row, int k) {
+  return (lanes(row + k + 1) + lanes(row + k - 1)) - 2.0 * lanes(row + k);
+}
+
 /// Elements of the segments -2 .. nodes and of the knots -1 .. nodes, nodes at x, y, z with
 /// torsions (rows of rim_rows.h). In the rim's axes a × (t_x, 0, t_z) = (t_z, 0, -t_x).
-void strain(int nodes, const BeltLaw& law, const double* const rows[4], const Elements& e) {
+/// With the rates of the nodes' places where these are damped.
+template <bool damped>
+LATSCH_INLINE void strain_of(int nodes,
+                             const BeltLaw& law,
+                             const double* const rows[4],
+                             const double* const rates[4],
+                             const Elements& e) {
   const double *x = rows[0], *y = rows[1], *z = rows[2], *psi = rows[3];
+  const double tau = law.damping_time, tau_spring = law.extension_damping_time;
   const double at_knot = kKnotShare * law.EI / (law.L0 * law.L0 * law.L0);
   const double between = (1.0 - kKnotShare) * law.EI / (law.L0 * law.L0 * law.L0);
   const double spring = law.EA / law.stretch0, of = law.L0 / law.stretch0;
@@ -36,7 +60,15 @@ void strain(int nodes, const BeltLaw& law, const double* const rows[4], const El
   by_eight(-2, nodes + 1, [&](int k) {
     const Lanes dx = slope_at(x, k), dy = slope_at(y, k), dz = slope_at(z, k);
     const Lanes length = sqrt(dx * dx + dy * dy + dz * dz);
-    const Lanes tension = of * (law.T0 + spring * (length - law.stretch0)) / length;  // (1)
+    Lanes stretch = length - law.stretch0;
+    Lanes vx, vy, vz;
+    if constexpr (damped) {
+      vx = slope_at(rates[0], k);
+      vy = slope_at(rates[1], k);
+      vz = slope_at(rates[2], k);
+      stretch = stretch + tau_spring * (vx * dx + vy * dy + vz * dz) / length;  // (30)
+    }
+    const Lanes tension = of * (law.T0 + spring * stretch) / length;  // (1)
     store(tension * dx, e.row[Elements::kString] + k);
     store(tension * dy, e.row[Elements::kString + 1] + k);
     store(tension * dz, e.row[Elements::kString + 2] + k);
@@ -44,21 +76,34 @@ void strain(int nodes, const BeltLaw& law, const double* const rows[4], const El
     const Lanes shorter = 1.0 / sqrt(dx * dx + dz * dz);
     const Lanes tx = dx * shorter, tz = dz * shorter;
     const Lanes s = sx * tz - sz * tx;
+    const Lanes along = (sx * tx + sz * tz) * shorter;
     const Lanes turned = law.tilt_twist * over * s;
-    const Lanes twist = law.GJ * (slope_at(psi, k) + dy * turned);  // (5), times L0
+    Lanes bent = s - law.s0_between, twisted = slope_at(psi, k) + dy * turned;
+    Lanes s_rate;
+    if constexpr (damped) {
+      s_rate = (bend_between(rates[0], k) - along * vx) * tz -
+               (bend_between(rates[2], k) - along * vz) * tx;
+      bent = bent + tau * s_rate;
+      twisted = twisted +
+                tau * (slope_at(rates[3], k) + vy * turned + (law.tilt_twist * over) * dy * s_rate);
+    }
+    const Lanes twist = law.GJ * twisted;  // (5), times L0
     store(twist, e.row[Elements::kTwist] + k);
     store(twist * turned, e.row[Elements::kTwistAcross] + k);
-    const Lanes torsion =
-        (law.tilt_between / 48.0) *
-        ((lanes(psi + k - 1) + lanes(psi + k + 2)) + 23.0 * (lanes(psi + k) + lanes(psi + k + 1)));
-    const Lanes lateral = out_of_plane_between * (bend_between(y, k) - torsion * s);  // (4)
+    const Lanes torsion = torsion_between(law.tilt_between, psi, k);
+    Lanes curved = bend_between(y, k) - torsion * s;
+    if constexpr (damped)
+      curved =
+          curved + tau * (bend_between(rates[1], k) -
+                          torsion_between(law.tilt_between, rates[3], k) * s - torsion * s_rate);
+    const Lanes lateral = out_of_plane_between * curved;  // (4)
     store(lateral, e.row[Elements::kLateralBetween] + k);
     store(law.tilt_between * by_L * lateral * s, e.row[Elements::kTorsionBetween] + k);
-    const Lanes moment = between * (s - law.s0_between) +
-                         by_L * ((law.tilt_twist * over) * twist * dy - torsion * lateral);  // (3)
+    const Lanes moment =
+        between * bent + by_L * ((law.tilt_twist * over) * twist * dy - torsion * lateral);  // (3)
     store(moment * tz, e.row[Elements::kBetweenX] + k);
     store(-(moment * tx), e.row[Elements::kBetweenZ] + k);
-    store((sx * tx + sz * tz) * shorter, e.row[Elements::kBetweenTurning] + k);
+    store(along, e.row[Elements::kBetweenTurning] + k);
   });
   by_eight(-1, nodes + 1, [&](int k) {
     const Lanes x0 = lanes(x + k - 1), x1 = lanes(x + k), x2 = lanes(x + k + 1);
@@ -69,16 +114,36 @@ void strain(int nodes, const BeltLaw& law, const double* const rows[4], const El
     const Lanes shorter = 1.0 / sqrt(cx * cx + cz * cz);
     const Lanes tx = cx * shorter, tz = cz * shorter;
     const Lanes s = sx * tz - sz * tx;
-    const Lanes torsion =
-        (lanes(psi + k - 1) + 4.0 * lanes(psi + k) + lanes(psi + k + 1)) * (1.0 / 6.0);
-    const Lanes lateral = out_of_plane * (((y2 + y0) - 2.0 * y1) - torsion * s);  // (4)
+    const Lanes along = (sx * tx + sz * tz) * shorter;
+    const Lanes torsion = torsion_at(psi, k);
+    Lanes curved = ((y2 + y0) - 2.0 * y1) - torsion * s, bent = s - law.s0;
+    if constexpr (damped) {
+      const Lanes s_rate = (bend_at(rates[0], k) - along * gain_at(rates[0], k)) * tz -
+                           (bend_at(rates[2], k) - along * gain_at(rates[2], k)) * tx;
+      bent = bent + tau * s_rate;
+      curved =
+          curved + tau * (bend_at(rates[1], k) - torsion_at(rates[3], k) * s - torsion * s_rate);
+    }
+    const Lanes lateral = out_of_plane * curved;  // (4)
     store(lateral, e.row[Elements::kLateral] + k);
     store(by_L * lateral * s, e.row[Elements::kTorsion] + k);
-    const Lanes moment = at_knot * (s - law.s0) - by_L * torsion * lateral;  // (3)
+    const Lanes moment = at_knot * bent - by_L * torsion * lateral;  // (3)
     store(moment * tz, e.row[Elements::kBendX] + k);
     store(-(moment * tx), e.row[Elements::kBendZ] + k);
-    store((sx * tx + sz * tz) * shorter, e.row[Elements::kTurning] + k);
+    store(along, e.row[Elements::kTurning] + k);
   });
+}
+
+void strain(int nodes, const BeltLaw& law, const double* const rows[4], const Elements& e) {
+  strain_of<false>(nodes, law, rows, nullptr, e);
+}
+
+void strain_damped(int nodes,
+                   const BeltLaw& law,
+                   const double* const rows[4],
+                   const double* const rates[4],
+                   const Elements& e) {
+  strain_of<true>(nodes, law, rows, rates, e);
 }
 
 /// What the elements do to the nodes, and the pressure (2).

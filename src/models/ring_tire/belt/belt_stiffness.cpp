@@ -31,7 +31,33 @@ struct ElementStiffness {
 
 namespace latsch::ring_tire {
 
-void BeltForces::find_stiffness(const RimRows& at, double scale, StiffnessRows& K) const {
+/// Beside the stress stands what strains stretch: with (30) that is more by the share of a strain's
+/// rate that hangs on the strain at the end of a step.
+void BeltForces::find_stiffness(const RimRows& at,
+                                double velocity,
+                                double scale,
+                                StiffnessRows& K) const {
+  if (damped() && velocity > 0.0)
+    find_by_laws(law_,
+                 law_.stiffer(1.0 + law_.extension_damping_time * velocity,
+                              1.0 + law_.damping_time * velocity),
+                 at,
+                 scale,
+                 K);
+  else
+    find_by_laws(law_, law_, at, scale, K);
+}
+
+void BeltForces::find_damping(const RimRows& at, double scale, StiffnessRows& C) const {
+  find_by_laws(
+      law_.slack(), law_.stiffer(law_.extension_damping_time, law_.damping_time), at, scale, C);
+}
+
+void BeltForces::find_by_laws(const BeltLaw& stress,
+                              const BeltLaw& stretch,
+                              const RimRows& at,
+                              double scale,
+                              StiffnessRows& K) const {
   static_assert(ElementStiffness::kRows <= StiffnessRows::kScratch);
   const double* const x[4] = {
       at.row(RimRows::kX), at.row(RimRows::kY), at.row(RimRows::kZ), at.row(RimRows::kTorsion)};
@@ -42,15 +68,15 @@ void BeltForces::find_stiffness(const RimRows& at, double scale, StiffnessRows& 
     for (int i = 0; i < StiffnessRows::kEntries; ++i)
       rows[j * StiffnessRows::kEntries + i] = K.row(j, i);
   K.start();
-  LATSCH_KERNEL(stiffen)(nodes_, law_, scale, x, e);
-  LATSCH_KERNEL(gather_stiffness)(nodes_, scale * law_.pressure_width, e, rows);
-  add_lateral_stiffness(scale, K);
+  LATSCH_KERNEL(stiffen)(nodes_, stress, stretch, scale, x, e);
+  LATSCH_KERNEL(gather_stiffness)(nodes_, scale * stress.pressure_width, e, rows);
+  add_lateral_stiffness(stretch, scale, K);
 }
 
 /// Of (4) and (5) what does not change with the belt's bend.
-void BeltForces::add_lateral_stiffness(double scale, StiffnessRows& K) const {
-  const double EI = scale * law_.EI_out_of_plane / (law_.L0 * law_.L0 * law_.L0);
-  const double GJ = scale * law_.GJ / law_.L0;
+void BeltForces::add_lateral_stiffness(const BeltLaw& law, double scale, StiffnessRows& K) const {
+  const double EI = scale * law.EI_out_of_plane / (law.L0 * law.L0 * law.L0);
+  const double GJ = scale * law.GJ / law.L0;
   for (int i = 0; i < 4; ++i)
     for (int j = i; j < 4; ++j) {
       Eigen::Matrix4d& block = K.same(j - i);

@@ -54,8 +54,9 @@ struct BySlope {
   Lanes moment, stiffness;
 };
 
-/// (4), EI (u'' - ζ ψ s)²/2, of a rule.
+/// (4), EI (u'' - ζ ψ s)²/2, of a rule; stressed by another EI.
 LATSCH_INLINE BySlope tilting(const BendRule& rule,
+                              double stress_EI,
                               double EI,
                               double zeta,
                               const Lanes& s,
@@ -63,7 +64,7 @@ LATSCH_INLINE BySlope tilting(const BendRule& rule,
                               int k,
                               double* const* to) {
   const Lanes tilt = zeta * weighted(rows[3], k, rule.place);
-  const Lanes lateral = EI * (weighted(rows[1], k, rule.second) - tilt * s);
+  const Lanes lateral = stress_EI * (weighted(rows[1], k, rule.second) - tilt * s);
   const auto put = [&](int row, const Lanes& value) { store(value, to[row] + k); };
   put(ElementStiffness::kTilt, -(EI * zeta * s));
   put(ElementStiffness::kTiltTilt, EI * zeta * zeta * s * s);
@@ -72,22 +73,27 @@ LATSCH_INLINE BySlope tilting(const BendRule& rule,
   return {-(lateral * tilt), EI * tilt * tilt};
 }
 
-/// Of the segments -2 .. nodes and of the knots -1 .. nodes, nodes at x, y, z with torsions.
+/// Of the segments -2 .. nodes and of the knots -1 .. nodes, nodes at x, y, z with torsions;
+/// `stretch`: what strains stretch, where that is not `law`, by which they are stressed.
 void stiffen(int nodes,
              const BeltLaw& law,
+             const BeltLaw& stretch,
              double scale,
              const double* const rows[4],
              const ElementStiffness& e) {
-  const double cube = law.L0 * law.L0 * law.L0, EI = scale * law.EI / cube,
-               EI_out = scale * law.EI_out_of_plane / cube;
-  const double GJ = scale * law.GJ / law.L0, by_s = law.tilt_twist / (law.L0 * law.L0);
-  const double of = scale * law.L0 / law.stretch0, spring = of * law.EA / law.stretch0;
+  const double cube = law.L0 * law.L0 * law.L0, stress_EI = scale * law.EI / cube,
+               stress_EI_out = scale * law.EI_out_of_plane / cube;
+  const double EI = scale * stretch.EI / cube, EI_out = scale * stretch.EI_out_of_plane / cube;
+  const double stress_GJ = scale * law.GJ / law.L0, GJ = scale * stretch.GJ / law.L0;
+  const double by_s = law.tilt_twist / (law.L0 * law.L0);
+  const double of = scale * law.L0 / law.stretch0, stress_spring = of * law.EA / law.stretch0,
+               spring = of * stretch.EA / law.stretch0;
   by_eight(-2, nodes + 1, [&](int k) {
     const Lanes d[3] = {weighted(rows[0], k, kBetween.slope),
                         weighted(rows[1], k, kBetween.slope),
                         weighted(rows[2], k, kBetween.slope)};
     const Lanes square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2], length = sqrt(square);
-    const Lanes string = (of * law.T0 + spring * (length - law.stretch0)) / length;  // (1)
+    const Lanes string = (of * law.T0 + stress_spring * (length - law.stretch0)) / length;  // (1)
     const Lanes more = (spring - string) / square;
     int row = ElementStiffness::kString;
     for (int i = 0; i < 3; ++i)
@@ -98,26 +104,28 @@ void stiffen(int nodes,
     double* const* const to = e.row + ElementStiffness::kBetween;
     constexpr double kShare = 1.0 - kKnotShare;
     const Bend bend = bend_of(kBetween, rows, k);
-    const BySlope tilt = tilting(kBetween, kShare * EI_out, law.tilt_between, bend.s, rows, k, to);
+    const BySlope tilt = tilting(
+        kBetween, kShare * stress_EI_out, kShare * EI_out, law.tilt_between, bend.s, rows, k, to);
     const Lanes turned = by_s * d[1], follows = by_s * bend.s;  // (5): ψ' + u' by_s s
-    const Lanes twist = GJ * (weighted(rows[3], k, kBetween.slope) + d[1] * follows);
+    const Lanes twist = stress_GJ * (weighted(rows[3], k, kBetween.slope) + d[1] * follows);
     store(GJ * follows, e.row[ElementStiffness::kTwist] + k);
     store(GJ * follows * follows, e.row[ElementStiffness::kTwist + 1] + k);
     store(by_s * twist + GJ * turned * follows, to[ElementStiffness::kSlopeS] + k);
     store(GJ * turned, to[ElementStiffness::kTwistS] + k);
     bending(bend,
             kShare * EI + tilt.stiffness + GJ * turned * turned,
-            kShare * EI * (bend.s - law.s0_between) + tilt.moment + twist * turned,
+            kShare * stress_EI * (bend.s - law.s0_between) + tilt.moment + twist * turned,
             k,
             to);
   });
   by_eight(-1, nodes + 1, [&](int k) {
     double* const* const to = e.row + ElementStiffness::kKnot;
     const Bend bend = bend_of(kAtKnot, rows, k);
-    const BySlope tilt = tilting(kAtKnot, kKnotShare * EI_out, 1.0, bend.s, rows, k, to);
+    const BySlope tilt =
+        tilting(kAtKnot, kKnotShare * stress_EI_out, kKnotShare * EI_out, 1.0, bend.s, rows, k, to);
     bending(bend,
             kKnotShare * EI + tilt.stiffness,
-            kKnotShare * EI * (bend.s - law.s0) + tilt.moment,
+            kKnotShare * stress_EI * (bend.s - law.s0) + tilt.moment,
             k,
             to);
   });

@@ -11,7 +11,7 @@ inline NodeValues force_of(const BeltForces& belt, const NodeValues& q, const Ri
   const int nodes = static_cast<int>(q.cols());
   RimRows at(nodes), force(nodes, BeltForces::kScratch);
   at.place(q, rim);
-  belt.find_force(at, force);
+  belt.find_force(at, nullptr, force);
   NodeValues turned(4, nodes);
   force.turn_back(rim, turned);
   return turned;
@@ -22,7 +22,7 @@ inline CyclicBand stiffness_of(const BeltForces& belt, const NodeValues& q, cons
   RimRows at(nodes);
   at.place(q, rim);
   StiffnessRows rows(nodes);
-  belt.find_stiffness(at, 1.0, rows);
+  belt.find_stiffness(at, 0.0, 1.0, rows);
   CyclicBand K(nodes);
   rows.turn_back(rim, K);
   return K;

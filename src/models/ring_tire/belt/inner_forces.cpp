@@ -29,7 +29,7 @@ void InnerForces::find_force(const NodeValues& q,
     node_rates_.place_rates(nodes_, v, rim);
     knot_rates_.place_knots(node_rates_);
   }
-  belt_.find_force(nodes_, of_belt_);
+  belt_.find_force(nodes_, rule.statics() ? nullptr : &node_rates_, of_belt_);
   sidewall_.find_force(knots_, knot_rates_, rule, of_sidewall_);
   of_belt_.add_from_knots(of_sidewall_);
   of_belt_.turn_back(rim, force);
@@ -40,9 +40,23 @@ StiffnessRows& InnerForces::find_stiffness(const NodeValues& q,
                                            const StepRule& rule,
                                            double scale) {
   place(q, rim);
-  belt_.find_stiffness(nodes_, scale, stiffness_);
+  belt_.find_stiffness(nodes_, rule.velocity, scale, stiffness_);
   sidewall_.add_stiffness(knots_, rule, scale, stiffness_);
   return stiffness_;
+}
+
+StiffnessRows& InnerForces::find_belt_damping(const NodeValues& q, const RimFrame& rim) {
+  place(q, rim);
+  belt_.find_damping(nodes_, 1.0, stiffness_);
+  return stiffness_;
+}
+
+WholeBand InnerForces::belt_damping_by_places(const NodeValues& q,
+                                              const NodeValues& v,
+                                              const RimFrame& rim) {
+  place(q, rim);
+  node_rates_.place_rates(nodes_, v, rim);
+  return damping_by_places(belt_, nodes_, node_rates_, rim);
 }
 
 void InnerForces::commit(const NodeValues& q, const RimFrame& rim, const StepRule& rule) {

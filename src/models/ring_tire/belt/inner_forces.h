@@ -3,6 +3,7 @@
 #pragma once
 
 #include "models/ring_tire/belt/belt.h"
+#include "models/ring_tire/belt/belt_damping.h"
 #include "models/ring_tire/belt/sidewall.h"
 
 namespace latsch::ring_tire {
@@ -26,6 +27,10 @@ class InnerForces {
                                 const RimFrame& rim,
                                 const StepRule& rule,
                                 double scale);
+  /// C of (30) at q; until the next.
+  StiffnessRows& find_belt_damping(const NodeValues& q, const RimFrame& rim);
+  /// D of (31) at q with velocities v.
+  WholeBand belt_damping_by_places(const NodeValues& q, const NodeValues& v, const RimFrame& rim);
   /// The step is done at q.
   void commit(const NodeValues& q, const RimFrame& rim, const StepRule& rule);
 

@@ -30,13 +30,15 @@ struct Sidewall {
 };
 
 struct Belt {
-  double radius = 0.3;                // m, at rest, inflated
-  double mass = 8.0;                  // kg, with the tread
-  double torsion_inertia = 0.0;       // kg m, of the section about the circumference, per length
-  double extension = 1.0e6;           // N, EA
-  double bending_in_plane = 0.0;      // N m^2, EI
-  double bending_out_of_plane = 0.0;  // N m^2, EI about the radius
-  double twist = 0.0;                 // N m^2, GJ
+  double radius = 0.3;                  // m, at rest, inflated
+  double mass = 8.0;                    // kg, with the tread
+  double torsion_inertia = 0.0;         // kg m, of the section about the circumference, per length
+  double extension = 1.0e6;             // N, EA
+  double bending_in_plane = 0.0;        // N m^2, EI
+  double bending_out_of_plane = 0.0;    // N m^2, EI about the radius
+  double twist = 0.0;                   // N m^2, GJ
+  double damping_time = 0.0;            // s, damping over stiffness of bending and twist
+  double extension_damping_time = 0.0;  // s, of extension
   double bending_across = 0.0;  // N m, of the section across, per length; 0: it stays straight
   double section_coupling =
       1.0;                      // share of the belt's tension that smooths its bends along the ring

@@ -76,6 +76,9 @@ Belt read_belt(const Node& node, double pressure) {
   belt.bending_in_plane = node.quantity("bending_in_plane", "N m^2", Range::not_negative());
   belt.bending_out_of_plane = node.quantity("bending_out_of_plane", "N m^2", Range::not_negative());
   belt.twist = node.quantity("twist", "N m^2", Range::not_negative());
+  belt.damping_time = node.quantity("damping_time", "s", Range::not_negative(), 0.0);
+  belt.extension_damping_time =
+      node.quantity("extension_damping_time", "s", Range::not_negative(), 0.0);
   belt.bending_across = node.quantity("bending_across", "N m", Range::not_negative(), 0.0);
   belt.section_coupling = node.quantity("section_coupling", "1", Range::not_negative(), 1.0);
   belt.gravity = node.quantity("gravity", "m/s^2", Range::not_negative(), 0.0);

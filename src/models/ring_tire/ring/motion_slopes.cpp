@@ -155,7 +155,7 @@ void MotionSlopes::turn_by(const Vector3d& omega, const Columns& x, Columns& to)
   }
 }
 
-/// What dampers at the knots hold against velocities of the nodes.
+/// What dampers at the knots, and those of the belt, hold against velocities of the nodes.
 void MotionSlopes::damp(const Columns& rate, Columns& force) {
   const Eigen::Index N = q1_.cols();
   const auto mean = [N](const Columns& x, Eigen::Index k, auto&& to) {
@@ -174,6 +174,7 @@ void MotionSlopes::damp(const Columns& rate, Columns& force) {
     knots_.row(4 * k + 3) = D(3, 3) * at.row(3);
   }
   for (Eigen::Index k = 0; k < N; ++k) mean(knots_, k, force.middleRows<4>(4 * k));
+  if (belt_damping_) force += belt_damping_->multiply_columns(rate);
 }
 
 /// Of the end of the part, by the factor that the tire has there.
@@ -207,7 +208,15 @@ void MotionSlopes::find_rigid_fields() {
   }
   CyclicBand stiffness(N);
   t.inner_forces_.find_stiffness(q1_, rim_, rule_, 1.0).turn_back(rim_, stiffness);
-  stiff_ = stiffness.multiply_columns(SideBySide(fields_));
+  stiff_ = stiff_transposed_ = stiffness.multiply_columns(SideBySide(fields_));
+  belt_damping_.reset();
+  belt_turning_.reset();
+  if (!t.inner_forces_.belt().damped()) return;
+  belt_damping_.emplace(N);
+  t.inner_forces_.find_belt_damping(q1_, rim_).turn_back(rim_, *belt_damping_);
+  belt_turning_ = t.inner_forces_.belt_damping_by_places(q1_, v1_, rim_);
+  stiff_ += belt_turning_->multiply(fields_);
+  stiff_transposed_ += belt_turning_->multiply_transposed(fields_);
 }
 
 void MotionSlopes::find_rim_motion() {
@@ -313,7 +322,8 @@ void MotionSlopes::find_right_sides() {
   }
 }
 
-/// (29), the dampers' turning by iteration: 1e-4 of the tangent in steps of 0.2 ms at 60 m/s.
+/// (29), the dampers' turning, and (31), by iteration: the first are 1e-4 of the tangent in steps of
+/// 0.2 ms at 60 m/s.
 void MotionSlopes::solve() {
   constexpr double kEnough = 1e-7;
   constexpr int kMost = 20;
@@ -325,6 +335,7 @@ void MotionSlopes::solve() {
   for (int i = 0; i < kMost; ++i) {
     turn_by(rim_.angular_velocity, next_, turned_);
     damp(turned_, more_);
+    if (belt_turning_) more_ -= belt_turning_->multiply(next_.topRows(q1_.size()));
     next_.topRows(q1_.size()) = scale * more_;
     next_.bottomRows(gamma_.size()).setZero();
     tangent_.solve(tire_->factor_, tire_->section_, next_);
@@ -349,7 +360,7 @@ HubSlopes MotionSlopes::hub_slopes() {
   // Of dq1/dm: by stiffness and dampers, and by the arms of the forces.
   damp(fields_, more_);
   turn_by(rim_.angular_velocity, more_, turned_);
-  turned_ += stiff_;
+  turned_ += stiff_transposed_;
   turned_.middleCols<3>(3) += unit_turns(inner_);
   HubSlopes hub;
   for (const int field : {0, 3}) {

@@ -15,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+#include "models/ring_tire/belt/belt_damping.h"
 #include "models/ring_tire/belt/sidewall.h"
 #include "models/ring_tire/ring/exact_tangent.h"
 #include "models/ring_tire/ring/ring_state.h"
@@ -87,8 +88,12 @@ class MotionSlopes {
   Eigen::Vector3d moment_on_rim_;
   Eigen::VectorXd gamma_;
   std::vector<Eigen::Matrix4d> dampers_;  // of knots, in inertial axes
-  // Unit translations and rotations about the center; what the belt's stiffness makes of them.
-  Columns fields_, stiff_;
+  // The belt's own where it has any: C of (30), D of (31).
+  std::optional<CyclicBand> belt_damping_;
+  std::optional<WholeBand> belt_turning_;
+  // Unit translations and rotations about the center; what the belt's stiffness makes of them, and
+  // its transpose.
+  Columns fields_, stiff_, stiff_transposed_;
   // By column, of the rim: its center, rotation with spin, velocity, angular velocity; and the
   // rotation of the carrier.
   Vectors center_, turn_, velocity_, rate_, carrier_;

@@ -129,6 +129,20 @@ TEST(MotionSlopes, OfBentSections) {
   EXPECT_LT(deviation(bent(plain()), road::PlaneRoad(), tilted, 10, 5e-4), kTolerance);
 }
 
+// Times of rubber, and more than it ever has.
+TEST(MotionSlopes, OfADampedBelt) {
+  const auto cleat = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);
+  const SlippingWheel tilted{.slip = -0.02, .camber = 0.03, .steer = 0.02, .yaw_rate = 2.0};
+  for (const double time : {1e-4, 2e-3}) {
+    RingParameters ring = plain();
+    ring.belt.damping_time = time;
+    ring.belt.extension_damping_time = 0.01 * time;
+    for (const int steps : {22, 27, 33})
+      EXPECT_LT(deviation(ring, cleat, tilted, steps, 2e-4), kTolerance) << steps << ", " << time;
+    EXPECT_LT(deviation(bent(ring), cleat, tilted, 27, 9e-4, 3e-4), kTolerance) << time;
+  }
+}
+
 // The middle motions hang on the end's, and each part on the state that the one before left.
 TEST(MotionSlopes, OfAStepDividedInParts) {
   const auto cleat = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);

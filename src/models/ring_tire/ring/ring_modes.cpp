@@ -29,15 +29,21 @@ Matrix4d axes(const RimFrame& rim, const NodeAngles& angles, int k) {
 /// The ring at rest, unloaded.
 struct RestingRing {
   explicit RestingRing(const RingParameters& ring)
-      : angles(ring.nodes), rim(RimFrame::of(WheelMotion())), q(4, ring.nodes), K(ring.nodes) {
+      : angles(ring.nodes),
+        rim(RimFrame::of(WheelMotion())),
+        q(4, ring.nodes),
+        K(ring.nodes),
+        C(ring.nodes) {
     const double radius = ring.belt.radius * node_radius_over_knot_radius(ring.nodes);
     for (int k = 0; k < ring.nodes; ++k) q.col(k) << radius * angles.radial(rim, k), 0.0;
-    InnerForces(ring).find_stiffness(q, rim, {}, 1.0).turn_back(rim, K);
+    InnerForces inner(ring);
+    inner.find_stiffness(q, rim, {}, 1.0).turn_back(rim, K);
+    if (inner.belt().damped()) inner.find_belt_damping(q, rim).turn_back(rim, C);
   }
 
-  /// K(n) of (20), of amplitudes at the knots; node 0 is far enough from the ring's end that
-  /// blocks to both sides are stored.
-  Matrix4cd harmonic(int n) const {
+  /// K(n) of (20), and the like of C, of amplitudes at the knots; node 0 is far enough from the
+  /// ring's end that blocks to both sides are stored.
+  Matrix4cd harmonic(const CyclicBand& K, int n) const {
     const int N = angles.nodes(), at = CyclicBand::kReach;
     const Matrix4d Q = axes(rim, angles, at);
     Matrix4cd sum = (Q.transpose() * K.block(at, 0) * Q).cast<Complex>();
@@ -70,14 +76,17 @@ struct RestingRing {
   NodeAngles angles;
   RimFrame rim;
   NodeValues q;
-  CyclicBand K;
+  CyclicBand K, C;  // C: of (30)
 };
 
+/// Of waves n.
 struct Losses {
-  Eigen::Vector4d damping, maxwell;  // of a node
+  Eigen::Vector4d damping, maxwell;  // of a node's sidewall
   double tau;
+  Matrix4cd of_belt;
 
-  explicit Losses(const RingParameters& ring) : tau(ring.sidewall.time_constant) {
+  Losses(const RingParameters& ring, const Matrix4cd& belt)
+      : tau(ring.sidewall.time_constant), of_belt(belt) {
     const Sidewall& s = ring.sidewall;
     const double share = 2.0 * std::numbers::pi * ring.belt.radius / ring.nodes;
     damping =
@@ -92,8 +101,9 @@ struct Losses {
 
 RingMode mode_of(double squared, const Eigen::Vector4cd& shape, const Losses& losses) {
   const Eigen::Vector4d weight = shape.cwiseAbs2();  // mass-normalized
+  const double lost = losses.damping.dot(weight) + shape.dot(losses.of_belt * shape).real();
   const auto [frequency, damping] =
-      damped_mode(squared, losses.damping.dot(weight), losses.maxwell.dot(weight), losses.tau);
+      damped_mode(squared, lost, losses.maxwell.dot(weight), losses.tau);
   RingMode mode;
   mode.frequency = frequency;
   mode.damping = damping;
@@ -150,13 +160,13 @@ DampedMode damped_mode(double squared, double damping, double maxwell, double ti
 std::vector<RingMode> unloaded_modes(const RingParameters& ring, int most_waves) {
   assert(most_waves <= ring.nodes / 2);
   const RestingRing resting(ring);
-  const Losses losses(ring);
   const double m = ring.belt.mass / ring.nodes;
   const double J =
       ring.belt.torsion_inertia * 2.0 * std::numbers::pi * ring.belt.radius / ring.nodes;
   std::vector<RingMode> modes;
   for (int n = 0; n <= most_waves; ++n) {
-    const Matrix4cd K = resting.harmonic(n);
+    const Matrix4cd K = resting.harmonic(resting.K, n);
+    const Losses losses(ring, resting.harmonic(resting.C, n));
     append_plane(K, {m, m, m, J}, false, n, losses, modes);
     append_plane(K, {m, m, m, J}, true, n, losses, modes);
   }

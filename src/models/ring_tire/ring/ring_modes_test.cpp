@@ -64,5 +64,56 @@ TEST(RingModes, DynamicStiffeningRaisesFrequencyAndDamping) {
   EXPECT_NEAR(mode.damping, 0.5 * 0.2 / 1.2 / omega, 1e-4 / omega);
 }
 
+// 2 D ω is the viscosity in a mode over the mass in it, with the stiffness of bending in the closed
+// form of the frequency times τ: τ EI n²(n²-1)²/R⁴ /(ρA (1 + n²)), beside the sidewall's
+// (d_t + n² d_r)/(ρA (1 + n²)).
+TEST(RingModes, BendingOfTheBeltDampsAsItsClosedForm) {
+  RingParameters ring = bare_ring();
+  ring.nodes = 200;
+  ring.belt.bending_in_plane = 20.0;
+  ring.belt.damping_time = 2e-4;
+  const double R = ring.belt.radius, per_length = ring.belt.mass / (2.0 * std::numbers::pi * R);
+  const auto modes = unloaded_modes(ring, 12);
+  for (const int n : {2, 5, 12}) {
+    const double n2 = n * n;
+    const double viscosity = ring.belt.damping_time * ring.belt.bending_in_plane * n2 * (n2 - 1) *
+                                 (n2 - 1) / std::pow(R, 4) +
+                             ring.sidewall.tangential.damping + n2 * ring.sidewall.radial.damping;
+    const RingMode& mode = find_mode(modes, n, false);
+    const double omega = 2.0 * std::numbers::pi * mode.frequency;
+    EXPECT_NEAR(mode.damping * 2.0 * omega * per_length * (1.0 + n2) / viscosity, 1.0, 1e-4) << n;
+  }
+}
+
+// Sections held upright, the belt bends across its plane: τ (EI_o + GJ/n²) n⁴/R⁴ beside d_y. In
+// the breathing ring its extension and its bend, τ_e EA/R² + τ EI/R⁴ beside d_r.
+TEST(RingModes, OutOfPlaneBendingTwistAndExtensionDampAsTheirClosedForms) {
+  RingParameters ring = bare_ring();
+  ring.nodes = 200;
+  ring.belt.extension = 2e6;
+  ring.sidewall.torsion = 1e9;
+  ring.belt.damping_time = 2e-4;
+  ring.belt.extension_damping_time = 3e-5;
+  const double R = ring.belt.radius, per_length = ring.belt.mass / (2.0 * std::numbers::pi * R);
+  const auto modes = unloaded_modes(ring, 6);
+  const auto doubled = [&](const RingMode& mode) {
+    return mode.damping * 4.0 * std::numbers::pi * mode.frequency * per_length;
+  };
+  for (const int n : {1, 3, 6}) {
+    const double n2 = n * n;
+    const double viscosity = ring.belt.damping_time *
+                                 (ring.belt.bending_out_of_plane * n2 + ring.belt.twist) * n2 /
+                                 std::pow(R, 4) +
+                             ring.sidewall.lateral.damping;
+    EXPECT_NEAR(doubled(find_mode(modes, n, true)) / viscosity, 1.0, 1e-3) << n;
+  }
+  EXPECT_NEAR(doubled(find_mode(modes, 0, false, 2)) /
+                  (ring.belt.extension_damping_time * ring.belt.extension / (R * R) +
+                   ring.belt.damping_time * ring.belt.bending_in_plane / std::pow(R, 4) +
+                   ring.sidewall.radial.damping),
+              1.0,
+              1e-5);
+}
+
 }  // namespace
 }  // namespace latsch::ring_tire

@@ -79,6 +79,12 @@ RingTire::Linearized RingTire::linearized() const {
     add_at_knot(along_axes(axes, losses.damping), k, tire.damping);
     add_at_knot(along_axes(axes, losses.maxwell), k, tire.maxwell);
   }
+  if (inner.belt().damped()) {
+    CyclicBand of_belt(nodes);
+    inner.find_belt_damping(q_, rim_).turn_back(rim_, of_belt);
+    for (int k = 0; k < nodes; ++k)
+      for (int j = 0; j <= CyclicBand::kReach; ++j) tire.damping.block(k, j) += of_belt.block(k, j);
+  }
   tread_.add_sticking(q_, tire.stiffness, tire.damping);
   if (section_.on())
     tread_.section_border(section_, q_, true, tire.section_border, tire.section_stiffness);

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the belt's damping (30) takes from a moving tire.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "models/ring_tire/belt/belt_curve.h"
+#include "models/ring_tire/description/ring_parameters_testing.h"
+#include "models/ring_tire/ring/ring_modes.h"
+#include "models/ring_tire/ring/ring_tire.h"
+#include "models/road/plane_road.h"
+
+namespace latsch::ring_tire {
+namespace {
+
+/// Nothing else is lost.
+RingParameters losing_in_the_belt(double time) {
+  RingParameters ring = passenger_ring();
+  for (SidewallElement* e :
+       {&ring.sidewall.radial, &ring.sidewall.tangential, &ring.sidewall.lateral})
+    e->damping = 0.0;
+  ring.sidewall.torsion_damping = 0.0;
+  ring.belt.bending_in_plane = 40.0;
+  ring.belt.damping_time = time;
+  return ring;
+}
+
+// Struck in the shape of a mode, the tire in the air loses 1 - exp(-2 D ω t) of its energy.
+TEST(BeltLoss, AStruckTireLosesTheEnergyThatItsModesDampingSays) {
+  const RingParameters ring = losing_in_the_belt(2e-5);
+  for (const int n : {3, 6}) {
+    const RingMode mode = find_mode(unloaded_modes(ring, n), n, false);
+    RingTire tire(ring, {.dissipation = 0.0, .tolerance = 1e-6});
+    WheelMotion motion;
+    motion.center.z() = 1.0;
+    ASSERT_TRUE(tire.settle(motion, road::PlaneRoad(), 0.0));
+    const double rest = tire.energy();
+    RingState state = tire.state();
+    const NodeAngles angles(ring.nodes);
+    for (int k = 0; k < ring.nodes; ++k) {
+      const double phi = 2.0 * std::numbers::pi * k / ring.nodes, speed = 0.02;
+      state.rate.col(k).head<3>() +=
+          speed * (mode.shape[0] * std::cos(n * phi) * angles.radial(tire.rim(), k) -
+                   mode.shape[1] * std::sin(n * phi) * angles.tangential(tire.rim(), k));
+    }
+    tire.restore(state);
+    const double struck = tire.energy() - rest;
+    const double periods = 8.0, h = 1.0 / mode.frequency / 400.0;
+    for (int i = 1; i <= std::lround(periods * 400.0); ++i)
+      ASSERT_TRUE(tire.advance(motion, road::PlaneRoad(), i * h, h));
+    const double kept = std::exp(-4.0 * std::numbers::pi * mode.damping * periods);
+    EXPECT_LT(kept, 0.9);
+    // 1 % of the exponent: the shape struck is that of nodes, not of knots, and of first order.
+    EXPECT_NEAR(std::log((tire.energy() - rest) / struck), std::log(kept), -0.01 * std::log(kept));
+  }
+}
+
+// Spun up in the air and rolling on the ground: nothing against the spin in the first, in the
+// second the more the longer the time.
+TEST(BeltLoss, RollsAgainstItsOwnBendingAlone) {
+  const auto drag = [&](double time, bool loaded) {
+    RingParameters ring = losing_in_the_belt(time);
+    if (!loaded)  // what the start left swings out soon
+      for (SidewallElement* e :
+           {&ring.sidewall.radial, &ring.sidewall.tangential, &ring.sidewall.lateral})
+        e->damping = 1000.0;
+    RingTire tire(ring, {.tolerance = 1e-6});
+    const road::PlaneRoad road;
+    WheelMotion motion;
+    motion.center.z() = tire.free_radius() - (loaded ? 0.02 : -0.1);
+    motion.velocity.x() = 10.0;
+    motion.spin_rate = 10.0 / 0.309;
+    EXPECT_TRUE(tire.settle(motion, road, 0.0));
+    const double h = 5e-4;
+    double sum = 0.0;
+    for (int i = 1; i <= 600; ++i) {
+      motion.center.x() += h * motion.velocity.x();
+      motion.spin += h * motion.spin_rate;
+      const auto hub = tire.advance(motion, road, i * h, h);
+      EXPECT_TRUE(hub);
+      if (i > 400) sum -= hub->force.x() * motion.velocity.x() + hub->moment.y() * motion.spin_rate;
+    }
+    return sum / 200.0;  // W
+  };
+  // What is left without the damping is the steps' own.
+  EXPECT_NEAR(drag(5e-4, false), drag(0.0, false), 1e-6);
+  const double none = drag(0.0, true), some = drag(2e-4, true), more = drag(4e-4, true);
+  EXPECT_GT(some - none, 5.0);
+  EXPECT_NEAR((more - none) / (some - none), 2.0, 0.2);
+}
+
+}  // namespace
+}  // namespace latsch::ring_tire
