@@ -7,6 +7,7 @@
 
 #include "models/ring_tire/belt/belt_curve.h"
 #include "models/ring_tire/belt/bend_rule.h"
+#include "models/ring_tire/belt/ply_coupling.h"
 
 namespace latsch::ring_tire {
 
@@ -79,7 +80,12 @@ BeltForces::BeltForces(const Belt& belt, int nodes) : nodes_(nodes), law_() {
           24.0 * belt.radius / ((23.0 * std::cos(0.5 * x) + std::cos(1.5 * x)) * node_radius),
       .tilt_twist = belt.radius * x * x / (node_radius * (std::cos(0.5 * x) - std::cos(1.5 * x))),
       .damping_time = belt.damping_time,
-      .extension_damping_time = belt.extension_damping_time};
+      .extension_damping_time = belt.extension_damping_time,
+      .D16 = belt.bending_twist,
+      .cone = 0.0,
+      .cone_between = 0.0};
+  law_.cone = belt.conicity * law_.s0;
+  law_.cone_between = belt.conicity * law_.tilt_between * law_.s0_between;
 }
 
 double BeltForces::energy(const NodeValues& q, const RimFrame& rim) const {
@@ -97,7 +103,10 @@ double BeltForces::energy(const NodeValues& q, const RimFrame& rim) const {
                tilt_between,
                tilt_twist,
                damping_time,
-               extension_damping_time] = law_;
+               extension_damping_time,
+               D16,
+               cone,
+               cone_between] = law_;
   double sum = 0.0;
   for (int k = 0; k < nodes_; ++k) {
     const auto node = [&](int i) -> Eigen::Vector4d { return q.col((k + i + nodes_) % nodes_); };
@@ -119,13 +128,20 @@ double BeltForces::energy(const NodeValues& q, const RimFrame& rim) const {
                torsion_by_bend * rule.place[i] * node(i - 1)[3];
       return sum / (L0 * L0);
     };
-    const double knot = curvature(kAtKnot, at_knot),
-                 middle = curvature(kBetween, tilt_between * between);
+    const double knot = curvature(kAtKnot, at_knot) + cone / (L0 * L0),
+                 middle = curvature(kBetween, tilt_between * between) + cone_between / (L0 * L0);
     const double twist =
         (slope[3] + rim.a.dot(slope.head<3>()) * tilt_twist * between / (L0 * L0)) / L0;
     sum += 0.5 * L0 * EI_out_of_plane *
            (kKnotShare * knot * knot + (1.0 - kKnotShare) * middle * middle);  // (4)
     sum += 0.5 * L0 * GJ * twist * twist;                                      // (5)
+    if (D16 == 0.0) continue;
+    const double at_knot_slope = 0.5 * (node(1) - node(-1))[3],
+                 across = 0.5 * rim.a.dot(place(1) - place(-1));
+    const double twist_at_knot = (at_knot_slope - across * at_knot / (R * s0)) / L0;
+    sum += D16 / L0 *
+           (kKnotShare * (at_knot - s0) * twist_at_knot +
+            (1.0 - kKnotShare) * (between - s0_between) * twist);  // (32)
   }
   return sum;
 }
@@ -150,6 +166,7 @@ void BeltForces::find_force(const RimRows& at, const RimRows* rate, RimRows& for
     LATSCH_KERNEL(strain)(nodes_, law_, x, e);
   }
   LATSCH_KERNEL(gather)(nodes_, law_, x, e, to);
+  if (law_.D16 != 0.0) add_ply_force(law_, at, damped() ? rate : nullptr, force);
 }
 
 }  // namespace latsch::ring_tire

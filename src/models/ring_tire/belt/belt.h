@@ -19,6 +19,9 @@
 // and torsion are taken as small; in-plane motion may be large. Equations: docs/ring_tire.md,
 // section 2.
 //
+// Plies: energy (32) of bending with twist, ply_coupling.h. Where the belt is a cone at rest, its
+// sections turned by ψ_0, (4) counts from there: u'' - ζ (ψ s - ψ_0 s_0)                       (33)
+//
 // Damping: beside the stress of (1) and (3) to (5), K times the strain e, stands K τ e'       (30)
 // with the strain's rate e' by the velocities against the turning rim; τ_e of extension, which is
 // the cords', τ_b of all others, which are the rubber's between them. Where the belt moves as a
@@ -38,6 +41,7 @@ struct BeltLaw {
   double R, L0, stretch0, T0, EA, EI, EI_out_of_plane, GJ, pressure_width, s0, s0_between,
       tilt_between, tilt_twist;
   double damping_time, extension_damping_time;  // s, τ_b and τ_e of (30)
+  double D16, cone, cone_between;               // of (32), N m^2; ζ ψ_0 s_0 of (33), m
 
   /// Times more of what strains stretch: (1) alone, all others.
   BeltLaw stiffer(double extension, double bending) const {
@@ -46,12 +50,13 @@ struct BeltLaw {
     law.EI *= bending;
     law.EI_out_of_plane *= bending;
     law.GJ *= bending;
+    law.D16 *= bending;
     return law;
   }
   /// Without stress or pressure, of the same shape.
   BeltLaw slack() const {
     BeltLaw law = stiffer(0.0, 0.0);
-    law.T0 = law.pressure_width = 0.0;
+    law.T0 = law.pressure_width = law.cone = law.cone_between = 0.0;
     return law;
   }
 };

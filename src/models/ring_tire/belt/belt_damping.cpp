@@ -13,6 +13,12 @@ BendMatrix turning(const Strain& e, double viscosity, const BendVector& rate) {
   return viscosity * (e.slope.dot(rate) * e.second + e.slope * (e.second * rate).transpose());
 }
 
+/// Of the product of two strains, whose stresses are the other's.
+BendMatrix turning(const Strain& a, const Strain& b, double viscosity, const BendVector& rate) {
+  return viscosity * (a.slope.dot(rate) * b.second + b.slope * (a.second * rate).transpose() +
+                      b.slope.dot(rate) * a.second + a.slope * (b.second * rate).transpose());
+}
+
 }  // namespace
 
 WholeBand::WholeBand(int nodes)
@@ -57,6 +63,8 @@ WholeBand damping_by_places(const BeltForces& belt,
                turning(e.length,
                        law.extension_damping_time * law.EA * law.L0 / (law.stretch0 * law.stretch0),
                        v);
+      if (law.D16 != 0.0)
+        sum += turning(e.bend, e.twist, tau * place.share * law.D16 / (law.L0 * law.L0), v);
       const int nodes = place.between ? 4 : 3;
       for (int i = 0; i < nodes; ++i)
         for (int j = 0; j < nodes; ++j)

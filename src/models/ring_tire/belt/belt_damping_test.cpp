@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// (30) against strains written out here by the equations of docs/ring_tire.md and their differences.
+// (30) against strains written out here by the equations of docs/ring_tire.md, and their
+// differences.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -26,6 +27,8 @@ RingParameters damped_ring() {
   RingParameters ring = passenger_ring();
   ring.belt.damping_time = kBeltTime;
   ring.belt.extension_damping_time = kExtensionTime;
+  ring.belt.bending_in_plane = 10.0;
+  ring.belt.bending_twist = 20.0;
   return ring;
 }
 
@@ -59,9 +62,10 @@ NodeValues shaken(NodeValues q, double place, double torsion) {
   return q;
 }
 
-/// A strain e and its viscosity c: the power lost is c e'².
+/// A strain e and its viscosity c: the power lost is c e'². Twist is joined by the plies to the
+/// bend, two before it in the list.
 struct DampedStrain {
-  double viscosity, value;
+  double viscosity, value, joined = 0.0;
 };
 
 /// All of (1), (3), (4), (5) at q.
@@ -112,9 +116,12 @@ std::vector<DampedStrain> strains(const RingParameters& ring,
       all.push_back({kBeltTime * share * b.bending_in_plane / cube, bend});
       all.push_back(
           {kBeltTime * share * b.bending_out_of_plane / cube, d.y() - zeta * p[3] * bend});
-      if (s == 0.0) continue;
+      // Joined with the bend, two before; none of its own at the knots.
       const double across = -L0 * L0 / (b.radius * rest);
-      all.push_back({kBeltTime * b.twist / L0, c[3] + across * c.y() * bend / (L0 * L0)});
+      all.push_back({s == 0.0 ? 0.0 : kBeltTime * b.twist / L0,
+                     c[3] + across * c.y() * bend / (L0 * L0),
+                     kBeltTime * share * b.bending_twist / (L0 * L0)});
+      if (s == 0.0) continue;
       const double node_radius = b.radius * node_radius_over_knot_radius(N);
       const double g0 = 0.25 * node_radius * (5.0 * std::sin(0.5 * x) + std::sin(1.5 * x));
       all.push_back({kExtensionTime * b.extension * L0, c.head<3>().norm() / g0});
@@ -146,7 +153,14 @@ NodeValues viscous_force(const RingParameters& ring,
       viscosity[e] = a[static_cast<std::size_t>(e)].viscosity;
     }
   }
-  const VectorXd stress = viscosity.cwiseProduct(gradient * against.reshaped());
+  const VectorXd rate = gradient * against.reshaped();
+  VectorXd stress = viscosity.cwiseProduct(rate);
+  const auto all = strains(ring, q, rim);
+  for (Eigen::Index e = 2; e < count; ++e) {
+    const double joined = all[static_cast<std::size_t>(e)].joined;
+    stress[e] += joined * rate[e - 2];
+    stress[e - 2] += joined * rate[e];
+  }
   return (-gradient.transpose() * stress).reshaped(4, q.cols());
 }
 

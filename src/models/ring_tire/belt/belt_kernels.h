@@ -91,7 +91,7 @@ LATSCH_INLINE void strain_of(int nodes,
     store(twist, e.row[Elements::kTwist] + k);
     store(twist * turned, e.row[Elements::kTwistAcross] + k);
     const Lanes torsion = torsion_between(law.tilt_between, psi, k);
-    Lanes curved = bend_between(y, k) - torsion * s;
+    Lanes curved = (bend_between(y, k) - torsion * s) + law.cone_between;
     if constexpr (damped)
       curved =
           curved + tau * (bend_between(rates[1], k) -
@@ -116,7 +116,7 @@ LATSCH_INLINE void strain_of(int nodes,
     const Lanes s = sx * tz - sz * tx;
     const Lanes along = (sx * tx + sz * tz) * shorter;
     const Lanes torsion = torsion_at(psi, k);
-    Lanes curved = ((y2 + y0) - 2.0 * y1) - torsion * s, bent = s - law.s0;
+    Lanes curved = (((y2 + y0) - 2.0 * y1) - torsion * s) + law.cone, bent = s - law.s0;
     if constexpr (damped) {
       const Lanes s_rate = (bend_at(rates[0], k) - along * gain_at(rates[0], k)) * tz -
                            (bend_at(rates[2], k) - along * gain_at(rates[2], k)) * tx;

@@ -11,6 +11,7 @@
 // j.
 #include "models/ring_tire/belt/belt.h"
 #include "models/ring_tire/belt/bend_rule.h"
+#include "models/ring_tire/belt/ply_coupling.h"
 
 namespace latsch::ring_tire {
 
@@ -71,6 +72,7 @@ void BeltForces::find_by_laws(const BeltLaw& stress,
   LATSCH_KERNEL(stiffen)(nodes_, stress, stretch, scale, x, e);
   LATSCH_KERNEL(gather_stiffness)(nodes_, scale * stress.pressure_width, e, rows);
   add_lateral_stiffness(stretch, scale, K);
+  if (stretch.D16 != 0.0) add_ply_stiffness(stress, stretch, at, scale, K);
 }
 
 /// Of (4) and (5) what does not change with the belt's bend.

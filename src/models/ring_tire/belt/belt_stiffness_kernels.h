@@ -59,12 +59,13 @@ LATSCH_INLINE BySlope tilting(const BendRule& rule,
                               double stress_EI,
                               double EI,
                               double zeta,
+                              double cone,
                               const Lanes& s,
                               const double* const rows[4],
                               int k,
                               double* const* to) {
   const Lanes tilt = zeta * weighted(rows[3], k, rule.place);
-  const Lanes lateral = stress_EI * (weighted(rows[1], k, rule.second) - tilt * s);
+  const Lanes lateral = stress_EI * ((weighted(rows[1], k, rule.second) - tilt * s) + cone);
   const auto put = [&](int row, const Lanes& value) { store(value, to[row] + k); };
   put(ElementStiffness::kTilt, -(EI * zeta * s));
   put(ElementStiffness::kTiltTilt, EI * zeta * zeta * s * s);
@@ -104,8 +105,15 @@ void stiffen(int nodes,
     double* const* const to = e.row + ElementStiffness::kBetween;
     constexpr double kShare = 1.0 - kKnotShare;
     const Bend bend = bend_of(kBetween, rows, k);
-    const BySlope tilt = tilting(
-        kBetween, kShare * stress_EI_out, kShare * EI_out, law.tilt_between, bend.s, rows, k, to);
+    const BySlope tilt = tilting(kBetween,
+                                 kShare * stress_EI_out,
+                                 kShare * EI_out,
+                                 law.tilt_between,
+                                 law.cone_between,
+                                 bend.s,
+                                 rows,
+                                 k,
+                                 to);
     const Lanes turned = by_s * d[1], follows = by_s * bend.s;  // (5): ψ' + u' by_s s
     const Lanes twist = stress_GJ * (weighted(rows[3], k, kBetween.slope) + d[1] * follows);
     store(GJ * follows, e.row[ElementStiffness::kTwist] + k);
@@ -121,8 +129,15 @@ void stiffen(int nodes,
   by_eight(-1, nodes + 1, [&](int k) {
     double* const* const to = e.row + ElementStiffness::kKnot;
     const Bend bend = bend_of(kAtKnot, rows, k);
-    const BySlope tilt =
-        tilting(kAtKnot, kKnotShare * stress_EI_out, kKnotShare * EI_out, 1.0, bend.s, rows, k, to);
+    const BySlope tilt = tilting(kAtKnot,
+                                 kKnotShare * stress_EI_out,
+                                 kKnotShare * EI_out,
+                                 1.0,
+                                 law.cone,
+                                 bend.s,
+                                 rows,
+                                 k,
+                                 to);
     bending(bend,
             kKnotShare * EI + tilt.stiffness,
             kKnotShare * stress_EI * (bend.s - law.s0) + tilt.moment,

@@ -68,6 +68,63 @@ TEST(BeltForces, AreTheGradientOfTheEnergyAndTheStiffnessItsHessian) {
     }
 }
 
+TEST(BeltForces, OfCoupledPliesAndOfAConeAreTheGradientAndItsSlopeTheHessian) {
+  RingParameters ring = passenger_ring();
+  ring.belt.extension = 2e4;  // its rounding aside
+  ring.belt.bending_in_plane = 10.0;
+  ring.belt.bending_twist = 20.0;
+  ring.belt.conicity = 0.05;
+  const BeltForces belt(ring.belt, kBeltNodes);
+  RingParameters without = ring;
+  without.belt.bending_twist = without.belt.conicity = 0.0;
+  const RimFrame rim = some_rim();
+  const NodeValues q = deformed(rim, ring.belt.radius);
+  const NodeValues force = force_of(belt, q, rim);
+  EXPECT_GT((force - force_of(BeltForces(without.belt, kBeltNodes), q, rim)).norm(),
+            1e-2 * force.norm());
+  const CyclicBand K = stiffness_of(belt, q, rim);
+  const double h = 1e-6;
+  for (int j = 0; j < 4 * kBeltNodes; ++j) {
+    NodeValues plus = q, minus = q, direction = NodeValues::Zero(4, kBeltNodes);
+    plus.data()[j] += h;
+    minus.data()[j] -= h;
+    direction.data()[j] = 1.0;
+    const double slope = (belt.energy(plus, rim) - belt.energy(minus, rim)) / (2.0 * h);
+    EXPECT_NEAR(force.data()[j], -slope, 1e-8 * force.norm());
+    const NodeValues f1 = force_of(belt, plus, rim), f0 = force_of(belt, minus, rim);
+    const NodeValues column = K.multiply(direction);
+    EXPECT_LT((column + (f1 - f0) / (2.0 * h)).norm(), 1e-7 * column.norm());
+  }
+}
+
+// A cone stands without stress where its sections have turned by ψ_0, belt and sidewall alike; its
+// belt, and one of coupled plies, tilt freely.
+TEST(BeltForces, OfAConeVanishAtItsRest) {
+  RingParameters ring = passenger_ring();
+  ring.belt.bending_in_plane = 10.0;
+  ring.belt.bending_twist = 20.0;
+  ring.belt.conicity = 0.02;
+  const RimFrame rim = some_rim();
+  NodeValues q = nodes_at_rest(rim, ring.belt.radius);
+  const BeltForces belt(ring.belt, kBeltNodes);
+  const SidewallForces wall(ring.sidewall, ring.belt.radius, kBeltNodes, ring.belt.conicity);
+  EXPECT_GT(force_of(belt, q, rim).norm(), 1.0);
+  q.row(3).array() += ring.belt.conicity;
+  EXPECT_LT(force_of(belt, q, rim).norm(), 1e-11 * ring.belt.extension);
+  EXPECT_LT(force_of(wall, at_knots(q), rim).norm(), 1e-8);
+  RingParameters slack = ring;
+  slack.belt.pressure = 0.0;
+  const double tilt = 1e-6;
+  for (int k = 0; k < kBeltNodes; ++k) {
+    const double c =
+        node_radius_over_knot_radius(kBeltNodes) * std::cos(2.0 * M_PI * k / kBeltNodes);
+    q.col(k).head<3>() += tilt * ring.belt.radius * c * rim.a;
+    q(3, k) += tilt * c;
+  }
+  EXPECT_LT(force_of(BeltForces(slack.belt, kBeltNodes), q, rim).norm(),
+            5.0 * slack.belt.extension * tilt * tilt + 1e-11 * ring.belt.extension);
+}
+
 TEST(BeltForces, VanishAtRestAndUnderARigidTilt) {
   const RingParameters ring = passenger_ring();
   RingParameters slack = ring;

@@ -10,17 +10,6 @@ using Eigen::Matrix2d;
 using Eigen::Matrix4d;
 using Eigen::Vector2d;
 
-/// What each form counts of a node's x, y, z, ψ.
-Eigen::Matrix<double, kBendForms, 4> of_node(const BendRule& rule, int i) {
-  Eigen::Matrix<double, kBendForms, 4> weights;
-  weights.setZero();
-  weights(kSlopeX, 0) = weights(kSlopeY, 1) = weights(kSlopeZ, 2) = weights(kTwist, 3) =
-      rule.slope[i];
-  weights(kBendX, 0) = weights(kBendY, 1) = weights(kBendZ, 2) = rule.second[i];
-  weights(kTorsion, 3) = rule.place[i];
-  return weights;
-}
-
 /// Of factor * s: derivatives by what else it hangs on are added by the caller.
 Strain times(const Strain& s, double factor) {
   return {factor * s.value, factor * s.slope, factor * s.second};
@@ -108,14 +97,21 @@ Strains::Strains(const BendPlace& place, const BendVector& z)
   twist.slope[kTwist] += 1.0;
 }
 
-Matrix4d on_nodes(const BendRule& rule, const BendVector& by_form) {
-  Matrix4d nodes;
-  for (int i = 0; i < 4; ++i) nodes.col(i) = of_node(rule, i).transpose() * by_form;
-  return nodes;
-}
-
-Matrix4d on_nodes(const BendRule& rule, const BendMatrix& by_form, int i, int j) {
-  return of_node(rule, i).transpose() * by_form * of_node(rule, j);
+Matrix4d on_nodes(const BendRule& rule, const BendMatrix& M, int i, int j) {
+  constexpr BendForm kFirst[4] = {kSlopeX, kSlopeY, kSlopeZ, kTwist},
+                     kSecond[4] = {kBendX, kBendY, kBendZ, kTorsion};
+  const auto second = [&](int node, int entry) {
+    return entry < 3 ? rule.second[node] : rule.place[node];
+  };
+  Matrix4d block;
+  for (int c = 0; c < 4; ++c)
+    for (int r = 0; r < 4; ++r)
+      block(r, c) =
+          rule.slope[i] *
+              (rule.slope[j] * M(kFirst[r], kFirst[c]) + second(j, c) * M(kFirst[r], kSecond[c])) +
+          second(i, r) *
+              (rule.slope[j] * M(kSecond[r], kFirst[c]) + second(j, c) * M(kSecond[r], kSecond[c]));
+  return block;
 }
 
 }  // namespace latsch::ring_tire

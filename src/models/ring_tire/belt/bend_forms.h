@@ -44,10 +44,7 @@ struct Strains {
   Strains(const BendPlace& place, const BendVector& forms);
 };
 
-/// Forces, or columns of a matrix, by forms as those by the coordinates x, y, z, ψ of the four
-/// nodes: their transpose.
-Eigen::Matrix4d on_nodes(const BendRule& rule, const BendVector& by_form);
-/// The block of node i with node j of a matrix by forms.
+/// The block of node i with node j, by x, y, z, ψ of each, of a matrix by forms.
 Eigen::Matrix4d on_nodes(const BendRule& rule, const BendMatrix& by_form, int i, int j);
 
 }  // namespace latsch::ring_tire

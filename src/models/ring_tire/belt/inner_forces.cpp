@@ -5,7 +5,8 @@ namespace latsch::ring_tire {
 
 InnerForces::InnerForces(const RingParameters& parameters)
     : belt_(parameters.belt, parameters.nodes),
-      sidewall_(parameters.sidewall, parameters.belt.radius, parameters.nodes),
+      sidewall_(
+          parameters.sidewall, parameters.belt.radius, parameters.nodes, parameters.belt.conicity),
       nodes_(parameters.nodes),
       node_rates_(parameters.nodes),
       knots_(parameters.nodes),

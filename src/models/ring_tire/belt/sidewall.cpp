@@ -41,7 +41,7 @@ void from_polar(int nodes, const NodeAngles& angles, const double* const polar[3
 
 }  // namespace
 
-SidewallForces::SidewallForces(const Sidewall& sidewall, double radius, int nodes)
+SidewallForces::SidewallForces(const Sidewall& sidewall, double radius, int nodes, double conicity)
     : angles_(nodes),
       R_(radius),
       tau_(sidewall.time_constant),
@@ -67,6 +67,7 @@ SidewallForces::SidewallForces(const Sidewall& sidewall, double radius, int node
   torsion_ = share * sidewall.torsion;
   torsion_damping_ = share * sidewall.torsion_damping;
   torsion_by_lateral_ = sidewall.torsion_by_lateral;
+  conicity_ = conicity;
   reset();
 }
 
@@ -158,7 +159,8 @@ void SidewallForces::find_force(const RimRows& at,
   const double* psi_rate = rate.row(RimRows::kTorsion);
   const double damping = rule.statics() ? 0.0 : torsion_damping_;
   for (int k = 0; k < nodes; ++k) {
-    const double torsion = torsion_ * (psi[k] - torsion_by_lateral_ * u[2][k]);  // (9)
+    const double torsion =
+        torsion_ * ((psi[k] - torsion_by_lateral_ * u[2][k]) - conicity_);  // (9)
     force.row(RimRows::kY)[k] += torsion_by_lateral_ * torsion;
     force.row(RimRows::kTorsion)[k] = -torsion - damping * psi_rate[k];
   }
@@ -250,7 +252,7 @@ double SidewallForces::energy(const NodeValues& q, const RimFrame& rim) const {
         sum += 0.5 * friction_[i].k * memory_.slip(i, k) * memory_.slip(i, k);
     const double on_rim = std::min(u[0] + rim_travel_, 0.0);
     sum += 0.5 * rim_stiffness_ * on_rim * on_rim;  // (28)
-    const double twist = q(3, k) - torsion_by_lateral_ * u[2];
+    const double twist = q(3, k) - torsion_by_lateral_ * u[2] - conicity_;
     sum += 0.5 * torsion_ * twist * twist;
   }
   return sum;

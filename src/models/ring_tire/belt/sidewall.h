@@ -10,7 +10,7 @@
 //   F_r = k_b (u + b) more where u < -b                                                     (28)
 // Friction element i of n: a spring S k/n that slips at F_i = F 2i/(n(n+1)); n = 5 radially.  (8)
 // The section's torsion against the rim, coupled to lateral travel:
-//   energy 1/2 c_ψ (ψ - λ u_y)^2, damping d_ψ                                               (9)
+//   energy 1/2 c_ψ (ψ - ψ_0 - λ u_y)^2, damping d_ψ; ψ_0: of (33)                           (9)
 // Maxwell elements by the trapezoidal rule, friction elements by return to the slip force.
 #pragma once
 
@@ -32,7 +32,8 @@ struct StepRule {
 
 class SidewallForces {
  public:
-  SidewallForces(const Sidewall& sidewall, double radius, int nodes);
+  /// conicity: ψ_0 of (33), rad.
+  SidewallForces(const Sidewall& sidewall, double radius, int nodes, double conicity = 0.0);
 
   /// One value a node along e_r, e_t and a, row by row.
   using Travels = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
@@ -94,7 +95,7 @@ class SidewallForces {
   NodeAngles angles_;
   double R_, tau_, progressivity_, progressive_travel_;
   double rim_travel_, rim_stiffness_;  // m; N/m of a node, 0: no rim
-  double torsion_, torsion_damping_, torsion_by_lateral_;
+  double torsion_, torsion_damping_, torsion_by_lateral_, conicity_;
   Direction direction_[3];
   Friction friction_[kFrictions];
   bool has_memory_;

@@ -39,6 +39,8 @@ struct Belt {
   double twist = 0.0;                   // N m^2, GJ
   double damping_time = 0.0;            // s, damping over stiffness of bending and twist
   double extension_damping_time = 0.0;  // s, of extension
+  double bending_twist = 0.0;   // N m^2, D16 of the plies: moment of bending in plane over twist
+  double conicity = 0.0;        // rad, torsion of the sections at rest: left edges stand lower
   double bending_across = 0.0;  // N m, of the section across, per length; 0: it stays straight
   double section_coupling =
       1.0;                      // share of the belt's tension that smooths its bends along the ring

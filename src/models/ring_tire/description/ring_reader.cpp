@@ -76,6 +76,13 @@ Belt read_belt(const Node& node, double pressure) {
   belt.bending_in_plane = node.quantity("bending_in_plane", "N m^2", Range::not_negative());
   belt.bending_out_of_plane = node.quantity("bending_out_of_plane", "N m^2", Range::not_negative());
   belt.twist = node.quantity("twist", "N m^2", Range::not_negative());
+  belt.bending_twist = node.quantity("bending_twist", "N m^2", {}, 0.0);
+  if (belt.bending_twist * belt.bending_twist > belt.bending_in_plane * belt.twist)
+    node.reject("bending_twist",
+                fmt::format("leaves a belt that bends and twists by itself, expected at most the "
+                            "root of bending_in_plane times twist, {:.3g} N m^2",
+                            std::sqrt(belt.bending_in_plane * belt.twist)));
+  belt.conicity = node.quantity("conicity", "rad", Range::between(-0.1, 0.1), 0.0);
   belt.damping_time = node.quantity("damping_time", "s", Range::not_negative(), 0.0);
   belt.extension_damping_time =
       node.quantity("extension_damping_time", "s", Range::not_negative(), 0.0);

@@ -13,6 +13,8 @@
 //   bending_in_plane = "1.8 N m^2"     # EI about the axle
 //   bending_out_of_plane = "88 N m^2"  # EI about the radius
 //   twist = "97 N m^2"                 # per radian and length
+//   bending_twist = "0 N m^2"          # D16 of the plies, which makes ply steer; default 0
+//   conicity = "0 deg"                 # of the sections at rest, positive: smaller left; default 0
 //   damping_time = "0.1 ms"            # damping over stiffness of bending and twist; default 0
 //   extension_damping_time = "0 ms"    # of extension, which is the cords'; default 0
 //   pressure_width = "80 mm"           # of the section whose pressure the belt's tension carries

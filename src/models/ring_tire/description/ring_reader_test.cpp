@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 namespace latsch::ring_tire {
@@ -44,6 +45,22 @@ TEST(RingReader, KnowsTheRimAndWhatPressureDoesToTheSidewall) {
   Document without = document;  // a share that is varied may come to nothing
   without.set("sidewall.pressure_share", 0.0);
   EXPECT_DOUBLE_EQ(read_ring_tire(without.root()).sidewall.radial.stiffness, own);
+}
+
+// Energies of bending and twist that coupling would make negative are refused.
+TEST(RingReader, KnowsDampingPliesAndConeOfTheBelt) {
+  const auto with = [](const std::string& keys) {
+    std::string text = example().text();
+    text.insert(text.find("[belt]") + 6, "\n" + keys);
+    return read_ring_tire(Document::parse(text, "tire.toml").root()).belt;
+  };
+  const Belt belt = with("damping_time = \"0.1 ms\"\nextension_damping_time = \"2 us\"\n"
+                         "bending_twist = \"-3 N m^2\"\nconicity = \"0.2 deg\"");
+  EXPECT_DOUBLE_EQ(belt.damping_time, 1e-4);
+  EXPECT_DOUBLE_EQ(belt.extension_damping_time, 2e-6);
+  EXPECT_DOUBLE_EQ(belt.bending_twist, -3.0);
+  EXPECT_NEAR(belt.conicity, 0.2 * M_PI / 180.0, 1e-12);
+  EXPECT_THROW(with("bending_twist = \"200 N m^2\""), InputError);
 }
 
 TEST(RingReader, ComplaintsNameThePlace) {

@@ -322,8 +322,8 @@ void MotionSlopes::find_right_sides() {
   }
 }
 
-/// (29), the dampers' turning, and (31), by iteration: the first are 1e-4 of the tangent in steps of
-/// 0.2 ms at 60 m/s.
+/// (29), the dampers' turning and (31) by iteration: 1e-4 of the tangent in steps of 0.2 ms at
+/// 60 m/s, of a belt without damping.
 void MotionSlopes::solve() {
   constexpr double kEnough = 1e-7;
   constexpr int kMost = 20;

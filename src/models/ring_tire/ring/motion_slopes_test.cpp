@@ -143,6 +143,20 @@ TEST(MotionSlopes, OfADampedBelt) {
   }
 }
 
+TEST(MotionSlopes, OfCoupledPliesAndACone) {
+  const auto cleat = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);
+  RingParameters ring = plain();
+  ring.belt.bending_in_plane = 10.0;
+  ring.belt.bending_twist = 15.0;
+  ring.belt.conicity = 0.01;
+  for (const double time : {0.0, 2e-4}) {
+    ring.belt.damping_time = time;
+    EXPECT_LT(deviation(ring, cleat, {.slip = -0.02, .camber = 0.03, .steer = 0.02}, 27, 2e-4),
+              kTolerance)
+        << time;
+  }
+}
+
 // The middle motions hang on the end's, and each part on the state that the one before left.
 TEST(MotionSlopes, OfAStepDividedInParts) {
   const auto cleat = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);

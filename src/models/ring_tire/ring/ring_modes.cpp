@@ -35,7 +35,8 @@ struct RestingRing {
         K(ring.nodes),
         C(ring.nodes) {
     const double radius = ring.belt.radius * node_radius_over_knot_radius(ring.nodes);
-    for (int k = 0; k < ring.nodes; ++k) q.col(k) << radius * angles.radial(rim, k), 0.0;
+    for (int k = 0; k < ring.nodes; ++k)
+      q.col(k) << radius * angles.radial(rim, k), ring.belt.conicity;
     InnerForces inner(ring);
     inner.find_stiffness(q, rim, {}, 1.0).turn_back(rim, K);
     if (inner.belt().damped()) inner.find_belt_damping(q, rim).turn_back(rim, C);
@@ -144,6 +145,31 @@ void append_plane(const Matrix4cd& K,
   }
 }
 
+/// All four together, where plies or a cone mix the two planes: named after the one that has more
+/// of the kinetic energy.
+void append_mixed(const Matrix4cd& K,
+                  const Eigen::Vector4d& mass,
+                  int n,
+                  const Losses& losses,
+                  std::vector<RingMode>& modes) {
+  assert(mass[3] > 0.0);
+  const Eigen::Vector4d scale = mass.cwiseSqrt().cwiseInverse();
+  const Matrix4cd A = scale.asDiagonal() * K * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Matrix4cd> solver(A);
+  std::array<int, 2> found = {0, 0};
+  std::vector<RingMode> of_plane[2];
+  for (int i = 0; i < 4; ++i) {
+    const Eigen::Vector4cd own = solver.eigenvectors().col(i);
+    const bool lateral = own.tail<2>().squaredNorm() > 0.5;
+    RingMode mode = mode_of(solver.eigenvalues()[i], scale.asDiagonal() * own, losses);
+    mode.n = n;
+    mode.lateral = lateral;
+    mode.order = ++found[lateral ? 1 : 0];
+    of_plane[lateral ? 1 : 0].push_back(mode);
+  }
+  for (const auto& plane : of_plane) modes.insert(modes.end(), plane.begin(), plane.end());
+}
+
 }  // namespace
 
 DampedMode damped_mode(double squared, double damping, double maxwell, double time_constant) {
@@ -167,6 +193,10 @@ std::vector<RingMode> unloaded_modes(const RingParameters& ring, int most_waves)
   for (int n = 0; n <= most_waves; ++n) {
     const Matrix4cd K = resting.harmonic(resting.K, n);
     const Losses losses(ring, resting.harmonic(resting.C, n));
+    if (ring.belt.bending_twist != 0.0 || ring.belt.conicity != 0.0) {
+      append_mixed(K, {m, m, m, J}, n, losses, modes);
+      continue;
+    }
     append_plane(K, {m, m, m, J}, false, n, losses, modes);
     append_plane(K, {m, m, m, J}, true, n, losses, modes);
   }

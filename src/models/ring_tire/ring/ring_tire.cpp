@@ -58,7 +58,7 @@ double RingTire::free_radius() const { return parameters_.belt.radius + paramete
 void RingTire::place_at_rest() {
   const double radius = parameters_.belt.radius * node_radius_over_knot_radius(angles_.nodes());
   for (int k = 0; k < angles_.nodes(); ++k)
-    q_.col(k) << rim_.center + radius * angles_.radial(rim_, k), 0.0;
+    q_.col(k) << rim_.center + radius * angles_.radial(rim_, k), parameters_.belt.conicity;
   v_.setZero();
   a_.setZero();
   inner_forces_.sidewall().reset();
