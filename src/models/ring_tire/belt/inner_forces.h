@@ -31,12 +31,23 @@ class InnerForces {
   StiffnessRows& find_belt_damping(const NodeValues& q, const RimFrame& rim);
   /// D of (31) at q with velocities v.
   WholeBand belt_damping_by_places(const NodeValues& q, const NodeValues& v, const RimFrame& rim);
+  /// m, along the spin axis, by which the nodes stand off the plane of the rim at rest: lateral
+  /// run-out, from where belt and sidewall count; empty: none.
+  const std::vector<double>& lateral_rest() const { return lateral_rest_; }
+  /// q less that.
+  NodeValues from_rest(const NodeValues& q, const RimFrame& rim) const;
   /// The step is done at q.
   void commit(const NodeValues& q, const RimFrame& rim, const StepRule& rule);
 
  private:
-  void place(const NodeValues& q, const RimFrame& rim);
+  void place_nodes(const NodeValues& q, const RimFrame& rim);
+  void place_knots();
+  void place(const NodeValues& q, const RimFrame& rim) {
+    place_nodes(q, rim);
+    place_knots();
+  }
 
+  std::vector<double> lateral_rest_;
   BeltForces belt_;
   SidewallForces sidewall_;
   RimRows nodes_, node_rates_, knots_, knot_rates_;

@@ -49,6 +49,11 @@ void RimRows::place_rates(const RimRows& at, const NodeValues& v, const RimFrame
   close();
 }
 
+void RimRows::count_from(const std::vector<double>& y) {
+  for (int k = 0; k < nodes_; ++k) row(kY)[k] -= y[static_cast<std::size_t>(k)];
+  close();
+}
+
 void RimRows::place_knots(const RimRows& nodes) {
   for (int i = 0; i < kRows; ++i) LATSCH_KERNEL(mean_of_three)(nodes_, nodes.row(i), row(i));
   close();

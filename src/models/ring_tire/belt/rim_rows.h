@@ -27,6 +27,8 @@ class RimRows {
   /// Velocities against the rim's material, v - v_c - ω × (x - c), of nodes at their places `at`,
   /// and rates of torsion.
   void place_rates(const RimRows& at, const NodeValues& v, const RimFrame& rim);
+  /// y of each node less this.
+  void count_from(const std::vector<double>& y);
   /// B x of belt_curve.h.
   void place_knots(const RimRows& nodes);
   /// += B' f, f at the knots.

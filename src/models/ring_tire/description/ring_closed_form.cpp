@@ -15,6 +15,13 @@ double hertz(double omega_squared) { return std::sqrt(omega_squared) / (2.0 * st
 
 }  // namespace
 
+double runout_at(const std::vector<Harmonic>& harmonics, double phi) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < harmonics.size(); ++i)
+    sum += harmonics[i].amplitude * std::cos((i + 1.0) * (phi - harmonics[i].angle));
+  return sum;
+}
+
 double in_plane_frequency(const RingParameters& ring, int n) {
   const double R = ring.belt.radius, n2 = static_cast<double>(n) * n;
   const double pb = ring.belt.pressure * ring.belt.pressure_width;

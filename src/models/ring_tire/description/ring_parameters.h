@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 namespace latsch::ring_tire {
 
@@ -74,11 +75,29 @@ struct Tread {
   TreadFriction friction = {};
 };
 
+/// Of a run-out: amplitude cos(h (φ - angle)) at the angle φ of the belt, in the list the h-th.
+struct Harmonic {
+  double amplitude = 0.0;  // m
+  double angle = 0.0;      // rad, where it is largest; from the lowest place at spin 0 to the front
+};
+
+/// By what a real tire is not the same all around.
+struct Uniformity {
+  double imbalance = 0.0;                // kg, on the belt
+  double imbalance_angle = 0.0;          // rad, as of a Harmonic
+  std::vector<Harmonic> radial_runout;   // of the tread, outward: it is thicker there
+  std::vector<Harmonic> lateral_runout;  // of the belt at rest, to the left
+};
+
+/// m, at the angle φ of the belt.
+double runout_at(const std::vector<Harmonic>& harmonics, double phi);
+
 struct RingParameters {
   int nodes = 80;
   Belt belt;
   Sidewall sidewall;
   Tread tread;
+  Uniformity uniformity = {};
 };
 
 }  // namespace latsch::ring_tire

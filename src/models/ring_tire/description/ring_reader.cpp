@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace latsch::ring_tire {
 namespace {
@@ -140,6 +142,39 @@ Tread read_tread(const Node& node) {
   return tread;
 }
 
+std::vector<Harmonic> read_runout(const Node& node,
+                                  const std::string& key,
+                                  double most,
+                                  int nodes) {
+  if (!node.has(key)) return {};
+  const auto amplitudes = node.quantities(key, "m", Range::between(0.0, most));
+  const std::string of_angles = key + "_angle";
+  std::vector<double> angles(amplitudes.size(), 0.0);
+  if (node.has(of_angles)) angles = node.quantities(of_angles, "rad");
+  if (angles.size() != amplitudes.size())
+    node.reject(of_angles,
+                fmt::format("has {} values, expected one for each of the {} harmonics of {}",
+                            angles.size(),
+                            amplitudes.size(),
+                            key));
+  if (4 * amplitudes.size() > static_cast<std::size_t>(nodes))
+    node.reject(key, "has more harmonics than the belt shows, expected four nodes for each");
+  std::vector<Harmonic> harmonics;
+  for (std::size_t i = 0; i < amplitudes.size(); ++i)
+    harmonics.push_back({.amplitude = amplitudes[i], .angle = angles[i]});
+  return harmonics;
+}
+
+Uniformity read_uniformity(const Node& node, const RingParameters& ring) {
+  Uniformity u;
+  u.imbalance = node.quantity("imbalance", "kg", Range::between(0.0, ring.belt.mass), 0.0);
+  u.imbalance_angle = node.quantity("imbalance_angle", "rad", {}, 0.0);
+  constexpr double kMost = 0.01;  // m
+  u.radial_runout = read_runout(node, "radial_runout", kMost, ring.nodes);
+  u.lateral_runout = read_runout(node, "lateral_runout", kMost, ring.nodes);
+  return u;
+}
+
 }  // namespace
 
 double young_modulus_of_shore_a(double hardness) {
@@ -166,6 +201,8 @@ RingParameters read_ring_tire(const Node& root) {
       root.table("tread").reject("crown_radius",
                                  "is so small that the shoulders have no rubber, expected more");
   }
+  if (const auto node = root.find_table("uniformity"))
+    ring.uniformity = read_uniformity(*node, ring);
   root.close();
   return ring;
 }

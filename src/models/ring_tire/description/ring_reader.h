@@ -53,6 +53,13 @@
 //   pressure = ["0.5 bar", "2 bar", "5 bar"]
 //   adhesion = [1.2, 1.1, 1.0]         # and maximum, sliding, blocking
 //   maximum_speed = "0.3 m/s"          # and sliding_speed, blocking_speed
+//
+//   [uniformity]                       # optional: what is not the same all around
+//   imbalance = "20 g"                 # on the belt, at
+//   imbalance_angle = "30 deg"         # from the lowest place at spin 0 to the front; default 0
+//   radial_runout = ["0.3 mm", "0.1 mm"]        # of the tread: amplitudes of harmonics 1, 2 ...
+//   radial_runout_angle = ["0 deg", "45 deg"]   # where each is largest; default 0
+//   lateral_runout = ["0.4 mm"]        # of the belt at rest, to the left; lateral_runout_angle
 #pragma once
 
 #include "base/document.h"

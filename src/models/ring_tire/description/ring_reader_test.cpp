@@ -54,13 +54,38 @@ TEST(RingReader, KnowsDampingPliesAndConeOfTheBelt) {
     text.insert(text.find("[belt]") + 6, "\n" + keys);
     return read_ring_tire(Document::parse(text, "tire.toml").root()).belt;
   };
-  const Belt belt = with("damping_time = \"0.1 ms\"\nextension_damping_time = \"2 us\"\n"
-                         "bending_twist = \"-3 N m^2\"\nconicity = \"0.2 deg\"");
+  const Belt belt = with(
+      "damping_time = \"0.1 ms\"\nextension_damping_time = \"2 us\"\n"
+      "bending_twist = \"-3 N m^2\"\nconicity = \"0.2 deg\"");
   EXPECT_DOUBLE_EQ(belt.damping_time, 1e-4);
   EXPECT_DOUBLE_EQ(belt.extension_damping_time, 2e-6);
   EXPECT_DOUBLE_EQ(belt.bending_twist, -3.0);
   EXPECT_NEAR(belt.conicity, 0.2 * M_PI / 180.0, 1e-12);
   EXPECT_THROW(with("bending_twist = \"200 N m^2\""), InputError);
+}
+
+TEST(RingReader, KnowsWhatIsNotTheSameAllAround) {
+  const auto with = [](const std::string& keys) {
+    return read_ring_tire(
+               Document::parse(example().text() + "\n[uniformity]\n" + keys, "tire.toml").root())
+        .uniformity;
+  };
+  const Uniformity u = with(
+      "imbalance = \"20 g\"\nimbalance_angle = \"90 deg\"\n"
+      "radial_runout = [\"0.3 mm\", \"0.1 mm\"]\n"
+      "radial_runout_angle = [\"0 deg\", \"180 deg\"]\n"
+      "lateral_runout = [\"0.4 mm\"]");
+  EXPECT_DOUBLE_EQ(u.imbalance, 0.02);
+  EXPECT_DOUBLE_EQ(u.imbalance_angle, 0.5 * M_PI);
+  ASSERT_EQ(u.radial_runout.size(), 2u);
+  EXPECT_DOUBLE_EQ(u.radial_runout[1].amplitude, 1e-4);
+  EXPECT_DOUBLE_EQ(u.radial_runout[1].angle, M_PI);
+  ASSERT_EQ(u.lateral_runout.size(), 1u);
+  EXPECT_EQ(u.lateral_runout[0].angle, 0.0);
+  EXPECT_NEAR(runout_at(u.radial_runout, 0.5 * M_PI), -1e-4, 1e-12);
+  EXPECT_THROW(with("radial_runout = [\"0.3 mm\"]\nradial_runout_angle = [\"0 deg\", \"1 deg\"]"),
+               InputError);
+  EXPECT_THROW(with("radial_runout_angle = [\"0 deg\"]"), InputError);
 }
 
 TEST(RingReader, ComplaintsNameThePlace) {

@@ -37,7 +37,9 @@ struct RestingRing {
     const double radius = ring.belt.radius * node_radius_over_knot_radius(ring.nodes);
     for (int k = 0; k < ring.nodes; ++k)
       q.col(k) << radius * angles.radial(rim, k), ring.belt.conicity;
-    InnerForces inner(ring);
+    RingParameters even = ring;
+    even.uniformity = {};
+    InnerForces inner(even);
     inner.find_stiffness(q, rim, {}, 1.0).turn_back(rim, K);
     if (inner.belt().damped()) inner.find_belt_damping(q, rim).turn_back(rim, C);
   }

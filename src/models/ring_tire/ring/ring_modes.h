@@ -4,6 +4,7 @@
 //   (K(n) - ω^2 M) φ = 0,  K(n) = sum over j of K_0j exp(2πi n j/N),  4 x 4, Hermitian.       (20)
 // Damping and dynamic stiffening at the mode's own frequency, to first order in the shape:
 //   ω^2 = ω_K^2 + φ* K_M φ (ωτ)^2/(1 + (ωτ)^2),  2 D ω = φ* (C + K_M τ/(1 + (ωτ)^2)) φ        (21)
+// What is not the same all around, imbalance and run-out, is left out.
 // Friction elements stick: vibrations are small. In the plane of the rim and out of it the ring
 // moves alone, unless its plies join the two (32) or it is a cone (33).
 #pragma once

@@ -27,13 +27,17 @@ RingTire::RingTire(const RingParameters& parameters, const RingSettings& setting
       settings_(settings),
       angles_(parameters.nodes),
       inner_forces_(parameters),
-      tread_(parameters.tread, parameters.belt.radius, parameters.nodes),
+      tread_(parameters.tread,
+             parameters.belt.radius,
+             parameters.nodes,
+             parameters.uniformity.radial_runout),
       section_(parameters.belt,
                parameters.tread.width,
                inner_forces_.belt().segment(),
                inner_forces_.belt().tension(),
                parameters.nodes),
       mass_(mass_of_node(parameters)),
+      imbalance_(parameters.uniformity, parameters.nodes),
       rim_(RimFrame::of(WheelMotion())),
       factor_(parameters.nodes) {
   for (NodeValues* values : {&q_,
@@ -59,6 +63,9 @@ void RingTire::place_at_rest() {
   const double radius = parameters_.belt.radius * node_radius_over_knot_radius(angles_.nodes());
   for (int k = 0; k < angles_.nodes(); ++k)
     q_.col(k) << rim_.center + radius * angles_.radial(rim_, k), parameters_.belt.conicity;
+  const std::vector<double>& rest = inner_forces_.lateral_rest();
+  for (std::size_t k = 0; k < rest.size(); ++k)
+    q_.col(static_cast<Eigen::Index>(k)).head<3>() += rest[k] * rim_.a;
   v_.setZero();
   a_.setZero();
   inner_forces_.sidewall().reset();
@@ -72,6 +79,7 @@ void RingTire::evaluate(const NodeValues& q, const NodeValues& v) {
   inner_forces_.find_force(q, v, rim_, rule_, inner_);
   total_ = inner_;
   total_.row(2).array() -= mass_[0] * parameters_.belt.gravity;
+  imbalance_.add_weight(parameters_.belt.gravity, total_);
   if (section_.on()) tread_.bend(section_);
   tread_.add_force(q, v, total_);
   if (section_.on()) section_.set_forces(tread_.section_forces(section_, q));
@@ -102,6 +110,7 @@ bool RingTire::factorize(const NodeValues& q,
   StiffnessRows& K = inner_forces_.find_stiffness(q, rim_, rule, scale);
   K.add_at_knots((mass_factor * mass_).asDiagonal());
   factor_.start(K, rim_.axes());
+  imbalance_.add_mass(mass_factor, factor_);
   tread_.add_stiffness(scale, rim_.axes(), factor_);
   if (!factor_.factorize()) return false;
   if (!section_.on()) return true;
@@ -120,6 +129,7 @@ CyclicBand RingTire::stiffness() {
 void RingTire::times_mass(const NodeValues& a, NodeValues& force) const {
   at_knots_and_back(a, force);
   force = mass_.asDiagonal() * force;
+  imbalance_.add_inertia(a, force);
 }
 
 double RingTire::energy() const { return inner_energy() + tread_.energy(q_); }
@@ -128,14 +138,17 @@ double RingTire::inner_energy() const {
   NodeValues momentum;
   times_mass(v_, momentum);
   const double weight = mass_[0] * parameters_.belt.gravity;
+  const NodeValues from_rest = inner_forces_.from_rest(q_, rim_);
   return 0.5 * (v_.array() * momentum.array()).sum() + weight * q_.row(2).sum() +
-         inner_forces_.belt().energy(q_, rim_) +
-         inner_forces_.sidewall().energy(at_knots(q_), rim_) + section_.energy();
+         imbalance_.height_energy(parameters_.belt.gravity, q_) +
+         inner_forces_.belt().energy(from_rest, rim_) +
+         inner_forces_.sidewall().energy(at_knots(from_rest), rim_) + section_.energy();
 }
 
 NodeValues RingTire::road_forces() const {
   NodeValues of_road = force_ - inner_;
   of_road.row(2).array() += mass_[0] * parameters_.belt.gravity;
+  imbalance_.add_weight(-parameters_.belt.gravity, of_road);
   return of_road;
 }
 

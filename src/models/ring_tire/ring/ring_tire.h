@@ -27,6 +27,7 @@
 #include "models/ring_tire/belt/inner_forces.h"
 #include "models/ring_tire/belt/section_bending.h"
 #include "models/ring_tire/description/ring_parameters.h"
+#include "models/ring_tire/ring/imbalance.h"
 #include "models/ring_tire/ring/motion_slopes.h"
 #include "models/ring_tire/ring/ring_state.h"
 #include "models/ring_tire/ring/tangent_reuse.h"
@@ -166,6 +167,7 @@ class RingTire final : public Tire {
   TreadContact tread_;
   SectionBending section_;
   Eigen::Vector4d mass_;
+  Imbalance imbalance_;
   RimFrame rim_;
   StepRule rule_;
   NodeValues q_, v_, force_;  // at the end of the last step; f of (15)

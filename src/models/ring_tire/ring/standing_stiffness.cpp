@@ -68,6 +68,7 @@ RingTire::Linearized RingTire::linearized() const {
   StiffnessRows mass(nodes);
   mass.add_at_knots(mass_.asDiagonal());
   mass.turn_back(rim_, tire.mass);
+  imbalance_.add_mass(1.0, tire.mass);
   InnerForces inner = inner_forces_;
   inner.sidewall().stick();
   inner.find_stiffness(q_, rim_, {}, 1.0).turn_back(rim_, tire.stiffness);

@@ -36,6 +36,7 @@ void TreadContact::bend(const SectionBending& section) {
   if (line_shapes_.empty())
     for (const double y : line_y_)
       line_shapes_.emplace_back(section.shape(0, y), section.shape(1, y), section.shape(2, y));
+  bends_ = true;
   section_rise_.resize(2 * static_cast<std::size_t>(nodes_ * lines_));
   for (int segment = 0; segment < nodes_; ++segment) {
     const Modes here = section.field().col(segment);
@@ -44,6 +45,9 @@ void TreadContact::bend(const SectionBending& section) {
     for (const Modes& shape : line_shapes_) {
       *rise++ = shape.dot(here);
       *rise++ = shape.dot(next);
+      if (runout_.empty()) continue;
+      rise[-2] += runout_[static_cast<std::size_t>(segment)];
+      rise[-1] += runout_[static_cast<std::size_t>((segment + 1) % nodes_)];
     }
   }
 }

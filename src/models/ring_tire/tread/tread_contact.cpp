@@ -25,7 +25,10 @@ constexpr int kWide = 8;            // stations at once
 
 }  // namespace
 
-TreadContact::TreadContact(const Tread& tread, double radius, int nodes)
+TreadContact::TreadContact(const Tread& tread,
+                           double radius,
+                           int nodes,
+                           const std::vector<Harmonic>& radial_runout)
     : nodes_(nodes),
       lines_(tread.lines),
       blocks_(tread.blocks),
@@ -66,6 +69,14 @@ TreadContact::TreadContact(const Tread& tread, double radius, int nodes)
   none_.resize(static_cast<std::size_t>(lines_ * stride_), 0.0);
   stations_.resize(static_cast<std::size_t>(kStationColumns) * stride_);
   station_stiffness_.resize(static_cast<std::size_t>(stride_));
+  if (radial_runout.empty()) return;
+  for (int k = 0; k < nodes; ++k)
+    runout_.push_back(runout_at(radial_runout, 2.0 * std::numbers::pi * k / nodes));
+  for (const Harmonic& harmonic : radial_runout) highest_runout_ += harmonic.amplitude;
+  for (int segment = 0; segment < nodes; ++segment)
+    for (int line = 0; line < lines_; ++line)
+      for (const int k : {segment, (segment + 1) % nodes})
+        section_rise_.push_back(runout_[static_cast<std::size_t>(k)]);
 }
 
 void TreadContact::reset() {
@@ -88,7 +99,7 @@ bool TreadContact::near_road(const NodeValues& q,
   // How far tips stand off the belt: height and half the width, leaning a little more than the rim.
   constexpr double kLean = 0.2;
   const double reach = 1.1 * height_ + half_width_ * (rim.a.cwiseAbs().z() + kLean * 0.25) +
-                       (section_rise_.empty() ? 0.0 : kBent);
+                       (bends_ ? kBent : 0.0) + highest_runout_;
   const double side = height_ + half_width_;
   const road::GroundBox box{low.x() - side, high.x() + side, low.y() - side, high.y() + side};
   return low.z() - reach <= road.bounds(box, time).highest + margin_;
@@ -135,7 +146,7 @@ void TreadContact::approach(const NodeValues& q,
                             double time,
                             const StepRule& rule) {
   rule_ = rule;
-  margin_ = rule.statics() ? kStandingMargin : section_rise_.empty() ? kMargin : kBentMargin;
+  margin_ = rule.statics() ? kStandingMargin : bends_ ? kBentMargin : kMargin;
   margin_ += half_cell_rise_;
   a_ = rim.a;
   patches_.clear();

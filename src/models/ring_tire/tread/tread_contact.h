@@ -70,7 +70,10 @@ struct PatchSlopes {
 
 class TreadContact {
  public:
-  TreadContact(const Tread& tread, double radius, int nodes);
+  TreadContact(const Tread& tread,
+               double radius,
+               int nodes,
+               const std::vector<Harmonic>& radial_runout = {});
 
   /// No block touches.
   void reset();
@@ -267,7 +270,10 @@ class TreadContact {
   std::vector<double> lift_;
   std::vector<double> share_;                 // s of each station
   std::vector<Eigen::Vector3d> line_shapes_;  // q_i at the lines
-  std::vector<double> section_rise_;       // two a line of a segment; empty: sections are straight
+  std::vector<double> runout_;                // m, of the tread at the nodes; empty: none
+  double highest_runout_ = 0.0;
+  bool bends_ = false;                     // sections do
+  std::vector<double> section_rise_;       // two a line of a segment; empty: bend nor run-out
   std::shared_ptr<const TreadTips> tips_;  // at the last commit; none: no block touched
   std::shared_ptr<TreadTips> spare_;       // of one before, written over where nobody has it
   std::vector<double> none_;               // of a segment that was not near the road
