@@ -51,10 +51,24 @@ Wrench of_inertia(const RingParameters& ring, const RingState& state) {
   return sum;
 }
 
+/// Of the mass on the belt at node `at`: its share of the nodes' forces M a and weight, one by one.
+Wrench of_imbalance(const RingParameters& ring, const RingState& state) {
+  const auto N = static_cast<Eigen::Index>(ring.nodes);
+  const auto at_knot = [N](const NodeValues& x) -> Vector3d {
+    return (x.col(N - 1) + 4.0 * x.col(0) + x.col(1)).head<3>() / 6.0;
+  };
+  Wrench sum;
+  sum.force = ring.uniformity.imbalance *
+              (at_knot(state.acceleration) + Vector3d(0.0, 0.0, ring.belt.gravity));
+  sum.moment = (at_knot(state.place) - state.motion.center).cross(sum.force);
+  return sum;
+}
+
 struct Case {
   std::string name;
   double camber, steer, slip;
   double bending_across = 0.0;
+  bool uneven = false;  // a cone of coupled plies, damped, with imbalance and run-out
 };
 
 class RingMomentum : public testing::TestWithParam<Case> {
@@ -71,6 +85,16 @@ class RingMomentum : public testing::TestWithParam<Case> {
     ring.sidewall.radial.dynamic_stiffening = 0.2;
     ring.sidewall.lateral.friction_stiffening = 0.1;
     ring.sidewall.lateral.friction_force = 200.0;
+    if (!GetParam().uneven) return ring;
+    ring.belt.bending_in_plane = 10.0;
+    ring.belt.bending_twist = 15.0;
+    ring.belt.conicity = 0.01;
+    ring.belt.damping_time = 2e-4;
+    ring.belt.extension_damping_time = 1e-6;
+    ring.uniformity = {.imbalance = 0.1,
+                       .imbalance_angle = 0.0,
+                       .radial_runout = {{5e-4, 0.1}},
+                       .lateral_runout = {{1e-3, 0.2}}};
     return ring;
   }
   WheelMotion at(double time) const {
@@ -99,6 +123,14 @@ TEST_P(RingMomentum, StandingHubAndRoadAgreeAboutAllAxes) {
     weight.force += f;
     weight.moment += (tire.positions().col(k).head<3>() - motion.center).cross(f);
   }
+  const Vector3d on_belt(0.0, 0.0, -numbers.uniformity.imbalance * numbers.belt.gravity);
+  const Vector3d arm = (tire.positions().col(numbers.nodes - 1) + 4.0 * tire.positions().col(0) +
+                        tire.positions().col(1))
+                               .head<3>() /
+                           6.0 -
+                       motion.center;
+  weight.force += on_belt;
+  weight.moment += arm.cross(on_belt);
   ASSERT_GT(ground.force.z(), 2000.0);
   EXPECT_LT((motion.carrier * hub->force - ground.force - weight.force).norm(), 1e-5);
   EXPECT_LT((motion.carrier * hub->moment - ground.moment - weight.moment).norm(), 1e-5);
@@ -117,7 +149,10 @@ TEST_P(RingMomentum, RollingHubAndRoadAgreeAboutAllAxes) {
     const WheelMotion motion = at(i * kStep);
     const auto hub = tire.advance(motion, road, i * kStep, kStep);
     ASSERT_TRUE(hub) << hub.failure().reason;
-    const Wrench ground = of_road(tire, motion.center), belt = of_inertia(numbers, tire.state());
+    const Wrench ground = of_road(tire, motion.center), mass = of_imbalance(numbers, tire.state());
+    Wrench belt = of_inertia(numbers, tire.state());
+    belt.force += mass.force;
+    belt.moment += mass.moment;
     ASSERT_GT(ground.force.z(), 1000.0);
     EXPECT_LT((motion.carrier * hub->force + belt.force - ground.force).norm(),
               1e-9 * ground.force.norm())
@@ -136,7 +171,9 @@ INSTANTIATE_TEST_SUITE_P(Wheels,
                                          Case{"cambered", 0.08, 0.0, 0.0},
                                          Case{"cornering", -0.05, 0.06, 0.02},
                                          Case{"braked", 0.03, -0.02, -0.1},
-                                         Case{"bent", 0.05, 0.04, 0.02, 8.0}),
+                                         Case{"bent", 0.05, 0.04, 0.02, 8.0},
+                                         Case{"uneven", 0.05, 0.04, 0.02, 0.0, true},
+                                         Case{"uneven_bent", -0.02, 0.04, 0.0, 8.0, true}),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
