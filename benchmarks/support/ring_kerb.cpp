@@ -13,6 +13,7 @@
 #include "models/road/drum_road.h"
 #include "models/road/kerb.h"
 #include "models/road/plane_road.h"
+#include "models/tire/free_wheel.h"
 #include "yardstick.h"
 
 namespace latsch::benchmarks {
@@ -189,6 +190,64 @@ void slopes_rows(Table& table) {
             off.back() <= 1e-5);
   table.note("a trial with ∂force/∂motion, 14 columns",
              fmt::format("{:.2f} x one without, {:.0f} us", with / without, 1e6 * with / steps));
+}
+
+namespace {
+
+enum class Told { all, height, nothing };
+
+/// s of CPU time, or nothing where the ring finds no state.
+std::optional<double> roll_free(const road::Road& road, Told told) {
+  RingTire tire(small_ring());
+  WheelMotion motion = rolling(tire, kSpeed);
+  const auto stands = tire.settle(motion, road, 0.0);
+  if (!stands) return std::nullopt;
+  FreeWheel wheel;
+  if (told != Told::all)
+    wheel.spin = {.inertia = 1.0,
+                  .place = motion.spin,
+                  .rate = motion.spin_rate,
+                  .acceleration = stands->moment.y()};
+  if (told == Told::nothing)
+    wheel.height = {.inertia = 300.0,
+                    .place = motion.center.z(),
+                    .push = [load = stands->force.z()](double, double) {
+                      return Push{-load, 0.0};
+                    }};
+  const int steps = static_cast<int>(std::lround(kDuration / kStep));
+  const double start = cpu_time();
+  for (int i = 1; i <= steps; ++i) {
+    motion.center.x() += kStep * motion.velocity.x();
+    if (told == Told::all) motion.spin += kStep * motion.spin_rate;
+    const bool runs =
+        told == Told::all
+            ? static_cast<bool>(tire.advance(motion, road, i * kStep, kStep))
+            : static_cast<bool>(tire.advance_free(motion, wheel, road, i * kStep, kStep));
+    if (!runs) return std::nullopt;
+  }
+  return cpu_time() - start;
+}
+
+}  // namespace
+
+void free_wheel_rows(Table& table) {
+  const road::ProfileRoad road = kerb();
+  double least[3] = {1e9, 1e9, 1e9};
+  for (int round = 0; round < kRounds; ++round)
+    for (const Told told : {Told::all, Told::height, Told::nothing}) {
+      const auto time = roll_free(road, told);
+      if (!time) return table.row("free wheel over the kerb", "no state found", "runs", false);
+      double& best = least[static_cast<int>(told)];
+      best = std::min(best, *time);
+    }
+  for (const Told told : {Told::height, Told::nothing}) {
+    const double ratio = least[static_cast<int>(told)] / least[0];
+    table.row(told == Told::height ? "a step with a free wheel, over that kerb"
+                                   : "the same with a free axle of 300 kg as well",
+              fmt::format("{:.3f} x one whose motion is told", ratio),
+              "<= 1.15",
+              ratio <= 1.15);
+  }
 }
 
 void drum_row(Table& table) {

@@ -17,6 +17,9 @@ void kerb_rows(Table& table);
 void car_row(Table& table);
 /// Over that kerb: the derivatives of trials, beside differences, and what they cost.
 void slopes_rows(Table& table);
+/// Over that kerb: a wheel that spins freely, then on an axle that moves too, beside one whose
+/// motion is told.
+void free_wheel_rows(Table& table);
 /// A smooth drum, beside a flat road.
 void drum_row(Table& table);
 

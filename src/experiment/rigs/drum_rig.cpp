@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiment/rigs/free_wheel.h"
 #include "models/road/drum_road.h"
+#include "models/tire/free_wheel.h"
 
 namespace latsch::experiment {
 namespace {
@@ -81,31 +81,30 @@ class Passage {
   Result<Channels> run() {
     auto hub = tire_.settle(motion_, surfaces_.smooth, 0.0);
     if (!hub) return hub.failure();
-    const double rolled = motion_.spin_rate;
-    FreeWheel wheel(motion_, test_.wheel_inertia, hub->moment.y());
+    const double rolled = motion_.spin_rate, inertia = test_.wheel_inertia;
+    FreeWheel wheel;
+    wheel.spin = {.inertia = inertia,
+                  .place = motion_.spin,
+                  .rate = rolled,
+                  .acceleration = hub->moment.y() / inertia,
+                  .push = [this, inertia, rolled](double time, double rate) -> Push {
+                    const double hold = inertia * run_in_hold(test_, time);
+                    return {-hold * (rate - rolled), -hold};
+                  }};
     const long first = std::lround((test_.run_in + test_.lead) / test_.step);
     const long every = std::lround(test_.sample_step / test_.step);
     const long lead = std::lround(test_.lead / test_.step);
     const long last = std::lround((test_.duration - test_.lead) / test_.step);
-    const int parts = std::max(1, static_cast<int>(std::ceil(test_.step / kLongestStep - 1e-9)));
-    const double h = test_.step / parts;
     ForceRecord forces(test_.frames);
     std::vector<double> times, speeds, wheel_speeds;
     for (long i = -first + 1; i <= last; ++i) {
-      for (int part = 1; part <= parts; ++part) {
-        const double time =
-            (static_cast<double>(i - 1) + static_cast<double>(part) / parts) * test_.step;
-        wheel.predict(h, motion_);
-        hub = advance(time, h);
-        if (!hub) return hub.failure();
-        const double slower = run_in_hold(test_, time) * (motion_.spin_rate - rolled);
-        wheel.correct(h, hub->moment.y() - test_.wheel_inertia * slower);
-      }
+      hub = advance(wheel, static_cast<double>(i) * test_.step);
+      if (!hub) return hub.failure();
       if (i <= -lead || (i + lead) % every != 0) continue;
       times.push_back(static_cast<double>(i) * test_.step);
       forces.add(*hub, motion_);
       speeds.push_back(test_.speed);
-      wheel_speeds.push_back(wheel.rate());
+      wheel_speeds.push_back(motion_.spin_rate);
     }
     Channels record;
     record.add({"time", "s", std::move(times)});
@@ -116,10 +115,11 @@ class Passage {
   }
 
  private:
-  Result<HubForces> advance(double time, double h) {
+  Result<HubForces> advance(FreeWheel& wheel, double time) {
     // Far from the axle the cleat cannot touch; the smooth drum answers faster.
     const bool away = std::abs(time) * test_.speed > 0.5 * tire_.free_radius() + 0.5;
-    return tire_.advance(motion_, away ? surfaces_.smooth : surfaces_.drum, time, h);
+    return tire_.advance_free(
+        motion_, wheel, away ? surfaces_.smooth : surfaces_.drum, time, test_.step);
   }
 
   Tire& tire_;

@@ -29,8 +29,7 @@
 //
 // Channels: "time" (0 when the cleat is below the axle), hub forces "Fx" .. "Mz" in that frame,
 // "speed" of the drum's surface and "wheel_speed" (rad/s). W stands where the wheel plane meets the
-// smooth drum. The wheel turns with the step, of order 2 (followed_state.h); steps longer than 1 ms
-// are divided.
+// smooth drum. The wheel's spin is solved with the tire's step, of order 2 (free_wheel.h).
 #pragma once
 
 #include <optional>

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "models/magic_formula/transient_slip.h"
+#include "models/tire/free_trials.h"
 
 namespace latsch::magic_formula {
 namespace {
@@ -273,6 +274,11 @@ Result<HubForces> MagicFormulaTire::advance(const WheelMotion& motion,
   if (!hub.force.allFinite() || !hub.moment.allFinite())
     return Failure{"the Magic Formula gives no finite force: check the tire's coefficients"};
   return hub;
+}
+
+Result<HubForces> MagicFormulaTire::advance_free(
+    WheelMotion& motion, FreeWheel& wheel, const road::Road& road, double time, double step) {
+  return advance_by_trials(*this, motion, wheel, road, time, step);
 }
 
 }  // namespace latsch::magic_formula

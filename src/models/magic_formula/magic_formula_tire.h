@@ -48,6 +48,11 @@ class MagicFormulaTire final : public Tire {
                             const road::Road& road,
                             double time,
                             double step) override;
+  Result<HubForces> advance_free(WheelMotion& motion,
+                                 FreeWheel& wheel,
+                                 const road::Road& road,
+                                 double time,
+                                 double step) override;
   std::optional<Footprint> footprint() const override;
   std::unique_ptr<Tire> clone() const override;
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "models/tire/free_trials.h"
+
 namespace latsch::rigid_ring {
 
 using Eigen::Vector3d;
@@ -335,6 +337,11 @@ Result<HubForces> RigidRingTire::advance(const WheelMotion& motion,
   load_rate_ = (forces_.Fz - load_before) / step;
   if (!state_.allFinite()) return Failure{"the ring left its springs: take smaller steps"};
   return hub_forces(state_, motion.spin_rate);
+}
+
+Result<HubForces> RigidRingTire::advance_free(
+    WheelMotion& motion, FreeWheel& wheel, const road::Road& road, double time, double step) {
+  return advance_by_trials(*this, motion, wheel, road, time, step);
 }
 
 }  // namespace latsch::rigid_ring

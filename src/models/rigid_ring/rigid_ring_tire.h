@@ -55,6 +55,11 @@ class RigidRingTire final : public Tire {
                             const road::Road& road,
                             double time,
                             double step) override;
+  Result<HubForces> advance_free(WheelMotion& motion,
+                                 FreeWheel& wheel,
+                                 const road::Road& road,
+                                 double time,
+                                 double step) override;
   std::optional<Footprint> footprint() const override;
   std::unique_ptr<Tire> clone() const override;
 

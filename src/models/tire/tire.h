@@ -44,6 +44,8 @@ struct HubForces {
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // N m
 };
 
+struct FreeWheel;
+
 /// A tire in motion: it remembers its state from one step to the next.
 class Tire {
  public:
@@ -61,6 +63,11 @@ class Tire {
                                     const road::Road& road,
                                     double time,
                                     double step) = 0;
+  /// The same with a wheel whose spin or height follows what acts on it (free_wheel.h), solved with
+  /// the step; `wheel` and what is free of `motion` become those at its end. A Failure leaves the
+  /// tire and both as they were.
+  virtual Result<HubForces> advance_free(
+      WheelMotion& motion, FreeWheel& wheel, const road::Road& road, double time, double step) = 0;
   /// As it stood on the road at the end of settle() or of the last step; nothing of a kind of tire
   /// that does not know.
   virtual std::optional<Footprint> footprint() const { return std::nullopt; }

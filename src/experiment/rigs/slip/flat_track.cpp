@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "experiment/rigs/drum_rig.h"
-#include "experiment/rigs/free_wheel.h"
 #include "models/road/plane_road.h"
+#include "models/tire/free_wheel.h"
 
 namespace latsch::experiment {
 namespace {
@@ -34,13 +34,10 @@ class Track {
   Track(Tire& tire, const SlipSweep& sweep, double height)
       : tire_(tire),
         sweep_(sweep),
-        parts_(std::max(1, static_cast<int>(std::ceil(sweep.step / kLongestStep - 1e-9)))),
-        h_(sweep.step / parts_),
         free_(std::lround(sweep.run_in / sweep.step)),
         entry_(std::lround(0.5 * sweep.run_in / sweep.step)),
         swept_(std::lround(sweep.duration / sweep.step)),
         belt_({.belt = sweep.speed}),
-        height_(height),
         forces_(sweep.frames) {
     const double deflection = std::max(tire.free_radius() - height, kLeastDeflection);
     resistance_ = kFollow * sweep.load / deflection;
@@ -52,30 +49,36 @@ class Track {
   Result<Channels> run() {
     auto hub = tire_.settle(motion_, belt_, 0.0);
     if (!hub) return hub.failure();
-    height_.start(rise(*hub));
-    FreeWheel wheel(motion_, kWheelInertia, hub->moment.y());
+    FreeWheel wheel;
+    if (sweep_.axle == Axle::load) wheel.height = axle(*hub);
+    wheel.spin = {.inertia = kWheelInertia,
+                  .place = motion_.spin,
+                  .rate = motion_.spin_rate,
+                  .acceleration = hub->moment.y() / kWheelInertia};
+    double free_rate = motion_.spin_rate;
     for (long i = 1; i <= free_ + entry_ + swept_; ++i) {
-      for (int part = 1; part <= parts_; ++part) {
-        const double at = static_cast<double>(i - 1) + static_cast<double>(part) / parts_;
-        if (i <= free_) {
-          wheel.predict(h_, motion_);
-        } else {
-          steer_and_brake(at, wheel.rate());
-        }
-        hub = step(at * sweep_.step);
-        if (!hub) return hub.failure();
-        if (i <= free_) wheel.correct(h_, hub->moment.y());
+      if (i > free_) {
+        wheel.spin.reset();
+        steer_and_brake(static_cast<double>(i), free_rate);
       }
-      if (i > free_ + entry_) add(static_cast<double>(i) * sweep_.step, *hub);
+      const double time = static_cast<double>(i) * sweep_.step;
+      hub = tire_.advance_free(motion_, wheel, belt_, time, sweep_.step);
+      if (!hub) return hub.failure();
+      if (i <= free_) free_rate = motion_.spin_rate;
+      if (i > free_ + entry_) add(time, *hub);
     }
     return channels();
   }
 
  private:
-  /// m/s, of the axle.
-  double rise(const HubForces& hub) const {
-    if (sweep_.axle == Axle::height) return 0.0;
-    return ((motion_.carrier * hub.force).z() - sweep_.load) / resistance_;
+  /// As the standing tire carries it.
+  FreeRate axle(const HubForces& hub) const {
+    const double c = resistance_, load = sweep_.load;
+    return {.place = motion_.center.z(),
+            .rate = ((motion_.carrier * hub.force).z() - load) / c,
+            .push = [c, load](double, double rate) -> Push {
+              return {-load - c * rate, -c};
+            }};
   }
 
   void steer_and_brake(double step, double free_rate) {
@@ -84,16 +87,8 @@ class Track {
     kappa_ = entry * (sweep_.kappa_from + share * (sweep_.kappa_to - sweep_.kappa_from));
     motion_.carrier = carrier_at(alpha_, sweep_.camber);
     const double rate = free_rate * (1.0 + kappa_) * std::cos(alpha_);
-    motion_.spin += 0.5 * h_ * (motion_.spin_rate + rate);
+    motion_.spin += 0.5 * sweep_.step * (motion_.spin_rate + rate);
     motion_.spin_rate = rate;
-  }
-
-  Result<HubForces> step(double time) {
-    motion_.center.z() = height_.predicted(h_);
-    motion_.velocity.z() = height_.predicted_rate();
-    auto hub = tire_.advance(motion_, belt_, time, h_);
-    if (hub) height_.correct(h_, rise(*hub));
-    return hub;
   }
 
   void add(double time, const HubForces& hub) {
@@ -116,11 +111,8 @@ class Track {
 
   Tire& tire_;
   const SlipSweep& sweep_;
-  int parts_;
-  double h_;
   long free_, entry_, swept_;  // steps: free rolling, to the first slip, of the sweep
   road::PlaneRoad belt_;
-  FollowedState height_;
   double resistance_ = 0.0;  // N s/m
   WheelMotion motion_;
   double alpha_ = 0.0, kappa_ = 0.0;

@@ -5,8 +5,7 @@
 // As on the machine the axle follows the load: it rises where the tire pushes harder than `load`,
 //   z' = (Fz - load)/c,   c = 20 ms load/deflection,
 // so that Fz returns to the load with some 20 ms; or it is held at the height where the standing
-// tire carries the load. Wheel and axle move with the step, of order 2 (followed_state.h); steps
-// longer than 1 ms are divided.
+// tire carries the load. Free wheel and axle are solved with the tire's step (free_wheel.h).
 //
 // Channels: "time", "alpha" (rad, angle from the wheel's heading to its velocity, tan α = v_y/v_x
 // in C with the sign of NOTATION.md's axes), "kappa" (ω R_e/V - 1, R_e from free rolling before the

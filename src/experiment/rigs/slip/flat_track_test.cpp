@@ -53,5 +53,15 @@ TEST(SlipSweep, BrakingForceEndsAtFriction) {
   EXPECT_GT(Fx.back() / Fz.back(), -1.4);
 }
 
+// The axle has nothing to push against but a few blocks that just touch.
+TEST(SlipSweep, TheAxleFollowsALoadOfOneNewton) {
+  ring_tire::RingTire tire = tire_on_track();
+  const SlipSweep sweep{.load = 1.0, .alpha_to = 0.02, .duration = 0.5};
+  const auto channels = run(tire, sweep);
+  ASSERT_TRUE(channels) << channels.failure().reason;
+  const auto& Fz = (*channels)["Fz"];
+  for (std::size_t i = Fz.size() / 2; i < Fz.size(); ++i) EXPECT_NEAR(Fz[i], sweep.load, 0.1) << i;
+}
+
 }  // namespace
 }  // namespace latsch::experiment

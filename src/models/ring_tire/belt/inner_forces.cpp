@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/ring_tire/belt/inner_forces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -33,6 +34,7 @@ InnerForces::InnerForces(const RingParameters& parameters)
       knot_rates_(parameters.nodes),
       of_belt_(parameters.nodes, BeltForces::kScratch),
       of_sidewall_(parameters.nodes, SidewallForces::kScratch),
+      at_knots_(parameters.nodes),
       stiffness_(parameters.nodes) {}
 
 void InnerForces::place_nodes(const NodeValues& q, const RimFrame& rim) { nodes_.place(q, rim); }
@@ -90,6 +92,39 @@ WholeBand InnerForces::belt_damping_by_places(const NodeValues& q,
   node_rates_.place_rates(nodes_, v, rim);
   place_knots();
   return damping_by_places(belt_, nodes_, node_rates_, rim);
+}
+
+/// Knots turned with the rim go by (z, 0, -x), their forces turn by as much.
+void InnerForces::find_turned_rim(double scale, RimRows& row) {
+  const double *x = knots_.row(RimRows::kX), *z = knots_.row(RimRows::kZ);
+  const double *fx = of_sidewall_.row(RimRows::kX), *fz = of_sidewall_.row(RimRows::kZ);
+  const auto slope = [&](int i) { return stiffness_.scratch(SidewallForces::kKnotSlopes + i); };
+  const double *xx = slope(0), *xz = slope(1), *zz = slope(2);
+  double *to_x = at_knots_.row(RimRows::kX), *to_z = at_knots_.row(RimRows::kZ);
+  for (int k = 0; k < at_knots_.nodes(); ++k) {
+    to_x[k] = (xx[k] * z[k] - xz[k] * x[k]) / scale + fz[k];
+    to_z[k] = (xz[k] * z[k] - zz[k] * x[k]) / scale - fx[k];
+    at_knots_.row(RimRows::kY)[k] = at_knots_.row(RimRows::kTorsion)[k] = 0.0;
+  }
+  spread(row);
+}
+
+void InnerForces::find_moved_rim(const Eigen::Vector3d& along, double scale, RimRows& row) {
+  const auto slope = [&](int i) { return stiffness_.scratch(SidewallForces::kKnotSlopes + i); };
+  const double *xx = slope(0), *xz = slope(1), *zz = slope(2), *yy = slope(3);
+  const double twist = sidewall_.torsion_by_lateral(), torsion = sidewall_.torsion();
+  for (int k = 0; k < at_knots_.nodes(); ++k) {
+    at_knots_.row(RimRows::kX)[k] = (xx[k] * along[0] + xz[k] * along[2]) / scale;
+    at_knots_.row(RimRows::kY)[k] = (yy[k] / scale + torsion * twist * twist) * along[1];
+    at_knots_.row(RimRows::kZ)[k] = (xz[k] * along[0] + zz[k] * along[2]) / scale;
+    at_knots_.row(RimRows::kTorsion)[k] = -torsion * twist * along[1];
+  }
+  spread(row);
+}
+
+void InnerForces::spread(RimRows& row) {
+  for (int i = 0; i < RimRows::kRows; ++i) std::fill_n(row.row(i), row.nodes(), 0.0);
+  row.add_from_knots(at_knots_);
 }
 
 void InnerForces::commit(const NodeValues& q, const RimFrame& rim, const StepRule& rule) {

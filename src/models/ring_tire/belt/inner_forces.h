@@ -36,6 +36,13 @@ class InnerForces {
   const std::vector<double>& lateral_rest() const { return lateral_rest_; }
   /// q less that.
   NodeValues from_rest(const NodeValues& q, const RimFrame& rim) const;
+  /// How the forces on the rim change with the nodes, and those on the nodes with the rim, both
+  /// against the same fields of motion: rim and nodes turned about the spin axis, or moved along a
+  /// unit vector of the rim's axes X, a, Z. By nodes, in these axes; of the last find_force and
+  /// find_stiffness, of the same place. The belt's own forces turn and move along: the sidewall's
+  /// count alone.
+  void find_turned_rim(double scale, RimRows& row);
+  void find_moved_rim(const Eigen::Vector3d& along, double scale, RimRows& row);
   /// The step is done at q.
   void commit(const NodeValues& q, const RimFrame& rim, const StepRule& rule);
 
@@ -46,12 +53,14 @@ class InnerForces {
     place_nodes(q, rim);
     place_knots();
   }
+  void spread(RimRows& row);
 
   std::vector<double> lateral_rest_;
   BeltForces belt_;
   SidewallForces sidewall_;
   RimRows nodes_, node_rates_, knots_, knot_rates_;
   RimRows of_belt_, of_sidewall_;  // forces
+  RimRows at_knots_;               // of a row of the rim
   StiffnessRows stiffness_;
 };
 

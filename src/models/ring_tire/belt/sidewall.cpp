@@ -177,7 +177,7 @@ void SidewallForces::add_stiffness(const RimRows& at,
     u[i] = K.scratch(i);
     slope[i] = K.scratch(3 + i);
   }
-  for (int i = 0; i < 4; ++i) knots[i] = K.scratch(6 + i);
+  for (int i = 0; i < 4; ++i) knots[i] = K.scratch(kKnotSlopes + i);
   to_polar(nodes, angles_, R_, at, u);
   for (int i = 0; i < 3; ++i) find_slopes(i, u[i], rule, slope[i]);
   LATSCH_KERNEL(turn_slopes)(nodes, scale, slope, angles_.sine(), angles_.cosine(), knots);

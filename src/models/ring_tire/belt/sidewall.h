@@ -61,6 +61,11 @@ class SidewallForces {
                   RimRows& force) const;
   static constexpr int kScratch = 9;
   void add_stiffness(const RimRows& at, const StepRule& rule, double scale, StiffnessRows& K) const;
+  /// Where it leaves the slopes of the knots among K's scratch, times scale: xx, xz, zz of the
+  /// rim's axes and, but for torsion, yy.
+  static constexpr int kKnotSlopes = 6;
+  double torsion() const { return torsion_; }                        // N per rad of a node
+  double torsion_by_lateral() const { return torsion_by_lateral_; }  // rad/m
   /// Damping of a node along e_r, e_t, a and of its torsion, and the stiffness of its Maxwell
   /// elements.
   struct Losses {

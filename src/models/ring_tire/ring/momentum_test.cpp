@@ -20,14 +20,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSpeed = 15.0;
+constexpr double kCleatSpeed = 15.0;
 
 struct Wrench {
   Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();  // about the wheel center
 };
 
 /// Of the blocks on the road, one by one.
-Wrench of_road(const RingTire& tire, const Vector3d& center) {
+Wrench road_wrench(const RingTire& tire, const Vector3d& center) {
   Wrench sum;
   for (const BlockContact& block : tire.contacts()) {
     sum.force += block.force;
@@ -37,7 +37,7 @@ Wrench of_road(const RingTire& tire, const Vector3d& center) {
 }
 
 /// Rates of momentum and angular momentum, from the accelerations, and the belt's weight.
-Wrench of_inertia(const RingParameters& ring, const RingState& state) {
+Wrench inertia_wrench(const RingParameters& ring, const RingState& state) {
   NodeValues M_a;
   at_knots_and_back(state.acceleration, M_a);
   M_a *= ring.belt.mass / ring.nodes;
@@ -99,12 +99,12 @@ class RingMomentum : public testing::TestWithParam<Case> {
   }
   WheelMotion at(double time) const {
     WheelMotion motion;
-    motion.center = {kSpeed * time, 0.0, 0.294};
-    motion.velocity.x() = kSpeed;
+    motion.center = {kCleatSpeed * time, 0.0, 0.294};
+    motion.velocity.x() = kCleatSpeed;
     motion.carrier = (Eigen::AngleAxisd(GetParam().steer, Vector3d::UnitZ()) *
                       Eigen::AngleAxisd(GetParam().camber, Vector3d::UnitX()))
                          .toRotationMatrix();
-    motion.spin_rate = (1.0 + GetParam().slip) * kSpeed / 0.306;
+    motion.spin_rate = (1.0 + GetParam().slip) * kCleatSpeed / 0.306;
     motion.spin = motion.spin_rate * time;
     return motion;
   }
@@ -117,7 +117,7 @@ TEST_P(RingMomentum, StandingHubAndRoadAgreeAboutAllAxes) {
   const WheelMotion motion = at(0.0);
   const auto hub = tire.settle(motion, road, 0.0);
   ASSERT_TRUE(hub) << hub.failure().reason;
-  Wrench ground = of_road(tire, motion.center), weight;
+  Wrench ground = road_wrench(tire, motion.center), weight;
   for (int k = 0; k < numbers.nodes; ++k) {
     const Vector3d f(0.0, 0.0, -numbers.belt.mass / numbers.nodes * numbers.belt.gravity);
     weight.force += f;
@@ -149,8 +149,9 @@ TEST_P(RingMomentum, RollingHubAndRoadAgreeAboutAllAxes) {
     const WheelMotion motion = at(i * kStep);
     const auto hub = tire.advance(motion, road, i * kStep, kStep);
     ASSERT_TRUE(hub) << hub.failure().reason;
-    const Wrench ground = of_road(tire, motion.center), mass = of_imbalance(numbers, tire.state());
-    Wrench belt = of_inertia(numbers, tire.state());
+    const Wrench ground = road_wrench(tire, motion.center),
+                 mass = of_imbalance(numbers, tire.state());
+    Wrench belt = inertia_wrench(numbers, tire.state());
     belt.force += mass.force;
     belt.moment += mass.moment;
     ASSERT_GT(ground.force.z(), 1000.0);

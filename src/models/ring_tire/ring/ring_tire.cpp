@@ -39,7 +39,8 @@ RingTire::RingTire(const RingParameters& parameters, const RingSettings& setting
       mass_(mass_of_node(parameters)),
       imbalance_(parameters.uniformity, parameters.nodes),
       rim_(RimFrame::of(WheelMotion())),
-      factor_(parameters.nodes) {
+      factor_(parameters.nodes),
+      free_rows_(parameters, 1.0 - settings.dissipation) {
   for (NodeValues* values : {&q_,
                              &v_,
                              &force_,
@@ -85,8 +86,9 @@ void RingTire::evaluate(const NodeValues& q, const NodeValues& v) {
   if (section_.on()) section_.set_forces(tread_.section_forces(section_, q));
 }
 
-double RingTire::left_at_a_node() const {
-  const double left = residual_.cwiseAbs().maxCoeff();
+double RingTire::left_at_a_node() {
+  double left = residual_.cwiseAbs().maxCoeff();
+  if (free_) left = std::max(left, free_->find_left(q1_, inner_, tread_.moment_on_rim()));
   if (!section_.on() || section_.unknowns() == 0) return left;
   return std::max(left, section_.residual().cwiseAbs().maxCoeff());
 }
@@ -326,6 +328,8 @@ bool RingTire::renew_tangent() {
   for (double more = 1.0; more <= kMostMass; more *= 2.0) {
     if (!factorize(q1_, more * rule_.acceleration, 1.0 - settings_.dissipation, rule_)) continue;
     reuse_.made(more * rule_.acceleration);
+    if (free_)
+      free_->take_tangent(inner_forces_, rim_, q1_, rule_.acceleration, counts_.factorizations);
     return true;
   }
   return false;
@@ -357,10 +361,11 @@ std::string RingTire::step_forward(const WheelMotion& motion,
                                    const road::Road& road,
                                    double time,
                                    double h) {
-  predict(motion, road, time, h);
+  predict(free_ ? free_->begin(motion, time, h) : motion, road, time, h);
   ++counts_.steps;
   // The border that bending sections add to a tangent is not turned.
-  const bool held = reuse_.serves(rule_.acceleration) && !section_.on();
+  const bool held = reuse_.serves(rule_.acceleration) && !section_.on() &&
+                    (!free_ || free_->knows_tangent(counts_.factorizations));
   const int age = reuse_.age();
   const long before = counts_.evaluations;
   std::string trouble = solve_step(held, time);
@@ -375,6 +380,7 @@ std::string RingTire::step_forward(const WheelMotion& motion,
   else
     reuse_.took_with_own(evaluations);
   accept();
+  if (free_) free_->accept(q_, inner_, tread_.moment_on_rim());
   if (taken_) taken_->push_back({time, h, state()});
   return {};
 }
@@ -402,6 +408,7 @@ std::string RingTire::solve_step(bool held, double time) {
     }
     last = left;
     solve();
+    if (free_ && !correct_wheel()) return no_solution(time, "what drives the wheel outruns it");
     q1_ += residual_;
     if (section_.on()) section_.set_values(section_.values() + section_.direction());
     if (reduces && left <= tolerance / kSlow) {

@@ -27,6 +27,7 @@
 #include "models/ring_tire/belt/inner_forces.h"
 #include "models/ring_tire/belt/section_bending.h"
 #include "models/ring_tire/description/ring_parameters.h"
+#include "models/ring_tire/ring/free_rows.h"
 #include "models/ring_tire/ring/imbalance.h"
 #include "models/ring_tire/ring/motion_slopes.h"
 #include "models/ring_tire/ring/ring_state.h"
@@ -71,6 +72,11 @@ class RingTire final : public Tire {
                             const road::Road& road,
                             double time,
                             double step) override;
+  Result<HubForces> advance_free(WheelMotion& motion,
+                                 FreeWheel& wheel,
+                                 const road::Road& road,
+                                 double time,
+                                 double step) override;
   /// All that advance() goes on from. A step that fails leaves it as it was.
   RingState state() const;
   /// Goes on from there. Contacts and footprint are those of a step: none until the next.
@@ -149,10 +155,11 @@ class RingTire final : public Tire {
   std::string torn_off(const NodeValues& q, double time) const;
   std::string no_solution(double time, const std::string& why) const;
   bool factorize(const NodeValues& q, double mass_factor, double scale, const StepRule& rule);
+  bool correct_wheel();
   /// residual_, and the section's, become Newton's step.
   void solve();
-  /// The largest force left, N; on the section's unknowns too.
-  double left_at_a_node() const;
+  /// The largest force left, N; on the section's unknowns and a free wheel too.
+  double left_at_a_node();
   /// Of all together.
   double left_together() const;
   /// B' m B a of belt_curve.h.
@@ -179,6 +186,8 @@ class RingTire final : public Tire {
   bool settled_ = false;
   MotionSlopes slopes_;
   std::vector<StepTaken>* taken_ = nullptr;  // where someone keeps the steps of an advance
+  FreeRows free_rows_;
+  FreeRows* free_ = nullptr;  // while the wheel is free
   RingCounts counts_;
 };
 
