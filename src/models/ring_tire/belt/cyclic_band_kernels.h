@@ -59,7 +59,7 @@ LATSCH_INLINE void subtract(double* to, const Lanes4* A, const double* b, int ap
   store(lanes4(to) - A[0] * b[0] - A[1] * b[apart] - A[2] * b[2 * apart] - A[3] * b[3 * apart], to);
 }
 
-/// Rows of a panel under its diagonal: two neighbors, the third, two nodes of the border, the third.
+/// Rows of a panel under its diagonal: two neighbors, the third; two nodes of the border, its last.
 struct PanelRows {
   Lanes near, border;
   Lanes4 third, last;

@@ -50,7 +50,7 @@ double mean_load(int nodes) {
 // Bending, extension and pressure of the belt's curve are of fourth order in its segments; where
 // the patch ends, its pressure has a kink.
 TEST(RingStatics, LoadConvergesWithTheSegments) {
-  const double F40 = mean_load(36), F80 = mean_load(80), F160 = mean_load(160);
+  const double F40 = mean_load(40), F80 = mean_load(80), F160 = mean_load(160);
   EXPECT_GT(std::log2((F40 - F80) / (F80 - F160)), 3.0);
   const double F320 = load(ring_of(320), 0.022, road::PlaneRoad());
   EXPECT_NEAR(F80, F320, 3e-4 * F320);
