@@ -12,6 +12,7 @@
 #include "models/ring_tire/description/ring_parameters_testing.h"
 #include "models/ring_tire/ring/ring_tire.h"
 #include "models/ring_tire/ring/standing_modes.h"
+#include "models/road/kerb.h"
 #include "models/road/plane_road.h"
 #include "models/road/profile_road.h"
 #include "numerics/dense/self_adjoint_eigen.h"
@@ -245,6 +246,38 @@ TEST(SectionBending, RollsInBalance) {
     ground += of_road(tire) / kMean;
   }
   EXPECT_LT((hub - ground).norm(), 2e-3 * hub.z());
+}
+
+// Blocks that come down at 60 m/s have dampers that carry as much as their springs: to a section,
+// which has no inertia, they are twice as stiff as its tangent knows.
+TEST(SectionBending, RollsOverADeepKerb) {
+  const road::ProfileRoad road = road::kerb_road({.shape = road::Kerb::Shape::triangle,
+                                                  .pitch = 0.8,
+                                                  .width = 0.8,
+                                                  .height = -0.025,
+                                                  .count = 4,
+                                                  .start = {1.0, -0.4}});
+  for (const double bending : {4.0, 20.0}) {
+    RingParameters ring = passenger_ring();
+    ring.nodes = 60;
+    ring.tread.blocks = 8;
+    ring.tread.damping_time = 1e-4;
+    ring.sidewall.radial.dynamic_stiffening = 0.2;
+    ring.sidewall.tangential.dynamic_stiffening = 0.05;
+    ring.belt.bending_across = bending;
+    RingTire tire(ring);
+    WheelMotion motion = standing(tire, 0.022);
+    motion.velocity.x() = 60.0;
+    motion.spin_rate = 60.0 / 0.3085;
+    ASSERT_TRUE(tire.settle(motion, road, 0.0));
+    constexpr double h = 2e-4;
+    for (int i = 1; i <= 450; ++i) {
+      motion.center += h * motion.velocity;
+      motion.spin += h * motion.spin_rate;
+      const auto hub = tire.advance(motion, road, i * h, h);
+      ASSERT_TRUE(hub) << bending << ": " << hub.failure().reason;
+    }
+  }
 }
 
 // Pushed aside and held the tire rings on the ground: dampers and friction take energy, nothing

@@ -389,6 +389,7 @@ std::string RingTire::step_forward(const WheelMotion& motion,
 std::string RingTire::solve_step(bool held, double time) {
   constexpr double kSlow = 0.2;  // a tangent that reduces less than to that is renewed
   const double theta = settings_.dissipation;
+  constexpr double kCrawling = 0.5;    // a step that leaves more than that of what was left
   constexpr double kViolent = 1000.0;  // N, left at a node by the guess of a step
   if (held) factor_.turn_to(rim_.axes());
   double last = std::numeric_limits<double>::infinity(), tolerance = settings_.tolerance;
@@ -402,6 +403,7 @@ std::string RingTire::solve_step(bool held, double time) {
     if (iteration == 0) tolerance *= std::max(1.0, left / kViolent);
     if (left <= tolerance) return {};
     const bool reduces = iteration > 0 && left <= kSlow * last;
+    const bool crawls = iteration > 1 && left > kCrawling * last;
     if (!reduces && !(held && iteration == 0)) {
       held = false;
       if (!renew_tangent()) return no_solution(time, "its tangent is not definite");
@@ -409,8 +411,10 @@ std::string RingTire::solve_step(bool held, double time) {
     last = left;
     solve();
     if (free_ && !correct_wheel()) return no_solution(time, "what drives the wheel outruns it");
-    q1_ += residual_;
-    if (section_.on()) section_.set_values(section_.values() + section_.direction());
+    const double by = crawls ? repeated_.lengthening(residual_, section_.direction()) : 1.0;
+    if (!crawls) repeated_.start();
+    q1_ += by * residual_;
+    if (section_.on()) section_.set_values(section_.values() + by * section_.direction());
     if (reduces && left <= tolerance / kSlow) {
       balance();
       return {};

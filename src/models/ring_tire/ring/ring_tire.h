@@ -30,6 +30,7 @@
 #include "models/ring_tire/ring/free_rows.h"
 #include "models/ring_tire/ring/imbalance.h"
 #include "models/ring_tire/ring/motion_slopes.h"
+#include "models/ring_tire/ring/repeated_correction.h"
 #include "models/ring_tire/ring/ring_state.h"
 #include "models/ring_tire/ring/tangent_reuse.h"
 #include "models/ring_tire/tread/tread_contact.h"
@@ -182,6 +183,7 @@ class RingTire final : public Tire {
   NodeValues inner_, inertia_, total_, residual_;  // inertia: M a1
   CyclicBandFactor factor_;
   TangentReuse reuse_;
+  RepeatedCorrection repeated_;
   WheelMotion last_motion_;
   bool settled_ = false;
   MotionSlopes slopes_;
