@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test_words.h"
+#include "experiment/rigs/wheel_scheme.h"
 
 namespace latsch::experiment {
 
@@ -53,7 +54,7 @@ std::string DrumCleatTest::identity() const {
   if (t.cleat)
     text += fmt::format(
         " cleat {} {} {} {}", t.cleat->height, t.cleat->length, t.cleat->bevel, t.cleat->angle);
-  return text;
+  return fmt::format("{}, {}", text, kWheelScheme);
 }
 
 std::vector<ChannelInfo> DrumCleatTest::channels() const {

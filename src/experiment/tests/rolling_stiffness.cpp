@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
+#include "experiment/rigs/wheel_scheme.h"
 
 namespace latsch::experiment {
 
@@ -33,14 +34,16 @@ class RollingStiffness : public Test {
   }
 
   std::string identity() const override {
-    return fmt::format("rolling_stiffness speed {} load {} slip {} angle {} camber {} step {} {}",
-                       test_.speed,
-                       test_.load,
-                       test_.slip,
-                       test_.angle,
-                       test_.camber,
-                       test_.step,
-                       fmt::join(measures_, " "));
+    return fmt::format(
+        "rolling_stiffness speed {} load {} slip {} angle {} camber {} step {} {}, {}",
+        test_.speed,
+        test_.load,
+        test_.slip,
+        test_.angle,
+        test_.camber,
+        test_.step,
+        fmt::join(measures_, " "),
+        kWheelScheme);
   }
 
   std::vector<ChannelInfo> channels() const override {

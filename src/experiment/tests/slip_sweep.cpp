@@ -25,6 +25,7 @@
 #include "experiment/language/test.h"
 #include "experiment/language/test_words.h"
 #include "experiment/rigs/slip/flat_track.h"
+#include "experiment/rigs/wheel_scheme.h"
 
 namespace latsch::experiment {
 
@@ -73,7 +74,7 @@ class SlipSweepTest : public Test {
     const SlipSweep& s = sweep_;
     return fmt::format(
         "slip_sweep speed {} load {} axle {} frame {} camber {} alpha {} {} kappa {} {} run_in {} "
-        "duration {} step {} sample_step {}",
+        "duration {} step {} sample_step {}, {}",
         s.speed,
         s.load,
         static_cast<int>(s.axle),
@@ -86,7 +87,8 @@ class SlipSweepTest : public Test {
         s.run_in,
         s.duration,
         s.step,
-        sample_step_);
+        sample_step_,
+        kWheelScheme);
   }
 
   std::vector<ChannelInfo> channels() const override {
