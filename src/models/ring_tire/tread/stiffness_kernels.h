@@ -103,40 +103,27 @@ void find_station_stiffness(const BlockSpan& at,
   }
 }
 
-/// B += x X + y Y + z Z + u U.
-LATSCH_INLINE void add_scaled(double* B,
-                              const double* X,
-                              double x,
-                              const double* Y,
-                              double y,
-                              const double* Z,
-                              double z,
-                              const double* U,
-                              double u) {
-  for (int c = 0; c < 16; c += 8)
-    store(lanes(B + c) + lanes(X + c) * x + lanes(Y + c) * y + lanes(Z + c) * z + lanes(U + c) * u,
-          B + c);
-}
-
-/// The ten pairs of the four nodes, pair (m, m') at 4 m + m'; weights w and d of the station,
-/// `stride` apart.
-void add_pairs(const StationStiffness& M,
+/// Of the stations [begin, end) the ten pairs of nodes m <= m', sums over the stations; `weights`:
+/// w w', w d', d w', d d' of each pair, forty a station. Half of all pairs at once stays in
+/// registers.
+void sum_pairs(const StationStiffness* stations,
+               int begin,
+               int end,
                const double* weights,
-               int stride,
                Eigen::Matrix4d* pairs) {
-  const auto w = [&](int m) { return weights[m * stride]; };
-  const auto d = [&](int m) { return weights[(4 + m) * stride]; };
-  for (int m = 0; m < 4; ++m)
-    for (int o = m; o < 4; ++o)
-      add_scaled(pairs[4 * m + o].data(),
-                 M.ww.data(),
-                 w(m) * w(o),
-                 M.wd.data(),
-                 w(m) * d(o),
-                 M.dw.data(),
-                 d(m) * w(o),
-                 M.dd.data(),
-                 d(m) * d(o));
+  for (int half = 0; half < 16; half += 8) {
+    Lanes sums[10] = {};
+    for (int j = begin; j < end; ++j) {
+      const StationStiffness& M = stations[j];
+      if (M.ww(0, 0) + M.ww(1, 1) + M.ww(2, 2) == 0.0) continue;  // no block touches
+      const Lanes ww = lanes(M.ww.data() + half), wd = lanes(M.wd.data() + half),
+                  dw = lanes(M.dw.data() + half), dd = lanes(M.dd.data() + half);
+      const double* of = weights + 40 * j;
+      for (int pair = 0; pair < 10; ++pair, of += 4)
+        sums[pair] += ww * of[0] + wd * of[1] + dw * of[2] + dd * of[3];
+    }
+    for (int pair = 0; pair < 10; ++pair) store(sums[pair], pairs[pair].data() + half);
+  }
 }
 
 }  // namespace latsch::ring_tire::LATSCH_KERNELS

@@ -62,6 +62,12 @@ TreadContact::TreadContact(const Tread& tread,
       weights_[m * stride + i] = at.place[m];
       weights_[(4 + m) * stride + i] = at.slope[m];
       halves_[m * stride + i] = 0.5 * (end.place[m] - begin.place[m]);
+      for (std::size_t o = m; o < 4; ++o)
+        for (const double weight : {at.place[m] * at.place[o],
+                                    at.place[m] * at.slope[o],
+                                    at.slope[m] * at.place[o],
+                                    at.slope[m] * at.slope[o]})
+          pair_weights_.push_back(weight);
     }
     lift_[static_cast<std::size_t>(j)] = j < blocks_ ? 0.0 : kFar;
     share_[static_cast<std::size_t>(j)] = s;
@@ -84,11 +90,19 @@ void TreadContact::reset() {
   patches_.clear();
 }
 
-/// Whether a tip of the segment may be as low as the highest point of the road below it.
+/// The rectangle below nodes between two corners, with room for a tread that leans.
+road::GroundBox TreadContact::below(const Vector3d& low, const Vector3d& high) const {
+  const double side = height_ + half_width_;
+  return {low.x() - side, high.x() + side, low.y() - side, high.y() + side};
+}
+
+/// Whether a tip of the segment may be as low as the highest point of the road below it, which is
+/// nowhere above `highest`.
 bool TreadContact::near_road(const NodeValues& q,
                              const RimFrame& rim,
                              const road::Road& road,
                              double time,
+                             double highest,
                              int segment) const {
   Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (int m = 0; m < 4; ++m) {
@@ -100,9 +114,8 @@ bool TreadContact::near_road(const NodeValues& q,
   constexpr double kLean = 0.2;
   const double reach = 1.1 * height_ + half_width_ * (rim.a.cwiseAbs().z() + kLean * 0.25) +
                        (bends_ ? kBent : 0.0) + highest_runout_;
-  const double side = height_ + half_width_;
-  const road::GroundBox box{low.x() - side, high.x() + side, low.y() - side, high.y() + side};
-  return low.z() - reach <= road.bounds(box, time).highest + margin_;
+  const double lowest = low.z() - reach - margin_;
+  return lowest <= highest && lowest <= road.bounds(below(low, high), time).highest;
 }
 
 SegmentStations TreadContact::stations_of(std::size_t patch,
@@ -150,8 +163,11 @@ void TreadContact::approach(const NodeValues& q,
   margin_ += half_cell_rise_;
   a_ = rim.a;
   patches_.clear();
+  const auto places = q.topRows<3>();
+  const road::GroundBox tire = below(places.rowwise().minCoeff(), places.rowwise().maxCoeff());
+  const double highest = road.bounds(tire, time).highest;
   for (int segment = 0; segment < nodes_; ++segment) {
-    if (!near_road(q, rim, road, time, segment)) continue;
+    if (!near_road(q, rim, road, time, highest, segment)) continue;
     add_patch(q, segment);
     Patch& patch = patches_.back();
     const Ground ground = ground_below(0, lines_ - 1, road, time);

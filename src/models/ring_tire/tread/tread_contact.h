@@ -204,7 +204,9 @@ class TreadContact {
                  const RimFrame& rim,
                  const road::Road& road,
                  double time,
+                 double highest,
                  int segment) const;
+  road::GroundBox below(const Eigen::Vector3d& low, const Eigen::Vector3d& high) const;
   /// One more patch, all of a segment, with its frames; columns of (10) at_stations.
   void add_patch(const NodeValues& q, int segment);
   /// The road under all of a patch, or of a line of it, where that is one plane or drum.
@@ -266,6 +268,7 @@ class TreadContact {
   FrictionLaw law_;
   std::vector<double> line_y_, line_height_;
   std::vector<double> weights_;  // of position and of its derivative by s: eight columns
+  std::vector<double> pair_weights_;  // of pairs of nodes: tread_stiffness.cpp, forty a station
   std::vector<double> halves_;   // half of what that of position gains along a block's cell: four
   std::vector<double> lift_;
   std::vector<double> share_;                 // s of each station

@@ -30,12 +30,12 @@ void TreadContact::find_stiffness(double scale, const Eigen::Matrix3d& axes, con
     StationStiffness* const stations = station_stiffness_.data();
     LATSCH_KERNEL(find_station_stiffness)
     (span, at_stations(0), frame(i, 0), a_.data(), axes.data(), height_, stations);
-    Eigen::Matrix4d pairs[16];
-    for (Eigen::Matrix4d& pair : pairs) pair.setZero();
-    for (int j = patch.begin; j < std::min(patch.end, blocks_); ++j)
-      LATSCH_KERNEL(add_pairs)(stations[j], weights_.data() + j, stride_, pairs);
+    Eigen::Matrix4d pairs[10];
+    LATSCH_KERNEL(sum_pairs)
+    (stations, patch.begin, std::min(patch.end, blocks_), pair_weights_.data(), pairs);
+    const Eigen::Matrix4d* pair = pairs;
     for (int m = 0; m < 4; ++m)
-      for (int o = m; o < 4; ++o) add(node(patch.segment, m), o - m, pairs[4 * m + o]);
+      for (int o = m; o < 4; ++o) add(node(patch.segment, m), o - m, *pair++);
   }
 }
 
