@@ -51,6 +51,20 @@ LATSCH_INLINE bool slides(const BlockLaw& law,
   return true;
 }
 
+/// Eight blocks none of which touches; `axes` of the plane are asked for.
+template <int axes>
+LATSCH_INLINE Lanes3 leave_off(const BlockResults& results, const BlockMemory& before, int block) {
+  const Lanes none = all(0.0);
+  for (int i = 0; i < axes; ++i) {
+    store(none, results.F[i] + block);
+    store(lanes(before.tip[i] + block), results.tip[i] + block);
+  }
+  store(none, results.Fn + block);
+  store(none, results.share + block);
+  store(all(1.0), results.gripped + block);
+  return {none, none, none};
+}
+
 /// On level ground only x and y are left of the plane. A tip that sticks is where it was, less the
 /// way of the road, so T + t_d V is all that is needed along x and y.
 struct LevelBlocks {
@@ -85,6 +99,7 @@ struct LevelBlocks {
                              Lanes3& moment) const {
     const Lanes depth = ground.height - at_line(s.place.p.z, s.place.G.z, s.place.A.z, H, y);
     const Touch touch = touch_of(depth, -half.z);
+    if (!any(touch.share > 0.0)) return leave_off<2>(results, before, block);
     const Lanes rate = -at_line(s.rate.p.z, s.rate.G.z, s.rate.A.z, H, y);
     Lanes tip_x = lanes(before.tip[0] + block) + law.step * ground.velocity[0];
     Lanes tip_y = lanes(before.tip[1] + block) + law.step * ground.velocity[1];
@@ -150,6 +165,7 @@ struct UnevenBlocks {
     V = {V.x - road.x, V.y - road.y, V.z - road.z};
     const Lanes depth = lanes(ground.level + block) - dot(N, T), rate = -dot(N, V);
     const Touch touch = touch_of(depth, -dot(N, half));
+    if (!any(touch.share > 0.0)) return leave_off<3>(results, before, block);
     const Lanes Fn = push(law, touch, rate);
     const Lanes touched = lanes(before.touches + block), old = kept(touch, touched);
     const Lanes fresh = (old - 1.0) * since_touch(law, touch, rate, touched);
