@@ -70,6 +70,7 @@ struct Tread {
   double crown_radius = 0.0;     // m, of the tread's lateral curvature; 0: flat
   double young_modulus = 5.9e6;  // Pa
   double positive = 0.65;        // share of the surface that is rubber
+  double bottoming = 0.0;        // share of the height by which it is pressed to nothing; 0: linear
   double shear_ratio = 0.333;    // tangential over normal stiffness of a block
   double damping_time = 0.0;     // s, damping over stiffness
   TreadFriction friction = {};

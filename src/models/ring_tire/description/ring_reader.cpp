@@ -136,6 +136,7 @@ Tread read_tread(const Node& node) {
   tread.crown_radius = node.quantity("crown_radius", "m", Range::positive(), 0.0);
   tread.young_modulus = read_modulus(node);
   tread.positive = node.quantity("positive", "1", {0.0, 1.0, true}, tread.positive);
+  tread.bottoming = node.quantity("bottoming", "1", Range::between(0.0, 1.0), 0.0);
   tread.shear_ratio = node.quantity("shear_ratio", "1", Range::positive(), tread.shear_ratio);
   tread.damping_time = node.quantity("damping_time", "s", Range::not_negative(), 0.0);
   if (const auto friction = node.find_table("friction")) tread.friction = read_friction(*friction);

@@ -47,6 +47,8 @@
 //   crown_radius = "800 mm"            # none: flat
 //   shore_a = 66                       # or young_modulus = "4.9 MPa"
 //   positive = 0.65
+//   bottoming = 1                      # of the height: pressed by as much rubber bottoms out;
+//                                      # 1 - positive where it fills voids; default 0: it is linear
 //   shear_ratio = 0.33
 //   damping_time = "0.1 ms"
 //   [tread.friction]                   # optional: μ at low, medium and high pressure

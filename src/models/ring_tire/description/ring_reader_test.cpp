@@ -64,6 +64,18 @@ TEST(RingReader, KnowsDampingPliesAndConeOfTheBelt) {
   EXPECT_THROW(with("bending_twist = \"200 N m^2\""), InputError);
 }
 
+TEST(RingReader, KnowsWhereTheTreadBottomsOut) {
+  EXPECT_EQ(read_ring_tire(example().root()).tread.bottoming, 0.0);
+  const auto with = [](const std::string& share) {
+    std::string text = example().text();
+    text.insert(text.find("[tread]") + 7, "\nbottoming = " + share);
+    return read_ring_tire(Document::parse(text, "tire.toml").root()).tread.bottoming;
+  };
+  EXPECT_DOUBLE_EQ(with("0.4"), 0.4);
+  EXPECT_EQ(with("0"), 0.0);
+  EXPECT_THROW(with("1.1"), InputError);
+}
+
 TEST(RingReader, KnowsWhatIsNotTheSameAllAround) {
   const auto with = [](const std::string& keys) {
     return read_ring_tire(

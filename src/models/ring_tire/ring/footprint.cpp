@@ -41,7 +41,7 @@ std::vector<BlockContact> TreadContact::contacts(const NodeValues& q) const {
   see_blocks(q, [&](const BlockState& block) {
     if (!(block.share > 0.0)) return;
     const Vector3d push =
-        normal_ * CellSquares(block.depth, block.half).first_moment * block.normal;
+        normal_ * CellSquares(block.depth, block.half, bottom_).first_moment * block.normal;
     contacts.push_back({.tip = block.tip,
                         .root = block.root,
                         .unloaded = block.unloaded,
@@ -131,7 +131,7 @@ Footprint TreadContact::footprint(const NodeValues& q,
 double TreadContact::energy(const NodeValues& q) const {
   double sum = 0.0;
   see_touching(q, [&](const BlockState& block) {
-    sum += 0.5 * (normal_ * CellSquares(block.depth, block.half).mean +
+    sum += 0.5 * (normal_ * CellSquares(block.depth, block.half, bottom_).mean +
                   tangential_ * block.share * (block.tip - block.root).squaredNorm());
   });
   return sum;

@@ -69,6 +69,7 @@ struct Case {
   double camber, steer, slip;
   double bending_across = 0.0;
   bool uneven = false;  // a cone of coupled plies, damped, with imbalance and run-out
+  double bottoming = 0.0;
 };
 
 class RingMomentum : public testing::TestWithParam<Case> {
@@ -79,6 +80,7 @@ class RingMomentum : public testing::TestWithParam<Case> {
     ring.tread.blocks = 8;
     ring.tread.crown_radius = 0.7;
     ring.tread.damping_time = 1e-4;
+    ring.tread.bottoming = GetParam().bottoming;
     ring.belt.gravity = 9.81;
     ring.belt.bending_across = GetParam().bending_across;
     ring.sidewall.torsion_by_lateral = 3.0;
@@ -173,6 +175,7 @@ INSTANTIATE_TEST_SUITE_P(Wheels,
                                          Case{"cornering", -0.05, 0.06, 0.02},
                                          Case{"braked", 0.03, -0.02, -0.1},
                                          Case{"bent", 0.05, 0.04, 0.02, 8.0},
+                                         Case{"bottoming", 0.05, 0.04, 0.02, 8.0, false, 0.35},
                                          Case{"uneven", 0.05, 0.04, 0.02, 0.0, true},
                                          Case{"uneven_bent", -0.02, 0.04, 0.0, 8.0, true}),
                          [](const auto& info) { return info.param.name; });

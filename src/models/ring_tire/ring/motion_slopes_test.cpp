@@ -143,6 +143,19 @@ TEST(MotionSlopes, OfADampedBelt) {
   }
 }
 
+// A thin tread, pressed by half its height on the flat and by more on the cleat.
+TEST(MotionSlopes, OfATreadThatBottomsOut) {
+  const auto cleat = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);
+  const SlippingWheel tilted{.slip = -0.02, .camber = 0.03, .steer = 0.02};
+  RingParameters ring = plain();
+  ring.tread.height = 0.006;
+  ring.tread.bottoming = 0.35;
+  EXPECT_LT(deviation(ring, road::PlaneRoad(), tilted, 30, 5e-4), kTolerance);
+  for (const int steps : {22, 27, 33})
+    EXPECT_LT(deviation(ring, cleat, tilted, steps, 2e-4), kTolerance) << steps;
+  EXPECT_LT(deviation(bent(ring), cleat, tilted, 27, 2e-4), kTolerance);
+}
+
 TEST(MotionSlopes, OfCoupledPliesAndACone) {
   const auto cleat = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);
   RingParameters ring = plain();

@@ -323,7 +323,10 @@ TEST(RingTire, RollsOnLevelGroundAsOnAnyGround) {
 
 /// Fx and Fz over a cleat, with everything that has a kernel: damping with memory, friction,
 /// progressive springs, camber; 80 nodes or 83, which are no multiple of eight.
-std::vector<double> over_a_cleat(KernelSet set, int nodes, double belt_damping_time) {
+std::vector<double> over_a_cleat(KernelSet set,
+                                 int nodes,
+                                 double belt_damping_time,
+                                 double bottoming) {
   const WithKernelSet with(set);
   RingParameters ring = passenger_ring();
   ring.nodes = nodes;
@@ -336,6 +339,7 @@ std::vector<double> over_a_cleat(KernelSet set, int nodes, double belt_damping_t
     e->friction_force = 300.0;
   }
   ring.tread.damping_time = 1e-4;
+  ring.tread.bottoming = bottoming;
   RingTire tire(ring);
   const road::ProfileRoad road = road::cleat_road(0.12, 0.01, 0.03, 0.005);
   WheelMotion motion = rolling(tire.free_radius() - 0.02, 12.0, 0.3085);
@@ -355,12 +359,15 @@ std::vector<double> over_a_cleat(KernelSet set, int nodes, double belt_damping_t
 // Same bits where both sets have a fused multiply-add. The baseline has none: Newton's method ends
 // elsewhere within its tolerance of 0.1 N at a node.
 TEST(RingTire, EveryKernelSetRollsTheSame) {
-  for (const auto& [nodes, damping_time] :
-       {std::pair{80, 0.0}, std::pair{83, 0.0}, std::pair{83, 2e-4}}) {
-    const std::vector<double> best = over_a_cleat(kernel_sets().back(), nodes, damping_time);
+  for (const auto& [nodes, damping_time, bottoming] : {std::tuple{80, 0.0, 0.0},
+                                                       std::tuple{83, 0.0, 0.0},
+                                                       std::tuple{83, 2e-4, 0.0},
+                                                       std::tuple{83, 0.0, 0.35}}) {
+    const std::vector<double> best =
+        over_a_cleat(kernel_sets().back(), nodes, damping_time, bottoming);
     ASSERT_EQ(best.size(), 120u);
     for (const KernelSet set : kernel_sets()) {
-      const std::vector<double> forces = over_a_cleat(set, nodes, damping_time);
+      const std::vector<double> forces = over_a_cleat(set, nodes, damping_time, bottoming);
       ASSERT_EQ(forces.size(), best.size());
       for (std::size_t i = 0; i < best.size(); ++i) {
         if (set == KernelSet::baseline)

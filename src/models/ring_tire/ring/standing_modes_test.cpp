@@ -78,6 +78,19 @@ double mean_square_below(const Eigen::Vector4d& tip) {
   return low * low * low / (3.0 * (low - high));
 }
 
+/// What a neo-Hookean block of height b has beyond a linear spring, at two points of the cell:
+/// 1/6 (λ² + 2/λ - 3) b² - δ²/2.
+double beyond_linear_below(const Eigen::Vector4d& tip, double b) {
+  if (b == 0.0) return 0.0;
+  double sum = 0.0;
+  for (const double xi : {-1.0, 1.0}) {
+    const double depth = std::max(0.0, -(tip[2] + xi / std::sqrt(3.0) * tip[3])),
+                 l = 1.0 - depth / b;
+    sum += 0.5 * (b * b / 6.0 * (l * l + 2.0 / l - 3.0) - 0.5 * depth * depth);
+  }
+  return sum;
+}
+
 /// Second differences of the energy of a sticking block on the road z = 0.
 Eigen::Matrix<double, 16, 16> block_stiffness(
     const NodesOfBlock& at,
@@ -161,6 +174,7 @@ MatrixXd stiffness_by_differences(const RingTire& tire) {
         const auto energy = [&](const Eigen::Vector4d& now) {
           const Eigen::Vector2d gone = (now - T).head<2>();
           return 0.5 * normal * mean_square_below(now) +
+                 normal * beyond_linear_below(now, ring.tread.bottoming * H) +
                  0.5 * tangential * share * gone.squaredNorm() - own->force.head<2>().dot(gone);
         };
         const auto block = block_stiffness(at, energy, tip);
@@ -179,7 +193,8 @@ MatrixXd stiffness_by_differences(const RingTire& tire) {
 TEST(StandingModes, AreThoseOfADenseMatrixOfDifferences) {
   RingParameters ring = passenger_ring();
   ring.sidewall.progressivity = 1.2;
-  for (const double depth : {0.004, 0.025}) {
+  for (const auto& [depth, bottoming] : {std::pair{0.004, 0.0}, {0.025, 0.0}, {0.025, 0.35}}) {
+    ring.tread.bottoming = bottoming;
     const RingTire tire = standing(ring, depth);
     const MatrixXd K = stiffness_by_differences(tire);
     const MatrixXd M = consistent_mass(tire);

@@ -29,11 +29,11 @@ void TreadContact::add_sticking(const NodeValues& q, CyclicBand& K, CyclicBand& 
                               block.station,
                               height(segment, block.line, block.station),
                               line_y_[static_cast<std::size_t>(block.line)]);
-    const Eigen::Matrix3d spring =
-        block.share * (tangential_ * Eigen::Matrix3d::Identity() +
-                       (normal_ - tangential_) * block.normal * block.normal.transpose());
+    const Eigen::Matrix3d spring = block.share * (tangential_ * Eigen::Matrix3d::Identity() +
+                                                  (block.stiffer * normal_ - tangential_) *
+                                                      block.normal * block.normal.transpose());
     const Matrix4d turning = arms.turning(block.Fn * block.normal + block.F);
-    const CellSquares cell(block.depth, block.half);
+    const CellSquares cell(block.depth, block.half, bottom_);
     const auto depth_by = [&](int m) -> Vector4d {
       return arms.tip_by(m).transpose() * block.normal;
     };

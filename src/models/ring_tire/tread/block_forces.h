@@ -49,6 +49,7 @@ struct BlockResults {
   double* Fn;       // normal force
   double* gripped;  // tangential force over that of a sticking tip
   double* share;    // of the block's cell, on the road
+  double* slope;    // dF_n/dδ over that of a cell barely pressed; null: linear rubber, the share
   double* tip[3];   // on the road, where the block touches
 };
 
@@ -69,6 +70,7 @@ struct BlockGround {
 struct BlockLaw {
   double normal, tangential, damping_time, step;
   double by_force;  // pressure on the rubber over F_n
+  double bottom;    // m, b of (37); 0: linear rubber
   const FrictionLaw* friction;
 };
 
@@ -132,7 +134,7 @@ void keep_tips(const BlockSpan& at,
 
 /// Stiffness of the blocks, K = k_n N N^T + k_t (1 - N N^T - d d^T where it slides along d), summed
 /// over the lines: the six entries xx, xy, xz, yy, yz, zz of K, y K and y^2 K at the stations, 18
-/// columns. `normal`, `tangential`: dF/dT.
+/// columns. `normal`, `tangential`: dF/dT of a cell barely pressed.
 void level_stiffness(const BlockSpan& at,
                      const BlockLines& lines,
                      const BlockResults& results,

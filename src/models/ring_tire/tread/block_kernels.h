@@ -7,7 +7,7 @@ namespace latsch::ring_tire::LATSCH_KERNELS {
 
 /// (11). The damper carries no more than the spring: no jump at the touch and no pull.
 LATSCH_INLINE Lanes push(const BlockLaw& law, const Touch& touch, const Lanes& rate) {
-  const Lanes fast = smaller(law.damping_time * touch.share * rate, touch.depth);
+  const Lanes fast = smaller(law.damping_time * touch.slope * rate, touch.depth);
   return law.normal * (touch.depth + larger(fast, -touch.depth));
 }
 
@@ -67,7 +67,9 @@ LATSCH_INLINE Lanes3 leave_off(const BlockResults& results, const BlockMemory& b
 
 /// On level ground only x and y are left of the plane. A tip that sticks is where it was, less the
 /// way of the road, so T + t_d V is all that is needed along x and y.
+template <class Rubber>
 struct LevelBlocks {
+  Rubber rubber;
   LevelGround ground;
   BlockMemory before;
   BlockLaw law;
@@ -98,7 +100,7 @@ struct LevelBlocks {
                              int block,
                              Lanes3& moment) const {
     const Lanes depth = ground.height - at_line(s.place.p.z, s.place.G.z, s.place.A.z, H, y);
-    const Touch touch = touch_of(depth, -half.z);
+    const Touch touch = rubber.touch(depth, -half.z);
     if (!any(touch.share > 0.0)) return leave_off<2>(results, before, block);
     const Lanes rate = -at_line(s.rate.p.z, s.rate.G.z, s.rate.A.z, H, y);
     Lanes tip_x = lanes(before.tip[0] + block) + law.step * ground.velocity[0];
@@ -131,13 +133,16 @@ struct LevelBlocks {
     store(tip_x, results.tip[0] + block);
     store(tip_y, results.tip[1] + block);
     store(touch.share, results.share + block);
+    rubber.keep(touch, results, block);
     moment.z += law.normal * touch.moment;
     return F;
   }
 };
 
 /// On a plane of its own under each block.
+template <class Rubber>
 struct UnevenBlocks {
+  Rubber rubber;
   BlockGround ground;
   BlockMemory before;
   BlockLaw law;
@@ -164,7 +169,7 @@ struct UnevenBlocks {
     Lanes3 V = at_line(s.rate, H, y);
     V = {V.x - road.x, V.y - road.y, V.z - road.z};
     const Lanes depth = lanes(ground.level + block) - dot(N, T), rate = -dot(N, V);
-    const Touch touch = touch_of(depth, -dot(N, half));
+    const Touch touch = rubber.touch(depth, -dot(N, half));
     if (!any(touch.share > 0.0)) return leave_off<3>(results, before, block);
     const Lanes Fn = push(law, touch, rate);
     const Lanes touched = lanes(before.touches + block), old = kept(touch, touched);
@@ -194,6 +199,7 @@ struct UnevenBlocks {
            results.tip,
            block);
     store(touch.share, results.share + block);
+    rubber.keep(touch, results, block);
     const Lanes push = law.normal * touch.moment;
     moment = {moment.x + push * N.x, moment.y + push * N.y, moment.z + push * N.z};
     return {F.x + Fn * N.x, F.y + Fn * N.y, F.z + Fn * N.z};
@@ -255,11 +261,11 @@ void station_columns(const SegmentStations& at, double* columns) {
 }
 
 void level_forces(const BlockStep& step, const LevelGround& ground) {
-  add_block_forces(step, LevelBlocks{ground, step.before, step.law, step.results});
+  add_block_forces<LevelBlocks>(step, ground);
 }
 
 void uneven_forces(const BlockStep& step, const BlockGround& ground) {
-  add_block_forces(step, UnevenBlocks{ground, step.before, step.law, step.results});
+  add_block_forces<UnevenBlocks>(step, ground);
 }
 
 void lowest_tips(const double* columns, const BlockLines& of, int stride, double* z) {
@@ -344,12 +350,13 @@ void find_entering(const BlockSpan& at, int count, const double* touches, std::u
   }
 }
 
-void level_stiffness(const BlockSpan& at,
-                     const BlockLines& of,
-                     const BlockResults& results,
-                     double normal,
-                     double tangential,
-                     double* sums) {
+template <class Rubber>
+LATSCH_INLINE void add_level_stiffness(const BlockSpan& at,
+                                       const BlockLines& of,
+                                       const BlockResults& results,
+                                       double normal,
+                                       double tangential,
+                                       double* sums) {
   for (int j = at.begin; j < at.end; j += kWide) {
     StiffnessSums of_lines = {};
     for (int line = 0; line < of.count; ++line) {
@@ -369,19 +376,20 @@ void level_stiffness(const BlockSpan& at,
       }
       of_lines.add(0, xx, y);
       of_lines.add(3, yy, y);
-      of_lines.add(5, on * normal, y);
+      of_lines.add(5, Rubber::slope(results, block, on) * normal, y);
     }
     of_lines.store_at(sums, at.stride, j);
   }
 }
 
-void uneven_stiffness(const BlockSpan& at,
-                      const BlockLines& of,
-                      const BlockGround& ground,
-                      const BlockResults& results,
-                      double normal,
-                      double tangential,
-                      double* sums) {
+template <class Rubber>
+LATSCH_INLINE void add_uneven_stiffness(const BlockSpan& at,
+                                        const BlockLines& of,
+                                        const BlockGround& ground,
+                                        const BlockResults& results,
+                                        double normal,
+                                        double tangential,
+                                        double* sums) {
   for (int j = at.begin; j < at.end; j += kWide) {
     StiffnessSums of_lines = {};
     for (int line = 0; line < of.count; ++line) {
@@ -393,7 +401,7 @@ void uneven_stiffness(const BlockSpan& at,
       const Lanes plane = on * tangential * gripped;
       const Lanes3 F = lanes3(results.F, block), N = lanes3(ground.N, block);
       const Lanes along = along_slip(plane, gripped, dot(F, F));
-      const Lanes more = on * normal - plane;
+      const Lanes more = Rubber::slope(results, block, on) * normal - plane;
       of_lines.add(0, more * N.x * N.x + plane - along * F.x * F.x, y);
       of_lines.add(1, more * N.x * N.y - along * F.x * F.y, y);
       of_lines.add(2, more * N.x * N.z - along * F.x * F.z, y);
@@ -403,6 +411,31 @@ void uneven_stiffness(const BlockSpan& at,
     }
     of_lines.store_at(sums, at.stride, j);
   }
+}
+
+void level_stiffness(const BlockSpan& at,
+                     const BlockLines& of,
+                     const BlockResults& results,
+                     double normal,
+                     double tangential,
+                     double* sums) {
+  if (results.slope)
+    add_level_stiffness<BottomingRubber>(at, of, results, normal, tangential, sums);
+  else
+    add_level_stiffness<LinearRubber>(at, of, results, normal, tangential, sums);
+}
+
+void uneven_stiffness(const BlockSpan& at,
+                      const BlockLines& of,
+                      const BlockGround& ground,
+                      const BlockResults& results,
+                      double normal,
+                      double tangential,
+                      double* sums) {
+  if (results.slope)
+    add_uneven_stiffness<BottomingRubber>(at, of, ground, results, normal, tangential, sums);
+  else
+    add_uneven_stiffness<LinearRubber>(at, of, ground, results, normal, tangential, sums);
 }
 
 }  // namespace latsch::ring_tire::LATSCH_KERNELS

@@ -9,6 +9,7 @@
 #endif
 
 #include "models/ring_tire/tread/block_forces.h"
+#include "models/ring_tire/tread/rubber_lanes.h"
 #include "numerics/kernels/kernel_lanes.h"
 
 namespace latsch::ring_tire::LATSCH_KERNELS {
@@ -69,26 +70,6 @@ LATSCH_INLINE Section section(const SegmentStations& at,
           .A = {own * ax - nu_a * t.x - psi * n.x,
                 own * ay - nu_a * t.y - psi * n.y,
                 own * az - nu_a * t.z - psi * n.z}};
-}
-
-/// A block's cell on the road, its depth running linearly from δ - g at one end to δ + g at the
-/// other: the share λ of it that touches, and the means of (δ + g ξ)_+ and of ξ (δ + g ξ)_+ over
-/// ξ = -1 .. 1. The means are of continuous slope in δ and g, the share is continuous: nothing
-/// jumps where blocks come and go.
-struct Touch {
-  Lanes share, depth, moment;
-  Lanes deepest, range;  // of its ends; from one to the other
-};
-
-LATSCH_INLINE Touch touch_of(const Lanes& depth, const Lanes& g) {
-  const Lanes a = larger(larger(g, -g), all(1e-12));
-  const Lanes share = larger(smaller((depth + a) / (2.0 * a), all(1.0)), all(0.0));
-  const Lanes square = share * share;
-  return {share,
-          a * square + larger(depth - a, all(0.0)),
-          g * square * (1.0 - (2.0 / 3.0) * share),
-          depth + a,
-          2.0 * a};
 }
 
 // H: of a line, or of eight stations of one where the section is bent.
@@ -217,6 +198,19 @@ LATSCH_INLINE void add_block_forces(const BlockStep& step, const Blocks& blocks)
     add_block_forces(step, blocks, BentLines{});
   else
     add_block_forces(step, blocks, StraightLines{});
+}
+
+/// On their ground, of the rubber they have.
+template <template <class> class Blocks, class Ground>
+LATSCH_INLINE void add_block_forces(const BlockStep& step, const Ground& ground) {
+  const auto add = [&](auto rubber) {
+    using Own = Blocks<decltype(rubber)>;
+    add_block_forces(step, Own{rubber, ground, step.before, step.law, step.results});
+  };
+  if (step.law.bottom > 0.0)
+    add(BottomingRubber(step.law.bottom));
+  else
+    add(LinearRubber(0.0));
 }
 
 }  // namespace latsch::ring_tire::LATSCH_KERNELS

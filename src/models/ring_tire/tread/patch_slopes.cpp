@@ -101,6 +101,7 @@ std::vector<PatchSlopes> TreadContact::patch_slopes(const SectionBending& sectio
                           .Fn = apart(kFn),
                           .gripped = apart(kGripped),
                           .share = apart(kShare),
+                          .slope = bottom_ > 0.0 ? apart(kSlope) : nullptr,
                           .tip = {apart(kTip), apart(kTip + 1), apart(kTip + 2)}};
     PatchSlopes& of = slopes.emplace_back();
     for (int m = 0; m < 4; ++m) {

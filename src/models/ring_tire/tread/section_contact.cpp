@@ -87,8 +87,8 @@ std::vector<TreadContact::StationBorder> TreadContact::station_borders(const Nod
     const double y = line_y_[static_cast<std::size_t>(block.line)];
     const double gripped = all_stick ? 1.0 : block.gripped, out = block.normal.dot(block.G);
     const Eigen::Vector3d k =
-        block.share *
-        (tangential_ * gripped * (block.G - out * block.normal) + normal_ * out * block.normal);
+        block.share * (tangential_ * gripped * (block.G - out * block.normal) +
+                       block.stiffer * normal_ * out * block.normal);
     const Modes& shape = line_shapes_[static_cast<std::size_t>(block.line)];
     const double along = vector(kT).dot(k);
     StationBorder& at = stations[block.patch * static_cast<std::size_t>(stride_) +

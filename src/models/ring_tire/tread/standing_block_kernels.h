@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Blocks of a tire that stands. Their forces are the gradient of an energy, so that an equilibrium
 // is a minimum which a line search cannot miss:
-//   normal      1/2 c_n times the mean of δ^2 over the cell where δ > 0
+//   normal      1/2 c_n times the mean of δ^2 over the cell where δ > 0, and what (37) has beyond
 //   tangential  1/2 k |e|^2 up to |F_t| = g, from there on g (|e| - g/(2 k)): the tip gives way
 // k = c_t times the share of the cell that was on the road one step of the rim before: what was in
 // the air has no e and holds nothing along the road, where it touched is not known. g = μ_adhesion
@@ -12,7 +12,9 @@
 
 namespace latsch::ring_tire::LATSCH_KERNELS {
 
+template <class Rubber>
 struct StandingBlocks {
+  Rubber rubber;
   BlockGround ground;
   BlockMemory before;
   BlockLaw law;
@@ -33,7 +35,7 @@ struct StandingBlocks {
     const Lanes3 T = at_line(s, H, y);
     const Lanes3 N = lanes3(ground.N, block), tip = lanes3(before.tip, block);
     const Lanes depth = lanes(ground.level + block) - dot(N, T);
-    const Touch touch = touch_of(depth, -dot(N, half));
+    const Touch touch = rubber.touch(depth, -dot(N, half));
     const Lanes Fn = law.normal * touch.depth;  // (11)
     Lanes3 e = {tip.x - T.x, tip.y - T.y, tip.z - T.z};
     const Lanes across = dot(N, e);
@@ -53,6 +55,7 @@ struct StandingBlocks {
            results.tip,
            block);
     store(touch.share, results.share + block);
+    rubber.keep(touch, results, block);
     const Lanes push = law.normal * touch.moment;
     moment = {moment.x + push * N.x, moment.y + push * N.y, moment.z + push * N.z};
     return {F.x + Fn * N.x, F.y + Fn * N.y, F.z + Fn * N.z};
@@ -60,7 +63,7 @@ struct StandingBlocks {
 };
 
 void standing_forces(const BlockStep& step, const BlockGround& ground) {
-  add_block_forces(step, StandingBlocks{ground, step.before, step.law, step.results});
+  add_block_forces<StandingBlocks>(step, ground);
 }
 
 void hold_friction(const BlockSpan& at,

@@ -6,16 +6,18 @@
 #include <cmath>
 #include <vector>
 
+#include "models/ring_tire/tread/rubber_law.h"
 #include "models/ring_tire/tread/tread_contact.h"
 
 namespace latsch::ring_tire {
 
 /// Mean of δ² over a cell where δ > 0, its depth running from δ - g to δ + g, and the second
-/// derivatives of half of it by δ and g; mean of ξ (δ + g ξ)_+.
+/// derivatives of half of it by δ and g; mean of ξ (δ + g ξ)_+. Of rubber that bottoms out at
+/// `bottom` (0: linear), the same of twice its energy.
 struct CellSquares {
   double mean, first_moment, by_depth, by_both, by_half;
 
-  CellSquares(double depth, double g) {
+  CellSquares(double depth, double g, double bottom) {
     const double a = std::max(std::abs(g), 1e-12);
     const double share = std::clamp(0.5 * (depth + a) / a, 0.0, 1.0);
     const double square = share * share, cube = 4.0 / 3.0 * square * share;
@@ -24,6 +26,13 @@ struct CellSquares {
     by_depth = share;
     by_both = std::copysign(share - square, g);
     by_half = share - 2.0 * square + cube;
+    if (!(bottom > 0.0)) return;
+    const BeyondLinear fore(depth + kGauss * g, bottom), aft(depth - kGauss * g, bottom);
+    mean += fore.energy + aft.energy;
+    first_moment += 0.5 * kGauss * (fore.force - aft.force);
+    by_depth += 0.5 * (fore.slope + aft.slope);
+    by_both += 0.5 * kGauss * (fore.slope - aft.slope);
+    by_half += 0.5 * kGauss * kGauss * (fore.slope + aft.slope);
   }
 };
 
@@ -32,9 +41,10 @@ struct TreadContact::BlockState {
   Eigen::Vector3d normal, F, root, unloaded, tip;
   Eigen::Vector3d G;  // how the unloaded tip moves with its height
   double Fn, gripped;
-  double share;  // of its cell, on the road
-  double depth;  // m, of the unloaded tip below the road
-  double half;   // m, by how much more its cell's end is
+  double share;    // of its cell, on the road
+  double stiffer;  // dF_n/dδ over that of linear rubber
+  double depth;    // m, of the unloaded tip below the road
+  double half;     // m, by how much more its cell's end is
   std::size_t patch;
   int station, line;
 };
@@ -51,22 +61,24 @@ void TreadContact::see_blocks(const NodeValues& q, const See& see) const {
       for (int j = patch.begin; j < std::min(patch.end, blocks_); ++j) {
         const int block = line * stride_ + j;
         const auto at = [&](int c) { return column(i, c)[block]; };
-        BlockState state{.normal = {at(kNormal), at(kNormal + 1), at(kNormal + 2)},
-                         .F = {at(kF), at(kF + 1), at(kF + 2)},
-                         .root = tip(columns.data(), patch.segment, line, j),
-                         .unloaded = tip(columns.data(), patch.segment, line, j),
-                         .tip = {at(kTip), at(kTip + 1), at(kTip + 2)},
-                         .G = {columns[static_cast<std::size_t>(kG * stride_ + j)],
-                               columns[static_cast<std::size_t>((kG + 1) * stride_ + j)],
-                               columns[static_cast<std::size_t>((kG + 2) * stride_ + j)]},
-                         .Fn = at(kFn),
-                         .gripped = at(kGripped),
-                         .share = at(kShare),
-                         .depth = 0.0,
-                         .half = 0.0,
-                         .patch = i,
-                         .station = j,
-                         .line = line};
+        BlockState state{
+            .normal = {at(kNormal), at(kNormal + 1), at(kNormal + 2)},
+            .F = {at(kF), at(kF + 1), at(kF + 2)},
+            .root = tip(columns.data(), patch.segment, line, j),
+            .unloaded = tip(columns.data(), patch.segment, line, j),
+            .tip = {at(kTip), at(kTip + 1), at(kTip + 2)},
+            .G = {columns[static_cast<std::size_t>(kG * stride_ + j)],
+                  columns[static_cast<std::size_t>((kG + 1) * stride_ + j)],
+                  columns[static_cast<std::size_t>((kG + 2) * stride_ + j)]},
+            .Fn = at(kFn),
+            .gripped = at(kGripped),
+            .share = at(kShare),
+            .stiffer = bottom_ > 0.0 && at(kShare) > 0.0 ? at(kSlope) / at(kShare) : 1.0,
+            .depth = 0.0,
+            .half = 0.0,
+            .patch = i,
+            .station = j,
+            .line = line};
         if (patch.level) {
           state.normal = Eigen::Vector3d::UnitZ();
           state.F.z() = 0.0;

@@ -38,6 +38,7 @@ TreadContact::TreadContact(const Tread& tread,
       half_width_(0.5 * tread.width),
       damping_time_(tread.damping_time),
       positive_(tread.positive),
+      bottom_(tread.bottoming * tread.height),
       law_(tread.friction) {
   const int all = nodes * lines_ * blocks_;
   area_ = 2.0 * std::numbers::pi * radius * tread.width / all;
@@ -360,6 +361,7 @@ BlockResults TreadContact::results(std::size_t patch) {
           .Fn = at(kFn),
           .gripped = at(kGripped),
           .share = at(kShare),
+          .slope = bottom_ > 0.0 ? at(kSlope) : nullptr,
           .tip = {at(kTip), at(kTip + 1), at(kTip + 2)}};
 }
 
@@ -378,6 +380,7 @@ BlockLaw TreadContact::block_law() const {
           .damping_time = damping_time_,
           .step = rule_.step,
           .by_force = 1.0 / (positive_ * area_),
+          .bottom = bottom_,
           .friction = &law_};
 }
 

@@ -12,6 +12,7 @@
 // with normal N, its material at v_G.
 //   δ = N . (G - T),  g = -N . p_E,  λ: share of the cell where δ + g ξ > 0
 //   F_n = c_n (D + t_d λ δ'),  D: mean of (δ + g ξ)_+; on p_E the mean of c_n ξ (δ + g ξ)_+   (11)
+// or, of rubber that bottoms out, of what rubber_law.h makes of (δ + g ξ)_+; λ: dD/dδ
 //   e: tip on the road minus T, in the plane;  F_t = λ c_t (e + t_d e')  while the tip sticks (12)
 //   |F_t| <= μ_adhesion F_n, else the tip slides: tread_friction.h                            (13)
 // What comes down within a step starts its e at the touch; e is the mean over what touches.
@@ -153,7 +154,8 @@ class TreadContact {
     kFriction = 15,
     kHeld = 16,
     kShare = 17,
-    kColumns = 18
+    kSlope = 18,
+    kColumns = 19
   };
   static constexpr double kNoRoad = 1e6;  // m, below the blocks of a line that are not looked at
   /// t, n and |x'| at the stations of a patch.
@@ -265,6 +267,7 @@ class TreadContact {
   int nodes_, lines_, blocks_, stride_;
   double half_cell_rise_;  // m, the most by which a cell's end may be deeper than its middle
   double height_, half_width_, area_, normal_, tangential_, damping_time_, positive_;
+  double bottom_;  // m, b of (37); 0: linear rubber
   FrictionLaw law_;
   std::vector<double> line_y_, line_height_;
   std::vector<double> weights_;  // of position and of its derivative by s: eight columns

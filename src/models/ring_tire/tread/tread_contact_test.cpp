@@ -55,8 +55,9 @@ struct Pressed {
   road::PlaneRoad road{{.grade = 0.05, .bank = 0.02}};
   StepRule rule{.step = 1e-3, .velocity = 2.0e3};
 
-  explicit Pressed(int blocks = 10) {
+  explicit Pressed(int blocks = 10, double bottoming = 0.0) {
     ring.tread.blocks = blocks;
+    ring.tread.bottoming = bottoming;
     ring.tread.damping_time = 1e-4;
     tread = TreadContact(ring.tread, ring.belt.radius, ring.nodes);
     WheelMotion motion;
@@ -82,8 +83,8 @@ struct Pressed {
 };
 
 /// How far the stiffness is from the derivative of the force, largest of some columns.
-double error_of_stiffness(int blocks) {
-  Pressed pressed(blocks);
+double error_of_stiffness(int blocks, double bottoming) {
+  Pressed pressed(blocks, bottoming);
   const NodeValues none = NodeValues::Zero(4, pressed.ring.nodes);
   pressed.force_at(none);
   CyclicBand K(pressed.ring.nodes);
@@ -103,9 +104,12 @@ double error_of_stiffness(int blocks) {
 
 // What the slopes of cells change is left out of it; that falls with the square of their length.
 TEST(TreadContact, StiffnessIsTheDerivativeOfTheForceOfNarrowCellsWhileTipsStick) {
-  const double wide = error_of_stiffness(5), narrow = error_of_stiffness(20);
-  EXPECT_LT(narrow, 5e-4);
-  EXPECT_GT(wide, 12.0 * narrow);
+  for (const double bottoming : {0.0, 1.0}) {
+    const double wide = error_of_stiffness(5, bottoming),
+                 narrow = error_of_stiffness(20, bottoming);
+    EXPECT_LT(narrow, 5e-4) << bottoming;
+    EXPECT_GT(wide, 12.0 * narrow) << bottoming;
+  }
 }
 
 // The closed forms of a cell half on the road.
@@ -123,7 +127,7 @@ TEST(TreadContact, CellsAreTheMeanOfThinBlocks) {
         both += xi / kThin;
         half += xi * xi / kThin;
       }
-      const CellSquares cell(depth, g);
+      const CellSquares cell(depth, g, 0.0);
       EXPECT_NEAR(cell.mean, mean, 1e-11) << depth << " " << g;
       EXPECT_NEAR(cell.by_depth, share, 1e-4) << depth << " " << g;
       if (g == 0.0) continue;
