@@ -10,7 +10,7 @@
 namespace latsch::ring_tire {
 
 /// Positions of a meter have 1e-16 m, springs of the belt 1e8 N/m.
-inline const RingSettings kUntilRounding = {.tolerance = 1e-7, .most_iterations = 100};
+inline const RingSettings kUntilRounding = {.tolerance = 2e-8, .most_iterations = 100};
 
 /// Over columns, the largest deviation from central differences of forces, and that of moments,
 /// over the largest of the column. Infinite where a trial fails.
