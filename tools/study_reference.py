@@ -27,6 +27,7 @@ SECTIONS = [
     ('Test "drum_cleat": over a cleat on the drum', "drum_rig"),
     ('Test "slip_sweep": on a flat track', "slip_sweep"),
     ('Test "rolling_stiffness": slopes at free rolling', "rolling_stiffness"),
+    ('Test "uniformity": forces that vary over a turn', "uniformity_rig"),
     ('Test "static_stiffness": of a standing tire', "static_stiffness"),
     ('Test "footprint": where it touches the ground', "footprint_rig"),
     ('Test "steady_states": a table of states', "steady_states"),

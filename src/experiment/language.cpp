@@ -11,8 +11,8 @@ const SpecimenKind& fe_tire_kind();
 const SpecimenKind& ring_tire_kind();
 const SpecimenKind& rigid_ring_kind();
 const SpecimenKind& magic_formula_kind();
-extern const TestKind kDrumCleat, kSlipSweep, kRollingStiffness, kStaticStiffness, kFootprint,
-    kModes, kSteadyStates, kSlipHistory, kLoadDeflection;
+extern const TestKind kDrumCleat, kSlipSweep, kRollingStiffness, kUniformity, kStaticStiffness,
+    kFootprint, kModes, kSteadyStates, kSlipHistory, kLoadDeflection;
 
 const Language& language() {
   static const Language all = {
@@ -20,6 +20,7 @@ const Language& language() {
       {&kDrumCleat,
        &kSlipSweep,
        &kRollingStiffness,
+       &kUniformity,
        &kStaticStiffness,
        &kFootprint,
        &kModes,

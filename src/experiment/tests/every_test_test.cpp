@@ -69,6 +69,33 @@ TEST_F(EveryTest, EveryKindCarriesItsLoadOverTheSameCleat) {
   }
 }
 
+// Whatever rolls; the same all around it has nothing to show.
+TEST_F(EveryTest, EveryTireThatRollsGoesOnTheUniformityMachine) {
+  const auto tir = write("tire.tir", kTir);
+  const auto machine =
+      test("kind = \"uniformity\"\nload = \"4 kN\"\ndrum_diameter = \"854 mm\"\nstep = \"4 ms\"\n");
+  for (const SpecimenKind* kind : language().kinds) {
+    if (!can(*kind, *machine)) continue;
+    const Document numbers = kind->read(kind->name() == "ring_tire" ? kRing : tir);
+    const auto channels = language().run(*kind, numbers, *machine);
+    ASSERT_TRUE(channels) << kind->name() << ": " << channels.failure().reason;
+    EXPECT_EQ(channels->all().size(), machine->channels().size());
+    for (const ChannelInfo& channel : machine->channels()) {
+      ASSERT_TRUE(channels->find(channel.name)) << channel.name;
+      EXPECT_EQ(channels->find(channel.name)->unit, channel.unit);
+      const double value = (*channels)[channel.name][0];
+      if (channel.name == "load")
+        EXPECT_NEAR(value, 4000.0, 5.0) << kind->name();
+      else
+        EXPECT_NEAR(value, 0.0, 3.0) << kind->name() << " " << channel.name;
+    }
+  }
+  EXPECT_NE(
+      complaint("kind = \"uniformity\"\nload = \"4 kN\"\nspeed = \"30 m/s\"\nstep = \"1 ms\"\n")
+          .find("30 mm on, expected at most 20 mm"),
+      std::string::npos);
+}
+
 TEST_F(EveryTest, ASweepGivesSideForceAgainstItsSlip) {
   const auto tir = write("tire.tir", kTir);
   const auto sweep = test(

@@ -25,8 +25,8 @@ RingParameters bottoming_ring(double bottoming) {
   return ring;
 }
 
-/// J: what a tire without losses and friction has gained, in itself and at the road, beyond the work
-/// of the rim; it rolls while the hub heaves. Largest over the run, and of the work.
+/// J: what a tire without losses and friction has gained, in itself and at the road, beyond the
+/// work of the rim; it rolls while the hub heaves. The most of the run, and that work.
 struct EnergyDrift {
   double most = 0.0, work = 0.0;
 };
@@ -73,8 +73,8 @@ EnergyDrift heaving(double bottoming, double h) {
   return drift;
 }
 
-// The energy of (37) is that of the blocks' forces: what the road takes and gives back is in it. The
-// rest falls with the square of the step, as with linear rubber.
+// The energy of (37) is that of the blocks' forces: what the road takes and gives back is in it.
+// The rest falls with the square of the step, as with linear rubber.
 TEST(TreadBottoming, RollingWithoutLossesKeepsItsEnergy) {
   for (const double bottoming : {0.0, 1.0, 0.35}) {
     const EnergyDrift wide = heaving(bottoming, 2e-4), narrow = heaving(bottoming, 5e-5);
@@ -118,9 +118,9 @@ TEST(TreadBottoming, AHardHitDoesNotPressItToNothing) {
     EXPECT_LT(deepest_at_a_plank(bottoming), bottoming * height) << bottoming;
 }
 
-// A static load: the same force on more deflected rubber. Pressed by the weight alone it is a little
-// stiffer than linear, by about δ/b of its share.
-TEST(TreadBottoming, OffAndBarelyPressedItIsLinear) {
+// Barely pressed it is linear rubber; under a load it is stiffer, the more so the sooner it bottoms
+// out.
+TEST(TreadBottoming, BarelyPressedItIsLinear) {
   const auto standing_load = [](double bottoming, double sink) {
     RingTire tire(bottoming_ring(bottoming));
     WheelMotion motion;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A block's cell on the road for eight blocks at a time, with linear rubber or that of rubber_law.h.
+// A block's cell on the road for eight blocks at a time, of linear rubber or that of rubber_law.h.
 #if defined(LATSCH_RING_RUBBER_LANES) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_RING_RUBBER_LANES
 #undef LATSCH_RING_RUBBER_LANES

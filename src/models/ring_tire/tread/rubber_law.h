@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rubber of a tread block under pressure: neo-Hookean, incompressible, its sides free [Rivlin 1948].
+// Rubber of a tread block under pressure: neo-Hookean, incompressible, sides free [Rivlin 1948].
 // A block of height b that is pressed in by δ carries, per its area at rest,
-//   p = E/3 (1/λ² - λ),  λ = 1 - δ/b                                                             (37)
-// linear with E/b where δ is small and without bound where the block is pressed to nothing. That
-// law's shear of a pressed block is stiff as ever, G A/b: it gets thinner as it gets wider, so (12)
-// stays as it is.
+//   p = E/3 (1/λ² - λ),  λ = 1 - δ/b                                                          (37)
+// linear with E/b where δ is small and without bound where the block is pressed to nothing. In
+// shear a pressed block is as stiff as ever, G A/b: it gets wider as it gets thinner, so (12) stays
+// as it is.
 //
 // b is the tread's height where rubber has all the room it wants to the sides. Where it fills voids
-// instead it bottoms out sooner: no rubber leaving, when the pattern is flat, at 1 - positive of the
-// height. The stiffness of small δ is that of the full height in any case.
+// instead it bottoms out sooner: when the pattern is flat, at 1 - positive of the height, unless
+// rubber leaves. The stiffness of small δ is that of the full height in any case.
 //
-// Beyond kLinearFrom of b it goes on with its slope there, 667 times that of small δ: a step's trial
+// Beyond kLinearFrom of b it goes on with its slope there, 667 times that of small δ: a trial step
 // may press a block by more than there is of it, and finds its way back.
 #pragma once
 

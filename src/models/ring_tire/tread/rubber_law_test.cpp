@@ -92,8 +92,8 @@ Cell of_thin_blocks(double depth, double g) {
   return mean;
 }
 
-// Where all of a cell touches, two points miss g⁴/270 times the fourth derivative of (37), 40/λ^6, of
-// the force, and 2/135 g³ times the third, 8/λ^5, of the moment, and what is smaller by (g/b)².
+// Where all of a cell touches, two points miss g⁴/270 times the fourth derivative of (37), 40/λ^6,
+// of the force, and 2/135 g³ times the third, 8/λ^5, of the moment, and what is smaller by (g/b)².
 TEST(RubberLaw, CellsAreTheMeanOfThinBlocksToThirdOrder) {
   for (const double x : {0.25, 0.5})
     for (const double slope : {0.05, 0.1}) {
@@ -111,8 +111,8 @@ TEST(RubberLaw, CellsAreTheMeanOfThinBlocksToThirdOrder) {
     }
 }
 
-// At the edge of the contact it is pressed by at most 2 |g|: what two points miss of its excess over
-// linear rubber is below 2 % of g times g/b.
+// At the edge of the contact it is pressed by at most 2 |g|: what two points miss of its excess
+// over linear rubber is below 2 % of g times g/b.
 TEST(RubberLaw, CellsAtTheEdgeOfTheContactAreNearThatMean) {
   for (const double g : {2e-4, -4e-4})
     for (const double depth : {-3e-4, -1e-4, 0.0, 1e-4, 3e-4})
@@ -123,8 +123,8 @@ TEST(RubberLaw, CellsAtTheEdgeOfTheContactAreNearThatMean) {
       }
 }
 
-// Force, moment and stiffness are derivatives of one energy: that of CellSquares, by the depth and by
-// its gain along the cell. Kernels of every set have it, with linear rubber too.
+// Force, moment and stiffness are derivatives of one energy, that of CellSquares, by the depth and
+// by its gain along the cell. Kernels of every set have it, with linear rubber too.
 TEST(RubberLaw, ForceMomentAndSlopeOfACellFollowFromItsEnergy) {
   const double h = 1e-8;
   for (const double bottom : {0.0, kBottom})

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/uniformity_rig.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <memory>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "experiment/rigs/drum_rig.h"
+#include "models/road/drum_road.h"
+#include "models/road/plane_road.h"
+#include "models/tire/free_wheel.h"
+
+namespace latsch::experiment {
+namespace {
+
+constexpr double kRunIn = 1.5;             // turns, before what is then averaged over one
+constexpr double kFarthestStep = 0.02;     // m: a block comes down and leaves within some steps
+constexpr double kFollow = 20e-3;          // s, in which the axle follows the load
+constexpr double kLeastDeflection = 1e-3;  // m
+constexpr int kAngles = 720;               // of a turn, at which its peaks are looked for
+
+std::unique_ptr<road::Road> road_of(const UniformityTest& test, double way) {
+  if (test.diameter > 0.0)
+    return std::make_unique<road::DrumRoad>(
+        road::DrumRoad::Settings{.diameter = test.diameter, .surface = way * test.speed});
+  return std::make_unique<road::PlaneRoad>(road::PlaneRoad::Settings{.belt = way * test.speed});
+}
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// Of a turn.
+struct Turn {
+  std::vector<double> Fx, Fy, Fz, height;
+};
+
+/// The wheel on the machine, rolling forward (way 1) or back (-1).
+class Machine {
+ public:
+  Machine(Tire& tire, const UniformityTest& test, double way, double height)
+      : tire_(tire), test_(test), road_(road_of(test, way)) {
+    deflection_ = std::max(tire.free_radius() - height, kLeastDeflection);
+    motion_.center.z() = height;
+    motion_.spin_rate = way * test.speed / (tire.free_radius() - deflection_ / 3.0);
+  }
+
+  /// From rest; `follow`: the axle the load.
+  std::optional<Failure> start(bool follow) {
+    const auto hub = tire_.settle(motion_, *road_, 0.0);
+    if (!hub) return hub.failure();
+    wheel_.spin = {.inertia = test_.wheel_inertia,
+                   .place = motion_.spin,
+                   .rate = motion_.spin_rate,
+                   .acceleration = hub->moment.y() / test_.wheel_inertia};
+    if (!follow) return std::nullopt;
+    const double load = test_.load, c = kFollow * load / deflection_;
+    wheel_.height = {.place = motion_.center.z(),
+                     .rate = (hub->force.z() - load) / c,
+                     .push = [c, load](double, double rate) -> Push {
+                       return {-load - c * rate, -c};
+                     }};
+    return std::nullopt;
+  }
+
+  /// A turn, behind a part of one in which the wheel finds its speed.
+  Result<Turn> turn() {
+    Turn turn;
+    if (const auto failure = roll(kRunIn, nullptr)) return *failure;
+    if (const auto failure = roll(1.0, &turn)) return *failure;
+    return turn;
+  }
+
+ private:
+  std::optional<Failure> roll(double turns, Turn* seen) {
+    const double period = 2.0 * std::numbers::pi / std::abs(motion_.spin_rate);
+    const double least = std::max(period / test_.step, 2.0 * test_.harmonics + 1.0);
+    const long count = std::lround(std::ceil(turns * least));
+    const double h = turns * period / static_cast<double>(count);
+    for (long i = 0; i < count; ++i) {
+      time_ += h;
+      const auto hub = tire_.advance_free(motion_, wheel_, *road_, time_, h);
+      if (!hub) return hub.failure();
+      if (!seen) continue;
+      seen->Fx.push_back(hub->force.x());
+      seen->Fy.push_back(hub->force.y());
+      seen->Fz.push_back(hub->force.z());
+      seen->height.push_back(motion_.center.z());
+    }
+    return std::nullopt;
+  }
+
+  Tire& tire_;
+  const UniformityTest& test_;
+  std::unique_ptr<road::Road> road_;
+  WheelMotion motion_;
+  FreeWheel wheel_;
+  double deflection_ = 0.0, time_ = 0.0;
+};
+
+/// The height at which the rolling tire carries the load, in the mean over a turn.
+Result<double> rolling_height(Tire& tire, const UniformityTest& test) {
+  const auto standing =
+      height_under_load(tire, *road_of(test, 0.0), Eigen::Matrix3d::Identity(), test.load);
+  if (!standing) return standing;
+  Machine machine(tire, test, 1.0, *standing);
+  if (const auto failure = machine.start(true)) return *failure;
+  const auto turn = machine.turn();
+  if (!turn) return turn.failure();
+  return mean(turn->height);
+}
+
+Result<Turn> held(Tire& tire, const UniformityTest& test, double way, double height) {
+  Machine machine(tire, test, way, height);
+  if (const auto failure = machine.start(false)) return *failure;
+  return machine.turn();
+}
+
+Result<UniformityRecord> record(Tire& tire, const UniformityTest& test) {
+  const auto height = rolling_height(tire, test);
+  if (!height) return height.failure();
+  const auto forward = held(tire, test, 1.0, *height);
+  if (!forward) return forward.failure();
+  const auto back = held(tire, test, -1.0, *height);
+  if (!back) return back.failure();
+  const double F = mean(forward->Fy), B = mean(back->Fy);
+  return UniformityRecord{.load = mean(forward->Fz),
+                          .radial = variation_of(forward->Fz, test.harmonics),
+                          .lateral = variation_of(forward->Fy, test.harmonics),
+                          .tangential = variation_of(forward->Fx, test.harmonics),
+                          .conicity = 0.5 * (F + B),
+                          .ply_steer = 0.5 * (F - B)};
+}
+
+}  // namespace
+
+UniformityTest read_uniformity_test(const Node& root, const MeasuredConditions& measured) {
+  UniformityTest test;
+  const auto load = find_measured(root, "load");
+  test.load = load ? measured_mean(*load, {"Fz", "N", true, "W"}, measured)
+                   : root.quantity("load", "N", Range::positive());
+  test.diameter = root.quantity("drum_diameter", "m", Range::between(0.2, 100.0), 0.0);
+  test.speed = root.quantity("speed", "m/s", Range::between(0.5, 100.0), test.speed);
+  test.wheel_inertia =
+      root.quantity("wheel_inertia", "kg m^2", Range::positive(), test.wheel_inertia);
+  test.harmonics = static_cast<int>(root.integer("harmonics", 1, 50, test.harmonics));
+  const double longest = kFarthestStep / test.speed;
+  test.step = root.quantity("step", "s", {0.0, 0.01, true}, std::min(test.step, longest));
+  if (test.step > longest * (1.0 + 1e-9))
+    root.reject("step",
+                fmt::format("takes the tire {:.3g} mm on, expected at most {:.3g} mm",
+                            1e3 * test.speed * test.step,
+                            1e3 * kFarthestStep));
+  return test;
+}
+
+ForceVariation variation_of(const std::vector<double>& values, int harmonics) {
+  using std::numbers::pi;
+  const double count = static_cast<double>(values.size()), middle = mean(values);
+  std::vector<std::complex<double>> of_order;
+  for (int n = 1; n <= harmonics; ++n) {
+    std::complex<double> sum = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      sum += (values[i] - middle) *
+             std::polar(2.0 / count, -2.0 * pi * n * static_cast<double>(i) / count);
+    of_order.push_back(sum);
+  }
+  double low = 0.0, high = 0.0;
+  for (int i = 0; i < kAngles; ++i) {
+    double sum = 0.0;
+    for (int n = 1; n <= harmonics; ++n)
+      sum += std::real(of_order[static_cast<std::size_t>(n - 1)] *
+                       std::polar(1.0, 2.0 * pi * n * i / kAngles));
+    low = i == 0 ? sum : std::min(low, sum);
+    high = i == 0 ? sum : std::max(high, sum);
+  }
+  return {high - low, 2.0 * std::abs(of_order.front())};
+}
+
+Result<UniformityRecord> run(Tire& tire, const UniformityTest& test) {
+  auto found = record(tire, test);
+  if (!found) return Failure{"on the uniformity machine: " + found.failure().reason};
+  return found;
+}
+
+}  // namespace latsch::experiment

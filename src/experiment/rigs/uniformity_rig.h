@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Virtual uniformity machine: a tire rolls slowly at a constant loaded radius, forward and back,
+// and the force on its spindle varies over the turn. Of any tire.
+//
+//   kind = "uniformity"
+//   load = "4 kN"                    # mean over a turn forward, before the axle is held; or
+//                                    # {from = "measurement.machine"}: the mean of its Fz
+//   drum_diameter = "854 mm"         # default: none, a flat belt
+//   speed = "2 m/s"                  # of the road, some 60 turns a minute; default
+//   wheel_inertia = "1 kg m^2"       # about the spin axis, of the wheel that spins freely; default
+//   harmonics = 10                   # of the turn that a variation is made of; default
+//   step = "1 ms"                    # default; less from 72 km/h on: 20 mm of road
+//
+// Channels, N: "load"; RFV, LFV, TFV, peak to peak over a turn forward,
+// "radial_force_variation", "lateral_force_variation", "tangential_force_variation"; of what comes
+// once a turn, peak to peak as well, "radial_first_harmonic", "lateral_first_harmonic",
+// "tangential_first_harmonic"; "conicity" and "ply_steer". A variation is that of the first
+// harmonics, so that segments of a belt and blocks of a tread do not count.
+//
+// Forces are those on the wheel in C, whose axes stay with the wheel: x to the front, y to the
+// left, z up (NOTATION.md). Rolling forward the wheel turns clockwise for who looks at its right
+// side. With F the mean of Fy rolling forward, B rolling back,
+//   conicity   (F + B)/2,  keeps its side
+//   ply steer  (F - B)/2,  changes it
+// half the sum and half the difference of what the trade calls lateral shift, clockwise and
+// counterclockwise. Such machines are the subject of SAE J332. Beyond some m/s imbalance and modes
+// of the tire are in the variations, as on machines for high speeds.
+#pragma once
+
+#include <vector>
+
+#include "base/document.h"
+#include "base/result.h"
+#include "experiment/rigs/measured_conditions.h"
+#include "models/tire/tire.h"
+
+namespace latsch::experiment {
+
+struct UniformityTest {
+  double load = 4000.0;        // N
+  double diameter = 0.0;       // m, of the drum; 0: flat
+  double speed = 2.0;          // m/s
+  double wheel_inertia = 1.0;  // kg m^2
+  int harmonics = 10;
+  double step = 1e-3;  // s
+};
+
+/// N, peak to peak.
+struct ForceVariation {
+  double all = 0.0, first = 0.0;
+};
+
+/// N.
+struct UniformityRecord {
+  double load = 0.0;
+  ForceVariation radial, lateral, tangential;
+  double conicity = 0.0, ply_steer = 0.0;
+};
+
+/// Throws InputError naming the place.
+UniformityTest read_uniformity_test(const Node& root, const MeasuredConditions& measured = {});
+
+/// The tire is left as it stands at the end.
+Result<UniformityRecord> run(Tire& tire, const UniformityTest& test);
+
+/// Of values at even distances over a turn: of their harmonics 1 to `harmonics`, of which there are
+/// at most half as many as values.
+ForceVariation variation_of(const std::vector<double>& values, int harmonics);
+
+}  // namespace latsch::experiment

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// kind = "uniformity" (rigs/uniformity_rig.h): by what a tire's forces vary over a turn.
+#include <fmt/format.h>
+
+#include "experiment/language/capabilities.h"
+#include "experiment/language/test.h"
+#include "experiment/rigs/uniformity_rig.h"
+#include "experiment/rigs/wheel_scheme.h"
+
+namespace latsch::experiment {
+
+extern const TestKind kUniformity;
+namespace {
+
+class Uniformity : public Test {
+ public:
+  explicit Uniformity(const UniformityTest& test) : test_(test) {}
+
+  std::string in_words() const override {
+    return fmt::format(
+        "uniformity, {:.4g} N, {:.4g} m/s{}",
+        test_.load,
+        test_.speed,
+        test_.diameter > 0.0 ? fmt::format(", drum of {:.4g} m", test_.diameter) : "");
+  }
+
+  std::string identity() const override {
+    return fmt::format(
+        "uniformity load {} diameter {} speed {} inertia {} harmonics {} step {}, {}",
+        test_.load,
+        test_.diameter,
+        test_.speed,
+        test_.wheel_inertia,
+        test_.harmonics,
+        test_.step,
+        kWheelScheme);
+  }
+
+  std::vector<ChannelInfo> channels() const override {
+    std::vector<ChannelInfo> channels;
+    for (const auto& [name, value] : values_of({})) channels.push_back({name, "N"});
+    return channels;
+  }
+
+  std::vector<std::string> needs() const override { return kUniformity.needs; }
+
+  Result<Channels> run(Specimen& specimen) const override {
+    const auto tire = specimen.find<Rolls>()->tire();
+    const auto found = experiment::run(*tire, test_);
+    if (!found) return found.failure();
+    Channels recorded;
+    for (const auto& [name, value] : values_of(*found)) recorded.add({name, "N", {value}});
+    return recorded;
+  }
+
+ private:
+  static std::vector<std::pair<std::string, double>> values_of(const UniformityRecord& of) {
+    return {{"load", of.load},
+            {"radial_force_variation", of.radial.all},
+            {"lateral_force_variation", of.lateral.all},
+            {"tangential_force_variation", of.tangential.all},
+            {"radial_first_harmonic", of.radial.first},
+            {"lateral_first_harmonic", of.lateral.first},
+            {"tangential_first_harmonic", of.tangential.first},
+            {"conicity", of.conicity},
+            {"ply_steer", of.ply_steer}};
+  }
+
+  UniformityTest test_;
+};
+
+std::unique_ptr<Test> read_uniformity(const Node& root, const TestSource& source) {
+  return std::make_unique<Uniformity>(read_uniformity_test(root, source.measured));
+}
+
+}  // namespace
+
+const TestKind kUniformity = {
+    "uniformity",
+    "uniformity machine: force variations over a turn, conicity, ply steer",
+    {Rolls::kName},
+    read_uniformity};
+
+}  // namespace latsch::experiment
