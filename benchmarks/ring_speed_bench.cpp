@@ -282,6 +282,7 @@ int ring_speed() {
   benchmarks::car_row(table);
   benchmarks::slopes_rows(table);
   benchmarks::free_wheel_rows(table);
+  benchmarks::bottoming_rows(table);
   benchmarks::drum_row(table);
   ripple_rows(table);
   state_row(table);

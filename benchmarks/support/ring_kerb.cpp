@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -282,6 +283,28 @@ void free_wheel_rows(Table& table) {
               fmt::format("{:.3f} x one whose motion is told", ratio),
               "<= 1.15",
               ratio <= 1.15);
+  }
+}
+
+void bottoming_rows(Table& table) {
+  const road::ProfileRoad road = kerb();
+  for (const RingParameters& linear : {small_ring(), ring_of(80, 50, 10)}) {
+    std::vector<double> least(3, 1e9);
+    for (int round = 0; round < kRounds; ++round)
+      for (std::size_t i = 0; i < least.size(); ++i) {
+        RingParameters ring = linear;
+        ring.tread.bottoming = std::array{0.0, 1.0, 0.35}[i];
+        const auto run = roll(ring, {}, road, kSpeed, kStep);
+        if (!run) return table.row("tread that bottoms out", "no state found", "runs", false);
+        least[i] = std::min(least[i], run->time);
+      }
+    table.note(fmt::format("tread that bottoms out at 1 and 0.35 of its height, {} x {} x {}",
+                           linear.nodes,
+                           linear.tread.blocks,
+                           linear.tread.lines),
+               fmt::format("{:.2f}, {:.2f} x the time of linear rubber",
+                           least[1] / least[0],
+                           least[2] / least[0]));
   }
 }
 

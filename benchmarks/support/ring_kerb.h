@@ -22,6 +22,8 @@ void slopes_rows(Table& table);
 /// Over the deep kerb: a wheel that spins freely, then on an axle that moves too, beside one whose
 /// motion is told.
 void free_wheel_rows(Table& table);
+/// Tread that bottoms out, beside linear rubber.
+void bottoming_rows(Table& table);
 /// A smooth drum, beside a flat road.
 void drum_row(Table& table);
 
