@@ -16,7 +16,7 @@
 //             The lab averages over passages at any angle of the wheel; so do specimen and model.
 //             The cost is smooth only then: ripples of a single passage are local minima.
 //             Blocks a segment and passages have no common divisor, or passages meet the blocks
-//             alike: 12 blocks and three passages change Fx by 4 N, 10 blocks by 1.4 N.
+//             alike: 12 blocks and three passages change Fx by 4 N, 16 blocks by 0.8 N.
 //   numerics  What the model's mesh and step change has to stay below the noise, or the numbers
 //             take it in ("mesh and step over noise").
 //   window    Welch's is as long as the record. The blow is in its middle, where it counts fully;

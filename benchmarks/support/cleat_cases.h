@@ -26,7 +26,7 @@ constexpr const char* kChannels[2] = {"Fx", "Fz"};
 struct Numerics {
   int nodes, blocks, lines;
 };
-constexpr Numerics kModel{100, 10, 4}, kSpecimen{140, 15, 6};
+constexpr Numerics kModel{100, 16, 4}, kSpecimen{140, 15, 6};
 constexpr int kPassages = 8;  // of the specimen, at half the model's step
 
 /// Dry friction of the specimen's sidewall, radially: none, or a fifth more stiffness before it
