@@ -5,6 +5,7 @@
 //   bench_cleat_fit --specimen fe      or a ring derived from the FE tire of that size
 //   bench_cleat_fit --specimen friction  or the first with dry friction in its sidewall
 //   bench_cleat_fit --genetic 180      so many evaluations of the genetic algorithm besides
+//   bench_cleat_fit --draws 5          the study's intervals alone, over so many draws of the noise
 //   bench_cleat_fit --write            the measurements for studies/cleat_fit, of these load cases
 //
 // The specimen is the ring with other numbers, finer than the model (kSpecimen, kModel) and with
@@ -15,7 +16,7 @@
 //             The lab averages over passages at any angle of the wheel; so do specimen and model.
 //             The cost is smooth only then: ripples of a single passage are local minima.
 //             Blocks a segment and passages have no common divisor, or passages meet the blocks
-//             alike: 12 blocks and three passages change Fx by 4 N, 10 blocks by 1.4 N.
+//             alike: 12 blocks and three passages change Fx by 4 N, 16 blocks by 0.8 N.
 //   numerics  What the model's mesh and step change has to stay below the noise, or the numbers
 //             take it in ("mesh and step over noise").
 //   window    Welch's is as long as the record. The blow is in its middle, where it counts fully;
@@ -37,25 +38,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <span>
-#include <thread>
 #include <utility>
 
 #include "base/document.h"
-#include "base/file.h"
-#include "base/random.h"
 #include "base/scratch_folder_testing.h"
+#include "cleat_cases.h"
+#include "cleat_intervals.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/study_trials.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/tests/drum_cleat.h"
 #include "fit_study.h"
-#include "models/ring_tire/description/ring_reader.h"
 #include "models/ring_tire/ring/ring_tire.h"
 #include "numerics/signals/welch.h"
 #include "optimization/direct_search/genetic.h"
@@ -65,141 +62,12 @@
 namespace {
 
 using namespace latsch;
+using namespace latsch::benchmarks::cleat;
 
-constexpr double kHighest = 200.0;           // Hz, compared up to
-constexpr double kNoise[2] = {50.0, 100.0};  // N, of Fx and Fz in one passage, every sample
-constexpr double kRecord = 24.5;             // s, of one load case
-constexpr int kMostEvaluations = 200;        // of the residual method, at the end of its search
+constexpr int kMostEvaluations = 200;  // of the residual method, at the end of its search
 constexpr int kPopulation = 60;
 constexpr double kReach[2] = {1.25, 1.5};  // times the floor: fitted cases, held-out ones
 constexpr double kMissingLaw = 1.5;        // held-out cases over fitted ones, with a law missing
-constexpr const char* kChannels[2] = {"Fx", "Fz"};
-
-/// How finely a tire is simulated.
-struct Numerics {
-  int nodes, blocks, lines;
-};
-constexpr Numerics kModel{100, 10, 4}, kSpecimen{140, 15, 6};
-constexpr int kPassages = 8;  // of the specimen, at half the model's step
-
-/// Dry friction of the specimen's sidewall, radially: none, or a fifth more stiffness before it
-/// slips, which its five elements do between 1.4 and 6.8 mm.
-struct Friction {
-  double stiffening = 0.0, force = 0.0;  // N/m
-};
-constexpr Friction kFriction{0.2, 500.0};
-
-/// `work` of 0 .. count - 1, on all cores.
-template <class Work>
-void at_once(std::size_t count, const Work& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto go = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::jthread> others;
-  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) others.emplace_back(go);
-  go();
-}
-
-ring_tire::RingParameters with(ring_tire::RingParameters ring, const Numerics& numerics) {
-  ring.nodes = numerics.nodes;
-  ring.tread.blocks = numerics.blocks;
-  ring.tread.lines = numerics.lines;
-  return ring;
-}
-
-ring_tire::RingParameters with(ring_tire::RingParameters ring, const Friction& friction) {
-  ring.sidewall.radial.friction_stiffening = friction.stiffening;
-  ring.sidewall.radial.friction_force = friction.force;
-  return ring;
-}
-
-/// A number of the tire: where it stands, what it is in the specimen over what is known before, and
-/// how far it may be off.
-struct Number {
-  const char* path;
-  double truth, range;
-};
-constexpr Number kNumbers[12] = {{"sidewall.radial.stiffness", 1.12, 1.5},
-                                 {"sidewall.radial.damping", 1.30, 2.0},
-                                 {"sidewall.radial.dynamic_stiffening", 0.80, 2.0},
-                                 {"sidewall.time_constant", 1.25, 2.0},
-                                 {"sidewall.tangential.stiffness", 0.88, 1.5},
-                                 {"sidewall.tangential.damping", 0.75, 2.0},
-                                 {"sidewall.progressivity", 0.85, 1.5},
-                                 {"belt.pressure_width", 1.15, 1.5},
-                                 {"belt.bending_in_plane", 1.30, 2.0},
-                                 {"belt.extension", 0.85, 1.5},
-                                 {"tread.shore_a", 0.95, 1.15},
-                                 {"tread.damping_time", 1.30, 2.0}};
-
-/// A load case of studies/cleat_fit, with the step and the passages of the model.
-struct Case {
-  std::string name;
-  bool fitted;
-  experiment::DrumTest test;
-  std::string words = {};
-  std::vector<double> measured[2] = {};  // densities
-  std::vector<double> force[2] = {};     // N, the average they are of
-  std::vector<double> noiseless[2] = {};
-};
-
-const std::filesystem::path kStudy =
-    std::filesystem::path(LATSCH_SOURCE_DIR) / "studies" / "cleat_fit";
-
-std::vector<Case> cases() {
-  std::vector<Case> all;
-  for (const char* name : {"slow",
-                           "fast",
-                           "medium",
-                           "faster",
-                           "heavy",
-                           "light",
-                           "high",
-                           "cambered",
-                           "fast_cambered",
-                           "oblique",
-                           "fast_oblique"}) {
-    const auto test = experiment::read_drum_cleat(kStudy / "tests" / (std::string(name) + ".toml"));
-    all.push_back({name, all.size() < 2, test});
-    all.back().words = fmt::format("{}: {}", name, experiment::DrumCleatTest(test).in_words());
-  }
-  return all;
-}
-
-/// N, of an average over the passages that a record holds.
-double noise(const experiment::DrumTest& test, int channel) {
-  return kNoise[channel] * std::sqrt(M_PI * test.diameter / (kRecord * test.speed));
-}
-
-Document file() {
-  return Document::read(std::string(LATSCH_SOURCE_DIR) +
-                        "/studies/ring_tires/passenger_205_55R16.toml");
-}
-
-ring_tire::RingParameters tire_at(const Document& known, const DesignPoint& point) {
-  Document changed = known;
-  for (std::size_t i = 0; i < point.values.size(); ++i)
-    changed.set(kNumbers[i].path, point.values[i]);
-  return ring_tire::read_ring_tire(changed.root());
-}
-
-std::vector<double> density(const std::vector<double>& force) {
-  const int count = static_cast<int>(force.size());
-  const auto settings = numerics::welch_settings(numerics::Convention::scipy, count, count);
-  const numerics::Density density = numerics::power_density(force, 1000.0, settings);
-  std::vector<double> kept;
-  for (std::size_t i = 0; i < density.value.size() && density.frequency[i] <= kHighest; ++i)
-    kept.push_back(density.value[i]);
-  return kept;
-}
-
-double rms(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value * value;
-  return std::sqrt(sum / static_cast<double>(values.size()));
-}
-
 /// Forces over time less their means, in units of their noise; or densities, in units of the
 /// measured one's rms.
 enum class Compared { times, densities };
@@ -239,11 +107,6 @@ std::vector<double> differences(const Channels& channels, const Case& of, Compar
   return all;
 }
 
-std::vector<double> with_noise(std::vector<double> force, double deviation, RandomStream random) {
-  for (double& value : force) value += deviation * random.normal();
-  return force;
-}
-
 /// Of both forces over several passages.
 Result<Channels> mean(std::span<const Result<Channels>> passages) {
   Channels mean;
@@ -259,48 +122,6 @@ Result<Channels> mean(std::span<const Result<Channels>> passages) {
     mean.add({name, "N", std::move(sum)});
   }
   return mean;
-}
-
-/// Upright on a straight cleat all lines across the width see the same: one does.
-Numerics enough(Numerics numerics, const Case& of) {
-  if (of.test.camber == 0.0 && of.test.cleat->angle == 0.0) numerics.lines = 1;
-  return numerics;
-}
-
-void measure(std::vector<Case>& all, const ring_tire::RingParameters& specimen) {
-  std::vector<std::string> failures(all.size());
-  at_once(all.size(), [&](std::size_t i) {
-    experiment::DrumTest test = all[i].test;
-    test.step *= 0.5;
-    test.passages = kPassages;
-    test.wheel_step = 2.0 * M_PI / (kSpecimen.nodes * kPassages);
-    ring_tire::RingTire tire(with(specimen, enough(kSpecimen, all[i])));
-    const auto channels = experiment::run(tire, test);
-    if (!channels) {
-      failures[i] = channels.failure().reason;
-      return;
-    }
-    for (int c = 0; c < 2; ++c) {
-      const RandomStream random(2024, 2 * i + static_cast<std::size_t>(c));
-      all[i].noiseless[c] = (*channels)[kChannels[c]];
-      all[i].force[c] = with_noise(all[i].noiseless[c], noise(all[i].test, c), random);
-      all[i].measured[c] = density(all[i].force[c]);
-    }
-  });
-  for (const std::string& failure : failures)
-    if (!failure.empty()) throw InputError("the specimen: " + failure);
-}
-
-/// The measurements of the study.
-void write(const std::vector<Case>& all) {
-  for (const Case& one : all) {
-    std::string text = "time [s],Fx [N],Fz [N]\n";
-    for (std::size_t i = 0; i < one.force[0].size(); ++i) {
-      const double time = static_cast<double>(i + 1) * one.test.sample_step - one.test.lead;
-      text += fmt::format("{:.3f},{:.1f},{:.1f}\n", time, one.force[0][i], one.force[1][i]);
-    }
-    write_text_file(kStudy / "measured" / (one.name + ".csv"), text);
-  }
 }
 
 /// PSD RMS that another draw of the noise makes, of the fitted or the held-out cases: the noise is
@@ -564,7 +385,7 @@ int write() {
   const Document known = file();
   std::vector<Case> all = cases();
   measure(all, tire_at(known, truth_of(space_of(known))));
-  write(all);
+  write(all, study_folder());
   return 0;
 }
 
@@ -575,8 +396,15 @@ Specimen specimen_of(const std::string& name) {
   throw InputError("--specimen is ring, fe or friction");
 }
 
+int intervals(int draws) {
+  benchmarks::Table table("cleat_fit");
+  count_intervals(draws, table);
+  return table.exit_code();
+}
+
 int cleat_fit(int genetic, const std::string& specimen) {
   benchmarks::Table table("cleat_fit");
+  if (specimen == "ring" && genetic == 0) count_intervals(1, table);
   fit_specimen(specimen_of(specimen), genetic, table);
   return table.exit_code();
 }
@@ -585,11 +413,16 @@ int cleat_fit(int genetic, const std::string& specimen) {
 
 int main(int argc, char** argv) {
   int genetic = 0;
+  int draws = 0;
   std::string specimen = "ring";
   for (int i = 1; i + 1 < argc; i += 2) {
     if (std::strcmp(argv[i], "--genetic") == 0) genetic = std::atoi(argv[i + 1]);
+    if (std::strcmp(argv[i], "--draws") == 0) draws = std::atoi(argv[i + 1]);
     if (std::strcmp(argv[i], "--specimen") == 0) specimen = argv[i + 1];
   }
   const bool writing = argc == 2 && std::strcmp(argv[1], "--write") == 0;
-  return benchmarks::guarded([&] { return writing ? write() : cleat_fit(genetic, specimen); });
+  return benchmarks::guarded([&] {
+    if (writing) return write();
+    return draws > 0 ? intervals(draws) : cleat_fit(genetic, specimen);
+  });
 }

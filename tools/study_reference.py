@@ -44,6 +44,7 @@ SECTIONS = [
     ("[optimizer]", "study_optimizer"),
     ("[optimizer] start: where a search begins", "study_start"),
     ("[stage.NAME]: one fit after the other", "study_stages"),
+    ("[refined]: what mesh and step make of the numbers", "refinement"),
     ("[doe]", "study_design"),
     ("[run]", "run_settings"),
     ("A suite: acceptance of a model", "suite"),

@@ -35,16 +35,18 @@ std::string interval_table(const Identifiability& what) {
   const bool judged = !what.profiles.empty();
   std::string html = fmt::format(
       "<div class=\"scroll\"><table><thead><tr><th>Variable</th><th>Found</th><th>95 % interval, "
-      "linear</th>{}</tr></thead><tbody>\n",
+      "linear</th>{}{}</tr></thead><tbody>\n",
+      what.shifts.empty() ? "" : "<th>Mesh and step</th>",
       judged ? "<th>95 % interval, profile</th><th>Verdict</th>" : "");
   for (size_t i = 0; i < what.variables.size(); ++i) {
     std::string more;
+    if (!what.shifts.empty()) more = "<td>" + escape(typeset_unit(what.shifts[i])) + "</td>";
     if (const ProfileCurve* curve = profile_of(what, what.variables[i])) {
-      more = fmt::format("<td>{}</td><td>{}</td>",
-                         escape(typeset_unit(curve->interval)),
-                         curve->verdict == "identifiable"
-                             ? "identifiable"
-                             : fmt::format("<b>{}</b>", escape(curve->verdict)));
+      more += fmt::format("<td>{}</td><td>{}</td>",
+                          escape(typeset_unit(curve->interval)),
+                          curve->verdict == "identifiable"
+                              ? "identifiable"
+                              : fmt::format("<b>{}</b>", escape(curve->verdict)));
     }
     html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>{}</tr>\n",
                         escape(what.variables[i]),

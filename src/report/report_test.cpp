@@ -402,6 +402,7 @@ TEST(Report, SaysWhatTheDataDetermine) {
   what.variables = {"matrix <b>", "carcass"};
   what.values = {"10 N/mm^2", "6 GPa"};
   what.intervals = {"9 .. 11 N/mm^2", "at least 2 GPa"};
+  what.shifts = {"-0.4 N/mm^2", "+1 GPa"};
   what.residuals = 17;
   what.deviations = {0.01, 3.0};
   what.directions = {"matrix up, carcass up", "carcass up"};
@@ -428,6 +429,8 @@ TEST(Report, SaysWhatTheDataDetermine) {
                          "minima may hide there"};
   const std::string page = html(report);
   for (const char* part : {"What the data determine",
+                           "Mesh and step",
+                           "-0.4 N/mm²",
                            "Sensitivity",
                            "17 measured values",
                            "one-sided",

@@ -77,6 +77,9 @@ Json answer_of(const correlation::Study& study, const correlation::Identifiabili
       return in_unit_of(study.space[i], study.space.from_unit(at).values[i]);
     };
     all[i]["interval"] = {end(interval.lower), end(interval.upper)};
+    if (!result.refined_shift) continue;
+    const double u = study.space.to_unit(result.point)[static_cast<std::size_t>(i)];
+    all[i]["refined"] = end(u + (*result.refined_shift)[i]);
   }
   return all;
 }

@@ -29,7 +29,8 @@ Json answer_of(const DesignSpace& space, const DesignPoint& point);
 /// The same with "lower", "upper", "initial", "scale", "paths".
 Json answer_of(const DesignSpace& space);
 
-/// The same as of a point with "interval": [lower, upper] at 95 %, null where nothing holds an end.
+/// The same as of a point with "interval": [lower, upper] at 95 %, null where nothing holds an end;
+/// "refined": the number of the refined model, where the study has one.
 Json answer_of(const correlation::Study& study, const correlation::Identifiability& result);
 
 /// Bands, an experiment each: values, ends and noise in SI, null where not known; how many measured

@@ -129,11 +129,13 @@ void print_intervals(const Study& study, const Identifiability& result) {
   for (int i = 0; i < study.space.size(); ++i) {
     const DesignVariable& v = study.space[i];
     const Interval interval = correlation::reported_interval(study, result, i);
-    say("  {:<{}} {:<16} 95 %: {}{}\n",
+    const std::string shift = correlation::shift_text(study, result, i);
+    say("  {:<{}} {:<16} 95 %: {}{}{}\n",
         v.name,
         name_width(study.space.variables()),
         correlation::value_text(study.space, i, result.best.values[i], interval),
         correlation::interval_text(study.space, i, interval),
+        shift.empty() ? "" : ", mesh and step: " + shift,
         note_on(v, c, i, result.best));
   }
   for (const std::string& remark : correlation::remarks(study, result)) say("  {}\n", remark);

@@ -2,7 +2,7 @@
 #include "cli/console/implausible.h"
 
 #include "cli/console/console.h"
-#include "correlation/study/plausibility.h"
+#include "correlation/analysis/plausibility.h"
 
 namespace latsch::cli {
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +15,7 @@
 #include "cli/console/tables.h"
 #include "cli/run/interrupt.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/analysis/refined_shift.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/study_report/study_report.h"
 #include "evaluation/journal/local_file_system.h"
@@ -133,6 +135,20 @@ RunOptions counting_options(const correlation::Study& study, const std::string& 
     bar->update(progress.known, 0, what + ", " + troubles(progress));
   };
   return options;
+}
+
+bool take_refined(const correlation::Study& study, correlation::Identifiability& result) {
+  if (!study.refinement) return true;
+  ProcessOptions options = worker_processes(study);
+  options.arguments.emplace_back("--refined");
+  options.workers = 1;
+  options.timeout = std::numeric_limits<double>::infinity();  // that of trials is for coarse ones
+  ProcessExecutor executor(options);
+  if (!correlation::evaluate_refined(
+          study, result.point, executor, counting_options(study, "the refined model")))
+    return false;
+  result.refined_shift = correlation::refined_shift(study, result.identification);
+  return true;
 }
 
 namespace {

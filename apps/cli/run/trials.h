@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "correlation/analysis/identifiability.h"
 #include "correlation/study/study.h"
 #include "evaluation/executors/process_executor.h"
 #include "evaluation/journal/journal.h"
@@ -42,6 +43,10 @@ void print_aborted(const correlation::Study& study,
 
 /// The same without a target: counts the trials, described by `what`.
 RunOptions counting_options(const correlation::Study& study, const std::string& what);
+
+/// The trial of the study's refined model, where it has one, in a worker of its own; the shift of
+/// its numbers is then known to `result`. False where that was interrupted.
+bool take_refined(const correlation::Study& study, correlation::Identifiability& result);
 
 /// Writes the report beside the study and names it; returns the exit code.
 int write_report(const correlation::Study& study,

@@ -135,6 +135,23 @@ class SpringAlone(unittest.TestCase):
         self.assertAlmostEqual(missed["payer"]["error"], 0.1, delta=1e-3)
         self.assertIn("each, fast/force, value 2 is 12.0 % too low", (self.folder / "study.html").read_text())
 
+    def test_intervals_reach_to_the_numbers_of_the_refined_model(self):
+        self.write_twin()
+        # Pulled at 0.41 m/s the same forces ask for 0.4/0.41 of the damping: 2.5 % of it less, to first order.
+        (self.folder / "fine.toml").write_text((self.folder / "fast.toml").read_text().replace("0.4 m/s", "0.41 m/s"))
+        self.study.write_text(STUDY + '[refined.test.fast]\nfile = "fine.toml"\n')
+        self.assertIn("tests fast", self.spring("check", self.study))
+        stiffness, damping = self.answer("run", self.study)["variables"]
+        self.assertAlmostEqual(stiffness["refined"], stiffness["value"], delta=1e-3)
+        self.assertAlmostEqual(damping["refined"], 300 - 7.5, delta=0.05)
+        self.assertLessEqual(damping["interval"][0], damping["refined"])
+        said = self.spring("identify", self.study)
+        self.assertRegex(said, r"damping +300.* N s/m +95 %: .*, mesh and step: -7.5")
+        self.assertRegex(said, "more than the noise in damping")
+        self.assertIn("Mesh and step", (self.folder / "study.html").read_text())
+        self.study.write_text(STUDY + '[refined.test.fats]\nfile = "fine.toml"\n')
+        self.assertIn('"fats", did you mean "fast"?', self.spring("check", self.study, code=WRONG_INPUT))
+
     def test_killed_on_two_workers_it_goes_on_without_repeating_a_trial(self):
         self.write_twin()
         self.spring("run", self.study)

@@ -12,6 +12,7 @@
 #include "cli/console/tables.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/search/study_method.h"
+#include "correlation/study/refinement.h"
 #include "correlation/study/study.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
@@ -201,6 +202,9 @@ void check(const std::string& file, const experiment::Language& language) {
     say("  {:<16} {}\n", constraint.name, in_words(constraint));
   }
   print_stages(study);
+  if (study.refinement)
+    say("\nRefined model, for what mesh and step make of the numbers: {}\n",
+        in_words(*study.refinement));
   const MethodChoice choice = method_of(study);
   say("\nOptimizer {}, at most {} steps: {}\n"
       "Workers {}, {:g} s a trial at most, journal {}\n"

@@ -80,7 +80,7 @@ int identify(const std::string& file,
   catch_interrupts();
   const TrialsRun trials(workers_of_study, study);
   Executor& executor = workers_of_study.start(study);
-  const auto result =
+  auto result =
       correlation::identify(study,
                             point,
                             profiles ? correlation::Depth::profiles : correlation::Depth::intervals,
@@ -93,6 +93,11 @@ int identify(const std::string& file,
   }
   if (!*result) {
     complain(result->failure().reason);
+    return kFailed;
+  }
+  workers_of_study.end();
+  if (!take_refined(study, **result)) {
+    say("Interrupted before the refined model; the same command goes on.\n");
     return kFailed;
   }
   answer()["variables"] = answer_of(study, **result);
@@ -110,7 +115,6 @@ int identify(const std::string& file,
       (*result)->identification.residuals_used().size());
   print_intervals(study, **result);
   print_identifiability(study, **result);
-  workers_of_study.end();
   if (profiles && !rank_predictions(study, **result)) {
     say("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
     return kFailed;

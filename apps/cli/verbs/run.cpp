@@ -56,21 +56,27 @@ void print_result(const Study& study, const Run& run, const Journal& journal) {
 bool print_values(const Study& study,
                   const DesignPoint& point,
                   correlation::Depth depth,
+                  Workers& workers,
                   Executor& executor,
                   Journal& journal) {
   if (!study.run.intervals) {
     print_point(study.space, point);
     return true;
   }
-  const auto result = correlation::identify(study,
-                                            point,
-                                            depth,
-                                            executor,
-                                            journal,
-                                            counting_options(study, "trials around the best one"));
+  auto result = correlation::identify(study,
+                                      point,
+                                      depth,
+                                      executor,
+                                      journal,
+                                      counting_options(study, "trials around the best one"));
   if (!result) {
     print_point(study.space, point);
     say("Interrupted before the intervals; the same command goes on.\n");
+    return false;
+  }
+  workers.end();
+  if (*result && !take_refined(study, **result)) {
+    say("Interrupted before the refined model; the same command goes on.\n");
     return false;
   }
   if (*result) {
@@ -226,7 +232,7 @@ int fit(const Asked& asked, const experiment::Language& language) {
       const DesignPoint shown = best_of_journal(study, best, journal);
       const auto depth = fitted.run.end == RunEnd::converged ? correlation::Depth::intervals
                                                              : correlation::Depth::at_the_point;
-      if (!print_values(study, shown, depth, executor, journal)) return kFailed;
+      if (!print_values(study, shown, depth, workers, executor, journal)) return kFailed;
       workers.end();
       return write_report(study, journal);
     }

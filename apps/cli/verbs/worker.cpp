@@ -3,6 +3,7 @@
 #include "evaluation/executors/worker.h"
 
 #include "cli/verbs/verbs.h"
+#include "correlation/study/refinement.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/study_trials.h"
@@ -18,6 +19,8 @@ void add_worker(CommandLine& app, Program& program) {
   auto stage = std::make_shared<std::string>();
   verb.add_option("--stage", *stage, "The model as that [stage.NAME] has it");
   verb.add_flag("--predictions", *all, "The experiments with use = \"predict\" too");
+  auto finer = std::make_shared<bool>(false);
+  verb.add_flag("--refined", *finer, "The model as [refined] has it");
   auto slopes = std::make_shared<bool>(false);
   verb.add_flag("--slopes", *slopes, "With the slopes that the search asks for");
   verb.footer(
@@ -28,6 +31,7 @@ void add_worker(CommandLine& app, Program& program) {
     correlation::Study study = correlation::read_study(*file, program.language);
     if (!stage->empty()) study = correlation::stage_called(study, *stage);
     study.asks_slopes = *slopes;
+    if (*finer) study = correlation::refined(study);
     program.exit_code =
         serve(correlation::evaluator(*all ? correlation::with_predictions(study) : study));
   });

@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/analysis/refined_shift.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/residuals.h"
 #include "optimization/problem/point_vector.h"
@@ -136,6 +137,11 @@ std::string names_where(const Study& study, const std::function<bool(int)>& hold
 
 Interval reported_interval(const Study& study, const Identifiability& what, int variable) {
   Interval interval = what.identification.confidence().intervals[static_cast<size_t>(variable)];
+  if (what.refined_shift) {
+    const double shift = (*what.refined_shift)[variable];
+    interval.lower += std::min(0.0, shift);
+    interval.upper += std::max(0.0, shift);
+  }
   const double u = study.space.to_unit(what.best)[static_cast<size_t>(variable)];
   interval.lower = std::min(interval.lower, u);
   interval.upper = std::max(interval.upper, u);
@@ -179,6 +185,21 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
     all.push_back("Beside the point the model fails in " + one_sided +
                   ": its derivative is that of a single step.");
   }
+  if (study.refinement && !what.refined_shift) {
+    all.emplace_back(
+        "The refined model was not evaluated there, or failed: the intervals know nothing of mesh "
+        "and step.");
+  }
+  if (what.refined_shift) {
+    const std::string moved = names_where(study, [&](int i) {
+      const Interval& own = c.intervals[static_cast<size_t>(i)];
+      return std::abs((*what.refined_shift)[i]) > 0.5 * (own.upper - own.lower);
+    });
+    if (!moved.empty()) {
+      all.push_back("Mesh and step change more than the noise in " + moved +
+                    ": the refined model is the better one to fit.");
+    }
+  }
   if (c.left_to_gain > kEarly * c.threshold()) {
     all.emplace_back(
         "The search ended early: its own derivatives promise more than an interval's worth. latsch "
@@ -216,6 +237,7 @@ std::optional<Result<Identifiability>> identify(const Study& study,
   if (!analyze(study, result, run)) return std::nullopt;
   result.point = result.identification.center();
   result.best = best_of(study, journal, result.point);
+  result.refined_shift = refined_shift(study, result.identification);
   std::optional<Result<Identifiability>> answer(std::in_place, std::move(result));
   const Result<Identifiability>& found = *answer;
   if (const auto& failure = found->identification.failure()) answer.emplace(Failure(*failure));
@@ -270,7 +292,22 @@ std::optional<Identifiability> recorded_identifiability(const Study& study,
   if (!result.identification.is_linearized()) return std::nullopt;
   result.point = result.identification.center();
   result.best = best_of(study, journal, result.point);
+  result.refined_shift = refined_shift(study, result.identification);
   return result;
+}
+
+std::string shift_text(const Study& study, const Identifiability& what, int variable) {
+  if (!what.refined_shift) return "";
+  const DesignSpace& space = study.space;
+  const double u = space.to_unit(what.best)[static_cast<size_t>(variable)];
+  const Unit unit = Unit::of(space[variable].unit);
+  const auto at = [&](double place) { return unit.from_si(value_at(space, variable, place)); };
+  const double shift = at(u + (*what.refined_shift)[variable]) - at(u);
+  const Interval interval = reported_interval(study, what, variable);
+  const double half = 0.5 * (at(std::min(interval.upper, 1.0)) - at(std::max(interval.lower, 0.0)));
+  const std::string number = format_known(shift, half);
+  return (shift > 0.0 ? "+" : "") + number +
+         (space[variable].unit == "1" ? "" : " " + space[variable].unit);
 }
 
 std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction) {

@@ -29,10 +29,13 @@ struct Identifiability {
   Identification identification;
   std::optional<CrossValidation> cross_validation;  // with two experiments or more
   DesignPoint best = {};  // of the journal, by the target: what every reader shows
+  /// In the unit cube, of the refined model's numbers from those at `point`: refined_shift.h.
+  std::optional<Eigen::VectorXd> refined_shift = {};
 };
 
-/// The interval around the center, as wide as to hold the best trial too: that can be another point
-/// where the target is no sum of squares.
+/// The interval around the center, as wide as to hold that of the refined model too, where its
+/// shift is known, and the best trial: that can be another point where the target is no sum of
+/// squares.
 Interval reported_interval(const Study& study, const Identifiability& what, int variable);
 
 /// The same where it is known and belongs to that point.
@@ -74,6 +77,10 @@ std::string value_text(const DesignSpace& space,
 /// "9.8 .. 10.3 N/mm^2" in the variable's unit; "at least 9.8 N/mm^2" where the other end lies
 /// beyond the bounds, "anywhere" where both do. Digits as those of the value.
 std::string interval_text(const DesignSpace& space, int variable, const Interval& interval);
+
+/// "+0.012 MN/m^2": how far from the value found the refined model has it, with the digits of a
+/// value of that interval; "" where that is not known.
+std::string shift_text(const Study& study, const Identifiability& what, int variable);
 
 /// "matrix up, carcass down": the variables that make up most of a direction of the unit cube.
 std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction);

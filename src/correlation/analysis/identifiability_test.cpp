@@ -7,6 +7,7 @@
 
 #include "base/scratch_folder_testing.h"
 #include "correlation/analysis/measurement_gains.h"
+#include "correlation/analysis/refined_shift.h"
 #include "correlation/observable/force_curve.h"
 #include "correlation/study/spring_testing.h"
 #include "correlation/study_report/report_identifiability.h"
@@ -193,6 +194,42 @@ TEST(Identifiability, OfAnUnfinishedSearchStaysWhereItIs) {
   };
   EXPECT_LE(trials(Depth::at_the_point), 1 + 2 * 6);
   EXPECT_GT(trials(Depth::intervals), 1 + 2 * 6);
+}
+
+// The springs of the refined model press back by 2 % more, whatever they are: its numbers are lower
+// by that. The interval holds both, each with its noise, and every reader finds it in the journals.
+TEST(Identifiability, IntervalsReachToTheNumbersOfTheRefinedModel) {
+  const ScratchFolder folder;
+  Study s = springs_study();
+  for (StudyExperiment& experiment : s.experiments) experiment.objective.exponent = 2.0;
+  s.run.journal = folder / "springs.latsch";
+  s.refinement = Refinement{{{"a", 2.0}}};
+  Journal journal = Journal::open(s.run.journal, {{"model", "springs"}});
+  InlineExecutor executor(springs);
+  auto result = identify(s, {{4e3, 4e3}}, Depth::intervals, executor, journal, {});
+  ASSERT_TRUE(result && *result);
+  Identifiability& what = **result;
+  EXPECT_FALSE(what.refined_shift);
+  EXPECT_NE(remarks(s, what).back().find("nothing of mesh"), std::string::npos);
+  const Interval own = reported_interval(s, what, 0);
+
+  InlineExecutor finer([](const DesignPoint& point) {
+    return springs({{1.02 * point.values[0], 1.02 * point.values[1]}});
+  });
+  ASSERT_TRUE(evaluate_refined(s, what.point, finer, {}));
+  what.refined_shift = refined_shift(s, what.identification);
+  ASSERT_TRUE(what.refined_shift);
+  for (int i = 0; i < 2; ++i)
+    EXPECT_NEAR(
+        9e3 * (*what.refined_shift)[i], -80.0, 0.1);  // differences are good to a thousandth
+  EXPECT_EQ(shift_text(s, what, 0).substr(0, 2), "-8");
+  const Interval shown = reported_interval(s, what, 0);
+  EXPECT_NEAR(9e3 * (own.lower - shown.lower), 80.0, 0.5);
+  EXPECT_EQ(shown.upper, own.upper);
+  EXPECT_NE(remarks(s, what).back().find("more than the noise in a:"), std::string::npos);
+  const auto read = recorded_identifiability(s, journal);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(reported_interval(s, *read, 0).lower, shown.lower);
 }
 
 // "25 .. 25" would say that nothing is open.

@@ -12,6 +12,7 @@
 #include "correlation/observable/curve.h"
 #include "correlation/study/linear_constraints.h"
 #include "correlation/study/program_specimens.h"
+#include "correlation/study/refinement.h"
 #include "correlation/study/simulator_settings.h"
 #include "correlation/study/study_slopes.h"
 #include "correlation/study/study_stages.h"
@@ -142,6 +143,7 @@ void reject_unknown_table(const std::filesystem::path& file) {
                                                 "target",
                                                 "optimizer",
                                                 "stage",
+                                                "refined",
                                                 "doe",
                                                 "run"};
   std::istringstream lines(read_text_file(file));
@@ -163,7 +165,9 @@ std::string search_key(const Study& study) {
   std::uint64_t state = kHashStart;
   bool counts = true;
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('[')) counts = !line.starts_with("[run") && !line.starts_with("[doe");
+    if (line.starts_with('['))
+      counts =
+          !line.starts_with("[run") && !line.starts_with("[doe") && !line.starts_with("[refined");
     if (counts && !line.starts_with("title")) state = hash(line + "\n", state);
   }
   for (const StudyExperiment& experiment : study.experiments) {
@@ -292,6 +296,7 @@ Study read(const Document& document,
                       *reason + "; expected \"auto\" or another method");
   }
   study.stages = read_stages(root, document, study);
+  study.refinement = read_refinement(root, document, study, language, laboratory);
   root.close();
   study.search_key = search_key(study);
   return study;

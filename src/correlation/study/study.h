@@ -15,6 +15,7 @@
 //
 //   [optimizer]                               # see study_optimizer.h; where it starts:
 //   study_start.h [stage.coarse]                            # see study_stages.h
+//   [refined]                                 # see refinement.h
 //
 //   [doe]                                     # see study_design.h
 //
@@ -61,6 +62,13 @@ struct StageSettings {
   std::vector<std::string> experiments = {};                 // that count; none: all
 };
 
+/// [refined]: refinement.h.
+struct Refinement {
+  std::vector<std::pair<std::string, double>> numbers;  // of the model, by path, SI
+  std::vector<StudyTest> tests = {};                    // in place of those of the same names
+  std::shared_ptr<const Specimens> specimens = {};      // of an outside program
+};
+
 constexpr long kMostSteps = 1'000'000;
 
 struct Study {
@@ -80,10 +88,11 @@ struct Study {
 
   StartSettings start = {};
   std::vector<StageSettings> stages = {};  // none: one run, as [optimizer] says
-  std::string stage = {};                  // which of them this study is; empty: none
-  std::vector<int> free = {};              // variables that this stage moves; none: all
-  bool asks_slopes = false;                // of its trials: study_slopes.h
-  std::string search_key = {};             // what a search depends on, for the journal's marks
+  std::optional<Refinement> refinement = {};
+  std::string stage = {};       // which of them this study is; empty: none
+  std::vector<int> free = {};   // variables that this stage moves; none: all
+  bool asks_slopes = false;     // of its trials: study_slopes.h
+  std::string search_key = {};  // what a search depends on, for the journal's marks
 };
 
 /// The tests that fitted experiments and constraints name.

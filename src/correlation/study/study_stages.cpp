@@ -36,9 +36,20 @@ void check_model(const Node& table, const Study& changed) {
   }
 }
 
-std::vector<std::pair<std::string, double>> read_numbers(const Node& table,
-                                                         const Document& text,
-                                                         const Study& study) {
+bool varies(const Study& study, const std::string& path) {
+  return std::any_of(study.space.variables().begin(),
+                     study.space.variables().end(),
+                     [&](const DesignVariable& variable) {
+                       return std::find(variable.paths.begin(), variable.paths.end(), path) !=
+                              variable.paths.end();
+                     });
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, double>> read_changed_numbers(const Node& table,
+                                                                 const Document& text,
+                                                                 const Study& study) {
   std::vector<std::pair<std::string, double>> numbers;
   if (!table.has("model")) return numbers;
   if (!study.specimens->kind()) {
@@ -51,6 +62,8 @@ std::vector<std::pair<std::string, double>> read_numbers(const Node& table,
     const std::string target = path.substr(prefix.size());
     try {
       const double value = read_number(table, target, study.model.unit(target));
+      if (varies(study, target))
+        table.reject("model", "sets " + target + ", which is a variable of the study");
       changed.model.set(target, value);
       numbers.emplace_back(target, value);
     } catch (const InputError& error) {
@@ -65,14 +78,7 @@ std::vector<std::pair<std::string, double>> read_numbers(const Node& table,
   return numbers;
 }
 
-bool varies(const Study& study, const std::string& path) {
-  return std::any_of(study.space.variables().begin(),
-                     study.space.variables().end(),
-                     [&](const DesignVariable& variable) {
-                       return std::find(variable.paths.begin(), variable.paths.end(), path) !=
-                              variable.paths.end();
-                     });
-}
+namespace {
 
 /// Names of a list, each of which has to be one of the known; none where the key is not there.
 std::vector<std::string> read_names(const Node& table,
@@ -114,12 +120,7 @@ StageSettings read_stage(const Node& table, const Document& text, const Study& s
                       .optimizer = study.optimizer,
                       .max_steps = study.max_steps,
                       .start = study.start};
-  stage.numbers = read_numbers(table, text, study);
-  for (const auto& [path, value] : stage.numbers) {
-    if (varies(study, path)) {
-      table.reject("model", "sets " + path + ", which is a variable of the study");
-    }
-  }
+  stage.numbers = read_changed_numbers(table, text, study);
   stage.free = read_free(table, study.space);
   stage.experiments = read_counting(table, study);
   stage.bounds = table.quantity("bounds", "1", Range{0.0, 1.0, true}, 1.0);

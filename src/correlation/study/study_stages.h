@@ -39,6 +39,12 @@ namespace latsch::correlation {
 /// Reads every [stage.NAME] of a study that is complete but for them. Throws InputError.
 std::vector<StageSettings> read_stages(const Node& root, const Document& text, const Study& study);
 
+/// The numbers below `model` in a table that changes them, by path, SI; none where it has no such
+/// key. Throws InputError, also where they make no model or are variables of the study.
+std::vector<std::pair<std::string, double>> read_changed_numbers(const Node& table,
+                                                                 const Document& text,
+                                                                 const Study& study);
+
 /// How many there are; a study without stages is one.
 int stage_count(const Study& study);
 

@@ -22,21 +22,19 @@ Study with_predictions(const Study& study) {
   return all;
 }
 
-bool predict(const Study& study,
-             const std::vector<DesignPoint>& points,
-             Executor& executor,
-             const RunOptions& options) {
-  const Study all = with_predictions(study);
-  Journal journal = Journal::open(all.run.journal, identity(all));
+bool evaluate_points(const Study& study,
+                     const std::vector<DesignPoint>& points,
+                     Executor& executor,
+                     const RunOptions& options) {
+  Journal journal = Journal::open(study.run.journal, identity(study));
   return run_doe({points}, executor, journal, options) != RunEnd::stopped;
 }
 
-std::optional<std::vector<Channels>> predicted_channels(const Study& study,
-                                                        const std::vector<DesignPoint>& points) {
-  const Study all = with_predictions(study);
-  if (!std::filesystem::exists(all.run.journal)) return std::nullopt;
-  const Journal journal = Journal::read(all.run.journal);
-  if (journal.identity() != identity(all)) return std::nullopt;  // of an older model
+std::optional<std::vector<Channels>> recorded_channels(const Study& study,
+                                                       const std::vector<DesignPoint>& points) {
+  if (!std::filesystem::exists(study.run.journal)) return std::nullopt;
+  const Journal journal = Journal::read(study.run.journal);
+  if (journal.identity() != identity(study)) return std::nullopt;  // of an older model
   std::map<std::string, Channels> known;
   journal.for_each([&](const Trial& trial) {
     if (trial.outcome.result) known.emplace(trial.point.bits(), *trial.outcome.result);
@@ -48,6 +46,18 @@ std::optional<std::vector<Channels>> predicted_channels(const Study& study,
     channels.push_back(at->second);
   }
   return channels;
+}
+
+bool predict(const Study& study,
+             const std::vector<DesignPoint>& points,
+             Executor& executor,
+             const RunOptions& options) {
+  return evaluate_points(with_predictions(study), points, executor, options);
+}
+
+std::optional<std::vector<Channels>> predicted_channels(const Study& study,
+                                                        const std::vector<DesignPoint>& points) {
+  return recorded_channels(with_predictions(study), points);
 }
 
 }  // namespace latsch::correlation

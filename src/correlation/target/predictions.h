@@ -18,6 +18,17 @@ bool has_predictions(const Study& study);
 /// The study as if all its experiments were fitted, with the journal "study.predictions.latsch".
 Study with_predictions(const Study& study);
 
+/// Evaluates the points of a study, with an executor of it, into its journal; false where that was
+/// stopped.
+bool evaluate_points(const Study& study,
+                     const std::vector<DesignPoint>& points,
+                     Executor& executor,
+                     const RunOptions& options);
+
+/// Their channels, from its journal; nullopt where one is missing or failed.
+std::optional<std::vector<Channels>> recorded_channels(const Study& study,
+                                                       const std::vector<DesignPoint>& points);
+
 /// Evaluates the points with an executor of with_predictions(study); false where that was stopped.
 bool predict(const Study& study,
              const std::vector<DesignPoint>& points,

@@ -233,6 +233,19 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   return c;
 }
 
+Eigen::VectorXd shift_of(const Linearization& at,
+                         const std::vector<Bound>& held,
+                         const Eigen::VectorXd& change) {
+  std::vector<int> free;
+  for (int i = 0; i < at.u.size(); ++i)
+    if (held[static_cast<size_t>(i)] == Bound::none) free.push_back(i);
+  Eigen::VectorXd shift = Eigen::VectorXd::Zero(at.u.size());
+  if (free.empty()) return shift;
+  const Estimates estimates = estimates_of(at.J(Eigen::all, free));
+  shift(free) = estimates.V * estimates.answer(change);
+  return shift;
+}
+
 std::vector<DesignPoint> difference_points(const DesignSpace& space,
                                            const DesignPoint& center,
                                            const Eigen::VectorXd& steps) {

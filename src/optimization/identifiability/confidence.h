@@ -115,6 +115,13 @@ struct Confidence {
 /// Needs a residual at least.
 Confidence confidence(const Linearization& at, const ConfidenceOptions& options = {});
 
+/// How far from here the least sum of squares lies when all residuals change by `change`,
+/// -(J'J)^-1 J' change in the variables that are not held: what a model that computes otherwise
+/// does to its numbers. 0 in held ones and along directions that no residual feels.
+Eigen::VectorXd shift_of(const Linearization& at,
+                         const std::vector<Bound>& held,
+                         const Eigen::VectorXd& change);
+
 /// The points of which J is taken by differences: the center, then one step in each variable of the
 /// unit cube, inward, and inside the linear constraints where one of both sides is. `steps`: one a
 /// variable; 0, or none at all: 0.01.

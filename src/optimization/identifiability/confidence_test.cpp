@@ -148,6 +148,29 @@ TEST(Confidence, AWeightIsNotTakenForExactness) {
   EXPECT_NEAR(c.covariance(0, 0), 17.0 / 25.0, 1e-12);
 }
 
+// A line whose model computes 0.3 - 0.02 x too much: the least squares lie by that lower. Where the
+// slope is held, the level takes in the mean, 0.3 - 0.02 * 2.
+TEST(Confidence, ALinearModelsBiasShiftsTheLeastSquaresByIt) {
+  const Linearization at = line(Eigen::VectorXd{{0.31, 0.39, 0.52, 0.58, 0.70}});
+  const Eigen::VectorXd change = at.J * Eigen::Vector2d(-0.3, 0.02) * -1.0;
+  const Eigen::VectorXd free = shift_of(at, {Bound::none, Bound::none}, change);
+  EXPECT_NEAR(free[0], -0.3, 1e-12);
+  EXPECT_NEAR(free[1], 0.02, 1e-12);
+  const Eigen::VectorXd held = shift_of(at, {Bound::none, Bound::upper}, change);
+  EXPECT_NEAR(held[0], -0.26, 1e-12);
+  EXPECT_EQ(held[1], 0.0);
+}
+
+// What no residual feels is not shifted.
+TEST(Confidence, NothingIsShiftedAlongAFlatDirection) {
+  Linearization at{Eigen::VectorXd::Constant(2, 0.5), Eigen::Vector3d::Zero(), {}};
+  at.J = Eigen::MatrixXd{{1, 1}, {2, 2}, {3, 3}};
+  const Eigen::VectorXd shift =
+      shift_of(at, {Bound::none, Bound::none}, Eigen::Vector3d(0.1, 0.2, 0.3));
+  EXPECT_NEAR(shift[0], -0.05, 1e-12);
+  EXPECT_NEAR(shift[1], -0.05, 1e-12);
+}
+
 // Differences of a linear function are exact; at the upper bound they are taken inward.
 TEST(Confidence, DifferencesGiveTheDerivativesOfALinearFunction) {
   const DesignSpace space({{.name = "a", .lower = 1, .upper = 3, .initial = 3}, {.name = "b"}});

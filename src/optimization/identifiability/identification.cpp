@@ -14,6 +14,7 @@ namespace {
 // Refits and rungs need not be better than this share of the threshold.
 constexpr double kTolerance = 0.02;
 constexpr int kEvaluationsOfTheRefit = 30;  // and two a variable
+constexpr int kEvaluationsOfAShortRefit = 5;
 constexpr double kWorthwhile = 0.1;  // of a threshold: less moves an interval by a sixth of itself
 
 std::vector<double> numbers(const Eigen::VectorXd& u) { return {u.begin(), u.end()}; }
@@ -209,19 +210,24 @@ void Identification::linearized(Linearization at) {
   at_ = std::move(at);
   confidence_ = latsch::confidence(*at_, options_.confidence);
   if (!std::isfinite(confidence_->sigma)) return;
-  if (!options_.profiles) {
+  const double promised = confidence_->left_to_gain;
+  const bool stays =
+      centers_ >= options_.most_centers || !(promised > kWorthwhile * confidence_->threshold());
+  if (!options_.profiles && stays) {
     continues_at_better_point();
     return;
   }
   const int n = space_.size();
   std::vector<int> every(static_cast<size_t>(n));
   std::iota(every.begin(), every.end(), 0);
-  refit_.emplace(*at_,
-                 every,
-                 BroydenFitOptions{.tolerance = kTolerance * confidence_->threshold(),
-                                   .most_evaluations = kEvaluationsOfTheRefit + 2 * n,
-                                   .differences = lengths_,
-                                   .region = FeasibleRegion(space_)});
+  refit_.emplace(
+      *at_,
+      every,
+      BroydenFitOptions{.tolerance = kTolerance * confidence_->threshold(),
+                        .most_evaluations = options_.profiles ? kEvaluationsOfTheRefit + 2 * n
+                                                              : kEvaluationsOfAShortRefit,
+                        .differences = lengths_,
+                        .region = FeasibleRegion(space_)});
   ask_for_refit();
 }
 
@@ -252,6 +258,10 @@ void Identification::begin_profiles() {
   best_ = refit_->best();
   refit_.reset();
   if (continues_at_better_point()) return;
+  if (!options_.profiles) {
+    wanted_.clear();
+    return;
+  }
   const Confidence at_best = latsch::confidence(*best_, options_.confidence);
   thresholds_ = at_best.thresholds;
   const ProfileSettings settings{FeasibleRegion(space_), lengths_};

@@ -7,7 +7,8 @@
 //      2n + 1 points, and more where these tell that another length is better; the point alone
 //      where the model tells its slopes there
 //   2. a refit of all variables (broyden_fit.h), because the fit may have ended early or have
-//      minimized another target over the same residuals
+//      minimized another target over the same residuals; without profiles only where the
+//      derivatives promise more, and a few steps of it
 //   3. the profiles, two branches a variable side by side (profile.h)
 // Where any of them finds a point better than the center by more than kWorthwhile of the threshold
 // of an interval, all begins again there, most_centers - 1 times at most: intervals and profiles
@@ -33,7 +34,7 @@ namespace latsch {
 
 struct IdentificationOptions {
   ConfidenceOptions confidence = {};
-  bool profiles = true;  // false: ends after round 1
+  bool profiles = true;  // false: no round 3
   double step = 0.01;    // first length of the differences, in the unit cube
   int most_centers = 4;  // 1: stays at the point
 };

@@ -313,6 +313,23 @@ TEST(Identification, OfAPerfectFitIsIdentifiableWithAWidthOfRounding) {
   }
 }
 
+// A valley along x0 + x1 + x2, 30 deviations off its least: no step in one variable leads along it,
+// the derivatives do, at one more trial and two a variable.
+TEST(Identification, TheShortFormGoesWhereItsDerivativesPromiseMore) {
+  const auto a = analyze(box({0.5, 0.5, 0.5}, 0, 1),
+                         [](const auto& x) {
+                           return Eigen::VectorXd{{x[0] + x[1] + x[2] - 1.35,
+                                                   40 * (x[0] - x[1]),
+                                                   40 * (x[1] - x[2]),
+                                                   0.1 * (x[0] - 0.45)}};
+                         },
+                         {.confidence = {.sigma = 0.005}, .profiles = false});
+  const Confidence& c = a.identification.confidence();
+  EXPECT_LT(c.left_to_gain, 1e-3 * c.threshold());
+  for (const double x : a.identification.center().values) EXPECT_NEAR(x, 0.45, 1e-6);
+  EXPECT_LE(a.evaluations, 2 * (1 + 2 * 3) + 8);
+}
+
 TEST(Identification, SaysWhyItCannotBegin) {
   const auto a = analyze(box({0.5}, 0, 1), [](const auto&) { return Eigen::VectorXd(); });
   ASSERT_TRUE(a.identification.failure());

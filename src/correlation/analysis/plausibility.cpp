@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/study/plausibility.h"
+#include "correlation/analysis/plausibility.h"
 
 #include <fmt/format.h>
 
