@@ -110,7 +110,9 @@ void FreeRows::accept(const NodeValues& q, const NodeValues& inner, const Vector
 
 Result<HubForces> RingTire::advance_free(
     WheelMotion& motion, FreeWheel& wheel, const road::Road& road, double time, double step) {
-  assert(settled_ && step > 0.0);
+  assert(settled_);
+  if (!(step > 0.0)) return Failure{"a step of the ring needs a time above 0"};
+  if (const std::string why = trouble_with(motion, step); !why.empty()) return Failure{why};
   struct WhileFree {
     FreeRows*& of;
     ~WhileFree() { of = nullptr; }

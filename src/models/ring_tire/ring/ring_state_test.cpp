@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/ring_tire/ring/ring_state.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -10,9 +11,12 @@
 #include "models/ring_tire/description/ring_parameters_testing.h"
 #include "models/ring_tire/ring/ring_tire.h"
 #include "models/road/profile_road.h"
+#include "models/tire/free_wheel.h"
 
 namespace latsch::ring_tire {
 namespace {
+
+using testing::HasSubstr;
 
 constexpr double kStep = 5e-4, kSpeed = 10.0;
 
@@ -104,6 +108,79 @@ TEST_P(RingStateOn, IsAsItWasAfterAStepThatFails) {
     EXPECT_TRUE(tire.state() == state);
   }
   EXPECT_TRUE(tire.advance(at_step(41), road_, 41 * kStep, kStep));
+}
+
+// A road with a hole that has no height, from x = 0.3 on.
+class RoadThatEnds final : public road::Road {
+ public:
+  road::GroundPoint at(double x, double y, double time) const override {
+    road::GroundPoint ground;
+    ground.height = height(x, y, time);
+    return ground;
+  }
+  double height(double x, double, double) const override {
+    return x < 0.3 ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+  }
+};
+
+TEST_P(RingStateOn, SaysWhatNoTireCanFollow) {
+  RingTire tire = before_the_cleat();
+  const RingState state = tire.state();
+  WheelMotion spun = at_step(41), there = at_step(41);
+  spun.spin_rate = std::numeric_limits<double>::infinity();
+  const auto refused = [&](const WheelMotion& motion, const road::Road& road, double step) {
+    const auto hub = tire.advance(motion, road, 41 * kStep, step);
+    EXPECT_TRUE(tire.state() == state);
+    return hub ? "" : hub.failure().reason;
+  };
+  EXPECT_THAT(refused(spun, road_, kStep), HasSubstr("the wheel's motion is not finite"));
+  for (const double step : {0.0, -kStep, 1e300, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THAT(refused(there, road_, step), HasSubstr("a step of the ring needs a time"));
+  EXPECT_THAT(refused(there, RoadThatEnds(), kStep), HasSubstr("the road has no height"));
+  FreeWheel wheel;
+  spun = at_step(41);
+  spun.center.z() = std::numeric_limits<double>::quiet_NaN();
+  const auto hub = tire.advance_free(spun, wheel, road_, 41 * kStep, kStep);
+  ASSERT_FALSE(hub);
+  EXPECT_THAT(hub.failure().reason, HasSubstr("the wheel's motion is not finite"));
+  EXPECT_TRUE(tire.state() == state);
+}
+
+TEST_P(RingStateOn, IsAsItWasWhereItFindsNoRest) {
+  RingTire tire = before_the_cleat();
+  const RingState state = tire.state();
+  WheelMotion over_the_hole = at_step(0), in_the_ground = at_step(0);
+  over_the_hole.center.x() = 0.3;
+  in_the_ground.center.z() = 0.02;
+  const auto beyond = tire.settle(over_the_hole, RoadThatEnds(), 0.0);
+  ASSERT_FALSE(beyond);
+  EXPECT_THAT(beyond.failure().reason, HasSubstr("the road has no height"));
+  EXPECT_TRUE(tire.state() == state);
+  EXPECT_FALSE(tire.settle(in_the_ground, road_, 0.0));
+  EXPECT_TRUE(tire.state() == state);
+}
+
+// Where rounding of places makes more of the masses' forces than the tolerance: an integrator
+// that ends on a given time takes such steps.
+TEST_P(RingStateOn, TakesShortStepsFarAway) {
+  for (const auto& [way, step] : {std::pair{0.0, 1e-9}, {1e4, 1e-7}, {0.0, 1e-12}}) {
+    RingTire tire(with_memory(GetParam()));
+    const road::ProfileRoad road = road::cleat_road(way + 0.3, 0.015, 0.03, 0.005);
+    WheelMotion motion = at_step(0);
+    motion.center.x() += way;
+    ASSERT_TRUE(tire.settle(motion, road, 0.0));
+    double before = 0.0;
+    for (int i = 1; i <= 3; ++i) {
+      motion.center += step * motion.velocity;
+      motion.spin += step * motion.spin_rate;
+      const auto hub = tire.advance(motion, road, i * step, step);
+      ASSERT_TRUE(hub) << way << ", " << step << ": " << hub.failure().reason;
+      if (i > 1) {
+        EXPECT_NEAR(hub->force.z(), before, 1.0) << way << ", " << step;
+      }
+      before = hub->force.z();
+    }
+  }
 }
 
 // Of the tread the patch alone.

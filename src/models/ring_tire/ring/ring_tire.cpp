@@ -20,6 +20,14 @@ Eigen::Vector4d mass_of_node(const RingParameters& p) {
   return {m, m, m, J};
 }
 
+/// Empty, or why the ring cannot take a step.
+std::string trouble_with_step(const WheelMotion& motion, double step) {
+  constexpr double kLongest = 1000.0;  // s
+  if (!(step > 0.0 && step <= kLongest))
+    return fmt::format("a step of the ring needs a time above 0 and up to {} s", kLongest);
+  return trouble_with(motion, step);
+}
+
 constexpr double kSlow = 0.2;  // a tangent that reduces what is left by less is renewed
 
 /// Whether a correction is known to leave less than the tolerance of `left`, where the one before,
@@ -203,7 +211,8 @@ Result<HubForces> RingTire::advance(const WheelMotion& motion,
                                     const road::Road& road,
                                     double time,
                                     double step) {
-  assert(settled_ && step > 0.0);
+  assert(settled_);
+  if (const std::string why = trouble_with_step(motion, step); !why.empty()) return Failure{why};
   const std::string trouble = advance_in_parts(motion, road, time, step);
   if (!trouble.empty()) return Failure{trouble};
   last_motion_ = motion;
@@ -374,6 +383,7 @@ std::string RingTire::step_forward(const WheelMotion& motion,
                                    double h) {
   predict(free_ ? free_->begin(motion, time, h) : motion, road, time, h);
   ++counts_.steps;
+  if (!tread_.knows_road()) return no_solution(time, kNoRoad);
   // The border that bending sections add to a tangent is not turned.
   const bool held = reuse_.serves(rule_.acceleration) && !section_.on() &&
                     (!free_ || free_->knows_tangent(counts_.factorizations));
@@ -402,7 +412,11 @@ std::string RingTire::solve_step(bool held, double time) {
   constexpr double kCrawling = 0.5;    // a step that leaves more than that of what was left
   constexpr double kViolent = 1000.0;  // N, left at a node by the guess of a step
   if (held) factor_.turn_to(rim_.axes());
-  double last = std::numeric_limits<double>::infinity(), tolerance = settings_.tolerance;
+  double last = std::numeric_limits<double>::infinity();
+  // What rounding of places makes of the masses' forces in the shortest steps, far away.
+  const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * rule_.acceleration *
+                          mass_.maxCoeff() * q1_.cwiseAbs().maxCoeff();
+  double tolerance = std::max(settings_.tolerance, rounding);
   for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
     follow();
     evaluate(q1_, v1_);

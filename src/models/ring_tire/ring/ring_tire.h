@@ -125,8 +125,12 @@ class RingTire final : public Tire {
  private:
   friend class MotionSlopes;
 
+  static constexpr const char* kNoRoad =
+      "the road has no height under the tread, or none that is finite";
+
   /// f of (15) at q, v, on the rim where it stands: inner forces, then those of the road.
   void evaluate(const NodeValues& q, const NodeValues& v);
+  Result<HubForces> find_rest(const WheelMotion& motion, const road::Road& road, double time);
   Result<bool> equilibrate(const road::Road& road, double time);
   bool relax();
   bool advance_along(const NodeValues& direction);

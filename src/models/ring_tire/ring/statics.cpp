@@ -97,6 +97,8 @@ Result<bool> RingTire::equilibrate(const road::Road& road, double time) {
       tread_.approach(q_, rim_, road, time, rule_);
       if (section_.on()) section_.touch(tread_.nodes_near_road());
     }
+    if (!tread_.knows_road())
+      return Failure{fmt::format("no equilibrium of the ring: {}", kNoRoad)};
     evaluate(q_, v1_);
     tread_.hold_friction();
     evaluate(q_, v1_);
@@ -129,11 +131,23 @@ Result<bool> RingTire::lower(
 }
 
 Result<HubForces> RingTire::settle(const WheelMotion& motion, const road::Road& road, double time) {
+  if (const std::string why = trouble_with(motion); !why.empty()) return Failure{why};
+  if (!settled_) return find_rest(motion, road, time);
+  const RingState before = state();
+  Result<HubForces> hub = find_rest(motion, road, time);
+  if (!hub) restore(before);
+  return hub;
+}
+
+Result<HubForces> RingTire::find_rest(const WheelMotion& motion,
+                                      const road::Road& road,
+                                      double time) {
   rim_ = RimFrame::of(motion);
   reuse_.forget();
   place_at_rest();
   const double end = rim_.center.z();
   const double depth = std::max(0.0, tread_.deepest(q_, rim_, road, time));
+  if (!std::isfinite(depth)) return Failure{fmt::format("no equilibrium of the ring: {}", kNoRoad)};
   q_.row(2).array() += depth;
   double height = end + depth;
   for (int i = settings_.lowerings - 1; i >= 0; --i) {

@@ -164,6 +164,7 @@ void TreadContact::approach(const NodeValues& q,
   margin_ += half_cell_rise_;
   a_ = rim.a;
   patches_.clear();
+  knows_road_ = true;
   const auto places = q.topRows<3>();
   const road::GroundBox tire = below(places.rowwise().minCoeff(), places.rowwise().maxCoeff());
   const double highest = road.bounds(tire, time).highest;
@@ -221,6 +222,7 @@ TreadContact::Ground TreadContact::ground_below(int first_line,
 /// Its blocks near the road: [begin, end).
 void TreadContact::find_level_blocks(Patch& patch, const road::GroundPoint& ground) {
   patch.level = true;
+  knows_road_ = knows_road_ && std::isfinite(ground.height);
   patch.ground = {.height = ground.height,
                   .velocity = {ground.velocity.x(), ground.velocity.y(), ground.velocity.z()},
                   .friction = ground.friction};
@@ -346,6 +348,7 @@ void TreadContact::place_ground(std::size_t patch,
                                 int block,
                                 const road::GroundPoint& ground,
                                 double level) {
+  knows_road_ = knows_road_ && std::isfinite(level);
   const BlockGround to = this->ground(patch);
   for (int i = 0; i < 3; ++i) {
     to.N[i][block] = ground.normal[i];

@@ -120,6 +120,8 @@ class TreadContact {
   /// Statics: from here on tips give way at the friction of the normal forces at the last
   /// add_force.
   void hold_friction();
+  /// Whether the road of approach() has a height below all blocks.
+  bool knows_road() const { return knows_road_; }
   /// The step is done: tips stay where they are on the road.
   void commit();
 
@@ -270,9 +272,9 @@ class TreadContact {
   double bottom_;  // m, b of (37); 0: linear rubber
   FrictionLaw law_;
   std::vector<double> line_y_, line_height_;
-  std::vector<double> weights_;  // of position and of its derivative by s: eight columns
+  std::vector<double> weights_;       // of position and of its derivative by s: eight columns
   std::vector<double> pair_weights_;  // of pairs of nodes: tread_stiffness.cpp, forty a station
-  std::vector<double> halves_;   // half of what that of position gains along a block's cell: four
+  std::vector<double> halves_;  // half of what that of position gains along a block's cell: four
   std::vector<double> lift_;
   std::vector<double> share_;                 // s of each station
   std::vector<Eigen::Vector3d> line_shapes_;  // q_i at the lines
@@ -286,6 +288,7 @@ class TreadContact {
   // Of the step at work.
   StepRule rule_;
   double margin_ = 0.0;  // m
+  bool knows_road_ = true;
   Eigen::Vector3d a_ = Eigen::Vector3d::UnitY();
   std::vector<Patch> patches_;  // around the ring
   std::vector<double> frames_, memory_, stations_;
