@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Journals that older programs wrote (verification/old_journals): one of format 4 is brought to today's with a backup,
-and the run goes on without a new trial; one of an older format does not say by which version of the model or files of
+and the run goes on, without a new trial where the search is as it was; one of an older format does not say by which version of the model or files of
 the program it was made, which is said, and `--adopt` takes its trials over.
 
 Should a search take other steps one day, its new trials are no fault of the journal: what has to hold is that every
@@ -59,7 +59,8 @@ class OldJournals(unittest.TestCase):
             with self.subTest(journal.parent.name):
                 self.study_with(journal)
                 self.assert_taken_over(self.latsch("run", "study.toml"))
-                self.assertEqual(trials_of(self.journal), self.trials)
+                if journal.parent.name != "program":  # there the search now takes a last step more
+                    self.assertEqual(trials_of(self.journal), self.trials)
 
     def test_older_ones_do_not_say_by_which_version_and_have_to_be_adopted(self):
         for name, lacks in (("fe_tire/format1", "model version"), ("program/format2", "program files"),
