@@ -77,7 +77,7 @@ double DrumRoad::height(double x, double y, double time) const { return locate(x
 
 /// Of a cleat where it may be seen between x0 and x1, its middle between the angles `first` and
 /// `last`: of one angle exact, of several the highest corner of every edge that may be there.
-double DrumRoad::highest(
+double DrumRoad::highest_of(
     const Cleat& cleat, double x0, double x1, double first, double last) const {
   const double stretch = 1.0 / (R_ * std::cos(cleat.angle));
   struct Swept {
@@ -108,14 +108,9 @@ double DrumRoad::highest(
   return most;
 }
 
-/// Highest at the top of an outer drum, at the sides of an inner one, or on a cleat.
-GroundBounds DrumRoad::bounds(const GroundBox& box, double time) const {
-  const double nearest = std::clamp(0.0, box.x0, box.x1);
-  const double farthest = std::max(std::abs(box.x0), std::abs(box.x1));
-  const double x = up_ < 0.0 ? nearest : farthest;
-  if (farthest > edge_x_) return {};
-  GroundBounds bounds{.highest = up_ * x * x / (R_ + std::sqrt(R_ * R_ - x * x))};
-  bool smooth = true;
+/// Whether one may be seen in the box; then `highest` is raised to it.
+bool DrumRoad::cleat_in(const GroundBox& box, double time, double& highest) const {
+  bool seen = false;
   const double turned = settings_.surface.distance(time) / R_;
   const double first = std::asin(box.x0 / R_), last = std::asin(box.x1 / R_);
   for (int i = 0; i < std::ssize(settings_.cleats); ++i) {
@@ -125,11 +120,20 @@ GroundBounds DrumRoad::bounds(const GroundBox& box, double time) const {
     const double middle = cleat.starting_angle - turned;
     const double theta = middle - kTurn * std::round((middle - 0.5 * (first + last)) / kTurn);
     if (theta + lean1 + windows_[i] < first || theta + lean0 - windows_[i] > last) continue;
-    smooth = false;
-    bounds.highest =
-        std::max(bounds.highest, highest(cleat, box.x0, box.x1, theta + lean0, theta + lean1));
+    seen = true;
+    highest = std::max(highest, highest_of(cleat, box.x0, box.x1, theta + lean0, theta + lean1));
   }
-  if (smooth)
+  return seen;
+}
+
+/// Highest at the top of an outer drum, at the sides of an inner one, or on a cleat.
+GroundBounds DrumRoad::bounds(const GroundBox& box, double time) const {
+  const double nearest = std::clamp(0.0, box.x0, box.x1);
+  const double farthest = std::max(std::abs(box.x0), std::abs(box.x1));
+  const double x = up_ < 0.0 ? nearest : farthest;
+  if (farthest > edge_x_) return {};
+  GroundBounds bounds{.highest = up_ * x * x / (R_ + std::sqrt(R_ * R_ - x * x))};
+  if (settings_.cleats.empty() || !cleat_in(box, time, bounds.highest))
     bounds.cylinder = Cylinder{.x = 0.0,
                                .z = up_ * R_,
                                .radius = R_,

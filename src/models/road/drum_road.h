@@ -59,7 +59,8 @@ class DrumRoad final : public Road {
     int cleat = -1;
   };
   Surface locate(double x, double y, double time) const;
-  double highest(const Cleat& cleat, double x0, double x1, double first, double last) const;
+  bool cleat_in(const GroundBox& box, double time, double& highest) const;
+  double highest_of(const Cleat& cleat, double x0, double x1, double first, double last) const;
   void raise(int cleat, double x, double y, double turned, Surface& surface) const;
 
   Settings settings_;

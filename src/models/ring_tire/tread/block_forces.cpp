@@ -22,14 +22,22 @@ void lowest_tips(const double* columns, const BlockLines& lines, int stride, dou
   LATSCH_KERNEL(lowest_tips)(columns, lines, stride, z);
 }
 
+void gaps_to_drum(const double* columns,
+                  const BlockLines& lines,
+                  int stride,
+                  const road::Cylinder& drum,
+                  double* gap) {
+  LATSCH_KERNEL(gaps_to_drum)(columns, lines, stride, drum, gap);
+}
+
 void drum_planes(const BlockSpan& at,
                  const double* columns,
+                 const double* lift,
                  const BlockLines& lines,
-                 int line,
-                 double cell,
+                 int blocks,
                  const road::Cylinder& drum,
                  const BlockGround& ground) {
-  LATSCH_KERNEL(drum_planes)(at, columns, lines, line, cell, drum, ground);
+  LATSCH_KERNEL(drum_planes)(at, columns, lift, lines, blocks, drum, ground);
 }
 
 void find_entering(const BlockSpan& at, int lines, const double* touches, std::uint8_t* entering) {

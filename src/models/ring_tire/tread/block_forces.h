@@ -99,13 +99,21 @@ void station_columns(const SegmentStations& at, double* columns);
 /// z of the lowest of the lines' tips at all stations, `columns` from station_columns.
 void lowest_tips(const double* columns, const BlockLines& lines, int stride, double* z);
 
-/// The planes of a drum's surface below the blocks of a line, whose cells are `cell` long along x;
-/// `columns` from station_columns.
+/// m, of the lines' tip that is nearest to a drum's surface, how far it is from there at all
+/// stations, up to its square over the radius; `columns` from station_columns.
+void gaps_to_drum(const double* columns,
+                  const BlockLines& lines,
+                  int stride,
+                  const road::Cylinder& drum,
+                  double* gap);
+
+/// The planes of a drum's surface below the blocks at the stations [begin, end), of which a line
+/// has `blocks` of its own.
 void drum_planes(const BlockSpan& at,
                  const double* columns,
+                 const double* lift,
                  const BlockLines& lines,
-                 int line,
-                 double cell,
+                 int blocks,
                  const road::Cylinder& drum,
                  const BlockGround& ground);
 

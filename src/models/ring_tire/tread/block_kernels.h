@@ -280,49 +280,94 @@ void lowest_tips(const double* columns, const BlockLines& of, int stride, double
 }
 
 template <class Shape>
-LATSCH_INLINE void planes_of_drum(const BlockSpan& at,
-                                  const double* columns,
-                                  const BlockLines& of,
-                                  int line,
-                                  double cell,
-                                  const road::Cylinder& drum,
-                                  const BlockGround& ground,
-                                  const Shape& shape) {
+LATSCH_INLINE void find_gaps_to_drum(const double* columns,
+                                     const BlockLines& of,
+                                     int stride,
+                                     const road::Cylinder& drum,
+                                     double* gap,
+                                     const Shape& shape) {
+  const double R = drum.radius;
+  for (int j = 0; j < stride; j += kWide) {
+    const auto at = [&](int c) { return lanes(columns + c * stride + j); };
+    Lanes least = all(1e6);
+    for (int line = 0; line < of.count; ++line) {
+      const auto H = shape.height(of, line, j);
+      const Lanes x = at_line(at(0), at(3), at(6), H, of.y[line]) - drum.x;
+      const Lanes z = at_line(at(2), at(5), at(8), H, of.y[line]) - drum.z;
+      least = smaller(least, drum.up * (R * R - x * x - z * z));
+    }
+    store(least * (0.5 / R), gap + j);
+  }
+}
+
+void gaps_to_drum(const double* columns,
+                  const BlockLines& lines,
+                  int stride,
+                  const road::Cylinder& drum,
+                  double* gap) {
+  if (lines.rise)
+    find_gaps_to_drum(columns, lines, stride, drum, gap, BentLines{});
+  else
+    find_gaps_to_drum(columns, lines, stride, drum, gap, StraightLines{});
+}
+
+/// m, of a line along x; what the section's bending makes of it is far below a percent.
+inline double cell_along_x(
+    const double* columns, int stride, const BlockLines& of, int line, int blocks) {
+  const auto x = [&](int j) {
+    const double* at = columns + j;
+    return at[0] + of.height[line] * at[3 * stride] + of.y[line] * at[6 * stride];
+  };
+  return blocks > 1 ? (x(blocks - 1) - x(0)) / (blocks - 1) : 0.0;
+}
+
+template <class Shape>
+LATSCH_INLINE void place_on_drum(const BlockSpan& at,
+                                 const double* columns,
+                                 const double* lift,
+                                 const BlockLines& of,
+                                 int blocks,
+                                 const road::Cylinder& drum,
+                                 const BlockGround& ground,
+                                 const Shape& shape) {
   const double R2 = drum.radius * drum.radius;
-  for (int j = at.begin; j < at.end; j += kWide) {
-    const int block = line * at.stride + j;
-    const auto along_x = [&](int c) { return lanes(columns + 3 * c * at.stride + j); };
-    const Lanes x =
-        at_line(along_x(0), along_x(1), along_x(2), shape.height(of, line, j), of.y[line]);
-    const Lanes from_axis = x - drum.x;
-    const Lanes depth = sqrt(R2 - from_axis * from_axis), over = 1.0 / depth;
-    const Lanes slope = drum.up * from_axis * over, cosine = depth * (1.0 / drum.radius);
-    // Of second derivative up R²/depth³: its mean over the cell is by 1/24 of the length squared
-    // off that in the middle.
-    const Lanes bow = (drum.up * R2 * cell * cell * (1.0 / 24.0)) * over * over * over;
-    const Lanes z = drum.z - drum.up * depth + bow;
-    store(-slope * cosine, ground.N[0] + block);
-    store(all(0.0), ground.N[1] + block);
-    store(cosine, ground.N[2] + block);
-    store(cosine * (z - slope * x), ground.level + block);
-    store(drum.rate * (z - drum.z), ground.velocity[0] + block);
-    store(all(0.0), ground.velocity[1] + block);
-    store(-drum.rate * from_axis, ground.velocity[2] + block);
-    store(all(drum.friction), ground.friction + block);
+  for (int line = 0; line < of.count; ++line) {
+    const double cell = cell_along_x(columns, at.stride, of, line, blocks);
+    for (int j = at.begin; j < at.end; j += kWide) {
+      const int block = line * at.stride + j;
+      const auto along_x = [&](int c) { return lanes(columns + 3 * c * at.stride + j); };
+      const Lanes x =
+          at_line(along_x(0), along_x(1), along_x(2), shape.height(of, line, j), of.y[line]);
+      const Lanes from_axis = x - drum.x;
+      const Lanes depth = sqrt(R2 - from_axis * from_axis), over = 1.0 / depth;
+      const Lanes slope = drum.up * from_axis * over, cosine = depth * (1.0 / drum.radius);
+      // Of second derivative up R²/depth³: its mean over the cell is by 1/24 of the length squared
+      // off that in the middle.
+      const Lanes bow = (drum.up * R2 * cell * cell * (1.0 / 24.0)) * over * over * over;
+      const Lanes z = drum.z - drum.up * depth + bow;
+      store(-slope * cosine, ground.N[0] + block);
+      store(all(0.0), ground.N[1] + block);
+      store(cosine, ground.N[2] + block);
+      store(cosine * (z - slope * x) - lanes(lift + j), ground.level + block);
+      store(drum.rate * (z - drum.z), ground.velocity[0] + block);
+      store(all(0.0), ground.velocity[1] + block);
+      store(-drum.rate * from_axis, ground.velocity[2] + block);
+      store(all(drum.friction), ground.friction + block);
+    }
   }
 }
 
 void drum_planes(const BlockSpan& at,
                  const double* columns,
+                 const double* lift,
                  const BlockLines& lines,
-                 int line,
-                 double cell,
+                 int blocks,
                  const road::Cylinder& drum,
                  const BlockGround& ground) {
   if (lines.rise)
-    planes_of_drum(at, columns, lines, line, cell, drum, ground, BentLines{});
+    place_on_drum(at, columns, lift, lines, blocks, drum, ground, BentLines{});
   else
-    planes_of_drum(at, columns, lines, line, cell, drum, ground, StraightLines{});
+    place_on_drum(at, columns, lift, lines, blocks, drum, ground, StraightLines{});
 }
 
 void keep_tips(const BlockSpan& at,

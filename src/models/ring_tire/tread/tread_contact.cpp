@@ -176,11 +176,11 @@ void TreadContact::approach(const NodeValues& q,
     const Plane* plane = std::get_if<Plane>(&ground);
     if (!rule.statics() && plane && plane->ground.normal == Vector3d::UnitZ())
       find_level_blocks(patch, plane->ground);
+    else if (const road::Cylinder* drum = std::get_if<road::Cylinder>(&ground))
+      find_blocks_on_drum(patch, *drum);
     else
       find_uneven_blocks(patch, ground, road, time);
-    patch.begin = patch.begin / kWide * kWide;
-    patch.end = std::min(stride_, (patch.end + kWide - 1) / kWide * kWide);
-    if (patch.begin >= patch.end) {
+    if (patch.begin == patch.end) {
       patches_.pop_back();
       continue;
     }
@@ -219,6 +219,20 @@ TreadContact::Ground TreadContact::ground_below(int first_line,
   return Plane{ground, ground.normal.dot(Vector3d(x, y, ground.height))};
 }
 
+void TreadContact::narrow(Patch& patch, const double* nearest, double reach) const {
+  patch.end = blocks_;
+  while (patch.begin < patch.end && nearest[patch.begin] > reach) ++patch.begin;
+  while (patch.end > patch.begin && nearest[patch.end - 1] > reach) --patch.end;
+  widen(patch);
+}
+
+/// To what is looked at at once; none where there was none.
+void TreadContact::widen(Patch& patch) const {
+  if (patch.begin >= patch.end) patch.begin = patch.end = 0;
+  patch.begin = patch.begin / kWide * kWide;
+  patch.end = (patch.end + kWide - 1) / kWide * kWide;
+}
+
 /// Its blocks near the road: [begin, end).
 void TreadContact::find_level_blocks(Patch& patch, const road::GroundPoint& ground) {
   patch.level = true;
@@ -234,10 +248,22 @@ void TreadContact::find_level_blocks(Patch& patch, const road::GroundPoint& grou
       lowest[j] = tip(0, j).z();
       for (int line = 1; line < lines_; ++line) lowest[j] = std::min(lowest[j], tip(line, j).z());
     }
-  const double reach = patch.ground.height + margin_;
-  patch.end = blocks_;
-  while (patch.begin < patch.end && lowest[patch.begin] > reach) ++patch.begin;
-  while (patch.end > patch.begin && lowest[patch.end - 1] > reach) --patch.end;
+  narrow(patch, lowest, patch.ground.height + margin_);
+}
+
+/// The plane that a block's cell sees on a drum: the tangent, at the mean height over the cell.
+void TreadContact::find_blocks_on_drum(Patch& patch, const road::Cylinder& drum) {
+  const BlockLines own = lines(patch.segment);
+  double* gap = at_stations(kStationColumns - 1);
+  gaps_to_drum(at_stations(kP), own, stride_, drum, gap);
+  narrow(patch, gap, margin_);
+  drum_planes({stride_, patch.begin, patch.end},
+              at_stations(kP),
+              lift_.data(),
+              own,
+              blocks_,
+              drum,
+              ground(patches_.size() - 1));
 }
 
 void TreadContact::find_uneven_blocks(Patch& patch,
@@ -251,14 +277,14 @@ void TreadContact::find_uneven_blocks(Patch& patch,
   const bool known = !std::holds_alternative<std::monostate>(ground);
   for (int line = 0; line < lines_; ++line) {
     const Ground own = known ? ground : ground_below(line, line, road, time);
-    if (!std::holds_alternative<road::Cylinder>(own))
-      for (int c = kNormal; c <= kFriction; ++c)
-        std::fill_n(column(at, c) + line * stride_, whole, c == kLevel ? -kNoRoad : 0.0);
+    for (int c = kNormal; c <= kFriction; ++c)
+      std::fill_n(column(at, c) + line * stride_, whole, c == kLevel ? -kNoRoad : 0.0);
     const auto [begin, end] = find_line(at, line, own, road, time);
     if (begin == end) continue;
     patch.begin = std::min(patch.begin, begin);
     patch.end = std::max(patch.end, end);
   }
+  widen(patch);
 }
 
 /// Blocks of one line near the road and the planes below them.
@@ -273,16 +299,6 @@ std::pair<int, int> TreadContact::find_line(
     narrow([&](int j) { return plane->ground.normal.dot(tip(line, j)) > plane->level + margin_; });
     for (int j = begin; j < end; ++j)
       place_ground(patch, line * stride_ + j, plane->ground, plane->level);
-  } else if (const road::Cylinder* drum = std::get_if<road::Cylinder>(&ground)) {
-    place_drum(patch, line, *drum);
-    const BlockGround planes = this->ground(patch);
-    narrow([&](int j) {
-      const int block = line * stride_ + j;
-      const Vector3d N(planes.N[0][block], planes.N[1][block], planes.N[2][block]);
-      return N.dot(tip(line, j)) > planes.level[block] + margin_;
-    });
-    for (int j = 0; j < stride_; ++j)
-      if (j < begin || j >= end) planes.level[line * stride_ + j] = -kNoRoad;
   } else {
     narrow([&](int j) {
       const Vector3d at = tip(line, j);
@@ -291,20 +307,6 @@ std::pair<int, int> TreadContact::find_line(
     place_cells(patch, line, begin, end, road, time);
   }
   return {begin, end};
-}
-
-/// Below each block of a line the plane that its cell sees on a drum: the tangent, at the mean
-/// height over the cell.
-void TreadContact::place_drum(std::size_t patch, int line, const road::Cylinder& drum) {
-  const double length = tip(line, blocks_ - 1).x() - tip(line, 0).x();
-  const double cell = blocks_ > 1 ? length / (blocks_ - 1) : 0.0;
-  drum_planes({stride_, 0, stride_},
-              at_stations(kP),
-              lines(patches_[patch].segment),
-              line,
-              cell,
-              drum,
-              ground(patch));
 }
 
 /// Below each block the plane that its cell sees on an uneven road: its mean height, its slope

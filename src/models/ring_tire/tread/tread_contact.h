@@ -220,13 +220,16 @@ class TreadContact {
   };
   using Ground = std::variant<std::monostate, Plane, road::Cylinder>;
   Ground ground_below(int first_line, int last_line, const road::Road& road, double time) const;
+  /// Stations of a patch of which the nearest tip is not above `reach`.
+  void narrow(Patch& patch, const double* nearest, double reach) const;
+  void widen(Patch& patch) const;
   void find_level_blocks(Patch& patch, const road::GroundPoint& ground);
+  void find_blocks_on_drum(Patch& patch, const road::Cylinder& drum);
   void find_uneven_blocks(Patch& patch, const Ground& ground, const road::Road& road, double time);
   void place_cells(
       std::size_t patch, int line, int begin, int end, const road::Road& road, double time);
   std::pair<int, int> find_line(
       std::size_t patch, int line, const Ground& ground, const road::Road& road, double time);
-  void place_drum(std::size_t patch, int line, const road::Cylinder& drum);
   road::GroundBox below(int first_line, int last_line) const;
   void place_ground(std::size_t patch, int block, const road::GroundPoint& ground, double level);
   SegmentStations stations_of(std::size_t patch, const NodeValues& q, const NodeValues& v) const;
