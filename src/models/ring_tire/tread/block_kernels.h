@@ -161,7 +161,7 @@ struct UnevenBlocks {
                              const Lanes3& half,
                              const Height& H,
                              double y,
-                             bool,
+                             bool entering,
                              int block,
                              Lanes3& moment) const {
     const Lanes3 N = lanes3(ground.N, block), road = lanes3(ground.velocity, block);
@@ -172,12 +172,15 @@ struct UnevenBlocks {
     const Touch touch = rubber.touch(depth, -dot(N, half));
     if (!any(touch.share > 0.0)) return leave_off<3>(results, before, block);
     const Lanes Fn = push(law, touch, rate);
-    const Lanes touched = lanes(before.touches + block), old = kept(touch, touched);
-    const Lanes fresh = (old - 1.0) * since_touch(law, touch, rate, touched);
     const Lanes3 tip = lanes3(before.tip, block);
-    Lanes3 e = {old * (tip.x + law.step * road.x - T.x) + fresh * V.x,
-                old * (tip.y + law.step * road.y - T.y) + fresh * V.y,
-                old * (tip.z + law.step * road.z - T.z) + fresh * V.z};
+    Lanes3 e = {tip.x + law.step * road.x - T.x,
+                tip.y + law.step * road.y - T.y,
+                tip.z + law.step * road.z - T.z};
+    if (entering) {
+      const Lanes touched = lanes(before.touches + block), old = kept(touch, touched);
+      const Lanes fresh = (old - 1.0) * since_touch(law, touch, rate, touched);
+      e = {old * e.x + fresh * V.x, old * e.y + fresh * V.y, old * e.z + fresh * V.z};
+    }
     const Lanes across = dot(N, e);
     e = {e.x - N.x * across, e.y - N.y * across, e.z - N.z * across};
     const Lanes stick = law.tangential * touch.share;
