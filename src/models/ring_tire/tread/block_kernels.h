@@ -43,11 +43,11 @@ LATSCH_INLINE bool slides(const BlockLaw& law,
   const Lanes limit = factor * adhesion(law.friction->table(), p) * Fn;
   const Lanes over = T2 - limit * limit;
   if (!any(over > 0.0)) return false;
-  const Lanes T = sqrt(select(over > 0.0, T2, all(1.0)));
+  const Lanes T = sqrt(select(over > 0.0, T2, all(0.0)));
   const Lanes slope = share * (law.tangential * (law.step + law.damping_time));
   const Lanes v = sliding_speed(law.friction->table(), T, slope, Fn, p, factor);
-  const Lanes F = T - slope * v, slip = v * law.step;
-  grip = {select(over > 0.0, F / T, all(1.0)), select(over > 0.0, slip / T, all(0.0))};
+  const Lanes by_force = v / larger(T, all(1e-300));
+  grip = {1.0 - slope * by_force, law.step * by_force};
   return true;
 }
 

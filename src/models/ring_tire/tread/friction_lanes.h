@@ -24,6 +24,24 @@ LATSCH_INLINE Lanes adhesion(const FrictionLaw::Table& law, const Lanes& p) {
   return coefficient(law.at[0], clamped(law, p));
 }
 
+/// Where (14) holds on a straight piece of μ; `holds`: it is on it.
+struct OnPiece {
+  Lanes v;
+  Lanes::Mask holds;
+};
+
+LATSCH_INLINE OnPiece on_piece(const FrictionLaw::Table& law,
+                               int i,
+                               const Lanes& T,
+                               const Lanes& slope,
+                               const Lanes& F,
+                               const Lanes& mu,
+                               const Lanes& next) {
+  const Lanes steeper = slope + F * ((next - mu) * law.over_range[i]);
+  const Lanes v = law.speed[i] + ((T - slope * law.speed[i]) - mu * F) / steeper;
+  return {v, (steeper > 0.0) & (v <= law.speed[i + 1])};
+}
+
 /// v >= 0 of (14); `factor` of the road multiplies μ, `slope` is c (h + t_d), c of what touches.
 LATSCH_INLINE Lanes sliding_speed(const FrictionLaw::Table& law,
                                   const Lanes& T,
@@ -33,16 +51,20 @@ LATSCH_INLINE Lanes sliding_speed(const FrictionLaw::Table& law,
                                   const Lanes& factor) {
   const Lanes inside = clamped(law, p), F = factor * Fn;
   Lanes mu[4];
-  for (int i = 0; i < 4; ++i) mu[i] = coefficient(law.at[i], inside);
-  Lanes v = (T - mu[3] * F) / slope;
-  for (int i = 2; i >= 0; --i) {  // the slowest solution has the last word
-    const double from = law.speed[i], to = law.speed[i + 1];
-    const Lanes rise = F * ((mu[i + 1] - mu[i]) * (1.0 / (to - from)));
-    const Lanes excess = (T - slope * from) - mu[i] * F;  // > 0 at the piece's beginning
-    const Lanes at = from + excess / (slope + rise);
-    v = select((slope + rise > 0.0) & (at <= to), at, v);
+  for (int i = 0; i < 2; ++i) mu[i] = coefficient(law.at[i], inside);
+  const OnPiece slowest = on_piece(law, 0, T, slope, F, mu[0], mu[1]);
+  const auto sticks = T <= mu[0] * F;
+  Lanes v = slowest.v;
+  if (!every(slowest.holds | sticks)) {
+    for (int i = 2; i < 4; ++i) mu[i] = coefficient(law.at[i], inside);
+    v = (T - mu[3] * F) / slope;
+    for (int i = 2; i > 0; --i) {  // the slowest solution has the last word
+      const OnPiece own = on_piece(law, i, T, slope, F, mu[i], mu[i + 1]);
+      v = select(own.holds, own.v, v);
+    }
+    v = select(slowest.holds, slowest.v, v);
   }
-  return select(T <= mu[0] * F, 0.0, v);
+  return select(sticks, 0.0, v);
 }
 
 }  // namespace latsch::ring_tire::LATSCH_KERNELS

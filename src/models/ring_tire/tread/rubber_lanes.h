@@ -31,7 +31,8 @@ struct LinearRubber {
 
   LATSCH_INLINE Touch touch(const Lanes& depth, const Lanes& g) const {
     const Lanes a = larger(larger(g, -g), all(1e-12));
-    const Lanes share = larger(smaller((depth + a) / (2.0 * a), all(1.0)), all(0.0));
+    const Lanes over = 0.5 / a;  // one for all lines of a station on level ground
+    const Lanes share = larger(smaller((depth + a) * over, all(1.0)), all(0.0));
     const Lanes square = share * share;
     return {share,
             a * square + larger(depth - a, all(0.0)),

@@ -28,6 +28,7 @@ class FrictionLaw {
     double lowest, highest;  // Pa
     Quadratic at[4];         // at the four speeds
     double speed[4];         // m/s
+    double over_range[3];    // 1 over what lies between two of them
   };
   const Table& table() const { return table_; }
 
