@@ -18,6 +18,13 @@ if(LATSCH_CCACHE)
 endif()
 
 add_compile_options(-Wall -Wextra -Wno-psabi -ffp-contract=off)
+
+# GCC copies structs of registers by sixteen bytes; what is read back by 32 then waits for the stores.
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag("-mmove-max=256 -mstore-max=256 --param=sra-max-scalarization-size-Ospeed=2048" LATSCH_HAS_MOVE_MAX)
+if(LATSCH_HAS_MOVE_MAX)
+  set(LATSCH_LANES_IN_REGISTERS -mmove-max=256 -mstore-max=256 --param=sra-max-scalarization-size-Ospeed=2048)
+endif()
 if(LATSCH_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
