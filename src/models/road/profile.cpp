@@ -24,10 +24,20 @@ Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
   for (const Point& point : points_) reach_ = std::max(reach_, std::abs(point.z));
 }
 
+/// The first point that is not before s. A few are counted sooner than searched.
+std::vector<Profile::Point>::const_iterator Profile::first_from(double s) const {
+  constexpr std::size_t kFew = 16;
+  if (points_.size() > kFew)
+    return std::lower_bound(
+        points_.begin(), points_.end(), s, [](const Point& p, double at) { return p.s < at; });
+  std::ptrdiff_t before = 0;
+  for (const Point& point : points_) before += point.s < s;
+  return points_.begin() + before;
+}
+
 Profile::Value Profile::at(double s) const {
   if (points_.empty()) return {};
-  const auto right = std::lower_bound(
-      points_.begin(), points_.end(), s, [](const Point& p, double at) { return p.s < at; });
+  const auto right = first_from(s);
   if (right == points_.end()) return {points_.back().z, 0.0};
   if (right->s > s) {
     if (right == points_.begin()) return {right->z, 0.0};
@@ -49,9 +59,7 @@ Profile::Value Profile::at(double s) const {
 Profile::Extremes Profile::between(double s0, double s1) const {
   const double z0 = at(s0).height, z1 = at(s1).height;
   Extremes extremes{std::min(z0, z1), std::max(z0, z1)};
-  const auto first = std::lower_bound(
-      points_.begin(), points_.end(), s0, [](const Point& p, double s) { return p.s < s; });
-  for (auto p = first; p != points_.end() && p->s <= s1; ++p) {
+  for (auto p = first_from(s0); p != points_.end() && p->s <= s1; ++p) {
     extremes.lowest = std::min(extremes.lowest, p->z);
     extremes.highest = std::max(extremes.highest, p->z);
   }

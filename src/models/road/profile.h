@@ -44,6 +44,8 @@ class Profile {
   double reach() const { return reach_; }
 
  private:
+  std::vector<Point>::const_iterator first_from(double s) const;
+
   std::vector<Point> points_;
   double reach_ = 0.0;
 };

@@ -19,12 +19,18 @@ Eigen::Vector2d ProfileRoad::local(double x, double y, double time) const {
   return {forward * cos_ + left * sin_, left * cos_ - forward * sin_};
 }
 
+/// Which of the repetitions a place s belongs to.
+double ProfileRoad::number_at(double s) const {
+  const double number = s / settings_.pitch;
+  if (settings_.count <= 0) return std::floor(number);
+  if (!(number > 0.0)) return 0.0;
+  return number < settings_.count ? static_cast<int>(number) : settings_.count - 1;
+}
+
 ProfileRoad::Place ProfileRoad::locate(const Eigen::Vector2d& local) const {
   double s = local.x();
   if (settings_.pitch > 0.0) {
-    double number = std::floor(s / settings_.pitch);
-    if (settings_.count > 0) number = std::clamp(number, 0.0, settings_.count - 1.0);
-    s -= number * settings_.pitch;
+    s -= number_at(s) * settings_.pitch;
   }
   Place place{settings_.along.at(s), {1.0, 0.0}, true};
   place.on_obstacle = s >= settings_.along.begin() && s <= settings_.along.end();
@@ -63,10 +69,7 @@ double ProfileRoad::mean_height(const Eigen::Vector2d& from,
     add(settings_.along, 0.0, begin.x(), way.x());
   } else {
     const double first = std::min(begin.x(), begin.x() + way.x()), last = first + std::abs(way.x());
-    const double most = settings_.count > 0 ? settings_.count - 1.0 : 1e300;
-    const double least = settings_.count > 0 ? 0.0 : -1e300;
-    const double end = std::clamp(std::floor(last / settings_.pitch), least, most);
-    const double start = std::clamp(std::floor(first / settings_.pitch), least, most);
+    const double end = number_at(last), start = number_at(first);
     for (double i = 0.0; i <= end - start; ++i) {  // far out start + i no longer grows by steps
       const double n = start + i;
       add_corner(n * settings_.pitch - begin.x(), way.x());  // the seam
@@ -114,10 +117,6 @@ GroundBounds ProfileRoad::bounds(const GroundBox& box, double time) const {
       t.add(left * cos_ - forward * sin_);
     }
   if (settings_.pitch == 0.0) return bounds_between(s, t);
-  const auto number_at = [&](double place) {
-    const double number = std::floor(place / settings_.pitch);
-    return settings_.count > 0 ? std::clamp(number, 0.0, settings_.count - 1.0) : number;
-  };
   const double first = number_at(s.from), last = number_at(s.to);
   if (first == last)
     return bounds_between({s.from - first * settings_.pitch, s.to - first * settings_.pitch}, t);

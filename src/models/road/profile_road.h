@@ -59,6 +59,7 @@ class ProfileRoad final : public Road {
   GroundBounds bounds_between(Span s, Span t) const;
   /// s and t of a place.
   Eigen::Vector2d local(double x, double y, double time) const;
+  double number_at(double s) const;
   Place locate(const Eigen::Vector2d& local) const;
   double height_at(const Eigen::Vector2d& local) const;
 

@@ -180,6 +180,32 @@ LATSCH_INLINE double sum_of_four(const Lanes4& x) {
 }
 #endif
 
+/// Rows of four by four become columns.
+LATSCH_INLINE void transpose(Lanes4 (&m)[4]) {
+#if LATSCH_KERNEL_WIDTH == 2
+  const auto quarter = [](const Register2& a, const Register2& b, Register2& c, Register2& d) {
+    const Doubles2 low = __builtin_shufflevector(a.v, b.v, 0, 2),
+                   high = __builtin_shufflevector(a.v, b.v, 1, 3);
+    c = low;
+    d = high;
+  };
+  const Lanes4 a = m[0], b = m[1], c = m[2], d = m[3];
+  quarter(a.lo, b.lo, m[0].lo, m[1].lo);
+  quarter(c.lo, d.lo, m[0].hi, m[1].hi);
+  quarter(a.hi, b.hi, m[2].lo, m[3].lo);
+  quarter(c.hi, d.hi, m[2].hi, m[3].hi);
+#else
+  const auto ab_even = __builtin_shufflevector(m[0].v, m[1].v, 0, 4, 2, 6),
+             ab_odd = __builtin_shufflevector(m[0].v, m[1].v, 1, 5, 3, 7),
+             cd_even = __builtin_shufflevector(m[2].v, m[3].v, 0, 4, 2, 6),
+             cd_odd = __builtin_shufflevector(m[2].v, m[3].v, 1, 5, 3, 7);
+  m[0] = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+  m[1] = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+  m[2] = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+  m[3] = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+#endif
+}
+
 LATSCH_INLINE Lanes
 lanes(double a, double b, double c, double d, double e, double f, double g, double h) {
   return joined(four(a, b, c, d), four(e, f, g, h));

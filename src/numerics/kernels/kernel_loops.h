@@ -18,6 +18,12 @@ LATSCH_INLINE void by_eight(int begin, int end, const Body& body) {
   for (int i = begin; i < end; i += 8) body(i + 8 <= end ? i : end - 8);
 }
 
+/// The same by fours. At least four.
+template <class Body>
+LATSCH_INLINE void by_four(int size, const Body& body) {
+  for (int i = 0; i < size; i += 4) body(i + 4 <= size ? i : size - 4);
+}
+
 /// body(T(), i) over i = 0 .. size - 1: T is Lanes for eight at a time, then Lane for the rest.
 template <class Body>
 LATSCH_INLINE void around(int size, const Body& body) {

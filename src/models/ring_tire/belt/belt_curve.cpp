@@ -18,21 +18,6 @@ NodeValues at_knots(const NodeValues& x) {
   return knots;
 }
 
-void at_knots_and_back(const NodeValues& x, NodeValues& to) {
-  const Eigen::Index N = x.cols(), size = 4 * N;
-  to.resize(4, N);
-  const double* from = x.data();
-  double* const y = to.data();
-  for (Eigen::Index i = 8; i < size - 8; ++i)
-    y[i] = (18.0 / 36.0) * from[i] + (8.0 / 36.0) * (from[i - 4] + from[i + 4]) +
-           (1.0 / 36.0) * (from[i - 8] + from[i + 8]);
-  for (const Eigen::Index k : {Eigen::Index{0}, Eigen::Index{1}, N - 2, N - 1}) {
-    const auto at = [&](Eigen::Index i) { return x.col((k + i + N) % N); };
-    to.col(k) =
-        (18.0 / 36.0) * at(0) + (8.0 / 36.0) * (at(-1) + at(1)) + (1.0 / 36.0) * (at(-2) + at(2));
-  }
-}
-
 void add_at_knot(const Eigen::Matrix4d& k, int knot, CyclicBand& K) {
   const int N = K.nodes(), before = knot > 0 ? knot - 1 : N - 1,
             after = knot + 1 < N ? knot + 1 : 0;

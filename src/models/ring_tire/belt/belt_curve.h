@@ -22,9 +22,6 @@ namespace latsch::ring_tire {
 /// B x; also B' f.
 NodeValues at_knots(const NodeValues& x);
 
-/// B' B x.
-void at_knots_and_back(const NodeValues& x, NodeValues& to);
-
 /// K += B' k B of a knot.
 void add_at_knot(const Eigen::Matrix4d& k, int knot, CyclicBand& K);
 

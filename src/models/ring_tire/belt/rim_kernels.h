@@ -9,14 +9,30 @@ using namespace latsch::LATSCH_KERNELS;
 /// rows = R^T (columns - origin); `axes`: X, a, Z one after the other.
 void turn_to_rim(
     int nodes, const double* columns, const double* origin, const double* axes, const Rows& rows) {
-  for (int k = 0; k < nodes; ++k) {
+  const auto along = [&](int i, const Lanes4& dx, const Lanes4& dy, const Lanes4& dz) {
+    return Lanes4(axes[3 * i] * dx + axes[3 * i + 1] * dy + axes[3 * i + 2] * dz);
+  };
+  by_four(nodes, [&](int k) {
     const double* q = columns + 4 * k;
-    const Lane dx = q[0] - origin[0], dy = q[1] - origin[1], dz = q[2] - origin[2];
-    Lane(axes[0] * dx + axes[1] * dy + axes[2] * dz).save(rows.x + k);
-    Lane(axes[3] * dx + axes[4] * dy + axes[5] * dz).save(rows.y + k);
-    Lane(axes[6] * dx + axes[7] * dy + axes[8] * dz).save(rows.z + k);
-    rows.torsion[k] = q[3];
-  }
+    Lanes4 at[4] = {lanes4(q), lanes4(q + 4), lanes4(q + 8), lanes4(q + 12)};
+    transpose(at);
+    const Lanes4 dx = at[0] - origin[0], dy = at[1] - origin[1], dz = at[2] - origin[2];
+    store(along(0, dx, dy, dz), rows.x + k);
+    store(along(1, dx, dy, dz), rows.y + k);
+    store(along(2, dx, dy, dz), rows.z + k);
+    store(at[3], rows.torsion + k);
+  });
+}
+
+/// rates -= ω × places.
+void leave_turning(int nodes, const double* omega, const ConstRows& at, const Rows& rates) {
+  around(nodes, [&](auto type, int k) {
+    using T = decltype(type);
+    const T x = T::load(at.x + k), y = T::load(at.y + k), z = T::load(at.z + k);
+    T(T::load(rates.x + k) - (omega[1] * z - omega[2] * y)).save(rates.x + k);
+    T(T::load(rates.y + k) - (omega[2] * x - omega[0] * z)).save(rates.y + k);
+    T(T::load(rates.z + k) - (omega[0] * y - omega[1] * x)).save(rates.z + k);
+  });
 }
 
 void turn_to_inertial(int nodes, const ConstRows& rows, const double* axes, double* columns) {

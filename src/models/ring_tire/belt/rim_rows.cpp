@@ -40,12 +40,11 @@ void RimRows::place_rates(const RimRows& at, const NodeValues& v, const RimFrame
   LATSCH_KERNEL(turn_to_rim)
   (nodes_, v.data(), rim.velocity.data(), axes.data(), {row(kX), row(kY), row(kZ), row(kTorsion)});
   const Eigen::Vector3d omega = axes.transpose() * rim.angular_velocity;
-  for (int k = 0; k < nodes_; ++k) {
-    const double x = at.row(kX)[k], y = at.row(kY)[k], z = at.row(kZ)[k];
-    row(kX)[k] -= omega.y() * z - omega.z() * y;
-    row(kY)[k] -= omega.z() * x - omega.x() * z;
-    row(kZ)[k] -= omega.x() * y - omega.y() * x;
-  }
+  LATSCH_KERNEL(leave_turning)
+  (nodes_,
+   omega.data(),
+   {at.row(kX), at.row(kY), at.row(kZ), at.row(kTorsion)},
+   {row(kX), row(kY), row(kZ), row(kTorsion)});
   close();
 }
 

@@ -5,6 +5,15 @@
 #include <cmath>
 #include <numbers>
 
+namespace latsch::ring_tire {
+
+/// (9) at a node.
+struct TorsionSpring {
+  double stiffness, damping, by_lateral, rest;
+};
+
+}  // namespace latsch::ring_tire
+
 #define LATSCH_KERNELS_IN "models/ring_tire/belt/sidewall_kernels.h"
 #include "numerics/kernels/for_each_kernel_set.h"
 
@@ -12,34 +21,6 @@ namespace latsch::ring_tire {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-namespace {
-
-/// Along e_r = (sin, 0, -cos), less R, e_t = (cos, 0, sin) and a: three rows one after the other.
-void to_polar(
-    int nodes, const NodeAngles& angles, double R, const RimRows& at, double* const polar[3]) {
-  const double *s = angles.sine(), *c = angles.cosine();
-  const double *x = at.row(RimRows::kX), *y = at.row(RimRows::kY), *z = at.row(RimRows::kZ);
-#pragma GCC ivdep
-  for (int k = 0; k < nodes; ++k) {
-    polar[0][k] = x[k] * s[k] - z[k] * c[k] - R;
-    polar[1][k] = x[k] * c[k] + z[k] * s[k];
-    polar[2][k] = y[k];
-  }
-}
-
-void from_polar(int nodes, const NodeAngles& angles, const double* const polar[3], RimRows& to) {
-  const double *s = angles.sine(), *c = angles.cosine();
-  double *x = to.row(RimRows::kX), *y = to.row(RimRows::kY), *z = to.row(RimRows::kZ);
-#pragma GCC ivdep
-  for (int k = 0; k < nodes; ++k) {
-    x[k] = polar[0][k] * s[k] + polar[1][k] * c[k];
-    y[k] = polar[2][k];
-    z[k] = -polar[0][k] * c[k] + polar[1][k] * s[k];
-  }
-}
-
-}  // namespace
 
 SidewallForces::SidewallForces(const Sidewall& sidewall, double radius, int nodes, double conicity)
     : angles_(nodes),
@@ -135,6 +116,19 @@ void SidewallForces::add_memory(int direction,
   }
 }
 
+/// Along e_r = (sin, 0, -cos), less R, e_t = (cos, 0, sin) and a: three rows one after the other.
+void SidewallForces::to_polar(const RimRows& at, double R, double* const polar[3]) const {
+  LATSCH_KERNEL(to_polar)
+  (angles_.nodes(),
+   at.row(RimRows::kX),
+   at.row(RimRows::kY),
+   at.row(RimRows::kZ),
+   angles_.sine(),
+   angles_.cosine(),
+   R,
+   polar);
+}
+
 void SidewallForces::find_force(const RimRows& at,
                                 const RimRows& rate,
                                 const StepRule& rule,
@@ -146,24 +140,33 @@ void SidewallForces::find_force(const RimRows& at,
     w[i] = force.row(RimRows::kRows + 3 + i);
     F[i] = force.row(RimRows::kRows + 6 + i);
   }
-  to_polar(nodes, angles_, R_, at, u);
-  if (!rule.statics()) to_polar(nodes, angles_, 0.0, rate, w);
+  to_polar(at, R_, u);
+  if (!rule.statics()) to_polar(rate, 0.0, w);
   for (int i = 0; i < 3; ++i) {
     std::fill(F[i], F[i] + nodes, 0.0);
     add_spring(i, u[i], F[i]);
     if (has_memory_) add_memory(i, u[i], rule, F[i]);
     if (!rule.statics()) LATSCH_KERNEL(add_multiple)(nodes, -direction_[i].d, w[i], F[i]);
   }
-  from_polar(nodes, angles_, F, force);
-  const double* psi = at.row(RimRows::kTorsion);
-  const double* psi_rate = rate.row(RimRows::kTorsion);
-  const double damping = rule.statics() ? 0.0 : torsion_damping_;
-  for (int k = 0; k < nodes; ++k) {
-    const double torsion =
-        torsion_ * ((psi[k] - torsion_by_lateral_ * u[2][k]) - conicity_);  // (9)
-    force.row(RimRows::kY)[k] += torsion_by_lateral_ * torsion;
-    force.row(RimRows::kTorsion)[k] = -torsion - damping * psi_rate[k];
-  }
+  LATSCH_KERNEL(from_polar)
+  (nodes,
+   F,
+   angles_.sine(),
+   angles_.cosine(),
+   force.row(RimRows::kX),
+   force.row(RimRows::kY),
+   force.row(RimRows::kZ));
+  LATSCH_KERNEL(add_torsion)
+  (nodes,
+   {.stiffness = torsion_,
+    .damping = rule.statics() ? 0.0 : torsion_damping_,
+    .by_lateral = torsion_by_lateral_,
+    .rest = conicity_},
+   at.row(RimRows::kTorsion),
+   u[2],
+   rate.row(RimRows::kTorsion),
+   force.row(RimRows::kY),
+   force.row(RimRows::kTorsion));
 }
 
 /// Along e_r, e_t and a at the knots, then in the rim's axes, then on the nodes.
@@ -178,7 +181,7 @@ void SidewallForces::add_stiffness(const RimRows& at,
     slope[i] = K.scratch(3 + i);
   }
   for (int i = 0; i < 4; ++i) knots[i] = K.scratch(kKnotSlopes + i);
-  to_polar(nodes, angles_, R_, at, u);
+  to_polar(at, R_, u);
   for (int i = 0; i < 3; ++i) find_slopes(i, u[i], rule, slope[i]);
   LATSCH_KERNEL(turn_slopes)(nodes, scale, slope, angles_.sine(), angles_.cosine(), knots);
   for (double* row : knots) {
@@ -215,7 +218,7 @@ void SidewallForces::commit(const RimRows& at, const StepRule& rule) {
   const int nodes = angles_.nodes();
   Travels& u = now_;
   double* const rows[3] = {&u(0, 0), &u(1, 0), &u(2, 0)};
-  to_polar(nodes, angles_, R_, at, rows);
+  to_polar(at, R_, rows);
   if (has_memory_) {
     // Nothing is left of Maxwell's forces at rest.
     if (rule.statics()) memory_.maxwell.setZero();

@@ -89,6 +89,7 @@ class SidewallForces {
     int direction;
     double k, limit;
   };
+  void to_polar(const RimRows& at, double R, double* const polar[3]) const;
   Eigen::Vector3d travel(const NodeValues& q, const RimFrame& rim, int k) const;
   /// Of all elements of one direction along it.
   void find_slopes(int direction, const double* u, const StepRule& rule, double* slope) const;

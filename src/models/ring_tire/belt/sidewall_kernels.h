@@ -7,6 +7,58 @@ namespace latsch::ring_tire::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
 
+/// Along e_r = (s, 0, -c), less R, e_t = (c, 0, s) and a.
+void to_polar(int nodes,
+              const double* x,
+              const double* y,
+              const double* z,
+              const double* sine,
+              const double* cosine,
+              double R,
+              double* const polar[3]) {
+  around(nodes, [&](auto type, int i) {
+    using T = decltype(type);
+    const T at_x = T::load(x + i), at_z = T::load(z + i);
+    const T s = T::load(sine + i), c = T::load(cosine + i);
+    T(at_x * s - at_z * c - R).save(polar[0] + i);
+    T(at_x * c + at_z * s).save(polar[1] + i);
+    T::load(y + i).save(polar[2] + i);
+  });
+}
+void from_polar(int nodes,
+                const double* const polar[3],
+                const double* sine,
+                const double* cosine,
+                double* x,
+                double* y,
+                double* z) {
+  around(nodes, [&](auto type, int i) {
+    using T = decltype(type);
+    const T r = T::load(polar[0] + i), t = T::load(polar[1] + i);
+    const T s = T::load(sine + i), c = T::load(cosine + i);
+    T(r * s + t * c).save(x + i);
+    T::load(polar[2] + i).save(y + i);
+    T(t * s - r * c).save(z + i);
+  });
+}
+
+/// (9); lateral: travel along a.
+void add_torsion(int nodes,
+                 const TorsionSpring& spring,
+                 const double* psi,
+                 const double* lateral,
+                 const double* psi_rate,
+                 double* y,
+                 double* torsion) {
+  around(nodes, [&](auto type, int i) {
+    using T = decltype(type);
+    const T turned = (T::load(psi + i) - spring.by_lateral * T::load(lateral + i)) - spring.rest;
+    const T moment = spring.stiffness * turned;
+    T(T::load(y + i) + spring.by_lateral * moment).save(y + i);
+    T(-(moment + spring.damping * T::load(psi_rate + i))).save(torsion + i);
+  });
+}
+
 void add_multiple(int nodes, double k, const double* u, double* F) {
   around(nodes, [&](auto type, int i) {
     using T = decltype(type);

@@ -11,6 +11,7 @@
 #include "models/ring_tire/belt/belt_curve.h"
 #include "models/ring_tire/description/ring_parameters_testing.h"
 #include "models/ring_tire/ring/motion_slopes_testing.h"
+#include "models/ring_tire/ring/newmark.h"
 #include "models/ring_tire/ring/ring_tire.h"
 #include "models/road/plane_road.h"
 #include "models/road/profile_road.h"
@@ -39,7 +40,7 @@ Wrench road_wrench(const RingTire& tire, const Vector3d& center) {
 /// Rates of momentum and angular momentum, from the accelerations, and the belt's weight.
 Wrench inertia_wrench(const RingParameters& ring, const RingState& state) {
   NodeValues M_a;
-  at_knots_and_back(state.acceleration, M_a);
+  at_knots_and_back(Eigen::Vector4d::Ones(), state.acceleration, M_a);
   M_a *= ring.belt.mass / ring.nodes;
   Wrench sum;
   for (Eigen::Index k = 0; k < M_a.cols(); ++k) {

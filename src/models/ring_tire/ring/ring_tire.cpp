@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "models/ring_tire/ring/newmark.h"
+
 namespace latsch::ring_tire {
 namespace {
 
@@ -105,8 +107,8 @@ void RingTire::evaluate(const NodeValues& q, const NodeValues& v) {
   if (section_.on()) section_.set_forces(tread_.section_forces(section_, q));
 }
 
-double RingTire::left_at_a_node() {
-  double left = residual_.cwiseAbs().maxCoeff();
+double RingTire::left_at_a_node(double of_nodes) {
+  double left = of_nodes;
   if (free_) left = std::max(left, free_->find_left(q1_, inner_, tread_.moment_on_rim()));
   if (!section_.on() || section_.unknowns() == 0) return left;
   return std::max(left, section_.residual().cwiseAbs().maxCoeff());
@@ -148,8 +150,7 @@ CyclicBand RingTire::stiffness() {
 }
 
 void RingTire::times_mass(const NodeValues& a, NodeValues& force) const {
-  at_knots_and_back(a, force);
-  force = mass_.asDiagonal() * force;
+  at_knots_and_back(mass_, a, force);
   imbalance_.add_inertia(a, force);
 }
 
@@ -337,10 +338,7 @@ void RingTire::predict(const WheelMotion& motion, const road::Road& road, double
 }
 
 /// v1_ and a1_ of (16) at q1_.
-void RingTire::follow() {
-  v1_ = v_predicted_ + rule_.velocity * (q1_ - q_predicted_);
-  a1_ = a_ + rule_.acceleration * (q1_ - q_predicted_);
-}
+void RingTire::follow() { ring_tire::follow(rule_, q1_, q_predicted_, v_predicted_, a_, v1_, a1_); }
 
 /// The tangent at q1_, with more mass where that alone would not be definite.
 bool RingTire::renew_tangent() {
@@ -367,10 +365,10 @@ void RingTire::balance() {
 
 /// The step is done.
 void RingTire::accept() {
-  q_ = q1_;
-  v_ = v1_;
-  a_ = a1_;
-  force_ = total_;
+  q_.swap(q1_);
+  v_.swap(v1_);
+  a_.swap(a1_);
+  force_.swap(total_);
   inner_forces_.commit(q_, rim_, rule_);
   tread_.commit();
   if (section_.on()) section_.accept();
@@ -421,8 +419,7 @@ std::string RingTire::solve_step(bool held, double time) {
     follow();
     evaluate(q1_, v1_);
     times_mass(a1_, inertia_);
-    residual_ = (1.0 - theta) * total_ + theta * force_ - inertia_;
-    const double left = left_at_a_node();
+    const double left = left_at_a_node(find_residual(theta, total_, force_, inertia_, residual_));
     if (!std::isfinite(left)) break;
     if (iteration == 0) tolerance *= std::max(1.0, left / kViolent);
     if (left <= tolerance) return {};

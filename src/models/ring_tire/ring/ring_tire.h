@@ -164,7 +164,7 @@ class RingTire final : public Tire {
   /// residual_, and the section's, become Newton's step.
   void solve();
   /// The largest force left, N; on the section's unknowns and a free wheel too.
-  double left_at_a_node();
+  double left_at_a_node(double of_nodes);
   /// Of all together.
   double left_together() const;
   /// B' m B a of belt_curve.h.

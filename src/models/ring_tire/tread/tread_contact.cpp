@@ -105,18 +105,21 @@ bool TreadContact::near_road(const NodeValues& q,
                              double time,
                              double highest,
                              int segment) const {
-  Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (int m = 0; m < 4; ++m) {
-    low = low.cwiseMin(q.col(node(segment, m)).head<3>());
-    high = high.cwiseMax(q.col(node(segment, m)).head<3>());
-  }
-  if (low.z() > rim.center.z()) return false;
+  double lowest = q(2, node(segment, 0));
+  for (int m = 1; m < 4; ++m) lowest = std::min(lowest, q(2, node(segment, m)));
+  if (lowest > rim.center.z()) return false;
   // How far tips stand off the belt: height and half the width, leaning a little more than the rim.
   constexpr double kLean = 0.2;
   const double reach = 1.1 * height_ + half_width_ * (rim.a.cwiseAbs().z() + kLean * 0.25) +
                        (bends_ ? kBent : 0.0) + highest_runout_;
-  const double lowest = low.z() - reach - margin_;
-  return lowest <= highest && lowest <= road.bounds(below(low, high), time).highest;
+  lowest -= reach + margin_;
+  if (lowest > highest) return false;
+  Vector3d low = q.col(node(segment, 0)).head<3>(), high = low;
+  for (int m = 1; m < 4; ++m) {
+    low = low.cwiseMin(q.col(node(segment, m)).head<3>());
+    high = high.cwiseMax(q.col(node(segment, m)).head<3>());
+  }
+  return lowest <= road.bounds(below(low, high), time).highest;
 }
 
 SegmentStations TreadContact::stations_of(std::size_t patch,
