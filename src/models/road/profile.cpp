@@ -24,15 +24,10 @@ Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
   for (const Point& point : points_) reach_ = std::max(reach_, std::abs(point.z));
 }
 
-/// The first point that is not before s. A few are counted sooner than searched.
+/// The first point that is not before s.
 std::vector<Profile::Point>::const_iterator Profile::first_from(double s) const {
-  constexpr std::size_t kFew = 16;
-  if (points_.size() > kFew)
-    return std::lower_bound(
-        points_.begin(), points_.end(), s, [](const Point& p, double at) { return p.s < at; });
-  std::ptrdiff_t before = 0;
-  for (const Point& point : points_) before += point.s < s;
-  return points_.begin() + before;
+  return std::lower_bound(
+      points_.begin(), points_.end(), s, [](const Point& p, double at) { return p.s < at; });
 }
 
 Profile::Value Profile::at(double s) const {
