@@ -78,7 +78,7 @@ LATSCH_INLINE bool eliminate(double* panel, double* border) {
   double inverse[16];
   if (!invert(panel, kRows, inverse)) return false;
   // By registers of L, as they meet the panels they are taken from.
-  Lanes near[4], shifted[4], third[4], of_border[4];
+  Lanes near[4], shifted[4], of_border[4];
   Lanes4 first[4], second[4], lone[4], border_high[4], border_last[4];
   {
     PanelRows A[4];
@@ -93,31 +93,49 @@ LATSCH_INLINE bool eliminate(double* panel, double* border) {
       first[c] = low_half(near[c]);
       second[c] = high_half(near[c]);
       shifted[c] = joined(second[c], lone[c]);
-      third[c] = joined(lone[c], Lanes4(0.0));
       border_high[c] = high_half(of_border[c]);
     }
   }
+  // One register of L after the other, so that AVX2 has enough of them for its columns.
 #pragma GCC unroll 3
   for (int i = 0; i < 3; ++i)
 #pragma GCC unroll 4
     for (int c = 0; c < 4; ++c) {
-      double* const to = panel + (i + 1) * BandPanel::kSize + kRows * c;
+      double* const to = panel + (i + 1) * BandPanel::kSize + kRows * c + kBorder;
       const double* const b = panel + kNext + 4 * i + c;
-      subtract(to, i == 0 ? first : i == 1 ? second : lone, b, kRows);
-      if (i < 2) subtract(to + kNext, i == 0 ? shifted : third, b, kRows);
-      subtract(to + kBorder, of_border, b, kRows);
-      subtract(to + kBorder + 8, border_last, b, kRows);
-    }
-#pragma GCC unroll 3
-  for (int j = 0; j < 3; ++j)
-#pragma GCC unroll 4
-    for (int c = 0; c < 4; ++c) {
-      double* const to = border + kBorderRows * (4 * j + c);
-      const double* const b = panel + kBorder + 4 * j + c;
-      if (j == 0) subtract(to, of_border, b, kRows);
-      if (j == 1) subtract(to + 4, border_high, b, kRows);
+      subtract(to, of_border, b, kRows);
       subtract(to + 8, border_last, b, kRows);
     }
+#pragma GCC unroll 4
+  for (int c = 0; c < 4; ++c) {
+    double* const to = border + kBorderRows * c;
+    const double* const b = panel + kBorder + c;
+    subtract(to, of_border, b, kRows);
+    subtract(to + 8, border_last, b, kRows);
+  }
+#pragma GCC unroll 4
+  for (int c = 0; c < 4; ++c) {
+    double* const to = border + kBorderRows * (4 + c) + 4;
+    const double* const b = panel + kBorder + 4 + c;
+    subtract(to, border_high, b, kRows);
+    subtract(to + 4, border_last, b, kRows);
+    subtract(to + 4 * kBorderRows + 4, border_last, b + 4, kRows);
+  }
+#pragma GCC unroll 4
+  for (int c = 0; c < 4; ++c) {
+    double* const to = panel + BandPanel::kSize + kRows * c;
+    const double* const b = panel + kNext + c;
+    subtract(to, first, b, kRows);
+    subtract(to + kNext, shifted, b, kRows);
+  }
+#pragma GCC unroll 4
+  for (int c = 0; c < 4; ++c) {
+    double* const to = panel + 2 * BandPanel::kSize + kRows * c;
+    const double* const b = panel + kNext + 4 + c;
+    subtract(to, second, b, kRows);
+    subtract(to + kNext, lone, b, kRows);
+    subtract(to + BandPanel::kSize, lone, b + 4, kRows);
+  }
   for (int c = 0; c < 4; ++c) {
     double* const to = panel + kRows * c;
     store(lanes4(inverse + 4 * c), to);
