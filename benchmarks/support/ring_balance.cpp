@@ -11,6 +11,7 @@
 
 #include "models/ring_tire/belt/belt_curve.h"
 #include "models/ring_tire/ring/motion_slopes_testing.h"
+#include "models/ring_tire/ring/newmark.h"
 #include "models/ring_tire/ring/ring_tire.h"
 #include "models/road/profile_road.h"
 #include "ring_kerb.h"
@@ -120,7 +121,7 @@ void momentum_row(Table& table) {
     }
     NodeValues M_a;
     const RingState state = tire.state();
-    at_knots_and_back(state.acceleration, M_a);
+    at_knots_and_back(Eigen::Vector4d::Ones(), state.acceleration, M_a);
     M_a *= ring.belt.mass / ring.nodes;
     for (Eigen::Index k = 0; k < M_a.cols(); ++k) {
       const Vector3d f = M_a.col(k).head<3>();
