@@ -52,6 +52,10 @@ void uneven_forces(const BlockStep& step, const BlockGround& ground) {
   LATSCH_KERNEL(uneven_forces)(step, ground);
 }
 
+void drum_forces(const BlockStep& step, const BlockGround& ground) {
+  LATSCH_KERNEL(drum_forces)(step, ground);
+}
+
 void keep_tips(const BlockSpan& at,
                int lines,
                const BlockResults& results,

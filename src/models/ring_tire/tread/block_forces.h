@@ -123,6 +123,8 @@ void find_entering(const BlockSpan& at, int lines, const double* touches, std::u
 /// Sections are bent where the lines have a rise.
 void level_forces(const BlockStep& step, const LevelGround& ground);
 void uneven_forces(const BlockStep& step, const BlockGround& ground);
+/// Of planes that have no y, nor their velocities.
+void drum_forces(const BlockStep& step, const BlockGround& ground);
 /// In statics, with what friction holds from hold_friction(): standing_blocks.cpp.
 void standing_forces(const BlockStep& step, const BlockGround& ground);
 void hold_friction(const BlockSpan& at,

@@ -139,8 +139,46 @@ struct LevelBlocks {
   }
 };
 
-/// On a plane of its own under each block.
-template <class Rubber>
+/// The plane below each of eight blocks: N and the velocity of its material.
+struct AnyPlane {
+  Lanes3 N, velocity;
+
+  LATSCH_INLINE AnyPlane(const BlockGround& ground, int block)
+      : N(lanes3(ground.N, block)), velocity(lanes3(ground.velocity, block)) {}
+
+  LATSCH_INLINE Lanes height(const Lanes3& v) const { return dot(N, v); }
+  /// v + s N.
+  LATSCH_INLINE Lanes3 raised(const Lanes3& v, const Lanes& s) const {
+    return {v.x + s * N.x, v.y + s * N.y, v.z + s * N.z};
+  }
+  /// v + s times the velocity.
+  LATSCH_INLINE Lanes3 carried(const Lanes3& v, double s) const {
+    return {v.x + s * velocity.x, v.y + s * velocity.y, v.z + s * velocity.z};
+  }
+};
+
+/// The same on a drum, where neither has a y.
+struct DrumPlane {
+  Lanes N_x, N_z, velocity_x, velocity_z;
+
+  LATSCH_INLINE DrumPlane(const BlockGround& ground, int block)
+      : N_x(lanes(ground.N[0] + block)),
+        N_z(lanes(ground.N[2] + block)),
+        velocity_x(lanes(ground.velocity[0] + block)),
+        velocity_z(lanes(ground.velocity[2] + block)) {}
+
+  LATSCH_INLINE Lanes height(const Lanes3& v) const { return N_x * v.x + N_z * v.z; }
+  LATSCH_INLINE Lanes3 raised(const Lanes3& v, const Lanes& s) const {
+    return {v.x + s * N_x, v.y, v.z + s * N_z};
+  }
+  LATSCH_INLINE Lanes3 carried(const Lanes3& v, double s) const {
+    return {v.x + s * velocity_x, v.y, v.z + s * velocity_z};
+  }
+};
+
+/// On a plane of its own under each block. With x the tip where it sticks, e + t_d e' is the part
+/// in the plane of x - T - t_d V: neither x nor V need be in it.
+template <class Rubber, class Plane>
 struct UnevenBlocks {
   Rubber rubber;
   BlockGround ground;
@@ -164,50 +202,51 @@ struct UnevenBlocks {
                              bool entering,
                              int block,
                              Lanes3& moment) const {
-    const Lanes3 N = lanes3(ground.N, block), road = lanes3(ground.velocity, block);
+    const Plane plane(ground, block);
+    const Lanes level = lanes(ground.level + block);
     const Lanes3 T = at_line(s.place, H, y);
-    Lanes3 V = at_line(s.rate, H, y);
-    V = {V.x - road.x, V.y - road.y, V.z - road.z};
-    const Lanes depth = lanes(ground.level + block) - dot(N, T), rate = -dot(N, V);
-    const Touch touch = rubber.touch(depth, -dot(N, half));
+    const Lanes depth = level - plane.height(T);
+    const Touch touch = rubber.touch(depth, -plane.height(half));
     if (!any(touch.share > 0.0)) return leave_off<3>(results, before, block);
-    const Lanes Fn = push(law, touch, rate);
-    const Lanes3 tip = lanes3(before.tip, block);
-    Lanes3 e = {tip.x + law.step * road.x - T.x,
-                tip.y + law.step * road.y - T.y,
-                tip.z + law.step * road.z - T.z};
+    const Lanes3 V = plane.carried(at_line(s.rate, H, y), -1.0);
+    const Lanes rate = -plane.height(V), Fn = push(law, touch, rate);
+    Lanes3 tip = plane.carried(lanes3(before.tip, block), law.step);
     if (entering) {
       const Lanes touched = lanes(before.touches + block), old = kept(touch, touched);
-      const Lanes fresh = (old - 1.0) * since_touch(law, touch, rate, touched);
-      e = {old * e.x + fresh * V.x, old * e.y + fresh * V.y, old * e.z + fresh * V.z};
+      const Lanes since = since_touch(law, touch, rate, touched);
+      const Lanes3 fresh = {T.x - V.x * since, T.y - V.y * since, T.z - V.z * since};
+      tip = {fresh.x + old * (tip.x - fresh.x),
+             fresh.y + old * (tip.y - fresh.y),
+             fresh.z + old * (tip.z - fresh.z)};
     }
-    const Lanes across = dot(N, e);
-    e = {e.x - N.x * across, e.y - N.y * across, e.z - N.z * across};
-    const Lanes stick = law.tangential * touch.share;
     const double td = law.damping_time;
-    Lanes3 F = {stick * (e.x - td * (V.x + N.x * rate)),  // (12)
-                stick * (e.y - td * (V.y + N.y * rate)),
-                stick * (e.z - td * (V.z + N.z * rate))};
+    Lanes3 F = {tip.x - T.x - td * V.x, tip.y - T.y - td * V.y, tip.z - T.z - td * V.z};
+    F = plane.raised(F, -plane.height(F));
+    const Lanes stick = law.tangential * touch.share;
+    F = {stick * F.x, stick * F.y, stick * F.z};  // (12)
+    tip = plane.raised(tip, level - plane.height(tip));
     Grip grip;
     Lanes gripped = all(1.0);
     if (slides(law, dot(F, F), Fn, touch.share, lanes(ground.friction + block), grip)) {
-      e = {e.x - grip.slip * F.x, e.y - grip.slip * F.y, e.z - grip.slip * F.z};
+      tip = {tip.x - grip.slip * F.x, tip.y - grip.slip * F.y, tip.z - grip.slip * F.z};
       F = {F.x * grip.share, F.y * grip.share, F.z * grip.share};
       gripped = grip.share;
     }
     store3(F, results.F, block);
     store(Fn, results.Fn + block);
     store(gripped, results.gripped + block);
-    store3({T.x + depth * N.x + e.x, T.y + depth * N.y + e.y, T.z + depth * N.z + e.z},
-           results.tip,
-           block);
+    store3(tip, results.tip, block);
     store(touch.share, results.share + block);
     rubber.keep(touch, results, block);
-    const Lanes push = law.normal * touch.moment;
-    moment = {moment.x + push * N.x, moment.y + push * N.y, moment.z + push * N.z};
-    return {F.x + Fn * N.x, F.y + Fn * N.y, F.z + Fn * N.z};
+    moment = plane.raised(moment, law.normal * touch.moment);
+    return plane.raised(F, Fn);
   }
 };
+
+template <class Rubber>
+using BlocksOnPlanes = UnevenBlocks<Rubber, AnyPlane>;
+template <class Rubber>
+using BlocksOnDrum = UnevenBlocks<Rubber, DrumPlane>;
 
 /// What a sliding block's stiffness in the plane lacks along its force, per force squared.
 LATSCH_INLINE Lanes along_slip(const Lanes& plane, const Lanes& gripped, const Lanes& F2) {
@@ -268,7 +307,11 @@ void level_forces(const BlockStep& step, const LevelGround& ground) {
 }
 
 void uneven_forces(const BlockStep& step, const BlockGround& ground) {
-  add_block_forces<UnevenBlocks>(step, ground);
+  add_block_forces<BlocksOnPlanes>(step, ground);
+}
+
+void drum_forces(const BlockStep& step, const BlockGround& ground) {
+  add_block_forces<BlocksOnDrum>(step, ground);
 }
 
 void lowest_tips(const double* columns, const BlockLines& of, int stride, double* z) {

@@ -146,8 +146,12 @@ SegmentStations TreadContact::stations_of(std::size_t patch,
 
 void TreadContact::add_patch(const NodeValues& q, int segment) {
   const std::size_t patch = patches_.size();
-  patches_.push_back(
-      {.segment = segment, .begin = 0, .end = stride_, .level = false, .ground = {}});
+  patches_.push_back({.segment = segment,
+                      .begin = 0,
+                      .end = stride_,
+                      .level = false,
+                      .drum = false,
+                      .ground = {}});
   const std::size_t columns = patches_.size() * kColumns * lines_ * stride_;
   if (memory_.size() < columns) memory_.resize(columns);
   const std::size_t frames = patches_.size() * kFrameColumns * stride_;
@@ -256,6 +260,7 @@ void TreadContact::find_level_blocks(Patch& patch, const road::GroundPoint& grou
 
 /// The plane that a block's cell sees on a drum: the tangent, at the mean height over the cell.
 void TreadContact::find_blocks_on_drum(Patch& patch, const road::Cylinder& drum) {
+  patch.drum = true;
   const BlockLines own = lines(patch.segment);
   double* gap = at_stations(kStationColumns - 1);
   gaps_to_drum(at_stations(kP), own, stride_, drum, gap);
@@ -420,6 +425,8 @@ void TreadContact::add_patch_force(std::size_t patch, const BlockStep& step) {
     standing_forces(step, ground(patch));
   else if (patches_[patch].level)
     level_forces(step, patches_[patch].ground);
+  else if (patches_[patch].drum)
+    drum_forces(step, ground(patch));
   else
     uneven_forces(step, ground(patch));
 }

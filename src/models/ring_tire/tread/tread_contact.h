@@ -142,6 +142,7 @@ class TreadContact {
   struct Patch {
     int segment, begin, end;
     bool level;          // one plane z = height under all of it, else one under each block
+    bool drum;           // these are those of a drum
     LevelGround ground;  // where it is level
   };
   /// One a block of a patch: results, ground.
