@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "models/ring_tire/ring/ring_tire.h"
+#include "models/ring_tire/ring/wheel_motions.h"
 
 namespace latsch::ring_tire {
 
@@ -111,8 +112,7 @@ void FreeRows::accept(const NodeValues& q, const NodeValues& inner, const Vector
 Result<HubForces> RingTire::advance_free(
     WheelMotion& motion, FreeWheel& wheel, const road::Road& road, double time, double step) {
   assert(settled_);
-  if (!(step > 0.0)) return Failure{"a step of the ring needs a time above 0"};
-  if (const std::string why = trouble_with(motion, step); !why.empty()) return Failure{why};
+  if (const std::string why = trouble_with_step(motion, step); !why.empty()) return Failure{why};
   struct WhileFree {
     FreeRows*& of;
     ~WhileFree() { of = nullptr; }

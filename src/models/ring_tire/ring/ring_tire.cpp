@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "models/ring_tire/ring/newmark.h"
+#include "models/ring_tire/ring/wheel_motions.h"
 
 namespace latsch::ring_tire {
 namespace {
@@ -20,14 +21,6 @@ Eigen::Vector4d mass_of_node(const RingParameters& p) {
   const double J = p.belt.torsion_inertia * 2.0 * std::numbers::pi * p.belt.radius / p.nodes;
   assert(m > 0.0 && J > 0.0);
   return {m, m, m, J};
-}
-
-/// Empty, or why the ring cannot take a step.
-std::string trouble_with_step(const WheelMotion& motion, double step) {
-  constexpr double kLongest = 1000.0;  // s
-  if (!(step > 0.0 && step <= kLongest))
-    return fmt::format("a step of the ring needs a time above 0 and up to {} s", kLongest);
-  return trouble_with(motion, step);
 }
 
 constexpr double kSlow = 0.2;  // a tangent that reduces what is left by less is renewed

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/ring_tire/ring/wheel_motions.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 
 namespace latsch::ring_tire {
@@ -43,6 +45,13 @@ double difference_step(int column, double step) {
       (column >= kByRotation && column < kByVelocity) || column >= kByAngularVelocity;
   const bool rate = (column >= kByVelocity && column < kBySpin) || column == kBySpinRate;
   return kPlace / (turns ? kRadius : 1.0) / (rate ? step : 1.0);
+}
+
+std::string trouble_with_step(const WheelMotion& motion, double step) {
+  constexpr double kLongest = 1000.0;  // s
+  if (!(step > 0.0 && step <= kLongest))
+    return fmt::format("a step of the ring needs a time above 0 and up to {} s", kLongest);
+  return trouble_with(motion, step);
 }
 
 }  // namespace latsch::ring_tire

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 
 #include "models/tire/tire.h"
 
@@ -31,5 +32,8 @@ double difference_step(int column, double step);
 
 /// d(hub force, then moment, in C)/d(motion), N and N m per unit of the column.
 using HubSlopes = Eigen::Matrix<double, 6, kMotionColumns>;
+
+/// Empty, or why the ring cannot take a step of that length, s, to `motion`.
+std::string trouble_with_step(const WheelMotion& motion, double step);
 
 }  // namespace latsch::ring_tire
