@@ -26,7 +26,7 @@ BELOW = {
 ROOMS = {
     "numerics": ["kernels", "dense", "sparse", "signals"],
     "models/fe_tire": ["element", "description", "ring"],
-    "models/ring_tire": ["description", "belt", "tread", "ring"],
+    "models/ring_tire": ["description", "belt", "tread", "step", "ring"],
     "optimization": ["problem", "region", "direct_search", "least_squares", "trust_region", "sqp", "design", "strategy",
                      "identifiability"],
     "formats": ["text", "tables", "tire", "road", "mesh"],

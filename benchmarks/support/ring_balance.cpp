@@ -11,8 +11,8 @@
 
 #include "models/ring_tire/belt/belt_curve.h"
 #include "models/ring_tire/ring/motion_slopes_testing.h"
-#include "models/ring_tire/ring/newmark.h"
 #include "models/ring_tire/ring/ring_tire.h"
+#include "models/ring_tire/step/newmark.h"
 #include "models/road/profile_road.h"
 #include "ring_kerb.h"
 

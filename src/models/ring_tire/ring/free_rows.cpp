@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "models/ring_tire/ring/ring_tire.h"
-#include "models/ring_tire/ring/wheel_motions.h"
+#include "models/ring_tire/step/wheel_motions.h"
 
 namespace latsch::ring_tire {
 

@@ -19,7 +19,7 @@
 #include "models/ring_tire/belt/sidewall.h"
 #include "models/ring_tire/ring/exact_tangent.h"
 #include "models/ring_tire/ring/ring_state.h"
-#include "models/ring_tire/ring/wheel_motions.h"
+#include "models/ring_tire/step/wheel_motions.h"
 
 namespace latsch::ring_tire {
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "models/ring_tire/ring/newmark.h"
-#include "models/ring_tire/ring/wheel_motions.h"
+#include "models/ring_tire/step/newmark.h"
+#include "models/ring_tire/step/wheel_motions.h"
 
 namespace latsch::ring_tire {
 namespace {

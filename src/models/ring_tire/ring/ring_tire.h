@@ -30,9 +30,9 @@
 #include "models/ring_tire/ring/free_rows.h"
 #include "models/ring_tire/ring/imbalance.h"
 #include "models/ring_tire/ring/motion_slopes.h"
-#include "models/ring_tire/ring/repeated_correction.h"
 #include "models/ring_tire/ring/ring_state.h"
-#include "models/ring_tire/ring/tangent_reuse.h"
+#include "models/ring_tire/step/repeated_correction.h"
+#include "models/ring_tire/step/tangent_reuse.h"
 #include "models/ring_tire/tread/tread_contact.h"
 #include "models/tire/tire.h"
 

@@ -29,8 +29,7 @@ FrictionLaw::FrictionLaw(const TreadFriction& friction) {
   table_.speed[1] = friction.maximum_speed;
   table_.speed[2] = friction.sliding_speed;
   table_.speed[3] = friction.blocking_speed;
-  for (int i = 0; i < 3; ++i)
-    table_.over_range[i] = 1.0 / (table_.speed[i + 1] - table_.speed[i]);
+  for (int i = 0; i < 3; ++i) table_.over_range[i] = 1.0 / (table_.speed[i + 1] - table_.speed[i]);
 }
 
 double FrictionLaw::mu(double v, double p) const {

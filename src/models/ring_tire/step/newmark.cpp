@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/ring_tire/ring/newmark.h"
+#include "models/ring_tire/step/newmark.h"
 
-#define LATSCH_KERNELS_IN "models/ring_tire/ring/newmark_kernels.h"
+#define LATSCH_KERNELS_IN "models/ring_tire/step/newmark_kernels.h"
 #include "numerics/kernels/for_each_kernel_set.h"
 
 namespace latsch::ring_tire {

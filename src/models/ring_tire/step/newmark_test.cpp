@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/ring_tire/ring/newmark.h"
+#include "models/ring_tire/step/newmark.h"
 
 #include <gtest/gtest.h>
 

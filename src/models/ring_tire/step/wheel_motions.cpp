@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/ring_tire/ring/wheel_motions.h"
+#include "models/ring_tire/step/wheel_motions.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/ring_tire/ring/tangent_reuse.h"
+#include "models/ring_tire/step/tangent_reuse.h"
 
 #include <gtest/gtest.h>
 
