@@ -101,7 +101,7 @@ TEST_P(EveryTire, TheDrumIsOfOrderTwo) {
                 .duration = 0.1,
                 .lead = 0.03,
                 .sample_step = 1e-3,
-                .cleat = DrumCleat{.height = 0.01, .length = 0.02, .bevel = 0.003}};
+                .cleat = Cleat{.height = 0.01, .length = 0.02, .bevel = 0.003}};
   if (has_point_contact()) {
     test.cleat.reset();
     test.run_in = 0.0;

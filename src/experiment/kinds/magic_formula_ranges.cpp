@@ -6,12 +6,12 @@
 namespace latsch::experiment {
 namespace {
 
-struct Range {
+struct NamedRange {
   std::string_view name;
   double lower, upper;
 };
 
-constexpr Range kRanges[] = {
+constexpr NamedRange kRanges[] = {
     // Fx
     {"PCX1", 1.0, 2.2},
     {"PDX1", 0.5, 4.0},
@@ -134,9 +134,10 @@ constexpr Range kRanges[] = {
 }  // namespace
 
 std::optional<UsualRange> usual_range_of(std::string_view coefficient) {
-  const auto found = std::find_if(std::begin(kRanges), std::end(kRanges), [&](const Range& range) {
-    return range.name == coefficient;
-  });
+  const auto found =
+      std::find_if(std::begin(kRanges), std::end(kRanges), [&](const NamedRange& range) {
+        return range.name == coefficient;
+      });
   if (found == std::end(kRanges)) return std::nullopt;
   return UsualRange{found->lower, found->upper};
 }

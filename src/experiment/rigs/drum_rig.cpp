@@ -22,7 +22,7 @@ road::DrumRoad drum_of(const DrumTest& test) {
   settings.diameter = test.diameter;
   settings.surface = test.speed;
   if (test.cleat) {
-    const DrumCleat& cleat = *test.cleat;
+    const Cleat& cleat = *test.cleat;
     // Below the axle at time 0; before, as far away as the surface has still to run.
     settings.cleats = {{.profile = road::cleat_profile(cleat.height, cleat.length, cleat.bevel),
                         .starting_angle = 0.0,
@@ -157,21 +157,15 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured) {
   const double ratio = test.sample_step / test.step;
   if (std::abs(ratio - std::round(ratio)) > 1e-6 || ratio < 0.5)
     root.reject("sample_step", "is no multiple of step");
-  if (const auto table = root.find_table("cleat")) {
-    DrumCleat cleat;
-    cleat.height = table->quantity("height", "m", {0.0, 0.2, true});
-    cleat.length = table->quantity("length", "m", {0.0, 1.0, true});
-    cleat.bevel = table->quantity("bevel", "m", Range::between(0.0, 0.5 * cleat.length), 0.0);
-    cleat.angle = table->quantity("angle", "rad", Range::between(-1.4, 1.4), 0.0);
-    test.cleat = cleat;
-    if (test.duration <= test.lead)
-      root.reject(root.has("duration") ? "duration" : "lead",
-                  fmt::format("ends the record before the cleat is below the axle: {:g} s are "
-                              "recorded, {:g} s of them ahead of it; make duration longer or lead "
-                              "shorter",
-                              test.duration,
-                              test.lead));
-  }
+  constexpr double kWidest = 1.4;  // rad: beyond it the bar runs along the drum
+  test.cleat = read_cleat(root, kWidest);
+  if (test.cleat && test.duration <= test.lead)
+    root.reject(root.has("duration") ? "duration" : "lead",
+                fmt::format("ends the record before the cleat is below the axle: {:g} s are "
+                            "recorded, {:g} s of them ahead of it; make duration longer or lead "
+                            "shorter",
+                            test.duration,
+                            test.lead));
   root.close();
   return test;
 }

@@ -24,7 +24,7 @@
 //   [cleat]                          # none: a smooth drum
 //   height = "15 mm"
 //   length = "30 mm"
-//   bevel = "5 mm"                   # default 0
+//   bevel = "5 mm"                   # of its upper edges, default 0
 //   angle = "30 deg"                 # against the axle, default 0
 //
 // Channels: "time" (0 when the cleat is below the axle), hub forces "Fx" .. "Mz" in that frame,
@@ -37,17 +37,13 @@
 
 #include "base/document.h"
 #include "base/result.h"
+#include "experiment/rigs/cleat.h"
 #include "experiment/rigs/hub_frame.h"
 #include "experiment/rigs/measured_conditions.h"
 #include "measurement/channels.h"
 #include "models/tire/tire.h"
 
 namespace latsch::experiment {
-
-struct DrumCleat {
-  double height = 0.0, length = 0.0, bevel = 0.0;  // m
-  double angle = 0.0;                              // rad
-};
 
 struct DrumTest {
   double speed = 0.0;                     // m/s
@@ -57,7 +53,7 @@ struct DrumTest {
   double diameter = 2.0;                  // m
   double wheel_inertia = 1.0;             // kg m^2
   double run_in = 0.2, duration = 0.25, lead = 0.05, step = 5e-4, sample_step = 5e-4;  // s
-  std::optional<DrumCleat> cleat = {};
+  std::optional<Cleat> cleat = {};
   int passages = 1;
   double wheel_step = 0.0, wheel_start = 0.0;  // rad
   std::vector<AxisFrame> frames = {AxisFrame::C};

@@ -27,7 +27,7 @@ DrumTest quick_test() {
           .run_in = 0.12,
           .duration = 0.2,
           .lead = 0.05,
-          .cleat = DrumCleat{.height = 0.01, .length = 0.02, .bevel = 0.003}};
+          .cleat = Cleat{.height = 0.01, .length = 0.02, .bevel = 0.003}};
 }
 
 TEST(DrumTest, AFreeWheelRollsUnderItsLoadAndFeelsTheCleatWhenItIsBelow) {

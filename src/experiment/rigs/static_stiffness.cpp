@@ -6,6 +6,7 @@
 
 #include "experiment/rigs/drum_rig.h"
 #include "models/road/plane_road.h"
+#include "models/road/profile_road.h"
 
 namespace latsch::experiment {
 namespace {
@@ -47,10 +48,15 @@ double reaction(const WheelMotion& motion, const HubForces& hub, Direction direc
 
 }  // namespace
 
-Result<double> load_at(Tire& tire, double deflection) {
-  const auto hub = tire.settle(standing(tire.free_radius() - deflection), road::PlaneRoad(), 0.0);
-  if (!hub) return hub.failure();
-  return hub->force.z();
+Result<double> load_at(Tire& tire, double deflection, const std::optional<Cleat>& cleat) {
+  const auto on = [&](const road::Road& ground) -> Result<double> {
+    const double height = ground.height(0.0, 0.0, 0.0) + tire.free_radius() - deflection;
+    const auto hub = tire.settle(standing(height), ground, 0.0);
+    if (!hub) return hub.failure();
+    return hub->force.z();
+  };
+  if (!cleat) return on(road::PlaneRoad());
+  return on(road::cleat_road(0.0, cleat->height, cleat->length, cleat->bevel, cleat->angle));
 }
 
 Result<double> stiffness(Tire& tire, const StiffnessTest& test) {

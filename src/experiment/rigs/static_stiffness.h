@@ -1,18 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
-// Standing tire on flat ground: force over deflection, and stiffness along, across and about the
-// vertical under a load. Of any tire.
+// Standing tire: force over deflection, on flat ground or on a cleat below its middle; stiffness
+// along, across and about the vertical under a load on flat ground. Of any tire.
+//
+//   kind = "static_stiffness"
+//   deflections = ["10 mm", "20 mm"] # channels "deflection" and "force"; as they were measured:
+//                                    # {from = "measurement.pressed"}
+//   load = "4 kN"                    # in its place: under the load, a channel of one value for;
+//                                    # {from = "measurement.pulled"}: the mean of its Fz
+//   directions = ["vertical", "longitudinal", "lateral", "torsional"]  # default: all
+//   travel = "1 mm"                  # over which a stiffness is taken, this unless given
+//   twist = "1 mrad"                 # and the torsional one, 0.001 rad unless given
+//   [cleat]                          # on which deflections are pressed; none: flat ground
+//   height = "20 mm"
+//   length = "50 mm"
+//   bevel = "5 mm"                   # of its upper edges, default 0
+//   angle = "90 deg"                 # against the axle, default 0: across the tread
 //
 // The axle is moved slowly from where the tire stands and held; the stiffness is the change of the
 // hub's force over the way, with the friction of the patch in it.
 #pragma once
 
+#include <optional>
+
 #include "base/result.h"
+#include "experiment/rigs/cleat.h"
 #include "models/tire/tire.h"
 
 namespace latsch::experiment {
 
-/// N, vertical force at a deflection from first touch, m.
-Result<double> load_at(Tire& tire, double deflection);
+/// N, vertical force at a deflection, m: how deep the free tire would stand in the ground below its
+/// middle, which is the top of the cleat where there is one.
+Result<double> load_at(Tire& tire, double deflection, const std::optional<Cleat>& cleat = {});
 
 enum class Direction { vertical, longitudinal, lateral, torsional };
 

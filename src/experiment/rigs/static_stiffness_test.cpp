@@ -13,7 +13,8 @@ namespace latsch::experiment {
 namespace {
 
 ring_tire::RingTire example_tire() {
-  const auto file = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/ring_tires/passenger_205_55R16.toml";
+  const auto file =
+      std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/ring_tires/passenger_205_55R16.toml";
   return ring_tire::RingTire(ring_tire::read_ring_tire(Document::read(file).root()));
 }
 
@@ -36,6 +37,42 @@ TEST(StaticStiffness, IsThatOfSidewallAndTreadInSeries) {
   EXPECT_GT(down, 1e5);
   EXPECT_LT(down, 4e5);
   EXPECT_GT(in(Direction::torsional), 500.0);
+}
+
+double load_on(ring_tire::RingTire& tire, double deflection, const std::optional<Cleat>& cleat) {
+  const auto load = load_at(tire, deflection, cleat);
+  EXPECT_TRUE(load) << load.failure().reason;
+  return load ? *load : 0.0;
+}
+
+// A cleat that is longer than the patch and wider than the tread is ground that stands higher.
+TEST(StaticStiffness, OnACleatAllAroundIsThatOnTheGround) {
+  ring_tire::RingTire tire = example_tire();
+  const double flat = load_on(tire, 0.02, {});
+  for (const double angle : {0.0, 0.5, M_PI / 2.0}) {
+    const Cleat plateau{.height = 0.02, .length = 1.5, .angle = angle};
+    EXPECT_NEAR(load_on(tire, 0.02, plateau), flat, 1e-3 * flat) << angle;
+  }
+}
+
+// Where it is low the ground beside carries too.
+TEST(StaticStiffness, FallsWithTheCleatThatCarries) {
+  ring_tire::RingParameters ring = example_tire().parameters();
+  ring.tread.lines = 24;  // a bar along the road is felt by the lines that meet it
+  ring_tire::RingTire tire(ring);
+  const double flat = load_on(tire, 0.02, {});
+  for (const double angle : {0.0, M_PI / 2.0}) {
+    double last = flat;
+    for (const double length : {0.1, 0.05, 0.02}) {
+      const double load =
+          load_on(tire, 0.02, Cleat{.height = 0.03, .length = length, .angle = angle});
+      EXPECT_LT(load, last) << length << " m at " << angle;
+      last = load;
+    }
+    EXPECT_GT(last, 0.0);
+    const Cleat low{.height = 1e-5, .length = 0.05, .angle = angle};
+    EXPECT_NEAR(load_on(tire, 0.02, low), flat, 5e-3 * flat) << angle;
+  }
 }
 
 }  // namespace

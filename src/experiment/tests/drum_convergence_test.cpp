@@ -24,7 +24,7 @@ DrumTest test_with(double step) {
           .lead = 0.04,
           .step = step,
           .sample_step = 1e-3,
-          .cleat = DrumCleat{.height = 0.01, .length = 0.02, .bevel = 0.003}};
+          .cleat = Cleat{.height = 0.01, .length = 0.02, .bevel = 0.003}};
 }
 
 // Tire and wheel are integrated with order 2, and over a cleat still: half the step changes a

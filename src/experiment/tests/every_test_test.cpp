@@ -120,6 +120,14 @@ TEST_F(EveryTest, AStandingTireHasTheStiffnessOfItsFile) {
   ASSERT_TRUE(curve) << curve.failure().reason;
   // Q_FZ2 = 0: a straight line.
   EXPECT_NEAR((*curve)["force"][1], 190000.0 * 0.02, 1.0);
+  // It touches the road in one point: on a cleat as beside it.
+  const auto on_cleat = language().run(
+      kind,
+      kind.read(tir),
+      *test("kind = \"static_stiffness\"\ndeflections = [\"10 mm\", \"20 mm\"]\n"
+            "[cleat]\nheight = \"20 mm\"\nlength = \"50 mm\"\nangle = \"90 deg\"\n"));
+  ASSERT_TRUE(on_cleat) << on_cleat.failure().reason;
+  EXPECT_NEAR((*on_cleat)["force"][1], (*curve)["force"][1], 1e-6);
   const auto under_load = language().run(
       kind,
       kind.read(tir),
@@ -323,6 +331,12 @@ TEST_F(EveryTest, ComplaintsSayWhatIsExpected) {
   EXPECT_NE(complaint(drum + "speed = \"3000 km/h\"\n").find("at most 720 km/h"),
             std::string::npos);
   EXPECT_NE(complaint("kind = \"static_stiffness\"\n").find("one of the two"), std::string::npos);
+  EXPECT_NE(complaint("kind = \"static_stiffness\"\nload = \"4 kN\"\n" + cleat).find("flat ground"),
+            std::string::npos);
+  EXPECT_NE(complaint("kind = \"static_stiffness\"\ndeflections = [\"20 mm\"]\n" + cleat +
+                      "bevel = \"11 mm\"\n")
+                .find("bevel"),
+            std::string::npos);
 }
 
 TEST_F(EveryTest, AFileThatDoesNotSayItsKindIsToldHow) {

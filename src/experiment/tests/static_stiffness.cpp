@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// kind = "static_stiffness" (rigs/static_stiffness.h): force over deflection and stiffnesses of a
-// tire that stands.
-//
-//   kind = "static_stiffness"
-//   deflections = ["10 mm", "20 mm"] # channels "deflection" and "force"; as they were measured:
-//                                    # {from = "measurement.pressed"}
-//   load = "4 kN"                    # in its place: under the load, a channel of one value for;
-//                                    # {from = "measurement.pulled"}: the mean of its Fz
-//   directions = ["vertical", "longitudinal", "lateral", "torsional"]  # default: all
-//   travel = "1 mm"                  # over which a stiffness is taken, this unless given
-//   twist = "1 mrad"                 # and the torsional one, 0.001 rad unless given
+// kind = "static_stiffness": its keys are those of rigs/static_stiffness.h.
 #include "experiment/rigs/static_stiffness.h"
 
 #include <fmt/format.h>
@@ -17,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "base/text.h"
 #include "experiment/language/capabilities.h"
@@ -33,8 +24,9 @@ constexpr std::array<const char*, 4> kDirections = {
 constexpr double kWay = 1e-3;  // m or rad: the patch hardly slides
 
 struct StaticTest {
-  std::vector<double> deflections;  // m
-  double load = 0.0;                // N
+  std::vector<double> deflections;  // m, on the cleat
+  std::optional<Cleat> cleat = {};
+  double load = 0.0;  // N
   std::vector<Direction> directions;
   double travel = kWay, twist = kWay;  // m, rad
 };
@@ -44,7 +36,7 @@ Result<Channels> stand(Tire& tire, const StaticTest& test) {
   if (!test.deflections.empty()) {
     Channel deflection{"deflection", "m", test.deflections}, force{"force", "N", {}};
     for (const double d : test.deflections) {
-      const auto load = load_at(tire, d);
+      const auto load = load_at(tire, d, test.cleat);
       if (!load) return load.failure();
       force.values.push_back(*load);
     }
@@ -73,6 +65,11 @@ class StaticStiffnessTest : public Test {
     const StaticTest& test = test_;
     std::string text = "standing tire";
     if (!test.deflections.empty()) text += fmt::format(", {} deflections", test.deflections.size());
+    if (test.cleat)
+      text += fmt::format(" on a cleat {:.3g} mm x {:.3g} mm at {:.3g} deg",
+                          test.cleat->height * 1e3,
+                          test.cleat->length * 1e3,
+                          test.cleat->angle * 180.0 / std::numbers::pi);
     for (const Direction direction : test.directions)
       text += fmt::format(", {}", kDirections[static_cast<int>(direction)]);
     return test.directions.empty() ? text : text + fmt::format(" at {:.4g} N", test.load);
@@ -85,8 +82,12 @@ class StaticStiffnessTest : public Test {
     const auto stated = [](const char* name, double way) {
       return way == kWay ? "" : fmt::format(" {} {}", name, way);
     };
-    return fmt::format("static_stiffness deflections {} load {} directions {}{}{}",
+    std::string on;
+    if (const auto& c = test_.cleat)
+      on = fmt::format(" cleat {} {} {} {}", c->height, c->length, c->bevel, c->angle);
+    return fmt::format("static_stiffness deflections {}{} load {} directions {}{}{}",
                        fmt::join(test_.deflections, " "),
+                       on,
                        test_.load,
                        fmt::join(directions, " "),
                        stated("travel", test_.travel),
@@ -144,6 +145,10 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
   test.twist = root.quantity("twist", "rad", Range::positive(), test.twist);
   if (test.deflections.empty() == test.directions.empty())
     root.reject("deflections", "or load with directions has to be there, one of the two");
+  constexpr double kAlong = 0.5 * std::numbers::pi;  // a bar as the road runs
+  test.cleat = read_cleat(root, kAlong);
+  if (test.cleat && test.deflections.empty())
+    root.reject("cleat", "is for deflections: stiffnesses under a load are those on flat ground");
   return std::make_unique<StaticStiffnessTest>(std::move(test));
 }
 

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// A bar that a tire rolls over or stands on.
+//
+//   [cleat]
+//   height = "15 mm"
+//   length = "30 mm"                 # along the road where angle is 0
+//   bevel = "5 mm"                   # of its upper edges, default 0
+//   angle = "30 deg"                 # against the axle, default 0
+#pragma once
+
+#include <optional>
+
+#include "base/document.h"
+
+namespace latsch::experiment {
+
+struct Cleat {
+  double height = 0.0, length = 0.0, bevel = 0.0;  // m
+  double angle = 0.0;                              // rad
+};
+
+/// None where the test has none; `widest`: the largest angle, rad. InputError.
+std::optional<Cleat> read_cleat(const Node& test, double widest);
+
+}  // namespace latsch::experiment
