@@ -104,8 +104,7 @@ std::string line_plot(const LinePlot& plot) {
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const PlotLine& line = lines[k];
     draw_spread(svg, x, y, line);
-    const auto stroke =
-        fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"", category(line.color));
+    const auto stroke = fmt::format("stroke=\"{}\" stroke-width=\"1.6\"", category(line.color));
     const auto points = points_of(x, y, line.x, line.y);
     if (line.are_dots) {
       const auto fill = fmt::format("fill=\"{}\"", category(line.color));

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
+#include <set>
+#include <string>
 
 namespace latsch::report {
 namespace {
@@ -33,6 +36,18 @@ TEST(LinePlot, LeavesOutWhatIsNotFiniteOrHasNoLogarithm) {
   EXPECT_NE(svg.find("&lt;a&gt;"), std::string::npos);
   plot.lines[0].y = {0.0, -1.0, 0.0, 0.0};
   EXPECT_EQ(line_plot(plot), "");  // nothing to draw
+}
+
+// Cut out of the page a picture is a file of XML, where no name may stand twice in a tag.
+TEST(LinePlot, NamesNoAttributeTwice) {
+  const std::string svg = line_plot({"two", "x", "y", {{"a", {1, 2}, {1, 2}, 0, {}}}, false});
+  const std::regex tag("<[^>]*>"), name("([a-z-]+)=\"");
+  for (std::sregex_iterator at(svg.begin(), svg.end(), tag), end; at != end; ++at) {
+    const std::string text = at->str();
+    std::set<std::string> names;
+    for (std::sregex_iterator own(text.begin(), text.end(), name); own != end; ++own)
+      EXPECT_TRUE(names.insert((*own)[1]).second) << text;
+  }
 }
 
 }  // namespace

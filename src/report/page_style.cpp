@@ -112,7 +112,7 @@ figure { margin: 12px 0 4px; }
 figcaption { font-size: 13.5px; color: var(--soft); margin-top: 4px; max-width: 78ch; }
 figure > b { font-size: 14.5px; font-weight: 650; }
 figure > b span { color: var(--soft); font-weight: 400; }
-svg { display: block; max-width: 100%; height: auto; }
+svg { display: block; max-width: 100%; height: auto; overflow: visible; }
 svg text { font-size: 12px; fill: var(--ink); }
 svg .note { fill: var(--soft); }
 svg .title { fill: var(--soft); font-size: 12.5px; }
