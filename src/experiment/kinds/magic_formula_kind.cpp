@@ -23,8 +23,10 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates {
  public:
   explicit MagicFormulaSpecimen(const Document& numbers) : parameters_(parameters_of(numbers)) {}
 
-  std::unique_ptr<Tire> tire() const override {
-    return std::make_unique<magic_formula::MagicFormulaTire>(parameters_);
+  std::unique_ptr<Tire> tire(const Inflation& pressure) const override {
+    magic_formula::MagicFormulaTireSettings settings;
+    settings.pressure = pressure.value_or(settings.pressure);
+    return std::make_unique<magic_formula::MagicFormulaTire>(parameters_, settings);
   }
   Channels steady(const formats::CsvTable& table, const Conventions& conventions) const override {
     return answers(MagicFormula(parameters_, conventions), slip_states(table, parameters_).states);
@@ -98,7 +100,7 @@ class MagicFormulaKind : public SpecimenKind {
                                   std::unique_ptr<Specimen>) const override {
     return std::make_unique<MagicFormulaSpecimen>(numbers);
   }
-  void check(const Document& numbers) const override { MagicFormulaSpecimen(numbers).tire(); }
+  void check(const Document& numbers) const override { MagicFormulaSpecimen(numbers).tire({}); }
   bool knows_slopes_in(const std::string& path) const override {
     return magic_formula::find_parameter(path) != nullptr;
   }

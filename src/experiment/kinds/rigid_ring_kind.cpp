@@ -12,8 +12,10 @@ class RigidRingSpecimen : public RollingSpecimen {
   explicit RigidRingSpecimen(const Document& numbers)
       : parameters_(parameters_of(numbers)), file_(numbers.file()) {}
 
-  std::unique_ptr<Tire> tire() const override {
-    auto tire = rigid_ring::RigidRingTire::make(parameters_);
+  std::unique_ptr<Tire> tire(const Inflation& pressure) const override {
+    magic_formula::MagicFormulaTireSettings settings;
+    settings.pressure = pressure.value_or(settings.pressure);
+    auto tire = rigid_ring::RigidRingTire::make(parameters_, settings);
     if (!tire) throw InputError({file_, 0}, "makes no rigid ring: " + tire.failure().reason);
     return std::move(*tire);
   }
@@ -39,7 +41,7 @@ class RigidRingKind : public SpecimenKind {
                                   std::unique_ptr<Specimen>) const override {
     return std::make_unique<RigidRingSpecimen>(numbers);
   }
-  void check(const Document& numbers) const override { RigidRingSpecimen(numbers).tire(); }
+  void check(const Document& numbers) const override { RigidRingSpecimen(numbers).tire({}); }
   std::string text(const Document& numbers) const override { return tir_text_of(numbers); }
 };
 

@@ -11,17 +11,26 @@ namespace {
 class RingSpecimen : public RollingSpecimen, public Vibrates {
  public:
   explicit RingSpecimen(const Document& numbers)
-      : parameters_(ring_tire::read_ring_tire(numbers.root())) {}
+      : numbers_(numbers), parameters_(ring_tire::read_ring_tire(numbers.root())) {}
 
-  std::unique_ptr<Tire> tire() const override {
-    return std::make_unique<ring_tire::RingTire>(parameters_);
+  std::unique_ptr<Tire> tire(const Inflation& pressure) const override {
+    return std::make_unique<ring_tire::RingTire>(parameters_at(pressure));
   }
   Result<Channels> vibrate(const ModalTest& test) override {
-    ring_tire::RingTire tire(parameters_);
+    ring_tire::RingTire tire(parameters_at(test.pressure));
     return experiment::run(tire, test);
   }
 
  private:
+  /// As of a file with that pressure.
+  ring_tire::RingParameters parameters_at(const Inflation& pressure) const {
+    if (!pressure) return parameters_;
+    Document numbers = numbers_;
+    numbers.set("pressure", *pressure);
+    return ring_tire::read_ring_tire(numbers.root());
+  }
+
+  Document numbers_;
   ring_tire::RingParameters parameters_;
 };
 
@@ -43,7 +52,7 @@ class RingTireKind : public SpecimenKind {
                                   std::unique_ptr<Specimen>) const override {
     return std::make_unique<RingSpecimen>(numbers);
   }
-  void check(const Document& numbers) const override { RingSpecimen(numbers).tire(); }
+  void check(const Document& numbers) const override { RingSpecimen(numbers).tire({}); }
 };
 
 }  // namespace

@@ -2,8 +2,8 @@
 // What can be done with a specimen: interfaces of physics, none of a test. One class of tests can
 // drive every specimen that has what it asks for.
 //
-// Conditions a test leaves open (pressure, friction) are the specimen's own; a test that states
-// them is for specimens that take them.
+// Conditions a test leaves open (pressure, friction) are the specimen's own. Every specimen has the
+// pressure that a test states; the others are for specimens that take them.
 #pragma once
 
 #include <functional>
@@ -15,6 +15,7 @@
 #include "base/result.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/footprint_rig.h"
+#include "experiment/rigs/inflation.h"
 #include "experiment/rigs/load_case.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/channels.h"
@@ -49,8 +50,8 @@ struct HasFootprint {
 struct Rolls {
   static constexpr const char* kName = "rolls";
   virtual ~Rolls() = default;
-  /// A new one at rest.
-  virtual std::unique_ptr<Tire> tire() const = 0;
+  /// A new one at rest, under this pressure. InputError where it is none for this tire.
+  virtual std::unique_ptr<Tire> tire(const Inflation& pressure = {}) const = 0;
 };
 
 /// Answers to states of steady rolling, each for itself.
@@ -75,9 +76,9 @@ struct HasSteadyStates {
   virtual Channels slip_history(const formats::CsvTable& states, const Asked&) const = 0;
 };
 
-/// Takes the conditions that a test states. Those of others stand in their own files.
+/// Takes from a test what of others stands in their own files.
 struct TakesConditions {
-  static constexpr const char* kName = "takes pressure, friction and sensor points from a test";
+  static constexpr const char* kName = "takes friction and sensor points from a test";
   virtual ~TakesConditions() = default;
 };
 

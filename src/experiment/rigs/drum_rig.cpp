@@ -142,6 +142,7 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured) {
     test.load = load ? measured_mean(*load, {"Fz", "N", true, "W"}, measured)
                      : root.quantity("load", "N", Range::positive());
   if (root.has("deflection")) test.deflection = root.quantity("deflection", "m", Range::positive());
+  test.pressure = read_pressure(root, measured);
   test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
   test.diameter = root.quantity("drum_diameter", "m", Range::positive());
   test.wheel_inertia = root.quantity("wheel_inertia", "kg m^2", Range::positive(), 1.0);

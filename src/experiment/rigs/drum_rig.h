@@ -6,6 +6,7 @@
 //   load = "4 kN"                    # at rest, before the axle is held; or deflection = "20 mm";
 //                                    # of speed and load also {from = "measurement.rolling"}: the
 //                                    # means of its Vx and Fz
+//   pressure = "2.6 bar"             # the tire's own unless given (inflation.h)
 //   camber = "2 deg"                 # about x, top to the right; default 0
 //   drum_diameter = "2.5 m"
 //   wheel_inertia = "1 kg m^2"       # about the spin axis, default 1
@@ -39,6 +40,7 @@
 #include "base/result.h"
 #include "experiment/rigs/cleat.h"
 #include "experiment/rigs/hub_frame.h"
+#include "experiment/rigs/inflation.h"
 #include "experiment/rigs/measured_conditions.h"
 #include "measurement/channels.h"
 #include "models/tire/tire.h"
@@ -50,6 +52,7 @@ struct DrumTest {
   std::optional<double> load = {};        // N; one of the two
   std::optional<double> deflection = {};  // m
   double camber = 0.0;                    // rad
+  Inflation pressure = {};                // of the tire that is given to it
   double diameter = 2.0;                  // m
   double wheel_inertia = 1.0;             // kg m^2
   double run_in = 0.2, duration = 0.25, lead = 0.05, step = 5e-4, sample_step = 5e-4;  // s

@@ -37,7 +37,7 @@ FootprintTest read_footprint_test(const Node& root, const MeasuredConditions& me
   if (test.loads.empty() == test.deflections.empty())
     root.reject("loads", "or deflections has to be there, one of the two");
   test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
-  if (root.has("pressure")) test.pressure = root.quantity("pressure", "Pa", Range::positive());
+  test.pressure = read_pressure(root, measured);
   if (root.has("friction"))
     test.friction = root.quantity("friction", "1", Range::between(0.0, 5.0));
   root.close();

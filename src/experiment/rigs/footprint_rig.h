@@ -6,7 +6,7 @@
 //                                    # upright tire; of either {from = "measurement.prints"}: its
 //                                    # Fz or deflection
 //   camber = "2 deg"                 # about x, top to the right; default 0
-//   pressure = "2.6 bar"             # of a finite-element tire, the tire's own unless given
+//   pressure = "2.6 bar"             # the tire's own unless given (inflation.h)
 //   friction = 0.8                   # of a finite-element tire with the ground, 0 unless given
 //
 // Channels, one value a state in their order: "load" (N), "deflection", "length", "width" (m, the
@@ -18,6 +18,7 @@
 
 #include "base/document.h"
 #include "base/result.h"
+#include "experiment/rigs/inflation.h"
 #include "experiment/rigs/measured_conditions.h"
 #include "measurement/channels.h"
 #include "models/tire/tire.h"
@@ -30,10 +31,11 @@ struct Ground;
 namespace latsch::experiment {
 
 struct FootprintTest {
-  std::vector<double> loads;                           // N; one of the two
-  std::vector<double> deflections;                     // m
-  double camber = 0.0;                                 // rad
-  std::optional<double> pressure = {}, friction = {};  // Pa, 1; none: the tire's own
+  std::vector<double> loads;        // N; one of the two
+  std::vector<double> deflections;  // m
+  double camber = 0.0;              // rad
+  Inflation pressure = {};
+  std::optional<double> friction = {};  // 1; none: the tire's own
 };
 
 /// Throws InputError naming the place; unknown keys too.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "experiment/rigs/inflation.h"
 #include "models/fe_tire/ring/fe_tire.h"
 
 namespace latsch::experiment {
@@ -14,7 +15,7 @@ namespace latsch::experiment {
 /// abscissa is either the deflection from first touch or the loaded radius (wheel center to
 /// ground); the other list is empty.
 struct LoadDeflection {
-  std::optional<double> pressure = {};  // Pa; none: the tire's own
+  Inflation pressure = {};
   fe_tire::Ground ground = {};
   std::vector<double> deflections = {};   // m
   std::vector<double> loaded_radii = {};  // m
@@ -22,7 +23,7 @@ struct LoadDeflection {
 
 /// Vibration modes with the rim held, off the ground or standing on it.
 struct ModalTest {
-  std::optional<double> pressure = {};  // Pa; none: the tire's own
+  Inflation pressure = {};
   fe_tire::Ground ground = {};
   std::optional<double> deflection = {};  // m from first touch; neither of the two: in the air
   std::optional<double> load = {};        // N; the rig finds the deflection

@@ -8,6 +8,7 @@
 //   load = "4 kN"                    # in its place: under the load, a channel of one value for;
 //                                    # {from = "measurement.pulled"}: the mean of its Fz
 //   directions = ["vertical", "longitudinal", "lateral", "torsional"]  # default: all
+//   pressure = "2.6 bar"             # the tire's own unless given (inflation.h)
 //   travel = "1 mm"                  # over which a stiffness is taken, this unless given
 //   twist = "1 mrad"                 # and the torsional one, 0.001 rad unless given
 //   [cleat]                          # on which deflections are pressed; none: flat ground

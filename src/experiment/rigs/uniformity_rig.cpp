@@ -146,6 +146,7 @@ UniformityTest read_uniformity_test(const Node& root, const MeasuredConditions& 
   const auto load = find_measured(root, "load");
   test.load = load ? measured_mean(*load, {"Fz", "N", true, "W"}, measured)
                    : root.quantity("load", "N", Range::positive());
+  test.pressure = read_pressure(root, measured);
   test.diameter = root.quantity("drum_diameter", "m", Range::between(0.2, 100.0), 0.0);
   test.speed = root.quantity("speed", "m/s", Range::between(0.5, 100.0), test.speed);
   test.wheel_inertia =

@@ -5,6 +5,7 @@
 //   kind = "uniformity"
 //   load = "4 kN"                    # mean over a turn forward, before the axle is held; or
 //                                    # {from = "measurement.machine"}: the mean of its Fz
+//   pressure = "2.6 bar"             # the tire's own unless given (inflation.h)
 //   drum_diameter = "854 mm"         # default: none, a flat belt
 //   speed = "2 m/s"                  # of the road, some 60 turns a minute; default
 //   wheel_inertia = "1 kg m^2"       # about the spin axis, of the wheel that spins freely; default
@@ -31,6 +32,7 @@
 
 #include "base/document.h"
 #include "base/result.h"
+#include "experiment/rigs/inflation.h"
 #include "experiment/rigs/measured_conditions.h"
 #include "models/tire/tire.h"
 
@@ -42,7 +44,8 @@ struct UniformityTest {
   double speed = 2.0;          // m/s
   double wheel_inertia = 1.0;  // kg m^2
   int harmonics = 10;
-  double step = 1e-3;  // s
+  double step = 1e-3;       // s
+  Inflation pressure = {};  // of the tire that is given to it
 };
 
 /// N, peak to peak.

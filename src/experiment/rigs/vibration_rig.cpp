@@ -21,10 +21,9 @@ fe_tire::ModeType type_of(const ring_tire::StandingMode& mode) {
 }  // namespace
 
 Result<Channels> run(ring_tire::RingTire& tire, const ModalTest& test) {
-  if (test.pressure || test.ground.mu != 0.0)
+  if (test.ground.mu != 0.0)
     throw InputError(
-        "a flexible ring has pressure and friction in its own file: expected a test of "
-        "modes without them");
+        "a flexible ring has friction in its own file: expected a test of modes without it");
   if (test.points.cols() > 0)
     throw InputError(
         "modes of a flexible ring are paired by label: expected a measurement without "

@@ -17,11 +17,12 @@ extern const TestKind kDrumCleat;
 std::string DrumCleatTest::in_words() const {
   const DrumTest& test = test_;
   std::string text =
-      fmt::format("drum, {:.4g} km/h, {}{}",
+      fmt::format("drum, {:.4g} km/h, {}{}{}",
                   test.speed * 3.6,
                   test.load ? format_quantity(*test.load, "N", 4)
                             : format_quantity(test.deflection.value_or(0.0), "mm", 4),
-                  cambered(test.camber));
+                  cambered(test.camber),
+                  inflated(test.pressure));
   if (!test.cleat) return text + ", no cleat";
   text += fmt::format(
       ", cleat {:.3g} mm x {:.3g} mm", test.cleat->height * 1e3, test.cleat->length * 1e3);
@@ -54,7 +55,7 @@ std::string DrumCleatTest::identity() const {
   if (t.cleat)
     text += fmt::format(
         " cleat {} {} {} {}", t.cleat->height, t.cleat->length, t.cleat->bevel, t.cleat->angle);
-  return fmt::format("{}, {}", text, kWheelScheme);
+  return fmt::format("{}, {}{}", text, kWheelScheme, identity_of(test_.pressure));
 }
 
 std::vector<ChannelInfo> DrumCleatTest::channels() const {
@@ -78,7 +79,7 @@ std::optional<Reach> DrumCleatTest::reach(const std::string& channel) const {
 }
 
 Result<Channels> DrumCleatTest::run(Specimen& specimen) const {
-  return experiment::run(*specimen.find<Rolls>()->tire(), test_);
+  return experiment::run(*specimen.find<Rolls>()->tire(test_.pressure), test_);
 }
 
 namespace {

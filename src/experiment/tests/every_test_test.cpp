@@ -210,7 +210,53 @@ TEST_F(EveryTest, ARingHasModesOnTheGroundAndOffIt) {
   EXPECT_THROW((void)language().run(formula, formula.read(tir), *standing), InputError);
 }
 
-// Pressure and friction stand in the files of tires that roll: said before anything runs.
+// To the bit; and another pressure is another load.
+TEST_F(EveryTest, ThePressureOfATestIsThatOfAFileWithIt) {
+  const std::vector<std::string> tests = {
+      "kind = \"load_deflection\"\ndeflections = [\"15 mm\"]\n",
+      "kind = \"static_stiffness\"\ndeflections = [\"15 mm\"]\n",
+      "kind = \"footprint\"\ndeflections = [\"15 mm\"]\n",
+      "kind = \"modes\"\ncount = 4\n",
+      "kind = \"uniformity\"\nload = \"4 kN\"\nspeed = \"5 m/s\"\nstep = \"4 ms\"\n",
+      "kind = \"rolling_stiffness\"\nload = \"4 kN\"\nmeasures = [\"cornering\"]\n",
+      "kind = \"slip_sweep\"\nload = \"4 kN\"\nspeed = \"20 m/s\"\nalpha = [\"-1 deg\", \"1 "
+      "deg\"]\n"
+      "run_in = \"50 ms\"\nduration = \"50 ms\"\n",
+      "kind = \"drum_cleat\"\ndeflection = \"15 mm\"\nspeed = \"20 m/s\"\ndrum_diameter = \"2 m\"\n"
+      "run_in = \"50 ms\"\nduration = \"60 ms\"\nlead = \"20 ms\"\n"};
+  std::string tir = kTir + "[CONTACT_PATCH]\nQ_RA1 = 0.9\nQ_RB1 = 1.2\n";
+  tir.insert(tir.find("[VERTICAL]\n") + 11, "PFZ1 = 0.7\n");
+  tir.insert(tir.find("PKY1 ="), "PPY1 = -0.6\n");
+  tir += "[OPERATING_CONDITIONS]\nINFLPRES = 220000\nNOMPRES = 220000\n";
+  const auto file = write("tire.tir", tir);
+  for (const char* name : {"magic_formula", "rigid_ring", "ring_tire"}) {
+    const SpecimenKind& kind = *language().find_kind(name);
+    const bool is_ring = kind.name() == "ring_tire";
+    const Document own = kind.read(is_ring ? kRing : file);
+    Document stated = own;
+    stated.set(is_ring ? "pressure" : "INFLPRES", 3e5);
+    for (const std::string& text : tests) {
+      const auto plain = test(text), inflated = test("pressure = \"3 bar\"\n" + text);
+      if (!can(kind, *plain)) continue;
+      EXPECT_NE(plain->identity(), inflated->identity());
+      EXPECT_NE(inflated->in_words().find("3 bar"), std::string::npos) << inflated->in_words();
+      const auto before = language().run(kind, own, *plain);
+      const auto one = language().run(kind, own, *inflated);
+      const auto other = language().run(kind, stated, *plain);
+      ASSERT_TRUE(before && one && other) << name << " " << text;
+      bool differs = false;
+      for (const Channel& channel : one->all()) {
+        EXPECT_EQ(channel.values, (*other)[channel.name]) << name << " " << text << channel.name;
+        differs = differs || channel.values != (*before)[channel.name];
+      }
+      EXPECT_TRUE(differs || text.find("uniformity") != std::string::npos) << name << " " << text;
+      if (one->find("force") && !text.find("kind = \"load"))
+        EXPECT_GT((*one)["force"][0], 1.02 * (*before)["force"][0]) << name;
+    }
+  }
+}
+
+// Friction stands in the files of tires that roll: said before anything runs.
 TEST_F(EveryTest, AStatedConditionIsForModelsThatTakeIt) {
   const SpecimenKind &ring = *language().find_kind("ring_tire"),
                      &fe = *language().find_kind("fe_tire");
@@ -218,13 +264,13 @@ TEST_F(EveryTest, AStatedConditionIsForModelsThatTakeIt) {
   for (const std::string& plain : {press,
                                    std::string("kind = \"modes\"\n"),
                                    std::string("kind = \"footprint\"\nloads = [\"4 kN\"]\n")}) {
+    const auto inflated = test(plain + "pressure = \"2 bar\"\n");
     EXPECT_TRUE(can(ring, *test(plain)) && can(fe, *test(plain))) << plain;
-    for (const char* condition : {"pressure = \"2 bar\"\n", "friction = 0.8\n"}) {
-      const auto stated = test(plain + condition);
-      EXPECT_TRUE(can(fe, *stated)) << plain << condition;
-      EXPECT_FALSE(can(ring, *stated)) << plain << condition;
-      EXPECT_EQ(language().kinds_for(stated->needs()), std::vector<std::string>{"fe_tire"});
-    }
+    EXPECT_TRUE(can(ring, *inflated) && can(fe, *inflated)) << plain;
+    const auto stated = test(plain + "friction = 0.8\n");
+    EXPECT_TRUE(can(fe, *stated)) << plain;
+    EXPECT_FALSE(can(ring, *stated)) << plain;
+    EXPECT_EQ(language().kinds_for(stated->needs()), std::vector<std::string>{"fe_tire"});
   }
   const auto curve = language().run(ring, ring.read(kRing), *test(press));
   ASSERT_TRUE(curve);

@@ -21,10 +21,11 @@ class StandingFootprintTest : public Test {
 
   std::string in_words() const override {
     const FootprintTest& test = test_;
-    return fmt::format("footprint at {} {}{}",
+    return fmt::format("footprint at {} {}{}{}",
                        std::max(test.loads.size(), test.deflections.size()),
                        test.loads.empty() ? "deflections" : "loads",
-                       cambered(test.camber));
+                       cambered(test.camber),
+                       inflated(test.pressure));
   }
 
   std::string identity() const override {
@@ -47,7 +48,7 @@ class StandingFootprintTest : public Test {
   }
 
   std::vector<std::string> needs() const override {
-    if (test_.pressure || test_.friction) return {TakesConditions::kName};
+    if (test_.friction) return {TakesConditions::kName};
     return kFootprint.needs;
   }
 

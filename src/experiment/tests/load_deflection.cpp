@@ -18,10 +18,8 @@ namespace {
 
 /// Of a tire that rolls and now stands: one state after the other, each settled anew.
 Result<Channels> press_rolling(Tire& tire, const LoadDeflection& test) {
-  if (test.pressure || test.ground.mu != 0.0)
-    throw InputError(
-        "a tire that rolls has pressure and friction in its own file: expected a test "
-        "without them");
+  if (test.ground.mu != 0.0)
+    throw InputError("a tire that rolls has friction in its own file: expected a test without it");
   Channel deflection{"deflection", "m", test.deflections}, radius{"loaded_radius", "m", {}};
   Channel force{"force", "N", {}};
   for (const double r : test.loaded_radii) deflection.values.push_back(tire.free_radius() - r);
@@ -38,19 +36,13 @@ Result<Channels> press_rolling(Tire& tire, const LoadDeflection& test) {
 
 }  // namespace
 
-std::optional<double> read_pressure(const Node& table) {
-  if (!table.has("pressure")) return std::nullopt;
-  return table.quantity("pressure", "Pa", Range::positive());
-}
-
 fe_tire::Ground read_ground(const Node& table) {
   fe_tire::Ground ground;
   ground.mu = table.quantity("friction", "1", Range::between(0.0, 5.0), 0.0);
   return ground;
 }
 
-std::string conditions_in_words(const std::optional<double>& pressure,
-                                const fe_tire::Ground& ground) {
+std::string conditions_in_words(const Inflation& pressure, const fe_tire::Ground& ground) {
   std::string text = pressure ? format_quantity(*pressure, "bar", 4) : "";
   if (ground.mu > 0.0)
     text += fmt::format("{}friction {:.3g}", text.empty() ? "" : ", ", ground.mu);
@@ -92,7 +84,7 @@ std::vector<ChannelInfo> LoadDeflectionTest::channels() const {
 }
 
 std::vector<std::string> LoadDeflectionTest::needs() const {
-  if (test_.pressure || test_.ground.mu > 0.0) return {TakesConditions::kName};
+  if (test_.ground.mu > 0.0) return {TakesConditions::kName};
   return kLoadDeflection.needs;
 }
 
@@ -111,14 +103,14 @@ std::optional<long> LoadDeflectionTest::samples() const {
 
 Result<Channels> LoadDeflectionTest::run(Specimen& specimen) const {
   if (auto* pressed = specimen.find<IsPressed>()) return pressed->press(test_);
-  return press_rolling(*specimen.find<Rolls>()->tire(), test_);
+  return press_rolling(*specimen.find<Rolls>()->tire(test_.pressure), test_);
 }
 
 namespace {
 
 std::unique_ptr<Test> read_load_deflection(const Node& root, const TestSource& source) {
   LoadDeflection test;
-  test.pressure = read_pressure(root);
+  test.pressure = read_pressure(root, source.measured);
   test.ground = read_ground(root);
   if (const auto from = find_measured(root, "deflections"))
     test.deflections = measured_values(*from, {"deflection", "m"}, source.measured);

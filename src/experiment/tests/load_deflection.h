@@ -2,7 +2,7 @@
 // kind = "load_deflection": vertical force over deflection or loaded radius.
 //
 //   kind = "load_deflection"
-//   pressure = "2.6 bar"               # the tire's own unless given
+//   pressure = "2.6 bar"               # the tire's own unless given (rigs/inflation.h)
 //   friction = 0.8                     # with the ground; 0 unless given
 //   deflections = ["5 mm", "10 mm"]    # from first touch; or loaded_radii = ["310 mm"]; of either
 //                                      # {from = "measurement.pressed"}: as they were measured
@@ -36,11 +36,9 @@ class LoadDeflectionTest : public Test {
   LoadDeflection test_;
 };
 
-/// `pressure` and `friction` of a test on the ground. InputError.
-std::optional<double> read_pressure(const Node& table);
+/// `friction` of a test on the ground. InputError.
 fe_tire::Ground read_ground(const Node& table);
 /// "2.6 bar, friction 0.8", "" where neither is stated.
-std::string conditions_in_words(const std::optional<double>& pressure,
-                                const fe_tire::Ground& ground);
+std::string conditions_in_words(const Inflation& pressure, const fe_tire::Ground& ground);
 
 }  // namespace latsch::experiment

@@ -26,6 +26,7 @@ const Channels& recorded() {
     channels.add({"y", "m", {0.05, -0.05, 0.05}});
     channels.add({"z", "m", {0.31, 0.0, 0.31}});
     channels.add({"mode", "1", {1.0, 1.0, 2.0}});
+    channels.add({"pressure", "Pa", {2.5e5, 2.6e5, 2.7e5}});
     channels.add({"none", "m", {}});
     return channels;
   }();
@@ -73,6 +74,10 @@ TEST(MeasuredConditionsTest, AreTheNumbersThatWereMeasured) {
               "deflections = " + from,
               "deflections = [\"5 mm\", \"12 mm\", \"20.1 mm\"]\n");
   expect_same("kind = \"static_stiffness\"\n", "load = " + from, "load = \"4 kN\"\n");
+  for (const char* kind : {"static_stiffness", "rolling_stiffness", "uniformity"})
+    expect_same(std::string("load = \"4 kN\"\nkind = \"") + kind + "\"\n",
+                "pressure = " + from,
+                "pressure = \"2.6 bar\"\n");
   expect_same("kind = \"footprint\"\n",
               "loads = " + from,
               "loads = [\"3990 N\", \"4000 N\", \"4010 N\"]\n");

@@ -60,8 +60,7 @@ std::vector<ChannelInfo> ModesTest::channels() const {
 }
 
 std::vector<std::string> ModesTest::needs() const {
-  if (test_.pressure || test_.ground.mu > 0.0 || test_.points.cols() > 0)
-    return {TakesConditions::kName};
+  if (test_.ground.mu > 0.0 || test_.points.cols() > 0) return {TakesConditions::kName};
   return kModes.needs;
 }
 
@@ -81,7 +80,7 @@ Eigen::Matrix3Xd points_of(const std::vector<std::vector<double>>& rows) {
 std::unique_ptr<Test> read_modes_test(const Node& root, const TestSource& source) {
   constexpr long kMost = 200;
   ModalTest test;
-  test.pressure = read_pressure(root);
+  test.pressure = read_pressure(root, source.measured);
   test.ground = read_ground(root);
   const auto load = find_measured(root, "load");
   if (root.has("load"))

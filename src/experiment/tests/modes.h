@@ -3,7 +3,7 @@
 //
 //   kind = "modes"
 //   load = "4 kN"                    # or deflection = "20 mm"; neither: in the air
-//   pressure = "2.6 bar"             # the tire's own unless given
+//   pressure = "2.6 bar"             # the tire's own unless given (rigs/inflation.h)
 //   friction = 0.8                   # with the ground; 0 unless given
 //   camber = "2 deg"                 # about x, top to the right; default 0
 //   count = 12                       # lowest modes; default 10; {from = "measurement.modes"}: 8

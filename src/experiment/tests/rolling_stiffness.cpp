@@ -27,15 +27,16 @@ class RollingStiffness : public Test {
       : test_(test), measures_(std::move(measures)) {}
 
   std::string in_words() const override {
-    return fmt::format("rolling freely, {:.4g} km/h, {:.4g} N: {}",
+    return fmt::format("rolling freely, {:.4g} km/h, {:.4g} N{}: {}",
                        3.6 * test_.speed,
                        test_.load,
+                       inflated(test_.pressure),
                        fmt::join(measures_, ", "));
   }
 
   std::string identity() const override {
     return fmt::format(
-        "rolling_stiffness speed {} load {} slip {} angle {} camber {} step {} {}, {}",
+        "rolling_stiffness speed {} load {} slip {} angle {} camber {} step {} {}, {}{}",
         test_.speed,
         test_.load,
         test_.slip,
@@ -43,7 +44,8 @@ class RollingStiffness : public Test {
         test_.camber,
         test_.step,
         fmt::join(measures_, " "),
-        kWheelScheme);
+        kWheelScheme,
+        identity_of(test_.pressure));
   }
 
   std::vector<ChannelInfo> channels() const override {
@@ -60,7 +62,7 @@ class RollingStiffness : public Test {
   std::vector<std::string> needs() const override { return kRollingStiffness.needs; }
 
   Result<Channels> run(Specimen& specimen) const override {
-    const auto tire = specimen.find<Rolls>()->tire();
+    const auto tire = specimen.find<Rolls>()->tire(test_.pressure);
     std::vector<double> values;
     if (wants("slip")) {
       const auto found = slip_stiffness(*tire, test_);
@@ -101,6 +103,7 @@ std::unique_ptr<Test> read_rolling_stiffness(const Node& root, const TestSource&
                      : root.quantity("speed", "m/s", Range::between(1.0, 100.0), test.speed);
   if (!(test.speed >= 1.0))
     root.reject("speed", fmt::format("is {:.3g} m/s as measured, expected 1 at least", test.speed));
+  test.pressure = read_pressure(root, source.measured);
   test.step = std::min(test.step, kFarthestStep / test.speed);
   test.slip = root.quantity("slip", "1", {0.0, 0.1, true}, test.slip);
   test.angle = root.quantity("angle", "rad", {0.0, 0.1, true}, test.angle);

@@ -6,6 +6,7 @@
 //   speed = "60 km/h"
 //   load = "4 kN"                    # of speed and load also {from = "measurement.rolling"}: the
 //                                    # means of its Vx and Fz
+//   pressure = "2.6 bar"             # the tire's own unless given (rigs/inflation.h)
 //   camber = "2 deg"                 # default 0
 //   axle = "load"                    # what it keeps; "height": the axle's
 //   frame = "W"                      # of the forces recorded (hub_frame.h); "W", "H", "C" or
@@ -62,10 +63,11 @@ class SlipSweepTest : public Test {
     const SlipSweep& s = sweep_;
     const bool side = s.alpha_from != s.alpha_to;
     return fmt::format(
-        "flat track, {:.4g} km/h, {:.4g} N{}, {}",
+        "flat track, {:.4g} km/h, {:.4g} N{}{}, {}",
         s.speed * 3.6,
         s.load,
         cambered(s.camber),
+        inflated(s.pressure),
         side ? fmt::format("alpha {} to {}", degrees(s.alpha_from), degrees(s.alpha_to))
              : fmt::format("kappa {:g} to {:g}", s.kappa_from, s.kappa_to));
   }
@@ -74,7 +76,7 @@ class SlipSweepTest : public Test {
     const SlipSweep& s = sweep_;
     return fmt::format(
         "slip_sweep speed {} load {} axle {} frame {} camber {} alpha {} {} kappa {} {} run_in {} "
-        "duration {} step {} sample_step {}, {}",
+        "duration {} step {} sample_step {}, {}{}",
         s.speed,
         s.load,
         static_cast<int>(s.axle),
@@ -88,7 +90,8 @@ class SlipSweepTest : public Test {
         s.duration,
         s.step,
         sample_step_,
-        kWheelScheme);
+        kWheelScheme,
+        identity_of(s.pressure));
   }
 
   std::vector<ChannelInfo> channels() const override {
@@ -110,7 +113,7 @@ class SlipSweepTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override {
-    auto channels = experiment::run(*specimen.find<Rolls>()->tire(), sweep_);
+    auto channels = experiment::run(*specimen.find<Rolls>()->tire(sweep_.pressure), sweep_);
     if (!channels) return channels;
     return thinned(*channels, std::lround(sample_step_ / sweep_.step));
   }
@@ -127,6 +130,7 @@ std::unique_ptr<Test> read_slip_sweep(const Node& root, const TestSource& source
                       : root.quantity("speed", "m/s", Range::positive());
   sweep.load = load ? measured_mean(*load, {"Fz", "N", true, "W"}, source.measured)
                     : root.quantity("load", "N", Range::positive());
+  sweep.pressure = read_pressure(root, source.measured);
   sweep.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
   if (root.choice("axle", {"load", "height"}, "load") == "height") sweep.axle = Axle::height;
   sweep.frames = read_frames(root, sweep.frames);

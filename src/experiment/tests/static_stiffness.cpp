@@ -29,6 +29,7 @@ struct StaticTest {
   double load = 0.0;  // N
   std::vector<Direction> directions;
   double travel = kWay, twist = kWay;  // m, rad
+  Inflation pressure = {};
 };
 
 Result<Channels> stand(Tire& tire, const StaticTest& test) {
@@ -63,7 +64,7 @@ class StaticStiffnessTest : public Test {
 
   std::string in_words() const override {
     const StaticTest& test = test_;
-    std::string text = "standing tire";
+    std::string text = "standing tire" + inflated(test.pressure);
     if (!test.deflections.empty()) text += fmt::format(", {} deflections", test.deflections.size());
     if (test.cleat)
       text += fmt::format(" on a cleat {:.3g} mm x {:.3g} mm at {:.3g} deg",
@@ -85,13 +86,14 @@ class StaticStiffnessTest : public Test {
     std::string on;
     if (const auto& c = test_.cleat)
       on = fmt::format(" cleat {} {} {} {}", c->height, c->length, c->bevel, c->angle);
-    return fmt::format("static_stiffness deflections {}{} load {} directions {}{}{}",
+    return fmt::format("static_stiffness deflections {}{} load {} directions {}{}{}{}",
                        fmt::join(test_.deflections, " "),
                        on,
                        test_.load,
                        fmt::join(directions, " "),
                        stated("travel", test_.travel),
-                       stated("twist", test_.twist));
+                       stated("twist", test_.twist),
+                       identity_of(test_.pressure));
   }
 
   std::vector<ChannelInfo> channels() const override {
@@ -113,7 +115,7 @@ class StaticStiffnessTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override {
-    return stand(*specimen.find<Rolls>()->tire(), test_);
+    return stand(*specimen.find<Rolls>()->tire(test_.pressure), test_);
   }
 
  private:
@@ -141,6 +143,7 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
       test.directions.push_back(static_cast<Direction>(known - kDirections.begin()));
     }
   }
+  test.pressure = read_pressure(root, source.measured);
   test.travel = root.quantity("travel", "m", Range::positive(), test.travel);
   test.twist = root.quantity("twist", "rad", Range::positive(), test.twist);
   if (test.deflections.empty() == test.directions.empty())

@@ -18,22 +18,24 @@ class Uniformity : public Test {
 
   std::string in_words() const override {
     return fmt::format(
-        "uniformity, {:.4g} N, {:.4g} m/s{}",
+        "uniformity, {:.4g} N, {:.4g} m/s{}{}",
         test_.load,
         test_.speed,
+        inflated(test_.pressure),
         test_.diameter > 0.0 ? fmt::format(", drum of {:.4g} m", test_.diameter) : "");
   }
 
   std::string identity() const override {
     return fmt::format(
-        "uniformity load {} diameter {} speed {} inertia {} harmonics {} step {}, {}",
+        "uniformity load {} diameter {} speed {} inertia {} harmonics {} step {}, {}{}",
         test_.load,
         test_.diameter,
         test_.speed,
         test_.wheel_inertia,
         test_.harmonics,
         test_.step,
-        kWheelScheme);
+        kWheelScheme,
+        identity_of(test_.pressure));
   }
 
   std::vector<ChannelInfo> channels() const override {
@@ -45,7 +47,7 @@ class Uniformity : public Test {
   std::vector<std::string> needs() const override { return kUniformity.needs; }
 
   Result<Channels> run(Specimen& specimen) const override {
-    const auto tire = specimen.find<Rolls>()->tire();
+    const auto tire = specimen.find<Rolls>()->tire(test_.pressure);
     const auto found = experiment::run(*tire, test_);
     if (!found) return found.failure();
     Channels recorded;

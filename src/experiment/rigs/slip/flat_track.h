@@ -15,6 +15,7 @@
 
 #include "base/result.h"
 #include "experiment/rigs/hub_frame.h"
+#include "experiment/rigs/inflation.h"
 #include "measurement/channels.h"
 #include "models/tire/tire.h"
 
@@ -31,9 +32,10 @@ struct SlipSweep {
   double camber = 0.0;                             // rad
   double alpha_from = 0.0, alpha_to = 0.0;         // rad
   double kappa_from = 0.0, kappa_to = 0.0;
-  double run_in = 0.3;    // s, free rolling, then at the first slip of the sweep
-  double duration = 1.0;  // s, of the sweep
-  double step = 5e-4;     // s
+  double run_in = 0.3;      // s, free rolling, then at the first slip of the sweep
+  double duration = 1.0;    // s, of the sweep
+  double step = 5e-4;       // s
+  Inflation pressure = {};  // of the tire that is given to it
 };
 
 Result<Channels> run(Tire& tire, const SlipSweep& sweep);

@@ -13,6 +13,7 @@
 //   kind = "rolling_stiffness"
 //   load = "4 kN"                    # of load and speed also {from = "measurement.rolling"}: the
 //                                    # means of its Fz and Vx
+//   pressure = "2.6 bar"             # the tire's own unless given (rigs/inflation.h)
 //   measures = ["slip", "cornering", "camber"]   # default: all. Channels "slip_stiffness" (N),
 //                                    # "cornering_stiffness" (N/rad) and "pneumatic_trail" (m),
 //                                    # "camber_stiffness" (N/rad)
@@ -26,6 +27,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "experiment/rigs/inflation.h"
 #include "models/tire/tire.h"
 
 namespace latsch::experiment {
@@ -37,6 +39,7 @@ struct RollingStiffnessTest {
   double angle = 0.25 * 0.0174532925199;  // rad, α
   double camber = 1.0 * 0.0174532925199;  // rad, γ
   double step = 5e-4;                     // s
+  Inflation pressure = {};                // of the tire that is given to it
 };
 
 struct Cornering {
