@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "base/text.h"
 #include "base/units.h"
@@ -105,6 +106,38 @@ std::string experiment_of_modes(const std::string& name,
   return experiment(name, "air/" + channel.name, found, values, channel.unit);
 }
 
+constexpr double kSecondPressure = 0.8;  // of the tire's own: that of a tire driven too soft
+constexpr double kShare = 0.5;           // where the fit of the pressure's share begins
+
+/// The load at a second pressure, of a tire that states its own.
+std::string soft_test(const Document& model) {
+  if (!has(model, "pressure")) return "";
+  return fmt::format(
+      "test.soft = {{kind = \"load_deflection\", pressure = {}, deflections = [\"18 mm\"]}}\n",
+      written(kSecondPressure * model.get("pressure"), "bar"));
+}
+
+/// Where a ring says nothing of what its sidewall owes to the pressure, it does so at its own
+/// pressure, at which it stays the ring it was.
+std::string with_pressure_share(const Document& ring) {
+  constexpr std::string_view kTable = "\n[sidewall]\n";
+  std::string text = ring.text();
+  const auto at = text.find(kTable);
+  if (has(ring, "sidewall.pressure_share") || at == std::string::npos) return text;
+  return text.insert(at + kTable.size(),
+                     fmt::format("pressure_share = {}\nreference_pressure = {}\n",
+                                 kShare,
+                                 written(ring.get("pressure"), "bar")));
+}
+
+std::string share_variable(const Document& ring) {
+  const double guess = ring.get("sidewall.pressure_share");
+  return fmt::format(
+      "variable.pressure_share = {{path = \"sidewall.pressure_share\", lower = 0, upper = 1, "
+      "initial = {}}}\n",
+      written(guess, "1"));
+}
+
 }  // namespace
 
 RingStudy example_ring_study() {
@@ -119,7 +152,8 @@ Result<RingStudy> ring_study_of(const experiment::SpecimenKind& kind,
                                 const Document& known,
                                 const experiment::Language& language) {
   const ring_tire::RingParameters ring = ring_tire::read_ring_tire(known.root());
-  const Document document = Document::parse(kTests, "tests");
+  const std::string tests_text = std::string(kTests) + soft_test(model);
+  const Document document = Document::parse(tests_text, "tests");
   const Node tests = document.root().table("test");
   const auto run = [&](const char* name) {
     return language.run(kind, model, *language.read_test(tests.table(name), {}));
@@ -128,11 +162,19 @@ Result<RingStudy> ring_study_of(const experiment::SpecimenKind& kind,
   if (!pressed) return pressed.failure();
   const auto air = run("air");
   if (!air) return air.failure();
+  std::optional<Channels> soft;
+  if (tests.has("soft")) {
+    auto recorded = run("soft");
+    if (!recorded) return recorded.failure();
+    soft = std::move(*recorded);
+  }
 
   Document own = known;
   const double free_radius = (*pressed)["loaded_radius"][0] + (*pressed)["deflection"][0];
   own.set("belt.radius", std::round(1e4 * (free_radius - ring.tread.height)) / 1e4);
   if (has(model, "pressure")) own.set("pressure", model.get("pressure"));
+  if (soft) own = Document::parse(with_pressure_share(own), known.file());
+  const bool has_share = soft && has(own, "sidewall.pressure_share");
   const Channel* damping = air->find("damping");
   const std::string file = std::filesystem::path(model.file()).filename().string();
   return RingStudy{
@@ -143,13 +185,15 @@ Result<RingStudy> ring_study_of(const experiment::SpecimenKind& kind,
           own.text()),
       fmt::format(
           "# What {0} shows, as if measured; the numbers of ring.toml that show the same.\n"
-          "title = \"Flexible ring of {0}\"\nmodel = \"ring.toml\"\n\n{1}\n{2}{3}{4}{5}{6}\n"
+          "title = \"Flexible ring of {0}\"\nmodel = \"ring.toml\"\n\n{1}\n{2}{3}{4}{5}{6}{7}{8}\n"
           "[run]\nworkers = 2\n",
           file,
-          kTests,
+          tests_text,
           variables(kNumbers, own),
+          has_share ? share_variable(own) : "",
           damping ? variables(kDampings, own) : "",
           experiment("load", "pressed/force", {}, (*pressed)["force"], "N"),
+          soft ? experiment("soft_load", "soft/force", {}, (*soft)["force"], "N") : "",
           experiment_of_modes("frequency", *air->find("frequency"), kMotions, *air),
           damping ? experiment_of_modes("damping", *damping, kDamped, *air) : "")};
 }

@@ -84,10 +84,12 @@ class RingData(unittest.TestCase):
             start = text.index(f"[{table}]")
             text = text[:start] + re.sub(rf"(?m)^({key} = \"?)([\d.]+)",
                                          lambda m: f"{m[1]}{float(m[2]) * factor:.8g}", text[start:], count=1)
+        text = text.replace("\n[sidewall]\n", '\n[sidewall]\npressure_share = 0.62\nreference_pressure = "2.4 bar"\n')
         (self.folder / "truth.toml").write_text(text)
         found = tomllib.loads((self.fitted(self.folder / "truth.toml") / "fitted.toml").read_text())
         for path, factor in FACTORS.items():  # the data hold bending and torsion the least
             self.assertAlmostEqual(number(found, path) / (factor * number(known, path)), 1.0, delta=0.02, msg=path)
+        self.assertAlmostEqual(found["sidewall"]["pressure_share"], 0.62, delta=0.02)
 
     def test_a_known_ring_of_ones_own_is_where_the_fit_begins(self):
         own = self.folder / "own.toml"
