@@ -29,6 +29,7 @@ SECTIONS = [
     ('Test "rolling_stiffness": slopes at free rolling', "rolling_stiffness"),
     ('Test "uniformity": forces that vary over a turn', "uniformity_rig"),
     ('Test "static_stiffness": of a standing tire', "static_stiffness"),
+    ("pressure of a test", "inflation"),
     ("[cleat] of a test", "cleat"),
     ('Test "footprint": where it touches the ground', "footprint_rig"),
     ('Test "steady_states": a table of states', "steady_states"),

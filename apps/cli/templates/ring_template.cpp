@@ -111,7 +111,7 @@ constexpr double kShare = 0.5;           // where the fit of the pressure's shar
 
 /// The load at a second pressure, of a tire that states its own.
 std::string soft_test(const Document& model) {
-  if (!has(model, "pressure")) return "";
+  if (!has(model, "pressure") || !(model.get("pressure") > 0.0)) return "";
   return fmt::format(
       "test.soft = {{kind = \"load_deflection\", pressure = {}, deflections = [\"18 mm\"]}}\n",
       written(kSecondPressure * model.get("pressure"), "bar"));
@@ -120,11 +120,11 @@ std::string soft_test(const Document& model) {
 /// Where a ring says nothing of what its sidewall owes to the pressure, it does so at its own
 /// pressure, at which it stays the ring it was.
 std::string with_pressure_share(const Document& ring) {
-  constexpr std::string_view kTable = "\n[sidewall]\n";
   std::string text = ring.text();
-  const auto at = text.find(kTable);
-  if (has(ring, "sidewall.pressure_share") || at == std::string::npos) return text;
-  return text.insert(at + kTable.size(),
+  const auto table = text.find("\n[sidewall]");
+  const auto end = table == std::string::npos ? table : text.find('\n', table + 1);
+  if (has(ring, "sidewall.pressure_share") || end == std::string::npos) return text;
+  return text.insert(end + 1,
                      fmt::format("pressure_share = {}\nreference_pressure = {}\n",
                                  kShare,
                                  written(ring.get("pressure"), "bar")));

@@ -100,6 +100,19 @@ class RingData(unittest.TestCase):
         self.assertEqual(variables["mass"]["initial"], "5 kg")
         self.assertNotIn("progressivity", variables)  # it has none
 
+    def test_a_second_pressure_is_that_of_a_tire_with_one(self):
+        for text, words in (("[sidewall]  # per meter", True), ("[sidewall]", True), ('pressure = "0 bar"', False)):
+            with self.subTest(text):
+                own, to = self.folder / "own.toml", self.folder / f"ring{len(text)}"
+                own.write_text(RING.read_text())
+                edit(own, (r'(?m)^pressure = .*$', text) if not words else (r"(?m)^\[sidewall\]$", text))
+                self.latsch("new", to, "--ring-data", own, "--known", own)
+                study = tomllib.loads((to / "study.toml").read_text())
+                self.assertEqual("soft" in study["test"], words)
+                self.assertEqual("pressure_share" in study["variable"], words)
+                self.assertEqual("pressure_share" in tomllib.loads((to / "ring.toml").read_text())["sidewall"], words)
+                self.latsch("check", to / "study.toml")
+
     def test_frequencies_and_dampings_of_the_published_tire_are_met(self):
         study = self.folder / "ring" / "study.toml"
         self.latsch("new", study.parent, "--ring-data")
