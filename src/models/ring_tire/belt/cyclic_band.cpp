@@ -116,14 +116,14 @@ void CyclicBandFactor::add(int k, int j, const CyclicBand::Block& block) {
     in_panel(panel(i + j - 3) + BandPanel::kBorder + 4 * i) += block;
 }
 
-bool CyclicBandFactor::factorize() {
-  return LATSCH_KERNEL(eliminate_chain)(interior_, panels_.data(), border_.data());
+bool CyclicBandFactor::factorize(double least) {
+  return LATSCH_KERNEL(eliminate_chain)(interior_, panels_.data(), border_.data(), least, far_);
 }
 
 void CyclicBandFactor::solve(Eigen::Matrix4Xd& x) const {
   const Eigen::Matrix4d back = axes_.transpose();
   if (turned_) LATSCH_KERNEL(turn_nodes)(interior_ + 3, back.data(), x.data());
-  LATSCH_KERNEL(solve_chain)(interior_, panels_.data(), border_.data(), x.data());
+  LATSCH_KERNEL(solve_chain)(interior_, far_, panels_.data(), border_.data(), x.data());
   if (turned_) LATSCH_KERNEL(turn_nodes)(interior_ + 3, axes_.data(), x.data());
 }
 
@@ -137,7 +137,7 @@ void CyclicBandFactor::solve_columns(Eigen::Ref<SideBySide> x) const {
   };
   turn(back);
   LATSCH_KERNEL(solve_chain_of_columns)
-  (interior_, panels_.data(), border_.data(), x.data(), columns, stride);
+  (interior_, far_, panels_.data(), border_.data(), x.data(), columns, stride);
   turn(axes_);
 }
 

@@ -6,6 +6,9 @@
 // band. Eliminating node k reaches k+1 .. k+3 and the border, so the work is the same for every
 // node and the whole is linear in their number:
 //   L_ik = A_ik D_k^-1,   A_ij <- A_ij - L_ik A_jk^T      i, j: the neighbors of k and the border
+// Where the matrix has mass in it, what the border has to do with a node fades along the chain. For
+// corrections that are looked at again it can be forgotten from the node on where it has (`least`),
+// up to those that are the border's neighbors: two thirds of the work.
 // All that a node's elimination reads is one panel, column by column: registers hold several of
 // its blocks.
 #pragma once
@@ -65,7 +68,8 @@ class CyclicBandFactor {
   /// say, and more in blocks (k, k + j). Solutions and what they are of stay in inertial axes.
   void start(const StiffnessRows& A, const Eigen::Matrix3d& axes);
   void add(int k, int j, const CyclicBand::Block& block);
-  bool factorize();
+  /// `least`: of L, what of the border counts; 0: all.
+  bool factorize(double least = 0.0);
   /// From here on as if it had been made in these axes: the matrix turns with them.
   void turn_to(const Eigen::Matrix3d& axes);
 
@@ -82,6 +86,7 @@ class CyclicBandFactor {
   void close_ring();
 
   int interior_;
+  int far_ = 0;  // the border counts before this node and for the last three
   bool turned_ = false;
   Eigen::Matrix4d axes_ = Eigen::Matrix4d::Identity();
   // A, then L with the inverse of D in the diagonal's place; three more of zeros, which the last

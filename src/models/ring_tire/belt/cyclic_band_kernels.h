@@ -73,7 +73,8 @@ LATSCH_INLINE PanelRows rows_of(const double* column) {
 }
 
 /// Eliminates the node of a panel from those of its three neighbors, which follow, and from the
-/// border. Its rows of A become those of L, its diagonal its inverse.
+/// border where that counts. Its rows of A become those of L, its diagonal its inverse.
+template <bool with_border>
 LATSCH_INLINE bool eliminate(double* panel, double* border) {
   double inverse[16];
   if (!invert(panel, kRows, inverse)) return false;
@@ -86,40 +87,45 @@ LATSCH_INLINE bool eliminate(double* panel, double* border) {
     for (int c = 0; c < 4; ++c) {
       const double* s = inverse + 4 * c;
       near[c] = A[0].near * s[0] + A[1].near * s[1] + (A[2].near * s[2] + A[3].near * s[3]);
-      of_border[c] =
-          A[0].border * s[0] + A[1].border * s[1] + (A[2].border * s[2] + A[3].border * s[3]);
       lone[c] = A[0].third * s[0] + A[1].third * s[1] + (A[2].third * s[2] + A[3].third * s[3]);
-      border_last[c] = A[0].last * s[0] + A[1].last * s[1] + (A[2].last * s[2] + A[3].last * s[3]);
       first[c] = low_half(near[c]);
       second[c] = high_half(near[c]);
       shifted[c] = joined(second[c], lone[c]);
-      border_high[c] = high_half(of_border[c]);
+      if constexpr (with_border) {
+        of_border[c] =
+            A[0].border * s[0] + A[1].border * s[1] + (A[2].border * s[2] + A[3].border * s[3]);
+        border_last[c] =
+            A[0].last * s[0] + A[1].last * s[1] + (A[2].last * s[2] + A[3].last * s[3]);
+        border_high[c] = high_half(of_border[c]);
+      }
     }
   }
   // One register of L after the other, so that AVX2 has enough of them for its columns.
+  if constexpr (with_border) {
 #pragma GCC unroll 3
-  for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i)
+#pragma GCC unroll 4
+      for (int c = 0; c < 4; ++c) {
+        double* const to = panel + (i + 1) * BandPanel::kSize + kRows * c + kBorder;
+        const double* const b = panel + kNext + 4 * i + c;
+        subtract(to, of_border, b, kRows);
+        subtract(to + 8, border_last, b, kRows);
+      }
 #pragma GCC unroll 4
     for (int c = 0; c < 4; ++c) {
-      double* const to = panel + (i + 1) * BandPanel::kSize + kRows * c + kBorder;
-      const double* const b = panel + kNext + 4 * i + c;
+      double* const to = border + kBorderRows * c;
+      const double* const b = panel + kBorder + c;
       subtract(to, of_border, b, kRows);
       subtract(to + 8, border_last, b, kRows);
     }
 #pragma GCC unroll 4
-  for (int c = 0; c < 4; ++c) {
-    double* const to = border + kBorderRows * c;
-    const double* const b = panel + kBorder + c;
-    subtract(to, of_border, b, kRows);
-    subtract(to + 8, border_last, b, kRows);
-  }
-#pragma GCC unroll 4
-  for (int c = 0; c < 4; ++c) {
-    double* const to = border + kBorderRows * (4 + c) + 4;
-    const double* const b = panel + kBorder + 4 + c;
-    subtract(to, border_high, b, kRows);
-    subtract(to + 4, border_last, b, kRows);
-    subtract(to + 4 * kBorderRows + 4, border_last, b + 4, kRows);
+    for (int c = 0; c < 4; ++c) {
+      double* const to = border + kBorderRows * (4 + c) + 4;
+      const double* const b = panel + kBorder + 4 + c;
+      subtract(to, border_high, b, kRows);
+      subtract(to + 4, border_last, b, kRows);
+      subtract(to + 4 * kBorderRows + 4, border_last, b + 4, kRows);
+    }
   }
 #pragma GCC unroll 4
   for (int c = 0; c < 4; ++c) {
@@ -141,17 +147,39 @@ LATSCH_INLINE bool eliminate(double* panel, double* border) {
     store(lanes4(inverse + 4 * c), to);
     store(near[c], to + kNext);
     store(lone[c], to + kLast);
-    store(of_border[c], to + kBorder);
-    store(border_last[c], to + kBorder + 8);
+    if constexpr (with_border) {
+      store(of_border[c], to + kBorder);
+      store(border_last[c], to + kBorder + 8);
+    }
   }
   return true;
 }
 
+/// Whether L of the border is below `least` in this panel and the two before it.
+LATSCH_INLINE bool faded(const double* panel, double least) {
+  Lanes squares = all(0.0);
+  Lanes4 last = Lanes4(0.0);
+  for (const double* of = panel - 2 * BandPanel::kSize; of <= panel; of += BandPanel::kSize)
+    for (int c = 0; c < 4; ++c) {
+      const Lanes x = lanes(of + kRows * c + kBorder);
+      const Lanes4 y = lanes4(of + kRows * c + kBorder + 8);
+      squares = squares + x * x;
+      last = last + y * y;
+    }
+  return sum(low_half(squares) + high_half(squares) + last) < least * least;
+}
+
 /// `panels`: a node each, three more of zeros; `border`: 12 x 12, of which the lower triangle of
-/// blocks counts.
-bool eliminate_chain(int interior, double* panels, double* border) {
-  for (int k = 0; k < interior; ++k)
-    if (!eliminate(panels + k * BandPanel::kSize, border)) return false;
+/// blocks counts. `least`, `far`: see CyclicBandFactor.
+bool eliminate_chain(int interior, double* panels, double* border, double least, int& far) {
+  constexpr int kLooks = 4;  // nodes from one look to the next
+  far = interior - 3;
+  for (int k = 0; k < interior; ++k) {
+    double* const panel = panels + k * BandPanel::kSize;
+    const bool beside = k < far || k >= interior - 3;
+    if (!(beside ? eliminate<true>(panel, border) : eliminate<false>(panel, border))) return false;
+    if (least > 0.0 && k % kLooks == kLooks - 1 && k < far && faded(panel, least)) far = k + 1;
+  }
   for (int k = 0; k < 3; ++k) {
     double* const own = border + (kBorderRows + 1) * 4 * k;
     double inverse[16];
@@ -199,15 +227,18 @@ LATSCH_INLINE Lanes4 diagonal_times(const double* inverse, int stride, const dou
 
 /// The neighbors of the node at work stay in registers: what was just stored by fours is not to be
 /// read by eights.
-void solve_chain(int interior, const double* panels, const double* border, double* x) {
+void solve_chain(int interior, int far, const double* panels, const double* border, double* x) {
+  const auto beside = [&](int k) { return k < far || k >= interior - 3; };
   double* const at_border = x + 4 * interior;
   Lanes of_border = lanes(at_border);
   Lanes4 last = lanes4(at_border + 8), next[3];
   for (int i = 0; i < 3; ++i) next[i] = lanes4(x + 4 * (i + 1));
   for (int k = 0; k < interior; ++k) {
     const double *L = panels + k * BandPanel::kSize, *own = x + 4 * k;
-    of_border = less_times(of_border, L + kBorder, kRows, own);
-    last = less_times(last, L + kBorder + 8, kRows, own);
+    if (beside(k)) {
+      of_border = less_times(of_border, L + kBorder, kRows, own);
+      last = less_times(last, L + kBorder + 8, kRows, own);
+    }
     for (int i = 0; i < 3; ++i) next[i] = less_times(next[i], L + kNext + 4 * i, kRows, own);
     if (k + 1 == interior) break;
     store(next[0], x + 4 * (k + 1));
@@ -238,11 +269,16 @@ void solve_chain(int interior, const double* panels, const double* border, doubl
   for (int k = interior - 1; k >= 0; --k) {
     const double* const L = panels + k * BandPanel::kSize;
     const Lanes near = joined(next[0], next[1]);
+    const bool with_border = beside(k);
     double less[4];
     for (int c = 0; c < 4; ++c) {
       const PanelRows column = rows_of(L + kRows * c);
-      const Lanes eight = column.near * near + column.border * of_border;
-      const Lanes4 rest = column.third * next[2] + column.last * last;
+      Lanes eight = column.near * near;
+      Lanes4 rest = column.third * next[2];
+      if (with_border) {
+        eight = eight + column.border * of_border;
+        rest = rest + column.last * last;
+      }
       less[c] = sum(low_half(eight) + high_half(eight) + rest);
     }
     next[2] = next[1];
@@ -323,11 +359,13 @@ void turn_columns(int nodes, const double* A, double* x, int columns, int stride
 
 /// solve_chain for `columns` right-hand sides side by side, eight at a time; rows `stride` apart.
 void solve_chain_of_columns(int interior,
+                            int far,
                             const double* panels,
                             const double* border,
                             double* all_columns,
                             int columns,
                             int stride) {
+  const auto beside = [&](int k) { return k < far || k >= interior - 3; };
   for (double* x = all_columns; x != all_columns + columns; x += 8) {
     const auto at = [&](int node) { return x + 4 * node * stride; };
     // `node` less what `other` does to it by L.
@@ -341,6 +379,7 @@ void solve_chain_of_columns(int interior,
       const double* const L = panels + k * BandPanel::kSize;
       const Rows4 own(at(k), stride);
       for (int i = 0; i < reach(k); ++i) less(k + 1 + i, L + kNext + 4 * i, kRows, own);
+      if (!beside(k)) continue;
       for (int i = 0; i < 3; ++i) less(interior + i, L + kBorder + 4 * i, kRows, own);
     }
     const auto border_block = [&](int row, int column) {
@@ -362,8 +401,9 @@ void solve_chain_of_columns(int interior,
       y.add_times(L, kRows, Rows4(at(k), stride));
       for (int i = 0; i < reach(k); ++i)
         y.less_transposed(L + kNext + 4 * i, kRows, Rows4(at(k + 1 + i), stride));
-      for (int i = 0; i < 3; ++i)
-        y.less_transposed(L + kBorder + 4 * i, kRows, Rows4(at(interior + i), stride));
+      if (beside(k))
+        for (int i = 0; i < 3; ++i)
+          y.less_transposed(L + kBorder + 4 * i, kRows, Rows4(at(interior + i), stride));
       y.save(at(k), stride);
     }
   }

@@ -69,6 +69,38 @@ TEST(CyclicBand, SolvesLikeADenseFactorization) {
   }
 }
 
+// What the border has to do with a node of this matrix falls to a third from one to the next.
+TEST(CyclicBand, ForgetsTheBorderWhereItHasFaded) {
+  const int nodes = 64;
+  const double least = 1e-6;
+  StiffnessRows rows(nodes);
+  rows.start();
+  const CyclicBand A = random_band(nodes);
+  CyclicBandFactor whole(nodes), short_of(nodes);
+  ASSERT_TRUE(whole.factorize(A));
+  short_of.start(rows, Eigen::Matrix3d::Identity());
+  for (int k = 0; k < nodes; ++k)
+    for (int j = 0; j <= CyclicBand::kReach; ++j) short_of.add(k, j, A.block(k, j));
+  ASSERT_TRUE(short_of.factorize(least));
+  for (int loaded : {0, 20, 40, 62}) {
+    Eigen::Matrix4Xd exact = Eigen::Matrix4Xd::Zero(4, nodes);
+    exact(1, loaded) = 1.0;
+    Eigen::Matrix4Xd x = exact;
+    SideBySide many = SideBySide::Zero(4 * nodes, 8);
+    many.col(3) = exact.reshaped();
+    whole.solve(exact);
+    short_of.solve(x);
+    short_of.solve_columns(many);
+    const double error = (x - exact).norm() / exact.norm();
+    EXPECT_LT(error, least) << loaded;
+    EXPECT_LT((many.col(3) - x.reshaped()).norm(), 1e-14 * exact.norm()) << loaded;
+  }
+  Eigen::Matrix4Xd exact = Eigen::Matrix4Xd::Ones(4, nodes), x = exact;
+  whole.solve(exact);
+  short_of.solve(x);
+  EXPECT_GT((x - exact).norm(), 0.0);  // or nothing was forgotten
+}
+
 // The free ring's own matrix, condition 1e6 to 1e8: backward stable whatever the chain's length.
 TEST(CyclicBand, SolvesAStiffBeltOfAnyLength) {
   for (int nodes : {48, 96, 160, 320}) {

@@ -23,6 +23,9 @@ Eigen::Vector4d mass_of_node(const RingParameters& p) {
   return {m, m, m, J};
 }
 
+// What the tangent of a step forgets of the far side of the ring (cyclic_band.h): a correction is
+// out by no more than that share of itself.
+constexpr double kFaded = 1e-6;
 constexpr double kSlow = 0.2;  // a tangent that reduces what is left by less is renewed
 
 /// Whether a correction is known to leave less than the tolerance of `left`, where the one before,
@@ -128,7 +131,7 @@ bool RingTire::factorize(const NodeValues& q,
   factor_.start(K, rim_.axes());
   imbalance_.add_mass(mass_factor, factor_);
   tread_.add_stiffness(scale, rim_.axes(), factor_);
-  if (!factor_.factorize()) return false;
+  if (!factor_.factorize(mass_factor > 0.0 ? kFaded : 0.0)) return false;
   if (!section_.on()) return true;
   Eigen::MatrixXd B, A;
   tread_.section_border(section_, q, false, B, A);
