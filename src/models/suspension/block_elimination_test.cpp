@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/suspension/block_elimination.h"
+
+#include <gtest/gtest.h>
+
+#include "base/random.h"
+
+namespace latsch::suspension {
+namespace {
+
+using Pairs = std::vector<std::pair<int, int>>;
+
+// Eigen's dense LU is the independent program: a tree, a closed loop and two parts on their own.
+TEST(BlockElimination, SolvesLikeADenseFactorization) {
+  RandomStream random(11, 1);
+  for (const Pairs& pairs : {Pairs{{0, 1}, {1, 2}, {1, 3}, {0, 4}},
+                             Pairs{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}, {4, 0}},
+                             Pairs{{0, 1}, {3, 4}}}) {
+    BlockElimination A(5, pairs);
+    A.clear();
+    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(30, 30);
+    const auto fill = [&](int i, int j) {
+      Matrix6d& block = A.block(i, j);
+      for (double& x : block.reshaped()) x = random.uniform() - 0.5;
+      if (i == j) block.diagonal().array() += 5.0;
+      dense.block<6, 6>(6 * i, 6 * j) = block;
+    };
+    for (int i = 0; i < 5; ++i) fill(i, i);
+    for (const auto& [i, j] : pairs) fill(i, j), fill(j, i);
+    Eigen::MatrixXd b(30, 3);
+    for (double& x : b.reshaped()) x = random.uniform();
+    ASSERT_TRUE(A.factorize());
+    Eigen::MatrixXd x = b, y = b;
+    A.solve(x);
+    A.solve_transposed(y);
+    EXPECT_LT((dense * x - b).norm(), 1e-13 * b.norm());
+    EXPECT_LT((dense.transpose() * y - b).norm(), 1e-13 * b.norm());
+  }
+}
+
+TEST(BlockElimination, NamesTheBodyWithoutSupport) {
+  BlockElimination A(2, {{0, 1}});
+  A.clear();
+  A.block(0, 0).setIdentity();
+  EXPECT_FALSE(A.factorize());
+  EXPECT_EQ(A.singular_body(), 1);
+}
+
+}  // namespace
+}  // namespace latsch::suspension

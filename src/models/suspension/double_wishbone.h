@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// A corner of double wishbones: five bodies on ten bushings. The inboard end of the push-rod is
+// held, as on a rig that replaces the springs by rigid bars.
+//
+//   chassis ─ uca_front, uca_rear ─ upper wishbone ─ ubj ─┐
+//   chassis ─ pushrod_inner ─ push-rod ─ pushrod_outer ─ upper or lower wishbone, or upright
+//   chassis ─ trackrod_inner ─ track-rod ─ trackrod_outer ─ upright
+//   chassis ─ lca_front, lca_rear ─ lower wishbone ─ lbj ─┘
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "models/suspension/mechanism.h"
+#include "models/suspension/wheel_position.h"
+
+namespace latsch::suspension {
+
+struct DoubleWishbone {
+  enum Joint {
+    kUcaFront,
+    kUcaRear,
+    kLcaFront,
+    kLcaRear,
+    kUbj,
+    kLbj,
+    kPushrodInner,
+    kPushrodOuter,
+    kTrackrodInner,
+    kTrackrodOuter,
+    kJoints
+  };
+  static constexpr std::array<const char*, kJoints> kNames = {"uca_front",
+                                                              "uca_rear",
+                                                              "lca_front",
+                                                              "lca_rear",
+                                                              "ubj",
+                                                              "lbj",
+                                                              "pushrod_inner",
+                                                              "pushrod_outer",
+                                                              "trackrod_inner",
+                                                              "trackrod_outer"};
+  enum Body { kUpper, kLower, kUpright, kPushrod, kTrackrod, kBodies };
+
+  std::array<Eigen::Vector3d, kJoints> points;  // m
+  std::array<BushingParameters, kJoints> bushings;
+  Eigen::Vector3d wheel_center, contact;  // m
+  Side side = Side::left;
+  Body pushrod_on = kUpper;
+
+  /// What is wrong with the points, naming them, or empty: two ends of a rod or the joints of a
+  /// wishbone in one place or in one line, points that look like millimeters.
+  std::string fault() const;
+  std::vector<suspension::Body> bodies() const;
+  std::vector<suspension::Joint> joints() const;
+  WheelPoints wheel() const;
+};
+
+}  // namespace latsch::suspension

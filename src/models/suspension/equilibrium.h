@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Statics of a mechanism: poses at which the bushings' wrenches r and the load balance,
+//   r(x) + w(x) = 0,   J = d(r + w)/dx,   x <- x - J^-1 (r + w)          Newton's method, exact J
+// and what follows from the last J: compliance and slopes in the stiffnesses p,
+//   dy/dp = -λ' dr/dp   with   J' λ = dy/dx                               adjoint
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+#include "models/suspension/block_elimination.h"
+#include "models/suspension/mechanism.h"
+
+namespace latsch::suspension {
+
+struct EquilibriumSettings {
+  double force = 1e-6;  // N and N m: the largest that may be left
+  int iterations = 20;  // of Newton's method; then the load is halved
+  int halvings = 6;     // of the part of the load that is added at once
+  double turn = 0.3;    // rad: no body turns more in one correction
+};
+
+/// Reuses its memory from one load to the next. The mechanism has to outlive it.
+class Equilibrium {
+ public:
+  explicit Equilibrium(const Mechanism& mechanism, const EquilibriumSettings& settings = {});
+
+  /// From `start`, or from rest. A failure names the part that gave way.
+  Result<Poses> solve(std::span<const Load> loads, const Poses* start = nullptr);
+  /// Of the last solve.
+  int iterations() const { return iterations_; }
+  double left() const { return left_; }  // N, N m
+
+  /// Makes J at these poses under these loads that of the calls below. Empty, or which part nothing
+  /// holds.
+  std::string linearize(const Poses& poses, std::span<const Load> loads);
+  /// Travel and rotation of body `of` at its origin by force and moment on body `by` at a point of
+  /// it, in m/N and so on: 6 x 6.
+  Matrix6d compliance(int of, int by, const Eigen::Vector3d& arm) const;
+  /// Slopes of outputs, `by_pose`: an output a column, in travel and rotation of all bodies, in
+  /// the stiffnesses: of joint i the columns 6 i .. 6 i + 5, three of N/m and three of N m/rad.
+  Eigen::MatrixXd by_stiffness(const Poses& poses, const Eigen::MatrixXd& by_pose) const;
+
+ private:
+  /// J and what is left of forces at these poses; `share` of the load.
+  void assemble(const Poses& poses, std::span<const Load> loads, double share);
+  std::string newton(Poses& poses, std::span<const Load> loads, double share);
+  const Pose& pose(const Poses& poses, int body) const;
+  std::string softest_joint(const Poses& poses) const;
+
+  const Mechanism& mechanism_;
+  EquilibriumSettings settings_;
+  BlockElimination J_;
+  Eigen::VectorXd rest_;  // r + w, six a body
+  Pose ground_;
+  int iterations_ = 0;
+  double left_ = 0.0;
+};
+
+}  // namespace latsch::suspension
