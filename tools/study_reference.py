@@ -34,6 +34,7 @@ SECTIONS = [
     ('Test "footprint": where it touches the ground', "footprint_rig"),
     ('Test "steady_states": a table of states', "steady_states"),
     ('Test "slip_history": slips as recorded, lagging', "slip_history"),
+    ('Test "kc": a corner under loads', "kc"),
     ("[variable.NAME], [tie.NAME]", "variables"),
     ("[linear_constraint.NAME]", "linear_constraints"),
     ("[measurement.NAME]: what a laboratory recorded", "measurement"),
@@ -53,7 +54,7 @@ SECTIONS = [
 ]
 OTHER_ROOMS = {"rig_data", "comparison"}  # they read files that are no studies
 
-GETTER = re.compile(r"\b\w+(?:->|\.)(quantity|quantities|choice|integer|flag|texts?|rows)\(\s*(\w+|\"[^\"]*\")\s*([,)])")
+GETTER = re.compile(r"\b\w+(?:->|\.)(quantity|quantities|one_or_more|choice|integer|flag|texts?|rows)\(\s*(\w+|\"[^\"]*\")\s*([,)])")
 
 
 def reader(name, ending):
@@ -134,10 +135,11 @@ def fallback_words(text):
 def described(kind, rest, known):
     """What is expected, what holds unless given."""
     rest = [literal(part, known) for part in rest]
-    if kind in ("quantity", "quantities"):
+    if kind in ("quantity", "quantities", "one_or_more"):
         unit, extra = rest[0] if rest else '"1"', rest[1] if len(rest) > 1 else ""
         words = unit_words(unit) + range_words(extra)
-        return ("a list, each " if kind == "quantities" else "") + words, rest[2] if len(rest) > 2 else None
+        many = {"quantities": "a list, each ", "one_or_more": "one or a list, each "}
+        return many.get(kind, "") + words, rest[2] if len(rest) > 2 else None
     if kind == "integer":
         limits = [part for part in rest[:2]]
         shown = f" from {limits[0]} to {limits[1]}" if all(re.fullmatch(r"[\d']+", p) for p in limits) else ""

@@ -47,6 +47,10 @@ class Node {
   std::vector<double> quantities(std::string_view key,
                                  std::string_view unit,
                                  Range range = {}) const;
+  /// The same, or one value alone.
+  std::vector<double> one_or_more(std::string_view key,
+                                  std::string_view unit,
+                                  Range range = {}) const;
   /// A list of rows, each of the units given: contour = [["0 mm", "310 mm"], ...] or {unit = "mm",
   /// values = [[0, 310]]}.
   std::vector<std::vector<double>> rows(std::string_view key,

@@ -153,6 +153,14 @@ std::vector<double> Node::quantities(std::string_view key,
   return values;
 }
 
+std::vector<double> Node::one_or_more(std::string_view key,
+                                      std::string_view unit,
+                                      Range range) const {
+  const DocumentValue* value = impl_->ask(key);
+  if (value && value->kind != Kind::list) return {quantity(key, unit, range)};
+  return quantities(key, unit, range);
+}
+
 std::vector<std::vector<double>> Node::rows(std::string_view key,
                                             const std::vector<std::string>& units) const {
   std::vector<Unit> expected;

@@ -57,6 +57,7 @@ TEST(Document, ReadsQuantitiesInSi) {
   EXPECT_EQ(section.rows("thickness", {"1", "m"}),
             (std::vector<std::vector<double>>{{0.0, 0.006}, {0.5, 0.005}}));
   EXPECT_EQ(section.quantities("positions", "m"), (std::vector<double>{0.0, 0.005}));
+  EXPECT_EQ(section.one_or_more("positions", "m"), (std::vector<double>{0.0, 0.005}));
   EXPECT_EQ(root.table("rubber").table("tread").quantity("poisson_ratio", "1"), 0.49);
   EXPECT_EQ(root.quantity("absent", "m", {}, 0.25), 0.25);
   EXPECT_EQ(root.table("mesh").integer("sectors", 1, 100), 60);
@@ -65,6 +66,8 @@ TEST(Document, ReadsQuantitiesInSi) {
 TEST(Document, AListWithAUnitMayHoldAValueInAnother) {
   const auto document = Document::parse("a = {unit = \"mm\", values = [5, \"1 cm\"]}", "t");
   EXPECT_EQ(document.root().quantities("a", "m"), (std::vector<double>{0.005, 0.01}));
+  EXPECT_EQ(Document::parse("a = \"5 mm\"", "b.toml").root().one_or_more("a", "m"),
+            std::vector<double>{0.005});
 }
 
 TEST(Document, NamedTablesComeInTheOrderOfTheFile) {

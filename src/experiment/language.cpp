@@ -11,22 +11,27 @@ const SpecimenKind& fe_tire_kind();
 const SpecimenKind& ring_tire_kind();
 const SpecimenKind& rigid_ring_kind();
 const SpecimenKind& magic_formula_kind();
+const SpecimenKind& suspension_kind();
 extern const TestKind kDrumCleat, kSlipSweep, kRollingStiffness, kUniformity, kStaticStiffness,
-    kFootprint, kModes, kSteadyStates, kSlipHistory, kLoadDeflection;
+    kFootprint, kModes, kSteadyStates, kSlipHistory, kLoadDeflection, kKc;
 
 const Language& language() {
-  static const Language all = {
-      {&fe_tire_kind(), &ring_tire_kind(), &rigid_ring_kind(), &magic_formula_kind()},
-      {&kDrumCleat,
-       &kSlipSweep,
-       &kRollingStiffness,
-       &kUniformity,
-       &kStaticStiffness,
-       &kFootprint,
-       &kModes,
-       &kSteadyStates,
-       &kSlipHistory,
-       &kLoadDeflection}};
+  static const Language all = {{&fe_tire_kind(),
+                                &ring_tire_kind(),
+                                &rigid_ring_kind(),
+                                &magic_formula_kind(),
+                                &suspension_kind()},
+                               {&kDrumCleat,
+                                &kSlipSweep,
+                                &kRollingStiffness,
+                                &kUniformity,
+                                &kStaticStiffness,
+                                &kFootprint,
+                                &kModes,
+                                &kSteadyStates,
+                                &kSlipHistory,
+                                &kLoadDeflection,
+                                &kKc}};
   return all;
 }
 

@@ -16,6 +16,7 @@
 #include "experiment/language/test.h"
 #include "experiment/rigs/footprint_rig.h"
 #include "experiment/rigs/inflation.h"
+#include "experiment/rigs/kc_rig.h"
 #include "experiment/rigs/load_case.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/channels.h"
@@ -76,6 +77,14 @@ struct HasSteadyStates {
   virtual Channels slip_history(const formats::CsvTable& states, const Asked&) const = 0;
 };
 
+/// A corner of a suspension, loaded on a rig that holds the chassis.
+struct IsLoaded {
+  static constexpr const char* kName = "is loaded on a K&C rig";
+  virtual ~IsLoaded() = default;
+  /// With the slopes asked for, where they are known.
+  virtual Result<Channels> load(const KcTest& test, const Asked& asked) = 0;
+};
+
 /// Takes from a test what of others stands in their own files.
 struct TakesConditions {
   static constexpr const char* kName = "takes friction and sensor points from a test";
@@ -94,6 +103,7 @@ std::vector<std::string> abilities_of() {
   add(static_cast<HasFootprint*>(nullptr));
   add(static_cast<Rolls*>(nullptr));
   add(static_cast<HasSteadyStates*>(nullptr));
+  add(static_cast<IsLoaded*>(nullptr));
   add(static_cast<TakesConditions*>(nullptr));
   return names;
 }

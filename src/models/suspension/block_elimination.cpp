@@ -44,6 +44,8 @@ BlockElimination::BlockElimination(int bodies, const std::vector<std::pair<int, 
         updates_[at(k)].push_back({i == j ? -1 - i : place(i, j), place(i, k), place(k, j)});
   }
   other_.resize(at(blocks));
+  turn_of_.resize(at(bodies));
+  for (int i = 0; i < bodies; ++i) turn_of_[at(order_[at(i)])] = i;
 }
 
 void BlockElimination::clear() {
@@ -109,6 +111,25 @@ void BlockElimination::solve_transposed(Eigen::Ref<Eigen::MatrixXd> x) const {
       of(*k) = pivots_[static_cast<std::size_t>(*k)].transpose().solve(own);
     }
   }
+}
+
+Matrix6d BlockElimination::inverse_block(int row, int column) const {
+  const auto at = [](int body) { return static_cast<std::size_t>(body); };
+  const int count = bodies(), first = turn_of_[at(column)];
+  std::vector<Matrix6d, Eigen::aligned_allocator<Matrix6d>> x(at(count), Matrix6d::Zero());
+  x[at(column)].setIdentity();
+  for (int i = first; i < count; ++i) {
+    const int k = order_[at(i)];
+    x[at(k)] = pivots_[at(k)].solve(x[at(k)]).eval();
+    for (const Neighbor& n : later_[at(k)])
+      x[at(n.body)].noalias() -= other_[at(n.below)] * x[at(k)];
+  }
+  for (int i = count - 1; i >= turn_of_[at(row)]; --i) {
+    const int k = order_[at(i)];
+    for (const Neighbor& n : later_[at(k)])
+      x[at(k)].noalias() -= other_[at(n.right)] * x[at(n.body)];
+  }
+  return x[at(row)];
 }
 
 }  // namespace latsch::suspension

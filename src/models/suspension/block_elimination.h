@@ -29,6 +29,8 @@ class BlockElimination {
   /// x <- A^-1 x and x <- A'^-1 x, six rows a body, any number of columns.
   void solve(Eigen::Ref<Eigen::MatrixXd> x) const;
   void solve_transposed(Eigen::Ref<Eigen::MatrixXd> x) const;
+  /// The block (row, column) of A^-1: of bodies eliminated late with little work.
+  Matrix6d inverse_block(int row, int column) const;
 
  private:
   struct Neighbor {
@@ -42,7 +44,7 @@ class BlockElimination {
   std::vector<int> place_;  // of blocks, by row and column; -1: none
   std::vector<Matrix6d, Eigen::aligned_allocator<Matrix6d>> diagonal_, other_;
   std::vector<Eigen::PartialPivLU<Matrix6d>> pivots_;
-  std::vector<int> order_;
+  std::vector<int> order_, turn_of_;  // the bodies one after the other; when each is eliminated
   std::vector<std::vector<Neighbor>> later_;  // by body: those eliminated after it that it meets
   std::vector<std::vector<Update>> updates_;  // by body
   int singular_ = -1;

@@ -35,6 +35,11 @@ TEST(BlockElimination, SolvesLikeADenseFactorization) {
     A.solve_transposed(y);
     EXPECT_LT((dense * x - b).norm(), 1e-13 * b.norm());
     EXPECT_LT((dense.transpose() * y - b).norm(), 1e-13 * b.norm());
+    const Eigen::MatrixXd inverse = dense.inverse();
+    for (int i = 0; i < 5; ++i)
+      for (int j = 0; j < 5; ++j)
+        EXPECT_LT((A.inverse_block(i, j) - inverse.block<6, 6>(6 * i, 6 * j)).norm(),
+                  1e-13 * inverse.norm());
   }
 }
 

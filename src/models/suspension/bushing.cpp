@@ -10,13 +10,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Body-fixed angles 1-2-3 of R = R_x(q_1) R_y(q_2) R_z(q_3).
-Vector3d angles_123(const Matrix3d& R) {
-  return {std::atan2(-R(1, 2), R(2, 2)),
-          std::asin(std::clamp(R(0, 2), -1.0, 1.0)),
-          std::atan2(-R(0, 1), R(0, 0))};
-}
-
 struct ForceAndMoment {
   Vector3d F, M;
 };
@@ -35,8 +28,7 @@ Vector6d about(const Vector3d& arm, const Vector3d& F, const Vector3d& M) {
 
 /// d(N' t)/dq N for moments t that stay, by columns of ω.
 Matrix3d turned_moments(const BushingStrain& s, const Vector3d& t) {
-  const double s1 = std::sin(s.q[0]), c1 = std::cos(s.q[0]), c2 = std::cos(s.q[1]),
-               t2 = std::tan(s.q[1]);
+  const double s1 = s.s1, c1 = s.c1, c2 = s.c2, t2 = s.t2;
   // N' t = (t_1, s_1 w + c_1 t_2, -c_1 w + s_1 t_2) with w = t_1 tan q_2 - t_3 / cos q_2.
   const double w = t[0] * t2 - t[2] / c2;
   const double by_q2 = (t[0] / c2 - t[2] * t2) / c2;
@@ -57,9 +49,14 @@ BushingStrain strain_of(const BushingPlace& place, const Pose& a, const Pose& b)
   const Vector3d point = b.place + s.arm_b;
   s.arm_a = point - a.place;
   s.d = s.axes.transpose() * (s.arm_a - a.turn * place.in_a);
-  s.q = angles_123(s.axes.transpose() * (b.turn * place.axes_in_b));
-  const double s1 = std::sin(s.q[0]), c1 = std::cos(s.q[0]), c2 = std::cos(s.q[1]),
-               t2 = std::tan(s.q[1]);
+  const Matrix3d R = s.axes.transpose() * (b.turn * place.axes_in_b);
+  const double s2 = std::clamp(R(0, 2), -1.0, 1.0);
+  s.q = {std::atan2(-R(1, 2), R(2, 2)), std::asin(s2), std::atan2(-R(0, 1), R(0, 0))};
+  s.c2 = std::sqrt(R(0, 0) * R(0, 0) + R(0, 1) * R(0, 1));
+  s.t2 = s2 / s.c2;
+  s.s1 = -R(1, 2) / s.c2;
+  s.c1 = R(2, 2) / s.c2;
+  const double s1 = s.s1, c1 = s.c1, c2 = s.c2, t2 = s.t2;
   s.N << 1.0, s1 * t2, -c1 * t2,  //
       0.0, c1, s1,                //
       0.0, -s1 / c2, c1 / c2;

@@ -32,6 +32,7 @@ struct BushingStrain {
   Eigen::Vector3d q;      // rad
   Eigen::Matrix3d axes;   // A
   Eigen::Matrix3d N;      // rad/s of q by ω, in the axes of the bushing
+  double s1, c1, c2, t2;  // sines, cosines and tangents of q_1 and q_2
   Eigen::Vector3d arm_a;  // from a's origin to b's point, in the ground's axes, m
   Eigen::Vector3d arm_b;  // from b's
 };

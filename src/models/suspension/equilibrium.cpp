@@ -123,12 +123,9 @@ std::string Equilibrium::linearize(const Poses& poses, std::span<const Load> loa
 }
 
 Matrix6d Equilibrium::compliance(int of, int by, const Vector3d& arm) const {
-  Eigen::MatrixXd x = Eigen::MatrixXd::Zero(rest_.size(), 6);
   Matrix6d wrench = Matrix6d::Identity();
   wrench.bottomLeftCorner<3, 3>() = cross(arm);
-  x.middleRows<6>(6 * by) = -wrench;
-  J_.solve(x);
-  return x.middleRows<6>(6 * of);
+  return -(J_.inverse_block(of, by) * wrench);
 }
 
 Eigen::MatrixXd Equilibrium::by_stiffness(const Poses& poses,

@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+"""A corner of a suspension on the K&C rig: published statics, bushings found again, and what is refused.
+
+    kc_test.py PATH/TO/latsch
+"""
+import csv
+import io
+import math
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import tomllib
+import unittest
+
+from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, edit
+
+STUDIES = pathlib.Path(__file__).resolve().parents[3] / "studies" / "compliance"
+
+
+class Kc(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_kc_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        for file in STUDIES.glob("*.toml"):
+            shutil.copy(file, self.folder)
+        self.corner = self.folder / "front_left.toml"
+
+    def latsch(self, *arguments, code=DONE):
+        run = subprocess.run([LATSCH, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+        self.assertEqual(run.returncode, code, f"latsch {' '.join(map(str, arguments))}\n{run.stdout}{run.stderr}")
+        return run.stdout + run.stderr
+
+    def rows(self, test, corner=None):
+        table = csv.reader(io.StringIO(self.latsch("test", corner or self.corner, test)))
+        names = [name.split(" [")[0] for name in next(table)]
+        return [dict(zip(names, map(float, (x or "nan" for x in row)))) for row in table]
+
+    def test_it_moves_as_published(self):  # the figures of corner_test.cpp
+        row = self.rows('{kind = "kc", Fy = "-4 kN"}')[0]
+        for name, value in {"dx": 0.02265e-3, "dy": -0.56246e-3, "dz": -0.16064e-3}.items():
+            self.assertAlmostEqual(row[name], value, delta=0.5e-8)
+        for name, value in {"camber": 0.07710, "toe": 0.33106, "caster": -0.02222}.items():
+            self.assertAlmostEqual(math.degrees(row[name]), value, delta=0.5e-5)
+
+    def test_slopes_are_those_of_a_line_through_what_moves(self):
+        loads = ["0 N", "1 kN", "2 kN", "3 kN", "4 kN"]
+        listed = ", ".join(f'"{load}"' for load in loads)
+        rows = self.rows(f'{{kind = "kc", Fz = [{listed}], slopes_by = "Fz", window = ["0.9 kN", "3.1 kN"]}}')
+        dz = [row["dz"] for row in rows]
+        self.assertAlmostEqual(rows[0]["dz_by_Fz"] / ((dz[3] - dz[1]) / 2000.0), 1.0, delta=1e-9)
+
+    def test_at_the_wheel_center_a_side_force_does_not_tilt_it_by_its_height(self):
+        patch = self.rows('{kind = "kc", Fy = "100 N"}')[0]
+        center = self.rows('{kind = "kc", Fy = "100 N", at = "wheel_center"}')[0]
+        moved = self.rows('{kind = "kc", Fy = "100 N", Mx = "-23.5 N m", at = "contact_patch"}')[0]  # Fy 235 mm higher
+        self.assertNotAlmostEqual(patch["camber"], center["camber"], delta=1e-6)
+        for angle in ("camber", "toe", "caster"):
+            self.assertAlmostEqual(moved[angle], center[angle], delta=1e-3 * abs(center[angle]))
+
+    def test_bushings_are_found_and_what_is_not_measured_is_said(self):
+        text = self.latsch("run", self.folder / "study.toml")
+        self.assertIn("Levenberg-Marquardt", text)
+        truth = tomllib.loads((self.folder / "specimen.toml").read_text())["bushing"]
+        for joint in ("uca_front", "uca_rear", "lca_front", "lca_rear", "ubj", "lbj"):
+            found = re.search(rf"{joint} +([\d.]+) kN/mm +95 %: ([\d.]+) \.\. ([\d.]+)", text)
+            self.assertTrue(found, f"{joint}: {text}")
+            value, low, high = map(float, found.groups())
+            stiffness = float(truth[joint]["x"].split()[0])
+            self.assertAlmostEqual(value / stiffness, 1.0, delta=1e-3, msg=joint)
+            self.assertLess(low, stiffness)
+            self.assertGreater(high, stiffness)
+        for end in ("pushrod_inner", "pushrod_outer", "trackrod_inner", "trackrod_outer"):
+            self.assertRegex(text, rf"{end} .*anywhere between the bounds")
+        self.assertIn("All of them agree", self.latsch("check", "--derivatives", self.folder / "study.toml"))
+
+    def test_a_recording_of_a_rig_drives_the_test(self):
+        (self.folder / "rig.csv").write_text("Fz [kN],Fx [N],dz [mm]\n0,0,0\n2,-100,0.5\n4,-200,1.0\n")
+        study = self.folder / "study.toml"
+        study.write_text('model = "front_left.toml"\n[measurement.rig]\nfile = "rig.csv"\n'
+                         '[test.rig]\nkind = "kc"\nloads = {from = "measurement.rig"}\n'
+                         '[variable.all]\npath = "bushing.all.x"\nlower = "5 kN/mm"\nupper = "80 kN/mm"\n'
+                         'initial = "30 kN/mm"\n'
+                         '[experiment.dz]\nkind = "curve"\nx = "rig/Fz"\ny = "rig/dz"\nmeasurement = "rig"\n')
+        text = self.latsch("check", study)
+        self.assertIn("Fx, Fz at the contact patch, 3 states", text)
+        self.latsch("run", study)
+
+    def test_what_is_no_suspension_is_refused_in_words(self):
+        def refused(pattern, new, *parts):
+            spoiled = self.folder / "spoiled.toml"
+            shutil.copy(self.corner, spoiled)
+            edit(spoiled, (pattern, new))
+            text = self.latsch("test", spoiled, '{kind = "kc", Fz = "1 kN"}', code=WRONG_INPUT)
+            for part in ("spoiled.toml", *parts):
+                self.assertIn(part, text)
+
+        refused(r'"1510.800 mm", "527.786 mm", "350.000 mm"', '"1510.8 m", "527.786 m", "350 m"', "ubj", "millimeters")
+        refused(r'ubj = \["1510.800 mm", "527.786 mm", "350.000 mm"\]', 'ubj = ["1648.347 mm", "273.206 mm", "303.434 mm"]',
+                "in one line", "uca_front")
+        refused(r'side = "left"', 'side = "right"', "side", "left is y > 0")
+        refused(r'z = "30 kN/mm"\n', "", "has no z", "bushing.all")
+        refused(r'([xyz]) = "30 kN/mm"', r'\1 = "0 kN/mm"', "has no stiffness", "uca_front")
+        refused(r'x = "30 kN/mm"', 'x = "-30 kN/mm"', "x")
+        refused(r"\[bushing.all\]", '[bushing.ubk]\nx = "1 kN/mm"\n[bushing.all]', "ubk", "ubj")
+
+    def test_what_is_no_test_is_refused_in_words(self):
+        for test, part in (('{kind = "kc"}', "a load"),
+                           ('{kind = "kc", Fz = ["1 kN", "2 kN"], Fx = ["1 N", "2 N", "3 N"]}', "expected one or 3"),
+                           ('{kind = "kc", Fz = ["1 kN", "1 kN"], slopes_by = "Fz"}', "does not vary"),
+                           ('{kind = "kc", Fz = "1 kN", window = ["0 N", "1 N"]}', "slopes_by"),
+                           ('{kind = "kc", Mz = "1 kN"}', "N m")):
+            self.assertIn(part, self.latsch("test", self.corner, test, code=WRONG_INPUT))
+        tire = STUDIES.parent / "ring_tires" / "passenger_205_55R16.toml"
+        self.assertIn("is loaded on a K&C rig", self.latsch("test", tire, '{kind = "kc", Fz = "1 kN"}', code=WRONG_INPUT))
+
+    def test_a_load_beyond_it_fails_and_names_the_joint(self):
+        text = self.latsch("test", self.corner, '{kind = "kc", Mz = "1e9 N m"}', code=FAILED)
+        self.assertIn("no equilibrium beyond", text)
+        self.assertIn("is turned most", text)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// A corner of ten bushings: nonlinear statics and compliance matrices a second, on one core.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.h"
+#include "models/suspension/corner_testing.h"
+#include "models/suspension/equilibrium.h"
+#include "table.h"
+#include "yardstick.h"
+
+namespace {
+
+using namespace latsch::suspension;
+using latsch::benchmarks::beside;
+using latsch::benchmarks::Yardstick;
+
+constexpr int kRounds = 15;
+
+/// Forces up to 5 kN and moments up to 200 N m in any direction.
+std::vector<Load> random_loads(const DoubleWishbone& corner, int count) {
+  latsch::RandomStream random(15, 1);
+  std::vector<Load> loads;
+  const auto any = [&](double most) { return most * (2.0 * random.uniform() - 1.0); };
+  for (int i = 0; i < count; ++i)
+    loads.push_back({DoubleWishbone::kUpright,
+                     corner.contact,
+                     {any(5e3), any(5e3), any(5e3)},
+                     {any(200.0), any(200.0), any(200.0)}});
+  return loads;
+}
+
+int kc() {
+  latsch::benchmarks::Table table("kc");
+  const DoubleWishbone corner = race_corner();
+  const Mechanism mechanism(corner.bodies(), corner.joints());
+  Equilibrium statics(mechanism);
+  const std::vector<Load> loads = random_loads(corner, 500);
+  double left = 0.0, iterations = 0.0;
+  int failed = 0;
+  const auto nonlinear = beside(Yardstick::atan, kRounds, [&] {
+    for (const Load& load : loads) {
+      failed += statics.solve({&load, 1}) ? 0 : 1;
+      left = std::max(left, statics.left());
+      iterations += statics.iterations();
+    }
+  });
+  const double rate = static_cast<double>(loads.size()) / nonlinear.time;
+  table.row("nonlinear statics of a corner from rest, load cases a second",
+            fmt::format("{:.0f}", rate),
+            ">= 50000",
+            rate >= 50000.0 && failed == 0);
+  table.row("what is left of forces and moments",
+            fmt::format("{:.1e} N, N m, none failed", left),
+            "<= 1e-6",
+            left <= 1e-6 && failed == 0);
+  table.note("Newton's corrections each",
+             fmt::format("{:.2f}", iterations / static_cast<double>(loads.size()) / (kRounds + 1)));
+  const Poses rest = mechanism.at_rest();
+  const Eigen::Vector3d arm = corner.contact - corner.wheel_center;
+  double sum = 0.0;
+  constexpr int kMatrices = 2000;
+  const auto linear = beside(Yardstick::atan, kRounds, [&] {
+    for (int i = 0; i < kMatrices; ++i) {
+      if (!statics.linearize(rest, {}).empty()) sum = NAN;
+      sum += statics.compliance(DoubleWishbone::kUpright, DoubleWishbone::kUpright, arm)(2, 2);
+    }
+  });
+  const double matrices = kMatrices / linear.time;
+  table.row("6 x 6 compliance matrices a second",
+            fmt::format("{:.0f}", matrices),
+            ">= 200000",
+            matrices >= 200000.0 && std::isfinite(sum));
+  return table.exit_code();
+}
+
+}  // namespace
+
+int main() { return latsch::benchmarks::guarded(kc); }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// A corner of a suspension as a kind of specimen.
+#include "experiment/language/capabilities.h"
+#include "experiment/language/specimen.h"
+#include "models/suspension/suspension_reader.h"
+
+namespace latsch::experiment {
+namespace {
+
+class SuspensionSpecimen : public Specimen, public IsLoaded {
+ public:
+  explicit SuspensionSpecimen(const Document& numbers)
+      : numbers_(numbers), corner_(suspension::read_suspension(numbers.root())) {}
+
+  Result<Channels> load(const KcTest& test, const Asked& asked) override {
+    std::vector<Stiffnesses> varied;
+    for (const std::string& path : asked.paths)
+      varied.push_back(suspension::stiffnesses_at(numbers_, path));
+    return run(corner_, test, varied);
+  }
+
+ private:
+  Document numbers_;
+  suspension::DoubleWishbone corner_;
+};
+
+class SuspensionKind : public SpecimenKind {
+ public:
+  std::string name() const override { return "suspension"; }
+  std::string in_words() const override { return "suspension"; }
+  std::string file() const override { return "a TOML file with kind = \"suspension\""; }
+  int version() const override { return 1; }
+  std::vector<std::string> abilities() const override { return abilities_of<SuspensionSpecimen>(); }
+
+  bool recognizes(const std::filesystem::path&) const override { return false; }
+  Document read(const std::filesystem::path& file) const override {
+    Document document = Document::read(file);
+    SuspensionSpecimen{document};  // what is wrong is said of the file as it stands
+    return document;
+  }
+  std::unique_ptr<Specimen> build(const Document& numbers,
+                                  std::unique_ptr<Specimen>) const override {
+    return std::make_unique<SuspensionSpecimen>(numbers);
+  }
+  bool knows_slopes_in(const std::string& path) const override {
+    return path.starts_with("bushing.");
+  }
+};
+
+}  // namespace
+
+const SpecimenKind& suspension_kind() {
+  static const SuspensionKind kind;
+  return kind;
+}
+
+}  // namespace latsch::experiment

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rig for kinematics and compliance of a corner: the chassis is held, the inboard end of the
+// push-rod too, and loads of fixed direction act at the contact patch or at the wheel's center.
+// Axes of the ground, ISO 8855: x forward, y left, z up. Travel and angles are those from the
+// unloaded corner; signs as in models/suspension/wheel_position.h.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+#include "measurement/channels.h"
+#include "models/suspension/double_wishbone.h"
+
+namespace latsch::experiment {
+
+struct KcTest {
+  static constexpr std::array<const char*, 6> kLoads = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
+  static constexpr std::array<const char*, 6> kMoved = {
+      "dx", "dy", "dz", "camber", "toe", "caster"};
+
+  bool at_wheel_center = false;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> loads;  // N, N m; a state a column
+  std::array<bool, 6> stated = {};                 // which of the loads are recorded
+  /// Slopes of what moves by this load, of a regression over the states where it is in a window.
+  std::optional<int> slopes_by = {};
+  std::pair<double, double> window = {-1e300, 1e300};  // N or N m
+
+  /// "dz_by_Fz", "m/N"
+  std::string slope_name(int moved) const;
+  std::string slope_unit(int moved) const;
+  /// Weights of the states in that regression, with an axis intercept; empty where the load does
+  /// not vary in the window.
+  Eigen::VectorXd slope_weights() const;
+};
+
+/// Of the stiffnesses, joint and axis, that a number varied stands for.
+using Stiffnesses = std::vector<std::pair<int, int>>;
+
+/// The loads that are stated, what moves and its slopes; slopes of these in numbers varied.
+Result<Channels> run(const suspension::DoubleWishbone& corner,
+                     const KcTest& test,
+                     const std::vector<Stiffnesses>& varied = {});
+
+}  // namespace latsch::experiment

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// A corner of a suspension from its file:
+//
+//   kind = "suspension"
+//   title = "Front left"
+//   side = "left"                        # of the car: its hardpoints have y > 0; or "right"
+//   pushrod_on = "upper_wishbone"        # or "lower_wishbone", "upright"
+//   [hardpoint]                          # x forward, y left, z up
+//   uca_front = ["1648.347 mm", "273.206 mm", "303.434 mm"]
+//   # and uca_rear, lca_front, lca_rear, ubj, lbj, pushrod_inner, pushrod_outer, trackrod_inner,
+//   # trackrod_outer, wheel_center, contact
+//   [bushing.all]                        # of every joint that does not say otherwise
+//   x = "30 kN/mm"                       # y, z: the same
+//   about_x = "200 N m/rad"              # about_y, about_z
+//   [bushing.ubj]
+//   y = "12 kN/mm"
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/document.h"
+#include "models/suspension/double_wishbone.h"
+
+namespace latsch::suspension {
+
+/// InputError naming the place, or the part that is no suspension.
+DoubleWishbone read_suspension(const Node& root);
+
+/// Which stiffnesses the number at a path of the file is, by joint and x, y, z, about_x: several
+/// for one of [bushing.all], none for what is no stiffness.
+std::vector<std::pair<int, int>> stiffnesses_at(const Document& numbers, const std::string& path);
+
+}  // namespace latsch::suspension
