@@ -65,7 +65,20 @@ TEST(Units, AnAngleIsADimensionOfItsOwn) {
 }
 
 TEST(Units, DimensionsHaveTheirSiUnitAndWords) {
-  for (const char* unit : {"1", "m", "N", "Pa", "N/m", "rad", "Hz", "kg/m^3", "N m", "rad/s", "K"})
+  for (const char* unit : {"1",
+                           "m",
+                           "N",
+                           "Pa",
+                           "N/m",
+                           "rad",
+                           "Hz",
+                           "kg/m^3",
+                           "N m",
+                           "rad/s",
+                           "K",
+                           "m/N",
+                           "rad/N",
+                           "rad/(N m)"})
     EXPECT_EQ(si_unit(Unit::of(unit).dimension()), unit);
   EXPECT_EQ(si_unit(Unit::of("V").dimension()), "m^2 kg s^-3 A^-1");
   EXPECT_EQ(words_for(Unit::of("rad")).noun, "an angle");

@@ -29,6 +29,7 @@ std::string KcTest::slope_name(int moved) const {
 }
 
 std::string KcTest::slope_unit(int moved) const {
+  if (*slopes_by >= 3 && moved < 3) return "1/N";  // m/(N m)
   return unit_of_moved(moved) + std::string(*slopes_by < 3 ? "/N" : "/(N m)");
 }
 
