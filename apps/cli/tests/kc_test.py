@@ -73,6 +73,16 @@ class Kc(unittest.TestCase):
             self.assertGreater(high, stiffness)
         for end in ("pushrod_inner", "pushrod_outer", "trackrod_inner", "trackrod_outer"):
             self.assertRegex(text, rf"{end} .*anywhere between the bounds")
+        # Of a rod the two ends in series are measured: either has at least the sum's stiffness, whatever the other's.
+        profiles = self.latsch("identify", self.folder / "study.toml").split("Profiles:")[1].split("Cross-validation")[0]
+        self.assertNotIn("several minima", profiles)
+        for rod in ("pushrod", "trackrod"):
+            inner, outer = (float(truth[f"{rod}_{end}"]["x"].split()[0]) for end in ("inner", "outer"))
+            limit = 1.0 / (1.0 / inner + 1.0 / outer - 1.0 / 400.0)  # the other end at its upper bound
+            for end in ("inner", "outer"):
+                found = re.search(rf"{rod}_{end} +one-sided.*\n +95 %: at least ([\d.]+)", profiles)
+                self.assertTrue(found, profiles)
+                self.assertAlmostEqual(float(found[1]) / limit, 1.0, delta=0.05)
         self.assertIn("All of them agree", self.latsch("check", "--derivatives", self.folder / "study.toml"))
 
     def test_a_recording_of_a_rig_drives_the_test(self):

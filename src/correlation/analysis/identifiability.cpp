@@ -359,6 +359,19 @@ std::string value_text(const DesignSpace& space,
   return known_digits(space, variable, value, interval) + (unit == "1" ? "" : " " + unit);
 }
 
+namespace {
+
+/// The end of an interval that is open at the other: its digits are not those of a width that has
+/// none.
+std::string limit_text(const DesignSpace& space, int variable, double value) {
+  constexpr double kKnown = 0.03;  // of it
+  const std::string& unit = space[variable].unit;
+  const double shown = Unit::of(unit).from_si(value);
+  return format_known(shown, kKnown * std::abs(shown)) + (unit == "1" ? "" : " " + unit);
+}
+
+}  // namespace
+
 std::string interval_text(const DesignSpace& space, int variable, const Interval& interval) {
   const double lower = value_at(space, variable, interval.lower),
                upper = value_at(space, variable, interval.upper);
@@ -367,8 +380,8 @@ std::string interval_text(const DesignSpace& space, int variable, const Interval
     return known_digits(space, variable, lower, interval) + " .. " +
            value_text(space, variable, upper, interval);
   }
-  if (low) return "at least " + value_text(space, variable, lower, interval);
-  if (high) return "at most " + value_text(space, variable, upper, interval);
+  if (low) return "at least " + limit_text(space, variable, lower);
+  if (high) return "at most " + limit_text(space, variable, upper);
   return "anywhere between the bounds";
 }
 

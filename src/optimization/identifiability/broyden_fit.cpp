@@ -19,7 +19,9 @@ constexpr double kLongestRefitStep = 0.25;  // of the range, in one variable: J 
 constexpr int kFailedSteps = 2;             // before J is taken anew
 constexpr double kFirstLambda = 1e-3;       // of the largest entry of J'J
 constexpr double kLambdaFactor = 10.0;
-constexpr double kLeastCurvature = 1e-12;  // of the largest: a quadratic program wants some
+// Of the largest: a quadratic program wants some, and where the data do not say at all, a step that
+// rounding asks for leads far off.
+constexpr double kLeastCurvature = 1e-12;
 
 /// The d of the columns `free` with the least |r + J d|^2 + lambda |d|^2, u + d in the unit cube
 /// and not far away.
@@ -29,7 +31,8 @@ Eigen::VectorXd bounded_step(const Linearization& at, const std::vector<int>& fr
     const Eigen::Index m = at.r.size();
     Eigen::MatrixXd A(m + k, k);
     A.topRows(m) = at.J(Eigen::all, columns);
-    A.bottomRows(k) = std::sqrt(lambda) * Eigen::MatrixXd::Identity(k, k);
+    const double scale = A.topRows(m).colwise().squaredNorm().maxCoeff();
+    A.bottomRows(k) = std::sqrt(lambda + kLeastCurvature * scale) * Eigen::MatrixXd::Identity(k, k);
     Eigen::VectorXd b = Eigen::VectorXd::Zero(m + k);
     b.head(m) = -(at.r + at.J * d);
     return numerics::shortest_solution(A, b);
