@@ -142,8 +142,11 @@ std::unique_ptr<Test> read_kc(const Node& root, const TestSource& source) {
   const Histories loads = from ? recorded(*from, source) : stated(root);
   std::size_t states = 0;
   for (const auto& load : loads) states = std::max(states, load.size());
-  if (states == 0)
-    root.reject(from ? "loads" : "Fz", "is missing, expected Fx, Fy, Fz, Mx, My or Mz: a load");
+  if (states == 0) {
+    if (from) root.reject("loads", "has none of Fx, Fy, Fz, Mx, My, Mz: no load was recorded");
+    root.one_or_more("Fz", "N");  // where it is not there, what was probably meant is named
+    root.reject("Fz", "is empty, expected the loads of one state at least");
+  }
   test.loads.setZero(6, static_cast<Eigen::Index>(states));
   for (std::size_t i = 0; i < 6; ++i) {
     const std::vector<double>& load = loads[i];

@@ -151,6 +151,38 @@ TEST_F(Corner, LoadsBeyondWhatItHoldsFailInWords) {
       << poses.failure().reason;
 }
 
+TEST_F(Corner, JointsThatHardlyGiveAreSolvedAsFarAsNumbersGo) {
+  const Load on = load({0.0, 0.0, 5e3}, Vector3d::Zero());
+  const WheelPosition rest = wheel(mechanism_.at_rest());
+  const auto travel = [&](double stiffness) {
+    for (BushingParameters& bushing : corner_.bushings) bushing.stiffness.setConstant(stiffness);
+    const Mechanism stiff(corner_.bodies(), corner_.joints());
+    const auto poses = Equilibrium(stiff).solve({&on, 1});
+    EXPECT_TRUE(poses) << poses.failure().reason;
+    return (wheel(*poses).contact - rest.contact).norm();
+  };
+  EXPECT_NEAR(travel(1e12) / travel(1e9), 1e-3, 1e-6);
+}
+
+TEST_F(Corner, BushingsSoSoftThatItTurnsOverAreNamed) {
+  for (BushingParameters& bushing : corner_.bushings) bushing.stiffness.setConstant(3e3);
+  const Mechanism soft(corner_.bodies(), corner_.joints());
+  const Load on = load({0.0, 0.0, 5e3}, Vector3d::Zero());
+  const auto poses = Equilibrium(soft).solve({&on, 1});
+  ASSERT_FALSE(poses);
+  EXPECT_NE(poses.failure().reason.find("is turned most"), std::string::npos)
+      << poses.failure().reason;
+}
+
+TEST_F(Corner, ARodThatSpinsFreelyIsNamed) {
+  for (BushingParameters& bushing : corner_.bushings) bushing.rotational.setZero();
+  const Mechanism free(corner_.bodies(), corner_.joints());
+  const Load on = load({0.0, 0.0, 5e3}, Vector3d::Zero());
+  const auto poses = Equilibrium(free).solve({&on, 1});
+  ASSERT_FALSE(poses);
+  EXPECT_NE(poses.failure().reason.find("rod"), std::string::npos) << poses.failure().reason;
+}
+
 TEST_F(Corner, PartsThatMakeNoneAreNamed) {
   DoubleWishbone bad = corner_;
   bad.points[DoubleWishbone::kUbj] = bad.points[DoubleWishbone::kUcaFront];

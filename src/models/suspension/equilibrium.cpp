@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace latsch::suspension {
@@ -43,14 +44,18 @@ Result<Poses> Equilibrium::solve(std::span<const Load> loads, const Poses* start
 }
 
 std::string Equilibrium::newton(Poses& poses, std::span<const Load> loads, double share) {
+  const double enough = std::max(settings_.force, rounding());
   for (int i = 0; i <= settings_.iterations; ++i) {
     assemble(poses, loads, share);
     left_ = rest_.lpNorm<Eigen::Infinity>();
-    if (left_ <= settings_.force) return {};
+    if (left_ <= enough)
+      return turned_ <= settings_.most ? "" : most_turned(poses) + ": it would be torn off";
     if (!std::isfinite(left_) || i == settings_.iterations) break;
     if (!J_.factorize())
-      return fmt::format("nothing holds {}: a direction of it meets no stiffness",
-                         mechanism_.bodies()[static_cast<std::size_t>(J_.singular_body())].name);
+      return fmt::format(
+          "nothing holds {}: a direction of it meets no stiffness (a rod whose bushings have no "
+          "rotational stiffness spins freely)",
+          mechanism_.bodies()[static_cast<std::size_t>(J_.singular_body())].name);
     ++iterations_;
     J_.solve(rest_);
     double turn = 0.0;
@@ -63,10 +68,19 @@ std::string Equilibrium::newton(Poses& poses, std::span<const Load> loads, doubl
   return fmt::format("{:.3g} N are left after {} corrections, {}",
                      left_,
                      settings_.iterations,
-                     softest_joint(poses));
+                     most_turned(poses));
 }
 
-std::string Equilibrium::softest_joint(const Poses& poses) const {
+double Equilibrium::rounding() const {
+  double stiffest = 0.0, far = 0.0;
+  for (const Joint& joint : mechanism_.joints()) {
+    stiffest = std::max(stiffest, joint.bushing.stiffness.maxCoeff());
+    far = std::max(far, joint.point.lpNorm<Eigen::Infinity>());
+  }
+  return 4.0 * std::numeric_limits<double>::epsilon() * stiffest * far;
+}
+
+std::string Equilibrium::most_turned(const Poses& poses) const {
   double most = -1.0;
   std::string name;
   for (std::size_t i = 0; i < mechanism_.joints().size(); ++i) {
@@ -85,10 +99,12 @@ std::string Equilibrium::softest_joint(const Poses& poses) const {
 void Equilibrium::assemble(const Poses& poses, std::span<const Load> loads, double share) {
   J_.clear();
   rest_.setZero();
+  turned_ = 0.0;
   for (std::size_t i = 0; i < mechanism_.joints().size(); ++i) {
     const Joint& joint = mechanism_.joints()[i];
     const BushingStrain strain = strain_of(
         mechanism_.place(static_cast<int>(i)), pose(poses, joint.a), pose(poses, joint.b));
+    turned_ = std::max(turned_, strain.q.lpNorm<Eigen::Infinity>());
     const BushingWrenches w = wrenches(strain, joint.bushing);
     const BushingTangent K = tangent(strain, joint.bushing);
     if (joint.a != kGround) {

@@ -16,10 +16,11 @@
 namespace latsch::suspension {
 
 struct EquilibriumSettings {
-  double force = 1e-6;  // N and N m: the largest that may be left
+  double force = 1e-6;  // N and N m: the largest that may be left, or what rounding leaves
   int iterations = 20;  // of Newton's method; then the load is halved
   int halvings = 6;     // of the part of the load that is added at once
   double turn = 0.3;    // rad: no body turns more in one correction
+  double most = 1.2;    // rad: a bushing turned more is near the end of its angles, and torn
 };
 
 /// Reuses its memory from one load to the next. The mechanism has to outlive it.
@@ -48,7 +49,9 @@ class Equilibrium {
   void assemble(const Poses& poses, std::span<const Load> loads, double share);
   std::string newton(Poses& poses, std::span<const Load> loads, double share);
   const Pose& pose(const Poses& poses, int body) const;
-  std::string softest_joint(const Poses& poses) const;
+  std::string most_turned(const Poses& poses) const;
+  /// Of forces that cancel, by the stiffest bushing, N.
+  double rounding() const;
 
   const Mechanism& mechanism_;
   EquilibriumSettings settings_;
@@ -57,6 +60,7 @@ class Equilibrium {
   Pose ground_;
   int iterations_ = 0;
   double left_ = 0.0;
+  double turned_ = 0.0;  // the largest angle of a bushing at the last poses, rad
 };
 
 }  // namespace latsch::suspension
