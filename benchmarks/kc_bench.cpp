@@ -6,16 +6,18 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "models/multibody/equilibrium.h"
 #include "models/suspension/corner_testing.h"
-#include "models/suspension/equilibrium.h"
 #include "table.h"
 #include "yardstick.h"
 
 namespace {
 
-using namespace latsch::suspension;
+using namespace latsch::multibody;
 using latsch::benchmarks::beside;
 using latsch::benchmarks::Yardstick;
+using latsch::suspension::DoubleWishbone;
+using latsch::suspension::race_corner;
 
 constexpr int kRounds = 15;
 

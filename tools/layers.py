@@ -36,9 +36,10 @@ ROOMS = {
                     "rig_data", "comparison", "validation"],
 }
 
-# One model does not use another, except these: every tire rolls on a road, and the rigid ring's slip
-# forces are the Magic Formula's.
-MODELS = {"road": [], "tire": ["road"], "rigid_ring": ["road", "tire", "magic_formula"]}
+# One model does not use another, except these: every tire rolls on a road, the rigid ring's slip forces are the
+# Magic Formula's, suspensions are rigid bodies with their elements, and a car has suspensions and tires.
+MODELS = {"road": [], "tire": ["road"], "rigid_ring": ["road", "tire", "magic_formula"], "multibody": [],
+          "suspension": ["multibody"], "car": ["road", "tire", "multibody", "suspension"]}
 EVERY_TIRE = ["road", "tire"]
 
 # Studies are of any model: what is written once for all of them knows none.

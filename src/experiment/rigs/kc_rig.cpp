@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "models/suspension/equilibrium.h"
+#include "models/multibody/equilibrium.h"
 
 namespace latsch::experiment {
 namespace {
 
+using multibody::Vector6d;
 using suspension::DoubleWishbone;
-using suspension::Vector6d;
 
 Vector6d as_vector(const suspension::WheelPosition& at) {
   Vector6d v;
@@ -49,15 +49,15 @@ Eigen::VectorXd KcTest::slope_weights() const {
 Result<Channels> run(const DoubleWishbone& corner,
                      const KcTest& test,
                      const std::vector<Stiffnesses>& varied) {
-  const suspension::Mechanism mechanism(corner.bodies(), corner.joints());
-  suspension::Equilibrium statics(mechanism);
+  const multibody::Mechanism mechanism(corner.bodies(), corner.joints());
+  multibody::Equilibrium statics(mechanism);
   suspension::WheelPoints points = corner.wheel();
-  suspension::Load on{DoubleWishbone::kUpright, corner.contact};
+  multibody::Load on{DoubleWishbone::kUpright, corner.contact};
   if (test.at_wheel_center) {
     points.contact = points.center;
     on.point = corner.wheel_center;
   }
-  suspension::Poses poses = mechanism.at_rest();
+  multibody::Poses poses = mechanism.at_rest();
   const Vector6d rest = as_vector(wheel_position(points, poses[DoubleWishbone::kUpright]));
   const Eigen::Index states = test.loads.cols();
   const auto numbers = static_cast<Eigen::Index>(varied.size());
@@ -70,7 +70,7 @@ Result<Channels> run(const DoubleWishbone& corner,
     if (!found)
       return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, found.failure().reason)};
     poses = std::move(*found);
-    const suspension::Pose& upright = poses[DoubleWishbone::kUpright];
+    const multibody::Pose& upright = poses[DoubleWishbone::kUpright];
     moved.row(i) = as_vector(wheel_position(points, upright)) - rest;
     if (varied.empty()) continue;
     if (const std::string trouble = statics.linearize(poses, {&on, 1}); !trouble.empty())

@@ -4,13 +4,14 @@
 
 #include <numbers>
 
+#include "models/multibody/equilibrium.h"
 #include "models/suspension/corner_testing.h"
-#include "models/suspension/equilibrium.h"
 
 namespace latsch::suspension {
 namespace {
 
 using Eigen::Vector3d;
+using namespace multibody;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 

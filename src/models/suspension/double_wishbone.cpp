@@ -47,7 +47,7 @@ std::string DoubleWishbone::fault() const {
   return {};
 }
 
-std::vector<Body> DoubleWishbone::bodies() const {
+std::vector<multibody::Body> DoubleWishbone::bodies() const {
   const auto middle = [&](Joint i, Joint j) -> Vector3d { return 0.5 * (points[i] + points[j]); };
   return {{"the upper wishbone", points[kUbj]},
           {"the lower wishbone", points[kLbj]},
@@ -56,7 +56,8 @@ std::vector<Body> DoubleWishbone::bodies() const {
           {"the track-rod", middle(kTrackrodInner, kTrackrodOuter)}};
 }
 
-std::vector<suspension::Joint> DoubleWishbone::joints() const {
+std::vector<multibody::Joint> DoubleWishbone::joints() const {
+  using multibody::kGround;
   constexpr std::array<std::pair<int, int>, kJoints> kPairs = {{{kGround, kUpper},
                                                                 {kGround, kUpper},
                                                                 {kGround, kLower},
@@ -67,7 +68,7 @@ std::vector<suspension::Joint> DoubleWishbone::joints() const {
                                                                 {kPushrod, kUpper},
                                                                 {kGround, kTrackrod},
                                                                 {kTrackrod, kUpright}}};
-  std::vector<suspension::Joint> joints;
+  std::vector<multibody::Joint> joints;
   for (std::size_t i = 0; i < kJoints; ++i)
     joints.push_back({kNames[i],
                       kPairs[i].first,

@@ -11,10 +11,12 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "models/suspension/mechanism.h"
+#include "models/multibody/mechanism.h"
 #include "models/suspension/wheel_position.h"
 
 namespace latsch::suspension {
+
+using multibody::BushingParameters;
 
 struct DoubleWishbone {
   enum Joint {
@@ -51,8 +53,8 @@ struct DoubleWishbone {
   /// What is wrong with the points, naming them, or empty: two ends of a rod or the joints of a
   /// wishbone in one place or in one line, points that look like millimeters.
   std::string fault() const;
-  std::vector<suspension::Body> bodies() const;
-  std::vector<suspension::Joint> joints() const;
+  std::vector<multibody::Body> bodies() const;
+  std::vector<multibody::Joint> joints() const;
   WheelPoints wheel() const;
 };
 

@@ -66,7 +66,7 @@ DoubleWishbone read_suspension(const Node& root) {
   root.close();
   std::string fault = corner.fault();
   if (!fault.empty()) throw InputError(hardpoint.place(), fault);
-  fault = Mechanism::fault(corner.bodies(), corner.joints());
+  fault = multibody::Mechanism::fault(corner.bodies(), corner.joints());
   if (!fault.empty()) throw InputError(bushings.place(), fault);
   return corner;
 }

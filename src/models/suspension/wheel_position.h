@@ -7,9 +7,14 @@
 
 #include <Eigen/Core>
 
-#include "models/suspension/pose.h"
+#include "models/multibody/pose.h"
 
 namespace latsch::suspension {
+
+using multibody::cross;
+using multibody::Matrix6d;
+using multibody::Pose;
+using multibody::Vector6d;
 
 enum class Side { left, right };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/suspension/block_elimination.h"
+#include "models/multibody/block_elimination.h"
 
 #include <gtest/gtest.h>
 
 #include "base/random.h"
 
-namespace latsch::suspension {
+namespace latsch::multibody {
 namespace {
 
 using Pairs = std::vector<std::pair<int, int>>;
@@ -52,4 +52,4 @@ TEST(BlockElimination, NamesTheBodyWithoutSupport) {
 }
 
 }  // namespace
-}  // namespace latsch::suspension
+}  // namespace latsch::multibody

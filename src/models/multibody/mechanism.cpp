@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/suspension/mechanism.h"
+#include "models/multibody/mechanism.h"
 
 #include <fmt/format.h>
 
 #include <cassert>
 
-namespace latsch::suspension {
+namespace latsch::multibody {
 
 std::string Mechanism::fault(const std::vector<Body>& bodies, const std::vector<Joint>& joints) {
   const int count = static_cast<int>(bodies.size());
@@ -71,4 +71,4 @@ std::vector<std::pair<int, int>> Mechanism::pairs() const {
   return pairs;
 }
 
-}  // namespace latsch::suspension
+}  // namespace latsch::multibody

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/suspension/block_elimination.h"
+#include "models/multibody/block_elimination.h"
 
 #include <algorithm>
 #include <cassert>
 #include <set>
 
-namespace latsch::suspension {
+namespace latsch::multibody {
 
 BlockElimination::BlockElimination(int bodies, const std::vector<std::pair<int, int>>& pairs)
     : place_(static_cast<std::size_t>(bodies * bodies), -1),
@@ -132,4 +132,4 @@ Matrix6d BlockElimination::inverse_block(int row, int column) const {
   return x[at(row)];
 }
 
-}  // namespace latsch::suspension
+}  // namespace latsch::multibody

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/suspension/bushing.h"
+#include "models/multibody/bushing.h"
 
 #include <gtest/gtest.h>
 
 #include "base/random.h"
 
-namespace latsch::suspension {
+namespace latsch::multibody {
 namespace {
 
 using Eigen::Vector3d;
@@ -105,4 +105,4 @@ TEST(Bushing, TangentIsThatOfDifferences) {
 }
 
 }  // namespace
-}  // namespace latsch::suspension
+}  // namespace latsch::multibody

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "models/suspension/bushing.h"
+#include "models/multibody/bushing.h"
 
-namespace latsch::suspension {
+namespace latsch::multibody {
 
 constexpr int kGround = -1;
 
@@ -59,4 +59,4 @@ class Mechanism {
   std::vector<BushingPlace> places_;
 };
 
-}  // namespace latsch::suspension
+}  // namespace latsch::multibody

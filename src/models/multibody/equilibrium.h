@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "base/result.h"
-#include "models/suspension/block_elimination.h"
-#include "models/suspension/mechanism.h"
+#include "models/multibody/block_elimination.h"
+#include "models/multibody/mechanism.h"
 
-namespace latsch::suspension {
+namespace latsch::multibody {
 
 struct EquilibriumSettings {
   double force = 1e-6;  // N and N m: the largest that may be left, or what rounding leaves
@@ -63,4 +63,4 @@ class Equilibrium {
   double turned_ = 0.0;  // the largest angle of a bushing at the last poses, rad
 };
 
-}  // namespace latsch::suspension
+}  // namespace latsch::multibody

@@ -9,9 +9,9 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "models/suspension/pose.h"
+#include "models/multibody/pose.h"
 
-namespace latsch::suspension {
+namespace latsch::multibody {
 
 struct BushingParameters {
   Eigen::Vector3d stiffness;   // k, N/m
@@ -53,4 +53,4 @@ BushingTangent tangent(const BushingStrain& strain, const BushingParameters& par
 
 double energy(const BushingStrain& strain, const BushingParameters& parameters);  // J
 
-}  // namespace latsch::suspension
+}  // namespace latsch::multibody

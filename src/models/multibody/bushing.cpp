@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/suspension/bushing.h"
+#include "models/multibody/bushing.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace latsch::suspension {
+namespace latsch::multibody {
 namespace {
 
 using Eigen::Matrix3d;
@@ -94,4 +94,4 @@ double energy(const BushingStrain& s, const BushingParameters& p) {
   return 0.5 * (p.stiffness.dot(s.d.cwiseAbs2()) + p.rotational.dot(s.q.cwiseAbs2()));
 }
 
-}  // namespace latsch::suspension
+}  // namespace latsch::multibody

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/suspension/equilibrium.h"
+#include "models/multibody/equilibrium.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace latsch::suspension {
+namespace latsch::multibody {
 
 using Eigen::Vector3d;
 
@@ -167,4 +167,4 @@ Eigen::MatrixXd Equilibrium::by_stiffness(const Poses& poses,
   return slopes;
 }
 
-}  // namespace latsch::suspension
+}  // namespace latsch::multibody

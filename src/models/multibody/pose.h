@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace latsch::suspension {
+namespace latsch::multibody {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
@@ -33,4 +33,4 @@ inline Eigen::Matrix3d cross(const Eigen::Vector3d& a) {
   return m;
 }
 
-}  // namespace latsch::suspension
+}  // namespace latsch::multibody

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "models/suspension/pose.h"
+#include "models/multibody/pose.h"
 
-namespace latsch::suspension {
+namespace latsch::multibody {
 
 class BlockElimination {
  public:
@@ -50,4 +50,4 @@ class BlockElimination {
   int singular_ = -1;
 };
 
-}  // namespace latsch::suspension
+}  // namespace latsch::multibody
