@@ -26,8 +26,9 @@ struct SpringUnit {
 
 /// The rocker of the left corner and what hangs on it, m.
 struct Inboard {
-  Eigen::Vector3d pivot, axis;  // axis: of unit length
-  Eigen::Vector3d damper, damper_on_chassis;
+  Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // of unit length
+  Eigen::Vector3d damper = Eigen::Vector3d::Zero(), damper_on_chassis = Eigen::Vector3d::Zero();
   SpringUnit unit;
   double rocker_mass = 0.3;  // kg
   /// Anti-roll bar: the difference of both sides' travel along the links from here to its blades.

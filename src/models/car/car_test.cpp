@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "models/car/race_car_testing.h"
-#include "models/road/kerb.h"
 #include "models/road/plane_road.h"
 
 namespace latsch::car {
@@ -22,16 +22,21 @@ std::unique_ptr<Car> made(const CarParameters& parameters) {
   return std::move(*car);
 }
 
-road::ProfileRoad left_kerb() {
-  road::Kerb kerb;
-  kerb.shape = road::Kerb::Shape::sine;
-  kerb.pitch = 0.8;
-  kerb.height = 0.025;
-  kerb.width = 0.8;
-  kerb.count = 4;
-  kerb.start = {3.0, 0.3};
-  return road::kerb_road(kerb);
-}
+/// Four waves of 10 mm below the left wheels, smooth: (sin² π s/L)² of pitch L = 0.8 m. The tires
+/// stay on it, so that order can be seen.
+class SmoothKerb final : public road::Road {
+ public:
+  road::GroundPoint at(double x, double y, double) const override {
+    road::GroundPoint ground;
+    const double s = (x - 3.0) / 0.8;
+    if (y < 0.0 || s < 0.0 || s > 4.0) return ground;
+    const double sine = std::sin(std::numbers::pi * s), cosine = std::cos(std::numbers::pi * s);
+    ground.height = 0.01 * std::pow(sine, 4);
+    const double slope = 0.01 * 4.0 * std::pow(sine, 3) * cosine * std::numbers::pi / 0.8;
+    ground.normal = Vector3d(-slope, 0.0, 1.0).normalized();
+    return ground;
+  }
+};
 
 TEST(Car, AtRestCarriesItsWeightByItsLevers) {
   for (const bool locked : {true, false}) {
@@ -58,12 +63,12 @@ TEST(Car, AtRestCarriesItsWeightByItsLevers) {
 
 std::vector<double> pushrod_over_kerb(double h, bool locked) {
   const auto car = made(race_car(locked));
-  const road::ProfileRoad road = left_kerb();
-  auto state = car->settle(road, 60.0, {});
+  const SmoothKerb road;
+  auto state = car->settle(road, 20.0, {});
   EXPECT_TRUE(state) << state.failure().reason;
   std::vector<double> forces;
   const int each = static_cast<int>(std::lround(1e-3 / h));
-  for (int i = 0; i < 150 * each; ++i) {
+  for (int i = 0; i < 250 * each; ++i) {
     const auto done = car->advance(*state, h, road, {});
     EXPECT_TRUE(done) << (done ? "" : done.failure().reason);
     if (!done) break;
@@ -82,8 +87,8 @@ TEST(Car, OverAKerbItsPushrodForcesAreOfOrderTwo) {
   for (const bool locked : {true, false}) {
     const auto a = pushrod_over_kerb(1e-4, locked), b = pushrod_over_kerb(5e-5, locked),
                c = pushrod_over_kerb(2.5e-5, locked);
-    EXPECT_GT(rms_between(a, b) / rms_between(b, c), 3.3) << locked;
-    EXPECT_LT(rms_between(a, b) / rms_between(b, c), 4.7) << locked;
+    EXPECT_GT(rms_between(a, b) / rms_between(b, c), 3.6) << locked;
+    EXPECT_LT(rms_between(a, b) / rms_between(b, c), 4.4) << locked;
     const std::vector<double> still(c.size(), c.front());
     EXPECT_LT(rms_between(a, c) / rms_between(c, still), 0.003) << locked;
   }
@@ -91,8 +96,8 @@ TEST(Car, OverAKerbItsPushrodForcesAreOfOrderTwo) {
 
 TEST(Car, AStateIsAValue) {
   const auto car = made(race_car(false));
-  const road::ProfileRoad road = left_kerb();
-  CarState state = *car->settle(road, 60.0, {});
+  const SmoothKerb road;
+  CarState state = *car->settle(road, 20.0, {});
   for (int i = 0; i < 300; ++i) ASSERT_TRUE(car->advance(state, 2e-4, road, {}));
   const CarState kept = state;
   for (int i = 0; i < 100; ++i) ASSERT_TRUE(car->advance(state, 2e-4, road, {}));

@@ -45,14 +45,15 @@ inline CarParameters race_car(bool locked) {
     axle->masses.wheel_across = 0.14;
   }
   if (locked) return car;
-  car.front.inboard = Inboard{.pivot = {1.461665, 0.180000, 0.550794},
-                              .axis = Eigen::Vector3d::UnitX(),
-                              .damper = {1.453373, 0.117078, 0.587122},
-                              .damper_on_chassis = {1.272050, 0.135000, 0.576775}};
-  car.rear.inboard = Inboard{.pivot = {-0.024834, 0.290000, 0.467446},
-                             .axis = Eigen::Vector3d::UnitX(),
-                             .damper = {-0.004470, 0.225640, 0.498840},
-                             .damper_on_chassis = {0.171069, 0.270500, 0.476957}};
+  Inboard front, rear;
+  front.pivot = {1.461665, 0.180000, 0.550794};
+  front.damper = {1.453373, 0.117078, 0.587122};
+  front.damper_on_chassis = {1.272050, 0.135000, 0.576775};
+  rear.pivot = {-0.024834, 0.290000, 0.467446};
+  rear.damper = {-0.004470, 0.225640, 0.498840};
+  rear.damper_on_chassis = {0.171069, 0.270500, 0.476957};
+  car.front.inboard = front;
+  car.rear.inboard = rear;
   for (Axle* axle : {&car.front, &car.rear}) {
     Inboard& inboard = *axle->inboard;
     // The axis of a rocker is at right angles to its rod and its damper's arm.
