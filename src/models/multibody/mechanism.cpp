@@ -22,7 +22,8 @@ std::string fault_of_ends(const std::string& name, int a, int b, int bodies) {
 bool not_negative(const Eigen::Vector3d& k) { return k.allFinite() && k.minCoeff() >= 0.0; }
 
 std::string fault_of_bushing(const std::string& name, const BushingParameters& bushing) {
-  if (!not_negative(bushing.stiffness) || !(bushing.stiffness.maxCoeff() > 0.0))
+  if (!not_negative(bushing.stiffness) ||
+      (!(bushing.stiffness.maxCoeff() > 0.0) && bushing.parts.empty()))
     return fmt::format(
         "the bushing {} has no stiffness: numbers of N/m not below zero, one of them above, are "
         "needed",
