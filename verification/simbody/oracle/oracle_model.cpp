@@ -9,7 +9,7 @@ namespace oracle {
 
 using namespace SimTK;
 
-Model::Model(const Case& data, const LoadCase& load_case)
+Model::Model(const Case& data, const LoadCase& load_case, Held held)
     : data_(data), matter_(system_), forces_(system_) {
   for (const BodyData& body : data.bodies) {
     const Body::Rigid rigid(
@@ -18,17 +18,16 @@ Model::Model(const Case& data, const LoadCase& load_case)
         MobilizedBody::Free(matter_.Ground(), Transform(body.center), rigid, Transform()));
   }
   if (data.gravity.norm() > 0.0) Force::UniformGravity(forces_, matter_, data.gravity);
-  for (const BushingData& one : data.bushings) bushing(one);
-  if (!data.held_in_statics.b.empty()) held_.push_back(bushing(data.held_in_statics));
+  for (const BushingData& one : data.bushings) add_bushing(one);
+  if (held == Held::as_in_statics && !data.held_in_statics.b.empty())
+    add_bushing(data.held_in_statics);
   for (const LoadData& load : data.loads) add_load(load);
   for (const LoadData& load : load_case.loads) add_load(load);
   for (const TireData& tire : data.tires)
-    Force::Custom(forces_,
-                  new LinearTire(named(tire.body),
-                                 in_body(tire.body, tire.wheel_center),
-                                 tire,
-                                 data.road,
-                                 data.speed));
+    Force::Custom(
+        forces_,
+        new LinearTire(
+            named(tire.body), in_body(tire.body, tire.wheel_center), tire, data.road, data.speed));
   system_.realizeTopology();
 }
 
@@ -45,18 +44,18 @@ Vec3 Model::in_body(const std::string& name, const Vec3& point) const {
   return point;
 }
 
-Force::LinearBushing Model::bushing(const BushingData& one) {
+void Model::add_bushing(const BushingData& one) {
   // Simbody has rotations first.
   const auto six = [](const Vec3& rotational, const Vec3& along) {
     return Vec6(rotational[0], rotational[1], rotational[2], along[0], along[1], along[2]);
   };
-  return Force::LinearBushing(forces_,
-                              named(one.a),
-                              Transform(in_body(one.a, one.point)),
-                              named(one.b),
-                              Transform(in_body(one.b, one.point)),
-                              six(one.rotational_stiffness, one.stiffness),
-                              six(one.rotational_damping, one.damping));
+  Force::LinearBushing(forces_,
+                       named(one.a),
+                       Transform(in_body(one.a, one.point)),
+                       named(one.b),
+                       Transform(in_body(one.b, one.point)),
+                       six(one.rotational_stiffness, one.stiffness),
+                       six(one.rotational_damping, one.damping));
 }
 
 void Model::add_load(const LoadData& load) {
@@ -69,10 +68,6 @@ State Model::at_rest() const {
   State state = system_.getDefaultState();
   system_.realizeModel(state);
   return state;
-}
-
-void Model::let_go(State& state) const {
-  for (const Force& force : held_) force.disable(state);
 }
 
 SpatialVec Model::wrench(const State& state, int i) const {

@@ -21,13 +21,13 @@ namespace oracle {
 
 class Model {
  public:
+  enum class Held { as_in_statics, free };
+
   /// With the loads of this load case besides those that are always there.
-  Model(const Case& data, const LoadCase& load_case);
+  Model(const Case& data, const LoadCase& load_case, Held held);
 
   const SimTK::MultibodySystem& system() const { return system_; }
-  /// Every body at rest; what holds bodies in statics is on.
   SimTK::State at_rest() const;
-  void let_go(SimTK::State& state) const;
 
   int bodies() const { return static_cast<int>(mobilized_.size()); }
   const SimTK::MobilizedBody& body(int i) const { return mobilized_[static_cast<std::size_t>(i)]; }
@@ -40,7 +40,7 @@ class Model {
  private:
   const SimTK::MobilizedBody& named(const std::string& name) const;
   SimTK::Vec3 in_body(const std::string& body, const SimTK::Vec3& point) const;
-  SimTK::Force::LinearBushing bushing(const BushingData& data);
+  void add_bushing(const BushingData& data);
   void add_load(const LoadData& load);
 
   const Case& data_;
@@ -48,7 +48,6 @@ class Model {
   SimTK::SimbodyMatterSubsystem matter_;
   SimTK::GeneralForceSubsystem forces_;
   std::vector<SimTK::MobilizedBody> mobilized_;
-  std::vector<SimTK::Force> held_;
 };
 
 }  // namespace oracle

@@ -37,23 +37,20 @@ void move(const Model& model, State& state, int i, const Vec3& travel, const Vec
   model.body(i).setQToFitTransform(state, Transform(by * at.R(), at.p() + travel));
 }
 
-/// By column j of the unknowns from `start`.
-State moved(const Model& model, const State& start, int j, double by) {
-  State state = start;
-  model.system().realize(state, Stage::Position);
-  Vec3 travel(0), rotation(0);
-  (j % 6 < 3 ? travel : rotation)[j % 3] = by;
-  move(model, state, j / 6, travel, rotation);
-  return state;
-}
-
-Matrix jacobian(const Model& model, const State& state) {
+Matrix jacobian(const Model& model, State state) {
   const int n = 6 * model.bodies();
+  const Vector q = state.getQ();
+  const auto forces_at = [&](int j, double by) {
+    Vec3 travel(0), rotation(0);
+    (j % 6 < 3 ? travel : rotation)[j % 3] = by;
+    state.updQ() = q;
+    model.system().realize(state, Stage::Position);
+    move(model, state, j / 6, travel, rotation);
+    return forces(model, state);
+  };
   Matrix J(n, n);
   for (int j = 0; j < n; ++j)
-    J.updCol(j) = (forces(model, moved(model, state, j, kStep)) -
-                   forces(model, moved(model, state, j, -kStep))) /
-                  (2.0 * kStep);
+    J.updCol(j) = (forces_at(j, kStep) - forces_at(j, -kStep)) / (2.0 * kStep);
   return J;
 }
 

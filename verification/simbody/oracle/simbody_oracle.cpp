@@ -3,7 +3,8 @@
 // its own, never part of the product.
 //
 //   simbody_oracle statics CASE.json                 displacements and rotations, every load case
-//   simbody_oracle transient CASE.json [ACCURACY [cpodes|explicit]]     displacements over time
+//   simbody_oracle transient CASE.json [ACCURACY [explicit|cpodes]]     displacements over time
+//   simbody_oracle bushing                           wrenches of one bushing, far from rest
 //
 // Numbers go to the standard output as CSV, what they took to the standard error.
 #include <chrono>
@@ -12,6 +13,7 @@
 #include <exception>
 #include <string>
 
+#include "oracle_bushing.h"
 #include "oracle_model.h"
 #include "oracle_statics.h"
 #include "oracle_transient.h"
@@ -25,20 +27,18 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void print_row(const std::string& of, const char* kind, const std::string& name, const Vec3& value) {
-  std::printf("%s,%s,%s,%.12e,%.12e,%.12e\n",
-              of.c_str(),
-              kind,
-              name.c_str(),
-              value[0],
-              value[1],
-              value[2]);
+void print_row(const std::string& of,
+               const char* kind,
+               const std::string& name,
+               const Vec3& value) {
+  std::printf(
+      "%s,%s,%s,%.12e,%.12e,%.12e\n", of.c_str(), kind, name.c_str(), value[0], value[1], value[2]);
 }
 
 void statics(const oracle::Case& data) {
   std::printf("case,kind,name,x,y,z\n");
   for (const oracle::LoadCase& one : data.load_cases) {
-    const oracle::Model model(data, one);
+    const oracle::Model model(data, one, oracle::Model::Held::as_in_statics);
     const auto start = Clock::now();
     const oracle::Statics found = oracle::solve_statics(model);
     std::fprintf(stderr,
@@ -53,8 +53,7 @@ void statics(const oracle::Case& data) {
                 data.outputs[i].name,
                 model.displacement(found.state, static_cast<int>(i)));
     for (int i = 0; i < model.bodies(); ++i) {
-      const Vec4 turn =
-          model.body(i).getBodyRotation(found.state).convertRotationToAngleAxis();
+      const Vec4 turn = model.body(i).getBodyRotation(found.state).convertRotationToAngleAxis();
       print_row(one.name,
                 "rotation",
                 data.bodies[static_cast<std::size_t>(i)].name,
@@ -65,7 +64,7 @@ void statics(const oracle::Case& data) {
 
 void transient(const oracle::Case& data, double accuracy, const std::string& method) {
   const auto start = Clock::now();
-  const oracle::TransientWork work = oracle::print_transient(data, accuracy, method == "explicit");
+  const oracle::TransientWork work = oracle::print_transient(data, accuracy, method);
   const double took = seconds_since(start);
   std::fprintf(stderr,
                "%d steps, %d evaluations, %.2f s: %.3g times as fast as time\n",
@@ -85,11 +84,14 @@ int main(int argc, char** argv) {
     } else if (mode == "transient" && argc >= 3 && argc <= 5) {
       transient(oracle::read_case(argv[2]),
                 argc > 3 ? std::atof(argv[3]) : oracle::kUsualAccuracy,
-                argc > 4 ? argv[4] : "cpodes");
+                argc > 4 ? argv[4] : "explicit");
+    } else if (mode == "bushing" && argc == 2) {
+      oracle::print_bushing_wrenches();
     } else {
       std::fprintf(stderr,
                    "simbody_oracle statics CASE.json\n"
-                   "simbody_oracle transient CASE.json [ACCURACY [cpodes|explicit]]\n");
+                   "simbody_oracle transient CASE.json [ACCURACY [explicit|cpodes]]\n"
+                   "simbody_oracle bushing\n");
       return 2;
     }
   } catch (const std::exception& error) {
