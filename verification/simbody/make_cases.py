@@ -9,6 +9,7 @@ the front axle at 1550 mm, y left, z up from the ground. The right side is the m
 are chosen: they are of the size such a car has. A wishbone is two thin tubes from its ball joint, a rod is one."""
 import json
 import pathlib
+import random
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -109,6 +110,22 @@ def corner(points, of=""):
     return bodies, bushings
 
 
+def random_loads(count):
+    """Of the size of the others, in all directions."""
+    draw = random.Random(20)
+    each = lambda reach: [float(f"{draw.uniform(-reach, reach):.6g}") for _ in range(3)]
+    return [(f"random {i}", each(4e3), each(150.0)) for i in range(1, count + 1)]
+
+
+FIVE_LOADS = [  # N, N m, at the contact point
+    ("Fz +5 kN", [0.0, 0.0, 5e3], [0.0, 0.0, 0.0]),
+    ("Fy -4 kN", [0.0, -4e3, 0.0], [0.0, 0.0, 0.0]),
+    ("Fx -4 kN", [-4e3, 0.0, 0.0], [0.0, 0.0, 0.0]),
+    ("Mz +200 Nm", [0.0, 0.0, 0.0], [0.0, 0.0, 200.0]),
+    ("combined", [-2500.0, 3000.0, 4500.0], [0.0, 0.0, 120.0]),
+]
+
+
 def fsae_corner():
     points = meters(FRONT, 1)
     bodies, bushings = corner(points)
@@ -125,13 +142,7 @@ def fsae_corner():
         "bodies": bodies,
         "bushings": bushings,
         "loads": [],
-        "load_cases": [
-            case("Fz +5 kN", [0.0, 0.0, 5e3], [0.0, 0.0, 0.0]),
-            case("Fy -4 kN", [0.0, -4e3, 0.0], [0.0, 0.0, 0.0]),
-            case("Fx -4 kN", [-4e3, 0.0, 0.0], [0.0, 0.0, 0.0]),
-            case("Mz +200 Nm", [0.0, 0.0, 0.0], [0.0, 0.0, 200.0]),
-            case("combined", [-2500.0, 3000.0, 4500.0], [0.0, 0.0, 120.0]),
-        ],
+        "load_cases": [case(*one) for one in FIVE_LOADS + random_loads(20)],
         "outputs": [{"name": name, "body": "upright", "point": point} for name, point in (
             ("contact", contact), ("wheel_center", points["wheel_center"]), ("ubj", points["ubj"]),
             ("lbj", points["lbj"]))],

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdio>
 #include <random>
-#include <string>
 #include <vector>
 
 namespace oracle {
@@ -20,7 +19,7 @@ constexpr unsigned kSeed = 20;
 // Reach of what is drawn, both ways: m, rad, m/s, rad/s. Far beyond any bushing's own.
 constexpr double kPoint = 0.5, kTravel = 0.02, kTurn = 0.4, kVelocity = 2.0, kSpin = 20.0;
 
-const std::array<const char*, 14> kVectors = {"point",
+const std::array<const char*, 17> kVectors = {"point",
                                               "a_travel",
                                               "a_rotation",
                                               "a_velocity",
@@ -33,7 +32,10 @@ const std::array<const char*, 14> kVectors = {"point",
                                               "rotational_stiffness",
                                               "damping",
                                               "rotational_damping",
-                                              "force_on_a"};
+                                              "force_on_a",
+                                              "moment_on_a",
+                                              "force_on_b",
+                                              "moment_on_b"};
 
 class Draws {
  public:
@@ -126,14 +128,10 @@ void print_row(Draws& draws, bool damped) {
 }  // namespace
 
 void print_bushing_wrenches() {
-  std::string head;
-  const auto add = [&head](const char* name) {
+  for (const char* name : kVectors)
     for (const char axis : {'x', 'y', 'z'})
-      head += std::string(head.empty() ? "" : ",") + name + "_" + axis;
-  };
-  for (const char* name : kVectors) add(name);
-  for (const char* name : {"moment_on_a", "force_on_b", "moment_on_b"}) add(name);
-  std::printf("%s\n", head.c_str());
+      std::printf("%s%s_%c", name == kVectors[0] && axis == 'x' ? "" : ",", name, axis);
+  std::printf("\n");
   Draws draws;
   for (int row = 0; row < kRows; ++row) print_row(draws, row >= kRows / 2);
 }

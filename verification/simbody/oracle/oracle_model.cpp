@@ -18,7 +18,7 @@ Model::Model(const Case& data, const LoadCase& load_case, Held held)
         MobilizedBody::Free(matter_.Ground(), Transform(body.center), rigid, Transform()));
   }
   if (data.gravity.norm() > 0.0) Force::UniformGravity(forces_, matter_, data.gravity);
-  for (const BushingData& one : data.bushings) add_bushing(one);
+  for (const BushingData& one : data.bushings) bushings_.push_back(add_bushing(one));
   if (held == Held::as_in_statics && !data.held_in_statics.b.empty())
     add_bushing(data.held_in_statics);
   for (const LoadData& load : data.loads) add_load(load);
@@ -44,18 +44,18 @@ Vec3 Model::in_body(const std::string& name, const Vec3& point) const {
   return point;
 }
 
-void Model::add_bushing(const BushingData& one) {
+Force::LinearBushing Model::add_bushing(const BushingData& one) {
   // Simbody has rotations first.
   const auto six = [](const Vec3& rotational, const Vec3& along) {
     return Vec6(rotational[0], rotational[1], rotational[2], along[0], along[1], along[2]);
   };
-  Force::LinearBushing(forces_,
-                       named(one.a),
-                       Transform(in_body(one.a, one.point)),
-                       named(one.b),
-                       Transform(in_body(one.b, one.point)),
-                       six(one.rotational_stiffness, one.stiffness),
-                       six(one.rotational_damping, one.damping));
+  return Force::LinearBushing(forces_,
+                              named(one.a),
+                              Transform(in_body(one.a, one.point)),
+                              named(one.b),
+                              Transform(in_body(one.b, one.point)),
+                              six(one.rotational_stiffness, one.stiffness),
+                              six(one.rotational_damping, one.damping));
 }
 
 void Model::add_load(const LoadData& load) {
@@ -72,6 +72,12 @@ State Model::at_rest() const {
 
 SpatialVec Model::wrench(const State& state, int i) const {
   return system_.getRigidBodyForces(state, Stage::Dynamics)[body(i).getMobilizedBodyIndex()];
+}
+
+double Model::energy_of_bushings(const State& state) const {
+  double energy = 0.0;
+  for (const Force::LinearBushing& one : bushings_) energy += one.getPotentialEnergy(state);
+  return energy;
 }
 
 Vec3 Model::displacement(const State& state, int output) const {

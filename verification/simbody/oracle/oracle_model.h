@@ -33,6 +33,7 @@ class Model {
   const SimTK::MobilizedBody& body(int i) const { return mobilized_[static_cast<std::size_t>(i)]; }
   /// Forces of all elements: moment about the body's origin and force, in the ground's axes.
   SimTK::SpatialVec wrench(const SimTK::State& state, int body) const;
+  double energy_of_bushings(const SimTK::State& state) const;  // J
   /// Of output point i from where it is at rest.
   SimTK::Vec3 displacement(const SimTK::State& state, int output) const;
   const Case& data() const { return data_; }
@@ -40,7 +41,7 @@ class Model {
  private:
   const SimTK::MobilizedBody& named(const std::string& name) const;
   SimTK::Vec3 in_body(const std::string& body, const SimTK::Vec3& point) const;
-  void add_bushing(const BushingData& data);
+  SimTK::Force::LinearBushing add_bushing(const BushingData& data);
   void add_load(const LoadData& load);
 
   const Case& data_;
@@ -48,6 +49,7 @@ class Model {
   SimTK::SimbodyMatterSubsystem matter_;
   SimTK::GeneralForceSubsystem forces_;
   std::vector<SimTK::MobilizedBody> mobilized_;
+  std::vector<SimTK::Force::LinearBushing> bushings_;
 };
 
 }  // namespace oracle

@@ -75,10 +75,11 @@ State start_of(const Model& model) {
 
 Statics solve_statics(const Model& model) {
   Statics found{start_of(model), 0.0, 0};
-  for (;; ++found.iterations) {
+  for (double before = Infinity;; before = found.left, ++found.iterations) {
     const Vector r = forces(model, found.state);
     found.left = r.normInf();
-    if (found.left <= kEnough) return found;
+    if (found.left <= kEnough && found.left > 0.5 * before)
+      return found;  // to what rounding leaves
     if (!std::isfinite(found.left) || found.iterations == kIterations)
       throw std::runtime_error("no equilibrium: " + std::to_string(found.left) + " N are left");
     Vector x;

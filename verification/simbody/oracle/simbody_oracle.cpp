@@ -2,7 +2,7 @@
 // Statics and transients of bodies on bushings by Simbody, for tests to compare with: a program of
 // its own, never part of the product.
 //
-//   simbody_oracle statics CASE.json                 displacements and rotations, every load case
+//   simbody_oracle statics CASE.json                 displacements, rotations, energy of every load case
 //   simbody_oracle transient CASE.json [ACCURACY [explicit|cpodes]]     displacements over time
 //   simbody_oracle bushing                           wrenches of one bushing, far from rest
 //
@@ -47,6 +47,7 @@ void statics(const oracle::Case& data) {
                  found.iterations,
                  found.left,
                  1e3 * seconds_since(start));
+    print_row(one.name, "energy", "bushings", Vec3(model.energy_of_bushings(found.state), 0, 0));
     for (std::size_t i = 0; i < data.outputs.size(); ++i)
       print_row(one.name,
                 "point",
