@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One bushing between bodies far from rest, turned up to 0.4 rad a component: its wrenches are those
-// of Simbody's Force::LinearBushing.
+// One bushing between bodies far from rest, turned up to 0.4 rad a component: its wrenches are
+// those of Simbody's Force::LinearBushing.
 #include "models/multibody/bushing.h"
 
 #include <gtest/gtest.h>

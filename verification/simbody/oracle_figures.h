@@ -21,8 +21,8 @@ struct Figures {
 /// Throws InputError.
 Figures read_figures(const std::filesystem::path& file);
 
-/// What `simbody_oracle ARGUMENTS` prints; nothing where the program was not built because Simbody is
-/// not there. Throws InputError where it fails.
+/// What `simbody_oracle ARGUMENTS` prints; nothing where the program was not built because Simbody
+/// is not there. Throws InputError where it fails.
 std::optional<Figures> figures_of_oracle(const std::string& arguments);
 
 }  // namespace latsch::verification

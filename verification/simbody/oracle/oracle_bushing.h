@@ -4,10 +4,10 @@
 
 namespace oracle {
 
-/// A row for each of a few places and speeds, chosen once at random. Both bodies have their origins at
-/// zero at rest. In the ground's axes, SI: the bushing's point at rest; of both bodies travel of the
-/// origin, rotation vector, velocity of the origin, angular velocity; stiffness and damping; force and
-/// moment about the origin on both.
+/// A row for each of a few places and speeds, chosen once at random. Both bodies have their origins
+/// at zero at rest. In the ground's axes, SI: the bushing's point at rest; of both bodies travel of
+/// the origin, rotation vector, velocity of the origin, angular velocity; stiffness and damping;
+/// force and moment about the origin on both.
 void print_bushing_wrenches();
 
 }  // namespace oracle

@@ -43,7 +43,8 @@ struct TireData {
   double radius, stiffness, damping;
 };
 
-/// `count` times H/2 (1 - cos 2π s/L), the first from `start` on, for lateral[0] <= y <= lateral[1].
+/// `count` times H/2 (1 - cos 2π s/L), the first from `start` on, for
+/// lateral[0] <= y <= lateral[1].
 struct RoadData {
   double pitch = 1.0, height = 0.0, start = 0.0;
   int count = 0;
