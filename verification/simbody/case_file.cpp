@@ -23,8 +23,8 @@ class Reader {
     CaseFile to;
     to.gravity = vector(from_, "gravity");
     each(from_, "bodies", [&](const json& one) {
-      to.bodies.push_back({one.at("name"), vector(one, "center_of_mass")});
-      to.masses.push_back({one.at("mass"), inertia(one)});
+      to.bodies.push_back(
+          {one.at("name"), vector(one, "center_of_mass"), one.at("mass"), inertia(one)});
       names_.push_back(to.bodies.back().name);
     });
     each(from_, "bushings", [&](const json& one) {
@@ -33,7 +33,8 @@ class Reader {
                            .b = body(one, "b"),
                            .point = vector(one, "point"),
                            .bushing = stiffness(one)});
-      to.dampings.push_back({vector(one, "damping"), vector(one, "rotational_damping")});
+      to.joints.back().bushing.damping = vector(one, "damping");
+      to.joints.back().bushing.rotational_damping = vector(one, "rotational_damping");
     });
     to.loads = loads(from_);
     each(from_, "load_cases", [&](const json& one) {
@@ -148,7 +149,7 @@ std::vector<multibody::Load> loads_of(const CaseFile& file, const LoadCase& load
   loads.insert(loads.end(), load_case.loads.begin(), load_case.loads.end());
   for (std::size_t i = 0; i < file.bodies.size(); ++i)
     loads.push_back(
-        {static_cast<int>(i), file.bodies[i].origin, file.masses[i].mass * file.gravity});
+        {static_cast<int>(i), file.bodies[i].origin, file.bodies[i].mass * file.gravity});
   return loads;
 }
 

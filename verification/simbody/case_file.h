@@ -13,18 +13,6 @@
 
 namespace latsch::verification {
 
-/// Of a body, besides its origin, which is its center of mass.
-struct MassProperties {
-  double mass;              // kg
-  Eigen::Matrix3d inertia;  // about the center of mass, kg m²
-};
-
-/// Of a bushing, besides its stiffness.
-struct BushingDamping {
-  Eigen::Vector3d along;       // N s/m
-  Eigen::Vector3d rotational;  // N m s/rad
-};
-
 struct LoadCase {
   std::string name;
   std::vector<multibody::Load> loads;  // besides those that are always there
@@ -54,9 +42,7 @@ struct OutputPoint {
 struct CaseFile {
   Eigen::Vector3d gravity;
   std::vector<multibody::Body> bodies;
-  std::vector<MassProperties> masses;  // by body
   std::vector<multibody::Joint> joints;
-  std::vector<BushingDamping> dampings;  // by joint
   /// Springs to the ground along and about what nothing else holds in statics. Loads have no part
   /// there, so nor do these: they only say which of many equilibria is meant.
   std::optional<multibody::Joint> held_in_statics;
