@@ -12,15 +12,17 @@ const SpecimenKind& ring_tire_kind();
 const SpecimenKind& rigid_ring_kind();
 const SpecimenKind& magic_formula_kind();
 const SpecimenKind& suspension_kind();
+const SpecimenKind& car_kind();
 extern const TestKind kDrumCleat, kSlipSweep, kRollingStiffness, kUniformity, kStaticStiffness,
-    kFootprint, kModes, kSteadyStates, kSlipHistory, kLoadDeflection, kKc;
+    kFootprint, kModes, kSteadyStates, kSlipHistory, kLoadDeflection, kKc, kFourPost, kKerb;
 
 const Language& language() {
   static const Language all = {{&fe_tire_kind(),
                                 &ring_tire_kind(),
                                 &rigid_ring_kind(),
                                 &magic_formula_kind(),
-                                &suspension_kind()},
+                                &suspension_kind(),
+                                &car_kind()},
                                {&kDrumCleat,
                                 &kSlipSweep,
                                 &kRollingStiffness,
@@ -31,7 +33,9 @@ const Language& language() {
                                 &kSteadyStates,
                                 &kSlipHistory,
                                 &kLoadDeflection,
-                                &kKc}};
+                                &kKc,
+                                &kFourPost,
+                                &kKerb}};
   return all;
 }
 

@@ -20,6 +20,7 @@
 #include "experiment/rigs/load_case.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/channels.h"
+#include "models/car/car.h"
 #include "models/magic_formula/conventions.h"
 #include "models/tire/tire.h"
 
@@ -85,6 +86,14 @@ struct IsLoaded {
   virtual Result<Channels> load(const KcTest& test, const Asked& asked) = 0;
 };
 
+/// A car that can be driven.
+struct Drives {
+  static constexpr const char* kName = "drives";
+  virtual ~Drives() = default;
+  /// A new one whose springs carry it as drawn, with these loads on it.
+  virtual Result<std::unique_ptr<car::Car>> car(const car::CarInputs& at_rest) const = 0;
+};
+
 /// Takes from a test what of others stands in their own files.
 struct TakesConditions {
   static constexpr const char* kName = "takes friction and sensor points from a test";
@@ -104,6 +113,7 @@ std::vector<std::string> abilities_of() {
   add(static_cast<Rolls*>(nullptr));
   add(static_cast<HasSteadyStates*>(nullptr));
   add(static_cast<IsLoaded*>(nullptr));
+  add(static_cast<Drives*>(nullptr));
   add(static_cast<TakesConditions*>(nullptr));
   return names;
 }

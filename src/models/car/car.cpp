@@ -48,7 +48,7 @@ bool CarState::operator==(const CarState& other) const {
     };
     if (a.wheel.spin && b.wheel.spin && !same(*a.wheel.spin, *b.wheel.spin)) return false;
   }
-  return bodies == other.bodies && speed == other.speed && start_x == other.start_x;
+  return bodies == other.bodies && speed == other.speed;
 }
 
 Car::Car(const CarParameters& parameters, const multibody::TransientSettings& settings)
@@ -125,8 +125,7 @@ WheelMotion Car::motion_of_wheel(int corner,
 }
 
 void Car::add_guide(const Motion& motion,
-                    double speed,
-                    double x,
+                    const GuidePoint& point,
                     std::vector<Wrench>& wrenches) const {
   const auto index = at(parts_.chassis);
   const Pose& pose = motion.poses[index];
@@ -144,8 +143,8 @@ void Car::add_guide(const Motion& motion,
     wrench.value[axis] = -k * from - c * rate_from;
     wrench.slopes(axis, axis) = -k - motion.share * c;
   };
-  hold(0, guide.along, mass, pose.place.x() - rest.x() - x, rate[0] - speed);
-  hold(1, guide.lateral, mass, pose.place.y() - rest.y() - guide.y, rate[1]);
+  hold(0, guide.along, mass, pose.place.x() - rest.x() - point.x, rate[0] - point.speed);
+  hold(1, guide.lateral, mass, pose.place.y() - rest.y() - point.y, rate[1]);
   hold(5, guide.yaw, yaw_inertia, yaw, rate[5]);
   wrenches.push_back(wrench);
 }
@@ -168,7 +167,8 @@ Result<Rest> Car::stand(const LineTires& tires, const CarInputs& inputs, const R
       wrench.slopes.bottomRightCorner<3, 3>() += multibody::cross(force) * multibody::cross(arm);
       wrenches.push_back(wrench);
     }
-    add_guide(motion, 0.0, 0.0, wrenches);
+    const GuidePoint start = inputs.guide.value_or(GuidePoint{0.0, 0.0, 0.0});
+    add_guide(motion, {0.0, 0.0, start.y}, wrenches);
   };
   const std::array<double, kDrivers> drivers = {inputs.rack};
   return statics_->solve({.loads = inputs.loads, .drivers = drivers, .outside = &outside}, from);
@@ -293,7 +293,8 @@ std::string Car::roll(CarState& next,
     wrenches.push_back(wrench);
     driven += drive;
   }
-  add_guide(motion, next.speed, next.start_x + next.speed * motion.time, wrenches);
+  const GuidePoint straight{next.speed * motion.time, next.speed, 0.0};
+  add_guide(motion, inputs.guide.value_or(straight), wrenches);
   if (driven != 0.0) {
     Wrench reaction{.body = parts_.chassis_rear};
     reaction.value.tail<3>() = -driven * motion.poses[at(parts_.chassis_rear)].turn.col(1);
@@ -309,7 +310,6 @@ Result<bool> Car::advance(CarState& state,
   std::string trouble;
   CarState next;
   next.speed = state.speed;
-  next.start_x = state.start_x;
   next.wheels = std::move(state.wheels);
   const multibody::Outside outside = [&](const Motion& motion, std::vector<Wrench>& wrenches) {
     trouble = roll(next, motion, road, inputs, wrenches);
@@ -336,6 +336,11 @@ std::array<double, kCorners> Car::pushrod_forces(const CarState& state,
     forces[at(corner)] = along.dot(load.head<3>());
   }
   return forces;
+}
+
+double Car::spring_extension(const CarState& state, int corner) const {
+  const int unit = parts_.corners[at(corner)].unit;
+  return unit < 0 ? 0.0 : transient_->assembly().extension(unit, state.bodies.poses);
 }
 
 std::array<double, kCorners> Car::vertical_forces(const CarState& state) const {

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,11 +33,17 @@ struct Guide {
   double along = 2e4;    // N/m
 };
 
+/// Where the guide is: by how far it has gone along x, m, at which speed, on which line.
+struct GuidePoint {
+  double x, speed, y;
+};
+
 /// At the end of a step.
 struct CarInputs {
   double rack = 0.0;                              // m, to the left
   std::vector<multibody::Load> loads = {};        // aero and others, on bodies of the mechanism
   std::array<double, kCorners> drive{}, brake{};  // N m
+  std::optional<GuidePoint> guide = {};           // none: straight on at the speed it started with
 };
 
 struct WheelState {
@@ -58,8 +65,7 @@ struct WheelState {
 struct CarState {
   multibody::MechanismState bodies;
   std::array<WheelState, kCorners> wheels;
-  double speed = 0.0;    // m/s, of the guide
-  double start_x = 0.0;  // m, where it was at time 0
+  double speed = 0.0;  // m/s, of the guide
 
   double time() const { return bodies.time; }
   bool operator==(const CarState& other) const;
@@ -90,6 +96,8 @@ class Car {
   /// N along the push-rod, compression positive.
   std::array<double, kCorners> pushrod_forces(const CarState& state,
                                               const CarInputs& inputs = {}) const;
+  /// m, of its spring unit against rest; 0 where it is locked.
+  double spring_extension(const CarState& state, int corner) const;
   /// N, upward, of the road on each tire.
   std::array<double, kCorners> vertical_forces(const CarState& state) const;
   WheelMotion motion_of_wheel(int corner,
@@ -113,8 +121,7 @@ class Car {
                                 const multibody::Rest& from);
   void rebuild(std::vector<multibody::Strut> struts);
   void add_guide(const multibody::Motion& motion,
-                 double speed,
-                 double x,
+                 const GuidePoint& point,
                  std::vector<multibody::Wrench>& wrenches) const;
   std::string roll(CarState& next,
                    const multibody::Motion& motion,

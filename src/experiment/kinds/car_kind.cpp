@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// A car as a kind of specimen: its file names those of its suspensions and tires, which are tables
+// of its numbers, "front_suspension.bushing.ubj.y", "front_tire.sidewall.radial.stiffness".
+#include <algorithm>
+
+#include "base/document_parts.h"
+#include "base/text.h"
+#include "experiment/language/capabilities.h"
+#include "experiment/language/specimen.h"
+#include "models/car/car_reader.h"
+
+namespace latsch::experiment {
+
+const SpecimenKind& ring_tire_kind();
+const SpecimenKind& rigid_ring_kind();
+const SpecimenKind& magic_formula_kind();
+const SpecimenKind& suspension_kind();
+
+namespace {
+
+constexpr std::array<const char*, 2> kAxles = {"front", "rear"};
+
+/// The kind of a tire that rolls, by what its numbers say of themselves.
+const SpecimenKind& tire_kind(const Document& tire, const std::string& part) {
+  const std::vector<const SpecimenKind*> kinds = {
+      &ring_tire_kind(), &rigid_ring_kind(), &magic_formula_kind()};
+  if (!tire.root().has("kind")) return magic_formula_kind();
+  const std::string name = tire.root().text("kind");
+  for (const SpecimenKind* kind : kinds)
+    if (kind->name() == name) return *kind;
+  throw InputError({tire.file(), 0},
+                   part + " is of kind " + in_quotes(name) +
+                       ", which does not roll: expected a flexible ring, a rigid ring or a .tir");
+}
+
+class CarSpecimen : public Specimen, public Drives {
+ public:
+  explicit CarSpecimen(const Document& numbers) : file_(car::read_car(numbers.root())) {
+    const std::array<const std::optional<car::SpringTireParameters>*, 2> springs = {
+        &file_.front_spring_tire, &file_.rear_spring_tire};
+    for (std::size_t axle = 0; axle < 2; ++axle) {
+      const std::string part = std::string(kAxles[axle]) + "_tire";
+      if (!numbers.root().has(part)) {
+        if (!*springs[axle])
+          throw InputError({numbers.file(), 0},
+                           part + " is missing, expected the file of a tire, or a table [" +
+                               kAxles[axle] + ".spring_tire]");
+        for (std::size_t side = 0; side < 2; ++side)
+          tires_[2 * axle + side] = std::make_unique<car::SpringTire>(**springs[axle]);
+        continue;
+      }
+      const Document tire = part_of(numbers, part);
+      const auto specimen = tire_kind(tire, part).build(tire);
+      for (std::size_t side = 0; side < 2; ++side)
+        tires_[2 * axle + side] = specimen->find<Rolls>()->tire();
+    }
+  }
+
+  Result<std::unique_ptr<car::Car>> car(const car::CarInputs& at_rest) const override {
+    return car::Car::make(file_.parameters, tires_, at_rest);
+  }
+
+ private:
+  car::CarFile file_;
+  car::Tires tires_;
+};
+
+class CarKind : public SpecimenKind {
+ public:
+  std::string name() const override { return "car"; }
+  std::string in_words() const override { return "car"; }
+  std::string file() const override { return "a TOML file with kind = \"car\""; }
+  int version() const override { return 1; }
+  std::vector<std::string> abilities() const override { return abilities_of<CarSpecimen>(); }
+
+  bool recognizes(const std::filesystem::path&) const override { return false; }
+  Document read(const std::filesystem::path& file) const override {
+    const Document written = Document::read(file);
+    Document document = written;
+    for (const char* axle : kAxles) {
+      const std::string suspension = std::string(axle) + "_suspension",
+                        tire = std::string(axle) + "_tire";
+      document =
+          with_part(document,
+                    suspension,
+                    suspension_kind().read(file.parent_path() / written.root().text(suspension)));
+      if (!written.root().has(tire)) continue;
+      const std::filesystem::path named = file.parent_path() / written.root().text(tire);
+      const SpecimenKind& kind = named.extension() == ".tir"
+                                     ? magic_or_rigid(named)
+                                     : tire_kind(Document::read(named), tire);
+      document = with_part(document, tire, kind.read(named));
+    }
+    CarSpecimen{document};
+    return document;
+  }
+  std::unique_ptr<Specimen> build(const Document& numbers,
+                                  std::unique_ptr<Specimen>) const override {
+    return std::make_unique<CarSpecimen>(numbers);
+  }
+
+ private:
+  /// Of a .tir, as the program takes one that is given to it alone.
+  static const SpecimenKind& magic_or_rigid(const std::filesystem::path& file) {
+    return rigid_ring_kind().recognizes(file) ? rigid_ring_kind() : magic_formula_kind();
+  }
+};
+
+}  // namespace
+
+const SpecimenKind& car_kind() {
+  static const CarKind kind;
+  return kind;
+}
+
+}  // namespace latsch::experiment

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/car/four_post_rig.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "experiment/rigs/car/car_record.h"
+#include "models/road/posts_road.h"
+
+namespace latsch::experiment {
+
+FourPostTest sweep_test(const PostSweep& sweep, double sample_step) {
+  FourPostTest test;
+  test.sample_step = sample_step;
+  const double grows = std::log(sweep.to / sweep.from) / sweep.duration;
+  constexpr double kFade = 0.05;  // of the duration, at both ends
+  const long count = std::lround(sweep.duration / sample_step) + 1;
+  const std::array<double, 4> sign =
+      sweep.mode == PostMode::heave   ? std::array{1.0, 1.0, 1.0, 1.0}
+      : sweep.mode == PostMode::pitch ? std::array{1.0, 1.0, -1.0, -1.0}
+      : sweep.mode == PostMode::roll  ? std::array{1.0, -1.0, 1.0, -1.0}
+                                      : std::array{1.0, -1.0, -1.0, 1.0};
+  for (long i = 0; i < count; ++i) {
+    const double t = static_cast<double>(i) * sample_step;
+    const double f = sweep.from * std::exp(grows * t);
+    const double phase = 2.0 * std::numbers::pi * (f - sweep.from) / grows;
+    const double fade =
+        std::clamp(std::min(t, sweep.duration - t) / (kFade * sweep.duration), 0.0, 1.0);
+    const double amplitude =
+        std::min(sweep.amplitude, sweep.velocity / (2.0 * std::numbers::pi * f));
+    const double h = fade * fade * (3.0 - 2.0 * fade) * amplitude * std::sin(phase);
+    test.times.push_back(t);
+    for (std::size_t post = 0; post < 4; ++post) test.heights[post].push_back(sign[post] * h);
+  }
+  return test;
+}
+
+Result<Channels> run(car::Car& car, const FourPostTest& test) {
+  road::PostsRoad::Settings settings;
+  const auto& corners = car.parts().corners;
+  settings.x = 0.5 * (corners[car::kFL].wheel_center.x() + corners[car::kRL].wheel_center.x());
+  settings.times = test.times;
+  settings.heights = test.heights;
+  const road::PostsRoad road(settings);
+  const car::CarInputs inputs;
+  auto state = car.settle(road, 0.0, inputs);
+  if (!state) return Failure{"on the four posts: " + state.failure().reason};
+  CarRecord record(car, *state, false);
+  const long every = std::lround(test.sample_step / test.step),
+             steps = std::lround((test.times.back() - test.times.front()) / test.step);
+  std::array<std::vector<double>, 4> posts;
+  const auto sample = [&] {
+    const double time = state->time();
+    record.sample(*state, inputs, time);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Eigen::Vector3d& place = corners[i].wheel_center;
+      posts[i].push_back(road.height(place.x(), place.y(), time));
+    }
+  };
+  sample();
+  for (long i = 1; i <= steps; ++i) {
+    if (const auto done = car.advance(*state, test.step, road, inputs); !done)
+      return Failure{"on the four posts: " + done.failure().reason};
+    if (i % every == 0) sample();
+  }
+  Channels channels = record.channels();
+  const auto names = of_corners("post");
+  for (std::size_t i = 0; i < 4; ++i) channels.add({names[i], "m", posts[i]});
+  return channels;
+}
+
+}  // namespace latsch::experiment

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// A car on four posts: its tires stand on plates that actuators move up and down; wheels do not
+// turn. The same heights drive it as drove the car in the laboratory, or a sweep:
+//   h = A(t) sin φ(t),  φ' = 2π f(t), f rising by the same factor every second;  A = v/(2π f) up to
+//   the amplitude: above the frequency where both meet the plates move at one peak velocity.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/result.h"
+#include "measurement/channels.h"
+#include "models/car/car.h"
+
+namespace latsch::experiment {
+
+struct FourPostTest {
+  std::vector<double> times;                   // s, evenly
+  std::array<std::vector<double>, 4> heights;  // m, FL, FR, RL, RR
+  double step = 2e-4, sample_step = 1e-3;      // s
+  double friction = 1.0;
+};
+
+/// In which direction a sweep moves the four.
+enum class PostMode { heave, pitch, roll, warp };
+
+struct PostSweep {
+  PostMode mode = PostMode::heave;
+  double from = 0.5, to = 30.0;  // Hz
+  double duration = 20.0;        // s
+  double amplitude = 3e-3;       // m
+  double velocity = 0.1;         // m/s
+};
+FourPostTest sweep_test(const PostSweep& sweep, double sample_step);
+
+/// What car_record.h names, and heights of the posts "post_FL" ...
+Result<Channels> run(car::Car& car, const FourPostTest& test);
+
+}  // namespace latsch::experiment

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/car/kerb_rig.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiment/rigs/car/car_record.h"
+#include "models/road/placed_road.h"
+#include "models/road/plane_road.h"
+
+namespace latsch::experiment {
+namespace {
+
+/// The interval of the times that holds `time`, 0 .. n - 2.
+std::size_t interval_of(const std::vector<double>& times, double time) {
+  const auto above = std::upper_bound(times.begin() + 1, times.end() - 1, time);
+  return static_cast<std::size_t>(above - times.begin()) - 1;
+}
+
+}  // namespace
+
+double History::at(double time) const {
+  if (values.size() == 1) return values[0];
+  const std::size_t i = interval_of(times, time);
+  const double part = std::clamp((time - times[i]) / (times[i + 1] - times[i]), 0.0, 1.0);
+  return values[i] + part * (values[i + 1] - values[i]);
+}
+
+double History::slope(double time) const {
+  if (values.size() == 1 || time < times.front() || time > times.back()) return 0.0;
+  const std::size_t i = interval_of(times, time);
+  return (values[i + 1] - values[i]) / (times[i + 1] - times[i]);
+}
+
+double History::area(double time) const {
+  if (values.size() == 1) return values[0] * time;
+  const auto from_first = [&](double t) {
+    double sum = 0.0, before = times.front();
+    if (t <= before) return values.front() * (t - before);
+    for (std::size_t i = 1; i < times.size() && before < t; ++i) {
+      const double to = std::min(t, times[i]);
+      sum += 0.5 * (at(before) + at(to)) * (to - before);
+      before = to;
+    }
+    return sum + values.back() * std::max(0.0, t - times.back());
+  };
+  return from_first(time) - from_first(0.0);
+}
+
+namespace {
+
+std::unique_ptr<const road::Road> place_road(const KerbTest& test, double front_axle) {
+  if (!test.kerb) return std::make_unique<road::PlaneRoad>();
+  const double way = test.speed.area(0.0) - test.speed.area(-test.run_in);
+  return std::make_unique<road::PlacedRoad>(
+      std::make_unique<road::ProfileRoad>(road::kerb_road(*test.kerb)),
+      0.0,
+      Eigen::Vector3d(front_axle + way, 0.0, 0.0));
+}
+
+Eigen::Vector4d pushrods_at(const KerbTest& test, double time) {
+  Eigen::Vector4d forces;
+  for (std::size_t i = 0; i < 4; ++i)
+    forces[static_cast<Eigen::Index>(i)] = test.pushrods[i].at(time);
+  return forces;
+}
+
+class KerbRun {
+ public:
+  KerbRun(car::Car& car, const KerbTest& test)
+      : car_(car),
+        test_(test),
+        road_(place_road(test, car.parts().corners[car::kFL].wheel_center.x())) {}
+
+  Result<Channels> run() {
+    if (const std::string trouble = start(); !trouble.empty()) return Failure{trouble};
+    CarRecord record(car_, state_, test_.with_area);
+    const long every = std::lround(test_.sample_step / test_.step);
+    const long lead = std::lround(test_.run_in / test_.step);
+    const long last = lead + std::lround(test_.duration / test_.step);
+    for (long i = 0; i <= last; ++i) {
+      const double time = static_cast<double>(i - lead) * test_.step;
+      if (i > 0) {
+        inputs_ = inputs_at(time);
+        if (const auto done = car_.advance(state_, test_.step, *road_, inputs_); !done)
+          return Failure{"on the kerb: " + done.failure().reason};
+      }
+      if ((i - lead) % every != 0) continue;
+      record.sample(state_, inputs_, time);
+      for (std::size_t k = 0; k < 3; ++k)
+        loaders_[k].push_back(downforce_[static_cast<Eigen::Index>(k)]);
+      unreachable_.push_back(left_);
+    }
+    Channels channels = record.channels();
+    if (test_.loaders)
+      for (std::size_t k = 0; k < 3; ++k)
+        channels.add({fmt::format("loader_{}", k + 1), "N", loaders_[k]});
+    if (test_.follows_pushrods()) channels.add({"unreachable", "N", unreachable_});
+    return channels;
+  }
+
+ private:
+  std::string start() {
+    inputs_.guide = guide_at(-test_.run_in);
+    const double speed = test_.speed.at(-test_.run_in);
+    downforce_ = test_.downforce;
+    if (test_.follows_pushrods()) {
+      auto solved = car::solve_loaders(
+          car_, *test_.loaders, pushrods_at(test_, -test_.run_in), *road_, speed, inputs_);
+      if (!solved) return "the aeroloaders: " + solved.failure().reason;
+      solution_ = std::move(*solved);
+      downforce_ = solution_->downforce;
+      left_ = solution_->left.norm();
+      state_ = solution_->state;
+      inputs_ = inputs_at(-test_.run_in);
+      return {};
+    }
+    inputs_ = inputs_at(-test_.run_in);
+    auto settled = car_.settle(*road_, speed, inputs_);
+    if (!settled) return "before the kerb: " + settled.failure().reason;
+    state_ = std::move(*settled);
+    return {};
+  }
+
+  car::GuidePoint guide_at(double time) const {
+    return {test_.speed.area(time) - test_.speed.area(-test_.run_in),
+            test_.speed.at(time),
+            test_.line.at(time)};
+  }
+
+  car::CarInputs inputs_at(double time) {
+    car::CarInputs inputs;
+    inputs.guide = guide_at(time);
+    if (solution_) {
+      const auto [force, left] = solution_->near(pushrods_at(test_, time));
+      downforce_ = force;
+      left_ = left.norm();
+    }
+    if (test_.loaders) inputs.loads = test_.loaders->loads(car_, downforce_);
+    return inputs;
+  }
+
+  car::Car& car_;
+  const KerbTest& test_;
+  std::unique_ptr<const road::Road> road_;
+  std::optional<car::LoaderSolution> solution_;
+  car::CarState state_;
+  car::CarInputs inputs_;
+  Eigen::Vector3d downforce_ = Eigen::Vector3d::Zero();
+  double left_ = 0.0;
+  std::array<std::vector<double>, 3> loaders_;
+  std::vector<double> unreachable_;
+};
+
+}  // namespace
+
+Result<Channels> run(car::Car& car, const KerbTest& test) { return KerbRun(car, test).run(); }
+
+}  // namespace latsch::experiment

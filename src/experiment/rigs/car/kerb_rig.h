@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// A car drives straight over a kerb. It starts in equilibrium at its speed, `run_in` before the
+// front axle meets the road's place 0; aero loads, or loaders that reproduce measured forces of the
+// push-rods, press it down; a guide keeps it on its line (models/car/car.h).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "measurement/channels.h"
+#include "models/car/aero_loaders.h"
+#include "models/road/kerb.h"
+
+namespace latsch::experiment {
+
+/// A quantity over time; one value: constant.
+struct History {
+  std::vector<double> times, values;  // s
+  double at(double time) const;
+  double slope(double time) const;
+  /// From 0 to there.
+  double area(double time) const;
+};
+
+struct KerbTest {
+  std::optional<road::Kerb> kerb;          // its place counted from where the front axle is at 0
+  History speed, line;                     // m/s; m, of the car's middle, to the left
+  double run_in = 0.2, duration = 0.5;     // s; before and from time 0
+  double step = 2e-4, sample_step = 1e-3;  // s
+  bool with_area = false;
+  std::optional<car::AeroLoaders> loaders;
+  Eigen::Vector3d downforce = Eigen::Vector3d::Zero();  // N, of the loaders, constant
+  /// Or the low-passed push-rod forces they reproduce, N, from time 0 - run_in on.
+  std::array<History, 4> pushrods;
+  bool follows_pushrods() const { return !pushrods[0].values.empty(); }
+};
+
+/// What car_record.h names; "loader_1" .. "loader_3", N, and "unreachable", N, what the loaders
+/// leave of the four push-rods, where they follow them. Time 0: the front axle at place 0.
+Result<Channels> run(car::Car& car, const KerbTest& test);
+
+}  // namespace latsch::experiment

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// kind = "four_post": a car on four posts that move its wheels up and down.
+//
+//   kind = "four_post"
+//   mode = "heave"                       # a sweep: or "pitch", "roll", "warp"
+//   from = "0.5 Hz"
+//   to = "30 Hz"
+//   duration = "20 s"
+//   amplitude = "3 mm"                   # up to the frequency at which the plates move at
+//   velocity = "0.1 m/s"                 # this peak velocity, which holds above it
+//   posts = {from = "measurement.rig"}   # in the place of the sweep: the heights post_FL, post_FR,
+//                                        # post_RL, post_RR that were recorded, evenly in time
+//   step = "0.2 ms"                      # of the simulation
+//   sample_step = "1 ms"                 # of the record, a multiple of it
+//
+// Its channels: time, forces of the push-rods (pushrod_FL ..., compression positive), of the tires
+// (Fz_FL ...), accelerations of hubs and body upward, spring travel, heave, roll and pitch, heights
+// of the posts (post_FL ...).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "experiment/language/capabilities.h"
+#include "experiment/language/test.h"
+#include "experiment/rigs/car/car_record.h"
+#include "experiment/rigs/car/four_post_rig.h"
+
+namespace latsch::experiment {
+
+extern const TestKind kFourPost;
+namespace {
+
+class FourPost : public Test {
+ public:
+  FourPost(FourPostTest test, std::string words)
+      : test_(std::move(test)), words_(std::move(words)) {}
+
+  std::string in_words() const override { return words_; }
+  std::string identity() const override {
+    std::string text = fmt::format("four_post step {} sample_step {} times {} {} {}",
+                                   test_.step,
+                                   test_.sample_step,
+                                   test_.times.front(),
+                                   test_.times.back(),
+                                   test_.times.size());
+    for (const auto& heights : test_.heights) text += fmt::format(" {}", fmt::join(heights, " "));
+    return text;
+  }
+  std::vector<ChannelInfo> channels() const override {
+    std::vector<ChannelInfo> channels;
+    for (const auto& [name, unit] : car_channels(false)) channels.push_back({name, unit});
+    for (const std::string& name : of_corners("post")) channels.push_back({name, "m"});
+    return channels;
+  }
+  std::vector<std::string> needs() const override { return kFourPost.needs; }
+  std::optional<Reach> reach(const std::string& channel) const override {
+    if (channel != "time") return std::nullopt;
+    return Reach{test_.times.front(), test_.times.back()};
+  }
+  Result<Channels> run(Specimen& specimen) const override {
+    auto car = specimen.find<Drives>()->car({});
+    if (!car) return car.failure();
+    return experiment::run(**car, test_);
+  }
+
+ private:
+  FourPostTest test_;
+  std::string words_;
+};
+
+void read_steps(const Node& root, FourPostTest& test) {
+  test.step = root.quantity("step", "s", Range::between(1e-6, 1e-2), test.step);
+  test.sample_step = root.quantity("sample_step", "s", Range::positive(), test.sample_step);
+  const double ratio = test.sample_step / test.step;
+  if (std::abs(ratio - std::round(ratio)) > 1e-6 * ratio || ratio < 0.5)
+    root.reject("sample_step", "is no multiple of step");
+}
+
+FourPostTest recorded_posts(const Node& table, const TestSource& source) {
+  std::vector<MeasuredCondition> conditions = {{.channel = "time", .unit = "s", .is_needed = true}};
+  for (const std::string& name : of_corners("post"))
+    conditions.push_back({.channel = name, .unit = "m", .is_needed = true});
+  const Channels channels = take_measured(table, conditions, source.measured);
+  FourPostTest test;
+  test.times = channels["time"];
+  for (std::size_t i = 0; i < 4; ++i) test.heights[i] = channels[of_corners("post")[i]];
+  if (test.times.size() < 2) table.reject("from", "has fewer than two samples");
+  const double step =
+      (test.times.back() - test.times.front()) / static_cast<double>(test.times.size() - 1);
+  for (std::size_t i = 0; i < test.times.size(); ++i)
+    if (std::abs(test.times[i] - test.times[0] - step * static_cast<double>(i)) > 0.01 * step)
+      table.reject("from", fmt::format("is not even in time at sample {}", i + 1));
+  const double first = test.times.front();
+  for (double& time : test.times) time -= first;
+  return test;
+}
+
+std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source) {
+  FourPostTest test;
+  read_steps(root, test);
+  if (const auto from = find_measured(root, "posts")) {
+    const FourPostTest steps = test;
+    test = recorded_posts(*from, source);
+    test.step = steps.step;
+    test.sample_step = steps.sample_step;
+    return std::make_unique<FourPost>(
+        test, fmt::format("four posts as recorded, {:.4g} s", test.times.back()));
+  }
+  PostSweep sweep;
+  const std::vector<std::string> modes = {"heave", "pitch", "roll", "warp"};
+  const std::string mode = root.choice("mode", modes, "heave");
+  sweep.mode = static_cast<PostMode>(std::find(modes.begin(), modes.end(), mode) - modes.begin());
+  sweep.from = root.quantity("from", "Hz", Range::positive(), sweep.from);
+  sweep.to = root.quantity("to", "Hz", Range::positive(), sweep.to);
+  if (!(sweep.to > sweep.from)) root.reject("to", "is not above from: a sweep rises");
+  sweep.duration = root.quantity("duration", "s", Range::positive(), sweep.duration);
+  sweep.amplitude = root.quantity("amplitude", "m", Range::positive(), sweep.amplitude);
+  sweep.velocity = root.quantity("velocity", "m/s", Range::positive(), sweep.velocity);
+  const FourPostTest made = sweep_test(sweep, test.sample_step);
+  test.times = made.times;
+  test.heights = made.heights;
+  return std::make_unique<FourPost>(
+      test,
+      fmt::format("four posts, {} from {:.3g} to {:.3g} Hz, {:.3g} mm",
+                  mode,
+                  sweep.from,
+                  sweep.to,
+                  1e3 * sweep.amplitude));
+}
+
+}  // namespace
+
+const TestKind kFourPost = {
+    "four_post", "stands on four posts that move it", {Drives::kName}, read_four_post};
+
+}  // namespace latsch::experiment

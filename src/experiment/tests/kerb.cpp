@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// kind = "kerb": a car drives straight over a kerb.
+//
+//   kind = "kerb"
+//   speed = "60 m/s"                     # or {from = "measurement.track"}: its channel speed over
+//                                        # time, counted from where the front axle meets the kerb
+//   line = "0 mm"                        # of the car's middle, to the left of y = 0; likewise
+//   run_in = "0.2 s"                     # of driving before the front axle is at x = 0
+//   duration = "0.5 s"                   # recorded from there
+//   step = "0.2 ms"                      # of the simulation
+//   sample_step = "1 ms"                 # of the record, a multiple of it
+//   area = true                          # records the contact areas: default false
+//   [kerb]                               # none: a level road; as a road's kerb (latsch road), x
+//   shape = "sine"                       # counted from where the front axle is at time 0
+//   pitch = "800 mm"
+//   width = "800 mm"
+//   height = "25 mm"
+//   count = 6
+//   start = ["0 m", "0.4 m"]             # its right edge 0.4 m to the left of the car's middle
+//   [loaders]                            # vertical forces on the chassis, none unless given
+//   points = [["2 m", "0.4 m"], ["2 m", "-0.4 m"], ["-0.2 m", "0 m"]]    # x and y at rest
+//   downforce = ["1 kN", "1 kN", "2 kN"]
+//   pushrods = {from = "measurement.track"}    # or such forces that the four pushrod_FL ... come
+//                                        # out as measured, low-passed before by the measurement
+//
+// Its channels are those of a four-post rig, and loader_1 .. loader_3.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "experiment/language/capabilities.h"
+#include "experiment/language/test.h"
+#include "experiment/rigs/car/car_record.h"
+#include "experiment/rigs/car/kerb_rig.h"
+#include "models/road/road_reader.h"
+
+namespace latsch::experiment {
+
+extern const TestKind kKerb;
+namespace {
+
+std::string text_of(const History& history) {
+  return fmt::format("{} / {}", fmt::join(history.times, " "), fmt::join(history.values, " "));
+}
+
+std::string text_of(const road::Kerb& k) {
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}",
+                     static_cast<int>(k.shape),
+                     k.pitch,
+                     k.width,
+                     k.height,
+                     k.count,
+                     k.length,
+                     k.bevel,
+                     k.ramp,
+                     k.start.x(),
+                     k.start.y(),
+                     k.angle,
+                     k.friction,
+                     k.road_friction);
+}
+
+class KerbRunTest : public Test {
+ public:
+  explicit KerbRunTest(KerbTest test) : test_(std::move(test)) {}
+
+  std::string in_words() const override {
+    std::string words = fmt::format("{:.4g} m/s", test_.speed.at(0.0));
+    if (test_.kerb)
+      words += fmt::format(" over a kerb of {:.3g} mm every {:.3g} mm",
+                           1e3 * test_.kerb->height,
+                           1e3 * test_.kerb->pitch);
+    if (test_.line.at(0.0) != 0.0)
+      words += fmt::format(", line {:.3g} mm", 1e3 * test_.line.at(0.0));
+    return words;
+  }
+  std::string identity() const override {
+    const KerbTest& t = test_;
+    std::string text = fmt::format("kerb speed {} line {} run_in {} duration {} step {} {} area {}",
+                                   text_of(t.speed),
+                                   text_of(t.line),
+                                   t.run_in,
+                                   t.duration,
+                                   t.step,
+                                   t.sample_step,
+                                   t.with_area);
+    if (t.kerb) text += " kerb " + text_of(*t.kerb);
+    if (t.loaders) {
+      const auto all = t.loaders->points.reshaped();
+      text += fmt::format(" loaders {} {} {} {}",
+                          fmt::join(all.begin(), all.end(), " "),
+                          t.downforce.x(),
+                          t.downforce.y(),
+                          t.downforce.z());
+    }
+    for (const History& pushrod : t.pushrods) text += " " + text_of(pushrod);
+    return text;
+  }
+  std::vector<ChannelInfo> channels() const override {
+    std::vector<ChannelInfo> channels;
+    for (const auto& [name, unit] : car_channels(test_.with_area)) channels.push_back({name, unit});
+    if (test_.loaders)
+      for (int k = 1; k <= 3; ++k) channels.push_back({fmt::format("loader_{}", k), "N"});
+    if (test_.follows_pushrods()) channels.push_back({"unreachable", "N"});
+    return channels;
+  }
+  std::vector<std::string> needs() const override { return kKerb.needs; }
+  std::optional<Reach> reach(const std::string& channel) const override {
+    if (channel != "time") return std::nullopt;
+    return Reach{-test_.run_in, test_.duration};
+  }
+  Result<Channels> run(Specimen& specimen) const override {
+    auto car = specimen.find<Drives>()->car({});
+    if (!car) return car.failure();
+    return experiment::run(**car, test_);
+  }
+
+ private:
+  KerbTest test_;
+};
+
+History read_history(const Node& root,
+                     const char* key,
+                     const char* unit,
+                     const TestSource& source,
+                     std::optional<double> fallback,
+                     Range range) {
+  const auto from = find_measured(root, key);
+  if (!from)
+    return {
+        {0.0},
+        {fallback ? root.quantity(key, unit, range, *fallback) : root.quantity(key, unit, range)}};
+  const Channels channels = take_measured(*from,
+                                          {{.channel = "time", .unit = "s", .is_needed = true},
+                                           {.channel = key, .unit = unit, .is_needed = true}},
+                                          source.measured);
+  History history{channels["time"], channels[key]};
+  if (history.times.size() < 2) root.reject(key, "has fewer than two samples");
+  for (std::size_t i = 1; i < history.times.size(); ++i)
+    if (!(history.times[i] > history.times[i - 1]))
+      root.reject(key, fmt::format("does not go forward in time at sample {}", i + 1));
+  return history;
+}
+
+void read_loaders(const Node& node, const TestSource& source, KerbTest& test) {
+  car::AeroLoaders loaders;
+  const auto points = node.rows("points", {"m", "m"});
+  if (points.size() != 3)
+    node.reject("points", fmt::format("has {} points, expected three loaders", points.size()));
+  for (int i = 0; i < 3; ++i) {
+    const auto& point = points[static_cast<std::size_t>(i)];
+    loaders.points.col(i) = Eigen::Vector3d(point[0], point[1], 0.3);
+  }
+  test.loaders = loaders;
+  if (const auto from = find_measured(node, "pushrods")) {
+    std::vector<MeasuredCondition> conditions = {
+        {.channel = "time", .unit = "s", .is_needed = true}};
+    for (const std::string& name : of_corners("pushrod"))
+      conditions.push_back({.channel = name, .unit = "N", .is_needed = true});
+    const Channels channels = take_measured(*from, conditions, source.measured);
+    if (channels["time"].size() < 2) node.reject("pushrods", "has fewer than two samples");
+    for (std::size_t i = 0; i < 4; ++i)
+      test.pushrods[i] = {channels["time"], channels[of_corners("pushrod")[i]]};
+    return;
+  }
+  const auto forces = node.quantities("downforce", "N");
+  if (forces.size() != 3) node.reject("downforce", "expected three forces, one a loader");
+  test.downforce = {forces[0], forces[1], forces[2]};
+}
+
+std::unique_ptr<Test> read_kerb_test(const Node& root, const TestSource& source) {
+  KerbTest test;
+  test.speed = read_history(root, "speed", "m/s", source, std::nullopt, Range::between(0.0, 150.0));
+  test.line = read_history(root, "line", "m", source, 0.0, Range::between(-50.0, 50.0));
+  test.run_in = root.quantity("run_in", "s", Range::between(0.0, 20.0), test.run_in);
+  test.duration = root.quantity("duration", "s", Range::between(1e-3, 60.0), test.duration);
+  test.step = root.quantity("step", "s", Range::between(1e-6, 2e-3), test.step);
+  test.sample_step = root.quantity("sample_step", "s", Range::positive(), test.sample_step);
+  const double ratio = test.sample_step / test.step;
+  if (std::abs(ratio - std::round(ratio)) > 1e-6 * ratio || ratio < 0.5)
+    root.reject("sample_step", "is no multiple of step");
+  test.with_area = root.flag("area", false);
+  if (const auto kerb = root.find_table("kerb")) test.kerb = road::read_kerb(*kerb);
+  if (const auto loaders = root.find_table("loaders")) read_loaders(*loaders, source, test);
+  return std::make_unique<KerbRunTest>(std::move(test));
+}
+
+}  // namespace
+
+const TestKind kKerb = {"kerb", "drives over a kerb", {Drives::kName}, read_kerb_test};
+
+}  // namespace latsch::experiment
