@@ -13,7 +13,7 @@ const SpecimenKind& rigid_ring_kind();
 const SpecimenKind& magic_formula_kind();
 const SpecimenKind& suspension_kind();
 extern const TestKind kDrumCleat, kSlipSweep, kRollingStiffness, kUniformity, kStaticStiffness,
-    kFootprint, kModes, kSteadyStates, kSlipHistory, kLoadDeflection, kKc;
+    kFootprint, kModes, kSteadyStates, kSlipHistory, kLoadDeflection, kKc, kKinematics;
 
 const Language& language() {
   static const Language all = {{&fe_tire_kind(),
@@ -31,7 +31,8 @@ const Language& language() {
                                 &kSteadyStates,
                                 &kSlipHistory,
                                 &kLoadDeflection,
-                                &kKc}};
+                                &kKc,
+                                &kKinematics}};
   return all;
 }
 
