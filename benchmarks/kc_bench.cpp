@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A corner of ten bushings: nonlinear statics and compliance matrices a second, on one core.
+// A corner of ten bushings: nonlinear statics and compliance matrices a second, on one core. As
+// rigid links: a travel curve with all outputs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +9,8 @@
 #include "base/random.h"
 #include "models/multibody/equilibrium.h"
 #include "models/suspension/corner_testing.h"
+#include "models/suspension/geometry_testing.h"
+#include "models/suspension/kinematic_outputs.h"
 #include "table.h"
 #include "yardstick.h"
 
@@ -32,6 +35,29 @@ std::vector<Load> random_loads(const DoubleWishbone& corner, int count) {
                      {any(5e3), any(5e3), any(5e3)},
                      {any(200.0), any(200.0), any(200.0)}});
   return loads;
+}
+
+/// 100 points from -30 to 30 mm with rates.
+void kinematics(latsch::benchmarks::Table& table) {
+  using namespace latsch::suspension;
+  constexpr int kPoints = 100, kCurves = 20;
+  const CornerGeometry corner = race_geometry();
+  double sum = 0.0;
+  const auto curves = beside(Yardstick::atan, kRounds, [&] {
+    for (int k = 0; k < kCurves; ++k) {
+      KinematicCorner moving(corner, TravelOf::contact);
+      for (int i = 0; i < kPoints; ++i) {
+        const auto wheel = moving.move_to(-0.03 + 0.06 * i / (kPoints - 1), 0.0);
+        sum += wheel ? wheel->toe + wheel->ride_frequency : NAN;
+      }
+    }
+  });
+  const double curve = curves.time / kCurves;
+  table.row("rigid links: a travel curve of 100 points, all outputs",
+            fmt::format("{:.3f} ms", 1e3 * curve),
+            "< 1.5 ms",
+            curve < 1.5e-3 && std::isfinite(sum));
+  table.note("points a second", fmt::format("{:.0f}", kPoints / curve));
 }
 
 int kc() {
@@ -75,6 +101,7 @@ int kc() {
             fmt::format("{:.0f}", matrices),
             ">= 200000",
             matrices >= 200000.0 && std::isfinite(sum));
+  kinematics(table);
   return table.exit_code();
 }
 

@@ -35,6 +35,7 @@ SECTIONS = [
     ('Test "steady_states": a table of states', "steady_states"),
     ('Test "slip_history": slips as recorded, lagging', "slip_history"),
     ('Test "kc": a corner under loads', "kc"),
+    ('Test "kinematics": a corner and its axle as rigid links', "kinematics"),
     ("[variable.NAME], [tie.NAME]", "variables"),
     ("[linear_constraint.NAME]", "linear_constraints"),
     ("[measurement.NAME]: what a laboratory recorded", "measurement"),

@@ -14,7 +14,8 @@ const SpecimenKind& magic_formula_kind();
 const SpecimenKind& suspension_kind();
 const SpecimenKind& car_kind();
 extern const TestKind kDrumCleat, kSlipSweep, kRollingStiffness, kUniformity, kStaticStiffness,
-    kFootprint, kModes, kSteadyStates, kSlipHistory, kLoadDeflection, kKc, kFourPost, kKerb;
+    kFootprint, kModes, kSteadyStates, kSlipHistory, kLoadDeflection, kKc, kKinematics, kFourPost,
+    kKerb;
 
 const Language& language() {
   static const Language all = {{&fe_tire_kind(),
@@ -34,6 +35,7 @@ const Language& language() {
                                 &kSlipHistory,
                                 &kLoadDeflection,
                                 &kKc,
+                                &kKinematics,
                                 &kFourPost,
                                 &kKerb}};
   return all;

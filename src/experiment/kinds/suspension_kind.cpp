@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A corner of a suspension as a kind of specimen.
+#include "base/error.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
 #include "models/suspension/suspension_reader.h"
@@ -7,21 +8,35 @@
 namespace latsch::experiment {
 namespace {
 
-class SuspensionSpecimen : public Specimen, public IsLoaded {
+class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinkage {
  public:
   explicit SuspensionSpecimen(const Document& numbers)
-      : numbers_(numbers), corner_(suspension::read_suspension(numbers.root())) {}
+      : numbers_(numbers), corner_(suspension::read_corner(numbers.root())) {}
 
   Result<Channels> load(const KcTest& test, const Asked& asked) override {
     std::vector<Stiffnesses> varied;
     for (const std::string& path : asked.paths)
       varied.push_back(suspension::stiffnesses_at(numbers_, path));
-    return run(corner_, test, varied);
+    const suspension::DoubleWishbone statics =
+        corner_.statics ? *corner_.statics : suspension::read_suspension(numbers_.root());
+    return run(statics, test, varied);
+  }
+
+  Result<Channels> move(const KinematicsTest& test) override {
+    if (test.with_rates && !corner_.geometry.rates)
+      throw InputError(numbers_.root().place(),
+                       "has no [spring]: wheel rate, ride rate and ride frequency take its "
+                       "stiffness, sprung_mass and tire_stiffness");
+    if (test.with_anti_roll_bar && !corner_.geometry.spring.blade)
+      throw InputError(numbers_.root().place(),
+                       "has no anti-roll bar: it takes rocker_arb_link, arb_link_blade and "
+                       "arb_center");
+    return run(corner_.geometry, test);
   }
 
  private:
   Document numbers_;
-  suspension::DoubleWishbone corner_;
+  suspension::Corner corner_;
 };
 
 class SuspensionKind : public SpecimenKind {

@@ -17,6 +17,7 @@
 #include "experiment/rigs/footprint_rig.h"
 #include "experiment/rigs/inflation.h"
 #include "experiment/rigs/kc_rig.h"
+#include "experiment/rigs/kinematics_rig.h"
 #include "experiment/rigs/load_case.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/channels.h"
@@ -94,6 +95,13 @@ struct Drives {
   virtual Result<std::unique_ptr<car::Car>> car(const car::CarInputs& at_rest) const = 0;
 };
 
+/// A corner of a suspension as rigid links, and the axle of it and its mirror image.
+struct MovesAsLinkage {
+  static constexpr const char* kName = "moves as a linkage";
+  virtual ~MovesAsLinkage() = default;
+  virtual Result<Channels> move(const KinematicsTest& test) = 0;
+};
+
 /// Takes from a test what of others stands in their own files.
 struct TakesConditions {
   static constexpr const char* kName = "takes friction and sensor points from a test";
@@ -114,6 +122,7 @@ std::vector<std::string> abilities_of() {
   add(static_cast<HasSteadyStates*>(nullptr));
   add(static_cast<IsLoaded*>(nullptr));
   add(static_cast<Drives*>(nullptr));
+  add(static_cast<MovesAsLinkage*>(nullptr));
   add(static_cast<TakesConditions*>(nullptr));
   return names;
 }

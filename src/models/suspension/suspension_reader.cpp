@@ -7,49 +7,63 @@
 
 #include "base/error.h"
 #include "models/suspension/bushing_reader.h"
+#include "models/suspension/geometry_reader.h"
 
 namespace latsch::suspension {
 namespace {
 
 constexpr std::array<const char*, 6> kAxes = {"x", "y", "z", "about_x", "about_y", "about_z"};
 
-Eigen::Vector3d read_point(const Node& hardpoint, const char* name) {
-  const auto values = hardpoint.quantities(name, "m");
-  if (values.size() != 3)
-    hardpoint.reject(name, fmt::format("has {} values, expected three: x, y, z", values.size()));
-  return {values[0], values[1], values[2]};
+DoubleWishbone read_double_wishbone(const Node& hardpoint, const CornerGeometry& geometry) {
+  DoubleWishbone corner;
+  corner.side = geometry.linkage.wheel.side;
+  corner.pushrod_on = geometry.spring.on == SpringDrive::On::upper_wishbone ? DoubleWishbone::kUpper
+                      : geometry.spring.on == SpringDrive::On::lower_wishbone
+                          ? DoubleWishbone::kLower
+                          : DoubleWishbone::kUpright;
+  for (std::size_t i = 0; i < DoubleWishbone::kJoints; ++i)
+    corner.points[i] = read_point(hardpoint, DoubleWishbone::kNames[i]);
+  corner.wheel_center = read_point(hardpoint, "wheel_center");
+  corner.contact = read_point(hardpoint, "contact");
+  return corner;
 }
 
 }  // namespace
 
-DoubleWishbone read_suspension(const Node& root) {
+Corner read_corner(const Node& root) {
   root.choice("kind", {"suspension"});
   root.text("title", "");
-  DoubleWishbone corner;
-  corner.side = root.choice("side", {"left", "right"}) == "left" ? Side::left : Side::right;
-  const std::string on =
-      root.choice("pushrod_on", {"upper_wishbone", "lower_wishbone", "upright"}, "upper_wishbone");
-  corner.pushrod_on = on == "upper_wishbone"   ? DoubleWishbone::kUpper
-                      : on == "lower_wishbone" ? DoubleWishbone::kLower
-                                               : DoubleWishbone::kUpright;
-  const Node hardpoint = root.table("hardpoint"), bushings = root.table("bushing");
-  for (std::size_t i = 0; i < DoubleWishbone::kJoints; ++i) {
-    corner.points[i] = read_point(hardpoint, DoubleWishbone::kNames[i]);
-    corner.bushings[i] = read_bushing(bushings, DoubleWishbone::kNames[i]);
+  Corner found{read_geometry(root), std::nullopt};
+  const Node hardpoint = root.table("hardpoint");
+  const auto bushings = root.find_table("bushing");
+  std::string fault;
+  if (found.geometry.kingpin) {
+    DoubleWishbone corner = read_double_wishbone(hardpoint, found.geometry);
+    fault = corner.fault();
+    if (bushings) {
+      for (std::size_t i = 0; i < DoubleWishbone::kJoints; ++i)
+        corner.bushings[i] = read_bushing(*bushings, DoubleWishbone::kNames[i]);
+      found.statics = corner;
+    }
+  } else if (bushings) {
+    root.reject("bushing", "is for double wishbones: five links have no statics");
   }
-  corner.wheel_center = read_point(hardpoint, "wheel_center");
-  corner.contact = read_point(hardpoint, "contact");
-  if ((corner.side == Side::left) != (corner.contact.y() > 0.0))
-    root.reject("side",
-                fmt::format("is {}, but the contact point has y = {:.4g} m: left is y > 0",
-                            root.text("side"),
-                            corner.contact.y()));
   root.close();
-  std::string fault = corner.fault();
+  if (fault.empty()) fault = found.geometry.fault();
   if (!fault.empty()) throw InputError(hardpoint.place(), fault);
+  if (!found.statics) return found;
+  const DoubleWishbone& corner = *found.statics;
   fault = multibody::Mechanism::fault(corner.bodies(), corner.joints());
-  if (!fault.empty()) throw InputError(bushings.place(), fault);
-  return corner;
+  if (!fault.empty()) throw InputError(bushings->place(), fault);
+  return found;
+}
+
+DoubleWishbone read_suspension(const Node& root) {
+  const Corner found = read_corner(root);
+  if (found.statics) return *found.statics;
+  if (!found.geometry.kingpin)
+    root.reject("type", "is \"five_link\": loads take a double wishbone with its bushings");
+  root.reject("bushing", "is not there: loads take the stiffnesses of its joints");
 }
 
 std::vector<std::pair<int, int>> stiffnesses_at(const Document& numbers, const std::string& path) {

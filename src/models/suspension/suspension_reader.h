@@ -14,18 +14,29 @@
 //   about_x = "200 N m/rad"              # about_y, about_z
 //   [bushing.ubj]
 //   y = "12 kN/mm"
+//
+// Bushings are for statics; the kinematics have points of their own (geometry_reader.h).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/document.h"
+#include "models/suspension/corner_geometry.h"
 #include "models/suspension/double_wishbone.h"
 
 namespace latsch::suspension {
 
+struct Corner {
+  CornerGeometry geometry;
+  std::optional<DoubleWishbone> statics;  // none without [bushing], and of five links
+};
+
 /// InputError naming the place, or the part that is no suspension.
+Corner read_corner(const Node& root);
+/// Its statics; InputError also where it has none.
 DoubleWishbone read_suspension(const Node& root);
 
 /// Which stiffnesses the number at a path of the file is, by joint and x, y, z, about_x: several

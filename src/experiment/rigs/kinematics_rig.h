@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rig for rigid kinematics: the chassis is held, both wheels of the axle are moved up and down
+// together, against each other or one alone, and the rack to the sides. The other wheel is the
+// mirror image of the one in the file. Equations and signs: models/suspension/kinematic_outputs.h
+// and axle_kinematics.h.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "measurement/channels.h"
+#include "models/suspension/axle_kinematics.h"
+
+namespace latsch::experiment {
+
+struct KinematicsTest {
+  enum class Mode { parallel, opposed, single };
+
+  Mode mode = Mode::parallel;
+  suspension::TravelOf at = suspension::TravelOf::contact;
+  std::vector<double> travel, rack;  // m; as many of each
+  bool with_rates = false, with_anti_roll_bar = false;
+  double outer_share = 0.5;                        // of the lateral force, force-based roll center
+  std::optional<suspension::VehicleData> vehicle;  // anti-dive ...
+  std::optional<double> wheelbase;                 // m; Ackermann
+  std::optional<double> rack_per_turn;             // m of a turn of the steering wheel
+};
+
+/// The axle in one state of the test; `own` is the wheel of the file.
+struct KinematicState {
+  double travel, other_travel, rack;
+  suspension::WheelKinematics own, other;
+  suspension::AxleKinematics axle;
+  double steer_inner, steer_outer, ackermann;  // where the test has a wheelbase
+};
+
+struct KinematicChannel {
+  std::string name, unit;
+  std::function<double(const KinematicState&)> value;
+  suspension::Sense of = suspension::Sense::same, by = suspension::Sense::same;  // sign_views.h
+};
+/// What a test records, in this order.
+std::vector<KinematicChannel> kinematic_channels(const KinematicsTest& test);
+
+Result<Channels> run(const suspension::CornerGeometry& corner, const KinematicsTest& test);
+
+}  // namespace latsch::experiment

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+// kind = "kinematics": a corner as rigid links, its chassis held, and the axle that it makes with
+// its mirror image.
+//
+//   kind = "kinematics"
+//   travel = ["-30 mm", "0 mm", "30 mm"] # of the wheel, upward; one for all states, or one each
+//   from = "-30 mm"                      # or travel evenly from here
+//   to = "30 mm"
+//   points = 61
+//   rack = "0 mm"                        # to the left; one for all states, or one each
+//   mode = "parallel"                    # the other wheel moves the same; "opposed": against it;
+//                                        # "single": not at all
+//   at = "contact_patch"                 # or "wheel_center": what travels
+//   rates = true                         # adds wheel_rate, ride_rate, ride_frequency
+//   anti_roll_bar = true                 # adds arb_angle, arb_ratio
+//   outer_share = 0.5                    # of the lateral force, on the wheel that is higher in the
+//                                        # chassis: for force_roll_center_height
+//   axle = "front"                       # or "rear"; with wheelbase and cg_height adds anti_dive
+//   wheelbase = "1.55 m"                 # and anti_lift, of a rear axle anti_lift and anti_squat
+//   cg_height = "300 mm"
+//   brake_share = 0.6                    # of this axle
+//   drive_share = 0                      # the same; the chassis takes the torque
+//   brakes = "outboard"                  # or "inboard"
+//   rack_per_turn = "85 mm"              # adds steer_ratio: of a turn of the steering wheel
+//
+// A wheelbase adds steer_inner, steer_outer and ackermann where the rack is stated. Channels are of
+// the wheel in the file and of the axle; names that begin with other_ are of the other wheel. Their
+// signs: docs/suspension.md.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "experiment/language/capabilities.h"
+#include "experiment/language/test.h"
+#include "experiment/tests/kinematics_pictures.h"
+
+namespace latsch::experiment {
+
+extern const TestKind kKinematics;
+namespace {
+
+constexpr std::array<const char*, 3> kAxleModes = {"parallel", "opposed", "single"};
+
+const char* axle_mode(const KinematicsTest& test) {
+  return kAxleModes[static_cast<std::size_t>(test.mode)];
+}
+
+class KinematicsTestOfAxle : public Test {
+ public:
+  explicit KinematicsTestOfAxle(KinematicsTest test) : test_(std::move(test)) {}
+
+  std::string in_words() const override {
+    const auto [lowest, highest] = std::minmax_element(test_.travel.begin(), test_.travel.end());
+    const auto [right, left] = std::minmax_element(test_.rack.begin(), test_.rack.end());
+    return fmt::format(
+        "kinematics, {} travel {:.4g} to {:.4g} mm, rack {:.4g} to {:.4g} mm, {} "
+        "states",
+        axle_mode(test_),
+        1e3 * *lowest,
+        1e3 * *highest,
+        1e3 * *right,
+        1e3 * *left,
+        test_.travel.size());
+  }
+
+  std::string identity() const override {
+    std::string text =
+        fmt::format("kinematics {} at {} travel {} rack {} outer_share {}{}{}",
+                    axle_mode(test_),
+                    test_.at == suspension::TravelOf::contact ? "contact_patch" : "wheel_center",
+                    fmt::join(test_.travel, " "),
+                    fmt::join(test_.rack, " "),
+                    test_.outer_share,
+                    test_.with_rates ? " rates" : "",
+                    test_.with_anti_roll_bar ? " anti_roll_bar" : "");
+    if (test_.wheelbase) text += fmt::format(" wheelbase {}", *test_.wheelbase);
+    if (test_.rack_per_turn) text += fmt::format(" rack_per_turn {}", *test_.rack_per_turn);
+    if (const auto& v = test_.vehicle)
+      text += fmt::format(" {} wheelbase {} cg_height {} brake_share {} drive_share {} {}",
+                          v->is_front ? "front" : "rear",
+                          v->wheelbase,
+                          v->cg_height,
+                          v->brake_share,
+                          v->drive_share,
+                          v->has_outboard_brakes ? "outboard" : "inboard");
+    return text;
+  }
+
+  std::vector<ChannelInfo> channels() const override {
+    std::vector<ChannelInfo> channels;
+    for (const KinematicChannel& channel : kinematic_channels(test_))
+      channels.push_back({channel.name, channel.unit});
+    return channels;
+  }
+
+  std::vector<std::string> needs() const override { return kKinematics.needs; }
+  std::optional<long> samples() const override { return std::ssize(test_.travel); }
+  std::optional<Reach> reach(const std::string& channel) const override {
+    if (channel != "travel" && channel != "rack") return std::nullopt;
+    const auto& values = channel == "travel" ? test_.travel : test_.rack;
+    const auto [lower, upper] = std::minmax_element(values.begin(), values.end());
+    return Reach{*lower, *upper};
+  }
+
+  Result<Channels> run(Specimen& specimen) const override {
+    return specimen.find<MovesAsLinkage>()->move(test_);
+  }
+  Result<Details> details(Specimen& specimen) const override {
+    const auto channels = run(specimen);
+    if (!channels) return channels.failure();
+    return kinematics_details(*channels);
+  }
+
+ private:
+  KinematicsTest test_;
+};
+
+std::vector<double> read_travel(const Node& root) {
+  if (!root.has("from")) return root.one_or_more("travel", "m");
+  if (root.has("travel"))
+    root.reject("travel", "is stated, and from as well: expected one of them");
+  const double from = root.quantity("from", "m"), to = root.quantity("to", "m");
+  const long points = root.integer("points", 2, 100000);
+  if (!(from < to)) root.reject("to", "is not above from");
+  std::vector<double> travel;
+  for (long i = 0; i < points; ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(points - 1);
+    travel.push_back(from * (1.0 - t) + to * t);
+  }
+  return travel;
+}
+
+void read_states(const Node& root, KinematicsTest& test) {
+  test.rack = {0.0};
+  if (root.has("rack")) test.rack = root.one_or_more("rack", "m");
+  test.travel = {0.0};
+  if (root.has("travel") || root.has("from") || !root.has("rack")) test.travel = read_travel(root);
+  if (test.travel.empty()) root.reject("travel", "is empty, expected one state at least");
+  if (test.rack.empty()) root.reject("rack", "is empty, expected one state at least");
+  const std::size_t states = std::max(test.travel.size(), test.rack.size());
+  if (test.travel.size() == 1) test.travel.resize(states, test.travel[0]);
+  if (test.rack.size() == 1) test.rack.resize(states, test.rack[0]);
+  if (test.travel.size() != test.rack.size())
+    root.reject("rack",
+                fmt::format("has {} values, expected one or {} as travel has",
+                            test.rack.size(),
+                            test.travel.size()));
+}
+
+void read_vehicle(const Node& root, KinematicsTest& test) {
+  if (!root.has("cg_height")) {
+    for (const char* key : {"axle", "brake_share", "drive_share", "brakes"})
+      if (root.has(key)) root.reject(key, "is for anti-dive, which takes cg_height");
+    if (!root.has("wheelbase")) return;
+    if (!root.has("rack")) root.reject("wheelbase", "is for Ackermann, which takes rack");
+    test.wheelbase = root.quantity("wheelbase", "m", Range::positive());
+    return;
+  }
+  test.vehicle = {.wheelbase = root.quantity("wheelbase", "m", Range::positive()),
+                  .cg_height = root.quantity("cg_height", "m", Range::positive()),
+                  .is_front = root.choice("axle", {"front", "rear"}) == "front",
+                  .brake_share = root.quantity("brake_share", "1", Range::between(0.0, 1.0)),
+                  .drive_share = root.quantity("drive_share", "1", Range::between(0.0, 1.0), 0.0),
+                  .has_outboard_brakes =
+                      root.choice("brakes", {"outboard", "inboard"}, "outboard") == "outboard"};
+  if (root.has("rack")) test.wheelbase = test.vehicle->wheelbase;
+}
+
+std::unique_ptr<Test> read_kinematics(const Node& root, const TestSource&) {
+  KinematicsTest test;
+  read_states(root, test);
+  const std::string mode = root.choice("mode", {"parallel", "opposed", "single"}, "parallel");
+  test.mode = static_cast<KinematicsTest::Mode>(
+      std::find(kAxleModes.begin(), kAxleModes.end(), mode) - kAxleModes.begin());
+  test.at = root.choice("at", {"contact_patch", "wheel_center"}, "contact_patch") == "wheel_center"
+                ? suspension::TravelOf::wheel_center
+                : suspension::TravelOf::contact;
+  test.with_rates = root.flag("rates", false);
+  test.with_anti_roll_bar = root.flag("anti_roll_bar", false);
+  test.outer_share = root.quantity("outer_share", "1", Range::between(0.0, 1.0), 0.5);
+  if (root.has("rack_per_turn"))
+    test.rack_per_turn = root.quantity("rack_per_turn", "m", Range::positive());
+  read_vehicle(root, test);
+  return std::make_unique<KinematicsTestOfAxle>(std::move(test));
+}
+
+}  // namespace
+
+const TestKind kKinematics = {"kinematics",
+                              "is moved as rigid links: toe, camber, roll center, motion ratio",
+                              {MovesAsLinkage::kName},
+                              read_kinematics};
+
+}  // namespace latsch::experiment

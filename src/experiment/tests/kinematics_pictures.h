@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a page shows of a suspension's kinematics: its curves by travel, roll or rack, in degrees
+// and millimeters.
+#pragma once
+
+#include "experiment/language/test.h"
+#include "measurement/channels.h"
+
+namespace latsch::experiment {
+
+/// Of the channels that are there, those that belong together in one frame.
+Test::Details kinematics_details(const Channels& channels);
+
+}  // namespace latsch::experiment

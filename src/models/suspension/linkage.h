@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rigid kinematics of a wheel carrier on five links of constant length, each from a point of
+// the chassis or the rack to a point of the upright. A double wishbone is two links to the upper
+// ball joint, two to the lower one and the track-rod: a wishbone whose axis is fixed holds its ball
+// joint as two links from its ends do.
+//
+//   |p_i + R o_i - c_i| = l_i,  i = 1 ... 5        c_track-rod moves with the rack
+//   z of the wheel center or of the contact point = that at rest + travel
+//
+// Six equations for the six numbers of the upright's pose: Newton's method from a neighbor, with
+// the rows [n', ((R o) x n)'] of the links' directions n. The same matrix gives the twist of the
+// upright by travel and by rack. [Blundell & Harty, The Multibody Systems Approach to Vehicle
+// Dynamics, 2nd ed. 2015, ch. 4: the same constraints, there between all bodies]
+//
+// The tire is a rigid disk on level ground: the contact point is the lowest of its middle circle,
+// where it moves up as fast as the point of the upright that is there.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <array>
+#include <string>
+
+#include "base/result.h"
+#include "models/multibody/pose.h"
+#include "models/suspension/wheel_position.h"
+
+namespace latsch::suspension {
+
+/// At rest, m.
+struct Link {
+  std::string name;
+  Eigen::Vector3d inner, outer;
+};
+
+/// A wheel: its spin axis points to the left of the car on both sides.
+struct Wheel {
+  Side side = Side::left;
+  Eigen::Vector3d center, spin_axis = {0.0, 1.0, 0.0};
+  double radius = 0.0;  // m, of the tire's middle circle
+  double offset = 0.0;  // m, of that circle from the center along the spin axis
+
+  /// From the wheel center to the contact point, for that spin axis.
+  Eigen::Vector3d down(const Eigen::Vector3d& axis) const;
+};
+
+struct Linkage {
+  static constexpr int kLinks = 5;
+  std::array<Link, kLinks> links;
+  int trackrod = 4;  // the link whose inner point moves with the rack, along y
+  Wheel wheel;
+
+  /// What is wrong with it, naming the part, or empty: links without length, points in one place,
+  /// an upright that can move with all links and its travel held.
+  std::string fault() const;
+};
+
+enum class TravelOf { wheel_center, contact };
+
+/// Velocity of the wheel center and rotation, in the axes of the ground, by the travel and by the
+/// rack.
+struct Twists {
+  Vector6d by_travel, by_rack;
+
+  /// Of the point of the upright that is there.
+  static Eigen::Vector3d at(const Vector6d& twist, const Eigen::Vector3d& from_center) {
+    return twist.head<3>() + twist.tail<3>().cross(from_center);
+  }
+};
+
+/// A linkage on its way from rest. Two that took the same way are equal to the last bit.
+class MovingLinkage {
+ public:
+  /// The linkage has no fault().
+  MovingLinkage(const Linkage& linkage, TravelOf of);
+
+  /// From where it stands to there, in as many steps as it takes; the failure names the link that
+  /// ends its way, and it stays there.
+  Result<Pose> move_to(double travel, double rack);
+
+  const Pose& upright() const { return pose_; }
+  double travel() const { return travel_; }
+  double rack() const { return rack_; }
+  const Twists& twists() const { return twists_; }
+  Eigen::Vector3d spin_axis() const { return pose_.turn * linkage_->wheel.spin_axis; }
+  /// From the wheel center to the contact point.
+  Eigen::Vector3d to_contact() const { return linkage_->wheel.down(spin_axis()); }
+  Eigen::Vector3d inner(int link) const;
+  Eigen::Vector3d outer(int link) const;
+  /// What is left of the equations, m.
+  double left() const { return left_; }
+
+ private:
+  struct Equations {
+    Vector6d residual;
+    Matrix6d jacobian;
+  };
+  Equations equations(const Pose& pose, double travel, double rack) const;
+  bool try_step(double travel, double rack);
+  void take(const Pose& pose, double travel, double rack, double left);
+  std::string end_of_way(double travel, double rack) const;
+
+  const Linkage* linkage_;
+  TravelOf of_;
+  std::array<Eigen::Vector3d, Linkage::kLinks> outer_;  // from the wheel center, upright's axes
+  std::array<double, Linkage::kLinks> length_;
+  double height_;  // m, at rest of what travels
+  Pose pose_;
+  double travel_ = 0.0, rack_ = 0.0, left_ = 0.0;
+  double orientation_ = 0.0;  // sign of the Jacobian's determinant: another one, another assembly
+  Eigen::PartialPivLU<Matrix6d> factors_;
+  Twists twists_;
+};
+
+}  // namespace latsch::suspension

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The signs of three conventions, as factors on what is computed in ISO 8855's. A quantity goes
+// along an axis, about one, or has the same sign in all (toe-in, camber, lengths, heights above
+// ground).
+//
+//   iso    x forward,  y left,  z up          ISO 8855
+//   sae    x forward,  y right, z down        SAE J670, 1976
+//   adams  x rearward, y right, z up          as car models of Adams are built
+//
+// With s the signs of the axes, what goes along axis i changes by s_i, and what turns about it by
+// the product of the other two. So steer to the left is positive in iso and adams, to the right in
+// sae; toe-in and camber with the top outboard are positive in all three.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace latsch::suspension {
+
+enum class Sense { same, along_x, along_y, along_z, about_x, about_y, about_z };
+enum class SignView { iso, sae, adams };
+
+using AxisSigns = std::array<double, 3>;
+
+inline constexpr std::array<AxisSigns, 3> kAxisSigns = {
+    {{1.0, 1.0, 1.0}, {1.0, -1.0, -1.0}, {-1.0, -1.0, 1.0}}};
+/// Of the mirror image, by which a right wheel is the left one's.
+inline constexpr AxisSigns kMirror = {1.0, -1.0, 1.0};
+
+constexpr double sign(const AxisSigns& s, Sense sense) {
+  switch (sense) {
+    case Sense::along_x:
+      return s[0];
+    case Sense::along_y:
+      return s[1];
+    case Sense::along_z:
+      return s[2];
+    case Sense::about_x:
+      return s[1] * s[2];
+    case Sense::about_y:
+      return s[2] * s[0];
+    case Sense::about_z:
+      return s[0] * s[1];
+    case Sense::same:
+      break;
+  }
+  return 1.0;
+}
+
+/// Of a quantity, or of its slope by another.
+constexpr double sign(SignView view, Sense of, Sense by = Sense::same) {
+  const AxisSigns& s = kAxisSigns[static_cast<std::size_t>(view)];
+  return sign(s, of) * sign(s, by);
+}
+
+}  // namespace latsch::suspension

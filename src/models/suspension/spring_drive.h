@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the spring of a corner follows its wheel: directly from a wishbone or the upright, or by a
+// push-rod (or pull-rod) and a rocker, which may move the blade of an anti-roll bar too. All rods
+// have constant length.
+//
+//   wishbone:  hinged on its axis; turned by the angle at which its ball joint is
+//   rocker:    turned by φ about an axis through its pivot, so that |o - i(φ)| = l:
+//              with u = i - pivot at rest, w = o - pivot, e the axis:
+//              a cos φ + b sin φ = d,   a = w'u - (e'u)(e'w),  b = w'(e × u),
+//              d = (u'u + w'w - l²)/2 - (e'u)(e'w),
+//              of whose two solutions the one is taken that is φ = 0 at rest
+//   blade:     the same, driven by its link from the rocker
+//
+// Rates by travel and rack follow from the twist of the upright: v'n is the same at both ends of a
+// rod, n its direction.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "base/result.h"
+#include "models/suspension/linkage.h"
+
+namespace latsch::suspension {
+
+/// A body that turns about a fixed axis, driven by a rod to a point of its own; at rest, m.
+struct Lever {
+  std::string name, rod;
+  Eigen::Vector3d pivot, axis = Eigen::Vector3d::UnitY();  // of unit length
+  Eigen::Vector3d own, driving;  // the rod's ends: on the lever, and on what moves it
+
+  /// What is wrong with it, or empty.
+  std::string fault() const;
+  /// Its angle and the angle's slope by the travel of the driving end, with that at a place.
+  struct Turned {
+    double angle;
+    Eigen::Vector3d by_driving;
+  };
+  Result<Turned> turned(const Eigen::Vector3d& driving_now) const;
+  Eigen::Vector3d at(double angle, const Eigen::Vector3d& point) const;
+};
+
+struct SpringDrive {
+  enum class On { upper_wishbone, lower_wishbone, upright };
+
+  On on = On::upright;
+  Eigen::Vector3d outer, inner;  // ends of the push-rod; without a rocker those of the spring, m
+  /// Ends of the wishbone's axis on the chassis, where it acts on one, and its ball joint.
+  Eigen::Vector3d hinge_front, hinge_rear, ball;
+  struct Rocker {
+    Lever lever;
+    Eigen::Vector3d spring_end, spring_on_chassis;  // m
+  };
+  std::optional<Rocker> rocker;
+  /// Its driving end is on the rocker.
+  std::optional<Lever> blade;
+
+  std::string fault() const;
+};
+
+/// Slopes are by travel and by rack.
+struct SpringState {
+  double length;                                           // m, between the ends of the spring
+  Eigen::Vector2d length_slopes;                           // 1
+  double blade_angle = 0.0;                                // rad
+  Eigen::Vector2d blade_slopes = Eigen::Vector2d::Zero();  // rad/m
+};
+
+Result<SpringState> spring_state(const SpringDrive& drive,
+                                 const Eigen::Vector3d& wheel_center_at_rest,
+                                 const Pose& upright,
+                                 const Twists& twists);
+
+}  // namespace latsch::suspension
