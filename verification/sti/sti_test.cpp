@@ -246,7 +246,7 @@ TEST_P(EveryTire, AnswersASlopeAsTheTireAskedDirectlyToTheLastBit) {
   Direct direct(GetParam());
   for (int i = 0; i <= 30; ++i) {
     ASSERT_EQ(caller.call(0, kStep * i), 0) << caller.message();
-    expect_same_bits(caller.hub, direct.at(kStep * i, i == 0 ? 0.0 : kStep));
+    expect_same_bits(caller.hub, direct.at(kStep * i, i == 0 ? 0.0 : kStep * i - kStep * (i - 1)));
   }
   EXPECT_GT(caller.hub[2], 1000.0);
 }
