@@ -19,9 +19,16 @@ class BlockElimination {
   /// `pairs`: bodies that share elements, in any order and as often as they do.
   BlockElimination(int bodies, const std::vector<std::pair<int, int>>& pairs);
 
-  int bodies() const { return static_cast<int>(diagonal_.size()); }
+  int bodies() const { return bodies_; }
+  int size() const { return static_cast<int>(blocks_.size()); }  // places
   void clear();
-  Matrix6d& block(int row, int column);
+  /// Where a block is kept, for at(); -1: two bodies that share no element.
+  int place(int row, int column) const {
+    return place_[static_cast<std::size_t>(row * bodies_ + column)];
+  }
+  Matrix6d& at(int place) { return blocks_[static_cast<std::size_t>(place)]; }
+  const Matrix6d& at(int place) const { return blocks_[static_cast<std::size_t>(place)]; }
+  Matrix6d& block(int row, int column) { return at(place(row, column)); }
   /// False where a block on the diagonal is singular; `singular_body` then says which.
   bool factorize();
   int singular_body() const { return singular_; }
@@ -41,8 +48,9 @@ class BlockElimination {
     int to, below, right;  // to -= below right
   };
 
+  int bodies_;
   std::vector<int> place_;  // of blocks, by row and column; -1: none
-  std::vector<Matrix6d, Eigen::aligned_allocator<Matrix6d>> diagonal_, other_;
+  std::vector<Matrix6d, Eigen::aligned_allocator<Matrix6d>> blocks_;  // the diagonal's first
   std::vector<Eigen::PartialPivLU<Matrix6d>> pivots_;
   std::vector<int> order_, turn_of_;  // the bodies one after the other; when each is eliminated
   std::vector<std::vector<Neighbor>> later_;  // by body: those eliminated after it that it meets

@@ -14,9 +14,8 @@ struct ForceAndMoment {
   Vector3d F, M;
 };
 
-ForceAndMoment force_and_moment(const BushingStrain& s, const BushingParameters& p) {
-  return {-(s.axes * p.stiffness.cwiseProduct(s.d)),
-          -(s.axes * (s.N.transpose() * p.rotational.cwiseProduct(s.q)))};
+ForceAndMoment force_and_moment(const BushingStrain& s, const BushingForces& forces) {
+  return {-(s.axes * forces.f.head<3>()), -(s.axes * (s.N.transpose() * forces.f.tail<3>()))};
 }
 
 /// A wrench about the origin of a body whose arm to the point it acts at is given.
@@ -63,22 +62,65 @@ BushingStrain strain_of(const BushingPlace& place, const Pose& a, const Pose& b)
   return s;
 }
 
-BushingWrenches wrenches(const BushingStrain& s, const BushingParameters& p) {
-  const auto [F, M] = force_and_moment(s, p);
+Vector6d rates_of(const BushingStrain& s, const Vector6d& a, const Vector6d& b) {
+  const Vector3d relative = b.tail<3>() - a.tail<3>();
+  const Vector3d travel =
+      b.head<3>() - s.arm_b.cross(b.tail<3>()) - (a.head<3>() - s.arm_a.cross(a.tail<3>()));
+  Vector6d rates;
+  rates << s.axes.transpose() * travel, s.N * (s.axes.transpose() * relative);
+  return rates;
+}
+
+BushingForces spring_forces(const BushingStrain& s, const BushingParameters& p) {
+  BushingForces forces;
+  forces.slopes << p.stiffness, p.rotational;
+  forces.f << p.stiffness.cwiseProduct(s.d), p.rotational.cwiseProduct(s.q);
+  return forces;
+}
+
+BushingForces forces_in_motion(const BushingStrain& s,
+                               const Vector6d& rates,
+                               const BushingParameters& p,
+                               double rate_share,
+                               const PartMemory* memory,
+                               double step,
+                               PartMemory* kept) {
+  BushingForces forces = spring_forces(s, p);
+  forces.f.head<3>() += p.damping.cwiseProduct(rates.head<3>());
+  forces.f.tail<3>() += p.rotational_damping.cwiseProduct(rates.tail<3>());
+  forces.slopes.head<3>() += rate_share * p.damping;
+  forces.slopes.tail<3>() += rate_share * p.rotational_damping;
+  for (std::size_t i = 0; i < p.parts.size(); ++i) {
+    const int axis = p.parts[i].axis;
+    const double d = axis < 3 ? s.d[axis] : s.q[axis - 3];
+    const PartForce part = respond(p.parts[i].law, d, rates[axis], memory[i], step);
+    forces.f[axis] += part.f;
+    forces.slopes[axis] += part.by_d + rate_share * part.by_rate;
+    if (kept) kept[i] = {part.s, d};
+  }
+  return forces;
+}
+
+BushingWrenches wrenches(const BushingStrain& s, const BushingForces& forces) {
+  const auto [F, M] = force_and_moment(s, forces);
   return {-about(s.arm_a, F, M), about(s.arm_b, F, M)};
+}
+
+BushingWrenches wrenches(const BushingStrain& s, const BushingParameters& p) {
+  return wrenches(s, spring_forces(s, p));
 }
 
 /// With the travel of b's point against a, δs = δx_b - ρ × δθ_b ... - (δx_a - σ × δθ_a ...), arms ρ
 /// of b and σ of a, and δφ = δθ_b - δθ_a
 ///   δF = δθ_a × F - K δs,   δM = δθ_a × M - C δφ,   K = A k A',  C = A (N' c N + d(N' c q)/dω) A'
 /// and as forces act where b's point goes, δρ = δθ_b × ρ and δσ = δx_b + δθ_b × ρ - δx_a.
-BushingTangent tangent(const BushingStrain& s, const BushingParameters& p) {
-  const auto [F, M] = force_and_moment(s, p);
-  const Matrix3d K = s.axes * p.stiffness.asDiagonal() * s.axes.transpose();
-  const Vector3d t = p.rotational.cwiseProduct(s.q);
-  const Matrix3d C = s.axes *
-                     (s.N.transpose() * p.rotational.asDiagonal() * s.N + turned_moments(s, t)) *
-                     s.axes.transpose();
+BushingTangent tangent(const BushingStrain& s, const BushingForces& forces) {
+  const auto [F, M] = force_and_moment(s, forces);
+  const Vector3d k = forces.slopes.head<3>(), c = forces.slopes.tail<3>();
+  const Matrix3d K = s.axes * k.asDiagonal() * s.axes.transpose();
+  const Vector3d t = forces.f.tail<3>();
+  const Matrix3d C =
+      s.axes * (s.N.transpose() * c.asDiagonal() * s.N + turned_moments(s, t)) * s.axes.transpose();
   const Matrix3d rho = cross(s.arm_b), sigma = cross(s.arm_a), f = cross(F), m = cross(M);
   // Force and moment by the twist of a body at b's point: (K, K arm'; 0, C).
   const Matrix3d K_rho = K * rho, K_sigma = K * sigma;
@@ -90,8 +132,18 @@ BushingTangent tangent(const BushingStrain& s, const BushingParameters& p) {
   return J;
 }
 
-double energy(const BushingStrain& s, const BushingParameters& p) {
-  return 0.5 * (p.stiffness.dot(s.d.cwiseAbs2()) + p.rotational.dot(s.q.cwiseAbs2()));
+BushingTangent tangent(const BushingStrain& s, const BushingParameters& p) {
+  return tangent(s, spring_forces(s, p));
+}
+
+double energy(const BushingStrain& s, const BushingParameters& p, const PartMemory* memory) {
+  double sum = 0.5 * (p.stiffness.dot(s.d.cwiseAbs2()) + p.rotational.dot(s.q.cwiseAbs2()));
+  for (std::size_t i = 0; i < p.parts.size(); ++i) {
+    const int axis = p.parts[i].axis;
+    sum += stored_energy(
+        p.parts[i].law, axis < 3 ? s.d[axis] : s.q[axis - 3], memory ? memory[i] : PartMemory{});
+  }
+  return sum;
 }
 
 }  // namespace latsch::multibody

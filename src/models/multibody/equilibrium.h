@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statics of a mechanism: poses at which the bushings' wrenches r and the load balance,
+// Statics of a mechanism: poses at which the elements' wrenches r and the load balance,
 //   r(x) + w(x) = 0,   J = d(r + w)/dx,   x <- x - J^-1 (r + w)          Newton's method, exact J
 // and what follows from the last J: compliance and slopes in the stiffnesses p,
 //   dy/dp = -λ' dr/dp   with   J' λ = dy/dx                               adjoint
@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "models/multibody/block_elimination.h"
-#include "models/multibody/mechanism.h"
+#include "models/multibody/assembly.h"
 
 namespace latsch::multibody {
 
@@ -23,6 +22,19 @@ struct EquilibriumSettings {
   double most = 1.2;    // rad: a bushing turned more is near the end of its angles, and torn
 };
 
+/// What acts on a mechanism that comes to rest. All of it is added in shares where it has to be.
+struct Standing {
+  std::span<const Load> loads = {};
+  std::span<const double> drivers = {};  // m; none: all zero
+  const Outside* outside = nullptr;      // whole from the beginning
+};
+
+/// Poses at rest, and what friction remembers of the way there.
+struct Rest {
+  Poses poses;
+  Memories memories;
+};
+
 /// Reuses its memory from one load to the next. The mechanism has to outlive it.
 class Equilibrium {
  public:
@@ -30,6 +42,9 @@ class Equilibrium {
 
   /// From `start`, or from rest. A failure names the part that gave way.
   Result<Poses> solve(std::span<const Load> loads, const Poses* start = nullptr);
+  /// The same of all that can act, on from where it rested before.
+  Result<Rest> solve(const Standing& standing, const Rest& before);
+  Rest unloaded() const { return {mechanism_.at_rest(), mechanism_.no_memories()}; }
   /// Of the last solve.
   int iterations() const { return iterations_; }
   double left() const { return left_; }  // N, N m
@@ -37,6 +52,7 @@ class Equilibrium {
   /// Makes J at these poses under these loads that of the calls below. Empty, or which part nothing
   /// holds.
   std::string linearize(const Poses& poses, std::span<const Load> loads);
+  std::string linearize(const Rest& rest, const Standing& standing);
   /// Travel and rotation of body `of` at its origin by force and moment on body `by` at a point of
   /// it, in m/N and so on: 6 x 6.
   Matrix6d compliance(int of, int by, const Eigen::Vector3d& arm) const;
@@ -45,22 +61,16 @@ class Equilibrium {
   Eigen::MatrixXd by_stiffness(const Poses& poses, const Eigen::MatrixXd& by_pose) const;
 
  private:
-  /// J and what is left of forces at these poses; `share` of the load.
-  void assemble(const Poses& poses, std::span<const Load> loads, double share);
-  std::string newton(Poses& poses, std::span<const Load> loads, double share);
-  const Pose& pose(const Poses& poses, int body) const;
-  std::string most_turned(const Poses& poses) const;
-  /// Of forces that cancel, by the stiffest bushing, N.
-  double rounding() const;
+  std::string newton(Rest& rest, const Standing& standing, double share);
+  void assemble(const Rest& rest, const Standing& standing, double share);
 
   const Mechanism& mechanism_;
   EquilibriumSettings settings_;
-  BlockElimination J_;
-  Eigen::VectorXd rest_;  // r + w, six a body
-  Pose ground_;
+  Assembly assembly_;
+  Eigen::VectorXd step_;
+  std::vector<double> drivers_;
   int iterations_ = 0;
   double left_ = 0.0;
-  double turned_ = 0.0;  // the largest angle of a bushing at the last poses, rad
 };
 
 }  // namespace latsch::multibody

@@ -4,58 +4,166 @@
 #include <fmt/format.h>
 
 #include <cassert>
+#include <cmath>
 
 namespace latsch::multibody {
 
-std::string Mechanism::fault(const std::vector<Body>& bodies, const std::vector<Joint>& joints) {
+namespace {
+
+/// A body that is not there, or the same twice.
+std::string fault_of_ends(const std::string& name, int a, int b, int bodies) {
+  for (const int body : {a, b})
+    if (body < kGround || body >= bodies)
+      return fmt::format("{} joins a body that is not there", name);
+  if (a == b) return fmt::format("{} joins a body with itself", name);
+  return {};
+}
+
+bool not_negative(const Eigen::Vector3d& k) { return k.allFinite() && k.minCoeff() >= 0.0; }
+
+std::string fault_of_bushing(const std::string& name, const BushingParameters& bushing) {
+  if (!not_negative(bushing.stiffness) ||
+      (!(bushing.stiffness.maxCoeff() > 0.0) && bushing.parts.empty()))
+    return fmt::format(
+        "the bushing {} has no stiffness: numbers of N/m not below zero, one of them above, are "
+        "needed",
+        name);
+  if (!not_negative(bushing.rotational))
+    return fmt::format("the bushing {} has a rotational stiffness below zero or that is no number",
+                       name);
+  if (!not_negative(bushing.damping) || !not_negative(bushing.rotational_damping))
+    return fmt::format("the bushing {} has a damping below zero or that is no number", name);
+  for (const auto& part : bushing.parts)
+    if (const std::string fault = fault_of(part.law); !fault.empty())
+      return fmt::format("the bushing {}: {}", name, fault);
+  return {};
+}
+
+std::string fault_of_strut(const Strut& strut, int bodies, int drivers) {
+  if (strut.lines.empty()) return fmt::format("{} has no line to act along", strut.name);
+  if (strut.driver < -1 || strut.driver >= drivers)
+    return fmt::format("{} has a driver that is not there", strut.name);
+  for (const StrutLine& line : strut.lines) {
+    if (std::string fault = fault_of_ends(strut.name, line.a, line.b, bodies); !fault.empty())
+      return fault;
+    if (!((line.point_b - line.point_a).norm() > 1e-6) || !std::isfinite(line.weight))
+      return fmt::format("both ends of {} are in one place, or at none", strut.name);
+  }
+  for (const double number : {strut.stiffness, strut.damping, strut.inertance})
+    if (!(number >= 0.0) || !std::isfinite(number))
+      return fmt::format("{} has a stiffness, damping or inertance below zero or that is no number",
+                         strut.name);
+  if (!std::isfinite(strut.preload))
+    return fmt::format("the preload of {} is no number", strut.name);
+  for (const ForcePart& part : strut.parts)
+    if (const std::string fault = fault_of(part); !fault.empty())
+      return fmt::format("{}: {}", strut.name, fault);
+  return {};
+}
+
+}  // namespace
+
+std::string Mechanism::fault(const std::vector<Body>& bodies,
+                             const std::vector<Joint>& joints,
+                             const std::vector<Strut>& struts,
+                             int drivers) {
   const int count = static_cast<int>(bodies.size());
   std::vector<bool> held(bodies.size(), false);
   for (const Body& body : bodies)
     if (!body.origin.allFinite())
       return fmt::format("{} is at a place that is no number", body.name);
+  const auto hold = [&](int body) {
+    if (body != kGround) held[static_cast<std::size_t>(body)] = true;
+  };
   for (const Joint& joint : joints) {
-    for (const int body : {joint.a, joint.b}) {
-      if (body < kGround || body >= count)
-        return fmt::format("{} joins a body that is not there", joint.name);
-      if (body != kGround) held[static_cast<std::size_t>(body)] = true;
-    }
-    if (joint.a == joint.b) return fmt::format("{} joins a body with itself", joint.name);
+    if (std::string fault = fault_of_ends(joint.name, joint.a, joint.b, count); !fault.empty())
+      return fault;
     if (!joint.point.allFinite())
       return fmt::format("{} is at a place that is no number", joint.name);
-    const auto positive = [](const Eigen::Vector3d& k) {
-      return k.allFinite() && k.minCoeff() >= 0.0 && k.maxCoeff() > 0.0;
-    };
-    if (!positive(joint.bushing.stiffness))
-      return fmt::format(
-          "the bushing {} has no stiffness: numbers of N/m not below zero, one of them above, are "
-          "needed",
-          joint.name);
-    const Eigen::Vector3d& c = joint.bushing.rotational;
-    if (!c.allFinite() || c.minCoeff() < 0.0)
-      return fmt::format(
-          "the bushing {} has a rotational stiffness below zero or that is no number", joint.name);
+    if (joint.driver < -1 || joint.driver >= drivers)
+      return fmt::format("{} has a driver that is not there", joint.name);
+    if (std::string fault = fault_of_bushing(joint.name, joint.bushing); !fault.empty())
+      return fault;
+    hold(joint.a);
+    hold(joint.b);
   }
+  for (const Strut& strut : struts)
+    if (std::string fault = fault_of_strut(strut, count, drivers); !fault.empty()) return fault;
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (!held[i]) return fmt::format("nothing holds {}: it has no joint", bodies[i].name);
+    if (!held[i] && !(bodies[i].mass > 0.0))
+      return fmt::format("nothing holds {}: it has no joint", bodies[i].name);
   return {};
 }
 
-Mechanism::Mechanism(std::vector<Body> bodies, std::vector<Joint> joints)
-    : bodies_(std::move(bodies)), joints_(std::move(joints)) {
-  assert(fault(bodies_, joints_).empty());
+std::string Mechanism::fault_in_motion(const std::vector<Body>& bodies) {
+  for (const Body& body : bodies) {
+    if (!(body.mass > 0.0) || !std::isfinite(body.mass))
+      return fmt::format("{} has no mass: what moves needs one above zero", body.name);
+    const Eigen::Matrix3d& I = body.inertia;
+    if (!I.allFinite() || (I - I.transpose()).norm() > 1e-9 * I.norm())
+      return fmt::format("the inertia of {} is not symmetric or no number", body.name);
+    // I1 < I2 + I3 of every body: trace/2 I - I, the second moments of mass, is positive.
+    const Eigen::Matrix3d moments = 0.5 * I.trace() * Eigen::Matrix3d::Identity() - I;
+    const double slack = 1e-9 * I.trace();
+    const bool possible = I.trace() > 0.0 && moments.diagonal().minCoeff() >= -slack &&
+                          moments.determinant() >= -slack * I.trace() * I.trace() &&
+                          I.determinant() > 0.0;
+    if (!possible)
+      return fmt::format(
+          "the inertia of {} is none of a body: each moment is positive and below the sum of the "
+          "other two",
+          body.name);
+  }
+  return {};
+}
+
+Mechanism::Mechanism(std::vector<Body> bodies,
+                     std::vector<Joint> joints,
+                     std::vector<Strut> struts,
+                     int drivers,
+                     const Eigen::Vector3d& gravity)
+    : bodies_(std::move(bodies)),
+      joints_(std::move(joints)),
+      struts_(std::move(struts)),
+      drivers_(drivers),
+      gravity_(gravity) {
+  assert(fault(bodies_, joints_, struts_, drivers_).empty());
   const auto from_origin = [&](int body, const Eigen::Vector3d& point) -> Eigen::Vector3d {
     return body == kGround ? point : point - bodies_[static_cast<std::size_t>(body)].origin;
   };
-  for (const Joint& joint : joints_)
+  for (const Joint& joint : joints_) {
     places_.push_back({from_origin(joint.a, joint.point),
                        from_origin(joint.b, joint.point),
                        joint.axes,
                        joint.axes});
+    joint_memory_.push_back(memories_);
+    memories_ += joint.bushing.parts.size();
+  }
+  for (const Strut& strut : struts_) {
+    auto& ends = ends_.emplace_back();
+    double length = 0.0;
+    for (const StrutLine& line : strut.lines) {
+      ends.emplace_back(from_origin(line.a, line.point_a), from_origin(line.b, line.point_b));
+      length += line.weight * (line.point_b - line.point_a).norm();
+    }
+    rest_lengths_.push_back(length);
+    strut_memory_.push_back(memories_);
+    memories_ += strut.parts.size();
+  }
+}
+
+double Mechanism::mass() const {
+  double sum = 0.0;
+  for (const Body& body : bodies_) sum += body.mass;
+  return sum;
 }
 
 void Mechanism::set_bushings(const std::vector<BushingParameters>& bushings) {
   assert(bushings.size() == joints_.size());
-  for (std::size_t i = 0; i < bushings.size(); ++i) joints_[i].bushing = bushings[i];
+  for (std::size_t i = 0; i < bushings.size(); ++i) {
+    assert(bushings[i].parts.size() == joints_[i].bushing.parts.size());
+    joints_[i].bushing = bushings[i];
+  }
 }
 
 Poses Mechanism::at_rest() const {
@@ -68,6 +176,15 @@ std::vector<std::pair<int, int>> Mechanism::pairs() const {
   std::vector<std::pair<int, int>> pairs;
   for (const Joint& joint : joints_)
     if (joint.a != kGround && joint.b != kGround) pairs.emplace_back(joint.a, joint.b);
+  for (const Strut& strut : struts_) {
+    std::vector<int> bodies;
+    for (const StrutLine& line : strut.lines)
+      for (const int body : {line.a, line.b})
+        if (body != kGround) bodies.push_back(body);
+    for (const int i : bodies)
+      for (const int j : bodies)
+        if (i < j) pairs.emplace_back(i, j);
+  }
   return pairs;
 }
 

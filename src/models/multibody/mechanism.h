@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid bodies held together and to the ground by bushings, and a load on them. Constant: where the
-// bodies stand is a value of its own. Axes of all bodies are the ground's at rest.
+// Rigid bodies and what joins them to each other and to the ground: bushings and struts; and a load
+// on them. Constant: where the bodies stand and how they move are values of their own. Axes of all
+// bodies are the ground's at rest.
+//   Drivers are lengths that something outside prescribes from time to time: the travel of a rack,
+//   which shifts a joint's place in its first body; that of an actuator, which shortens a strut.
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "models/multibody/bushing.h"
+#include "models/multibody/strut.h"
 
 namespace latsch::multibody {
 
@@ -15,7 +21,9 @@ constexpr int kGround = -1;
 
 struct Body {
   std::string name;
-  Eigen::Vector3d origin;  // at rest, m
+  Eigen::Vector3d origin;  // at rest, m; the center of mass where it has a mass
+  double mass = 0.0;       // kg
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the origin, axes at rest, kg m^2
 };
 
 /// A bushing between bodies a and b, either of which may be the ground.
@@ -25,6 +33,8 @@ struct Joint {
   Eigen::Vector3d point;  // at rest, m
   BushingParameters bushing;
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // of the bushing, columns
+  int driver = -1;                                     // whose travel shifts it in a; -1: none
+  Eigen::Vector3d along = Eigen::Vector3d::Zero();     // of a's axes, by that travel
 };
 
 /// Of fixed direction, at a point of a body.
@@ -35,28 +45,65 @@ struct Load {
 };
 
 using Poses = std::vector<Pose>;  // by body
+/// What the parts of all elements remember, in the order of Mechanism::memory_of_joint and so on.
+using Memories = std::vector<PartMemory>;
 
 class Mechanism {
  public:
   /// What is wrong, naming the part, or empty: a body without a joint, a joint of a body with
   /// itself, stiffness that is not positive, places that are not finite.
-  static std::string fault(const std::vector<Body>& bodies, const std::vector<Joint>& joints);
-  /// Of bodies and joints without fault.
-  Mechanism(std::vector<Body> bodies, std::vector<Joint> joints);
+  static std::string fault(const std::vector<Body>& bodies,
+                           const std::vector<Joint>& joints,
+                           const std::vector<Strut>& struts = {},
+                           int drivers = 0);
+  /// The same with all bodies free to move: also one that has no mass or inertia in some direction.
+  static std::string fault_in_motion(const std::vector<Body>& bodies);
+  /// Of parts without fault.
+  Mechanism(std::vector<Body> bodies,
+            std::vector<Joint> joints,
+            std::vector<Strut> struts = {},
+            int drivers = 0,
+            const Eigen::Vector3d& gravity = Eigen::Vector3d::Zero());
 
   const std::vector<Body>& bodies() const { return bodies_; }
   const std::vector<Joint>& joints() const { return joints_; }
+  const std::vector<Strut>& struts() const { return struts_; }
+  int drivers() const { return drivers_; }
+  const Eigen::Vector3d& gravity() const { return gravity_; }  // m/s^2
   const BushingPlace& place(int joint) const { return places_[static_cast<std::size_t>(joint)]; }
+  /// Where the points of a strut's line are, from the origins of both bodies.
+  const std::pair<Eigen::Vector3d, Eigen::Vector3d>& ends(int strut, int line) const {
+    return ends_[static_cast<std::size_t>(strut)][static_cast<std::size_t>(line)];
+  }
+  /// Σ w L0.
+  double rest_length(int strut) const { return rest_lengths_[static_cast<std::size_t>(strut)]; }
+  /// Where the memory of an element's first part is.
+  std::size_t memory_of_joint(int joint) const {
+    return joint_memory_[static_cast<std::size_t>(joint)];
+  }
+  std::size_t memory_of_strut(int strut) const {
+    return strut_memory_[static_cast<std::size_t>(strut)];
+  }
+  /// That of a mechanism that rests.
+  Memories no_memories() const { return Memories(memories_); }
+  double mass() const;  // kg, of all bodies
   /// The same mechanism, other bushings, by joint.
   void set_bushings(const std::vector<BushingParameters>& bushings);
   Poses at_rest() const;
-  /// Bodies that share a joint.
+  /// Bodies that share an element.
   std::vector<std::pair<int, int>> pairs() const;
 
  private:
   std::vector<Body> bodies_;
   std::vector<Joint> joints_;
+  std::vector<Strut> struts_;
+  int drivers_;
+  Eigen::Vector3d gravity_;
   std::vector<BushingPlace> places_;
+  std::vector<std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>> ends_;
+  std::vector<double> rest_lengths_;
+  std::vector<std::size_t> joint_memory_, strut_memory_;
+  std::size_t memories_ = 0;
 };
 
 }  // namespace latsch::multibody

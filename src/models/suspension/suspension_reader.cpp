@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "base/error.h"
+#include "models/suspension/bushing_reader.h"
 
 namespace latsch::suspension {
 namespace {
@@ -18,25 +18,6 @@ Eigen::Vector3d read_point(const Node& hardpoint, const char* name) {
   if (values.size() != 3)
     hardpoint.reject(name, fmt::format("has {} values, expected three: x, y, z", values.size()));
   return {values[0], values[1], values[2]};
-}
-
-std::optional<double> stiffness(const std::optional<Node>& node, std::size_t axis) {
-  if (!node || !node->has(kAxes[axis])) return std::nullopt;
-  return node->quantity(kAxes[axis], axis < 3 ? "N/m" : "N m/rad", Range::not_negative());
-}
-
-BushingParameters read_bushing(const Node& bushings, const char* name) {
-  const auto all = bushings.find_table("all"), own = bushings.find_table(name);
-  Vector6d k;
-  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
-    const auto common = stiffness(all, axis);  // asked for, whether it counts or not
-    const auto value = stiffness(own, axis);
-    if (!value && !common)
-      bushings.reject(name,
-                      fmt::format("has no {}, expected it here or in [bushing.all]", kAxes[axis]));
-    k[static_cast<Eigen::Index>(axis)] = value ? *value : *common;
-  }
-  return {k.head<3>(), k.tail<3>()};
 }
 
 }  // namespace

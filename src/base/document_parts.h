@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// A model made of models: the file of a car names those of its suspensions and tires. Read together
+// they are one document in which each part is a table, its numbers under paths of their own:
+// front_tire = "ring.toml" gives "front_tire.sidewall.radial.stiffness".
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/document.h"
+
+namespace latsch {
+
+/// `whole` with the text at the top key `key` replaced by a table of all that is in `part`.
+Document with_part(const Document& whole, std::string_view key, const Document& part);
+
+/// The table at a top key as a document of its own, under the file name of the whole.
+Document part_of(const Document& whole, std::string_view key);
+
+}  // namespace latsch

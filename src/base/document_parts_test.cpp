@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/document_parts.h"
+
+#include <gtest/gtest.h>
+
+namespace latsch {
+namespace {
+
+const char* const kPart = R"(
+kind = "ring"     # a comment
+title = "with \"quotes\" and # signs"
+pressure = "2.4 bar"
+contour = {unit = "mm", values = [[0, 310], [10.5, 300]]}
+levels = ["1 m", "2 m"]
+[side.radial]
+stiffness = "0.55 MN/m^2"
+on = true
+)";
+
+TEST(DocumentParts, APartKeepsItsNumbersUnderPathsOfItsOwn) {
+  const Document part = Document::parse(kPart, "ring.toml");
+  const Document whole = Document::parse(
+      "title = \"car\"\ntire = \"ring.toml\"\n[body]\nmass = \"5 kg\"\n", "car.toml");
+  Document both = with_part(whole, "tire", part);
+  for (const std::string& path : part.paths()) EXPECT_EQ(both.get("tire." + path), part.get(path));
+  EXPECT_EQ(both.paths().size(), part.paths().size() + 1);
+  EXPECT_EQ(both.get("body.mass"), 5.0);
+  both.set("tire.side.radial.stiffness", 6e5);
+  both.set("tire.contour.1.0", 0.011);
+  const Document back = part_of(both, "tire");
+  EXPECT_EQ(back.get("side.radial.stiffness"), 6e5);
+  EXPECT_EQ(back.get("contour.1.0"), 0.011);
+  EXPECT_EQ(back.root().text("title"), "with \"quotes\" and # signs");
+  EXPECT_TRUE(back.root().table("side").table("radial").flag("on", false));
+}
+
+TEST(DocumentParts, LinesOfTheWholeKeepTheirNumbers) {
+  const Document both =
+      with_part(Document::parse("a = \"1 m\"\ntire = \"x\"\nb = \"2 kg\"\n", "car.toml"),
+                "tire",
+                Document::parse("c = \"3 N\"", "x"));
+  try {
+    both.root().quantity("b", "m");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("car.toml:3"), std::string::npos) << error.what();
+  }
+}
+
+TEST(DocumentParts, WhatIsNoPartIsRefused) {
+  const Document whole = Document::parse("tire = 3\n", "car.toml");
+  EXPECT_THROW(with_part(whole, "tire", whole), InputError);
+  EXPECT_THROW(part_of(whole, "tire"), InputError);
+}
+
+}  // namespace
+}  // namespace latsch

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/car/car.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "models/road/plane_road.h"
+
+namespace latsch::car {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using multibody::Motion;
+using multibody::Pose;
+using multibody::Poses;
+using multibody::Rest;
+using multibody::Vector6d;
+using multibody::Wrench;
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+WheelState::WheelState(const WheelState& other)
+    : tire(other.tire ? other.tire->clone() : nullptr),
+      wheel(other.wheel),
+      motion(other.motion),
+      hub(other.hub),
+      brake_moment(other.brake_moment) {}
+
+WheelState& WheelState::operator=(const WheelState& other) {
+  if (this != &other) *this = WheelState(other);
+  return *this;
+}
+
+bool CarState::operator==(const CarState& other) const {
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    const WheelState &a = wheels[i], &b = other.wheels[i];
+    if (!(a.motion == b.motion && a.hub.force == b.hub.force && a.hub.moment == b.hub.moment))
+      return false;
+    const auto same = [](const FreeRate& x, const FreeRate& y) {
+      return x.place == y.place && x.rate == y.rate && x.acceleration == y.acceleration;
+    };
+    if (a.wheel.spin && b.wheel.spin && !same(*a.wheel.spin, *b.wheel.spin)) return false;
+  }
+  return bodies == other.bodies && speed == other.speed && start_x == other.start_x;
+}
+
+Car::Car(const CarParameters& parameters, const multibody::TransientSettings& settings)
+    : parameters_(parameters), settings_(settings) {
+  assert(parameters.fault().empty());
+  CarMechanism built = build(parameters);
+  parts_ = built.parts;
+  mechanism_ = std::make_unique<multibody::Mechanism>(std::move(built.mechanism));
+  statics_ = std::make_unique<multibody::Equilibrium>(*mechanism_);
+  transient_ = std::make_unique<multibody::Transient>(*mechanism_, settings_);
+}
+
+void Car::rebuild(std::vector<multibody::Strut> struts) {
+  auto next = std::make_unique<multibody::Mechanism>(mechanism_->bodies(),
+                                                     mechanism_->joints(),
+                                                     std::move(struts),
+                                                     kDrivers,
+                                                     mechanism_->gravity());
+  statics_ = std::make_unique<multibody::Equilibrium>(*next);
+  transient_ = std::make_unique<multibody::Transient>(*next, settings_);
+  mechanism_ = std::move(next);
+}
+
+Result<std::unique_ptr<Car>> Car::make(const CarParameters& parameters,
+                                       const Tires& tires,
+                                       const CarInputs& at_rest,
+                                       const multibody::TransientSettings& settings) {
+  std::unique_ptr<Car> car(new Car(parameters, settings));
+  for (std::size_t i = 0; i < tires.size(); ++i) car->tires_[i] = tires[i]->clone();
+  const std::vector<multibody::Strut> struts = car->mechanism_->struts();
+  if (struts.empty()) return car;
+  // With bars in the place of the springs it stands as drawn, and they say what springs must carry.
+  constexpr double kBar = 1e9;  // N/m
+  std::vector<multibody::Strut> bars = struts;
+  for (int corner = 0; corner < kCorners; ++corner)
+    if (const int unit = car->parts_.corners[at(corner)].unit; unit >= 0)
+      bars[at(unit)].stiffness = kBar;
+  car->rebuild(bars);
+  const road::PlaneRoad flat{road::PlaneRoad::Settings{}};
+  const auto standing = car->settle(flat, 0.0, at_rest);
+  if (!standing) return Failure{"the car does not stand: " + standing.failure().reason};
+  std::vector<multibody::Strut> springs = struts;
+  const Motion motion{.poses = standing->bodies.poses, .memories = &standing->bodies.memories};
+  for (int corner = 0; corner < kCorners; ++corner)
+    if (const int unit = car->parts_.corners[at(corner)].unit; unit >= 0)
+      springs[at(unit)].preload = car->transient_->assembly().strut_force(unit, motion);
+  car->rebuild(springs);
+  return car;
+}
+
+const AxleMasses& Car::masses(int corner) const {
+  return is_front(corner) ? parameters_.front.masses : parameters_.rear.masses;
+}
+
+Vector3d Car::wheel_center_in_upright(int corner) const {
+  const CornerParts& parts = parts_.corners[at(corner)];
+  return parts.wheel_center - mechanism_->bodies()[at(parts.upright)].origin;
+}
+
+WheelMotion Car::motion_of_wheel(int corner,
+                                 const Poses& poses,
+                                 const Eigen::VectorXd* rates) const {
+  const CornerParts& parts = parts_.corners[at(corner)];
+  const Pose& upright = poses[at(parts.upright)];
+  const Vector3d arm = upright.turn * wheel_center_in_upright(corner);
+  WheelMotion motion;
+  motion.center = upright.place + arm;
+  motion.carrier = upright.turn * parts.wheel_axes;
+  if (rates) {
+    motion.angular_velocity = rates->segment<3>(6 * parts.upright + 3);
+    motion.velocity = rates->segment<3>(6 * parts.upright) + motion.angular_velocity.cross(arm);
+  }
+  return motion;
+}
+
+void Car::add_guide(const Motion& motion,
+                    double speed,
+                    double x,
+                    std::vector<Wrench>& wrenches) const {
+  const auto index = at(parts_.chassis);
+  const Pose& pose = motion.poses[index];
+  Vector6d rate = Vector6d::Zero();
+  if (motion.rates) rate = motion.rates->segment<6>(6 * parts_.chassis);
+  const double mass = mechanism_->mass(), yaw_inertia = parameters_.chassis.body.inertia(2, 2);
+  const auto damping = [](double stiffness, double inertia) {
+    return 2.0 * std::sqrt(stiffness * inertia);
+  };
+  const Vector3d rest = mechanism_->bodies()[index].origin;
+  const double yaw = std::atan2(pose.turn(1, 0), pose.turn(0, 0));
+  Wrench wrench{.body = parts_.chassis};
+  const auto hold = [&](int axis, double k, double inertia, double from, double rate_from) {
+    const double c = motion.rates ? damping(k, inertia) : 0.0;
+    wrench.value[axis] = -k * from - c * rate_from;
+    wrench.slopes(axis, axis) = -k - motion.share * c;
+  };
+  hold(0, guide.along, mass, pose.place.x() - rest.x() - x, rate[0] - speed);
+  hold(1, guide.lateral, mass, pose.place.y() - rest.y() - guide.y, rate[1]);
+  hold(5, guide.yaw, yaw_inertia, yaw, rate[5]);
+  wrenches.push_back(wrench);
+}
+
+Result<Rest> Car::stand(const LineTires& tires, const CarInputs& inputs, const Rest& from) {
+  const multibody::Outside outside = [&](const Motion& motion, std::vector<Wrench>& wrenches) {
+    for (int corner = 0; corner < kCorners; ++corner) {
+      const CornerParts& parts = parts_.corners[at(corner)];
+      const LineTire& tire = tires[at(corner)];
+      const Pose& upright = motion.poses[at(parts.upright)];
+      const Vector3d arm = upright.turn * wheel_center_in_upright(corner);
+      const double z = upright.place.z() + arm.z();
+      Vector3d force = tire.beside.head<3>();
+      force.z() += tire.force + tire.stiffness * (tire.height - z);
+      Wrench wrench{.body = parts.upright};
+      wrench.value << force, arm.cross(force) + tire.beside.tail<3>();
+      Vector6d by_z;  // of z by the upright's motion
+      by_z << Vector3d::UnitZ(), arm.cross(Vector3d::UnitZ());
+      wrench.slopes = -tire.stiffness * by_z * by_z.transpose();
+      wrench.slopes.bottomRightCorner<3, 3>() += multibody::cross(force) * multibody::cross(arm);
+      wrenches.push_back(wrench);
+    }
+    add_guide(motion, 0.0, 0.0, wrenches);
+  };
+  const std::array<double, kDrivers> drivers = {inputs.rack};
+  return statics_->solve({.loads = inputs.loads, .drivers = drivers, .outside = &outside}, from);
+}
+
+Result<CarState> Car::settle(const road::Road& road, double speed, const CarInputs& inputs) {
+  constexpr int kMost = 40;
+  constexpr double kEnough = 1e-5;  // of the car's weight, at each tire
+  const double weight = mechanism_->mass() * parameters_.gravity;
+  LineTires lines;
+  CarState state;
+  Rest rest = statics_->unloaded();
+  for (int corner = 0; corner < kCorners; ++corner) {
+    const WheelMotion drawn = motion_of_wheel(corner, rest.poses, nullptr);
+    const double ground = road.height(drawn.center.x(), drawn.center.y(), 0.0);
+    lines[at(corner)] = {
+        .force = 0.0, .stiffness = 2e5, .height = ground + tires_[at(corner)]->free_radius()};
+    WheelState& wheel = state.wheels[at(corner)];
+    wheel.tire = tires_[at(corner)]->clone();
+  }
+  Eigen::VectorXd rates =
+      Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(mechanism_->bodies().size()));
+  for (Eigen::Index k = 0; k < rates.size(); k += 6) rates[k] = speed;
+  double worst = 0.0;
+  for (int i = 0; i < kMost; ++i) {
+    auto stood = stand(lines, inputs, rest);
+    if (!stood) return stood.failure();
+    rest = std::move(*stood);
+    worst = 0.0;
+    for (int corner = 0; corner < kCorners; ++corner) {
+      LineTire& line = lines[at(corner)];
+      WheelState& wheel = state.wheels[at(corner)];
+      wheel.motion = motion_of_wheel(corner, rest.poses, &rates);
+      wheel.motion.spin_rate =
+          speed / std::max(0.5 * wheel.tire->free_radius(), wheel.motion.center.z());
+      wheel.tire = tires_[at(corner)]->clone();
+      const auto hub = wheel.tire->settle(wheel.motion, road, 0.0);
+      if (!hub)
+        return Failure{fmt::format("the tire {} does not stand on the road: {}",
+                                   kCornerNames[at(corner)],
+                                   hub.failure().reason)};
+      wheel.hub = *hub;
+      const Vector3d force = wheel.motion.carrier * hub->force;
+      const double z = wheel.motion.center.z(),
+                   expected = line.force + line.stiffness * (line.height - z);
+      worst = std::max(worst, std::abs(expected - force.z()));
+      // The secant through the last place, where it is one of a tire.
+      if (i > 0 && std::abs(z - line.height) > 1e-9) {
+        const double secant = (force.z() - line.force) / (line.height - z);
+        if (secant > 0.1 * line.stiffness && secant < 10.0 * line.stiffness)
+          line.stiffness = secant;
+      }
+      line.force = force.z();
+      line.height = z;
+      const Vector3d moment =
+          wheel.motion.carrier * Vector3d(hub->moment.x(), 0.0, hub->moment.z());
+      line.beside << force.x(), force.y(), 0.0, moment;
+    }
+    if (i > 0 && worst < kEnough * weight) break;
+  }
+  if (!(worst < 1e-3 * weight))
+    return Failure{fmt::format(
+        "the car finds no rest on its tires: {:.3g} N are left of {:.4g} N", worst, weight)};
+  for (int corner = 0; corner < kCorners; ++corner) {
+    WheelState& wheel = state.wheels[at(corner)];
+    wheel.wheel.spin = FreeRate{
+        .inertia = masses(corner).wheel_spin, .place = 0.0, .rate = wheel.motion.spin_rate};
+  }
+  state.speed = speed;
+  const multibody::Outside outside = [&](const Motion& motion, std::vector<Wrench>& wrenches) {
+    (void)roll(state, motion, road, inputs, wrenches);
+  };
+  const std::array<double, kDrivers> drivers = {inputs.rack};
+  auto bodies = transient_->start(
+      rest, {.loads = inputs.loads, .drivers = drivers, .outside = &outside}, 0.0, &rates);
+  if (!bodies) return bodies.failure();
+  state.bodies = std::move(*bodies);
+  return state;
+}
+
+std::string Car::roll(CarState& next,
+                      const Motion& motion,
+                      const road::Road& road,
+                      const CarInputs& inputs,
+                      std::vector<Wrench>& wrenches) const {
+  double driven = 0.0;
+  for (int corner = 0; corner < kCorners; ++corner) {
+    const CornerParts& parts = parts_.corners[at(corner)];
+    WheelState& wheel = next.wheels[at(corner)];
+    const double I = masses(corner).wheel_spin, drive = inputs.drive[at(corner)];
+    if (motion.step > 0.0 && motion.step != multibody::kStatics) {
+      WheelMotion there = motion_of_wheel(corner, motion.poses, motion.rates);
+      FreeWheel free = wheel.wheel;
+      Result<HubForces> hub{HubForces{}};
+      if (I > 0.0) {
+        free.spin->push = [drive](double, double) { return Push{drive, 0.0}; };
+        free.brake = inputs.brake[at(corner)];
+        hub = wheel.tire->advance_free(there, free, road, motion.time, motion.step);
+      } else {
+        there.spin = wheel.motion.spin;
+        hub = wheel.tire->advance(there, road, motion.time, motion.step);
+      }
+      if (!hub) return fmt::format("tire {}: {}", kCornerNames[at(corner)], hub.failure().reason);
+      free.spin->push = {};
+      wheel.brake_moment =
+          free.brake > 0.0 ? I * free.spin->acceleration - hub->moment.y() - drive : 0.0;
+      wheel.wheel = std::move(free);
+      wheel.motion = there;
+      wheel.hub = *hub;
+    }
+    const Matrix3d& carrier = wheel.motion.carrier;
+    const Vector3d axis = carrier.col(1), force = carrier * wheel.hub.force;
+    const Vector3d w = motion.rates ? motion.rates->segment<3>(6 * parts.upright + 3).eval()
+                                    : Vector3d::Zero().eval();
+    const double momentum = I * wheel.wheel.spin->rate;
+    const Vector3d arm = motion.poses[at(parts.upright)].turn * wheel_center_in_upright(corner);
+    Wrench wrench{.body = parts.upright};
+    wrench.value << force, arm.cross(force) +
+                               carrier * Vector3d(wheel.hub.moment.x(), 0.0, wheel.hub.moment.z()) -
+                               momentum * w.cross(axis) - wheel.brake_moment * axis;
+    wrench.slopes.bottomRightCorner<3, 3>() = motion.share * momentum * multibody::cross(axis);
+    wrenches.push_back(wrench);
+    driven += drive;
+  }
+  add_guide(motion, next.speed, next.start_x + next.speed * motion.time, wrenches);
+  if (driven != 0.0) {
+    Wrench reaction{.body = parts_.chassis_rear};
+    reaction.value.tail<3>() = -driven * motion.poses[at(parts_.chassis_rear)].turn.col(1);
+    wrenches.push_back(reaction);
+  }
+  return {};
+}
+
+Result<bool> Car::advance(CarState& state,
+                          double step,
+                          const road::Road& road,
+                          const CarInputs& inputs) {
+  std::string trouble;
+  CarState next;
+  next.speed = state.speed;
+  next.start_x = state.start_x;
+  next.wheels = std::move(state.wheels);
+  const multibody::Outside outside = [&](const Motion& motion, std::vector<Wrench>& wrenches) {
+    trouble = roll(next, motion, road, inputs, wrenches);
+  };
+  const std::array<double, kDrivers> drivers = {inputs.rack};
+  const auto done = transient_->advance(
+      state.bodies, step, {.loads = inputs.loads, .drivers = drivers, .outside = &outside});
+  state.wheels = std::move(next.wheels);
+  if (!trouble.empty()) return Failure{fmt::format("at {:.5f} s {}", state.time(), trouble)};
+  return done;
+}
+
+std::array<double, kCorners> Car::pushrod_forces(const CarState& state,
+                                                 const CarInputs& inputs) const {
+  const std::array<double, kDrivers> drivers = {inputs.rack};
+  const Motion motion = transient_->motion_of(state.bodies, drivers);
+  std::array<double, kCorners> forces;
+  for (int corner = 0; corner < kCorners; ++corner) {
+    const CornerParts& parts = parts_.corners[at(corner)];
+    const Vector3d along = state.bodies.poses[at(parts.pushrod)].turn *
+                           (parts.pushrod_outer - parts.pushrod_inner).normalized();
+    // On the push-rod at its inner end: a push along the rod compresses it.
+    const Vector6d load = transient_->assembly().joint_load(parts.pushrod_joint, motion);
+    forces[at(corner)] = along.dot(load.head<3>());
+  }
+  return forces;
+}
+
+std::array<double, kCorners> Car::vertical_forces(const CarState& state) const {
+  std::array<double, kCorners> forces;
+  for (std::size_t i = 0; i < kCorners; ++i)
+    forces[i] = (state.wheels[i].motion.carrier * state.wheels[i].hub.force).z();
+  return forces;
+}
+
+Vector3d Car::point(const CarState& state, int body, const Vector3d& at_rest) const {
+  return state.bodies.poses[at(body)].at(at_rest - mechanism_->bodies()[at(body)].origin);
+}
+
+}  // namespace latsch::car

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// A car on its tires: the mechanism of its bodies [multibody/transient.h] with a tire of any kind on
+// each wheel, a step of time after the other.
+//
+//   wheel: I w' = My + T + B, solved with the tire's step     T: drive, B: brake
+//   on the upright: the hub's force and moment but for My, -I w (ω × a) of the spinning wheel, -B
+//   on the chassis: aero loads, -T, and what guides it
+// The tires are asked once a step, at the motion that is predicted for its end. A guide keeps the
+// car on its line and at its speed in a driver's place: springs and dampers between the chassis and
+// a point that goes straight on at constant speed, soft against the tires.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "models/car/car_mechanism.h"
+#include "models/multibody/transient.h"
+#include "models/tire/free_wheel.h"
+#include "models/tire/tire.h"
+
+namespace latsch::car {
+
+using Tires = std::array<std::unique_ptr<Tire>, kCorners>;
+
+/// Holds the chassis against a point that moves along x.
+struct Guide {
+  double y = 0.0;        // m, of the line of the car's middle
+  double lateral = 2e4;  // N/m; damped critically with the car's mass
+  double yaw = 5e4;      // N m/rad
+  double along = 2e4;    // N/m
+};
+
+/// At the end of a step.
+struct CarInputs {
+  double rack = 0.0;                              // m, to the left
+  std::vector<multibody::Load> loads = {};        // aero and others, on bodies of the mechanism
+  std::array<double, kCorners> drive{}, brake{};  // N m
+};
+
+struct WheelState {
+  std::unique_ptr<Tire> tire;
+  FreeWheel wheel;
+  WheelMotion motion;
+  HubForces hub;              // in C
+  double brake_moment = 0.0;  // N m, on the wheel
+
+  WheelState() = default;
+  WheelState(const WheelState& other);
+  WheelState& operator=(const WheelState& other);
+  WheelState(WheelState&&) = default;
+  WheelState& operator=(WheelState&&) = default;
+};
+
+/// A value: copied with its tires, restored by assignment. Equal: all motions and forces are; what
+/// tires remember beyond their forces is not looked at.
+struct CarState {
+  multibody::MechanismState bodies;
+  std::array<WheelState, kCorners> wheels;
+  double speed = 0.0;    // m/s, of the guide
+  double start_x = 0.0;  // m, where it was at time 0
+
+  double time() const { return bodies.time; }
+  bool operator==(const CarState& other) const;
+};
+
+class Car {
+ public:
+  /// Parameters without fault(). Its springs carry it as it is drawn, at rest on tires that stand on
+  /// z = 0 with the loads of the inputs: their preloads follow from that.
+  static Result<std::unique_ptr<Car>> make(const CarParameters& parameters,
+                                           const Tires& tires,
+                                           const CarInputs& at_rest = {},
+                                           const multibody::TransientSettings& settings = {});
+
+  const CarParameters& parameters() const { return parameters_; }
+  const multibody::Mechanism& mechanism() const { return *mechanism_; }
+  const CarParts& parts() const { return parts_; }
+  Guide guide = {};
+
+  /// At rest on the road, or at constant speed: poses, tires in equilibrium, spins of rolling.
+  Result<CarState> settle(const road::Road& road, double speed, const CarInputs& inputs);
+  /// One step. After a Failure, which names the part and the time, the state is of no more use.
+  Result<bool> advance(CarState& state,
+                       double step,
+                       const road::Road& road,
+                       const CarInputs& inputs);
+
+  /// N along the push-rod, compression positive.
+  std::array<double, kCorners> pushrod_forces(const CarState& state,
+                                              const CarInputs& inputs = {}) const;
+  /// N, upward, of the road on each tire.
+  std::array<double, kCorners> vertical_forces(const CarState& state) const;
+  WheelMotion motion_of_wheel(int corner,
+                              const multibody::Poses& poses,
+                              const Eigen::VectorXd* rates) const;
+  /// The pose of a material point of a body that was at `at_rest`.
+  Eigen::Vector3d point(const CarState& state, int body, const Eigen::Vector3d& at_rest) const;
+
+  multibody::Equilibrium& statics() { return *statics_; }
+
+ private:
+  Car(const CarParameters& parameters, const multibody::TransientSettings& settings);
+  /// Tires as straight lines about the place where they are, for statics.
+  struct LineTire {
+    double force = 0.0, stiffness = 0.0, height = 0.0;         // N, N/m, m: of the wheel center
+    multibody::Vector6d beside = multibody::Vector6d::Zero();  // what else acts at the wheel center
+  };
+  using LineTires = std::array<LineTire, kCorners>;
+  Result<multibody::Rest> stand(const LineTires& tires,
+                                const CarInputs& inputs,
+                                const multibody::Rest& from);
+  void rebuild(std::vector<multibody::Strut> struts);
+  void add_guide(const multibody::Motion& motion,
+                 double speed,
+                 double x,
+                 std::vector<multibody::Wrench>& wrenches) const;
+  std::string roll(CarState& next,
+                   const multibody::Motion& motion,
+                   const road::Road& road,
+                   const CarInputs& inputs,
+                   std::vector<multibody::Wrench>& wrenches) const;
+  Eigen::Vector3d wheel_center_in_upright(int corner) const;
+  const AxleMasses& masses(int corner) const;
+
+  CarParameters parameters_;
+  multibody::TransientSettings settings_;
+  std::unique_ptr<multibody::Mechanism> mechanism_;
+  CarParts parts_;
+  std::unique_ptr<multibody::Equilibrium> statics_;
+  std::unique_ptr<multibody::Transient> transient_;
+  Tires tires_;  // at rest, off the road
+};
+
+}  // namespace latsch::car

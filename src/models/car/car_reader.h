@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// A car from its file, which names those of its suspensions and tires (base/document_parts.h).
+//
+//   kind = "car"
+//   title = "Student race car"
+//   front_suspension = "front.toml"      # kind = "suspension", a left one; the right is its mirror
+//   rear_suspension = "rear.toml"        # image
+//   front_tire = "tire.toml"             # any tire that rolls, or front_spring_tire below
+//   rear_tire = "tire.toml"
+//   [chassis]                            # all that is sprung
+//   mass = "180 kg"
+//   center = ["0.75 m", "0 m", "0.28 m"]
+//   inertia = ["25 kg m^2", "90 kg m^2", "100 kg m^2"]    # about the center: xx, yy, zz
+//   inertia_xz = "0 kg m^2"              # ∫ x z dm
+//   torsion = "4 kN m/deg"               # between front and rear half; rigid unless given
+//   torsion_damping = "0 N m s/deg"
+//   torsion_at = ["0.75 m", "0.28 m"]    # x and z of the axis
+//   [front]                              # and [rear]
+//   locked = false                       # true: bars in the place of the springs
+//   camber = "-1 deg"                    # of the wheel at rest; toe; default 0
+//   [front.mass]
+//   upper_wishbone = "0.8 kg"            # lower_wishbone, pushrod, trackrod, rocker: thin rods
+//   upright = "4 kg"                     # with all that does not turn with the wheel
+//   wheel = "8 kg"                       # with rim, and of the tire what its model has not itself
+//   [front.inertia]
+//   upright = ["0.03 kg m^2", "0.03 kg m^2", "0.02 kg m^2"]    # xx, yy, zz about its center
+//   wheel_spin = "0.25 kg m^2"
+//   wheel_across = "0.14 kg m^2"
+//   [front.spring]                       # between rocker_damper and damper_chassis of the
+//   stiffness = "52 N/mm"                # suspension's hardpoints
+//   damping = "2.5 kN s/m"               # or damper = [["-1 m/s", "-3 kN"], ...]: force over rate of
+//   inertance = "0 kg"                   # extension, pull positive
+//   curve = [["-30 mm", "-2 kN"], ...]   # beside stiffness, over extension from rest: a bump stop,
+//                                        # a progressive spring
+//   [front.third]                        # on the sum of both sides: the same keys
+//   [front.anti_roll_bar]                # between rocker_arb_link and arb_link_blade
+//   stiffness = "80 N/mm"                # of the difference of the links' travels
+//   [front.spring_tire]                  # in the place of front_tire: a vertical spring
+//   radius = "235 mm"
+//   stiffness = "117 N/mm"
+//   damping = "300 N s/m"
+#pragma once
+
+#include "base/document.h"
+#include "models/car/car_parameters.h"
+#include "models/car/spring_tire.h"
+
+namespace latsch::car {
+
+struct CarFile {
+  CarParameters parameters;
+  /// Of the axles that name no tire.
+  std::optional<SpringTireParameters> front_spring_tire, rear_spring_tire;
+};
+
+/// Of the whole with its suspensions, not its tires: the tables front_tire and rear_tire are left
+/// to their kinds. InputError.
+CarFile read_car(const Node& root);
+
+}  // namespace latsch::car

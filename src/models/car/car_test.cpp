@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// The car at rest and on the kerb: weight, symmetry, order of its steps, states as values.
+#include "models/car/car.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "models/car/race_car_testing.h"
+#include "models/road/plane_road.h"
+
+namespace latsch::car {
+namespace {
+
+using Eigen::Vector3d;
+
+std::unique_ptr<Car> made(const CarParameters& parameters) {
+  EXPECT_EQ(parameters.fault(), "");
+  auto car = Car::make(parameters, spring_tires());
+  EXPECT_TRUE(car) << (car ? "" : car.failure().reason);
+  return std::move(*car);
+}
+
+/// Four waves of 10 mm below the left wheels, smooth: (sin² π s/L)² of pitch L = 0.8 m. The tires
+/// stay on it, so that order can be seen.
+class SmoothKerb final : public road::Road {
+ public:
+  road::GroundPoint at(double x, double y, double) const override {
+    road::GroundPoint ground;
+    const double s = (x - 3.0) / 0.8;
+    if (y < 0.0 || s < 0.0 || s > 4.0) return ground;
+    const double sine = std::sin(std::numbers::pi * s), cosine = std::cos(std::numbers::pi * s);
+    ground.height = 0.01 * std::pow(sine, 4);
+    const double slope = 0.01 * 4.0 * std::pow(sine, 3) * cosine * std::numbers::pi / 0.8;
+    ground.normal = Vector3d(-slope, 0.0, 1.0).normalized();
+    return ground;
+  }
+};
+
+TEST(Car, AtRestCarriesItsWeightByItsLevers) {
+  for (const bool locked : {true, false}) {
+    const auto car = made(race_car(locked));
+    const auto state = car->settle(road::PlaneRoad{}, 0.0, {});
+    ASSERT_TRUE(state) << state.failure().reason;
+    const auto Fz = car->vertical_forces(*state);
+    double moment = 0.0, mass = 0.0;
+    for (const auto& body : car->mechanism().bodies()) {
+      mass += body.mass;
+      moment += body.mass * body.origin.x();
+    }
+    const double weight = mass * 9.80665, front = weight * moment / mass / 1.55;
+    EXPECT_NEAR(Fz[kFL] + Fz[kFR], front, 2e-3 * weight);
+    EXPECT_NEAR(Fz[kFL] + Fz[kFR] + Fz[kRL] + Fz[kRR], weight, 1e-4 * weight);
+    EXPECT_NEAR(Fz[kFL], Fz[kFR], 1e-4 * weight);
+    EXPECT_NEAR(Fz[kRL], Fz[kRR], 1e-4 * weight);
+    // As drawn: the chassis is as low as its tires are pressed, and level.
+    const auto& chassis = state->bodies.poses[0];
+    EXPECT_NEAR(chassis.place.x(), 0.75, 1e-3);
+    EXPECT_LT((chassis.turn - Eigen::Matrix3d::Identity()).norm(), 5e-3);
+  }
+}
+
+std::vector<double> pushrod_over_kerb(double h, bool locked) {
+  const auto car = made(race_car(locked));
+  const SmoothKerb road;
+  auto state = car->settle(road, 20.0, {});
+  EXPECT_TRUE(state) << state.failure().reason;
+  std::vector<double> forces;
+  const int each = static_cast<int>(std::lround(1e-3 / h));
+  for (int i = 0; i < 250 * each; ++i) {
+    const auto done = car->advance(*state, h, road, {});
+    EXPECT_TRUE(done) << (done ? "" : done.failure().reason);
+    if (!done) break;
+    if (i % each == each - 1) forces.push_back(car->pushrod_forces(*state)[kFL]);
+  }
+  return forces;
+}
+
+double rms_between(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::pow(a[i] - b[i], 2);
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+TEST(Car, OverAKerbItsPushrodForcesAreOfOrderTwo) {
+  for (const bool locked : {true, false}) {
+    const auto a = pushrod_over_kerb(1e-4, locked), b = pushrod_over_kerb(5e-5, locked),
+               c = pushrod_over_kerb(2.5e-5, locked);
+    EXPECT_GT(rms_between(a, b) / rms_between(b, c), 3.6) << locked;
+    EXPECT_LT(rms_between(a, b) / rms_between(b, c), 4.4) << locked;
+    const std::vector<double> still(c.size(), c.front());
+    EXPECT_LT(rms_between(a, c) / rms_between(c, still), 0.003) << locked;
+  }
+}
+
+TEST(Car, AStateIsAValue) {
+  const auto car = made(race_car(false));
+  const SmoothKerb road;
+  CarState state = *car->settle(road, 20.0, {});
+  for (int i = 0; i < 300; ++i) ASSERT_TRUE(car->advance(state, 2e-4, road, {}));
+  const CarState kept = state;
+  for (int i = 0; i < 100; ++i) ASSERT_TRUE(car->advance(state, 2e-4, road, {}));
+  EXPECT_FALSE(state == kept);
+  CarState again = kept;
+  EXPECT_TRUE(again == kept);
+  for (int i = 0; i < 100; ++i) ASSERT_TRUE(car->advance(again, 2e-4, road, {}));
+  EXPECT_TRUE(again == state);
+}
+
+TEST(Car, PartsThatMakeNoneAreNamed) {
+  CarParameters car = race_car(false);
+  car.front.masses.pushrod = 0.0;
+  EXPECT_NE(car.fault().find("the push-rod FL has no mass"), std::string::npos) << car.fault();
+  car = race_car(false);
+  car.rear.inboard->unit = {};
+  EXPECT_NE(car.fault().find("the rear axle has no spring"), std::string::npos) << car.fault();
+  car = race_car(false);
+  std::swap(car.front, car.rear);
+  EXPECT_NE(car.fault().find("front axle is not in front"), std::string::npos) << car.fault();
+}
+
+}  // namespace
+}  // namespace latsch::car

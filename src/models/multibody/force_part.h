@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Laws of one deflection d: what an axis of a bushing, a spring-damper unit or a bump stop is made
+// of, beside a linear spring and damper. f resists: the element pushes back with -f.
+//   ForceCurve as `elastic`   f(d)                      a spring's, a snubber's, a bump stop's
+//   ForceCurve as `viscous`   f(d')                     a damper's map
+//   Play                      k (|d| - gap) beyond the gap, none within
+//   Maxwell                   s' = k d' - s/T           rubber that stiffens with frequency
+//   Friction                  s' = k d', |s| <= limit   dry friction, its spring before it slips
+// The last two remember. One law serves statics and motion: over a step h from d0 to d1, at a
+// constant rate,
+//   Maxwell    s1 = e s0 + k T (1 - e)/h (d1 - d0),  e = exp(-h/T); statics, h without end: s1 = 0
+//   Friction   s1 = clamp(s0 + k (d1 - d0))
+// both exact, of friction where the rate does not change its sign within the step. Play with
+// friction gives a loop as wide as the gap and as high as the friction.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <variant>
+
+#include "models/multibody/force_curve.h"
+
+namespace latsch::multibody {
+
+struct ElasticCurve {
+  ForceCurve curve;
+  bool operator==(const ElasticCurve&) const = default;
+};
+struct ViscousCurve {
+  ForceCurve curve;
+  bool operator==(const ViscousCurve&) const = default;
+};
+struct Play {
+  double gap = 0.0;        // m or rad, to either side
+  double stiffness = 0.0;  // N/m, N m/rad
+  bool operator==(const Play&) const = default;
+};
+struct Maxwell {
+  double stiffness = 0.0;  // N/m, N m/rad
+  double time = 0.0;       // T, s
+  bool operator==(const Maxwell&) const = default;
+};
+struct Friction {
+  double stiffness = 0.0;  // before it slips
+  double limit = 0.0;      // N, N m
+  bool operator==(const Friction&) const = default;
+};
+
+using ForcePart = std::variant<ElasticCurve, ViscousCurve, Play, Maxwell, Friction>;
+
+/// s and d at the end of the last step: zero at rest.
+struct PartMemory {
+  double s = 0.0, d = 0.0;
+  bool operator==(const PartMemory&) const = default;
+};
+
+struct PartForce {
+  double f = 0.0, by_d = 0.0, by_rate = 0.0;
+  double s = 0.0;  // to be remembered
+};
+
+constexpr double kStatics = std::numeric_limits<double>::infinity();  // as `step`, s
+
+PartForce respond(
+    const ForcePart& part, double d, double rate, const PartMemory& memory, double step);
+
+/// J that can be had back.
+double stored_energy(const ForcePart& part, double d, const PartMemory& memory);
+
+/// What is wrong with its numbers, in words, or empty.
+std::string fault_of(const ForcePart& part);
+
+}  // namespace latsch::multibody

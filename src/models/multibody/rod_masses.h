@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mass, center and inertia of a part whose mass is spread evenly over straight rods between points:
+// what a push-rod is and a wishbone nearly.
+//   along a rod m r²/2, across it m (L²/12 + r²/4), each about the rod's middle     solid cylinders
+#pragma once
+
+#include <Eigen/Core>
+#include <utility>
+#include <vector>
+
+namespace latsch::multibody {
+
+struct MassProperties {
+  double mass = 0.0;                                  // kg
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();   // m
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the center, kg m^2
+};
+
+/// `rods`: their ends, m; `radius` r, m.
+MassProperties mass_of_rods(const std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& rods,
+                            double mass,
+                            double radius);
+
+/// Both as one rigid body.
+MassProperties together(const MassProperties& a, const MassProperties& b);
+
+}  // namespace latsch::multibody

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// A case that Simbody and Latsch both read: bodies on bushings, loads, tires on a road. README.md
+// has the fields. All SI; x forward, y left, z up; every place and axis is that at rest.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/multibody/mechanism.h"
+
+namespace latsch::verification {
+
+struct LoadCase {
+  std::string name;
+  std::vector<multibody::Load> loads;  // besides those that are always there
+};
+
+/// F = k (R - (z_c - h)) + c (h' - z_c'), upward at the wheel center, while it is above zero.
+struct LinearTire {
+  std::string name;
+  int body;
+  Eigen::Vector3d wheel_center;
+  double radius, stiffness, damping;  // m, N/m, N s/m
+};
+
+/// `count` times H/2 (1 - cos 2π s/L), the first from `start` on, where right <= y <= left.
+struct KerbStretch {
+  double pitch, height, start;  // m
+  int count;
+  double right, left;  // m
+};
+
+struct OutputPoint {
+  std::string name;
+  int body;
+  Eigen::Vector3d point;
+};
+
+struct CaseFile {
+  Eigen::Vector3d gravity;
+  std::vector<multibody::Body> bodies;
+  std::vector<multibody::Joint> joints;
+  /// Springs to the ground along and about what nothing else holds in statics. Loads have no part
+  /// there, so nor do these: they only say which of many equilibria is meant.
+  std::optional<multibody::Joint> held_in_statics;
+  std::vector<multibody::Load> loads;
+  std::vector<LoadCase> load_cases;  // one at least
+  std::vector<LinearTire> tires;
+  std::optional<KerbStretch> road;
+  double speed = 0.0, time = 0.0, output_step = 0.0;  // m/s, s, s
+  std::vector<OutputPoint> outputs;
+};
+
+/// Throws InputError.
+CaseFile read_case_file(const std::filesystem::path& file);
+
+/// Loads of this case, of every case and of gravity.
+std::vector<multibody::Load> loads_of(const CaseFile& file, const LoadCase& load_case);
+
+/// Joints with those that are needed in statics: what holds, and tires on level ground as vertical
+/// springs, which they are as long as they touch it.
+std::vector<multibody::Joint> joints_in_statics(const CaseFile& file);
+
+/// Of an output point from where it is at rest, m.
+Eigen::Vector3d displacement(const CaseFile& file,
+                             const OutputPoint& output,
+                             const multibody::Poses& poses);
+
+}  // namespace latsch::verification

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// A case as a Simbody system: every body free against the ground (MobilizedBody::Free), bushings as
+// the library's own Force::LinearBushing, loads as ConstantForce and ConstantTorque, the tires as
+// force elements of ours. No joint is a constraint.
+//
+// Force::LinearBushing has the law of the comparison: body-fixed 1-2-3 angles, generalized forces
+// -(k q + c q'), force along the axes of the first body, acting on the second at its own point and
+// reversed on the first at that same point. `simbody_oracle bushing` prints its wrenches, which the
+// tests hold against formulas.
+#pragma once
+
+#include <Simbody.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "oracle_case.h"
+
+namespace oracle {
+
+class Model {
+ public:
+  enum class Held { as_in_statics, free };
+
+  /// With the loads of this load case besides those that are always there.
+  Model(const Case& data, const LoadCase& load_case, Held held);
+
+  const SimTK::MultibodySystem& system() const { return system_; }
+  SimTK::State at_rest() const;
+
+  int bodies() const { return static_cast<int>(mobilized_.size()); }
+  const SimTK::MobilizedBody& body(int i) const { return mobilized_[static_cast<std::size_t>(i)]; }
+  /// Forces of all elements: moment about the body's origin and force, in the ground's axes.
+  SimTK::SpatialVec wrench(const SimTK::State& state, int body) const;
+  double energy_of_bushings(const SimTK::State& state) const;  // J
+  /// Of output point i from where it is at rest.
+  SimTK::Vec3 displacement(const SimTK::State& state, int output) const;
+  const Case& data() const { return data_; }
+
+ private:
+  const SimTK::MobilizedBody& named(const std::string& name) const;
+  SimTK::Vec3 in_body(const std::string& body, const SimTK::Vec3& point) const;
+  SimTK::Force::LinearBushing add_bushing(const BushingData& data);
+  void add_load(const LoadData& load);
+
+  const Case& data_;
+  SimTK::MultibodySystem system_;
+  SimTK::SimbodyMatterSubsystem matter_;
+  SimTK::GeneralForceSubsystem forces_;
+  std::vector<SimTK::MobilizedBody> mobilized_;
+  std::vector<SimTK::Force::LinearBushing> bushings_;
+};
+
+}  // namespace oracle

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle_statics.h"
+
+#include <simmath/LinearAlgebra.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace oracle {
+namespace {
+
+using namespace SimTK;
+
+constexpr double kEnough = 1e-7;  // N, N m
+constexpr int kIterations = 30;
+constexpr double kStep = 1e-7;  // m, rad: error of order 2 in it, noise of rounding over it
+
+Vector forces(const Model& model, const State& state) {
+  model.system().realize(state, Stage::Dynamics);
+  Vector r(6 * model.bodies());
+  for (int i = 0; i < model.bodies(); ++i) {
+    const SpatialVec wrench = model.wrench(state, i);
+    for (int k = 0; k < 3; ++k) {
+      r[6 * i + k] = wrench[1][k];
+      r[6 * i + 3 + k] = wrench[0][k];
+    }
+  }
+  return r;
+}
+
+/// Travel of a body's origin, then a rotation by its vector, both in the ground's axes.
+void move(const Model& model, State& state, int i, const Vec3& travel, const Vec3& rotation) {
+  const Transform at = model.body(i).getMobilizerTransform(state);
+  const double angle = rotation.norm();
+  const Rotation by = angle > 0.0 ? Rotation(angle, UnitVec3(rotation)) : Rotation();
+  model.body(i).setQToFitTransform(state, Transform(by * at.R(), at.p() + travel));
+}
+
+Matrix jacobian(const Model& model, State state) {
+  const int n = 6 * model.bodies();
+  const Vector q = state.getQ();
+  const auto forces_at = [&](int j, double by) {
+    Vec3 travel(0), rotation(0);
+    (j % 6 < 3 ? travel : rotation)[j % 3] = by;
+    state.updQ() = q;
+    model.system().realize(state, Stage::Position);
+    move(model, state, j / 6, travel, rotation);
+    return forces(model, state);
+  };
+  Matrix J(n, n);
+  for (int j = 0; j < n; ++j)
+    J.updCol(j) = (forces_at(j, kStep) - forces_at(j, -kStep)) / (2.0 * kStep);
+  return J;
+}
+
+/// All bodies lowered until linear tires carry what presses the car down: where tires only touch,
+/// their differences are of either side.
+State start_of(const Model& model) {
+  State state = model.at_rest();
+  double stiffness = 0.0, down = 0.0;
+  for (const TireData& tire : model.data().tires) stiffness += tire.stiffness;
+  if (stiffness == 0.0) return state;
+  for (const BodyData& body : model.data().bodies) down -= body.mass * model.data().gravity[2];
+  for (const LoadData& load : model.data().loads) down -= load.force[2];
+  model.system().realize(state, Stage::Position);
+  for (int i = 0; i < model.bodies(); ++i) {
+    move(model, state, i, Vec3(0, 0, -down / stiffness), Vec3(0));
+    model.system().realize(state, Stage::Position);
+  }
+  return state;
+}
+
+}  // namespace
+
+Statics solve_statics(const Model& model) {
+  Statics found{start_of(model), 0.0, 0};
+  for (double before = Infinity;; before = found.left, ++found.iterations) {
+    const Vector r = forces(model, found.state);
+    found.left = r.normInf();
+    if (found.left <= kEnough && found.left > 0.5 * before)
+      return found;  // to what rounding leaves
+    if (!std::isfinite(found.left) || found.iterations == kIterations)
+      throw std::runtime_error("no equilibrium: " + std::to_string(found.left) + " N are left");
+    Vector x;
+    FactorLU(jacobian(model, found.state)).solve(r, x);
+    for (int i = 0; i < model.bodies(); ++i) {
+      const Vec3 travel(x[6 * i], x[6 * i + 1], x[6 * i + 2]);
+      const Vec3 rotation(x[6 * i + 3], x[6 * i + 4], x[6 * i + 5]);
+      model.system().realize(found.state, Stage::Position);
+      move(model, found.state, i, -travel, -rotation);
+    }
+  }
+}
+
+}  // namespace oracle
