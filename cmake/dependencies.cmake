@@ -4,10 +4,12 @@
 # apt: libsqlitecpp-dev libsqlite3-dev libudunits2-dev libopenblas-serial-dev libmetis-dev
 # MAT files: version 5 needs zlib, version 7.3 is HDF5 and read by matio:
 # apt: zlib1g-dev libmatio-dev
+# Packages of co-simulation units (FMI) are ZIP files:
+# apt: libzip-dev
 # For runs on the ranks of an MPI job; the program is built without it where it is not there:
 # apt: libopenmpi-dev openmpi-bin
 # Tests and benchmarks compare with these independent programs; the product does not use them:
-# apt: libgtest-dev libgmock-dev calculix-ccx python3-scipy python3-numpy libnlopt-dev
+# apt: libgtest-dev libgmock-dev calculix-ccx python3-scipy python3-numpy libnlopt-dev libxml2-utils
 # The test oracle of mechanisms (verification/simbody), C++17 by itself; nothing else is linked with it:
 # apt: libsimbody-dev
 # ./bench.sh slurm starts a Slurm of one node with these (7 MB; no daemon of theirs has to run):
@@ -37,6 +39,12 @@ find_path(MATIO_INCLUDE matio.h REQUIRED)
 add_library(matio INTERFACE IMPORTED)
 target_link_libraries(matio INTERFACE ${MATIO_LIBRARY})
 target_include_directories(matio INTERFACE ${MATIO_INCLUDE})
+
+find_library(LIBZIP_LIBRARY zip REQUIRED)
+find_path(LIBZIP_INCLUDE zip.h REQUIRED)
+add_library(libzip INTERFACE IMPORTED)
+target_link_libraries(libzip INTERFACE ${LIBZIP_LIBRARY})
+target_include_directories(libzip INTERFACE ${LIBZIP_INCLUDE})
 
 # BLAS and LAPACK of OpenBLAS, the build without threads: a trial is one thread.
 find_library(OPENBLAS_LIBRARY openblas REQUIRED

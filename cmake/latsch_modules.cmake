@@ -102,6 +102,18 @@ function(latsch_module folder)
   latsch_tests(src/${folder} ${name} latsch::${name})
 endfunction()
 
+# Modules that shared libraries are made of as well as programs: one set of object files for both. Functions are called
+# and inlined as without (no other library may replace them).
+function(latsch_position_independent)
+  foreach(name ${ARGN})
+    get_target_property(type latsch_${name} TYPE)
+    if(NOT type STREQUAL "INTERFACE_LIBRARY")
+      set_target_properties(latsch_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+      target_compile_options(latsch_${name} PRIVATE -fno-semantic-interposition)
+    endif()
+  endforeach()
+endfunction()
+
 # latsch_program(apps/cli latsch LINK ...) makes bin/latsch from apps/cli/main.cpp and a library latsch_cli of all else.
 function(latsch_program folder program)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})

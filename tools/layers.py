@@ -16,6 +16,7 @@ BELOW = {
     "report": ["base", "numerics", "models"],
     "formats": ["base", "numerics", "models", "measurement", "optimization"],
     "experiment": ["base", "numerics", "models", "measurement", "report", "formats"],
+    "exchange": ["base", "numerics", "models", "formats", "experiment"],
     "evaluation": ["base", "numerics", "measurement", "optimization", "formats"],
     "correlation": ["base", "numerics", "models", "measurement", "optimization", "report", "formats",
                     "experiment", "evaluation"],

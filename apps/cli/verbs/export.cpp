@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch export: the identified model, measurements written from the model itself, and a tire of
-// finite elements for other programs.
+// latsch export: the identified model, measurements written from the model itself, a tire of finite
+// elements for other programs, a tire that rolls for programs that simulate a car on it.
 #include <fmt/format.h>
 
 #include "base/file.h"
@@ -8,6 +8,7 @@
 #include "cli/console/parsed.h"
 #include "cli/run/model_source.h"
 #include "cli/templates/meshed_tire.h"
+#include "cli/verbs/exported_unit.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/target/twin.h"
 #include "formats/mesh/ccx_deck.h"
@@ -24,9 +25,9 @@ using fe_tire::TireDescription;
 constexpr int kLoadSteps = 5;
 
 struct ExportOptions {
-  std::string file, vtu, ccx, model, pressure, deflection;
+  std::string file, vtu, ccx, model, pressure, deflection, fmu, road, output;
   int modes = 0;
-  bool measurements = false;
+  bool measurements = false, sti = false;
 };
 
 struct State {
@@ -123,14 +124,22 @@ void write_measurements(const std::string& file, const experiment::Language& lan
 
 void export_files(const ExportOptions& options, const experiment::Language& language) {
   if (options.measurements) return write_measurements(options.file, language);
-  if (options.vtu.empty() && options.ccx.empty() && options.model.empty()) {
-    throw InputError("export: say what to write: --vtu, --ccx, --model or --measurements");
+  if (options.fmu.empty() && !(options.road.empty() && options.output.empty()))
+    throw InputError("export: --road and -o are of a unit: expected --fmu 2.0 or --fmu 3.0");
+  if (options.sti) say_sti(options.file, language);
+  if (!options.fmu.empty())
+    write_fmu(options.file, options.fmu, options.road, options.output, language);
+  const bool mesh = !options.vtu.empty() || !options.ccx.empty();
+  if (!mesh && options.model.empty()) {
+    if (options.sti || !options.fmu.empty()) return;
+    throw InputError(
+        "export: say what to write: --vtu, --ccx, --model, --fmu, --sti or --measurements");
   }
   if (!options.model.empty()) {
     const ModelSource source = model_source(options.file, language);
     write_model(options, source.kind->text(source.numbers));
   }
-  if (options.vtu.empty() && options.ccx.empty()) return;
+  if (!mesh) return;
   const TireDescription tire = meshed_tire(options.file, language);
   if (!options.vtu.empty()) write_vtu(options, tire);
   if (!options.ccx.empty()) write_ccx(options, tire);
@@ -139,9 +148,9 @@ void export_files(const ExportOptions& options, const experiment::Language& lang
 }  // namespace
 
 void add_export(CommandLine& app, Program& program) {
-  Verb verb = app.add_subcommand(
-      "export",
-      "Writes the identified model, measurements of a twin, a mesh for ParaView or CalculiX");
+  Verb verb = app.add_subcommand("export",
+                                 "Writes the identified model, measurements of a twin, a mesh for "
+                                 "ParaView or CalculiX, an FMU");
   verb.footer(
       "A study file stands for its best point so far, or for the initial values where nothing has "
       "run.\n\n"
@@ -152,7 +161,12 @@ void add_export(CommandLine& app, Program& program) {
       "mm\"\n"
       "  latsch export studies/tire_b_twin/study.toml --model identified.toml\n"
       "  latsch export studies/tire_b_twin/study.toml --measurements\n"
-      "      what the laboratory would have measured on the model as its file describes it");
+      "      what the laboratory would have measured on the model as its file describes it\n"
+      "  latsch export studies/ring_tires/passenger_205_55R16.toml --fmu 3.0 --road kerb.toml -o "
+      "tire.fmu\n"
+      "      a co-simulation unit: wheel motion in, hub forces out (docs/exchange.md)\n"
+      "  latsch export studies/ring_tires/passenger_205_55R16.toml --sti\n"
+      "      where the library is by which a program with the Standard Tyre Interface rolls it");
   auto options = std::make_shared<ExportOptions>();
   verb.add_option("file", options->file, "Model file or study file").required();
   verb.add_option("--vtu", options->vtu, "ParaView file to write");
@@ -161,6 +175,11 @@ void add_export(CommandLine& app, Program& program) {
   verb.add_option("--pressure", options->pressure, "Inflation, the tire's own unless given");
   verb.add_option("--deflection", options->deflection, "Presses the tire on the ground");
   verb.add_option("--modes", options->modes, "Lowest modes").between(0, 200);
+  verb.add_option("--fmu", options->fmu, "Unit of this version of FMI, of a tire that rolls")
+      .one_of({"2.0", "3.0"});
+  verb.add_option("--road", options->road, "Its road, as of latsch road; flat unless given");
+  verb.add_option("-o,--output", options->output, "Its package to write");
+  verb.add_flag("--sti", options->sti, "Say how the Standard Tyre Interface takes it");
   verb.add_flag("--measurements",
                 options->measurements,
                 "Write the study's measurement files from the model itself: a twin");

@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""latsch export --fmu and --sti: what is in a package, and that its description is one.
+
+The schemas of the standard are looked for in the folder that LATSCH_FMI_SCHEMAS names, fmi2ModelDescription.xsd and
+fmi3ModelDescription.xsd with what they include; without it the descriptions are checked by their structure alone."""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+import zipfile
+
+from cli_testing import DONE, LATSCH, WRONG_INPUT
+
+STUDIES = pathlib.Path(__file__).resolve().parents[3] / "studies"
+RING = STUDIES / "ring_tires/passenger_205_55R16.toml"
+FE_TIRE = STUDIES / "tires/passenger_225_50R16.toml"
+XMLLINT = shutil.which("xmllint")
+SCHEMAS = os.environ.get("LATSCH_FMI_SCHEMAS")
+VERSIONS = {"2.0": ("guid", "binaries/linux64/tire.so", "canGetAndSetFMUstate"),
+            "3.0": ("instantiationToken", "binaries/x86_64-linux/tire.so", "canGetAndSetFMUState")}
+
+
+def latsch(*arguments):
+    run = subprocess.run([LATSCH, "export", *map(str, arguments)], capture_output=True, text=True, timeout=300)
+    return run.returncode, run.stdout + run.stderr
+
+
+class Exchange(unittest.TestCase):
+    def setUp(self):
+        self.scratch = tempfile.TemporaryDirectory(prefix="latsch_cli_")
+        self.addCleanup(self.scratch.cleanup)
+        self.folder = pathlib.Path(self.scratch.name)
+
+    def package(self, version, *more, name="tire.fmu"):
+        file = self.folder / name
+        code, said = latsch(RING, "--fmu", version, "-o", file, *more)
+        self.assertEqual(code, DONE, said)
+        return zipfile.ZipFile(file)
+
+    def description(self, version):
+        file = self.folder / f"description_{version}.xml"
+        with self.package(version) as package:
+            file.write_bytes(package.read("modelDescription.xml"))
+        return file
+
+    def test_a_package_holds_what_the_standard_has(self):
+        for version, (_, library, _) in VERSIONS.items():
+            with self.package(version) as package:
+                self.assertIsNone(package.testzip())
+                self.assertEqual(sorted(package.namelist()),
+                                 sorted(["modelDescription.xml", library, "resources/unit.toml",
+                                         "resources/model.toml", "resources/road.toml",
+                                         "documentation/externalDependencies.txt"]))
+                for entry in package.infolist():
+                    self.assertIn(entry.compress_type, (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED))
+                    self.assertLessEqual(entry.extract_version, 20)
+                self.assertTrue(package.read(library).startswith(b"\x7fELF"))
+
+    def test_the_same_content_gives_the_same_bytes_and_another_another_token(self):
+        road = self.folder / "kerb.toml"
+        road.write_text('kind = "cleat"\nheight = "10 mm"\nlength = "25 mm"\n')
+        for version, (token, _, _) in VERSIONS.items():
+            def token_of(package):
+                return re.search(token + '="([^"]+)"', package.read("modelDescription.xml").decode())[1]
+            with self.package(version) as one, self.package(version, name="tire_2.fmu") as two, \
+                    self.package(version, "--road", road, name="tire_3.fmu") as other:
+                self.assertEqual(token_of(one), token_of(two))
+                self.assertRegex(token_of(one), r"^\{[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}\}$")
+                self.assertNotEqual(token_of(one), token_of(other))
+                self.assertIn(token_of(one), one.read("resources/unit.toml").decode())
+                self.assertEqual(other.read("resources/kerb.toml"), road.read_bytes())
+        first = (self.folder / "tire.fmu").read_bytes()
+        self.package("3.0")
+        self.assertEqual((self.folder / "tire.fmu").read_bytes(), first)
+
+    @unittest.skipUnless(XMLLINT, "xmllint is not installed")
+    def test_a_description_has_variables_units_and_structure_that_agree(self):
+        for version, (token, _, state) in VERSIONS.items():
+            file = self.description(version)
+
+            def ask(path):
+                run = subprocess.run([XMLLINT, "--xpath", path, file], capture_output=True, text=True, check=True)
+                return run.stdout.strip()
+            head = "/fmiModelDescription"
+            self.assertEqual(ask(f"string({head}/@fmiVersion)"), version)
+            self.assertNotEqual(ask(f"string({head}/@{token})"), "")
+            self.assertEqual(ask(f"string({head}/CoSimulation/@modelIdentifier)"), "tire")
+            self.assertEqual(ask(f"string({head}/CoSimulation/@{state})"), "true")
+            self.assertEqual(ask(f"string({head}/CoSimulation/@needsExecutionTool)"), "false")
+            variables = f"{head}/ModelVariables/*"
+            self.assertEqual(ask(f"count({variables}[@causality='independent'])"), "1")
+            outputs = int(ask(f"count({variables}[@causality='output'])"))
+            self.assertGreaterEqual(outputs, 13)
+            self.assertEqual(ask(f"count({variables}[@causality='input'])"), "14")
+            # Every input has a start, no output has one; every unit that is used is defined.
+            value = "Real/" if version == "2.0" else ""
+            self.assertEqual(ask(f"count({variables}[@causality='input'][not({value}@start)])"), "0")
+            self.assertEqual(ask(f"count({variables}[@causality='output'][{value}@start])"), "0")
+            self.assertEqual(
+                ask(f"count({variables}[{value}@unit][not({value}@unit = {head}/UnitDefinitions/Unit/@name)])"), "0")
+            references = re.findall('valueReference="([0-9]+)"', ask(f"{variables}/@valueReference"))
+            self.assertEqual([int(one) for one in references], list(range(len(references))))
+            # The structure names the outputs and nothing else.
+            if version == "2.0":
+                listed = re.findall('index="([0-9]+)"', ask(f"{head}/ModelStructure/Outputs/Unknown/@index"))
+                self.assertEqual(len(listed), outputs)
+                for place in listed:
+                    self.assertEqual(ask(f"string({variables}[{place}]/@causality)"), "output")
+            else:
+                self.assertEqual(ask(f"count({head}/ModelStructure/Output)"), str(outputs))
+                self.assertEqual(
+                    ask(f"count({variables}[@causality='output']"
+                        f"[not(@valueReference = {head}/ModelStructure/Output/@valueReference)])"), "0")
+
+    @unittest.skipUnless(XMLLINT and SCHEMAS, "LATSCH_FMI_SCHEMAS names no folder with the standard's schemas")
+    def test_a_description_is_one_by_the_schemas_of_the_standard(self):
+        for version in VERSIONS:
+            schema = pathlib.Path(SCHEMAS) / f"fmi{version[0]}ModelDescription.xsd"
+            run = subprocess.run([XMLLINT, "--noout", "--schema", schema, self.description(version)],
+                                 capture_output=True, text=True)
+            self.assertEqual(run.returncode, 0, run.stderr)
+
+    def test_what_is_wrong_is_said(self):
+        fmu = self.folder / "tire.fmu"
+        for arguments, part in [((RING, "--fmu", "1.0", "-o", fmu), "1.0"),
+                                ((RING, "--fmu", "3.0"), "-o"),
+                                ((RING, "--fmu", "3.0", "-o", fmu, "--road", self.folder / "none.crg"), "none.crg"),
+                                ((FE_TIRE, "--fmu", "3.0", "-o", fmu), "does not roll"),
+                                ((FE_TIRE, "--sti"), "does not roll"),
+                                ((RING, "-o", fmu), "--fmu"),
+                                ((RING,), "--fmu")]:
+            code, said = latsch(*arguments)
+            self.assertEqual(code, WRONG_INPUT, said)
+            self.assertIn(part, said)
+            self.assertFalse(fmu.exists())
+
+    def test_sti_names_a_library_that_is_there(self):
+        code, said = latsch(RING, "--sti")
+        self.assertEqual(code, DONE, said)
+        library = re.search(r"library +(\S+)", said)[1]
+        self.assertTrue(pathlib.Path(library).is_file(), library)
+        self.assertIn(str(RING), said)
+
+
+if __name__ == "__main__":
+    unittest.main()

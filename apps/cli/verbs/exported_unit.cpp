@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verbs/exported_unit.h"
+
+#include <filesystem>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "cli/console/console.h"
+#include "cli/run/model_source.h"
+#include "exchange/fmu_package.h"
+#include "exchange/unit_folder.h"
+#include "experiment/language/capabilities.h"
+
+namespace latsch::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Beside the program: ../lib/latsch, where it is built as where it is installed.
+fs::path library(const std::string& name) {
+  const fs::path program = fs::read_symlink("/proc/self/exe");
+  const fs::path file = program.parent_path().parent_path() / "lib" / "latsch" / name;
+  if (!fs::exists(file))
+    throw InputError({file.string(), 0}, "is not there: it is built and installed with latsch");
+  return file;
+}
+
+}  // namespace
+
+void write_fmu(const std::string& file,
+               const std::string& version,
+               const std::string& road,
+               const std::string& output,
+               const experiment::Language& language) {
+  if (output.empty()) throw InputError("export --fmu: expected the package to write, -o FILE.fmu");
+  const ModelSource source = model_source(file, language);
+  const auto files = exchange::tire_unit_files(*source.kind, source.numbers, road);
+  const auto fmi = version == "2.0" ? exchange::FmiVersion::fmi2 : exchange::FmiVersion::fmi3;
+  exchange::UnitTitle title;
+  title.name = fs::path(output).stem().string();
+  title.description = source.kind->describe(source.numbers) + "; made by latsch";
+  title.token = exchange::token_of(files);
+  write_text_file(
+      output,
+      exchange::fmu_package(fmi,
+                            title,
+                            exchange::tire_unit(*source.kind, source.numbers, road)->variables(),
+                            library(version == "2.0" ? "latsch_fmi2.so" : "latsch_fmi3.so"),
+                            files));
+  say_written(output);
+}
+
+void say_sti(const std::string& file, const experiment::Language& language) {
+  const experiment::SpecimenKind& kind = language.kind_of_file(file);
+  if (!experiment::can(kind, {experiment::Rolls::kName}))
+    throw InputError({file, 0}, "is a " + kind.in_words() + ", which does not roll");
+  kind.check(kind.read(file));
+  say("library   {}\nfunction  dtyre_ (Fortran: DTYRE; C: dtyre)\ntire file {}\n",
+      library("latsch_sti.so").string(),
+      fs::absolute(file).string());
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// One instance of a functional mock-up unit, of FMI 2.0 or 3.0: the life cycle and the values, on
+// any unit. The C functions of the two standards (fmi2.cpp, fmi3.cpp) translate to it.
+//
+//   instantiated ─► initializing ─► stepping ─► terminated       reset(): instantiated, from any
+//
+// Nothing is thrown beyond it: what is wrong is logged and becomes a status. A call that is refused
+// changes nothing. In `initializing` the unit begins when an output is asked for or at the end, as
+// often as inputs change.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "exchange/model_description.h"
+#include "exchange/unit.h"
+
+namespace latsch::exchange {
+
+/// The values both standards have for it.
+enum class Status : int { ok = 0, warning = 1, discard = 2, error = 3, fatal = 4 };
+
+class Instance {
+ public:
+  using Log = std::function<void(Status, const char* category, const std::string& message)>;
+
+  Instance(std::unique_ptr<Unit> unit, Log log);
+
+  /// Where time begins and, if any, ends, s.
+  Status set_up(double start, std::optional<double> stop);
+  Status begin_initialization();
+  Status end_initialization();
+  Status terminate();
+  Status reset();
+
+  Status get(const unsigned* references, std::size_t count, double* values);
+  /// All or none. `discard` for a value that is not finite.
+  Status set(const unsigned* references, std::size_t count, const double* values);
+  Status step(double time, double step);
+  double time() const { return now_.time; }
+
+  /// A copy of all that the instance remembers, to be freed by free_state().
+  Status copy_state(void** state);
+  Status restore_state(void* state);
+  static void free_state(void** state);
+
+  /// What the unit does not have: logged, an error.
+  Status refuse(const std::string& what);
+
+ private:
+  enum class Stage { instantiated, initializing, stepping, terminated };
+  struct State {
+    std::unique_ptr<Unit> unit;
+    Stage stage = Stage::instantiated;
+    double time = 0.0;
+    std::optional<double> stop = {};
+    bool begun = false;  // the outputs are those of the inputs
+
+    State copy() const { return {unit->clone(), stage, time, stop, begun}; }
+  };
+
+  Status say(Status status, const std::string& message);
+  Status guarded(const std::function<Status()>& work);
+  Status begin();
+  std::optional<std::size_t> variable_of(unsigned reference) const;
+
+  State pristine_, now_;
+  Log log_;
+};
+
+}  // namespace latsch::exchange

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exchange/loading.h"
+
+#include <exception>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "exchange/unit_folder.h"
+
+namespace latsch::exchange {
+namespace {
+
+int digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+std::string decoded(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      result += text[i];
+      continue;
+    }
+    const int high = i + 2 < text.size() ? digit(text[i + 1]) : -1;
+    const int low = high >= 0 ? digit(text[i + 2]) : -1;
+    if (low < 0)
+      throw InputError("the folder " + in_quotes(text) + " has % without two digits behind it");
+    result += static_cast<char>(16 * high + low);
+    i += 2;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string folder_of_uri(const std::string& uri) {
+  if (uri.starts_with("/")) return uri;
+  const auto refuse = [&] {
+    return InputError("the resources are at " + in_quotes(uri) +
+                      ": expected a folder of this machine, \"file:///...\"");
+  };
+  if (!uri.starts_with("file:")) throw refuse();
+  std::string path = uri.substr(5);
+  if (path.starts_with("//")) {
+    const std::size_t slash = path.find('/', 2);
+    const std::string host = path.substr(2, slash == path.npos ? path.npos : slash - 2);
+    if (slash == path.npos || !(host.empty() || host == "localhost")) throw refuse();
+    path = path.substr(slash);
+  }
+  if (!path.starts_with("/")) throw refuse();
+  return decoded(path);
+}
+
+std::unique_ptr<Instance> load_instance(const std::string& folder,
+                                        const std::string& token,
+                                        const Instance::Log& log) {
+  try {
+    UnitFromFolder found = read_unit(folder_of_uri(folder), experiment::language());
+    if (found.token != token)
+      throw InputError("the unit in " + in_quotes(folder) + " is " + found.token + ", expected " +
+                       in_quotes(token) + ": resources and description are not of one package");
+    return std::make_unique<Instance>(std::move(found.unit), log);
+  } catch (const std::exception& error) {
+    if (log) log(Status::error, kLogError, error.what());
+  } catch (...) {
+    if (log) log(Status::error, kLogError, "an unknown failure");
+  }
+  return nullptr;
+}
+
+}  // namespace latsch::exchange

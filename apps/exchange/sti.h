@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// A tire behind the Standard Tyre Interface: the subroutine DTYRE as Fortran programs call it
+// [TYDEX working group, Standard Tyre Interface 1.4, 1999; the argument lists as Adams Tire's
+// manual prints them for TYRSUB and as the open Fedem solver calls DTYRE and is called back for the
+// road]. SI, TYDEX axes. Arguments go by address, arrays by column.
+//
+//   JOBFLG  1, 11  sizes of the arrays: NTYPAR, NDEQVR, NVARS, NWORK, NIWORK
+//           2, 3   reads the tire file CHTDST(1:NCHTDS), any that rolls; forgets what was
+//           0      forces at TIME
+//           5      the same for a difference: nothing is kept
+//           4, 6   nothing is to be done (a step is over; initial conditions of no states)
+//           99     forgets the tire
+//   IERR    0 good, 1 to be minded, 2 no result, 3 the program should stop
+//
+// The state of the tire stays here, by IDTYRE: DEQVAR is empty, and how a call becomes a step is
+// said in src/exchange/stepped_tire.h. Where ROAD is a null pointer the road is read from
+// CHRDST(1:NCHRDS).
+//   TYPARR(7)      m, unloaded radius
+//   VARINF(10)     m, deflection: unloaded minus loaded radius
+//   VARINF(12)     m, loaded radius
+//   VARINF(13:15)  m, the point of the road below the wheel's plane, inertial
+// and zeros elsewhere: the places at which that solver reads them. TYRMOD has 256 characters.
+#pragma once
+
+#include "exchange/called_road.h"
+
+namespace latsch::exchange::sti {
+
+using Dtyre = void(const int* ndev,
+                   const int* iswtch,
+                   const int* jobflg,
+                   const int* idtyre,
+                   const double* time,
+                   const double dis[3],
+                   const double tramat[9],
+                   const double* angtwc,
+                   const double vel[3],
+                   const double omega[3],
+                   const double* omegar,
+                   int* ndeqvr,
+                   const double deqvar[],
+                   int* ntypar,
+                   double typarr[],
+                   const int* nchtds,
+                   const char* chtdst,
+                   RoadCall* road,
+                   const int* idroad,
+                   const int* nropar,
+                   const double ropar[],
+                   const int* nchrds,
+                   const char* chrdst,
+                   double force[3],
+                   double torque[3],
+                   double deqini[],
+                   double deqder[],
+                   char tyrmod[256],
+                   int* nvars,
+                   double varinf[],
+                   int* nwork,
+                   double wrkarr[],
+                   int* niwork,
+                   int iwrkar[],
+                   int* ierr);
+
+extern "C" {
+/// As Fortran compilers of Linux name it; and for C.
+[[gnu::visibility("default")]] Dtyre dtyre_, dtyre;
+/// Why IERR of the tire's last call was not 0; "" where it was. Until its next call.
+[[gnu::visibility("default")]] const char* latsch_sti_message(const int* idtyre);
+}
+
+}  // namespace latsch::exchange::sti

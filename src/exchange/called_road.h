@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// The road of a program that calls a tire through the Standard Tyre Interface, asked through the
+// ROAD it hands over [argument list: apps/exchange/sti.h]. Slopes it does not tell are differences
+// over 2 mm. The ground stands still.
+#pragma once
+
+#include <string>
+
+#include "models/road/road.h"
+
+namespace latsch::exchange {
+
+/// ROAD. In: time, x and y, whether slopes are wanted, 0 in a run (1 before, 99 after it), numbers
+/// of tire and road, the road's parameters and file. Out: what kind of road (0 none), height, its
+/// first and second derivatives, how many of them there are, properties (the first: factor on the
+/// friction; 0: not told, 1), an error as IERR.
+using RoadCall = void(const double* time,
+                      const double dis[2],
+                      const int* iflag,
+                      const int* jflag,
+                      const int* idtyre,
+                      const int* idroad,
+                      const int* nropar,
+                      const double ropar[],
+                      const int* nchrds,
+                      const char* chrdst,
+                      const int* nprsur,
+                      int* nroad,
+                      double* z,
+                      double dz[2],
+                      double ddz[3],
+                      int* dflag,
+                      double prsurf[],
+                      int* ierr,
+                      long chrdst_length);
+
+class CalledRoad final : public road::Road {
+ public:
+  /// All by address as DTYRE got them: good while its call lasts.
+  CalledRoad(RoadCall* road,
+             const int* idtyre,
+             const int* idroad,
+             const int* nropar,
+             const double* ropar,
+             const int* nchrds,
+             const char* chrdst)
+      : road_(road),
+        idtyre_(idtyre),
+        idroad_(idroad),
+        nropar_(nropar),
+        ropar_(ropar),
+        nchrds_(nchrds),
+        chrdst_(chrdst) {}
+
+  /// Throw InputError where ROAD says there is no result.
+  road::GroundPoint at(double x, double y, double time) const override;
+  double height(double x, double y, double time) const override {
+    return ask(x, y, time, 0).height;
+  }
+
+ private:
+  struct Answer {
+    double height, slope_x, slope_y, friction;
+    bool has_slopes;
+  };
+  Answer ask(double x, double y, double time, int with_slopes) const;
+
+  RoadCall* road_;
+  const int *idtyre_, *idroad_, *nropar_;
+  const double* ropar_;
+  const int* nchrds_;
+  const char* chrdst_;
+};
+
+}  // namespace latsch::exchange

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// A functional mock-up unit as bytes: the ZIP file of FMI 2.0 [2.0.5, 2.3] and 3.0 [3.0.2, 2.5].
+//
+//   modelDescription.xml
+//   binaries/linux64/NAME.so  or  binaries/x86_64-linux/NAME.so
+//   resources/                              the unit's files, unit_folder.h
+//   documentation/externalDependencies.txt  what the library needs of the machine
+//
+// The same content gives the same bytes: files carry no time. For Linux on x86-64 alone.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "exchange/model_description.h"
+#include "exchange/unit_folder.h"
+
+namespace latsch::exchange {
+
+/// `library` is the file that becomes the binary. InputError where it cannot be read.
+std::string fmu_package(FmiVersion version,
+                        const UnitTitle& title,
+                        const std::vector<Variable>& variables,
+                        const std::filesystem::path& library,
+                        const UnitFiles& resources);
+
+}  // namespace latsch::exchange

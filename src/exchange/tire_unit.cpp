@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exchange/tire_unit.h"
+
+#include <Eigen/Geometry>
+#include <cassert>
+#include <iterator>
+#include <limits>
+
+#include "base/error.h"
+
+namespace latsch::exchange {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// Places in the table of where vectors begin.
+enum Given : std::size_t { pressure, is_carried_on, x, yaw = 5, vx = 8, wx = 11, spin = 14 };
+
+std::vector<Variable> table(double height) {
+  const auto parameter = Causality::parameter, input = Causality::input, output = Causality::output;
+  return {
+      {"pressure", parameter, "Pa", "inflation; 0: that of the tire's file", 0.0},
+      {"inputs.carried_on",
+       parameter,
+       "1",
+       "1: the inputs are the motion where a step begins; 0: where it ends",
+       1.0},
+      {"wheel.x", input, "m", "wheel center, inertial axes, z up", 0.0},
+      {"wheel.y", input, "m", "wheel center", 0.0},
+      {"wheel.z", input, "m", "wheel center", height},
+      {"wheel.yaw", input, "rad", "about z: positive to the left", 0.0},
+      {"wheel.inclination", input, "rad", "about x: positive with the top to the right", 0.0},
+      {"wheel.pitch", input, "rad", "of the carrier about the spin axis", 0.0},
+      {"wheel.vx", input, "m/s", "velocity of the center, inertial axes", 0.0},
+      {"wheel.vy", input, "m/s", "velocity of the center", 0.0},
+      {"wheel.vz", input, "m/s", "velocity of the center", 0.0},
+      {"wheel.wx", input, "rad/s", "angular velocity of the carrier, inertial axes", 0.0},
+      {"wheel.wy", input, "rad/s", "angular velocity of the carrier", 0.0},
+      {"wheel.wz", input, "rad/s", "angular velocity of the carrier", 0.0},
+      {"wheel.spin", input, "rad", "angle of the rim in the carrier", 0.0},
+      {"wheel.spin_rate", input, "rad/s", "positive rolling forward", 0.0},
+      {"hub.Fx", output, "N", "force on the rim at the wheel center, carrier axes (TYDEX C)"},
+      {"hub.Fy", output, "N", "force on the rim, carrier axes"},
+      {"hub.Fz", output, "N", "force on the rim, carrier axes"},
+      {"hub.Mx", output, "N m", "moment on the rim about the wheel center, carrier axes"},
+      {"hub.My", output, "N m", "moment on the rim, carrier axes"},
+      {"hub.Mz", output, "N m", "moment on the rim, carrier axes"},
+      {"inertial.Fx", output, "N", "the same force, inertial axes"},
+      {"inertial.Fy", output, "N", "the same force, inertial axes"},
+      {"inertial.Fz", output, "N", "the same force, inertial axes"},
+      {"inertial.Mx", output, "N m", "the same moment, inertial axes"},
+      {"inertial.My", output, "N m", "the same moment, inertial axes"},
+      {"inertial.Mz", output, "N m", "the same moment, inertial axes"},
+      {"loaded_radius", output, "m", "wheel center to road in the wheel's plane"},
+      {"contact.length", output, "m", "of the footprint; 0 off the road or where it is not known"},
+      {"contact.width", output, "m", "of the footprint; likewise"},
+      {"contact.area", output, "m^2", "of the footprint; likewise"},
+  };
+}
+
+}  // namespace
+
+double loaded_radius(const WheelMotion& motion, const road::Road& road, double time) {
+  constexpr int kCorrections = 3;  // of the plane to that below the point found
+  const Vector3d down = -motion.carrier.col(2);
+  double radius = 0.0;
+  for (int i = 0; i <= kCorrections; ++i) {
+    const Vector3d point = motion.center + radius * down;
+    const road::GroundPoint ground = road.at(point.x(), point.y(), time);
+    const double steep = -down.dot(ground.normal);
+    if (!(steep > 0.0)) return std::numeric_limits<double>::infinity();
+    const Vector3d below(point.x(), point.y(), ground.height);
+    radius = (motion.center - below).dot(ground.normal) / steep;
+  }
+  return radius;
+}
+
+WheelMotion carried_on(const WheelMotion& motion, double step) {
+  WheelMotion end = motion;
+  end.center += step * motion.velocity;
+  const Vector3d turn = step * motion.angular_velocity;
+  if (const double angle = turn.norm(); angle > 0.0)
+    end.carrier = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() * motion.carrier;
+  end.spin += step * motion.spin_rate;
+  return end;
+}
+
+TireUnit::TireUnit(std::shared_ptr<experiment::Specimen> specimen,
+                   std::shared_ptr<const road::Road> road)
+    : specimen_(std::move(specimen)),
+      rolls_(specimen_->find<experiment::Rolls>()),
+      road_(std::move(road)) {
+  if (!rolls_) throw InputError("the model does not roll: expected a tire that does");
+  tire_ = rolls_->tire();
+  const double height = road_->at(0.0, 0.0, 0.0).height + tire_->free_radius();
+  variables_ = std::make_shared<const std::vector<Variable>>(table(height));
+  for (std::size_t i = 0; i < kGiven; ++i) given_[i] = (*variables_)[i].start;
+}
+
+TireUnit::TireUnit(const TireUnit& other)
+    : specimen_(other.specimen_),
+      rolls_(other.rolls_),
+      road_(other.road_),
+      variables_(other.variables_),
+      tire_(other.tire_->clone()),
+      given_(other.given_),
+      answers_(other.answers_),
+      print_(other.print_) {}
+
+double TireUnit::value(std::size_t variable) const {
+  if (variable < kGiven) return given_[variable];
+  if (variable < kGiven + kAnswers) return answers_[variable - kGiven];
+  if (!print_) print_ = tire_->footprint().value_or(Footprint{});
+  const double print[] = {print_->length, print_->width, print_->area};
+  assert(variable - kGiven - kAnswers < std::size(print));
+  return print[variable - kGiven - kAnswers];
+}
+
+void TireUnit::set(std::size_t variable, double value) {
+  assert(variable < given_.size());
+  given_[variable] = value;
+}
+
+WheelMotion TireUnit::motion() const {
+  const auto vector = [&](std::size_t i) {
+    return Vector3d(given_[i], given_[i + 1], given_[i + 2]);
+  };
+  const Eigen::AngleAxisd about_z(given_[yaw], Vector3d::UnitZ());
+  const Eigen::AngleAxisd about_x(given_[yaw + 1], Vector3d::UnitX());
+  const Eigen::AngleAxisd about_y(given_[yaw + 2], Vector3d::UnitY());
+  WheelMotion motion;
+  motion.center = vector(x);
+  motion.carrier =
+      about_z.toRotationMatrix() * about_x.toRotationMatrix() * about_y.toRotationMatrix();  // (1)
+  motion.velocity = vector(vx);
+  motion.angular_velocity = vector(wx);
+  motion.spin = given_[spin];
+  motion.spin_rate = given_[spin + 1];
+  return motion;
+}
+
+void TireUnit::take(const HubForces& hub, const WheelMotion& motion, double time) {
+  Eigen::Map<Eigen::Matrix<double, 3, 4>> vectors(answers_.data());
+  vectors << hub.force, hub.moment, motion.carrier * hub.force, motion.carrier * hub.moment;
+  answers_[12] = loaded_radius(motion, *road_, time);
+  print_.reset();
+}
+
+std::optional<Failure> TireUnit::start(double time) {
+  tire_ = rolls_->tire(given_[pressure] != 0.0 ? experiment::Inflation(given_[pressure])
+                                               : experiment::Inflation());
+  const WheelMotion now = motion();
+  const Result<HubForces> hub = tire_->settle(now, *road_, time);
+  if (!hub) return hub.failure();
+  take(*hub, now, time);
+  return std::nullopt;
+}
+
+std::optional<Failure> TireUnit::step(double time, double step) {
+  const WheelMotion end = given_[is_carried_on] != 0.0 ? carried_on(motion(), step) : motion();
+  const Result<HubForces> hub = tire_->advance(end, *road_, time + step, step);
+  if (!hub) return hub.failure();
+  take(*hub, end, time + step);
+  return std::nullopt;
+}
+
+}  // namespace latsch::exchange

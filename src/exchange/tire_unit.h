@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// A tire that rolls on a road, of any kind, as a co-simulation unit: the wheel's motion in, the
+// force on the hub out.
+//
+//   carrier = R_z(yaw) R_x(inclination) R_y(pitch)                                           (1)
+// turns the axes of the TYDEX C frame into the inertial ones: the spin axis is fixed by the first
+// two, and nothing is singular before the wheel lies flat.
+//
+// Inputs of a step are those of its begin, as FMI has them, and are carried on to its end
+//   center + h velocity,  exp(h [angular velocity]) carrier,  spin + h spin rate             (2)
+// to where the tire then is moved. So a coupling in which all units step side by side stays of
+// first order in the forces and second in the motion. Where the parameter `inputs.carried_on` is 0
+// the inputs are the motion at the step's end, for a caller that knows it.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "exchange/unit.h"
+#include "experiment/language/capabilities.h"
+#include "experiment/language/specimen.h"
+#include "models/road/road.h"
+#include "models/tire/tire.h"
+
+namespace latsch::exchange {
+
+/// From the wheel center along the wheel's plane down to the road, m; the road as the plane below.
+/// Where the wheel lies flat on it: infinity.
+double loaded_radius(const WheelMotion& motion, const road::Road& road, double time);
+
+/// (2).
+WheelMotion carried_on(const WheelMotion& motion, double step);
+
+class TireUnit final : public Unit {
+ public:
+  /// The specimen has to roll. InputError where it does not.
+  TireUnit(std::shared_ptr<experiment::Specimen> specimen, std::shared_ptr<const road::Road> road);
+  TireUnit(const TireUnit& other);
+
+  const std::vector<Variable>& variables() const override { return *variables_; }
+  double value(std::size_t variable) const override;
+  void set(std::size_t variable, double value) override;
+  std::optional<Failure> start(double time) override;
+  std::optional<Failure> step(double time, double step) override;
+  std::unique_ptr<Unit> clone() const override { return std::make_unique<TireUnit>(*this); }
+
+  /// As the inputs have it.
+  WheelMotion motion() const;
+
+ private:
+  void take(const HubForces& hub, const WheelMotion& motion, double time);
+
+  static constexpr std::size_t kGiven = 16, kAnswers = 13;
+
+  std::shared_ptr<experiment::Specimen> specimen_;
+  const experiment::Rolls* rolls_;
+  std::shared_ptr<const road::Road> road_;
+  std::shared_ptr<const std::vector<Variable>> variables_;
+  std::unique_ptr<Tire> tire_;
+  std::array<double, kGiven> given_{};      // parameters and inputs, in the table's order
+  std::array<double, kAnswers> answers_{};  // outputs, but for those of the footprint
+  mutable std::optional<Footprint> print_;  // once someone has asked for it
+};
+
+}  // namespace latsch::exchange

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exchange/unit_folder.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/text.h"
+#include "exchange/tire_unit.h"
+#include "formats/road/open_crg_header.h"
+#include "formats/road/road_file.h"
+#include "models/road/plane_road.h"
+
+namespace latsch::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kUnit = "unit.toml";
+constexpr const char* kModel = "model";
+constexpr const char* kFlatRoad = "kind = \"flat\"\n";
+constexpr std::size_t kLargestRoad = 256u << 20;  // bytes, as of OpenCRG
+constexpr int kDeepestReference = 4;              // of road files, likewise
+
+/// 64-bit FNV-1a over names and bytes [Fowler, Noll, Vo; IETF draft-eastlake-fnv].
+std::uint64_t hash_of(const UnitFiles& files, std::uint64_t hash) {
+  const auto add = [&](std::string_view bytes) {
+    for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    hash = (hash ^ 0xffu) * 0x100000001b3u;  // where one ends and the next begins
+  };
+  for (const auto& [name, bytes] : files) {
+    if (name == kUnit) continue;
+    add(name);
+    add(bytes);
+  }
+  return hash;
+}
+
+std::string hash_in_words(const UnitFiles& files) {
+  constexpr std::uint64_t kOffset = 0xcbf29ce484222325u;
+  const std::uint64_t a = hash_of(files, kOffset), b = hash_of(files, a ^ kOffset);
+  return fmt::format("{{{:08x}-{:04x}-{:04x}-{:04x}-{:012x}}}",
+                     a >> 32,
+                     (a >> 16) & 0xffff,
+                     a & 0xffff,
+                     b >> 48,
+                     b & 0xffffffffffff);
+}
+
+/// The road's file and what it includes, under the names they have from its folder.
+void add_road(UnitFiles& files, const fs::path& road) {
+  const bool may_include = formats::read_road_file(road).crg != nullptr;
+  fs::path name = road.filename();
+  for (int depth = 0; depth <= kDeepestReference; ++depth) {
+    const fs::path file = road.parent_path() / name;
+    files.emplace_back(name.generic_string(), read_text_file(file, kLargestRoad));
+    if (!may_include) return;
+    const auto header = formats::read_open_crg_header(files.back().second, file.string());
+    if (header.include.empty()) return;
+    name = (name.parent_path() / header.include).lexically_normal();
+    if (name.is_absolute() || *name.begin() == "..")
+      throw InputError({header.file, header.include_line},
+                       "refers to " + in_quotes(header.include) +
+                           ", which cannot travel with it: expected a file beside or below it");
+  }
+}
+
+std::unique_ptr<Unit> read_tire_unit(const fs::path& folder,
+                                     const Node& keys,
+                                     const experiment::Language& language) {
+  const auto name = keys.choice("model_kind", language.kinds_for({experiment::Rolls::kName}));
+  const experiment::SpecimenKind& kind = *language.find_kind(name);
+  return tire_unit(kind, kind.read(folder / keys.text("model")), folder / keys.text("road"));
+}
+
+}  // namespace
+
+std::unique_ptr<Unit> tire_unit(const experiment::SpecimenKind& kind,
+                                const Document& numbers,
+                                const fs::path& road) {
+  if (!experiment::can(kind, {experiment::Rolls::kName}))
+    throw InputError("a " + kind.in_words() + " does not roll: expected a tire that does");
+  std::shared_ptr<const road::Road> surface;
+  if (road.empty()) {
+    surface = std::make_shared<road::PlaneRoad>(road::PlaneRoad::Settings{});
+  } else {
+    surface = formats::read_road_file(road).road;
+  }
+  return std::make_unique<TireUnit>(kind.build(numbers), std::move(surface));
+}
+
+UnitFiles tire_unit_files(const experiment::SpecimenKind& kind,
+                          const Document& numbers,
+                          const fs::path& road) {
+  tire_unit(kind, numbers, road);  // what is wrong is said of the files as they stand
+  UnitFiles files;
+  const std::string model = kModel + fs::path(numbers.file()).extension().string();
+  files.emplace_back(model, kind.text(numbers));
+  if (road.empty()) {
+    files.emplace_back("road.toml", kFlatRoad);
+  } else {
+    add_road(files, road);
+    if (files.back().first == model || files.back().first == kUnit)
+      throw InputError({road.string(), 0}, "has a name of a file of the unit: give it another");
+  }
+  const std::string road_name = files[1].first;
+  files.emplace_back(kUnit,
+                     fmt::format("kind = \"tire\"\ntoken = \"{}\"\n\n[tire]\nmodel_kind = \"{}\"\n"
+                                 "model = \"{}\"\nroad = \"{}\"\n",
+                                 hash_in_words(files),
+                                 kind.name(),
+                                 model,
+                                 road_name));
+  return files;
+}
+
+std::string token_of(const UnitFiles& files) {
+  for (const auto& [name, bytes] : files)
+    if (name == kUnit) return Document::parse(bytes, name).root().text("token");
+  throw InputError("there is no unit.toml among the files of the unit");
+}
+
+UnitFromFolder read_unit(const fs::path& folder, const experiment::Language& language) {
+  const Document document = Document::read(folder / kUnit);
+  const Node root = document.root();
+  root.choice("kind", {"tire"});
+  UnitFromFolder result;
+  result.token = root.text("token");
+  result.unit = read_tire_unit(folder, root.table("tire"), language);
+  root.close();
+  return result;
+}
+
+}  // namespace latsch::exchange

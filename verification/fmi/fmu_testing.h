@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// For tests: a package of FMI 2.0 or 3.0, unpacked and loaded by its C functions alone, as a
+// foreign program does it. Both versions behind one face, so that one test drives both.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/scratch_folder_testing.h"
+#include "exchange/fmu_package.h"
+#include "exchange/instance.h"
+
+namespace latsch::exchange {
+
+/// Writes what a ZIP file holds below the folder.
+void unpack(const std::string& bytes, const std::filesystem::path& folder);
+
+/// A loaded binary: its functions by their names.
+class Binary {
+ public:
+  explicit Binary(const std::filesystem::path& file);
+  ~Binary();
+  Binary(const Binary&) = delete;
+  Binary& operator=(const Binary&) = delete;
+
+  /// nullptr where it shows none of that name.
+  void* find(const std::string& name) const;
+  template <class F>
+  F* function(const std::string& name) const {
+    return reinterpret_cast<F*>(find(name));
+  }
+
+ private:
+  void* handle_ = nullptr;
+};
+
+/// An unpacked package.
+struct Package {
+  /// Of a file of `studies`; `road` is the text of a .toml, empty: none given.
+  Package(FmiVersion version, const std::string& model, const std::string& road);
+
+  std::filesystem::path file(const std::string& name) const { return folder / name; }
+  unsigned reference(const std::string& variable) const;
+
+  ScratchFolder folder;
+  FmiVersion version;
+  std::vector<Variable> variables;
+  std::string token;
+  std::unique_ptr<Binary> binary;
+};
+
+/// An instance made from a package. `log` has what it said.
+class Slave {
+ public:
+  virtual ~Slave() = default;
+
+  virtual bool there() const = 0;
+  virtual Status initialize(double start) = 0;  // the whole of it, from `instantiated`
+  virtual Status enter(double start) = 0;       // its first half
+  virtual Status leave() = 0;                   // its second
+  virtual Status set(unsigned reference, double value) = 0;
+  virtual Status get(unsigned reference, double& value) = 0;
+  virtual Status step(double time, double step) = 0;
+  virtual Status copy(void** state) = 0;
+  virtual Status restore(void* state) = 0;
+  virtual Status free(void** state) = 0;
+  virtual Status terminate() = 0;
+  virtual Status reset() = 0;
+  virtual Status ask_for_integer() = 0;
+
+  std::vector<std::pair<Status, std::string>> log;
+};
+
+/// `token` and `resources` empty: those of the package.
+std::unique_ptr<Slave> instantiate(const Package& package,
+                                   const std::string& token = "",
+                                   const std::string& resources = "");
+
+}  // namespace latsch::exchange
