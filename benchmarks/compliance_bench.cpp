@@ -80,6 +80,8 @@ FittedCar fit_of(const CompliantCar& car) {
   ConfidenceOptions of_level{.sigma = 1.0, .level = kLevel};
   const PredictionBands bands(at.u, confidence(at, of_level));
   const auto found = correlation::simulate_all(study, what_at.point);
+  const Confidence cc = confidence(at, of_level);
+  fmt::print("S {:.2f} left {:.3g} excess {:.2f} lsteps {} journal {} held {} {}\n", at.sum_of_squares(), cc.left_to_gain, cc.excess, run.steps.size(), journal.size(), std::count_if(cc.held.begin(), cc.held.end(), [](Bound b){return b!=Bound::none;}), run.ending.substr(0,30));
   for (const StudyExperiment& experiment : study.experiments) {
     const std::string name = experiment.observable->asks().front();
     if (!experiment.fitted && !name.starts_with("E/")) continue;
