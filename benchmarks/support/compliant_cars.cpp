@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using correlation::Study;
 using suspension::DoubleWishbone;
 
-constexpr double kJitter = 10e-3;                          // m
+constexpr double kJitter = 10e-3;  // m
 constexpr double kLeastTooStiff = 3.0, kMostTooStiff = 15.0;
 
 /// Replaces what stands between `from` and `to` behind the first `anchor`.
@@ -30,8 +30,7 @@ void replace_behind(std::string& text,
                     const std::string& by) {
   const std::size_t at = text.find(anchor);
   const std::size_t begin = at == std::string::npos ? at : text.find(from, at);
-  const std::size_t end =
-      begin == std::string::npos ? begin : text.find(to, begin + from.size());
+  const std::size_t end = begin == std::string::npos ? begin : text.find(to, begin + from.size());
   if (end == std::string::npos) throw std::runtime_error("the study has no " + anchor);
   text.replace(begin + from.size(), end - begin - from.size(), by);
 }
@@ -101,8 +100,8 @@ CompliantCar CompliantCars::draw(int number) const {
     const double too_stiff =
         kLeastTooStiff * std::pow(kMostTooStiff / kLeastTooStiff, random.uniform());
     const DesignVariable& variable = before.space[i];
-    const double start = std::min(
-        too_stiff * car.truth.values[static_cast<std::size_t>(i)], 0.999 * variable.upper);
+    const double start =
+        std::min(too_stiff * car.truth.values[static_cast<std::size_t>(i)], 0.999 * variable.upper);
     replace_behind(text, "variable." + variable.name, "initial = \"", "\"", in_si(start, "N/m"));
   }
   for (const correlation::StudyExperiment& experiment : before.experiments) {
