@@ -55,9 +55,8 @@ void Document::set(std::string_view path, double value) {
     throw InputError(tree_->place(index),
                      std::string(path) + " cannot become " + format_number(value));
   // Copies of this document and nodes read from it keep what they have.
-  auto changed = std::make_shared<DocumentTree>(*tree_);
-  set_number(changed->value(index), value);
-  tree_ = std::move(changed);
+  if (tree_.use_count() > 1) tree_ = std::make_shared<DocumentTree>(*tree_);
+  set_number(tree_->value(index), value);
 }
 
 std::vector<std::string> Document::paths() const {

@@ -127,7 +127,7 @@ class Document {
   const std::string& file() const;
 
  private:
-  std::shared_ptr<const DocumentTree> tree_;
+  std::shared_ptr<DocumentTree> tree_;  // changed by its only owner
 };
 
 }  // namespace latsch

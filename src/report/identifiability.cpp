@@ -125,8 +125,9 @@ std::string missed_list(const Identifiability& what) {
 
 std::string identifiability_chapter(const Identifiability& what) {
   std::string html =
-      fmt::format("<p class=\"lead\">How well {} measured values determine {} variable{}.</p>",
+      fmt::format("<p class=\"lead\">How well {} measured values{} determine {} variable{}.</p>",
                   what.residuals,
+                  what.priors == 0 ? "" : fmt::format(" and {} priors", what.priors),
                   what.variables.size(),
                   what.variables.size() == 1 ? "" : "s");
   html += interval_table(what);

@@ -49,6 +49,7 @@ struct Identifiability {
   std::vector<std::string> intervals;       // "9.8 .. 10.3 N/mm^2"
   std::vector<std::string> shifts;          // "+0.1 N/mm^2", of a refined model; may be empty
   int residuals = 0;                        // measured values used
+  int priors = 0;                           // of variables, which count as one more each
   std::vector<double> deviations;           // a direction each, in ranges, best determined first
   std::vector<std::string> directions;      // "matrix up, carcass down"
   Eigen::MatrixXd correlation;              // of the variables

@@ -16,6 +16,7 @@
 #include "report/tables.h"
 #include "report/tire_pictures.h"
 #include "report/tire_scene.h"
+#include "report/value_table.h"
 
 namespace latsch::report {
 namespace {
@@ -298,6 +299,7 @@ std::vector<Chapter> chapters(const StudyReport& report) {
   add("checks", "Checks", report.checks.empty() ? "" : check_table(report));
   add("variables", "Design variables", report.variables.empty() ? "" : variable_table(report));
   add("experiments", "Experiments", report.experiments.empty() ? "" : experiment_table(report));
+  add("values", "Values", report.values.empty() ? "" : value_table(report));
   add("forces", "Forces", report.forces.empty() ? "" : forces(report));
   add("curves", "Curves", report.curves.empty() ? "" : curves(report));
   add("slip", "Force over slip", slip_chapter(report));

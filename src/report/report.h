@@ -80,6 +80,19 @@ struct MeasuredCurve {
   Band band = {};
 };
 
+/// A single measured value, the target, and what the model makes of it. SI; `unit` is what a person
+/// reads.
+struct MeasuredValue {
+  std::string name;      // of the experiment, and of the value where it has several
+  std::string compared;  // "A/dz_by_Fz"; may be empty
+  std::string unit = "1";
+  bool fitted = true;
+  double weight = 1.0;
+  double measured = 0.0, found = 0.0;
+  std::optional<double> initial;       // at the initial values of the variables
+  std::optional<double> lower, upper;  // of the 95 % band of `found`
+};
+
 /// A measured mode and its simulated partner. Hz.
 struct ModePair {
   std::string label;  // "radial n=2"
@@ -198,6 +211,7 @@ struct StudyReport {
   std::vector<ExperimentRow> experiments;
   std::vector<ForceCurve> forces;
   std::vector<MeasuredCurve> curves;
+  std::vector<MeasuredValue> values;
   std::vector<ModalComparison> modes;
   std::optional<Convergence> convergence;
   std::vector<Surface> surfaces;

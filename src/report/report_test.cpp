@@ -115,6 +115,7 @@ StudyReport full_report() {
                {0.0, 3e-3},
                {0.0, 0.3},
                {0.0, 4e-3}}};
+  r.values = {{kHostile, kHostile, "mm", true, 1.0, 2e-3, 1.98e-3, 4e-3, 1.9e-3, 2.1e-3}};
   r.modes = {{kHostile,
               kHostile,
               true,
@@ -140,6 +141,7 @@ TEST(Report, IsWellFormedWithEveryChapter) {
   EXPECT_EQ(fault_in_tags(page), "");
   for (const char* id : {"variables",
                          "experiments",
+                         "values",
                          "forces",
                          "curves",
                          "frequencies",
@@ -281,6 +283,39 @@ TEST(Report, DrawsEveryPictureInABrowser) {
   fs::remove_all(folder);
   if (ended != 0) GTEST_SKIP() << "Chromium does not run here";
   EXPECT_NE(start.find("data-views=\"14\""), std::string::npos);  // loaded tire twice, 12 modes
+}
+
+/// The cells of the row of the value table with that name.
+std::string value_row(const std::string& html, const std::string& name) {
+  const std::size_t begin = html.find("<tr><td>" + name);
+  return begin == std::string::npos ? "" : html.substr(begin, html.find("</tr>", begin) - begin);
+}
+
+TEST(ValueTable, HasTargetInitialAndOptimizedWithTheDigitsThatTheBandLeaves) {
+  StudyReport report;
+  report.values = {{"A_dz", "A/dz_by_Fz", "mm", true, 1.0, 2e-3, 1.9834e-3, 0.5e-3, 1.9e-3, 2.1e-3},
+                   {"E_dz", "", "mm", false, 1.0, 1e-3, 1.2345678e-3, {}, {}, {}}};
+  const std::string page = html(report);
+  const std::string row = value_row(page, "A_dz");
+  for (const char* words : {">2<", ">0.5<", ">0.25<", ">1.98<", ">0.99<", ">1.9 .. 2.1<"})
+    EXPECT_NE(row.find(words), std::string::npos) << words << " in " << row;
+  const std::string predicted = value_row(page, "E_dz");
+  for (const char* words : {">predicted<", ">1.235<", ">–<"})
+    EXPECT_NE(predicted.find(words), std::string::npos) << words << " in " << predicted;
+  EXPECT_EQ(page.find("weight near zero"), std::string::npos);
+}
+
+TEST(ValueTable, FlagsInWordsWhatTheFitHardlySees) {
+  StudyReport report;
+  report.values = {{"A_dz", "", "mm", true, 1.0, 1e-3, 1e-3, {}, {}, {}},
+                   {"A_toe", "", "deg", true, 0.01, 1e-3, 1e-3, {}, {}, {}},
+                   {"B_dz", "", "mm", true, 0.06, 1e-3, 1e-3, {}, {}, {}},
+                   {"E_dz", "", "mm", false, 0.0, 1e-3, 1e-3, {}, {}, {}}};  // not fitted anyway
+  const std::string page = html(report);
+  EXPECT_NE(value_row(page, "A_toe").find("weight near zero"), std::string::npos);
+  for (const char* name : {"A_dz", "B_dz", "E_dz"})
+    EXPECT_EQ(value_row(page, name).find("weight near zero"), std::string::npos) << name;
+  EXPECT_NE(page.find("The fit hardly sees"), std::string::npos);
 }
 
 TEST(CurvePlot, ShowsEveryMeasuredValueAndTheProgramWhereItWasMeasured) {

@@ -85,6 +85,35 @@ class Kc(unittest.TestCase):
                 self.assertAlmostEqual(float(found[1]) / limit, 1.0, delta=0.05)
         self.assertIn("All of them agree", self.latsch("check", "--derivatives", self.folder / "study.toml"))
 
+    def test_a_prior_holds_what_the_numbers_leave_open_and_the_next_load_case_is_named(self):
+        study = self.folder / "axes.toml"
+        self.latsch("run", study)
+        text = self.latsch("identify", study)
+        self.assertIn("from 16 measured values and 30 priors", text)
+        truth = tomllib.loads((self.folder / "specimen.toml").read_text())["bushing"]
+        for joint, axis in ((j, a) for j in truth if j != "all" for a in "xyz"):  # all drawn within two deviations
+            found = re.search(rf"{joint}_{axis} +[\d.]+ kN/mm +95 %: ([\d.]+) \.\. ([\d.]+)", text)
+            self.assertTrue(found, f"{joint}_{axis}: {text}")
+            self.assertLess(float(found[1]), float(truth[joint][axis].split()[0]), f"{joint}_{axis}")
+            self.assertGreater(float(found[2]), float(truth[joint][axis].split()[0]), f"{joint}_{axis}")
+        gains = text.split("experiments that are only predicted, were they measured")[1].split("Computed values")[0]
+        self.assertRegex(gains, r"test G, all of it +1 / [\d.]+")
+        # A load case tells no less than a number of it.
+        gain = {name: float(value) for name, value in re.findall(r"\n  (\S.*?) +1 / ([\d.]+)", gains)}
+        self.assertGreaterEqual(gain["test G, all of it"], gain["G_caster"])
+
+    def test_pattern_search_flags_what_it_hardly_weighs(self):
+        study = self.folder / "thesis.toml"
+        study.write_text(study.read_text().replace("max_steps = 50000", "max_steps = 60"))
+        self.latsch("run", study)
+        page = (self.folder / "thesis.html").read_text()
+        values = page.split('<section id="values">')[1].split("</section>")[0]
+        for name, flagged in (("A_toe", True), ("B_caster", True), ("D_dz", True), ("D_caster", True), ("A_dz", False)):
+            row = values.split(f"<tr><td>{name}<")[1].split("</tr>")[0]
+            self.assertEqual("weight near zero" in row, flagged, row)
+        self.assertIn("The fit hardly sees", values)
+        self.assertNotIn('id="curves"', page)  # a single value is no curve
+
     def test_a_recording_of_a_rig_drives_the_test(self):
         (self.folder / "rig.csv").write_text("Fz [kN],Fx [N],dz [mm]\n0,0,0\n2,-100,0.5\n4,-200,1.0\n")
         study = self.folder / "study.toml"

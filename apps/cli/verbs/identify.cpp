@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch identify: what the measurements determine around the best trial of a journal.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -16,6 +18,7 @@
 #include "correlation/search/study_fit.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/predictions.h"
+#include "correlation/target/residuals.h"
 
 namespace latsch::cli {
 namespace {
@@ -111,8 +114,10 @@ int identify(const std::string& file,
         100.0 * now->target,
         100.0 * best->target);
   }
-  say("\nValues and their confidence intervals, from {} measured values\n",
-      (*result)->identification.residuals_used().size());
+  const auto priors = correlation::prior_count(study);
+  say("\nValues and their confidence intervals, from {} measured values{}\n",
+      (*result)->identification.residuals_used().size() - priors,
+      priors == 0 ? "" : fmt::format(" and {} prior{}", priors, priors == 1 ? "" : "s"));
   print_intervals(study, **result);
   print_identifiability(study, **result);
   if (profiles && !rank_predictions(study, **result)) {

@@ -82,34 +82,67 @@ std::vector<DesignPoint> prediction_points(const Study& study, const Identifiabi
   return difference_points(study.space, what.point, what.identification.lengths());
 }
 
+namespace {
+
+/// The derivatives of a predicted experiment in units of its noise, where they are known.
+std::optional<Eigen::MatrixXd> rows_of(const Study& study,
+                                       const Identifiability& what,
+                                       const StudyExperiment& experiment,
+                                       const std::vector<Channels>& at_points) {
+  Study alone = study;
+  alone.experiments = {experiment};
+  alone.experiments[0].fitted = true;
+  alone.experiments[0].objective.weight = 1.0;
+  if (!experiment.noise) alone.experiments[0].noise = typical_noise(study);
+  alone.space = without_priors(study.space);
+  const Objective residuals = residual_objective(alone);
+  std::vector<Eigen::VectorXd> r;
+  for (const Channels& channels : at_points) {
+    const auto score = residuals(channels);
+    r.push_back(to_vector(score->residuals));
+  }
+  const auto known = known_residuals(r);
+  if (known.empty()) return std::nullopt;
+  for (Eigen::VectorXd& v : r) v = Eigen::VectorXd(v(known));
+  const double spread = alone.experiments[0].noise ? 1.0 : what.identification.confidence().sigma;
+  return differences(study.space, prediction_points(study, what), r).J / spread;
+}
+
+/// Experiments of one test are measured together: a load case with all that moves.
+void add_whole_tests(const Study& study, std::vector<Candidate>& candidates) {
+  const std::vector<Candidate> single = candidates;
+  for (const StudyTest& test : study.tests) {
+    Eigen::MatrixXd all(0, study.space.size());
+    int count = 0;
+    for (const StudyExperiment& experiment : study.experiments) {
+      const std::string& channel = experiment.observable->asks().front();
+      if (test.name.empty() || !channel.starts_with(test.name + "/")) continue;
+      for (const Candidate& one : single) {
+        if (one.name != experiment.name) continue;
+        all.conservativeResize(all.rows() + one.J.rows(), Eigen::NoChange);
+        all.bottomRows(one.J.rows()) = one.J;
+        ++count;
+      }
+    }
+    if (count > 1) candidates.push_back({"test " + test.name + ", all of it", all});
+  }
+}
+
+}  // namespace
+
 std::vector<MeasurementGain> prediction_gains(const Study& study,
                                               const Identifiability& what,
                                               const std::vector<Channels>& at_points) {
   const auto J = in_units_of_noise(what);
   if (!J) return {};
-  const auto points = prediction_points(study, what);
-  assert(at_points.size() == points.size());
+  assert(at_points.size() == prediction_points(study, what).size());
   std::vector<Candidate> candidates;
   for (const StudyExperiment& experiment : study.experiments) {
     if (experiment.fitted) continue;
-    Study alone = study;
-    alone.experiments = {experiment};
-    alone.experiments[0].fitted = true;
-    alone.experiments[0].objective.weight = 1.0;
-    if (!experiment.noise) alone.experiments[0].noise = typical_noise(study);
-    alone.space = without_priors(study.space);
-    const Objective residuals = residual_objective(alone);
-    std::vector<Eigen::VectorXd> r;
-    for (const Channels& channels : at_points) {
-      const auto score = residuals(channels);
-      r.push_back(to_vector(score->residuals));
-    }
-    const auto known = known_residuals(r);
-    if (known.empty()) continue;
-    for (Eigen::VectorXd& v : r) v = Eigen::VectorXd(v(known));
-    const double spread = alone.experiments[0].noise ? 1.0 : what.identification.confidence().sigma;
-    candidates.push_back({experiment.name, differences(study.space, points, r).J / spread});
+    if (auto rows = rows_of(study, what, experiment, at_points))
+      candidates.push_back({experiment.name, *std::move(rows)});
   }
+  add_whole_tests(study, candidates);
   return gains(*J, candidates);
 }
 

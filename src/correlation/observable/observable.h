@@ -39,6 +39,7 @@ struct ShownExperiment {
   const Channels* initial = nullptr;  // and its comparison; nullptr where that point failed
   const Comparison* initial_comparison = nullptr;
   const report::Band* band = nullptr;  // one value a row; nullptr: not known
+  double weight = 1.0;
 };
 
 /// Where the measurement of an experiment lies.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/text.h"
 #include "base/units.h"
@@ -105,21 +106,24 @@ std::vector<std::filesystem::path> Values::write(const Channels& trial,
 }
 
 void Values::draw(const ShownExperiment& shown, report::StudyReport& page) const {
-  report::MeasuredCurve picture;
-  picture.experiment = shown.name;
-  picture.conditions = shown.conditions;
-  picture.fitted = shown.fitted;
-  picture.of_design = shown.of_design;
-  picture.errors = shown.comparison.errors;
-  picture.y_name = compared({});
-  picture.y_unit = m_.shown;
-  picture.y_measured = m_.values;
-  if (const auto found = simulated(shown.found)) picture.y_simulated = found->values;
-  if (shown.initial) {
-    if (const auto start = simulated(*shown.initial)) picture.y_initial = start->values;
+  const auto found = simulated(shown.found);
+  const auto start = shown.initial ? std::optional(simulated(*shown.initial)) : std::nullopt;
+  for (std::size_t i = 0; found && i < found->values.size(); ++i) {
+    report::MeasuredValue value;
+    value.name = found->values.size() == 1 ? shown.name : shown.name + ", " + rows()[i];
+    if (found->values.size() == 1) value.compared = compared({});
+    value.unit = m_.shown;
+    value.fitted = shown.fitted;
+    value.weight = shown.weight;
+    value.measured = m_.values[i];
+    value.found = found->values[i];
+    if (start && *start) value.initial = (*start)->values[i];
+    if (shown.band) {
+      value.lower = shown.band->lower[i];
+      value.upper = shown.band->upper[i];
+    }
+    page.values.push_back(std::move(value));
   }
-  if (shown.band) picture.band = *shown.band;
-  page.curves.push_back(std::move(picture));
 }
 
 std::string Values::table(const Channels& trial, const Comparison& comparison) const {

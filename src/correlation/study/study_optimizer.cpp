@@ -48,6 +48,8 @@ ResidualTrustRegionOptions read_trust_region(const Node& node) {
 LevenbergMarquardtOptions read_levenberg_marquardt(const Node& node) {
   LevenbergMarquardtOptions d;
   read_lengths(node, 1.0, d.initial_step, d.step_tolerance);
+  if (node.has("progress_tolerance"))
+    d.progress_tolerance = node.quantity("progress_tolerance", "1", Range{0.0, 1.0, true});
   return d;
 }
 
@@ -129,7 +131,7 @@ const std::vector<std::pair<Method, std::vector<std::string>>>& keys_of_methods(
       {Method::gss_nlc, with(gss, {"penalty", "penalty_parameter"})},
       {Method::residual_trust_region,
        {"initial_step", "step_tolerance", "outstanding", "restarts", "seed"}},
-      {Method::levenberg_marquardt, {"initial_step", "step_tolerance"}},
+      {Method::levenberg_marquardt, {"initial_step", "step_tolerance", "progress_tolerance"}},
       {Method::sqp, {"initial_step", "step_tolerance", "difference"}},
       {Method::nelder_mead, {"initial_step", "step_tolerance"}},
       {Method::genetic, {"step_tolerance", "population", "generations", "seed"}},

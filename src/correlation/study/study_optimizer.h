@@ -8,6 +8,9 @@
 //                                 # residuals, gss, gss_nlc, nelder_mead, genetic, ensemble
 //   step_tolerance = 0.001        # of the range of a variable, as initial_step = 0.1;
 //                                 # levenberg_marquardt 0.000001 and 0.5
+//   progress_tolerance = 0.001    # levenberg_marquardt: what three steps have to gain together, of
+//                                 # the target, where the slopes promise little more; that of one
+//                                 # measured value unless given
 //   outstanding = 1               # points decided on at once: gss, gss_nlc, residual_trust_region
 //   max_steps = 1000              # outcomes the optimizer may observe
 //   contraction = 0.25            # gss; gss_nlc 0.5

@@ -95,7 +95,8 @@ report::Identifiability identifiability_page(const Study& study,
     page.deviations.push_back(c.deviation(i));
     page.directions.push_back(direction_text(study.space, c.directions.col(i)));
   }
-  page.residuals = static_cast<int>(identification.residuals_used().size());
+  page.residuals = static_cast<int>(identification.residuals_used().size() - prior_count(study));
+  page.priors = static_cast<int>(prior_count(study));
   page.correlation = c.correlation;
   for (const Profile& profile : identification.profiles()) {
     page.profiles.push_back(curve(study, what, profile));

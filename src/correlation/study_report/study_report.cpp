@@ -103,7 +103,8 @@ void add_experiments(const Study& study,
                                  comparison,
                                  start,
                                  at_start ? &*at_start : nullptr,
-                                 has_band ? &band : nullptr},
+                                 has_band ? &band : nullptr,
+                                 experiment.objective.weight},
                                 page);
   }
 }

@@ -136,4 +136,10 @@ std::vector<ResidualRow> residual_rows(const Study& study) {
   return rows;
 }
 
+std::size_t prior_count(const Study& study) {
+  const auto& variables = study.space.variables();
+  return static_cast<std::size_t>(std::count_if(
+      variables.begin(), variables.end(), [](const auto& v) { return v.prior.has_value(); }));
+}
+
 }  // namespace latsch::correlation

@@ -49,4 +49,7 @@ struct ResidualRow {
 /// Of every residual, in their order.
 std::vector<ResidualRow> residual_rows(const Study& study);
 
+/// How many of them are priors of variables, the last ones.
+std::size_t prior_count(const Study& study);
+
 }  // namespace latsch::correlation

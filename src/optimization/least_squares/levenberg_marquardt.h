@@ -51,7 +51,7 @@ struct LevenbergMarquardtOptions {
   double gain_tolerance = 1e-10;
   /// What three steps that are taken have to gain together, of f, where the full step of the linear
   /// model promises less than half of it: the way along a bent valley or a kink may be long. 0:
-  /// anything.
+  /// anything, or what a study's noise says [optimizer_choice.cpp].
   double progress_tolerance = 0.0;
 };
 

@@ -165,7 +165,7 @@ std::unique_ptr<Optimizer> make_optimizer(Method method,
       if (traits.values > 0) {
         const double one = 1.0 / static_cast<double>(traits.values);
         options.gain_tolerance = kFeltByNobody * one;
-        options.progress_tolerance = one;
+        if (options.progress_tolerance == 0.0) options.progress_tolerance = one;
       }
       return std::make_unique<LevenbergMarquardt>(space, options);
     }

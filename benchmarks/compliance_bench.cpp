@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bushing stiffnesses of synthetic cars from sixteen numbers of a K&C rig: fit, and what its bands hold.
+//
+//   compliance [CARS] [SEED]     1000 cars of the seed nobody looked at before, unless given
+//
+// The study is studies/compliance/axes.toml: thirty stiffnesses with a prior. All goes the way of
+// `latsch run`: the study read from its file, its search, a journal, the intervals.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+
+#include "base/scratch_folder_testing.h"
+#include "compliant_cars.h"
+#include "correlation/analysis/identifiability.h"
+#include "correlation/search/study_fit.h"
+#include "correlation/target/study_trials.h"
+#include "evaluation/executors/inline_executor.h"
+#include "optimization/identifiability/prediction_band.h"
+#include "optimization/problem/point_vector.h"
+#include "table.h"
+
+namespace {
+
+using namespace latsch;
+using benchmarks::CompliantCar;
+using benchmarks::CompliantCars;
+using correlation::Study;
+using correlation::StudyExperiment;
+
+constexpr double kLevel = 0.9;      // of the bands
+constexpr double kLevelOff = 0.03;  // that coverage may be off
+constexpr int kFitted = 100;        // cars of the first rows
+constexpr double kClose = 0.05;
+constexpr int kFewestClose = 14;  // of sixteen
+
+/// One number, fitted or held out, of one car.
+struct Number {
+  double error = 0.0;  // of the fit against the car, over the latter
+  bool inside = false;
+};
+
+struct FittedCar {
+  std::vector<Number> measured, held_out;
+  double time = 0.0;       // s of CPU, of the fit with its journal
+  double wall_time = 0.0;  // s
+  std::size_t steps = 0;
+};
+
+/// Of all threads: what other programs on the machine do is no part of it.
+double cpu_time() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// dy/du of a channel of one value.
+Eigen::VectorXd slopes_of(const Study& study, const DesignPoint& point, const Channel& channel) {
+  Score score;
+  score.residuals = channel.values;
+  score.jacobian = channel.slopes;
+  return study.space.unit_jacobian(point, score).transpose();
+}
+
+FittedCar fit_of(const CompliantCar& car) {
+  const Study& study = car.study;
+  FittedCar result;
+  const auto start = std::chrono::steady_clock::now();
+  const double cpu_start = cpu_time();
+  Journal journal = Journal::open(study.run.journal, correlation::identity(study));
+  InlineExecutor executor(correlation::evaluator(study));
+  RunOptions options;
+  options.max_steps = study.max_steps;
+  const Run run = correlation::fit(study, executor, journal, options).run;
+  result.time = cpu_time() - cpu_start;
+  result.wall_time = seconds_since(start);
+  result.steps = run.steps.size();
+  const auto what = correlation::identify(
+      study, run.best()->point, correlation::Depth::intervals, executor, journal, options);
+  const correlation::Identifiability& what_at = **what;
+  const Identification& identification = what_at.identification;
+  const Linearization& at = identification.linearization();
+  ConfidenceOptions of_level{.sigma = 1.0, .level = kLevel};
+  const PredictionBands bands(at.u, confidence(at, of_level));
+  const auto found = correlation::simulate_all(study, what_at.point);
+  for (const StudyExperiment& experiment : study.experiments) {
+    const std::string name = experiment.observable->asks().front();
+    if (!experiment.fitted && !name.starts_with("E/")) continue;
+    const Channel& channel = *found->find(name);
+    const double truth = car.recording[name].front(), off = truth - channel.values.front();
+    const PredictionBand band = bands.of(slopes_of(study, what_at.point, channel));
+    Number number{std::abs(off / truth), off >= band.lower && off <= band.upper};
+    (experiment.fitted ? result.measured : result.held_out).push_back(number);
+  }
+  return result;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// How many of the numbers of all cars lie inside their bands.
+struct Coverage {
+  double all = 0.0, least = 1.0, most = 0.0;  // of a single output
+  std::string text() const {
+    return fmt::format("{:.1f} % ({:.1f} .. {:.1f} %)", 100 * all, 100 * least, 100 * most);
+  }
+  bool holds() const { return std::abs(all - kLevel) <= kLevelOff; }
+};
+
+Coverage coverage_of(const std::vector<FittedCar>& cars, std::vector<Number> FittedCar::*numbers) {
+  Coverage coverage;
+  const std::size_t outputs = (cars.front().*numbers).size();
+  for (std::size_t k = 0; k < outputs; ++k) {
+    const double inside = static_cast<double>(std::count_if(
+        cars.begin(), cars.end(), [&](const FittedCar& car) { return (car.*numbers)[k].inside; }));
+    const double share = inside / static_cast<double>(cars.size());
+    coverage.all += share / static_cast<double>(outputs);
+    coverage.least = std::min(coverage.least, share);
+    coverage.most = std::max(coverage.most, share);
+  }
+  return coverage;
+}
+
+/// The first cars: how close the fit comes, and how long it takes.
+void add_fits(const std::vector<FittedCar>& cars, benchmarks::Table& table) {
+  std::vector<double> errors, times, wall_times, steps;
+  int close = 0;
+  for (const FittedCar& car : cars) {
+    for (const Number& number : car.measured) errors.push_back(number.error);
+    const auto is_close = [](const Number& number) { return number.error <= kClose; };
+    close += std::count_if(car.measured.begin(), car.measured.end(), is_close) >= kFewestClose;
+    times.push_back(car.time);
+    wall_times.push_back(car.wall_time);
+    steps.push_back(static_cast<double>(car.steps));
+  }
+  const auto count = std::ssize(cars);
+  const double time = median(times), slowest = *std::max_element(times.begin(), times.end());
+  table.row(fmt::format("median error of a KPI, {} cars", count),
+            fmt::format("{:.2f} %", 100 * median(errors)),
+            "<= 1 %",
+            median(errors) <= 0.01);
+  table.row("cars with 14 of 16 KPIs within 5 %",
+            fmt::format("{} of {}", close, count),
+            ">= 95 %",
+            close >= 0.95 * static_cast<double>(count));
+  table.row("CPU of a fit with its journal, the median car",
+            fmt::format("{:.3f} s, {:.0f} trials", time, median(steps)),
+            "< 0.2 s",
+            time < 0.2);
+  const auto slow = std::count_if(times.begin(), times.end(), [](double t) { return t >= 0.2; });
+  table.note("CPU of the slowest car",
+             fmt::format("{:.2f} s; {} of {} below 0.2 s", slowest, count - slow, count));
+  table.note("wall time of the median car", fmt::format("{:.3f} s", median(wall_times)));
+}
+
+void add_coverage(const std::vector<FittedCar>& cars, benchmarks::Table& table) {
+  const Coverage measured = coverage_of(cars, &FittedCar::measured);
+  const Coverage held_out = coverage_of(cars, &FittedCar::held_out);
+  table.row(fmt::format("KPIs of {} cars inside their 90 % band (one KPI)", cars.size()),
+            measured.text(),
+            "90 +- 3 %",
+            measured.holds());
+  table.row("a held-out load case inside its 90 % band (one output)",
+            held_out.text(),
+            "90 +- 3 %",
+            held_out.holds());
+}
+
+/// The best of a search of the study at `file`, by the cost of `by`.
+struct Searched {
+  double cost = 0.0;
+  std::size_t trials = 0;
+};
+
+Searched searched(const std::filesystem::path& file, const Study& by) {
+  const Study study = correlation::read_study(file, experiment::language());
+  std::filesystem::remove(study.run.journal);
+  Journal journal = Journal::open(study.run.journal, correlation::identity(study));
+  InlineExecutor executor(correlation::evaluator(study));
+  RunOptions options;
+  options.max_steps = study.max_steps;
+  const Run run = correlation::fit(study, executor, journal, options).run;
+  const DesignPoint best = run.best()->point;
+  const auto recording = correlation::simulate_all(study, best);
+  return {correlation::objective(by)(best, *recording)->value, run.steps.size()};
+}
+
+/// The thesis' way beside ours on one car, studies/compliance.
+void add_pattern_search(const std::filesystem::path& folder, benchmarks::Table& table) {
+  namespace fs = std::filesystem;
+  fs::copy(fs::path(LATSCH_SOURCE_DIR) / "studies" / "compliance", folder / "study");
+  const fs::path thesis = folder / "study" / "thesis.toml", ours = folder / "study" / "study.toml";
+  const Study by = correlation::read_study(thesis, experiment::language());
+  const auto text = [](const Searched& one) {
+    return fmt::format("{} trials, cost {:.2g}", one.trials, one.cost);
+  };
+  table.note("cost (4-1) by pattern search, ten joints", text(searched(thesis, by)));
+  table.note("cost (4-1) by Levenberg-Marquardt", text(searched(ours, by)));
+}
+
+int compliance(int count, std::uint64_t seed) {
+  benchmarks::Table table("compliance");
+  const ScratchFolder folder;
+  const CompliantCars cars(folder.path(), seed);
+  std::vector<FittedCar> fitted;
+  for (int i = 0; i < count; ++i) {
+    fitted.push_back(fit_of(cars.draw(i)));
+    std::filesystem::remove_all(folder / fmt::format("car_{}", i));
+    if (std::ssize(fitted) == std::min(kFitted, count)) add_fits(fitted, table);
+  }
+  add_coverage(fitted, table);
+  add_pattern_search(folder.path(), table);
+  return table.exit_code();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int count = argc > 1 ? std::atoi(argv[1]) : 1000;
+  const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 4;
+  return latsch::benchmarks::guarded([&] { return compliance(count, seed); });
+}
