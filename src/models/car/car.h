@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car on its tires: the mechanism of its bodies [multibody/transient.h] with a tire of any kind on
-// each wheel, a step of time after the other.
+// A car on its tires: the mechanism of its bodies (multibody/transient.h) with a tire of any kind
+// on each wheel, a step of time after the other.
 //
 //   wheel: I w' = My + T + B, solved with the tire's step     T: drive, B: brake
 //   on the upright: the hub's force and moment but for My, -I w (ω × a) of the spinning wheel, -B
@@ -73,8 +73,8 @@ struct CarState {
 
 class Car {
  public:
-  /// Parameters without fault(). Its springs carry it as it is drawn, at rest on tires that stand on
-  /// z = 0 with the loads of the inputs: their preloads follow from that.
+  /// Parameters without fault(). Its springs carry it as it is drawn, at rest on tires that stand
+  /// on z = 0 with the loads of the inputs: their preloads follow from that.
   static Result<std::unique_ptr<Car>> make(const CarParameters& parameters,
                                            const Tires& tires,
                                            const CarInputs& at_rest = {},

@@ -76,7 +76,7 @@ class Builder {
       bodies_.push_back(body_of("the chassis", chassis.body));
       return;
     }
-    // Two halves, their centers at the axles, so that both together are the whole in mass and center.
+    // Two halves, their centers at the axles: both together are the whole in mass and center.
     const double front = car_.front.corner.wheel_center.x(),
                  rear = car_.rear.corner.wheel_center.x();
     const double share = (chassis.body.center.x() - rear) / (front - rear);

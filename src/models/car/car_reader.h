@@ -28,8 +28,8 @@
 //   wheel_across = "0.14 kg m^2"
 //   [front.spring]                       # between rocker_damper and damper_chassis of the
 //   stiffness = "52 N/mm"                # suspension's hardpoints
-//   damping = "2.5 kN s/m"               # or damper = [["-1 m/s", "-3 kN"], ...]: force over rate of
-//   inertance = "0 kg"                   # extension, pull positive
+//   damping = "2.5 kN s/m"               # or damper = [["-1 m/s", "-3 kN"], ...]: force over the
+//   inertance = "0 kg"                   # rate of extension, pull positive
 //   curve = [["-30 mm", "-2 kN"], ...]   # beside stiffness, over extension from rest: a bump stop,
 //                                        # a progressive spring
 //   [front.third]                        # on the sum of both sides: the same keys

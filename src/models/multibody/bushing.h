@@ -4,8 +4,8 @@
 //   d = A' (p_b - p_a)          where b's point has gone, in the axes A of the bushing, fixed in a
 //   F = -A f(d, d')             on b at its own point; reversed on a at that same point
 //   A' A_b = R_x(q_1) R_y(q_2) R_z(q_3),  q' = N ω,  M = -A N' t(q, q')      on b; reversed on a
-// with f = k d + c d' and t alike, and what parts of an axis add (force_part.h). Without dampers and
-// parts both derive from (d' k d + q' c q)/2. Body-fixed angles 1-2-3 end where q_2 is a right
+// with f = k d + c d' and t alike, and what parts of an axis add (force_part.h). Without dampers
+// and parts both derive from (d' k d + q' c q)/2. Body-fixed angles 1-2-3 end where q_2 is a right
 // angle.
 #pragma once
 
@@ -64,8 +64,8 @@ struct BushingForces {
 /// Of springs alone.
 BushingForces spring_forces(const BushingStrain& strain, const BushingParameters& parameters);
 /// Of a bushing that moves, its slopes those in d and q where rates change by `rate_share` times
-/// what d and q do. `memory` holds a place for each part; `kept`, where it is not null, takes what is
-/// to be remembered.
+/// what d and q do. `memory` holds a place for each part; `kept`, where it is not null, takes what
+/// is to be remembered.
 BushingForces forces_in_motion(const BushingStrain& strain,
                                const Vector6d& rates,
                                const BushingParameters& parameters,

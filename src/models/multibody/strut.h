@@ -2,8 +2,8 @@
 // Spring, damper and inerter between points of bodies, along the line that joins them.
 //   e = Σ w (|p_b - p_a| - L0) - s        extension against rest; s: a driver's, m
 //   F = F0 + k e + c e' + b e'' + parts   tension, N
-// With one line this is a spring-damper unit, a bump stop (a curve that acts below an extension), an
-// actuator or a rigid bar; with two it acts on their sum or difference: a third element in heave
+// With one line this is a spring-damper unit, a bump stop (a curve that acts below an extension),
+// an actuator or a rigid bar; with two it acts on their sum or difference: a third element in heave
 // (weights +1, +1), an anti-roll bar by the rods of its drop links (+1, -1). The force on a body is
 // -F ∂e/∂x; the tangent has the lines' rotation.
 #pragma once

@@ -9,8 +9,8 @@
 // bodies that turn]. θ = 0 is the trapezoidal rule; a small θ damps what vibrates faster than the
 // step. From x1, v1 predicted with a1 = a0, one linear system
 //   (M/((1 - θ) β h²) - J) δx = f - M g1,     J = ∂f/∂x + γ/(β h) ∂f/∂v
-// corrects them. What that leaves is of order h⁴ in a step and does not add up to less than order 2,
-// so forces are asked for once a step, at the predicted motion: forces from outside (tires on their
+// corrects them. What that leaves is of order h⁴ in a step and does not add up to less than order
+// 2, so forces are asked for once a step, at the predicted motion: forces from outside (tires on their
 // road) may have a state of their own that goes on with the step. More corrections can be asked for
 // where elements have kinks and nothing outside has a state.
 //
