@@ -10,8 +10,9 @@
 //   step = "0.2 ms"                      # of the simulation
 //   sample_step = "1 ms"                 # of the record, a multiple of it
 //   area = true                          # records the contact areas: default false
-//   [kerb]                               # none: a level road; as a road's kerb (latsch road), x
-//   shape = "sine"                       # counted from where the front axle is at time 0
+//   [kerb]                               # none: a level road; as that of latsch road, x counted
+//   kind = "kerb"                        # from where the front axle is at time 0
+//   shape = "sine"
 //   pitch = "800 mm"
 //   width = "800 mm"
 //   height = "25 mm"

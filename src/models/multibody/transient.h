@@ -10,9 +10,9 @@
 // step. From x1, v1 predicted with a1 = a0, one linear system
 //   (M/((1 - θ) β h²) - J) δx = f - M g1,     J = ∂f/∂x + γ/(β h) ∂f/∂v
 // corrects them. What that leaves is of order h⁴ in a step and does not add up to less than order
-// 2, so forces are asked for once a step, at the predicted motion: forces from outside (tires on their
-// road) may have a state of their own that goes on with the step. More corrections can be asked for
-// where elements have kinks and nothing outside has a state.
+// 2, so forces are asked for once a step, at the predicted motion: forces from outside (tires on
+// their road) may have a state of their own that goes on with the step. More corrections can be
+// asked for where elements have kinks and nothing outside has a state.
 //
 // The state is a value: copied, restored, compared.
 #pragma once
