@@ -51,6 +51,16 @@ class Kc(unittest.TestCase):
         dz = [row["dz"] for row in rows]
         self.assertAlmostEqual(rows[0]["dz_by_Fz"] / ((dz[3] - dz[1]) / 2000.0), 1.0, delta=1e-9)
 
+    def test_the_compliance_matrix_of_a_state_is_its_slope(self):
+        details = self.folder / "compliance.csv"
+        self.latsch("test", self.corner, '{kind = "kc", Fy = "-2 kN"}', "--details", details)
+        names, values = csv.reader(io.StringIO(details.read_text()))
+        C = {name.split(" [")[0]: float(value) for name, value in zip(names, values)}
+        self.assertEqual(len(C), 36)
+        rows = self.rows('{kind = "kc", Fy = ["-2.01 kN", "-1.99 kN"]}')
+        for name in ("dx", "dy", "dz"):
+            self.assertAlmostEqual(C[f"{name}_by_Fy"] / ((rows[1][name] - rows[0][name]) / 20.0), 1.0, delta=1e-4)
+
     def test_at_the_wheel_center_a_side_force_does_not_tilt_it_by_its_height(self):
         patch = self.rows('{kind = "kc", Fy = "100 N"}')[0]
         center = self.rows('{kind = "kc", Fy = "100 N", at = "wheel_center"}')[0]

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
+#include "experiment/rigs/suspension/kc_compliance.h"
 #include "models/suspension/suspension_reader.h"
 
 namespace latsch::experiment {
@@ -17,9 +18,10 @@ class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinka
     std::vector<Stiffnesses> varied;
     for (const std::string& path : asked.paths)
       varied.push_back(suspension::stiffnesses_at(numbers_, path));
-    const suspension::DoubleWishbone statics =
-        corner_.statics ? *corner_.statics : suspension::read_suspension(numbers_.root());
-    return run(statics, test, varied);
+    return run(statics(), test, varied);
+  }
+  Result<Channels> compliance(const KcTest& test) override {
+    return compliance_matrices(statics(), test);
   }
 
   Result<Channels> move(const KinematicsTest& test) override {
@@ -35,6 +37,11 @@ class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinka
   }
 
  private:
+  /// InputError where the file has none.
+  suspension::DoubleWishbone statics() const {
+    return corner_.statics ? *corner_.statics : suspension::read_suspension(numbers_.root());
+  }
+
   Document numbers_;
   suspension::Corner corner_;
 };

@@ -17,8 +17,8 @@
 #include "experiment/rigs/footprint_rig.h"
 #include "experiment/rigs/inflation.h"
 #include "experiment/rigs/kc_rig.h"
-#include "experiment/rigs/kinematics_rig.h"
 #include "experiment/rigs/load_case.h"
+#include "experiment/rigs/suspension/kinematics_rig.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/channels.h"
 #include "models/car/car.h"
@@ -85,6 +85,8 @@ struct IsLoaded {
   virtual ~IsLoaded() = default;
   /// With the slopes asked for, where they are known.
   virtual Result<Channels> load(const KcTest& test, const Asked& asked) = 0;
+  /// Its compliance matrices in the states of the test (rigs/suspension/kc_compliance.h).
+  virtual Result<Channels> compliance(const KcTest& test) = 0;
 };
 
 /// A car that can be driven.

@@ -13,7 +13,8 @@
 //
 // Its channels are the loads and dx, dy, dz, camber, toe, caster from the unloaded corner: x
 // forward, y left, z up; camber with the top outboard, toe with the front inboard, caster with the
-// top of the kingpin rearward.
+// top of the kingpin rearward. `latsch test --details FILE` writes the compliance matrix of every
+// state: dx_by_Fx ... about_z_by_Mz.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -80,6 +81,11 @@ class KcTestOfCorner : public Test {
 
   Result<Channels> run(Specimen& specimen) const override {
     return specimen.find<IsLoaded>()->load(test_, {});
+  }
+  Result<Details> details(Specimen& specimen) const override {
+    auto matrices = specimen.find<IsLoaded>()->compliance(test_);
+    if (!matrices) return matrices.failure();
+    return Details{{}, std::move(*matrices)};
   }
   bool tells_slopes() const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {

@@ -107,7 +107,7 @@ void read_spring(const Node& hardpoint, SpringDrive& spring) {
     return;
   }
   SpringDrive::Rocker rocker;
-  rocker.lever = {"rocker", "push-rod", *pivot, {}, spring.inner, spring.outer};
+  rocker.lever = {"rocker", "push-rod", *pivot, Vector3d::UnitX(), spring.inner, spring.outer};
   rocker.spring_end = read_point(hardpoint, "rocker_damper");
   rocker.spring_on_chassis = read_point(hardpoint, "damper_chassis");
   rocker.lever.axis = rocker_axis(hardpoint, rocker.lever, rocker.spring_end);
@@ -136,7 +136,8 @@ void check_side(const Node& hardpoint, const CornerGeometry& corner) {
                                  outboard > 0.0 ? "left" : "right"));
   };
   check("wheel_center", corner.linkage.wheel.center);
-  for (const Link& link : corner.linkage.links) check(fmt::format("the outer end of {}", link.name), link.outer);
+  for (const Link& link : corner.linkage.links)
+    check(fmt::format("the outer end of {}", link.name), link.outer);
 }
 
 }  // namespace

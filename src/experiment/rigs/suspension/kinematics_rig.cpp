@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/rigs/kinematics_rig.h"
+#include "experiment/rigs/suspension/kinematics_rig.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/suspension/kc_compliance.h"
+
+#include <fmt/format.h>
+
+#include "models/multibody/equilibrium.h"
+#include "models/suspension/axle_compliance.h"
+
+namespace latsch::experiment {
+namespace {
+
+constexpr std::array<const char*, 6> kResponses = {
+    "dx", "dy", "dz", "about_x", "about_y", "about_z"};
+
+const char* compliance_unit(std::size_t response, std::size_t load) {
+  if (response < 3) return load < 3 ? "m/N" : "1/N";  // m/(N m)
+  return load < 3 ? "rad/N" : "rad/(N m)";
+}
+
+}  // namespace
+
+Result<Channels> compliance_matrices(const suspension::DoubleWishbone& corner, const KcTest& test) {
+  constexpr int kUpright = suspension::DoubleWishbone::kUpright;
+  const multibody::Mechanism mechanism(corner.bodies(), corner.joints());
+  multibody::Equilibrium statics(mechanism);
+  multibody::Load on{kUpright, test.at_wheel_center ? corner.wheel_center : corner.contact};
+  multibody::Poses poses = mechanism.at_rest();
+  std::array<std::vector<double>, 36> values;
+  for (Eigen::Index i = 0; i < test.loads.cols(); ++i) {
+    on.force = test.loads.col(i).head<3>();
+    on.moment = test.loads.col(i).tail<3>();
+    auto found = statics.solve({&on, 1}, &poses);
+    if (!found)
+      return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, found.failure().reason)};
+    poses = std::move(*found);
+    if (const std::string trouble = statics.linearize(poses, {&on, 1}); !trouble.empty())
+      return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, trouble)};
+    const Eigen::Vector3d arm = poses[kUpright].turn * (on.point - corner.wheel_center);
+    const multibody::Matrix6d C =
+        suspension::travel_at(arm, statics.compliance(kUpright, kUpright, arm));
+    for (std::size_t k = 0; k < values.size(); ++k)
+      values[k].push_back(C(static_cast<Eigen::Index>(k / 6), static_cast<Eigen::Index>(k % 6)));
+  }
+  Channels channels;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    channels.add({fmt::format("{}_by_{}", kResponses[k / 6], KcTest::kLoads[k % 6]),
+                  compliance_unit(k / 6, k % 6),
+                  std::move(values[k])});
+  return channels;
+}
+
+}  // namespace latsch::experiment

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/suspension/axle_compliance.h"
+
+namespace latsch::suspension {
+
+Matrix6d travel_at(const Eigen::Vector3d& arm, const Matrix6d& of_origin) {
+  Matrix6d at_point = of_origin;
+  at_point.topRows<3>() -= cross(arm) * of_origin.bottomRows<3>();  // d + θ × arm
+  return at_point;
+}
+
+Matrix6d mirrored_compliance(const Matrix6d& corner) {
+  // Along y, about x and about z change their signs.
+  Vector6d signs;
+  signs << 1.0, -1.0, 1.0, -1.0, 1.0, -1.0;
+  return signs.asDiagonal() * corner * signs.asDiagonal();
+}
+
+Matrix12d uncoupled_axle(const Matrix6d& left) {
+  Matrix12d axle = Matrix12d::Zero();
+  axle.topLeftCorner<6, 6>() = left;
+  axle.bottomRightCorner<6, 6>() = mirrored_compliance(left);
+  return axle;
+}
+
+ClassicalCompliances classical_compliances(const Matrix12d& axle, Phase phase) {
+  const double sign = phase == Phase::in ? 1.0 : -1.0;
+  const auto by = [&](int response, int load) {
+    return axle(response, load) + sign * axle(response, load + 6);
+  };
+  enum { kX, kY, kZ, kAboutX, kAboutY, kAboutZ };
+  // A left wheel's toe-in is a turn to the right, its camber a turn of the top to the left.
+  return {.lateral_force_toe = -by(kAboutZ, kY),
+          .lateral_force_camber = -by(kAboutX, kY),
+          .longitudinal_force_toe = -by(kAboutZ, kX),
+          .aligning_torque_toe = -by(kAboutZ, kAboutZ),
+          .aligning_torque_camber = -by(kAboutX, kAboutZ),
+          .longitudinal = by(kX, kX),
+          .lateral = by(kY, kY),
+          .vertical = by(kZ, kZ)};
+}
+
+}  // namespace latsch::suspension
