@@ -85,7 +85,9 @@ class Car {
   const CarParts& parts() const { return parts_; }
   Guide guide = {};
 
-  /// At rest on the road, or at constant speed: poses, tires in equilibrium, spins of rolling.
+  /// At rest on the road, or at constant speed: poses, tires in equilibrium, spins of rolling. At
+  /// speed the tires roll up to their place on level ground, so that they have grown with the
+  /// speed, lost what pressing down has left, and turn as freely as they do.
   Result<CarState> settle(const road::Road& road, double speed, const CarInputs& inputs);
   /// One step. After a Failure, which names the part and the time, the state is of no more use.
   Result<bool> advance(CarState& state,
@@ -119,6 +121,17 @@ class Car {
   Result<multibody::Rest> stand(const LineTires& tires,
                                 const CarInputs& inputs,
                                 const multibody::Rest& from);
+  /// Static equilibrium on tires that are pressed down, at rest or spinning.
+  Result<multibody::Rest> settle_on_tires(CarState& state,
+                                          LineTires& lines,
+                                          const road::Road& road,
+                                          const CarInputs& inputs);
+  /// The same on tires that have rolled up to where they stand.
+  Result<multibody::Rest> roll_in(CarState& state,
+                                  LineTires& lines,
+                                  const multibody::Rest& rest,
+                                  const road::Road& road,
+                                  const CarInputs& inputs);
   void rebuild(std::vector<multibody::Strut> struts);
   void add_guide(const multibody::Motion& motion,
                  const GuidePoint& point,
