@@ -138,8 +138,10 @@ void Car::add_guide(const Motion& motion,
   const Vector3d rest = mechanism_->bodies()[index].origin;
   const double yaw = std::atan2(pose.turn(1, 0), pose.turn(0, 0));
   Wrench wrench{.body = parts_.chassis};
+  constexpr double kStill = 1e3;  // at rest it holds so much harder: the car stays where it is
   const auto hold = [&](int axis, double k, double inertia, double from, double rate_from) {
     const double c = motion.rates ? damping(k, inertia) : 0.0;
+    if (!motion.rates) k *= kStill;
     wrench.value[axis] = -k * from - c * rate_from;
     wrench.slopes(axis, axis) = -k - motion.share * c;
   };
@@ -194,12 +196,13 @@ Eigen::VectorXd straight_on(std::size_t bodies, double speed) {
 
 /// How tires roll up to where the car starts, in rounds after each of which it stands anew.
 struct RollIn {
-  static constexpr int kRounds = 12;
-  double duration;  // s, of a round: 0.3 m at least, as a tire needs to forget
-  int steps;        // of a round, 12 mm long
+  static constexpr int kRounds = 10;
+  static constexpr int kHeld = 3;  // rounds before the car moves: until belts have grown
+  double duration;                 // s, of a round: 0.3 m at least, as a tire needs to forget
+  int steps;                       // of a round, 12 mm long
 
   explicit RollIn(double speed)
-      : duration(std::max(0.01, 0.3 / speed)),
+      : duration(std::max(0.03, 0.3 / speed)),
         steps(static_cast<int>(std::ceil(duration * speed / 0.012))) {}
 };
 
@@ -234,7 +237,8 @@ Result<Rest> Car::settle_on_tires(CarState& state,
       WheelState& wheel = state.wheels[at(corner)];
       wheel.motion = motion_of_wheel(corner, rest.poses, &rates);
       const double z = wheel.motion.center.z(), radius = tires_[at(corner)]->free_radius();
-      wheel.motion.spin_rate = state.speed / std::max(0.5 * radius, z);
+      // A tire rolls on a radius that is shorter by a third of its deflection.
+      wheel.motion.spin_rate = state.speed / (radius - std::max(0.0, radius - z) / 3.0);
       wheel.tire = tires_[at(corner)]->clone();
       const auto hub = wheel.tire->settle(wheel.motion, road, 0.0);
       if (!hub) return no_stand(corner, hub.failure().reason);
@@ -275,14 +279,17 @@ Result<Rest> Car::roll_in(CarState& state,
       return no_stand(corner, hub.failure().reason);
   }
   for (int round = 0; round < RollIn::kRounds; ++round) {
-    auto stood = stand(lines, inputs, rest);
-    if (!stood) return stood;
-    rest = std::move(*stood);
+    if (round >= RollIn::kHeld) {
+      auto stood = stand(lines, inputs, rest);
+      if (!stood) return stood;
+      rest = std::move(*stood);
+    }
     for (int corner = 0; corner < kCorners; ++corner) {
       WheelState& wheel = state.wheels[at(corner)];
       const WheelMotion end = motion_of_wheel(corner, rest.poses, &rates);
       const road::PlaneRoad level{{.height = road.height(end.center.x(), end.center.y(), 0.0)}};
       const Vector3d from = wheel.motion.center;
+      HubForces mean;  // over the second half: what has no period left in it
       for (int i = 1; i <= way.steps; ++i) {
         const double left = way.duration * (RollIn::kRounds - 1 - round) + h * (way.steps - i);
         WheelMotion there = end;
@@ -298,8 +305,14 @@ Result<Rest> Car::roll_in(CarState& state,
         if (!hub) return no_stand(corner, hub.failure().reason);
         wheel.hub = *hub;
         wheel.motion = there;
+        if (2 * i <= way.steps) continue;
+        const double share = 1.0 / (way.steps - way.steps / 2);
+        mean.force += share * hub->force;
+        mean.moment += share * hub->moment;
       }
+      std::swap(wheel.hub, mean);
       take(lines[at(corner)], wheel);
+      std::swap(wheel.hub, mean);
     }
   }
   return rest;
