@@ -15,7 +15,7 @@ const SpecimenKind& suspension_kind();
 const SpecimenKind& car_kind();
 extern const TestKind kDrumCleat, kSlipSweep, kRollingStiffness, kUniformity, kStaticStiffness,
     kFootprint, kModes, kSteadyStates, kSlipHistory, kLoadDeflection, kKc, kKinematics, kFourPost,
-    kKerb;
+    kKerb, kAxleKc;
 
 const Language& language() {
   static const Language all = {{&fe_tire_kind(),
@@ -37,7 +37,8 @@ const Language& language() {
                                 &kKc,
                                 &kKinematics,
                                 &kFourPost,
-                                &kKerb}};
+                                &kKerb,
+                                &kAxleKc}};
   return all;
 }
 
