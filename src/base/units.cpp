@@ -244,14 +244,19 @@ double Unit::from_si(double value) const {
 }
 
 std::string Unit::exact_number(double value) const {
+  constexpr int kFewest = 6, kUsual = 15, kMost = 24;
   const long double number = (value - offset_) / factor_;
   std::string digits;
-  for (int precision = 6; precision <= 24; ++precision) {
+  const auto gives_back = [&](int precision) {
     digits = fmt::format("{:.{}g}", number, precision);
     long double read = 0.0L;
     std::from_chars(digits.data(), digits.data() + digits.size(), read);
-    if (to_si(read) == value) break;
-  }
+    return to_si(read) == value;
+  };
+  // A number that was computed, not typed, needs all digits of a double or more: no use in trying
+  // fewer.
+  int precision = gives_back(kUsual) ? kFewest : kUsual + 1;
+  while (!gives_back(precision) && precision < kMost) ++precision;
   return digits;
 }
 

@@ -79,7 +79,9 @@ std::string value_table(const StudyReport& report) {
       "<th class=\"n\">Target</th><th class=\"n\">Initial</th><th class=\"n\">of target</th>"
       "<th class=\"n\">{}</th><th class=\"n\">of target</th><th class=\"n\">95 % band</th>"
       "<th>Unit</th></tr></thead><tbody>\n",
-      report.is_of_design ? "Best" : "Optimized");
+      !report.checks.empty() ? "Computed"
+      : report.is_of_design  ? "Best"
+                             : "Optimized");
   const double largest = largest_weight(report);
   bool flagged = false;
   for (const MeasuredValue& value : report.values) {
@@ -94,8 +96,7 @@ std::string value_table(const StudyReport& report) {
   if (flagged)
     html += fmt::format(
         "<p class=\"quiet\">Weight near zero: less than {:g} % of the heaviest. The fit hardly "
-        "sees "
-        "such a value, and how close it comes says nothing of the model.</p>",
+        "sees such a value, and how close it comes says nothing of the model.</p>",
         100.0 * kNearZero);
   return html;
 }

@@ -37,7 +37,8 @@ std::vector<MeasurementGain> repetition_gains(const Study& study, const Identifi
 std::vector<DesignPoint> prediction_points(const Study& study, const Identifiability& what);
 
 /// Every experiment with use = "predict", from the channels of all experiments at
-/// prediction_points(study, what); most useful first.
+/// prediction_points(study, what), and every test that has several of them as a whole; most useful
+/// first.
 std::vector<MeasurementGain> prediction_gains(const Study& study,
                                               const Identifiability& what,
                                               const std::vector<Channels>& at_points);

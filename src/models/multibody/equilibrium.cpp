@@ -41,13 +41,17 @@ Result<Rest> Equilibrium::solve(const Standing& standing, const Rest& before) {
       more *= 0.5;
     }
   }
+  reached.drivers.assign(standing.drivers.begin(), standing.drivers.end());
   return reached;
 }
 
 void Equilibrium::assemble(const Rest& rest, const Standing& standing, double share) {
   static const Outside kNothing;
   drivers_.assign(standing.drivers.begin(), standing.drivers.end());
-  for (double& travel : drivers_) travel *= share;
+  for (std::size_t i = 0; i < drivers_.size(); ++i) {
+    const double before = rest.drivers.empty() ? 0.0 : rest.drivers[i];
+    drivers_[i] = before + share * (drivers_[i] - before);
+  }
   assembly_.evaluate({.poses = rest.poses, .memories = &rest.memories, .drivers = drivers_},
                      standing.loads,
                      share,

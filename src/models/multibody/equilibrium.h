@@ -22,17 +22,19 @@ struct EquilibriumSettings {
   double most = 1.2;    // rad: a bushing turned more is near the end of its angles, and torn
 };
 
-/// What acts on a mechanism that comes to rest. All of it is added in shares where it has to be.
+/// What acts on a mechanism that comes to rest. In shares where it has to be: loads from none,
+/// drivers from where they were.
 struct Standing {
   std::span<const Load> loads = {};
   std::span<const double> drivers = {};  // m; none: all zero
   const Outside* outside = nullptr;      // whole from the beginning
 };
 
-/// Poses at rest, and what friction remembers of the way there.
+/// Poses at rest, what friction remembers of the way there, and where drivers were.
 struct Rest {
   Poses poses;
   Memories memories;
+  std::vector<double> drivers = {};
 };
 
 /// Reuses its memory from one load to the next. The mechanism has to outlive it.

@@ -17,7 +17,7 @@ using multibody::ForcePart;
 constexpr std::array<const char*, 6> kBushingAxes = {
     "x", "y", "z", "about_x", "about_y", "about_z"};
 constexpr double kRigid = 1e10;     // N/m: 0.1 nm a newton
-constexpr double kTurnsFreely = 1;  // N m/rad: enough that no rod spins
+constexpr double kTurnsFreely = 10;  // N m/rad: enough that no rod spins
 
 struct Units {
   const char *d, *f, *k;

@@ -4,7 +4,7 @@
 //   [bushing.ubj]
 //   x = "12 kN/mm"                       # y, z: the same
 //   about_x = "200 N m/rad"              # about_y, about_z
-//   rigid = true                         # in the place of all six: 10^10 N/m and 1 N m/rad
+//   rigid = true                         # in the place of all six: 10^10 N/m and 10 N m/rad
 //   damping = "0.1 ms"                   # damping over stiffness, of all six
 //   curve.x = [["-1 mm", "-9 kN"], ["0 mm", "0 kN"], ["1 mm", "12 kN"]]   # in the place of x:
 //                                        # force_curve.h; for about_x of angles and moments
