@@ -57,7 +57,8 @@ Result<Channels> run(const DoubleWishbone& corner,
     points.contact = points.center;
     on.point = corner.wheel_center;
   }
-  multibody::Poses poses = mechanism.at_rest();
+  multibody::Rest stands = statics.unloaded();  // friction remembers the loads before
+  const multibody::Poses& poses = stands.poses;
   const Vector6d rest = as_vector(wheel_position(points, poses[DoubleWishbone::kUpright]));
   const Eigen::Index states = test.loads.cols();
   const auto numbers = static_cast<Eigen::Index>(varied.size());
@@ -66,14 +67,15 @@ Result<Channels> run(const DoubleWishbone& corner,
   for (Eigen::Index i = 0; i < states; ++i) {
     on.force = test.loads.col(i).head<3>();
     on.moment = test.loads.col(i).tail<3>();
-    auto found = statics.solve({&on, 1}, &poses);
+    const multibody::Standing standing{.loads = {&on, 1}};
+    auto found = statics.solve(standing, stands);
     if (!found)
       return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, found.failure().reason)};
-    poses = std::move(*found);
+    stands = std::move(*found);
     const multibody::Pose& upright = poses[DoubleWishbone::kUpright];
     moved.row(i) = as_vector(wheel_position(points, upright)) - rest;
     if (varied.empty()) continue;
-    if (const std::string trouble = statics.linearize(poses, {&on, 1}); !trouble.empty())
+    if (const std::string trouble = statics.linearize(stands, standing); !trouble.empty())
       return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, trouble)};
     Eigen::MatrixXd by_pose = Eigen::MatrixXd::Zero(6 * DoubleWishbone::kBodies, 6);
     by_pose.middleRows<6>(6 * DoubleWishbone::kUpright) = wheel_slopes(points, upright).transpose();

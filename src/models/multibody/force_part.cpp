@@ -34,7 +34,10 @@ struct Response {
   PartForce operator()(const Friction& part) const {
     const double sticking = memory.s + part.stiffness * (d - memory.d);
     const double s = std::clamp(sticking, -part.limit, part.limit);
-    return {.f = s, .by_d = s == sticking ? part.stiffness : 0.0, .s = s};
+    // While it slips its slope is 0. In play nothing else holds the joint then, and Newton's method
+    // needs something to go on: it takes this for the slope, the force stays exact.
+    constexpr double kSlipping = 1e-2;
+    return {.f = s, .by_d = (s == sticking ? 1.0 : kSlipping) * part.stiffness, .s = s};
   }
 };
 

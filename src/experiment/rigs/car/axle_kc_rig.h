@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // One axle of a car on the rig for kinematics and compliance: the chassis is held, loads act on
 // both wheels at the contact patch or at the wheel center, pads may raise the wheels to a
-// prescribed travel, the rack is where it is told. What couples the wheels is there: anti-roll bar, third
-// element, what a rack leaves to them. Springs act, or bars stand in their place.
+// prescribed travel, the rack is where it is told. What couples the wheels is there: anti-roll bar,
+// third element, what a rack leaves to them. Springs act, or bars stand in their place.
 //
 // Loads and travels of the right wheel: parallel, the same (of Fy, Mx and Mz the mirror image);
 // opposed, the opposite of that; single: none, and the pad holds it where it was.
