@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
 
 namespace latsch::car {
 
@@ -90,7 +92,9 @@ Result<LoaderSolution> solve_loaders(Car& car,
             (as_vector(car.pushrod_forces(there, inputs)) - found.pushrods) / kProbe;
       }
     found.unreachable = normal_of(found.slopes);
-    if (!found.unreachable.allFinite())
+    // Three columns that are not two: their volume against their length.
+    const Eigen::Matrix3d squares = found.slopes.transpose() * found.slopes;
+    if (!(squares.determinant() > 1e-6 * std::pow(squares.trace() / 3.0, 3)))
       return Failure{"the loaders stand in one line: three points of a triangle are needed"};
     const Vector3d step = solve_three(found.slopes, wanted - found.pushrods);
     found.left = wanted - found.pushrods;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace latsch::car {
@@ -76,23 +77,30 @@ class Builder {
       bodies_.push_back(body_of("the chassis", chassis.body));
       return;
     }
-    // Two halves, their centers at the axles: both together are the whole in mass and center.
+    // Two halves that are together the whole in mass, center and inertia. Their centers are as far
+    // from each other as four fifths of what can be spared of the moments about y and z.
+    const Vector3d I = chassis.body.inertia.diagonal();
     const double front = car_.front.corner.wheel_center.x(),
-                 rear = car_.rear.corner.wheel_center.x();
-    const double share = (chassis.body.center.x() - rear) / (front - rear);
+                 rear = car_.rear.corner.wheel_center.x(), center = chassis.body.center.x();
+    const double share = (center - rear) / (front - rear);
+    const double spared = 0.8 * std::min({I.y(), I.z(), 0.5 * (I.y() + I.z() - I.x())});
+    const double apart =
+        std::min(front - rear, std::sqrt(spared / (chassis.body.mass * share * (1.0 - share))));
     const auto half = [&](double part, double x) -> MassProperties {
       MassProperties mass;
       mass.mass = part * chassis.body.mass;
       mass.center = {x, chassis.body.center.y(), chassis.body.center.z()};
-      const double away = chassis.body.mass * share * (1.0 - share) * std::pow(front - rear, 2);
+      const double away = chassis.body.mass * share * (1.0 - share) * apart * apart;
       Matrix3d own = chassis.body.inertia;
       own(1, 1) -= away;
       own(2, 2) -= away;
       mass.inertia = part * own;
       return mass;
     };
-    bodies_.push_back(body_of("the front of the chassis", half(share, front)));
-    bodies_.push_back(body_of("the rear of the chassis", half(1.0 - share, rear)));
+    bodies_.push_back(
+        body_of("the front of the chassis", half(share, center + (1.0 - share) * apart)));
+    bodies_.push_back(
+        body_of("the rear of the chassis", half(1.0 - share, center - share * apart)));
     parts_.chassis_rear = 1;
     const Chassis::Torsion& torsion = *chassis.torsion;
     constexpr double kRigid = 1e9, kRigidTurn = 1e8, kTime = 1e-4;  // N/m, N m/rad, s

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "models/car/aero_loaders.h"
 #include "models/car/race_car_testing.h"
 #include "models/road/plane_road.h"
 
@@ -92,6 +93,91 @@ TEST(Car, OverAKerbItsPushrodForcesAreOfOrderTwo) {
     const std::vector<double> still(c.size(), c.front());
     EXPECT_LT(rms_between(a, c) / rms_between(c, still), 0.003) << locked;
   }
+}
+
+TEST(Car, ATwistedChassisIsASpringAboutItsAxis) {
+  CarParameters parameters = race_car(true);
+  parameters.gravity = 0.0;
+  const double k = 2e5;
+  parameters.chassis.torsion = Chassis::Torsion{k, 0.0, 0.75, 0.28};
+  ASSERT_EQ(parameters.fault(), "");
+  const CarMechanism car = build(parameters);
+  const auto& bodies = car.mechanism.bodies();
+  // Both halves are the whole.
+  const multibody::MassProperties both =
+      multibody::together({bodies[0].mass, bodies[0].origin, bodies[0].inertia},
+                          {bodies[1].mass, bodies[1].origin, bodies[1].inertia});
+  EXPECT_NEAR(both.mass, 180.0, 1e-12);
+  EXPECT_LT((both.center - Vector3d(0.75, 0.0, 0.28)).norm(), 1e-12);
+  EXPECT_LT((both.inertia - parameters.chassis.body.inertia).norm(), 1e-10);
+  // The rear half held, a moment on the front one.
+  auto joints = car.mechanism.joints();
+  joints.push_back({"rig",
+                    multibody::kGround,
+                    car.parts.chassis_rear,
+                    bodies[1].origin,
+                    {Vector3d::Constant(1e12), Vector3d::Constant(1e12)}});
+  const multibody::Mechanism held(bodies, joints, {}, kDrivers);
+  const multibody::Load twist{0, bodies[0].origin, Vector3d::Zero(), {500.0, 0.0, 0.0}};
+  const auto poses = multibody::Equilibrium(held).solve({&twist, 1});
+  ASSERT_TRUE(poses) << poses.failure().reason;
+  const auto& turn = (*poses)[0].turn;
+  EXPECT_NEAR(std::atan2(turn(2, 1), turn(2, 2)), 500.0 / k, 1e-5 * 500.0 / k);
+}
+
+TEST(Car, AnAntiRollBarResistsRollAndNothingElse) {
+  CarParameters soft = race_car(false), barred = soft;
+  barred.front.inboard->bar =
+      Inboard::AntiRollBar{{1.473721, 0.117534, 0.586859}, {1.523023, 0.124672, 0.582738}, 8e4};
+  const auto roll_and_heave = [](const CarParameters& parameters) {
+    const auto car = made(parameters);
+    const auto still = *car->settle(road::PlaneRoad{}, 0.0, {});
+    CarInputs rolled, pressed;
+    rolled.loads = {{0, {0.75, 0.0, 0.28}, Vector3d::Zero(), {300.0, 0.0, 0.0}}};
+    pressed.loads = {{0, {0.75, 0.0, 0.28}, {0.0, 0.0, -500.0}, Vector3d::Zero()}};
+    const auto leaning = car->settle(road::PlaneRoad{}, 0.0, rolled);
+    EXPECT_TRUE(leaning) << (leaning ? "" : leaning.failure().reason);
+    const Eigen::Matrix3d turn = leaning->bodies.poses[0].turn;
+    const double heave = car->settle(road::PlaneRoad{}, 0.0, pressed)->bodies.poses[0].place.z() -
+                         still.bodies.poses[0].place.z();
+    return std::pair{std::atan2(turn(2, 1), turn(2, 2)), heave};
+  };
+  const auto [roll, heave] = roll_and_heave(soft);
+  const auto [less_roll, same_heave] = roll_and_heave(barred);
+  EXPECT_LT(less_roll, 0.9 * roll);
+  EXPECT_GT(less_roll, 0.0);
+  EXPECT_NEAR(same_heave, heave, 2e-3 * std::abs(heave));
+}
+
+TEST(Car, LoadersAreFoundFromTheForcesOfThePushrods) {
+  const auto car = made(race_car(false));
+  AeroLoaders loaders;
+  loaders.points << 1.55, 1.55, 0.0, 0.4, -0.4, 0.0, 0.3, 0.3, 0.3;
+  const Vector3d truth(400.0, 700.0, 1500.0);
+  CarInputs with;
+  with.loads = loaders.loads(*car, truth);
+  const auto pushrods = car->pushrod_forces(*car->settle(road::PlaneRoad{}, 0.0, with));
+  Eigen::Vector4d measured(pushrods[0], pushrods[1], pushrods[2], pushrods[3]);
+  auto found = solve_loaders(*car, loaders, measured, road::PlaneRoad{}, 0.0);
+  ASSERT_TRUE(found) << found.failure().reason;
+  EXPECT_LT((found->downforce - truth).norm(), 0.5);
+  EXPECT_LT(found->left.norm(), 1.0);
+  // What they cannot produce is told: it stays as it was put in.
+  measured += 100.0 * found->unreachable;
+  found = solve_loaders(*car, loaders, measured, road::PlaneRoad{}, 0.0);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->left.norm(), 100.0, 1.0);
+  EXPECT_LT((found->downforce - truth).norm(), 5.0);
+}
+
+TEST(Car, LoadersInALineAreRefused) {
+  const auto car = made(race_car(false));
+  AeroLoaders loaders;
+  loaders.points << 1.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.3, 0.3, 0.3;
+  const auto found =
+      solve_loaders(*car, loaders, Eigen::Vector4d::Constant(1e3), road::PlaneRoad{}, 0.0);
+  ASSERT_FALSE(found);
+  EXPECT_NE(found.failure().reason.find("line"), std::string::npos) << found.failure().reason;
 }
 
 TEST(Car, AStateIsAValue) {
