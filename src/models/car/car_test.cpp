@@ -5,15 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "models/car/race_car_testing.h"
+#include "models/car/smooth_kerb_testing.h"
 #include "models/road/plane_road.h"
 
 namespace latsch::car {
 namespace {
-
-using Eigen::Vector3d;
 
 std::unique_ptr<Car> made(const CarParameters& parameters) {
   EXPECT_EQ(parameters.fault(), "");
@@ -21,22 +19,6 @@ std::unique_ptr<Car> made(const CarParameters& parameters) {
   EXPECT_TRUE(car) << (car ? "" : car.failure().reason);
   return std::move(*car);
 }
-
-/// Four waves of 10 mm below the left wheels, smooth: (sin² π s/L)² of pitch L = 0.8 m. The tires
-/// stay on it, so that order can be seen.
-class SmoothKerb final : public road::Road {
- public:
-  road::GroundPoint at(double x, double y, double) const override {
-    road::GroundPoint ground;
-    const double s = (x - 3.0) / 0.8;
-    if (y < 0.0 || s < 0.0 || s > 4.0) return ground;
-    const double sine = std::sin(std::numbers::pi * s), cosine = std::cos(std::numbers::pi * s);
-    ground.height = 0.01 * std::pow(sine, 4);
-    const double slope = 0.01 * 4.0 * std::pow(sine, 3) * cosine * std::numbers::pi / 0.8;
-    ground.normal = Vector3d(-slope, 0.0, 1.0).normalized();
-    return ground;
-  }
-};
 
 TEST(Car, AtRestCarriesItsWeightByItsLevers) {
   for (const bool locked : {true, false}) {
