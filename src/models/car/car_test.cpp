@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "models/car/race_car_testing.h"
 #include "models/car/smooth_kerb_testing.h"
@@ -74,6 +75,25 @@ TEST(Car, OverAKerbItsPushrodForcesAreOfOrderTwo) {
     const std::vector<double> still(c.size(), c.front());
     EXPECT_LT(rms_between(a, c) / rms_between(c, still), 0.003) << locked;
   }
+}
+
+TEST(Car, OfARackThatMovesItsForcesAreOfOrderTwo) {
+  const auto car = made(race_car(true));
+  const road::PlaneRoad flat;
+  const auto forces_at = [&](double h) {
+    CarState state = *car->settle(flat, 20.0, {});
+    std::vector<double> forces;
+    const int each = static_cast<int>(std::lround(1e-3 / h));
+    for (int i = 1; i <= 50 * each; ++i) {
+      const double sine = std::sin(std::numbers::pi * i * h / 0.05);
+      EXPECT_TRUE(car->advance(state, h, flat, {.rack = 2e-3 * sine * sine * sine}));
+      if (i % each == 0) forces.push_back(car->pushrod_forces(state, {.rack = state.rack})[kFL]);
+    }
+    return forces;
+  };
+  const auto a = forces_at(1e-4), b = forces_at(5e-5), c = forces_at(2.5e-5);
+  EXPECT_GT(rms_between(a, b) / rms_between(b, c), 3.6);
+  EXPECT_LT(rms_between(a, b) / rms_between(b, c), 4.4);
 }
 
 TEST(Car, AStateIsAValue) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four waves below the left wheels, smooth: height (sin π s/L)^4 of pitch L = 0.8 m, from x = 3 m on.
+// Four waves below the left wheels, smooth: height (sin π s/L)^4 of pitch L = 0.8 m, from x = 3 m.
 // Where tires stay on it, order can be seen.
 #pragma once
 

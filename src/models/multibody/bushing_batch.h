@@ -9,8 +9,8 @@
 
 namespace latsch::multibody {
 
-/// What a bushing is asked with, and where its answer is added to. No pointer is null: what belongs to
-/// the ground has a place that nobody reads.
+/// What a bushing is asked with, and where its answer is added to. No pointer is null: what belongs
+/// to the ground has a place that nobody reads.
 struct BushingTask {
   const double* place;              // of a BushingPlace
   const double* parameters;         // of BushingParameters

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bushings side by side against the law of bushing.h: 1e-13 of the largest number there, by sums of some
-// tens of products; and every bit the same in both sets with a fused multiply-add.
+// Bushings side by side against the law of bushing.h: 1e-13 of the largest number there, by sums of
+// some tens of products; and every bit the same in both sets with a fused multiply-add.
 #include "models/multibody/bushing_batch.h"
 
 #include <gtest/gtest.h>
