@@ -24,6 +24,38 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// `ahead` seconds on, at these accelerations of the center and about it.
+void go_on(WheelMotion& motion, const Vector6d& acceleration, double ahead) {
+  const Vector3d more = ahead * acceleration.head<3>();
+  Pose carrier{motion.center, motion.carrier};
+  Vector6d way;
+  way << ahead * (motion.velocity + 0.5 * more),
+      ahead * (motion.angular_velocity + 0.5 * ahead * acceleration.tail<3>());
+  carrier.move(way);
+  motion.center = carrier.place;
+  motion.carrier = carrier.turn;
+  motion.velocity += more;
+  motion.angular_velocity += ahead * acceleration.tail<3>();
+}
+
+/// A share of the way from what acts to what shall; all of it where they are not of one kind.
+void approach(std::vector<multibody::Load>& loads,
+              const std::vector<multibody::Load>& to,
+              double share) {
+  const bool alike = std::equal(
+      loads.begin(), loads.end(), to.begin(), to.end(), [](const auto& a, const auto& b) {
+        return a.body == b.body && a.point == b.point;
+      });
+  if (!alike || share == 1.0) {
+    loads = to;
+    return;
+  }
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    loads[i].force += share * (to[i].force - loads[i].force);
+    loads[i].moment += share * (to[i].moment - loads[i].moment);
+  }
+}
+
 }  // namespace
 
 WheelState::WheelState(const WheelState& other)
@@ -48,7 +80,7 @@ bool CarState::operator==(const CarState& other) const {
     };
     if (a.wheel.spin && b.wheel.spin && !same(*a.wheel.spin, *b.wheel.spin)) return false;
   }
-  return bodies == other.bodies && speed == other.speed;
+  return bodies == other.bodies && speed == other.speed && rack == other.rack;
 }
 
 Car::Car(const CarParameters& parameters, const multibody::TransientSettings& settings)
@@ -122,6 +154,15 @@ WheelMotion Car::motion_of_wheel(int corner,
     motion.velocity = rates->segment<3>(6 * parts.upright) + motion.angular_velocity.cross(arm);
   }
   return motion;
+}
+
+Vector6d Car::acceleration_of_wheel(int corner, const Motion& motion) const {
+  const int upright = parts_.corners[at(corner)].upright;
+  Vector6d acceleration = motion.accelerations->segment<6>(6 * upright);
+  const Vector3d arm = motion.poses[at(upright)].turn * wheel_center_in_upright(corner);
+  const Vector3d w = motion.rates->segment<3>(6 * upright + 3);
+  acceleration.head<3>() += acceleration.tail<3>().cross(arm) + w.cross(w.cross(arm));
+  return acceleration;
 }
 
 void Car::add_guide(const Motion& motion,
@@ -334,8 +375,11 @@ Result<CarState> Car::settle(const road::Road& road, double speed, const CarInpu
     rest = roll_in(state, lines, *rest, road, inputs);
     if (!rest) return rest.failure();
   }
+  const GuidePoint start = inputs.guide.value_or(GuidePoint{0.0, speed, 0.0});
+  state.rack = inputs.rack;
+  state.loads = inputs.loads;
   const multibody::Outside outside = [&](const Motion& motion, std::vector<Wrench>& wrenches) {
-    (void)roll(state, motion, road, inputs, wrenches);
+    add_wheels(state, {}, 1.0, motion, inputs, start, wrenches);
   };
   const std::array<double, kDrivers> drivers = {inputs.rack};
   const Eigen::VectorXd rates = straight_on(mechanism_->bodies().size(), speed);
@@ -348,75 +392,102 @@ Result<CarState> Car::settle(const road::Road& road, double speed, const CarInpu
 
 std::string Car::roll(CarState& next,
                       const Motion& motion,
+                      double ahead,
+                      double step,
                       const road::Road& road,
-                      const CarInputs& inputs,
-                      std::vector<Wrench>& wrenches) const {
+                      const CarInputs& inputs) const {
+  for (int corner = 0; corner < kCorners; ++corner) {
+    WheelState& wheel = next.wheels[at(corner)];
+    const double I = masses(corner).wheel_spin, drive = inputs.drive[at(corner)];
+    WheelMotion there = motion_of_wheel(corner, motion.poses, motion.rates);
+    if (ahead > 0.0) go_on(there, acceleration_of_wheel(corner, motion), ahead);
+    FreeWheel free = wheel.wheel;
+    Result<HubForces> hub{HubForces{}};
+    if (I > 0.0) {
+      free.spin->push = [drive](double, double) { return Push{drive, 0.0}; };
+      free.brake = inputs.brake[at(corner)];
+      hub = wheel.tire->advance_free(there, free, road, motion.time + ahead, step);
+    } else {
+      there.spin = wheel.motion.spin;
+      hub = wheel.tire->advance(there, road, motion.time + ahead, step);
+    }
+    if (!hub) return fmt::format("tire {}: {}", kCornerNames[at(corner)], hub.failure().reason);
+    free.spin->push = {};
+    wheel.brake_moment =
+        free.brake > 0.0 ? I * free.spin->acceleration - hub->moment.y() - drive : 0.0;
+    wheel.wheel = std::move(free);
+    wheel.motion = there;
+    wheel.hub = *hub;
+  }
+  return {};
+}
+
+void Car::add_wheels(const CarState& state,
+                     const std::array<HubForces, kCorners>& before,
+                     double share,
+                     const Motion& motion,
+                     const CarInputs& inputs,
+                     const GuidePoint& guide,
+                     std::vector<Wrench>& wrenches) const {
   double driven = 0.0;
   for (int corner = 0; corner < kCorners; ++corner) {
     const CornerParts& parts = parts_.corners[at(corner)];
-    WheelState& wheel = next.wheels[at(corner)];
-    const double I = masses(corner).wheel_spin, drive = inputs.drive[at(corner)];
-    if (motion.step > 0.0 && motion.step != multibody::kStatics) {
-      WheelMotion there = motion_of_wheel(corner, motion.poses, motion.rates);
-      FreeWheel free = wheel.wheel;
-      Result<HubForces> hub{HubForces{}};
-      if (I > 0.0) {
-        free.spin->push = [drive](double, double) { return Push{drive, 0.0}; };
-        free.brake = inputs.brake[at(corner)];
-        hub = wheel.tire->advance_free(there, free, road, motion.time, motion.step);
-      } else {
-        there.spin = wheel.motion.spin;
-        hub = wheel.tire->advance(there, road, motion.time, motion.step);
-      }
-      if (!hub) return fmt::format("tire {}: {}", kCornerNames[at(corner)], hub.failure().reason);
-      free.spin->push = {};
-      wheel.brake_moment =
-          free.brake > 0.0 ? I * free.spin->acceleration - hub->moment.y() - drive : 0.0;
-      wheel.wheel = std::move(free);
-      wheel.motion = there;
-      wheel.hub = *hub;
-    }
-    const Matrix3d& carrier = wheel.motion.carrier;
-    const Vector3d axis = carrier.col(1), force = carrier * wheel.hub.force;
+    const WheelState& wheel = state.wheels[at(corner)];
+    const HubForces& last = before[at(corner)];
+    const Pose& upright = motion.poses[at(parts.upright)];
+    const Matrix3d carrier = upright.turn * parts.wheel_axes;
+    const Vector3d axis = carrier.col(1),
+                   force = carrier * (share * wheel.hub.force + (1.0 - share) * last.force),
+                   moment = share * wheel.hub.moment + (1.0 - share) * last.moment;
     const Vector3d w = motion.rates ? motion.rates->segment<3>(6 * parts.upright + 3).eval()
                                     : Vector3d::Zero().eval();
-    const double momentum = I * wheel.wheel.spin->rate;
-    const Vector3d arm = motion.poses[at(parts.upright)].turn * wheel_center_in_upright(corner);
+    const double momentum = masses(corner).wheel_spin * wheel.wheel.spin->rate;
+    const Vector3d arm = upright.turn * wheel_center_in_upright(corner);
     Wrench wrench{.body = parts.upright};
-    wrench.value << force, arm.cross(force) +
-                               carrier * Vector3d(wheel.hub.moment.x(), 0.0, wheel.hub.moment.z()) -
+    wrench.value << force, arm.cross(force) + carrier * Vector3d(moment.x(), 0.0, moment.z()) -
                                momentum * w.cross(axis) - wheel.brake_moment * axis;
     wrench.slopes.bottomRightCorner<3, 3>() = motion.share * momentum * multibody::cross(axis);
     wrenches.push_back(wrench);
-    driven += drive;
+    driven += inputs.drive[at(corner)];
   }
-  const GuidePoint straight{next.speed * motion.time, next.speed, 0.0};
-  add_guide(motion, inputs.guide.value_or(straight), wrenches);
+  add_guide(motion, guide, wrenches);
   if (driven != 0.0) {
     Wrench reaction{.body = parts_.chassis_rear};
     reaction.value.tail<3>() = -driven * motion.poses[at(parts_.chassis_rear)].turn.col(1);
     wrenches.push_back(reaction);
   }
-  return {};
 }
 
 Result<bool> Car::advance(CarState& state,
                           double step,
                           const road::Road& road,
                           const CarInputs& inputs) {
+  std::array<HubForces, kCorners> before;
+  for (std::size_t i = 0; i < before.size(); ++i) before[i] = state.wheels[i].hub;
+  const double part = step / mechanism_steps, end = state.time() + step;
   std::string trouble;
-  CarState next;
-  next.speed = state.speed;
-  next.wheels = std::move(state.wheels);
-  const multibody::Outside outside = [&](const Motion& motion, std::vector<Wrench>& wrenches) {
-    trouble = roll(next, motion, road, inputs, wrenches);
-  };
-  const std::array<double, kDrivers> drivers = {inputs.rack};
-  const auto done = transient_->advance(
-      state.bodies, step, {.loads = inputs.loads, .drivers = drivers, .outside = &outside});
-  state.wheels = std::move(next.wheels);
-  if (!trouble.empty()) return Failure{fmt::format("at {:.5f} s {}", state.time(), trouble)};
-  return done;
+  for (int i = 1; i <= mechanism_steps; ++i) {
+    // Of the way from the last inputs to these, what is left from here.
+    const double share = 1.0 / (mechanism_steps - i + 1), left = step - i * part;
+    const double now = end - left;
+    const GuidePoint guide = inputs.guide ? GuidePoint{inputs.guide->x - inputs.guide->speed * left,
+                                                       inputs.guide->speed,
+                                                       inputs.guide->y}
+                                          : GuidePoint{state.speed * now, state.speed, 0.0};
+    state.rack = share == 1.0 ? inputs.rack : state.rack + share * (inputs.rack - state.rack);
+    approach(state.loads, inputs.loads, share);
+    const std::array<double, kDrivers> drivers = {state.rack};
+    const multibody::Outside outside = [&](const Motion& motion, std::vector<Wrench>& wrenches) {
+      if (i == 1) trouble = roll(state, motion, step - part, step, road, inputs);
+      add_wheels(
+          state, before, static_cast<double>(i) / mechanism_steps, motion, inputs, guide, wrenches);
+    };
+    const auto done = transient_->advance(
+        state.bodies, part, {.loads = state.loads, .drivers = drivers, .outside = &outside});
+    if (!trouble.empty()) return Failure{fmt::format("at {:.5f} s {}", state.time(), trouble)};
+    if (!done) return done;
+  }
+  return true;
 }
 
 std::array<double, kCorners> Car::pushrod_forces(const CarState& state,

@@ -5,9 +5,11 @@
 //   wheel: I w' = My + T + B, solved with the tire's step     T: drive, B: brake
 //   on the upright: the hub's force and moment but for My, -I w (ω × a) of the spinning wheel, -B
 //   on the chassis: aero loads, -T, and what guides it
-// The tires are asked once a step, at the motion that is predicted for its end. A guide keeps the
-// car on its line and at its speed in a driver's place: springs and dampers between the chassis and
-// a point that goes straight on at constant speed, soft against the tires.
+// The tires are asked once a step, at the motion that is predicted for its end. The mechanism, which
+// vibrates faster than they do, takes two steps meanwhile, on tires' forces, loads and a rack that
+// change evenly. A guide keeps the car on its line and at its speed in a driver's place: springs and
+// dampers between the chassis and a point that goes straight on at constant speed, soft against the
+// tires.
 #pragma once
 
 #include <array>
@@ -66,6 +68,8 @@ struct CarState {
   multibody::MechanismState bodies;
   std::array<WheelState, kCorners> wheels;
   double speed = 0.0;  // m/s, of the guide
+  double rack = 0.0;   // m, and loads: of the last step's inputs
+  std::vector<multibody::Load> loads;
 
   double time() const { return bodies.time; }
   bool operator==(const CarState& other) const;
@@ -84,6 +88,8 @@ class Car {
   const multibody::Mechanism& mechanism() const { return *mechanism_; }
   const CarParts& parts() const { return parts_; }
   Guide guide = {};
+  /// Of the mechanism to one of the tires.
+  int mechanism_steps = 2;
 
   /// At rest on the road, or at constant speed: poses, tires in equilibrium, spins of rolling. At
   /// speed the tires roll up to their place on level ground, so that they have grown with the
@@ -136,11 +142,24 @@ class Car {
   void add_guide(const multibody::Motion& motion,
                  const GuidePoint& point,
                  std::vector<multibody::Wrench>& wrenches) const;
+  /// Of its center, and angular; of a motion that has rates and accelerations.
+  multibody::Vector6d acceleration_of_wheel(int corner, const multibody::Motion& motion) const;
+  /// The tires' step: to where the wheels will be `ahead` seconds after this motion.
   std::string roll(CarState& next,
                    const multibody::Motion& motion,
+                   double ahead,
+                   double step,
                    const road::Road& road,
-                   const CarInputs& inputs,
-                   std::vector<multibody::Wrench>& wrenches) const;
+                   const CarInputs& inputs) const;
+  /// What tires, drive and guide do in this motion; of tires' forces `share` of those now, the rest
+  /// of those before.
+  void add_wheels(const CarState& state,
+                  const std::array<HubForces, kCorners>& before,
+                  double share,
+                  const multibody::Motion& motion,
+                  const CarInputs& inputs,
+                  const GuidePoint& guide,
+                  std::vector<multibody::Wrench>& wrenches) const;
   Eigen::Vector3d wheel_center_in_upright(int corner) const;
   const AxleMasses& masses(int corner) const;
 

@@ -9,12 +9,11 @@
 
 #include "models/car/aero_loaders.h"
 #include "models/car/race_car_testing.h"
+#include "models/car/smooth_kerb_testing.h"
 #include "models/road/plane_road.h"
 
 namespace latsch::car {
 namespace {
-
-using Eigen::Vector3d;
 
 std::unique_ptr<Car> made(const CarParameters& parameters) {
   EXPECT_EQ(parameters.fault(), "");
@@ -22,22 +21,6 @@ std::unique_ptr<Car> made(const CarParameters& parameters) {
   EXPECT_TRUE(car) << (car ? "" : car.failure().reason);
   return std::move(*car);
 }
-
-/// Four waves of 10 mm below the left wheels, smooth: (sin² π s/L)² of pitch L = 0.8 m. The tires
-/// stay on it, so that order can be seen.
-class SmoothKerb final : public road::Road {
- public:
-  road::GroundPoint at(double x, double y, double) const override {
-    road::GroundPoint ground;
-    const double s = (x - 3.0) / 0.8;
-    if (y < 0.0 || s < 0.0 || s > 4.0) return ground;
-    const double sine = std::sin(std::numbers::pi * s), cosine = std::cos(std::numbers::pi * s);
-    ground.height = 0.01 * std::pow(sine, 4);
-    const double slope = 0.01 * 4.0 * std::pow(sine, 3) * cosine * std::numbers::pi / 0.8;
-    ground.normal = Vector3d(-slope, 0.0, 1.0).normalized();
-    return ground;
-  }
-};
 
 TEST(Car, AtRestCarriesItsWeightByItsLevers) {
   for (const bool locked : {true, false}) {
@@ -178,6 +161,25 @@ TEST(Car, LoadersInALineAreRefused) {
       solve_loaders(*car, loaders, Eigen::Vector4d::Constant(1e3), road::PlaneRoad{}, 0.0);
   ASSERT_FALSE(found);
   EXPECT_NE(found.failure().reason.find("line"), std::string::npos) << found.failure().reason;
+}
+
+TEST(Car, OfARackThatMovesItsForcesAreOfOrderTwo) {
+  const auto car = made(race_car(true));
+  const road::PlaneRoad flat;
+  const auto forces_at = [&](double h) {
+    CarState state = *car->settle(flat, 20.0, {});
+    std::vector<double> forces;
+    const int each = static_cast<int>(std::lround(1e-3 / h));
+    for (int i = 1; i <= 50 * each; ++i) {
+      const double sine = std::sin(std::numbers::pi * i * h / 0.05);
+      EXPECT_TRUE(car->advance(state, h, flat, {.rack = 2e-3 * sine * sine * sine}));
+      if (i % each == 0) forces.push_back(car->pushrod_forces(state, {.rack = state.rack})[kFL]);
+    }
+    return forces;
+  };
+  const auto a = forces_at(1e-4), b = forces_at(5e-5), c = forces_at(2.5e-5);
+  EXPECT_GT(rms_between(a, b) / rms_between(b, c), 3.6);
+  EXPECT_LT(rms_between(a, b) / rms_between(b, c), 4.4);
 }
 
 TEST(Car, AStateIsAValue) {

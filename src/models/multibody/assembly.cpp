@@ -40,9 +40,13 @@ Matrix3d turned_inertia(const Body& body, const Pose& pose) {
 Assembly::Assembly(const Mechanism& mechanism)
     : mechanism_(mechanism),
       J_(static_cast<int>(mechanism.bodies().size()), mechanism.pairs()),
+      driven_(mechanism.joints().size()),
       forces_(6 * static_cast<Eigen::Index>(mechanism.bodies().size())),
+      inertia_(mechanism.bodies().size(), Matrix3d::Zero()),
       none_(mechanism.no_memories()) {
-  for (const Joint& joint : mechanism.joints()) {
+  for (std::size_t i = 0; i < mechanism.joints().size(); ++i) {
+    const Joint& joint = mechanism.joints()[i];
+    if (joint.bushing.parts.empty()) plain_.push_back(static_cast<int>(i));
     const auto place = [&](int row, int column) {
       return row == kGround || column == kGround ? -1 : J_.place(row, column);
     };
@@ -68,8 +72,9 @@ void Assembly::evaluate(const Motion& motion,
   forces_.setZero();
   J_.clear();
   turned_ = 0.0;
+  add_plain_joints(motion);
   for (std::size_t i = 0; i < mechanism_.joints().size(); ++i)
-    add_joint(static_cast<int>(i), motion);
+    if (!mechanism_.joints()[i].bushing.parts.empty()) add_joint(static_cast<int>(i), motion);
   for (std::size_t i = 0; i < mechanism_.struts().size(); ++i)
     add_strut(static_cast<int>(i), motion);
   for (std::size_t i = 0; i < mechanism_.bodies().size(); ++i)
@@ -93,24 +98,60 @@ BushingStrain Assembly::strain(int i, const Motion& motion) const {
   return strain_of(place, a, b);
 }
 
+void Assembly::add_plain_joints(const Motion& motion) {
+  static const Vector6d kStill = Vector6d::Zero();
+  Matrix6d nowhere = Matrix6d::Zero();  // takes what acts on the ground
+  tasks_.clear();
+  for (const int i : plain_) {
+    const Joint& joint = mechanism_.joints()[at(i)];
+    const Blocks& blocks = joint_blocks_[at(i)];
+    const auto block = [&](int place) { return place < 0 ? nowhere.data() : J_.at(place).data(); };
+    const auto rates = [&](int body) {
+      return body == kGround || !motion.rates ? kStill.data() : motion.rates->data() + 6 * body;
+    };
+    const auto wrench = [&](int body) {
+      return body == kGround ? nowhere.data() : forces_.data() + 6 * body;
+    };
+    const BushingPlace* place = &mechanism_.place(i);
+    if (joint.driver >= 0) {
+      driven_[at(i)] = *place;
+      driven_[at(i)].in_a += driver_of(motion, joint.driver) * joint.along;
+      place = &driven_[at(i)];
+    }
+    tasks_.push_back({.place = numbers_of(*place),
+                      .parameters = numbers_of(joint.bushing),
+                      .pose_a = numbers_of(pose(motion.poses, joint.a)),
+                      .pose_b = numbers_of(pose(motion.poses, joint.b)),
+                      .rates_a = rates(joint.a),
+                      .rates_b = rates(joint.b),
+                      .on_a = wrench(joint.a),
+                      .on_b = wrench(joint.b),
+                      .aa = block(blocks.aa),
+                      .ab = block(blocks.ab),
+                      .ba = block(blocks.ba),
+                      .bb = block(blocks.bb)});
+  }
+  while (tasks_.size() % 4 != 0) {
+    BushingTask again = tasks_.back();
+    again.on_a = again.on_b = again.aa = again.ab = again.ba = again.bb = nowhere.data();
+    tasks_.push_back(again);
+  }
+  turned_ = add_bushings(tasks_, motion.rates != nullptr, motion.share);
+}
+
 void Assembly::add_joint(int i, const Motion& motion) {
   const Joint& joint = mechanism_.joints()[at(i)];
   const BushingStrain s = strain(i, motion);
   turned_ = std::max(turned_, s.q.lpNorm<Eigen::Infinity>());
-  BushingForces forces;
-  if (motion.rates || !joint.bushing.parts.empty()) {
-    const Vector6d rates = rates_of(s, rate_of(motion, joint.a), rate_of(motion, joint.b));
-    const Memories& memories = motion.memories ? *motion.memories : none_;
-    forces = forces_in_motion(s,
-                              rates,
-                              joint.bushing,
-                              motion.share,
-                              memories.data() + mechanism_.memory_of_joint(i),
-                              motion.step,
-                              nullptr);
-  } else {
-    forces = spring_forces(s, joint.bushing);
-  }
+  const Memories& memories = motion.memories ? *motion.memories : none_;
+  const BushingForces forces =
+      forces_in_motion(s,
+                       rates_of(s, rate_of(motion, joint.a), rate_of(motion, joint.b)),
+                       joint.bushing,
+                       motion.share,
+                       memories.data() + mechanism_.memory_of_joint(i),
+                       motion.step,
+                       nullptr);
   const BushingWrenches w = wrenches(s, forces);
   const BushingTangent K = tangent(s, forces);
   const Blocks& blocks = joint_blocks_[at(i)];
@@ -124,14 +165,13 @@ void Assembly::add_joint(int i, const Motion& motion) {
   }
 }
 
-struct Assembly::StrutAnswer {
-  double force = 0.0, slope = 0.0;  // tension; by extension
-  std::vector<LineGeometry> lines;
-};
-
-Assembly::StrutAnswer Assembly::answer(int i, const Motion& motion, PartMemory* kept) const {
+Assembly::StrutAnswer Assembly::answer(int i,
+                                       const Motion& motion,
+                                       PartMemory* kept,
+                                       std::vector<LineGeometry>& lines) const {
   const Strut& strut = mechanism_.struts()[at(i)];
-  StrutAnswer answer;
+  lines.clear();
+  StrutAnswer answer{.lines = lines};
   double e = -mechanism_.rest_length(i) - driver_of(motion, strut.driver), rate = 0.0,
          acceleration = 0.0;
   for (std::size_t l = 0; l < strut.lines.size(); ++l) {
@@ -164,7 +204,7 @@ Assembly::StrutAnswer Assembly::answer(int i, const Motion& motion, PartMemory* 
 
 void Assembly::add_strut(int i, const Motion& motion) {
   const Strut& strut = mechanism_.struts()[at(i)];
-  const StrutAnswer of = answer(i, motion, nullptr);
+  const StrutAnswer of = answer(i, motion, nullptr, lines_);
   for (std::size_t l = 0; l < strut.lines.size(); ++l) {
     const LineGeometry& g = of.lines[l];
     const std::array<std::pair<int, Vector6d>, 2> mine = {
@@ -193,7 +233,8 @@ void Assembly::add_body(int i, const Motion& motion) {
   if (body.mass == 0.0) return;
   forces_.segment<3>(6 * i) += body.mass * mechanism_.gravity();
   if (!motion.rates) return;
-  const Matrix3d I = turned_inertia(body, motion.poses[at(i)]);
+  Matrix3d& I = inertia_[at(i)];
+  I = turned_inertia(body, motion.poses[at(i)]);
   const Vector3d w = motion.rates->segment<3>(6 * i + 3);
   forces_.segment<3>(6 * i + 3) -= w.cross(I * w);
 }
@@ -224,11 +265,13 @@ void Assembly::remember(const Motion& motion, Memories& kept) const {
                      motion.step,
                      kept.data() + first);
   }
+  std::vector<LineGeometry> lines;
   for (std::size_t i = 0; i < mechanism_.struts().size(); ++i)
     if (!mechanism_.struts()[i].parts.empty())
       answer(static_cast<int>(i),
              motion,
-             kept.data() + mechanism_.memory_of_strut(static_cast<int>(i)));
+             kept.data() + mechanism_.memory_of_strut(static_cast<int>(i)),
+             lines);
 }
 
 Vector6d Assembly::joint_load(int i, const Motion& motion) const {
@@ -249,7 +292,8 @@ Vector6d Assembly::joint_load(int i, const Motion& motion) const {
 }
 
 double Assembly::strut_force(int strut, const Motion& motion) const {
-  return answer(strut, motion, nullptr).force;
+  std::vector<LineGeometry> lines;
+  return answer(strut, motion, nullptr, lines).force;
 }
 
 double Assembly::extension(int i, const Poses& poses) const {

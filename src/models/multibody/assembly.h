@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "models/multibody/block_elimination.h"
+#include "models/multibody/bushing_batch.h"
 #include "models/multibody/mechanism.h"
 
 namespace latsch::multibody {
@@ -56,6 +57,10 @@ class Assembly {
   const BlockElimination& J() const { return J_; }
   /// The largest angle of a bushing at the last evaluation, rad.
   double turned() const { return turned_; }
+  /// As the body was turned at the last evaluation of a motion, about the ground's axes.
+  const Eigen::Matrix3d& inertia(int body) const {
+    return inertia_[static_cast<std::size_t>(body)];
+  }
 
   /// What the parts remember at the end of a step that ends in this motion.
   void remember(const Motion& motion, Memories& kept) const;
@@ -79,18 +84,30 @@ class Assembly {
   };
   const Pose& pose(const Poses& poses, int body) const;
   BushingStrain strain(int joint, const Motion& motion) const;
+  void add_plain_joints(const Motion& motion);
   void add_joint(int joint, const Motion& motion);
   void add_strut(int strut, const Motion& motion);
   void add_body(int body, const Motion& motion);
   void add_load(const Load& load, double share, const Poses& poses);
   void add(int body, const Vector6d& wrench);
-  struct StrutAnswer;
-  StrutAnswer answer(int strut, const Motion& motion, PartMemory* kept) const;
+  struct StrutAnswer {
+    double force = 0.0, slope = 0.0;  // tension; by extension
+    std::vector<LineGeometry>& lines;
+  };
+  StrutAnswer answer(int strut,
+                     const Motion& motion,
+                     PartMemory* kept,
+                     std::vector<LineGeometry>& lines) const;
 
   const Mechanism& mechanism_;
   BlockElimination J_;
   std::vector<Blocks> joint_blocks_;
+  std::vector<int> plain_;  // joints without parts: springs and dampers alone
+  std::vector<BushingTask> tasks_;
+  std::vector<BushingPlace> driven_;  // of joints with a driver, by joint; of others not set
+  std::vector<LineGeometry> lines_;
   Eigen::VectorXd forces_;
+  std::vector<Eigen::Matrix3d> inertia_;
   std::vector<Wrench> outside_;
   Memories none_;  // of rest
   Pose ground_;

@@ -2,17 +2,18 @@
 #include "models/multibody/block_elimination.h"
 
 #include <algorithm>
-#include <cassert>
+#include <cstring>
 #include <set>
+
+#define LATSCH_KERNELS_IN "models/multibody/block_kernels.h"
+#include "numerics/kernels/for_each_kernel_set.h"
 
 namespace latsch::multibody {
 
 BlockElimination::BlockElimination(int bodies, const std::vector<std::pair<int, int>>& pairs)
     : bodies_(bodies),
       place_(static_cast<std::size_t>(bodies * bodies), -1),
-      pivots_(static_cast<std::size_t>(bodies)),
-      later_(static_cast<std::size_t>(bodies)),
-      updates_(static_cast<std::size_t>(bodies)) {
+      pivots_(static_cast<std::size_t>(bodies)) {
   const auto at = [](int body) { return static_cast<std::size_t>(body); };
   std::vector<std::set<int>> meets(at(bodies));
   int blocks = bodies;
@@ -33,89 +34,72 @@ BlockElimination::BlockElimination(int bodies, const std::vector<std::pair<int, 
       return meets[at(i)].size() < meets[at(j)].size();
     });
     left.erase(k);
-    order_.push_back(k);
+    EliminatedBody own{
+        k, static_cast<int>(neighbors_.size()), 0, static_cast<int>(updates_.size()), 0};
     const std::set<int> others = meets[at(k)];
     for (const int i : others) {
       meets[at(i)].erase(k);
-      later_[at(k)].push_back({i, place(i, k), place(k, i)});
+      neighbors_.push_back({i, place(i, k), place(k, i)});
       for (const int j : others) join(i, j);
     }
     for (const int i : others)
-      for (const int j : others) updates_[at(k)].push_back({place(i, j), place(i, k), place(k, j)});
+      for (const int j : others) updates_.push_back({place(i, j), place(i, k), place(k, j)});
+    own.end_of_neighbors = static_cast<int>(neighbors_.size());
+    own.end_of_updates = static_cast<int>(updates_.size());
+    order_.push_back(own);
   }
   blocks_.resize(at(blocks));
   turn_of_.resize(at(bodies));
-  for (int i = 0; i < bodies; ++i) turn_of_[at(order_[at(i)])] = i;
+  for (int i = 0; i < bodies; ++i) turn_of_[at(order_[at(i)].body)] = i;
 }
 
 void BlockElimination::clear() {
-  for (Matrix6d& block : blocks_) block.setZero();
+  std::memset(static_cast<void*>(blocks_.data()), 0, blocks_.size() * sizeof(Matrix6d));
 }
 
 bool BlockElimination::factorize() {
-  for (const int body : order_) {
-    const std::size_t k = static_cast<std::size_t>(body);
-    Eigen::PartialPivLU<Matrix6d>& pivot = pivots_[k];
-    pivot.compute(at(body));
-    const double least = pivot.matrixLU().diagonal().cwiseAbs().minCoeff();
-    if (!(least > 0.0) || !pivot.matrixLU().allFinite()) {
-      singular_ = body;
-      return false;
-    }
-    for (const Neighbor& n : later_[k]) at(n.right) = pivot.solve(at(n.right)).eval();
-    for (const Update& u : updates_[k]) {
-      at(u.to).noalias() -= at(u.below) * at(u.right);
-    }
-  }
-  singular_ = -1;
-  return true;
+  singular_ =
+      LATSCH_KERNEL(factorize)(elimination(), blocks_.front().data(), pivots_.front().data());
+  return singular_ < 0;
 }
 
 void BlockElimination::solve(Eigen::Ref<Eigen::MatrixXd> x) const {
-  for (Eigen::Index c = 0; c < x.cols(); ++c) {
-    const auto of = [&](int body) { return x.col(c).segment<6>(6 * body); };
-    for (const int k : order_) {
-      const Vector6d own = pivots_[static_cast<std::size_t>(k)].solve(of(k));
-      of(k) = own;
-      for (const Neighbor& n : later_[static_cast<std::size_t>(k)])
-        of(n.body).noalias() -= at(n.below) * own;
-    }
-    for (auto k = order_.rbegin(); k != order_.rend(); ++k)
-      for (const Neighbor& n : later_[static_cast<std::size_t>(*k)])
-        of(*k).noalias() -= at(n.right) * of(n.body);
-  }
+  for (Eigen::Index c = 0; c < x.cols(); ++c) LATSCH_KERNEL(solve)
+  (elimination(), blocks_.front().data(), pivots_.front().data(), x.col(c).data());
 }
 
 void BlockElimination::solve_transposed(Eigen::Ref<Eigen::MatrixXd> x) const {
   for (Eigen::Index c = 0; c < x.cols(); ++c) {
     const auto of = [&](int body) { return x.col(c).segment<6>(6 * body); };
-    for (const int k : order_)
-      for (const Neighbor& n : later_[static_cast<std::size_t>(k)])
-        of(n.body).noalias() -= at(n.right).transpose() * of(k);
+    for (const EliminatedBody& k : order_)
+      for (const EliminationNeighbor& n : neighbors(k))
+        of(n.body).noalias() -= at(n.right).transpose() * of(k.body);
     for (auto k = order_.rbegin(); k != order_.rend(); ++k) {
-      Vector6d own = of(*k);
-      for (const Neighbor& n : later_[static_cast<std::size_t>(*k)])
+      Vector6d own = of(k->body);
+      for (const EliminationNeighbor& n : neighbors(*k))
         own.noalias() -= at(n.below).transpose() * of(n.body);
-      of(*k) = pivots_[static_cast<std::size_t>(*k)].transpose().solve(own);
+      of(k->body).noalias() = pivots_[static_cast<std::size_t>(k->body)].transpose() * own;
     }
   }
 }
 
 Matrix6d BlockElimination::inverse_block(int row, int column) const {
   const auto index = [](int body) { return static_cast<std::size_t>(body); };
-  const int count = bodies(), first = turn_of_[index(column)];
-  std::vector<Matrix6d, Eigen::aligned_allocator<Matrix6d>> x(index(count), Matrix6d::Zero());
+  const int first = turn_of_[index(column)], last = turn_of_[index(row)];
+  if (std::min(first, last) == bodies_ - 1) return pivots_[index(column)];
+  Blocks x(index(bodies_), Matrix6d::Zero());
   x[index(column)].setIdentity();
-  for (int i = first; i < count; ++i) {
-    const int k = order_[index(i)];
-    x[index(k)] = pivots_[index(k)].solve(x[index(k)]).eval();
-    for (const Neighbor& n : later_[index(k)])
-      x[index(n.body)].noalias() -= at(n.below) * x[index(k)];
+  for (int i = first; i < bodies_; ++i) {
+    const EliminatedBody& k = order_[index(i)];
+    Matrix6d& own = x[index(k.body)];
+    own = pivots_[index(k.body)] * own;
+    for (const EliminationNeighbor& n : neighbors(k))
+      x[index(n.body)].noalias() -= at(n.below) * own;
   }
-  for (int i = count - 1; i >= turn_of_[index(row)]; --i) {
-    const int k = order_[index(i)];
-    for (const Neighbor& n : later_[index(k)])
-      x[index(k)].noalias() -= at(n.right) * x[index(n.body)];
+  for (int i = bodies_ - 1; i >= last; --i) {
+    const EliminatedBody& k = order_[index(i)];
+    for (const EliminationNeighbor& n : neighbors(k))
+      x[index(k.body)].noalias() -= at(n.right) * x[index(n.body)];
   }
   return x[index(row)];
 }

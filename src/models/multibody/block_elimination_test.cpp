@@ -4,14 +4,16 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
+#include "numerics/kernels/kernel_set.h"
 
 namespace latsch::multibody {
 namespace {
 
 using Pairs = std::vector<std::pair<int, int>>;
 
-// Eigen's dense LU is the independent program: a tree, a closed loop and two parts on their own.
-TEST(BlockElimination, SolvesLikeADenseFactorization) {
+/// Eigen's dense LU is the independent program: a tree, a closed loop and two parts on their own.
+/// Blocks on the diagonal need their pivots sought: their rows are exchanged.
+void solves_like_a_dense_factorization() {
   RandomStream random(11, 1);
   for (const Pairs& pairs : {Pairs{{0, 1}, {1, 2}, {1, 3}, {0, 4}},
                              Pairs{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}, {4, 0}},
@@ -22,7 +24,8 @@ TEST(BlockElimination, SolvesLikeADenseFactorization) {
     const auto fill = [&](int i, int j) {
       Matrix6d& block = A.block(i, j);
       for (double& x : block.reshaped()) x = random.uniform() - 0.5;
-      if (i == j) block.diagonal().array() += 5.0;
+      if (i == j)
+        for (int row = 0; row < 6; ++row) block(row, (row + i) % 6) += 5.0;
       dense.block<6, 6>(6 * i, 6 * j) = block;
     };
     for (int i = 0; i < 5; ++i) fill(i, i);
@@ -41,6 +44,23 @@ TEST(BlockElimination, SolvesLikeADenseFactorization) {
         EXPECT_LT((A.inverse_block(i, j) - inverse.block<6, 6>(6 * i, 6 * j)).norm(),
                   1e-13 * inverse.norm());
   }
+}
+
+TEST(BlockElimination, SolvesLikeADenseFactorization) {
+  for (const KernelSet set : kernel_sets()) {
+    const WithKernelSet with(set);
+    solves_like_a_dense_factorization();
+  }
+}
+
+TEST(BlockElimination, NamesTheBodyWhosePivotIsNoNumber) {
+  BlockElimination A(2, {{0, 1}});
+  A.clear();
+  A.block(0, 0).setIdentity();
+  A.block(1, 1).setIdentity();
+  A.block(1, 1)(0, 5) = NAN;
+  EXPECT_FALSE(A.factorize());
+  EXPECT_EQ(A.singular_body(), 1);
 }
 
 TEST(BlockElimination, NamesTheBodyWithoutSupport) {

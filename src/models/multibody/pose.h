@@ -5,23 +5,44 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 namespace latsch::multibody {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
+/// sin θ/θ and (1 - cos θ)/θ² by z = θ²; Taylor's series where seven terms are exact to rounding.
+inline std::pair<double, double> rotation_series(double z) {
+  constexpr double kNear = 0.25;
+  if (z < kNear)
+    return {
+        1.0 + z * (-1.0 / 6 + z * (1.0 / 120 + z * (-1.0 / 5040 +
+                                                    z * (1.0 / 362880 + z * (-1.0 / 39916800 +
+                                                                             z / 6227020800.0))))),
+        0.5 + z * (-1.0 / 24 +
+                   z * (1.0 / 720 +
+                        z * (-1.0 / 40320 +
+                             z * (1.0 / 3628800 + z * (-1.0 / 479001600 + z / 87178291200.0)))))};
+  const double angle = std::sqrt(z);
+  return {std::sin(angle) / angle, (1.0 - std::cos(angle)) / z};
+}
+
 struct Pose {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();     // of the body's origin, m
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // from the body's axes to the ground's
 
   Eigen::Vector3d at(const Eigen::Vector3d& in_body) const { return place + turn * in_body; }
-  /// Travel of the origin, then a rotation by its vector, both in the ground's axes.
+  /// Travel of the origin, then a rotation by its vector r, both in the ground's axes:
+  ///   turn <- (1 + sin θ/θ r× + (1 - cos θ)/θ² r× r×) turn,  θ = |r|           Rodrigues
   void move(const Vector6d& by) {
     place += by.head<3>();
-    const Eigen::Vector3d rotation = by.tail<3>();
-    const double angle = rotation.norm();
-    if (angle > 0.0) turn = Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix() * turn;
+    const Eigen::Vector3d r = by.tail<3>();
+    const auto [sine, cosine] = rotation_series(r.squaredNorm());
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d axis = turn.col(i), once = r.cross(axis);
+      turn.col(i) = axis + (sine * once + cosine * r.cross(once));
+    }
   }
   bool operator==(const Pose&) const = default;
 };

@@ -33,22 +33,22 @@ Transient::Transient(const Mechanism& mechanism, const TransientSettings& settin
   assert(Mechanism::fault_in_motion(mechanism.bodies()).empty());
 }
 
-void Transient::add_mass(double scale, const Poses& poses) {
-  for (std::size_t i = 0; i < poses.size(); ++i) {
+void Transient::add_mass(double scale) {
+  for (std::size_t i = 0; i < mechanism_.bodies().size(); ++i) {
     const Body& body = mechanism_.bodies()[i];
     Matrix6d& block = assembly_.J().at(static_cast<int>(i));
     block.diagonal().head<3>().array() -= scale * body.mass;
-    block.bottomRightCorner<3, 3>() -= scale * turned_inertia(body, poses[i]);
+    block.bottomRightCorner<3, 3>() -= scale * assembly_.inertia(static_cast<int>(i));
   }
 }
 
-void Transient::subtract_inertia(const Poses& poses, const VectorXd& accelerations) {
+void Transient::subtract_inertia(const VectorXd& accelerations) {
   VectorXd& f = assembly_.forces();
-  for (std::size_t i = 0; i < poses.size(); ++i) {
+  for (std::size_t i = 0; i < mechanism_.bodies().size(); ++i) {
     const Body& body = mechanism_.bodies()[i];
     const Eigen::Index k = 6 * static_cast<Eigen::Index>(i);
     f.segment<3>(k) -= body.mass * accelerations.segment<3>(k);
-    f.segment<3>(k + 3) -= turned_inertia(body, poses[i]) * accelerations.segment<3>(k + 3);
+    f.segment<3>(k + 3) -= assembly_.inertia(static_cast<int>(i)) * accelerations.segment<3>(k + 3);
   }
 }
 
@@ -84,7 +84,7 @@ Result<MechanismState> Transient::start(const Rest& rest,
     Motion motion = motion_of(state, standing.drivers);
     motion.acceleration_share = 1.0;
     assembly_.evaluate(motion, standing.loads, 1.0, outside_of(standing));
-    subtract_inertia(state.poses, state.accelerations);
+    subtract_inertia(state.accelerations);
     correction_ = assembly_.forces();
     // The inerters' share of the mass is what J has more with it than without.
     assembly_.evaluate(motion, standing.loads, 1.0, kNothing);
@@ -92,7 +92,7 @@ Result<MechanismState> Transient::start(const Rest& rest,
     motion.acceleration_share = 0.0;
     assembly_.evaluate(motion, standing.loads, 1.0, kNothing);
     for (int p = 0; p < with.size(); ++p) assembly_.J().at(p) = with.at(p) - assembly_.J().at(p);
-    add_mass(1.0, state.poses);
+    add_mass(1.0);
     if (!assembly_.J().factorize()) return Failure{"a body without mass cannot move"};
     assembly_.J().solve(correction_);
     state.accelerations -= correction_;
@@ -137,8 +137,8 @@ Result<bool> Transient::advance(MechanismState& state, double h, const Standing&
                        standing.loads,
                        1.0,
                        outside_of(standing));
-    subtract_inertia(next_.poses, next_.accelerations);
-    add_mass(of_mass, next_.poses);
+    subtract_inertia(next_.accelerations);
+    add_mass(of_mass);
     if (!assembly_.J().factorize())
       return Failure{fmt::format(
           "at {:.5f} s the equations of {} have no solution",

@@ -61,8 +61,9 @@ class Transient {
   const Assembly& assembly() const { return assembly_; }
 
  private:
-  void add_mass(double scale, const Poses& poses);
-  void subtract_inertia(const Poses& poses, const Eigen::VectorXd& accelerations);
+  /// Of bodies turned as in the last evaluation.
+  void add_mass(double scale);
+  void subtract_inertia(const Eigen::VectorXd& accelerations);
   void place(const MechanismState& from, double h, MechanismState& to) const;
 
   const Mechanism& mechanism_;
