@@ -15,6 +15,8 @@
 namespace latsch::car {
 namespace {
 
+using Eigen::Vector3d;
+
 std::unique_ptr<Car> made(const CarParameters& parameters) {
   EXPECT_EQ(parameters.fault(), "");
   auto car = Car::make(parameters, spring_tires());
