@@ -36,8 +36,8 @@ Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
   }
 }
 
-/// The first point that is not before s. Where there are many, forward from the part before its own,
-/// so that rounding does not matter.
+/// The first point that is not before s. Where there are many, forward from the part before its
+/// own, so that rounding does not matter.
 std::vector<Profile::Point>::const_iterator Profile::first_from(double s) const {
   auto from = points_.begin();
   auto to = points_.end();
