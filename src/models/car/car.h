@@ -5,11 +5,11 @@
 //   wheel: I w' = My + T + B, solved with the tire's step     T: drive, B: brake
 //   on the upright: the hub's force and moment but for My, -I w (ω × a) of the spinning wheel, -B
 //   on the chassis: aero loads, -T, and what guides it
-// The tires are asked once a step, at the motion that is predicted for its end. The mechanism, which
-// vibrates faster than they do, takes two steps meanwhile, on tires' forces, loads and a rack that
-// change evenly. A guide keeps the car on its line and at its speed in a driver's place: springs and
-// dampers between the chassis and a point that goes straight on at constant speed, soft against the
-// tires.
+// The tires are asked once a step, at the motion that is predicted for its end. The mechanism,
+// which vibrates faster than they do, takes two steps meanwhile, on tires' forces, loads and a rack
+// that change evenly. A guide keeps the car on its line and at its speed in a driver's place:
+// springs and dampers between the chassis and a point that goes straight on at constant speed, soft
+// against the tires.
 #pragma once
 
 #include <array>

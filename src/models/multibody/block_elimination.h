@@ -3,9 +3,9 @@
 // unsymmetric. A = L U, block by block in an order of least degree that is found once; where
 // elements close no loop beyond the ground, nothing fills in.
 //   U_kj = D_k^-1 A_kj,   A_ij <- A_ij - A_ik U_kj        k eliminated, i and j those after it
-// D_k^-1 by Gauss-Jordan with pivots sought in the block: what a spinning rod is held by may be 1e-9
-// of what its ends are. Inverted, because a product of two blocks takes a quarter of the time that
-// substitution does.
+// D_k^-1 by Gauss-Jordan with pivots sought in the block: what a spinning rod is held by may be
+// 1e-9 of what its ends are. Inverted, because a product of two blocks takes a quarter of the time
+// that substitution does.
 #pragma once
 
 #include <Eigen/Core>

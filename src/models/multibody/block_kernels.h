@@ -69,7 +69,7 @@ LATSCH_INLINE void subtract_product_of(const double* A, const double* x, double*
   Six(even.upper + odd.upper, even.lower + odd.lower).save(y);
 }
 
-/// Of a column: what has bits where row k is, where it is not, and 1 in row k.
+/// For a column: bits in all rows but k; 1 in row k.
 struct SixMask {
   double of[6];
 };
@@ -87,7 +87,7 @@ inline constexpr SixMask kUnit[6] = {{{1.0}},
                                      {{0.0, 0.0, 0.0, 0.0, 1.0}},
                                      {{0.0, 0.0, 0.0, 0.0, 0.0, 1.0}}};
 
-/// `x` but for row k, which is that of `y`.
+/// 0 in row k; then 1.
 LATSCH_INLINE Six without_row(const Six& x, int k) {
   const Six others(kOthers[k].of);
   return {Lanes4::bit_and(x.upper, others.upper), Lanes4::bit_and(x.lower, others.lower)};

@@ -104,14 +104,16 @@ Result<MechanismState> Transient::start(const Rest& rest,
 
 void Transient::place(const MechanismState& from, double h, MechanismState& to) const {
   const double theta = settings_.dissipation;
+  const double of_a0 = h * h * (0.5 - beta_), of_a1 = h * h * beta_;
   to.rates = from.rates + h * ((1.0 - gamma_) * from.algorithmic + gamma_ * to.algorithmic);
   to.accelerations = (to.algorithmic - theta * from.accelerations) / (1.0 - theta);
   for (std::size_t i = 0; i < from.poses.size(); ++i) {
     const Eigen::Index k = 6 * static_cast<Eigen::Index>(i);
-    const Vector6d way =
-        h * from.rates.segment<6>(k) +
-        h * h *
-            ((0.5 - beta_) * from.algorithmic.segment<6>(k) + beta_ * to.algorithmic.segment<6>(k));
+    const double* const v0 = from.rates.data() + k;
+    const double* const a0 = from.algorithmic.data() + k;
+    const double* const a1 = to.algorithmic.data() + k;
+    Vector6d way;
+    for (int e = 0; e < 6; ++e) way[e] = h * v0[e] + (of_a0 * a0[e] + of_a1 * a1[e]);
     to.poses[i] = from.poses[i];
     to.poses[i].move(way);
   }

@@ -13,6 +13,9 @@ namespace {
 // Points closer than that stand above each other: their slope would mean nothing.
 constexpr double kFlank = 1e-9;  // m
 
+// So few are sooner searched than looked up.
+constexpr std::size_t kFew = 16;
+
 }  // namespace
 
 Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
@@ -22,12 +25,41 @@ Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
     if (points_[i].s - points_[i - 1].s < kFlank) points_[i].s = points_[i - 1].s;
   }
   for (const Point& point : points_) reach_ = std::max(reach_, std::abs(point.z));
+  if (points_.size() <= kFew || !(end() > begin())) return;
+  const auto parts = points_.size();
+  parts_per_meter_ = static_cast<double>(parts) / (end() - begin());
+  for (std::size_t i = 0; i < parts; ++i) {
+    const double s = begin() + static_cast<double>(i) / parts_per_meter_;
+    const auto first = std::lower_bound(
+        points_.begin(), points_.end(), s, [](const Point& p, double at) { return p.s < at; });
+    first_in_.push_back(static_cast<int>(first - points_.begin()));
+  }
 }
 
-/// The first point that is not before s.
+/// The first point that is not before s. Where there are many, forward from the part before its
+/// own, so that rounding does not matter.
 std::vector<Profile::Point>::const_iterator Profile::first_from(double s) const {
-  return std::lower_bound(
-      points_.begin(), points_.end(), s, [](const Point& p, double at) { return p.s < at; });
+  auto from = points_.begin();
+  auto to = points_.end();
+  if (!first_in_.empty()) {
+    if (!(s > begin())) return from;
+    if (s > end()) return to;
+    const int part = static_cast<int>((s - begin()) * parts_per_meter_);
+    from += first_in_[static_cast<std::size_t>(std::max(part - 1, 0))];
+    constexpr std::ptrdiff_t kNear = 4;
+    for (std::ptrdiff_t i = 0; i < kNear; ++i, ++from)
+      if (!(from->s < s)) return from;
+    if (part + 2 < static_cast<int>(first_in_.size()))
+      to = points_.begin() + first_in_[static_cast<std::size_t>(part + 2)];
+  }
+  return std::lower_bound(from, to, s, [](const Point& p, double at) { return p.s < at; });
+}
+
+std::span<const Profile::Point> Profile::points_between(double s0, double s1) const {
+  const auto first = first_from(s0);
+  auto last = std::max(first, first_from(s1));
+  while (last != points_.end() && last->s <= s1) ++last;
+  return {first, last};
 }
 
 Profile::Value Profile::at(double s) const {

@@ -10,6 +10,7 @@
 // Beyond its ends a profile keeps the height it ends with.
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace latsch::road {
@@ -37,6 +38,8 @@ class Profile {
   /// Over s0 <= s <= s1.
   Extremes between(double s0, double s1) const;
   const std::vector<Point>& points() const { return points_; }
+  /// Those with s0 <= s <= s1.
+  std::span<const Point> points_between(double s0, double s1) const;
   bool empty() const { return points_.empty(); }
   double begin() const { return points_.front().s; }
   double end() const { return points_.back().s; }
@@ -47,6 +50,8 @@ class Profile {
   std::vector<Point>::const_iterator first_from(double s) const;
 
   std::vector<Point> points_;
+  std::vector<int> first_in_;  // the first point from each of equal parts on, one a point; or none
+  double parts_per_meter_ = 0.0;
   double reach_ = 0.0;
 };
 

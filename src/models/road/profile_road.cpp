@@ -62,7 +62,11 @@ double ProfileRoad::mean_height(const Eigen::Vector2d& from,
     if (const double u = distance / run; u > 0.0 && u < 1.0) corners.push_back(u);
   };
   const auto add = [&](const Profile& profile, double shift, double start, double run) {
-    for (const Profile::Point& p : profile.points()) add_corner(p.s + shift - start, run);
+    constexpr double kSlack = 1e-6;  // m, beyond rounding: add_corner() decides
+    const double from = std::min(start, start + run) - shift,
+                 to = std::max(start, start + run) - shift;
+    for (const Profile::Point& p : profile.points_between(from - kSlack, to + kSlack))
+      add_corner(p.s + shift - start, run);
   };
   if (settings_.across) add(*settings_.across, 0.0, begin.y(), way.y());
   if (settings_.pitch == 0.0) {
@@ -132,10 +136,7 @@ GroundBounds ProfileRoad::bounds(const GroundBox& box, double time) const {
 
 GroundBounds ProfileRoad::bounds_between(Span s, Span t) const {
   const auto corner_in = [](const Profile& profile, const Span& span) {
-    const auto& points = profile.points();
-    return std::any_of(points.begin(), points.end(), [&](const Profile::Point& p) {
-      return p.s >= span.from && p.s <= span.to;
-    });
+    return !profile.points_between(span.from, span.to).empty();
   };
   const bool beside = s.to < settings_.along.begin() || s.from > settings_.along.end();
   const Profile::Extremes along = settings_.along.between(s.from, s.to);

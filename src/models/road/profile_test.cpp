@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Profiles of many points, which are looked up by parts, against the piece that a walk over all
+// points finds: between points, on them, on flanks, beyond both ends.
+#include "models/road/profile.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.h"
+
+namespace latsch::road {
+namespace {
+
+/// Straight between the last point before s and the first behind it; the highest of those at s.
+double height_by_a_walk(const std::vector<Profile::Point>& points, double s) {
+  if (s < points.front().s) return points.front().z;
+  if (s > points.back().s) return points.back().z;
+  double highest = -1e9;
+  for (const auto& p : points)
+    if (p.s == s) highest = std::max(highest, p.z);
+  if (highest > -1e9) return highest;
+  std::size_t i = 0;
+  while (points[i].s < s) ++i;
+  const auto &left = points[i - 1], &right = points[i];
+  return left.z + (right.z - left.z) / (right.s - left.s) * (s - left.s);
+}
+
+TEST(Profile, OfManyPointsFindsThePieceThatAWalkDoes) {
+  RandomStream random(3, 1);
+  for (const bool even : {true, false}) {
+    std::vector<Profile::Point> points;
+    double s = -1.0;
+    for (int i = 0; i < 300; ++i) {
+      // Uneven: many close to each other, gaps a thousand times as wide, every tenth a flank.
+      const double x = random.uniform();
+      if (i > 0) s += even ? 0.01 : i % 10 == 0 ? 0.0 : 0.1 * std::pow(x, 8);
+      points.push_back({s, random.uniform()});
+    }
+    const Profile profile(points);
+    std::vector<double> places = {points.front().s - 1.0, points.back().s + 1.0};
+    for (const auto& p : profile.points()) places.push_back(p.s);
+    for (int i = 0; i < 3000; ++i)
+      places.push_back(points.front().s - 0.1 +
+                       (points.back().s - points.front().s + 0.2) * random.uniform());
+    for (const double at : places)
+      EXPECT_EQ(profile.at(at).height, height_by_a_walk(profile.points(), at)) << even << " " << at;
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      const double from = std::min(places[i], places[i + 1]),
+                   to = std::max(places[i], places[i + 1]);
+      const auto all = profile.points();
+      const auto expected = std::count_if(
+          all.begin(), all.end(), [&](const auto& p) { return p.s >= from && p.s <= to; });
+      EXPECT_EQ(static_cast<std::ptrdiff_t>(profile.points_between(from, to).size()), expected);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace latsch::road
