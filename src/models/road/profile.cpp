@@ -36,21 +36,21 @@ Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
   }
 }
 
-/// The first point that is not before s. Where there are many, forward from the part before its
-/// own, so that rounding does not matter.
+/// The first point that is not before s. Where there are many, from what is known of its part: back
+/// as far as rounding has put it, or forward.
 std::vector<Profile::Point>::const_iterator Profile::first_from(double s) const {
   auto from = points_.begin();
   auto to = points_.end();
   if (!first_in_.empty()) {
     if (!(s > begin())) return from;
     if (s > end()) return to;
-    const int part = static_cast<int>((s - begin()) * parts_per_meter_);
-    from += first_in_[static_cast<std::size_t>(std::max(part - 1, 0))];
-    constexpr std::ptrdiff_t kNear = 4;
-    for (std::ptrdiff_t i = 0; i < kNear; ++i, ++from)
+    const auto part = static_cast<std::size_t>((s - begin()) * parts_per_meter_);
+    from += first_in_[std::min(part, first_in_.size() - 1)];
+    while (from != points_.begin() && !((from - 1)->s < s)) --from;
+    constexpr int kNear = 4;
+    for (int i = 0; i < kNear; ++i, ++from)
       if (!(from->s < s)) return from;
-    if (part + 2 < static_cast<int>(first_in_.size()))
-      to = points_.begin() + first_in_[static_cast<std::size_t>(part + 2)];
+    if (part + 2 < first_in_.size()) to = points_.begin() + first_in_[part + 2];
   }
   return std::lower_bound(from, to, s, [](const Point& p, double at) { return p.s < at; });
 }
