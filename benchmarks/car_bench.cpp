@@ -269,7 +269,7 @@ void ring_rows(Table& table) {
     }
     const double real = kDuration / least;
     const std::string value = fmt::format("real time x {:.2f}", real);
-    if (nodes == 48 && shape == Shape::triangle)
+    if (nodes == 48)
       table.row(what, value, ">= 1", real >= 1.0);
     else
       table.note(what, value);
