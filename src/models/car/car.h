@@ -108,6 +108,11 @@ class Car {
   /// The pose of a material point of a body that was at `at_rest`.
   Eigen::Vector3d point(const CarState& state, int body, const Eigen::Vector3d& at_rest) const;
 
+  /// What the guide does to the chassis, with its slopes.
+  void add_guide(const multibody::Motion& motion,
+                 const GuidePoint& point,
+                 std::vector<multibody::Wrench>& wrenches) const;
+
   multibody::Equilibrium& statics() { return *statics_; }
 
  private:
@@ -133,9 +138,6 @@ class Car {
                                   const road::Road& road,
                                   const CarInputs& inputs);
   void rebuild(std::vector<multibody::Strut> struts);
-  void add_guide(const multibody::Motion& motion,
-                 const GuidePoint& point,
-                 std::vector<multibody::Wrench>& wrenches) const;
   std::string roll(CarState& next,
                    const multibody::Motion& motion,
                    const road::Road& road,
