@@ -9,7 +9,8 @@
 //   amplitude = "3 mm"                   # up to the frequency at which the plates move at
 //   velocity = "0.1 m/s"                 # this peak velocity, which holds above it
 //   posts = {from = "measurement.rig"}   # in the place of the sweep: the heights post_FL, post_FR,
-//                                        # post_RL, post_RR that were recorded, evenly in time
+//                                        # post_RL, post_RR that were recorded, evenly in time; or
+//                                        # posts = "heights.csv", a table of them and time
 //   step = "0.2 ms"                      # of the simulation
 //   sample_step = "1 ms"                 # of the record, a multiple of it
 //
@@ -35,6 +36,7 @@
 #include "experiment/rigs/car/four_post_rig.h"
 #include "experiment/rigs/car/post_spectra.h"
 #include "experiment/tests/four_post_pictures.h"
+#include "formats/tables/csv_table.h"
 
 namespace latsch::experiment {
 
@@ -50,8 +52,14 @@ struct Frequencies {
 
 class FourPost : public Test {
  public:
-  FourPost(FourPostTest test, Frequencies frequencies, std::string words)
-      : test_(std::move(test)), frequencies_(frequencies), words_(std::move(words)) {}
+  FourPost(FourPostTest test,
+           Frequencies frequencies,
+           std::string words,
+           std::filesystem::path file = {})
+      : test_(std::move(test)),
+        frequencies_(frequencies),
+        words_(std::move(words)),
+        file_(std::move(file)) {}
 
   std::string in_words() const override { return words_; }
   std::string identity() const override {
@@ -80,6 +88,9 @@ class FourPost : public Test {
     return channels;
   }
   std::vector<std::string> needs() const override { return kFourPost.needs; }
+  std::vector<std::filesystem::path> files() const override {
+    return file_.empty() ? std::vector<std::filesystem::path>{} : std::vector{file_};
+  }
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "time") return std::nullopt;
     return Reach{test_.times.front(), test_.times.back()};
@@ -109,6 +120,7 @@ class FourPost : public Test {
   FourPostTest test_;
   Frequencies frequencies_;
   std::string words_;
+  std::filesystem::path file_;  // of heights; empty: none
 };
 
 void read_steps(const Node& root, FourPostTest& test) {
@@ -119,20 +131,35 @@ void read_steps(const Node& root, FourPostTest& test) {
     root.reject("sample_step", "is no multiple of step");
 }
 
-FourPostTest recorded_posts(const Node& table, const TestSource& source) {
+/// Of a measurement of the study, or of a table beside the file.
+Channels heights_of(const Node& root, const TestSource& source, std::filesystem::path& file) {
   std::vector<MeasuredCondition> conditions = {{.channel = "time", .unit = "s", .is_needed = true}};
   for (const std::string& name : of_corners("post"))
     conditions.push_back({.channel = name, .unit = "m", .is_needed = true});
-  const Channels channels = take_measured(table, conditions, source.measured);
+  if (const auto table = find_measured(root, "posts"))
+    return take_measured(*table, conditions, source.measured);
+  file = source.folder / root.text("posts");
+  const auto table = formats::CsvTable::read(file);
+  Channels channels;
+  for (const MeasuredCondition& one : conditions)
+    channels.add({one.channel, one.unit, table.numbers(one.channel, one.unit)});
+  return channels;
+}
+
+FourPostTest recorded_posts(const Node& root,
+                            const TestSource& source,
+                            std::filesystem::path& file) {
+  const Channels channels = heights_of(root, source, file);
   FourPostTest test;
   test.times = channels["time"];
   for (std::size_t i = 0; i < 4; ++i) test.heights[i] = channels[of_corners("post")[i]];
-  if (test.times.size() < 2) table.reject("from", "has fewer than two samples");
+  if (test.times.size() < 2) root.reject("posts", "has fewer than two samples");
   const double step =
       (test.times.back() - test.times.front()) / static_cast<double>(test.times.size() - 1);
   for (std::size_t i = 0; i < test.times.size(); ++i)
-    if (std::abs(test.times[i] - test.times[0] - step * static_cast<double>(i)) > 0.01 * step)
-      table.reject("from", fmt::format("is not even in time at sample {}", i + 1));
+    if (!(step > 0.0) ||
+        std::abs(test.times[i] - test.times[0] - step * static_cast<double>(i)) > 0.01 * step)
+      root.reject("posts", fmt::format("is not even in time at sample {}", i + 1));
   const double first = test.times.front();
   for (double& time : test.times) time -= first;
   return test;
@@ -172,16 +199,18 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
   const std::string mode = root.choice("mode", modes, "heave");
   const auto which =
       static_cast<PostMode>(std::find(modes.begin(), modes.end(), mode) - modes.begin());
-  if (const auto from = find_measured(root, "posts")) {
+  if (root.has("posts")) {
     const FourPostTest steps = test;
-    test = recorded_posts(*from, source);
+    std::filesystem::path file;
+    test = recorded_posts(root, source, file);
     test.step = steps.step;
     test.sample_step = steps.sample_step;
     const PostSpectra usual;
     return std::make_unique<FourPost>(
         test,
         read_frequencies(root, which, test, usual.from, usual.to),
-        fmt::format("four posts as recorded, {:.4g} s", test.times.back()));
+        fmt::format("four posts as recorded, {:.4g} s", test.times.back()),
+        file);
   }
   PostSweep sweep{.mode = which};
   sweep.from = root.quantity("from", "Hz", Range::positive(), sweep.from);

@@ -138,6 +138,8 @@ class Car {
                                   const road::Road& road,
                                   const CarInputs& inputs);
   void rebuild(std::vector<multibody::Strut> struts);
+  /// Of struts with preloads: a unit that no spring of its kind could be, or empty.
+  std::string fault_of_spring(int corner, const std::vector<multibody::Strut>& springs) const;
   std::string roll(CarState& next,
                    const multibody::Motion& motion,
                    const road::Road& road,

@@ -45,6 +45,12 @@ Matrix3d axes_about(const Vector3d& axis) {
   return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis).toRotationMatrix();
 }
 
+/// Of two points at the axles that have the chassis' mass and center.
+double inertia_of_halves_apart(const Chassis& chassis, double front, double rear) {
+  const double share = (chassis.body.center.x() - rear) / (front - rear);
+  return chassis.body.mass * share * (1.0 - share) * std::pow(front - rear, 2);
+}
+
 class Builder {
  public:
   explicit Builder(const CarParameters& parameters) : car_(parameters) {
@@ -84,7 +90,7 @@ class Builder {
       MassProperties mass;
       mass.mass = part * chassis.body.mass;
       mass.center = {x, chassis.body.center.y(), chassis.body.center.z()};
-      const double away = chassis.body.mass * share * (1.0 - share) * std::pow(front - rear, 2);
+      const double away = inertia_of_halves_apart(chassis, front, rear);
       Matrix3d own = chassis.body.inertia;
       own(1, 1) -= away;
       own(2, 2) -= away;
@@ -265,6 +271,41 @@ class Builder {
 
 CarMechanism build(const CarParameters& parameters) { return Builder(parameters).build(); }
 
+namespace {
+
+std::string fault_of_chassis(const CarParameters& car) {
+  const Chassis& chassis = car.chassis;
+  if (!(chassis.body.mass > 0.0)) return "the chassis has no mass";
+  const double f = car.front.corner.wheel_center.x(), r = car.rear.corner.wheel_center.x();
+  const Vector3d& c = chassis.body.center;
+  if (!(r < c.x() && c.x() < f))
+    return fmt::format(
+        "the center of mass of the chassis, x = {:.6g} m, is not between the axles at {:.6g} m and "
+        "{:.6g} m: the car would tip over",
+        c.x(),
+        r,
+        f);
+  if (const double track = 2.0 * car.front.corner.contact.y(); !(c.z() < f - r + track))
+    return fmt::format(
+        "the center of mass of the chassis, z = {:.6g} m, is higher than the car is long and wide: "
+        "are its numbers millimeters?",
+        c.z());
+  if (!chassis.torsion) return {};
+  if (!(chassis.torsion->stiffness > 0.0)) return "the torsion of the chassis has no stiffness";
+  const double away = inertia_of_halves_apart(chassis, f, r);
+  for (const int axis : {1, 2})
+    if (!(chassis.body.inertia(axis, axis) > away))
+      return fmt::format(
+          "the chassis has two halves at its axles, which alone make {:.4g} kg m^2 about {}: an "
+          "inertia above that is needed, or none of torsion; there is {:.4g} kg m^2",
+          away,
+          axis == 1 ? "y" : "z",
+          chassis.body.inertia(axis, axis));
+  return {};
+}
+
+}  // namespace
+
 std::string CarParameters::fault() const {
   for (const auto& [axle, name] : {std::pair{&front, "front"}, {&rear, "rear"}}) {
     if (std::string fault = axle->corner.fault(); !fault.empty())
@@ -278,14 +319,7 @@ std::string CarParameters::fault() const {
   }
   if (!(front.corner.wheel_center.x() > rear.corner.wheel_center.x()))
     return "the front axle is not in front of the rear one: x points forward";
-  if (!(chassis.body.mass > 0.0)) return "the chassis has no mass";
-  if (chassis.torsion) {
-    const double f = front.corner.wheel_center.x(), r = rear.corner.wheel_center.x(),
-                 c = chassis.body.center.x();
-    if (!(r < c && c < f))
-      return "a chassis of two halves needs its center of mass between the axles";
-    if (!(chassis.torsion->stiffness > 0.0)) return "the torsion of the chassis has no stiffness";
-  }
+  if (std::string fault = fault_of_chassis(*this); !fault.empty()) return fault;
   return Builder(*this).fault();
 }
 
