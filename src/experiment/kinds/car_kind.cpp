@@ -80,12 +80,10 @@ class CarKind : public SpecimenKind {
     for (const char* axle : kAxles) {
       const std::string suspension = std::string(axle) + "_suspension",
                         tire = std::string(axle) + "_tire";
-      document =
-          with_part(document,
-                    suspension,
-                    suspension_kind().read(file.parent_path() / written.root().text(suspension)));
+      document = with_part(
+          document, suspension, suspension_kind().read(named_file(file, written, suspension)));
       if (!written.root().has(tire)) continue;
-      const std::filesystem::path named = file.parent_path() / written.root().text(tire);
+      const std::filesystem::path named = named_file(file, written, tire);
       const SpecimenKind& kind = named.extension() == ".tir"
                                      ? magic_or_rigid(named)
                                      : tire_kind(Document::read(named), tire);
@@ -100,6 +98,14 @@ class CarKind : public SpecimenKind {
   }
 
  private:
+  static std::filesystem::path named_file(const std::filesystem::path& car,
+                                          const Document& written,
+                                          const std::string& part) {
+    const std::filesystem::path named = car.parent_path() / written.root().text(part);
+    if (!std::filesystem::is_regular_file(named))
+      written.root().reject(part, "is no file: there is no " + named.string());
+    return named;
+  }
   /// Of a .tir, as the program takes one that is given to it alone.
   static const SpecimenKind& magic_or_rigid(const std::filesystem::path& file) {
     return rigid_ring_kind().recognizes(file) ? rigid_ring_kind() : magic_formula_kind();

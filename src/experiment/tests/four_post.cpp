@@ -9,32 +9,57 @@
 //   amplitude = "3 mm"                   # up to the frequency at which the plates move at
 //   velocity = "0.1 m/s"                 # this peak velocity, which holds above it
 //   posts = {from = "measurement.rig"}   # in the place of the sweep: the heights post_FL, post_FR,
-//                                        # post_RL, post_RR that were recorded, evenly in time
+//                                        # post_RL, post_RR that were recorded, evenly in time; or
+//                                        # posts = "heights.csv", a table of them and time
 //   step = "0.2 ms"                      # of the simulation
 //   sample_step = "1 ms"                 # of the record, a multiple of it
 //
+//   spectra = true                       # adds channels over frequency; in recorded posts to the
+//                                        # signal of the mode that is stated
+//   segment = "4 s"                      # of Welch's method
+//   band = ["0.5 Hz", "30 Hz"]           # the lines that are kept; those of the sweep unless given
+//
 // Its channels: time, forces of the push-rods (pushrod_FL ..., compression positive), of the tires
-// (Fz_FL ...), accelerations of hubs and body upward, spring travel, heave, roll and pitch, heights
-// of the posts (post_FL ...).
+// on their hubs (Fz_FL ...), accelerations of hubs and body upward, spring travel, heave, roll and
+// pitch, heights of the posts (post_FL ...): rigs/car/car_record.h. Over frequency: densities
+// psd_pushrod_FL ..., transfer functions tf_pushrod_FL ..., their phase and coherence:
+// rigs/car/post_spectra.h.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/four_post_rig.h"
+#include "experiment/rigs/car/post_spectra.h"
+#include "experiment/tests/four_post_pictures.h"
+#include "formats/tables/csv_table.h"
 
 namespace latsch::experiment {
 
 extern const TestKind kFourPost;
 namespace {
 
+/// The mode to whose signal responses are told, and how; with spectra unless only a page asks.
+struct Frequencies {
+  PostMode mode = PostMode::heave;
+  PostSpectra settings;
+  bool are_recorded = false;
+};
+
 class FourPost : public Test {
  public:
-  FourPost(FourPostTest test, std::string words)
-      : test_(std::move(test)), words_(std::move(words)) {}
+  FourPost(FourPostTest test,
+           Frequencies frequencies,
+           std::string words,
+           std::filesystem::path file = {})
+      : test_(std::move(test)),
+        frequencies_(frequencies),
+        words_(std::move(words)),
+        file_(std::move(file)) {}
 
   std::string in_words() const override { return words_; }
   std::string identity() const override {
@@ -45,15 +70,27 @@ class FourPost : public Test {
                                    test_.times.back(),
                                    test_.times.size());
     for (const auto& heights : test_.heights) text += fmt::format(" {}", fmt::join(heights, " "));
+    const auto& [mode, settings, are_recorded] = frequencies_;
+    if (are_recorded)
+      text += fmt::format(" spectra {} segment {} band {} {}",
+                          static_cast<int>(mode),
+                          settings.segment,
+                          settings.from,
+                          settings.to);
     return text;
   }
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     for (const auto& [name, unit] : car_channels(false)) channels.push_back({name, unit});
     for (const std::string& name : of_corners("post")) channels.push_back({name, "m"});
+    if (frequencies_.are_recorded)
+      for (const auto& [name, unit] : spectra_channels()) channels.push_back({name, unit});
     return channels;
   }
   std::vector<std::string> needs() const override { return kFourPost.needs; }
+  std::vector<std::filesystem::path> files() const override {
+    return file_.empty() ? std::vector<std::filesystem::path>{} : std::vector{file_};
+  }
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "time") return std::nullopt;
     return Reach{test_.times.front(), test_.times.back()};
@@ -61,12 +98,29 @@ class FourPost : public Test {
   Result<Channels> run(Specimen& specimen) const override {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
-    return experiment::run(**car, test_);
+    auto record = experiment::run(**car, test_);
+    if (!record || !frequencies_.are_recorded) return record;
+    const Channels more = over_frequency(*record);
+    for (const Channel& channel : more.all()) record->add(channel);
+    return record;
+  }
+  Result<Details> details(Specimen& specimen) const override {
+    auto car = specimen.find<Drives>()->car({});
+    if (!car) return car.failure();
+    const auto record = experiment::run(**car, test_);
+    if (!record) return record.failure();
+    return four_post_details(*record, over_frequency(*record));
   }
 
  private:
+  Channels over_frequency(const Channels& record) const {
+    return spectra(record, frequencies_.mode, 1.0 / test_.sample_step, frequencies_.settings);
+  }
+
   FourPostTest test_;
+  Frequencies frequencies_;
   std::string words_;
+  std::filesystem::path file_;  // of heights; empty: none
 };
 
 void read_steps(const Node& root, FourPostTest& test) {
@@ -77,40 +131,88 @@ void read_steps(const Node& root, FourPostTest& test) {
     root.reject("sample_step", "is no multiple of step");
 }
 
-FourPostTest recorded_posts(const Node& table, const TestSource& source) {
+/// Of a measurement of the study, or of a table beside the file.
+Channels heights_of(const Node& root, const TestSource& source, std::filesystem::path& file) {
   std::vector<MeasuredCondition> conditions = {{.channel = "time", .unit = "s", .is_needed = true}};
   for (const std::string& name : of_corners("post"))
     conditions.push_back({.channel = name, .unit = "m", .is_needed = true});
-  const Channels channels = take_measured(table, conditions, source.measured);
+  if (const auto table = find_measured(root, "posts"))
+    return take_measured(*table, conditions, source.measured);
+  file = source.folder / root.text("posts");
+  const auto table = formats::CsvTable::read(file);
+  Channels channels;
+  for (const MeasuredCondition& one : conditions)
+    channels.add({one.channel, one.unit, table.numbers(one.channel, one.unit)});
+  return channels;
+}
+
+FourPostTest recorded_posts(const Node& root,
+                            const TestSource& source,
+                            std::filesystem::path& file) {
+  const Channels channels = heights_of(root, source, file);
   FourPostTest test;
   test.times = channels["time"];
   for (std::size_t i = 0; i < 4; ++i) test.heights[i] = channels[of_corners("post")[i]];
-  if (test.times.size() < 2) table.reject("from", "has fewer than two samples");
+  if (test.times.size() < 2) root.reject("posts", "has fewer than two samples");
   const double step =
       (test.times.back() - test.times.front()) / static_cast<double>(test.times.size() - 1);
   for (std::size_t i = 0; i < test.times.size(); ++i)
-    if (std::abs(test.times[i] - test.times[0] - step * static_cast<double>(i)) > 0.01 * step)
-      table.reject("from", fmt::format("is not even in time at sample {}", i + 1));
+    if (!(step > 0.0) ||
+        std::abs(test.times[i] - test.times[0] - step * static_cast<double>(i)) > 0.01 * step)
+      root.reject("posts", fmt::format("is not even in time at sample {}", i + 1));
   const double first = test.times.front();
   for (double& time : test.times) time -= first;
   return test;
 }
 
+constexpr std::array<const char*, 4> kModes = {"heave", "pitch", "roll", "warp"};
+
+/// `from` and `to`: of the band where nothing is said, Hz.
+Frequencies read_frequencies(
+    const Node& root, PostMode mode, const FourPostTest& test, double from, double to) {
+  Frequencies read{.mode = mode, .settings = {.from = from, .to = to}};
+  read.are_recorded = root.flag("spectra", false);
+  PostSpectra& settings = read.settings;
+  const double lasts = test.times.back();
+  settings.segment =
+      root.quantity("segment", "s", Range::positive(), std::min(settings.segment, lasts));
+  if (settings.segment > lasts)
+    root.reject("segment", fmt::format("is longer than the record, {:.4g} s", lasts));
+  if (root.has("band")) {
+    const auto band = root.quantities("band", "Hz");
+    if (band.size() != 2 || !(band[0] >= 0.0 && band[1] > band[0]))
+      root.reject("band", "expected a lower and a higher frequency");
+    settings.from = band[0];
+    settings.to = band[1];
+  }
+  const double highest = 0.5 / test.sample_step;
+  settings.to = std::min(settings.to, highest);
+  if (std::floor(settings.to * settings.segment) < std::ceil(settings.from * settings.segment))
+    root.reject("band", "holds no line: a longer segment has them closer together");
+  return read;
+}
+
 std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source) {
   FourPostTest test;
   read_steps(root, test);
-  if (const auto from = find_measured(root, "posts")) {
+  const std::vector<std::string> modes(kModes.begin(), kModes.end());
+  const std::string mode = root.choice("mode", modes, "heave");
+  const auto which =
+      static_cast<PostMode>(std::find(modes.begin(), modes.end(), mode) - modes.begin());
+  if (root.has("posts")) {
     const FourPostTest steps = test;
-    test = recorded_posts(*from, source);
+    std::filesystem::path file;
+    test = recorded_posts(root, source, file);
     test.step = steps.step;
     test.sample_step = steps.sample_step;
+    const PostSpectra usual;
     return std::make_unique<FourPost>(
-        test, fmt::format("four posts as recorded, {:.4g} s", test.times.back()));
+        test,
+        read_frequencies(root, which, test, usual.from, usual.to),
+        fmt::format("four posts as recorded, {:.4g} s", test.times.back()),
+        file);
   }
-  PostSweep sweep;
-  const std::vector<std::string> modes = {"heave", "pitch", "roll", "warp"};
-  const std::string mode = root.choice("mode", modes, "heave");
-  sweep.mode = static_cast<PostMode>(std::find(modes.begin(), modes.end(), mode) - modes.begin());
+  PostSweep sweep{.mode = which};
   sweep.from = root.quantity("from", "Hz", Range::positive(), sweep.from);
   sweep.to = root.quantity("to", "Hz", Range::positive(), sweep.to);
   if (!(sweep.to > sweep.from)) root.reject("to", "is not above from: a sweep rises");
@@ -122,6 +224,7 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
   test.heights = made.heights;
   return std::make_unique<FourPost>(
       test,
+      read_frequencies(root, which, test, sweep.from, sweep.to),
       fmt::format("four posts, {} from {:.3g} to {:.3g} Hz, {:.3g} mm",
                   mode,
                   sweep.from,

@@ -109,7 +109,18 @@ Result<std::unique_ptr<Car>> Car::make(const CarParameters& parameters,
                                        const CarInputs& at_rest,
                                        const multibody::TransientSettings& settings) {
   std::unique_ptr<Car> car(new Car(parameters, settings));
-  for (std::size_t i = 0; i < tires.size(); ++i) car->tires_[i] = tires[i]->clone();
+  for (std::size_t i = 0; i < tires.size(); ++i) {
+    car->tires_[i] = tires[i]->clone();
+    const double radius = tires[i]->free_radius(), z = car->parts_.corners[i].wheel_center.z();
+    constexpr double kFar = 0.25;  // of the radius
+    if (!(std::abs(z - radius) < kFar * radius))
+      return Failure{fmt::format(
+          "the tire {} has a radius of {:.4g} mm, but its wheel center is drawn {:.4g} mm above "
+          "the ground",
+          kCornerNames[i],
+          1e3 * radius,
+          1e3 * z)};
+  }
   const std::vector<multibody::Strut> struts = car->mechanism_->struts();
   if (struts.empty()) return car;
   // With bars in the place of the springs it stands as drawn, and they say what springs must carry.
@@ -121,14 +132,45 @@ Result<std::unique_ptr<Car>> Car::make(const CarParameters& parameters,
   car->rebuild(bars);
   const road::PlaneRoad flat{road::PlaneRoad::Settings{}};
   const auto standing = car->settle(flat, 0.0, at_rest);
-  if (!standing) return Failure{"the car does not stand: " + standing.failure().reason};
+  if (!standing)
+    return Failure{fmt::format("the car does not stand under its weight of {:.4g} N: {}",
+                               car->mechanism_->mass() * parameters.gravity,
+                               standing.failure().reason)};
   std::vector<multibody::Strut> springs = struts;
   const Motion motion{.poses = standing->bodies.poses, .memories = &standing->bodies.memories};
   for (int corner = 0; corner < kCorners; ++corner)
     if (const int unit = car->parts_.corners[at(corner)].unit; unit >= 0)
       springs[at(unit)].preload = car->transient_->assembly().strut_force(unit, motion);
+  for (int corner = 0; corner < kCorners; ++corner)
+    if (const std::string fault = car->fault_of_spring(corner, springs); !fault.empty())
+      return Failure{fault};
   car->rebuild(springs);
   return car;
+}
+
+std::string Car::fault_of_spring(int corner, const std::vector<multibody::Strut>& springs) const {
+  const int unit = parts_.corners[at(corner)].unit;
+  if (unit < 0) return {};
+  double stiffness = 0.0;  // at rest, of the unit and of what acts on both sides of the axle
+  for (const multibody::Strut& strut : springs) {
+    if (&strut != &springs[at(unit)] && strut.lines[0].b != springs[at(unit)].lines[0].b &&
+        (strut.lines.size() < 2 || strut.lines[1].b != springs[at(unit)].lines[0].b))
+      continue;
+    stiffness += strut.stiffness;
+    for (const multibody::ForcePart& part : strut.parts)
+      if (const auto* curve = std::get_if<multibody::ElasticCurve>(&part))
+        stiffness += curve->curve.slope(0.0);
+  }
+  constexpr double kMost = 10.0;  // times its length: no spring, whatever its travel
+  const double length = mechanism_->rest_length(unit), force = std::abs(springs[at(unit)].preload);
+  if (stiffness * kMost * length > force) return {};
+  return fmt::format(
+      "{} carries {:.4g} N at rest, where it has {:.4g} N/m: it would be pressed by more than ten "
+      "times its length of {:.4g} mm",
+      springs[at(unit)].name,
+      force,
+      stiffness,
+      1e3 * length);
 }
 
 const AxleMasses& Car::masses(int corner) const {

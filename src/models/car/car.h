@@ -114,6 +114,11 @@ class Car {
   /// The pose of a material point of a body that was at `at_rest`.
   Eigen::Vector3d point(const CarState& state, int body, const Eigen::Vector3d& at_rest) const;
 
+  /// What the guide does to the chassis, with its slopes.
+  void add_guide(const multibody::Motion& motion,
+                 const GuidePoint& point,
+                 std::vector<multibody::Wrench>& wrenches) const;
+
   multibody::Equilibrium& statics() { return *statics_; }
 
  private:
@@ -139,9 +144,8 @@ class Car {
                                   const road::Road& road,
                                   const CarInputs& inputs);
   void rebuild(std::vector<multibody::Strut> struts);
-  void add_guide(const multibody::Motion& motion,
-                 const GuidePoint& point,
-                 std::vector<multibody::Wrench>& wrenches) const;
+  /// Of struts with preloads: a unit that no spring of its kind could be, or empty.
+  std::string fault_of_spring(int corner, const std::vector<multibody::Strut>& springs) const;
   /// Of its center, and angular; of a motion that has rates and accelerations.
   multibody::Vector6d acceleration_of_wheel(int corner, const multibody::Motion& motion) const;
   /// The tires' step: to where the wheels will be `ahead` seconds after this motion.

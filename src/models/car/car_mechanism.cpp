@@ -273,6 +273,32 @@ class Builder {
 
 CarMechanism build(const CarParameters& parameters) { return Builder(parameters).build(); }
 
+namespace {
+
+std::string fault_of_chassis(const CarParameters& car) {
+  const Chassis& chassis = car.chassis;
+  if (!(chassis.body.mass > 0.0)) return "the chassis has no mass";
+  const double f = car.front.corner.wheel_center.x(), r = car.rear.corner.wheel_center.x();
+  const Vector3d& c = chassis.body.center;
+  if (!(r < c.x() && c.x() < f))
+    return fmt::format(
+        "the center of mass of the chassis, x = {:.6g} m, is not between the axles at {:.6g} m and "
+        "{:.6g} m: the car would tip over",
+        c.x(),
+        r,
+        f);
+  if (const double track = 2.0 * car.front.corner.contact.y(); !(c.z() < f - r + track))
+    return fmt::format(
+        "the center of mass of the chassis, z = {:.6g} m, is higher than the car is long and wide: "
+        "are its numbers millimeters?",
+        c.z());
+  if (!chassis.torsion) return {};
+  if (!(chassis.torsion->stiffness > 0.0)) return "the torsion of the chassis has no stiffness";
+  return {};
+}
+
+}  // namespace
+
 std::string CarParameters::fault() const {
   for (const auto& [axle, name] : {std::pair{&front, "front"}, {&rear, "rear"}}) {
     if (std::string fault = axle->corner.fault(); !fault.empty())
@@ -286,14 +312,7 @@ std::string CarParameters::fault() const {
   }
   if (!(front.corner.wheel_center.x() > rear.corner.wheel_center.x()))
     return "the front axle is not in front of the rear one: x points forward";
-  if (!(chassis.body.mass > 0.0)) return "the chassis has no mass";
-  if (chassis.torsion) {
-    const double f = front.corner.wheel_center.x(), r = rear.corner.wheel_center.x(),
-                 c = chassis.body.center.x();
-    if (!(r < c && c < f))
-      return "a chassis of two halves needs its center of mass between the axles";
-    if (!(chassis.torsion->stiffness > 0.0)) return "the torsion of the chassis has no stiffness";
-  }
+  if (std::string fault = fault_of_chassis(*this); !fault.empty()) return fault;
   return Builder(*this).fault();
 }
 

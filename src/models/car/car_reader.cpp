@@ -23,7 +23,11 @@ Chassis read_chassis(const Node& node) {
   Chassis chassis;
   chassis.body.mass = node.quantity("mass", "kg", Range::positive());
   chassis.body.center = read_three(node, "center", "m");
-  chassis.body.inertia = read_three(node, "inertia", "kg m^2").asDiagonal();
+  const Vector3d moments = node.has("inertia") ? read_three(node, "inertia", "kg m^2")
+                                               : Vector3d(node.quantity("inertia_xx", "kg m^2"),
+                                                          node.quantity("inertia_yy", "kg m^2"),
+                                                          node.quantity("inertia_zz", "kg m^2"));
+  chassis.body.inertia = moments.asDiagonal();
   const double xz = node.quantity("inertia_xz", "kg m^2", {}, 0.0);
   chassis.body.inertia(0, 2) = chassis.body.inertia(2, 0) = -xz;
   if (!node.has("torsion")) return chassis;

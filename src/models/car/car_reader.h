@@ -11,6 +11,7 @@
 //   mass = "180 kg"
 //   center = ["0.75 m", "0 m", "0.28 m"]
 //   inertia = ["25 kg m^2", "90 kg m^2", "100 kg m^2"]    # about the center: xx, yy, zz
+//                                        # or inertia_xx, inertia_yy, inertia_zz, one a key
 //   inertia_xz = "0 kg m^2"              # ∫ x z dm
 //   torsion = "4 kN m/deg"               # between front and rear half; rigid unless given
 //   torsion_damping = "0 N m s/deg"

@@ -12,17 +12,27 @@
 
 namespace latsch::experiment {
 
+std::array<double, 4> signs_of(PostMode mode) {
+  switch (mode) {
+    case PostMode::heave:
+      return {1.0, 1.0, 1.0, 1.0};
+    case PostMode::pitch:
+      return {1.0, 1.0, -1.0, -1.0};
+    case PostMode::roll:
+      return {1.0, -1.0, 1.0, -1.0};
+    case PostMode::warp:
+      return {1.0, -1.0, -1.0, 1.0};
+  }
+  return {};
+}
+
 FourPostTest sweep_test(const PostSweep& sweep, double sample_step) {
   FourPostTest test;
   test.sample_step = sample_step;
   const double grows = std::log(sweep.to / sweep.from) / sweep.duration;
   constexpr double kFade = 0.05;  // of the duration, at both ends
   const long count = std::lround(sweep.duration / sample_step) + 1;
-  const std::array<double, 4> sign =
-      sweep.mode == PostMode::heave   ? std::array{1.0, 1.0, 1.0, 1.0}
-      : sweep.mode == PostMode::pitch ? std::array{1.0, 1.0, -1.0, -1.0}
-      : sweep.mode == PostMode::roll  ? std::array{1.0, -1.0, 1.0, -1.0}
-                                      : std::array{1.0, -1.0, -1.0, 1.0};
+  const std::array<double, 4> sign = signs_of(sweep.mode);
   for (long i = 0; i < count; ++i) {
     const double t = static_cast<double>(i) * sample_step;
     const double f = sweep.from * std::exp(grows * t);

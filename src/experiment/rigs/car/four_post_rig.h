@@ -18,11 +18,12 @@ struct FourPostTest {
   std::vector<double> times;                   // s, evenly
   std::array<std::vector<double>, 4> heights;  // m, FL, FR, RL, RR
   double step = 2e-4, sample_step = 1e-3;      // s
-  double friction = 1.0;
 };
 
 /// In which direction a sweep moves the four.
 enum class PostMode { heave, pitch, roll, warp };
+/// Of FL, FR, RL, RR; FL goes up first.
+std::array<double, 4> signs_of(PostMode mode);
 
 struct PostSweep {
   PostMode mode = PostMode::heave;

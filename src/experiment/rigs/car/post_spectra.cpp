@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/car/post_spectra.h"
+
+#include <cmath>
+
+#include "experiment/rigs/car/car_record.h"
+#include "numerics/signals/welch.h"
+
+namespace latsch::experiment {
+namespace {
+
+struct SensorUnits {
+  const char *density, *response;
+};
+
+SensorUnits units_of(const std::string& sensor) {
+  return sensor.starts_with("pushrod") ? SensorUnits{"N^2/Hz", "N/m"}
+                                       : SensorUnits{"m^2/s^4/Hz", "1/s^2"};
+}
+
+std::vector<double> mode_signal(const Channels& record, PostMode mode) {
+  const auto names = of_corners("post");
+  const std::array<double, 4> sign = signs_of(mode);
+  std::vector<double> u(record[names[0]].size());
+  for (std::size_t post = 0; post < 4; ++post) {
+    const std::vector<double>& h = record[names[post]];
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] += 0.25 * sign[post] * h[i];
+  }
+  return u;
+}
+
+numerics::WelchSettings welch(double rate, std::size_t samples, double segment) {
+  const int count = static_cast<int>(std::lround(segment * rate));
+  auto settings = numerics::welch_settings(
+      numerics::Convention::scipy, static_cast<int>(samples), std::max(count, 2));
+  settings.overlap = settings.segment - std::max(settings.segment / 8, 1);
+  return settings;
+}
+
+/// Of one sensor, at the lines that are kept.
+struct Response {
+  std::vector<double> frequency, post, density, magnitude, phase, coherence;
+};
+
+Response response_of(const std::vector<double>& u,
+                     const std::vector<double>& y,
+                     double rate,
+                     const PostSpectra& settings) {
+  const auto s = numerics::densities(u, y, rate, welch(rate, u.size(), settings.segment));
+  Response kept;
+  for (std::size_t i = 0; i < s.frequency.size(); ++i) {
+    if (s.frequency[i] < settings.from || s.frequency[i] > settings.to) continue;
+    // A post that stands still has no response, and no phase.
+    const bool moves = s.xx[i] > 0.0, answers = moves && s.yy[i] > 0.0;
+    const std::complex<double> h1 = moves ? s.xy[i] / s.xx[i] : 0.0;
+    kept.frequency.push_back(s.frequency[i]);
+    kept.post.push_back(s.xx[i]);
+    kept.density.push_back(s.yy[i]);
+    kept.magnitude.push_back(std::abs(h1));
+    kept.phase.push_back(std::arg(h1));
+    kept.coherence.push_back(answers ? std::norm(s.xy[i]) / (s.xx[i] * s.yy[i]) : 0.0);
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::vector<std::string> spectra_sensors() {
+  std::vector<std::string> sensors;
+  for (const char* name : {"pushrod", "hub"})
+    for (const std::string& one : of_corners(name)) sensors.push_back(one);
+  sensors.push_back("body_z");
+  return sensors;
+}
+
+std::vector<std::pair<std::string, std::string>> spectra_channels() {
+  std::vector<std::pair<std::string, std::string>> names = {{"frequency", "Hz"},
+                                                            {"psd_post", "m^2/Hz"}};
+  for (const std::string& sensor : spectra_sensors()) {
+    names.emplace_back("psd_" + sensor, units_of(sensor).density);
+    names.emplace_back("tf_" + sensor, units_of(sensor).response);
+    names.emplace_back("phase_" + sensor, "rad");
+    names.emplace_back("coherence_" + sensor, "1");
+  }
+  return names;
+}
+
+Channels spectra(const Channels& record, PostMode mode, double rate, const PostSpectra& settings) {
+  const std::vector<double> u = mode_signal(record, mode);
+  Channels channels;
+  for (const std::string& sensor : spectra_sensors()) {
+    const Response response = response_of(u, record[sensor], rate, settings);
+    if (channels.empty()) {
+      channels.add({"frequency", "Hz", response.frequency});
+      channels.add({"psd_post", "m^2/Hz", response.post});
+    }
+    channels.add({"psd_" + sensor, units_of(sensor).density, response.density});
+    channels.add({"tf_" + sensor, units_of(sensor).response, response.magnitude});
+    channels.add({"phase_" + sensor, "rad", response.phase});
+    channels.add({"coherence_" + sensor, "1", response.coherence});
+  }
+  return channels;
+}
+
+}  // namespace latsch::experiment
