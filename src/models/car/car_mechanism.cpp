@@ -76,16 +76,24 @@ class Builder {
       bodies_.push_back(body_of("the chassis", chassis.body));
       return;
     }
-    // Two halves, their centers at the axles: both together are the whole in mass and center.
+    // Two halves that together are the whole in mass, center and inertia. Their centers lie at the
+    // axles, or nearer, so that moments are left to each that a body can have: about y and z on
+    // the mean those about x.
     const double front = car_.front.corner.wheel_center.x(),
-                 rear = car_.rear.corner.wheel_center.x();
-    const double share = (chassis.body.center.x() - rear) / (front - rear);
-    const auto half = [&](double part, double x) -> MassProperties {
+                 rear = car_.rear.corner.wheel_center.x(), middle = chassis.body.center.x();
+    const double share = (middle - rear) / (front - rear);
+    const Matrix3d& whole = chassis.body.inertia;
+    const double at_axles = chassis.body.mass * share * (1.0 - share) * std::pow(front - rear, 2);
+    const double away =
+        std::clamp(0.5 * (whole(1, 1) + whole(2, 2)) - whole(0, 0), 0.0, at_axles);
+    const double nearer = std::sqrt(away / at_axles);
+    const auto half = [&](double part, double axle) -> MassProperties {
       MassProperties mass;
       mass.mass = part * chassis.body.mass;
-      mass.center = {x, chassis.body.center.y(), chassis.body.center.z()};
-      const double away = chassis.body.mass * share * (1.0 - share) * std::pow(front - rear, 2);
-      Matrix3d own = chassis.body.inertia;
+      mass.center = {middle + nearer * (axle - middle),
+                     chassis.body.center.y(),
+                     chassis.body.center.z()};
+      Matrix3d own = whole;
       own(1, 1) -= away;
       own(2, 2) -= away;
       mass.inertia = part * own;
