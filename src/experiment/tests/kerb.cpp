@@ -43,6 +43,7 @@
 #include "experiment/language/test.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/kerb_rig.h"
+#include "experiment/tests/kerb_pictures.h"
 #include "models/road/road_reader.h"
 
 namespace latsch::experiment {
@@ -130,6 +131,18 @@ class KerbRunTest : public Test {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
     return experiment::run(**car, test_);
+  }
+  Result<Details> details(Specimen& specimen) const override {
+    auto car = specimen.find<Drives>()->car({});
+    if (!car) return car.failure();
+    const auto road = road_of(test_, **car);
+    KerbFilm film(*road, test_.line.at(0.0) + (*car)->parts().corners[car::kFL].wheel_center.y());
+    const auto done = experiment::run(
+        **car, test_, [&](const car::Car& of, const car::CarState& state, double time) {
+          film.see(of, state, time);
+        });
+    if (!done) return done.failure();
+    return film.details();
   }
 
  private:

@@ -84,15 +84,13 @@ class Builder {
     const double share = (middle - rear) / (front - rear);
     const Matrix3d& whole = chassis.body.inertia;
     const double at_axles = chassis.body.mass * share * (1.0 - share) * std::pow(front - rear, 2);
-    const double away =
-        std::clamp(0.5 * (whole(1, 1) + whole(2, 2)) - whole(0, 0), 0.0, at_axles);
+    const double away = std::clamp(0.5 * (whole(1, 1) + whole(2, 2)) - whole(0, 0), 0.0, at_axles);
     const double nearer = std::sqrt(away / at_axles);
     const auto half = [&](double part, double axle) -> MassProperties {
       MassProperties mass;
       mass.mass = part * chassis.body.mass;
-      mass.center = {middle + nearer * (axle - middle),
-                     chassis.body.center.y(),
-                     chassis.body.center.z()};
+      mass.center = {
+          middle + nearer * (axle - middle), chassis.body.center.y(), chassis.body.center.z()};
       Matrix3d own = whole;
       own(1, 1) -= away;
       own(2, 2) -= away;

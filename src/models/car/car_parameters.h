@@ -65,8 +65,8 @@ struct Axle {
 
 struct Chassis {
   multibody::MassProperties body;
-  /// Torsion between its halves, about an axis along x at `x` and height `z`; each takes the mass
-  /// on its side of that plane by the axles' distances.
+  /// Torsion between its halves, about an axis along x at `x` and height `z`. Masses of the halves
+  /// go by the axles' distances from the center of mass.
   struct Torsion {
     double stiffness;  // N m/rad
     double damping;    // N m s/rad

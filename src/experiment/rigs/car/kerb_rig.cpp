@@ -131,8 +131,8 @@ class KerbRun {
   /// Mean and spread from time 0 on, of each tire and of all.
   static void add_areas(Channels& channels) {
     const std::vector<double> time = channels["time"];
-    const auto first = static_cast<std::size_t>(
-        std::lower_bound(time.begin(), time.end(), -1e-9) - time.begin());
+    const auto first =
+        static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), -1e-9) - time.begin());
     std::vector<double> sum(time.size(), 0.0);
     const auto add = [&](const std::string& of, const std::vector<double>& area) {
       const auto count = static_cast<double>(area.size() - first);
