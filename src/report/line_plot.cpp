@@ -48,6 +48,9 @@ PlotLine thinned(const PlotLine& line) {
       thin.x.push_back(line.x[k]);
       thin.y.push_back(line.y[k]);
       if (!line.spread.empty()) thin.spread.push_back(line.spread[k]);
+      if (line.lower.empty()) continue;
+      thin.lower.push_back(line.lower[k]);
+      thin.upper.push_back(line.upper[k]);
     }
   }
   return thin;
@@ -65,13 +68,16 @@ void gather(const std::vector<double>& from, std::vector<double>& all) {
 }
 
 void draw_spread(Svg& svg, const Axis& x, const Axis& y, const PlotLine& line) {
-  if (line.spread.empty()) return;
+  if (line.spread.empty() && line.lower.empty()) return;
+  const bool is_even = line.lower.empty();
   std::vector<Point> outline;
   for (std::size_t k = 0; k < line.x.size(); ++k) {
-    outline.emplace_back(x.at(line.x[k]), y.at(line.y[k] + line.spread[k]));
+    outline.emplace_back(x.at(line.x[k]),
+                         y.at(is_even ? line.y[k] + line.spread[k] : line.upper[k]));
   }
   for (std::size_t k = line.x.size(); k-- > 0;) {
-    outline.emplace_back(x.at(line.x[k]), y.at(line.y[k] - line.spread[k]));
+    outline.emplace_back(x.at(line.x[k]),
+                         y.at(is_even ? line.y[k] - line.spread[k] : line.lower[k]));
   }
   svg.polygon(outline, fmt::format("fill=\"{}\" fill-opacity=\"0.25\"", category(line.color)));
 }
@@ -86,6 +92,8 @@ std::string line_plot(const LinePlot& plot) {
     if (plot.logarithmic_y) hide_what_has_no_logarithm(lines.back());
     gather(lines.back().x, xs);
     gather(lines.back().y, ys);
+    gather(lines.back().lower, ys);
+    gather(lines.back().upper, ys);
     for (std::size_t k = 0; k < lines.back().spread.size(); ++k) {
       ys.push_back(lines.back().y[k] + lines.back().spread[k]);
       ys.push_back(lines.back().y[k] - lines.back().spread[k]);

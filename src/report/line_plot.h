@@ -8,11 +8,12 @@
 namespace latsch::report {
 
 struct PlotLine {
-  std::string name;            // in the legend; empty: none
-  std::vector<double> x, y;    // as a person reads them; not finite: left out
-  int color = 0;               // a category, see color_map.h
-  std::vector<double> spread;  // a band of +- this around y; may be empty
-  bool are_dots = false;       // not joined
+  std::string name;                            // in the legend; empty: none
+  std::vector<double> x, y;                    // as a person reads them; not finite: left out
+  int color = 0;                               // a category, see color_map.h
+  std::vector<double> spread;                  // a band of +- this around y; may be empty
+  bool are_dots = false;                       // not joined
+  std::vector<double> lower = {}, upper = {};  // or a band between these; may be empty
 };
 
 struct LinePlot {

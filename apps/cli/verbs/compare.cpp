@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch compare: tires of several kinds through the same drum tests, beside what was measured.
+// latsch compare: tires of several kinds through the same drum tests, or models of any kind
+// through the same tests, beside what was measured.
 
 #include <cmath>
 #include <filesystem>
@@ -7,8 +8,10 @@
 
 #include "base/file.h"
 #include "cli/console/console.h"
+#include "cli/verbs/compared_models.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/comparison/comparison_page.h"
+#include "correlation/comparison/model_comparison_file.h"
 #include "correlation/comparison/tire_comparison.h"
 #include "formats/tables/csv_table.h"
 
@@ -42,7 +45,11 @@ void write_measurements(const ComparisonFile& file, const fs::path& folder) {
 void compare(const std::string& name,
              const experiment::Language& language,
              const std::string& measurements,
-             std::string output) {
+             std::string output,
+             int threads) {
+  if (output.empty()) output = fs::path(name).replace_extension(".html").string();
+  if (correlation::compares_models(name))
+    return compare_models(name, language, measurements, output, threads);
   const ComparisonFile file = correlation::read_comparison_file(name, language);
   if (!measurements.empty()) return write_measurements(file, measurements);
   TireComparison comparison;
@@ -53,7 +60,6 @@ void compare(const std::string& name,
       progress.update(done++, static_cast<long>(file.tests.size()), test);
     });
   }
-  if (output.empty()) output = fs::path(name).replace_extension(".html").string();
   write_text_file(output, comparison_page(file, comparison));
   say("{}\n\n", file.title);
   for (std::size_t t = 0; t < file.tires.size(); ++t) {
@@ -85,7 +91,10 @@ void add_compare(CommandLine& app, Program& program) {
       "  [tire.rigid_ring]                   as many as there are\n"
       "  kind = \"rigid_ring\"                 ring_tire, rigid_ring, magic_formula\n"
       "  file = \"rigid_ring.tir\"\n\n"
+      "or one with a [reference], a [model.NAME] for each of several models of any kind, and "
+      "grids\nof tests, whose spectra are compared: studies/kerb/comparison.toml\n\n"
       "Examples:\n  latsch compare studies/tire_model_comparison/comparison.toml\n"
+      "  latsch compare studies/kerb/comparison.toml -o kerb.html --json > kerb.json\n"
       "  latsch compare comparison.toml --write-measurements measured\n"
       "      what the specimen shows, as tables to fit a tire to");
   auto file = std::make_shared<std::string>();
@@ -96,7 +105,10 @@ void add_compare(CommandLine& app, Program& program) {
   verb.add_option("--write-measurements",
                   *measurements,
                   "Write what the specimen shows in every test into this folder, and end");
-  verb.callback([=, &program] { compare(*file, program.language, *measurements, *output); });
+  auto threads = std::make_shared<int>(2);
+  verb.add_option("--threads", *threads, "Of a comparison of models; the same result for any");
+  verb.callback(
+      [=, &program] { compare(*file, program.language, *measurements, *output, *threads); });
 }
 
 }  // namespace latsch::cli

@@ -10,6 +10,11 @@
 //   step = "0.2 ms"                      # of the simulation
 //   sample_step = "1 ms"                 # of the record, a multiple of it
 //   area = true                          # records the contact areas: default false
+//   [wander]                             # of the driver: none unless given, not beside {from = ...}
+//   speed = "0.5 m/s"                    # standard deviations about what is asked of him
+//   line = "20 mm"
+//   period = "1 s"                       # the longest in them
+//   seed = 1
 //   [kerb]                               # none: a level road; as that of latsch road, x counted
 //   kind = "kerb"                        # from where the front axle is at time 0
 //   shape = "sine"
@@ -23,8 +28,12 @@
 //   downforce = ["1 kN", "1 kN", "2 kN"]
 //   pushrods = {from = "measurement.track"}    # or such forces that the four pushrod_FL ... come
 //                                        # out as measured, low-passed before by the measurement
+//   stretch = ["-0.2 s", "0 s"]          # beside pushrods: held at what their means over this
+//                                        # stretch ask for; they follow unless given
 //
-// Its channels are those of a four-post rig, and loader_1 .. loader_3.
+// Its channels are those of a four-post rig, speed, line, loader_1 .. loader_3, and of areas mean
+// and spread from time 0 on, area_mean_FL ..., area_spread_FL ..., area_mean, area_spread. What
+// the loaders do not reach is in `unreachable`.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -34,6 +43,7 @@
 #include "experiment/language/test.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/kerb_rig.h"
+#include "experiment/tests/kerb_pictures.h"
 #include "models/road/road_reader.h"
 
 namespace latsch::experiment {
@@ -101,6 +111,12 @@ class KerbRunTest : public Test {
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     for (const auto& [name, unit] : car_channels(test_.with_area)) channels.push_back({name, unit});
+    channels.push_back({"speed", "m/s"});
+    channels.push_back({"line", "m"});
+    if (test_.with_area)
+      for (const char* of : {"_FL", "_FR", "_RL", "_RR", ""})
+        for (const char* what : {"area_mean", "area_spread"})
+          channels.push_back({std::string(what) + of, "m^2"});
     if (test_.loaders)
       for (int k = 1; k <= 3; ++k) channels.push_back({fmt::format("loader_{}", k), "N"});
     if (test_.follows_pushrods()) channels.push_back({"unreachable", "N"});
@@ -115,6 +131,18 @@ class KerbRunTest : public Test {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
     return experiment::run(**car, test_);
+  }
+  Result<Details> details(Specimen& specimen) const override {
+    auto car = specimen.find<Drives>()->car({});
+    if (!car) return car.failure();
+    const auto road = road_of(test_, **car);
+    KerbFilm film(*road, test_.line.at(0.0) + (*car)->parts().corners[car::kFL].wheel_center.y());
+    const auto done = experiment::run(
+        **car, test_, [&](const car::Car& of, const car::CarState& state, double time) {
+          film.see(of, state, time);
+        });
+    if (!done) return done.failure();
+    return film.details();
   }
 
  private:
@@ -163,11 +191,32 @@ void read_loaders(const Node& node, const TestSource& source, KerbTest& test) {
     if (channels["time"].size() < 2) node.reject("pushrods", "has fewer than two samples");
     for (std::size_t i = 0; i < 4; ++i)
       test.pushrods[i] = {channels["time"], channels[of_corners("pushrod")[i]]};
+    if (!node.has("stretch")) return;
+    const auto stretch = node.quantities("stretch", "s");
+    if (stretch.size() != 2 || stretch[0] >= stretch[1])
+      node.reject("stretch", "expected two rising times");
+    for (History& pushrod : test.pushrods)
+      pushrod = {{0.0}, {pushrod.mean(stretch[0], stretch[1])}};
     return;
   }
   const auto forces = node.quantities("downforce", "N");
   if (forces.size() != 3) node.reject("downforce", "expected three forces, one a loader");
   test.downforce = {forces[0], forces[1], forces[2]};
+}
+
+void read_wander(const Node& node, KerbTest& test) {
+  if (test.speed.values.size() > 1 || test.line.values.size() > 1)
+    node.reject("speed", "stands beside a speed or line that is measured, expected one of them");
+  Wander wander;
+  wander.speed = node.quantity("speed", "m/s", Range::not_negative(), 0.0);
+  wander.line = node.quantity("line", "m", Range::not_negative(), 0.0);
+  wander.period = node.quantity("period", "s", Range::positive(), 1.0);
+  wander.seed = node.integer("seed", 0, 1'000'000'000, 1);
+  const auto with = [&](double asked, double deviation, int stream) {
+    return wandering(asked, deviation, wander, stream, test.run_in, test.duration);
+  };
+  test.speed = with(test.speed.at(0.0), wander.speed, 1);
+  test.line = with(test.line.at(0.0), wander.line, 2);
 }
 
 std::unique_ptr<Test> read_kerb_test(const Node& root, const TestSource& source) {
@@ -182,6 +231,7 @@ std::unique_ptr<Test> read_kerb_test(const Node& root, const TestSource& source)
   if (std::abs(ratio - std::round(ratio)) > 1e-6 * ratio || ratio < 0.5)
     root.reject("sample_step", "is no multiple of step");
   test.with_area = root.flag("area", false);
+  if (const auto wander = root.find_table("wander")) read_wander(*wander, test);
   if (const auto kerb = root.find_table("kerb")) test.kerb = road::read_kerb(*kerb);
   if (const auto loaders = root.find_table("loaders")) read_loaders(*loaders, source, test);
   return std::make_unique<KerbRunTest>(std::move(test));

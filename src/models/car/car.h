@@ -106,7 +106,7 @@ class Car {
                                               const CarInputs& inputs = {}) const;
   /// m, of its spring unit against rest; 0 where it is locked.
   double spring_extension(const CarState& state, int corner) const;
-  /// N, upward, of the road on each tire.
+  /// N, upward, of each tire on its hub: with the inertia of a belt that moves.
   std::array<double, kCorners> vertical_forces(const CarState& state) const;
   WheelMotion motion_of_wheel(int corner,
                               const multibody::Poses& poses,

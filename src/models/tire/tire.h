@@ -71,6 +71,8 @@ class Tire {
   /// As it stood on the road at the end of settle() or of the last step; nothing of a kind of tire
   /// that does not know.
   virtual std::optional<Footprint> footprint() const { return std::nullopt; }
+  /// m, inertial: points around its belt as it stands, in order; none of a kind that has no belt.
+  virtual Eigen::Matrix3Xd outline() const { return {}; }
   /// An independent copy of model and state.
   virtual std::unique_ptr<Tire> clone() const = 0;
 };

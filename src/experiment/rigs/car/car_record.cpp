@@ -63,7 +63,11 @@ void CarRecord::sample(const car::CarState& state, const car::CarInputs& inputs,
   const auto put = [&](double value) { values_[column++].push_back(value); };
   put(time);
   for (const double force : car_.pushrod_forces(state, inputs)) put(force);
-  for (const double force : car_.vertical_forces(state)) put(force);
+  std::array<std::optional<Footprint>, kCorners> footprints;
+  for (std::size_t i = 0; i < kCorners; ++i) footprints[i] = state.wheels[i].tire->footprint();
+  // On the hub the belt's inertia acts too.
+  const auto at_hubs = car_.vertical_forces(state);
+  for (std::size_t i = 0; i < kCorners; ++i) put(footprints[i] ? footprints[i]->load : at_hubs[i]);
   for (int corner = 0; corner < kCorners; ++corner)
     put(upward_acceleration_of_hub(car_, state, corner));
   for (int corner = 0; corner < kCorners; ++corner) put(car_.spring_extension(state, corner));
@@ -77,10 +81,7 @@ void CarRecord::sample(const car::CarState& state, const car::CarInputs& inputs,
   put(pose.place.x() - car_.mechanism().bodies()[static_cast<std::size_t>(chassis)].origin.x());
   put(pose.place.y() - car_.mechanism().bodies()[static_cast<std::size_t>(chassis)].origin.y());
   if (!with_area_) return;
-  for (const car::WheelState& wheel : state.wheels) {
-    const auto footprint = wheel.tire->footprint();
-    put(footprint ? footprint->area : 0.0);
-  }
+  for (const auto& footprint : footprints) put(footprint ? footprint->area : 0.0);
 }
 
 Channels CarRecord::channels() const {

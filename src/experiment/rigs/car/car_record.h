@@ -3,9 +3,8 @@
 //
 //   time                                   s
 //   pushrod_FL ... pushrod_RR              N, along the push-rod, compression positive
-//   Fz_FL ...                              N, of the tire on its hub, upward: the road's force less
-//                                          weight and inertia of what the tire's model moves itself
-//                                          (a belt); of a tire without mass the road's force
+//   Fz_FL ...                              N, of the road on the tire, upward; of tires that know
+//                                          no footprint, on the hub
 //   hub_FL ...                             m/s^2, of the wheel center, upward
 //   spring_FL ...                          m, extension of the spring unit against rest; 0 of bars
 //   body_z                                 m/s^2, of the chassis' center of mass, upward

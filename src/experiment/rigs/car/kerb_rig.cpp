@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/random.h"
 #include "experiment/rigs/car/car_record.h"
 #include "models/road/placed_road.h"
 #include "models/road/plane_road.h"
@@ -49,16 +50,38 @@ double History::area(double time) const {
   return from_first(time) - from_first(0.0);
 }
 
-namespace {
+double History::mean(double from, double to) const {
+  return to > from ? (area(to) - area(from)) / (to - from) : at(from);
+}
 
-std::unique_ptr<const road::Road> place_road(const KerbTest& test, double front_axle) {
+History wandering(
+    double asked, double deviation, const Wander& wander, int stream, double before, double after) {
+  constexpr double kSample = 0.01;  // s
+  constexpr std::array<double, 3> kPeriods = {1.0, 0.6, 0.4};
+  RandomStream random(static_cast<std::uint64_t>(wander.seed), static_cast<std::uint64_t>(stream));
+  std::array<double, 3> phases{};
+  for (double& phase : phases) phase = 2.0 * M_PI * random.uniform();
+  History history;
+  for (double t = -before; t < after + kSample; t += kSample) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += std::sin(2.0 * M_PI * t / (kPeriods[k] * wander.period) + phases[k]);
+    history.times.push_back(t);
+    history.values.push_back(asked + deviation * std::sqrt(2.0 / 3.0) * sum);
+  }
+  return history;
+}
+
+std::unique_ptr<const road::Road> road_of(const KerbTest& test, const car::Car& car) {
   if (!test.kerb) return std::make_unique<road::PlaneRoad>();
   const double way = test.speed.area(0.0) - test.speed.area(-test.run_in);
   return std::make_unique<road::PlacedRoad>(
       std::make_unique<road::ProfileRoad>(road::kerb_road(*test.kerb)),
       0.0,
-      Eigen::Vector3d(front_axle + way, 0.0, 0.0));
+      Eigen::Vector3d(car.parts().corners[car::kFL].wheel_center.x() + way, 0.0, 0.0));
 }
+
+namespace {
 
 Eigen::Vector4d pushrods_at(const KerbTest& test, double time) {
   Eigen::Vector4d forces;
@@ -69,10 +92,8 @@ Eigen::Vector4d pushrods_at(const KerbTest& test, double time) {
 
 class KerbRun {
  public:
-  KerbRun(car::Car& car, const KerbTest& test)
-      : car_(car),
-        test_(test),
-        road_(place_road(test, car.parts().corners[car::kFL].wheel_center.x())) {}
+  KerbRun(car::Car& car, const KerbTest& test, const KerbWatcher& watch)
+      : car_(car), test_(test), watch_(watch), road_(road_of(test, car)) {}
 
   Result<Channels> run() {
     if (const std::string trouble = start(); !trouble.empty()) return Failure{trouble};
@@ -89,11 +110,16 @@ class KerbRun {
       }
       if ((i - lead) % every != 0) continue;
       record.sample(state_, inputs_, time);
+      speed_.push_back(state_.bodies.rates[6 * car_.parts().chassis]);
+      if (watch_) watch_(car_, state_, time);
       for (std::size_t k = 0; k < 3; ++k)
         loaders_[k].push_back(downforce_[static_cast<Eigen::Index>(k)]);
       unreachable_.push_back(left_);
     }
     Channels channels = record.channels();
+    channels.add({"speed", "m/s", speed_});
+    channels.add({"line", "m", channels["y"]});
+    if (test_.with_area) add_areas(channels);
     if (test_.loaders)
       for (std::size_t k = 0; k < 3; ++k)
         channels.add({fmt::format("loader_{}", k + 1), "N", loaders_[k]});
@@ -102,6 +128,29 @@ class KerbRun {
   }
 
  private:
+  /// Mean and spread from time 0 on, of each tire and of all.
+  static void add_areas(Channels& channels) {
+    const std::vector<double> time = channels["time"];
+    const auto first =
+        static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), -1e-9) - time.begin());
+    std::vector<double> sum(time.size(), 0.0);
+    const auto add = [&](const std::string& of, const std::vector<double>& area) {
+      const auto count = static_cast<double>(area.size() - first);
+      double mean = 0.0, square = 0.0;
+      for (std::size_t i = first; i < area.size(); ++i) mean += area[i] / count;
+      for (std::size_t i = first; i < area.size(); ++i)
+        square += (area[i] - mean) * (area[i] - mean) / count;
+      channels.add({"area_mean" + of, "m^2", {mean}});
+      channels.add({"area_spread" + of, "m^2", {std::sqrt(square)}});
+    };
+    for (const char* corner : car::kCornerNames) {
+      const std::vector<double> area = channels[std::string("area_") + corner];
+      for (std::size_t i = 0; i < area.size(); ++i) sum[i] += area[i];
+      add(std::string("_") + corner, area);
+    }
+    add("", sum);
+  }
+
   std::string start() {
     inputs_.guide = guide_at(-test_.run_in);
     const double speed = test_.speed.at(-test_.run_in);
@@ -144,6 +193,7 @@ class KerbRun {
 
   car::Car& car_;
   const KerbTest& test_;
+  const KerbWatcher& watch_;
   std::unique_ptr<const road::Road> road_;
   std::optional<car::LoaderSolution> solution_;
   car::CarState state_;
@@ -151,11 +201,13 @@ class KerbRun {
   Eigen::Vector3d downforce_ = Eigen::Vector3d::Zero();
   double left_ = 0.0;
   std::array<std::vector<double>, 3> loaders_;
-  std::vector<double> unreachable_;
+  std::vector<double> unreachable_, speed_;
 };
 
 }  // namespace
 
-Result<Channels> run(car::Car& car, const KerbTest& test) { return KerbRun(car, test).run(); }
+Result<Channels> run(car::Car& car, const KerbTest& test, const KerbWatcher& watch) {
+  return KerbRun(car, test, watch).run();
+}
 
 }  // namespace latsch::experiment

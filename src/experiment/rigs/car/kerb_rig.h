@@ -4,6 +4,7 @@
 // push-rods, press it down; a guide keeps it on its line (models/car/car.h).
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -21,7 +22,20 @@ struct History {
   double slope(double time) const;
   /// From 0 to there.
   double area(double time) const;
+  /// Their mean over a stretch of time, by its corners.
+  double mean(double from, double to) const;
 };
+
+/// How a driver differs from what was asked of him: standard deviations about speed and line, each
+/// three sines with random phases and periods of 1, 0.6 and 0.4 of the period.
+struct Wander {
+  double speed = 0.0, line = 0.0;  // m/s, m
+  double period = 1.0;             // s
+  long seed = 1;
+};
+/// What is asked for with that on it, from -before to after; the mean over the time stays.
+History wandering(
+    double asked, double deviation, const Wander& wander, int stream, double before, double after);
 
 struct KerbTest {
   std::optional<road::Kerb> kerb;          // its place counted from where the front axle is at 0
@@ -36,8 +50,15 @@ struct KerbTest {
   bool follows_pushrods() const { return !pushrods[0].values.empty(); }
 };
 
-/// What car_record.h names; "loader_1" .. "loader_3", N, and "unreachable", N, what the loaders
+/// Looks at a run at every sample.
+using KerbWatcher = std::function<void(const car::Car&, const car::CarState&, double time)>;
+/// The road of a test, whose place 0 is where the front axle is at time 0.
+std::unique_ptr<const road::Road> road_of(const KerbTest& test, const car::Car& car);
+
+/// What car_record.h names; "speed", m/s, and "line", m, of the chassis; "loader_1" .. "loader_3", N, and "unreachable", N, what the loaders
 /// leave of the four push-rods, where they follow them. Time 0: the front axle at place 0.
-Result<Channels> run(car::Car& car, const KerbTest& test);
+/// With areas also "area_mean_FL" ..., "area_spread_FL" ... and those of the sum, "area_mean",
+/// "area_spread": mean and standard deviation from time 0 on, one value each.
+Result<Channels> run(car::Car& car, const KerbTest& test, const KerbWatcher& watch = {});
 
 }  // namespace latsch::experiment

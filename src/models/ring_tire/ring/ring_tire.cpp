@@ -170,6 +170,8 @@ NodeValues RingTire::road_forces() const {
   return of_road;
 }
 
+Eigen::Matrix3Xd RingTire::outline() const { return at_knots(q_).topRows<3>(); }
+
 std::optional<Footprint> RingTire::footprint() const {
   const Vector3d forward = last_motion_.carrier.col(0);
   const Vector3d heading = Vector3d(forward.x(), forward.y(), 0.0).normalized();

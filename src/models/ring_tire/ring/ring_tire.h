@@ -92,6 +92,7 @@ class RingTire final : public Tire {
                           double step,
                           bool with_slopes = false);
   std::optional<Footprint> footprint() const override;
+  Eigen::Matrix3Xd outline() const override;
   std::unique_ptr<Tire> clone() const override { return std::make_unique<RingTire>(*this); }
 
   const RingParameters& parameters() const { return parameters_; }

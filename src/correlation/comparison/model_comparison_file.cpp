@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/comparison/model_comparison_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+
+namespace latsch::correlation {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path existing(const Node& table, const char* key, const fs::path& folder) {
+  const fs::path file = (folder / table.text(key)).lexically_normal();
+  if (!fs::exists(file))
+    table.reject(key, "is " + in_quotes(file.string()) + ", which does not exist");
+  return file;
+}
+
+ComparedModel read_compared(const Node& table,
+                            const fs::path& folder,
+                            const experiment::Language& language) {
+  ComparedModel model;
+  model.name = table.name();
+  model.title = table.text("title", table.name());
+  model.kind = language.find_kind(table.choice("kind", language.kind_names()));
+  model.numbers = model.kind->read(existing(table, "file", folder));
+  model.kind->check(model.numbers);
+  return model;
+}
+
+void read_reference(const Node& table,
+                    const fs::path& folder,
+                    const experiment::Language& language,
+                    ModelComparisonFile& file) {
+  file.reference = read_compared(table, folder, language);
+  if (table.has("recordings")) file.recordings = folder / table.text("recordings");
+  if (table.has("recorded")) file.recorded = table.texts("recorded");
+  file.low_pass = table.quantity("low_pass", "Hz", Range::positive(), 0.0);
+  file.seed = table.integer("seed", 0, 1'000'000'000, 1);
+  if (const auto noise = table.find_table("noise")) {
+    for (const std::string& channel : noise->keys()) {
+      const char* unit = channel.starts_with("speed")  ? "m/s"
+                         : channel.starts_with("line") ? "m"
+                                                       : "N";
+      file.noise[channel] = noise->quantity(channel, unit, Range::not_negative());
+    }
+  }
+}
+
+GridTest read_grid_test(const Node& table, const fs::path& folder) {
+  GridTest test;
+  test.name = table.name();
+  const fs::path of_models = existing(table, "file", folder);
+  const fs::path of_reference =
+      table.has("reference") ? existing(table, "reference", folder) : of_models;
+  test.model_test = Document::read(of_models);
+  test.reference_test = Document::read(of_reference);
+  test.folder = of_models.parent_path();
+  test.reference_folder = of_reference.parent_path();
+  test.recording = table.text("recording", "");
+  if (table.has("mark")) {
+    const auto paths = table.texts("mark");
+    if (paths.size() != 2) table.reject("mark", "expected two paths, a speed and a length");
+    test.mark = {paths[0], paths[1]};
+  }
+  if (const auto vary = table.find_table("vary")) {
+    for (const std::string& path : vary->keys()) {
+      VariedNumber one{path, test.model_test.unit(path), {}};
+      one.values = vary->quantities(path, one.unit);
+      if (one.values.empty()) vary->reject(path, "is empty");
+      test.varied.push_back(std::move(one));
+    }
+  }
+  return test;
+}
+
+/// All combinations, the last number varying fastest.
+void add_cases(const Node& table, ModelComparisonFile& file, std::size_t index) {
+  const GridTest& test = file.tests[index];
+  std::size_t count = 1;
+  for (const VariedNumber& one : test.varied) count *= one.values.size();
+  for (std::size_t number = 0; number < count; ++number) {
+    ComparedCase one;
+    one.test = index;
+    one.name = test.name;
+    one.model_test = test.model_test;
+    one.reference_test = test.reference_test;
+    std::size_t left = number, block = count;
+    for (const VariedNumber& varied : test.varied) {
+      block /= varied.values.size();
+      const std::size_t level = left / block;
+      left %= block;
+      one.levels.push_back(level);
+      one.name += fmt::format("-{}", level + 1);
+      one.in_words += fmt::format("{}{} {:.4g} {}",
+                                  one.in_words.empty() ? "" : ", ",
+                                  varied.path,
+                                  varied.values[level],
+                                  varied.unit);
+      one.model_test.set(varied.path, varied.values[level]);
+      one.reference_test.set(varied.path, varied.values[level]);
+    }
+    one.recording = test.recording.empty() ? one.name : test.recording;
+    if (!test.mark[0].empty()) {
+      const double length = one.reference_test.get(test.mark[1]);
+      if (length == 0.0) table.reject("mark", "divides by 0");
+      one.mark = one.reference_test.get(test.mark[0]) / length;
+    }
+    file.cases.push_back(std::move(one));
+  }
+}
+
+void read_bands(const Node& root, ModelComparisonFile& file) {
+  for (const Node& table : root.named_tables("band")) {
+    const auto edges = table.quantities("edges", "Hz", Range::positive());
+    if (edges.size() != 2 || edges[0] >= edges[1])
+      table.reject("edges", "expected two frequencies, the lower one first");
+    file.bands.push_back({table.name(), {edges[0], edges[1]}});
+  }
+  if (file.bands.empty()) root.reject("band", "is missing, expected at least one [band.NAME]");
+}
+
+void read_factorial(const Node& root, ModelComparisonFile& file) {
+  const auto table = root.find_table("factorial");
+  if (!table) return;
+  file.factors = table->texts("factors");
+  if (file.factors.size() != 2) table->reject("factors", "expected two names");
+  const auto names = table->texts("models");
+  if (names.size() != 4)
+    table->reject("models",
+                  "expected four models: both factors low, the second high, the first high, both");
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto found =
+        std::find_if(file.models.begin(), file.models.end(), [&](const ComparedModel& model) {
+          return model.name == names[i];
+        });
+    if (found == file.models.end())
+      table->reject("models", "has " + in_quotes(names[i]) + ", which is no [model.NAME]");
+    file.factorial_models[i / 2][i % 2] = static_cast<std::size_t>(found - file.models.begin());
+  }
+}
+
+void read_uncertainty(const Node& root, ModelComparisonFile& file) {
+  for (const Node& table : root.named_tables("uncertainty")) {
+    Uncertainty one{table.name(),
+                    table.text("source", ""),
+                    table.texts("paths"),
+                    table.quantity("spread", "1", Range::positive())};
+    for (const std::string& path : one.paths) {
+      const auto has = [&](const ComparedModel& model) {
+        const auto paths = model.numbers.paths();
+        return std::find(paths.begin(), paths.end(), path) != paths.end();
+      };
+      if (std::none_of(file.models.begin(), file.models.end(), has))
+        table.reject("paths", "has " + in_quotes(path) + ", which no model has");
+    }
+    file.uncertainties.push_back(std::move(one));
+  }
+  if (const auto table = root.find_table("bands")) {
+    file.samples = static_cast<int>(table->integer("samples", 0, 10'000, 0));
+    file.band_seed = table->integer("seed", 0, 1'000'000'000, 1);
+    file.level = table->quantity("level", "1", Range::between(0.1, 0.999), 0.9);
+  }
+}
+
+void read_pictures(const Node& root, ModelComparisonFile& file) {
+  const auto table = root.find_table("pictures");
+  if (!table) return;
+  std::vector<std::string> models, cases;
+  for (const ComparedModel& model : file.models) models.push_back(model.name);
+  for (const ComparedCase& one : file.cases) cases.push_back(one.name);
+  const auto place = [](const std::vector<std::string>& all, const std::string& name) {
+    return static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
+  };
+  const auto model = place(models, table->choice("model", models));
+  file.pictures = {model, place(cases, table->choice("case", cases))};
+}
+
+}  // namespace
+
+std::size_t ModelComparisonFile::find_case(const std::string& name) const {
+  const auto found = std::find_if(
+      cases.begin(), cases.end(), [&](const ComparedCase& one) { return one.name == name; });
+  return static_cast<std::size_t>(found - cases.begin());
+}
+
+bool compares_models(const fs::path& file) {
+  const auto keys = Document::read(file).root().keys();
+  return std::find(keys.begin(), keys.end(), "model") != keys.end();
+}
+
+ModelComparisonFile read_model_comparison(const fs::path& path,
+                                          const experiment::Language& language) {
+  const Document document = Document::read(path);
+  const Node root = document.root();
+  const fs::path folder = path.parent_path();
+  ModelComparisonFile file;
+  file.file = path;
+  file.title = root.text("title", path.stem().string());
+  file.channels = root.texts("channels");
+  if (file.channels.empty()) root.reject("channels", "is empty, expected one channel at least");
+  if (root.has("told")) file.told = root.texts("told");
+  file.has_from = root.has("from");
+  if (file.has_from) file.from = root.quantity("from", "s");
+  file.segment = root.quantity("segment", "s", Range::positive());
+  file.normalize = root.quantity("normalize", "Hz", Range::positive(), 0.0);
+  read_bands(root, file);
+  read_reference(root.table("reference"), folder, language, file);
+  for (const Node& table : root.named_tables("model"))
+    file.models.push_back(read_compared(table, folder, language));
+  for (const Node& table : root.named_tables("test")) {
+    file.tests.push_back(read_grid_test(table, folder));
+    add_cases(table, file, file.tests.size() - 1);
+  }
+  if (file.cases.empty())
+    root.reject("test", "is missing, expected at least one [test.NAME] with its file");
+  for (const ComparedCase& one : file.cases)
+    if (file.find_case(one.recording) == file.cases.size())
+      root.reject("test", "has no case " + in_quotes(one.recording) + " to take a recording of");
+  read_factorial(root, file);
+  read_uncertainty(root, file);
+  read_pictures(root, file);
+  root.close();
+  return file;
+}
+
+}  // namespace latsch::correlation

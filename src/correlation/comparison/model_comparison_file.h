@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `latsch compare` reads where models of any kind, no tires alone, go through tests of any
+// kind beside a reference: a specimen that was measured, or stands in the place of one.
+//
+//   title = "A car on a kerb"
+//   channels = ["pushrod_FL", "pushrod_RL"]   # over an even "time", whose spectra are compared
+//   told = ["unreachable", "area_mean_FL"]    # means over the record of channels, in a table
+//   from = "0 s"                         # what of a record counts; all unless given
+//   segment = "0.25 s"                   # of the spectra, one Hann window each
+//   normalize = "150 Hz"                 # frequencies also over this one; not unless given
+//
+//   [band.whole]                         # the first is that of the distance, others beside it
+//   edges = ["5 Hz", "150 Hz"]
+//
+//   [reference]
+//   title = "Track"
+//   recordings = "measured"              # folder of CASE.csv; simulated unless given:
+//   kind = "car"
+//   file = "track.toml"
+//   recorded = ["speed", "line"]         # channels beside those compared
+//   low_pass = "10 Hz"                   # of what models take as {from = "measurement.reference"}
+//   seed = 15
+//   [reference.noise]                    # standard deviation of every sample, in SI or with unit
+//   pushrod_FL = "30 N"
+//
+//   [test.exit]
+//   file = "tests/exit.toml"             # of the models
+//   reference = "tests/exit_track.toml"  # of the reference; the same unless given
+//   recording = "exit-2-2"               # of another case, in place of an own one
+//   mark = ["speed", "kerb.pitch"]       # draws the frequency first / second of the test's numbers
+//   [test.exit.vary]                     # a case for every combination: "exit-1-1", "exit-1-2" ...
+//   speed = ["50 m/s", "60 m/s", "70 m/s"]
+//   line = ["0 m", "0.2 m", "0.4 m"]
+//
+//   [model.baseline]
+//   kind = "car"
+//   file = "baseline.toml"
+//   title = "Baseline"
+//
+//   [factorial]                          # two factors of two levels: 00, 01, 10, 11
+//   factors = ["tire", "compliance"]
+//   models = ["baseline", "mf_compliant", "ring_rigid", "proposed"]
+//
+//   [uncertainty.bushings]               # numbers of the models that a fit leaves unknown together
+//   paths = ["front_suspension.bushing.all.x"]     # a model without one of them: without it
+//   spread = 0.2                         # standard deviation of the logarithm
+//   source = "assumed"
+//
+//   [bands]
+//   samples = 20                         # random ones; 0: from slopes by differences of the spread
+//   seed = 3
+//   level = 0.9
+//
+//   [pictures]                           # of one run: Test::details
+//   model = "proposed"
+//   case = "exit-2-2"
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/document.h"
+#include "experiment/language.h"
+#include "measurement/rig_response_fit.h"
+
+namespace latsch::correlation {
+
+struct ComparedModel {
+  std::string name, title;
+  const experiment::SpecimenKind* kind = nullptr;
+  Document numbers = Document::parse("", "");
+};
+
+struct NamedBand {
+  std::string name;
+  FrequencyBand band;  // Hz
+};
+
+/// What varies over the cases of a test.
+struct VariedNumber {
+  std::string path, unit;
+  std::vector<double> values;  // SI
+};
+
+struct GridTest {
+  std::string name, recording;
+  Document model_test = Document::parse("", ""), reference_test = Document::parse("", "");
+  std::filesystem::path folder, reference_folder;
+  std::vector<VariedNumber> varied;
+  std::array<std::string, 2> mark;  // paths; empty: none
+};
+
+/// One combination.
+struct ComparedCase {
+  std::size_t test = 0;
+  std::string name, recording;
+  std::vector<std::size_t> levels;  // a varied number each
+  std::string in_words;             // "speed 60 m/s, line 0.2 m"
+  Document model_test = Document::parse("", ""), reference_test = Document::parse("", "");
+  double mark = 0.0;  // Hz; 0: none
+};
+
+struct Uncertainty {
+  std::string name, source;
+  std::vector<std::string> paths;
+  double spread = 0.0;
+};
+
+struct ModelComparisonFile {
+  std::filesystem::path file;
+  std::string title;
+  std::vector<std::string> channels, told, recorded;
+  double from = 0.0, segment = 0.0, normalize = 0.0;  // s, s, Hz
+  bool has_from = false;
+  std::vector<NamedBand> bands;
+  ComparedModel reference;
+  std::filesystem::path recordings;  // empty: simulated
+  double low_pass = 0.0;             // Hz; 0: none
+  long seed = 1;
+  std::map<std::string, double> noise;
+  std::vector<GridTest> tests;
+  std::vector<ComparedCase> cases;
+  std::vector<ComparedModel> models;
+  std::vector<std::string> factors;                              // two, or none
+  std::array<std::array<std::size_t, 2>, 2> factorial_models{};  // by level of first and second
+  std::vector<Uncertainty> uncertainties;
+  int samples = 0;
+  long band_seed = 1;
+  double level = 0.9;
+  std::optional<std::pair<std::size_t, std::size_t>> pictures;  // model, case
+
+  std::size_t find_case(const std::string& name) const;  // cases.size(): none
+};
+
+/// Whether the file is one of this kind: it names models.
+bool compares_models(const std::filesystem::path& file);
+
+/// Throws InputError naming the place.
+ModelComparisonFile read_model_comparison(const std::filesystem::path& file,
+                                          const experiment::Language& language);
+
+}  // namespace latsch::correlation

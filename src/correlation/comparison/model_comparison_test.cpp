@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/comparison/model_comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "correlation/comparison/comparison_effects.h"
+
+namespace latsch::correlation {
+namespace {
+
+numerics::Density density(const std::vector<double>& values) {
+  numerics::Density density;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    density.frequency.push_back(10.0 * static_cast<double>(k));
+    density.value.push_back(values[k]);
+  }
+  return density;
+}
+
+// Closed form: twice the density is a distance of 1, whatever it is; the same density of 0.
+TEST(ModelComparison, DistanceIsRelativeAndOfTheBandAlone) {
+  const auto S = density({9.0, 1.0, 2.0, 5.0, 9.0});
+  const auto doubled = density({-9.0, 2.0, 4.0, 10.0, -9.0});
+  EXPECT_DOUBLE_EQ(psd_distance(doubled, S, {10.0, 30.0}), 1.0);
+  EXPECT_DOUBLE_EQ(psd_distance(S, S, {0.0, 40.0}), 0.0);
+  // (4 - 2)/2 on the only line
+  EXPECT_DOUBLE_EQ(psd_distance(doubled, S, {15.0, 25.0}), 1.0);
+}
+
+// Distances made of 5 - 3 first - 1 second + 0.5 for both levels alike give these numbers back; the
+// interaction is half of what both together do beyond the sum.
+TEST(ModelComparison, EffectsOfATwoByTwoAreThoseItWasMadeOf) {
+  const auto e = effects_of({{{5.0, 4.0}, {2.0, 1.5}}});
+  EXPECT_DOUBLE_EQ(e.first, -2.75);
+  EXPECT_DOUBLE_EQ(e.second, -0.75);
+  EXPECT_DOUBLE_EQ(e.interaction, 0.25);
+  EXPECT_EQ(e.first_is_larger, 1.0);
+  const auto additive = effects_of({{{5.0, 1.0}, {4.0, 0.0}}});
+  EXPECT_DOUBLE_EQ(additive.first, -1.0);
+  EXPECT_DOUBLE_EQ(additive.second, -4.0);
+  EXPECT_DOUBLE_EQ(additive.interaction, 0.0);
+  EXPECT_EQ(additive.first_is_larger, 0.0);
+}
+
+}  // namespace
+}  // namespace latsch::correlation
