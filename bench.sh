@@ -5,7 +5,7 @@ set -eu
 cd "$(dirname "$0")"
 
 list() {
-  for file in benchmarks/*_bench.cpp; do
+  for file in benchmarks/*_bench.cpp benchmarks/*/*_bench.cpp; do
     [ -e "$file" ] || continue
     name=$(basename "$file" _bench.cpp)
     # The first line of the file after the license says what it measures.
@@ -18,7 +18,7 @@ case $name in
   --list) list; exit ;;
   "" | -*) echo "usage: ./bench.sh NAME | --list" >&2; list >&2; exit 2 ;;
 esac
-if [ ! -e "benchmarks/${name}_bench.cpp" ]; then
+if ! list | grep -q "^$name "; then
   echo "bench.sh: no benchmark is called \"$name\"; there are:" >&2
   list >&2
   exit 2

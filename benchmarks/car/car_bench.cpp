@@ -105,7 +105,7 @@ void speed_rows(Table& table) {
     if (locked)
       table.row(what, value, ">= 8", runs && real >= 8.0);
     else
-      table.note(fmt::format("{}, rockers and springs", what), value);
+      table.note(what + ", rockers and springs", value);
   }
 }
 

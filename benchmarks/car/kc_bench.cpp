@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A corner of ten bushings: nonlinear statics and compliance matrices a second, on one core. As
-// rigid links: a travel curve with all outputs.
+// A corner of ten bushings: statics and compliance matrices a second; a travel curve of rigid links.
 #include <fmt/format.h>
 
 #include <algorithm>
