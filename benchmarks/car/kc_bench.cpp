@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A corner of ten bushings: statics and compliance matrices a second; a travel curve of rigid links.
+// A corner of ten bushings: statics and compliance matrices a second; a curve of rigid links.
 #include <fmt/format.h>
 
 #include <algorithm>
