@@ -36,6 +36,7 @@ SECTIONS = [
     ('Test "slip_history": slips as recorded, lagging', "slip_history"),
     ('Test "kc": a corner under loads', "kc"),
     ('Test "kinematics": a corner and its axle as rigid links', "kinematics"),
+    ('Test "four_post": a car on four posts', "four_post"),
     ("[variable.NAME], [tie.NAME]", "variables"),
     ("[linear_constraint.NAME]", "linear_constraints"),
     ("[measurement.NAME]: what a laboratory recorded", "measurement"),

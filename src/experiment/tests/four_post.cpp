@@ -13,7 +13,6 @@
 //                                        # posts = "heights.csv", a table of them and time
 //   step = "0.2 ms"                      # of the simulation
 //   sample_step = "1 ms"                 # of the record, a multiple of it
-//
 //   spectra = true                       # adds channels over frequency; in recorded posts to the
 //                                        # signal of the mode that is stated
 //   segment = "4 s"                      # of Welch's method
@@ -21,9 +20,8 @@
 //
 // Its channels: time, forces of the push-rods (pushrod_FL ..., compression positive), of the tires
 // on their hubs (Fz_FL ...), accelerations of hubs and body upward, spring travel, heave, roll and
-// pitch, heights of the posts (post_FL ...): rigs/car/car_record.h. Over frequency: densities
-// psd_pushrod_FL ..., transfer functions tf_pushrod_FL ..., their phase and coherence:
-// rigs/car/post_spectra.h.
+// pitch, heights of the posts (post_FL ...). Over frequency: densities psd_pushrod_FL ..., transfer
+// functions tf_pushrod_FL ..., their phases and coherences. Signs and units: docs/car.md.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

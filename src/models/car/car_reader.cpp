@@ -107,9 +107,14 @@ Axle read_axle(const Node& root, const std::string& name) {
   axle.masses = read_masses(node);
   axle.camber = node.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
   axle.toe = node.quantity("toe", "rad", Range::between(-0.5, 0.5), 0.0);
-  if (!node.flag("locked", false))
-    axle.inboard = read_inboard(
-        node, suspension, axle.corner.points[suspension::DoubleWishbone::kPushrodInner]);
+  const bool is_locked = node.flag("locked", false);
+  // A file may keep the springs that bars stand in for.
+  if (is_locked && node.table("mass").has("rocker"))
+    node.table("mass").quantity("rocker", "kg", Range::positive());
+  if (is_locked && !node.has("spring")) return axle;
+  const Inboard inboard =
+      read_inboard(node, suspension, axle.corner.points[suspension::DoubleWishbone::kPushrodInner]);
+  if (!is_locked) axle.inboard = inboard;
   return axle;
 }
 

@@ -17,7 +17,7 @@
 //   torsion_damping = "0 N m s/deg"
 //   torsion_at = ["0.75 m", "0.28 m"]    # x and z of the axis
 //   [front]                              # and [rear]
-//   locked = false                       # true: bars in the place of the springs
+//   locked = false                       # true: bars in the place of the springs, which may stay
 //   camber = "-1 deg"                    # of the wheel at rest; toe; default 0
 //   [front.mass]
 //   upper_wishbone = "0.8 kg"            # lower_wishbone, pushrod, trackrod, rocker: thin rods

@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+"""A car on four posts: what is recorded, over frequency too, posts from a table and from a measurement; and what is refused,
+naming the part.
+
+    car_test.py PATH/TO/latsch
+"""
+import csv
+import math
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, edit
+
+STUDIES = pathlib.Path(__file__).resolve().parents[3] / "studies"
+CORNERS = ("FL", "FR", "RL", "RR")
+SHORT = '{kind = "four_post", duration = "0.5 s", from = "5 Hz"}'
+
+
+class Cars(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_car_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        for name in ("kerb", "four_post"):
+            shutil.copytree(STUDIES / name, self.folder / name, ignore=shutil.ignore_patterns("*.latsch", "*.html"))
+        self.car = self.folder / "kerb" / "baseline.toml"
+
+    def latsch(self, *arguments, code=DONE):
+        run = subprocess.run([LATSCH, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+        self.assertEqual(run.returncode, code, f"latsch {' '.join(map(str, arguments))}\n{run.stdout}{run.stderr}")
+        return run.stdout + run.stderr
+
+    def columns(self, test, car=None):
+        """Channels without their empty cells."""
+        out = self.folder / "out.csv"
+        self.latsch("test", car or self.car, test, "-o", out)
+        with open(out) as file:
+            table = list(csv.reader(file))
+        return {name.split(" [")[0]: [float(row[i]) for row in table[1:] if row[i]] for i, name in enumerate(table[0])}
+
+
+class OnPosts(Cars):
+    def test_forces_of_a_level_car_are_its_weight_and_alike_on_both_sides(self):
+        record = self.columns(SHORT)
+        weight = 9.80665 * (220.0 + 2.0 * 2.0 * (0.8 + 1.0 + 0.4 + 0.3 + 0.4 + 4.0 + 8.2))
+        self.assertAlmostEqual(sum(record[f"Fz_{c}"][0] for c in CORNERS), weight, delta=1e-3 * weight)
+        self.assertAlmostEqual(record["pushrod_FL"][0], record["pushrod_FR"][0], delta=0.5)
+        self.assertGreater(record["pushrod_FL"][0], 0.0)  # compressed
+
+    def test_spectra_are_added_with_their_own_lines(self):
+        record = self.columns('{kind = "four_post", duration = "8 s", from = "1 Hz", to = "10 Hz", spectra = true, segment = "2 s"}')
+        self.assertEqual(len(record["time"]), 8001)
+        self.assertEqual(record["frequency"], [0.5 * f for f in range(2, 21)])
+        self.assertTrue(all(0.0 <= c <= 1.0 + 1e-12 for c in record["coherence_hub_RR"]))
+        self.assertTrue(all(abs(p) <= math.pi for p in record["phase_body_z"]))
+        # Far below its resonance of 6 Hz it rises with its posts, a little more: acceleration by height is (2 pi f)^2.
+        line = record["frequency"].index(2.0)
+        self.assertAlmostEqual(record["tf_body_z"][line] / (4.0 * math.pi) ** 2, 1.0 / (1.0 - (2.0 / 6.0) ** 2), delta=0.1)
+
+    def test_a_table_of_heights_moves_the_posts_and_warp_twists(self):
+        rows = ["time [s],post_FL [mm],post_FR [mm],post_RL [mm],post_RR [mm]"]
+        for i in range(501):
+            h = 2.0 * math.sin(2.0 * math.pi * 3.0 * i * 1e-3) ** 3
+            rows.append(f"{i * 1e-3:.3f},{h:.6f},{-h:.6f},{-h:.6f},{h:.6f}")
+        (self.folder / "heights.csv").write_text("\n".join(rows) + "\n")
+        (self.folder / "warp.toml").write_text('kind = "four_post"\nposts = "heights.csv"\nmode = "warp"\n')
+        record = self.columns(self.folder / "warp.toml")
+        self.assertAlmostEqual(max(record["post_FL"]), 2e-3, delta=1e-5)
+        self.assertEqual(record["post_FL"], record["post_RR"])
+        self.assertLess(max(map(abs, record["heave"])), 1e-4)
+        edit(self.folder / "heights.csv", (r"\n0.250,", "\n0.2504,"))
+        self.assertIn("not even in time at sample 251", self.latsch("test", self.car, self.folder / "warp.toml", code=WRONG_INPUT))
+
+    def test_a_study_moves_its_posts_as_they_were_measured(self):
+        text = self.latsch("check", self.folder / "four_post" / "study.toml")
+        self.assertNotIn("error", text.lower())
+        edit(self.folder / "four_post" / "study.toml", (r'\{from = "measurement.sweep"\}', '{from = "measurement.swept"}'))
+        self.assertIn("measurement.swept", self.latsch("check", self.folder / "four_post" / "study.toml", code=WRONG_INPUT))
+
+    def test_a_page_shows_histories_and_responses(self):
+        page = self.folder / "page.html"
+        self.latsch("test", self.car, SHORT, "--html", page, "-o", self.folder / "out.csv")
+        for title in ("Push-rods by posts", "Density of the push-rods", "Coherence of the push-rods", "Springs"):
+            self.assertIn(title, page.read_text())
+
+
+class Refused(Cars):
+    def complaint(self, *edits, code=WRONG_INPUT, file=None, test=SHORT):
+        edit(file or self.car, *edits)
+        return self.latsch("test", self.car, test, "-o", self.folder / "out.csv", code=code)
+
+    def test_parts_that_are_missing(self):
+        self.assertIn("front_tire is missing", self.complaint(('front_tire = "slick.tir"\n', "")))
+
+    def test_files_that_are_missing(self):
+        text = self.complaint(('front_suspension = "front_rigid.toml"', 'front_suspension = "fornt.toml"'))
+        self.assertIn("baseline.toml:5: front_suspension is no file", text)
+
+    def test_a_tire_that_does_not_roll(self):
+        self.assertIn("front_tire is of kind \"suspension\", which does not roll",
+                      self.complaint(('front_tire = "slick.tir"', 'front_tire = "front_rigid.toml"')))
+
+    def test_bodies_without_mass(self):
+        self.assertIn("front.mass.pushrod is missing", self.complaint(('pushrod = "0.4 kg"\n', "")))
+
+    def test_a_chassis_without_mass(self):
+        self.assertIn('chassis.mass is "0 kg", expected more than 0 kg', self.complaint(('mass = "220 kg"', 'mass = "0 kg"')))
+
+    def test_an_inertia_of_no_body(self):
+        self.assertIn("the inertia of the chassis is none of a body", self.complaint(('"100 kg m.2"', '"1000 kg m^2"')))
+
+    def test_millimeters_as_meters(self):
+        text = self.complaint((' mm"', ' m"'), file=self.folder / "kerb" / "front_rigid.toml")
+        self.assertIn("uca_front is more than 50 m from the origin: are its numbers millimeters?", text)
+
+    def test_a_center_of_mass_in_millimeters(self):
+        text = self.complaint((r'center = .*', 'center = ["750 m", "0 m", "280 m"]'))
+        self.assertIn("the center of mass of the chassis, x = 750 m, is not between the axles", text)
+
+    def test_a_height_of_the_center_of_mass_in_millimeters(self):
+        text = self.complaint((r'center = .*', 'center = ["0.75 m", "0 m", "280 m"]'))
+        self.assertIn("the center of mass of the chassis, z = 280 m, is higher", text)
+
+    def test_front_and_rear_swapped(self):
+        text = self.complaint(('front_suspension = ".*"', 'front_suspension = "rear_rigid.toml"'),
+                              ('rear_suspension = ".*"', 'rear_suspension = "front_rigid.toml"'))
+        self.assertIn("the front axle is not in front of the rear one", text)
+
+    def test_a_damper_that_does_not_rise_in_x(self):
+        self.assertIn("front.spring.damper does not rise in x: point 3 has -0.03 behind 0.2",
+                      self.complaint((r'\["-0.1 m/s", "-450 N"\]', '["0.2 m/s", "-450 N"]')))
+
+    def test_no_spring(self):
+        self.assertIn("front.spring is missing", self.complaint((r"\[front.spring\](\n.+)+\n", "")))
+
+    def test_a_damper_alone_carries_nothing(self):
+        text = self.complaint(('stiffness = "52.538 N/mm"\n', ""), code=FAILED)
+        self.assertRegex(text, "the spring unit FL carries .* at rest, where it has 0 N/m")
+
+    def test_newtons_by_meter_as_by_millimeter(self):
+        text = self.complaint(('"52.538 N/mm"', '"52.538 N/m"'), code=FAILED)
+        self.assertRegex(text, "the spring unit FL carries .* more than ten times its length of 182.5 mm")
+
+    def test_a_locked_car_needs_no_spring_and_bears_one(self):
+        edit(self.car, (r"\[front\]\n", "[front]\nlocked = true\n"))
+        with_spring = self.columns(SHORT)
+        edit(self.car, (r"\[front.spring\](\n.+)+\n", ""), ('rocker = "0.4 kg"\n', ""))
+        self.assertIn("rear.mass.rocker is missing", self.latsch("test", self.car, SHORT, code=WRONG_INPUT))
+        edit(self.car, ('pushrod = "0.4 kg"\n', 'pushrod = "0.4 kg"\nrocker = "0.4 kg"\n'))
+        self.assertEqual(self.columns(SHORT), with_spring)
+        self.assertEqual(set(with_spring["spring_FL"]), {0.0})
+
+    def test_halves_of_a_chassis_that_have_too_little_inertia(self):
+        self.assertIn("alone make 132 kg m^2 about y", self.complaint((r"\[chassis\]", '[chassis]\ntorsion = "4 kN m/deg"')))
+
+    def test_a_wheel_that_its_tire_does_not_fit(self):
+        text = self.complaint((r'"235.000 mm"', '"335.000 mm"'), code=FAILED, file=self.folder / "kerb" / "front_rigid.toml")
+        self.assertIn("the tire FL has a radius of 235 mm, but its wheel center is drawn 335 mm above", text)
+
+    def test_a_load_beyond_what_it_bears(self):
+        text = self.complaint(('mass = "220 kg"', 'mass = "220 t"'), code=FAILED)
+        self.assertRegex(text, "the car does not stand under its weight of 2.158e.06 N: .* is turned most")
+
+    def test_keys_that_are_unknown(self):
+        self.assertIn('unknown key "chassis.mas", did you mean "mass"?', self.complaint((r"\[chassis\]", '[chassis]\nmas = "3 kg"')))
+
+    def test_spectra_that_cannot_be(self):
+        for test, words in (('{kind = "four_post", duration = "1 s", segment = "2 s"}', "longer than the record"),
+                            ('{kind = "four_post", duration = "1 s", band = ["9 Hz", "3 Hz"]}', "a lower and a higher"),
+                            ('{kind = "four_post", duration = "1 s", band = ["3.2 Hz", "3.4 Hz"]}', "holds no line")):
+            self.assertIn(words, self.latsch("test", self.car, test, code=WRONG_INPUT))
+
+
+if __name__ == "__main__":
+    unittest.main()
