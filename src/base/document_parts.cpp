@@ -101,6 +101,12 @@ Document with_part(const Document& whole, std::string_view key, const Document& 
   return Document::parse(text, whole.file());
 }
 
+bool has_part(const Document& whole, std::string_view key) {
+  const DocumentTree tree(whole.text(), whole.file());
+  const int index = tree.child(DocumentTree::kRoot, key);
+  return index >= 0 && tree.value(index).kind == DocumentValue::Kind::table;
+}
+
 Document part_of(const Document& whole, std::string_view key) {
   const DocumentTree tree(whole.text(), whole.file());
   const int index = tree.child(DocumentTree::kRoot, key);

@@ -14,6 +14,9 @@ namespace latsch {
 /// `whole` with the text at the top key `key` replaced by a table of all that is in `part`.
 Document with_part(const Document& whole, std::string_view key, const Document& part);
 
+/// Whether the part of that key is read already: a table stands there.
+bool has_part(const Document& whole, std::string_view key);
+
 /// The table at a top key as a document of its own, under the file name of the whole.
 Document part_of(const Document& whole, std::string_view key);
 

@@ -25,6 +25,8 @@ TEST(DocumentParts, APartKeepsItsNumbersUnderPathsOfItsOwn) {
   for (const std::string& path : part.paths()) EXPECT_EQ(both.get("tire." + path), part.get(path));
   EXPECT_EQ(both.paths().size(), part.paths().size() + 1);
   EXPECT_EQ(both.get("body.mass"), 5.0);
+  EXPECT_FALSE(has_part(whole, "tire"));
+  EXPECT_TRUE(has_part(both, "tire"));
   both.set("tire.side.radial.stiffness", 6e5);
   both.set("tire.contour.1.0", 0.011);
   const Document back = part_of(both, "tire");
@@ -51,6 +53,8 @@ TEST(DocumentParts, WhatIsNoPartIsRefused) {
   const Document whole = Document::parse("tire = 3\n", "car.toml");
   EXPECT_THROW(with_part(whole, "tire", whole), InputError);
   EXPECT_THROW(part_of(whole, "tire"), InputError);
+  EXPECT_FALSE(has_part(whole, "tire"));
+  EXPECT_FALSE(has_part(whole, "body"));
 }
 
 }  // namespace

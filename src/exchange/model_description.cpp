@@ -20,9 +20,12 @@ struct BaseUnit {
 };
 constexpr std::array kUnits = {BaseUnit{"N", 1, 1, -2, 0},
                                BaseUnit{"N m", 1, 2, -2, 0},
+                               BaseUnit{"N m/rad", 1, 2, -2, -1},
+                               BaseUnit{"N/m", 1, 0, -2, 0},
                                BaseUnit{"Pa", 1, -1, -2, 0},
                                BaseUnit{"m", 0, 1, 0, 0},
                                BaseUnit{"m/s", 0, 1, -1, 0},
+                               BaseUnit{"m/s^2", 0, 1, -2, 0},
                                BaseUnit{"m^2", 0, 2, 0, 0},
                                BaseUnit{"rad", 0, 0, 0, 1},
                                BaseUnit{"rad/s", 0, 0, -1, 1},

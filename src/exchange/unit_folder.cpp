@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "base/error.h"
 #include "base/file.h"
 #include "base/text.h"
+#include "exchange/car_unit.h"
 #include "exchange/tire_unit.h"
 #include "formats/road/open_crg_header.h"
 #include "formats/road/road_file.h"
@@ -67,34 +70,48 @@ void add_road(UnitFiles& files, const fs::path& road) {
   }
 }
 
-std::unique_ptr<Unit> read_tire_unit(const fs::path& folder,
-                                     const Node& keys,
-                                     const experiment::Language& language) {
-  const auto name = keys.choice("model_kind", language.kinds_for({experiment::Rolls::kName}));
-  const experiment::SpecimenKind& kind = *language.find_kind(name);
-  return tire_unit(kind, kind.read(folder / keys.text("model")), folder / keys.text("road"));
+/// What becomes a unit: what it is, the capability a model of it has.
+struct UnitKind {
+  const char* name;
+  const char* ability;
+  std::unique_ptr<Unit> (*make)(std::shared_ptr<experiment::Specimen>,
+                                std::shared_ptr<const road::Road>);
+};
+
+template <class OfThisKind>
+std::unique_ptr<Unit> make(std::shared_ptr<experiment::Specimen> specimen,
+                           std::shared_ptr<const road::Road> road) {
+  return std::make_unique<OfThisKind>(std::move(specimen), std::move(road));
+}
+
+constexpr std::array kUnitKinds = {UnitKind{"tire", experiment::Rolls::kName, make<TireUnit>},
+                                   UnitKind{"car", experiment::Drives::kName, make<CarUnit>}};
+
+const UnitKind& unit_kind_of(const experiment::SpecimenKind& kind) {
+  for (const UnitKind& unit : kUnitKinds)
+    if (experiment::can(kind, {unit.ability})) return unit;
+  throw InputError("a " + kind.in_words() + " does not roll: expected a tire that does, or a car");
 }
 
 }  // namespace
 
-std::unique_ptr<Unit> tire_unit(const experiment::SpecimenKind& kind,
-                                const Document& numbers,
-                                const fs::path& road) {
-  if (!experiment::can(kind, {experiment::Rolls::kName}))
-    throw InputError("a " + kind.in_words() + " does not roll: expected a tire that does");
+std::unique_ptr<Unit> unit_of(const experiment::SpecimenKind& kind,
+                              const Document& numbers,
+                              const fs::path& road) {
+  const UnitKind& unit = unit_kind_of(kind);
   std::shared_ptr<const road::Road> surface;
   if (road.empty()) {
     surface = std::make_shared<road::PlaneRoad>(road::PlaneRoad::Settings{});
   } else {
     surface = formats::read_road_file(road).road;
   }
-  return std::make_unique<TireUnit>(kind.build(numbers), std::move(surface));
+  return unit.make(kind.build(numbers), std::move(surface));
 }
 
-UnitFiles tire_unit_files(const experiment::SpecimenKind& kind,
-                          const Document& numbers,
-                          const fs::path& road) {
-  tire_unit(kind, numbers, road);  // what is wrong is said of the files as they stand
+UnitFiles unit_files(const experiment::SpecimenKind& kind,
+                     const Document& numbers,
+                     const fs::path& road) {
+  unit_of(kind, numbers, road);  // what is wrong is said of the files as they stand
   UnitFiles files;
   const std::string model = kModel + fs::path(numbers.file()).extension().string();
   files.emplace_back(model, kind.text(numbers));
@@ -105,11 +122,13 @@ UnitFiles tire_unit_files(const experiment::SpecimenKind& kind,
     if (files.back().first == model || files.back().first == kUnit)
       throw InputError({road.string(), 0}, "has a name of a file of the unit: give it another");
   }
-  const std::string road_name = files[1].first;
+  const std::string road_name = files[1].first, unit = unit_kind_of(kind).name;
   files.emplace_back(kUnit,
-                     fmt::format("kind = \"tire\"\ntoken = \"{}\"\n\n[tire]\nmodel_kind = \"{}\"\n"
+                     fmt::format("kind = \"{}\"\ntoken = \"{}\"\n\n[{}]\nmodel_kind = \"{}\"\n"
                                  "model = \"{}\"\nroad = \"{}\"\n",
+                                 unit,
                                  hash_in_words(files),
+                                 unit,
                                  kind.name(),
                                  model,
                                  road_name));
@@ -125,10 +144,17 @@ std::string token_of(const UnitFiles& files) {
 UnitFromFolder read_unit(const fs::path& folder, const experiment::Language& language) {
   const Document document = Document::read(folder / kUnit);
   const Node root = document.root();
-  root.choice("kind", {"tire"});
+  std::vector<std::string> names;
+  for (const UnitKind& unit : kUnitKinds) names.push_back(unit.name);
+  const std::string name = root.choice("kind", names);
+  const UnitKind& unit = *std::find_if(
+      kUnitKinds.begin(), kUnitKinds.end(), [&](const UnitKind& one) { return one.name == name; });
   UnitFromFolder result;
   result.token = root.text("token");
-  result.unit = read_tire_unit(folder, root.table("tire"), language);
+  const Node keys = root.table(name);
+  const experiment::SpecimenKind& kind =
+      *language.find_kind(keys.choice("model_kind", language.kinds_for({unit.ability})));
+  result.unit = unit_of(kind, kind.read(folder / keys.text("model")), folder / keys.text("road"));
   root.close();
   return result;
 }

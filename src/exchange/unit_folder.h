@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A unit as files: what travels in the `resources` of a package, and a library finds there.
 //
-//   unit.toml    kind = "tire", token = "{...}"     # of all that stands in the files below
-//                [tire] model_kind, model, road     # the last two are names of files beside it
+//   unit.toml    kind = "tire" or "car", token = "{...}"   # of all that stands in the files below
+//                [tire] or [car]
+//                model_kind, model, road                   # the last two: names of files beside it
 //
-// A new kind of unit is a line of read_unit().
+// A car is one file, its suspensions and tires tables of it (base/document_parts.h).
+//
+// A new kind of unit is a line of kUnitKinds.
 #pragma once
 
 #include <filesystem>
@@ -22,15 +25,15 @@ namespace latsch::exchange {
 /// Files by their names in the folder, with their bytes.
 using UnitFiles = std::vector<std::pair<std::string, std::string>>;
 
-/// A tire with these numbers on the road of a file (.toml, .crg, .rdf); empty: flat, height 0.
-/// InputError where there is no such unit.
-std::unique_ptr<Unit> tire_unit(const experiment::SpecimenKind& kind,
-                                const Document& numbers,
-                                const std::filesystem::path& road = {});
+/// A tire or a car with these numbers on the road of a file (.toml, .crg, .rdf); empty: flat,
+/// height 0. InputError where there is no such unit.
+std::unique_ptr<Unit> unit_of(const experiment::SpecimenKind& kind,
+                              const Document& numbers,
+                              const std::filesystem::path& road = {});
 /// The same as files. What the road's file includes comes with it.
-UnitFiles tire_unit_files(const experiment::SpecimenKind& kind,
-                          const Document& numbers,
-                          const std::filesystem::path& road = {});
+UnitFiles unit_files(const experiment::SpecimenKind& kind,
+                     const Document& numbers,
+                     const std::filesystem::path& road = {});
 
 /// The token of these files, "{...}", that of unit.toml.
 std::string token_of(const UnitFiles& files);

@@ -23,7 +23,7 @@ constexpr const char* kSurface =
 
 UnitFiles files_on(const fs::path& road) {
   const auto& kind = experiment::language().kind_of_file(kTire);
-  return tire_unit_files(kind, kind.read(kTire), road);
+  return unit_files(kind, kind.read(kTire), road);
 }
 
 void write_all(const UnitFiles& files, const fs::path& folder) {

@@ -49,7 +49,7 @@ Package::Package(FmiVersion version, const std::string& model, const std::string
   fs::create_directories(made);
   if (!road.empty()) write_text_file(made / "road.toml", road);
   const UnitFiles files =
-      tire_unit_files(kind, kind.read(file), road.empty() ? fs::path() : made / "road.toml");
+      unit_files(kind, kind.read(file), road.empty() ? fs::path() : made / "road.toml");
   for (const auto& [name, bytes] : files) write_text_file(made / name, bytes);
   variables = read_unit(made, experiment::language()).unit->variables();
   token = token_of(files);

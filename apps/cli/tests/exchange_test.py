@@ -16,6 +16,7 @@ from cli_testing import DONE, LATSCH, WRONG_INPUT
 
 STUDIES = pathlib.Path(__file__).resolve().parents[3] / "studies"
 RING = STUDIES / "ring_tires/passenger_205_55R16.toml"
+CAR = STUDIES / "kerb/baseline.toml"
 FE_TIRE = STUDIES / "tires/passenger_225_50R16.toml"
 XMLLINT = shutil.which("xmllint")
 SCHEMAS = os.environ.get("LATSCH_FMI_SCHEMAS")
@@ -40,9 +41,11 @@ class Exchange(unittest.TestCase):
         self.assertEqual(code, DONE, said)
         return zipfile.ZipFile(file)
 
-    def description(self, version):
+    def description(self, version, model=RING):
         file = self.folder / f"description_{version}.xml"
-        with self.package(version) as package:
+        code, said = latsch(model, "--fmu", version, "-o", self.folder / "described.fmu")
+        self.assertEqual(code, DONE, said)
+        with zipfile.ZipFile(self.folder / "described.fmu") as package:
             file.write_bytes(package.read("modelDescription.xml"))
         return file
 
@@ -58,6 +61,36 @@ class Exchange(unittest.TestCase):
                     self.assertIn(entry.compress_type, (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED))
                     self.assertLessEqual(entry.extract_version, 20)
                 self.assertTrue(package.read(library).startswith(b"\x7fELF"))
+
+    def test_a_car_is_a_unit_with_its_suspensions_and_tires_in_one_file(self):
+        road = self.folder / "kerb.toml"
+        road.write_text('kind = "cleat"\nheight = "10 mm"\nlength = "25 mm"\n')
+        for version in VERSIONS:
+            file = self.folder / "car.fmu"
+            code, said = latsch(CAR, "--fmu", version, "-o", file, "--road", road)
+            self.assertEqual(code, DONE, said)
+            with zipfile.ZipFile(file) as package:
+                model = package.read("resources/model.toml").decode()
+                self.assertIn('kind = "car"', package.read("resources/unit.toml").decode())
+                self.assertEqual(package.read("resources/kerb.toml"), road.read_bytes())
+                description = package.read("modelDescription.xml").decode()
+            for table in ("[front_suspension]", "[rear_suspension]", "[front_tire]", "[rear_tire]"):
+                self.assertIn(table, model)
+            self.assertNotIn("slick.tir", model)
+            self.assertEqual(description.count('causality="parameter"'), 6)
+            self.assertEqual(description.count('causality="input"'), 19)
+            self.assertEqual(description.count('causality="output"'), 55)
+            units = set(re.findall(r'<Unit name="([^"]+)"', description))
+            self.assertLessEqual(set(re.findall(r' unit="([^"]+)"', description)), units)
+        # What is written is a car again, and makes the same package.
+        written = self.folder / "model.toml"
+        written.write_text(model)
+        again = self.folder / "again" / "car.fmu"
+        again.parent.mkdir()
+        code, said = latsch(written, "--fmu", "3.0", "-o", again, "--road", road)
+        self.assertEqual(code, DONE, said)
+        with zipfile.ZipFile(again) as package:
+            self.assertEqual(package.read("resources/model.toml").decode(), model)
 
     def test_the_same_content_gives_the_same_bytes_and_another_another_token(self):
         road = self.folder / "kerb.toml"
@@ -87,7 +120,7 @@ class Exchange(unittest.TestCase):
             head = "/fmiModelDescription"
             self.assertEqual(ask(f"string({head}/@fmiVersion)"), version)
             self.assertNotEqual(ask(f"string({head}/@{token})"), "")
-            self.assertEqual(ask(f"string({head}/CoSimulation/@modelIdentifier)"), "tire")
+            self.assertEqual(ask(f"string({head}/CoSimulation/@modelIdentifier)"), "described")
             self.assertEqual(ask(f"string({head}/CoSimulation/@{state})"), "true")
             self.assertEqual(ask(f"string({head}/CoSimulation/@needsExecutionTool)"), "false")
             variables = f"{head}/ModelVariables/*"
@@ -119,9 +152,10 @@ class Exchange(unittest.TestCase):
     def test_a_description_is_one_by_the_schemas_of_the_standard(self):
         for version in VERSIONS:
             schema = pathlib.Path(SCHEMAS) / f"fmi{version[0]}ModelDescription.xsd"
-            run = subprocess.run([XMLLINT, "--noout", "--schema", schema, self.description(version)],
-                                 capture_output=True, text=True)
-            self.assertEqual(run.returncode, 0, run.stderr)
+            for model in (RING, CAR):
+                run = subprocess.run([XMLLINT, "--noout", "--schema", schema, self.description(version, model)],
+                                     capture_output=True, text=True)
+                self.assertEqual(run.returncode, 0, run.stderr)
 
     def test_what_is_wrong_is_said(self):
         fmu = self.folder / "tire.fmu"

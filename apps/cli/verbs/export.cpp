@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch export: the identified model, measurements written from the model itself, a tire of finite
-// elements for other programs, a tire that rolls for programs that simulate a car on it.
+// elements for other programs, a tire that rolls for programs that simulate a car on it, a car.
 #include <fmt/format.h>
 
 #include "base/file.h"
@@ -165,6 +165,8 @@ void add_export(CommandLine& app, Program& program) {
       "  latsch export studies/ring_tires/passenger_205_55R16.toml --fmu 3.0 --road kerb.toml -o "
       "tire.fmu\n"
       "      a co-simulation unit: wheel motion in, hub forces out (docs/exchange.md)\n"
+      "  latsch export studies/kerb/baseline.toml --fmu 3.0 -o car.fmu\n"
+      "      a car: rack, torques and loads in, its motion and push-rod forces out\n"
       "  latsch export studies/ring_tires/passenger_205_55R16.toml --sti\n"
       "      where the library is by which a program with the Standard Tyre Interface rolls it");
   auto options = std::make_shared<ExportOptions>();
@@ -175,7 +177,8 @@ void add_export(CommandLine& app, Program& program) {
   verb.add_option("--pressure", options->pressure, "Inflation, the tire's own unless given");
   verb.add_option("--deflection", options->deflection, "Presses the tire on the ground");
   verb.add_option("--modes", options->modes, "Lowest modes").between(0, 200);
-  verb.add_option("--fmu", options->fmu, "Unit of this version of FMI, of a tire that rolls")
+  verb.add_option(
+          "--fmu", options->fmu, "Unit of this version of FMI, of a tire that rolls or of a car")
       .one_of({"2.0", "3.0"});
   verb.add_option("--road", options->road, "Its road, as of latsch road; flat unless given");
   verb.add_option("-o,--output", options->output, "Its package to write");

@@ -34,7 +34,7 @@ void write_fmu(const std::string& file,
                const experiment::Language& language) {
   if (output.empty()) throw InputError("export --fmu: expected the package to write, -o FILE.fmu");
   const ModelSource source = model_source(file, language);
-  const auto files = exchange::tire_unit_files(*source.kind, source.numbers, road);
+  const auto files = exchange::unit_files(*source.kind, source.numbers, road);
   const auto fmi = version == "2.0" ? exchange::FmiVersion::fmi2 : exchange::FmiVersion::fmi3;
   exchange::UnitTitle title;
   title.name = fs::path(output).stem().string();
@@ -44,7 +44,7 @@ void write_fmu(const std::string& file,
       output,
       exchange::fmu_package(fmi,
                             title,
-                            exchange::tire_unit(*source.kind, source.numbers, road)->variables(),
+                            exchange::unit_of(*source.kind, source.numbers, road)->variables(),
                             library(version == "2.0" ? "latsch_fmi2.so" : "latsch_fmi3.so"),
                             files));
   say_written(output);

@@ -8,8 +8,8 @@
 
 namespace latsch::cli {
 
-/// Writes the package of FMI "2.0" or "3.0" of a tire that rolls, on the road of a file (empty:
-/// flat). InputError.
+/// Writes the package of FMI "2.0" or "3.0" of a tire that rolls or of a car, on the road of a file
+/// (empty: flat). InputError.
 void write_fmu(const std::string& file,
                const std::string& version,
                const std::string& road,

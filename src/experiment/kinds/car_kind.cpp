@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A car as a kind of specimen: its file names those of its suspensions and tires, which are tables
-// of its numbers, "front_suspension.bushing.ubj.y", "front_tire.sidewall.radial.stiffness".
+// of its numbers, "front_suspension.bushing.ubj.y", "front_tire.sidewall.radial.stiffness". A file
+// in which they are tables already, as it is written, is read as it stands.
 #include <algorithm>
 
 #include "base/document_parts.h"
@@ -80,9 +81,10 @@ class CarKind : public SpecimenKind {
     for (const char* axle : kAxles) {
       const std::string suspension = std::string(axle) + "_suspension",
                         tire = std::string(axle) + "_tire";
-      document = with_part(
-          document, suspension, suspension_kind().read(named_file(file, written, suspension)));
-      if (!written.root().has(tire)) continue;
+      if (!has_part(written, suspension))
+        document = with_part(
+            document, suspension, suspension_kind().read(named_file(file, written, suspension)));
+      if (!written.root().has(tire) || has_part(written, tire)) continue;
       const std::filesystem::path named = named_file(file, written, tire);
       const SpecimenKind& kind = named.extension() == ".tir"
                                      ? magic_or_rigid(named)

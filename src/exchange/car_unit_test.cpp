@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exchange/car_unit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/scratch_folder_testing.h"
+#include "exchange/unit_folder.h"
+
+namespace latsch::exchange {
+namespace {
+
+const std::filesystem::path kCars = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/kerb";
+const std::filesystem::path kCar = kCars / "baseline.toml";  // its tires have no force along x
+const std::filesystem::path kRingCar = kCars / "ring_rigid.toml";
+constexpr double kMass =
+    220.0 + 4.0 * (8.2 + 4.0 + 0.8 + 1.0 + 0.4 + 0.3 + 0.4);  // of that file, kg
+constexpr double kGravity = 9.80665, kCommunication = 1e-3;
+
+/// A unit of the car, its variables by name.
+class Driven {
+ public:
+  explicit Driven(const std::filesystem::path& file = kCar) {
+    const auto& kind = experiment::language().kind_of_file(file);
+    unit_ = unit_of(kind, kind.read(file));
+  }
+  CarUnit& unit() { return static_cast<CarUnit&>(*unit_); }
+  std::size_t number(const std::string& name) const {
+    const auto& variables = unit_->variables();
+    for (std::size_t i = 0; i < variables.size(); ++i)
+      if (variables[i].name == name) return i;
+    throw std::runtime_error("no variable " + name);
+  }
+  double get(const std::string& name) const { return unit_->value(number(name)); }
+  void set(const std::string& name, double value) { unit_->set(number(name), value); }
+  void set_all(const std::string& name, double value) {
+    for (const char* corner : car::kCornerNames) set(name + corner, value);
+  }
+  void start() {
+    const auto failure = unit_->start(0.0);
+    ASSERT_FALSE(failure) << failure->reason;
+  }
+  void go(int steps, double step = kCommunication) {
+    for (int i = 0; i < steps; ++i, time_ += step) {
+      const auto failure = unit_->step(time_, step);
+      ASSERT_FALSE(failure) << failure->reason;
+    }
+  }
+  double sum(const std::string& of) const {
+    double sum = 0.0;
+    for (const char* corner : car::kCornerNames)
+      sum += get("wheel." + std::string(corner) + "." + of);
+    return sum;
+  }
+  void let_go() {
+    for (const char* name : {"guide.along", "guide.lateral", "guide.yaw"}) set(name, 0.0);
+  }
+
+ private:
+  std::unique_ptr<Unit> unit_;
+  double time_ = 0.0;
+};
+
+TEST(CarUnit, StandsOnItsTiresWithItsWeightAndWhatIsPutOnIt) {
+  // Statics end at 1e-5 of the weight at each tire.
+  Driven car;
+  car.start();
+  EXPECT_NEAR(car.sum("Fz"), kMass * kGravity, 5e-5 * kMass * kGravity);
+  EXPECT_NEAR(car.get("chassis.z"), 0.28, 0.02);  // drawn, but for its tires
+  EXPECT_NEAR(car.get("chassis.az"), 0.0, 1e-2);
+  const double height = car.get("chassis.z");
+  car.set("load.Fz", -1000.0);
+  car.start();
+  EXPECT_NEAR(car.sum("Fz"), kMass * kGravity + 1000.0, 5e-5 * (kMass * kGravity + 1000.0));
+  EXPECT_LT(car.get("chassis.z"), height - 1e-3);
+  EXPECT_LT(car.get("spring.FL.extension"), 0.0);
+  EXPECT_GT(car.get("pushrod.FL.force"), 0.0);
+}
+
+TEST(CarUnit, GoesStraightOnAtItsSpeed) {
+  Driven car;
+  car.set("speed", 20.0);
+  car.start();
+  EXPECT_EQ(car.get("chassis.vx"), 20.0);
+  const double x = car.get("chassis.x"), spin = car.get("wheel.RL.spin");
+  car.go(100);
+  EXPECT_NEAR(car.get("chassis.x") - x, 2.0, 2e-3);
+  EXPECT_NEAR(car.get("wheel.RL.spin") - spin, 0.1 * car.get("wheel.RL.spin_rate"), 0.02);
+}
+
+TEST(CarUnit, TorqueOnTheWheelsAcceleratesTheCarThatIsLetGo) {
+  // Of wheels that roll: (m + Σ I/r²) a = Σ T/r, against a car that coasts; I of wheel and belt, r
+  // that of rolling. The wheels slip first, in which the car gains less: 5 %.
+  Driven coasting(kRingCar), driven(kRingCar);
+  const double torque = 60.0;
+  for (Driven* car : {&coasting, &driven}) {
+    car->set("speed", 15.0);
+    car->let_go();
+    car->start();
+  }
+  driven.set_all("drive.", torque);
+  const int steps = 600;
+  coasting.go(steps);
+  driven.go(steps);
+  const double gained = driven.get("chassis.vx") - coasting.get("chassis.vx");
+  const double r = coasting.get("chassis.vx") / coasting.get("wheel.RL.spin_rate");
+  const double I = 0.07 + 3.2 * 0.229 * 0.229;
+  const double expected = 4.0 * torque / r / (kMass + 4.0 * I / (r * r));
+  EXPECT_NEAR(gained / (steps * kCommunication), expected, 0.05 * expected);
+  driven.set_all("drive.", 0.0);
+  driven.set_all("brake.", torque);
+  const double before = driven.get("chassis.vx");
+  driven.go(200);
+  EXPECT_LT(driven.get("chassis.vx"), before - 0.5 * expected * 0.2);
+}
+
+TEST(CarUnit, RackToTheLeftTurnsACarWithTrackRodsBehindItsKingpinsToTheRight) {
+  Driven car;
+  car.set("speed", 15.0);
+  car.let_go();
+  car.start();
+  car.set("rack.velocity", 0.01);
+  car.go(1);
+  for (int i = 1; i < 300; ++i) {
+    car.set("rack.travel", 1e-5 * i);
+    car.go(1);
+  }
+  EXPECT_LT(car.get("chassis.wz"), -0.01);
+  EXPECT_LT(car.get("chassis.yaw"), 0.0);
+  EXPECT_LT(car.get("chassis.y"), 0.0);
+  EXPECT_LT(car.sum("Fy"), -100.0);
+}
+
+TEST(CarUnit, TheGuideGoesWhereTheInputsAre) {
+  Driven car;
+  car.set("speed", 10.0);
+  car.set("guide.is_given", 1.0);
+  car.set("guide.speed", 10.0);
+  car.start();
+  for (int i = 0; i < 400; ++i) {
+    car.set("guide.x", 0.01 * i);
+    car.set("guide.y", 1e-4 * i);  // to the left at 0.1 m/s
+    car.go(1);
+  }
+  EXPECT_NEAR(car.get("chassis.x") - 0.75, 4.0, 0.05);
+  EXPECT_GT(car.get("chassis.y"), 0.005);  // it lags: its tires resist going sideways
+}
+
+TEST(CarUnit, ACommunicationStepIsEqualStepsOfTheCarNoneLongerThanTheLongest) {
+  // Five of 0.2 ms in a call of 1 ms, or one each: the same bits where inputs stay. 0.15 ms makes
+  // seven, which is another sequence of steps.
+  const auto run = [](double communication, int calls, double longest) {
+    Driven car;
+    car.set("speed", 10.0);
+    car.set("step.longest", longest);
+    car.start();
+    car.set("load.Fz", -500.0);
+    car.go(calls, communication);
+    return *car.unit().state();
+  };
+  const car::CarState whole = run(1e-3, 4, 2e-4);
+  EXPECT_TRUE(whole == run(1e-3 / 5.0, 20, 1e-3));
+  EXPECT_FALSE(whole == run(1e-3, 4, 1.5e-4));
+}
+
+TEST(CarUnit, ACopyGoesOnToTheSameBitsWhateverTheOtherDoes) {
+  Driven car;
+  car.set("speed", 10.0);
+  car.start();
+  car.go(5);
+  const std::unique_ptr<Unit> copy = car.unit().clone();
+  auto& other = static_cast<CarUnit&>(*copy);
+  EXPECT_TRUE(*other.state() == *car.unit().state());
+  car.set("load.Fx", 300.0);
+  for (int i = 0; i < 5; ++i) {  // in turns
+    ASSERT_FALSE(other.step(5e-3 + i * kCommunication, kCommunication));
+    car.go(1);
+  }
+  EXPECT_FALSE(*other.state() == *car.unit().state());
+  Driven alone;
+  alone.set("speed", 10.0);
+  alone.start();
+  alone.go(10);
+  EXPECT_TRUE(*other.state() == *alone.unit().state());
+}
+
+TEST(CarUnit, SaysWhichParameterIsOutOfRange) {
+  for (const auto& [name, value] : {std::pair("speed", -1.0),
+                                    {"step.longest", 0.0},
+                                    {"step.longest", 0.1},
+                                    {"guide.yaw", -1.0}}) {
+    Driven car;
+    car.set(name, value);
+    try {
+      car.unit().start(0.0);
+      ADD_FAILURE() << name;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(CarUnit, RollPitchAndYawAreThoseTheRotationWasMadeOf) {
+  const double roll = 0.1, pitch = -0.3, yaw = 2.5;
+  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
+                                Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+                                Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
+                                   .toRotationMatrix();
+  EXPECT_LT((roll_pitch_yaw(turn) - Eigen::Vector3d(roll, pitch, yaw)).norm(), 1e-14);
+}
+
+TEST(CarUnit, ACarWrittenAsOneFileIsTheSameCar) {
+  const auto& kind = experiment::language().kind_of_file(kCar);
+  const Document numbers = kind.read(kCar);
+  const ScratchFolder folder;
+  for (const auto& [name, bytes] : unit_files(kind, numbers)) write_text_file(folder / name, bytes);
+  const Document back = kind.read(folder / "model.toml");
+  ASSERT_EQ(back.paths(), numbers.paths());
+  for (const std::string& path : numbers.paths()) EXPECT_EQ(back.get(path), numbers.get(path));
+}
+
+}  // namespace
+}  // namespace latsch::exchange

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// The car in packages of both versions: its life cycle, states, instances beside each other; and
+// that what comes out is what the car says when it is driven directly, to the last bit.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+
+#include "base/file.h"
+#include "exchange/car_unit.h"
+#include "fmu_testing.h"
+#include "formats/road/road_file.h"
+
+namespace latsch::exchange {
+namespace {
+
+constexpr const char* kCar = "kerb/baseline.toml";
+constexpr const char* kCleat =
+    "kind = \"cleat\"\nheight = \"10 mm\"\nlength = \"25 mm\"\nplace = \"1.9 m\"\n";
+constexpr double kStep = 1e-3, kSpeed = 15.0, kRackRate = 0.02;
+constexpr int kSteps = 30, kCarSteps = 5;  // of the car in a step
+
+using Bits = std::vector<std::uint64_t>;
+
+Bits bits_of(const std::vector<double>& values) {
+  Bits bits;
+  for (const double value : values) bits.push_back(std::bit_cast<std::uint64_t>(value));
+  return bits;
+}
+
+/// A car that runs over a cleat with its rack going to the left, driven at the rear.
+class Drive {
+ public:
+  Drive(const Package& package, double torque = 100.0)
+      : package_(package), slave_(instantiate(package)), torque_(torque) {}
+
+  Slave& slave() { return *slave_; }
+  void set(const std::string& variable, double value) {
+    ASSERT_EQ(slave_->set(package_.reference(variable), value), Status::ok) << variable;
+  }
+  void start() {
+    set("speed", kSpeed);
+    ASSERT_EQ(slave_->initialize(0.0), Status::ok);
+  }
+  void step(int from) {
+    set("rack.travel", kRackRate * kStep * from);
+    set("rack.velocity", kRackRate);
+    set("drive.RL", torque_);
+    set("drive.RR", torque_);
+    set("load.Fz", -200.0);
+    ASSERT_EQ(slave_->step(kStep * from, kStep), Status::ok)
+        << (slave_->log.empty() ? "" : slave_->log.back().second);
+  }
+  /// All outputs.
+  Bits answer() {
+    std::vector<double> values;
+    for (const Variable& variable : package_.variables) {
+      if (variable.causality != Causality::output) continue;
+      values.emplace_back();
+      EXPECT_EQ(slave_->get(package_.reference(variable.name), values.back()), Status::ok);
+    }
+    return bits_of(values);
+  }
+  double get(const std::string& variable) {
+    double value = 0.0;
+    EXPECT_EQ(slave_->get(package_.reference(variable), value), Status::ok);
+    return value;
+  }
+
+ private:
+  const Package& package_;
+  std::unique_ptr<Slave> slave_;
+  double torque_;
+};
+
+class CarOf : public testing::TestWithParam<FmiVersion> {};
+INSTANTIATE_TEST_SUITE_P(Fmi,
+                         CarOf,
+                         testing::Values(FmiVersion::fmi2, FmiVersion::fmi3),
+                         [](const auto& info) {
+                           return info.param == FmiVersion::fmi2 ? "fmi2" : "fmi3";
+                         });
+
+TEST_P(CarOf, AnswersOverACleatAsTheCarDrivenDirectlyToTheLastBit) {
+  const Package package(GetParam(), kCar, kCleat);
+  Drive drive(package);
+  ASSERT_TRUE(drive.slave().there());
+  drive.start();
+
+  const std::filesystem::path file = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies" / kCar;
+  const auto& kind = experiment::language().kind_of_file(file);
+  const auto specimen = kind.build(kind.read(file));
+  const auto car = specimen->find<experiment::Drives>()->car({});
+  ASSERT_TRUE(car);
+  const auto road = formats::read_road_file(package.file("resources/road.toml")).road;
+  const auto expect_same = [&](const car::CarState& state, const car::CarInputs& inputs) {
+    const auto pushrods = (*car)->pushrod_forces(state, inputs);
+    const auto vertical = (*car)->vertical_forces(state);
+    for (int corner = 0; corner < car::kCorners; ++corner) {
+      const auto i = static_cast<std::size_t>(corner);
+      const std::string name = car::kCornerNames[i], wheel = "wheel." + name + ".";
+      EXPECT_EQ(bits_of({pushrods[i],
+                         (*car)->spring_extension(state, corner),
+                         vertical[i],
+                         state.wheels[i].motion.spin_rate}),
+                bits_of({drive.get("pushrod." + name + ".force"),
+                         drive.get("spring." + name + ".extension"),
+                         drive.get(wheel + "Fz"),
+                         drive.get(wheel + "spin_rate")}));
+    }
+    const auto chassis = static_cast<std::size_t>((*car)->parts().chassis);
+    const Eigen::Vector3d place = state.bodies.poses[chassis].place;  // a rigid one: its center
+    EXPECT_EQ(bits_of({place.x(), place.y(), place.z()}),
+              bits_of({drive.get("chassis.x"), drive.get("chassis.y"), drive.get("chassis.z")}));
+  };
+
+  car::CarInputs inputs;
+  inputs.loads = {{(*car)->parts().chassis, (*car)->parameters().chassis.body.center}};
+  auto state = (*car)->settle(*road, kSpeed, inputs);
+  ASSERT_TRUE(state);
+  expect_same(*state, inputs);
+  const double at_rest = (*car)->vertical_forces(*state)[0];
+  double highest = 0.0;
+  inputs.loads[0].force.z() = -200.0;
+  inputs.drive = {0.0, 0.0, 100.0, 100.0};
+  const double h = kStep / kCarSteps;
+  for (int i = 0; i < kSteps; ++i) {
+    for (int j = 1; j <= kCarSteps; ++j) {
+      inputs.rack = kRackRate * kStep * i + j * h * kRackRate;
+      ASSERT_TRUE((*car)->advance(*state, h, *road, inputs));
+    }
+    drive.step(i);
+    expect_same(*state, inputs);
+    highest = std::max(highest, (*car)->vertical_forces(*state)[0]);
+  }
+  EXPECT_GT(highest, 1.2 * at_rest);  // the cleat was there
+}
+
+TEST_P(CarOf, GoesBackToAStateAndOnToTheSameBitsAlsoInAnotherInstance) {
+  const Package package(GetParam(), kCar, kCleat);
+  Drive drive(package), other(package);
+  drive.start();
+  other.start();
+  for (int i = 0; i < 10; ++i) drive.step(i);
+  void* state = nullptr;
+  ASSERT_EQ(drive.slave().copy(&state), Status::ok);
+  const Bits there = drive.answer();
+  std::vector<Bits> first;
+  for (int i = 10; i < kSteps; ++i) {
+    drive.step(i);
+    first.push_back(drive.answer());
+  }
+  EXPECT_NE(first.front(), first.back());
+  for (Drive* again : {&drive, &other}) {
+    ASSERT_EQ(again->slave().restore(state), Status::ok);
+    EXPECT_EQ(again->answer(), there);
+    for (int i = 10; i < kSteps; ++i) {
+      again->step(i);
+      EXPECT_EQ(again->answer(), first[static_cast<std::size_t>(i - 10)]);
+    }
+  }
+  ASSERT_EQ(drive.slave().free(&state), Status::ok);
+}
+
+TEST_P(CarOf, InstancesOfOneProcessDoNotFeelEachOther) {
+  const Package package(GetParam(), kCar, kCleat);
+  const auto run_alone = [&](double torque) {
+    Drive drive(package, torque);
+    drive.start();
+    for (int i = 0; i < kSteps; ++i) drive.step(i);
+    return drive.answer();
+  };
+  Drive one(package, 100.0), two(package, -50.0);
+  one.start();
+  two.start();
+  for (int i = 0; i < kSteps; ++i) {
+    one.step(i);
+    two.step(i);
+  }
+  EXPECT_NE(one.answer(), two.answer());
+  EXPECT_EQ(one.answer(), run_alone(100.0));
+  EXPECT_EQ(two.answer(), run_alone(-50.0));
+}
+
+TEST_P(CarOf, LivesAsTheStandardSays) {
+  const Package package(GetParam(), kCar, "");
+  Drive drive(package);
+  double value = 0.0;
+  Slave& slave = drive.slave();
+  EXPECT_EQ(slave.step(0.0, kStep), Status::error);
+  EXPECT_EQ(slave.get(package.reference("chassis.z"), value), Status::error);
+  EXPECT_EQ(slave.set(package.reference("speed"), -3.0), Status::ok);
+  EXPECT_EQ(slave.initialize(0.0), Status::error);
+  EXPECT_NE(slave.log.back().second.find("speed = -3 m/s"), std::string::npos)
+      << slave.log.back().second;
+  ASSERT_EQ(slave.reset(), Status::ok);
+  drive.start();
+  const Bits rest = drive.answer();
+  EXPECT_EQ(slave.set(package.reference("speed"), 3.0), Status::error);
+  drive.step(0);
+  const Bits first = drive.answer();
+  EXPECT_NE(first, rest);
+  ASSERT_EQ(slave.terminate(), Status::ok);
+  EXPECT_EQ(slave.step(kStep, kStep), Status::error);
+  ASSERT_EQ(slave.reset(), Status::ok);
+  drive.start();
+  EXPECT_EQ(drive.answer(), rest);
+  drive.step(0);
+  EXPECT_EQ(drive.answer(), first);
+}
+
+}  // namespace
+}  // namespace latsch::exchange
