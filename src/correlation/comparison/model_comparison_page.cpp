@@ -318,11 +318,19 @@ std::string model_comparison_page(const ModelComparisonFile& file,
       sensitivity_table(file, comparison) + coverage_table(file, comparison) +
       told_table(file, comparison);
   if (file.pictures) {
-    html += fmt::format("<h2>{} in {}</h2>\n<div class=\"figures\">",
+    html += fmt::format("<h2>{} in {}</h2>\n",
                         escape(file.models[file.pictures->first].title),
                         escape(file.cases[file.pictures->second].name));
-    for (const auto& picture : comparison.pictures)
-      html += figure(picture.title, "", picture.svg, picture.caption);
+    if (!comparison.pictures.empty()) {  // as wide as the page
+      const auto& first = comparison.pictures.front();
+      html += figure(first.title, "", first.svg, first.caption);
+    }
+    html += "<div class=\"figures\">";
+    for (std::size_t k = 1; k < comparison.pictures.size(); ++k)
+      html += figure(comparison.pictures[k].title,
+                     "",
+                     comparison.pictures[k].svg,
+                     comparison.pictures[k].caption);
     html += "</div>\n";
   }
   html += case_figures(file, comparison);

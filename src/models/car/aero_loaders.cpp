@@ -67,38 +67,58 @@ Result<LoaderSolution> solve_loaders(Car& car,
                                      double speed,
                                      const CarInputs& inputs) {
   constexpr int kMost = 8;
+  constexpr int kHalvings = 6;      // of a step to where the car finds no rest
   constexpr double kProbe = 200.0;  // N: large against what settling leaves
+  constexpr double kEnough =
+      1e-4;  // of the forces, of a step: rolling tires settle to some newtons
+  bool rolls = false;
   const auto pushrods = [&](const Vector3d& downforce, CarState& state) -> std::string {
     CarInputs with = inputs;
+    if (!rolls && with.guide) with.guide->speed = 0.0;
     for (multibody::Load& load : loaders.loads(car, downforce)) with.loads.push_back(load);
-    auto settled = car.settle(road, speed, with);
+    auto settled = car.settle(road, rolls ? speed : 0.0, with);
     if (!settled) return settled.failure().reason;
     state = std::move(*settled);
     return {};
   };
   LoaderSolution found;
   found.downforce.setZero();
+  Vector3d step = Vector3d::Zero();
   for (int i = 0; i < kMost; ++i) {
-    if (std::string trouble = pushrods(found.downforce, found.state); !trouble.empty())
-      return Failure{trouble};
+    std::string trouble = pushrods(found.downforce, found.state);
+    for (int k = 0; k < kHalvings && i > 0 && !trouble.empty(); ++k) {
+      step *= 0.5;
+      found.downforce -= step;
+      trouble = pushrods(found.downforce, found.state);
+    }
+    if (!trouble.empty()) return Failure{trouble};
     found.pushrods = as_vector(car.pushrod_forces(found.state, inputs));
     if (i < 2)
       for (int k = 0; k < 3; ++k) {
-        Vector3d more = found.downforce;
-        more[k] += kProbe;
-        CarState there;
-        if (std::string trouble = pushrods(more, there); !trouble.empty()) return Failure{trouble};
-        found.slopes.col(k) =
-            (as_vector(car.pushrod_forces(there, inputs)) - found.pushrods) / kProbe;
+        // A kink of a bump stop may leave no rest just there: then from the other side, or nearer.
+        for (const double probe : {kProbe, -kProbe, 0.5 * kProbe, -0.5 * kProbe}) {
+          Vector3d more = found.downforce;
+          more[k] += probe;
+          CarState there;
+          trouble = pushrods(more, there);
+          if (!trouble.empty()) continue;
+          found.slopes.col(k) =
+              (as_vector(car.pushrod_forces(there, inputs)) - found.pushrods) / probe;
+          break;
+        }
+        if (!trouble.empty()) return Failure{trouble};
       }
     found.unreachable = normal_of(found.slopes);
     // Three columns that are not two: their volume against their length.
     const Eigen::Matrix3d squares = found.slopes.transpose() * found.slopes;
     if (!(squares.determinant() > 1e-6 * std::pow(squares.trace() / 3.0, 3)))
       return Failure{"the loaders stand in one line: three points of a triangle are needed"};
-    const Vector3d step = solve_three(found.slopes, wanted - found.pushrods);
+    step = solve_three(found.slopes, wanted - found.pushrods);
     found.left = wanted - found.pushrods;
-    if (step.norm() < 1e-5 * (1.0 + found.downforce.norm())) return found;
+    const bool is_near = step.norm() < kEnough * (1.0 + found.downforce.norm());
+    if (is_near && (rolls || speed == 0.0)) return found;
+    // Slopes are those of the car standing with nearly these forces: rolling tires cost much.
+    if (i > 0) rolls = speed > 0.0;
     found.downforce += step;
   }
   return Failure{fmt::format("no loaders' forces were found for these push-rods: {:.3g} N are left",

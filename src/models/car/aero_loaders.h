@@ -30,7 +30,8 @@ struct LoaderSolution {
   Eigen::Vector4d pushrods;  // with F, N
 };
 
-/// Newton's method with slopes by differences, three or four solutions of the car at rest each.
+/// Newton's method with slopes by differences, on the car standing; then with these slopes on the
+/// car as it rolls, until a step is below 1e-4 of the forces.
 Result<LoaderSolution> solve_loaders(Car& car,
                                      const AeroLoaders& loaders,
                                      const Eigen::Vector4d& pushrods,
