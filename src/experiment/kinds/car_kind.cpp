@@ -58,7 +58,9 @@ class CarSpecimen : public Specimen, public Drives {
   }
 
   Result<std::unique_ptr<car::Car>> car(const car::CarInputs& at_rest) const override {
-    return car::Car::make(file_.parameters, tires_, at_rest);
+    auto car = car::Car::make(file_.parameters, tires_, at_rest);
+    if (car) (*car)->guide.y = file_.driver_line;
+    return car;
   }
 
  private:

@@ -229,7 +229,7 @@ void Car::add_guide(const Motion& motion,
     wrench.slopes(axis, axis) = -k - motion.share * c;
   };
   hold(0, guide.along, mass, pose.place.x() - rest.x() - point.x, rate[0] - point.speed);
-  hold(1, guide.lateral, mass, pose.place.y() - rest.y() - point.y, rate[1]);
+  hold(1, guide.lateral, mass, pose.place.y() - rest.y() - point.y - guide.y, rate[1]);
   hold(5, guide.yaw, yaw_inertia, yaw, rate[5]);
   wrenches.push_back(wrench);
 }

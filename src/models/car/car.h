@@ -29,7 +29,7 @@ using Tires = std::array<std::unique_ptr<Tire>, kCorners>;
 
 /// Holds the chassis against a point that moves along x.
 struct Guide {
-  double y = 0.0;        // m, of the line of the car's middle
+  double y = 0.0;        // m, of the line of the car's middle; beside that of a GuidePoint
   double lateral = 2e4;  // N/m; damped critically with the car's mass
   double yaw = 5e4;      // N m/rad
   double along = 2e4;    // N/m

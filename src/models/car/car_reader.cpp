@@ -140,6 +140,10 @@ CarFile read_car(const Node& root) {
       root.quantity("gravity", "m/s^2", Range::not_negative(), file.parameters.gravity);
   file.front_spring_tire = read_spring_tire(root, "front");
   file.rear_spring_tire = read_spring_tire(root, "rear");
+  if (const auto driver = root.find_table("driver")) {
+    file.driver_line = driver->quantity("line", "m", Range::between(-10.0, 10.0), 0.0);
+    driver->close();
+  }
   root.table("chassis").close();
   root.table("front").close();
   root.table("rear").close();

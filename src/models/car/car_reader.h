@@ -36,6 +36,8 @@
 //   [front.third]                        # on the sum of both sides: the same keys
 //   [front.anti_roll_bar]                # between rocker_arb_link and arb_link_blade
 //   stiffness = "80 N/mm"                # of the difference of the links' travels
+//   [driver]
+//   line = "0 mm"                        # how far to the left of the line he is asked for he drives
 //   [front.spring_tire]                  # in the place of front_tire: a vertical spring
 //   radius = "235 mm"
 //   stiffness = "117 N/mm"
@@ -52,6 +54,7 @@ struct CarFile {
   CarParameters parameters;
   /// Of the axles that name no tire.
   std::optional<SpringTireParameters> front_spring_tire, rear_spring_tire;
+  double driver_line = 0.0;  // m
 };
 
 /// Of the whole with its suspensions, not its tires: the tables front_tire and rear_tire are left
