@@ -2,6 +2,7 @@
 #include "base/document_parts.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/document_node.h"
 #include "base/text.h"
@@ -98,6 +99,33 @@ Document with_part(const Document& whole, std::string_view key, const Document& 
   text.erase(line, end - line);
   const DocumentTree of_part(part.text(), part.file());
   text += "\n[" + std::string(key) + "]\n" + lines_below(of_part, DocumentTree::kRoot);
+  return Document::parse(text, whole.file());
+}
+
+Document with_lines(const Document& whole,
+                    std::string_view path,
+                    const std::vector<std::string>& lines) {
+  const DocumentTree tree(whole.text(), whole.file());
+  const int index = tree.find(path);
+  assert(index >= 0 && tree.value(index).kind == DocumentValue::Kind::text);
+  const DocumentValue& value = tree.value(index);
+  std::string text = whole.text();
+  const std::size_t line = text.rfind('\n', value.begin) + 1;
+  std::size_t end = text.find('\n', value.end);
+  if (end == text.npos) end = text.size();
+  // Dots before the key are those of the table's name: "ubj.file = ".
+  const std::string_view before =
+      trimmed(std::string_view(text).substr(line, text.find('=', line) - line));
+  const std::string_view behind =
+      trimmed(std::string_view(text).substr(value.end, end - value.end));
+  const std::string table(
+      before.substr(0, before.size() - std::min(before.size(), value.key.size())));
+  if (before.substr(table.size()) != value.key || !(table.empty() || table.back() == '.') ||
+      !(behind.empty() || behind.front() == '#'))
+    throw InputError(tree.place(index), std::string(path) + " expected on a line of its own");
+  std::string own;
+  for (const std::string& one : lines) own += (own.empty() ? "" : "\n") + table + one;
+  text.replace(line, end - line, own);
   return Document::parse(text, whole.file());
 }
 

@@ -6,6 +6,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/document.h"
 
@@ -13,6 +14,12 @@ namespace latsch {
 
 /// `whole` with the text at the top key `key` replaced by a table of all that is in `part`.
 Document with_part(const Document& whole, std::string_view key, const Document& part);
+
+/// `whole` with the line on which the text at this path stands alone ("bushing.ubj.file") replaced
+/// by lines of other keys for the same table. Lines behind it move down by what comes to it.
+Document with_lines(const Document& whole,
+                    std::string_view path,
+                    const std::vector<std::string>& lines);
 
 /// Whether the part of that key is read already: a table stands there.
 bool has_part(const Document& whole, std::string_view key);

@@ -49,6 +49,23 @@ TEST(DocumentParts, LinesOfTheWholeKeepTheirNumbers) {
   }
 }
 
+TEST(DocumentParts, ALineBecomesLinesOfTheSameTable) {
+  const std::vector<std::string> lines = {"x = \"3 N\"", "deep.y = \"4 N\""};
+  for (const std::string text :
+       {"[a.b]\nbefore = \"1 m\"\n  file = \"f\"   # comment\nbehind = \"2 m\"\n",
+        "[a]\nb.before = \"1 m\"\nb.file = \"f\"\nb.behind = \"2 m\"",
+        "a.b.before = \"1 m\"\na.b.behind = \"2 m\"\na.b.file = 'f'"}) {
+    const Document document = with_lines(Document::parse(text, "car.toml"), "a.b.file", lines);
+    EXPECT_EQ(document.get("a.b.x"), 3.0) << document.text();
+    EXPECT_EQ(document.get("a.b.deep.y"), 4.0);
+    EXPECT_EQ(document.get("a.b.before"), 1.0);
+    EXPECT_EQ(document.get("a.b.behind"), 2.0);
+    EXPECT_FALSE(document.root().table("a").table("b").has("file"));
+  }
+  for (const std::string text : {"a.b = {file = \"f\"}\n", "a = {b.file = \"f\", c = 1}\n"})
+    EXPECT_THROW(with_lines(Document::parse(text, "car.toml"), "a.b.file", lines), InputError);
+}
+
 TEST(DocumentParts, WhatIsNoPartIsRefused) {
   const Document whole = Document::parse("tire = 3\n", "car.toml");
   EXPECT_THROW(with_part(whole, "tire", whole), InputError);

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cassert>
 #include <optional>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace latsch::suspension {
 namespace {
@@ -16,14 +18,14 @@ using multibody::ForcePart;
 
 constexpr std::array<const char*, 6> kBushingAxes = {
     "x", "y", "z", "about_x", "about_y", "about_z"};
-constexpr double kRigid = 1e10;     // N/m: 0.1 nm a newton
+constexpr double kRigid = 1e10;      // N/m: 0.1 nm a newton
 constexpr double kTurnsFreely = 10;  // N m/rad: enough that no rod spins
 
 struct Units {
-  const char *d, *f, *k;
+  const char *d, *f, *k, *c;
 };
 Units units_of(std::size_t axis) {
-  return axis < 3 ? Units{"m", "N", "N/m"} : Units{"rad", "N m", "N m/rad"};
+  return axis < 3 ? Units{"m", "N", "N/m", "N s/m"} : Units{"rad", "N m", "N m/rad", "N m s/rad"};
 }
 
 std::optional<double> spring(const std::optional<Node>& node, std::size_t axis) {
@@ -41,14 +43,40 @@ std::pair<double, double> read_pair(const Node& table,
   return {rows[0][0], rows[0][1]};
 }
 
-/// Parts of one table, of a joint or of all.
-void read_parts(const Node& node, std::size_t axis, std::vector<BushingParameters::Part>& parts) {
+std::optional<double> viscous(const std::optional<Node>& node, std::size_t axis) {
+  const auto dampers = node ? node->find_table("viscous") : std::nullopt;
+  if (!dampers || !dampers->has(kBushingAxes[axis])) return std::nullopt;
+  return dampers->quantity(kBushingAxes[axis], units_of(axis).c, Range::not_negative());
+}
+
+/// c of an axis of stiffness k: what the joint says of itself goes before what all are.
+double damping_of(const std::optional<Node>& own,
+                  const std::optional<Node>& all,
+                  std::size_t axis,
+                  double k) {
+  const auto time = [](const std::optional<Node>& node) -> std::optional<double> {
+    if (!node || !node->has("damping")) return std::nullopt;
+    return node->quantity("damping", "s", Range::not_negative());
+  };
+  const auto common = viscous(all, axis), common_time = time(all);  // asked for in any case
+  const auto value = viscous(own, axis), own_time = time(own);
+  if (value) return *value;
+  if (own_time) return *own_time * k;
+  if (common) return *common;
+  return common_time.value_or(0.0) * k;
+}
+
+/// Parts of one table, of a joint or of all; without its curve where the joint has a stiffness.
+void read_parts(const Node& node,
+                std::size_t axis,
+                bool with_curve,
+                std::vector<BushingParameters::Part>& parts) {
   const Units unit = units_of(axis);
   const char* const name = kBushingAxes[axis];
   const auto add = [&](ForcePart part) {
     parts.push_back({static_cast<int>(axis), std::move(part)});
   };
-  if (const auto curves = node.find_table("curve"); curves && curves->has(name))
+  if (const auto curves = node.find_table("curve"); curves && curves->has(name) && with_curve)
     add(multibody::ElasticCurve{read_curve(*curves, name, unit.d, unit.f)});
   if (const auto play = node.find_table("play"); play && play->has(name)) {
     const auto [gap, stiffness] = read_pair(*play, name, unit.d, unit.k);
@@ -89,15 +117,15 @@ multibody::ForceCurve read_curve(const Node& table,
 BushingParameters read_bushing(const Node& bushings, const std::string& name) {
   const auto all = bushings.find_table("all"), own = bushings.find_table(name);
   BushingParameters bushing;
-  multibody::Vector6d k;
+  multibody::Vector6d k, c;
   const bool rigid = (own && own->flag("rigid", false)) ||
                      (all && all->flag("rigid", false) && !(own && own->has("rigid")));
   for (std::size_t axis = 0; axis < kBushingAxes.size(); ++axis) {
     const auto common = spring(all, axis);  // asked for, whether it counts or not
     const auto value = spring(own, axis);
     std::vector<BushingParameters::Part> parts;
-    if (own) read_parts(*own, axis, parts);
-    if (all && parts.empty()) read_parts(*all, axis, parts);
+    if (own) read_parts(*own, axis, true, parts);
+    if (all && parts.empty()) read_parts(*all, axis, !value, parts);
     const bool curved = has_curve(parts, axis);
     if (curved && value)
       own->reject(kBushingAxes[axis],
@@ -107,18 +135,54 @@ BushingParameters read_bushing(const Node& bushings, const std::string& name) {
           name, fmt::format("has no {}, expected it here or in [bushing.all]", kBushingAxes[axis]));
     const auto index = static_cast<Eigen::Index>(axis);
     k[index] = rigid ? (axis < 3 ? kRigid : kTurnsFreely) : curved ? 0.0 : value ? *value : *common;
+    c[index] = damping_of(own, all, axis, k[index]);
     for (auto& part : parts) bushing.parts.push_back(std::move(part));
   }
   bushing.stiffness = k.head<3>();
   bushing.rotational = k.tail<3>();
-  double time = all ? all->quantity("damping", "s", Range::not_negative(), 0.0) : 0.0;
-  if (own) time = own->quantity("damping", "s", Range::not_negative(), time);
-  bushing.damping = time * bushing.stiffness;
-  bushing.rotational_damping = time * bushing.rotational;
+  bushing.damping = c.head<3>();
+  bushing.rotational_damping = c.tail<3>();
   for (const auto& part : bushing.parts)
     if (const std::string fault = multibody::fault_of(part.law); !fault.empty())
       bushings.reject(name, fault);
   return bushing;
+}
+
+std::vector<std::string> bushing_lines(const BushingParameters& bushing) {
+  std::vector<std::string> lines;
+  for (std::size_t axis = 0; axis < kBushingAxes.size(); ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis % 3);
+    const Units unit = units_of(axis);
+    const char* const name = kBushingAxes[axis];
+    std::string curve;
+    for (const BushingParameters::Part& part : bushing.parts) {
+      if (part.axis != static_cast<int>(axis)) continue;
+      assert(curve.empty() && std::holds_alternative<multibody::ElasticCurve>(part.law));
+      for (const auto& [x, f] : std::get<multibody::ElasticCurve>(part.law).curve.points())
+        curve += fmt::format("{}[\"{} {}\", \"{} {}\"]",
+                             curve.empty() ? "" : ", ",
+                             format_number(x),
+                             unit.d,
+                             format_number(f),
+                             unit.f);
+    }
+    const double k = (axis < 3 ? bushing.stiffness : bushing.rotational)[i];
+    const double c = (axis < 3 ? bushing.damping : bushing.rotational_damping)[i];
+    assert(curve.empty() || k == 0.0);
+    lines.push_back(curve.empty() ? fmt::format("{} = \"{} {}\"", name, format_number(k), unit.k)
+                                  : fmt::format("curve.{} = [{}]", name, curve));
+    lines.push_back(fmt::format("viscous.{} = \"{} {}\"", name, format_number(c), unit.c));
+  }
+  return lines;
+}
+
+const std::vector<std::string>& keys_in_place_of_a_file() {
+  static const std::vector<std::string> keys = [] {
+    std::vector<std::string> all(kBushingAxes.begin(), kBushingAxes.end());
+    for (const char* key : {"rigid", "damping", "curve", "viscous"}) all.push_back(key);
+    return all;
+  }();
+  return keys;
 }
 
 }  // namespace latsch::suspension

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bushing property files of Adams (.bus), in TeimOrbit form:
+//
+//   [MDI_HEADER]  FILE_TYPE = 'bus'
+//   [UNITS]       LENGTH, ANGLE, FORCE, MASS, TIME
+//   [DAMPING]     FX_DAMPING ... TZ_DAMPING       force over velocity, torque over angular velocity
+//   [FX_CURVE]    rows of deflection and force; likewise FY_CURVE, FZ_CURVE
+//   [TX_CURVE]    rows of angle and torque; likewise TY_CURVE, TZ_CURVE
+//
+// Torques are in FORCE times LENGTH. A curve rises: its force is the one that resists. One that is
+// straight through the origin becomes a stiffness, any other a ForceCurve as an elastic part of its
+// axis, which is not Adams' own curve between the points (multibody/force_curve.h against Akima).
+// What a file of this type has beside these sections is left out and named.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/text/teim_orbit.h"
+#include "models/multibody/bushing.h"
+
+namespace latsch::formats {
+
+struct BusFile {
+  multibody::BushingParameters bushing;
+  std::vector<std::string> unused;  // sections that have no meaning here
+};
+
+/// InputError naming file and line: a section that is missing, a unit that is not known, fewer than
+/// two points, a deflection that does not rise, a force that falls on the whole, negative damping.
+BusFile read_bus_file(const std::filesystem::path& file);
+BusFile bus_file_from(const TeimOrbit& file);
+
+/// The same bushing to the last bit when it is read again; in SI. InputError, that begins with
+/// `name`, for what such a file cannot say: parts that are no curve.
+std::string bus_text(const multibody::BushingParameters& bushing, const std::string& name);
+
+}  // namespace latsch::formats

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/car/bus_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/spoiled_text_testing.h"
+
+namespace latsch::formats {
+namespace {
+
+using multibody::BushingParameters;
+using multibody::ElasticCurve;
+using multibody::ForceCurve;
+
+/// In the units such files have as a rule: mm, degrees, newton.
+const char* const kRubber = R"($ a lower arm's rear bushing
+[MDI_HEADER]
+ FILE_TYPE     =  'bus'
+ FILE_VERSION  =  4.0
+ FILE_FORMAT   =  'ASCII'
+[UNITS]
+ LENGTH  =  'mm'
+ ANGLE   =  'degrees'
+ FORCE   =  'newton'
+ MASS    =  'kg'
+ TIME    =  'second'
+[DAMPING]
+ FX_DAMPING  =  3.0
+ FY_DAMPING  =  0
+ FZ_DAMPING  =  1.5
+ TX_DAMPING  =  100.0
+ TY_DAMPING  =  0
+ TZ_DAMPING  =  0
+[FX_CURVE]
+{ x    fx}
+ -2.0  -24000.0
+  0.0   0.0
+  2.0   24000.0
+[FY_CURVE]
+{ y    fy}
+ -2.0  -9000.0
+ -1.0  -2000.0
+  0.0   0.0
+  1.0   2000.0
+  2.0   12000.0
+[FZ_CURVE]
+{ z    fz}
+ 0.0   0.0
+ 1.0   800.0
+[TX_CURVE]
+{ ax   tx}
+ -10.0 -20000.0
+  10.0  20000.0
+[TY_CURVE]
+{ ay   ty}
+ -10.0 -5000.0
+   0.0  0.0
+  10.0  8000.0
+[TZ_CURVE]
+{ az   tz}
+ -10.0  0.0
+  10.0  0.0
+)";
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+BusFile bus_of(const std::string& text) {
+  return bus_file_from(TeimOrbit::parse(text, "rubber.bus"));
+}
+
+std::string changed(std::string text, const std::string& old, const std::string& now) {
+  const std::size_t at = text.find(old);
+  EXPECT_NE(at, text.npos) << old;
+  return text.replace(at, old.size(), now);
+}
+
+std::string complaint_about(const std::string& text) {
+  try {
+    bus_of(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(BusFile, AStraightCurveIsAStiffnessInTheUnitsOfTheFile) {
+  const BushingParameters bushing = bus_of(kRubber).bushing;
+  EXPECT_DOUBLE_EQ(bushing.stiffness.x(), 12e6);  // 24 kN over 2 mm
+  EXPECT_DOUBLE_EQ(bushing.stiffness.z(), 0.8e6);
+  EXPECT_NEAR(bushing.rotational.x(), 20.0 / (10.0 * kDegree), 1e-10);  // 20 kN mm over 10 degrees
+  EXPECT_EQ(bushing.rotational.z(), 0.0);
+  EXPECT_DOUBLE_EQ(bushing.damping.x(), 3e3);  // 3 N s/mm
+  EXPECT_DOUBLE_EQ(bushing.damping.z(), 1.5e3);
+  EXPECT_NEAR(bushing.rotational_damping.x(), 0.1 / kDegree, 1e-12);  // 100 N mm s/degree
+}
+
+TEST(BusFile, AnyOtherCurveIsAnElasticPartOfItsAxis) {
+  const BushingParameters bushing = bus_of(kRubber).bushing;
+  ASSERT_EQ(bushing.parts.size(), 2u);
+  EXPECT_EQ(bushing.parts[0].axis, 1);
+  EXPECT_EQ(bushing.parts[1].axis, 4);
+  EXPECT_EQ(bushing.stiffness.y(), 0.0);
+  EXPECT_EQ(bushing.rotational.y(), 0.0);
+  const ForceCurve& y = std::get<ElasticCurve>(bushing.parts[0].law).curve;
+  ASSERT_EQ(y.points().size(), 5u);
+  EXPECT_DOUBLE_EQ(y.points()[0].first, -2e-3);
+  EXPECT_DOUBLE_EQ(y.points()[0].second, -9e3);
+  const ForceCurve& about_y = std::get<ElasticCurve>(bushing.parts[1].law).curve;
+  EXPECT_NEAR(about_y.points()[2].first, 10.0 * kDegree, 1e-15);
+  EXPECT_DOUBLE_EQ(about_y.points()[2].second, 8.0);
+}
+
+TEST(BusFile, APreloadIsNoStiffness) {
+  const BushingParameters bushing =
+      bus_of(changed(kRubber, " 0.0   0.0\n 1.0   800.0", " 0.0   50.0\n 1.0   850.0")).bushing;
+  ASSERT_EQ(bushing.parts.size(), 3u);
+  EXPECT_EQ(std::get<ElasticCurve>(bushing.parts[1].law).curve.at(0.0), 50.0);
+}
+
+TEST(BusFile, WhatIsWrittenIsReadBackToTheLastBit) {
+  BushingParameters bushing = bus_of(kRubber).bushing;
+  bushing.stiffness.x() = 12345678.9;
+  bushing.rotational = {1e10, 0.1 + 0.2, 200.0 / 3.0};
+  bushing.parts.pop_back();  // about y is straight now
+  EXPECT_TRUE(bus_of(bus_text(bushing, "ubj")).bushing == bushing);
+  const BushingParameters curved = bus_of(kRubber).bushing;
+  EXPECT_TRUE(bus_of(bus_text(curved, "ubj")).bushing == curved);
+}
+
+TEST(BusFile, RefusesToWriteWhatItCannotSay) {
+  BushingParameters bushing = bus_of(kRubber).bushing;
+  const auto said = [&] {
+    try {
+      bus_text(bushing, "ubj");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(said(), "none");
+  bushing.parts.push_back({5, multibody::Friction{1e3, 10.0}});
+  EXPECT_NE(said().find("ubj has more than a stiffness or a curve about z"), std::string::npos)
+      << said();
+  bushing.parts.back() = {1, bushing.parts.front().law};
+  EXPECT_NE(said().find("along y"), std::string::npos) << said();
+}
+
+TEST(BusFile, SaysWhatIsWrongAndWhere) {
+  EXPECT_EQ(complaint_about(kRubber), "none");
+  for (const auto& [old, now, place, part] : std::vector<std::array<std::string, 4>>{
+           {"'bus'", "'tir'", "rubber.bus:3: ", "expected \"bus\""},
+           {"'mm'", "'furlong'", "rubber.bus:7: ", "furlong"},
+           {"[DAMPING]", "[DAMPINGS]", "rubber.bus: ", "[DAMPING]"},
+           {"[TZ_CURVE]", "[TZ_CURV]", "rubber.bus: ", "[TZ_CURVE]"},
+           {"[UNITS]", "[UNIT]", "rubber.bus: ", "[UNITS]"},
+           {" TX_DAMPING", " DAMPING", "rubber.bus:12: ", "TX_DAMPING"},
+           {"FX_DAMPING  =  3.0", "FX_DAMPING  =  -3.0", "rubber.bus:13: ", "not negative"},
+           {"  0.0   0.0\n  2.0   24000.0", "  -2.0   0.0\n", "rubber.bus:22: ", "does not rise"},
+           {" 1.0   800.0", "", "rubber.bus:31: ", "has 1 row, two"},
+           {" 1.0   800.0", " 1.0   -800.0", "rubber.bus:31: ", "[FZ_CURVE] falls"},
+           {" 1.0   800.0", " 1.0   8oo", "rubber.bus:34: ", "8oo"},
+           {" 1.0   800.0", " 1.0   800.0 1", "rubber.bus:34: ", "3 numbers"},
+           {" 1.0   800.0", " 1.0", "rubber.bus:34: ", "2 numbers"}}) {
+    const std::string said = complaint_about(changed(kRubber, old, now));
+    EXPECT_EQ(said.find(place), 0u) << said;
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+  }
+}
+
+TEST(BusFile, NamesSectionsItLeavesOut) {
+  const BusFile file = bus_of(std::string(kRubber) + "[CONSTANTS]\nSCALE = 1\n");
+  EXPECT_EQ(file.unused, std::vector<std::string>{"CONSTANTS"});
+}
+
+TEST(BusFile, ASpoiledFileIsABushingWithoutFaultOrAnInputError) {
+  constexpr int kFiles = 3000;
+  int bushings = 0;
+  for (int i = 0; i < kFiles; ++i) {
+    RandomStream random(1, i);
+    const std::string text = spoiled(
+        kRubber, {"[FX_CURVE]\n", "{", "'", "=", "1e309", "-1e308 1e308\n", "NaN", "(A)"}, random);
+    try {
+      const BushingParameters bushing = bus_of(text).bushing;
+      ++bushings;
+      EXPECT_TRUE(bushing.stiffness.allFinite() && bushing.rotational.allFinite());
+      EXPECT_GE(bushing.damping.minCoeff(), 0.0);
+      for (const auto& part : bushing.parts) EXPECT_EQ(multibody::fault_of(part.law), "");
+    } catch (const InputError&) {
+    }
+  }
+  EXPECT_GT(bushings, 0);       // some changes do no harm
+  EXPECT_LT(bushings, kFiles);  // most do
+}
+
+}  // namespace
+}  // namespace latsch::formats
