@@ -36,7 +36,7 @@
 //   [front.anti_roll_bar]                # between rocker_arb_link and arb_link_blade
 //   stiffness = "80 N/mm"                # of the difference of the links' travels
 //   [driver]
-//   line = "0 mm"                        # how far to the left of the line he is asked for he drives
+//   line = "0 mm"                        # to the left of the line that is asked of him
 //   [front.spring_tire]                  # in the place of front_tire: a vertical spring
 //   radius = "235 mm"
 //   stiffness = "117 N/mm"
