@@ -10,7 +10,8 @@
 //   step = "0.2 ms"                      # of the simulation
 //   sample_step = "1 ms"                 # of the record, a multiple of it
 //   area = true                          # records the contact areas: default false
-//   [wander]                             # of the driver: none unless given, not beside {from ...}
+//   [wander]                             # of the driver: none unless given, not beside what
+//                                        # was measured
 //   speed = "0.5 m/s"                    # standard deviations about what is asked of him
 //   line = "20 mm"
 //   period = "1 s"                       # the longest in them

@@ -33,7 +33,7 @@ class KerbFilm {
 
  private:
   static constexpr int kBins = 24;        // of pressure along x,
-  static constexpr double kReach = 0.12;  // m, to either side
+  static constexpr double kReach = 0.15;  // m, to either side
   struct Frame {
     double time = 0.0;
     std::vector<Eigen::Vector2d> chassis;                  // m, x and z of its corners

@@ -11,13 +11,12 @@
 //   mass = "180 kg"
 //   center = ["0.75 m", "0 m", "0.28 m"]
 //   inertia = ["25 kg m^2", "90 kg m^2", "100 kg m^2"]    # about the center: xx, yy, zz
-//                                        # or inertia_xx, inertia_yy, inertia_zz, one a key
 //   inertia_xz = "0 kg m^2"              # ∫ x z dm
 //   torsion = "4 kN m/deg"               # between front and rear half; rigid unless given
 //   torsion_damping = "0 N m s/deg"
 //   torsion_at = ["0.75 m", "0.28 m"]    # x and z of the axis
 //   [front]                              # and [rear]
-//   locked = false                       # true: bars in the place of the springs, which may stay
+//   locked = false                       # true: bars in the place of the springs
 //   camber = "-1 deg"                    # of the wheel at rest; toe; default 0
 //   [front.mass]
 //   upper_wishbone = "0.8 kg"            # lower_wishbone, pushrod, trackrod, rocker: thin rods
@@ -37,7 +36,7 @@
 //   [front.anti_roll_bar]                # between rocker_arb_link and arb_link_blade
 //   stiffness = "80 N/mm"                # of the difference of the links' travels
 //   [driver]
-//   line = "0 mm"                        # how far to the left of the line asked for he drives
+//   line = "0 mm"                        # to the left of the line that is asked of him
 //   [front.spring_tire]                  # in the place of front_tire: a vertical spring
 //   radius = "235 mm"
 //   stiffness = "117 N/mm"

@@ -57,9 +57,9 @@ std::unique_ptr<const road::Road> road_of(const KerbTest& test, const car::Car& 
 
 /// What car_record.h names; "speed", m/s, and "line", m, of the chassis; "loader_1" .. "loader_3",
 /// N, and "unreachable", N, what the loaders leave of the four push-rods, where they follow them.
-/// Time 0: the front axle at place 0.
-/// With areas also "area_mean_FL" ..., "area_spread_FL" ... and those of the sum, "area_mean",
-/// "area_spread": mean and standard deviation from time 0 on, one value each.
+/// Time 0: the front axle at place 0. With areas also "area_mean_FL" ..., "area_spread_FL" ... and
+/// those of the sum, "area_mean", "area_spread": mean and standard deviation from time 0 on, one
+/// value each.
 Result<Channels> run(car::Car& car, const KerbTest& test, const KerbWatcher& watch = {});
 
 }  // namespace latsch::experiment
