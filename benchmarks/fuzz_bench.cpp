@@ -32,6 +32,7 @@
 #include "base/error.h"
 #include "base/spoiled_text_testing.h"
 #include "base/text.h"
+#include "formats/car/bus_file.h"
 #include "formats/mesh/inp_deck.h"
 #include "formats/mesh/inp_tire.h"
 #include "formats/road/open_crg.h"
@@ -287,6 +288,21 @@ Reader rdf_reader() {
       }};
 }
 
+Reader bus_reader() {
+  multibody::BushingParameters bushing{Eigen::Vector3d(1e7, 0.0, 2e7),
+                                       Eigen::Vector3d(200.0, 0.0, 50.0)};
+  for (const int axis : {1, 4})
+    bushing.parts.push_back({axis,
+                             multibody::ElasticCurve{multibody::ForceCurve(
+                                 {{-2e-3, -9e3}, {-1e-3, -2e3}, {0.0, 0.0}, {1e-3, 2500.0}})}});
+  return {".bus",
+          {formats::bus_text(bushing, "bushing")},
+          with_numbers({"[", "]", "=", "'", "$", "{", "}", "[FX_CURVE]\n", "'mm'", "'degrees'"}),
+          [](const std::string& text) {
+            formats::bus_file_from(formats::TeimOrbit::parse(text, "spoiled"));
+          }};
+}
+
 /// The form alone, as whoever knows its sections asks it.
 Reader teim_orbit_reader() {
   Reader reader = tir_reader();
@@ -465,6 +481,7 @@ int fuzz(int count, char** arguments) {
                                tydex_reader(),
                                teim_orbit_reader(),
                                tir_reader(),
+                               bus_reader(),
                                crg_reader(),
                                rdf_reader(),
                                mat_reader(),

@@ -46,7 +46,7 @@ EVERY_TIRE = ["road", "tire"]
 # Studies are of any model: what is written once for all of them knows none.
 KNOWS_NO_MODEL = "correlation"
 # So are the verbs of the program, but for those that are of a model by their purpose.
-VERBS_OF_MODELS = {"export", "exported_bushings", "mesh", "road", "shown_file", "shown_tire"}
+VERBS_OF_MODELS = {"export", "exported_bushings", "mesh", "road", "shown_bushing", "shown_file", "shown_tire"}
 KIND_BY_NAME = re.compile(r'name\(\)\s*[!=]=\s*"(fe_tire|ring_tire|rigid_ring|magic_formula)"')
 
 MOST_FILES = 40  # directly in one folder

@@ -40,6 +40,34 @@ class Files(unittest.TestCase):
         self.assertEqual(len(rows), 1 + 80)
         self.assertAlmostEqual(float(rows[1][3]), 3500, delta=300)
 
+    def test_bushings_go_out_as_files_and_come_back_in_a_suspension(self):
+        front = pathlib.Path(__file__).resolve().parents[3] / "studies" / "kerb" / "front.toml"
+        said = self.latsch("export", front, "--bus", self.folder / "bushings")
+        self.assertEqual(len(list((self.folder / "bushings").glob("*.bus"))), 10)
+        self.assertIn("ubj.bus", said)
+        shown = self.latsch("show", self.folder / "bushings" / "ubj.bus", "--html", self.folder / "page.html")
+        self.assertRegex(shown, r"about z +straight +20 ")
+        self.assertRegex(shown, r"x +straight +3e\+?0?7 +3000 ")
+        self.assertEqual((self.folder / "page.html").read_text().count("<svg"), 6)
+        # The same corner with its bushings from these files.
+        joints = sorted(file.stem for file in (self.folder / "bushings").glob("*.bus"))
+        text = front.read_text()
+        own = "".join(f'[bushing.{joint}]\nfile = "bushings/{joint}.bus"\n' for joint in joints)
+        back = self.write("front.toml", text[:text.index("[bushing.all]")] + own)
+        model = self.folder / "model.toml"
+        self.latsch("export", back, "--model", model)
+        self.assertNotIn(".bus", model.read_text())
+        self.assertIn('bushing', model.read_text())
+        self.latsch("export", model, "--bus", self.folder / "again")
+        for joint in joints:
+            self.assertEqual((self.folder / "again" / f"{joint}.bus").read_text(),
+                             (self.folder / "bushings" / f"{joint}.bus").read_text())
+        for arguments, part in (((front.parent / "baseline.toml", "--bus", "x"), "expected a suspension"),
+                                ((self.write("play.toml", text + '[bushing.ubj]\nplay.x = [["0.1 mm", "1 kN/mm"]]\n'),
+                                  "--bus", self.folder / "none"), "ubj has more than a stiffness or a curve along x")):
+            self.assertIn(part, self.latsch("export", *arguments, code=WRONG_INPUT))
+        self.assertFalse((self.folder / "none").exists())
+
     def test_a_footprint_is_a_table_a_picture_and_a_channel(self):
         tire = pathlib.Path(__file__).resolve().parents[3] / "studies" / "ring_tires" / "passenger_205_55R16.toml"
         page, table, blocks = (self.folder / name for name in ("page.html", "table.csv", "blocks.csv"))
@@ -172,7 +200,7 @@ class Files(unittest.TestCase):
         self.assertRegex(text, r"exit +800")
 
     def test_bad_files_are_named_with_their_line(self):
-        self.assertIn('expected ".crg"', self.latsch("show", self.write("a.xyz", ""), code=WRONG_INPUT))
+        self.assertIn('expected ".bus", ".crg"', self.latsch("show", self.write("a.xyz", ""), code=WRONG_INPUT))
         torso = self.write("torso.tdx", "**HEADER\n**MEASURCHANNELS\n")
         self.assertIn("torso.tdx:2", self.latsch("show", torso, code=WRONG_INPUT))
         points = self.write("points.csv", "x [m]\n0\n")

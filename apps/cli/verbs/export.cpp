@@ -8,6 +8,7 @@
 #include "cli/console/parsed.h"
 #include "cli/run/model_source.h"
 #include "cli/templates/meshed_tire.h"
+#include "cli/verbs/exported_bushings.h"
 #include "cli/verbs/exported_unit.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/target/twin.h"
@@ -25,7 +26,7 @@ using fe_tire::TireDescription;
 constexpr int kLoadSteps = 5;
 
 struct ExportOptions {
-  std::string file, vtu, ccx, model, pressure, deflection, fmu, road, output;
+  std::string file, vtu, ccx, model, pressure, deflection, fmu, road, output, bus;
   int modes = 0;
   bool measurements = false, sti = false;
 };
@@ -129,11 +130,13 @@ void export_files(const ExportOptions& options, const experiment::Language& lang
   if (options.sti) say_sti(options.file, language);
   if (!options.fmu.empty())
     write_fmu(options.file, options.fmu, options.road, options.output, language);
+  if (!options.bus.empty()) write_bushings(options.file, options.bus, language);
   const bool mesh = !options.vtu.empty() || !options.ccx.empty();
   if (!mesh && options.model.empty()) {
-    if (options.sti || !options.fmu.empty()) return;
+    if (options.sti || !options.fmu.empty() || !options.bus.empty()) return;
     throw InputError(
-        "export: say what to write: --vtu, --ccx, --model, --fmu, --sti or --measurements");
+        "export: say what to write: --vtu, --ccx, --model, --fmu, --sti, --bus or "
+        "--measurements");
   }
   if (!options.model.empty()) {
     const ModelSource source = model_source(options.file, language);
@@ -167,6 +170,8 @@ void add_export(CommandLine& app, Program& program) {
       "      a co-simulation unit: wheel motion in, hub forces out (docs/exchange.md)\n"
       "  latsch export studies/kerb/baseline.toml --fmu 3.0 -o car.fmu\n"
       "      a car: rack, torques and loads in, its motion and push-rod forces out\n"
+      "  latsch export studies/kerb/front.toml --bus bushings\n"
+      "      the bushings of a suspension as Adams property files\n"
       "  latsch export studies/ring_tires/passenger_205_55R16.toml --sti\n"
       "      where the library is by which a program with the Standard Tyre Interface rolls it");
   auto options = std::make_shared<ExportOptions>();
@@ -182,6 +187,7 @@ void add_export(CommandLine& app, Program& program) {
       .one_of({"2.0", "3.0"});
   verb.add_option("--road", options->road, "Its road, as of latsch road; flat unless given");
   verb.add_option("-o,--output", options->output, "Its package to write");
+  verb.add_option("--bus", options->bus, "Folder for the bushings of a suspension, a .bus a joint");
   verb.add_flag("--sti", options->sti, "Say how the Standard Tyre Interface takes it");
   verb.add_flag("--measurements",
                 options->measurements,

@@ -194,6 +194,7 @@ ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes) {
       {".csv", [&](const Path& path) { return show_csv(path, axes); }},
       {".mat", [&](const Path& path) { return show_mat(path, axes); }},
       {".tir", shown_tire},
+      {".bus", shown_bushing},
       {".crg", shown_road},
       {".rdf", shown_road},
       {".toml", show_document},

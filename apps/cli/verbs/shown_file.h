@@ -27,13 +27,14 @@ struct ShownFile {
   std::vector<report::LinePlot> plots;
 };
 
-/// By the ending of the name: .tdx, .tydex, .csv, .mat, .tir, .crg, .rdf, .toml, .inp. Channels
-/// come out in iso, from the signs `axes` says the file has. Throws InputError.
+/// By the ending of the name: .tdx, .tydex, .csv, .mat, .tir, .bus, .crg, .rdf, .toml, .inp.
+/// Channels come out in iso, from the signs `axes` says the file has. Throws InputError.
 ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes);
 
 /// Every [measurement.NAME] of a study, or `only` one of them.
 ShownFile shown_measurements(const std::filesystem::path& study, const std::string& only = "");
 ShownFile shown_tire(const std::filesystem::path& tir);
+ShownFile shown_bushing(const std::filesystem::path& bus);
 ShownFile shown_road(const std::filesystem::path& road);
 
 /// Channels as table and plots: over the one that is the time; else over the first or, where none

@@ -102,7 +102,9 @@ std::vector<ForceCurve::Point> points_of(const BushingParameters& bushing,
   // Powers of two, so that the stiffness comes back to the last bit.
   const double reach = axis < 3 ? 1.0 / 128.0 : 1.0 / 8.0;  // m, rad
   const double k = (axis < 3 ? bushing.stiffness : bushing.rotational)[static_cast<int>(axis % 3)];
-  std::vector<ForceCurve::Point> points = {{-reach, 0.0 - k * reach}, {reach, k * reach}};
+  std::vector<ForceCurve::Point> points;  // five of a straight line: a spline wants some
+  for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0})
+    points.emplace_back(share * reach, k * share * reach + 0.0);  // no -0
   bool is_curved = false;
   for (const BushingParameters::Part& part : bushing.parts) {
     if (part.axis != static_cast<int>(axis)) continue;

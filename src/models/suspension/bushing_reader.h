@@ -6,7 +6,7 @@
 //   about_x = "200 N m/rad"              # about_y, about_z
 //   rigid = true                         # in the place of all six: 10^10 N/m and 10 N m/rad
 //   damping = "0.1 ms"                   # damping over stiffness, of all six
-//   viscous.x = "3 kN s/m"               # in the place of that along x; about_x: "N m s/rad"
+//   viscous.x = "3 kN s/m"               # in the place of that along x; about_x in N m s/rad
 //   curve.x = [["-1 mm", "-9 kN"], ["0 mm", "0 kN"], ["1 mm", "12 kN"]]   # in the place of x:
 //                                        # force_curve.h; for about_x of angles and moments
 //   play.y = [["0.1 mm", "30 kN/mm"]]    # gap to either side and stiffness beyond; beside y
