@@ -15,7 +15,7 @@ using multibody::BushingParameters;
 constexpr std::array<const char*, 6> kBushingAxes = {
     "x", "y", "z", "about x", "about y", "about z"};
 constexpr int kBushingDigits = 6, kCurvePoints = 200;
-constexpr double kReach = 1e-3, kTurn = 0.1;  // m, rad: what is drawn of a straight line
+constexpr double kBushingReach = 1e-3, kTurn = 0.1;  // m, rad: what is drawn of a straight line
 
 const multibody::ForceCurve* curve_of(const BushingParameters& bushing, int axis) {
   for (const BushingParameters::Part& part : bushing.parts)
@@ -25,7 +25,7 @@ const multibody::ForceCurve* curve_of(const BushingParameters& bushing, int axis
 
 report::LinePlot plot_of_axis(int axis, double k, const multibody::ForceCurve* curve) {
   const bool turns = axis >= 3;
-  const double reach = turns ? kTurn : kReach;
+  const double reach = turns ? kTurn : kBushingReach;
   const double from = curve ? curve->points().front().first : -reach,
                to = curve ? curve->points().back().first : reach;
   report::PlotLine line{"", {}, {}, 0, {}};

@@ -382,9 +382,7 @@ Result<Rest> Car::roll_in(CarState& state,
         there.center.x() = end.center.x() - speed * left;
         there.spin = wheel.motion.spin + h * wheel.motion.spin_rate;
         there.spin_rate = wheel.motion.spin_rate;
-        Result<HubForces> hub = wheel.wheel.spin
-                                    ? wheel.tire->advance_free(there, wheel.wheel, level, -left, h)
-                                    : wheel.tire->advance(there, level, -left, h);
+        Result<HubForces> hub = wheel.tire->advance_free(there, wheel.wheel, level, -left, h);
         if (!hub) return no_stand(corner, hub.failure().reason);
         wheel.hub = *hub;
         wheel.motion = there;
@@ -409,9 +407,8 @@ Result<CarState> Car::settle(const road::Road& road, double speed, const CarInpu
   if (!rest) return rest.failure();
   for (int corner = 0; corner < kCorners; ++corner) {
     WheelState& wheel = state.wheels[at(corner)];
-    if (masses(corner).wheel_spin > 0.0)
-      wheel.wheel.spin = FreeRate{
-          .inertia = masses(corner).wheel_spin, .place = 0.0, .rate = wheel.motion.spin_rate};
+    wheel.wheel.spin = FreeRate{
+        .inertia = masses(corner).wheel_spin, .place = 0.0, .rate = wheel.motion.spin_rate};
   }
   if (speed > 0.0) {
     rest = roll_in(state, lines, *rest, road, inputs);
@@ -444,15 +441,9 @@ std::string Car::roll(CarState& next,
     WheelMotion there = motion_of_wheel(corner, motion.poses, motion.rates);
     if (ahead > 0.0) go_on(there, acceleration_of_wheel(corner, motion), ahead);
     FreeWheel free = wheel.wheel;
-    Result<HubForces> hub{HubForces{}};
-    if (I > 0.0) {
-      free.spin->push = [drive](double, double) { return Push{drive, 0.0}; };
-      free.brake = inputs.brake[at(corner)];
-      hub = wheel.tire->advance_free(there, free, road, motion.time + ahead, step);
-    } else {
-      there.spin = wheel.motion.spin;
-      hub = wheel.tire->advance(there, road, motion.time + ahead, step);
-    }
+    free.spin->push = [drive](double, double) { return Push{drive, 0.0}; };
+    free.brake = inputs.brake[at(corner)];
+    const auto hub = wheel.tire->advance_free(there, free, road, motion.time + ahead, step);
     if (!hub) return fmt::format("tire {}: {}", kCornerNames[at(corner)], hub.failure().reason);
     free.spin->push = {};
     wheel.brake_moment =

@@ -303,6 +303,9 @@ std::string CarParameters::fault() const {
   for (const auto& [axle, name] : {std::pair{&front, "front"}, {&rear, "rear"}}) {
     if (std::string fault = axle->corner.fault(); !fault.empty())
       return fmt::format("{} suspension: {}", name, fault);
+    if (!(axle->masses.wheel_spin > 0.0))
+      return fmt::format("the {} wheels have no moment of inertia about their axis (wheel_spin)",
+                         name);
     if (axle->corner.side != suspension::Side::left)
       return fmt::format("the {} suspension is a right one: a car is described by its left side",
                          name);

@@ -72,7 +72,7 @@ AxleMasses read_masses(const Node& axle) {
   masses.upright.mass = mass.quantity("upright", "kg", Range::positive());
   masses.upright.inertia = read_three(inertia, "upright", "kg m^2").asDiagonal();
   masses.wheel = mass.quantity("wheel", "kg", Range::not_negative());
-  masses.wheel_spin = inertia.quantity("wheel_spin", "kg m^2", Range::not_negative());
+  masses.wheel_spin = inertia.quantity("wheel_spin", "kg m^2", Range::positive());
   masses.wheel_across = inertia.quantity("wheel_across", "kg m^2", Range::not_negative());
   return masses;
 }
