@@ -152,8 +152,12 @@ class Refused(Cars):
         self.assertEqual(self.columns(SHORT), with_spring)
         self.assertEqual(set(with_spring["spring_FL"]), {0.0})
 
-    def test_halves_of_a_chassis_that_have_too_little_inertia(self):
-        self.assertIn("alone make 132 kg m^2 about y", self.complaint((r"\[chassis\]", '[chassis]\ntorsion = "4 kN m/deg"')))
+    def test_a_chassis_that_twists_needs_a_stiffness(self):
+        rigid = self.columns(SHORT)
+        self.assertIn("chassis.torsion", self.complaint((r"\[chassis\]", '[chassis]\ntorsion = "0 kN m/deg"')))
+        edit(self.car, ('torsion = "0 kN m/deg"', 'torsion = "0.2 kN m/deg"'))
+        twisting = self.columns(SHORT)
+        self.assertNotEqual(twisting["pushrod_FL"], rigid["pushrod_FL"])
 
     def test_a_wheel_that_its_tire_does_not_fit(self):
         text = self.complaint((r'"235.000 mm"', '"335.000 mm"'), code=FAILED, file=self.folder / "kerb" / "front_rigid.toml")
