@@ -25,6 +25,10 @@ Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
     if (points_[i].s - points_[i - 1].s < kFlank) points_[i].s = points_[i - 1].s;
   }
   for (const Point& point : points_) reach_ = std::max(reach_, std::abs(point.z));
+  areas_.assign(points_.size(), 0.0);
+  for (std::size_t i = 1; i < points_.size(); ++i)
+    areas_[i] =
+        areas_[i - 1] + 0.5 * (points_[i].z + points_[i - 1].z) * (points_[i].s - points_[i - 1].s);
   if (points_.size() <= kFew || !(end() > begin())) return;
   const auto parts = points_.size();
   parts_per_meter_ = static_cast<double>(parts) / (end() - begin());
@@ -81,6 +85,16 @@ Profile::Value Profile::at(double s) const {
     value.slope = (next->z - last->z) / (next->s - last->s);
   }
   return value;
+}
+
+double Profile::area(double s) const {
+  const auto right = first_from(s);
+  if (right == points_.begin()) return (s - right->s) * right->z;
+  const auto left = right - 1;
+  const double before = areas_[static_cast<std::size_t>(left - points_.begin())], way = s - left->s;
+  if (right == points_.end()) return before + way * left->z;
+  const double slope = (right->z - left->z) / (right->s - left->s);
+  return before + way * (left->z + 0.5 * slope * way);
 }
 
 Profile::Extremes Profile::between(double s0, double s1) const {

@@ -32,6 +32,8 @@ class Profile {
   explicit Profile(std::vector<Point> points);
 
   Value at(double s) const;
+  /// Below it from its begin to s, m^2; of one that is not empty.
+  double area(double s) const;
   struct Extremes {
     double lowest, highest;  // m
   };
@@ -50,6 +52,7 @@ class Profile {
   std::vector<Point>::const_iterator first_from(double s) const;
 
   std::vector<Point> points_;
+  std::vector<double> areas_;  // of each point
   std::vector<int> first_in_;  // the first point from each of equal parts on, one a point; or none
   double parts_per_meter_ = 0.0;
   double reach_ = 0.0;

@@ -52,11 +52,34 @@ double ProfileRoad::height(double x, double y, double time) const {
   return height_at(local(x, y, time));
 }
 
+std::optional<double> ProfileRoad::mean_along(const Eigen::Vector2d& begin,
+                                              const Eigen::Vector2d& way) const {
+  constexpr double kShortest = 1e-4;  // m: below it areas cancel
+  const Profile& along = settings_.along;
+  if (along.empty() || std::abs(way.x()) < kShortest) return std::nullopt;
+  const Eigen::Vector2d end = begin + way;
+  double across = 1.0, shift = 0.0;
+  if (settings_.across) {
+    const auto [low, high] = std::minmax(begin.y(), end.y());
+    if (!settings_.across->points_between(low, high).empty()) return std::nullopt;
+    const Profile::Value value = settings_.across->at(low);
+    if (value.slope != 0.0) return std::nullopt;
+    across = value.height;
+  }
+  if (settings_.pitch > 0.0) {
+    const double number = number_at(begin.x());
+    if (number != number_at(end.x())) return std::nullopt;
+    shift = number * settings_.pitch;
+  }
+  return across * (along.area(end.x() - shift) - along.area(begin.x() - shift)) / way.x();
+}
+
 double ProfileRoad::mean_height(const Eigen::Vector2d& from,
                                 const Eigen::Vector2d& to,
                                 double time) const {
   const Eigen::Vector2d begin = local(from.x(), from.y(), time),
                         way = local(to.x(), to.y(), time) - begin;
+  if (const auto mean = mean_along(begin, way)) return *mean;
   std::vector<double> corners{0.0, 1.0};  // where on the way
   const auto add_corner = [&](double distance, double run) {
     if (const double u = distance / run; u > 0.0 && u < 1.0) corners.push_back(u);

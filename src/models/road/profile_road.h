@@ -60,6 +60,9 @@ class ProfileRoad final : public Road {
   /// s and t of a place.
   Eigen::Vector2d local(double x, double y, double time) const;
   double number_at(double s) const;
+  /// The mean height by the area below one repetition, where the way stays on it and the section
+  /// across is level there.
+  std::optional<double> mean_along(const Eigen::Vector2d& begin, const Eigen::Vector2d& way) const;
   Place locate(const Eigen::Vector2d& local) const;
   double height_at(const Eigen::Vector2d& local) const;
 

@@ -57,5 +57,24 @@ TEST(Profile, OfManyPointsFindsThePieceThatAWalkDoes) {
   }
 }
 
+TEST(Profile, AreaIsTheSumOfHeights) {
+  RandomStream random(3, 2);
+  for (const int count : {6, 300}) {
+    std::vector<Profile::Point> points;
+    for (int i = 0; i < count; ++i) points.push_back({0.01 * (i - i % 7 / 6), random.uniform()});
+    const Profile profile(points);
+    for (int i = 0; i < 50; ++i) {
+      const double reach = 0.01 * count + 0.02;
+      const double from = reach * random.uniform() - 0.01, to = reach * random.uniform() - 0.01;
+      double sum = 0.0;
+      constexpr int kPieces = 20000;
+      const double piece = (to - from) / kPieces;
+      for (int k = 0; k < kPieces; ++k) sum += piece * profile.at(from + (k + 0.5) * piece).height;
+      // A flank falls into one piece.
+      EXPECT_NEAR(profile.area(to) - profile.area(from), sum, 60.0 * std::abs(piece)) << count;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace latsch::road
