@@ -61,13 +61,14 @@ double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Whether a tire that carries load has an area at every sample, and none else.
+/// Whether a tire that carries load has an area at every sample. One that leaves the road may
+/// touch it without load.
 bool areas_are_known(const Channels& channels) {
   for (const char* corner : {"FL", "FR", "RL", "RR"}) {
     const auto& area = channels[std::string("area_") + corner];
     const auto& Fz = channels[std::string("Fz_") + corner];
     for (std::size_t i = 0; i < area.size(); ++i)
-      if (!std::isfinite(area[i]) || (area[i] > 0.0) != (Fz[i] > 0.0)) return false;
+      if (!std::isfinite(area[i]) || (Fz[i] > 0.0 && !(area[i] > 0.0))) return false;
   }
   return true;
 }

@@ -26,6 +26,10 @@ Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
   }
   for (const Point& point : points_) reach_ = std::max(reach_, std::abs(point.z));
   areas_.assign(points_.size(), 0.0);
+  slopes_.assign(points_.size(), 0.0);
+  for (std::size_t i = 0; i + 1 < points_.size(); ++i)
+    if (const double run = points_[i + 1].s - points_[i].s; run > 0.0)
+      slopes_[i] = (points_[i + 1].z - points_[i].z) / run;
   for (std::size_t i = 1; i < points_.size(); ++i)
     areas_[i] =
         areas_[i - 1] + 0.5 * (points_[i].z + points_[i - 1].z) * (points_[i].s - points_[i - 1].s);
@@ -73,7 +77,7 @@ Profile::Value Profile::at(double s) const {
   if (right->s > s) {
     if (right == points_.begin()) return {right->z, 0.0};
     const auto left = right - 1;
-    const double slope = (right->z - left->z) / (right->s - left->s);
+    const double slope = slopes_[static_cast<std::size_t>(left - points_.begin())];
     return {left->z + slope * (s - left->s), slope};
   }
   Value value{right->z, 0.0};
@@ -91,10 +95,9 @@ double Profile::area(double s) const {
   const auto right = first_from(s);
   if (right == points_.begin()) return (s - right->s) * right->z;
   const auto left = right - 1;
-  const double before = areas_[static_cast<std::size_t>(left - points_.begin())], way = s - left->s;
-  if (right == points_.end()) return before + way * left->z;
-  const double slope = (right->z - left->z) / (right->s - left->s);
-  return before + way * (left->z + 0.5 * slope * way);
+  const auto i = static_cast<std::size_t>(left - points_.begin());
+  const double way = s - left->s;  // slopes_ of the last point is 0: beyond the end it is level
+  return areas_[i] + way * (left->z + 0.5 * slopes_[i] * way);
 }
 
 Profile::Extremes Profile::between(double s0, double s1) const {

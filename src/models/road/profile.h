@@ -52,8 +52,9 @@ class Profile {
   std::vector<Point>::const_iterator first_from(double s) const;
 
   std::vector<Point> points_;
-  std::vector<double> areas_;  // of each point
-  std::vector<int> first_in_;  // the first point from each of equal parts on, one a point; or none
+  std::vector<double> areas_;   // of each point
+  std::vector<double> slopes_;  // from each point to the next; 0 of flanks
+  std::vector<int> first_in_;   // the first point from each of equal parts on, one a point; or none
   double parts_per_meter_ = 0.0;
   double reach_ = 0.0;
 };
