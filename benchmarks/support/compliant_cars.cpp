@@ -35,24 +35,27 @@ void replace_behind(std::string& text,
   text.replace(begin + from.size(), end - begin - from.size(), by);
 }
 
-/// Hardpoints elsewhere; the ground stays where it is.
+/// Hardpoints elsewhere; the ground stays where it is, and the contact point below the wheel.
 std::string jittered(std::string corner, const DoubleWishbone& as_written, RandomStream& random) {
-  const auto move = [&](const std::string& name, const Eigen::Vector3d& point, bool rises) {
-    Eigen::Vector3d moved = point;
-    for (int i = 0; i < 3; ++i) {
-      const double offset = kJitter * (2.0 * random.uniform() - 1.0);
-      if (i < 2 || rises) moved[i] += offset;
-    }
+  const auto write = [&](const std::string& name, const Eigen::Vector3d& moved) {
     replace_behind(corner,
                    "\n" + name + " = ",
                    "[",
                    "]",
                    fmt::format("\"{} m\", \"{} m\", \"{} m\"", moved.x(), moved.y(), moved.z()));
   };
+  const auto elsewhere = [&](Eigen::Vector3d point) {
+    for (double& x : point) x += kJitter * (2.0 * random.uniform() - 1.0);
+    return point;
+  };
   for (std::size_t i = 0; i < DoubleWishbone::kJoints; ++i)
-    move(DoubleWishbone::kNames[i], as_written.points[i], true);
-  move("wheel_center", as_written.wheel_center, true);
-  move("contact", as_written.contact, false);
+    write(DoubleWishbone::kNames[i], elsewhere(as_written.points[i]));
+  const Eigen::Vector3d center = elsewhere(as_written.wheel_center);
+  write("wheel_center", center);
+  Eigen::Vector3d contact = elsewhere(as_written.contact);
+  contact.x() = center.x();
+  contact.z() = as_written.contact.z();
+  write("contact", contact);
   return corner;
 }
 
