@@ -90,7 +90,7 @@ class SuspensionKind : public SpecimenKind {
   std::string name() const override { return "suspension"; }
   std::string in_words() const override { return "suspension"; }
   std::string file() const override { return "a TOML file with kind = \"suspension\""; }
-  int version() const override { return 1; }
+  int version() const override { return 2; }
   std::vector<std::string> abilities() const override { return abilities_of<SuspensionSpecimen>(); }
 
   bool recognizes(const std::filesystem::path&) const override { return false; }

@@ -118,6 +118,7 @@ std::unique_ptr<Test> read_axle_kc(const Node& root, const TestSource&) {
   if (root.has("travel")) stated["travel"] = root.one_or_more("travel", "m");
   if (root.has("rack")) stated["rack"] = root.one_or_more("rack", "m");
   if (stated.empty()) {
+    root.close();                 // a typo in the only key that states something
     root.one_or_more("Fz", "N");  // where it is not there, what was probably meant is named
   }
   std::size_t states = 1;
