@@ -35,6 +35,8 @@ SECTIONS = [
     ('Test "steady_states": a table of states', "steady_states"),
     ('Test "slip_history": slips as recorded, lagging', "slip_history"),
     ('Test "kc": a corner under loads', "kc"),
+    ('Test "axle_kc": an axle under loads', "axle_kc"),
+    ("What a K&C rig states or has recorded, slopes over it", "kc_histories"),
     ('Test "kinematics": a corner and its axle as rigid links', "kinematics"),
     ('Test "four_post": a car on four posts', "four_post"),
     ("[variable.NAME], [tie.NAME]", "variables"),

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the case files that Simbody and Latsch both read: fsae_corner.json and car_21_bodies.json.
+"""Writes the case files that Simbody and Latsch both read: fsae_corner.json, five_links.json and car_21_bodies.json.
 
     python3 make_cases.py        in this folder
 
@@ -39,6 +39,15 @@ REAR = {  # mm; the toe-link is what the track-rod is in front
     "trackrod_outer": (65.785, 570.499, 136.865),
     "trackrod_inner_rack": (84.331, 356.843, 141.969),
 }
+FIVE_LINKS = {  # mm, inner and outer; the corner of studies/suspensions/five_link_rear.toml
+    "upper_front": ((60, 420, 480), (20, 690, 500)),
+    "upper_rear": ((-110, 400, 470), (-40, 690, 490)),
+    "lower_front": ((330, 470, 260), (60, 700, 210)),
+    "lower_rear": ((-60, 200, 220), (-30, 720, 190)),
+    "toe_link": ((-200, 300, 255), (-150, 715, 235)),
+    "pushrod": ((-30, 560, 620), (-10, 660, 260)),
+}
+RUBBER = {"upper_front": 4e6, "upper_rear": 4e6, "lower_front": 2e6, "lower_rear": 6e6, "toe_link": 6e6}  # N/m, inner ends
 RADIUS = 0.235  # m, of the free tire
 BUSHING = {
     "stiffness": [3e7] * 3,
@@ -149,6 +158,32 @@ def fsae_corner():
     }
 
 
+def five_links():
+    points = {name: meters({"inner": inner, "outer": outer}, 1) for name, (inner, outer) in FIVE_LINKS.items()}
+    bodies = [body("upright", 20.0, [0.0, 0.78, 0.32], [0.5, 0.8, 0.5, 0.0, 0.0, 0.0])]
+    bushings = []
+    for name, ends in points.items():
+        bodies.append(tubes(name, 1.0, [(ends["inner"], ends["outer"])]))
+        for end, a, b in (("inner", "ground", name), ("outer", name, "upright")):
+            rubber = end == "inner" and name in RUBBER
+            bushings.append({"name": name + "_" + end, "a": a, "b": b, "point": ends[end],
+                             "stiffness": [RUBBER[name] if rubber else 2e7] * 3,
+                             "rotational_stiffness": [50.0 if rubber else 20.0] * 3,
+                             "damping": [3e3] * 3, "rotational_damping": [0.2] * 3})
+    contact = [0.0, 0.78, 0.0]
+    return {
+        "about": "Rear left corner on five links, its chassis and the end of its strut held; SI, x forward, y left, z up.",
+        "gravity": [0.0, 0.0, 0.0],
+        "bodies": bodies,
+        "bushings": bushings,
+        "loads": [],
+        "load_cases": [{"name": name, "loads": [{"body": "upright", "point": contact, "force": force, "moment": moment}]}
+                       for name, force, moment in FIVE_LOADS + random_loads(10)],
+        "outputs": [{"name": name, "body": "upright", "point": point}
+                    for name, point in (("contact", contact), ("wheel_center", [0.0, 0.78, 0.32]))],
+    }
+
+
 def car():
     corners = {"_" + axle + side: meters(points, sign)
                for axle, points in (("f", FRONT), ("r", REAR)) for side, sign in (("l", 1), ("r", -1))}
@@ -202,4 +237,5 @@ def text(case):
 
 if __name__ == "__main__":
     (HERE / "fsae_corner.json").write_text(text(fsae_corner()))
+    (HERE / "five_links.json").write_text(text(five_links()))
     (HERE / "car_21_bodies.json").write_text(text(car()))

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "models/multibody/equilibrium.h"
+#include "models/suspension/suspension_reader.h"
 #include "models/suspension/wheel_position.h"
 #include "simbody/case_file.h"
 #include "simbody/oracle_figures.h"
@@ -122,6 +123,32 @@ TEST(SimbodyStatics, CarStandsWhereSimbodyPutsIt) {
       moved_by_us(file), moved(read_figures(folder("car_21_bodies_rest_simbody.csv"))), kSame);
 }
 
+// The file of a study, read as a K&C rig reads it, beside the case that the oracle reads.
+TEST(SimbodyStatics, FiveLinksStandWhereSimbodyPutsThem) {
+  const CaseFile file = read_case_file(folder("five_links.json"));
+  ASSERT_EQ(file.load_cases.size(), 15u);
+  const Moved simbodys = moved(read_figures(folder("five_links_simbody.csv")));
+  expect_same(moved_by_us(file), simbodys, kSame);
+  const auto corner = suspension::read_corner(
+      Document::read(LATSCH_SIMBODY_CASES "/../../studies/suspensions/five_link_rear.toml").root());
+  ASSERT_TRUE(corner.compliant);
+  const auto& [bodies, joints, upright, wheel_center, contact, points] = *corner.compliant;
+  const Mechanism mechanism(bodies, joints);
+  Equilibrium statics(mechanism, {.force = 1e-7});
+  for (const LoadCase& one : file.load_cases) {
+    const Load load{upright, contact, one.loads[0].force, one.loads[0].moment};
+    const auto poses = statics.solve({&load, 1});
+    ASSERT_TRUE(poses) << one.name << ": " << poses.failure().reason;
+    const Pose& now = (*poses)[static_cast<std::size_t>(upright)];
+    const Vector3d travel = now.at(points.contact) - contact;
+    EXPECT_LT((travel - simbodys.at({one.name, "point", "contact"})).norm(), kSame) << one.name;
+    const Eigen::AngleAxisd turn(now.turn);
+    EXPECT_LT((turn.angle() * turn.axis() - simbodys.at({one.name, "rotation", "upright"})).norm(),
+              kSame)
+        << one.name;
+  }
+}
+
 // dx, dy, dz in mm; camber, toe-in and caster in deg: the figures of corner_test.cpp, on which two
 // other programs agree.
 const std::map<std::string, std::array<double, 6>> kPrinted = {
@@ -184,6 +211,7 @@ TEST(SimbodyStatics, BothGiveThePrintedDigits) {
 TEST(SimbodyStatics, CommittedFiguresAreThoseItPrintsToday) {
   for (const std::array<std::string, 2>& one :
        {std::array<std::string, 2>{"fsae_corner.json", "fsae_corner_simbody.csv"},
+        {"five_links.json", "five_links_simbody.csv"},
         {"car_21_bodies.json", "car_21_bodies_rest_simbody.csv"}}) {
     const auto today = figures_of_oracle("statics '" + folder(one[0]) + "'");
     if (!today) GTEST_SKIP() << "Simbody (libsimbody-dev) is not installed: no oracle was built";

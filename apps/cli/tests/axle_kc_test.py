@@ -4,6 +4,8 @@ are those of the rigid linkage of the test kinematics; the compliance matrix is 
 import csv
 import io
 import pathlib
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -61,9 +63,76 @@ class AxleKc(unittest.TestCase):
         self.assertAlmostEqual(matrix["dz_L_by_Fy_L"] / matrix["dy_L_by_Fz_L"], 1.0, delta=1e-5)
         self.assertAlmostEqual(matrix["about_z_L_by_Fy_L"] / matrix["dy_L_by_Mz_L"], 1.0, delta=1e-5)
 
+    def test_a_recording_drives_each_wheel_and_its_slopes_are_those_of_the_recording(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            axle = 'axle = "rear", springs = "locked"'
+            cycle = [0, 1, 2, 3, 2, 1, 0, -1, -2, -3, -2, -1, 0]
+            left, right = (", ".join(f'"{share * x} kN"' for x in cycle) for share in (1.0, -0.5))
+            rig = run("compliance/rear_axle/specimen.toml", f'{{kind = "axle_kc", {axle}, Fy_L = [{left}], Fy_R = [{right}], '
+                      'slopes_by = "Fy_L", window = ["-2.5 kN", "2.5 kN"]}', "--html", str(folder / "loops.html"))
+            # Friction: the way back is another one than the way there.
+            self.assertGreater(abs(rig["toe_L"][5] - rig["toe_L"][1]), 0.02 * abs(rig["toe_L"][1]))
+            page = (folder / "loops.html").read_text()
+            self.assertIn("toe_R_by_Fy_L", page)
+            inside = [i for i, x in enumerate(rig["Fy_L"]) if abs(x) < 2500.0]
+            x, y = ([rig[of][i] for i in inside] for of in ("Fy_L", "toe_R"))
+            mean = sum(x) / len(x)
+            slope = sum((a - mean) * b for a, b in zip(x, y)) / sum((a - mean) ** 2 for a in x)
+            self.assertAlmostEqual(rig["toe_R_by_Fy_L"][0] / slope, 1.0, delta=1e-9)
+            with open(folder / "rig.csv", "w", newline="") as file:
+                table = csv.writer(file)
+                table.writerow(["Fy_L [N]", "Fy_R [N]", "toe_R [rad]"])
+                table.writerows(zip(rig["Fy_L"], rig["Fy_R"], rig["toe_R"]))
+            model = STUDIES / "compliance" / "rear_axle" / "car.toml"
+            (folder / "study.toml").write_text(
+                f'model = "{model}"\nmeasurement.rig = {{file = "rig.csv"}}\n'
+                f'test.rig = {{kind = "axle_kc", {axle}, loads = {{from = "measurement.rig"}}, slopes_by = "Fy_L", '
+                'window = ["-2.5 kN", "2.5 kN"]}\n'
+                'variable.toe_link = {path = "rear_suspension.bushing.trackrod_inner.y", lower = "1 kN/mm", '
+                'upper = "900 kN/mm", scale = "logarithmic"}\n'
+                '[experiment.toe]\nkind = "values"\nchannel = "rig/toe_R_by_Fy_L"\nmeasurement = "rig"\nexponent = 2\n')
+            study = str(folder / "study.toml")
+            done = subprocess.run([LATSCH, "check", "--derivatives", study], capture_output=True, text=True)
+            self.assertIn("All of them agree", done.stdout + done.stderr)
+            done = subprocess.run([LATSCH, "run", study], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("target 0.00", done.stdout + done.stderr)
+
+    def test_the_study_of_the_rear_axle_predicts_the_load_it_was_not_fitted_to(self):
+        with tempfile.TemporaryDirectory() as name:
+            studies = pathlib.Path(name) / "studies"
+            shutil.copytree(STUDIES / "compliance" / "rear_axle", studies / "compliance" / "rear_axle")
+            (studies / "kerb").mkdir()
+            shutil.copy(STUDIES / "kerb" / "front.toml", studies / "kerb")
+            study = studies / "compliance" / "rear_axle" / "study.toml"
+            done = subprocess.run([LATSCH, "run", str(study)], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertNotIn("counts twice", done.stderr)
+            values = study.with_suffix(".html").read_text().split('<section id="values">')[1].split("</section>")[0]
+        cells = lambda row: [re.sub("<.*?>", "", cell).replace("\N{MINUS SIGN}", "-").replace("&minus;", "-")
+                             for cell in re.findall("<td.*?>(.*?)</td>", row, re.S)]
+        held_out, fitted = 0, 0
+        for row in map(cells, re.findall("<tr>(.*?)</tr>", values, re.S)):
+            if not row:
+                continue
+            measured = float(row[2])
+            low, high = map(float, row[7].split(" .. "))
+            if row[1] == "predicted":
+                self.assertTrue(low <= measured <= high, row)
+                held_out += 1
+            elif "_by_Mz" not in row[0]:
+                self.assertLess(abs(float(row[5]) / measured - 1.0), 0.02, row)
+                fitted += 1
+        self.assertEqual((held_out, fitted), (12, 48))
+
     def test_typos_are_named(self):
         for test, word in (('{kind = "axle_kc", axle = "middle"}', "front"),
                            ('{kind = "axle_kc", axle = "front"}', "Fz"),
+                           ('{kind = "axle_kc", axle = "front", Fz = "1 kN", Fy_L = "1 kN"}', "Fz beside Fy_L"),
+                           ('{kind = "axle_kc", axle = "front", Fz_R = "1 kN", mode = "single"}', "no mode"),
+                           ('{kind = "axle_kc", axle = "front", Fz = ["1 kN", "1 kN"], slopes_by = "Fz"}', "does not vary"),
+                           ('{kind = "axle_kc", axle = "front", Fz = {from = "measurement.a"}}', "only a test of a study"),
                            ('{kind = "axle_kc", axle = "front", Fz = ["1 kN", "2 kN"], Fy = ["1 N", "2 N", "3 N"]}', "has 2")):
             done = subprocess.run([LATSCH, "test", str(STUDIES / "kerb/baseline.toml"), test], capture_output=True, text=True)
             self.assertNotEqual(done.returncode, 0)

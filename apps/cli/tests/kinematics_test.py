@@ -68,7 +68,7 @@ class Kinematics(unittest.TestCase):
         for one, other in zip(self.rows(test), self.rows(test, five)):
             for name in ("toe", "camber", "bump_steer", "roll_center_height", "axle_roll_center_y", "other_camber", "ackermann"):
                 self.assertAlmostEqual(one[name], other[name], delta=1e-9, msg=name)
-        self.assertIn("five_link", self.latsch("test", five, '{kind = "kc", Fz = "1 kN"}', code=WRONG_INPUT))
+        self.assertIn("bushing", self.latsch("test", five, '{kind = "kc", Fz = "1 kN"}', code=WRONG_INPUT))
         edit(five, (r"\[link.lca_rear\]\n.*\n.*\n", ""))
         self.assertIn("has 4 links, expected five", self.latsch("test", five, TRAVEL, code=WRONG_INPUT))
 

@@ -350,7 +350,7 @@ void examine_repetitions(const Study& study, const Document& file, std::vector<F
     for (std::size_t j = 0; j < i; ++j) {
       const StudyExperiment &a = study.experiments[j], &b = study.experiments[i];
       const bool other_columns =
-          a.observable->kind() == "curve" &&
+          (a.observable->kind() == "curve" || a.observable->kind() == "values") &&
           (a.observable->asks() != b.observable->asks() ||
            a.observable->compared(a.objective) != b.observable->compared(b.objective));
       if (a.measurement_file.empty()) continue;  // its values stand in the study

@@ -2,10 +2,12 @@
 // The channels of a trial before there is one: what an experiment or a constraint may name.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/document.h"
+#include "experiment/rigs/rig_slopes.h"
 
 namespace latsch::correlation {
 
@@ -13,6 +15,7 @@ struct KnownChannel {
   std::string name;        // "response/z": OUTPUT/QUANTITY
   std::string unit;        // in which people read it
   std::string frame = "";  // "W", "H" or "C" of a force or moment that a rig records
+  std::optional<experiment::Regression> regression = {};  // of a slope
 };
 
 /// nullptr where none is called so.

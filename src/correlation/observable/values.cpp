@@ -176,6 +176,23 @@ std::vector<std::string> read_mode_names(const Node& table,
   return modes;
 }
 
+/// Of the channel's column; of a slope that was not recorded as such, by the same regression over
+/// what was.
+std::vector<double> measured_values(const Node& table,
+                                    const KnownChannel& known,
+                                    const Values::Measurement& m,
+                                    const latsch::correlation::Measurement& measurement) {
+  const std::string name = channel_part(m.channel);
+  if (!known.regression || measurement.has(name)) return measurement.values(name, m.unit);
+  const auto& [of, unit, slopes] = *known.regression;
+  const Eigen::VectorXd w = slopes.weights(measurement.values(slopes.by, slopes.unit));
+  if (w.size() == 0)
+    table.reject("measurement",
+                 "does not vary in " + slopes.by + " within the window: there is no slope by it");
+  const std::vector<double>& y = measurement.values(of, unit);
+  return {w.dot(Eigen::Map<const Eigen::VectorXd>(y.data(), w.size()))};
+}
+
 }  // namespace
 
 std::shared_ptr<const Values> read_values(const Node& table,
@@ -195,7 +212,7 @@ std::shared_ptr<const Values> read_values(const Node& table,
   if (table.has("value") + table.has("values") + (measurement != nullptr) != 1)
     table.reject("value", "or values or measurement has to be there, one of them");
   if (measurement) {
-    m.values = measurement->values(channel_part(m.channel), m.unit);
+    m.values = measured_values(table, *known, m, *measurement);
     if (table.has("of")) {
       m.of = table.choice("of", names_of_values());
       m.values = {value_of(m.of, m.values)};

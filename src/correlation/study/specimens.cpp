@@ -202,7 +202,7 @@ std::vector<KnownChannel> known_channels(const std::vector<StudyTest>& tests) {
   for (const StudyTest& test : tests) {
     for (const auto& channel : test.test->channels()) {
       const std::string name = test.name.empty() ? channel.name : test.name + "/" + channel.name;
-      channels.push_back({name, channel.unit, channel.frame});
+      channels.push_back({name, channel.unit, channel.frame, channel.regression});
     }
   }
   return channels;

@@ -9,6 +9,7 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
 #include "models/car/car_reader.h"
+#include "models/suspension/suspension_reader.h"
 
 namespace latsch::experiment {
 
@@ -34,9 +35,10 @@ const SpecimenKind& tire_kind(const Document& tire, const std::string& part) {
                        ", which does not roll: expected a flexible ring, a rigid ring or a .tir");
 }
 
-class CarSpecimen : public Specimen, public Drives {
+class CarSpecimen : public Specimen, public Drives, public HasAxles {
  public:
-  explicit CarSpecimen(const Document& numbers) : file_(car::read_car(numbers.root())) {
+  explicit CarSpecimen(const Document& numbers)
+      : numbers_(numbers), file_(car::read_car(numbers.root())) {
     const std::array<const std::optional<car::SpringTireParameters>*, 2> springs = {
         &file_.front_spring_tire, &file_.rear_spring_tire};
     for (std::size_t axle = 0; axle < 2; ++axle) {
@@ -63,7 +65,44 @@ class CarSpecimen : public Specimen, public Drives {
     return car;
   }
 
+  Result<Channels> load(const AxleKcTest& test, const Asked& asked) const override {
+    const auto car = on_rig(test);
+    if (!car) return car.failure();
+    std::vector<Stiffnesses> varied;
+    for (const std::string& path : asked.paths) varied.push_back(of_axle(*car, test, path));
+    return run(*car, test, varied);
+  }
+  Result<Channels> compliance(const AxleKcTest& test) const override {
+    const auto car = on_rig(test);
+    return car ? axle_compliance(*car, test) : car.failure();
+  }
+
  private:
+  /// With the preloads that carry it where pads take them over; without, they are nothing.
+  Result<car::CarMechanism> on_rig(const AxleKcTest& test) const {
+    if (!test.travel) return car::build(file_.parameters);
+    const auto stands = car({});
+    if (!stands) return stands.failure();
+    return car::CarMechanism{(*stands)->mechanism(), (*stands)->parts()};
+  }
+  /// What a number moves of the axle on the rig: joints of both sides; nothing of the other axle.
+  Stiffnesses of_axle(const car::CarMechanism& car,
+                      const AxleKcTest& test,
+                      const std::string& path) const {
+    const std::string suspension = std::string(kAxles[test.front ? 0 : 1]) + "_suspension";
+    if (!path.starts_with(suspension + ".")) return {};
+    const car::Axle& axle = test.front ? file_.parameters.front : file_.parameters.rear;
+    Stiffnesses found;
+    for (const auto& [joint, axis] : suspension::stiffnesses_at(part_of(numbers_, suspension),
+                                                                path.substr(suspension.size() + 1),
+                                                                axle.corner.joints()))
+      for (std::size_t side = 0; side < 2; ++side)
+        found.emplace_back(
+            car.parts.corners[(test.front ? car::kFL : car::kRL) + side].first_joint + joint, axis);
+    return found;
+  }
+
+  Document numbers_;
   car::CarFile file_;
   car::Tires tires_;
 };
@@ -99,6 +138,12 @@ class CarKind : public SpecimenKind {
   std::unique_ptr<Specimen> build(const Document& numbers,
                                   std::unique_ptr<Specimen>) const override {
     return std::make_unique<CarSpecimen>(numbers);
+  }
+  bool knows_slopes_in(const std::string& path) const override {
+    for (const char* axle : kAxles)
+      if (const std::string part = std::string(axle) + "_suspension."; path.starts_with(part))
+        return suspension::is_stiffness(path.substr(part.size()));
+    return false;
   }
 
  private:

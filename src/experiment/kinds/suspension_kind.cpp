@@ -22,9 +22,10 @@ class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinka
 
   Result<Channels> load(const KcTest& test, const Asked& asked) override {
     std::vector<Stiffnesses> varied;
+    const suspension::CompliantCorner& corner = statics();
     for (const std::string& path : asked.paths)
-      varied.push_back(suspension::stiffnesses_at(numbers_, path));
-    return run(statics(), test, varied);
+      varied.push_back(suspension::stiffnesses_at(numbers_, path, corner.joints));
+    return run(corner, test, varied);
   }
   Result<Channels> compliance(const KcTest& test) override {
     return compliance_matrices(statics(), test);
@@ -44,8 +45,9 @@ class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinka
 
  private:
   /// InputError where the file has none.
-  suspension::DoubleWishbone statics() const {
-    return corner_.statics ? *corner_.statics : suspension::read_suspension(numbers_.root());
+  const suspension::CompliantCorner& statics() const {
+    if (corner_.compliant) return *corner_.compliant;
+    numbers_.root().reject("bushing", "is not there: loads take the stiffnesses of its joints");
   }
 
   Document numbers_;
@@ -113,7 +115,7 @@ class SuspensionKind : public SpecimenKind {
     return std::make_unique<SuspensionSpecimen>(numbers);
   }
   bool knows_slopes_in(const std::string& path) const override {
-    return path.starts_with("bushing.");
+    return suspension::is_stiffness(path);
   }
 };
 

@@ -14,6 +14,7 @@
 
 #include "base/result.h"
 #include "experiment/language/test.h"
+#include "experiment/rigs/car/axle_kc_rig.h"
 #include "experiment/rigs/footprint_rig.h"
 #include "experiment/rigs/inflation.h"
 #include "experiment/rigs/kc_rig.h"
@@ -97,6 +98,16 @@ struct Drives {
   virtual Result<std::unique_ptr<car::Car>> car(const car::CarInputs& at_rest) const = 0;
 };
 
+/// Has axles that a K&C rig loads while it holds the chassis.
+struct HasAxles {
+  static constexpr const char* kName = "is loaded on a K&C rig by its axles";
+  virtual ~HasAxles() = default;
+  /// With the slopes asked for, where they are known.
+  virtual Result<Channels> load(const AxleKcTest& test, const Asked& asked) const = 0;
+  /// Its compliance matrices in the states of the test.
+  virtual Result<Channels> compliance(const AxleKcTest& test) const = 0;
+};
+
 /// A corner of a suspension as rigid links, and the axle of it and its mirror image.
 struct MovesAsLinkage {
   static constexpr const char* kName = "moves as a linkage";
@@ -124,6 +135,7 @@ std::vector<std::string> abilities_of() {
   add(static_cast<HasSteadyStates*>(nullptr));
   add(static_cast<IsLoaded*>(nullptr));
   add(static_cast<Drives*>(nullptr));
+  add(static_cast<HasAxles*>(nullptr));
   add(static_cast<MovesAsLinkage*>(nullptr));
   add(static_cast<TakesConditions*>(nullptr));
   return names;

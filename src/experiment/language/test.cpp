@@ -3,6 +3,12 @@
 
 namespace latsch::experiment {
 
+ChannelInfo slope_of(const std::string& moved, const std::string& unit, const SlopesBy& slopes) {
+  ChannelInfo info{slopes.name(moved), slopes.unit_of(unit)};
+  info.regression = Regression{moved, unit, slopes};
+  return info;
+}
+
 Result<std::vector<std::string>> Test::run_in_blocks(
     Specimen& specimen, const std::function<void(const Channels&)>& tell) const {
   const auto all = run(specimen);

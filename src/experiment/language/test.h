@@ -17,6 +17,7 @@
 #include "base/result.h"
 #include "experiment/language/specimen.h"
 #include "experiment/rigs/measured_conditions.h"
+#include "experiment/rigs/rig_slopes.h"
 #include "measurement/channels.h"
 
 namespace latsch::experiment {
@@ -26,7 +27,10 @@ struct ChannelInfo {
   std::string name, unit;   // SI
   std::string frame = "";   // "W", "H" or "C" of a force or moment
   bool is_compared = true;  // false: a part of another quantity, such as the shape of a mode
+  std::optional<Regression> regression = {};  // what it is the slope of, in a recording too
 };
+/// "dz_by_Fz" of "dz"
+ChannelInfo slope_of(const std::string& moved, const std::string& unit, const SlopesBy& slopes);
 
 struct Reach {
   double from, to;  // SI

@@ -9,7 +9,6 @@ namespace latsch::experiment {
 namespace {
 
 using multibody::Vector6d;
-using suspension::DoubleWishbone;
 
 Vector6d as_vector(const suspension::WheelPosition& at) {
   Vector6d v;
@@ -22,44 +21,21 @@ const char* unit_of_load(int i) { return i < 3 ? "N" : "N m"; }
 
 }  // namespace
 
-std::string KcTest::slope_name(int moved) const {
-  return fmt::format("{}_by_{}",
-                     kMoved[static_cast<std::size_t>(moved)],
-                     kLoads[static_cast<std::size_t>(*slopes_by)]);
-}
-
-std::string KcTest::slope_unit(int moved) const {
-  if (*slopes_by >= 3 && moved < 3) return "1/N";  // m/(N m)
-  return unit_of_moved(moved) + std::string(*slopes_by < 3 ? "/N" : "/(N m)");
-}
-
-Eigen::VectorXd KcTest::slope_weights() const {
-  const Eigen::VectorXd load = loads.row(*slopes_by);
-  Eigen::VectorXd inside(load.size());
-  for (Eigen::Index i = 0; i < load.size(); ++i)
-    inside[i] = load[i] >= window.first && load[i] <= window.second ? 1.0 : 0.0;
-  if (inside.sum() < 2.0) return {};
-  const Eigen::VectorXd from_mean =
-      inside.cwiseProduct((load.array() - load.dot(inside) / inside.sum()).matrix());
-  const double square = from_mean.squaredNorm();
-  if (!(square > 1e-12 * load.squaredNorm())) return {};
-  return from_mean / square;
-}
-
-Result<Channels> run(const DoubleWishbone& corner,
+Result<Channels> run(const suspension::CompliantCorner& corner,
                      const KcTest& test,
                      const std::vector<Stiffnesses>& varied) {
-  const multibody::Mechanism mechanism(corner.bodies(), corner.joints());
+  const multibody::Mechanism mechanism(corner.bodies, corner.joints);
   multibody::Equilibrium statics(mechanism);
-  suspension::WheelPoints points = corner.wheel();
-  multibody::Load on{DoubleWishbone::kUpright, corner.contact};
+  const auto upright_body = static_cast<std::size_t>(corner.upright);
+  suspension::WheelPoints points = corner.wheel;
+  multibody::Load on{corner.upright, corner.contact};
   if (test.at_wheel_center) {
     points.contact = points.center;
     on.point = corner.wheel_center;
   }
   multibody::Rest stands = statics.unloaded();  // friction remembers the loads before
   const multibody::Poses& poses = stands.poses;
-  const Vector6d rest = as_vector(wheel_position(points, poses[DoubleWishbone::kUpright]));
+  const Vector6d rest = as_vector(wheel_position(points, poses[upright_body]));
   const Eigen::Index states = test.loads.cols();
   const auto numbers = static_cast<Eigen::Index>(varied.size());
   Eigen::MatrixXd moved(states, 6);
@@ -72,13 +48,14 @@ Result<Channels> run(const DoubleWishbone& corner,
     if (!found)
       return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, found.failure().reason)};
     stands = std::move(*found);
-    const multibody::Pose& upright = poses[DoubleWishbone::kUpright];
+    const multibody::Pose& upright = poses[upright_body];
     moved.row(i) = as_vector(wheel_position(points, upright)) - rest;
     if (varied.empty()) continue;
     if (const std::string trouble = statics.linearize(stands, standing); !trouble.empty())
       return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, trouble)};
-    Eigen::MatrixXd by_pose = Eigen::MatrixXd::Zero(6 * DoubleWishbone::kBodies, 6);
-    by_pose.middleRows<6>(6 * DoubleWishbone::kUpright) = wheel_slopes(points, upright).transpose();
+    Eigen::MatrixXd by_pose =
+        Eigen::MatrixXd::Zero(6 * static_cast<Eigen::Index>(corner.bodies.size()), 6);
+    by_pose.middleRows<6>(6 * corner.upright) = wheel_slopes(points, upright).transpose();
     const Eigen::MatrixXd by_stiffness = statics.by_stiffness(poses, by_pose);
     for (int m = 0; m < 6; ++m)
       for (Eigen::Index v = 0; v < numbers; ++v) {
@@ -109,13 +86,8 @@ Result<Channels> run(const DoubleWishbone& corner,
         unit_of_moved(m),
         moved.col(m),
         slopes[static_cast<std::size_t>(m)]);
-  if (!test.slopes_by) return channels;
-  const Eigen::RowVectorXd w = test.slope_weights().transpose();
-  for (int m = 0; m < 6; ++m)
-    add(test.slope_name(m),
-        test.slope_unit(m),
-        w * moved.col(m),
-        w * slopes[static_cast<std::size_t>(m)]);
+  if (test.slopes)
+    add_slopes(*test.slopes, {KcTest::kMoved.begin(), KcTest::kMoved.end()}, channels);
   return channels;
 }
 

@@ -13,8 +13,9 @@
 #include <vector>
 
 #include "base/result.h"
+#include "experiment/rigs/rig_slopes.h"
 #include "measurement/channels.h"
-#include "models/suspension/double_wishbone.h"
+#include "models/suspension/compliant_corner.h"
 
 namespace latsch::experiment {
 
@@ -26,23 +27,14 @@ struct KcTest {
   bool at_wheel_center = false;
   Eigen::Matrix<double, 6, Eigen::Dynamic> loads;  // N, N m; a state a column
   std::array<bool, 6> stated = {};                 // which of the loads are recorded
-  /// Slopes of what moves by this load, of a regression over the states where it is in a window.
-  std::optional<int> slopes_by = {};
-  std::pair<double, double> window = {-1e300, 1e300};  // N or N m
-
-  /// "dz_by_Fz", "m/N"
-  std::string slope_name(int moved) const;
-  std::string slope_unit(int moved) const;
-  /// Weights of the states in that regression, with an axis intercept; empty where the load does
-  /// not vary in the window.
-  Eigen::VectorXd slope_weights() const;
+  std::optional<SlopesBy> slopes = {};             // of what moves, by a load that is stated
 };
 
 /// Of the stiffnesses, joint and axis, that a number varied stands for.
 using Stiffnesses = std::vector<std::pair<int, int>>;
 
 /// The loads that are stated, what moves and its slopes; slopes of these in numbers varied.
-Result<Channels> run(const suspension::DoubleWishbone& corner,
+Result<Channels> run(const suspension::CompliantCorner& corner,
                      const KcTest& test,
                      const std::vector<Stiffnesses>& varied = {});
 

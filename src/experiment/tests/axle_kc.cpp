@@ -11,20 +11,30 @@
 //   Mz = "100 N m"                       # state or one for all of them; none: zero
 //   travel = ["-30 mm", "30 mm"]         # of the left wheel center, by a pad; none: free
 //   rack = "5 mm"                        # to the left; default 0
+//   Fz_L = ["1 kN", "2 kN"]              # in the place of mode, Fx ... travel: of each wheel by
+//   Fz_R = ["1 kN", "0 kN"]              # itself, Fx_L ... Mz_R, travel_L, travel_R
+//   loads = {from = "measurement.rig"}   # or all that a rig recorded, Fx ... Mz or Fx_L ... Mz_R
+//   travel_L = {from = "measurement.rig"}    # or any of these as it was recorded
+//   slopes_by = "Fz"                     # adds dz_L_by_Fz, toe_R_by_Fz ...: slopes of a regression
+//   window = ["1 kN", "4 kN"]            # over the states where Fz is in there
+//
+// Loads and travels of the right wheel: parallel, the same (of Fy, Mx and Mz the mirror image);
+// opposed, the opposite of that; single: none, and the pad holds it where it was.
 //
 // Its channels are what is stated, rack, and of both wheels dx, dy, dz, camber, toe, caster
-// (dx_L .. caster_R; signs of models/suspension/wheel_position.h), the springs' extension and the
+// (dx_L .. caster_R; signs as of test kc), the springs' extension and the
 // pads' force. `latsch test --details FILE` writes the 12 x 12 compliance matrix of every state and
-// the classical compliances, in phase and out of phase.
+// the classical compliances, in phase and out of phase; `--html FILE` draws the loops.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/car/axle_kc_rig.h"
+#include "experiment/tests/kc_histories.h"
+#include "experiment/tests/kc_pictures.h"
 
 namespace latsch::experiment {
 
@@ -35,118 +45,180 @@ constexpr std::array<const char*, 3> kModes = {"parallel", "opposed", "single"};
 
 class AxleKc : public Test {
  public:
-  explicit AxleKc(AxleKcTest test) : test_(std::move(test)) {}
+  AxleKc(AxleKcTest test, std::string mode) : test_(std::move(test)), mode_(std::move(mode)) {}
 
   std::string in_words() const override {
-    std::vector<std::string> stated;
-    for (std::size_t i = 0; i < 6; ++i)
-      if (test_.stated[i]) stated.emplace_back(AxleKcTest::kLoads[i]);
-    if (test_.travel) stated.emplace_back("travel");
-    if (stated.empty()) stated.emplace_back("rack");
+    std::vector<std::string> prescribed = names();
+    if (prescribed.size() > 1) std::erase(prescribed, "rack");
     return fmt::format("K&C rig, {} axle, {}, {}, springs {}, {} states",
                        test_.front ? "front" : "rear",
-                       kModes[static_cast<std::size_t>(test_.mode)],
-                       fmt::join(stated, ", "),
+                       mode_,
+                       fmt::join(prescribed, ", "),
                        test_.springs_locked ? "locked" : "free",
                        test_.states());
   }
   std::string identity() const override {
     const auto loads = test_.loads.reshaped();
-    std::string text = fmt::format("axle_kc {} {} {} {} loads {} rack {}",
+    std::string text = fmt::format("axle_kc {} {} {} loads {} rack {}",
                                    test_.front,
-                                   static_cast<int>(test_.mode),
                                    test_.springs_locked,
                                    test_.at_wheel_center,
                                    fmt::join(loads.begin(), loads.end(), " "),
                                    fmt::join(test_.rack, " "));
-    if (test_.travel) text += fmt::format(" travel {}", fmt::join(*test_.travel, " "));
-    for (const bool stated : test_.stated) text += stated ? " 1" : " 0";
+    if (test_.travel)
+      for (const auto& travel : *test_.travel)
+        text += fmt::format(" travel {}", fmt::join(travel, " "));
+    text += fmt::format(" prescribed {}", fmt::join(names(), " "));
+    if (test_.slopes)
+      text += fmt::format(
+          " slopes by {} in {} {}", test_.slopes->by, test_.slopes->from, test_.slopes->to);
     return text;
   }
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
-    for (const auto& [name, unit] : axle_kc_channels(test_)) channels.push_back({name, unit});
+    for (const Channel& one : test_.prescribed) channels.push_back({one.name, one.unit});
+    const auto moved = axle_kc_moved(test_);
+    for (const auto& [name, unit] : moved) channels.push_back({name, unit});
+    if (test_.slopes)
+      for (const auto& [name, unit] : moved)
+        channels.push_back(slope_of(name, unit, *test_.slopes));
     return channels;
   }
   std::vector<std::string> needs() const override { return kAxleKc.needs; }
   std::optional<Reach> reach(const std::string& channel) const override {
-    const auto of = [](const auto& values) {
-      const auto [low, high] = std::minmax_element(values.begin(), values.end());
-      return Reach{*low, *high};
-    };
-    if (channel == "travel" && test_.travel) return of(*test_.travel);
-    if (channel == "rack") return of(test_.rack);
-    for (std::size_t i = 0; i < 6; ++i)
-      if (test_.stated[i] && channel == AxleKcTest::kLoads[i]) {
-        const auto row = test_.loads.row(static_cast<Eigen::Index>(i));
-        return Reach{row.minCoeff(), row.maxCoeff()};
+    for (const Channel& one : test_.prescribed)
+      if (one.name == channel) {
+        const auto [low, high] = std::minmax_element(one.values.begin(), one.values.end());
+        return Reach{*low, *high};
       }
     return std::nullopt;
   }
   std::optional<long> samples() const override { return test_.states(); }
   Result<Channels> run(Specimen& specimen) const override {
-    const auto car = specimen.find<Drives>()->car({});
-    return car ? experiment::run(**car, test_) : car.failure();
+    return specimen.find<HasAxles>()->load(test_, {});
   }
   Result<Details> details(Specimen& specimen) const override {
-    const auto car = specimen.find<Drives>()->car({});
-    if (!car) return car.failure();
-    auto matrices = axle_compliance(**car, test_);
+    auto matrices = specimen.find<HasAxles>()->compliance(test_);
     if (!matrices) return matrices.failure();
-    return Details{{}, std::move(*matrices)};
+    const auto recorded = run(specimen);
+    if (!recorded) return recorded.failure();
+    return Details{loop_pictures(*recorded, names(), {"_L", "_R"}, test_.slopes),
+                   std::move(*matrices)};
+  }
+  bool tells_slopes() const override { return !test_.travel; }
+  Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
+    return specimen.find<HasAxles>()->load(test_, tells_slopes() ? asked : Asked{});
   }
 
  private:
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const Channel& one : test_.prescribed) names.push_back(one.name);
+    return names;
+  }
+
   AxleKcTest test_;
+  std::string mode_;
 };
 
-std::unique_ptr<Test> read_axle_kc(const Node& root, const TestSource&) {
+/// Fx ... Mz, Fx_L ... Mz_L, Fx_R ... Mz_R
+std::vector<Prescribed> axle_loads() {
+  std::vector<Prescribed> loads;
+  for (const char* of : {"", "_L", "_R"})
+    for (std::size_t i = 0; i < 6; ++i)
+      loads.push_back({std::string(KcTest::kLoads[i]) + of, i < 3 ? "N" : "N m"});
+  return loads;
+}
+
+bool is_of_one_wheel(const std::string& name) {
+  return name.ends_with("_L") || name.ends_with("_R");
+}
+
+/// What the right wheel gets of the left one's: +1 or -1 times that of its mirror image, or none.
+double share_of_right(const std::string& mode) {
+  return mode == "parallel" ? 1.0 : mode == "opposed" ? -1.0 : 0.0;
+}
+
+/// In words; rejects a mode where each wheel has its own.
+std::string read_mode(const Node& root, const Histories& histories) {
+  std::string of_one, of_both;
+  for (const Prescribed& one : histories.stated())
+    if (one.name != "rack") (is_of_one_wheel(one.name) ? of_one : of_both) = one.name;
+  if (of_one.empty()) return root.choice("mode", {kModes.begin(), kModes.end()}, kModes[0]);
+  if (!of_both.empty())
+    root.reject(root.has(of_both) ? of_both : "loads",
+                fmt::format("states {} beside {}, expected all of each wheel or all of the left "
+                            "one and a mode",
+                            of_both,
+                            of_one));
+  if (root.has("mode")) root.reject("mode", "stands beside " + of_one + ", which leaves no mode");
+  return "each wheel";
+}
+
+void prescribe_loads(const Histories& histories, double right, AxleKcTest& test) {
+  constexpr std::array<double, 6> kMirror = {1.0, -1.0, 1.0, -1.0, 1.0, -1.0};
+  test.loads.setZero(12, static_cast<Eigen::Index>(histories.states()));
+  const auto add = [&](const std::string& name, std::size_t row, double factor) {
+    const std::vector<double>* load = histories.find(name);
+    for (std::size_t k = 0; load && k < load->size(); ++k)
+      test.loads(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k)) +=
+          factor * (*load)[k];
+  };
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::string name = KcTest::kLoads[i];
+    add(name, i, 1.0);
+    add(name, i + 6, right * kMirror[i]);
+    add(name + "_L", i, 1.0);
+    add(name + "_R", i + 6, 1.0);
+  }
+}
+
+void prescribe_travel(const Histories& histories, double right, AxleKcTest& test) {
+  std::array<std::vector<double>, 2> travel;
+  travel.fill(std::vector<double>(histories.states(), 0.0));
+  const auto add = [&](const std::string& name, std::size_t side, double factor) {
+    const std::vector<double>* values = histories.find(name);
+    if (!values) return;
+    if (!test.travel) test.travel = travel;
+    for (std::size_t k = 0; k < values->size(); ++k)
+      (*test.travel)[side][k] += factor * (*values)[k];
+  };
+  add("travel", 0, 1.0);
+  add("travel", 1, right);
+  add("travel_L", 0, 1.0);
+  add("travel_R", 1, 1.0);
+}
+
+std::unique_ptr<Test> read_axle_kc(const Node& root, const TestSource& source) {
   AxleKcTest test;
   test.front = root.choice("axle", {"front", "rear"}) == "front";
-  const std::string mode = root.choice("mode", {kModes.begin(), kModes.end()}, "parallel");
-  test.mode =
-      static_cast<AxleKcTest::Mode>(std::find(kModes.begin(), kModes.end(), mode) - kModes.begin());
   test.springs_locked = root.choice("springs", {"free", "locked"}, "free") == "locked";
   test.at_wheel_center =
       root.choice("at", {"contact_patch", "wheel_center"}, "contact_patch") == "wheel_center";
-  std::map<std::string, std::vector<double>> stated;
-  for (std::size_t i = 0; i < 6; ++i)
-    if (const char* name = AxleKcTest::kLoads[i]; root.has(name)) {
-      stated[name] = root.one_or_more(name, i < 3 ? "N" : "N m");
-      test.stated[i] = true;
-    }
-  if (root.has("travel")) stated["travel"] = root.one_or_more("travel", "m");
-  if (root.has("rack")) stated["rack"] = root.one_or_more("rack", "m");
-  if (stated.empty()) {
-    root.close();                 // a typo in the only key that states something
-    root.one_or_more("Fz", "N");  // where it is not there, what was probably meant is named
+  const Histories histories(root,
+                            source,
+                            axle_loads(),
+                            {{"travel", "m"}, {"travel_L", "m"}, {"travel_R", "m"}, {"rack", "m"}},
+                            "Fz");
+  const std::string mode = read_mode(root, histories);
+  prescribe_loads(histories, share_of_right(mode), test);
+  prescribe_travel(histories, share_of_right(mode), test);
+  test.rack.assign(histories.states(), 0.0);
+  for (const Prescribed& one : histories.stated()) {
+    if (one.name == "rack") continue;
+    test.prescribed.push_back({one.name, one.unit, *histories.find(one.name)});
   }
-  std::size_t states = 1;
-  for (const auto& [name, values] : stated) states = std::max(states, values.size());
-  for (auto& [name, values] : stated) {
-    if (values.size() != 1 && values.size() != states)
-      root.reject(
-          name,
-          fmt::format(
-              "has {} values, expected one or {} as the others have", values.size(), states));
-    if (values.size() == 1) values.assign(states, values[0]);
-  }
-  test.loads.setZero(6, static_cast<Eigen::Index>(states));
-  for (std::size_t i = 0; i < 6; ++i)
-    if (test.stated[i])
-      for (std::size_t k = 0; k < states; ++k)
-        test.loads(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
-            stated[AxleKcTest::kLoads[i]][k];
-  if (stated.contains("travel")) test.travel = stated["travel"];
-  test.rack = stated.contains("rack") ? stated["rack"] : std::vector<double>(states, 0.0);
-  return std::make_unique<AxleKc>(std::move(test));
+  if (const std::vector<double>* rack = histories.find("rack")) test.rack = *rack;
+  test.prescribed.push_back({"rack", "m", test.rack});
+  test.slopes = histories.slopes(root);
+  return std::make_unique<AxleKc>(std::move(test), mode);
 }
 
 }  // namespace
 
 const TestKind kAxleKc = {"axle_kc",
                           "an axle on a K&C rig: both wheels, springs and bars",
-                          {Drives::kName},
+                          {HasAxles::kName},
                           read_axle_kc};
 
 }  // namespace latsch::experiment

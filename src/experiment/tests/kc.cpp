@@ -5,7 +5,7 @@
 //   kind = "kc"
 //   Fz = ["0 N", "2.5 kN", "5 kN"]       # of the ground on the tire: Fx, Fy, Fz, Mx, My, Mz,
 //   Mz = "100 N m"                       # of every state, or one for all of them
-//   loads = {from = "measurement.rig"}   # or those it recorded
+//   loads = {from = "measurement.rig"}   # or all it recorded; Fz = {from = ...}: this one
 //   at = "contact_patch"                 # or "wheel_center": where they act and what dx, dy, dz
 //                                        # are of
 //   slopes_by = "Fz"                     # adds dz_by_Fz, toe_by_Fz ...: slopes of a regression
@@ -14,16 +14,17 @@
 // Its channels are the loads and dx, dy, dz, camber, toe, caster from the unloaded corner: x
 // forward, y left, z up; camber with the top outboard, toe with the front inboard, caster with the
 // top of the kingpin rearward. `latsch test --details FILE` writes the compliance matrix of every
-// state: dx_by_Fx ... about_z_by_Mz.
+// state: dx_by_Fx ... about_z_by_Mz; `--html FILE` draws the loops.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "base/text.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/kc_rig.h"
+#include "experiment/tests/kc_histories.h"
+#include "experiment/tests/kc_pictures.h"
 
 namespace latsch::experiment {
 
@@ -51,9 +52,13 @@ class KcTestOfCorner : public Test {
                                    fmt::join(all.begin(), all.end(), " "));
     for (std::size_t i = 0; i < 6; ++i)
       if (test_.stated[i]) text += fmt::format(" {}", KcTest::kLoads[i]);
-    if (test_.slopes_by)
-      text += fmt::format(
-          " slopes by {} in {} {}", *test_.slopes_by, test_.window.first, test_.window.second);
+    if (test_.slopes)
+      text +=
+          fmt::format(" slopes by {} in {} {}",
+                      std::find(KcTest::kLoads.begin(), KcTest::kLoads.end(), test_.slopes->by) -
+                          KcTest::kLoads.begin(),
+                      test_.slopes->from,
+                      test_.slopes->to);
     return text;
   }
 
@@ -63,8 +68,10 @@ class KcTestOfCorner : public Test {
       if (test_.stated[i]) channels.push_back({KcTest::kLoads[i], i < 3 ? "N" : "N m"});
     for (std::size_t i = 0; i < 6; ++i)
       channels.push_back({KcTest::kMoved[i], i < 3 ? "m" : "rad"});
-    if (test_.slopes_by)
-      for (int i = 0; i < 6; ++i) channels.push_back({test_.slope_name(i), test_.slope_unit(i)});
+    if (test_.slopes) {
+      for (std::size_t i = 0; i < 6; ++i)
+        channels.push_back(slope_of(KcTest::kMoved[i], i < 3 ? "m" : "rad", *test_.slopes));
+    }
     return channels;
   }
 
@@ -85,7 +92,12 @@ class KcTestOfCorner : public Test {
   Result<Details> details(Specimen& specimen) const override {
     auto matrices = specimen.find<IsLoaded>()->compliance(test_);
     if (!matrices) return matrices.failure();
-    return Details{{}, std::move(*matrices)};
+    const auto recorded = run(specimen);
+    if (!recorded) return recorded.failure();
+    std::vector<std::string> loads;
+    for (std::size_t i = 0; i < 6; ++i)
+      if (test_.stated[i]) loads.emplace_back(KcTest::kLoads[i]);
+    return Details{loop_pictures(*recorded, loads, {""}, test_.slopes), std::move(*matrices)};
   }
   bool tells_slopes() const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
@@ -96,78 +108,25 @@ class KcTestOfCorner : public Test {
   KcTest test_;
 };
 
-using Histories = std::array<std::vector<double>, 6>;
-
-Histories recorded(const Node& table, const TestSource& source) {
-  std::vector<MeasuredCondition> conditions;
-  for (std::size_t i = 0; i < 6; ++i)
-    conditions.push_back({KcTest::kLoads[i], i < 3 ? "N" : "N m"});
-  const Channels channels = take_measured(table, conditions, source.measured);
-  Histories loads;
-  for (std::size_t i = 0; i < 6; ++i)
-    if (const Channel* channel = channels.find(KcTest::kLoads[i])) loads[i] = channel->values;
+std::vector<Prescribed> kc_loads() {
+  std::vector<Prescribed> loads;
+  for (std::size_t i = 0; i < 6; ++i) loads.push_back({KcTest::kLoads[i], i < 3 ? "N" : "N m"});
   return loads;
-}
-
-Histories stated(const Node& root) {
-  Histories loads;
-  if (root.has("Fx")) loads[0] = root.one_or_more("Fx", "N");
-  if (root.has("Fy")) loads[1] = root.one_or_more("Fy", "N");
-  if (root.has("Fz")) loads[2] = root.one_or_more("Fz", "N");
-  if (root.has("Mx")) loads[3] = root.one_or_more("Mx", "N m");
-  if (root.has("My")) loads[4] = root.one_or_more("My", "N m");
-  if (root.has("Mz")) loads[5] = root.one_or_more("Mz", "N m");
-  return loads;
-}
-
-void read_slopes(const Node& root, KcTest& test) {
-  if (!root.has("slopes_by")) {
-    if (root.has("window")) root.reject("window", "is that of slopes_by, which is not there");
-    return;
-  }
-  const std::string by = root.choice("slopes_by", {KcTest::kLoads.begin(), KcTest::kLoads.end()});
-  test.slopes_by = static_cast<int>(std::find(KcTest::kLoads.begin(), KcTest::kLoads.end(), by) -
-                                    KcTest::kLoads.begin());
-  if (root.has("window")) {
-    const auto window = root.quantities("window", *test.slopes_by < 3 ? "N" : "N m");
-    if (window.size() != 2 || !(window[0] < window[1]))
-      root.reject("window", "is no window, expected two values that rise");
-    test.window = {window[0], window[1]};
-  }
-  if (test.slope_weights().size() == 0)
-    root.reject("slopes_by",
-                "is " + by + ", which does not vary" +
-                    (root.has("window") ? " in the window" : "") + ": there is no slope by it");
 }
 
 std::unique_ptr<Test> read_kc(const Node& root, const TestSource& source) {
   KcTest test;
   test.at_wheel_center =
       root.choice("at", {"contact_patch", "wheel_center"}, "contact_patch") == "wheel_center";
-  const auto from = find_measured(root, "loads");
-  const Histories loads = from ? recorded(*from, source) : stated(root);
-  std::size_t states = 0;
-  for (const auto& load : loads) states = std::max(states, load.size());
-  if (states == 0) {
-    if (from) root.reject("loads", "has none of Fx, Fy, Fz, Mx, My, Mz: no load was recorded");
-    root.one_or_more("Fz", "N");  // where it is not there, what was probably meant is named
-    root.reject("Fz", "is empty, expected the loads of one state at least");
-  }
-  test.loads.setZero(6, static_cast<Eigen::Index>(states));
-  for (std::size_t i = 0; i < 6; ++i) {
-    const std::vector<double>& load = loads[i];
-    if (load.empty()) continue;
-    if (load.size() != 1 && load.size() != states)
-      root.reject(
-          KcTest::kLoads[i],
-          fmt::format("has {} values, expected one or {} as the others have", load.size(), states));
-    test.stated[i] = true;
-    for (std::size_t k = 0; k < states; ++k)
-      test.loads(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
-          load.size() == 1 ? load[0] : load[k];
-  }
-  if (!test.loads.allFinite()) root.reject("loads", "has values that are no numbers");
-  read_slopes(root, test);
+  const Histories histories(root, source, kc_loads(), {}, "Fz");
+  test.loads.setZero(6, static_cast<Eigen::Index>(histories.states()));
+  for (std::size_t i = 0; i < 6; ++i)
+    if (const std::vector<double>* load = histories.find(KcTest::kLoads[i])) {
+      test.stated[i] = true;
+      for (std::size_t k = 0; k < load->size(); ++k)
+        test.loads(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = (*load)[k];
+    }
+  test.slopes = histories.slopes(root);
   return std::make_unique<KcTestOfCorner>(std::move(test));
 }
 

@@ -125,6 +125,7 @@ class Builder {
     parts.pushrod = first + DoubleWishbone::kPushrod;
     int rocker = chassis;
     if (axle.inboard) rocker = add_rocker(corner, *axle.inboard, left, chassis, name, parts);
+    parts.first_joint = static_cast<int>(joints_.size());
     const auto joints = corner.joints();
     for (int j = 0; j < DoubleWishbone::kJoints; ++j) {
       Joint joint = joints[static_cast<std::size_t>(j)];

@@ -20,6 +20,7 @@ constexpr bool is_front(int corner) { return corner < kRL; }
 /// Where a corner's parts are in the mechanism.
 struct CornerParts {
   int upright = -1, pushrod_joint = -1;
+  int first_joint = -1;                   // of DoubleWishbone::kJoints, in their order
   int unit = -1;                          // strut; -1: locked
   Eigen::Vector3d wheel_center, contact;  // at rest, m
   Eigen::Vector3d pushrod_outer, pushrod_inner;

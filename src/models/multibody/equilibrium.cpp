@@ -124,8 +124,10 @@ Eigen::MatrixXd Equilibrium::by_stiffness(const Poses& poses,
     const auto pose = [&](int body) {
       return body == kGround ? Pose{} : poses[static_cast<std::size_t>(body)];
     };
-    const BushingStrain s =
-        strain_of(mechanism_.place(static_cast<int>(i)), pose(joint.a), pose(joint.b));
+    BushingPlace place = mechanism_.place(static_cast<int>(i));
+    if (joint.driver >= 0 && !drivers_.empty())
+      place.in_a += drivers_[static_cast<std::size_t>(joint.driver)] * joint.along;
+    const BushingStrain s = strain_of(place, pose(joint.a), pose(joint.b));
     for (int e = 0; e < 6; ++e) {
       BushingParameters one{Vector3d::Zero(), Vector3d::Zero()};
       (e < 3 ? one.stiffness : one.rotational)[e % 3] = 1.0;

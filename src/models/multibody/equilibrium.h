@@ -60,6 +60,7 @@ class Equilibrium {
   Matrix6d compliance(int of, int by, const Eigen::Vector3d& arm) const;
   /// Slopes of outputs, `by_pose`: an output a column, in travel and rotation of all bodies, in
   /// the stiffnesses: of joint i the columns 6 i .. 6 i + 5, three of N/m and three of N m/rad.
+  /// Drivers are where they were when J was made; what friction remembers is held.
   Eigen::MatrixXd by_stiffness(const Poses& poses, const Eigen::MatrixXd& by_pose) const;
 
  private:

@@ -28,12 +28,20 @@ DoubleWishbone read_double_wishbone(const Node& hardpoint, const CornerGeometry&
   return corner;
 }
 
+CompliantCorner read_five_links(const Node& hardpoint,
+                                const CornerGeometry& geometry,
+                                const std::vector<BushingParameters>& bushings) {
+  auto corner = compliant_five_links(geometry, read_point(hardpoint, "contact"), bushings);
+  if (!corner) throw InputError(hardpoint.place(), corner.failure().reason);
+  return std::move(*corner);
+}
+
 }  // namespace
 
 Corner read_corner(const Node& root) {
   root.choice("kind", {"suspension"});
   root.text("title", "");
-  Corner found{read_geometry(root), std::nullopt};
+  Corner found{read_geometry(root), std::nullopt, std::nullopt};
   const Node hardpoint = root.table("hardpoint");
   const auto bushings = root.find_table("bushing");
   std::string fault;
@@ -45,15 +53,18 @@ Corner read_corner(const Node& root) {
         corner.bushings[i] = read_bushing(*bushings, DoubleWishbone::kNames[i]);
       found.statics = corner;
     }
-  } else if (bushings) {
-    root.reject("bushing", "is for double wishbones: five links have no statics");
   }
+  std::vector<BushingParameters> of_links;
+  if (bushings && !found.geometry.kingpin)
+    for (const std::string& name : joints_of_five_links(found.geometry))
+      of_links.push_back(read_bushing(*bushings, name));
   root.close();
   if (fault.empty()) fault = found.geometry.fault();
   if (!fault.empty()) throw InputError(hardpoint.place(), fault);
-  if (!found.statics) return found;
-  const DoubleWishbone& corner = *found.statics;
-  fault = multibody::Mechanism::fault(corner.bodies(), corner.joints());
+  if (!bushings) return found;
+  found.compliant = found.statics ? compliant_corner(*found.statics)
+                                  : read_five_links(hardpoint, found.geometry, of_links);
+  fault = multibody::Mechanism::fault(found.compliant->bodies, found.compliant->joints);
   if (!fault.empty()) throw InputError(bushings->place(), fault);
   return found;
 }
@@ -62,30 +73,32 @@ DoubleWishbone read_suspension(const Node& root) {
   const Corner found = read_corner(root);
   if (found.statics) return *found.statics;
   if (!found.geometry.kingpin)
-    root.reject("type", "is \"five_link\": loads take a double wishbone with its bushings");
+    root.reject("type", "is \"five_link\": a car takes double wishbones with their bushings");
   root.reject("bushing", "is not there: loads take the stiffnesses of its joints");
 }
 
-std::vector<std::pair<int, int>> stiffnesses_at(const Document& numbers, const std::string& path) {
-  const auto index_in = [](const auto& names, const std::string& name) {
-    return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
-  };
+bool is_stiffness(const std::string& path) {
   const std::string_view start = "bushing.";
   const std::size_t dot = path.rfind('.');
-  if (!path.starts_with(start) || dot < start.size()) return {};
-  const std::string name = path.substr(start.size(), dot - start.size());
-  const int axis = index_in(kAxes, path.substr(dot + 1));
-  if (axis == static_cast<int>(kAxes.size())) return {};
-  const int joint = index_in(DoubleWishbone::kNames, name);
-  if (joint < DoubleWishbone::kJoints) return {{joint, axis}};
-  if (name != "all") return {};
-  std::vector<std::pair<int, int>> found;
+  if (!path.starts_with(start) || dot < start.size()) return false;
+  return path.find('.', start.size()) == dot &&
+         std::find(kAxes.begin(), kAxes.end(), path.substr(dot + 1)) != kAxes.end();
+}
+
+std::vector<std::pair<int, int>> stiffnesses_at(const Document& numbers,
+                                                const std::string& path,
+                                                const std::vector<multibody::Joint>& joints) {
+  if (!is_stiffness(path)) return {};
+  const std::size_t start = std::string_view("bushing.").size(), dot = path.rfind('.');
+  const std::string name = path.substr(start, dot - start), axis = path.substr(dot + 1);
+  const int index = static_cast<int>(std::find(kAxes.begin(), kAxes.end(), axis) - kAxes.begin());
   const auto paths = numbers.paths();
-  for (int i = 0; i < DoubleWishbone::kJoints; ++i) {
-    const std::string own = fmt::format("bushing.{}.{}",
-                                        DoubleWishbone::kNames[static_cast<std::size_t>(i)],
-                                        kAxes[static_cast<std::size_t>(axis)]);
-    if (std::find(paths.begin(), paths.end(), own) == paths.end()) found.emplace_back(i, axis);
+  std::vector<std::pair<int, int>> found;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const std::string own = fmt::format("bushing.{}.{}", joints[i].name, axis);
+    const bool is_own = std::find(paths.begin(), paths.end(), own) != paths.end();
+    if (name == joints[i].name || (name == "all" && !is_own))
+      found.emplace_back(static_cast<int>(i), index);
   }
   return found;
 }

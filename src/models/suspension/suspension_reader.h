@@ -15,7 +15,9 @@
 //   [bushing.ubj]
 //   y = "12 kN/mm"
 //
-// Bushings are for statics; the kinematics have points of their own (geometry_reader.h).
+// Bushings are for statics; the kinematics have points of their own (geometry_reader.h). Of five
+// links they are [bushing.NAME_inner] and [bushing.NAME_outer] of each link, pushrod_inner and
+// pushrod_outer (compliant_corner.h).
 #pragma once
 
 #include <optional>
@@ -24,23 +26,28 @@
 #include <vector>
 
 #include "base/document.h"
-#include "models/suspension/corner_geometry.h"
-#include "models/suspension/double_wishbone.h"
+#include "models/suspension/compliant_corner.h"
 
 namespace latsch::suspension {
 
 struct Corner {
   CornerGeometry geometry;
-  std::optional<DoubleWishbone> statics;  // none without [bushing], and of five links
+  std::optional<CompliantCorner> compliant;  // none without [bushing]
+  std::optional<DoubleWishbone> statics;     // what that is made of; none of five links
 };
 
 /// InputError naming the place, or the part that is no suspension.
 Corner read_corner(const Node& root);
-/// Its statics; InputError also where it has none.
+/// Its double wishbone with bushings; InputError also where it has none.
 DoubleWishbone read_suspension(const Node& root);
 
-/// Which stiffnesses the number at a path of the file is, by joint and x, y, z, about_x: several
-/// for one of [bushing.all], none for what is no stiffness.
-std::vector<std::pair<int, int>> stiffnesses_at(const Document& numbers, const std::string& path);
+/// Which stiffnesses the number at a path of the file is, by joint of these and x, y, z, about_x:
+/// several for one of [bushing.all], none for what is no stiffness.
+std::vector<std::pair<int, int>> stiffnesses_at(const Document& numbers,
+                                                const std::string& path,
+                                                const std::vector<multibody::Joint>& joints);
+/// Whether a number at this path is one of the stiffnesses that stiffnesses_at() finds: not those
+/// of curves, play, friction.
+bool is_stiffness(const std::string& path);
 
 }  // namespace latsch::suspension

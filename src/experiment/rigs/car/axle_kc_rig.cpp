@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "models/multibody/equilibrium.h"
@@ -17,25 +19,27 @@ using multibody::Vector6d;
 
 constexpr double kHeld = 1e10, kHeldTurn = 1e9;  // N/m, N m/rad: the chassis
 constexpr double kPad = 1e9, kBar = 1e9;         // N/m
-constexpr std::array<const char*, 6> kMovedNames = {"dx", "dy", "dz", "camber", "toe", "caster"};
 constexpr std::array<const char*, 6> kTwistNames = {
     "dx", "dy", "dz", "about_x", "about_y", "about_z"};
-constexpr std::array<const char*, 2> kSides = {"L", "R"};
+constexpr auto kSides = AxleKcTest::kSides;
+constexpr int kMovedOfSide = 7;  // dx, dy, dz, camber, toe, caster; the spring
 enum Driver { kRack = car::kRackDriver, kPadLeft, kPadRight, kDriversHere };
 
+bool is_of_torsion(const multibody::Joint& joint, const car::CarParts& parts) {
+  return joint.a == parts.chassis && joint.b == parts.chassis_rear;
+}
+
 /// The car's parts with the chassis held and pads below the wheels.
-multibody::Mechanism on_the_rig(const car::Car& car, const AxleKcTest& test, int left) {
-  const multibody::Mechanism& whole = car.mechanism();
+multibody::Mechanism on_the_rig(const car::CarMechanism& car, const AxleKcTest& test, int left) {
+  const multibody::Mechanism& whole = car.mechanism;
   std::vector<multibody::Joint> joints = whole.joints();
   std::vector<multibody::Strut> struts = whole.struts();
-  const car::CarParts& parts = car.parts();
+  const car::CarParts& parts = car.parts;
   // What is joined to the chassis is joined to the ground, and the chassis to that as well.
   const auto grounded = [&](int& body) {
     if (body == parts.chassis || body == parts.chassis_rear) body = multibody::kGround;
   };
-  std::erase_if(joints, [&](const multibody::Joint& joint) {
-    return joint.a == parts.chassis && joint.b == parts.chassis_rear;
-  });
+  std::erase_if(joints, [&](const multibody::Joint& joint) { return is_of_torsion(joint, parts); });
   for (multibody::Joint& joint : joints) {
     grounded(joint.a);
     grounded(joint.b);
@@ -78,7 +82,7 @@ multibody::Mechanism on_the_rig(const car::Car& car, const AxleKcTest& test, int
 
 class AxleOnRig {
  public:
-  AxleOnRig(const car::Car& car, const AxleKcTest& test)
+  AxleOnRig(const car::CarMechanism& car, const AxleKcTest& test)
       : car_(car),
         test_(test),
         left_(test.front ? car::kFL : car::kRL),
@@ -124,6 +128,22 @@ class AxleOnRig {
     return unit < 0 ? 0.0 : assembly_.extension(unit, rest_.poses);
   }
 
+  /// Of what moves of both wheels in all stiffnesses, columns as in Equilibrium::by_stiffness.
+  Result<Eigen::MatrixXd> slopes() {
+    if (const std::string trouble = statics_.linearize(rest_, standing()); !trouble.empty())
+      return Failure{trouble};
+    Eigen::MatrixXd by_pose =
+        Eigen::MatrixXd::Zero(mechanism_.bodies().size() * 6, 2 * kMovedOfSide);
+    for (int side = 0; side < 2; ++side) {
+      const int upright = corner(side).upright;
+      by_pose.block<6, 6>(6 * upright, kMovedOfSide * side) =
+          wheel_slopes(wheel_points(side), rest_.poses[static_cast<std::size_t>(upright)])
+              .transpose();
+      by_pose.col(kMovedOfSide * side + 6) = extension_slopes(side);
+    }
+    return statics_.by_stiffness(rest_.poses, by_pose);
+  }
+
   Result<suspension::Matrix12d> compliance() {
     if (const std::string trouble = statics_.linearize(rest_, standing()); !trouble.empty())
       return Failure{trouble};
@@ -139,7 +159,7 @@ class AxleOnRig {
 
  private:
   const car::CornerParts& corner(int side) const {
-    return car_.parts().corners[static_cast<std::size_t>(left_ + side)];
+    return car_.parts.corners[static_cast<std::size_t>(left_ + side)];
   }
   Vector3d load_point(int side) const {
     return test_.at_wheel_center ? corner(side).wheel_center : corner(side).contact;
@@ -149,10 +169,14 @@ class AxleOnRig {
     const auto body = static_cast<std::size_t>(corner(side).upright);
     return rest_.poses[body].turn * (load_point(side) - mechanism_.bodies()[body].origin);
   }
-  suspension::WheelPosition wheel(const multibody::Rest& rest, int side) const {
+  suspension::WheelPoints wheel_points(int side) const {
     suspension::WheelPoints points = corner(side).points;
     if (test_.at_wheel_center) points.contact = points.center;
-    return wheel_position(points, rest.poses[static_cast<std::size_t>(corner(side).upright)]);
+    return points;
+  }
+  suspension::WheelPosition wheel(const multibody::Rest& rest, int side) const {
+    return wheel_position(wheel_points(side),
+                          rest.poses[static_cast<std::size_t>(corner(side).upright)]);
   }
   multibody::Standing standing() const { return {.loads = loads_, .drivers = drivers_}; }
   multibody::Motion motion() const {
@@ -160,23 +184,38 @@ class AxleOnRig {
   }
 
   void set_loads(Eigen::Index state) {
-    const double right = test_.mode == AxleKcTest::Mode::parallel  ? 1.0
-                         : test_.mode == AxleKcTest::Mode::opposed ? -1.0
-                                                                   : 0.0;
-    const Vector3d F = test_.loads.col(state).head<3>(), M = test_.loads.col(state).tail<3>();
-    const Vector3d mirror(1.0, -1.0, 1.0), mirrored_moment(-1.0, 1.0, -1.0);
-    loads_ = {{corner(0).upright, load_point(0), F, M},
-              {corner(1).upright,
-               load_point(1),
-               right * mirror.cwiseProduct(F),
-               right * mirrored_moment.cwiseProduct(M)}};
-    drivers_[kRack] = test_.rack[static_cast<std::size_t>(state)];
+    loads_.clear();
+    for (int side = 0; side < 2; ++side) {
+      const Vector6d load = test_.loads.col(state).segment<6>(6 * side);
+      loads_.push_back({corner(side).upright, load_point(side), load.head<3>(), load.tail<3>()});
+    }
+    const auto at = static_cast<std::size_t>(state);
+    drivers_[kRack] = test_.rack[at];
     if (!test_.travel) return;
-    drivers_[kPadLeft] = (*test_.travel)[static_cast<std::size_t>(state)];
-    drivers_[kPadRight] = right * drivers_[kPadLeft];
+    drivers_[kPadLeft] = (*test_.travel)[0][at];
+    drivers_[kPadRight] = (*test_.travel)[1][at];
+  }
+  /// Of the spring's extension in travel and rotation of all bodies.
+  Eigen::VectorXd extension_slopes(int side) const {
+    Eigen::VectorXd slopes = Eigen::VectorXd::Zero(mechanism_.bodies().size() * 6);
+    const int unit = corner(side).unit;
+    if (unit < 0) return slopes;
+    const auto& lines = mechanism_.struts()[static_cast<std::size_t>(unit)].lines;
+    const auto pose = [&](int body) {
+      return body == multibody::kGround ? multibody::Pose{}
+                                        : rest_.poses[static_cast<std::size_t>(body)];
+    };
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      const auto& [in_a, in_b] = mechanism_.ends(unit, static_cast<int>(l));
+      const multibody::LineGeometry line =
+          multibody::line_geometry(pose(lines[l].a), pose(lines[l].b), in_a, in_b, lines[l].weight);
+      if (lines[l].a != multibody::kGround) slopes.segment<6>(6 * lines[l].a) += line.by_a();
+      if (lines[l].b != multibody::kGround) slopes.segment<6>(6 * lines[l].b) += line.by_b();
+    }
+    return slopes;
   }
 
-  const car::Car& car_;
+  const car::CarMechanism& car_;
   const AxleKcTest& test_;
   int left_;
   multibody::Mechanism mechanism_;
@@ -188,52 +227,79 @@ class AxleOnRig {
   std::array<double, kDriversHere> drivers_{};
 };
 
-const char* unit_of_load(std::size_t i) { return i < 3 ? "N" : "N m"; }
-const char* unit_of_moved(std::size_t i) { return i < 3 ? "m" : "rad"; }
+/// The stiffnesses by columns of the rig's mechanism, whose joints are the car's without torsion.
+std::vector<std::vector<Eigen::Index>> columns_on_the_rig(const car::CarMechanism& car,
+                                                          const std::vector<Stiffnesses>& varied) {
+  const auto& joints = car.mechanism.joints();
+  const bool twists = std::any_of(joints.begin(), joints.end(), [&](const auto& joint) {
+    return is_of_torsion(joint, car.parts);
+  });
+  std::vector<std::vector<Eigen::Index>> columns;
+  for (const Stiffnesses& number : varied) {
+    columns.emplace_back();
+    for (const auto& [joint, axis] : number)  // the torsion is the first of them
+      columns.back().push_back(6 * (joint - (twists ? 1 : 0)) + axis);
+  }
+  return columns;
+}
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> axle_kc_channels(const AxleKcTest& test) {
+std::vector<std::pair<std::string, std::string>> axle_kc_moved(const AxleKcTest& test) {
   std::vector<std::pair<std::string, std::string>> names;
-  for (std::size_t i = 0; i < 6; ++i)
-    if (test.stated[i]) names.emplace_back(AxleKcTest::kLoads[i], unit_of_load(i));
-  if (test.travel) names.emplace_back("travel", "m");
-  names.emplace_back("rack", "m");
   for (const char* side : kSides) {
     for (std::size_t i = 0; i < 6; ++i)
-      names.emplace_back(fmt::format("{}_{}", kMovedNames[i], side), unit_of_moved(i));
+      names.emplace_back(fmt::format("{}_{}", KcTest::kMoved[i], side), i < 3 ? "m" : "rad");
     if (test.travel) names.emplace_back(fmt::format("pad_{}", side), "N");
     names.emplace_back(fmt::format("spring_{}", side), "m");
   }
   return names;
 }
 
-Result<Channels> run(const car::Car& car, const AxleKcTest& test) {
+Result<Channels> run(const car::CarMechanism& car,
+                     const AxleKcTest& test,
+                     const std::vector<Stiffnesses>& varied) {
+  assert((varied.empty() || !test.travel) && "preloads depend on what varies");
   AxleOnRig rig(car, test);
   if (const auto there = rig.start(); !there) return there.failure();
-  const auto names = axle_kc_channels(test);
-  std::vector<std::vector<double>> values(names.size());
-  for (Eigen::Index state = 0; state < test.states(); ++state) {
-    if (const auto there = rig.go_to(state); !there) return there.failure();
-    std::size_t column = 0;
-    const auto put = [&](double value) { values[column++].push_back(value); };
-    for (Eigen::Index i = 0; i < 6; ++i)
-      if (test.stated[static_cast<std::size_t>(i)]) put(test.loads(i, state));
-    if (test.travel) put((*test.travel)[static_cast<std::size_t>(state)]);
-    put(test.rack[static_cast<std::size_t>(state)]);
+  const auto columns = columns_on_the_rig(car, varied);
+  const auto states = static_cast<std::size_t>(test.states());
+  Channels channels;
+  for (Channel prescribed : test.prescribed) {
+    prescribed.slopes.assign(states * varied.size(), 0.0);
+    channels.add(std::move(prescribed));
+  }
+  std::vector<Channel> moved;
+  for (const auto& [name, unit] : axle_kc_moved(test))
+    moved.push_back({name, unit, {}, std::vector<double>(states * varied.size())});
+  for (std::size_t state = 0; state < states; ++state) {
+    if (const auto there = rig.go_to(static_cast<Eigen::Index>(state)); !there)
+      return there.failure();
+    std::size_t channel = 0;
+    const auto put = [&](double value) { moved[channel++].values.push_back(value); };
     for (int side = 0; side < 2; ++side) {
-      for (const double moved : rig.moved(side)) put(moved);
+      for (const double value : rig.moved(side)) put(value);
       if (test.travel) put(rig.pad_force(side));
       put(rig.spring(side));
     }
+    if (varied.empty()) continue;
+    const auto slopes = rig.slopes();
+    if (!slopes) return slopes.failure();
+    for (std::size_t m = 0; m < moved.size(); ++m)
+      for (std::size_t v = 0; v < columns.size(); ++v)
+        for (const Eigen::Index column : columns[v])
+          moved[m].slopes[v * states + state] += (*slopes)(static_cast<Eigen::Index>(m), column);
   }
-  Channels channels;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    channels.add({names[i].first, names[i].second, std::move(values[i])});
+  std::vector<std::string> names;
+  for (Channel& channel : moved) {
+    names.push_back(channel.name);
+    channels.add(std::move(channel));
+  }
+  if (test.slopes) add_slopes(*test.slopes, names, channels);
   return channels;
 }
 
-Result<Channels> axle_compliance(const car::Car& car, const AxleKcTest& test) {
+Result<Channels> axle_compliance(const car::CarMechanism& car, const AxleKcTest& test) {
   AxleOnRig rig(car, test);
   if (const auto there = rig.start(); !there) return there.failure();
   std::vector<suspension::Matrix12d> matrices;
@@ -257,7 +323,7 @@ Result<Channels> axle_compliance(const car::Car& car, const AxleKcTest& test) {
       add(fmt::format("{}_{}_by_{}_{}",
                       kTwistNames[row],
                       kSides[static_cast<std::size_t>(i / 6)],
-                      AxleKcTest::kLoads[column],
+                      KcTest::kLoads[column],
                       kSides[static_cast<std::size_t>(j / 6)]),
           unit,
           [=](const suspension::Matrix12d& C) { return C(i, j); });

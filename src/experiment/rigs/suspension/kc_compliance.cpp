@@ -19,11 +19,12 @@ const char* compliance_unit(std::size_t response, std::size_t load) {
 
 }  // namespace
 
-Result<Channels> compliance_matrices(const suspension::DoubleWishbone& corner, const KcTest& test) {
-  constexpr int kUpright = suspension::DoubleWishbone::kUpright;
-  const multibody::Mechanism mechanism(corner.bodies(), corner.joints());
+Result<Channels> compliance_matrices(const suspension::CompliantCorner& corner,
+                                     const KcTest& test) {
+  const int upright = corner.upright;
+  const multibody::Mechanism mechanism(corner.bodies, corner.joints);
   multibody::Equilibrium statics(mechanism);
-  multibody::Load on{kUpright, test.at_wheel_center ? corner.wheel_center : corner.contact};
+  multibody::Load on{upright, test.at_wheel_center ? corner.wheel_center : corner.contact};
   multibody::Poses poses = mechanism.at_rest();
   std::array<std::vector<double>, 36> values;
   for (Eigen::Index i = 0; i < test.loads.cols(); ++i) {
@@ -35,9 +36,10 @@ Result<Channels> compliance_matrices(const suspension::DoubleWishbone& corner, c
     poses = std::move(*found);
     if (const std::string trouble = statics.linearize(poses, {&on, 1}); !trouble.empty())
       return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, trouble)};
-    const Eigen::Vector3d arm = poses[kUpright].turn * (on.point - corner.wheel_center);
+    const Eigen::Vector3d arm =
+        poses[static_cast<std::size_t>(upright)].turn * (on.point - corner.wheel_center);
     const multibody::Matrix6d C =
-        suspension::travel_at(arm, statics.compliance(kUpright, kUpright, arm));
+        suspension::travel_at(arm, statics.compliance(upright, upright, arm));
     for (std::size_t k = 0; k < values.size(); ++k)
       values[k].push_back(C(static_cast<Eigen::Index>(k / 6), static_cast<Eigen::Index>(k % 6)));
   }

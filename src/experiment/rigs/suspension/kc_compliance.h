@@ -8,6 +8,6 @@
 namespace latsch::experiment {
 
 /// 36 channels, row by row of the matrix.
-Result<Channels> compliance_matrices(const suspension::DoubleWishbone& corner, const KcTest& test);
+Result<Channels> compliance_matrices(const suspension::CompliantCorner& corner, const KcTest& test);
 
 }  // namespace latsch::experiment

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// An axle on the K&C rig: its slopes in bushings are those of differences, loads of each wheel are
+// what a mode makes of the left one's, a line has its slope.
+#include "experiment/rigs/car/axle_kc_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "experiment/language.h"
+
+namespace latsch::experiment {
+namespace {
+
+const std::filesystem::path kCars = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies";
+
+class AxleOnKcRig : public testing::Test {
+ protected:
+  static std::unique_ptr<experiment::Test> test(const std::string& keys) {
+    return language().read_test(
+        Document::parse("kind = \"axle_kc\"\naxle = \"rear\"\n" + keys, "test.toml").root(), {});
+  }
+  Channels record(const std::string& keys, const Asked& asked = {}) {
+    const auto specimen = language().find_kind("car")->build(numbers_);
+    auto channels = test(keys)->run_with_slopes(*specimen, asked);
+    EXPECT_TRUE(channels) << channels.failure().reason;
+    return *channels;
+  }
+
+  Document numbers_ = language().find_kind("car")->read(kCars / "compliance/rear_axle/car.toml");
+};
+
+TEST_F(AxleOnKcRig, SlopesInStiffnessesAreThoseOfDifferences) {
+  const std::string keys =
+      "springs = \"free\"\nFy_L = [\"-1 kN\", \"1 kN\", \"2 kN\"]\nFz_L = \"800 N\"\n"
+      "Mz_R = \"60 N m\"\nFx_R = \"-700 N\"\nslopes_by = \"Fy_L\"\n";
+  const Asked asked{{},
+                    {"rear_suspension.bushing.trackrod_outer.y",
+                     "rear_suspension.bushing.lca_front.x",
+                     "rear_suspension.bushing.all.about_x",
+                     "front_suspension.bushing.all.y"}};
+  const Channels exact = record(keys, asked);
+  const Document whole = numbers_;
+  for (std::size_t p = 0; p < asked.paths.size(); ++p) {
+    const double at = whole.get(asked.paths[p]);
+    const auto moved_by = [&](double share) {
+      numbers_ = whole;
+      numbers_.set(asked.paths[p], at * (1.0 + share));
+      return record(keys);
+    };
+    // Central differences of two steps, extrapolated: what is left is the rounding of 1e-9 rad.
+    const Channels up = moved_by(2e-2), down = moved_by(-2e-2), half_up = moved_by(1e-2),
+                   half_down = moved_by(-1e-2);
+    for (const Channel& channel : exact.all()) {
+      const std::size_t n = channel.values.size();
+      ASSERT_EQ(channel.slopes.size(), n * asked.paths.size()) << channel.name;
+      double apart = 0.0, size = 0.0, value = 0.0;
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto difference = [&](const Channels& a, const Channels& b, double step) {
+          return (a[channel.name][i] - b[channel.name][i]) / (2.0 * step);
+        };
+        const double slope =
+            (4.0 * difference(half_up, half_down, 1e-2) - difference(up, down, 2e-2)) / 3.0;
+        apart = std::max(apart, std::abs(channel.slopes[p * n + i] * at - slope));
+        size = std::max(size, std::abs(slope));
+        value = std::max(value, std::abs(channel.values[i]));
+      }
+      EXPECT_LE(apart, 1e-6 * size + 1e-9 * value) << channel.name << " " << asked.paths[p];
+      if (p == 3) EXPECT_EQ(size, 0.0) << "the other axle moves " << channel.name;
+    }
+    if (p == 0) EXPECT_GT(std::abs(exact.find("toe_L")->slopes[0]), 0.0);
+  }
+}
+
+TEST_F(AxleOnKcRig, OpposedLoadsAreThoseOfEachWheel) {
+  const Channels opposed =
+      record("mode = \"opposed\"\nFy = [\"1 kN\", \"2 kN\"]\nMz = \"50 N m\"\n");
+  const Channels each = record(
+      "Fy_L = [\"1 kN\", \"2 kN\"]\nFy_R = [\"1 kN\", \"2 kN\"]\nMz_L = \"50 N m\"\n"
+      "Mz_R = \"50 N m\"\n");
+  for (const char* name : {"dx_L", "toe_L", "camber_R", "dy_R"})
+    EXPECT_EQ(opposed[name], each[name]) << name;
+}
+
+TEST_F(AxleOnKcRig, PadsOfEachWheelRollIt) {
+  const Channels opposed = record("mode = \"opposed\"\ntravel = [\"0 mm\", \"10 mm\"]\n");
+  const Channels each =
+      record("travel_L = [\"0 mm\", \"10 mm\"]\ntravel_R = [\"0 mm\", \"-10 mm\"]\n");
+  for (const char* name : {"camber_L", "camber_R", "pad_L", "pad_R"})
+    EXPECT_EQ(opposed[name], each[name]) << name;
+}
+
+}  // namespace
+}  // namespace latsch::experiment

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// A corner as bodies on bushings, whatever its links: what a K&C rig loads. The inboard end of the
+// push-rod is held, as on a rig that replaces the springs by rigid bars.
+//
+// A double wishbone has five bodies and ten bushings (double_wishbone.h). Five links are as many
+// rods, and with the push-rod and the upright seven bodies on twelve bushings:
+//
+//   chassis ─ NAME_inner ─ link ─ NAME_outer ─ upright        of each link
+//   chassis ─ pushrod_inner ─ push-rod ─ pushrod_outer ─ upright
+//
+// A rod between two ball joints would spin about its own axis: its bushings' stiffness against
+// turning holds it. Caster is that of a line of the upright, which at rest is the kingpin: of five
+// links the axis about which the rack turns it with the spring held.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "models/multibody/mechanism.h"
+#include "models/suspension/corner_geometry.h"
+#include "models/suspension/double_wishbone.h"
+#include "models/suspension/wheel_position.h"
+
+namespace latsch::suspension {
+
+struct CompliantCorner {
+  std::vector<multibody::Body> bodies;
+  std::vector<multibody::Joint> joints;
+  int upright = 0;                        // its origin is the wheel center
+  Eigen::Vector3d wheel_center, contact;  // m
+  WheelPoints wheel;
+};
+
+CompliantCorner compliant_corner(const DoubleWishbone& corner);
+
+/// NAME_inner, NAME_outer of every link, pushrod_inner, pushrod_outer.
+std::vector<std::string> joints_of_five_links(const CornerGeometry& geometry);
+/// Bushings in the order of these names. The geometry has no fault(), its push-rod stands on the
+/// upright; a Failure where the rack does not steer it.
+Result<CompliantCorner> compliant_five_links(const CornerGeometry& geometry,
+                                             const Eigen::Vector3d& contact,
+                                             const std::vector<BushingParameters>& bushings);
+
+}  // namespace latsch::suspension
