@@ -155,7 +155,8 @@ class Kc(unittest.TestCase):
         refused(r"\[bushing.all\]", '[bushing.ubk]\nx = "1 kN/mm"\n[bushing.all]', "ubk", "ubj")
 
     def test_what_is_no_test_is_refused_in_words(self):
-        for test, part in (('{kind = "kc"}', "Fz"), ('{kind = "kc", Fzz = "1 N"}', "Fz is missing"), ('{kind = "kc", Fz = []}', "is empty"),
+        for test, part in (('{kind = "kc"}', "Fz"), ('{kind = "kc", Fzz = "1 N"}', 'did you mean "Fz"'), ('{kind = "kc", Fz = []}', "is empty"),
+                           ('{kind = "kc", slopes_by = "Fz"}', "Fz is missing"),
                            ('{kind = "kc", Fz = ["1 kN", "2 kN"], Fx = ["1 N", "2 N", "3 N"]}', "expected one or 3"),
                            ('{kind = "kc", Fz = ["1 kN", "1 kN"], slopes_by = "Fz"}', "does not vary"),
                            ('{kind = "kc", Fz = "1 kN", window = ["0 N", "1 N"]}', "slopes_by"),

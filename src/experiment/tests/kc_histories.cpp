@@ -42,7 +42,8 @@ Histories::Histories(const Node& root,
     }
   for (const auto& [name, values] : values_) states_ = std::max(states_, values.size());
   if (values_.empty()) {
-    root.close();                              // a typo in the only key that states something
+    // A typo in the only key that states something, unless keys are there that are read later.
+    if (!root.has("mode") && !root.has("slopes_by") && !root.has("window")) root.close();
     root.one_or_more(example, loads[0].unit);  // what was probably meant is named
   }
   if (states_ == 0)
