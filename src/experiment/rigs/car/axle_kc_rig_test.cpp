@@ -65,7 +65,10 @@ TEST_F(AxleOnKcRig, SlopesInStiffnessesAreThoseOfDifferences) {
         size = std::max(size, std::abs(slope));
         value = std::max(value, std::abs(channel.values[i]));
       }
-      EXPECT_LE(apart, 1e-6 * size + 1e-9 * value) << channel.name << " " << asked.paths[p];
+      // The right wheel by a load of the left one is nothing: what Newton's method leaves, 1e-6 N
+      // on 1e8 N/m, over a step of 1e-2; of a slope over loads of some kN.
+      const double left = n == 1 ? 1e-15 : 1e-12;
+      EXPECT_LE(apart, 1e-6 * size + 1e-9 * value + left) << channel.name << " " << asked.paths[p];
       if (p == 3) EXPECT_EQ(size, 0.0) << "the other axle moves " << channel.name;
     }
     if (p == 0) EXPECT_GT(std::abs(exact.find("toe_L")->slopes[0]), 0.0);
