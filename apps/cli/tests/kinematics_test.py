@@ -32,8 +32,8 @@ class Kinematics(unittest.TestCase):
         self.assertEqual(run.returncode, code, f"latsch {' '.join(map(str, arguments))}\n{run.stdout}{run.stderr}")
         return run.stdout + run.stderr
 
-    def rows(self, test, model=None):
-        table = csv.reader(io.StringIO(self.latsch("test", model or self.front, test)))
+    def rows(self, test, model=None, signs="iso"):
+        table = csv.reader(io.StringIO(self.latsch("test", model or self.front, test, "--signs", signs)))
         names = [name.split(" [")[0] for name in next(table)]
         return [dict(zip(names, map(float, row))) for row in table]
 
@@ -89,6 +89,23 @@ class Kinematics(unittest.TestCase):
         self.latsch("test", self.front, '{kind = "kinematics", from = "-30 mm", to = "30 mm", points = 21, rates = true}', "--html", page)
         for title in ("Toe and camber", "Height of the roll center", "Motion ratio", "Rates"):
             self.assertIn(title, page.read_text())
+
+    # Steer by rack is a turn about z by a way along y, and caster a slant that all tell alike.
+    def test_signs_of_others(self):
+        test = '{kind = "kinematics", travel = "10 mm", rack = "5 mm", anti_roll_bar = true}'
+        iso, sae, adams = (self.rows(test, signs=view)[0] for view in ("iso", "sae", "adams"))
+        changed = lambda row: {name for name in iso if row[name] != iso[name]}
+        self.assertEqual({name: -value for name, value in iso.items() if name in changed(sae)}, {name: sae[name] for name in changed(sae)})
+        for name in ("rack", "steer", "other_steer", "contact_y", "center_y", "center_z", "arb_angle", "arb_ratio", "axle_roll_center_y",
+                     "roll_steer"):
+            self.assertIn(name, changed(sae))
+        for name in ("toe", "camber", "caster", "kpi", "steer_by_rack", "bump_steer", "track", "roll", "roll_center_height"):
+            self.assertNotIn(name, changed(sae))
+        self.assertTrue({"rack", "steer_by_rack", "contact_x", "contact_y", "roll"} <= changed(adams))
+        self.assertFalse({"steer", "toe", "camber", "caster", "contact_z", "travel"} & changed(adams))
+        page = self.folder / "page.html"
+        self.latsch("test", self.front, '{kind = "kinematics", rack = ["-5 mm", "0 mm", "5 mm"]}', "--html", page, "--signs", "sae")
+        self.assertIn("rack to the right [mm]", page.read_text())
 
     # The height of the track-rod's inner end is found again from the bump steer that it makes.
     def test_hardpoints_are_variables_of_a_study(self):

@@ -25,6 +25,7 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/car/axle_kc_rig.h"
+#include "experiment/rigs/suspension/kc_senses.h"
 
 namespace latsch::experiment {
 
@@ -94,6 +95,9 @@ class AxleKc : public Test {
     auto matrices = axle_compliance(**car, test_);
     if (!matrices) return matrices.failure();
     return Details{{}, std::move(*matrices)};
+  }
+  std::optional<suspension::SignSense> sense(const std::string& channel) const override {
+    return kc_sense(channel);
   }
 
  private:
