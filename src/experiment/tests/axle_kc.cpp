@@ -4,16 +4,17 @@
 //
 //   kind = "axle_kc"
 //   axle = "front"                       # or "rear"
-//   mode = "parallel"                    # or "opposed", "single": what the right wheel gets
-//   springs = "free"                     # or "locked": bars in their place
-//   at = "contact_patch"                 # or "wheel_center": of loads and of dx, dy, dz
+//   mode = "parallel"                    # default; or "opposed", "single": what the right wheel
+//                                        # gets
+//   springs = "free"                     # default; or "locked": bars in their place
+//   at = "contact_patch"                 # default; or "wheel_center": of loads and of dx, dy, dz
 //   Fx = ["0 N", "1 kN"]                 # of the left wheel: Fx, Fy, Fz, Mx, My, Mz, of every
 //   Mz = "100 N m"                       # state or one for all of them; none: zero
 //   travel = ["-30 mm", "30 mm"]         # of the left wheel center, by a pad; none: free
 //   rack = "5 mm"                        # to the left; default 0
 //
 // Its channels are what is stated, rack, and of both wheels dx, dy, dz, camber, toe, caster
-// (dx_L .. caster_R; signs of models/suspension/wheel_position.h), the springs' extension and the
+// (dx_L .. caster_R; signs as in test kc), the springs' extension and the
 // pads' force. `latsch test --details FILE` writes the 12 x 12 compliance matrix of every state and
 // the classical compliances, in phase and out of phase.
 #include <fmt/format.h>
