@@ -181,6 +181,10 @@ class Kc(unittest.TestCase):
         refused(r'z = "30 kN/mm"\n', "", "has no z", "bushing.all")
         refused(r'([xyz]) = "30 kN/mm"', r'\1 = "0 kN/mm"', "has no stiffness", "uca_front")
         refused(r'x = "30 kN/mm"', 'x = "-30 kN/mm"', "x")
+        refused(r'pushrod_inner = .*', 'pushrod_inner = ["1507.720 mm", "273.296 mm", "307.192 mm"]', "the push-rod points at the axis",
+                "uca_front to uca_rear")
+        refused(r'trackrod_inner = .*', 'trackrod_inner = ["1413.012 mm", "568.983 mm", "-157.502 mm"]', "the track-rod points at the kingpin")
+        refused(r'x = "30 kN/mm"', 'curve.x = [["-1 mm", "-9 kN"], ["1 mm", "9 kN"], ["0.5 mm", "3 kN"]]', "bushing.all.curve.x does not rise in x")
         refused(r"\[bushing.all\]", '[bushing.ubk]\nx = "1 kN/mm"\n[bushing.all]', "ubk", "ubj")
 
     def test_what_is_no_test_is_refused_in_words(self):
@@ -197,6 +201,13 @@ class Kc(unittest.TestCase):
         text = self.latsch("test", self.corner, '{kind = "kc", Mz = "1e9 N m"}', code=FAILED)
         self.assertIn("no equilibrium beyond", text)
         self.assertIn("is turned most", text)
+        text = self.latsch("test", self.corner, '{kind = "kc", Fz = "900 kN"}', code=FAILED)
+        self.assertRegex(text, r"the bushing \w+ is stretched by [\d.]+ mm")
+
+    def test_newtons_by_meter_as_by_millimeter_name_the_bushing(self):
+        edit(self.corner, ("30 kN/mm", "30 kN/m"))
+        text = self.latsch("test", self.corner, '{kind = "kc", Fz = "2 kN"}', code=FAILED)
+        self.assertRegex(text, r"state 1 of the K&C rig: the bushing \w+ is stretched by [\d.]+ mm.*N/m that should be N/mm")
 
 
 if __name__ == "__main__":
