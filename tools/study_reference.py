@@ -14,6 +14,7 @@ import sys
 TREE = pathlib.Path(__file__).resolve().parents[1]
 FOLDER = TREE / "src" / "correlation"
 TESTS = TREE / "src" / "experiment"
+ROADS = TREE / "src" / "models" / "road"
 PAGE = TREE / "docs" / "study_reference.md"
 
 # Heading, name of header and source. `latsch help study` leaves out what is headed as a test that its program does not
@@ -39,6 +40,9 @@ SECTIONS = [
     ("What a K&C rig states or has recorded, slopes over it", "kc_histories"),
     ('Test "kinematics": a corner and its axle as rigid links', "kinematics"),
     ('Test "four_post": a car on four posts', "four_post"),
+    ('Test "axle_kc": both wheels of an axle under loads', "axle_kc"),
+    ('Test "kerb": a car over a kerb or on a road', "tests/kerb"),
+    ("[kerb] of a test, and roads in words", "road_reader"),
     ("[variable.NAME], [tie.NAME]", "variables"),
     ("[linear_constraint.NAME]", "linear_constraints"),
     ("[measurement.NAME]: what a laboratory recorded", "measurement"),
@@ -64,7 +68,7 @@ GETTER = re.compile(r"\b\w+(?:->|\.)(quantity|quantities|one_or_more|choice|inte
 def reader(name, ending):
     """A file of the folder, in whatever room; of a test without a header its source."""
     for file in (f"{name}.{ending}", f"{name}.cpp"):
-        for folder in (FOLDER, TESTS):
+        for folder in (FOLDER, TESTS, ROADS):
             for found in folder.rglob(file):
                 return found
     sys.exit(f"tools/study_reference.py: there is no {name}.{ending}; mend SECTIONS")

@@ -135,6 +135,26 @@ class AxleKc(unittest.TestCase):
                 fitted += 1
         self.assertEqual((held_out, fitted), (12, 48))
 
+    def test_signs_of_others(self):
+        test = '{kind = "axle_kc", axle = "front", Fy = "1 kN", travel = "5 mm", rack = "2 mm"}'
+        iso, sae = run("kerb/proposed.toml", test), run("kerb/proposed.toml", test, "--signs", "sae")
+        changed = {name for name in iso if sae[name] != iso[name]}
+        self.assertTrue({"Fy", "rack", "dy_L", "dy_R", "dz_L", "pad_L", "pad_R"} <= changed)
+        self.assertFalse({"travel", "dx_L", "camber_L", "toe_R", "caster_L", "spring_L"} & changed)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "matrix.csv"
+            rows = []
+            for view in ("iso", "sae", "adams"):
+                subprocess.run([LATSCH, "test", str(STUDIES / "kerb/proposed.toml"), test, "--details", str(file), "--signs", view,
+                                "-o", str(pathlib.Path(folder) / "moved.csv")], check=True, capture_output=True)
+                names, values = csv.reader(io.StringIO(file.read_text()))
+                rows.append({name.split(" ")[0]: float(value) for name, value in zip(names, values)})
+        iso, sae, adams = rows
+        for name, signs in (("lateral_force_toe_in_phase", (-1, -1)), ("longitudinal_force_toe_out_of_phase", (1, -1)),
+                            ("aligning_torque_camber_in_phase", (-1, 1)), ("vertical_compliance_in_phase", (1, 1)),
+                            ("dz_L_by_Fy_R", (1, -1)), ("about_z_R_by_Fy_L", (1, -1))):
+            self.assertEqual((sae[name], adams[name]), tuple(sign * iso[name] for sign in signs), name)
+
     def test_typos_are_named(self):
         for test, word in (('{kind = "axle_kc", axle = "middle"}', "front"),
                            ('{kind = "axle_kc", axle = "front"}', "Fz"),

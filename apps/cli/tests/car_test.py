@@ -41,6 +41,56 @@ class Cars(unittest.TestCase):
         return {name.split(" [")[0]: [float(row[i]) for row in table[1:] if row[i]] for i, name in enumerate(table[0])}
 
 
+class OnRoads(Cars):
+    KERB = 'kind = "kerb"\nshape = "triangle"\npitch = "800 mm"\nwidth = "2 m"\nheight = "10 mm"\ncount = 2\nstart = ["0 m", "-1 m"]\n'
+
+    def run_on(self, road, line="", code=DONE):
+        test = self.folder / "drive.toml"
+        test.write_text(f'kind = "kerb"\nspeed = "30 m/s"\nrun_in = "0.04 s"\nduration = "0.07 s"\n{line}{road}')
+        return self.latsch("test", self.car, test, code=code) if code else self.columns(test)
+
+    def filed(self, name, **keys):
+        return f'[road]\nfile = "{name}"\n' + "".join(f"{key} = {value}\n" for key, value in keys.items())
+
+    # Of plane faces, which triangles are, and below all wheels: the same kerb, in words and from its file. What is left is
+    # the mean height below a piece of tread, in closed form or by samples.
+    def test_a_kerb_from_a_file_is_that_in_words(self):
+        (self.folder / "kerb.toml").write_text(self.KERB)
+        self.latsch("road", self.folder / "kerb.toml", "--triangles", self.folder / "kerb.rdf")
+        words, filed = self.run_on("[kerb]\n" + self.KERB), self.run_on(self.filed("kerb.rdf"))
+        largest = max(map(abs, words["pushrod_FL"]))
+        self.assertGreater(largest, 1.5 * abs(words["pushrod_FL"][0]))
+        for a, b in zip(words["pushrod_FL"], filed["pushrod_FL"]):
+            self.assertAlmostEqual(a, b, delta=0.002 * largest)
+
+    def test_a_tire_off_the_edge_is_named(self):
+        self.write_grid("track.crg", "")
+        self.run_on(self.filed("track.crg", start='["5 m", "0 m"]'))
+        for road, line, words in ((self.filed("track.crg", start='["5 m", "1 m"]'), "", r"at its start on the road: tire FL is off .*v = 1.6"),
+                                  (self.filed("track.crg", start='["18.5 m", "0 m"]'), "", r"at 0.0\d+ s tire F[LR] is off the road's edge.*u = 20\.")):
+            text = self.run_on(road, line, code=FAILED)
+            self.assertRegex(text, words)
+            self.assertIn("beyond_edge", text)
+        self.run_on(self.filed("track.crg", start='["18.5 m", "0 m"]', beyond_edge='"continue"'))
+        self.write_grid("round.crg", "$ROAD_CRG_OPTS\nborder_mode_u = 3\n$\n")
+        self.run_on(self.filed("round.crg", start='["18.5 m", "0 m"]'))
+
+    def test_roads_that_cannot_be(self):
+        self.write_grid("track.crg", "")
+        for road, words in ((self.filed("none.crg"), "none.crg"), (self.filed("track.crg", start='["1 m"]'), "expected x and y"),
+                            (self.filed("track.crg", beyond_edge='"level"'), "continue"),
+                            (self.filed("track.crg") + "[kerb]\n" + self.KERB, "expected one of them")):
+            self.assertIn(words, self.run_on(road, code=WRONG_INPUT))
+
+    def write_grid(self, name, options):
+        """Level, u from 0 to 20 m, v from -1.5 to 1.5 m."""
+        rows = "".join(f"{0.0:10.4f}{0.0:10.4f}\n" for _ in range(21))
+        (self.folder / name).write_text(
+            "$ROAD_CRG\nreference_line_start_u = 0\nreference_line_end_u = 20\nreference_line_increment = 1\n"
+            f"long_section_v_right = -1.5\nlong_section_v_left = 1.5\nlong_section_v_increment = 3\n$\n{options}"
+            "$KD_DEFINITION\n#:LRFI\nD:long section 1,m\nD:long section 2,m\n$\n$$$$\n" + rows)
+
+
 class OnPosts(Cars):
     def test_forces_of_a_level_car_are_its_weight_and_alike_on_both_sides(self):
         record = self.columns(SHORT)

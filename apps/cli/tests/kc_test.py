@@ -32,8 +32,8 @@ class Kc(unittest.TestCase):
         self.assertEqual(run.returncode, code, f"latsch {' '.join(map(str, arguments))}\n{run.stdout}{run.stderr}")
         return run.stdout + run.stderr
 
-    def rows(self, test, corner=None):
-        table = csv.reader(io.StringIO(self.latsch("test", corner or self.corner, test)))
+    def rows(self, test, corner=None, signs="iso"):
+        table = csv.reader(io.StringIO(self.latsch("test", corner or self.corner, test, "--signs", signs)))
         names = [name.split(" [")[0] for name in next(table)]
         return [dict(zip(names, map(float, (x or "nan" for x in row)))) for row in table]
 
@@ -50,6 +50,35 @@ class Kc(unittest.TestCase):
         rows = self.rows(f'{{kind = "kc", Fz = [{listed}], slopes_by = "Fz", window = ["0.9 kN", "3.1 kN"]}}')
         dz = [row["dz"] for row in rows]
         self.assertAlmostEqual(rows[0]["dz_by_Fz"] / ((dz[3] - dz[1]) / 2000.0), 1.0, delta=1e-9)
+
+    # Forces times travel are work, whatever the axes: signs change in pairs. Sae and adams: the force -4 kN along y, to the
+    # right, is +4 kN; toe, camber, caster are told alike.
+    def test_signs_of_others_are_those_of_their_axes(self):
+        test = '{kind = "kc", Fx = "1 kN", Fy = "-4 kN", Fz = "2 kN", Mz = "100 N m"}'
+        iso = self.rows(test)[0]
+        for view, signs in (("iso", {}), ("sae", {"y": -1, "z": -1}), ("adams", {"x": -1, "y": -1})):
+            row = self.rows(test, signs=view)[0]
+            for axis in "xyz":
+                for name in ("F" + axis, "d" + axis):
+                    self.assertEqual(row[name], signs.get(axis, 1) * iso[name], f"{view} {name}")
+            for name in ("camber", "toe", "caster"):
+                self.assertEqual(row[name], iso[name])
+            self.assertEqual(row["Mz"], 100.0 if view != "sae" else -100.0)
+        for view, signs in (("sae", (1, -1, -1, 1, -1, -1)), ("adams", (-1, -1, 1, -1, -1, 1))):
+            C, viewed = self.matrix(test), self.matrix(test, "--signs", view)
+            for i in range(36):
+                self.assertEqual(viewed[i], signs[i // 6] * signs[i % 6] * C[i], f"{view} {i}")
+
+    def test_signs_are_refused_where_a_test_has_none(self):
+        tire = STUDIES.parent / "tires" / "passenger_205_55R16.toml"
+        text = self.latsch("test", tire, '{kind = "footprint", loads = ["4 kN"]}', "--signs", "sae", code=WRONG_INPUT)
+        self.assertIn("kinematics", text)
+        self.latsch("test", self.corner, '{kind = "kc", Fy = "-4 kN"}', "--signs", "din", code=WRONG_INPUT)
+
+    def matrix(self, test, *more):
+        details = self.folder / "details.csv"
+        self.latsch("test", self.corner, test, "--details", details, *more)
+        return [float(value) for value in list(csv.reader(io.StringIO(details.read_text())))[1]]
 
     def test_the_compliance_matrix_of_a_state_is_its_slope(self):
         details = self.folder / "compliance.csv"
@@ -152,6 +181,10 @@ class Kc(unittest.TestCase):
         refused(r'z = "30 kN/mm"\n', "", "has no z", "bushing.all")
         refused(r'([xyz]) = "30 kN/mm"', r'\1 = "0 kN/mm"', "has no stiffness", "uca_front")
         refused(r'x = "30 kN/mm"', 'x = "-30 kN/mm"', "x")
+        refused(r'pushrod_inner = .*', 'pushrod_inner = ["1507.720 mm", "273.296 mm", "307.192 mm"]', "the push-rod points at the axis",
+                "uca_front to uca_rear")
+        refused(r'trackrod_inner = .*', 'trackrod_inner = ["1413.012 mm", "568.983 mm", "-157.502 mm"]', "the track-rod points at the kingpin")
+        refused(r'x = "30 kN/mm"', 'curve.x = [["-1 mm", "-9 kN"], ["1 mm", "9 kN"], ["0.5 mm", "3 kN"]]', "bushing.all.curve.x does not rise in x")
         refused(r"\[bushing.all\]", '[bushing.ubk]\nx = "1 kN/mm"\n[bushing.all]', "ubk", "ubj")
 
     def test_what_is_no_test_is_refused_in_words(self):
@@ -169,6 +202,13 @@ class Kc(unittest.TestCase):
         text = self.latsch("test", self.corner, '{kind = "kc", Mz = "1e9 N m"}', code=FAILED)
         self.assertIn("no equilibrium beyond", text)
         self.assertIn("is turned most", text)
+        text = self.latsch("test", self.corner, '{kind = "kc", Fz = "900 kN"}', code=FAILED)
+        self.assertRegex(text, r"the bushing \w+ is stretched by [\d.]+ mm")
+
+    def test_newtons_by_meter_as_by_millimeter_name_the_bushing(self):
+        edit(self.corner, ("30 kN/mm", "30 kN/m"))
+        text = self.latsch("test", self.corner, '{kind = "kc", Fz = "2 kN"}', code=FAILED)
+        self.assertRegex(text, r"state 1 of the K&C rig: the bushing \w+ is stretched by [\d.]+ mm.*N/m that should be N/mm")
 
 
 if __name__ == "__main__":

@@ -32,8 +32,8 @@ class Kinematics(unittest.TestCase):
         self.assertEqual(run.returncode, code, f"latsch {' '.join(map(str, arguments))}\n{run.stdout}{run.stderr}")
         return run.stdout + run.stderr
 
-    def rows(self, test, model=None):
-        table = csv.reader(io.StringIO(self.latsch("test", model or self.front, test)))
+    def rows(self, test, model=None, signs="iso"):
+        table = csv.reader(io.StringIO(self.latsch("test", model or self.front, test, "--signs", signs)))
         names = [name.split(" [")[0] for name in next(table)]
         return [dict(zip(names, map(float, row))) for row in table]
 
@@ -72,6 +72,56 @@ class Kinematics(unittest.TestCase):
         edit(five, (r"\[link.lca_rear\]\n.*\n.*\n", ""))
         self.assertIn("has 4 links, expected five", self.latsch("test", five, TRAVEL, code=WRONG_INPUT))
 
+    def table_of_points(self, spoil=lambda rows: rows, head="of,name,x [mm],y [mm],z [mm]"):
+        """The front axle with its points in a table, beside those of another corner."""
+        text = self.front.read_text()
+        points = re.findall(r'^(\w+) = \["([-\d.]+) mm", "([-\d.]+) mm", "([-\d.]+) mm"\]$', text, re.M)
+        rows = [["FL", *point] for point in points] + [["RL", "ubj", "-25.6", "530.8", "350"]]
+        (self.folder / "points.csv").write_text("# from a drawing\n" + head + "\n" + "".join(",".join(row) + "\n" for row in spoil(rows)))
+        filed = self.folder / "filed.toml"
+        filed.write_text(re.sub(r"\[hardpoint\]\n(.+\n)+", "", text).replace(
+            'side = "left"\n', 'side = "left"\nhardpoints = "points.csv"  # of the car\nhardpoints_of = "FL"\n'))
+        return filed
+
+    def test_hardpoints_from_a_table_are_those_in_the_file(self):
+        filed = self.table_of_points()
+        self.assertEqual(self.latsch("test", filed, TRAVEL), self.latsch("test", self.front, TRAVEL))
+        (self.folder / "study.toml").write_text(
+            'title = "Bump steer"\nmodel = "filed.toml"\n[test.bump]\nkind = "kinematics"\ntravel = "10 mm"\n'
+            '[variable.z]\npath = "hardpoint.trackrod_inner.2"\nlower = "110 mm"\nupper = "130 mm"\ninitial = "119.872 mm"\n'
+            '[experiment.toe]\nkind = "values"\nchannel = "bump/toe"\nvalue = "0.01 rad"\n')
+        self.assertIn("119.87 mm", self.latsch("check", self.folder / "study.toml"))
+
+    def test_what_is_no_table_of_hardpoints_is_refused_in_words(self):
+        def refused(spoil, *parts, code=WRONG_INPUT, **more):
+            text = self.latsch("test", self.table_of_points(spoil, **more), TRAVEL, code=code)
+            for part in parts:
+                self.assertIn(part, text)
+
+        at = lambda i, j, new: lambda rows: rows[:i] + [rows[i][:j] + [new] + rows[i][j + 1:]] + rows[i + 1:]
+        refused(at(3, 2, "abc"), "points.csv:6", "abc")
+        refused(at(3, 1, "lca_raer"), "points.csv:6", "lca_raer", "lca_rear")
+        refused(at(3, 1, "lca rear"), "points.csv:6", "no name of a point")
+        refused(at(3, 1, "uca_rear"), "points.csv:6", "comes twice, before in line 4")
+        refused(lambda rows: [row for row in rows if row[1] != "wheel_center"], "points.csv", "wheel_center is missing")
+        refused(at(4, 2, "1510800"), "points.csv", "ubj is more than 50 m from the origin")
+        refused(lambda rows: [["FR", *row[1:]] for row in rows], "points of FR", "hardpoints_of")
+        refused(lambda rows: rows, "points.csv:2", "x", head="of,name,x [N],y [mm],z [mm]")
+        filed = self.table_of_points()
+        edit(filed, (r'hardpoints_of = "FL"\n', ""))
+        self.assertIn("of FL, RL: of several corners", self.latsch("test", filed, TRAVEL, code=WRONG_INPUT))
+        edit(filed, (r'hardpoints = .*\n', 'hardpoints_of = "FL"\n'))
+        self.assertIn("hardpoints_of", self.latsch("test", filed, TRAVEL, code=WRONG_INPUT))
+        edit(self.front, (r'\[hardpoint\]', 'hardpoints = "points.csv"\n[hardpoint]'))
+        self.assertIn("stands beside [hardpoint]", self.latsch("test", self.front, TRAVEL, code=WRONG_INPUT))
+
+    # What stands behind the table in the file keeps its line there.
+    def test_lines_behind_a_table_of_hardpoints_are_those_of_the_file(self):
+        filed = self.table_of_points()
+        edit(filed, (r"\[spring\]", "[spring]\nstifness = 3"))
+        line = filed.read_text().splitlines().index("stifness = 3") + 1
+        self.assertIn(f"filed.toml:{line}: ", self.latsch("test", filed, TRAVEL, code=WRONG_INPUT))
+
     def test_the_rack_steers_both_wheels(self):
         rows = self.rows('{kind = "kinematics", rack = ["-15 mm", "0 mm", "15 mm"], wheelbase = "1.55 m", rack_per_turn = "85 mm"}')
         for row, image in zip(rows, reversed(rows)):
@@ -89,6 +139,23 @@ class Kinematics(unittest.TestCase):
         self.latsch("test", self.front, '{kind = "kinematics", from = "-30 mm", to = "30 mm", points = 21, rates = true}', "--html", page)
         for title in ("Toe and camber", "Height of the roll center", "Motion ratio", "Rates"):
             self.assertIn(title, page.read_text())
+
+    # Steer by rack is a turn about z by a way along y, and caster a slant that all tell alike.
+    def test_signs_of_others(self):
+        test = '{kind = "kinematics", travel = "10 mm", rack = "5 mm", anti_roll_bar = true}'
+        iso, sae, adams = (self.rows(test, signs=view)[0] for view in ("iso", "sae", "adams"))
+        changed = lambda row: {name for name in iso if row[name] != iso[name]}
+        self.assertEqual({name: -value for name, value in iso.items() if name in changed(sae)}, {name: sae[name] for name in changed(sae)})
+        for name in ("rack", "steer", "other_steer", "contact_y", "center_y", "center_z", "arb_angle", "arb_ratio", "axle_roll_center_y",
+                     "roll_steer"):
+            self.assertIn(name, changed(sae))
+        for name in ("toe", "camber", "caster", "kpi", "steer_by_rack", "bump_steer", "track", "roll", "roll_center_height"):
+            self.assertNotIn(name, changed(sae))
+        self.assertTrue({"rack", "steer_by_rack", "contact_x", "contact_y", "roll"} <= changed(adams))
+        self.assertFalse({"steer", "toe", "camber", "caster", "contact_z", "travel"} & changed(adams))
+        page = self.folder / "page.html"
+        self.latsch("test", self.front, '{kind = "kinematics", rack = ["-5 mm", "0 mm", "5 mm"]}', "--html", page, "--signs", "sae")
+        self.assertIn("rack to the right [mm]", page.read_text())
 
     # The height of the track-rod's inner end is found again from the bump steer that it makes.
     def test_hardpoints_are_variables_of_a_study(self):

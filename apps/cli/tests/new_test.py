@@ -88,6 +88,32 @@ class New(unittest.TestCase):
         said = self.latsch("new", self.folder / "file" / "x", "--size", "275/35R19", code=WRONG_INPUT)
         self.assertIn(f"{self.folder}/file/x: cannot be created or changed: Not a directory", said)
 
+    def found(self, study):
+        run = subprocess.run([LATSCH, "run", study, "--json"], capture_output=True, text=True, timeout=300)
+        self.assertEqual(run.returncode, DONE, run.stderr)
+        return json.loads(run.stdout)["result"]
+
+    def test_a_suspension_is_found_at_once(self):
+        self.latsch("new", self.folder / "corner", "--suspension")
+        study = self.folder / "corner" / "study.toml"
+        self.assertIn("Everything is in order", self.latsch("check", study))
+        self.assertLess(self.found(study)["target"], 1e-3)
+        self.latsch("test", study.parent / "corner.toml", '{kind = "kinematics", from = "-30 mm", to = "30 mm", points = 5}')
+        self.assertIn("exists already", self.latsch("new", self.folder / "corner", "--suspension", code=WRONG_INPUT))
+
+    # Values in N/mm and kN s/m. 3 N of scatter are next to nothing beside the forces of a sweep: what the recording was made of is found again.
+    def test_a_car_is_found_at_once_and_drives(self):
+        self.latsch("new", self.folder / "car", "--car")
+        study = self.folder / "car" / "study.toml"
+        self.assertIn("Everything is in order", self.latsch("check", study))
+        text = study.read_text()
+        study.write_text(text.replace("[run]", "[run]\nintervals = false"))
+        for variable, made_of in zip(self.found(study)["variables"], (52.5, 56.0, 3.8, 4.2)):
+            self.assertAlmostEqual(variable["value"] / made_of, 1.0, delta=0.03, msg=variable["name"])
+        self.latsch("test", study.parent / "car.toml", study.parent / "kerb.toml", "--html", self.folder / "kerb.html", "-o",
+                    self.folder / "kerb.csv")
+        self.latsch("new", self.folder / "both", "--car", "--suspension", code=WRONG_INPUT)
+
     def test_sizes_that_make_no_tire(self):
         for size, said in (("275", "expected a size such as"), ("325/80R13", "there is no template near it"),
                            ("205/15R16", "there is no template near it"), ("13x2-10", "there is no template near it")):

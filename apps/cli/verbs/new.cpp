@@ -13,6 +13,7 @@
 #include "base/units.h"
 #include "cli/console/console.h"
 #include "cli/run/model_source.h"
+#include "cli/templates/car_template.h"
 #include "cli/templates/magic_formula_template.h"
 #include "cli/templates/ring_template.h"
 #include "cli/templates/sized_tire.h"
@@ -34,6 +35,7 @@ struct NewOptions {
   std::vector<std::string> recordings, columns;  // of a tire test
   std::string axes, radius;
   std::string ring_data, known;  // a model, or kExample; a flexible ring
+  bool suspension = false, car = false;
 };
 constexpr const char* kExample = "published example";
 
@@ -165,6 +167,38 @@ int start_ring(const NewOptions& options, const experiment::Language& language) 
   return kDone;
 }
 
+fs::path write_all(const fs::path& folder, const std::vector<WrittenFile>& files) {
+  fs::path study = new_study(folder);
+  fs::create_directories(folder);
+  for (const WrittenFile& file : files) write(folder / file.name, file.text);
+  return study;
+}
+
+void start_suspension(const NewOptions& options, const experiment::Language& language) {
+  const fs::path study = write_all(options.folder, suspension_study_files());
+  correlation::read_study(study, language);
+  say("\nPut your hardpoints into {1} and your values into the study, then\n"
+      "  latsch run {0}                          finds the bushings\n"
+      "  latsch identify {0}                     what the values leave open, what to measure next\n"
+      "  latsch test {1} '{{kind = \"kinematics\", from = \"-30 mm\", to = \"30 mm\", points = "
+      "61}}' --html travel.html\n",
+      study.string(),
+      (fs::path(options.folder) / "corner.toml").string());
+}
+
+void start_car(const NewOptions& options, const experiment::Language& language) {
+  const fs::path folder = options.folder, study = write_all(folder, car_study_files()),
+                 car = folder / "car.toml";
+  write(folder / "sweep.csv", example_sweep(car.string(), language));
+  correlation::read_study(study, language);
+  say("\nPut your car in its place and your recording into sweep.csv, then\n"
+      "  latsch run {0}                          finds springs and dampers\n"
+      "  latsch test {1} {2} --html kerb.html    over a kerb\n",
+      study.string(),
+      car.string(),
+      (folder / "kerb.toml").string());
+}
+
 void start_study(const NewOptions& options, const experiment::Language& language) {
   const fs::path folder = options.folder, study = new_study(folder);
   const Document tire = Document::parse(tire_of(options), (folder / "tire.toml").string());
@@ -187,14 +221,18 @@ void add_new(CommandLine& app, Program& program) {
       "Examples:\n  latsch new my_tire\n  latsch new my_tire --size 275/35R19\n"
       "  latsch new race --tire race_16x7.5-10\n"
       "  latsch new mf --magic-formula cornering.dat drive_brake.dat\n"
-      "  latsch new ring --ring-data my_tire/tire.toml\n\n"
+      "  latsch new ring --ring-data my_tire/tire.toml\n"
+      "  latsch new corner --suspension\n"
+      "  latsch new car --car\n\n"
       "The measurements are an example, computed from the tire with other moduli than the study\n"
       "starts at: the first run ends at a target below 1 %. Put your own in their place.\n"
       "From recordings of a tire test comes a study of a Magic Formula: the coefficients that "
       "they\n"
       "tell, freed in stages. From a model of a tire comes a study of the flexible ring that "
       "shows\n"
-      "the same loads and modes.");
+      "the same loads and modes. --suspension: bushings from numbers of a K&C rig; --car: springs "
+      "and\n"
+      "dampers from a four-post recording, and a kerb to drive over.");
   auto options = std::make_shared<NewOptions>();
   std::vector<std::string> names;
   for (const TireTemplate& known : tire_templates()) names.emplace_back(known.name);
@@ -220,8 +258,18 @@ void add_new(CommandLine& app, Program& program) {
                   "tire from what it shows of them")
       .or_alone(kExample);
   verb.add_option("--known", options->known, "Flexible ring whose numbers such a study begins at");
+  verb.add_flag("--suspension",
+                options->suspension,
+                "A corner of a suspension: its bushings from numbers of a K&C rig");
+  verb.add_flag("--car", options->car, "A car on four posts and over a kerb");
   verb.callback([=, &program] {
-    if (!options->ring_data.empty()) {
+    if (options->suspension && options->car)
+      throw InputError("new: --suspension and --car are two studies, expected one of them");
+    if (options->suspension) {
+      start_suspension(*options, program.language);
+    } else if (options->car) {
+      start_car(*options, program.language);
+    } else if (!options->ring_data.empty()) {
       program.exit_code = start_ring(*options, program.language);
     } else if (options->recordings.empty()) {
       start_study(*options, program.language);

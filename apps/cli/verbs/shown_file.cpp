@@ -10,6 +10,7 @@
 
 #include "base/document.h"
 #include "base/text.h"
+#include "cli/verbs/plot_units.h"
 #include "formats/mesh/inp_deck.h"
 #include "formats/tables/csv_table.h"
 #include "formats/tables/mat_file.h"
@@ -142,6 +143,20 @@ ShownFile show_inp(const std::filesystem::path& path) {
 
 }  // namespace
 
+namespace {
+
+/// Over what the others are drawn; where none varies the first.
+const Channel* first_that_varies(const Channels& channels) {
+  for (const Channel& channel : channels.all())
+    if (std::any_of(channel.values.begin(), channel.values.end(), [&](double value) {
+          return value != channel.values.front();
+        }))
+      return &channel;
+  return channels.all().empty() ? nullptr : &channels.all().front();
+}
+
+}  // namespace
+
 void show_channels(const Channels& channels, bool over_first, ShownFile& shown) {
   ShownTable table{
       "Channels, in SI", {"channel", "unit", "samples", "gaps", "smallest", "mean", "largest"}, {}};
@@ -150,16 +165,25 @@ void show_channels(const Channels& channels, bool over_first, ShownFile& shown) 
     table.rows.push_back(statistics(channel));
     if (!over && channel.unit == "s") over = &channel;
   }
-  if (!over && over_first && !channels.all().empty()) over = &channels.all().front();
+  if (!over && over_first) over = first_that_varies(channels);
   shown.tables.push_back(std::move(table));
+  // A file is drawn in its own units, a test in those in which people read it.
+  const auto unit_of = [&](const Channel& channel) {
+    return over_first ? plot_unit(channel.unit, channel.values) : PlotUnit{channel.unit};
+  };
   for (const Channel& channel : channels.all()) {
     if (&channel == over || channel.values.size() < 2) continue;  // one value: the table has it
-    report::PlotLine line{"", over ? over->values : std::vector<double>(), channel.values, 0, {}};
+    const PlotUnit y = unit_of(channel), x = over ? unit_of(*over) : PlotUnit{};
+    report::PlotLine line{"",
+                          over ? in_plot_unit(over->values, x) : std::vector<double>(),
+                          in_plot_unit(channel.values, y),
+                          0,
+                          {}};
     for (std::size_t i = line.x.size(); i < line.y.size(); ++i) {
       line.x.push_back(static_cast<double>(i + 1));
     }
-    const std::string x_title = over ? titled(over->name, over->unit) : "sample";
-    const std::string y_title = titled(channel.name, channel.unit);
+    const std::string x_title = over ? titled(over->name, x.unit) : "sample";
+    const std::string y_title = titled(channel.name, y.unit);
     shown.plots.push_back({y_title + " over " + x_title, x_title, y_title, {std::move(line)}});
   }
 }

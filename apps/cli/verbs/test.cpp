@@ -18,6 +18,7 @@
 #include "cli/verbs/shown_page.h"
 #include "cli/verbs/verbs.h"
 #include "experiment/language.h"
+#include "experiment/language/sign_view.h"
 #include "experiment/tests/drum_cleat.h"
 #include "experiment/tests/drum_convergence.h"
 #include "formats/tables/csv_table.h"
@@ -26,7 +27,7 @@ namespace latsch::cli {
 namespace {
 
 struct TestOptions {
-  std::string model, test, output, html, details, kind;
+  std::string model, test, output, html, details, kind, signs = "iso";
   bool convergence = false, list = false;
 };
 
@@ -143,8 +144,12 @@ int run_and_give(const TestOptions& options,
                  const ModelSource& model,
                  const experiment::Test& test) {
   std::vector<std::string> notes;
+  const auto view = experiment::sign_view(options.signs);
   const auto run = [&](const std::function<void(const Channels&)>& tell) {
-    const auto done = language.run_in_blocks(*model.kind, model.numbers, test, tell);
+    const auto done =
+        language.run_in_blocks(*model.kind, model.numbers, test, [&](const Channels& block) {
+          tell(experiment::in_signs(block, test, view));
+        });
     if (!done) throw Unsuccessful{done.failure()};
     notes = *done;
   };
@@ -168,6 +173,14 @@ int run_and_give(const TestOptions& options,
   return kDone;
 }
 
+/// Signs of others for a test that has only those of its own.
+void refuse_signs(const std::string& signs, const experiment::Test& test) {
+  if (signs == "iso" || experiment::has_sign_views(test)) return;
+  throw InputError("--signs " + signs + ": this test (" + test.in_words() +
+                   ") has its channels in the signs of ISO 8855 alone; other signs have the tests "
+                   "of a suspension: kc, axle_kc, kinematics");
+}
+
 int test(const TestOptions& options, const experiment::Language& language) {
   if (options.list) return say_matrix(language);
   if (options.model.empty() || options.test.empty())
@@ -179,18 +192,21 @@ int test(const TestOptions& options, const experiment::Language& language) {
   if (!is_study(options.model)) {
     for (const std::string& note : model.kind->notes(options.model)) warn(note, {options.model, 0});
   }
+  refuse_signs(options.signs, *test);
   if (options.convergence) return say_convergence(*model.kind, model.numbers, *test);
   if (options.html.empty() && options.details.empty())
     return run_and_give(options, language, model, *test);
-  const auto channels = language.run(*model.kind, model.numbers, *test);
-  if (!channels) {
-    complain(channels.failure().reason);
+  const auto recorded = language.run(*model.kind, model.numbers, *test);
+  if (!recorded) {
+    complain(recorded.failure().reason);
     return kFailed;
   }
-  const auto details = test->details(*model.kind->build(model.numbers));
+  const auto view = experiment::sign_view(options.signs);
+  const auto details = test->details_in(view, *model.kind->build(model.numbers));
   if (!details) throw std::runtime_error(details.failure().reason);
-  write_details(options, *test, *channels, *details);
-  give(*channels, options.output);
+  const Channels channels = experiment::in_signs(*recorded, *test, view);
+  write_details(options, *test, channels, *details);
+  give(channels, options.output);
   return kDone;
 }
 
@@ -207,6 +223,13 @@ void add_test(CommandLine& app, Program& program) {
       tests +
       "and the keys that latsch help study has for it; latsch test --list says which models can "
       "do\nwhich.\n\n"
+      "--signs turns what a suspension's test puts out into the signs of others, a view alone:\n"
+      "  iso    x forward, y left, z up (ISO 8855): steer and rack positive to the left\n"
+      "  sae    x forward, y right, z down (SAE J670, 1976): both to the right, dz downward\n"
+      "  adams  x rearward, y right, z up: steer to the left, rack to the right, dx rearward\n"
+      "Toe-in, camber with the top outboard, caster with the top rearward, travel in bump, "
+      "lengths\n"
+      "and ratios are positive in all. What is typed in a test stays ISO.\n\n"
       "Examples:\n  latsch test tire.toml test.toml > forces.csv\n"
       "  latsch test tire.toml '{kind = \"footprint\", loads = [\"2 kN\", \"4 kN\"]}' --html "
       "patch.html\n"
@@ -214,6 +237,7 @@ void add_test(CommandLine& app, Program& program) {
       "  latsch test tire.tir '{kind = \"steady_states\", states = \"states.csv\"}' -o forces.csv\n"
       "  latsch test studies/tire_b_twin/study.toml modes.toml\n"
       "  latsch test tire.toml test.toml --convergence\n"
+      "  latsch test suspension.toml '{kind = \"kc\", Fy = \"-4 kN\"}' --signs sae\n"
       "  latsch test --list");
   auto options = std::make_shared<TestOptions>();
   verb.add_option("model", options->model, "Model or study");
@@ -226,6 +250,10 @@ void add_test(CommandLine& app, Program& program) {
   verb.add_option("--details",
                   options->details,
                   "CSV file to write of what is more than channels: the pressures of a footprint");
+  verb.add_option("--signs",
+                  options->signs,
+                  "Of a suspension's test: signs of what is put out; iso unless given")
+      .one_of(experiment::sign_view_names());
   verb.add_flag("--list", options->list, "Which models can do which tests");
   verb.add_flag("--convergence",
                 options->convergence,

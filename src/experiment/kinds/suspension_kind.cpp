@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A corner of a suspension as a kind of specimen. Bushings that its file names by their own files,
-// [bushing.ubj] file = "rubber.bus", become numbers of it: bushing.ubj.x, bushing.ubj.curve.x.
-#include <algorithm>
-
-#include "base/document_parts.h"
+// A corner of a suspension as a kind of specimen, with what its file names by files of their own
+// (composed_suspension.h).
 #include "base/error.h"
+#include "experiment/kinds/composed_suspension.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
 #include "experiment/rigs/suspension/kc_compliance.h"
-#include "formats/car/bus_file.h"
-#include "models/suspension/bushing_reader.h"
 #include "models/suspension/suspension_reader.h"
 
 namespace latsch::experiment {
@@ -54,39 +50,6 @@ class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinka
   suspension::Corner corner_;
 };
 
-/// A document with bushings of other files in it, and where lines came to it.
-struct Composed {
-  Document document;
-  struct Added {
-    int line, count;  // behind this line of the file, so many
-  };
-  std::vector<Added> added;
-
-  /// The line of the file that has become this one.
-  int line_of_file(int line) const {
-    for (auto one = added.rbegin(); one != added.rend(); ++one)
-      if (line > one->line) line = std::max(one->line, line - one->count);
-    return line;
-  }
-};
-
-Composed with_bushings_of_files(const Document& written, const std::filesystem::path& folder) {
-  Composed composed{written, {}};
-  if (!written.root().has("bushing")) return composed;
-  for (const Node& bushing : written.root().named_tables("bushing")) {
-    if (!bushing.has("file")) continue;
-    for (const std::string& key : suspension::keys_in_place_of_a_file())
-      if (bushing.has(key)) bushing.reject(key, "stands beside file, expected one of them");
-    const formats::BusFile file = formats::read_bus_file(folder / bushing.text("file"));
-    const std::vector<std::string> lines = suspension::bushing_lines(file.bushing);
-    const std::string path = bushing.path() + ".file";
-    const Node now = composed.document.root().table("bushing").table(bushing.name());
-    composed.added.push_back({now.place("file").line, static_cast<int>(lines.size()) - 1});
-    composed.document = with_lines(composed.document, path, lines);
-  }
-  return composed;
-}
-
 class SuspensionKind : public SpecimenKind {
  public:
   std::string name() const override { return "suspension"; }
@@ -98,15 +61,14 @@ class SuspensionKind : public SpecimenKind {
   bool recognizes(const std::filesystem::path&) const override { return false; }
   Document read(const std::filesystem::path& file) const override {
     const Document written = Document::read(file);
-    const Composed composed = with_bushings_of_files(written, file.parent_path());
+    const ComposedSuspension composed = composed_suspension(written, file.parent_path());
     try {
       SuspensionSpecimen{composed.document};
     } catch (const InputError& error) {  // what is wrong is said of the file as it stands
       const Place there = error.place();
       if (there.file != written.file() || composed.added.empty()) throw;
       const std::string words = error.what();
-      throw InputError({there.file, composed.line_of_file(there.line)},
-                       words.substr(there.text().size() + 2));
+      throw InputError(composed.origin(there), words.substr(there.text().size() + 2));
     }
     return composed.document;
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/language/test.h"
 
+#include "experiment/language/sign_view.h"
+
 namespace latsch::experiment {
 
 ChannelInfo slope_of(const std::string& moved, const std::string& unit, const SlopesBy& slopes) {
@@ -15,6 +17,12 @@ Result<std::vector<std::string>> Test::run_in_blocks(
   if (!all) return all.failure();
   tell(*all);
   return std::vector<std::string>();
+}
+
+Result<Test::Details> Test::details_in(suspension::SignView view, Specimen& specimen) const {
+  auto found = details(specimen);
+  if (found) found->numbers = in_signs(found->numbers, *this, view);
+  return found;
 }
 
 }  // namespace latsch::experiment

@@ -19,6 +19,7 @@
 #include "experiment/rigs/measured_conditions.h"
 #include "experiment/rigs/rig_slopes.h"
 #include "measurement/channels.h"
+#include "models/suspension/sign_views.h"
 
 namespace latsch::experiment {
 
@@ -80,6 +81,13 @@ class Test {
     Channels numbers;
   };
   virtual Result<Details> details(Specimen&) const { return Details{}; }
+  /// Which way a channel, also of the details, is positive, for those who want it in the signs of
+  /// another convention; nullopt: the test does not say.
+  virtual std::optional<suspension::SignSense> sense(const std::string&) const {
+    return std::nullopt;
+  }
+  /// The details in these signs.
+  virtual Result<Details> details_in(suspension::SignView view, Specimen& specimen) const;
   /// Whether run_with_slopes() tells slopes in every number in which the specimen knows them.
   virtual bool tells_slopes() const { return false; }
   /// The same values to the last bit, and the slopes that are asked for, as far as they are known.

@@ -19,6 +19,31 @@ Vector6d as_vector(const suspension::WheelPosition& at) {
 const char* unit_of_moved(int i) { return i < 3 ? "m" : "rad"; }
 const char* unit_of_load(int i) { return i < 3 ? "N" : "N m"; }
 
+/// A bushing that is stretched further than any is, or empty: stiffnesses in another unit, or loads
+/// that no corner bears.
+std::string torn_bushing(const multibody::Mechanism& mechanism, const multibody::Poses& poses) {
+  constexpr double kMostStretch = 0.03;  // m
+  const auto pose = [&](int body) {
+    return body == multibody::kGround ? multibody::Pose{} : poses[static_cast<std::size_t>(body)];
+  };
+  double most = 0.0;
+  std::size_t torn = 0;
+  for (std::size_t i = 0; i < mechanism.joints().size(); ++i) {
+    const multibody::Joint& joint = mechanism.joints()[i];
+    const double stretch =
+        strain_of(mechanism.place(static_cast<int>(i)), pose(joint.a), pose(joint.b)).d.norm();
+    if (stretch <= most) continue;
+    most = stretch;
+    torn = i;
+  }
+  if (most <= kMostStretch) return {};
+  return fmt::format(
+      "the bushing {} is stretched by {:.3g} mm, more than any bushing bears: are stiffnesses N/m "
+      "that should be N/mm, or loads N that should be kN?",
+      mechanism.joints()[torn].name,
+      1e3 * most);
+}
+
 }  // namespace
 
 Result<Channels> run(const suspension::CompliantCorner& corner,
@@ -48,6 +73,8 @@ Result<Channels> run(const suspension::CompliantCorner& corner,
     if (!found)
       return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, found.failure().reason)};
     stands = std::move(*found);
+    if (const std::string torn = torn_bushing(mechanism, poses); !torn.empty())
+      return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, torn)};
     const multibody::Pose& upright = poses[upright_body];
     moved.row(i) = as_vector(wheel_position(points, upright)) - rest;
     if (varied.empty()) continue;

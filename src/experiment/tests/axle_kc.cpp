@@ -4,9 +4,10 @@
 //
 //   kind = "axle_kc"
 //   axle = "front"                       # or "rear"
-//   mode = "parallel"                    # or "opposed", "single": what the right wheel gets
-//   springs = "free"                     # or "locked": bars in their place
-//   at = "contact_patch"                 # or "wheel_center": of loads and of dx, dy, dz
+//   mode = "parallel"                    # default; or "opposed", "single": what the right wheel
+//                                        # gets
+//   springs = "free"                     # default; or "locked": bars in their place
+//   at = "contact_patch"                 # default; or "wheel_center": of loads and of dx, dy, dz
 //   Fx = ["0 N", "1 kN"]                 # of the left wheel: Fx, Fy, Fz, Mx, My, Mz, of every
 //   Mz = "100 N m"                       # state or one for all of them; none: zero
 //   travel = ["-30 mm", "30 mm"]         # of the left wheel center, by a pad; none: free
@@ -22,7 +23,7 @@
 // opposed, the opposite of that; single: none, and the pad holds it where it was.
 //
 // Its channels are what is stated, rack, and of both wheels dx, dy, dz, camber, toe, caster
-// (dx_L .. caster_R; signs as of test kc), the springs' extension and the
+// (dx_L .. caster_R; signs as in test kc), the springs' extension and the
 // pads' force. `latsch test --details FILE` writes the 12 x 12 compliance matrix of every state and
 // the classical compliances, in phase and out of phase; `--html FILE` draws the loops.
 #include <fmt/format.h>
@@ -33,6 +34,7 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/car/axle_kc_rig.h"
+#include "experiment/rigs/suspension/kc_senses.h"
 #include "experiment/tests/kc_histories.h"
 #include "experiment/tests/kc_pictures.h"
 
@@ -108,6 +110,9 @@ class AxleKc : public Test {
   bool tells_slopes() const override { return !test_.travel; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     return specimen.find<HasAxles>()->load(test_, tells_slopes() ? asked : Asked{});
+  }
+  std::optional<suspension::SignSense> sense(const std::string& channel) const override {
+    return kc_sense(channel);
   }
 
  private:

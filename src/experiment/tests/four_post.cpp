@@ -2,8 +2,8 @@
 // kind = "four_post": a car on four posts that move its wheels up and down.
 //
 //   kind = "four_post"
-//   mode = "heave"                       # a sweep: or "pitch", "roll", "warp"
-//   from = "0.5 Hz"
+//   mode = "heave"                       # a sweep: default; or "pitch", "roll", "warp"
+//   from = "0.5 Hz"                      # default, as the next four
 //   to = "30 Hz"
 //   duration = "20 s"
 //   amplitude = "3 mm"                   # up to the frequency at which the plates move at
@@ -11,11 +11,11 @@
 //   posts = {from = "measurement.rig"}   # in the place of the sweep: the heights post_FL, post_FR,
 //                                        # post_RL, post_RR that were recorded, evenly in time; or
 //                                        # posts = "heights.csv", a table of them and time
-//   step = "0.2 ms"                      # of the simulation
-//   sample_step = "1 ms"                 # of the record, a multiple of it
+//   step = "0.2 ms"                      # of the simulation; default
+//   sample_step = "1 ms"                 # of the record, a multiple of it; default
 //   spectra = true                       # adds channels over frequency; in recorded posts to the
-//                                        # signal of the mode that is stated
-//   segment = "4 s"                      # of Welch's method
+//                                        # signal of the mode that is stated; default false
+//   segment = "4 s"                      # of Welch's method; default, or all of a shorter record
 //   band = ["0.5 Hz", "30 Hz"]           # the lines that are kept; those of the sweep unless given
 //
 // Its channels: time, forces of the push-rods (pushrod_FL ..., compression positive), of the tires

@@ -23,6 +23,7 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/kc_rig.h"
+#include "experiment/rigs/suspension/kc_senses.h"
 #include "experiment/tests/kc_histories.h"
 #include "experiment/tests/kc_pictures.h"
 
@@ -102,6 +103,9 @@ class KcTestOfCorner : public Test {
   bool tells_slopes() const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     return specimen.find<IsLoaded>()->load(test_, asked);
+  }
+  std::optional<suspension::SignSense> sense(const std::string& channel) const override {
+    return kc_sense(channel);
   }
 
  private:

@@ -4,9 +4,10 @@
 //   kind = "kerb"
 //   speed = "60 m/s"                     # or {from = "measurement.track"}: its channel speed over
 //                                        # time, counted from where the front axle meets the kerb
-//   line = "0 mm"                        # of the car's middle, to the left of y = 0; likewise
-//   run_in = "0.2 s"                     # of driving before the front axle is at x = 0
-//   duration = "0.5 s"                   # recorded from there
+//   line = "0 mm"                        # of the car's middle, to the left of y = 0; likewise;
+//                                        # default
+//   run_in = "0.2 s"                     # of driving before the front axle is at x = 0; default
+//   duration = "0.5 s"                   # recorded from there; default, as the next two
 //   step = "0.2 ms"                      # of the simulation
 //   sample_step = "1 ms"                 # of the record, a multiple of it
 //   area = true                          # records the contact areas: default false
@@ -24,6 +25,13 @@
 //   height = "25 mm"
 //   count = 6
 //   start = ["0 m", "0.4 m"]             # its right edge 0.4 m to the left of the car's middle
+//   [road]                               # in its place: a road from a file
+//   file = "track.crg"                   # OpenCRG, .rdf or .toml, beside this file
+//   start = ["120 m", "-2 m"]            # where the front axle's middle is at time 0, in the axes
+//   heading = "30 deg"                   # of the file, and which way it drives, counterclockwise
+//                                        # from their x; default 0
+//   beyond_edge = "error"                # where a tire leaves what the file knows: default; or
+//                                        # "continue": .rdf level, OpenCRG as the file says
 //   [loaders]                            # vertical forces on the chassis, none unless given
 //   points = [["2 m", "0.4 m"], ["2 m", "-0.4 m"], ["-0.2 m", "0 m"]]    # x and y at rest
 //   downforce = ["1 kN", "1 kN", "2 kN"]
@@ -45,6 +53,7 @@
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/kerb_rig.h"
 #include "experiment/tests/kerb_pictures.h"
+#include "formats/road/road_file.h"
 #include "models/road/road_reader.h"
 
 namespace latsch::experiment {
@@ -83,6 +92,7 @@ class KerbRunTest : public Test {
       words += fmt::format(" over a kerb of {:.3g} mm every {:.3g} mm",
                            1e3 * test_.kerb->height,
                            1e3 * test_.kerb->pitch);
+    if (test_.filed) words += " on " + test_.filed->file.filename().string();
     if (test_.line.at(0.0) != 0.0)
       words += fmt::format(", line {:.3g} mm", 1e3 * test_.line.at(0.0));
     return words;
@@ -98,6 +108,12 @@ class KerbRunTest : public Test {
                                    t.sample_step,
                                    t.with_area);
     if (t.kerb) text += " kerb " + text_of(*t.kerb);
+    if (t.filed)
+      text += fmt::format(" road {} {} {} {}",
+                          t.filed->start.x(),
+                          t.filed->start.y(),
+                          t.filed->heading,
+                          t.filed->continues);
     if (t.loaders) {
       const auto all = t.loaders->points.reshaped();
       text += fmt::format(" loaders {} {} {} {}",
@@ -124,6 +140,10 @@ class KerbRunTest : public Test {
     return channels;
   }
   std::vector<std::string> needs() const override { return kKerb.needs; }
+  std::vector<std::filesystem::path> files() const override {
+    return test_.filed ? formats::files_of_road(test_.filed->file)
+                       : std::vector<std::filesystem::path>();
+  }
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "time") return std::nullopt;
     return Reach{-test_.run_in, test_.duration};
@@ -220,6 +240,20 @@ void read_wander(const Node& node, KerbTest& test) {
   test.line = with(test.line.at(0.0), wander.line, 2);
 }
 
+FiledRoad read_filed_road(const Node& node, const TestSource& source) {
+  FiledRoad filed;
+  filed.file = source.folder / node.text("file");
+  filed.road = formats::read_road_file(filed.file).road;
+  if (node.has("start")) {
+    const auto start = node.quantities("start", "m", Range::between(-1e6, 1e6));
+    if (start.size() != 2) node.reject("start", "expected x and y");
+    filed.start = {start[0], start[1]};
+  }
+  filed.heading = node.quantity("heading", "rad", Range::between(-7.0, 7.0), 0.0);
+  filed.continues = node.choice("beyond_edge", {"error", "continue"}, "error") == "continue";
+  return filed;
+}
+
 std::unique_ptr<Test> read_kerb_test(const Node& root, const TestSource& source) {
   KerbTest test;
   test.speed = read_history(root, "speed", "m/s", source, std::nullopt, Range::between(0.0, 150.0));
@@ -234,6 +268,10 @@ std::unique_ptr<Test> read_kerb_test(const Node& root, const TestSource& source)
   test.with_area = root.flag("area", false);
   if (const auto wander = root.find_table("wander")) read_wander(*wander, test);
   if (const auto kerb = root.find_table("kerb")) test.kerb = road::read_kerb(*kerb);
+  if (const auto road = root.find_table("road")) {
+    if (test.kerb) root.reject("road", "is stated, and [kerb] as well: expected one of them");
+    test.filed = read_filed_road(*road, source);
+  }
   if (const auto loaders = root.find_table("loaders")) read_loaders(*loaders, source, test);
   return std::make_unique<KerbRunTest>(std::move(test));
 }

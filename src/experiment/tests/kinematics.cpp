@@ -32,6 +32,7 @@
 #include <algorithm>
 
 #include "experiment/language/capabilities.h"
+#include "experiment/language/sign_view.h"
 #include "experiment/language/test.h"
 #include "experiment/tests/kinematics_pictures.h"
 
@@ -107,9 +108,17 @@ class KinematicsTestOfAxle : public Test {
     return specimen.find<MovesAsLinkage>()->move(test_);
   }
   Result<Details> details(Specimen& specimen) const override {
-    const auto channels = run(specimen);
-    if (!channels) return channels.failure();
-    return kinematics_details(*channels);
+    return details_in(suspension::SignView::iso, specimen);
+  }
+  Result<Details> details_in(suspension::SignView view, Specimen& specimen) const override {
+    const auto recorded = run(specimen);
+    if (!recorded) return recorded.failure();
+    return kinematics_details(in_signs(*recorded, *this, view), view);
+  }
+  std::optional<suspension::SignSense> sense(const std::string& channel) const override {
+    for (const KinematicChannel& one : kinematic_channels(test_))
+      if (one.name == channel) return suspension::SignSense{one.of, one.by};
+    return std::nullopt;
   }
 
  private:

@@ -9,6 +9,9 @@
 namespace latsch::experiment {
 namespace {
 
+using suspension::Sense;
+using suspension::SignView;
+
 struct ShownCurve {
   const char* channel;
   const char* name;  // in the legend
@@ -22,12 +25,13 @@ struct CurveFrame {
   std::vector<ShownCurve> lines;
   const char* caption;
   Shown shown = Shown::always;
+  Sense positive = Sense::same;  // the caption goes on with what that is
 };
 
 constexpr double kDegrees = 180.0 / std::numbers::pi, kMillimeters = 1e3;
 
-const std::vector<CurveFrame>& curve_frames() {
-  static const std::vector<CurveFrame> all = {
+std::vector<CurveFrame> angle_frames() {
+  return {
       {"Toe and camber",
        "angle [deg]",
        kDegrees,
@@ -49,6 +53,11 @@ const std::vector<CurveFrame>& curve_frames() {
        kDegrees,
        {{"caster", "caster"}, {"kpi", "kingpin inclination"}},
        "Positive: top of the kingpin rearward, inboard."},
+  };
+}
+
+std::vector<CurveFrame> length_frames() {
+  return {
       {"Kingpin offsets",
        "[mm]",
        kMillimeters,
@@ -70,14 +79,22 @@ const std::vector<CurveFrame>& curve_frames() {
        "[mm]",
        kMillimeters,
        {{"axle_roll_center_y", "kinematic"}},
-       "To the left of the car's center plane.",
-       Shown::where_wheels_differ},
+       "From the car's center plane.",
+       Shown::where_wheels_differ,
+       Sense::along_y},
       {"Recession",
        "[mm]",
        kMillimeters,
-       {{"contact_x", "contact point forward"}, {"center_x", "wheel center forward"}},
-       "In the axes of the file."},
+       {{"contact_x", "contact point"}, {"center_x", "wheel center"}},
+       "In the axes of the file.",
+       Shown::always,
+       Sense::along_x},
       {"Track", "[mm]", kMillimeters, {{"track", "track"}}, "Between the contact points."},
+  };
+}
+
+std::vector<CurveFrame> spring_frames() {
+  return {
       {"Motion ratio",
        "spring by wheel [1]",
        1.0,
@@ -87,7 +104,9 @@ const std::vector<CurveFrame>& curve_frames() {
        "[deg]",
        kDegrees,
        {{"arb_angle", "blade"}},
-       "About y, its top forward."},
+       "About y.",
+       Shown::always,
+       Sense::about_y},
       {"Rates",
        "[N/mm]",
        1e-3,
@@ -98,19 +117,24 @@ const std::vector<CurveFrame>& curve_frames() {
        100.0,
        {{"anti_dive", "anti-dive"}, {"anti_lift", "anti-lift"}, {"anti_squat", "anti-squat"}},
        "Share of the load transfer that the links carry."},
+  };
+}
+
+std::vector<CurveFrame> steer_frames() {
+  return {
       {"Steer angles",
        "[deg]",
        kDegrees,
        {{"steer", "this wheel"}, {"other_steer", "the other"}},
-       "Positive to the left.",
-       Shown::where_wheels_differ},
+       "Against straight ahead.",
+       Shown::where_wheels_differ,
+       Sense::about_z},
       {"Ackermann",
        "[%]",
        100.0,
        {{"ackermann", "Ackermann"}},
        "100 %: both wheels roll about one point on the line of the rear axle."},
   };
-  return all;
 }
 
 bool is_varied(const std::vector<double>& values) {
@@ -118,36 +142,76 @@ bool is_varied(const std::vector<double>& values) {
   return *upper > *lower;
 }
 
+/// Which way is positive: "to the left".
+const char* way(Sense sense, SignView view) {
+  const bool as_iso = suspension::sign(view, sense) > 0.0;
+  switch (sense) {
+    case Sense::along_x:
+      return as_iso ? "forward" : "rearward";
+    case Sense::along_y:
+    case Sense::about_z:
+      return as_iso ? "to the left" : "to the right";
+    case Sense::about_y:
+      return as_iso ? "its top forward" : "its top rearward";
+    case Sense::along_z:
+      return as_iso ? "upward" : "downward";
+    case Sense::about_x:
+      return as_iso ? "left side up" : "left side down";
+    case Sense::same:
+      break;
+  }
+  return "";
+}
+
+std::string caption_of(const CurveFrame& frame, SignView view) {
+  if (frame.positive == Sense::same) return frame.caption;
+  return std::string(frame.caption) + " Positive: " + way(frame.positive, view) + ".";
+}
+
+/// What all frames are drawn over.
+struct Abscissa {
+  std::string title;
+  std::vector<double> values;
+};
+
+Abscissa abscissa_of(const Channels& channels, SignView view) {
+  const bool by_rack = !is_varied(channels["travel"]) && is_varied(channels["rack"]);
+  Abscissa x{
+      by_rack ? std::string("rack ") + way(Sense::along_y, view) + " [mm]" : "travel upward [mm]",
+      channels[by_rack ? "rack" : "travel"]};
+  for (double& value : x.values) value *= kMillimeters;
+  return x;
+}
+
+report::LinePlot plot_of(const CurveFrame& frame, const Channels& channels, const Abscissa& x) {
+  report::LinePlot plot{
+      .description = frame.title, .x_title = x.title, .y_title = frame.y_title, .lines = {}};
+  for (const ShownCurve& shown : frame.lines) {
+    const Channel* channel = channels.find(shown.channel);
+    if (!channel) continue;
+    report::PlotLine line{.name = shown.name, .x = x.values, .y = channel->values, .spread = {}};
+    for (double& value : line.y) value *= frame.factor;
+    line.color = static_cast<int>(plot.lines.size());
+    plot.lines.push_back(std::move(line));
+  }
+  return plot;
+}
+
 }  // namespace
 
-Test::Details kinematics_details(const Channels& channels) {
+Test::Details kinematics_details(const Channels& channels, SignView view) {
   Test::Details details;
-  const bool by_rack = !is_varied(channels["travel"]) && is_varied(channels["rack"]);
-  std::vector<double> x = channels[by_rack ? "rack" : "travel"];
-  if (x.size() < 2) return details;
-  for (double& value : x) value *= kMillimeters;
+  const Abscissa x = abscissa_of(channels, view);
+  if (x.values.size() < 2) return details;
   const bool are_alike =
       !is_varied(channels["rack"]) && channels["travel"] == channels["other_travel"];
-  for (const CurveFrame& frame : curve_frames()) {
-    if (are_alike && frame.shown == Shown::where_wheels_differ) continue;
-    report::LinePlot plot{.description = frame.title,
-                          .x_title = by_rack ? "rack to the left [mm]" : "travel upward [mm]",
-                          .y_title = frame.y_title,
-                          .lines = {}};
-    for (const ShownCurve& shown : frame.lines) {
-      const Channel* channel = channels.find(shown.channel);
-      if (!channel) continue;
-      report::PlotLine line;
-      line.name = shown.name;
-      line.x = x;
-      line.y = channel->values;
-      for (double& value : line.y) value *= frame.factor;
-      line.color = static_cast<int>(plot.lines.size());
-      plot.lines.push_back(std::move(line));
+  for (const auto& frames : {angle_frames(), length_frames(), spring_frames(), steer_frames()})
+    for (const CurveFrame& frame : frames) {
+      if (are_alike && frame.shown == Shown::where_wheels_differ) continue;
+      const report::LinePlot plot = plot_of(frame, channels, x);
+      if (plot.lines.empty()) continue;
+      details.pictures.push_back({frame.title, line_plot(plot), caption_of(frame, view)});
     }
-    if (plot.lines.empty()) continue;
-    details.pictures.push_back({frame.title, line_plot(plot), frame.caption});
-  }
   return details;
 }
 

@@ -8,7 +8,8 @@
 
 namespace latsch::experiment {
 
-/// Of the channels that are there, those that belong together in one frame.
-Test::Details kinematics_details(const Channels& channels);
+/// Of the channels that are there, those that belong together in one frame; they have the signs of
+/// that convention already, captions and axes say them.
+Test::Details kinematics_details(const Channels& channels, suspension::SignView view);
 
 }  // namespace latsch::experiment

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include "base/document.h"
+#include "base/file.h"
 #include "base/text.h"
 #include "formats/road/open_crg.h"
+#include "formats/road/open_crg_header.h"
 #include "models/road/road_reader.h"
 
 namespace latsch::formats {
@@ -35,12 +37,29 @@ RoadFile read_crg(const std::filesystem::path& file) {
   return result;
 }
 
-}  // namespace
-
-RoadFile read_road_file(const std::filesystem::path& file) {
+std::string ending_of(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   for (char& c : ending)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return ending;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> files_of_road(const std::filesystem::path& file) {
+  constexpr std::size_t kLargest = 256u << 20;  // bytes, as of OpenCRG
+  std::vector<std::filesystem::path> files = {file};
+  if (ending_of(file) != ".crg") return files;
+  for (;;) {
+    const auto& last = files.back();
+    const auto header = read_open_crg_header(read_text_file(last, kLargest), last.string());
+    if (header.include.empty()) return files;
+    files.push_back(last.parent_path() / header.include);
+  }
+}
+
+RoadFile read_road_file(const std::filesystem::path& file) {
+  const std::string ending = ending_of(file);
   if (ending == ".crg") return read_crg(file);
   if (ending == ".rdf") {
     const TeimOrbit data = TeimOrbit::read(file);

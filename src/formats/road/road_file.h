@@ -34,6 +34,9 @@ struct RoadFile {
   const road::TriangleRoad* triangles = nullptr;  // likewise
 };
 
+/// A file that read_road_file() has read, and those it refers to.
+std::vector<std::filesystem::path> files_of_road(const std::filesystem::path& file);
+
 /// By the ending of its name. Throws InputError naming file, line, what was found and expected.
 RoadFile read_road_file(const std::filesystem::path& file);
 

@@ -306,6 +306,8 @@ Result<Rest> Car::settle_on_tires(CarState& state,
   Rest rest = statics_->unloaded();
   for (int corner = 0; corner < kCorners; ++corner) {
     const WheelMotion drawn = motion_of_wheel(corner, rest.poses, nullptr);
+    if (std::string trouble = off_road(corner, drawn, road); !trouble.empty())
+      return Failure{std::move(trouble)};
     const double ground = road.height(drawn.center.x(), drawn.center.y(), 0.0);
     lines[at(corner)] = {.stiffness = 2e5, .height = ground + tires_[at(corner)]->free_radius()};
   }
@@ -429,6 +431,19 @@ Result<CarState> Car::settle(const road::Road& road, double speed, const CarInpu
   return state;
 }
 
+std::string Car::off_road(int corner, const WheelMotion& wheel, const road::Road& road) const {
+  if (may_leave_road) return {};
+  const Vector3d contact = wheel.center - tires_[at(corner)]->free_radius() * wheel.carrier.col(2);
+  const std::string beyond = road.beyond(contact.x(), contact.y());
+  if (beyond.empty()) return {};
+  return fmt::format(
+      "tire {} is off the road's edge: {}. Drive on another line, start elsewhere or drive less "
+      "far, "
+      "extend the road, or allow it (beyond_edge of a test)",
+      kCornerNames[at(corner)],
+      beyond);
+}
+
 std::string Car::roll(CarState& next,
                       const Motion& motion,
                       double ahead,
@@ -440,6 +455,7 @@ std::string Car::roll(CarState& next,
     const double I = masses(corner).wheel_spin, drive = inputs.drive[at(corner)];
     WheelMotion there = motion_of_wheel(corner, motion.poses, motion.rates);
     if (ahead > 0.0) go_on(there, acceleration_of_wheel(corner, motion), ahead);
+    if (std::string trouble = off_road(corner, there, road); !trouble.empty()) return trouble;
     FreeWheel free = wheel.wheel;
     free.spin->push = [drive](double, double) { return Push{drive, 0.0}; };
     free.brake = inputs.brake[at(corner)];

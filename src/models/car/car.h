@@ -95,6 +95,9 @@ class Car {
   /// speed the tires roll up to their place on level ground, so that they have grown with the
   /// speed, lost what pressing down has left, and turn as freely as they do.
   Result<CarState> settle(const road::Road& road, double speed, const CarInputs& inputs);
+  /// Whether a tire may stand beyond what is known of its road (Road::beyond); else it is a
+  /// Failure.
+  bool may_leave_road = false;
   /// One step. After a Failure, which names the part and the time, the state is of no more use.
   Result<bool> advance(CarState& state,
                        double step,
@@ -165,6 +168,8 @@ class Car {
                   const GuidePoint& guide,
                   std::vector<multibody::Wrench>& wrenches) const;
   Eigen::Vector3d wheel_center_in_upright(int corner) const;
+  /// Of the point below the wheel in its plane; empty: there is road.
+  std::string off_road(int corner, const WheelMotion& wheel, const road::Road& road) const;
   const AxleMasses& masses(int corner) const;
 
   CarParameters parameters_;

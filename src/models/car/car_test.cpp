@@ -10,7 +10,9 @@
 #include "models/car/aero_loaders.h"
 #include "models/car/race_car_testing.h"
 #include "models/car/smooth_kerb_testing.h"
+#include "models/road/placed_road.h"
 #include "models/road/plane_road.h"
+#include "models/road/triangle_road.h"
 
 namespace latsch::car {
 namespace {
@@ -78,6 +80,46 @@ TEST(Car, OverAKerbItsPushrodForcesAreOfOrderTwo) {
     const std::vector<double> still(c.size(), c.front());
     EXPECT_LT(rms_between(a, c) / rms_between(c, still), 0.003) << locked;
   }
+}
+
+/// Level from x = -2 to 5 m, y = -1 to 1 m.
+road::TriangleRoad short_road() {
+  return road::TriangleRoad(
+      {.nodes = {{-2.0, -1.0, 0.0}, {5.0, -1.0, 0.0}, {5.0, 1.0, 0.0}, {-2.0, 1.0, 0.0}},
+       .triangles = {{{0, 1, 2}}, {{0, 2, 3}}}});
+}
+
+// The front wheels begin at x = 1.55 m and are at the road's end after 3.45 m.
+TEST(Car, ATireOffTheRoadsEdgeIsNamedWhenItLeaves) {
+  const auto car = made(race_car(true));
+  const auto road = short_road();
+  constexpr double kSpeed = 20.0, kStep = 5e-4;
+  auto state = car->settle(road, kSpeed, {});
+  ASSERT_TRUE(state) << state.failure().reason;
+  const CarState start = *state;
+  std::string why;
+  while (why.empty() && state->time() < 0.3)
+    if (const auto done = car->advance(*state, kStep, road, {}); !done) why = done.failure().reason;
+  EXPECT_NE(why.find("tire F"), std::string::npos) << why;
+  EXPECT_NE(why.find("off the road's edge"), std::string::npos);
+  EXPECT_NE(why.find("x = -2 and 5 m"), std::string::npos);
+  EXPECT_NEAR(state->time(), (5.0 - start.wheels[kFL].motion.center.x()) / kSpeed, 4.0 * kStep);
+
+  car->may_leave_road = true;
+  *state = start;
+  while (state->time() < 0.3) ASSERT_TRUE(car->advance(*state, kStep, road, {}));
+}
+
+TEST(Car, ACarThatIsDrawnBesideItsRoadIsRefused) {
+  const auto car = made(race_car(true));
+  const auto state = car->settle(
+      road::PlacedRoad(
+          std::make_shared<const road::TriangleRoad>(short_road()), 0.0, {0.0, 1.3, 0.0}),
+      20.0,
+      {});
+  ASSERT_FALSE(state);
+  EXPECT_NE(state.failure().reason.find("tire FR is off the road's edge"), std::string::npos)
+      << state.failure().reason;
 }
 
 TEST(Car, ATwistedChassisIsASpringAboutItsAxis) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/road/crg_road.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cassert>
@@ -286,6 +288,23 @@ GroundPoint CrgRoad::at(double x, double y, double) const {
   ground.height = surface.z;
   ground.normal = Eigen::Vector3d(-gradient.x(), -gradient.y(), 1.0).normalized();
   return ground;
+}
+
+std::string CrgRoad::beyond(double x, double y) const {
+  const Position p = locate(x, y);
+  const Place u = along(p.u), v = across(p.v);
+  // What lies on the way that closes a line is interpolated as its file asks for.
+  const bool is_on_line = !u.outside || closed_;
+  if (is_on_line && !v.outside) return {};
+  return fmt::format(
+      "u = {:.6g} m, v = {:.6g} m is beside its grid, u = {:.6g} to {:.6g} m, v = {:.6g} to {:.6g} "
+      "m",
+      p.u,
+      p.v,
+      grid_.u_begin,
+      grid_.u_end(),
+      grid_.v.front(),
+      grid_.v.back());
 }
 
 GroundBounds CrgRoad::bounds(const GroundBox& box, double) const {

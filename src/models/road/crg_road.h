@@ -56,6 +56,9 @@ class CrgRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
+  /// Beside the grid, but where its file says that it is repeated or reflected; gaps in it count as
+  /// road, which the file fills.
+  std::string beyond(double x, double y) const override;
   /// Inside the grid of a straight line the highest of the heights around; else nothing.
   GroundBounds bounds(const GroundBox& box, double time) const override;
 

@@ -8,7 +8,7 @@
 
 namespace latsch::road {
 
-PlacedRoad::PlacedRoad(std::unique_ptr<const Road> road,
+PlacedRoad::PlacedRoad(std::shared_ptr<const Road> road,
                        double angle,
                        const Eigen::Vector3d& origin)
     : road_(std::move(road)), turn_(Eigen::Rotation2Dd(angle)), origin_(origin) {
@@ -38,6 +38,11 @@ double PlacedRoad::mean_height(const Eigen::Vector2d& from,
                                const Eigen::Vector2d& to,
                                double time) const {
   return road_->mean_height(local(from.x(), from.y()), local(to.x(), to.y()), time) + origin_.z();
+}
+
+std::string PlacedRoad::beyond(double x, double y) const {
+  const Eigen::Vector2d p = local(x, y);
+  return road_->beyond(p.x(), p.y());
 }
 
 /// Of the rectangle along the axes of the road itself that holds the turned one.

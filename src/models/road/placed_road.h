@@ -11,19 +11,20 @@ namespace latsch::road {
 class PlacedRoad final : public Road {
  public:
   /// rad, m.
-  PlacedRoad(std::unique_ptr<const Road> road, double angle, const Eigen::Vector3d& origin);
+  PlacedRoad(std::shared_ptr<const Road> road, double angle, const Eigen::Vector3d& origin);
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
   double mean_height(const Eigen::Vector2d& from,
                      const Eigen::Vector2d& to,
                      double time) const override;
+  std::string beyond(double x, double y) const override;
   GroundBounds bounds(const GroundBox& box, double time) const override;
 
  private:
   Eigen::Vector2d local(double x, double y) const;
 
-  std::unique_ptr<const Road> road_;
+  std::shared_ptr<const Road> road_;
   Eigen::Matrix2d turn_;
   Eigen::Vector3d origin_;
 };

@@ -15,4 +15,6 @@ double Road::mean_height(const Eigen::Vector2d& from,
   return sum / kSamples;
 }
 
+std::string Road::beyond(double, double) const { return {}; }
+
 }  // namespace latsch::road

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <optional>
+#include <string>
 
 namespace latsch::road {
 
@@ -53,6 +54,9 @@ class Road {
   virtual double mean_height(const Eigen::Vector2d& from,
                              const Eigen::Vector2d& to,
                              double time) const;
+  /// Empty where the road is known at that place; else what ends there, in words: beyond its data
+  /// `at` is a guess that no car should roll on unasked (models/car/car.h).
+  virtual std::string beyond(double x, double y) const;
   /// For tires that ask thousands of points a step. Nothing is promised unless a road overrides it.
   virtual GroundBounds bounds(const GroundBox&, double) const { return {}; }
 };

@@ -261,6 +261,28 @@ CrgGrid banked_grid() {
   return grid;
 }
 
+// A mesh ends at its outline and at its hole, a grid at its rows and sections; turned and moved
+// both end where they have been brought to. Kerbs, drums and planes go on without an end.
+TEST(Road, EndsWhereItsDataDo) {
+  const auto mesh = std::make_shared<const TriangleRoad>(hilly_mesh(0.01));
+  EXPECT_EQ(mesh->beyond(-0.4, 0.49), "");
+  EXPECT_EQ(mesh->beyond(0.5, 0.5), "");  // the edge is road
+  EXPECT_NE(mesh->beyond(0.51, 0.0).find("y = -0.5 and 0.5 m"), std::string::npos);
+  EXPECT_NE(mesh->beyond(0.06, 0.06), "");  // the hole
+  const PlacedRoad placed(mesh, std::numbers::pi / 2.0, {10.0, 0.0, 1.0});
+  EXPECT_EQ(placed.beyond(10.0 - 0.4, -0.4), "");
+  EXPECT_NE(placed.beyond(0.0, 0.0), "");
+
+  CrgGrid grid = banked_grid();
+  EXPECT_EQ(CrgRoad(grid).beyond(0.0, 0.3), "");
+  EXPECT_NE(CrgRoad(grid).beyond(0.0, 0.43).find("v = -0.3 to 0.4 m"), std::string::npos);
+  EXPECT_NE(CrgRoad(grid).beyond(0.6, 0.0), "");
+  grid.border_u = CrgGrid::Border::repeat;
+  EXPECT_EQ(CrgRoad(grid).beyond(0.6, 0.0), "");
+  EXPECT_NE(CrgRoad(grid).beyond(0.6, 0.43), "");
+  EXPECT_EQ(PlaneRoad{}.beyond(1e6, -1e6), "");
+}
+
 // What a road says of a rectangle holds at every point of it.
 TEST(Road, BoundsHoldInTheWholeBox) {
   const DrumRoad drum({.diameter = 2.0,

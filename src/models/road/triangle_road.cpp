@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/road/triangle_road.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
@@ -207,7 +209,8 @@ std::array<int, 2> TriangleRoad::cell_of(const Vector2d& p) const {
           static_cast<int>(std::clamp((p.y() - low_.y()) / size_.y(), 0.0, rows_ - 1.0))};
 }
 
-TriangleRoad::Hit TriangleRoad::find(const Vector2d& p) const {
+/// No facet where there is none above or below.
+TriangleRoad::Hit TriangleRoad::find_covering(const Vector2d& p) const {
   Hit best;
   const auto [column, row] = cell_of(p);
   in_cell(column, row, [&](int number) {
@@ -216,7 +219,25 @@ TriangleRoad::Hit TriangleRoad::find(const Vector2d& p) const {
     const double z = facet.z(p);
     if (best.facet < 0 || z > best.z) best = {number, z, true};
   });
-  return best.facet < 0 ? find_nearest(p) : best;
+  return best;
+}
+
+TriangleRoad::Hit TriangleRoad::find(const Vector2d& p) const {
+  const Hit covering = find_covering(p);
+  return covering.facet < 0 ? find_nearest(p) : covering;
+}
+
+std::string TriangleRoad::beyond(double x, double y) const {
+  if (find_covering({x, y}).inside) return {};
+  return fmt::format(
+      "no triangle lies at x = {:.6g} m, y = {:.6g} m of its file; all of them are between x = "
+      "{:.6g} and {:.6g} m, y = {:.6g} and {:.6g} m",
+      x,
+      y,
+      low_.x(),
+      high_.x(),
+      low_.y(),
+      high_.y());
 }
 
 /// Rings of cells around that of the point, until no closer triangle can come.

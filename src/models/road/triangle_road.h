@@ -31,6 +31,8 @@ class TriangleRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
+  /// Beside the mesh and in its holes.
+  std::string beyond(double x, double y) const override;
   /// Exact to the cells of the grid; where those are not covered the highest of all nodes.
   GroundBounds bounds(const GroundBox& box, double time) const override;
 
@@ -65,6 +67,7 @@ class TriangleRoad final : public Road {
   void build_grid();
   void find_covered();
   std::array<int, 2> cell_of(const Eigen::Vector2d& p) const;
+  Hit find_covering(const Eigen::Vector2d& p) const;
   Hit find(const Eigen::Vector2d& p) const;
   Hit find_nearest(const Eigen::Vector2d& p) const;
   template <class Action>

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 namespace latsch::suspension {
 namespace {
@@ -12,6 +13,28 @@ using Eigen::Vector3d;
 
 constexpr double kNear = 1e-3;  // m: a rod that short, or an arm that near its own axis, is none
 constexpr double kFar = 50.0;   // m: no car is that large
+
+/// Rods that point at the axis about which they shall hold: mechanisms, however stiff.
+std::string fault_of_rods(const DoubleWishbone& corner) {
+  using enum DoubleWishbone::Joint;
+  const auto p = [&](int joint) { return corner.points[static_cast<std::size_t>(joint)]; };
+  const auto arm = [&](int inner, int outer, int from, int to) {
+    const Vector3d along = (p(outer) - p(inner)).normalized(),
+                   axis = (p(to) - p(from)).normalized();
+    return std::abs(along.dot(axis.cross(p(outer) - p(from))));
+  };
+  if (arm(kTrackrodInner, kTrackrodOuter, kLbj, kUbj) < kNear)
+    return "the track-rod points at the kingpin: it has no arm to steer by";
+  if (corner.pushrod_on == DoubleWishbone::kUpright) return {};
+  const int front = corner.pushrod_on == DoubleWishbone::kUpper ? kUcaFront : kLcaFront,
+            rear = corner.pushrod_on == DoubleWishbone::kUpper ? kUcaRear : kLcaRear;
+  if (arm(kPushrodInner, kPushrodOuter, front, rear) < kNear)
+    return fmt::format(
+        "the push-rod points at the axis of its wishbone, {} to {}: nothing holds the wheel up",
+        DoubleWishbone::kNames[static_cast<std::size_t>(front)],
+        DoubleWishbone::kNames[static_cast<std::size_t>(rear)]);
+  return {};
+}
 
 }  // namespace
 
@@ -44,7 +67,7 @@ std::string DoubleWishbone::fault() const {
   const Vector3d kingpin = (points[kUbj] - points[kLbj]).normalized();
   if (kingpin.cross(points[kTrackrodOuter] - points[kLbj]).norm() < kNear)
     return "trackrod_outer is on the kingpin: the track-rod has no arm to steer by";
-  return {};
+  return fault_of_rods(*this);
 }
 
 std::vector<multibody::Body> DoubleWishbone::bodies() const {

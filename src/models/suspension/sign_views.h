@@ -5,7 +5,7 @@
 //
 //   iso    x forward,  y left,  z up          ISO 8855
 //   sae    x forward,  y right, z down        SAE J670, 1976
-//   adams  x rearward, y right, z up          as car models of Adams are built
+//   adams  x rearward, y right, z up          as car models of Adams are built: toward the aft
 //
 // With s the signs of the axes, what goes along axis i changes by s_i, and what turns about it by
 // the product of the other two. So steer to the left is positive in iso and adams, to the right in
@@ -19,6 +19,11 @@ namespace latsch::suspension {
 
 enum class Sense { same, along_x, along_y, along_z, about_x, about_y, about_z };
 enum class SignView { iso, sae, adams };
+
+/// Which way a quantity is positive, or its slope by another.
+struct SignSense {
+  Sense of = Sense::same, by = Sense::same;
+};
 
 using AxisSigns = std::array<double, 3>;
 
@@ -47,7 +52,6 @@ constexpr double sign(const AxisSigns& s, Sense sense) {
   return 1.0;
 }
 
-/// Of a quantity, or of its slope by another.
 constexpr double sign(SignView view, Sense of, Sense by = Sense::same) {
   const AxisSigns& s = kAxisSigns[static_cast<std::size_t>(view)];
   return sign(s, of) * sign(s, by);

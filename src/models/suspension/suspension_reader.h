@@ -15,9 +15,11 @@
 //   [bushing.ubj]
 //   y = "12 kN/mm"
 //
-// Bushings are for statics; the kinematics have points of their own (geometry_reader.h). Of five
-// links they are [bushing.NAME_inner] and [bushing.NAME_outer] of each link, pushrod_inner and
-// pushrod_outer (compliant_corner.h).
+// In the place of [hardpoint] may stand, before all tables, hardpoints = "hardpoints.csv" and of
+// several corners in it hardpoints_of = "FL" (formats/car/hardpoint_table.h): whoever reads the
+// file puts them there. Bushings are for statics; the kinematics have points of their own
+// (geometry_reader.h). Of five links they are [bushing.NAME_inner] and [bushing.NAME_outer] of each
+// link, pushrod_inner and pushrod_outer (compliant_corner.h).
 #pragma once
 
 #include <optional>

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -73,12 +74,20 @@ History wandering(
 }
 
 std::unique_ptr<const road::Road> road_of(const KerbTest& test, const car::Car& car) {
-  if (!test.kerb) return std::make_unique<road::PlaneRoad>();
+  if (!test.kerb && !test.filed) return std::make_unique<road::PlaneRoad>();
   const double way = test.speed.area(0.0) - test.speed.area(-test.run_in);
+  const double axle = car.parts().corners[car::kFL].wheel_center.x() + way;
+  if (test.filed) {
+    const FiledRoad& filed = *test.filed;
+    const Eigen::Vector2d start = Eigen::Rotation2Dd(-filed.heading) * filed.start;
+    const double z = filed.road->height(filed.start.x(), filed.start.y(), 0.0);
+    return std::make_unique<road::PlacedRoad>(
+        filed.road, -filed.heading, Eigen::Vector3d(axle - start.x(), -start.y(), -z));
+  }
   return std::make_unique<road::PlacedRoad>(
       std::make_unique<road::ProfileRoad>(road::kerb_road(*test.kerb)),
       0.0,
-      Eigen::Vector3d(car.parts().corners[car::kFL].wheel_center.x() + way, 0.0, 0.0));
+      Eigen::Vector3d(axle, 0.0, 0.0));
 }
 
 namespace {
@@ -96,6 +105,7 @@ class KerbRun {
       : car_(car), test_(test), watch_(watch), road_(road_of(test, car)) {}
 
   Result<Channels> run() {
+    car_.may_leave_road = test_.filed && test_.filed->continues;
     if (const std::string trouble = start(); !trouble.empty()) return Failure{trouble};
     CarRecord record(car_, state_, test_.with_area);
     const long every = std::lround(test_.sample_step / test_.step);
@@ -106,7 +116,7 @@ class KerbRun {
       if (i > 0) {
         inputs_ = inputs_at(time);
         if (const auto done = car_.advance(state_, test_.step, *road_, inputs_); !done)
-          return Failure{"on the kerb: " + done.failure().reason};
+          return Failure{(test_.filed ? "on the road: " : "on the kerb: ") + done.failure().reason};
       }
       if ((i - lead) % every != 0) continue;
       record.sample(state_, inputs_, time);
@@ -168,7 +178,9 @@ class KerbRun {
     }
     inputs_ = inputs_at(-test_.run_in);
     auto settled = car_.settle(*road_, speed, inputs_);
-    if (!settled) return "before the kerb: " + settled.failure().reason;
+    if (!settled)
+      return (test_.filed ? "at its start on the road: " : "before the kerb: ") +
+             settled.failure().reason;
     state_ = std::move(*settled);
     return {};
   }

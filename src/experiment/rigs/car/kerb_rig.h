@@ -4,7 +4,9 @@
 // push-rods, press it down; a guide keeps it on its line (models/car/car.h).
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -37,8 +39,19 @@ struct Wander {
 History wandering(
     double asked, double deviation, const Wander& wander, int stream, double before, double after);
 
+/// A road from a file: where in it the front axle's middle is at time 0, and which way the car
+/// drives.
+struct FiledRoad {
+  std::filesystem::path file;
+  std::shared_ptr<const road::Road> road;
+  Eigen::Vector2d start = Eigen::Vector2d::Zero();  // m, of the file's axes
+  double heading = 0.0;                             // rad, counterclockwise from the file's x
+  bool continues = false;                           // beyond its edge, as its kind does
+};
+
 struct KerbTest {
   std::optional<road::Kerb> kerb;          // its place counted from where the front axle is at 0
+  std::optional<FiledRoad> filed;          // in its place
   History speed, line;                     // m/s; m, of the car's middle, to the left
   double run_in = 0.2, duration = 0.5;     // s; before and from time 0
   double step = 2e-4, sample_step = 1e-3;  // s
@@ -52,7 +65,8 @@ struct KerbTest {
 
 /// Looks at a run at every sample.
 using KerbWatcher = std::function<void(const car::Car&, const car::CarState&, double time)>;
-/// The road of a test, whose place 0 is where the front axle is at time 0.
+/// The road of a test, whose place 0 is where the front axle is at time 0. A kerb stands on z = 0,
+/// of a file the start of the test is there.
 std::unique_ptr<const road::Road> road_of(const KerbTest& test, const car::Car& car);
 
 /// What car_record.h names; "speed", m/s, and "line", m, of the chassis; "loader_1" .. "loader_3",
