@@ -56,6 +56,10 @@ class CrgRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
+  /// From one line of the grid to the next, between which heights are of second degree.
+  double mean_height(const Eigen::Vector2d& from,
+                     const Eigen::Vector2d& to,
+                     double time) const override;
   /// Inside the grid of a straight line the highest of the heights around; else nothing.
   GroundBounds bounds(const GroundBox& box, double time) const override;
 

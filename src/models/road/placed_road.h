@@ -18,6 +18,7 @@ class PlacedRoad final : public Road {
   double mean_height(const Eigen::Vector2d& from,
                      const Eigen::Vector2d& to,
                      double time) const override;
+  void below(const GroundRow& row, double time, const RowGround& ground) const override;
   GroundBounds bounds(const GroundBox& box, double time) const override;
 
  private:

@@ -46,7 +46,7 @@ Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
 
 /// The first point that is not before s. Where there are many, from what is known of its part: back
 /// as far as rounding has put it, or forward.
-std::vector<Profile::Point>::const_iterator Profile::first_from(double s) const {
+Profile::Place Profile::first_from(double s) const {
   auto from = points_.begin();
   auto to = points_.end();
   if (!first_in_.empty()) {
@@ -63,6 +63,18 @@ std::vector<Profile::Point>::const_iterator Profile::first_from(double s) const 
   return std::lower_bound(from, to, s, [](const Point& p, double at) { return p.s < at; });
 }
 
+Profile::Place Profile::first_from(double s, Place near) const {
+  constexpr int kNear = 3;
+  if (near == points_.end() || !(near->s < s)) {
+    for (int i = 0; i < kNear; ++i, --near)
+      if (near == points_.begin() || (near - 1)->s < s) return near;
+  } else {
+    for (int i = 0; i < kNear; ++i)
+      if (++near == points_.end() || !(near->s < s)) return near;
+  }
+  return first_from(s);
+}
+
 std::span<const Profile::Point> Profile::points_between(double s0, double s1) const {
   const auto first = first_from(s0);
   auto last = std::max(first, first_from(s1));
@@ -70,9 +82,10 @@ std::span<const Profile::Point> Profile::points_between(double s0, double s1) co
   return {first, last};
 }
 
-Profile::Value Profile::at(double s) const {
+Profile::Value Profile::at(double s) const { return at(s, first_from(s)); }
+
+Profile::Value Profile::at(double s, Place right) const {
   if (points_.empty()) return {};
-  const auto right = first_from(s);
   if (right == points_.end()) return {points_.back().z, 0.0};
   if (right->s > s) {
     if (right == points_.begin()) return {right->z, 0.0};
@@ -91,8 +104,9 @@ Profile::Value Profile::at(double s) const {
   return value;
 }
 
-double Profile::area(double s) const {
-  const auto right = first_from(s);
+double Profile::area(double s) const { return area(s, first_from(s)); }
+
+double Profile::area(double s, Place right) const {
   if (right == points_.begin()) return (s - right->s) * right->z;
   const auto left = right - 1;
   const auto i = static_cast<std::size_t>(left - points_.begin());

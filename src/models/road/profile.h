@@ -40,6 +40,8 @@ class Profile {
   /// Over s0 <= s <= s1.
   Extremes between(double s0, double s1) const;
   const std::vector<Point>& points() const { return points_; }
+  /// Asks places one after the other that are close to each other: from where the last one was.
+  class Walk;
   /// Those with s0 <= s <= s1.
   std::span<const Point> points_between(double s0, double s1) const;
   bool empty() const { return points_.empty(); }
@@ -49,7 +51,13 @@ class Profile {
   double reach() const { return reach_; }
 
  private:
-  std::vector<Point>::const_iterator first_from(double s) const;
+  using Place = std::vector<Point>::const_iterator;
+
+  Place first_from(double s) const;
+  /// From `near` on, where it is near.
+  Place first_from(double s, Place near) const;
+  Value at(double s, Place right) const;
+  double area(double s, Place right) const;
 
   std::vector<Point> points_;
   std::vector<double> areas_;   // of each point
@@ -57,6 +65,25 @@ class Profile {
   std::vector<int> first_in_;   // the first point from each of equal parts on, one a point; or none
   double parts_per_meter_ = 0.0;
   double reach_ = 0.0;
+};
+
+class Profile::Walk {
+ public:
+  explicit Walk(const Profile& profile) : profile_(&profile), right_(profile.points_.begin()) {}
+
+  /// The same bits as the profile's.
+  Value at(double s) {
+    right_ = profile_->first_from(s, right_);
+    return profile_->at(s, right_);
+  }
+  double area(double s) {
+    right_ = profile_->first_from(s, right_);
+    return profile_->area(s, right_);
+  }
+
+ private:
+  const Profile* profile_;
+  Place right_;
 };
 
 /// A bar of `length` across s = 0. A bevel of 45 deg takes `bevel` off its upper edges along both

@@ -31,6 +31,9 @@ class TriangleRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
+  double mean_height(const Eigen::Vector2d& from,
+                     const Eigen::Vector2d& to,
+                     double time) const override;
   /// Exact to the cells of the grid; where those are not covered the highest of all nodes.
   GroundBounds bounds(const GroundBox& box, double time) const override;
 
@@ -53,6 +56,7 @@ class TriangleRoad final : public Road {
     double z(const Eigen::Vector2d& p) const { return z0 + slope.dot(p - corners[0]); }
     double highest() const { return std::max({z(corners[0]), z(corners[1]), z(corners[2])}); }
     bool covers(const Eigen::Vector2d& p) const;
+    double end_of(const Eigen::Vector2d& from, const Eigen::Vector2d& way) const;
     Eigen::Vector2d nearest(const Eigen::Vector2d& p) const;
   };
   struct Hit {
@@ -62,6 +66,8 @@ class TriangleRoad final : public Road {
   };
 
   void build_facets();
+  double shape_of_facets() const;
+  bool is_covered(const GroundBox& box) const;
   void build_grid();
   void find_covered();
   std::array<int, 2> cell_of(const Eigen::Vector2d& p) const;
