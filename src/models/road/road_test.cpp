@@ -380,11 +380,11 @@ TEST(Road, MeanHeightOfTrianglesGridsAndWavesIsTheIntegral) {
   RandomStream random(5, 2);
   const TriangleRoad kerb(kerb_triangles({.shape = Kerb::Shape::sine,
                                           .pitch = 0.1,
-                                          .width = 0.3,
+                                          .width = 1.0,
                                           .height = 0.02,
                                           .count = 4,
-                                          .start = {0.0, -0.1},
-                                          .ramp = 0.05,
+                                          .ramp = 0.48,
+                                          .start = {0.0, -0.5},
                                           .angle = 0.1},
                                          0.5));
   const CrgRoad grid(bumpy_grid(random, 0.02));

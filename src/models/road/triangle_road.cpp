@@ -191,15 +191,21 @@ void TriangleRoad::find_covered() {
   constexpr double kRounding = 1e-9;
   highest_ = facets_.front().highest();
   for (const Facet& facet : facets_) highest_ = std::max(highest_, facet.highest());
-  covered_.assign(static_cast<std::size_t>(columns_) * rows_, false);
+  cells_.clear();
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
       const Vector2d corner = low_ + Vector2d(column * size_.x(), row * size_.y());
+      Cell cell{-std::numeric_limits<double>::infinity(), -1, true, false};
       double area = 0.0;
       in_cell(column, row, [&](int number) {
-        area += area_within(facets_[number].corners, corner, corner + size_);
+        const Facet& facet = facets_[number];
+        area += area_within(facet.corners, corner, corner + size_);
+        if (cell.facet < 0) cell.facet = number;
+        cell.highest = std::max(cell.highest, facet.highest());
+        cell.plane = cell.plane && facet.continues(facets_[cell.facet]);
       });
-      covered_[row * columns_ + column] = std::abs(area / size_.prod() - 1.0) < kRounding;
+      cell.covered = std::abs(area / size_.prod() - 1.0) < kRounding;
+      cells_.push_back(cell);
     }
   }
 }
@@ -210,7 +216,7 @@ bool TriangleRoad::is_covered(const GroundBox& box) const {
   const auto from = cell_of({box.x0, box.y0}), to = cell_of({box.x1, box.y1});
   for (int row = from[1]; row <= to[1]; ++row)
     for (int column = from[0]; column <= to[0]; ++column)
-      if (!covered_[row * columns_ + column]) return false;
+      if (!cells_[row * columns_ + column].covered) return false;
   return true;
 }
 
@@ -223,15 +229,12 @@ GroundBounds TriangleRoad::bounds(const GroundBox& box, double) const {
   const Facet* first = nullptr;
   for (int row = from[1]; row <= to[1]; ++row) {
     for (int column = from[0]; column <= to[0]; ++column) {
-      if (!covered_[row * columns_ + column]) return {highest_, false};
-      in_cell(column, row, [&](int number) {
-        const Facet& facet = facets_[number];
-        if (!first) first = &facet;
-        bounds.highest = std::max(bounds.highest, facet.highest());
-        bounds.plane = bounds.plane && facet.slope == first->slope &&
-                       facet.friction == first->friction &&
-                       std::abs(first->z(facet.corners[0]) - facet.z0) <= 1e-12;
-      });
+      const Cell& cell = cells_[row * columns_ + column];
+      if (!cell.covered) return {highest_, false};
+      bounds.highest = std::max(bounds.highest, cell.highest);
+      const Facet& facet = facets_[cell.facet];
+      if (!first) first = &facet;
+      bounds.plane = bounds.plane && cell.plane && facet.continues(*first);
     }
   }
   return bounds;
@@ -298,7 +301,7 @@ double TriangleRoad::mean_height(const Vector2d& from, const Vector2d& to, doubl
                    std::max(from.y(), to.y())}))
     return Road::mean_height(from, to, time);
   constexpr double kNext = 1e-9;  // of the way, beyond an edge
-  constexpr int kMost = 256;      // triangles
+  constexpr int kMost = 4096;     // triangles
   const Vector2d way = to - from;
   double done = 0.0, sum = 0.0;
   for (int i = 0; i < kMost; ++i) {
