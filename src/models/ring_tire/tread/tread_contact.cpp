@@ -248,15 +248,21 @@ void TreadContact::find_level_blocks(Patch& patch, const road::GroundPoint& grou
   patch.ground = {.height = ground.height,
                   .velocity = {ground.velocity.x(), ground.velocity.y(), ground.velocity.z()},
                   .friction = ground.friction};
+  narrow(patch, find_lowest_tips(), patch.ground.height + margin_);
+}
+
+/// z of the lowest of the lines' tips at each station of the last patch.
+const double* TreadContact::find_lowest_tips() {
   double* lowest = at_stations(kStationColumns - 1);
-  if (section_rise_.empty())
+  if (section_rise_.empty()) {
     lowest_tips(at_stations(kP), lines(), stride_, lowest);
-  else
-    for (int j = 0; j < blocks_; ++j) {
-      lowest[j] = tip(0, j).z();
-      for (int line = 1; line < lines_; ++line) lowest[j] = std::min(lowest[j], tip(line, j).z());
-    }
-  narrow(patch, lowest, patch.ground.height + margin_);
+    return lowest;
+  }
+  for (int j = 0; j < blocks_; ++j) {
+    lowest[j] = tip(0, j).z();
+    for (int line = 1; line < lines_; ++line) lowest[j] = std::min(lowest[j], tip(line, j).z());
+  }
+  return lowest;
 }
 
 /// The plane that a block's cell sees on a drum: the tangent, at the mean height over the cell.
@@ -279,16 +285,19 @@ void TreadContact::find_uneven_blocks(Patch& patch,
                                       const Ground& ground,
                                       const road::Road& road,
                                       double time) {
-  const int whole = patch.end;
-  patch.begin = whole;
-  patch.end = 0;
   const std::size_t at = patches_.size() - 1;
   const Uneven* uneven = std::get_if<Uneven>(&ground);
   const bool known = !uneven || !uneven->lines_differ;
+  if (uneven) {
+    narrow(patch, find_lowest_tips(), uneven->highest + margin_);
+    if (patch.begin == patch.end) return;
+  }
+  patch.begin = stride_;
+  patch.end = 0;
   for (int line = 0; line < lines_; ++line) {
     const Ground own = known ? ground : ground_below(line, line, road, time);
     for (int c = kNormal; c <= kFriction; ++c)
-      std::fill_n(column(at, c) + line * stride_, whole, c == kLevel ? -kNoRoad : 0.0);
+      std::fill_n(column(at, c) + line * stride_, stride_, c == kLevel ? -kNoRoad : 0.0);
     const auto [begin, end] = find_line(at, line, own, road, time);
     if (begin == end) continue;
     patch.begin = std::min(patch.begin, begin);
@@ -322,7 +331,7 @@ std::pair<int, int> TreadContact::find_line(
 /// So edges shorter than a cell come gradually. No place of the road is above `highest`.
 std::pair<int, int> TreadContact::place_cells(
     std::size_t patch, int line, double highest, const road::Road& road, double time) {
-  row_.place(at_stations(kP), lines(patches_[patch].segment), line, blocks_);
+  row_.place_tips(at_stations(kP), lines(patches_[patch].segment), line);
   const double *x = row_.x(), *y = row_.y(), *z = row_.z();
   int begin = 0, end = blocks_;
   const auto narrow = [&](const auto& height) {
@@ -332,6 +341,7 @@ std::pair<int, int> TreadContact::place_cells(
   narrow([&](int) { return highest; });
   narrow([&](int j) { return road.height(x[j], y[j], time); });
   if (begin == end) return {begin, end};
+  row_.place_borders(begin, end, blocks_);
   BlockGround to = ground(patch);
   const int first = line * stride_;
   for (double** column : {&to.N[0],

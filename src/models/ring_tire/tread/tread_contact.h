@@ -229,6 +229,7 @@ class TreadContact {
   /// Stations of a patch of which the nearest tip is not above `reach`.
   void narrow(Patch& patch, const double* nearest, double reach) const;
   void widen(Patch& patch) const;
+  const double* find_lowest_tips();
   void find_level_blocks(Patch& patch, const road::GroundPoint& ground);
   void find_blocks_on_drum(Patch& patch, const road::Cylinder& drum);
   void find_uneven_blocks(Patch& patch, const Ground& ground, const road::Road& road, double time);

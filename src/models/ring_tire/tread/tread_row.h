@@ -27,8 +27,10 @@ class TreadRow {
   /// For lines of that many stations, a multiple of eight.
   explicit TreadRow(int stride) : stride_(stride), memory_(static_cast<std::size_t>(7 * room())) {}
 
-  /// Places of the tips of a line with so many blocks, and of their cells' borders.
-  void place(const double* columns, const BlockLines& lines, int line, int blocks);
+  /// Places of the tips of a line.
+  void place_tips(const double* columns, const BlockLines& lines, int line);
+  /// And of the borders of the cells [begin, end) of so many.
+  void place_borders(int begin, int end, int blocks);
   const double* x() const { return at(0); }
   const double* y() const { return at(1); }
   const double* z() const { return at(2); }
