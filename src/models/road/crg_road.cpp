@@ -275,6 +275,47 @@ double CrgRoad::height(double x, double y, double) const {
   return evaluate(wrapped(u_of(place)), place.v).z;
 }
 
+double CrgRoad::mean_height(const Vector2d& from, const Vector2d& to, double time) const {
+  constexpr double kMost = 8.0;  // lines of the grid to cross
+  if (!straight_ || closed_ || !even_v_) return Road::mean_height(from, to, time);
+  const Position a = locate(from.x(), from.y()), b = locate(to.x(), to.y());
+  const double columns = static_cast<double>(grid_.v.size() - 1);
+  const double by_u = 1.0 / grid_.u_increment, by_v = columns / (grid_.v.back() - grid_.v.front());
+  // Places of the ends in the grid, in lines from its corner.
+  const Vector2d begin((a.u - grid_.u_begin) * by_u, (a.v - grid_.v.front()) * by_v);
+  const Vector2d end((b.u - grid_.u_begin) * by_u, (b.v - grid_.v.front()) * by_v);
+  const Vector2d low = begin.cwiseMin(end), high = begin.cwiseMax(end), way = end - begin;
+  if (!(low.minCoeff() >= 0.0 && high.x() <= grid_.rows() - 1.0 && high.y() <= columns &&
+        way.cwiseAbs().maxCoeff() <= kMost))
+    return Road::mean_height(from, to, time);
+  // The shares of the way at which it next crosses lines of both kinds.
+  Vector2d next, line;
+  const auto share_at = [&](int i) {
+    return way[i] == 0.0 ? 2.0 : std::max(0.0, (line[i] - begin[i]) / way[i]);
+  };
+  for (int i = 0; i < 2; ++i) {
+    line[i] = way[i] > 0.0 ? std::floor(begin[i]) + 1.0 : std::ceil(begin[i]) - 1.0;
+    next[i] = share_at(i);
+  }
+  const double off = 0.5 / std::sqrt(3.0);  // two places of Gauss
+  double done = 0.0, sum = 0.0;
+  while (done < 1.0) {
+    const double until = std::min(1.0, next.minCoeff()), part = until - done;
+    const double middle = 0.5 * (done + until);
+    const auto z = [&](double share) {
+      return evaluate(a.u + share * (b.u - a.u), a.v + share * (b.v - a.v)).z;
+    };
+    if (part > 0.0) sum += 0.5 * part * (z(middle - off * part) + z(middle + off * part));
+    done = until;
+    for (int i = 0; i < 2; ++i) {
+      if (next[i] > done) continue;
+      line[i] += way[i] > 0.0 ? 1.0 : -1.0;
+      next[i] = share_at(i);
+    }
+  }
+  return sum;
+}
+
 GroundPoint CrgRoad::at(double x, double y, double) const {
   const Interval place = interval({x, y});
   const Elevation surface = evaluate(wrapped(u_of(place)), place.v);

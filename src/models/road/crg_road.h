@@ -59,6 +59,10 @@ class CrgRoad final : public Road {
   /// Beside the grid, but where its file says that it is repeated or reflected; gaps in it count as
   /// road, which the file fills.
   std::string beyond(double x, double y) const override;
+  /// From one line of the grid to the next, between which heights are of second degree.
+  double mean_height(const Eigen::Vector2d& from,
+                     const Eigen::Vector2d& to,
+                     double time) const override;
   /// Inside the grid of a straight line the highest of the heights around; else nothing.
   GroundBounds bounds(const GroundBox& box, double time) const override;
 

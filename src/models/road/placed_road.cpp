@@ -45,6 +45,38 @@ std::string PlacedRoad::beyond(double x, double y) const {
   return road_->beyond(p.x(), p.y());
 }
 
+void PlacedRoad::below(const GroundRow& row, double time, const RowGround& ground) const {
+  const auto n = static_cast<std::size_t>(row.count);
+  std::vector<double> places(4 * n + 2);
+  double *x = places.data(), *y = x + n, *border_x = y + n, *border_y = border_x + n + 1;
+  const auto place = [&](std::size_t count,
+                         const double* from_x,
+                         const double* from_y,
+                         double* to_x,
+                         double* to_y) {
+    for (std::size_t j = 0; j < count; ++j) {
+      const Eigen::Vector2d p = local(from_x[j], from_y[j]);
+      to_x[j] = p.x();
+      to_y[j] = p.y();
+    }
+  };
+  place(n, row.x, row.y, x, y);
+  place(n + 1, row.border_x, row.border_y, border_x, border_y);
+  road_->below({row.count, x, y, border_x, border_y}, time, ground);
+  for (std::size_t j = 0; j <= n; ++j) ground.border_height[j] += origin_.z();
+  const auto turn = [&](double* const v[2], std::size_t j) {
+    const Eigen::Vector2d turned = turn_ * Eigen::Vector2d(v[0][j], v[1][j]);
+    v[0][j] = turned.x();
+    v[1][j] = turned.y();
+  };
+  for (std::size_t j = 0; j < n; ++j) {
+    ground.height[j] += origin_.z();
+    ground.mean[j] += origin_.z();
+    turn(ground.slope, j);
+    turn(ground.velocity, j);
+  }
+}
+
 /// Of the rectangle along the axes of the road itself that holds the turned one.
 GroundBounds PlacedRoad::bounds(const GroundBox& box, double time) const {
   Eigen::Vector2d low = local(box.x0, box.y0), high = low;

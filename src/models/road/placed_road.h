@@ -19,6 +19,7 @@ class PlacedRoad final : public Road {
                      const Eigen::Vector2d& to,
                      double time) const override;
   std::string beyond(double x, double y) const override;
+  void below(const GroundRow& row, double time, const RowGround& ground) const override;
   GroundBounds bounds(const GroundBox& box, double time) const override;
 
  private:

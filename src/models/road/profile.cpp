@@ -33,8 +33,14 @@ Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
   for (std::size_t i = 1; i < points_.size(); ++i)
     areas_[i] =
         areas_[i - 1] + 0.5 * (points_[i].z + points_[i - 1].z) * (points_[i].s - points_[i - 1].s);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const double z = points_[i].z;
+    if (i % kFew == 0) of_several_.push_back({z, z});
+    of_several_.back().lowest = std::min(of_several_.back().lowest, z);
+    of_several_.back().highest = std::max(of_several_.back().highest, z);
+  }
   if (points_.size() <= kFew || !(end() > begin())) return;
-  const auto parts = points_.size();
+  const auto parts = points_.size() - 1;  // of points at even distances each has one
   parts_per_meter_ = static_cast<double>(parts) / (end() - begin());
   for (std::size_t i = 0; i < parts; ++i) {
     const double s = begin() + static_cast<double>(i) / parts_per_meter_;
@@ -44,22 +50,8 @@ Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
   }
 }
 
-/// The first point that is not before s. Where there are many, from what is known of its part: back
-/// as far as rounding has put it, or forward.
-std::vector<Profile::Point>::const_iterator Profile::first_from(double s) const {
-  auto from = points_.begin();
-  auto to = points_.end();
-  if (!first_in_.empty()) {
-    if (!(s > begin())) return from;
-    if (s > end()) return to;
-    const auto part = static_cast<std::size_t>((s - begin()) * parts_per_meter_);
-    from += first_in_[std::min(part, first_in_.size() - 1)];
-    while (from != points_.begin() && !((from - 1)->s < s)) --from;
-    constexpr int kNear = 4;
-    for (int i = 0; i < kNear; ++i, ++from)
-      if (!(from->s < s)) return from;
-    if (part + 2 < first_in_.size()) to = points_.begin() + first_in_[part + 2];
-  }
+/// The first point from `from` to `to` that is not before s, or `to`.
+Profile::Place Profile::search(double s, Place from, Place to) const {
   return std::lower_bound(from, to, s, [](const Point& p, double at) { return p.s < at; });
 }
 
@@ -70,42 +62,28 @@ std::span<const Profile::Point> Profile::points_between(double s0, double s1) co
   return {first, last};
 }
 
-Profile::Value Profile::at(double s) const {
-  if (points_.empty()) return {};
-  const auto right = first_from(s);
-  if (right == points_.end()) return {points_.back().z, 0.0};
-  if (right->s > s) {
-    if (right == points_.begin()) return {right->z, 0.0};
-    const auto left = right - 1;
-    const double slope = slopes_[static_cast<std::size_t>(left - points_.begin())];
-    return {left->z + slope * (s - left->s), slope};
-  }
-  Value value{right->z, 0.0};
-  auto last = right;
-  for (auto p = right; p != points_.end() && p->s == s; last = p++) {
-    value.height = std::max(value.height, p->z);
-  }
-  if (const auto next = last + 1; next != points_.end()) {
-    value.slope = (next->z - last->z) / (next->s - last->s);
-  }
-  return value;
-}
+Profile::Value Profile::at(double s) const { return at(s, first_from(s)); }
 
-double Profile::area(double s) const {
-  const auto right = first_from(s);
-  if (right == points_.begin()) return (s - right->s) * right->z;
-  const auto left = right - 1;
-  const auto i = static_cast<std::size_t>(left - points_.begin());
-  const double way = s - left->s;  // slopes_ of the last point is 0: beyond the end it is level
-  return areas_[i] + way * (left->z + 0.5 * slopes_[i] * way);
-}
+double Profile::area(double s) const { return area(s, first_from(s)); }
 
 Profile::Extremes Profile::between(double s0, double s1) const {
   const double z0 = at(s0).height, z1 = at(s1).height;
   Extremes extremes{std::min(z0, z1), std::max(z0, z1)};
-  for (auto p = first_from(s0); p != points_.end() && p->s <= s1; ++p) {
-    extremes.lowest = std::min(extremes.lowest, p->z);
-    extremes.highest = std::max(extremes.highest, p->z);
+  const auto add = [&](double lowest, double highest) {
+    extremes.lowest = std::min(extremes.lowest, lowest);
+    extremes.highest = std::max(extremes.highest, highest);
+  };
+  const auto points = points_between(s0, s1);
+  auto i = static_cast<std::size_t>(points.data() - points_.data());
+  const std::size_t end = i + points.size();
+  while (i < end) {
+    if (i % kFew == 0 && i + kFew <= end) {
+      add(of_several_[i / kFew].lowest, of_several_[i / kFew].highest);
+      i += kFew;
+    } else {
+      add(points_[i].z, points_[i].z);
+      ++i;
+    }
   }
   return extremes;
 }

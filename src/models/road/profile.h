@@ -10,6 +10,7 @@
 // Beyond its ends a profile keeps the height it ends with.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -40,6 +41,8 @@ class Profile {
   /// Over s0 <= s <= s1.
   Extremes between(double s0, double s1) const;
   const std::vector<Point>& points() const { return points_; }
+  /// Asks places one after the other that are close to each other: from where the last one was.
+  class Walk;
   /// Those with s0 <= s <= s1.
   std::span<const Point> points_between(double s0, double s1) const;
   bool empty() const { return points_.empty(); }
@@ -49,15 +52,100 @@ class Profile {
   double reach() const { return reach_; }
 
  private:
-  std::vector<Point>::const_iterator first_from(double s) const;
+  using Place = std::vector<Point>::const_iterator;
+
+  Place first_from(double s) const;
+  /// From `near` on, where it is near.
+  Place first_from(double s, Place near) const;
+  Place search(double s, Place from, Place to) const;
+  Value at(double s, Place right) const;
+  double area(double s, Place right) const;
 
   std::vector<Point> points_;
-  std::vector<double> areas_;   // of each point
-  std::vector<double> slopes_;  // from each point to the next; 0 of flanks
-  std::vector<int> first_in_;   // the first point from each of equal parts on, one a point; or none
+  std::vector<double> areas_;         // of each point
+  std::vector<double> slopes_;        // from each point to the next; 0 of flanks
+  std::vector<Extremes> of_several_;  // of z, of sixteen points each
+  std::vector<int> first_in_;  // the first point from each of equal parts on, one a point; or none
   double parts_per_meter_ = 0.0;
   double reach_ = 0.0;
 };
+
+class Profile::Walk {
+ public:
+  explicit Walk(const Profile& profile) : profile_(&profile), right_(profile.points_.begin()) {}
+
+  /// The same bits as the profile's.
+  Value at(double s) {
+    right_ = profile_->first_from(s, right_);
+    return profile_->at(s, right_);
+  }
+  double area(double s) {
+    right_ = profile_->first_from(s, right_);
+    return profile_->area(s, right_);
+  }
+
+ private:
+  const Profile* profile_;
+  Place right_;
+};
+
+/// The first point that is not before s. Where there are many, from what is known of its part: back
+/// as far as rounding has put it, or forward.
+inline Profile::Place Profile::first_from(double s) const {
+  auto from = points_.begin();
+  auto to = points_.end();
+  if (!first_in_.empty()) {
+    if (!(s > begin())) return from;
+    if (s > end()) return to;
+    const auto part = static_cast<std::size_t>((s - begin()) * parts_per_meter_);
+    from += first_in_[std::min(part, first_in_.size() - 1)];
+    while (from != points_.begin() && !((from - 1)->s < s)) --from;
+    constexpr int kNear = 4;
+    for (int i = 0; i < kNear; ++i, ++from)
+      if (!(from->s < s)) return from;
+    if (part + 2 < first_in_.size()) to = points_.begin() + first_in_[part + 2];
+  }
+  return search(s, from, to);
+}
+
+inline Profile::Place Profile::first_from(double s, Place near) const {
+  if (!first_in_.empty()) return first_from(s);
+  if (near == points_.end() || !(near->s < s)) {
+    while (near != points_.begin() && !((near - 1)->s < s)) --near;
+    return near;
+  }
+  do ++near;
+  while (near != points_.end() && near->s < s);
+  return near;
+}
+
+inline Profile::Value Profile::at(double s, Place right) const {
+  if (points_.empty()) return {};
+  if (right == points_.end()) return {points_.back().z, 0.0};
+  if (right->s > s) {
+    if (right == points_.begin()) return {right->z, 0.0};
+    const auto left = right - 1;
+    const double slope = slopes_[static_cast<std::size_t>(left - points_.begin())];
+    return {left->z + slope * (s - left->s), slope};
+  }
+  Value value{right->z, 0.0};
+  auto last = right;
+  for (auto p = right; p != points_.end() && p->s == s; last = p++) {
+    value.height = std::max(value.height, p->z);
+  }
+  if (const auto next = last + 1; next != points_.end()) {
+    value.slope = (next->z - last->z) / (next->s - last->s);
+  }
+  return value;
+}
+
+inline double Profile::area(double s, Place right) const {
+  if (right == points_.begin()) return (s - right->s) * right->z;
+  const auto left = right - 1;
+  const auto i = static_cast<std::size_t>(left - points_.begin());
+  const double way = s - left->s;  // slopes_ of the last point is 0: beyond the end it is level
+  return areas_[i] + way * (left->z + 0.5 * slopes_[i] * way);
+}
 
 /// A bar of `length` across s = 0. A bevel of 45 deg takes `bevel` off its upper edges along both
 /// directions; the flanks below are vertical. A negative height is a groove, beveled at its rim.

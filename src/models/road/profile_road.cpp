@@ -7,6 +7,11 @@
 #include <limits>
 
 namespace latsch::road {
+namespace {
+
+constexpr double kShortest = 1e-4;  // m: of shorter ways areas cancel
+
+}  // namespace
 
 ProfileRoad::ProfileRoad(const Settings& settings)
     : settings_(settings), cos_(std::cos(settings.angle)), sin_(std::sin(settings.angle)) {
@@ -54,7 +59,6 @@ double ProfileRoad::height(double x, double y, double time) const {
 
 std::optional<double> ProfileRoad::mean_along(const Eigen::Vector2d& begin,
                                               const Eigen::Vector2d& way) const {
-  constexpr double kShortest = 1e-4;  // m: below it areas cancel
   const Profile& along = settings_.along;
   if (along.empty() || std::abs(way.x()) < kShortest) return std::nullopt;
   const Eigen::Vector2d end = begin + way;
@@ -131,6 +135,79 @@ GroundPoint ProfileRoad::at(double x, double y, double time) const {
   return ground;
 }
 
+/// Place after place along the row; the walks stay where they are asked.
+void ProfileRoad::below(const GroundRow& row, double time, const RowGround& ground) const {
+  const double shift = settings_.belt.distance(time) - settings_.origin.x();
+  const Eigen::Vector3d velocity(-settings_.belt.speed(time), 0.0, 0.0);
+  const double begin = settings_.along.begin(), end = settings_.along.end();
+  Profile::Walk along(settings_.along);
+  std::optional<Profile::Walk> across;
+  if (settings_.across) across.emplace(*settings_.across);
+  const bool level = is_level_across(row, time);
+  struct Here {
+    double s, number, height;
+    Profile::Value along, across;
+    bool on_obstacle;
+  };
+  const auto see = [&](double x, double y) {
+    const double forward = x + shift, left = y - settings_.origin.y();
+    Here here{.s = forward * cos_ + left * sin_,
+              .number = 0.0,
+              .height = 0.0,
+              .along = {},
+              .across = {1.0, 0.0},
+              .on_obstacle = true};
+    if (settings_.pitch > 0.0) {
+      here.number = number_at(here.s);
+      here.s -= here.number * settings_.pitch;
+    }
+    here.along = along.at(here.s);
+    here.on_obstacle = here.s >= begin && here.s <= end;
+    if (across) {
+      const double t = left * cos_ - forward * sin_;
+      here.across = across->at(t);
+      here.on_obstacle =
+          here.on_obstacle && t >= settings_.across->begin() && t <= settings_.across->end();
+    }
+    here.height = here.along.height * here.across.height;
+    return here;
+  };
+  Here from = see(row.border_x[0], row.border_y[0]);
+  double area = level ? along.area(from.s) : 0.0;
+  ground.border_height[0] = from.height;
+  for (int j = 0; j < row.count; ++j) {
+    const Here middle = see(row.x[j], row.y[j]), to = see(row.border_x[j + 1], row.border_y[j + 1]);
+    const double area_to = level ? along.area(to.s) : 0.0, way = to.s - from.s;
+    ground.border_height[j + 1] = to.height;
+    ground.height[j] = ground.mean[j] = middle.height;
+    if (!is_straight(from.height, middle.height, to.height))
+      ground.mean[j] = level && to.number == from.number && std::abs(way) >= kShortest
+                           ? from.across.height * (area_to - area) / way
+                           : mean_height({row.border_x[j], row.border_y[j]},
+                                         {row.border_x[j + 1], row.border_y[j + 1]},
+                                         time);
+    const double by_s = middle.along.slope * middle.across.height;  // dz/ds
+    const double by_t = middle.along.height * middle.across.slope;  // dz/dt
+    ground.slope[0][j] = by_s * cos_ - by_t * sin_;
+    ground.slope[1][j] = by_s * sin_ + by_t * cos_;
+    ground.friction[j] = middle.on_obstacle ? settings_.obstacle_friction : settings_.friction;
+    for (int i = 0; i < 3; ++i) ground.velocity[i][j] = velocity[i];
+    from = to;
+    area = area_to;
+  }
+}
+
+/// Whether the factor across is the same at all borders of a row and between them.
+bool ProfileRoad::is_level_across(const GroundRow& row, double time) const {
+  if (!settings_.across) return true;
+  const double shift = settings_.belt.distance(time) - settings_.origin.x();
+  Span t{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (int j = 0; j <= row.count; ++j)
+    t.add((row.border_y[j] - settings_.origin.y()) * cos_ - (row.border_x[j] + shift) * sin_);
+  return settings_.across->points_between(t.from, t.to).empty() &&
+         settings_.across->at(t.from).slope == 0.0;
+}
+
 /// A plane where the whole box is beside the sections or on one straight piece, as long as what
 /// stands across does not change in it.
 GroundBounds ProfileRoad::bounds(const GroundBox& box, double time) const {
@@ -152,9 +229,11 @@ GroundBounds ProfileRoad::bounds(const GroundBox& box, double time) const {
   const double front = two ? s.to - last * settings_.pitch : settings_.pitch;
   const Span beyond{std::min(0.0, s.from - first * settings_.pitch),
                     std::max(settings_.pitch, s.to - last * settings_.pitch)};
-  return {std::max({bounds_between({rear, two ? settings_.pitch : beyond.to}, t).highest,
-                    bounds_between({two ? 0.0 : beyond.from, front}, t).highest}),
-          false};
+  const GroundBounds behind = bounds_between({rear, two ? settings_.pitch : beyond.to}, t),
+                     ahead = bounds_between({two ? 0.0 : beyond.from, front}, t);
+  return {.highest = std::max(behind.highest, ahead.highest),
+          .plane = false,
+          .lines_differ = behind.lines_differ || ahead.lines_differ};
 }
 
 GroundBounds ProfileRoad::bounds_between(Span s, Span t) const {
@@ -164,15 +243,17 @@ GroundBounds ProfileRoad::bounds_between(Span s, Span t) const {
   const bool beside = s.to < settings_.along.begin() || s.from > settings_.along.end();
   const Profile::Extremes along = settings_.along.between(s.from, s.to);
   const bool straight = beside || !corner_in(settings_.along, s);
-  if (!settings_.across) return {along.highest, straight};
+  if (!settings_.across)
+    return {.highest = along.highest, .plane = straight, .lines_differ = sin_ != 0.0};
   const Profile::Extremes across = settings_.across->between(t.from, t.to);
   const bool level = along.highest == 0.0 && along.lowest == 0.0;
   const bool uniform = across.lowest == across.highest && !corner_in(*settings_.across, t);
-  return {std::max({along.highest * across.highest,
-                    along.highest * across.lowest,
-                    along.lowest * across.highest,
-                    along.lowest * across.lowest}),
-          uniform ? straight : beside && level};
+  return {.highest = std::max({along.highest * across.highest,
+                               along.highest * across.lowest,
+                               along.lowest * across.highest,
+                               along.lowest * across.lowest}),
+          .plane = uniform ? straight : beside && level,
+          .lines_differ = !uniform || sin_ != 0.0};
 }
 
 ProfileRoad cleat_road(double x, double height, double length, double bevel, double angle) {

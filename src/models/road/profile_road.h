@@ -41,6 +41,7 @@ class ProfileRoad final : public Road {
   double mean_height(const Eigen::Vector2d& from,
                      const Eigen::Vector2d& to,
                      double time) const override;
+  void below(const GroundRow& row, double time, const RowGround& ground) const override;
   GroundBounds bounds(const GroundBox& box, double time) const override;
 
  private:
@@ -57,6 +58,7 @@ class ProfileRoad final : public Road {
     }
   };
   GroundBounds bounds_between(Span s, Span t) const;
+  bool is_level_across(const GroundRow& row, double time) const;
   /// s and t of a place.
   Eigen::Vector2d local(double x, double y, double time) const;
   double number_at(double s) const;

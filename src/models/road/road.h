@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -17,6 +18,23 @@ struct GroundPoint {
   double friction = 1.0;                               // factor on the tire's own friction
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m/s, of the ground's material
   Eigen::Vector3d turning = Eigen::Vector3d::Zero();   // rad/s, of it: what stands higher is faster
+};
+
+/// A row of pieces one behind the other, as of tread: places of their middles and of the count + 1
+/// borders before, between and behind them, m.
+struct GroundRow {
+  int count;
+  const double *x, *y, *border_x, *border_y;
+};
+
+/// What is below a row; of each piece, and of each border.
+struct RowGround {
+  double* border_height;  // m
+  double* height;         // m, in the middle
+  double* mean;         // m, from border to border; where that is as good as straight, the middle's
+  double* slope[2];     // dz/dx, dz/dy in the middle
+  double* friction;     // factor, there
+  double* velocity[3];  // m/s, there, of the ground's material
 };
 
 /// A rectangle of the ground, m.
@@ -38,7 +56,15 @@ struct GroundBounds {
   double highest = std::numeric_limits<double>::infinity();  // m: no point of it is higher
   bool plane = false;  // all of it is the plane and the friction that `at` finds in its middle
   std::optional<Cylinder> cylinder = std::nullopt;  // all of it is that
+  // A line in it may be a plane though all of it is none.
+  bool lines_differ = true;
 };
+
+/// Whether heights at two places and between them are as good as on one straight line.
+inline bool is_straight(double from, double middle, double to) {
+  constexpr double kStraight = 1e-6;  // m
+  return std::abs(from + to - 2.0 * middle) <= kStraight;
+}
 
 class Road {
  public:
@@ -57,6 +83,8 @@ class Road {
   /// Empty where the road is known at that place; else what ends there, in words: beyond its data
   /// `at` is a guess that no car should roll on unasked (models/car/car.h).
   virtual std::string beyond(double x, double y) const;
+  /// All of a row at once, as `at`, `height` and `mean_height` have it up to rounding.
+  virtual void below(const GroundRow& row, double time, const RowGround& ground) const;
   /// For tires that ask thousands of points a step. Nothing is promised unless a road overrides it.
   virtual GroundBounds bounds(const GroundBox&, double) const { return {}; }
 };

@@ -385,6 +385,106 @@ TEST(Road, MeanHeightIsTheIntegralOverTheWay) {
   }
 }
 
+CrgGrid bumpy_grid(RandomStream& random, double du) {
+  CrgGrid grid{.u_begin = 0.0, .u_increment = du};
+  for (int i = 0; i < 60; ++i) {
+    grid.line.emplace_back(-0.3 + du * i, 0.01 * i * du);
+    grid.line_height.push_back(0.001 * i * i * du);
+  }
+  for (double v = -0.5; v <= 0.51; v += 0.07) grid.v.push_back(v);
+  for (std::size_t i = 0; i < grid.line.size() * grid.v.size(); ++i)
+    grid.z.push_back(0.02 * random.uniform());
+  return grid;
+}
+
+// The same of roads that are continuous; the waves' own rule is for ways short against a wave.
+TEST(Road, MeanHeightOfTrianglesGridsAndWavesIsTheIntegral) {
+  RandomStream random(5, 2);
+  const TriangleRoad kerb(kerb_triangles({.shape = Kerb::Shape::sine,
+                                          .pitch = 0.1,
+                                          .width = 1.0,
+                                          .height = 0.02,
+                                          .count = 4,
+                                          .ramp = 0.48,
+                                          .start = {0.0, -0.5},
+                                          .angle = 0.1},
+                                         0.5));
+  const CrgRoad grid(bumpy_grid(random, 0.02));
+  const WaveRoad waves(
+      {.start = -0.05, .amplitude_begin = 0.02, .amplitude_end = 0.02, .wave_length_begin = 1.3});
+  for (const Road* road : std::initializer_list<const Road*>{&kerb, &grid, &waves})
+    for (int i = 0; i < 100; ++i) {
+      const Eigen::Vector2d from(0.3 * random.uniform() - 0.05, 0.1 * random.uniform() - 0.05);
+      const double reach = road == &waves ? 0.04 : 0.1;
+      const Eigen::Vector2d to =
+          from + reach * Eigen::Vector2d(random.uniform() - 0.3, random.uniform() - 0.5);
+      if (road == &waves && std::min(from.x(), to.x()) < -0.05) continue;
+      constexpr int kParts = 4000;
+      double sum = 0.0;
+      for (int k = 0; k < kParts; ++k) {
+        const Eigen::Vector2d at = from + (k + 0.5) / kParts * (to - from);
+        sum += road->height(at.x(), at.y(), 0.0) / kParts;
+      }
+      // A corner within a part of so many counts by its square; kerbs have a few hundred.
+      EXPECT_NEAR(road->mean_height(from, to, 0.0), sum, 2e-8) << from << " " << to;
+    }
+}
+
+// Up to rounding: rows that lean, cross seams and edges, on sections, triangles, beside all.
+TEST(Road, BelowARowIsWhatIsBelowEachOfItsPlaces) {
+  RandomStream random(5, 3);
+  Kerb ramped{.pitch = 0.1, .width = 0.2, .height = 0.02, .count = 3, .ramp = 0.05, .angle = 0.3};
+  const Kerb sine{.shape = Kerb::Shape::sine,
+                  .pitch = 0.3,
+                  .width = 0.4,
+                  .height = -0.03,
+                  .count = 2,
+                  .friction = 0.7};
+  const ProfileRoad kerb = kerb_road(ramped), fine = kerb_road(sine);
+  const ProfileRoad belt({.along = cleat_profile(0.02, 0.03, 0.0), .pitch = 0.2, .belt = 2.0});
+  const PlacedRoad placed(std::make_unique<ProfileRoad>(fine), 0.7, {0.1, 0.0, 0.3});
+  const TriangleRoad triangles(kerb_triangles(sine, 0.2));
+  constexpr int kCount = 7;
+  for (const Road* road :
+       std::initializer_list<const Road*>{&kerb, &fine, &belt, &placed, &triangles})
+    for (int row = 0; row < 200; ++row) {
+      const Eigen::Vector2d start(0.9 * random.uniform() - 0.2, 0.5 * random.uniform() - 0.1);
+      const Eigen::Vector2d step(0.01 * random.uniform(), 0.002 * (random.uniform() - 0.5));
+      const double time = random.uniform();
+      double x[kCount], y[kCount], border_x[kCount + 1], border_y[kCount + 1];
+      for (int j = 0; j <= kCount; ++j) {
+        border_x[j] = start.x() + j * step.x();
+        border_y[j] = start.y() + j * step.y();
+        if (j == kCount) continue;
+        x[j] = border_x[j] + 0.5 * step.x();
+        y[j] = border_y[j] + 0.5 * step.y();
+      }
+      double at[9][kCount + 1];
+      road->below({kCount, x, y, border_x, border_y},
+                  time,
+                  {.border_height = at[0],
+                   .height = at[1],
+                   .mean = at[2],
+                   .slope = {at[3], at[4]},
+                   .friction = at[5],
+                   .velocity = {at[6], at[7], at[8]}});
+      for (int j = 0; j <= kCount; ++j)
+        EXPECT_NEAR(at[0][j], road->height(border_x[j], border_y[j], time), 1e-13);
+      for (int j = 0; j < kCount; ++j) {
+        const GroundPoint there = road->at(x[j], y[j], time);
+        EXPECT_NEAR(at[1][j], there.height, 1e-13);
+        EXPECT_NEAR(
+            at[2][j],
+            road->mean_height({border_x[j], border_y[j]}, {border_x[j + 1], border_y[j + 1]}, time),
+            1e-6);
+        for (int i = 0; i < 2; ++i)
+          EXPECT_NEAR(at[3 + i][j], -there.normal[i] / there.normal.z(), 1e-12);
+        EXPECT_EQ(at[5][j], there.friction);
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(at[6 + i][j], there.velocity[i], 1e-13);
+      }
+    }
+}
+
 // Where places are farther apart than sections, adding one to the number of a section leaves it.
 TEST(Road, MeanHeightFarOutComesToAnEnd) {
   const ProfileRoad row({.along = cleat_profile(0.02, 0.03, 0.005), .pitch = 0.2});

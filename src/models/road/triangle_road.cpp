@@ -36,6 +36,17 @@ bool TriangleRoad::Facet::covers(const Vector2d& p) const {
          cross(a - c, p - c) >= least;
 }
 
+/// Which share of a way from a place inside, or on the way there, leads out of it.
+double TriangleRoad::Facet::end_of(const Vector2d& from, const Vector2d& way) const {
+  double end = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const Vector2d &a = corners[i], edge = corners[(i + 1) % 3] - a;
+    const double leaves = -cross(edge, way);
+    if (leaves > 0.0) end = std::min(end, cross(edge, from - a) / leaves);
+  }
+  return end;
+}
+
 Vector2d TriangleRoad::Facet::nearest(const Vector2d& p) const {
   if (covers(p)) return p;
   Vector2d best = corners[0];
@@ -83,6 +94,19 @@ void TriangleRoad::build_facets() {
   }
 }
 
+/// Length over width of a typical triangle: the geometric mean, which a few long ones do not turn.
+double TriangleRoad::shape_of_facets() const {
+  constexpr double kThinnest = 1e-9;  // m
+  double sum = 0.0;
+  for (const Facet& facet : facets_) {
+    const auto& [a, b, c] = facet.corners;
+    const Vector2d size =
+        (a.cwiseMax(b).cwiseMax(c) - a.cwiseMin(b).cwiseMin(c)).cwiseMax(kThinnest);
+    sum += std::log(size.x() / size.y());
+  }
+  return std::exp(sum / static_cast<double>(facets_.size()));
+}
+
 void TriangleRoad::build_grid() {
   low_ = high_ = facets_.front().corners[0];
   for (const Facet& facet : facets_) {
@@ -93,9 +117,10 @@ void TriangleRoad::build_grid() {
   }
   const Vector2d extent = (high_ - low_).cwiseMax(1e-9);
   double cell = std::sqrt(extent.prod() / static_cast<double>(facets_.size()));
+  const double stretch = std::sqrt(shape_of_facets());
   for (;; cell *= 2.0) {
-    columns_ = static_cast<int>(std::clamp(extent.x() / cell, 1.0, kMostCells));
-    rows_ = static_cast<int>(std::clamp(extent.y() / cell, 1.0, kMostCells));
+    columns_ = static_cast<int>(std::clamp(extent.x() / (cell * stretch), 1.0, kMostCells));
+    rows_ = static_cast<int>(std::clamp(extent.y() / cell * stretch, 1.0, kMostCells));
     if (double(columns_) * rows_ > kMostCells) continue;
     size_ = {extent.x() / columns_, extent.y() / rows_};
     double entries = 0.0;
@@ -168,17 +193,33 @@ void TriangleRoad::find_covered() {
   constexpr double kRounding = 1e-9;
   highest_ = facets_.front().highest();
   for (const Facet& facet : facets_) highest_ = std::max(highest_, facet.highest());
-  covered_.assign(static_cast<std::size_t>(columns_) * rows_, false);
+  cells_.clear();
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
       const Vector2d corner = low_ + Vector2d(column * size_.x(), row * size_.y());
+      Cell cell{-std::numeric_limits<double>::infinity(), -1, true, false};
       double area = 0.0;
       in_cell(column, row, [&](int number) {
-        area += area_within(facets_[number].corners, corner, corner + size_);
+        const Facet& facet = facets_[number];
+        area += area_within(facet.corners, corner, corner + size_);
+        if (cell.facet < 0) cell.facet = number;
+        cell.highest = std::max(cell.highest, facet.highest());
+        cell.plane = cell.plane && facet.continues(facets_[cell.facet]);
       });
-      covered_[row * columns_ + column] = std::abs(area / size_.prod() - 1.0) < kRounding;
+      cell.covered = std::abs(area / size_.prod() - 1.0) < kRounding;
+      cells_.push_back(cell);
     }
   }
+}
+
+bool TriangleRoad::is_covered(const GroundBox& box) const {
+  if (!(box.x0 >= low_.x() && box.y0 >= low_.y() && box.x1 <= high_.x() && box.y1 <= high_.y()))
+    return false;
+  const auto from = cell_of({box.x0, box.y0}), to = cell_of({box.x1, box.y1});
+  for (int row = from[1]; row <= to[1]; ++row)
+    for (int column = from[0]; column <= to[0]; ++column)
+      if (!cells_[row * columns_ + column].covered) return false;
+  return true;
 }
 
 GroundBounds TriangleRoad::bounds(const GroundBox& box, double) const {
@@ -190,15 +231,12 @@ GroundBounds TriangleRoad::bounds(const GroundBox& box, double) const {
   const Facet* first = nullptr;
   for (int row = from[1]; row <= to[1]; ++row) {
     for (int column = from[0]; column <= to[0]; ++column) {
-      if (!covered_[row * columns_ + column]) return {highest_, false};
-      in_cell(column, row, [&](int number) {
-        const Facet& facet = facets_[number];
-        if (!first) first = &facet;
-        bounds.highest = std::max(bounds.highest, facet.highest());
-        bounds.plane = bounds.plane && facet.slope == first->slope &&
-                       facet.friction == first->friction &&
-                       std::abs(first->z(facet.corners[0]) - facet.z0) <= 1e-12;
-      });
+      const Cell& cell = cells_[row * columns_ + column];
+      if (!cell.covered) return {highest_, false};
+      bounds.highest = std::max(bounds.highest, cell.highest);
+      const Facet& facet = facets_[cell.facet];
+      if (!first) first = &facet;
+      bounds.plane = bounds.plane && cell.plane && facet.continues(*first);
     }
   }
   return bounds;
@@ -275,6 +313,30 @@ TriangleRoad::Hit TriangleRoad::find_nearest(const Vector2d& p) const {
 }
 
 double TriangleRoad::height(double x, double y, double) const { return find({x, y}).z; }
+
+/// From triangle to triangle, where these lie beside each other; else by samples.
+double TriangleRoad::mean_height(const Vector2d& from, const Vector2d& to, double time) const {
+  if (!is_covered({std::min(from.x(), to.x()),
+                   std::max(from.x(), to.x()),
+                   std::min(from.y(), to.y()),
+                   std::max(from.y(), to.y())}))
+    return Road::mean_height(from, to, time);
+  constexpr double kNext = 1e-9;  // of the way, beyond an edge
+  constexpr int kMost = 4096;     // triangles
+  const Vector2d way = to - from;
+  double done = 0.0, sum = 0.0;
+  for (int i = 0; i < kMost; ++i) {
+    const Hit hit = find(from + std::min(1.0, done + kNext) * way);
+    if (!hit.inside) break;
+    const Facet& facet = facets_[hit.facet];
+    const double end = std::max(done + kNext, facet.end_of(from, way));
+    const double next = std::min(1.0, end);
+    sum += (next - done) * facet.z(from + 0.5 * (done + next) * way);
+    done = next;
+    if (done >= 1.0) return sum;
+  }
+  return Road::mean_height(from, to, time);
+}
 
 GroundPoint TriangleRoad::at(double x, double y, double) const {
   const Hit hit = find({x, y});

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "models/road/road.h"
@@ -33,6 +34,9 @@ class TriangleRoad final : public Road {
   double height(double x, double y, double time) const override;
   /// Beside the mesh and in its holes.
   std::string beyond(double x, double y) const override;
+  double mean_height(const Eigen::Vector2d& from,
+                     const Eigen::Vector2d& to,
+                     double time) const override;
   /// Exact to the cells of the grid; where those are not covered the highest of all nodes.
   GroundBounds bounds(const GroundBox& box, double time) const override;
 
@@ -53,8 +57,14 @@ class TriangleRoad final : public Road {
     double friction = 1.0;
 
     double z(const Eigen::Vector2d& p) const { return z0 + slope.dot(p - corners[0]); }
+    /// Whether both are one plane of one friction.
+    bool continues(const Facet& other) const {
+      return slope == other.slope && friction == other.friction &&
+             std::abs(other.z(corners[0]) - z0) <= 1e-12;
+    }
     double highest() const { return std::max({z(corners[0]), z(corners[1]), z(corners[2])}); }
     bool covers(const Eigen::Vector2d& p) const;
+    double end_of(const Eigen::Vector2d& from, const Eigen::Vector2d& way) const;
     Eigen::Vector2d nearest(const Eigen::Vector2d& p) const;
   };
   struct Hit {
@@ -64,6 +74,8 @@ class TriangleRoad final : public Road {
   };
 
   void build_facets();
+  double shape_of_facets() const;
+  bool is_covered(const GroundBox& box) const;
   void build_grid();
   void find_covered();
   std::array<int, 2> cell_of(const Eigen::Vector2d& p) const;
@@ -77,10 +89,17 @@ class TriangleRoad final : public Road {
   std::vector<Facet> facets_;
   Eigen::Vector2d low_, high_, size_;  // of all, of a cell
   int columns_ = 1, rows_ = 1;
-  std::vector<int> begins_;    // of each cell in members_
-  std::vector<int> members_;   // facets
-  std::vector<bool> covered_;  // cells without a hole
-  double highest_ = 0.0;       // m, of all facets
+  std::vector<int> begins_;   // of each cell in members_
+  std::vector<int> members_;  // facets
+  /// What is in a cell of the grid.
+  struct Cell {
+    double highest;
+    int facet;     // its first; none: -1
+    bool plane;    // all are in the plane of that
+    bool covered;  // it has no hole
+  };
+  std::vector<Cell> cells_;
+  double highest_ = 0.0;  // m, of all facets
 };
 
 }  // namespace latsch::road

@@ -27,6 +27,10 @@ class WaveRoad final : public Road {
   explicit WaveRoad(const Settings& settings);
 
   GroundPoint at(double x, double y, double time) const override;
+  /// Of waves that are long against the way by Gauss' rule of three places: to 1e-9 of the height.
+  double mean_height(const Eigen::Vector2d& from,
+                     const Eigen::Vector2d& to,
+                     double time) const override;
   GroundBounds bounds(const GroundBox& box, double time) const override;
 
  private:

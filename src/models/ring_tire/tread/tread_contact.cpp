@@ -39,7 +39,8 @@ TreadContact::TreadContact(const Tread& tread,
       damping_time_(tread.damping_time),
       positive_(tread.positive),
       bottom_(tread.bottoming * tread.height),
-      law_(tread.friction) {
+      law_(tread.friction),
+      row_((tread.blocks + kWide - 1) / kWide * kWide) {
   const int all = nodes * lines_ * blocks_;
   area_ = 2.0 * std::numbers::pi * radius * tread.width / all;
   normal_ = tread.positive * tread.young_modulus * area_ / tread.height;
@@ -220,7 +221,7 @@ TreadContact::Ground TreadContact::ground_below(int first_line,
   const road::GroundBox box = below(first_line, last_line);
   const road::GroundBounds bounds = road.bounds(box, time);
   if (bounds.cylinder) return *bounds.cylinder;
-  if (!bounds.plane) return {};
+  if (!bounds.plane) return Uneven{bounds.highest, bounds.lines_differ};
   const double x = 0.5 * (box.x0 + box.x1), y = 0.5 * (box.y0 + box.y1);
   const road::GroundPoint ground = road.at(x, y, time);
   return Plane{ground, ground.normal.dot(Vector3d(x, y, ground.height))};
@@ -247,15 +248,21 @@ void TreadContact::find_level_blocks(Patch& patch, const road::GroundPoint& grou
   patch.ground = {.height = ground.height,
                   .velocity = {ground.velocity.x(), ground.velocity.y(), ground.velocity.z()},
                   .friction = ground.friction};
+  narrow(patch, find_lowest_tips(), patch.ground.height + margin_);
+}
+
+/// z of the lowest of the lines' tips at each station of the last patch.
+const double* TreadContact::find_lowest_tips() {
   double* lowest = at_stations(kStationColumns - 1);
-  if (section_rise_.empty())
+  if (section_rise_.empty()) {
     lowest_tips(at_stations(kP), lines(), stride_, lowest);
-  else
-    for (int j = 0; j < blocks_; ++j) {
-      lowest[j] = tip(0, j).z();
-      for (int line = 1; line < lines_; ++line) lowest[j] = std::min(lowest[j], tip(line, j).z());
-    }
-  narrow(patch, lowest, patch.ground.height + margin_);
+    return lowest;
+  }
+  for (int j = 0; j < blocks_; ++j) {
+    lowest[j] = tip(0, j).z();
+    for (int line = 1; line < lines_; ++line) lowest[j] = std::min(lowest[j], tip(line, j).z());
+  }
+  return lowest;
 }
 
 /// The plane that a block's cell sees on a drum: the tangent, at the mean height over the cell.
@@ -278,15 +285,19 @@ void TreadContact::find_uneven_blocks(Patch& patch,
                                       const Ground& ground,
                                       const road::Road& road,
                                       double time) {
-  const int whole = patch.end;
-  patch.begin = whole;
-  patch.end = 0;
   const std::size_t at = patches_.size() - 1;
-  const bool known = !std::holds_alternative<std::monostate>(ground);
+  const Uneven* uneven = std::get_if<Uneven>(&ground);
+  const bool known = !uneven || !uneven->lines_differ;
+  if (uneven) {
+    narrow(patch, find_lowest_tips(), uneven->highest + margin_);
+    if (patch.begin == patch.end) return;
+  }
+  patch.begin = stride_;
+  patch.end = 0;
   for (int line = 0; line < lines_; ++line) {
     const Ground own = known ? ground : ground_below(line, line, road, time);
     for (int c = kNormal; c <= kFriction; ++c)
-      std::fill_n(column(at, c) + line * stride_, whole, c == kLevel ? -kNoRoad : 0.0);
+      std::fill_n(column(at, c) + line * stride_, stride_, c == kLevel ? -kNoRoad : 0.0);
     const auto [begin, end] = find_line(at, line, own, road, time);
     if (begin == end) continue;
     patch.begin = std::min(patch.begin, begin);
@@ -298,59 +309,63 @@ void TreadContact::find_uneven_blocks(Patch& patch,
 /// Blocks of one line near the road and the planes below them.
 std::pair<int, int> TreadContact::find_line(
     std::size_t patch, int line, const Ground& ground, const road::Road& road, double time) {
-  int begin = 0, end = blocks_;
-  const auto narrow = [&](const auto& above) {
-    while (begin < end && above(begin)) ++begin;
-    while (end > begin && above(end - 1)) --end;
-  };
-  if (const Plane* plane = std::get_if<Plane>(&ground)) {
-    narrow([&](int j) { return plane->ground.normal.dot(tip(line, j)) > plane->level + margin_; });
-    for (int j = begin; j < end; ++j)
-      place_ground(patch, line * stride_ + j, plane->ground, plane->level);
-  } else {
-    narrow([&](int j) {
-      const Vector3d at = tip(line, j);
-      return at.z() > road.height(at.x(), at.y(), time) + margin_;
-    });
-    place_cells(patch, line, begin, end, road, time);
+  const Plane* plane = std::get_if<Plane>(&ground);
+  if (!plane) {
+    const Uneven* uneven = std::get_if<Uneven>(&ground);
+    constexpr double kUnknown = std::numeric_limits<double>::infinity();
+    return place_cells(patch, line, uneven ? uneven->highest : kUnknown, road, time);
   }
+  int begin = 0, end = blocks_;
+  const auto above = [&](int j) {
+    return plane->ground.normal.dot(tip(line, j)) > plane->level + margin_;
+  };
+  while (begin < end && above(begin)) ++begin;
+  while (end > begin && above(end - 1)) --end;
+  for (int j = begin; j < end; ++j)
+    place_ground(patch, line * stride_ + j, plane->ground, plane->level);
   return {begin, end};
 }
 
-/// Below each block the plane that its cell sees on an uneven road: its mean height, its slope
-/// along the cell from end to end, across it and all else from the middle. So edges shorter than a
-/// cell come gradually.
-void TreadContact::place_cells(
-    std::size_t patch, int line, int begin, int end, const road::Road& road, double time) {
-  const auto border = [&](int j) -> Vector3d {  // between the cells j - 1 and j
-    if (blocks_ == 1) return tip(line, 0);
-    if (j == 0) return 1.5 * tip(line, 0) - 0.5 * tip(line, 1);
-    if (j == blocks_) return 1.5 * tip(line, j - 1) - 0.5 * tip(line, j - 2);
-    return 0.5 * (tip(line, j - 1) + tip(line, j));
+/// Below each block of a line near the road the plane that its cell sees on an uneven road: its
+/// mean height, its slope along the cell from end to end, across it and all else from the middle.
+/// So edges shorter than a cell come gradually. No place of the road is above `highest`.
+std::pair<int, int> TreadContact::place_cells(
+    std::size_t patch, int line, double highest, const road::Road& road, double time) {
+  row_.place_tips(at_stations(kP), lines(patches_[patch].segment), line);
+  const double *x = row_.x(), *y = row_.y(), *z = row_.z();
+  int begin = 0, end = blocks_;
+  const auto narrow = [&](const auto& height) {
+    while (begin < end && z[begin] > height(begin) + margin_) ++begin;
+    while (end > begin && z[end - 1] > height(end - 1) + margin_) --end;
   };
-  constexpr double kStraight = 1e-6;  // m
-  const auto height = [&](const Vector3d& at) { return road.height(at.x(), at.y(), time); };
-  Vector3d from = border(begin);
-  double from_height = height(from);
-  for (int j = begin; j < end; ++j) {
-    const Vector3d to = border(j + 1), at = tip(line, j);
-    const double to_height = height(to);
-    road::GroundPoint ground = road.at(at.x(), at.y(), time);
-    const Eigen::Vector2d along = (to - from).head<2>();
-    const double length = along.norm();
-    if (length > 0.0) {
-      Eigen::Vector2d slope = -ground.normal.head<2>() / ground.normal.z();
-      const Eigen::Vector2d e = along / length;
-      slope += ((to_height - from_height) / length - slope.dot(e)) * e;
-      ground.normal = Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
-      if (std::abs(from_height + to_height - 2.0 * ground.height) > kStraight)
-        ground.height = road.mean_height(from.head<2>(), to.head<2>(), time);
-    }
-    const double level = ground.normal.dot(Vector3d(at.x(), at.y(), ground.height));
-    place_ground(patch, line * stride_ + j, ground, level);
-    from = to;
-    from_height = to_height;
-  }
+  narrow([&](int) { return highest; });
+  narrow([&](int j) { return road.height(x[j], y[j], time); });
+  if (begin == end) return {begin, end};
+  row_.place_borders(begin, end, blocks_);
+  BlockGround to = ground(patch);
+  const int first = line * stride_;
+  for (double** column : {&to.N[0],
+                          &to.N[1],
+                          &to.N[2],
+                          &to.level,
+                          &to.velocity[0],
+                          &to.velocity[1],
+                          &to.velocity[2],
+                          &to.friction})
+    *column += first;
+  const double *border_x = row_.border_x(), *border_y = row_.border_y();
+  road.below(
+      {end - begin, x + begin, y + begin, border_x + begin, border_y + begin},
+      time,
+      {.border_height = row_.border_height() + begin,
+       .height = row_.height() + begin,
+       .mean = to.level + begin,
+       .slope = {to.N[0] + begin, to.N[1] + begin},
+       .friction = to.friction + begin,
+       .velocity = {to.velocity[0] + begin, to.velocity[1] + begin, to.velocity[2] + begin}});
+  if (!cell_planes({begin, end, x, y, border_x, border_y, row_.border_height()}, to))
+    knows_road_ = false;
+  return {begin, end};
 }
 
 /// The plane of the road below a block.

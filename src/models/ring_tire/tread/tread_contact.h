@@ -35,6 +35,7 @@
 #include "models/ring_tire/tread/block_forces.h"
 #include "models/ring_tire/tread/tread_friction.h"
 #include "models/ring_tire/tread/tread_memory.h"
+#include "models/ring_tire/tread/tread_row.h"
 #include "models/tire/footprint.h"
 
 namespace latsch::ring_tire {
@@ -219,16 +220,21 @@ class TreadContact {
     road::GroundPoint ground;
     double level;  // N . G
   };
-  using Ground = std::variant<std::monostate, Plane, road::Cylinder>;
+  struct Uneven {
+    double highest;     // m
+    bool lines_differ;  // below one of the lines it may be a plane
+  };
+  using Ground = std::variant<Uneven, Plane, road::Cylinder>;
   Ground ground_below(int first_line, int last_line, const road::Road& road, double time) const;
   /// Stations of a patch of which the nearest tip is not above `reach`.
   void narrow(Patch& patch, const double* nearest, double reach) const;
   void widen(Patch& patch) const;
+  const double* find_lowest_tips();
   void find_level_blocks(Patch& patch, const road::GroundPoint& ground);
   void find_blocks_on_drum(Patch& patch, const road::Cylinder& drum);
   void find_uneven_blocks(Patch& patch, const Ground& ground, const road::Road& road, double time);
-  void place_cells(
-      std::size_t patch, int line, int begin, int end, const road::Road& road, double time);
+  std::pair<int, int> place_cells(
+      std::size_t patch, int line, double highest, const road::Road& road, double time);
   std::pair<int, int> find_line(
       std::size_t patch, int line, const Ground& ground, const road::Road& road, double time);
   road::GroundBox below(int first_line, int last_line) const;
@@ -296,6 +302,7 @@ class TreadContact {
   Eigen::Vector3d a_ = Eigen::Vector3d::UnitY();
   std::vector<Patch> patches_;  // around the ring
   std::vector<double> frames_, memory_, stations_;
+  TreadRow row_;
   Eigen::Vector3d moment_on_rim_ = Eigen::Vector3d::Zero();
   std::vector<std::uint8_t> entering_;  // of each eight stations of a patch
   std::vector<StationStiffness> station_stiffness_;
