@@ -21,10 +21,10 @@ class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinka
       : numbers_(numbers), corner_(suspension::read_corner(numbers.root())) {}
 
   Result<Channels> load(const KcTest& test, const Asked& asked) override {
-    std::vector<Stiffnesses> varied;
+    KcSlopes slopes{{}, asked.channels};
     for (const std::string& path : asked.paths)
-      varied.push_back(suspension::stiffnesses_at(numbers_, path));
-    return run(statics(), test, varied);
+      slopes.varied.push_back(suspension::stiffnesses_at(numbers_, path));
+    return run(statics(), test, slopes);
   }
   Result<Channels> compliance(const KcTest& test) override {
     return compliance_matrices(statics(), test);

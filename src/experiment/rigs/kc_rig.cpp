@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "models/multibody/equilibrium.h"
 
 namespace latsch::experiment {
@@ -46,9 +48,7 @@ Eigen::VectorXd KcTest::slope_weights() const {
   return from_mean / square;
 }
 
-Result<Channels> run(const DoubleWishbone& corner,
-                     const KcTest& test,
-                     const std::vector<Stiffnesses>& varied) {
+Result<Channels> run(const DoubleWishbone& corner, const KcTest& test, const KcSlopes& asked) {
   const multibody::Mechanism mechanism(corner.bodies(), corner.joints());
   multibody::Equilibrium statics(mechanism);
   suspension::WheelPoints points = corner.wheel();
@@ -61,7 +61,16 @@ Result<Channels> run(const DoubleWishbone& corner,
   const multibody::Poses& poses = stands.poses;
   const Vector6d rest = as_vector(wheel_position(points, poses[DoubleWishbone::kUpright]));
   const Eigen::Index states = test.loads.cols();
-  const auto numbers = static_cast<Eigen::Index>(varied.size());
+  const auto numbers = static_cast<Eigen::Index>(asked.varied.size());
+  const auto is_asked = [&](const std::string& channel) {
+    return numbers > 0 &&
+           std::find(asked.channels.begin(), asked.channels.end(), channel) != asked.channels.end();
+  };
+  std::vector<int> followed;  // what moves whose slopes are wanted
+  for (int m = 0; m < 6; ++m)
+    if (is_asked(KcTest::kMoved[static_cast<std::size_t>(m)]) ||
+        (test.slopes_by && is_asked(test.slope_name(m))))
+      followed.push_back(m);
   Eigen::MatrixXd moved(states, 6);
   std::vector<Eigen::MatrixXd> slopes(6, Eigen::MatrixXd(states, numbers));
   for (Eigen::Index i = 0; i < states; ++i) {
@@ -74,29 +83,31 @@ Result<Channels> run(const DoubleWishbone& corner,
     stands = std::move(*found);
     const multibody::Pose& upright = poses[DoubleWishbone::kUpright];
     moved.row(i) = as_vector(wheel_position(points, upright)) - rest;
-    if (varied.empty()) continue;
+    if (followed.empty()) continue;
     if (const std::string trouble = statics.linearize(stands, standing); !trouble.empty())
       return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, trouble)};
-    Eigen::MatrixXd by_pose = Eigen::MatrixXd::Zero(6 * DoubleWishbone::kBodies, 6);
-    by_pose.middleRows<6>(6 * DoubleWishbone::kUpright) = wheel_slopes(points, upright).transpose();
+    Eigen::MatrixXd by_pose =
+        Eigen::MatrixXd::Zero(6 * DoubleWishbone::kBodies, std::ssize(followed));
+    by_pose.middleRows<6>(6 * DoubleWishbone::kUpright) =
+        wheel_slopes(points, upright).transpose()(Eigen::all, followed);
     const Eigen::MatrixXd by_stiffness = statics.by_stiffness(poses, by_pose);
-    for (int m = 0; m < 6; ++m)
+    for (Eigen::Index f = 0; f < std::ssize(followed); ++f)
       for (Eigen::Index v = 0; v < numbers; ++v) {
         double slope = 0.0;
-        for (const auto& [joint, axis] : varied[static_cast<std::size_t>(v)])
-          slope += by_stiffness(m, 6 * joint + axis);
+        for (const auto& [joint, axis] : asked.varied[static_cast<std::size_t>(v)])
+          slope += by_stiffness(f, 6 * joint + axis);
+        const int m = followed[static_cast<std::size_t>(f)];
         slopes[static_cast<std::size_t>(m)](i, v) = slope;
       }
   }
   Channels channels;
-  const auto add = [&](std::string name,
+  const auto add = [&](const std::string& name,
                        std::string unit,
                        const Eigen::VectorXd& values,
                        const Eigen::MatrixXd& by) {
-    channels.add({std::move(name),
-                  std::move(unit),
-                  {values.begin(), values.end()},
-                  {by.data(), by.data() + by.size()}});
+    Channel channel{name, std::move(unit), {values.begin(), values.end()}};
+    if (is_asked(name)) channel.slopes.assign(by.data(), by.data() + by.size());
+    channels.add(std::move(channel));
   };
   for (std::size_t i = 0; i < 6; ++i)
     if (test.stated[i])

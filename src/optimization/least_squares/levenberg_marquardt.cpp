@@ -235,6 +235,7 @@ std::vector<DesignPoint> LevenbergMarquardt::propose(int count) const {
   Plan plan(count);
   plan.add(state_->wanted);
   for (const bool succeeds : {true, false}) {
+    if (plan.is_full()) break;
     State future = *state_;
     while (!plan.is_full() && !future.wanted.empty()) {
       const Attempt first = *future.wanted.take(future.wanted.front().point);
