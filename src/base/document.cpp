@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/document_node.h"
-#include "base/document_number.h"
 #include "base/document_tree.h"
 #include "base/file.h"
 #include "base/text.h"
@@ -15,7 +14,7 @@ namespace {
 /// The value a path leads to, which must be a number.
 int number_at(const DocumentTree& tree, std::string_view path, const Document& document) {
   const int index = tree.find(path);
-  if (index >= 0 && number_of(tree.value(index))) return index;
+  if (index >= 0 && tree.value(index).number) return index;
   if (index >= 0)
     throw InputError(tree.place(index),
                      std::string(path) + " is " + written(tree.value(index)) +
@@ -33,20 +32,21 @@ Document Document::read(const std::filesystem::path& file) {
 Document Document::parse(std::string_view text, std::string file_name) {
   Document document;
   document.tree_ = std::make_shared<DocumentTree>(text, std::move(file_name));
+  document.changes_ = std::make_shared<DocumentChanges>();
   return document;
 }
 
 Node Document::root() const {
   return Node(std::make_shared<Node::Impl>(
-      Node::Impl{tree_, std::make_shared<DocumentAsked>(), DocumentTree::kRoot}));
+      Node::Impl{tree_, changes_, std::make_shared<DocumentAsked>(), DocumentTree::kRoot}));
 }
 
 double Document::get(std::string_view path) const {
-  return number_of(tree_->value(number_at(*tree_, path, *this)))->si;
+  return tree_->si(number_at(*tree_, path, *this), *changes_);
 }
 
 std::string Document::unit(std::string_view path) const {
-  return si_unit(number_of(tree_->value(number_at(*tree_, path, *this)))->unit.dimension());
+  return si_unit(tree_->value(number_at(*tree_, path, *this)).number->unit.dimension());
 }
 
 void Document::set(std::string_view path, double value) {
@@ -55,18 +55,18 @@ void Document::set(std::string_view path, double value) {
     throw InputError(tree_->place(index),
                      std::string(path) + " cannot become " + format_number(value));
   // Copies of this document and nodes read from it keep what they have.
-  if (tree_.use_count() > 1) tree_ = std::make_shared<DocumentTree>(*tree_);
-  set_number(tree_->value(index), value);
+  if (changes_.use_count() > 1) changes_ = std::make_shared<DocumentChanges>(*changes_);
+  (*changes_)[index] = value;
 }
 
 std::vector<std::string> Document::paths() const {
   std::vector<std::string> paths;
   for (int i = 0; i < tree_->size(); ++i)
-    if (number_of(tree_->value(i))) paths.push_back(tree_->value(i).path);
+    if (tree_->value(i).number) paths.push_back(tree_->value(i).path);
   return paths;
 }
 
-std::string Document::text() const { return tree_->text(); }
+std::string Document::text() const { return tree_->text(*changes_); }
 
 const std::string& Document::file() const { return tree_->file(); }
 

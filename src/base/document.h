@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,7 +31,7 @@ struct Range {
   static Range between(double lower, double upper) { return {lower, upper, false}; }
 };
 
-class DocumentTree;  // the parsed file
+class DocumentTree;  // the parsed file: document_tree.h
 
 /// One table of a Document. Every get remembers its key; close() then rejects keys nobody asked
 /// for.
@@ -127,7 +128,8 @@ class Document {
   const std::string& file() const;
 
  private:
-  std::shared_ptr<DocumentTree> tree_;  // changed by its only owner
+  std::shared_ptr<const DocumentTree> tree_;
+  std::shared_ptr<std::map<int, double>> changes_;  // changed by its only owner
 };
 
 }  // namespace latsch

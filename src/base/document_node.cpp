@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/document_number.h"
 #include "base/text.h"
 
 namespace latsch {
@@ -67,16 +66,21 @@ bool contains(const Range& range, double value) {
 }
 
 double read_number(const DocumentTree& tree,
-                   const DocumentValue& value,
+                   const DocumentChanges& changes,
+                   int index,
                    const Unit& expected,
                    const Range& range) {
-  const auto number = number_of(value);
+  const auto& number = tree.value(index).number;
+  const auto reject = [&](const std::string& message) {
+    reject_value(tree, tree.value(index), message);
+  };
   if (!number || !number->unit.same_dimension(expected))
-    reject_value(tree, value, fault_of(value, expected));
-  if (!contains(range, number->si))
-    reject_value(
-        tree, value, "is " + written(value) + ", expected " + describe(range, number->unit));
-  return number->si;
+    reject(fault_of(tree.value_now(index, changes), expected));
+  const double si = tree.si(index, changes);
+  if (!contains(range, si))
+    reject("is " + written(tree.value_now(index, changes)) + ", expected " +
+           describe(range, number->unit));
+  return si;
 }
 
 }  // namespace
@@ -99,10 +103,9 @@ std::string written(const DocumentValue& value) {
   return "";
 }
 
-const DocumentValue* Node::Impl::ask(std::string_view key) const {
+int Node::Impl::ask(std::string_view key) const {
   (*asked)[index].emplace(key);
-  const int child = tree->child(index, key);
-  return child < 0 ? nullptr : &tree->value(child);
+  return tree->child(index, key);
 }
 
 void Node::Impl::reject_missing(std::string_view key, const std::string& expected) const {
@@ -123,13 +126,13 @@ void Node::Impl::reject_missing(std::string_view key, const std::string& expecte
       (path.empty() ? "" : path + ".") + std::string(key) + " is missing, " + expected);
 }
 
-bool Node::has(std::string_view key) const { return impl_->ask(key) != nullptr; }
+bool Node::has(std::string_view key) const { return impl_->ask(key) >= 0; }
 
 double Node::quantity(std::string_view key, std::string_view unit, Range range) const {
   const Unit expected = Unit::of(unit);
-  const DocumentValue* value = impl_->ask(key);
-  if (!value) impl_->reject_missing(key, "expected " + expectation(expected));
-  return read_number(*impl_->tree, *value, expected, range);
+  const int value = impl_->ask(key);
+  if (value < 0) impl_->reject_missing(key, "expected " + expectation(expected));
+  return read_number(*impl_->tree, *impl_->changes, value, expected, range);
 }
 
 double Node::quantity(std::string_view key,
@@ -143,21 +146,22 @@ std::vector<double> Node::quantities(std::string_view key,
                                      std::string_view unit,
                                      Range range) const {
   const Unit expected = Unit::of(unit);
-  const DocumentValue* list = impl_->ask(key);
-  const std::string wanted = "expected a list of values, each " + expectation(expected);
-  if (!list) impl_->reject_missing(key, wanted);
-  if (list->kind != Kind::list) reject(key, "is " + written(*list) + ", " + wanted);
+  const int list = impl_->ask(key);
+  const auto wanted = [&] { return "expected a list of values, each " + expectation(expected); };
+  if (list < 0) impl_->reject_missing(key, wanted());
+  if (impl_->kind(list) != Kind::list)
+    reject(key, "is " + written(impl_->now(list)) + ", " + wanted());
   std::vector<double> values;
-  for (const int child : list->children)
-    values.push_back(read_number(*impl_->tree, impl_->tree->value(child), expected, range));
+  for (const int child : impl_->tree->value(list).children)
+    values.push_back(read_number(*impl_->tree, *impl_->changes, child, expected, range));
   return values;
 }
 
 std::vector<double> Node::one_or_more(std::string_view key,
                                       std::string_view unit,
                                       Range range) const {
-  const DocumentValue* value = impl_->ask(key);
-  if (value && value->kind != Kind::list) return {quantity(key, unit, range)};
+  const int value = impl_->ask(key);
+  if (value >= 0 && impl_->kind(value) != Kind::list) return {quantity(key, unit, range)};
   return quantities(key, unit, range);
 }
 
@@ -166,15 +170,16 @@ std::vector<std::vector<double>> Node::rows(std::string_view key,
   std::vector<Unit> expected;
   expected.reserve(units.size());
   for (const std::string& unit : units) expected.push_back(Unit::of(unit));
-  const DocumentValue* list = impl_->ask(key);
+  const int list = impl_->ask(key);
   const std::string wanted = fmt::format("expected a list of rows of {} values", units.size());
-  if (!list) impl_->reject_missing(key, wanted);
-  if (list->kind != Kind::list) reject(key, "is " + written(*list) + ", " + wanted);
+  if (list < 0) impl_->reject_missing(key, wanted);
+  if (impl_->kind(list) != Kind::list)
+    reject(key, "is " + written(impl_->now(list)) + ", " + wanted);
   std::vector<std::vector<double>> rows;
-  for (const int child : list->children) {
+  for (const int child : impl_->tree->value(list).children) {
     const DocumentValue& row = impl_->tree->value(child);
     if (row.kind != Kind::list)
-      reject_value(*impl_->tree, row, "is " + written(row) + ", " + wanted);
+      reject_value(*impl_->tree, row, "is " + written(impl_->now(child)) + ", " + wanted);
     if (row.children.size() != units.size())
       reject_value(
           *impl_->tree,
@@ -184,20 +189,21 @@ std::vector<std::vector<double>> Node::rows(std::string_view key,
     rows.emplace_back();
     for (std::size_t i = 0; i < units.size(); ++i)
       rows.back().push_back(
-          read_number(*impl_->tree, impl_->tree->value(row.children[i]), expected[i], {}));
+          read_number(*impl_->tree, *impl_->changes, row.children[i], expected[i], {}));
   }
   return rows;
 }
 
 long Node::integer(std::string_view key, long lower, long upper) const {
-  const DocumentValue* value = impl_->ask(key);
+  const int index = impl_->ask(key);
   const std::string wanted = fmt::format("expected an integer from {} to {}", lower, upper);
-  if (!value) impl_->reject_missing(key, wanted);
-  if (value->kind == Kind::number && value->integer && value->unit.empty()) {
-    const long found = std::stol(value->text);
+  if (index < 0) impl_->reject_missing(key, wanted);
+  const DocumentValue value = impl_->now(index);
+  if (value.kind == Kind::number && value.integer && value.unit.empty()) {
+    const long found = std::stol(value.text);
     if (found >= lower && found <= upper) return found;
   }
-  reject(key, "is " + written(*value) + ", " + wanted);
+  reject(key, "is " + written(value) + ", " + wanted);
 }
 
 long Node::integer(std::string_view key, long lower, long upper, long fallback) const {
@@ -205,18 +211,19 @@ long Node::integer(std::string_view key, long lower, long upper, long fallback) 
 }
 
 bool Node::flag(std::string_view key, bool fallback) const {
-  const DocumentValue* value = impl_->ask(key);
-  if (!value) return fallback;
-  if (value->kind != Kind::flag) reject(key, "is " + written(*value) + ", expected true or false");
-  return value->flag;
+  const int value = impl_->ask(key);
+  if (value < 0) return fallback;
+  if (impl_->kind(value) != Kind::flag)
+    reject(key, "is " + written(impl_->now(value)) + ", expected true or false");
+  return impl_->tree->value(value).flag;
 }
 
 std::string Node::text(std::string_view key) const {
-  const DocumentValue* value = impl_->ask(key);
-  if (!value) impl_->reject_missing(key, "expected a text in quotes");
-  if (value->kind != Kind::text)
-    reject(key, "is " + written(*value) + ", expected a text in quotes");
-  return value->text;
+  const int index = impl_->ask(key);
+  if (index < 0) impl_->reject_missing(key, "expected a text in quotes");
+  DocumentValue value = impl_->now(index);
+  if (value.kind != Kind::text) reject(key, "is " + written(value) + ", expected a text in quotes");
+  return std::move(value.text);
 }
 
 std::string Node::text(std::string_view key, std::string_view fallback) const {
@@ -224,14 +231,15 @@ std::string Node::text(std::string_view key, std::string_view fallback) const {
 }
 
 std::string Node::choice(std::string_view key, const std::vector<std::string>& allowed) const {
-  const DocumentValue* value = impl_->ask(key);
-  if (!value) impl_->reject_missing(key, "expected " + list_of(allowed));
-  if (value->kind == Kind::text &&
-      std::find(allowed.begin(), allowed.end(), value->text) != allowed.end())
-    return value->text;
+  const int index = impl_->ask(key);
+  if (index < 0) impl_->reject_missing(key, "expected " + list_of(allowed));
+  const DocumentValue value = impl_->now(index);
+  if (value.kind == Kind::text &&
+      std::find(allowed.begin(), allowed.end(), value.text) != allowed.end())
+    return value.text;
   reject(key,
-         "is " + written(*value) + ", expected " + list_of(allowed) +
-             (value->kind == Kind::text ? did_you_mean(value->text, allowed) : ""));
+         "is " + written(value) + ", expected " + list_of(allowed) +
+             (value.kind == Kind::text ? did_you_mean(value.text, allowed) : ""));
 }
 
 std::string Node::choice(std::string_view key,
@@ -241,13 +249,14 @@ std::string Node::choice(std::string_view key,
 }
 
 std::vector<std::string> Node::texts(std::string_view key) const {
-  const DocumentValue* list = impl_->ask(key);
+  const int list = impl_->ask(key);
   const std::string wanted = "expected a list of texts in quotes";
-  if (!list) impl_->reject_missing(key, wanted);
-  if (list->kind != Kind::list) reject(key, "is " + written(*list) + ", " + wanted);
+  if (list < 0) impl_->reject_missing(key, wanted);
+  if (impl_->kind(list) != Kind::list)
+    reject(key, "is " + written(impl_->now(list)) + ", " + wanted);
   std::vector<std::string> texts;
-  for (const int child : list->children) {
-    const DocumentValue& value = impl_->tree->value(child);
+  for (const int child : impl_->tree->value(list).children) {
+    const DocumentValue value = impl_->now(child);
     if (value.kind != Kind::text)
       reject_value(*impl_->tree, value, "is " + written(value) + ", expected a text in quotes");
     texts.push_back(value.text);
@@ -262,26 +271,26 @@ Node Node::table(std::string_view key) const {
 }
 
 std::optional<Node> Node::find_table(std::string_view key) const {
-  const DocumentValue* value = impl_->ask(key);
-  if (!value) return std::nullopt;
-  if (value->kind != Kind::table) reject(key, "is " + written(*value) + ", expected a table");
-  return Node(std::make_shared<Impl>(
-      Impl{impl_->tree, impl_->asked, impl_->tree->child(impl_->index, key)}));
+  const int value = impl_->ask(key);
+  if (value < 0) return std::nullopt;
+  if (impl_->kind(value) != Kind::table)
+    reject(key, "is " + written(impl_->now(value)) + ", expected a table");
+  return Node(std::make_shared<Impl>(Impl{impl_->tree, impl_->changes, impl_->asked, value}));
 }
 
 std::vector<Node> Node::named_tables(std::string_view key) const {
-  const DocumentValue* parent = impl_->ask(key);
+  const int index = impl_->ask(key);
   std::vector<Node> nodes;
-  if (!parent) return nodes;
-  if (parent->kind != Kind::table && parent->kind != Kind::list)
-    reject(key, "is " + written(*parent) + ", expected tables below it");
-  const int index = impl_->tree->child(impl_->index, key);
-  for (const int child : parent->children) {
+  if (index < 0) return nodes;
+  if (impl_->kind(index) != Kind::table && impl_->kind(index) != Kind::list)
+    reject(key, "is " + written(impl_->now(index)) + ", expected tables below it");
+  for (const int child : impl_->tree->value(index).children) {
     const DocumentValue& value = impl_->tree->value(child);
     if (value.kind != Kind::table)
-      reject_value(*impl_->tree, value, "is " + written(value) + ", expected a table");
+      reject_value(*impl_->tree, value, "is " + written(impl_->now(child)) + ", expected a table");
     (*impl_->asked)[index].emplace(value.key);
-    nodes.push_back(Node(std::make_shared<Impl>(Impl{impl_->tree, impl_->asked, child})));
+    nodes.push_back(
+        Node(std::make_shared<Impl>(Impl{impl_->tree, impl_->changes, impl_->asked, child})));
   }
   return nodes;
 }
@@ -321,7 +330,7 @@ void Node::close() const {
     const bool list_of_tables =
         value.kind == Kind::list && !value.children.empty() && is_table(value.children.front());
     if (is_table(child) || list_of_tables)
-      Node(std::make_shared<Impl>(Impl{impl_->tree, impl_->asked, child})).close();
+      Node(std::make_shared<Impl>(Impl{impl_->tree, impl_->changes, impl_->asked, child})).close();
   }
 }
 

@@ -17,12 +17,15 @@ using DocumentAsked = std::map<int, std::set<std::string, std::less<>>>;
 
 struct Node::Impl {
   std::shared_ptr<const DocumentTree> tree;
+  std::shared_ptr<const DocumentChanges> changes;
   std::shared_ptr<DocumentAsked> asked;
   int index;
 
   const DocumentValue& value() const { return tree->value(index); }
-  /// The value of that key, which now counts as asked for; nullptr where the file has none.
-  const DocumentValue* ask(std::string_view key) const;
+  /// The value of that key, which now counts as asked for; -1 where the file has none.
+  int ask(std::string_view key) const;
+  DocumentValue::Kind kind(int i) const { return tree->value(i).kind; }
+  DocumentValue now(int i) const { return tree->value_now(i, *changes); }
   /// InputError for a key that is not there, at the one that was probably meant to be it.
   [[noreturn]] void reject_missing(std::string_view key, const std::string& expected) const;
 };

@@ -28,10 +28,9 @@ std::optional<DocumentNumber> number_of(const DocumentValue& value) {
   return number;
 }
 
-void set_number(DocumentValue& value, double si) {
-  const auto number = number_of(value);
-  assert(number && std::isfinite(si));
-  std::string digits = number->unit.exact_number(si);
+DocumentValue with_number(DocumentValue value, double si) {
+  assert(value.number && std::isfinite(si));
+  std::string digits = value.number->unit.exact_number(si);
   if (value.kind == DocumentValue::Kind::text) {
     const std::string_view old = split_number(value.text)->digits;
     digits += value.text.substr(old.data() + old.size() - value.text.data());
@@ -42,7 +41,8 @@ void set_number(DocumentValue& value, double si) {
     if (like_integer && !value.integer) digits += ".0";
   }
   value.text = digits;
-  value.changed = true;
+  value.number->si = si;
+  return value;
 }
 
 }  // namespace latsch

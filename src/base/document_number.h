@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// A value of a document as a number: "2.6 bar", 0.49, or 310 in {unit = "mm", values = [310]}.
+// A value of a document as a number, from its text and back into it.
 #pragma once
 
 #include <optional>
 
 #include "base/document_tree.h"
-#include "base/units.h"
 
 namespace latsch {
-
-struct DocumentNumber {
-  Unit unit;
-  double si = 0.0;
-};
 
 /// Nothing where the value does not stand for a finite number.
 std::optional<DocumentNumber> number_of(const DocumentValue& value);
 
-/// Writes the SI value in the unit the file has.
-void set_number(DocumentValue& value, double si);
+/// The value with another number, SI, written in the unit the file has.
+DocumentValue with_number(DocumentValue value, double si);
 
 }  // namespace latsch

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/document_number.h"
 #include "base/text.h"
 
 namespace latsch {
@@ -205,6 +206,7 @@ DocumentTree::DocumentTree(std::string_view source, std::string file) : file_(st
   try {
     const toml::table table = toml::parse(std::string_view(source_), std::string_view(file_));
     DocumentBuilder(*this).add(table, "", "", 0);
+    for (DocumentValue& value : values_) value.number = number_of(value);
   } catch (const toml::parse_error& error) {
     std::string what = "not valid TOML: " + std::string(error.description());
     if (what.find("utf-8") != what.npos) what += "; save the file as UTF-8";
@@ -226,28 +228,37 @@ int DocumentTree::find(std::string_view path) const {
   return found == by_path_.end() ? -1 : found->second;
 }
 
-std::string DocumentTree::text() const {
-  std::vector<const DocumentValue*> changed;
-  for (const DocumentValue& value : values_)
-    if (value.changed) changed.push_back(&value);
-  std::sort(changed.begin(), changed.end(), [](const auto* a, const auto* b) {
-    return a->begin < b->begin;
+double DocumentTree::si(int i, const DocumentChanges& changes) const {
+  const auto changed = changes.find(i);
+  return changed == changes.end() ? values_[i].number->si : changed->second;
+}
+
+DocumentValue DocumentTree::value_now(int i, const DocumentChanges& changes) const {
+  const auto changed = changes.find(i);
+  return changed == changes.end() ? values_[i] : with_number(values_[i], changed->second);
+}
+
+std::string DocumentTree::text(const DocumentChanges& changes) const {
+  std::vector<DocumentValue> changed;
+  for (const auto& [index, si] : changes) changed.push_back(with_number(values_[index], si));
+  std::sort(changed.begin(), changed.end(), [](const auto& a, const auto& b) {
+    return a.begin < b.begin;
   });
   std::string text;
   std::size_t copied = 0;
-  for (const DocumentValue* value : changed) {
-    text.append(source_, copied, value->begin - copied);
-    if (value->kind == DocumentValue::Kind::text) {
+  for (const DocumentValue& value : changed) {
+    text.append(source_, copied, value.begin - copied);
+    if (value.kind == DocumentValue::Kind::text) {
       text += '"';
-      for (const char c : value->text) {
+      for (const char c : value.text) {
         if (c == '"' || c == '\\') text += '\\';
         text += c;
       }
       text += '"';
     } else {
-      text += value->text;
+      text += value.text;
     }
-    copied = value->end;
+    copied = value.end;
   }
   return text.append(source_, copied);
 }

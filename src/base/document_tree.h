@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parsed file behind a Document: every value with its path, its place and the characters it was
-// written with, so that a changed number replaces just these and comments stay.
+// The parsed file behind a Document: every value with its path, its place, the characters it was
+// written with and the number it stands for. It never changes: numbers that were set since are kept
+// beside it and replace just these characters where a text is wanted, so that comments stay, copies
+// share the file and nobody reads its text twice.
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/error.h"
+#include "base/units.h"
 
 namespace latsch {
+
+/// "2.6 bar", 0.49, or 310 in {unit = "mm", values = [310]}.
+struct DocumentNumber {
+  Unit unit;
+  double si = 0.0;
+};
 
 /// One value of the file. A table {unit = "mm", values = [...]} is a list with that unit.
 struct DocumentValue {
@@ -25,10 +35,13 @@ struct DocumentValue {
   std::string text;      // what a text says; of other scalars the characters in the source
   bool integer = false;  // a number without decimal point
   bool flag = false;
-  bool changed = false;       // by set(): the source holds an older text
   std::string unit;           // what {unit, values} names; "" where every number has its own
   std::vector<int> children;  // of a table or list, in the order of the file
+  std::optional<DocumentNumber> number;  // none where it stands for no finite number
 };
+
+/// Numbers in the place of those of the file, SI, by the value they stand at.
+using DocumentChanges = std::map<int, double>;
 
 class DocumentTree {
  public:
@@ -37,7 +50,6 @@ class DocumentTree {
 
   const std::string& file() const { return file_; }
   const DocumentValue& value(int i) const { return values_[i]; }
-  DocumentValue& value(int i) { return values_[i]; }
   static constexpr int kRoot = 0;
   static constexpr std::size_t kLargestFile = 4u << 20;  // bytes
   /// -1 where the table has no such key.
@@ -47,8 +59,12 @@ class DocumentTree {
   int size() const { return static_cast<int>(values_.size()); }
   Place place(int i) const { return {file_, values_[i].line}; }
 
-  /// The source with the values that were changed.
-  std::string text() const;
+  /// The number at a value that has one.
+  double si(int i, const DocumentChanges& changes) const;
+  /// A value as it would be written now.
+  DocumentValue value_now(int i, const DocumentChanges& changes) const;
+  /// The source with other numbers.
+  std::string text(const DocumentChanges& changes) const;
 
  private:
   friend class DocumentBuilder;

@@ -65,12 +65,48 @@ constexpr KnownDimension kKnown[] = {
     {"W", "a power", "5 kW"},
 };
 
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (static_cast<unsigned char>(c) & 0x80);
+}
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Whether digits stand in the unit as exponents only ("mm^2", "m-2") or as the 1 of "1/s": a unit
+/// "3 bar" would make "2.6 3 bar" a quantity.
+bool digits_are_exponents(std::string_view unit) {
+  if (unit == "1") return true;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (!is_digit(unit[i])) continue;
+    if (i == 0 && unit.starts_with("1/")) continue;
+    std::size_t before = i;
+    if (before > 0 && (unit[before - 1] == '-' || unit[before - 1] == '+')) --before;
+    if (before == 0 || !(is_letter(unit[before - 1]) || unit[before - 1] == '^')) return false;
+    std::size_t end = i;
+    while (end < unit.size() && is_digit(unit[end])) ++end;
+    if (end - i > 1) return false;
+    i = end - 1;
+  }
+  return true;
+}
+
+/// "0.0254" for the double nearest to it: decimal factors then are decimal to 64 bits.
+long double as_decimal(double value) {
+  const std::string digits = fmt::format("{}", value);
+  long double decimal = value;
+  std::from_chars(digits.data(), digits.data() + digits.size(), decimal);
+  return decimal;
+}
+
+bool may_be_unit(std::string_view text) {
+  return !text.empty() && text.size() <= kLongestUnit && text.find('\0') == text.npos &&
+         digits_are_exponents(text);
+}
+
 /// The unit database: read once; UDUNITS-2 keeps state, so one thread at a time.
 class Database {
  public:
   struct Entry {
     Unit::Dimension dimension;
-    double factor, offset;
+    long double factor, offset;
   };
 
   static Database& instance() {
@@ -78,10 +114,12 @@ class Database {
     return database;
   }
 
-  std::optional<Entry> find(const std::string& text) {
+  /// `text` is trimmed.
+  std::optional<Entry> find(std::string_view text) {
     const std::lock_guard lock(mutex_);
     if (const auto known = known_.find(text); known != known_.end()) return known->second;
-    const std::optional<Entry> entry = parse(text);
+    if (!may_be_unit(text)) return std::nullopt;
+    const std::optional<Entry> entry = parse(std::string(text));
     if (entry && known_.size() < kMostRemembered) known_.emplace(text, *entry);
     return entry;
   }
@@ -121,10 +159,11 @@ class Database {
     const std::unique_ptr<cv_converter, FreeConverter> to_si(
         ut_get_converter(unit.get(), si.get()));
     if (!to_si) return std::nullopt;
-    entry.offset = cv_convert_double(to_si.get(), 0.0);
-    entry.factor = cv_convert_double(to_si.get(), 1.0) - entry.offset;
-    if (!std::isfinite(entry.offset) || !std::isfinite(entry.factor) || entry.factor == 0.0)
-      return std::nullopt;
+    const double offset = cv_convert_double(to_si.get(), 0.0);
+    const double factor = cv_convert_double(to_si.get(), 1.0) - offset;
+    if (!std::isfinite(offset) || !std::isfinite(factor) || factor == 0.0) return std::nullopt;
+    entry.offset = as_decimal(offset);
+    entry.factor = as_decimal(factor);
     return entry;
   }
 
@@ -176,54 +215,20 @@ class Database {
   std::mutex mutex_;
   ut_system* system_ = nullptr;  // lives as long as the program
   std::array<UnitPointer, 8> base_;
-  std::map<std::string, Entry> known_;
+  std::map<std::string, Entry, std::less<>> known_;
 };
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (static_cast<unsigned char>(c) & 0x80);
-}
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// Whether digits stand in the unit as exponents only ("mm^2", "m-2") or as the 1 of "1/s": a unit
-/// "3 bar" would make "2.6 3 bar" a quantity.
-bool digits_are_exponents(std::string_view unit) {
-  if (unit == "1") return true;
-  for (std::size_t i = 0; i < unit.size(); ++i) {
-    if (!is_digit(unit[i])) continue;
-    if (i == 0 && unit.starts_with("1/")) continue;
-    std::size_t before = i;
-    if (before > 0 && (unit[before - 1] == '-' || unit[before - 1] == '+')) --before;
-    if (before == 0 || !(is_letter(unit[before - 1]) || unit[before - 1] == '^')) return false;
-    std::size_t end = i;
-    while (end < unit.size() && is_digit(unit[end])) ++end;
-    if (end - i > 1) return false;
-    i = end - 1;
-  }
-  return true;
-}
-
-/// "0.0254" for the double nearest to it: decimal factors then are decimal to 64 bits.
-long double as_decimal(double value) {
-  const std::string digits = fmt::format("{}", value);
-  long double decimal = value;
-  std::from_chars(digits.data(), digits.data() + digits.size(), decimal);
-  return decimal;
-}
 
 }  // namespace
 
 std::optional<Unit> Unit::find(std::string_view text) {
   text = trimmed(text);
-  if (text.empty() || text.size() > kLongestUnit || text.find('\0') != text.npos ||
-      !digits_are_exponents(text))
-    return std::nullopt;
-  const auto entry = Database::instance().find(std::string(text));
+  const auto entry = Database::instance().find(text);
   if (!entry) return std::nullopt;
   Unit unit;
   unit.text_ = text;
   unit.dimension_ = entry->dimension;
-  unit.factor_ = as_decimal(entry->factor);
-  unit.offset_ = as_decimal(entry->offset);
+  unit.factor_ = entry->factor;
+  unit.offset_ = entry->offset;
   return unit;
 }
 

@@ -11,23 +11,6 @@
 namespace latsch::correlation {
 namespace {
 
-/// A number of the model and how a variable moves it.
-struct MovedNumber {
-  std::string path;
-  int variable;
-  double factor;
-};
-
-std::vector<MovedNumber> moved_numbers(const DesignSpace& space) {
-  std::vector<MovedNumber> moved;
-  for (int i = 0; i < space.size(); ++i) {
-    for (const std::string& path : space[i].paths) moved.push_back({path, i, 1.0});
-    for (const Follower& follower : space[i].followers)
-      for (const std::string& path : follower.paths) moved.push_back({path, i, follower.factor});
-  }
-  return moved;
-}
-
 const StudyTest* find_test(const Study& study, const std::string& name) {
   for (const StudyTest& test : study.tests)
     if (test.name == name) return &test;
@@ -54,11 +37,10 @@ bool uses_slopes(const OptimizerSettings& settings, const ProblemTraits& traits)
 std::optional<std::string> reason_without_slopes(const Study& study) {
   const experiment::SpecimenKind* kind = study.specimens->kind();
   if (!kind) return "an outside program tells no slopes";
-  for (const MovedNumber& number : moved_numbers(study.space)) {
-    if (!kind->knows_slopes_in(number.path))
-      return fmt::format(
-          "a {} does not know its slopes in {}", kind->in_words(), in_quotes(number.path));
-  }
+  const MovedNumbers moved(study.space);
+  for (const std::string& path : moved.paths())
+    if (!kind->knows_slopes_in(path))
+      return fmt::format("a {} does not know its slopes in {}", kind->in_words(), in_quotes(path));
   for (const StudyExperiment& experiment : study.experiments) {
     if (!experiment.fitted) continue;
     if (experiment.objective.exponent != 2.0)
@@ -86,8 +68,23 @@ bool asks_slopes(const Study& study) {
   return uses_slopes(study.optimizer, traits);
 }
 
-experiment::Asked asked_of(const Study& study, const StudyTest& test) {
-  experiment::Asked asked;
+MovedNumbers::MovedNumbers(const DesignSpace& space)
+    : variables_(static_cast<std::size_t>(space.size())) {
+  for (std::size_t i = 0; i < variables_; ++i) {
+    const DesignVariable& variable = space.variables()[i];
+    for (const std::string& path : variable.paths) add(path, {i, 1.0});
+    for (const Follower& follower : variable.followers)
+      for (const std::string& path : follower.paths) add(path, {i, follower.factor});
+  }
+}
+
+void MovedNumbers::add(const std::string& path, const Moved& by) {
+  paths_.push_back(path);
+  moved_.push_back(by);
+}
+
+experiment::Asked MovedNumbers::asked_of(const Study& study, const StudyTest& test) const {
+  experiment::Asked asked{{}, paths_};
   for (const StudyExperiment& experiment : study.experiments) {
     if (!experiment.fitted) continue;
     for (const std::string& channel : experiment.observable->asks()) {
@@ -95,17 +92,15 @@ experiment::Asked asked_of(const Study& study, const StudyTest& test) {
         asked.channels.push_back(channel.substr(test.name.size() + 1));
     }
   }
-  for (const MovedNumber& number : moved_numbers(study.space)) asked.paths.push_back(number.path);
   return asked;
 }
 
-std::vector<double> in_variables(const Study& study, const std::vector<double>& slopes) {
-  const std::vector<MovedNumber> moved = moved_numbers(study.space);
-  const std::size_t rows = slopes.size() / moved.size();
-  std::vector<double> of_variables(rows * static_cast<std::size_t>(study.space.size()), 0.0);
-  for (std::size_t k = 0; k < moved.size(); ++k) {
-    double* column = &of_variables[static_cast<std::size_t>(moved[k].variable) * rows];
-    for (std::size_t i = 0; i < rows; ++i) column[i] += moved[k].factor * slopes[k * rows + i];
+std::vector<double> MovedNumbers::in_variables(const std::vector<double>& slopes) const {
+  const std::size_t rows = slopes.size() / moved_.size();
+  std::vector<double> of_variables(rows * variables_, 0.0);
+  for (std::size_t k = 0; k < moved_.size(); ++k) {
+    double* column = &of_variables[moved_[k].variable * rows];
+    for (std::size_t i = 0; i < rows; ++i) column[i] += moved_[k].factor * slopes[k * rows + i];
   }
   return of_variables;
 }

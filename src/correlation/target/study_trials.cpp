@@ -44,10 +44,12 @@ class Reuse {
 
 class StudyTrials {
  public:
-  explicit StudyTrials(const Study& study) : study_(study), fitted_(fitted_of(study)) {
+  explicit StudyTrials(const Study& study)
+      : study_(study), fitted_(fitted_of(study)), moved_(study.space) {
     const auto asked = tests_asked_for(study);
     for (const StudyTest& test : study.tests) {
-      if (std::find(asked.begin(), asked.end(), test.name) != asked.end()) tests_.push_back(test);
+      if (std::find(asked.begin(), asked.end(), test.name) == asked.end()) continue;
+      tests_.push_back({test, moved_.asked_of(study, test)});
     }
   }
 
@@ -59,14 +61,14 @@ class StudyTrials {
       return Failure{std::string("the model does not accept this point: ") + error.what()};
     }
     Channels trial;
-    for (const StudyTest& test : tests_) {
-      auto recording = recorded(test, *specimen);
+    for (const auto& [test, slopes] : tests_) {
+      auto recording = recorded(test, slopes, *specimen);
       if (!recording) {
         reuse_.give_back(std::move(specimen));
         return recording;
       }
       for (Channel channel : recording->all()) {
-        if (!channel.slopes.empty()) channel.slopes = in_variables(study_, channel.slopes);
+        if (!channel.slopes.empty()) channel.slopes = moved_.in_variables(channel.slopes);
         if (!test.name.empty()) channel.name = test.name + "/" + channel.name;
         trial.add(std::move(channel));
       }
@@ -81,11 +83,18 @@ class StudyTrials {
   }
 
  private:
-  Result<Channels> recorded(const StudyTest& test, experiment::Specimen& specimen) const {
+  struct AskedTest {
+    StudyTest test;
+    experiment::Asked slopes;
+  };
+
+  Result<Channels> recorded(const StudyTest& test,
+                            const experiment::Asked& slopes,
+                            experiment::Specimen& specimen) const {
     auto recording = [&]() -> Result<Channels> {
       try {
         if (!study_.asks_slopes) return test.test->run(specimen);
-        return test.test->run_with_slopes(specimen, asked_of(study_, test));
+        return test.test->run_with_slopes(specimen, slopes);
       } catch (const InputError& error) {
         return Failure{std::string("the model does not accept this point: ") + error.what()};
       }
@@ -95,8 +104,9 @@ class StudyTrials {
   }
 
   Study study_;
-  std::vector<StudyTest> tests_;
   std::vector<StudyExperiment> fitted_;
+  MovedNumbers moved_;
+  std::vector<AskedTest> tests_;
   Reuse reuse_;
 };
 

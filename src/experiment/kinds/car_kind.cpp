@@ -68,9 +68,9 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles {
   Result<Channels> load(const AxleKcTest& test, const Asked& asked) const override {
     const auto car = on_rig(test);
     if (!car) return car.failure();
-    std::vector<Stiffnesses> varied;
-    for (const std::string& path : asked.paths) varied.push_back(of_axle(*car, test, path));
-    return run(*car, test, varied);
+    KcSlopes slopes{{}, asked.channels};
+    for (const std::string& path : asked.paths) slopes.varied.push_back(of_axle(*car, test, path));
+    return run(*car, test, slopes);
   }
   Result<Channels> compliance(const AxleKcTest& test) const override {
     const auto car = on_rig(test);

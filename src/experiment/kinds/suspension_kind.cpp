@@ -17,11 +17,11 @@ class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinka
       : numbers_(numbers), corner_(suspension::read_corner(numbers.root())) {}
 
   Result<Channels> load(const KcTest& test, const Asked& asked) override {
-    std::vector<Stiffnesses> varied;
     const suspension::CompliantCorner& corner = statics();
+    KcSlopes slopes{{}, asked.channels};
     for (const std::string& path : asked.paths)
-      varied.push_back(suspension::stiffnesses_at(numbers_, path, corner.joints));
-    return run(corner, test, varied);
+      slopes.varied.push_back(suspension::stiffnesses_at(numbers_, path, corner.joints));
+    return run(corner, test, slopes);
   }
   Result<Channels> compliance(const KcTest& test) override {
     return compliance_matrices(statics(), test);

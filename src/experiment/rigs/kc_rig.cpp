@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "models/multibody/equilibrium.h"
 
 namespace latsch::experiment {
@@ -48,7 +50,7 @@ std::string torn_bushing(const multibody::Mechanism& mechanism, const multibody:
 
 Result<Channels> run(const suspension::CompliantCorner& corner,
                      const KcTest& test,
-                     const std::vector<Stiffnesses>& varied) {
+                     const KcSlopes& asked) {
   const multibody::Mechanism mechanism(corner.bodies, corner.joints);
   multibody::Equilibrium statics(mechanism);
   const auto upright_body = static_cast<std::size_t>(corner.upright);
@@ -62,9 +64,18 @@ Result<Channels> run(const suspension::CompliantCorner& corner,
   const multibody::Poses& poses = stands.poses;
   const Vector6d rest = as_vector(wheel_position(points, poses[upright_body]));
   const Eigen::Index states = test.loads.cols();
-  const auto numbers = static_cast<Eigen::Index>(varied.size());
+  const auto numbers = static_cast<Eigen::Index>(asked.varied.size());
+  const auto is_asked = [&](const std::string& channel) {
+    return numbers > 0 &&
+           std::find(asked.channels.begin(), asked.channels.end(), channel) != asked.channels.end();
+  };
+  std::vector<int> followed;  // what moves whose slopes are wanted
+  for (int m = 0; m < 6; ++m) {
+    const std::string name = KcTest::kMoved[static_cast<std::size_t>(m)];
+    if (is_asked(name) || (test.slopes && is_asked(test.slopes->name(name)))) followed.push_back(m);
+  }
   Eigen::MatrixXd moved(states, 6);
-  std::vector<Eigen::MatrixXd> slopes(6, Eigen::MatrixXd(states, numbers));
+  std::vector<Eigen::MatrixXd> slopes(6, Eigen::MatrixXd::Zero(states, numbers));
   for (Eigen::Index i = 0; i < states; ++i) {
     on.force = test.loads.col(i).head<3>();
     on.moment = test.loads.col(i).tail<3>();
@@ -77,18 +88,20 @@ Result<Channels> run(const suspension::CompliantCorner& corner,
       return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, torn)};
     const multibody::Pose& upright = poses[upright_body];
     moved.row(i) = as_vector(wheel_position(points, upright)) - rest;
-    if (varied.empty()) continue;
+    if (followed.empty()) continue;
     if (const std::string trouble = statics.linearize(stands, standing); !trouble.empty())
       return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, trouble)};
     Eigen::MatrixXd by_pose =
-        Eigen::MatrixXd::Zero(6 * static_cast<Eigen::Index>(corner.bodies.size()), 6);
-    by_pose.middleRows<6>(6 * corner.upright) = wheel_slopes(points, upright).transpose();
+        Eigen::MatrixXd::Zero(6 * std::ssize(corner.bodies), std::ssize(followed));
+    by_pose.middleRows<6>(6 * corner.upright) =
+        wheel_slopes(points, upright).transpose()(Eigen::all, followed);
     const Eigen::MatrixXd by_stiffness = statics.by_stiffness(poses, by_pose);
-    for (int m = 0; m < 6; ++m)
+    for (Eigen::Index f = 0; f < std::ssize(followed); ++f)
       for (Eigen::Index v = 0; v < numbers; ++v) {
         double slope = 0.0;
-        for (const auto& [joint, axis] : varied[static_cast<std::size_t>(v)])
-          slope += by_stiffness(m, 6 * joint + axis);
+        for (const auto& [joint, axis] : asked.varied[static_cast<std::size_t>(v)])
+          slope += by_stiffness(f, 6 * joint + axis);
+        const int m = followed[static_cast<std::size_t>(f)];
         slopes[static_cast<std::size_t>(m)](i, v) = slope;
       }
   }
@@ -115,7 +128,7 @@ Result<Channels> run(const suspension::CompliantCorner& corner,
         slopes[static_cast<std::size_t>(m)]);
   if (test.slopes)
     add_slopes(*test.slopes, {KcTest::kMoved.begin(), KcTest::kMoved.end()}, channels);
-  return channels;
+  return with_slopes_of(asked.channels, channels);
 }
 
 }  // namespace latsch::experiment

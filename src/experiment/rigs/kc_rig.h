@@ -33,9 +33,15 @@ struct KcTest {
 /// Of the stiffnesses, joint and axis, that a number varied stands for.
 using Stiffnesses = std::vector<std::pair<int, int>>;
 
-/// The loads that are stated, what moves and its slopes; slopes of these in numbers varied.
+/// Slopes in numbers that are varied, of these channels.
+struct KcSlopes {
+  std::vector<Stiffnesses> varied;
+  std::vector<std::string> channels;
+};
+
+/// The loads that are stated, what moves and its slopes; with the slopes that are asked for.
 Result<Channels> run(const suspension::CompliantCorner& corner,
                      const KcTest& test,
-                     const std::vector<Stiffnesses>& varied = {});
+                     const KcSlopes& asked = {});
 
 }  // namespace latsch::experiment

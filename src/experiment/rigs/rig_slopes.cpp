@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/rigs/rig_slopes.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace latsch::experiment {
@@ -36,6 +37,15 @@ void add_slopes(const SlopesBy& slopes, const std::vector<std::string>& moved, C
       slope.slopes.push_back(w.dot(Eigen::Map<const Eigen::VectorXd>(&of.slopes[k], states)));
     channels.add(std::move(slope));
   }
+}
+
+Channels with_slopes_of(const std::vector<std::string>& asked, const Channels& channels) {
+  Channels told;
+  for (Channel channel : channels.all()) {
+    if (std::find(asked.begin(), asked.end(), channel.name) == asked.end()) channel.slopes.clear();
+    told.add(std::move(channel));
+  }
+  return told;
 }
 
 }  // namespace latsch::experiment

@@ -38,4 +38,7 @@ struct Regression {
 /// that they are by is there and varies.
 void add_slopes(const SlopesBy& slopes, const std::vector<std::string>& moved, Channels& channels);
 
+/// The same without what was not asked for of slopes in a specimen's numbers.
+Channels with_slopes_of(const std::vector<std::string>& asked, const Channels& channels);
+
 }  // namespace latsch::experiment

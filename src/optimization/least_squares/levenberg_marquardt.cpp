@@ -21,6 +21,10 @@ constexpr double kPoorGain = 0.25;          // shortens the radius
 constexpr double kGainToExpand = 0.75;      // makes it longer
 constexpr double kExpansionOfRadius = 2.0;  // of the step
 constexpr double kAfterFailure = 0.25;      // of the step
+constexpr int kMostReturns = 6;             // to the floor of a valley, of one step
+constexpr double kWorthReturning = 0.1;     // of what the step had promised
+constexpr double kSteepDescent = 0.1;       // f after a step, of f before: no valley's floor
+constexpr double kExpansionOnReturn = 10.0, kRadiusOnReturn = 4.0;  // of the step
 constexpr double kLeastCut = 0.1, kMostCut = 0.5;
 constexpr double kPromisesNothing = 1e-10;  // of f, by a step in the radius
 constexpr double kPromisesMuch = 1e-6;      // of f
@@ -53,6 +57,8 @@ struct Attempt {
   DesignPoint point;
   int starts = 0;
   std::optional<LevenbergMarquardtStep> step = std::nullopt;
+  int returns = 0;        // since that step led up
+  double f_astray = 0.0;  // where it led
 };
 
 void check(const LevenbergMarquardtOptions& options) {
@@ -90,7 +96,8 @@ struct LevenbergMarquardt::State {
   /// The iteration: what the outcome of an attempt means, and the next one.
   void take(const Attempt& tried, std::optional<Linear> known) {
     if (tried.step) {
-      judge(*tried.step, std::move(known));
+      if (known && returns_from(tried, *known)) return;
+      judge(tried, std::move(known));
     } else if (known) {
       begin(std::move(*known));
     } else if (!foreign) {
@@ -122,20 +129,53 @@ struct LevenbergMarquardt::State {
 
   void move_to(Linear known) {
     x = std::move(known);
-    const Eigen::VectorXd norms = x.J.colwise().norm();
-    const double largest = norms.maxCoeff() > 0.0 ? norms.maxCoeff() : 1.0;
-    const Eigen::VectorXd felt = (norms.array() > 0.0).select(norms, largest);
-    D = D.size() == 0 ? felt : Eigen::VectorXd(D.cwiseMax(norms));
+    D = Eigen::VectorXd::Ones(x.u.size());
   }
 
-  void judge(const LevenbergMarquardtStep& step, std::optional<Linear> known) {
+  bool is_in_valley() const {
+    return reached.size() > 1 && x.f > kSteepDescent * reached[reached.size() - 2];
+  }
+
+  /// Whether a step that led up the side of a valley is followed by one down to its floor: from
+  /// there, by the residuals and slopes known there.
+  bool returns_from(const Attempt& tried, const Linear& at) {
+    const LevenbergMarquardtStep& step = *tried.step;
+    if (tried.returns >= kMostReturns || !is_in_valley() || (foreign && foreign->f < x.f) ||
+        (x.f - at.f) / step.promised > kTaken)
+      return false;
+    const LevenbergMarquardtStep back =
+        LevenbergMarquardtSteps(at.r, at.J, D, at.u, region).within(step.length);
+    if (!(x.f - (at.f - back.promised) > kWorthReturning * step.promised)) return false;
+    const Eigen::VectorXd u = region.nearest(at.u + back.p);
+    const double f_astray = tried.returns == 0 ? at.f : tried.f_astray;
+    wanted.push_back({u, point_at(u), 0, step, tried.returns + 1, f_astray});
+    return true;
+  }
+
+  /// What a step with the returns behind it has brought.
+  void judge_returns(const Attempt& tried, double gain) {
+    const LevenbergMarquardtStep& step = *tried.step;
+    if (gain > kGainToExpand) {
+      radius = kExpansionOnReturn * step.length;
+    } else if (gain >= kPoorGain) {
+      radius = kRadiusOnReturn * step.length;
+    } else {
+      radius = std::min(radius, step.length) *
+               (gain > kTaken ? kMostCut : least_of_parabola(x.f, step.slope, tried.f_astray));
+    }
+  }
+
+  void judge(const Attempt& tried, std::optional<Linear> known) {
+    const LevenbergMarquardtStep& step = *tried.step;
     has_failed = !known;
-    if (!known) {
+    if (!known && tried.returns == 0) {
       radius = kAfterFailure * step.length;
       return;
     }
-    const double gain = (x.f - known->f) / step.promised;
-    if (gain < kPoorGain) {
+    const double gain = known ? (x.f - known->f) / step.promised : 0.0;
+    if (tried.returns > 0) {
+      judge_returns(tried, gain);
+    } else if (gain < kPoorGain) {
       radius = std::min(radius, step.length) * least_of_parabola(x.f, step.slope, known->f);
     } else if (gain > kGainToExpand || step.mu == 0.0) {
       radius = kExpansionOfRadius * step.length;
@@ -235,6 +275,7 @@ std::vector<DesignPoint> LevenbergMarquardt::propose(int count) const {
   Plan plan(count);
   plan.add(state_->wanted);
   for (const bool succeeds : {true, false}) {
+    if (plan.is_full()) break;
     State future = *state_;
     while (!plan.is_full() && !future.wanted.empty()) {
       const Attempt first = *future.wanted.take(future.wanted.front().point);

@@ -5,14 +5,22 @@
 //
 // In the unit cube, at the best point u:
 //
-//   scale     D_i = the largest norm of column i of J = dr/du so far
-//   step      least |r + J p|^2 with |D p| <= Delta and u + p in the region:
-//             levenberg_marquardt_step.h
+//   step      least |r + J p|^2 with |p| <= Delta and u + p in the region:
+//             levenberg_marquardt_step.h. The cube is the scale: where Moré's D are norms of the
+//             columns of J, variables that are hardly felt go far, out of what the slopes are good
+//             for [Transtrum & Sethna, arXiv:1201.5885 (2012)].
 //   gain      (f(u) - f(u + p)) / (|r|^2 - |r + J p|^2)
 //             A step with a gain above 0.0001 is taken.
 //   radius    a gain below 1/4 shortens Delta to the least value of the parabola through f(u), its
 //             slope and f(u + p), 1/10 to 1/2 of it; one above 3/4, or of a full step, makes it
-//             twice |D p|.
+//             twice |p|.
+//   return    In a narrow bent valley a step along its floor ends high on its side, where J is
+//             known as well: up to six steps from there, each as long as the first at most, may
+//             lead down to the floor again, far along it. Where they end counts as u + p, with a
+//             radius of 4 or 10 |p| on success. A watchdog's way [Chamberlain, Powell, Lemaréchal
+//             & Pedersen, Math. Program. Study 16 (1982) 1]; only where the step before has left
+//             f above a tenth of what it was, and as long as the slopes there promise an end
+//             below f(u) by a tenth of what p had promised.
 //   end       where the linear model promises less than gain_tolerance of f, or its full step is
 //             shorter than the tolerance; where steps in the radius are; where steps gain too
 //             little. Asked before a step is evaluated.
@@ -43,8 +51,7 @@ namespace latsch {
 
 /// Lengths are in the unit cube: 1 is the whole range of a variable.
 struct LevenbergMarquardtOptions {
-  /// First Delta: |D p| of a move of all variables by so much. The slopes are exact: it may be
-  /// wide.
+  /// First Delta: |p| of a move of all variables by so much. The slopes are exact: it may be wide.
   double initial_step = 0.5;
   double step_tolerance = 1e-6;
   /// What the full step of the linear model has to promise, of f.

@@ -256,9 +256,8 @@ std::vector<std::pair<std::string, std::string>> axle_kc_moved(const AxleKcTest&
   return names;
 }
 
-Result<Channels> run(const car::CarMechanism& car,
-                     const AxleKcTest& test,
-                     const std::vector<Stiffnesses>& varied) {
+Result<Channels> run(const car::CarMechanism& car, const AxleKcTest& test, const KcSlopes& asked) {
+  const std::vector<Stiffnesses>& varied = asked.varied;
   assert((varied.empty() || !test.travel) && "preloads depend on what varies");
   AxleOnRig rig(car, test);
   if (const auto there = rig.start(); !there) return there.failure();
@@ -296,7 +295,7 @@ Result<Channels> run(const car::CarMechanism& car,
     channels.add(std::move(channel));
   }
   if (test.slopes) add_slopes(*test.slopes, names, channels);
-  return channels;
+  return with_slopes_of(asked.channels, channels);
 }
 
 Result<Channels> axle_compliance(const car::CarMechanism& car, const AxleKcTest& test) {

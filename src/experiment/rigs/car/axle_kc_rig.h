@@ -41,11 +41,11 @@ struct AxleKcTest {
 /// What moves, without its slopes: dx_L ... caster_L, dx_R ...; Fz of the pads, N; springs, m.
 std::vector<std::pair<std::string, std::string>> axle_kc_moved(const AxleKcTest& test);
 
-/// What is prescribed, what moves and its slopes; slopes of these in numbers varied, joints of the
-/// car's mechanism.
+/// What is prescribed, what moves and its slopes; with the slopes that are asked for, in joints of
+/// the car's mechanism.
 Result<Channels> run(const car::CarMechanism& car,
                      const AxleKcTest& test,
-                     const std::vector<Stiffnesses>& varied = {});
+                     const KcSlopes& asked = {});
 
 /// 144 channels, dx_L_by_Fx_L ... about_z_R_by_Mz_R, by state: travel and rotation of the upright
 /// at the loads' point; and the classical compliances in and out of phase.
