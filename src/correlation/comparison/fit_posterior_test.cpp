@@ -254,8 +254,7 @@ TEST_F(FittedSprings, HoldTheLinesOfSpringsOfTheirKindAsOftenAsTheySay) {
 }
 
 // What noise alone makes of a line is distributed as chi^2 of two degrees of freedom a segment;
-// 5 % and 95 % of it, from tables: 0.0513 and 2.996 of the mean. By cubic roots within 1 % of it and
-// 0.015.
+// 5 % and 95 % of it, from tables: 0.0513 and 2.996 of the mean. The cubic root comes within 0.03.
 TEST(LineNoise, IsThatOfAPeriodogramWhereThereIsNothingElse) {
   const LineNoise noise{4.0, 1.0};
   EXPECT_NEAR(std::exp(noise.log_quantile(0.0, kNormal90)), 2.996, 0.03);
