@@ -166,6 +166,8 @@ void beside_the_track(Table& table) {
   ModelComparisonFile file =
       read_model_comparison(kStudy / "comparison.toml", experiment::language());
   file.uncertainties.clear();
+  file.fits.clear();  // the models' files have their numbers
+  for (ComparedModel& model : file.models) model.fits.clear();
   file.pictures.reset();
   const ModelComparison comparison = compare_models(file, experiment::language(), 2);
   const auto cases = all_cases(file);

@@ -61,6 +61,7 @@ Json json_of(const ModelComparisonFile& file, const ModelComparison& comparison,
       model["decibels"][file.bands[b].name] = run.mean_decibels(b);
     }
     model["coverage"] = run.coverage;
+    model["reach"] = run.reach;
     model["cpu"] = run.cpu;
     for (std::size_t k = 0; k < file.told.size(); ++k)
       if (std::isfinite(run.told[k])) model["told"][file.told[k]] = run.told[k];
@@ -96,6 +97,14 @@ void compare_models(const std::string& name,
   say("{}\n\n", file.title);
   for (std::size_t i = 0; i < file.cases.size(); ++i)
     answer()["cases"].push_back(json_of(file, comparison, i));
+  for (const auto& fit : comparison.fits)
+    answer()["fits"].push_back({{"name", fit.name},
+                                {"excess", fit.excess},
+                                {"held_out", fit.held_out},
+                                {"frequency", fit.discrepancy.frequency},
+                                {"discrepancy", fit.discrepancy.deviation},
+                                {"remarks", fit.remarks}});
+  answer()["bands"] = bands_in_words(file);
   if (!file.factors.empty())
     for (std::size_t b = 0; b < file.bands.size(); ++b)
       answer()["factorial"][file.bands[b].name] =

@@ -114,6 +114,14 @@ std::vector<double> counted(const ModelComparisonFile& file,
   return {channel->values.begin() + first, channel->values.end()};
 }
 
+numerics::WelchSettings welch_of(const ModelComparisonFile& file,
+                                 std::size_t samples,
+                                 double rate) {
+  return numerics::welch_settings(numerics::Convention::scipy,
+                                  static_cast<int>(samples),
+                                  static_cast<int>(std::lround(file.segment * rate)));
+}
+
 std::vector<numerics::Density> densities_of(const ModelComparisonFile& file,
                                             const Channels& channels,
                                             const std::string& whose) {
@@ -121,12 +129,23 @@ std::vector<numerics::Density> densities_of(const ModelComparisonFile& file,
   const double rate = rate_of(channels);
   for (const std::string& name : file.channels) {
     const auto values = counted(file, channels, name, whose);
-    const auto samples = static_cast<int>(values.size());
-    if (samples < 16)
+    if (values.size() < 16)
       throw InputError({file.file.string(), 0}, whose + " has fewer than 16 samples that count");
-    const auto settings = numerics::welch_settings(
-        numerics::Convention::scipy, samples, static_cast<int>(std::lround(file.segment * rate)));
-    all.push_back(numerics::power_density(values, rate, settings));
+    all.push_back(numerics::power_density(values, rate, welch_of(file, values.size(), rate)));
+  }
+  return all;
+}
+
+/// White, as stated.
+std::vector<LineNoise> noise_of(const ModelComparisonFile& file, const Channels& recording) {
+  std::vector<LineNoise> all;
+  const double rate = rate_of(recording);
+  for (const std::string& name : file.channels) {
+    const auto samples = counted(file, recording, name, file.reference.title).size();
+    const auto stated = file.noise.find(name);
+    const double deviation = stated == file.noise.end() ? 0.0 : stated->second;
+    all.push_back({2.0 * deviation * deviation / rate,
+                   independent_segments(static_cast<int>(samples), welch_of(file, samples, rate))});
   }
   return all;
 }
@@ -135,43 +154,98 @@ bool is_in(double frequency, FrequencyBand band) {
   return frequency >= band.lower - 1e-9 && frequency <= band.upper + 1e-9;
 }
 
-/// The model with its numbers away by so many spreads; nullopt where it has none of them.
-std::optional<Document> moved(const ModelComparisonFile& file,
-                              const ComparedModel& model,
-                              const std::vector<double>& spreads) {
-  Document numbers = model.numbers;
+bool has(const Document& numbers, const std::vector<std::string>& wanted) {
   const auto paths = numbers.paths();
-  bool is_moved = false;
-  for (std::size_t i = 0; i < spreads.size(); ++i) {
-    if (spreads[i] == 0.0) continue;
-    const double factor = std::exp(spreads[i] * file.uncertainties[i].spread);
-    for (const std::string& path : file.uncertainties[i].paths) {
-      if (std::find(paths.begin(), paths.end(), path) == paths.end()) continue;
-      numbers.set(path, factor * numbers.get(path));
-      is_moved = true;
-    }
-  }
-  if (!is_moved) return std::nullopt;
-  return numbers;
+  return std::any_of(wanted.begin(), wanted.end(), [&](const std::string& path) {
+    return std::find(paths.begin(), paths.end(), path) != paths.end();
+  });
 }
 
-/// Where models are run for the bands, in spreads of the numbers.
-std::vector<std::vector<double>> band_points(const ModelComparisonFile& file) {
-  const std::size_t count = file.uncertainties.size();
-  std::vector<std::vector<double>> points;
-  if (file.samples == 0) {
-    for (std::size_t i = 0; i < count; ++i) {
-      points.emplace_back(count, 0.0);
-      points.back()[i] = 1.0;
+/// A typed number away by so many spreads, where the model has it.
+void move_typed(const Uncertainty& number, double spreads, Document& numbers) {
+  const auto paths = numbers.paths();
+  for (const std::string& path : number.paths)
+    if (std::find(paths.begin(), paths.end(), path) != paths.end())
+      numbers.set(path, std::exp(spreads * number.spread) * numbers.get(path));
+}
+
+/// A model beside its place.
+struct MovedModel {
+  Document numbers;
+  double count = 1.0;  // of a slope along it: the bounds may leave no room for a whole deviation
+};
+
+/// One deviation along a direction of a fit, to the side that has more room.
+MovedModel moved_along(const FitSource& source,
+                       const FitPosterior& fit,
+                       Eigen::Index axis,
+                       const Document& numbers) {
+  const auto u = source.study->space.to_unit(fit.point);
+  const auto room = [&](double side) {  // in deviations, one at most
+    double least = 1.0;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const double step = side * fit.axes(static_cast<Eigen::Index>(i), axis);
+      if (step > 0.0) least = std::min(least, (1.0 - u[i]) / step);
+      if (step < 0.0) least = std::min(least, u[i] / -step);
     }
-    return points;
+    return least;
+  };
+  constexpr double kLeast = 0.01;  // of a deviation: what lies on its bound and is moved by it
+  const double up = room(1.0), down = room(-1.0);
+  const double step = up >= down ? std::max(up, kLeast) : -std::max(down, kLeast);
+  auto place = u;
+  for (std::size_t i = 0; i < u.size(); ++i)
+    place[i] += step * fit.axes(static_cast<Eigen::Index>(i), axis);
+  MovedModel moved{numbers, 1.0 / std::abs(step)};
+  move_to(source, place, moved.numbers);
+  return moved;
+}
+
+std::vector<MovedModel> along_directions(const ModelComparisonFile& file,
+                                         const ComparedModel& model,
+                                         const std::vector<FitPosterior>& fits) {
+  std::vector<MovedModel> all;
+  for (const Uncertainty& number : file.uncertainties) {
+    if (!has(model.numbers, number.paths)) continue;
+    all.push_back({model.numbers});
+    move_typed(number, 1.0, all.back().numbers);
   }
-  for (int k = 0; k < file.samples && count > 0; ++k) {
-    RandomStream random(static_cast<std::uint64_t>(file.band_seed), static_cast<std::uint64_t>(k));
-    points.emplace_back(count);
-    for (double& value : points.back()) value = random.normal();
+  for (const std::size_t k : model.fits)
+    for (Eigen::Index axis = 0; axis < fits[k].axes.cols(); ++axis)
+      all.push_back(moved_along(file.fits[k], fits[k], axis, model.numbers));
+  return all;
+}
+
+/// Models that share a fit share what is drawn of it.
+MovedModel drawn(const ModelComparisonFile& file,
+                 const ComparedModel& model,
+                 const std::vector<FitPosterior>& fits,
+                 int number) {
+  RandomStream random(static_cast<std::uint64_t>(file.band_seed),
+                      static_cast<std::uint64_t>(number));
+  MovedModel moved{model.numbers};
+  for (const Uncertainty& one : file.uncertainties) move_typed(one, random.normal(), moved.numbers);
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    Eigen::VectorXd place(fits[k].axes.cols());
+    for (double& value : place) value = random.normal();
+    if (std::find(model.fits.begin(), model.fits.end(), k) == model.fits.end()) continue;
+    const Eigen::VectorXd offset = fits[k].axes * place;
+    auto u = file.fits[k].study->space.to_unit(fits[k].point);
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] += offset[static_cast<Eigen::Index>(i)];
+    move_to(file.fits[k], u, moved.numbers);
   }
-  return points;
+  return moved;
+}
+
+/// Where a model is run for its bands; none where nothing of it is uncertain.
+std::vector<MovedModel> band_models(const ModelComparisonFile& file,
+                                    const ComparedModel& model,
+                                    const std::vector<FitPosterior>& fits) {
+  auto all = along_directions(file, model, fits);
+  if (file.samples == 0 || all.empty()) return all;
+  all.clear();
+  for (int k = 0; k < file.samples; ++k) all.push_back(drawn(file, model, fits, k));
+  return all;
 }
 
 /// z such that a normal number lies within ±z with that probability, by bisection.
@@ -191,36 +265,77 @@ double quantile(std::vector<double> values, double p) {
   return values[i] + (at - static_cast<double>(i)) * (values[i + 1] - values[i]);
 }
 
-using DensitySet = std::vector<std::vector<numerics::Density>>;  // by point and channel
+/// What the spectra of a model beside its place tell, by channel.
+struct MovedDensities {
+  std::vector<numerics::Density> densities;
+  double count = 1.0;  // MovedModel::count
+};
 
-void add_bands(const ModelComparisonFile& file, const DensitySet& others, ModelRun& run) {
-  if (others.size() < (file.samples > 0 ? 2U : 1U)) return;
+/// How far the logarithm of a line reaches down and up.
+struct LogReach {
+  double down = 0.0, up = 0.0;  // >= 0
+};
+
+LogReach reach_of(const ModelComparisonFile& file,
+                  const std::vector<MovedDensities>& others,
+                  double S,
+                  std::size_t channel,
+                  std::size_t line,
+                  double z) {
+  if (file.samples == 0) {
+    double sum = 0.0;
+    for (const MovedDensities& other : others)
+      sum += std::pow(other.count * std::log(other.densities[channel].value[line] / S), 2);
+    return {z * std::sqrt(sum), z * std::sqrt(sum)};
+  }
+  if (others.size() < 2) return {};
+  std::vector<double> values;
+  for (const MovedDensities& other : others) values.push_back(other.densities[channel].value[line]);
+  return {std::max(0.0, std::log(S / quantile(values, 0.5 - 0.5 * file.level))),
+          std::max(0.0, std::log(quantile(values, 0.5 + 0.5 * file.level) / S))};
+}
+
+/// Variance of the logarithm that the fits' own spectra leave unexplained.
+double unexplained(const ComparedModel& model, const std::vector<FitPosterior>& fits, double f) {
+  double sum = 0.0;
+  for (const std::size_t k : model.fits) sum += std::pow(fits[k].discrepancy.at(f), 2);
+  return sum;
+}
+
+void add_bands(const ModelComparisonFile& file,
+               const ComparedModel& model,
+               const std::vector<FitPosterior>& fits,
+               const std::vector<MovedDensities>& others,
+               ModelRun& run) {
+  if (others.empty()) return;
   const double z = normal_bound(file.level);
   for (std::size_t c = 0; c < run.densities.size(); ++c) {
-    const auto& S = run.densities[c].value;
+    const auto& [frequency, S] = run.densities[c];
     std::vector<double> lower(S.size()), upper(S.size());
     for (std::size_t k = 0; k < S.size(); ++k) {
-      if (file.samples == 0) {
-        double sum = 0.0;
-        for (const auto& other : others) sum += std::pow(std::log(other[c].value[k] / S[k]), 2);
-        const double factor = std::exp(z * std::sqrt(sum));
-        lower[k] = S[k] / factor;
-        upper[k] = S[k] * factor;
-        continue;
-      }
-      std::vector<double> values;
-      for (const auto& other : others) values.push_back(other[c].value[k]);
-      lower[k] = quantile(values, 0.5 - 0.5 * file.level);
-      upper[k] = quantile(values, 0.5 + 0.5 * file.level);
+      const LogReach reach = reach_of(file, others, S[k], c, k, z);
+      const double missing = z * std::sqrt(unexplained(model, fits, frequency[k]));
+      lower[k] = S[k] * std::exp(-std::hypot(reach.down, missing));
+      upper[k] = S[k] * std::exp(std::hypot(reach.up, missing));
     }
     run.lower.push_back(std::move(lower));
     run.upper.push_back(std::move(upper));
   }
 }
 
-void compare_run(const ModelComparisonFile& file,
-                 const std::vector<numerics::Density>& reference,
-                 ModelRun& run) {
+/// Whether a measured line lies in the band as noise widens it.
+bool holds(
+    double measured, double S, double lower, double upper, const LineNoise& noise, double z) {
+  const double M = S + noise.density, share = S / M;  // of ln M that ln S moves
+  const double off = std::log(measured / M);
+  const double down = std::hypot(share * std::log(S / lower), noise.log_quantile(S, -z));
+  const double up = std::hypot(share * std::log(upper / S), noise.log_quantile(S, z));
+  return off >= -down && off <= up;
+}
+
+void compare_run(const ModelComparisonFile& file, const CaseComparison& compared, ModelRun& run) {
+  const auto& reference = compared.reference;
+  const double z = normal_bound(file.level);
   for (const NamedBand& band : file.bands) {
     run.distance.emplace_back();
     run.decibels.emplace_back();
@@ -232,13 +347,20 @@ void compare_run(const ModelComparisonFile& file,
   }
   for (std::size_t c = 0; c < run.lower.size(); ++c) {
     int lines = 0, inside = 0;
+    double reach = 0.0;
     for (std::size_t k = 0; k < reference[c].value.size(); ++k) {
       if (!is_in(reference[c].frequency[k], file.bands[0].band)) continue;
       ++lines;
-      inside +=
-          reference[c].value[k] >= run.lower[c][k] && reference[c].value[k] <= run.upper[c][k];
+      reach += 0.5 * std::log(run.upper[c][k] / run.lower[c][k]);
+      inside += holds(reference[c].value[k],
+                      run.densities[c].value[k],
+                      run.lower[c][k],
+                      run.upper[c][k],
+                      compared.noise[c],
+                      z);
     }
     run.coverage.push_back(static_cast<double>(inside) / lines);
+    run.reach.push_back(reach / lines);
   }
 }
 
@@ -246,7 +368,9 @@ ModelRun run_model(const ModelComparisonFile& file,
                    const ComparedModel& model,
                    const experiment::Test& test,
                    const ComparedCase& one,
-                   const std::vector<numerics::Density>& reference) {
+                   const std::vector<FitPosterior>& fits,
+                   const CaseComparison& compared) {
+  const auto& reference = compared.reference;
   ModelRun run;
   const double begin = cpu_seconds();
   const Channels channels = run_of(model, model.numbers, test, one.name);
@@ -263,12 +387,12 @@ ModelRun run_model(const ModelComparisonFile& file,
   for (const std::string& name : file.told)
     run.told.push_back(channels.find(name) ? mean(counted(file, channels, name, model.title))
                                            : std::nan(""));
-  DensitySet others;
-  for (const auto& point : band_points(file))
-    if (const auto numbers = moved(file, model, point))
-      others.push_back(densities_of(file, run_of(model, *numbers, test, one.name), model.title));
-  add_bands(file, others, run);
-  compare_run(file, reference, run);
+  std::vector<MovedDensities> others;
+  for (const MovedModel& moved : band_models(file, model, fits))
+    others.push_back({densities_of(file, run_of(model, moved.numbers, test, one.name), model.title),
+                      moved.count});
+  add_bands(file, model, fits, others, run);
+  compare_run(file, compared, run);
   return run;
 }
 
@@ -300,6 +424,14 @@ void share_out(std::size_t count, int threads, const std::function<void(std::siz
 
 double ModelRun::mean_distance(std::size_t band) const { return mean(distance[band]); }
 double ModelRun::mean_decibels(std::size_t band) const { return mean(decibels[band]); }
+
+double LineNoise::log_quantile(double S, double z) const {
+  if (density == 0.0) return 0.0;
+  const double M = S + density;
+  const double h = 2.0 * segments * M * M / (2.0 * S * density + density * density);
+  const double k = 2.0 / (9.0 * h);
+  return 3.0 * std::log(std::max(1e-6, 1.0 - k + z * std::sqrt(k)));
+}
 
 double psd_distance(const numerics::Density& a, const numerics::Density& b, FrequencyBand band) {
   double difference = 0.0, all = 0.0;
@@ -352,17 +484,35 @@ Channels reference_of(const ModelComparisonFile& file,
   return table.channels();
 }
 
-ModelComparison compare_models(const ModelComparisonFile& file,
+namespace {
+
+/// The models at the best points of their fits.
+ModelComparisonFile at_fits(ModelComparisonFile file, const std::vector<FitPosterior>& fits) {
+  for (ComparedModel& model : file.models) {
+    for (const std::size_t k : model.fits)
+      move_to(file.fits[k], file.fits[k].study->space.to_unit(fits[k].point), model.numbers);
+    model.kind->check(model.numbers);
+  }
+  return file;
+}
+
+}  // namespace
+
+ModelComparison compare_models(const ModelComparisonFile& as_written,
                                const experiment::Language& language,
                                int threads,
                                const std::function<void(long, long)>& tell) {
-  const std::size_t count = file.cases.size();
   ModelComparison all;
+  for (const FitSource& source : as_written.fits)
+    all.fits.push_back(fit_posterior(source, as_written.segment));
+  const ModelComparisonFile file = at_fits(as_written, all.fits);
+  const std::size_t count = file.cases.size();
   all.cases.resize(count);
   std::vector<std::unique_ptr<experiment::Test>> tests(count);
   share_out(count, threads, [&](std::size_t i) {
     const Channels recording = reference_of(file, i, language);
     all.cases[i].reference = densities_of(file, recording, file.reference.title);
+    all.cases[i].noise = noise_of(file, recording);
     all.cases[i].models.resize(file.models.size());
     const Channels conditions = low_passed(recording, file.low_pass);
     tests[i] = read_case(
@@ -374,7 +524,7 @@ ModelComparison compare_models(const ModelComparisonFile& file,
   share_out(runs, threads, [&](std::size_t k) {
     const std::size_t i = k / file.models.size(), m = k % file.models.size();
     all.cases[i].models[m] =
-        run_model(file, file.models[m], *tests[i], file.cases[i], all.cases[i].reference);
+        run_model(file, file.models[m], *tests[i], file.cases[i], all.fits, all.cases[i]);
     const std::lock_guard lock(guard);
     if (tell) tell(++done, static_cast<long>(runs));
   });

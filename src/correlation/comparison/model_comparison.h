@@ -5,11 +5,23 @@
 //   decibels   sqrt(mean (10 log10 S/S_ref)^2), the log-spectral distance, to which weak lines
 //              count like strong ones (measurement/band_level.h)
 //
-// Bands of a predicted density: numbers a fit leaves unknown are lognormal, independent of each
-// other. From slopes: ln S changes by g_i when the number i goes up by its spread, and the band
-// is S exp(± z sqrt(Σ g_i^2)), z of the level. From samples: quantiles of S over them, line by
-// line. Both hold what the numbers leave open, not what a model lacks: coverage of the reference,
-// the share of lines inside, tells how much that is.
+// Bands of a predicted density. A model that comes from fits stands at their best points, and what
+// these leave open (fit_posterior.h: independent directions of one deviation each, correlations
+// included) moves ln S, as do typed numbers, lognormal and independent. From slopes: ln S changes
+// by g_k along direction k, and the band is S exp(± z b),
+//   b^2 = sum g_k^2 + sum delta(f)^2
+// z of the level, delta the error that a fit's own spectra show its model to make whatever its
+// numbers are (fit_discrepancy.h). From samples: quantiles of S over them, line by line, take the
+// place of the slopes.
+//
+// Coverage is the share of the reference's lines inside the band widened by the reference's noise:
+// with N the density of the noise and K independent segments a line measured of S is
+//   (S + N) chi^2_h / h,   h = 2 K (S + N)^2 / (2 S N + N^2)
+// [Patnaik, Biometrika 36 (1949) 202: the noncentral chi^2], whose quantiles [Wilson, Hilferty
+// 1931] are added to those of the band as roots of squares of logarithms.
+//
+// It is of each line alone. It knows nothing of numbers that no fit and no table names, nor of what
+// the models lack but the fits' rigs did not show.
 #pragma once
 
 #include <functional>
@@ -27,21 +39,34 @@ struct ModelRun {
   std::vector<numerics::Density> densities;
   std::vector<std::vector<double>> distance, decibels;  // by band and channel
   std::vector<std::vector<double>> lower, upper;        // by channel and line; empty: no bands
-  std::vector<double> coverage;                         // by channel, of lines in the first band
-  std::vector<double> told;                             // means; NaN: it has not that channel
-  double cpu = 0.0;                                     // s, of the run itself
+  std::vector<double> coverage;  // by channel, of lines in the first band; empty: no bands
+  std::vector<double> reach;     // by channel, of the bands there: mean half width of ln S
+  std::vector<double> told;      // means; NaN: it has not that channel
+  double cpu = 0.0;              // s, of the run itself
 
   /// Mean over the channels.
   double mean_distance(std::size_t band) const;
   double mean_decibels(std::size_t band) const;
 };
 
+/// What noise does to a measured line: its density, and how many spectra are averaged.
+struct LineNoise {
+  double density = 0.0;
+  double segments = 1.0;
+
+  /// The logarithm of what a line of density S is measured as, over S + density, at z standard
+  /// deviations of a normal number.
+  double log_quantile(double S, double z) const;
+};
+
 struct CaseComparison {
   std::vector<numerics::Density> reference;
+  std::vector<LineNoise> noise;  // of the reference, by channel
   std::vector<ModelRun> models;
 };
 
 struct ModelComparison {
+  std::vector<FitPosterior> fits;  // as in the file
   std::vector<CaseComparison> cases;
   std::vector<experiment::Test::Picture> pictures;
 };

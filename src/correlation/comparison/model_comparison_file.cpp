@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "base/text.h"
 
@@ -166,6 +167,38 @@ void read_uncertainty(const Node& root, ModelComparisonFile& file) {
   }
 }
 
+void read_fits(const Node& root,
+               const fs::path& folder,
+               const experiment::Language& language,
+               ModelComparisonFile& file) {
+  for (const Node& table : root.named_tables("fit")) {
+    FitSource fit{table.name(), nullptr, {""}, table.place()};
+    fit.study =
+        std::make_shared<const Study>(read_study(existing(table, "study", folder), language));
+    if (table.has("at")) fit.at = table.texts("at");
+    if (fit.at.empty()) table.reject("at", "is empty, expected one place at least");
+    file.fits.push_back(std::move(fit));
+  }
+}
+
+/// The fits a model names, each of which has to move numbers that it has, and no number twice.
+void take_fits(const Node& table, const ModelComparisonFile& file, ComparedModel& model) {
+  if (!table.has("fits")) return;
+  std::set<std::string> moved;
+  for (const std::string& name : table.texts("fits")) {
+    const auto found = std::find_if(
+        file.fits.begin(), file.fits.end(), [&](const FitSource& fit) { return fit.name == name; });
+    if (found == file.fits.end())
+      table.reject("fits", "has " + in_quotes(name) + ", which is no [fit.NAME]");
+    check_fit(*found, model.numbers, model.title);
+    for (const DesignVariable& variable : found->study->space.variables())
+      for (const std::string& path : paths_of(*found, variable))
+        if (!moved.insert(path).second)
+          table.reject("fits", "move " + in_quotes(path) + " more than once");
+    model.fits.push_back(static_cast<std::size_t>(found - file.fits.begin()));
+  }
+}
+
 void read_pictures(const Node& root, ModelComparisonFile& file) {
   const auto table = root.find_table("pictures");
   if (!table) return;
@@ -209,8 +242,11 @@ ModelComparisonFile read_model_comparison(const fs::path& path,
   file.normalize = root.quantity("normalize", "Hz", Range::positive(), 0.0);
   read_bands(root, file);
   read_reference(root.table("reference"), folder, language, file);
-  for (const Node& table : root.named_tables("model"))
+  read_fits(root, folder, language, file);
+  for (const Node& table : root.named_tables("model")) {
     file.models.push_back(read_compared(table, folder, language));
+    take_fits(table, file, file.models.back());
+  }
   for (const Node& table : root.named_tables("test")) {
     file.tests.push_back(read_grid_test(table, folder));
     add_cases(table, file, file.tests.size() - 1);

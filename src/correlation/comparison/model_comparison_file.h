@@ -36,13 +36,19 @@
 //   kind = "car"
 //   file = "baseline.toml"
 //   title = "Baseline"
+//   fits = ["tire", "front"]             # where its numbers come from; none unless given
+//
+//   [fit.front]                          # a study that latsch run has ended: the models stand at
+//   study = "fits/front.toml"            # its best point, and their bands hold what it leaves open
+//   at = ["front_suspension"]            # where its model stands in those compared; it is them
+//                                        # unless given (fit_posterior.h)
 //
 //   [factorial]                          # two factors of two levels: 00, 01, 10, 11
 //   factors = ["tire", "compliance"]
 //   models = ["baseline", "mf_compliant", "ring_rigid", "proposed"]
 //
-//   [uncertainty.bushings]               # numbers of the models that a fit leaves unknown together
-//   paths = ["front_suspension.bushing.all.x"]     # a model without one of them: without it
+//   [uncertainty.dampers]                # numbers of the models that no fit has told, by hand
+//   paths = ["front.spring.stiffness"]   # a model without one of them: without it
 //   spread = 0.2                         # standard deviation of the logarithm
 //   source = "assumed"
 //
@@ -64,6 +70,7 @@
 #include <vector>
 
 #include "base/document.h"
+#include "correlation/comparison/fit_posterior.h"
 #include "experiment/language.h"
 #include "measurement/rig_response_fit.h"
 
@@ -73,6 +80,7 @@ struct ComparedModel {
   std::string name, title;
   const experiment::SpecimenKind* kind = nullptr;
   Document numbers = Document::parse("", "");
+  std::vector<std::size_t> fits;  // places in ModelComparisonFile::fits
 };
 
 struct NamedBand {
@@ -128,6 +136,7 @@ struct ModelComparisonFile {
   std::vector<std::string> factors;                              // two, or none
   std::array<std::array<std::size_t, 2>, 2> factorial_models{};  // by level of first and second
   std::vector<Uncertainty> uncertainties;
+  std::vector<FitSource> fits;
   int samples = 0;
   long band_seed = 1;
   double level = 0.9;

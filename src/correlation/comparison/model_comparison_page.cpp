@@ -139,37 +139,94 @@ std::string told_table(const ModelComparisonFile& file, const ModelComparison& c
          number_table(heads_of(file, "Channel"), rows);
 }
 
+constexpr double kDecibels = 4.342945;  // of a logarithm, 10 / ln 10
+
+/// Over cases and channels; NaN where the model has no bands.
+double mean_of(const ModelComparison& comparison,
+               const std::vector<std::size_t>& cases,
+               std::size_t model,
+               std::vector<double> ModelRun::*values) {
+  double sum = 0.0, count = 0.0;
+  for (const std::size_t i : cases)
+    for (const double value : comparison.cases[i].models[model].*values) {
+      sum += value;
+      count += 1.0;
+    }
+  return count > 0.0 ? sum / count : std::nan("");
+}
+
+/// "82 % (± 1.4 dB)"
+std::string coverage_text(const ModelComparison& comparison,
+                          const std::vector<std::size_t>& cases,
+                          std::size_t model) {
+  const double share = mean_of(comparison, cases, model, &ModelRun::coverage);
+  if (!std::isfinite(share)) return "–";
+  return fmt::format("{} (± {:.1f} dB)",
+                     percent(share, 0),
+                     kDecibels * mean_of(comparison, cases, model, &ModelRun::reach));
+}
+
+std::string span_of(const SpectralDiscrepancy& discrepancy, FrequencyBand band) {
+  double low = INFINITY, high = 0.0;
+  for (std::size_t k = 0; k < discrepancy.frequency.size(); ++k) {
+    if (discrepancy.frequency[k] < band.lower || discrepancy.frequency[k] > band.upper) continue;
+    low = std::min(low, discrepancy.deviation[k]);
+    high = std::max(high, discrepancy.deviation[k]);
+  }
+  if (low > high) return "–";
+  return fmt::format("{:.1f} to {:.1f} dB", kDecibels * low, kDecibels * high);
+}
+
+std::string fit_table(const ModelComparisonFile& file, const ModelComparison& comparison) {
+  if (file.fits.empty()) return "";
+  std::vector<std::vector<std::string>> rows;
+  std::string remarks;
+  for (std::size_t k = 0; k < file.fits.size(); ++k) {
+    const FitPosterior& fit = comparison.fits[k];
+    std::string models;
+    for (const ComparedModel& model : file.models)
+      if (std::find(model.fits.begin(), model.fits.end(), k) != model.fits.end())
+        models += (models.empty() ? "" : ", ") + model.title;
+    rows.push_back({fit.name + ": " + file.fits[k].study->title,
+                    models,
+                    fmt::format("{}", file.fits[k].study->space.size()),
+                    significant(fit.excess, 2),
+                    significant(fit.held_out, 2),
+                    span_of(fit.discrepancy, file.bands[0].band)});
+    for (const std::string& remark : fit.remarks)
+      remarks += "<li>" + escape(fit.name + ": " + remark) + "</li>\n";
+  }
+  return number_table({"Fit",
+                       "Models that come from it",
+                       "Variables",
+                       "Residuals over stated noise",
+                       "Held out over explained",
+                       "Spectra it cannot follow"},
+                      rows) +
+         (remarks.empty() ? "" : "<ul>\n" + remarks + "</ul>\n");
+}
+
 std::string coverage_table(const ModelComparisonFile& file, const ModelComparison& comparison) {
-  if (file.uncertainties.empty()) return "";
+  if (file.uncertainties.empty() && file.fits.empty()) return "";
+  std::string html =
+      "<h2>Bands</h2>\n<p>" + escape(bands_in_words(file)) + "</p>\n" + fit_table(file, comparison);
   std::vector<std::vector<std::string>> rows;
   for (const Uncertainty& one : file.uncertainties)
     rows.push_back({one.name, percent(one.spread, 0), one.source});
-  std::string html =
-      "<h2>Bands</h2>\n<p>" +
-      (file.samples > 0 ? fmt::format("Quantiles over {} samples", file.samples)
-                        : std::string("Slopes of the logarithm by differences of the spread")) +
-      fmt::format(", {} of what these numbers leave open, and no more:</p>\n",
-                  percent(file.level, 0)) +
-      number_table({"Number", "Spread", "Source"}, rows);
+  if (!rows.empty()) html += number_table({"Typed number", "Spread", "Source"}, rows);
   rows.clear();
-  for (std::size_t t = 0; t < file.tests.size(); ++t) {
-    std::vector<std::string> row = {file.tests[t].name};
-    for (std::size_t m = 0; m < file.models.size(); ++m) {
-      double sum = 0.0;
-      int count = 0;
-      for (const std::size_t i : cases_of(file, t))
-        for (const double share : comparison.cases[i].models[m].coverage) {
-          sum += share;
-          ++count;
-        }
-      row.push_back(count > 0 ? percent(sum / count, 0) : "–");
-    }
+  const auto add = [&](const std::string& name, const std::vector<std::size_t>& cases) {
+    std::vector<std::string> row = {name};
+    for (std::size_t m = 0; m < file.models.size(); ++m)
+      row.push_back(coverage_text(comparison, cases, m));
     rows.push_back(std::move(row));
-  }
-  return html + "<p>Share of the reference's lines inside, in " + escape(in_words(file.bands[0])) +
-         ". Less than the level: what a model lacks is more than what its numbers leave "
-         "open.</p>\n" +
-         number_table(heads_of(file, "Test"), rows);
+  };
+  for (std::size_t t = 0; t < file.tests.size(); ++t) add(file.tests[t].name, cases_of(file, t));
+  add("all", all_cases(file));
+  return html +
+         "<p>Share of the reference's lines inside, its noise counted, and the mean half width of "
+         "the bands, in " +
+         escape(in_words(file.bands[0])) + ".</p>\n" + number_table(heads_of(file, "Test"), rows);
 }
 
 report::PlotLine density_line(const ModelComparisonFile& file,
@@ -264,6 +321,23 @@ std::string case_figures(const ModelComparisonFile& file, const ModelComparison&
 
 }  // namespace
 
+std::string bands_in_words(const ModelComparisonFile& file) {
+  std::string text = fmt::format("A band of {:g} % holds, ", 100.0 * file.level) +
+                     (file.samples > 0 ? fmt::format("by quantiles over {} samples", file.samples)
+                                       : std::string("to first order of the logarithm")) +
+                     ":";
+  if (!file.fits.empty())
+    text +=
+        " what the fits a model comes from leave open of their variables, with correlations and "
+        "inside their bounds, as wide as the residuals are over their stated noise and as held-out "
+        "values are over what is explained; the error of the fits' own spectra beyond all that, "
+        "third octave by third octave, taken to be the same in what is predicted;";
+  if (!file.uncertainties.empty()) text += " the typed spreads;";
+  return text +
+         " and nothing of numbers that are neither fitted nor typed, of how the reference was "
+         "driven, or of what no fit's rig has shown.";
+}
+
 std::vector<std::string> findings(const ModelComparisonFile& file,
                                   const ModelComparison& comparison) {
   std::vector<std::string> sentences;
@@ -277,6 +351,18 @@ std::vector<std::string> findings(const ModelComparisonFile& file,
                           mean_distance(comparison, cases, m, b, true),
                           in_words(file.bands[b]));
     sentences.push_back(text + ".");
+  }
+  for (std::size_t m = 0; m < file.models.size(); ++m) {
+    const double share = mean_of(comparison, cases, m, &ModelRun::coverage);
+    if (std::isfinite(share))
+      sentences.push_back(
+          fmt::format("{}: bands of {:g} % hold {:.0f} % of the lines of {}; they are ± {:.1f} dB "
+                      "wide in the mean.",
+                      file.models[m].title,
+                      100.0 * file.level,
+                      100.0 * share,
+                      file.reference.title,
+                      kDecibels * mean_of(comparison, cases, m, &ModelRun::reach)));
   }
   if (file.factors.empty()) return sentences;
   for (std::size_t b = 0; b < file.bands.size(); ++b)

@@ -13,6 +13,9 @@ namespace latsch::correlation {
 std::string model_comparison_page(const ModelComparisonFile& file,
                                   const ModelComparison& comparison);
 
+/// What its bands contain and what not.
+std::string bands_in_words(const ModelComparisonFile& file);
+
 /// What came out, a sentence each.
 std::vector<std::string> findings(const ModelComparisonFile& file,
                                   const ModelComparison& comparison);

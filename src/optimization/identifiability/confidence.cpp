@@ -64,15 +64,13 @@ double reach(double g, double h, double threshold) {
 
 }  // namespace
 
-namespace {
-
-/// What a sum of squares of nu squared standard normal numbers exceeds once in a thousand, over nu
-/// [Wilson, Hilferty, Proc. Nat. Acad. Sci. 17 (1931) 684].
 double rare_ratio(double nu) {
   constexpr double kNormal = 3.090232;  // exceeded by one in a thousand
   const double k = 2.0 / (9.0 * nu);
   return std::pow(1.0 - k + kNormal * std::sqrt(k), 3.0);
 }
+
+namespace {
 
 void take_spread(const ResidualNoise& noise, const ConfidenceOptions& options, Confidence& c) {
   const double seen = noise.sigma(), nu = noise.freedom();

@@ -112,6 +112,10 @@ struct Confidence {
   double deviation(int k) const { return direction_deviations[k]; }
 };
 
+/// What a sum of squares of nu squared standard normal numbers exceeds once in a thousand, over nu
+/// [Wilson, Hilferty, Proc. Nat. Acad. Sci. 17 (1931) 684].
+double rare_ratio(double nu);
+
 /// Needs a residual at least.
 Confidence confidence(const Linearization& at, const ConfidenceOptions& options = {});
 

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bands of a predicted density by the fit behind it, on springs with dampers, F = k x + c v: the
+// fit pulls them at one speed, the comparison shakes them.
+#include "correlation/comparison/fit_posterior.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+#include "base/random.h"
+#include "base/scratch_folder_testing.h"
+#include "correlation/analysis/identifiability.h"
+#include "correlation/comparison/model_comparison.h"
+#include "correlation/comparison/model_comparison_page.h"
+#include "correlation/study/spring_testing.h"
+#include "correlation/target/study_trials.h"
+#include "evaluation/executors/inline_executor.h"
+
+namespace latsch::correlation {
+namespace {
+
+constexpr double kRate = 1000.0, kLength = 0.5;                // Hz, s
+constexpr std::array<double, 5> kTones = {4, 10, 20, 40, 80};  // Hz
+constexpr double kAmplitude = 1e-3;                            // m, of each
+constexpr double kStiffness = 20e3, kDamping = 300.0;
+constexpr double kNormal90 = 1.644854;
+const std::vector<double> kTravels = {0.002, 0.005, 0.009};
+constexpr double kPullSpeed = 0.4;
+
+/// kind = "shake": sines that fill whole lines of half a second.
+class ShakeTest : public experiment::Test {
+ public:
+  std::string in_words() const override { return "shaken"; }
+  std::string identity() const override { return "shake"; }
+  std::vector<experiment::ChannelInfo> channels() const override {
+    return {{"time", "s"}, {"force", "N"}};
+  }
+  std::vector<std::string> needs() const override { return {experiment::Spring::kName}; }
+  Result<Channels> run(experiment::Specimen& specimen) const override {
+    Channel time{"time", "s", {}}, force{"force", "N", {}};
+    for (int i = 0; i < static_cast<int>(kLength * kRate); ++i) {
+      const double t = i / kRate;
+      double x = 0.0, v = 0.0;
+      for (const double f : kTones) {
+        const double w = 2.0 * std::numbers::pi * f;
+        x += kAmplitude * std::sin(w * t);
+        v += kAmplitude * w * std::cos(w * t);
+      }
+      time.values.push_back(t);
+      force.values.push_back(specimen.find<experiment::Spring>()->force(x, v));
+    }
+    Channels channels;
+    channels.add(std::move(time));
+    channels.add(std::move(force));
+    return channels;
+  }
+};
+
+const experiment::Language& shaken_springs() {
+  static const experiment::TestKind shake = {
+      "shake",
+      "is shaken",
+      {experiment::Spring::kName},
+      [](const Node&, const experiment::TestSource&) {
+        return std::unique_ptr<experiment::Test>(std::make_unique<ShakeTest>());
+      }};
+  static const experiment::Language language = [] {
+    experiment::Language all = experiment::spring_language();
+    all.tests.push_back(&shake);
+    return all;
+  }();
+  return language;
+}
+
+std::string spring(double k, double c) {
+  return fmt::format(
+      "kind = \"spring\"\nstiffness = \"{:.17g} N/m\"\ndamping = \"{:.17g} N s/m\"\n", k, c);
+}
+
+class FittedSprings : public testing::Test {
+ protected:
+  FittedSprings() {
+    write("model.toml", spring(15e3, 250.0));  // where the fit begins
+    write("shake.toml", "kind = \"shake\"\n");
+    write("pull.toml",
+          "kind = \"pull\"\nspeed = \"0.4 m/s\"\ntravels = [\"2 mm\", \"5 mm\", \"9 mm\"]\n");
+  }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+  }
+
+  /// Forces as measured at the travels, to so many N.
+  Study fit(const std::vector<double>& forces, double noise = 3.0, const std::string& more = "") {
+    std::string table = "travel [m],force [N]\n";
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      table += fmt::format("{:.17g},{:.17g}\n", kTravels[i], forces[i]);
+    write("pull.csv", table);
+    write("fit.toml",
+          fmt::format(R"(model = "model.toml"
+[test.pull]
+file = "pull.toml"
+[variable.stiffness]
+path = "stiffness"
+lower = "1 N/mm"
+upper = "200 N/mm"
+initial = "15 N/mm"
+[variable.damping]
+path = "damping"
+lower = "1 N s/m"
+upper = "3000 N s/m"
+initial = "250 N s/m"
+[experiment.pulled]
+kind = "curve"
+x = "pull/travel"
+y = "pull/force"
+measurement = "pull.csv"
+noise = "{} N"
+exponent = 2
+{})",
+                      noise,
+                      more));
+    Study study = read_study(folder_ / "fit.toml", shaken_springs());
+    std::filesystem::remove(study.run.journal);
+    Journal journal = Journal::open(study.run.journal, identity(study));
+    InlineExecutor executor(evaluator(study));
+    EXPECT_TRUE(
+        identify(study, study.space.initial(), Depth::intervals, executor, journal, RunOptions{}));
+    return study;
+  }
+
+  ModelComparisonFile comparison(const std::string& more = "", const std::string& at = "") {
+    write("comparison.toml",
+          R"(channels = ["force"]
+segment = "0.5 s"
+[band.tones]
+edges = ["3 Hz", "85 Hz"]
+[reference]
+kind = "spring"
+file = "specimen.toml"
+[test.shaken]
+file = "shake.toml"
+[model.fitted]
+kind = "spring"
+file = "model.toml"
+fits = ["pulled"]
+[fit.pulled]
+study = "fit.toml"
+)" + at + more);
+    return read_model_comparison(folder_ / "comparison.toml", shaken_springs());
+  }
+
+  ScratchFolder folder_;
+};
+
+std::vector<double> exact_forces(double k, double c) {
+  std::vector<double> forces;
+  for (const double x : kTravels) forces.push_back(k * x + c * kPullSpeed);
+  return forces;
+}
+
+/// var of ln(k^2 + c^2 w^2) by the covariance of a line k x + v c through three points.
+double closed_form_deviation(double f, double sigma) {
+  const double w = 2.0 * std::numbers::pi * f, mean = 0.016 / 3.0;
+  double Sxx = 0.0;
+  for (const double x : kTravels) Sxx += (x - mean) * (x - mean);
+  const double var_k = sigma * sigma / Sxx;
+  const double var_c = sigma * sigma * (1.0 / 3.0 + mean * mean / Sxx) / (kPullSpeed * kPullSpeed);
+  const double cov = -sigma * sigma * mean / Sxx / kPullSpeed;
+  const double S = kStiffness * kStiffness + kDamping * kDamping * w * w;
+  const double g_k = 2.0 * kStiffness / S, g_c = 2.0 * kDamping * w * w / S;
+  return std::sqrt(g_k * g_k * var_k + 2.0 * g_k * g_c * cov + g_c * g_c * var_c);
+}
+
+std::size_t line_of(const numerics::Density& S, double f) {
+  std::size_t k = 0;
+  while (S.frequency[k] < f - 1e-6) ++k;
+  return k;
+}
+
+// A density of the tones is that of the travel times k^2 + c^2 w^2, so its band is known. The
+// covariance matters: without it the band at 10 Hz, where k and c weigh alike, were wider by half.
+// 2 % for the curvature of a logarithm over one deviation.
+TEST_F(FittedSprings, HaveTheBandOfTheFitsCovariance) {
+  write("specimen.toml", spring(kStiffness, kDamping));
+  fit(exact_forces(kStiffness, kDamping));
+  const ModelComparison found = compare_models(comparison(), shaken_springs(), 1);
+  const ModelRun& run = found.cases[0].models[0];
+  for (const double f : kTones) {
+    const std::size_t k = line_of(run.densities[0], f);
+    const double S = run.densities[0].value[k];
+    EXPECT_NEAR(S / found.cases[0].reference[0].value[k], 1.0, 1e-6) << f;  // at the fit's point
+    const double half = kNormal90 * closed_form_deviation(f, 3.0);
+    EXPECT_NEAR(std::log(run.upper[0][k] / S), half, 0.02 * half) << f;
+    EXPECT_NEAR(std::log(S / run.lower[0][k]), half, 0.02 * half) << f;
+  }
+  EXPECT_EQ(run.coverage[0], 1.0);
+  EXPECT_EQ(found.fits[0].excess, 1.0);
+}
+
+// The same by samples: a quantile of 400 draws is known to 5 % or so of the half width.
+TEST_F(FittedSprings, HaveTheSameBandBySamples) {
+  write("specimen.toml", spring(kStiffness, kDamping));
+  fit(exact_forces(kStiffness, kDamping));
+  const ModelComparison found =
+      compare_models(comparison("[bands]\nsamples = 400\n"), shaken_springs(), 1);
+  const ModelRun& run = found.cases[0].models[0];
+  for (const double f : kTones) {
+    const std::size_t k = line_of(run.densities[0], f);
+    const double half = kNormal90 * closed_form_deviation(f, 3.0);
+    EXPECT_NEAR(0.5 * std::log(run.upper[0][k] / run.lower[0][k]), half, 0.15 * half) << f;
+  }
+}
+
+// A measurement that no line follows, off by what is orthogonal to all of them: over one degree of
+// freedom its length is the spread seen, and the band as much wider than the stated 0.5 N make it.
+TEST_F(FittedSprings, HaveABandAsWideAsTheFitIsBad) {
+  write("specimen.toml", spring(kStiffness, kDamping));
+  // Orthogonal to 1 and to the travels: what no k and c can follow.
+  const std::array<double, 3> off = {4.0, -7.0, 3.0};
+  auto forces = exact_forces(kStiffness, kDamping);
+  for (std::size_t i = 0; i < 3; ++i) forces[i] += 0.25 * off[i];
+  fit(forces, 0.5);
+  const ModelComparison found = compare_models(comparison(), shaken_springs(), 1);
+  const double excess = 0.25 * std::sqrt(16.0 + 49.0 + 9.0) / 0.5;
+  EXPECT_NEAR(found.fits[0].excess, excess, 1e-6 * excess);
+  const ModelRun& run = found.cases[0].models[0];
+  const std::size_t k = line_of(run.densities[0], 80.0);
+  const double half = kNormal90 * excess * closed_form_deviation(80.0, 0.5);
+  EXPECT_NEAR(std::log(run.upper[0][k] / run.densities[0].value[k]), half, 0.1 * half);
+}
+
+// Springs of the model's kind, noise as stated in fit and reference. The lines of one spring hang
+// together, so of 300 springs the share is known to sqrt(0.9 0.1 / 300) = 1.7 %: 4 % is more than
+// two of these.
+TEST_F(FittedSprings, HoldTheLinesOfSpringsOfTheirKindAsOftenAsTheySay) {
+  constexpr int kSprings = 300;
+  double inside = 0.0;
+  for (int i = 0; i < kSprings; ++i) {
+    RandomStream random(15, static_cast<std::uint64_t>(i));
+    const double k = kStiffness * std::exp(0.3 * random.normal());
+    const double c = kDamping * std::exp(0.3 * random.normal());
+    auto forces = exact_forces(k, c);
+    for (double& force : forces) force += 3.0 * random.normal();
+    write("specimen.toml", spring(k, c));
+    fit(forces);
+    ModelComparisonFile file = comparison();
+    file.noise["force"] = 2.0;
+    file.seed = i;
+    inside += compare_models(file, shaken_springs(), 1).cases[0].models[0].coverage[0] / kSprings;
+  }
+  EXPECT_NEAR(inside, 0.9, 0.04);
+}
+
+// What noise alone makes of a line is distributed as chi^2 of two degrees of freedom a segment;
+// 5 % and 95 % of it, from tables: 0.0513 and 2.996 of the mean. The cubic root comes within 0.03.
+TEST(LineNoise, IsThatOfAPeriodogramWhereThereIsNothingElse) {
+  const LineNoise noise{4.0, 1.0};
+  EXPECT_NEAR(std::exp(noise.log_quantile(0.0, kNormal90)), 2.996, 0.03);
+  EXPECT_NEAR(std::exp(noise.log_quantile(0.0, -kNormal90)), 0.0513, 0.015);
+  // Little noise N beside S: ln S has the deviation sqrt(2 N / S).
+  EXPECT_NEAR(noise.log_quantile(4e4, 1.0), std::sqrt(2.0 * 4.0 / 4e4), 1e-3);
+  EXPECT_EQ((LineNoise{0.0, 1.0}.log_quantile(1.0, 2.0)), 0.0);
+}
+
+void expect_refused(const std::function<void()>& act, const std::string& words) {
+  try {
+    act();
+    ADD_FAILURE() << "not refused: " << words;
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(FittedSprings, AreRefusedWhereTheFitIsNotOfThem) {
+  write("specimen.toml", spring(kStiffness, kDamping));
+  const Study study = fit(exact_forces(kStiffness, kDamping));
+  expect_refused([&] { comparison("", "at = [\"front_tire\"]\n"); },
+                 "fit pulled varies stiffness, which would be \"front_tire.stiffness\" of fitted");
+  expect_refused([&] { comparison("", "at = [\"\", \"\"]\n"); }, "more than once");
+  std::filesystem::remove(study.run.journal);
+  const ModelComparisonFile file = comparison();
+  expect_refused([&] { compare_models(file, shaken_springs(), 1); }, "latsch run");
+}
+
+TEST_F(FittedSprings, SayWhatTheirBandContains) {
+  write("specimen.toml", spring(kStiffness, kDamping));
+  fit(exact_forces(kStiffness, kDamping));
+  const ModelComparisonFile file = comparison();
+  const ModelComparison found = compare_models(file, shaken_springs(), 1);
+  const std::string page = model_comparison_page(file, found);
+  EXPECT_NE(page.find("what the fits a model comes from leave open"), std::string::npos);
+  EXPECT_NE(page.find("nothing of numbers that are neither fitted nor typed"), std::string::npos);
+  EXPECT_NE(findings(file, found)[1].find("bands of 90 % hold 100 % of the lines"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace latsch::correlation
