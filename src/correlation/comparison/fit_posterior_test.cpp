@@ -253,14 +253,14 @@ TEST_F(FittedSprings, HoldTheLinesOfSpringsOfTheirKindAsOftenAsTheySay) {
   EXPECT_NEAR(inside, 0.9, 0.04);
 }
 
-// What noise alone makes of a line is distributed as chi^2 of two degrees of freedom a segment;
-// 5 % and 95 % of it, from tables: 0.0513 and 2.996 of the mean. The cubic root comes within 0.03.
+// What noise alone makes of a line of one segment is distributed exponentially: 5 % and 95 % of it
+// are -ln 0.95 and -ln 0.05 of the mean. The tolerance is that of kNormal90, seven digits.
 TEST(LineNoise, IsThatOfAPeriodogramWhereThereIsNothingElse) {
   const LineNoise noise{4.0, 1.0};
-  EXPECT_NEAR(std::exp(noise.log_quantile(0.0, kNormal90)), 2.996, 0.03);
-  EXPECT_NEAR(std::exp(noise.log_quantile(0.0, -kNormal90)), 0.0513, 0.015);
-  // Little noise N beside S: ln S has the deviation sqrt(2 N / S).
-  EXPECT_NEAR(noise.log_quantile(4e4, 1.0), std::sqrt(2.0 * 4.0 / 4e4), 1e-3);
+  EXPECT_NEAR(std::exp(noise.log_quantile(0.0, kNormal90)), -std::log(0.05), 1e-6);
+  EXPECT_NEAR(std::exp(noise.log_quantile(0.0, -kNormal90)), -std::log(0.95), 1e-6);
+  // Little noise N beside S: ln S has the deviation sqrt(2 N / S); the next term is N / S.
+  EXPECT_NEAR(noise.log_quantile(4e4, 1.0), std::sqrt(2.0 * 4.0 / 4e4), 2.0 * 4.0 / 4e4);
   EXPECT_EQ((LineNoise{0.0, 1.0}.log_quantile(1.0, 2.0)), 0.0);
 }
 

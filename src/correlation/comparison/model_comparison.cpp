@@ -17,6 +17,7 @@
 #include "base/text.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/band_level.h"
+#include "numerics/chi_square.h"
 #include "numerics/signals/butterworth.h"
 
 namespace latsch::correlation {
@@ -429,8 +430,7 @@ double LineNoise::log_quantile(double S, double z) const {
   if (density == 0.0) return 0.0;
   const double M = S + density;
   const double h = 2.0 * segments * M * M / (2.0 * S * density + density * density);
-  const double k = 2.0 / (9.0 * h);
-  return 3.0 * std::log(std::max(1e-6, 1.0 - k + z * std::sqrt(k)));
+  return std::log(numerics::chi_square_at(z, h) / h);
 }
 
 double psd_distance(const numerics::Density& a, const numerics::Density& b, FrequencyBand band) {

@@ -17,8 +17,8 @@
 // Coverage is the share of the reference's lines inside the band widened by the reference's noise:
 // with N the density of the noise and K independent segments a line measured of S is
 //   (S + N) chi^2_h / h,   h = 2 K (S + N)^2 / (2 S N + N^2)
-// [Patnaik, Biometrika 36 (1949) 202: the noncentral chi^2], whose quantiles [Wilson, Hilferty
-// 1931] are added to those of the band as roots of squares of logarithms.
+// [Patnaik, Biometrika 36 (1949) 202: the noncentral chi^2], whose quantiles (chi_square.h) are
+// added to those of the band as roots of squares of logarithms.
 //
 // It is of each line alone. It knows nothing of numbers that no fit and no table names, nor of what
 // the models lack but the fits' rigs did not show.
