@@ -26,6 +26,7 @@ enum Given : std::size_t {
   lateral,
   yaw,
   is_guide_given,
+  road_continues,
   rack,
   rack_velocity,
   drive,
@@ -52,6 +53,11 @@ void add_parameters(std::vector<Variable>& table) {
                    parameter,
                    "1",
                    "1: the guide is where the inputs are; 0: straight on at `speed`",
+                   0.0});
+  table.push_back({"road.continues",
+                   parameter,
+                   "1",
+                   "beyond the edge of its file: 1: as its kind of file does; 0: an error",
                    0.0});
 }
 
@@ -217,6 +223,7 @@ std::optional<Failure> CarUnit::start(double /*time*/) {
   const std::lock_guard lock(shared_->turn);
   car::Car& car = *shared_->car;
   car.guide = car::Guide{};  // statics need one
+  car.may_leave_road = given_[road_continues] != 0.0;
   const car::CarInputs now = inputs(car, 0.0);
   auto settled = car.settle(*road_, given_[speed], now);
   if (!settled) return settled.failure();
@@ -235,6 +242,7 @@ std::optional<Failure> CarUnit::step(double /*time*/, double step) {
   car.guide.along = given_[along];
   car.guide.lateral = given_[lateral];
   car.guide.yaw = given_[yaw];
+  car.may_leave_road = given_[road_continues] != 0.0;
   car::CarInputs end;
   for (double i = 1.0; i <= steps; i += 1.0) {
     end = inputs(car, i * h);

@@ -14,6 +14,9 @@
 //   axes of the chassis = R_z(yaw) R_y(pitch) R_x(roll)           [ISO 8855:2011]            (2)
 // A chassis of two halves is seen at its front half.
 //
+// Where a tire leaves what the file of its road knows, a step is a Failure, unless the parameter
+// `road.continues` lets the road go on as its kind of file does (models/road/road.h, beyond).
+//
 // The guide holds the car on a line in a driver's place (models/car/car.h); without stiffness it
 // does nothing, once the car has begun.
 #pragma once
@@ -49,7 +52,7 @@ class CarUnit final : public Unit {
   /// None before start().
   const std::optional<car::CarState>& state() const { return state_; }
 
-  static constexpr std::size_t kGiven = 25, kAnswers = 15 + 4 * 10;
+  static constexpr std::size_t kGiven = 26, kAnswers = 15 + 4 * 10;
 
  private:
   /// One car serves a unit and its copies, one at a time: what is theirs is the state.

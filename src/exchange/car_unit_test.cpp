@@ -9,6 +9,7 @@
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
 #include "exchange/unit_folder.h"
+#include "formats/road/road_file.h"
 
 namespace latsch::exchange {
 namespace {
@@ -23,9 +24,10 @@ constexpr double kGravity = 9.80665, kCommunication = 1e-3;
 /// A unit of the car, its variables by name.
 class Driven {
  public:
-  explicit Driven(const std::filesystem::path& file = kCar) {
+  explicit Driven(const std::filesystem::path& file = kCar,
+                  const std::filesystem::path& road = {}) {
     const auto& kind = experiment::language().kind_of_file(file);
-    unit_ = unit_of(kind, kind.read(file));
+    unit_ = unit_of(kind, kind.read(file), road);
   }
   CarUnit& unit() { return static_cast<CarUnit&>(*unit_); }
   std::size_t number(const std::string& name) const {
@@ -185,6 +187,32 @@ TEST(CarUnit, ACopyGoesOnToTheSameBitsWhateverTheOtherDoes) {
   alone.start();
   alone.go(10);
   EXPECT_TRUE(*other.state() == *alone.unit().state());
+}
+
+// A level road of two triangles that ends at 5 m: the car is off it 0.2 s after the start, and on
+// level ground where it may go on, as on a road without end.
+TEST(CarUnit, EndsAtTheEdgeOfItsRoadUnlessThatContinues) {
+  const ScratchFolder folder;
+  const road::TriangleMesh mesh{{{-3, -2, 0}, {5, -2, 0}, {5, 2, 0}, {-3, 2, 0}},
+                                {{{0, 1, 2}}, {{0, 2, 3}}}};
+  write_text_file(folder / "short.rdf", formats::rdf_text(mesh, "ends at 5 m"));
+  Driven ends(kCar, folder / "short.rdf"), goes_on(kCar, folder / "short.rdf"), endless;
+  goes_on.set("road.continues", 1.0);
+  for (Driven* car : {&ends, &goes_on, &endless}) {
+    car->set("speed", 20.0);
+    car->start();
+  }
+  std::optional<Failure> why;
+  int steps = 0;
+  for (; !why && steps < 300; ++steps) why = ends.unit().step(1e-3 * steps, 1e-3);
+  ASSERT_TRUE(why);
+  EXPECT_NE(why->reason.find("off the road's edge"), std::string::npos) << why->reason;
+  EXPECT_NE(why->reason.find("road.continues"), std::string::npos) << why->reason;
+  goes_on.go(300);
+  endless.go(300);
+  EXPECT_GT(goes_on.get("wheel.FL.x"), 6.0);
+  EXPECT_NEAR(goes_on.get("chassis.z"), endless.get("chassis.z"), 1e-6);
+  EXPECT_NEAR(goes_on.get("chassis.x"), endless.get("chassis.x"), 1e-6);
 }
 
 TEST(CarUnit, SaysWhichParameterIsOutOfRange) {

@@ -438,8 +438,7 @@ std::string Car::off_road(int corner, const WheelMotion& wheel, const road::Road
   if (beyond.empty()) return {};
   return fmt::format(
       "tire {} is off the road's edge: {}. Drive on another line, start elsewhere or drive less "
-      "far, "
-      "extend the road, or allow it (beyond_edge of a test)",
+      "far, extend the road, or allow it (beyond_edge of a test, road.continues of a unit)",
       kCornerNames[at(corner)],
       beyond);
 }
