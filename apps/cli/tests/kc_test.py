@@ -180,6 +180,7 @@ class Kc(unittest.TestCase):
         refused(r'side = "left"', 'side = "right"', "side", "left is y > 0")
         refused(r'z = "30 kN/mm"\n', "", "has no z", "bushing.all")
         refused(r'([xyz]) = "30 kN/mm"', r'\1 = "0 kN/mm"', "has no stiffness", "uca_front")
+        refused(r'(about_[xyz]) = "200 N m/rad"', r'\1 = "0 N m/rad"', "the push-rod spins freely", "no rotational stiffness", "about_x")
         refused(r'x = "30 kN/mm"', 'x = "-30 kN/mm"', "x")
         refused(r'pushrod_inner = .*', 'pushrod_inner = ["1507.720 mm", "273.296 mm", "307.192 mm"]', "the push-rod points at the axis",
                 "uca_front to uca_rear")

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -39,6 +40,37 @@ std::string fault_of_bushing(const std::string& name, const BushingParameters& b
   return {};
 }
 
+/// Whether it resists a turn about that axis at all.
+bool holds_about(const Joint& joint, const Eigen::Vector3d& axis) {
+  const auto resists = [&](const BushingParameters::Part& part) {
+    return part.axis >= 3 && joint.axes.col(part.axis - 3).dot(axis) != 0.0;
+  };
+  return joint.bushing.rotational.dot((joint.axes.transpose() * axis).cwiseAbs2()) > 0.0 ||
+         std::any_of(joint.bushing.parts.begin(), joint.bushing.parts.end(), resists);
+}
+
+/// A rod, all of whose joints are in one line, that nothing keeps from spinning about it.
+std::string fault_of_spin(const std::string& rod, const std::vector<const Joint*>& joints) {
+  constexpr double kNear = 1e-6;  // m
+  const auto from_first = [&](const Joint* joint) -> Eigen::Vector3d {
+    return joint->point - joints[0]->point;
+  };
+  const Joint* far =
+      *std::max_element(joints.begin(), joints.end(), [&](const Joint* a, const Joint* b) {
+        return from_first(a).norm() < from_first(b).norm();
+      });
+  if (!(from_first(far).norm() > kNear)) return {};
+  const Eigen::Vector3d line = from_first(far).normalized();
+  for (const Joint* joint : joints)
+    if (from_first(joint).cross(line).norm() > kNear || holds_about(*joint, line)) return {};
+  return fmt::format(
+      "{} spins freely from {} to {}: the bushings there have no rotational stiffness (about_x, "
+      "about_y, about_z), one of them needs some",
+      rod,
+      joints[0]->name,
+      far->name);
+}
+
 std::string fault_of_strut(const Strut& strut, int bodies, int drivers) {
   if (strut.lines.empty()) return fmt::format("{} has no line to act along", strut.name);
   if (strut.driver < -1 || strut.driver >= drivers)
@@ -58,6 +90,26 @@ std::string fault_of_strut(const Strut& strut, int bodies, int drivers) {
   for (const ForcePart& part : strut.parts)
     if (const std::string fault = fault_of(part); !fault.empty())
       return fmt::format("{}: {}", strut.name, fault);
+  return {};
+}
+
+/// Of bodies without mass on joints alone: what has mass may spin in motion.
+std::string fault_of_rods(const std::vector<Body>& bodies,
+                          const std::vector<Joint>& joints,
+                          const std::vector<Strut>& struts) {
+  for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
+    const Body& body = bodies[static_cast<std::size_t>(i)];
+    const bool has_strut = std::any_of(struts.begin(), struts.end(), [&](const Strut& strut) {
+      return std::any_of(strut.lines.begin(), strut.lines.end(), [&](const StrutLine& line) {
+        return line.a == i || line.b == i;
+      });
+    });
+    if (body.mass > 0.0 || has_strut) continue;
+    std::vector<const Joint*> own;
+    for (const Joint& joint : joints)
+      if (joint.a == i || joint.b == i) own.push_back(&joint);
+    if (std::string fault = fault_of_spin(body.name, own); !fault.empty()) return fault;
+  }
   return {};
 }
 
@@ -92,7 +144,7 @@ std::string Mechanism::fault(const std::vector<Body>& bodies,
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (!held[i] && !(bodies[i].mass > 0.0))
       return fmt::format("nothing holds {}: it has no joint", bodies[i].name);
-  return {};
+  return fault_of_rods(bodies, joints, struts);
 }
 
 std::string Mechanism::fault_in_motion(const std::vector<Body>& bodies) {

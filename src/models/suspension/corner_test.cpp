@@ -177,7 +177,16 @@ TEST_F(Corner, BushingsSoSoftThatItTurnsOverAreNamed) {
 
 TEST_F(Corner, ARodThatSpinsFreelyIsNamed) {
   for (BushingParameters& bushing : corner_.bushings) bushing.rotational.setZero();
-  const Mechanism free(corner_.bodies(), corner_.joints());
+  const std::string fault = Mechanism::fault(corner_.bodies(), corner_.joints());
+  EXPECT_NE(fault.find("the push-rod spins freely from pushrod_inner to pushrod_outer"),
+            std::string::npos)
+      << fault;
+  EXPECT_NE(fault.find("no rotational stiffness (about_x"), std::string::npos) << fault;
+  // What has mass may spin in motion, but does not stand.
+  auto bodies = corner_.bodies();
+  for (multibody::Body& body : bodies) body.mass = 1.0;
+  ASSERT_EQ(Mechanism::fault(bodies, corner_.joints()), "");
+  const Mechanism free(bodies, corner_.joints());
   const Load on = load({0.0, 0.0, 5e3}, Vector3d::Zero());
   const auto poses = Equilibrium(free).solve({&on, 1});
   ASSERT_FALSE(poses);
