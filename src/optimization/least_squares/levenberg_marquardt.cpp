@@ -21,7 +21,6 @@ constexpr double kPoorGain = 0.25;          // shortens the radius
 constexpr double kGainToExpand = 0.75;      // makes it longer
 constexpr double kExpansionOfRadius = 2.0;  // of the step
 constexpr double kAfterFailure = 0.25;      // of the step
-constexpr int kMostReturns = 6;             // to the floor of a valley, of one step
 constexpr double kWorthReturning = 0.1;     // of what the step had promised
 constexpr double kSteepDescent = 0.1;       // f after a step, of f before: no valley's floor
 constexpr double kExpansionOnReturn = 10.0, kRadiusOnReturn = 4.0;  // of the step
@@ -140,7 +139,7 @@ struct LevenbergMarquardt::State {
   /// there, by the residuals and slopes known there.
   bool returns_from(const Attempt& tried, const Linear& at) {
     const LevenbergMarquardtStep& step = *tried.step;
-    if (tried.returns >= kMostReturns || !is_in_valley() || (foreign && foreign->f < x.f) ||
+    if (tried.returns >= options.most_returns || !is_in_valley() || (foreign && foreign->f < x.f) ||
         (x.f - at.f) / step.promised > kTaken)
       return false;
     const LevenbergMarquardtStep back =

@@ -15,7 +15,7 @@
 //             slope and f(u + p), 1/10 to 1/2 of it; one above 3/4, or of a full step, makes it
 //             twice |p|.
 //   return    In a narrow bent valley a step along its floor ends high on its side, where J is
-//             known as well: up to six steps from there, each as long as the first at most, may
+//             known as well: a few steps from there, each as long as the first at most, may
 //             lead down to the floor again, far along it. Where they end counts as u + p, with a
 //             radius of 4 or 10 |p| on success. A watchdog's way [Chamberlain, Powell, Lemaréchal
 //             & Pedersen, Math. Program. Study 16 (1982) 1]; only where the step before has left
@@ -60,6 +60,8 @@ struct LevenbergMarquardtOptions {
   /// model promises less than half of it: the way along a bent valley or a kink may be long. 0:
   /// anything, or what a study's noise says [optimizer_choice.cpp].
   double progress_tolerance = 0.0;
+  /// Steps back to the floor of a valley, of one step that led up its side; 0: none.
+  int most_returns = 6;
 };
 
 class LevenbergMarquardt : public Optimizer {
