@@ -14,75 +14,22 @@
 #include "correlation/analysis/identifiability.h"
 #include "correlation/comparison/model_comparison.h"
 #include "correlation/comparison/model_comparison_page.h"
-#include "correlation/study/spring_testing.h"
+#include "correlation/comparison/shaken_springs_testing.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/executors/inline_executor.h"
 
 namespace latsch::correlation {
 namespace {
 
-constexpr double kRate = 1000.0, kLength = 0.5;                // Hz, s
-constexpr std::array<double, 5> kTones = {4, 10, 20, 40, 80};  // Hz
-constexpr double kAmplitude = 1e-3;                            // m, of each
 constexpr double kStiffness = 20e3, kDamping = 300.0;
 constexpr double kNormal90 = 1.644854;
 const std::vector<double> kTravels = {0.002, 0.005, 0.009};
 constexpr double kPullSpeed = 0.4;
 
-/// kind = "shake": sines that fill whole lines of half a second.
-class ShakeTest : public experiment::Test {
- public:
-  std::string in_words() const override { return "shaken"; }
-  std::string identity() const override { return "shake"; }
-  std::vector<experiment::ChannelInfo> channels() const override {
-    return {{"time", "s"}, {"force", "N"}};
-  }
-  std::vector<std::string> needs() const override { return {experiment::Spring::kName}; }
-  Result<Channels> run(experiment::Specimen& specimen) const override {
-    Channel time{"time", "s", {}}, force{"force", "N", {}};
-    for (int i = 0; i < static_cast<int>(kLength * kRate); ++i) {
-      const double t = i / kRate;
-      double x = 0.0, v = 0.0;
-      for (const double f : kTones) {
-        const double w = 2.0 * std::numbers::pi * f;
-        x += kAmplitude * std::sin(w * t);
-        v += kAmplitude * w * std::cos(w * t);
-      }
-      time.values.push_back(t);
-      force.values.push_back(specimen.find<experiment::Spring>()->force(x, v));
-    }
-    Channels channels;
-    channels.add(std::move(time));
-    channels.add(std::move(force));
-    return channels;
-  }
-};
-
-const experiment::Language& shaken_springs() {
-  static const experiment::TestKind shake = {
-      "shake",
-      "is shaken",
-      {experiment::Spring::kName},
-      [](const Node&, const experiment::TestSource&) {
-        return std::unique_ptr<experiment::Test>(std::make_unique<ShakeTest>());
-      }};
-  static const experiment::Language language = [] {
-    experiment::Language all = experiment::spring_language();
-    all.tests.push_back(&shake);
-    return all;
-  }();
-  return language;
-}
-
-std::string spring(double k, double c) {
-  return fmt::format(
-      "kind = \"spring\"\nstiffness = \"{:.17g} N/m\"\ndamping = \"{:.17g} N s/m\"\n", k, c);
-}
-
 class FittedSprings : public testing::Test {
  protected:
   FittedSprings() {
-    write("model.toml", spring(15e3, 250.0));  // where the fit begins
+    write("model.toml", spring_file(15e3, 250.0));  // where the fit begins
     write("shake.toml", "kind = \"shake\"\n");
     write("pull.toml",
           "kind = \"pull\"\nspeed = \"0.4 m/s\"\ntravels = [\"2 mm\", \"5 mm\", \"9 mm\"]\n");
@@ -183,11 +130,11 @@ std::size_t line_of(const numerics::Density& S, double f) {
 // covariance matters: without it the band at 10 Hz, where k and c weigh alike, were wider by half.
 // 2 % for the curvature of a logarithm over one deviation.
 TEST_F(FittedSprings, HaveTheBandOfTheFitsCovariance) {
-  write("specimen.toml", spring(kStiffness, kDamping));
+  write("specimen.toml", spring_file(kStiffness, kDamping));
   fit(exact_forces(kStiffness, kDamping));
   const ModelComparison found = compare_models(comparison(), shaken_springs(), 1);
   const ModelRun& run = found.cases[0].models[0];
-  for (const double f : kTones) {
+  for (const double f : kShakenTones) {
     const std::size_t k = line_of(run.densities[0], f);
     const double S = run.densities[0].value[k];
     EXPECT_NEAR(S / found.cases[0].reference[0].value[k], 1.0, 1e-6) << f;  // at the fit's point
@@ -201,12 +148,12 @@ TEST_F(FittedSprings, HaveTheBandOfTheFitsCovariance) {
 
 // The same by samples: a quantile of 400 draws is known to 5 % or so of the half width.
 TEST_F(FittedSprings, HaveTheSameBandBySamples) {
-  write("specimen.toml", spring(kStiffness, kDamping));
+  write("specimen.toml", spring_file(kStiffness, kDamping));
   fit(exact_forces(kStiffness, kDamping));
   const ModelComparison found =
       compare_models(comparison("[bands]\nsamples = 400\n"), shaken_springs(), 1);
   const ModelRun& run = found.cases[0].models[0];
-  for (const double f : kTones) {
+  for (const double f : kShakenTones) {
     const std::size_t k = line_of(run.densities[0], f);
     const double half = kNormal90 * closed_form_deviation(f, 3.0);
     EXPECT_NEAR(0.5 * std::log(run.upper[0][k] / run.lower[0][k]), half, 0.15 * half) << f;
@@ -216,7 +163,7 @@ TEST_F(FittedSprings, HaveTheSameBandBySamples) {
 // A measurement that no line follows, off by what is orthogonal to all of them: over one degree of
 // freedom its length is the spread seen, and the band as much wider than the stated 0.5 N make it.
 TEST_F(FittedSprings, HaveABandAsWideAsTheFitIsBad) {
-  write("specimen.toml", spring(kStiffness, kDamping));
+  write("specimen.toml", spring_file(kStiffness, kDamping));
   // Orthogonal to 1 and to the travels: what no k and c can follow.
   const std::array<double, 3> off = {4.0, -7.0, 3.0};
   auto forces = exact_forces(kStiffness, kDamping);
@@ -243,7 +190,7 @@ TEST_F(FittedSprings, HoldTheLinesOfSpringsOfTheirKindAsOftenAsTheySay) {
     const double c = kDamping * std::exp(0.3 * random.normal());
     auto forces = exact_forces(k, c);
     for (double& force : forces) force += 3.0 * random.normal();
-    write("specimen.toml", spring(k, c));
+    write("specimen.toml", spring_file(k, c));
     fit(forces);
     ModelComparisonFile file = comparison();
     file.noise["force"] = 2.0;
@@ -274,7 +221,7 @@ void expect_refused(const std::function<void()>& act, const std::string& words) 
 }
 
 TEST_F(FittedSprings, AreRefusedWhereTheFitIsNotOfThem) {
-  write("specimen.toml", spring(kStiffness, kDamping));
+  write("specimen.toml", spring_file(kStiffness, kDamping));
   const Study study = fit(exact_forces(kStiffness, kDamping));
   expect_refused([&] { comparison("", "at = [\"front_tire\"]\n"); },
                  "fit pulled varies stiffness, which would be \"front_tire.stiffness\" of fitted");
@@ -285,7 +232,7 @@ TEST_F(FittedSprings, AreRefusedWhereTheFitIsNotOfThem) {
 }
 
 TEST_F(FittedSprings, SayWhatTheirBandContains) {
-  write("specimen.toml", spring(kStiffness, kDamping));
+  write("specimen.toml", spring_file(kStiffness, kDamping));
   fit(exact_forces(kStiffness, kDamping));
   const ModelComparisonFile file = comparison();
   const ModelComparison found = compare_models(file, shaken_springs(), 1);

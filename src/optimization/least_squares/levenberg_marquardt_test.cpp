@@ -112,7 +112,7 @@ int returns(const Search& found) {
 }
 
 // A step p along the tangent ends p^2/2 off the floor, so it pays only to p^3 = 8 kNarrow^2 phi:
-// 0.13 at phi = 3, where the end is 3 away. Returns make longer ones good: they save a third at least.
+// 0.13 at phi = 3, where the end is 3 away. Returns make longer ones good: a third less in all.
 TEST(LevenbergMarquardt, ReturnsToTheFloorOfABentValley) {
   int evaluations[2] = {}, returned[2] = {};
   for (const double start : {1.0, 1.5, 2.0, 2.5, 3.0}) {
