@@ -51,8 +51,7 @@ using Memories = std::vector<PartMemory>;
 class Mechanism {
  public:
   /// What is wrong, naming the part, or empty: a body without a joint, a joint of a body with
-  /// itself, stiffness that is not positive, places that are not finite, a rod without mass that
-  /// nothing keeps from spinning about itself.
+  /// itself, stiffness that is not positive, places not finite, a massless rod that spins freely.
   static std::string fault(const std::vector<Body>& bodies,
                            const std::vector<Joint>& joints,
                            const std::vector<Strut>& struts = {},
