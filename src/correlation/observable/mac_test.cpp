@@ -8,17 +8,17 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kRound = 1e-14;
+constexpr double kRoundOfShapes = 1e-14;
 
 TEST(Mac, IsOneForTheSameShapeAtAnyScaleAndSign) {
   const Eigen::Vector3d phi(1.0, -2.0, 0.5);
-  EXPECT_NEAR(mac(phi, -3.7 * phi), 1.0, kRound);
+  EXPECT_NEAR(mac(phi, -3.7 * phi), 1.0, kRoundOfShapes);
 }
 
 TEST(Mac, IsTheSquaredCosineOfTheAngle) {
   const double angle = 0.4;
   const Eigen::Vector2d phi(1.0, 0.0), psi(2.0 * std::cos(angle), 2.0 * std::sin(angle));
-  EXPECT_NEAR(mac(phi, psi), std::cos(angle) * std::cos(angle), kRound);
+  EXPECT_NEAR(mac(phi, psi), std::cos(angle) * std::cos(angle), kRoundOfShapes);
 }
 
 TEST(Mac, OfAShapeThatIsZeroEverywhereIsZero) {
@@ -29,7 +29,7 @@ TEST(SubspaceMac, DoesNotSeeTheArbitraryPhaseOfADegeneratePair) {
   Eigen::MatrixXd A(3, 2), B(3, 2);
   A << 1, 0, 0, 1, 0, 0;
   B << std::cos(0.3), -std::sin(0.3), std::sin(0.3), std::cos(0.3), 0, 0;
-  EXPECT_NEAR(mac(A, B), 1.0, kRound);
+  EXPECT_NEAR(mac(A, B), 1.0, kRoundOfShapes);
   EXPECT_LT(mac(A.col(0), B.col(0)), 0.92);  // cos^2 0.3: vector by vector the pair looks wrong
 }
 
@@ -37,13 +37,13 @@ TEST(SubspaceMac, IsTheMeanSquaredCosineOfThePrincipalAngles) {
   Eigen::MatrixXd A(3, 2), B(3, 2);  // planes that share e1 and are inclined by 0.5 rad about it
   A << 1, 0, 0, 1, 0, 0;
   B << 1, 0, 0, std::cos(0.5), 0, std::sin(0.5);
-  EXPECT_NEAR(mac(A, B), 0.5 * (1.0 + std::cos(0.5) * std::cos(0.5)), kRound);
+  EXPECT_NEAR(mac(A, B), 0.5 * (1.0 + std::cos(0.5) * std::cos(0.5)), kRoundOfShapes);
 }
 
 TEST(SubspaceMac, OfAVectorInsideAPlaneIsOne) {
   Eigen::MatrixXd plane(3, 2);
   plane << 1, 0, 0, 1, 0, 0;
-  EXPECT_NEAR(mac(Eigen::Vector3d(0.6, 0.8, 0.0), plane), 1.0, kRound);
+  EXPECT_NEAR(mac(Eigen::Vector3d(0.6, 0.8, 0.0), plane), 1.0, kRoundOfShapes);
 }
 
 }  // namespace

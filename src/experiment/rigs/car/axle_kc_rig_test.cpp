@@ -34,11 +34,12 @@ TEST_F(AxleOnKcRig, SlopesInStiffnessesAreThoseOfDifferences) {
   const std::string keys =
       "springs = \"free\"\nFy_L = [\"-1 kN\", \"1 kN\", \"2 kN\"]\nFz_L = \"800 N\"\n"
       "Mz_R = \"60 N m\"\nFx_R = \"-700 N\"\nslopes_by = \"Fy_L\"\n";
-  const Asked asked{{},
-                    {"rear_suspension.bushing.trackrod_outer.y",
-                     "rear_suspension.bushing.lca_front.x",
-                     "rear_suspension.bushing.all.about_x",
-                     "front_suspension.bushing.all.y"}};
+  Asked asked{{},
+              {"rear_suspension.bushing.trackrod_outer.y",
+               "rear_suspension.bushing.lca_front.x",
+               "rear_suspension.bushing.all.about_x",
+               "front_suspension.bushing.all.y"}};
+  for (const ChannelInfo& channel : test(keys)->channels()) asked.channels.push_back(channel.name);
   const Channels exact = record(keys, asked);
   const Document whole = numbers_;
   for (std::size_t p = 0; p < asked.paths.size(); ++p) {
@@ -73,6 +74,14 @@ TEST_F(AxleOnKcRig, SlopesInStiffnessesAreThoseOfDifferences) {
     }
     if (p == 0) EXPECT_GT(std::abs(exact.find("toe_L")->slopes[0]), 0.0);
   }
+}
+
+TEST_F(AxleOnKcRig, TellsTheSlopesThatAreAskedForAlone) {
+  const Channels recorded =
+      record("Fy_L = [\"1 kN\", \"2 kN\"]\nslopes_by = \"Fy_L\"\n",
+             {{"toe_L_by_Fy_L"}, {"rear_suspension.bushing.trackrod_outer.y"}});
+  for (const Channel& channel : recorded.all())
+    EXPECT_EQ(channel.slopes.size(), channel.name == "toe_L_by_Fy_L" ? 1u : 0u) << channel.name;
 }
 
 TEST_F(AxleOnKcRig, OpposedLoadsAreThoseOfEachWheel) {
