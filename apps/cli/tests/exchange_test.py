@@ -77,7 +77,7 @@ class Exchange(unittest.TestCase):
             for table in ("[front_suspension]", "[rear_suspension]", "[front_tire]", "[rear_tire]"):
                 self.assertIn(table, model)
             self.assertNotIn("slick.tir", model)
-            self.assertEqual(description.count('causality="parameter"'), 6)
+            self.assertEqual(description.count('causality="parameter"'), 7)
             self.assertEqual(description.count('causality="input"'), 19)
             self.assertEqual(description.count('causality="output"'), 55)
             units = set(re.findall(r'<Unit name="([^"]+)"', description))

@@ -47,7 +47,10 @@ class Files(unittest.TestCase):
         self.assertIn("ubj.bus", said)
         shown = self.latsch("show", self.folder / "bushings" / "ubj.bus", "--html", self.folder / "page.html")
         self.assertRegex(shown, r"about z +straight +20 ")
-        self.assertRegex(shown, r"x +straight +3e\+?0?7 +3000 ")
+        stiffness = float(re.search(r'^x = "([\d.]+) kN/mm"', front.read_text(), re.M)[1]) * 1e6  # N/m; its damping is 0.1 ms
+        x, damping = map(float, re.search(r"x +straight +(\S+) +(\S+) ", shown).groups())
+        self.assertAlmostEqual(x / stiffness, 1.0, delta=1e-3)
+        self.assertAlmostEqual(damping / (1e-4 * stiffness), 1.0, delta=1e-3)
         self.assertEqual((self.folder / "page.html").read_text().count("<svg"), 6)
         # The same corner with its bushings from these files.
         joints = sorted(file.stem for file in (self.folder / "bushings").glob("*.bus"))

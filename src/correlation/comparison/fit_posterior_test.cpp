@@ -4,6 +4,7 @@
 #include "correlation/comparison/fit_posterior.h"
 
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
 #include <cmath>
 #include <fstream>
@@ -25,6 +26,27 @@ constexpr double kStiffness = 20e3, kDamping = 300.0;
 constexpr double kNormal90 = 1.644854;
 const std::vector<double> kTravels = {0.002, 0.005, 0.009};
 constexpr double kPullSpeed = 0.4;
+
+/// A folder in memory for journals, hundreds of which need not wait for a disk; none where the
+/// machine has no such folder: then they are beside their study.
+class JournalInMemory {
+ public:
+  JournalInMemory() {
+    std::string pattern = "/dev/shm/latsch_XXXXXX";
+    if (::mkdtemp(pattern.data())) folder_ = pattern;
+  }
+  ~JournalInMemory() {
+    std::error_code ignored;
+    if (folder_) std::filesystem::remove_all(*folder_, ignored);
+  }
+  /// Of a study.
+  std::string run_table() const {
+    return folder_ ? fmt::format("[run]\njournal = \"{}/fit.latsch\"\n", *folder_) : "";
+  }
+
+ private:
+  std::optional<std::string> folder_;
+};
 
 class FittedSprings : public testing::Test {
  protected:
@@ -65,9 +87,10 @@ y = "pull/force"
 measurement = "pull.csv"
 noise = "{} N"
 exponent = 2
-{})",
+{}{})",
                       noise,
-                      more));
+                      more,
+                      journal_.run_table()));
     Study study = read_study(folder_ / "fit.toml", shaken_springs());
     std::filesystem::remove(study.run.journal);
     Journal journal = Journal::open(study.run.journal, identity(study));
@@ -99,6 +122,7 @@ study = "fit.toml"
   }
 
   ScratchFolder folder_;
+  JournalInMemory journal_;
 };
 
 std::vector<double> exact_forces(double k, double c) {
