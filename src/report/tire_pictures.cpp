@@ -220,7 +220,8 @@ std::string section_picture(const fe_tire::Mesh& mesh,
 
 std::string loaded_section_picture(const fe_tire::Mesh& mesh,
                                    const fe_tire::Inflated& inflated,
-                                   const fe_tire::Loaded& loaded) {
+                                   const Eigen::Matrix3Xd& loaded,
+                                   double loaded_radius) {
   std::vector<Point> before, after;
   Eigen::AlignedBox2d box;
   for (int k = 0; k < mesh.nodes_per_sector(); ++k) {  // sector 0: at the bottom, radius downward
@@ -228,7 +229,7 @@ std::string loaded_section_picture(const fe_tire::Mesh& mesh,
       return Point(mesh.X(1, k) + u.y(), mesh.X(2, k) + u.z()) / kOneMillimeter;
     };
     before.push_back(upright(inflated.u.col(k)));
-    after.push_back(upright(loaded.u.col(k)));
+    after.push_back(upright(loaded.col(k)));
     box.extend(before.back());
     box.extend(after.back());
   }
@@ -239,7 +240,7 @@ std::string loaded_section_picture(const fe_tire::Mesh& mesh,
     svg.line(
         window(before[element.node[4]]), window(before[element.node[7]]), "class=\"inflated\"");
   }
-  const double ground = window({0.0, -loaded.curve.back().loaded_radius / kOneMillimeter}).y();
+  const double ground = window({0.0, -loaded_radius / kOneMillimeter}).y();
   svg.line({4, ground}, {window.width() + 24, ground}, "class=\"ground\"");
   scale_bar(svg, {window.corner.x(), window.height() + 40}, window.scale);
   return svg.str();

@@ -62,10 +62,10 @@ void add_modes(std::vector<formats::VtuField>& fields, const std::vector<fe_tire
 }
 
 /// Beside the tire's file, where that is one: a device has no place beside it.
-void write_patch(const fs::path& tire, const fe_tire::LoadPoint& point) {
+void write_patch(const fs::path& tire, const fe_tire::Standing& standing) {
   if (fs::exists(tire) && !fs::is_regular_file(tire)) return;
   const fs::path patch = fs::path(tire).replace_extension(".patch.vtu");
-  formats::write_patch_vtu(patch, point);
+  formats::write_patch_vtu(patch, standing);
   say_written(patch.string());
 }
 
@@ -79,10 +79,10 @@ void write_vtu(const ExportOptions& options, const TireDescription& tire) {
   } else {
     std::vector<double> steps;
     for (int i = 1; i <= kLoadSteps; ++i) steps.push_back(state.deflection * i / kLoadSteps);
-    const auto loaded = required(model.load(inflated, steps, fe_tire::Ground{}));
+    const auto loaded = required(model.press(inflated, fe_tire::Ground{}, steps)).back();
     fields.push_back({"displacement", loaded.u});
     if (options.modes > 0) add_modes(fields, required(model.modes(loaded, options.modes)));
-    write_patch(options.vtu, loaded.curve.back());
+    write_patch(options.vtu, model.stand(loaded));
   }
   formats::write_tire_vtu(options.vtu, model.mesh(), fields);
   say_written(options.vtu);

@@ -25,21 +25,21 @@ double depth(const LoadDeflection& test, double inflated_radius) {
   return deepest;
 }
 
-std::optional<fe_tire::Loaded> press(fe_tire::FeTire& tire,
-                                     const fe_tire::Inflated& inflated,
-                                     double deflection,
-                                     const fe_tire::Ground& ground) {
+std::optional<fe_tire::TireState> press(fe_tire::FeTire& tire,
+                                        const fe_tire::Inflated& inflated,
+                                        double deflection,
+                                        const fe_tire::Ground& ground) {
   if (deflection <= 0.0) return std::nullopt;
   std::vector<double> steps;
   for (int i = 1; i <= kPressSteps; ++i) steps.push_back(deflection * i / kPressSteps);
-  auto loaded = tire.load(inflated, steps, ground);
-  if (!loaded) return std::nullopt;
-  return std::move(*loaded);
+  auto pressed = tire.press(inflated, ground, steps);
+  if (!pressed) return std::nullopt;
+  return std::move(pressed->back());
 }
 
-std::optional<fe_tire::Loaded> stand(fe_tire::FeTire& tire,
-                                     const fe_tire::Inflated& inflated,
-                                     const ModalTest& test) {
+std::optional<fe_tire::TireState> stand(fe_tire::FeTire& tire,
+                                        const fe_tire::Inflated& inflated,
+                                        const ModalTest& test) {
   if (test.deflection) return press(tire, inflated, *test.deflection, test.ground);
   auto loaded =
       load_to_force(tire, inflated, *test.load, *test.load / kGuessedStiffness, test.ground);
@@ -54,11 +54,13 @@ void add_modes(fe_tire::FeTire& tire,
   const auto inflated = tire.inflate(test.pressure.value_or(own_pressure));
   if (!inflated) return;
   pictures.inflated = *inflated;
+  std::optional<fe_tire::TireState> standing;
   if (test.loaded()) {
-    pictures.loaded = stand(tire, *inflated, test);
-    if (!pictures.loaded) return;
+    standing = stand(tire, *inflated, test);
+    if (!standing) return;
+    pictures.loaded = {standing->u, tire.stand(*standing)};
   }
-  auto modes = test.loaded() ? tire.modes(*pictures.loaded, kShownModes)
+  auto modes = test.loaded() ? tire.modes(*standing, kShownModes)
                              : tire.modes(*inflated, kShownModes);
   if (!modes) return;
   pictures.modes = std::move(*modes);
@@ -72,8 +74,10 @@ void add_load(fe_tire::FeTire& tire,
   if (pictures.loaded) return;
   auto inflated = tire.inflate(test.pressure.value_or(own_pressure));
   if (!inflated) return;
-  pictures.loaded = press(tire, *inflated, depth(test, inflated->radius), test.ground);
-  if (pictures.loaded) pictures.inflated = std::move(*inflated);
+  const auto standing = press(tire, *inflated, depth(test, inflated->radius), test.ground);
+  if (!standing) return;
+  pictures.loaded = {standing->u, tire.stand(*standing)};
+  pictures.inflated = std::move(*inflated);
 }
 
 /// The ply of every cord layer of the mesh, with its angle at the crown.
@@ -128,7 +132,7 @@ void add_mesh_error(const fe_tire::TireDescription& tire,
   if (const auto* load = dynamic_cast<const LoadDeflectionTest*>(first))
     take_conditions(load->settings());
   if (thoroughness == Thoroughness::minutes && page.pictures && page.pictures->loaded)
-    settings.deflection = page.pictures->loaded->curve.back().deflection;
+    settings.deflection = page.pictures->loaded->standing.deflection;
   const auto found = study_discretization(tire, settings);
   if (!found) return;
   for (const auto* rows : {&found->unloaded, &found->loaded}) {

@@ -21,7 +21,7 @@ std::vector<double> steps_to(double deflection) {
 
 }  // namespace
 
-Result<fe_tire::Loaded> load_to_force(fe_tire::FeTire& tire,
+Result<fe_tire::TireState> load_to_force(fe_tire::FeTire& tire,
                                       const fe_tire::Inflated& inflated,
                                       double Fz,
                                       double guess,
@@ -30,10 +30,10 @@ Result<fe_tire::Loaded> load_to_force(fe_tire::FeTire& tire,
   double last_d = 0.0, last_F = 0.0;  // 0: no attempt before
   double F = 0.0;
   for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
-    auto loaded = tire.load(inflated, steps_to(d), ground);
-    if (!loaded) return loaded.failure();
-    F = loaded->curve.back().Fz;
-    if (std::abs(F - Fz) <= kForceTolerance * Fz) return loaded;
+    auto pressed = tire.press(inflated, ground, steps_to(d));
+    if (!pressed) return pressed.failure();
+    F = tire.stand(pressed->back()).force.z();
+    if (std::abs(F - Fz) <= kForceTolerance * Fz) return std::move(pressed->back());
 
     if (F > 0.0 && last_F > 0.0 && F != last_F && d != last_d) {
       p = std::clamp(std::log(F / last_F) / std::log(d / last_d), 0.5, 4.0);

@@ -15,7 +15,6 @@ namespace latsch {
 
 using fe_tire::FeTire;
 using fe_tire::Inflated;
-using fe_tire::Loaded;
 using fe_tire::Mode;
 
 namespace {
@@ -50,12 +49,12 @@ Result<MeshQuantities> loaded_quantities(FeTire& tire,
   if (!inflated) return inflated.failure();
   // At once: without friction an equilibrium knows no way to it, and steps that are asked for cost
   // several times as much as those the loading finds necessary.
-  const Result<Loaded> loaded = tire.load(*inflated, {settings.deflection}, settings.ground);
-  if (!loaded) return loaded.failure();
-  const Result<std::vector<Mode>> modes = tire.modes(*loaded, count);
+  const auto pressed = tire.press(*inflated, settings.ground, {settings.deflection});
+  if (!pressed) return pressed.failure();
+  const Result<std::vector<Mode>> modes = tire.modes(pressed->back(), count);
   if (!modes) return modes.failure();
   MeshQuantities quantities = {
-      {fmt::format("Fz at {:.4g} mm", settings.deflection * 1e3), loaded->curve.back().Fz}};
+      {fmt::format("Fz at {:.4g} mm", settings.deflection * 1e3), tire.stand(pressed->back()).force.z()}};
   add_modes(*modes, quantities);
   return quantities;
 }

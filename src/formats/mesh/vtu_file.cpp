@@ -150,13 +150,13 @@ void write_tire_vtu(std::ostream& out, const Mesh& mesh, const std::vector<VtuFi
   file.finish();
 }
 
-void write_patch_vtu(std::ostream& out, const fe_tire::LoadPoint& point) {
-  const auto& points = point.patch.points;
+void write_patch_vtu(std::ostream& out, const fe_tire::Standing& standing) {
+  const auto& points = standing.patch.points;
   const auto count = static_cast<Eigen::Index>(points.size());
   Eigen::MatrixXd x(3, count), pressure(1, count), shear(3, count), area(1, count),
       sticks(1, count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    x.col(i) << points[i].x, points[i].y, -point.loaded_radius;
+    x.col(i) << points[i].x, points[i].y, -standing.loaded_radius;
     pressure(0, i) = points[i].pressure;
     shear.col(i) << points[i].shear_x, points[i].shear_y, 0.0;
     area(0, i) = points[i].area;
@@ -186,8 +186,8 @@ void write_tire_vtu(const std::filesystem::path& file,
   write_file(file, [&](std::ostream& out) { write_tire_vtu(out, mesh, fields); });
 }
 
-void write_patch_vtu(const std::filesystem::path& file, const fe_tire::LoadPoint& point) {
-  write_file(file, [&](std::ostream& out) { write_patch_vtu(out, point); });
+void write_patch_vtu(const std::filesystem::path& file, const fe_tire::Standing& standing) {
+  write_file(file, [&](std::ostream& out) { write_patch_vtu(out, standing); });
 }
 
 }  // namespace latsch::formats

@@ -155,10 +155,12 @@ std::vector<std::vector<int>> RingUnknowns::connectivity() const {
   return lists;
 }
 
-int RingUnknowns::first_unknown(int sector, int element, int corner) const {
-  const int n = ring_.mesh().nodes_per_sector();
-  const int node = ring_.mesh().elements[element].node[corner];
-  return (node < n ? at(sector, node) : at(sector + 1, node - n)).first;
+RingUnknowns::NodeUnknowns RingUnknowns::of_node(int plane, int node) const {
+  if (plane < planes_) return at(plane, node);
+  NodeUnknowns image = at(ring_.sectors() - plane, mirror_[node]);
+  const double parity = symmetry_ == RingSymmetry::odd ? -1.0 : 1.0;
+  image.sign = parity * kTurn.cwiseProduct(image.sign);
+  return image;
 }
 
 Matrix38 RingUnknowns::gather(int sector, int element, const Eigen::VectorXd& x) const {
