@@ -20,6 +20,7 @@ using fe_tire::TireDescription;
 class FeTireSpecimen : public Specimen,
                        public IsPressed,
                        public Vibrates,
+                       public StandsOnGround,
                        public HasFootprint,
                        public TakesConditions {
  public:
@@ -41,10 +42,10 @@ class FeTireSpecimen : public Specimen,
   Result<Channels> press(const LoadDeflection& test) override { return rig_->run(test); }
   Result<Channels> vibrate(const ModalTest& test) override { return rig_->run(test); }
   Eigen::Matrix3Xd sensor_points() const override { return default_points(tire_.mesh()); }
+  Result<Channels> stand(const StandingTest& test) override {
+    return experiment::stand(tire_, description_.pressure, test);
+  }
   Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) override {
-    if (test.camber != 0.0)
-      throw InputError(
-          "the finite-element tire stands upright: expected a footprint without camber");
     fe_tire::Ground ground;
     ground.mu = test.friction.value_or(0.0);
     return experiment::footprints(

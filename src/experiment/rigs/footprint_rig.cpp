@@ -79,17 +79,20 @@ Result<std::vector<StandingFootprint>> footprints(fe_tire::FeTire& tire,
   constexpr double kTypicalStiffness = 2.0e5;  // N/m, for a first guess of the deflection
   const auto inflated = tire.inflate(pressure);
   if (!inflated) return inflated.failure();
+  StandingPose standing{.camber = test.camber};
+  if (test.camber != 0.0) standing.poses = fe_tire::FeTire::Poses::any;
   std::vector<StandingFootprint> states;
   const auto keep = [&](const fe_tire::TireState& state) {
     states.push_back({state.deflection(), footprint_of(tire.stand(state))});
   };
   for (const double load : test.loads) {
-    const auto state = load_to_force(tire, *inflated, load, load / kTypicalStiffness, ground);
+    const auto state =
+        load_to_force(tire, *inflated, load, load / kTypicalStiffness, ground, standing);
     if (!state) return state.failure();
     keep(*state);
   }
   if (!test.deflections.empty()) {
-    const auto pressed = tire.press(*inflated, ground, test.deflections);
+    const auto pressed = press_down(tire, *inflated, ground, standing, test.deflections);
     if (!pressed) return pressed.failure();
     for (const auto& state : *pressed) keep(state);
   }

@@ -94,16 +94,20 @@ Result<Channels> TireRig::run(const LoadDeflection& test) {
 }
 
 Result<Channels> TireRig::run(const ModalTest& test) {
-  if (test.camber != 0.0)
-    throw InputError(
-        "modes of a finite-element tire are those of an upright one: expected no camber");
   const auto& inflated = this->inflated(test.pressure.value_or(own_pressure_));
   if (!inflated) return inflated.failure();
   if (!test.loaded()) return modal_channels(test, tire_.modes(*inflated, test.count));
+  StandingPose pose{.camber = test.camber};
+  if (test.camber != 0.0) pose.poses = FeTire::Poses::any;
   if (test.load) {
-    const auto state =
-        load_to_force(tire_, *inflated, *test.load, *test.load / kTypicalStiffness, test.ground);
+    const auto state = load_to_force(
+        tire_, *inflated, *test.load, *test.load / kTypicalStiffness, test.ground, pose);
     return state ? standing_channels(test, *state) : state.failure();
+  }
+  if (test.camber != 0.0) {
+    const auto states =
+        press_down(tire_, *inflated, test.ground, pose, even_steps(*test.deflection));
+    return states ? standing_channels(test, states->back()) : states.failure();
   }
   const auto& states = pressed(even_steps(*test.deflection), test.ground);
   return states ? standing_channels(test, states->back()) : states.failure();

@@ -191,14 +191,17 @@ ContactPatch TreadContact::patch(const Eigen::VectorXd& x) const {
 TreadContact::Sum TreadContact::sum(const Eigen::VectorXd& x) const {
   const Eigen::Matrix3Xd positions = tread_.positions(tread_.displacements(x));
   Sum sum;
+  const PosedGround level(ground_, {pose_.height, 0.0, 0.0, pose_.camber, 0.0});
+  const Eigen::Vector3d center = level.in_ground(Eigen::Vector3d::Zero());
   for (int k = 0; k < static_cast<int>(tread_.points().size()); ++k) {
     const Eigen::Vector3d p = tread_.at(tread_.points()[k], positions);
     const Eigen::Vector3d q = posed_.in_ground(p);
     const PosedGround::Distance at = posed_.distance(q);
     if (at.g >= 0.0) continue;
     const Traction on = traction(q, at, has_friction() ? anchors_[k] : Anchor(), 1.0);
-    const Eigen::Vector3d force = posed_.to_wheel(on.p * at.n + on.t) * tread_.points()[k].dA;
-    const Eigen::Vector3d moment = p.cross(force);
+    const Eigen::Vector3d force =
+        (level.in_ground(posed_.to_wheel(on.p * at.n + on.t)) - center) * tread_.points()[k].dA;
+    const Eigen::Vector3d moment = (level.in_ground(p) - center).cross(force);
     sum.force += force;
     sum.moment += moment;
     if (tread_.multiplicity() == 1.0) continue;

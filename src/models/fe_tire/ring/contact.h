@@ -76,8 +76,8 @@ class TreadContact {
   /// The contact patch (of the whole ring) in the state x, an equilibrium whose anchors are those
   /// of the start.
   ContactPatch patch(const Eigen::VectorXd& x) const;
-  /// Force (N) and moment about the wheel center (N m) on the tire there, wheel frame, of the whole
-  /// ring.
+  /// Force (N) and moment about the wheel center (N m) on the tire there, of the whole ring, in the
+  /// ground's axes but its yaw: z along its normal, x where the wheel heads.
   struct Sum {
     Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = force;
   };

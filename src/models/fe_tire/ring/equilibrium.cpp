@@ -81,12 +81,15 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
 /// and processors whose sums differ then agree in the digits results show.
 void EquilibriumSolver::polish(RingState& state) {
   const double norm = f_.norm();
-  if (norm <= kPolished * settings_.tolerance * reference_ || !has_factor_ || !start(state)) return;
+  if (norm <= kPolished * settings_.tolerance * reference_ || !has_factor_ || slides()) return;
+  if (!start(state)) return;
   if (!correct(kCoarsest, true)) return;
   trial_.x = state.x - d_;
   trial_.alpha = state.alpha;
   if (assemble(trial_, false) && f_.norm() < norm) std::swap(state, trial_);
 }
+
+bool EquilibriumSolver::slides() const { return contact_ && contact_->has_friction(); }
 
 bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
   failed_element_ = -1;
@@ -132,8 +135,11 @@ bool EquilibriumSolver::start(const RingState& state) {
 
 /// False where the tangent does not exist or has no factor.
 bool EquilibriumSolver::find_direction(RingState& state, double tolerance) {
+  // Where points slide the tangent is not symmetric: conjugate gradients do not know that part, and
+  // a step by an old factor would be corrected without it.
   const bool is_factor_of_use =
-      has_factor_ && (!has_tangent_ || last_cg_iterations_ <= kIterationsOfAStaleFactor);
+      has_factor_ && !slides() &&
+      (!has_tangent_ || last_cg_iterations_ <= kIterationsOfAStaleFactor);
   if (is_factor_of_use && start(state) && (!has_tangent_ || correct(tolerance, true))) return true;
   if (!has_tangent_ && !assemble(state, true)) return false;
   return renew_factor(state, tolerance);

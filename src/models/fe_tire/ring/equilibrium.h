@@ -53,6 +53,7 @@ class EquilibriumSolver {
   void count_in(SolverCounts& counts) { counts_ = &counts; }
 
  private:
+  bool slides() const;
   void polish(RingState& state);
   bool assemble(RingState& state, bool with_tangent);
   bool renew_factor(const RingState& state, double tolerance);

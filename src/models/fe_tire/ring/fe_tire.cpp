@@ -5,119 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "models/fe_tire/description/tire_description.h"
-#include "models/fe_tire/ring/contact.h"
-#include "models/fe_tire/ring/equilibrium.h"
+#include "models/fe_tire/ring/fe_tire_impl.h"
 #include "models/fe_tire/ring/inflation.h"
 #include "models/fe_tire/ring/loading.h"
 #include "models/fe_tire/ring/mode_label.h"
 #include "models/fe_tire/ring/modes.h"
-#include "models/fe_tire/ring/ring.h"
-#include "models/fe_tire/ring/ring_elements.h"
-#include "models/fe_tire/ring/ring_unknowns.h"
 #include "models/fe_tire/ring/sector.h"
 
 namespace latsch::fe_tire {
-
-/// All that depends on the mesh, on whether half the ring stands for all of it, and on how much of
-/// the tread may touch. Even states carry the loading; even and odd ones together all loaded modes.
-/// Of the whole ring `even` is all there is.
-struct Systems {
-  RingUnknowns unknowns;
-  TreadSurface tread;
-  EquilibriumSolver solver;
-  std::optional<RingUnknowns> odd_unknowns;
-  std::optional<TreadSurface> odd_tread;
-  std::optional<RingAssembly> odd;
-  // Of tangents for modes, even and odd ones in turn: they have the same pattern.
-  numerics::SymmetricMatrix tangent;
-  numerics::Factorization factor;
-
-  Systems(const Ring& ring,
-          const SolverSettings& settings,
-          const std::optional<std::vector<int>>& mirror,
-          double half_angle)
-      : unknowns(ring,
-                 mirror ? RingSymmetry::even : RingSymmetry::none,
-                 mirror ? *mirror : std::vector<int>()),
-        tread(unknowns, settings.tread_shape(), half_angle),
-        solver(unknowns, tread, settings),
-        tangent(*solver.assembly().pattern()),
-        factor(*solver.assembly().pattern(),
-               numerics::Precision::full,
-               solver.factor().elimination()) {
-    if (!mirror) return;
-    odd_unknowns.emplace(ring, RingSymmetry::odd, *mirror);
-    odd_tread.emplace(*odd_unknowns, settings.tread_shape(), half_angle);
-    odd.emplace(*odd_unknowns, solver.assembly().pattern());
-  }
-};
-
-struct FeTire::Impl {
-  Ring ring;                 // pressed on the ground
-  std::optional<Ring> even;  // all sectors equally wide, where those of `ring` are not
-  SolverSettings settings;
-  SolverCounts counts;
-
-  Impl(Mesh mesh, const Materials& materials, const SolverSettings& s)
-      : ring(std::move(mesh), s.element), settings(s) {
-    if (ring.widths() > 1) even.emplace(ring.mesh().evenly_divided(), s.element);
-    set(materials);
-  }
-
-  void set(const Materials& materials) {
-    elements_.emplace(ring, materials);
-    if (even) even_elements_.emplace(*even, materials);
-    is_symmetry_known_ = false;
-  }
-
-  const RingElements& elements() const { return *elements_; }
-
-  /// Symbolic work, for whoever needs more than one sector; done again only where new materials
-  /// make or break the symmetry.
-  Systems& systems(bool halved, int window) {
-    auto& systems = systems_[{halved, window}];
-    if (!systems) {
-      systems = std::make_unique<Systems>(ring,
-                                          settings,
-                                          halved ? mirror() : std::nullopt,
-                                          kHalfAngle * std::pow(kWider, window));
-      systems->solver.count_in(counts);
-      ++counts.analyses;
-    }
-    return *systems;
-  }
-  /// What the half turn makes of the section's nodes, where it is a symmetry.
-  const std::optional<std::vector<int>>& mirror() {
-    if (!is_symmetry_known_) mirror_ = find_mirror(ring.mesh(), elements().materials());
-    is_symmetry_known_ = true;
-    return mirror_;
-  }
-
-  /// What inflation and unloaded modes see: one sector stands for the ring.
-  const Ring& even_ring() const { return even ? *even : ring; }
-  const RingElements& even_elements() const { return even ? *even_elements_ : *elements_; }
-
-  Result<TireState> move(const TireState& from, const GroundPose& pose, const std::string& name);
-  Result<std::vector<Mode>> modes_at(const TireState& state, int count);
-  Result<std::vector<Mode>> modes_of(Systems& all,
-                                     const RingAssembly& assembly,
-                                     const TreadSurface& tread,
-                                     const TireState& state,
-                                     int count);
-
- private:
-  // rad to both sides: a circle cut there is pressed in by 8 % of its radius, a tire by half as much
-  // again. Deeper ones need a wider window.
-  static constexpr double kHalfAngle = 0.4, kWider = 1.5;
-  std::optional<RingElements> elements_, even_elements_;  // of `ring`, of `even`
-  std::map<std::pair<bool, int>, std::unique_ptr<Systems>> systems_;
-  std::optional<std::vector<int>> mirror_;
-  bool is_symmetry_known_ = false;
-};
 
 namespace {
 
@@ -336,11 +234,10 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
 
 /// The state is even; odd unknowns hold only what may vibrate about it. So elements and ground see
 /// the state of the even numbering, and the tangent is gathered in the numbering asked for.
-Result<std::vector<Mode>> FeTire::Impl::modes_of(Systems& all,
-                                                 const RingAssembly& assembly,
-                                                 const TreadSurface& tread,
-                                                 const TireState& at,
-                                                 int count) {
+std::optional<Failure> FeTire::Impl::factorize(Systems& all,
+                                               const RingAssembly& assembly,
+                                               const TreadSurface& tread,
+                                               const TireState& at) {
   RingState state{all.unknowns.compress(at.u), at.alpha};
   int worst = 0;
   if (!all.solver.assembly().assemble_tangent(elements(),
@@ -353,10 +250,18 @@ Result<std::vector<Mode>> FeTire::Impl::modes_of(Systems& all,
   }
   TreadContact contact(all.tread, at.ground);
   contact.start(at.pose, state.x, at.anchors);
-  add_stiffness(
-      tread, contact.stuck(state.x), all.solver.assembly().first_point(), all.tangent);
+  add_stiffness(tread, contact.stuck(state.x), all.solver.assembly().first_point(), all.tangent);
   ++counts.factorizations;
   if (!all.factor.factorize(all.tangent).definite()) return unstable();
+  return std::nullopt;
+}
+
+Result<std::vector<Mode>> FeTire::Impl::modes_of(Systems& all,
+                                                 const RingAssembly& assembly,
+                                                 const TreadSurface& tread,
+                                                 const TireState& state,
+                                                 int count) {
+  if (auto failure = factorize(all, assembly, tread, state)) return *failure;
   return ring_modes(assembly, all.factor, assembly.mass(elements()), count);
 }
 

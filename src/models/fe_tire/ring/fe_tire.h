@@ -59,7 +59,8 @@ struct TireState {
 struct Standing {
   double deflection = 0.0;     // m, from first touch of the inflated tire
   double loaded_radius = 0.0;  // m, wheel center to ground
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   // N, of the ground on the tire, wheel frame
+  // Of the ground on the tire, in axes that stand on the ground and head as the wheel does.
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   // N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // N m, about the wheel center
   ContactPatch patch;
 };

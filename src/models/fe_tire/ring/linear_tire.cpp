@@ -13,6 +13,8 @@ namespace {
 // Points come down or lift off between iterations; where they repeat the solution is exact.
 constexpr int kMostContactChanges = 30;
 constexpr double kExact = 1e-8;  // relative to g: single precision is behind S
+// Of a step by nodes: how small a share of it is tried, and what it has to gain.
+constexpr double kSmallestShare = 1.0 / 300.0, kDecrease = 0.1;
 
 /// Two directions across `up`, then `up`: columns.
 Eigen::Matrix3d across_and_up(const Eigen::Vector3d& up) {
@@ -224,31 +226,58 @@ Eigen::VectorXd LinearTire::forces(const TreadContact& contact,
   return c;
 }
 
-/// w with S w = g + c(u - w): C_ and L_ are those of its points in contact.
-bool LinearTire::touch(const TreadContact& contact, const Eigen::VectorXd& g) {
+/// w with S w = g + c(u - w) by heights: C_ and L_ are those of its points in contact.
+bool LinearTire::touch_by_heights(const TreadContact& contact, const Eigen::VectorXd& g) {
   w_.setZero(g.size());
   for (int change = 0; change < kMostContactChanges; ++change) {
-    Eigen::MatrixXd stiffness, coupling;
-    c_ = forces(contact, w_, &stiffness, &coupling);
+    Eigen::MatrixXd stiffness;
+    c_ = forces(contact, w_, &stiffness, nullptr);
     Eigen::VectorXd left = g + c_ - S_ * w_;
     const bool same = change > 0 && stiffness == C_;
-    const bool is_small = left.norm() <= kExact * (g.norm() + c_.norm());
-    if (same && is_small) return true;
-    if (change > 0 && is_small && kept_ == 3) return factorize_contact(stiffness);
-    if (coupling.size() > 0) {
-      numerics::Lu lu;
-      lu.factorize(S_ + stiffness + coupling);
-      Eigen::MatrixXd columns = left;
-      lu.solve(columns);
-      w_ += columns.col(0);
-      C_ = std::move(stiffness);
-      continue;
-    }
+    if (same && left.norm() <= kExact * (g.norm() + c_.norm())) return true;
     if (!same && !factorize_contact(stiffness)) return false;
     solve_contact(left);
     w_ += left;
   }
-  Eigen::MatrixXd stiffness;
+  c_ = forces(contact, w_, nullptr, nullptr);
+  return true;  // the residual of the elements' forces judges it
+}
+
+/// The same by all directions. A point that slides may overshoot to the other side, so steps are
+/// halved where they leave more than they found.
+bool LinearTire::touch_by_nodes(const TreadContact& contact, const Eigen::VectorXd& g) {
+  w_.setZero(g.size());
+  numerics::Lu lu;
+  Eigen::MatrixXd stiffness, coupling;
+  for (int change = 0; change < kMostContactChanges; ++change) {
+    c_ = forces(contact, w_, &stiffness, &coupling);
+    const Eigen::VectorXd left = g + c_ - S_ * w_;
+    const double norm = left.norm();
+    if (change > 0 && norm <= kExact * (g.norm() + c_.norm())) break;
+    Eigen::MatrixXd step = left;
+    if (coupling.size() > 0) {
+      lu.factorize(S_ + stiffness + coupling);
+      lu.solve(step);
+    } else {
+      if (!factorize_contact(stiffness)) return false;
+      Eigen::VectorXd column = left;
+      solve_contact(column);
+      step = column;
+    }
+    const Eigen::VectorXd start = w_;
+    Eigen::VectorXd best = start + step.col(0);
+    double least = std::numeric_limits<double>::infinity();
+    for (double share = 1.0; share > kSmallestShare; share *= 0.5) {
+      const Eigen::VectorXd w = start + share * step.col(0);
+      const double now = (g + forces(contact, w, nullptr, nullptr) - S_ * w).norm();
+      if (now < least) {
+        least = now;
+        best = w;
+      }
+      if (now < (1.0 - kDecrease * share) * norm) break;
+    }
+    w_ = best;
+  }
   c_ = forces(contact, w_, &stiffness, nullptr);
   return factorize_contact(stiffness);  // the residual of the elements' forces judges it
 }
@@ -281,7 +310,8 @@ bool LinearTire::step(const TreadContact* contact,
   add_at_nodes(-1.0, forces(*contact, none, nullptr, nullptr), d);
   g_ = d;
   const Eigen::VectorXd reduced = reduce(d);
-  if (!touch(*contact, reduced)) return false;
+  if (!(kept_ == 1 ? touch_by_heights(*contact, reduced) : touch_by_nodes(*contact, reduced)))
+    return false;
   expand(w_, d);
   return true;
 }

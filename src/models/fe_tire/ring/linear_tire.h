@@ -65,7 +65,8 @@ class LinearTire {
                          const Eigen::VectorXd& w,
                          Eigen::MatrixXd* stiffness,
                          Eigen::MatrixXd* coupling) const;
-  bool touch(const TreadContact& contact, const Eigen::VectorXd& g);
+  bool touch_by_heights(const TreadContact& contact, const Eigen::VectorXd& g);
+  bool touch_by_nodes(const TreadContact& contact, const Eigen::VectorXd& g);
   bool factorize_contact(const Eigen::MatrixXd& stiffness);
   void solve_contact(Eigen::VectorXd& v) const;
   void add_at_nodes(double factor, const Eigen::VectorXd& w, Eigen::VectorXd& v) const;
