@@ -15,7 +15,7 @@ namespace {
 
 /// How far a corner of a surface element may be from the side of its host and from one depth, of
 /// half the host's size.
-constexpr double kTolerance = 0.02;
+constexpr double kOffSide = 0.02;
 constexpr double kXi[8] = {-1, 1, 1, -1, -1, 1, 1, -1}, kEta[8] = {-1, -1, 1, 1, -1, -1, 1, 1},
                  kZeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
 
@@ -149,15 +149,15 @@ class Placer {
     std::set<std::pair<bool, bool>> sides;
     for (int a = 0; a < 4; ++a) {
       const auto at = local_coordinates(X, x.col(a));
-      if (!at || std::abs(std::abs(at->x()) - 1.0) > kTolerance ||
-          std::abs(std::abs(at->y()) - 1.0) > kTolerance)
+      if (!at || std::abs(std::abs(at->x()) - 1.0) > kOffSide ||
+          std::abs(std::abs(at->y()) - 1.0) > kOffSide)
         return std::nullopt;
       sides.insert({at->x() > 0.0, at->y() > 0.0});
       lowest = std::min(lowest, at->z());
       highest = std::max(highest, at->z());
     }
-    if (sides.size() != 4 || highest - lowest > kTolerance || lowest < -1.0 - kTolerance ||
-        highest > 1.0 + kTolerance)
+    if (sides.size() != 4 || highest - lowest > kOffSide || lowest < -1.0 - kOffSide ||
+        highest > 1.0 + kOffSide)
       return std::nullopt;
     return std::clamp(0.5 * (lowest + highest), -1.0, 1.0);
   }

@@ -28,6 +28,7 @@ RebarTire rebar_tire() {
   for (CordLayer& layer : result.materials.layers) {
     layer.E_compression = layer.angle == 0.0 ? 0.0 : layer.E_tension;
     layer.pretension = 0.0;
+    layer.density = 1390.0;
   }
   return result;
 }

@@ -15,8 +15,8 @@
 namespace latsch::formats {
 namespace {
 
-constexpr InpUnits kMillimeters{1e-3, 1.0, 1e3};
-constexpr InpUnits kMeters{1.0, 1.0, 1.0};
+constexpr InpUnits kInMillimeters{1e-3, 1.0, 1e3};
+constexpr InpUnits kInMeters{1.0, 1.0, 1.0};
 constexpr std::string_view kStatement = "** units:";
 
 std::string_view without_blanks(std::string_view text) {
@@ -124,8 +124,8 @@ std::optional<InpUnits> stated_units(std::string_view text, const std::string& f
 }
 
 std::optional<InpUnits> units_of_size(double radius) {
-  if (radius >= 0.1 && radius <= 2.0) return kMeters;
-  if (radius >= 100.0 && radius <= 2000.0) return kMillimeters;
+  if (radius >= 0.1 && radius <= 2.0) return kInMeters;
+  if (radius >= 100.0 && radius <= 2000.0) return kInMillimeters;
   return std::nullopt;
 }
 

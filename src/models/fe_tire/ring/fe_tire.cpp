@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/fe_tire/ring/fe_tire.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -100,6 +102,8 @@ struct FeTire::Impl {
 
   Result<std::vector<Mode>> modes_at(const Loaded& loaded, int count);
   Result<std::vector<Mode>> modes_of(const RingAssembly& assembly, const Loaded& loaded, int count);
+  std::optional<Failure> factorize_tangent(const RingAssembly& assembly, const Loaded& loaded);
+  std::optional<Failure> instability(const Loaded& loaded);
 
  private:
   std::optional<RingElements> elements_, even_elements_;  // of `ring`, of `even`
@@ -121,10 +125,10 @@ double pressure_force(const RingElements& elements, double pressure) {
   return (with - without).norm() * std::sqrt(static_cast<double>(ring.sectors()));
 }
 
-Failure unstable() {
-  return Failure{
-      "modes: the equilibrium is not stable (its tangent is not positive definite): the tire "
-      "buckles; check pressure, thicknesses and moduli"};
+Failure unstable(const std::string& where) {
+  return Failure{where +
+                 ": the equilibrium is not stable (its tangent is not positive definite): the tire "
+                 "buckles; check pressure, thicknesses and moduli"};
 }
 
 }  // namespace
@@ -175,6 +179,7 @@ Result<Loaded> FeTire::load(const Inflated& inflated,
   loaded.curve = std::move(*curve);
   loaded.u = tire.systems().unknowns.expand(state.x);
   loaded.alpha = std::move(state.alpha);
+  if (auto failure = tire.instability(loaded)) return *failure;
   return loaded;
 }
 
@@ -200,7 +205,7 @@ Result<std::vector<Mode>> FeTire::modes_full(const Inflated& inflated, int count
     return no_tangent(whole.ring(), worst);
   }
   numerics::Factorization factor(*assembly.pattern());
-  if (!factor.factorize(K).definite()) return unstable();
+  if (!factor.factorize(K).definite()) return unstable("modes");
   return ring_modes(assembly, factor, assembly.mass(tire.even_elements()), count);
 }
 
@@ -244,6 +249,21 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const Loaded& loaded, int count
 Result<std::vector<Mode>> FeTire::Impl::modes_of(const RingAssembly& assembly,
                                                  const Loaded& loaded,
                                                  int count) {
+  if (auto failure = factorize_tangent(assembly, loaded)) return *failure;
+  return ring_modes(assembly, systems().factor, assembly.mass(elements()), count);
+}
+
+/// The last equilibrium is one that the tire keeps: every motion about it, even or odd, takes
+/// energy. Newton's method finds others just as well.
+std::optional<Failure> FeTire::Impl::instability(const Loaded& loaded) {
+  if (loaded.curve.empty()) return std::nullopt;
+  if (auto failure = factorize_tangent(systems().solver.assembly(), loaded)) return failure;
+  return systems().odd ? factorize_tangent(*systems().odd, loaded) : std::nullopt;
+}
+
+/// The factor of the tangent that motions of this kind see at the last equilibrium.
+std::optional<Failure> FeTire::Impl::factorize_tangent(const RingAssembly& assembly,
+                                                       const Loaded& loaded) {
   // The state is even; odd unknowns hold only what may vibrate about it. So elements see the state
   // of the even numbering, and the tangent is gathered in the numbering asked for.
   Systems& all = systems();
@@ -266,8 +286,8 @@ Result<std::vector<Mode>> FeTire::Impl::modes_of(const RingAssembly& assembly,
     return no_tangent(all.unknowns.ring(), worst);
   }
   ++all.solver.counts().factorizations;
-  if (!all.factor.factorize(all.tangent).definite()) return unstable();
-  return ring_modes(assembly, all.factor, assembly.mass(elements()), count);
+  if (all.factor.factorize(all.tangent).definite()) return std::nullopt;
+  return unstable(fmt::format("deflection {:.4g} mm", loaded.curve.back().deflection * 1e3));
 }
 
 }  // namespace latsch::fe_tire
