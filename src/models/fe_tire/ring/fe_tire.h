@@ -115,7 +115,7 @@ class FeTire {
 
   Result<Inflated> inflate(double pressure);
   /// Presses the tire on the ground, in the order given; every deflection is an equilibrium (m,
-  /// from first touch).
+  /// from first touch). A Failure where there is none, and where the last one is not stable.
   Result<Loaded> load(const Inflated& inflated,
                       const std::vector<double>& deflections,
                       const Ground& ground);
