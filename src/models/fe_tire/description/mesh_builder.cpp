@@ -12,13 +12,13 @@ namespace {
 
 class MeshBuilder {
  public:
-  MeshBuilder(const TireDescription& tire, int refinement)
+  MeshBuilder(const TireDescription& tire, Refinement refinement)
       : tire_(tire), section_(tire.section), r_(refinement), plan_(tire), line_(section_.contour) {}
 
   Mesh build() const {
     Mesh mesh;
-    mesh.sectors = r_ * section_.sectors;
-    mesh.theta = section_.sector_planes(r_);
+    mesh.sectors = r_.around * section_.sectors;
+    mesh.theta = section_.sector_planes(r_.around);
     for (const RubberRegion& region : tire_.regions) mesh.region_names.push_back(region.name);
     place_nodes(mesh);
     for (int i = 0; i < columns(); ++i)
@@ -29,17 +29,14 @@ class MeshBuilder {
   }
 
  private:
-  int columns() const { return r_ * plan_.columns(); }
-  int rows() const { return r_ * plan_.rows(); }
-  double s(double i) const { return section_.station(i / r_); }
+  int columns() const { return r_.along * plan_.columns(); }
+  int rows() const { return r_.through * plan_.rows(); }
+  double s(double i) const { return section_.station(i / r_.along); }
   int node(int i, int k) const { return i * (rows() + 1) + k; }
 
   /// Distance of the face below row k from the reference line at s, positive outward.
   double face(double s, int k) const {
-    const double q = std::abs(s);
-    const int inside = r_ * section_.rows_inside, outside = r_ * section_.rows_outside;
-    if (k <= inside) return section_.inside.at(q) * (double(k) / inside - 1.0);
-    return section_.outside.at(q) * (k - inside) / outside;
+    return section_.face(std::abs(s), static_cast<double>(k) / r_.through);
   }
 
   void place_nodes(Mesh& mesh) const {
@@ -60,11 +57,12 @@ class MeshBuilder {
       e.node[4 * top + 2] = node(i + 1, k + top) + n;
       e.node[4 * top + 3] = node(i + 1, k + top);
     }
-    const int column = i / r_, row = k / r_;
+    const int column = i / r_.along, row = k / r_.through;
     e.solid = plan_.solid(column, row, i);
     e.region = plan_.region(column, row);
     e.inner = k == 0;
-    e.layer_rows = r_ * (plan_.inside(row) ? section_.rows_inside : section_.rows_outside);
+    e.layer_rows = r_.through * (plan_.inside(row) ? section_.rows_inside
+                                                   : plan_.rows() - section_.rows_inside);
     e.tread = k == rows() - 1 && std::abs(plan_.middle(column)) < section_.tread_to;
     if (tire_.cord_model == CordModel::rebar) e.rebars = rebars(i, k);
     return e;
@@ -74,7 +72,7 @@ class MeshBuilder {
     const double middle = s(i + 0.5);
     const double lower = face(middle, k), upper = face(middle, k + 1);
     std::vector<RebarPlacement> found;
-    for (const auto& [ply, layer] : plan_.plies(i / r_)) {
+    for (const auto& [ply, layer] : plan_.plies(i / r_.along)) {
       const double d = tire_.plies[ply].offset.at(std::abs(middle));
       const bool lowest = k == 0 && d == lower;  // a ply on a face belongs to the element inside it
       if (lowest || (lower < d && d <= upper))
@@ -84,7 +82,7 @@ class MeshBuilder {
   }
 
   void clamp(Mesh& mesh) const {
-    const int reference_line = r_ * section_.rows_inside;
+    const int reference_line = r_.through * section_.rows_inside;
     const int first = section_.clamp == BeadClamp::outside ? reference_line : 0;
     const int last = section_.clamp == BeadClamp::inside ? reference_line : rows();
     for (int i : {0, columns()})
@@ -111,15 +109,15 @@ class MeshBuilder {
 
   const TireDescription& tire_;
   const Section& section_;
-  int r_;
+  Refinement r_;
   SectionPlan plan_;
   Contour line_;
 };
 
 }  // namespace
 
-Mesh build_mesh(const TireDescription& tire, int refinement) {
-  assert(refinement >= 1);
+Mesh build_mesh(const TireDescription& tire, Refinement refinement) {
+  assert(refinement.around >= 1 && refinement.along >= 1 && refinement.through >= 1);
   Mesh mesh = MeshBuilder(tire, refinement).build();
   try {
     check(mesh);
