@@ -34,9 +34,9 @@ double elements_before(const SpacingProfile& spacing, double q) {
 
 /// Columns from the crown to position q.
 double columns_before(const Section& section, double q) {
-  const double part = section.spacing.position.empty()
-                          ? q
-                          : elements_before(section.spacing, q) / elements_before(section.spacing, 1);
+  const double part = section.spacing.position.empty() ? q
+                                                       : elements_before(section.spacing, q) /
+                                                             elements_before(section.spacing, 1);
   return 0.5 * section.meridional * part;
 }
 
@@ -62,18 +62,19 @@ double moved_to_ends(const Section& section, double count) {
 
 /// Of the wall's half length: over which faces go from the plies to their places in the sidewall.
 constexpr double kFaceTransition = 0.08;
+constexpr double kSamePosition = 1e-9;
 
 }  // namespace
 
 double Section::face(double q, double k) const {
   const double in = -inside.at(q), out = outside.at(q);
   const int between = rows_between();
+  const double base = first_face_to_bead ? faces[0].at(q) : 0.0;
+  const double past = faces.empty() ? 1.0 : std::clamp((q - faces_to) / kFaceTransition, 0.0, 1.0);
   const auto on_ply = [&](int j) {
-    const double part = static_cast<double>(j) / (between + rows_outside);
-    const double sidewall = part * out;
-    if (faces.empty() || q >= faces_to + kFaceTransition) return sidewall;
-    const double past = std::max(0.0, (q - faces_to) / kFaceTransition);
-    return past > 0.0 ? faces[j].at(q) + past * (sidewall - faces[j].at(q)) : faces[j].at(q);
+    const double sidewall = base + (out - base) * j / (between + rows_outside);
+    if (past == 1.0) return sidewall;
+    return faces[j].at(q) + past * (sidewall - faces[j].at(q));
   };
   const double first = on_ply(0), above = k - rows_inside;
   if (above < 0.0) return in + (first - in) * k / rows_inside;
@@ -84,6 +85,16 @@ double Section::face(double q, double k) const {
   const int j = static_cast<int>(above);
   const double lower = on_ply(j);
   return above > j ? lower + (above - j) * (on_ply(j + 1) - lower) : lower;
+}
+
+std::optional<double> Section::crown_columns() const {
+  if (faces.empty()) return std::nullopt;
+  const double half = 0.5 * meridional;
+  for (double columns = half - std::floor(half); columns < half; columns += 1.0) {
+    const double q = std::abs(station(half + columns));
+    if (q >= faces_to + kFaceTransition - kSamePosition) return columns;
+  }
+  return std::nullopt;
 }
 
 std::vector<double> Section::sector_planes(int refinement) const {

@@ -7,6 +7,7 @@
 // sides.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -93,10 +94,15 @@ struct Section {
   SpacingProfile spacing;
   /// Offsets of the plies on which rows of elements meet, from inside to outside: rows_inside rows lie
   /// below the first, one between two neighbors, rows_outside above the last. None: rows meet on the
-  /// reference line. Behind `faces_to`, where the last of these plies ends, the first face goes over
-  /// into the reference line and the others into equal parts of the wall outside.
+  /// reference line. Behind `faces_to`, where the last of them ends that ends before the bead, faces
+  /// go over into equal parts of the wall outside the first one and end there: the sidewall has one
+  /// row outside it. The first face is the reference line there, or its ply if that reaches the bead.
   std::vector<WallProfile> faces;
+  bool first_face_to_bead = false;
   double faces_to = 0.0;
+  /// Columns from the crown to where all rows but those of the sidewall end; none where the plies
+  /// reach the bead.
+  std::optional<double> crown_columns() const;
   /// Positions, ascending, where columns end exactly, the nearest ones moved there: where plies and
   /// rubbers end.
   std::vector<double> ends;
@@ -134,8 +140,7 @@ TireDescription read_tire(const Node& root);
 /// Into how many every element is split around the circumference, along and through the wall.
 struct Refinement {
   int around = 1, along = 1, through = 1;
-  Refinement(int around, int along, int through)
-      : around(around), along(along), through(through) {}
+  Refinement(int around, int along, int through) : around(around), along(along), through(through) {}
   Refinement(int all = 1) : Refinement(all, all, all) {}  // NOLINT: a number is a refinement
 };
 

@@ -254,8 +254,11 @@ void read_faces(const Node& mesh, TireDescription& tire) {
       mesh.reject(kKey, "names " + in_quotes(name) + ", expected the name of a layer");
     }
     tire.section.faces.push_back(ply->offset);
-    tire.section.faces_to = std::max(tire.section.faces_to, ply->extent.to);
+    const double to = ply->extent.to;
+    if (tire.section.faces.size() == 1) tire.section.first_face_to_bead = to == 1.0;
+    if (to < 1.0) tire.section.faces_to = std::max(tire.section.faces_to, to);
   }
+  if (tire.section.faces_to == 0.0) tire.section.faces_to = 1.0;
   if (const std::string conflict = row_conflict(tire.section); !conflict.empty()) {
     mesh.reject(kKey, conflict);
   }

@@ -99,6 +99,13 @@ Eigen::Matrix<double, 3, 8> Mesh::coordinates(const Element& element, int sector
     else
       x.col(a) = R * X.col(node - n);
   }
+  if (element.tie.eta != 0) {
+    for (const auto& [lower, upper] : element.tie.pairs()) {
+      const Eigen::Vector3d from = x.col(lower), way = x.col(upper) - from;
+      x.col(lower) = from + element.tie.lower * way;
+      x.col(upper) = from + element.tie.upper * way;
+    }
+  }
   return x;
 }
 
