@@ -177,8 +177,9 @@ def deck(tire, angle, ply_thickness, size):
             if abs(middle) > to:
                 continue
             _, tangent = wall.at(middle, d)  # (y, r), toward the -y bead
-            # CalculiX' cylinder: radial, then the turn about +y that is right-handed with it.
-            around = np.array([0, 1, 0]) * SENSE
+            # CalculiX' cylinder about +y: radial, around (which sense does not matter to growth and
+            # frequencies: the mirrored tire has the same), axial.
+            around = np.array([0, 1, 0])
             along_wall = np.array([tangent[1], 0, tangent[0]])
             v = along(math.cos(math.radians(alpha)) * around +
                       math.sin(math.radians(alpha)) * along_wall)
@@ -215,9 +216,6 @@ def deck(tire, angle, ply_thickness, size):
     return "\n".join(text) + "\n"
 
 
-SENSE = 1  # of the circumference: toward increasing theta
-
-
 def figures(tire, angle, ply_thickness, size):
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "sector.inp").write_text(deck(tire, angle, ply_thickness, size))
@@ -245,7 +243,7 @@ def main():
         return
     print("angle [deg],ply [mm],column [mm],quantity,value")
     for angle in (22.0, 0.0):
-        for ply, size in ((0.4, 4.0), (0.4, 2.5), (0.2, 2.5)):
+        for ply, size in ((0.4, 4.0), (0.2, 4.0)):
             for name, value in figures(tire, angle, ply, size):
                 print(f"{angle:g},{ply:g},{size:g},{name},{value:.6g}", flush=True)
 
