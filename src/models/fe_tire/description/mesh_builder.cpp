@@ -104,8 +104,15 @@ class MeshBuilder {
     e.layer_rows = r_.through * (plan_.inside(row) ? section_.rows_inside
                                                    : rows / r_.through - section_.rows_inside);
     e.tread = k == rows - 1 && std::abs(plan_.middle(column)) < section_.tread_to;
+    if (rows < r_.through * plan_.rows()) e.wall = thickness(i);
     if (tire_.cord_model == CordModel::rebar) e.rebars = rebars(i, k, rows);
     return e;
+  }
+
+  /// Of the wall in the middle of a column, m.
+  double thickness(int i) const {
+    const double q = std::abs(s(i + 0.5));
+    return section_.inside.at(q) + section_.outside.at(q);
   }
 
   std::vector<RebarPlacement> rebars(int i, int k, int rows) const {
