@@ -59,7 +59,7 @@ Materials materials() {
 }
 
 Element element(int solid, bool cords) {
-  Element e{.node = {0, 1, 2, 3, 4, 5, 6, 7}, .solid = solid, .rebars = {}};
+  Element e{.node = {0, 1, 2, 3, 4, 5, 6, 7}, .solid = solid, .rebars = {}, .tie = {}};
   if (cords) e.rebars = {{0, 0.3}};
   return e;
 }
