@@ -38,7 +38,8 @@ struct DiscretizationRow {
   double order = 0.0;          // observed, 0 where the values show none
   /// How far `converged` itself may be off: a quarter of what it lies beyond the finest mesh, and
   /// where no order is observed three times the largest change between the last meshes, for the
-  /// changes to come may be larger (safety factors 1.25 and 3 of [Roache 1994, J. Fluids Eng. 116]).
+  /// changes to come may be larger (safety factors 1.25 and 3 of [Roache 1994, J. Fluids Eng.
+  /// 116]).
   double uncertainty = 0.0;
   /// A mode that not every mesh has has no converged value.
   bool paired = true;
@@ -57,10 +58,10 @@ struct DiscretizationStudy {
 /// modes in Hz.
 using MeshQuantities = std::vector<std::pair<std::string, double>>;
 
-/// Rows of the quantities of the first mesh; `paired` are those that all meshes have. On the ground a mode is a mixture
-/// of wave numbers, and the one it is named by may differ between meshes: a mode without a namesake
-/// is the nearest in frequency of those nothing is named by, if one is within 2.5 %. At least three
-/// meshes.
+/// Rows of the quantities of the first mesh; `paired` are those that all meshes have. On the ground
+/// a mode is a mixture of wave numbers, and the one it is named by may differ between meshes: a
+/// mode without a namesake is the nearest in frequency of those nothing is named by, if one is
+/// within 2.5 %. At least three meshes.
 std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refinements,
                                                    std::vector<MeshQuantities> meshes);
 

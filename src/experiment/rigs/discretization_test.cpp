@@ -80,7 +80,8 @@ TEST(Discretization, PairsByFrequencyAreWithinTwoAndAHalfPercentAndTheNearest) {
   EXPECT_FALSE(far[0].paired);
 }
 
-// v(h) = v0 + c h^2 + d h^4 with h = 1/2, 1/3, 1/4: the limit is missed by what the third term leaves.
+// v(h) = v0 + c h^2 + d h^4 with h = 1/2, 1/3, 1/4: the limit is missed by what the third term
+// leaves.
 TEST(Discretization, TheUncertaintyCoversWhatTheExtrapolationMisses) {
   MeshQuantities meshes[3];
   for (int r : {2, 3, 4}) {
@@ -93,8 +94,8 @@ TEST(Discretization, TheUncertaintyCoversWhatTheExtrapolationMisses) {
   EXPECT_LT(std::abs(rows[0].converged - 1.0), rows[0].uncertainty);
 }
 
-// Growth of a tire with crossed steel belts in two rows, on meshes refined 1, 2, 4 and, as its limit,
-// 16 times through the wall (regression figures of this program): the changes grow.
+// Growth of a tire with crossed steel belts in two rows, on meshes refined 1, 2, 4 and, as its
+// limit, 16 times through the wall (regression figures of this program): the changes grow.
 TEST(Discretization, WhereChangesGrowNothingIsAsymptoticAndTheLimitIsWithinTheUncertainty) {
   const auto rows = discretization_rows(
       {1, 2, 4}, {{{"growth", 1.1954e-3}}, {{"growth", 1.2143e-3}}, {{"growth", 1.2572e-3}}});

@@ -91,8 +91,8 @@ TEST(MeshBuilder, VolumeOfACylinderIsThatOfItsPolygon) {
   EXPECT_NEAR(swept_volume(tire.section) * std::sin(angle) / angle, polygon, 1e-9 * polygon);
 }
 
-// Where many rows end on the straight edge of two, elements neither gap nor overlap: the same volume as
-// with two rows everywhere, for faces inside the wall move none of its surface.
+// Where many rows end on the straight edge of two, elements neither gap nor overlap: the same
+// volume as with two rows everywhere, for faces inside the wall move none of its surface.
 TEST(MeshBuilder, RowsThatEndInTheSidewallLeaveTheVolume) {
   TireDescription tire = reference_tire_b();
   tire.cord_model = CordModel::rebar;

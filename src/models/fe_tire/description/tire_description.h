@@ -92,11 +92,12 @@ struct Section {
   BeadClamp clamp = BeadClamp::whole;
   int meridional = 29, rows_inside = 1, rows_outside = 1, sectors = 60;  // elements
   SpacingProfile spacing;
-  /// Offsets of the plies on which rows of elements meet, from inside to outside: rows_inside rows lie
-  /// below the first, one between two neighbors, rows_outside above the last. None: rows meet on the
-  /// reference line. Behind `faces_to`, where the last of them ends that ends before the bead, faces
-  /// go over into equal parts of the wall outside the first one and end there: the sidewall has one
-  /// row outside it. The first face is the reference line there, or its ply if that reaches the bead.
+  /// Offsets of the plies on which rows of elements meet, from inside to outside: rows_inside rows
+  /// lie below the first, one between two neighbors, rows_outside above the last. None: rows meet
+  /// on the reference line. Behind `faces_to`, where the last of them ends that ends before the
+  /// bead, faces go over into equal parts of the wall outside the first one and end there: the
+  /// sidewall has one row outside it. The first face is the reference line there, or its ply if
+  /// that reaches the bead.
   std::vector<WallProfile> faces;
   bool first_face_to_bead = false;
   double faces_to = 0.0;

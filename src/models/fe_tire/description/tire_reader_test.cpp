@@ -18,7 +18,8 @@ TireDescription read(const std::string& file) {
   return read_tire(Document::read(kTires / file).root());
 }
 
-// [Hempel & Oertel 2016]: 15,480 and 27,000 unknowns. Rows on the plies take more, up to half as many.
+// [Hempel & Oertel 2016]: 15,480 and 27,000 unknowns. Rows on the plies take more, up to half as
+// many.
 TEST(TireReader, ShippedTiresHaveUpToOneAndAHalfTimesThePapersFreedoms) {
   EXPECT_LE(build_mesh(read("passenger_225_50R16.toml")).free_dofs(), 3 * 15480 / 2);
   EXPECT_LE(build_mesh(read("passenger_235_45R20.toml")).free_dofs(), 3 * 27000 / 2);

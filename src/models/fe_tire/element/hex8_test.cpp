@@ -100,8 +100,8 @@ class Hex8 : public testing::TestWithParam<Case> {
   HexShape shape = make_shape(GetParam().kind, distorted_element());
 };
 
-// Corners tied to the line between two nodes: the element is the free one at the corners' places, and
-// the forces on the nodes do the work of those on the corners. Exact but for rounding.
+// Corners tied to the line between two nodes: the element is the free one at the corners' places,
+// and the forces on the nodes do the work of those on the corners. Exact but for rounding.
 TEST_P(Hex8, TiedCornersAreTheFreeElementWithTheSameWork) {
   Matrix24 T = Matrix24::Identity();  // corners from nodes
   for (int upper : {6, 7}) {

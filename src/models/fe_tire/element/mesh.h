@@ -48,8 +48,8 @@ struct Element {
   /// Elements through the thickness of the layer it belongs to; 0: not a layer of a wall. Composite
   /// layers correct their transverse shear by it, see layer_stiffness.
   int layer_rows = 0;
-  /// Thickness of a wall that bends as one, m; 0: none, or one whose layers slide. Elements of such a
-  /// wall correct their shear along eta by it, see bending_of_shear in hex8_solid_shell.h.
+  /// Thickness of a wall that bends as one, m; 0: none, or one whose layers slide. Elements of such
+  /// a wall correct their shear along eta by it, see bending_of_shear in hex8_solid_shell.h.
   double wall = 0.0;
   std::vector<RebarPlacement> rebars;
   EdgeTie tie;
