@@ -63,23 +63,45 @@ void print_counts(const MeshedTire& tire, const fe_tire::Mesh& mesh, double mass
 
 void print_rows(const std::string& title, const std::vector<DiscretizationRow>& rows) {
   if (rows.empty()) return;
-  for (const DiscretizationRow& row : rows)
-    answer()["convergence"].push_back({{"state", title},
-                                       {"name", row.name},
-                                       {"unit", row.unit},
-                                       {"values", row.values},
-                                       {"converged", row.converged},
-                                       {"order", row.order},
-                                       {"error", row.error()}});
-  say("\n{:<24}", title);
-  for (size_t i = 0; i < rows.front().values.size(); ++i) {
-    say(" {:>10}", fmt::format("mesh {}", i + 1));
+  for (const DiscretizationRow& row : rows) {
+    nlohmann::json found = {{"state", title},
+                            {"name", row.name},
+                            {"unit", row.unit},
+                            {"values", row.values},
+                            {"paired", row.paired}};
+    if (row.paired) {
+      found["converged"] = row.converged;
+      found["order"] = row.order;
+      found["asymptotic"] = row.asymptotic();
+      found["error"] = row.error();
+      found["error_uncertainty"] = row.error_uncertainty();
+    }
+    answer()["convergence"].push_back(found);
   }
-  say(" {:>11} {:>6} {:>14}\n", "converged", "order", "error of mesh 1");
+  const std::size_t meshes = rows.front().values.size();
+  say("\n{:<24}", title);
+  for (size_t i = 0; i < meshes; ++i) say(" {:>10}", fmt::format("mesh {}", i + 1));
+  say(" {:>11} {:>6} {:>20}\n", "converged", "order", "error of mesh 1");
+  bool asymptotic = true;
   for (const DiscretizationRow& row : rows) {
     say("{:<24}", fmt::format("{} [{}]", row.name, row.unit));
     for (double value : row.values) say(" {:>10.5g}", value);
-    say(" {:>11.5g} {:>6.2f} {:>13.2f} %\n", row.converged, row.order, 100.0 * row.error());
+    if (!row.paired) {
+      say("  not found on every mesh\n");
+      continue;
+    }
+    asymptotic = asymptotic && row.asymptotic();
+    say(" {:>11.5g} {:>6} {:>11.2f} +- {:.2f} %\n",
+        row.converged,
+        row.asymptotic() ? fmt::format("{:.2f}", row.order) : "none",
+        100.0 * row.error(),
+        100.0 * row.error_uncertainty());
+  }
+  if (!asymptotic) {
+    say("order none: these meshes do not show how the error falls, so it is known by the +- "
+        "alone;\n"
+        "rows of elements that meet on the plies ([mesh] faces) or a larger --finest may show "
+        "it\n");
   }
 }
 

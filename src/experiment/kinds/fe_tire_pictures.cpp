@@ -144,6 +144,7 @@ void add_mesh_error(const fe_tire::TireDescription& tire,
   if (!found) return;
   for (const auto* rows : {&found->unloaded, &found->loaded}) {
     for (const DiscretizationRow& row : *rows) {
+      if (!row.paired) continue;
       const std::string state = rows == &found->loaded ? ", on the ground" : "";
       page.discretization.push_back({row.name + state, row.error()});
     }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "numerics/richardson.h"
@@ -127,11 +128,19 @@ std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refin
   rename_as_first(meshes);
   std::vector<DiscretizationRow> table;
   for (const auto& [name, first] : meshes.front()) {
-    DiscretizationRow row{name, unit_of(name), {}, 0.0, 0.0};
+    DiscretizationRow row;
+    row.name = name;
+    row.unit = unit_of(name);
     for (MeshQuantities& mesh : meshes) {
       if (const double* value = find(mesh, name)) row.values.push_back(*value);
     }
-    if (row.values.size() != meshes.size()) continue;
+    if (row.values.size() != meshes.size()) {
+      row.values = {first};
+      row.converged = std::numeric_limits<double>::quiet_NaN();
+      row.paired = false;
+      table.push_back(std::move(row));
+      continue;
+    }
     const std::size_t last = meshes.size() - 3;
     std::array<double, 3> h, v;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -141,6 +150,9 @@ std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refin
     const numerics::Extrapolation limit = numerics::extrapolate(h, v);
     row.converged = limit.value;
     row.order = limit.observed ? limit.order : 0.0;
+    const double beyond = std::abs(limit.value - v[2]);
+    const double change = std::max(std::abs(v[2] - v[1]), std::abs(v[1] - v[0]));
+    row.uncertainty = limit.observed ? 0.25 * beyond : 3.0 * change;
     table.push_back(std::move(row));
   }
   return table;

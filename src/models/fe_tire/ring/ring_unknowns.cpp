@@ -62,6 +62,10 @@ bool same_layer(const CordLayer& a, const CordLayer& b) {
 
 bool same_element(const Element& a, const Element& b, const Materials& materials) {
   if (a.inner != b.inner || a.tread != b.tread || a.rebars.size() != b.rebars.size()) return false;
+  if (a.tie.eta != -b.tie.eta || !same(a.tie.lower, b.tie.lower) ||
+      !same(a.tie.upper, b.tie.upper) || !same(a.wall, b.wall)) {
+    return false;
+  }
   for (std::size_t k = 0; k < a.rebars.size(); ++k) {
     if (!same(a.rebars[k].zeta, b.rebars[k].zeta)) return false;
     if (!same_layer(materials.layers[a.rebars[k].layer], materials.layers[b.rebars[k].layer])) {
