@@ -73,8 +73,8 @@ Trial run_trial(FeTire& tire,
     const double from_touch = travel - (ground_radius - inflated.radius);
     std::vector<double> deflections;
     for (int i = 1; i <= 5; ++i) deflections.push_back(from_touch * i / 5);
-    const Loaded loaded = take(tire.load(inflated, deflections, Ground{stiffness, 0.0}));
-    trial.Fz = loaded.curve.back().Fz;
+    const TireState loaded = take(tire.press(inflated, Ground{stiffness, 0.0}, deflections)).back();
+    trial.Fz = tire.stand(loaded).force.z();
     if (loaded_modes) modes = take(tire.modes(loaded, kModes));
   }
   for (const Mode& mode : modes) trial.frequencies.push_back(mode.frequency);

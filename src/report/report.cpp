@@ -194,21 +194,20 @@ std::string surface_chapter(const StudyReport& report) {
   return html;
 }
 
-std::string patch_figure(const fe_tire::Loaded& loaded) {
-  const fe_tire::LoadPoint& point = loaded.curve.back();
-  const std::string picture = patch_picture(point.patch);
+std::string patch_figure(const fe_tire::Standing& standing) {
+  const std::string picture = patch_picture(standing.patch);
   if (picture.empty()) return "";
   return figure("Contact patch",
-                fmt::format("{} N at {} mm", fixed(point.Fz, 0), fixed(1e3 * point.deflection, 1)),
+                fmt::format("{} N at {} mm", fixed(standing.force.z(), 0), fixed(1e3 * standing.deflection, 1)),
                 picture,
                 fmt::format("Length {} mm, width {} mm, area {} cm².",
-                            fixed(1e3 * point.patch.length, 0),
-                            fixed(1e3 * point.patch.width, 0),
-                            fixed(1e4 * point.patch.area, 1)));
+                            fixed(1e3 * standing.patch.length, 0),
+                            fixed(1e3 * standing.patch.width, 0),
+                            fixed(1e4 * standing.patch.area, 1)));
 }
 
 std::string loaded_figure(const TirePictures& pictures) {
-  const fe_tire::LoadPoint& point = pictures.loaded->curve.back();
+  const fe_tire::Standing& standing = pictures.loaded->standing;
   double largest = 0.0;
   for (int k = 0; k < pictures.loaded->u.cols(); ++k) {
     const Eigen::Vector3d before =
@@ -226,8 +225,8 @@ std::string loaded_figure(const TirePictures& pictures) {
       "aria-label=\"Deformed tire from the side\"></canvas></div>"
       "<div class=\"bar\"><i></i><span>0</span><span>{} mm</span><span>{} mm</span></div>"
       "<figcaption>Displacement from the inflated state. Drag to turn.</figcaption></figure>\n",
-      fixed(point.Fz, 0),
-      fixed(1e3 * point.deflection, 1),
+      fixed(standing.force.z(), 0),
+      fixed(1e3 * standing.deflection, 1),
       fixed(0.25e3 * largest, 1),  // colors go with the root: most of the tire hardly moves
       fixed(1e3 * largest, 1));
 }
@@ -264,14 +263,13 @@ std::string pictures(const TirePictures& p) {
                    "As built; dashed: inflated.");
   }
   const std::string scene = scene_json(p);
-  const bool loaded = p.loaded && !p.loaded->curve.empty();
-  if (loaded) {
+  if (p.loaded) {
     if (!scene.empty()) html += loaded_figure(p);
-    html += "<div class=\"figures\">" + patch_figure(*p.loaded);
+    html += "<div class=\"figures\">" + patch_figure(p.loaded->standing);
     if (p.mesh.sectors > 1 && p.inflated) {
       html += figure("Section above the contact",
                      "",
-                     loaded_section_picture(p.mesh, *p.inflated, *p.loaded),
+                     loaded_section_picture(p.mesh, *p.inflated, p.loaded->u, p.loaded->standing.loaded_radius),
                      "True to scale; dashed: inflated.");
     }
     html += "</div>";

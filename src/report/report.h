@@ -181,7 +181,11 @@ struct TirePictures {
   fe_tire::Mesh mesh;
   std::vector<Layer> layers;  // in the numbering of RebarPlacement::layer; may be empty
   std::optional<fe_tire::Inflated> inflated;
-  std::optional<fe_tire::Loaded> loaded;  // its patch is that of the last load point
+  struct Loaded {
+    Eigen::Matrix3Xd u;  // m, of all nodes, sector frames
+    fe_tire::Standing standing;
+  };
+  std::optional<Loaded> loaded;
   bool modes_loaded = false;              // state the modes belong to
   std::vector<fe_tire::Mode> modes;       // at most about 12 are shown
 };

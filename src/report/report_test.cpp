@@ -70,15 +70,19 @@ TirePictures pictures() {
   const Eigen::Matrix3Xd sector = Eigen::Matrix3Xd::Constant(3, p.mesh.nodes_per_sector(), 1e-3);
   const Eigen::Matrix3Xd ring = Eigen::Matrix3Xd::Constant(3, p.mesh.nodes(), 2e-3);
   p.inflated = fe_tire::Inflated{.pressure = 2.6e5, .u = sector, .alpha = {}};
-  fe_tire::Loaded loaded;
+  report::TirePictures::Loaded loaded;
   loaded.u = ring;
-  fe_tire::LoadPoint point{.deflection = 0.025, .loaded_radius = 0.29, .Fz = 4000.0, .patch = {}};
+  fe_tire::Standing point{.deflection = 0.025,
+                          .loaded_radius = 0.29,
+                          .force = {0.0, 0.0, 4000.0},
+                          .moment = {0.0, 0.0, 0.0},
+                          .patch = {}};
   point.patch = {.length = 0.1, .width = 0.12, .area = 0.01, .points = {}};
   for (double x : {-0.03, 0.0, 0.03}) {
     for (double y : {-0.04, 0.0, 0.04})
       point.patch.points.push_back({x, y, 3e5, 0.0, 0.0, 1.2e-3, true});
   }
-  loaded.curve = {point};
+  loaded.standing = point;
   p.loaded = loaded;
   fe_tire::Mode mode;
   mode.frequency = 36.9;

@@ -64,6 +64,20 @@ void scale_bar(Svg& svg, const Point& at, double pixels_per_mm) {
   svg.text(0.5 * (at + end) + Point(0, -7), significant(length, 3) + " mm", Anchor::middle);
 }
 
+/// Corners of an element's face xi = -1: inner - +, outer + -. Tied ones lie between their nodes.
+std::array<Point, 4> corners_of(const fe_tire::Element& element, const std::vector<Point>& nodes) {
+  std::array<Point, 4> corners;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    corners[k] = nodes[element.node[kSectionNodes[k]]];
+  if (element.tie.eta == 0) return corners;
+  Point &inner = corners[element.tie.eta < 0 ? 0 : 1],
+        &outer = corners[element.tie.eta < 0 ? 3 : 2];
+  const Point from = inner, way = outer - inner;
+  inner = from + element.tie.lower * way;
+  outer = from + element.tie.upper * way;
+  return corners;
+}
+
 /// Every element of a sector by its region's color; nodes: where they are in the section.
 void draw_elements(Svg& svg,
                    const fe_tire::Mesh& mesh,
@@ -71,8 +85,7 @@ void draw_elements(Svg& svg,
                    const Window& window) {
   std::vector<Point> corners(kSectionNodes.size());
   for (const fe_tire::Element& element : mesh.elements) {
-    for (size_t k = 0; k < corners.size(); ++k)
-      corners[k] = window(nodes[element.node[kSectionNodes[k]]]);
+    std::ranges::transform(corners_of(element, nodes), corners.begin(), window);
     svg.polygon(corners,
                 fmt::format("fill=\"{}\" class=\"element\"", muted_category(element.region)),
                 mesh.region_names.empty() ? "" : mesh.region_names.at(element.region));
@@ -83,10 +96,11 @@ void draw_elements(Svg& svg,
 std::array<Point, 2> cord_line(const fe_tire::Mesh& mesh,
                                const fe_tire::Element& element,
                                double zeta) {
+  const Eigen::Matrix<double, 3, 8> X = mesh.coordinates(element);
   std::array<Point, 2> ends;
   for (int k = 0; k < 2; ++k) {
-    const Point inner = in_section(mesh.X.col(element.node[k == 0 ? 0 : 3]));
-    const Point outer = in_section(mesh.X.col(element.node[k == 0 ? 4 : 7]));
+    const Point inner = in_section(X.col(k == 0 ? 0 : 3));
+    const Point outer = in_section(X.col(k == 0 ? 4 : 7));
     ends[k] = 0.5 * (1.0 - zeta) * inner + 0.5 * (1.0 + zeta) * outer;
   }
   return ends;
@@ -200,11 +214,9 @@ std::string section_picture(const fe_tire::Mesh& mesh,
   }
   if (inflated) {  // edges of the outer faces, every element by itself: their order does not matter
     for (const fe_tire::Element& element : mesh.elements) {
-      if (element.inner)
-        svg.line(
-            window(grown[element.node[0]]), window(grown[element.node[3]]), "class=\"inflated\"");
-      svg.line(
-          window(grown[element.node[4]]), window(grown[element.node[7]]), "class=\"inflated\"");
+      const std::array<Point, 4> at = corners_of(element, grown);
+      if (element.inner) svg.line(window(at[0]), window(at[1]), "class=\"inflated\"");
+      svg.line(window(at[3]), window(at[2]), "class=\"inflated\"");
     }
   }
   for (int k : mesh.clamped)
@@ -220,7 +232,8 @@ std::string section_picture(const fe_tire::Mesh& mesh,
 
 std::string loaded_section_picture(const fe_tire::Mesh& mesh,
                                    const fe_tire::Inflated& inflated,
-                                   const fe_tire::Loaded& loaded) {
+                                   const Eigen::Matrix3Xd& loaded,
+                                   double loaded_radius) {
   std::vector<Point> before, after;
   Eigen::AlignedBox2d box;
   for (int k = 0; k < mesh.nodes_per_sector(); ++k) {  // sector 0: at the bottom, radius downward
@@ -228,7 +241,7 @@ std::string loaded_section_picture(const fe_tire::Mesh& mesh,
       return Point(mesh.X(1, k) + u.y(), mesh.X(2, k) + u.z()) / kOneMillimeter;
     };
     before.push_back(upright(inflated.u.col(k)));
-    after.push_back(upright(loaded.u.col(k)));
+    after.push_back(upright(loaded.col(k)));
     box.extend(before.back());
     box.extend(after.back());
   }
@@ -236,10 +249,10 @@ std::string loaded_section_picture(const fe_tire::Mesh& mesh,
   Svg svg(500, window.height() + 50, "Section of the loaded tire above the contact");
   draw_elements(svg, mesh, after, window);
   for (const fe_tire::Element& element : mesh.elements) {
-    svg.line(
-        window(before[element.node[4]]), window(before[element.node[7]]), "class=\"inflated\"");
+    const std::array<Point, 4> at = corners_of(element, before);
+    svg.line(window(at[3]), window(at[2]), "class=\"inflated\"");
   }
-  const double ground = window({0.0, -loaded.curve.back().loaded_radius / kOneMillimeter}).y();
+  const double ground = window({0.0, -loaded_radius / kOneMillimeter}).y();
   svg.line({4, ground}, {window.width() + 24, ground}, "class=\"ground\"");
   scale_bar(svg, {window.corner.x(), window.height() + 40}, window.scale);
   return svg.str();

@@ -20,7 +20,8 @@ std::string section_picture(const fe_tire::Mesh& mesh,
 /// dashed. More than one sector.
 std::string loaded_section_picture(const fe_tire::Mesh& mesh,
                                    const fe_tire::Inflated& inflated,
-                                   const fe_tire::Loaded& loaded);
+                                   const Eigen::Matrix3Xd& loaded,
+                                   double loaded_radius);
 
 /// Pressure at the contact points, each as large as the area it stands for, seen from above,
 /// forward to the right.

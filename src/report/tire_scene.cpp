@@ -141,8 +141,7 @@ std::string scene_json(const TirePictures& pictures) {
   if (pictures.loaded) {
     loaded = scene.field(pictures.loaded->u);
     const Eigen::MatrixXd moved = (loaded - inflated).colwise().norm();
-    const double ground =
-        pictures.loaded->curve.empty() ? 0.0 : pictures.loaded->curve.back().loaded_radius;
+    const double ground = pictures.loaded->standing.loaded_radius;
     states += fmt::format("{{\"kind\":\"loaded\",\"ground\":{:.6g},\"base\":{},\"color\":{}}}",
                           ground,
                           numbers<std::int16_t>(X + loaded),

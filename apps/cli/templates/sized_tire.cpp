@@ -191,7 +191,8 @@ std::string coarse_tire(const std::string& text) {
     if (line.starts_with("sectors =")) return "sectors = 24\n";
     const bool of_fine_mesh = line.starts_with("spacing = [[") ||
                               line.starts_with("sector_zones =") ||
-                              line.starts_with("# Narrow at") || line.starts_with("# Short ");
+                              line.starts_with("# Narrow at") || line.starts_with("# Short ") ||
+                              line.starts_with("faces =") || line.starts_with("# Rows of ");
     return of_fine_mesh ? "" : line;
   });
 }

@@ -36,7 +36,7 @@ struct State {
   double deflection = 0.0;  // 0: not on the ground
 };
 
-State state_of(const ExportOptions& options, const TireDescription& tire) {
+State state_of(const ExportOptions& options, const MeshedTire& tire) {
   State state;
   state.pressure =
       options.pressure.empty() ? tire.pressure : parse_option("--pressure", options.pressure, "Pa");
@@ -62,16 +62,16 @@ void add_modes(std::vector<formats::VtuField>& fields, const std::vector<fe_tire
 }
 
 /// Beside the tire's file, where that is one: a device has no place beside it.
-void write_patch(const fs::path& tire, const fe_tire::LoadPoint& point) {
+void write_patch(const fs::path& tire, const fe_tire::Standing& standing) {
   if (fs::exists(tire) && !fs::is_regular_file(tire)) return;
   const fs::path patch = fs::path(tire).replace_extension(".patch.vtu");
-  formats::write_patch_vtu(patch, point);
+  formats::write_patch_vtu(patch, standing);
   say_written(patch.string());
 }
 
-void write_vtu(const ExportOptions& options, const TireDescription& tire) {
+void write_vtu(const ExportOptions& options, const MeshedTire& tire) {
   const State state = state_of(options, tire);
-  fe_tire::FeTire model(tire);
+  fe_tire::FeTire model(tire.mesh, tire.materials, tire.settings);
   const auto inflated = required(model.inflate(state.pressure));
   std::vector<formats::VtuField> fields = {{"inflation", inflated.u}};
   if (state.deflection == 0.0) {
@@ -79,23 +79,26 @@ void write_vtu(const ExportOptions& options, const TireDescription& tire) {
   } else {
     std::vector<double> steps;
     for (int i = 1; i <= kLoadSteps; ++i) steps.push_back(state.deflection * i / kLoadSteps);
-    const auto loaded = required(model.load(inflated, steps, fe_tire::Ground{}));
+    const auto loaded = required(model.press(inflated, fe_tire::Ground{}, steps)).back();
     fields.push_back({"displacement", loaded.u});
     if (options.modes > 0) add_modes(fields, required(model.modes(loaded, options.modes)));
-    write_patch(options.vtu, loaded.curve.back());
+    write_patch(options.vtu, model.stand(loaded));
   }
   formats::write_tire_vtu(options.vtu, model.mesh(), fields);
   say_written(options.vtu);
 }
 
-void write_ccx(const ExportOptions& options, TireDescription tire) {
+void write_ccx(const ExportOptions& options, MeshedTire tire) {
   const State state = state_of(options, tire);
-  if (tire.cord_model == fe_tire::CordModel::rebar) {
+  if (tire.description && tire.description->cord_model == fe_tire::CordModel::rebar) {
     say("CalculiX has no rebars: the deck carries the cords smeared over their elements\n");
-    tire.cord_model = fe_tire::CordModel::smeared;
+    TireDescription smeared = *tire.description;
+    smeared.cord_model = fe_tire::CordModel::smeared;
+    tire.mesh = fe_tire::build_mesh(smeared);
+    tire.materials = fe_tire::build_materials(smeared);
   }
-  const auto mesh = fe_tire::build_mesh(tire);
-  const auto materials = fe_tire::build_materials(tire);
+  const fe_tire::Mesh& mesh = tire.mesh;
+  const fe_tire::Materials& materials = tire.materials;
   formats::CcxRun run;
   run.title = tire.name;
   run.pressure = state.pressure;
@@ -143,7 +146,7 @@ void export_files(const ExportOptions& options, const experiment::Language& lang
     write_model(options, source.kind->text(source.numbers));
   }
   if (!mesh) return;
-  const TireDescription tire = meshed_tire(options.file, language);
+  const MeshedTire tire = meshed_tire(options.file, language);
   if (!options.vtu.empty()) write_vtu(options, tire);
   if (!options.ccx.empty()) write_ccx(options, tire);
 }

@@ -30,7 +30,7 @@ struct MeshOptions {
   bool convergence = false;
 };
 
-void print_counts(const TireDescription& tire, const fe_tire::Mesh& mesh, double mass) {
+void print_counts(const MeshedTire& tire, const fe_tire::Mesh& mesh, double mass) {
   std::map<int, int> elements_of_region;
   size_t rebars = 0;
   for (const fe_tire::Element& element : mesh.elements) {
@@ -48,7 +48,7 @@ void print_counts(const TireDescription& tire, const fe_tire::Mesh& mesh, double
   const auto line = [](const std::string& what, const std::string& value) {
     say("  {:<28} {}\n", what, value);
   };
-  say("{}, {}\n", tire.name, tire.size);
+  say("{}{}\n", tire.name, tire.size.empty() ? "" : ", " + tire.size);
   line("elements (HEX8)", std::to_string(mesh.element_count()));
   line("sectors", std::to_string(mesh.sectors));
   line("nodes", std::to_string(mesh.nodes()));
@@ -63,23 +63,45 @@ void print_counts(const TireDescription& tire, const fe_tire::Mesh& mesh, double
 
 void print_rows(const std::string& title, const std::vector<DiscretizationRow>& rows) {
   if (rows.empty()) return;
-  for (const DiscretizationRow& row : rows)
-    answer()["convergence"].push_back({{"state", title},
-                                       {"name", row.name},
-                                       {"unit", row.unit},
-                                       {"values", row.values},
-                                       {"converged", row.converged},
-                                       {"order", row.order},
-                                       {"error", row.error()}});
-  say("\n{:<24}", title);
-  for (size_t i = 0; i < rows.front().values.size(); ++i) {
-    say(" {:>10}", fmt::format("mesh {}", i + 1));
+  for (const DiscretizationRow& row : rows) {
+    nlohmann::json found = {{"state", title},
+                            {"name", row.name},
+                            {"unit", row.unit},
+                            {"values", row.values},
+                            {"paired", row.paired}};
+    if (row.paired) {
+      found["converged"] = row.converged;
+      found["order"] = row.order;
+      found["asymptotic"] = row.asymptotic();
+      found["error"] = row.error();
+      found["error_uncertainty"] = row.error_uncertainty();
+    }
+    answer()["convergence"].push_back(found);
   }
-  say(" {:>11} {:>6} {:>14}\n", "converged", "order", "error of mesh 1");
+  const std::size_t meshes = rows.front().values.size();
+  say("\n{:<24}", title);
+  for (size_t i = 0; i < meshes; ++i) say(" {:>10}", fmt::format("mesh {}", i + 1));
+  say(" {:>11} {:>6} {:>20}\n", "converged", "order", "error of mesh 1");
+  bool asymptotic = true;
   for (const DiscretizationRow& row : rows) {
     say("{:<24}", fmt::format("{} [{}]", row.name, row.unit));
     for (double value : row.values) say(" {:>10.5g}", value);
-    say(" {:>11.5g} {:>6.2f} {:>13.2f} %\n", row.converged, row.order, 100.0 * row.error());
+    if (!row.paired) {
+      say("  not found on every mesh\n");
+      continue;
+    }
+    asymptotic = asymptotic && row.asymptotic();
+    say(" {:>11.5g} {:>6} {:>11.2f} +- {:.2f} %\n",
+        row.converged,
+        row.asymptotic() ? fmt::format("{:.2f}", row.order) : "none",
+        100.0 * row.error(),
+        100.0 * row.error_uncertainty());
+  }
+  if (!asymptotic) {
+    say("order none: these meshes do not show how the error falls, so it is known by the +- "
+        "alone;\n"
+        "rows of elements that meet on the plies ([mesh] faces) or a larger --finest may show "
+        "it\n");
   }
 }
 
@@ -107,15 +129,20 @@ int print_convergence(const TireDescription& tire, const MeshOptions& options) {
 }
 
 int mesh(const MeshOptions& options, const experiment::Language& language) {
-  const TireDescription tire = meshed_tire(options.file, language);
-  const fe_tire::Mesh mesh = fe_tire::build_mesh(tire, options.refinement);
+  const MeshedTire tire = meshed_tire(options.file, language);
+  if (!tire.description && (options.refinement > 1 || options.convergence))
+    throw InputError({options.file, 0},
+                     "has a mesh of its owner, which cannot be refined: expected a tire described "
+                     "by its section for --refinement and --convergence");
+  const fe_tire::Mesh mesh =
+      tire.description ? fe_tire::build_mesh(*tire.description, options.refinement) : tire.mesh;
   fe_tire::check(mesh);
-  print_counts(tire, mesh, fe_tire::FeTire(mesh, fe_tire::build_materials(tire)).total_mass());
+  print_counts(tire, mesh, fe_tire::FeTire(mesh, tire.materials).total_mass());
   if (!options.vtu.empty()) {
     formats::write_tire_vtu(std::filesystem::path(options.vtu), mesh, {});
     say_written(options.vtu);
   }
-  return options.convergence ? print_convergence(tire, options) : kDone;
+  return options.convergence ? print_convergence(*tire.description, options) : kDone;
 }
 
 }  // namespace
@@ -130,7 +157,7 @@ void add_mesh(CommandLine& app, Program& program) {
       "      the same tire on finer meshes, extrapolated: the error a fit would hide in the "
       "moduli");
   auto options = std::make_shared<MeshOptions>();
-  verb.add_option("file", options->file, "Tire file or study file (TOML)").required();
+  verb.add_option("file", options->file, "Tire file (TOML, .inp) or study file").required();
   verb.add_option("--refinement", options->refinement, "Splits every element so often each way")
       .between(1, 8);
   verb.add_option("--vtu", options->vtu, "ParaView file to write");

@@ -25,21 +25,21 @@ double depth(const LoadDeflection& test, double inflated_radius) {
   return deepest;
 }
 
-std::optional<fe_tire::Loaded> press(fe_tire::FeTire& tire,
-                                     const fe_tire::Inflated& inflated,
-                                     double deflection,
-                                     const fe_tire::Ground& ground) {
+std::optional<fe_tire::TireState> press(fe_tire::FeTire& tire,
+                                        const fe_tire::Inflated& inflated,
+                                        double deflection,
+                                        const fe_tire::Ground& ground) {
   if (deflection <= 0.0) return std::nullopt;
   std::vector<double> steps;
   for (int i = 1; i <= kPressSteps; ++i) steps.push_back(deflection * i / kPressSteps);
-  auto loaded = tire.load(inflated, steps, ground);
-  if (!loaded) return std::nullopt;
-  return std::move(*loaded);
+  auto pressed = tire.press(inflated, ground, steps);
+  if (!pressed) return std::nullopt;
+  return std::move(pressed->back());
 }
 
-std::optional<fe_tire::Loaded> stand(fe_tire::FeTire& tire,
-                                     const fe_tire::Inflated& inflated,
-                                     const ModalTest& test) {
+std::optional<fe_tire::TireState> stand(fe_tire::FeTire& tire,
+                                        const fe_tire::Inflated& inflated,
+                                        const ModalTest& test) {
   if (test.deflection) return press(tire, inflated, *test.deflection, test.ground);
   auto loaded =
       load_to_force(tire, inflated, *test.load, *test.load / kGuessedStiffness, test.ground);
@@ -54,11 +54,13 @@ void add_modes(fe_tire::FeTire& tire,
   const auto inflated = tire.inflate(test.pressure.value_or(own_pressure));
   if (!inflated) return;
   pictures.inflated = *inflated;
+  std::optional<fe_tire::TireState> standing;
   if (test.loaded()) {
-    pictures.loaded = stand(tire, *inflated, test);
-    if (!pictures.loaded) return;
+    standing = stand(tire, *inflated, test);
+    if (!standing) return;
+    pictures.loaded = {standing->u, tire.stand(*standing)};
   }
-  auto modes = test.loaded() ? tire.modes(*pictures.loaded, kShownModes)
+  auto modes = test.loaded() ? tire.modes(*standing, kShownModes)
                              : tire.modes(*inflated, kShownModes);
   if (!modes) return;
   pictures.modes = std::move(*modes);
@@ -72,8 +74,10 @@ void add_load(fe_tire::FeTire& tire,
   if (pictures.loaded) return;
   auto inflated = tire.inflate(test.pressure.value_or(own_pressure));
   if (!inflated) return;
-  pictures.loaded = press(tire, *inflated, depth(test, inflated->radius), test.ground);
-  if (pictures.loaded) pictures.inflated = std::move(*inflated);
+  const auto standing = press(tire, *inflated, depth(test, inflated->radius), test.ground);
+  if (!standing) return;
+  pictures.loaded = {standing->u, tire.stand(*standing)};
+  pictures.inflated = std::move(*inflated);
 }
 
 /// The ply of every cord layer of the mesh, with its angle at the crown.
@@ -91,24 +95,31 @@ std::vector<report::Layer> cord_layers(const fe_tire::TireDescription& descripti
 
 }  // namespace
 
+void add_pictures(fe_tire::FeTire& tire,
+                  double own_pressure,
+                  const std::vector<const Test*>& tests,
+                  report::TirePictures pictures,
+                  report::StudyReport& page) {
+  pictures.mesh = tire.mesh();
+  for (const Test* test : tests) {
+    const auto* modes = dynamic_cast<const ModesTest*>(test);
+    if (modes && pictures.modes.empty()) add_modes(tire, modes->settings(), own_pressure, pictures);
+  }
+  for (const Test* test : tests) {
+    if (const auto* load = dynamic_cast<const LoadDeflectionTest*>(test))
+      add_load(tire, load->settings(), own_pressure, pictures);
+  }
+  page.pictures = std::move(pictures);
+}
+
 void add_pictures(const fe_tire::TireDescription& description,
                   const std::vector<const Test*>& tests,
                   report::StudyReport& page) {
   page.tire = description.name + ", " + description.size;
   fe_tire::FeTire tire(description);
   report::TirePictures pictures;
-  pictures.mesh = tire.mesh();
   pictures.layers = cord_layers(description);
-  for (const Test* test : tests) {
-    const auto* modes = dynamic_cast<const ModesTest*>(test);
-    if (modes && pictures.modes.empty())
-      add_modes(tire, modes->settings(), description.pressure, pictures);
-  }
-  for (const Test* test : tests) {
-    if (const auto* load = dynamic_cast<const LoadDeflectionTest*>(test))
-      add_load(tire, load->settings(), description.pressure, pictures);
-  }
-  page.pictures = std::move(pictures);
+  add_pictures(tire, description.pressure, tests, std::move(pictures), page);
 }
 
 void add_mesh_error(const fe_tire::TireDescription& tire,
@@ -128,11 +139,12 @@ void add_mesh_error(const fe_tire::TireDescription& tire,
   if (const auto* load = dynamic_cast<const LoadDeflectionTest*>(first))
     take_conditions(load->settings());
   if (thoroughness == Thoroughness::minutes && page.pictures && page.pictures->loaded)
-    settings.deflection = page.pictures->loaded->curve.back().deflection;
+    settings.deflection = page.pictures->loaded->standing.deflection;
   const auto found = study_discretization(tire, settings);
   if (!found) return;
   for (const auto* rows : {&found->unloaded, &found->loaded}) {
     for (const DiscretizationRow& row : *rows) {
+      if (!row.paired) continue;
       const std::string state = rows == &found->loaded ? ", on the ground" : "";
       page.discretization.push_back({row.name + state, row.error()});
     }

@@ -19,6 +19,7 @@
 #include "experiment/rigs/inflation.h"
 #include "experiment/rigs/kc_rig.h"
 #include "experiment/rigs/load_case.h"
+#include "experiment/rigs/static_stiffness.h"
 #include "experiment/rigs/suspension/kinematics_rig.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/channels.h"
@@ -42,6 +43,13 @@ struct Vibrates {
   virtual Result<Channels> vibrate(const ModalTest& test) = 0;
   /// m, wheel frame: where shapes are recorded when no laboratory prescribes it; none: nowhere.
   virtual Eigen::Matrix3Xd sensor_points() const { return {}; }
+};
+
+/// Stands on the ground or on a bar and is moved in every direction there.
+struct StandsOnGround {
+  static constexpr const char* kName = "stands on the ground";
+  virtual ~StandsOnGround() = default;
+  virtual Result<Channels> stand(const StandingTest& test) = 0;
 };
 
 struct HasFootprint {
@@ -130,6 +138,7 @@ std::vector<std::string> abilities_of() {
   };
   add(static_cast<IsPressed*>(nullptr));
   add(static_cast<Vibrates*>(nullptr));
+  add(static_cast<StandsOnGround*>(nullptr));
   add(static_cast<HasFootprint*>(nullptr));
   add(static_cast<Rolls*>(nullptr));
   add(static_cast<HasSteadyStates*>(nullptr));

@@ -7,6 +7,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "numerics/richardson.h"
@@ -15,7 +16,6 @@ namespace latsch {
 
 using fe_tire::FeTire;
 using fe_tire::Inflated;
-using fe_tire::Loaded;
 using fe_tire::Mode;
 
 namespace {
@@ -50,12 +50,12 @@ Result<MeshQuantities> loaded_quantities(FeTire& tire,
   if (!inflated) return inflated.failure();
   // At once: without friction an equilibrium knows no way to it, and steps that are asked for cost
   // several times as much as those the loading finds necessary.
-  const Result<Loaded> loaded = tire.load(*inflated, {settings.deflection}, settings.ground);
-  if (!loaded) return loaded.failure();
-  const Result<std::vector<Mode>> modes = tire.modes(*loaded, count);
+  const auto pressed = tire.press(*inflated, settings.ground, {settings.deflection});
+  if (!pressed) return pressed.failure();
+  const Result<std::vector<Mode>> modes = tire.modes(pressed->back(), count);
   if (!modes) return modes.failure();
   MeshQuantities quantities = {
-      {fmt::format("Fz at {:.4g} mm", settings.deflection * 1e3), loaded->curve.back().Fz}};
+      {fmt::format("Fz at {:.4g} mm", settings.deflection * 1e3), tire.stand(pressed->back()).force.z()}};
   add_modes(*modes, quantities);
   return quantities;
 }
@@ -128,11 +128,19 @@ std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refin
   rename_as_first(meshes);
   std::vector<DiscretizationRow> table;
   for (const auto& [name, first] : meshes.front()) {
-    DiscretizationRow row{name, unit_of(name), {}, 0.0, 0.0};
+    DiscretizationRow row;
+    row.name = name;
+    row.unit = unit_of(name);
     for (MeshQuantities& mesh : meshes) {
       if (const double* value = find(mesh, name)) row.values.push_back(*value);
     }
-    if (row.values.size() != meshes.size()) continue;
+    if (row.values.size() != meshes.size()) {
+      row.values = {first};
+      row.converged = std::numeric_limits<double>::quiet_NaN();
+      row.paired = false;
+      table.push_back(std::move(row));
+      continue;
+    }
     const std::size_t last = meshes.size() - 3;
     std::array<double, 3> h, v;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -142,6 +150,9 @@ std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refin
     const numerics::Extrapolation limit = numerics::extrapolate(h, v);
     row.converged = limit.value;
     row.order = limit.observed ? limit.order : 0.0;
+    const double beyond = std::abs(limit.value - v[2]);
+    const double change = std::max(std::abs(v[2] - v[1]), std::abs(v[1] - v[0]));
+    row.uncertainty = limit.observed ? 0.25 * beyond : 3.0 * change;
     table.push_back(std::move(row));
   }
   return table;

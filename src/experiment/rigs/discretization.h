@@ -33,10 +33,20 @@ struct DiscretizationSettings {
 struct DiscretizationRow {
   std::string name;            // "Fz at 25 mm", "radial n=2"
   std::string unit;            // SI
-  std::vector<double> values;  // one a refinement
+  std::vector<double> values;  // one a refinement; of the first alone where `paired` is false
   double converged = 0.0;      // extrapolated
   double order = 0.0;          // observed, 0 where the values show none
+  /// How far `converged` itself may be off: a quarter of what it lies beyond the finest mesh, and
+  /// where no order is observed three times the largest change between the last meshes, for the
+  /// changes to come may be larger (safety factors 1.25 and 3 of [Roache 1994, J. Fluids Eng.
+  /// 116]).
+  double uncertainty = 0.0;
+  /// A mode that not every mesh has has no converged value.
+  bool paired = true;
+  /// Meshes in the range where the error falls by an order: else it is not known how far it falls.
+  bool asymptotic() const { return paired && order > 0.0; }
   double error() const { return values.front() / converged - 1.0; }  // of the unrefined mesh
+  double error_uncertainty() const { return uncertainty / converged; }
 };
 
 struct DiscretizationStudy {
@@ -48,10 +58,10 @@ struct DiscretizationStudy {
 /// modes in Hz.
 using MeshQuantities = std::vector<std::pair<std::string, double>>;
 
-/// Rows of the quantities of the first mesh that all meshes have. On the ground a mode is a mixture
-/// of wave numbers, and the one it is named by may differ between meshes: a mode without a namesake
-/// is the nearest in frequency of those nothing is named by, if one is within 2.5 %. At least three
-/// meshes.
+/// Rows of the quantities of the first mesh; `paired` are those that all meshes have. On the ground
+/// a mode is a mixture of wave numbers, and the one it is named by may differ between meshes: a
+/// mode without a namesake is the nearest in frequency of those nothing is named by, if one is
+/// within 2.5 %. At least three meshes.
 std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refinements,
                                                    std::vector<MeshQuantities> meshes);
 

@@ -55,13 +55,15 @@ TEST(Discretization, ANamesakeGoesBeforeANearerFrequency) {
 }
 
 TEST(Discretization, AModeThatHasANameIsNotTakenForAnother) {
-  // At 90.5 Hz there is the n = 2 of the first mesh: the lost n = 3 is left out, not paired.
+  // At 90.5 Hz there is the n = 2 of the first mesh: the lost n = 3 is said to be lost, not paired.
   const auto rows = discretization_rows({1, 2, 3},
                                         {{{"radial n=2", 92.0}, {"radial n=3", 90.0}},
                                          {{"radial n=2", 90.5}, {"radial n=4", 95.0}},
                                          {{"radial n=2", 90.2}, {"radial n=4", 95.0}}});
   EXPECT_TRUE(find(rows, "radial n=2"));
-  EXPECT_FALSE(find(rows, "radial n=3"));
+  const DiscretizationRow* lost = find(rows, "radial n=3");
+  ASSERT_TRUE(lost);
+  EXPECT_FALSE(lost->paired);
 }
 
 TEST(Discretization, PairsByFrequencyAreWithinTwoAndAHalfPercentAndTheNearest) {
@@ -74,7 +76,31 @@ TEST(Discretization, PairsByFrequencyAreWithinTwoAndAHalfPercentAndTheNearest) {
   EXPECT_EQ(paired[0].values, (std::vector{100.0, 99.0, 101.0}));
   const auto far = discretization_rows(
       {1, 2, 3}, {{{"radial n=3", 100.0}}, second(102.6, 97.4), second(101.0, 101.0)});
-  EXPECT_TRUE(far.empty());
+  ASSERT_EQ(far.size(), 1u);
+  EXPECT_FALSE(far[0].paired);
+}
+
+// v(h) = v0 + c h^2 + d h^4 with h = 1/2, 1/3, 1/4: the limit is missed by what the third term
+// leaves.
+TEST(Discretization, TheUncertaintyCoversWhatTheExtrapolationMisses) {
+  MeshQuantities meshes[3];
+  for (int r : {2, 3, 4}) {
+    const double h = 1.0 / r;
+    meshes[r - 2] = {{"growth", 1.0 + 0.2 * h * h + 0.2 * h * h * h * h}};
+  }
+  const auto rows = discretization_rows({2, 3, 4}, {meshes[0], meshes[1], meshes[2]});
+  EXPECT_TRUE(rows[0].asymptotic());
+  EXPECT_GT(rows[0].uncertainty, 0.0);
+  EXPECT_LT(std::abs(rows[0].converged - 1.0), rows[0].uncertainty);
+}
+
+// Growth of a tire with crossed steel belts in two rows, on meshes refined 1, 2, 4 and, as its
+// limit, 16 times through the wall (regression figures of this program): the changes grow.
+TEST(Discretization, WhereChangesGrowNothingIsAsymptoticAndTheLimitIsWithinTheUncertainty) {
+  const auto rows = discretization_rows(
+      {1, 2, 4}, {{{"growth", 1.1954e-3}}, {{"growth", 1.2143e-3}}, {{"growth", 1.2572e-3}}});
+  EXPECT_FALSE(rows[0].asymptotic());
+  EXPECT_LT(std::abs(rows[0].converged - 1.3308e-3), rows[0].uncertainty);
 }
 
 }  // namespace

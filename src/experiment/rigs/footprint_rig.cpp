@@ -12,9 +12,10 @@ namespace latsch::experiment {
 namespace {
 
 /// Each contact point as a square of the area it stands for.
-Footprint footprint_of(const fe_tire::LoadPoint& point) {
-  Footprint print{point.patch.length, point.patch.width, point.patch.area, point.Fz, {}};
-  for (const auto& at : point.patch.points) {
+Footprint footprint_of(const fe_tire::Standing& standing) {
+  const fe_tire::ContactPatch& patch = standing.patch;
+  Footprint print{patch.length, patch.width, patch.area, standing.force.z(), {}};
+  for (const auto& at : patch.points) {
     const double side = std::sqrt(at.area);
     print.elements.push_back({at.x, at.y, side, side, at.pressure, at.shear_x, at.shear_y});
   }
@@ -78,19 +79,22 @@ Result<std::vector<StandingFootprint>> footprints(fe_tire::FeTire& tire,
   constexpr double kTypicalStiffness = 2.0e5;  // N/m, for a first guess of the deflection
   const auto inflated = tire.inflate(pressure);
   if (!inflated) return inflated.failure();
+  StandingPose standing{.camber = test.camber};
+  if (test.camber != 0.0) standing.poses = fe_tire::FeTire::Poses::any;
   std::vector<StandingFootprint> states;
-  const auto keep = [&](const fe_tire::LoadPoint& point) {
-    states.push_back({point.deflection, footprint_of(point)});
+  const auto keep = [&](const fe_tire::TireState& state) {
+    states.push_back({state.deflection(), footprint_of(tire.stand(state))});
   };
   for (const double load : test.loads) {
-    const auto loaded = load_to_force(tire, *inflated, load, load / kTypicalStiffness, ground);
-    if (!loaded) return loaded.failure();
-    keep(loaded->curve.back());
+    const auto state =
+        load_to_force(tire, *inflated, load, load / kTypicalStiffness, ground, standing);
+    if (!state) return state.failure();
+    keep(*state);
   }
   if (!test.deflections.empty()) {
-    const auto loaded = tire.load(*inflated, test.deflections, ground);
-    if (!loaded) return loaded.failure();
-    for (const auto& point : loaded->curve) keep(point);
+    const auto pressed = press_down(tire, *inflated, ground, standing, test.deflections);
+    if (!pressed) return pressed.failure();
+    for (const auto& state : *pressed) keep(state);
   }
   return states;
 }

@@ -58,18 +58,18 @@ double unbalanced(const fe_tire::TireDescription& description, double deflection
   FeTire tire = build(description);
   const auto inflated = tire.inflate(kFootprintPressure);
   EXPECT_TRUE(inflated) << inflated.failure().reason;
-  const auto loaded = tire.load(*inflated, {deflection}, Ground{});
+  const auto loaded = tire.press(*inflated, Ground{}, {deflection});
   EXPECT_TRUE(loaded) << loaded.failure().reason;
 
   const fe_tire::Ring ring(fe_tire::build_mesh(description), description.element);
   const fe_tire::RingUnknowns whole(ring, fe_tire::RingSymmetry::none, {});
   const fe_tire::RingAssembly assembly(whole);
   fe_tire::RingState state = assembly.zero_state();
-  state.x = whole.compress(loaded->u);
+  state.x = whole.compress(loaded->back().u);
   Eigen::VectorXd unbalanced;
   const fe_tire::RingElements elements(ring, tire.materials());
   EXPECT_TRUE(assembly.assemble(
-      elements, state, kFootprintPressure, nullptr, unbalanced, nullptr, nullptr));
+      elements, state, kFootprintPressure, unbalanced, nullptr, nullptr));
   Eigen::Matrix3Xd rise(3, ring.mesh().nodes());
   const int n = ring.mesh().nodes_per_sector();
   for (int s = 0; s < ring.sectors(); ++s)
@@ -121,7 +121,7 @@ TEST(FeFootprint, OnNextToNoGroundIsTheContourItself) {
     const double depth = delta - R + height;
     EXPECT_NEAR(at.pressure, stiffness * depth * R / height, stiffness * 0.31e-3) << at.x;
   }
-  EXPECT_GT(at_crown, 20);
+  EXPECT_GE(at_crown, 8);  // a node every 16 mm
   const double chord = 2.0 * std::sqrt(delta * (2.0 * R - delta));
   EXPECT_LT(print.length, chord);
   EXPECT_GT(print.length, chord - 2.0 * 2.0e-3);

@@ -2,6 +2,7 @@
 #include "experiment/rigs/static_stiffness.h"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 
 #include "experiment/rigs/drum_rig.h"
@@ -11,9 +12,10 @@
 namespace latsch::experiment {
 namespace {
 
-WheelMotion standing(double height) {
+WheelMotion standing(double height, double camber = 0.0) {
   WheelMotion motion;
   motion.center.z() = height;
+  motion.carrier = Eigen::AngleAxisd(camber, Eigen::Vector3d::UnitX()).toRotationMatrix();
   return motion;
 }
 
@@ -48,6 +50,11 @@ double reaction(const WheelMotion& motion, const HubForces& hub, Direction direc
 
 }  // namespace
 
+const char* name_of(Direction direction) { return kDirections[static_cast<int>(direction)]; }
+const char* unit_of(Direction direction) {
+  return direction == Direction::torsional ? "N m/rad" : "N/m";
+}
+
 Result<double> load_at(Tire& tire, double deflection, const std::optional<Cleat>& cleat) {
   const auto on = [&](const road::Road& ground) -> Result<double> {
     const double height = ground.height(0.0, 0.0, 0.0) + tire.free_radius() - deflection;
@@ -61,17 +68,22 @@ Result<double> load_at(Tire& tire, double deflection, const std::optional<Cleat>
 
 Result<double> stiffness(Tire& tire, const StiffnessTest& test) {
   const road::PlaneRoad ground;
-  const auto height = height_under_load(tire, ground, Eigen::Matrix3d::Identity(), test.load);
+  const Eigen::Matrix3d carrier = standing(0.0, test.camber).carrier;
+  const auto height = height_under_load(tire, ground, carrier, test.load);
   if (!height) return height.failure();
   if (test.direction == Direction::vertical) {
-    const double deflection = tire.free_radius() - *height;
-    const auto more = load_at(tire, deflection + test.travel);
+    const auto load_on = [&](double lower) -> Result<double> {
+      const auto hub = tire.settle(standing(*height - lower, test.camber), ground, 0.0);
+      if (!hub) return hub.failure();
+      return (carrier * hub->force).z();
+    };
+    const auto more = load_on(test.travel);
     if (!more) return more;
-    const auto less = load_at(tire, deflection - test.travel);
+    const auto less = load_on(-test.travel);
     if (!less) return less;
     return (*more - *less) / (2.0 * test.travel);
   }
-  const WheelMotion start = standing(*height);
+  const WheelMotion start = standing(*height, test.camber);
   auto hub = tire.settle(start, ground, 0.0);
   if (!hub) return hub.failure();
   const double before = reaction(start, *hub, test.direction);
@@ -86,6 +98,42 @@ Result<double> stiffness(Tire& tire, const StiffnessTest& test) {
     if (!hub) return hub.failure();
   }
   return (before - reaction(motion, *hub, test.direction)) / test.travel;
+}
+
+Channels standing_channels(const StandingTest& test,
+                           const std::vector<double>& forces,
+                           const std::vector<double>& stiffnesses) {
+  Channels channels;
+  if (!test.deflections.empty()) {
+    channels.add({"deflection", "m", test.deflections});
+    channels.add({"force", "N", forces});
+  }
+  for (std::size_t k = 0; k < test.directions.size(); ++k) {
+    channels.add({name_of(test.directions[k]), unit_of(test.directions[k]), {stiffnesses[k]}});
+  }
+  return channels;
+}
+
+Result<Channels> stand(Tire& tire, const StandingTest& test) {
+  if (test.friction)
+    throw InputError("a tire that rolls has friction in its own file: expected a test without it");
+  std::vector<double> forces, stiffnesses;
+  for (const double deflection : test.deflections) {
+    const auto load = load_at(tire, deflection, test.cleat);
+    if (!load) return load.failure();
+    forces.push_back(*load);
+  }
+  for (const Direction direction : test.directions) {
+    StiffnessTest one;
+    one.direction = direction;
+    one.load = test.load;
+    one.camber = test.camber;
+    one.travel = direction == Direction::torsional ? test.twist : test.travel;
+    const auto found = stiffness(tire, one);
+    if (!found) return found.failure();
+    stiffnesses.push_back(*found);
+  }
+  return standing_channels(test, forces, stiffnesses);
 }
 
 }  // namespace latsch::experiment

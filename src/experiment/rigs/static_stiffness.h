@@ -9,6 +9,9 @@
 //                                    # {from = "measurement.pulled"}: the mean of its Fz
 //   directions = ["vertical", "longitudinal", "lateral", "torsional"]  # default: all
 //   pressure = "2.6 bar"             # the tire's own unless given (inflation.h)
+//   camber = "2 deg"                 # about x, top to the right; default 0
+//   friction = 0.8                   # of a finite-element tire with the ground, 0 unless given; others
+//                                    # have theirs in their own files
 //   travel = "1 mm"                  # over which a stiffness is taken, this unless given
 //   twist = "1 mrad"                 # and the torsional one, 0.001 rad unless given
 //   [cleat]                          # on which deflections are pressed; none: flat ground
@@ -21,11 +24,19 @@
 // hub's force over the way, with the friction of the patch in it.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "base/result.h"
 #include "experiment/rigs/cleat.h"
+#include "experiment/rigs/inflation.h"
+#include "measurement/channels.h"
 #include "models/tire/tire.h"
+
+namespace latsch::fe_tire {
+class FeTire;
+}
 
 namespace latsch::experiment {
 
@@ -34,10 +45,15 @@ namespace latsch::experiment {
 Result<double> load_at(Tire& tire, double deflection, const std::optional<Cleat>& cleat = {});
 
 enum class Direction { vertical, longitudinal, lateral, torsional };
+inline constexpr std::array<const char*, 4> kDirections = {
+    "vertical", "longitudinal", "lateral", "torsional"};
+const char* name_of(Direction direction);
+const char* unit_of(Direction direction);
 
 struct StiffnessTest {
   Direction direction = Direction::vertical;
   double load = 4000.0;  // N
+  double camber = 0.0;   // rad
   double travel = 1e-3;  // m; of the torsional test rad
   double ramp = 0.3;     // s, slow against every mode of a tire
   double hold = 0.1;     // s, for what moved to come to rest
@@ -46,5 +62,25 @@ struct StiffnessTest {
 
 /// N/m, of the torsional test N m/rad.
 Result<double> stiffness(Tire& tire, const StiffnessTest& test);
+
+/// The whole test.
+struct StandingTest {
+  std::vector<double> deflections = {};  // m, on the cleat
+  std::optional<Cleat> cleat = {};
+  double load = 0.0;  // N
+  std::vector<Direction> directions = {};
+  double camber = 0.0;                // rad
+  double travel = 1e-3, twist = 1e-3;  // m, rad: the patch hardly slides
+  std::optional<double> friction = {};
+  Inflation pressure = {};
+};
+
+/// Its channels: force over deflection, and a stiffness a direction.
+Channels standing_channels(const StandingTest& test,
+                           const std::vector<double>& forces,
+                           const std::vector<double>& stiffnesses);
+Result<Channels> stand(Tire& tire, const StandingTest& test);
+/// The finite-element tire, from equilibrium to equilibrium. InputError where it would slide away.
+Result<Channels> stand(fe_tire::FeTire& tire, double own_pressure, const StandingTest& test);
 
 }  // namespace latsch::experiment

@@ -16,8 +16,8 @@ namespace {
 
 using fe_tire::FeTire;
 using fe_tire::Inflated;
-using fe_tire::Loaded;
-using fe_tire::LoadPoint;
+using fe_tire::Standing;
+using fe_tire::TireState;
 
 constexpr double kTypicalStiffness = 2.0e5;  // N/m, a first guess of the deflection under a load
 constexpr int kEvenSteps = 5;
@@ -49,12 +49,11 @@ const Result<Inflated>& TireRig::inflated(double pressure) {
   return *inflated_;
 }
 
-const Result<Loaded>& TireRig::pressed(const std::vector<double>& way,
-                                       const fe_tire::Ground& ground) {
-  const bool is_same = pressed_ && pressed_->way == way && pressed_->ground.mu == ground.mu &&
-                       pressed_->ground.stiffness == ground.stiffness;
-  if (!is_same) pressed_.emplace(Pressed{way, ground, tire_.load(**inflated_, way, ground)});
-  return pressed_->state;
+const Result<std::vector<TireState>>& TireRig::pressed(const std::vector<double>& way,
+                                                       const fe_tire::Ground& ground) {
+  const bool is_same = pressed_ && pressed_->way == way && pressed_->ground == ground;
+  if (!is_same) pressed_.emplace(Pressed{way, ground, tire_.press(**inflated_, ground, way)});
+  return pressed_->states;
 }
 
 Result<Channels> TireRig::run(const LoadDeflection& test) {
@@ -63,17 +62,17 @@ Result<Channels> TireRig::run(const LoadDeflection& test) {
   std::vector<double> deflections = test.deflections;
   for (const double radius : test.loaded_radii) deflections.push_back(inflated->radius - radius);
   const std::vector<double> way = way_through(deflections);
-  const Result<Loaded>* loaded = way.empty() ? nullptr : &pressed(way, test.ground);
-  if (loaded && !*loaded) return loaded->failure();
+  const auto* states = way.empty() ? nullptr : &pressed(way, test.ground);
+  if (states && !*states) return states->failure();
 
-  const auto point_at = [&](double deflection) {
-    LoadPoint point;
-    point.deflection = deflection;
-    point.loaded_radius = inflated->radius - deflection;
-    if (deflection <= 0.0) return point;  // no contact
+  const auto standing_at = [&](double deflection) {
+    Standing none;
+    none.deflection = deflection;
+    none.loaded_radius = inflated->radius - deflection;
+    if (deflection <= 0.0) return none;
     const auto at = std::find(way.begin(), way.end(), deflection);
     assert(at != way.end());
-    return (*loaded)->curve[at - way.begin()];
+    return tire_.stand((**states)[at - way.begin()]);
   };
   Channels channels;
   const char* names[] = {
@@ -81,13 +80,13 @@ Result<Channels> TireRig::run(const LoadDeflection& test) {
   const char* units[] = {"m", "m", "N", "m", "m", "m^2"};
   std::array<std::vector<double>, 6> columns;
   for (const double deflection : deflections) {
-    const LoadPoint point = point_at(deflection);
-    const double row[] = {point.deflection,
-                          point.loaded_radius,
-                          point.Fz,
-                          point.patch.length,
-                          point.patch.width,
-                          point.patch.area};
+    const Standing standing = standing_at(deflection);
+    const double row[] = {deflection,
+                          standing.loaded_radius,
+                          standing.force.z(),
+                          standing.patch.length,
+                          standing.patch.width,
+                          standing.patch.area};
     for (size_t c = 0; c < columns.size(); ++c) columns[c].push_back(row[c]);
   }
   for (size_t c = 0; c < columns.size(); ++c) channels.add({names[c], units[c], columns[c]});
@@ -95,28 +94,32 @@ Result<Channels> TireRig::run(const LoadDeflection& test) {
 }
 
 Result<Channels> TireRig::run(const ModalTest& test) {
-  if (test.camber != 0.0)
-    throw InputError(
-        "modes of a finite-element tire are those of an upright one: expected no camber");
   const auto& inflated = this->inflated(test.pressure.value_or(own_pressure_));
   if (!inflated) return inflated.failure();
   if (!test.loaded()) return modal_channels(test, tire_.modes(*inflated, test.count));
+  StandingPose pose{.camber = test.camber};
+  if (test.camber != 0.0) pose.poses = FeTire::Poses::any;
   if (test.load) {
-    const auto state =
-        load_to_force(tire_, *inflated, *test.load, *test.load / kTypicalStiffness, test.ground);
+    const auto state = load_to_force(
+        tire_, *inflated, *test.load, *test.load / kTypicalStiffness, test.ground, pose);
     return state ? standing_channels(test, *state) : state.failure();
   }
-  const auto& state = pressed(even_steps(*test.deflection), test.ground);
-  return state ? standing_channels(test, *state) : state.failure();
+  if (test.camber != 0.0) {
+    const auto states =
+        press_down(tire_, *inflated, test.ground, pose, even_steps(*test.deflection));
+    return states ? standing_channels(test, states->back()) : states.failure();
+  }
+  const auto& states = pressed(even_steps(*test.deflection), test.ground);
+  return states ? standing_channels(test, states->back()) : states.failure();
 }
 
-Result<Channels> TireRig::standing_channels(const ModalTest& test, const Loaded& state) {
+Result<Channels> TireRig::standing_channels(const ModalTest& test, const TireState& state) {
   auto channels = modal_channels(test, tire_.modes(state, test.count));
   if (!channels) return channels;
-  const LoadPoint& point = state.curve.back();
-  channels->add({"deflection", "m", {point.deflection}});
-  channels->add({"loaded_radius", "m", {point.loaded_radius}});
-  channels->add({"force", "N", {point.Fz}});
+  const Standing standing = tire_.stand(state);
+  channels->add({"deflection", "m", {standing.deflection}});
+  channels->add({"loaded_radius", "m", {standing.loaded_radius}});
+  channels->add({"force", "N", {standing.force.z()}});
   return channels;
 }
 

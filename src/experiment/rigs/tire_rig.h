@@ -34,13 +34,13 @@ class TireRig {
   struct Pressed {
     std::vector<double> way;  // deflections, m
     fe_tire::Ground ground;
-    Result<fe_tire::Loaded> state;
+    Result<std::vector<fe_tire::TireState>> states;  // at the deflections
   };
 
   const Result<fe_tire::Inflated>& inflated(double pressure);
-  const Result<fe_tire::Loaded>& pressed(const std::vector<double>& way,
-                                         const fe_tire::Ground& ground);
-  Result<Channels> standing_channels(const ModalTest& test, const fe_tire::Loaded& state);
+  const Result<std::vector<fe_tire::TireState>>& pressed(const std::vector<double>& way,
+                                                         const fe_tire::Ground& ground);
+  Result<Channels> standing_channels(const ModalTest& test, const fe_tire::TireState& state);
   Result<Channels> modal_channels(const ModalTest& test,
                                   const Result<std::vector<fe_tire::Mode>>& modes) const;
 

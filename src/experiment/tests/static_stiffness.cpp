@@ -18,52 +18,14 @@ namespace latsch::experiment {
 extern const TestKind kStaticStiffness;
 namespace {
 
-constexpr std::array<const char*, 4> kDirections = {
-    "vertical", "longitudinal", "lateral", "torsional"};
-
-constexpr double kWay = 1e-3;  // m or rad: the patch hardly slides
-
-struct StaticTest {
-  std::vector<double> deflections;  // m, on the cleat
-  std::optional<Cleat> cleat = {};
-  double load = 0.0;  // N
-  std::vector<Direction> directions;
-  double travel = kWay, twist = kWay;  // m, rad
-  Inflation pressure = {};
-};
-
-Result<Channels> stand(Tire& tire, const StaticTest& test) {
-  Channels channels;
-  if (!test.deflections.empty()) {
-    Channel deflection{"deflection", "m", test.deflections}, force{"force", "N", {}};
-    for (const double d : test.deflections) {
-      const auto load = load_at(tire, d, test.cleat);
-      if (!load) return load.failure();
-      force.values.push_back(*load);
-    }
-    channels.add(std::move(deflection));
-    channels.add(std::move(force));
-  }
-  for (const Direction direction : test.directions) {
-    StiffnessTest one;
-    one.direction = direction;
-    one.load = test.load;
-    one.travel = direction == Direction::torsional ? test.twist : test.travel;
-    const auto found = stiffness(tire, one);
-    if (!found) return found.failure();
-    channels.add({kDirections[static_cast<int>(direction)],
-                  direction == Direction::torsional ? "N m/rad" : "N/m",
-                  {*found}});
-  }
-  return channels;
-}
+constexpr double kWay = 1e-3;  // m or rad
 
 class StaticStiffnessTest : public Test {
  public:
-  explicit StaticStiffnessTest(StaticTest test) : test_(std::move(test)) {}
+  explicit StaticStiffnessTest(StandingTest test) : test_(std::move(test)) {}
 
   std::string in_words() const override {
-    const StaticTest& test = test_;
+    const StandingTest& test = test_;
     std::string text = "standing tire" + inflated(test.pressure);
     if (!test.deflections.empty()) text += fmt::format(", {} deflections", test.deflections.size());
     if (test.cleat)
@@ -72,8 +34,12 @@ class StaticStiffnessTest : public Test {
                           test.cleat->length * 1e3,
                           test.cleat->angle * 180.0 / std::numbers::pi);
     for (const Direction direction : test.directions)
-      text += fmt::format(", {}", kDirections[static_cast<int>(direction)]);
-    return test.directions.empty() ? text : text + fmt::format(" at {:.4g} N", test.load);
+      text += fmt::format(", {}", name_of(direction));
+    if (!test.directions.empty()) text += fmt::format(" at {:.4g} N", test.load);
+    if (test.camber != 0.0)
+      text += fmt::format(", camber {:.3g} deg", test.camber * 180.0 / std::numbers::pi);
+    if (test.friction) text += fmt::format(", friction {:.3g}", *test.friction);
+    return text;
   }
 
   std::string identity() const override {
@@ -86,22 +52,24 @@ class StaticStiffnessTest : public Test {
     std::string on;
     if (const auto& c = test_.cleat)
       on = fmt::format(" cleat {} {} {} {}", c->height, c->length, c->bevel, c->angle);
-    return fmt::format("static_stiffness deflections {}{} load {} directions {}{}{}{}",
+    std::string more = test_.camber == 0.0 ? "" : fmt::format(" camber {}", test_.camber);
+    if (test_.friction) more += fmt::format(" friction {}", *test_.friction);
+    return fmt::format("static_stiffness deflections {}{} load {} directions {}{}{}{}{}",
                        fmt::join(test_.deflections, " "),
                        on,
                        test_.load,
                        fmt::join(directions, " "),
                        stated("travel", test_.travel),
                        stated("twist", test_.twist),
-                       identity_of(test_.pressure));
+                       identity_of(test_.pressure),
+                       more);
   }
 
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     if (!test_.deflections.empty()) channels = {{"deflection", "m"}, {"force", "N"}};
     for (const Direction direction : test_.directions)
-      channels.push_back({kDirections[static_cast<int>(direction)],
-                          direction == Direction::torsional ? "N m/rad" : "N/m"});
+      channels.push_back({name_of(direction), unit_of(direction)});
     return channels;
   }
 
@@ -115,15 +83,16 @@ class StaticStiffnessTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override {
+    if (auto* held = specimen.find<StandsOnGround>()) return held->stand(test_);
     return stand(*specimen.find<Rolls>()->tire(test_.pressure), test_);
   }
 
  private:
-  StaticTest test_;
+  StandingTest test_;
 };
 
 std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& source) {
-  StaticTest test;
+  StandingTest test;
   if (const auto from = find_measured(root, "deflections"))
     test.deflections = measured_values(*from, {"deflection", "m"}, source.measured);
   else if (root.has("deflections"))
@@ -144,6 +113,11 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
     }
   }
   test.pressure = read_pressure(root, source.measured);
+  test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
+  if (test.camber != 0.0 && !test.deflections.empty())
+    root.reject("camber", "is for stiffnesses under a load: deflections are those of an upright tire");
+  if (root.has("friction"))
+    test.friction = root.quantity("friction", "1", Range::between(0.0, 5.0));
   test.travel = root.quantity("travel", "m", Range::positive(), test.travel);
   test.twist = root.quantity("twist", "rad", Range::positive(), test.twist);
   if (test.deflections.empty() == test.directions.empty())
@@ -159,7 +133,7 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
 
 const TestKind kStaticStiffness = {"static_stiffness",
                                    "stands: force over deflection, stiffnesses",
-                                   {Rolls::kName},
+                                   {StandsOnGround::kName, Rolls::kName},
                                    read_static_test};
 
 }  // namespace latsch::experiment

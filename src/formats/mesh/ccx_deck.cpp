@@ -28,12 +28,13 @@ class DeckWriter {
              const fe_tire::Mesh& mesh,
              const fe_tire::Materials& materials,
              const CcxRun& run)
-      : out_(out), mesh_(mesh), materials_(materials), run_(run) {}
+      : out_(out), mesh_(mesh), corners_(corners_of(mesh)), materials_(materials), run_(run) {}
 
   void write() {
     print("*HEADING\n{}\n", run_.title);
     nodes();
     elements();
+    ties();
     sets();
     material_cards();
     if (run_.ground) contact();
@@ -55,6 +56,17 @@ class DeckWriter {
     const int n = mesh_.nodes_per_sector();
     return 1 + (sector + node / n) % mesh_.sectors * n + node % n;
   }
+  int tied() const { return static_cast<int>(corners_.tied.size()); }
+  int tied_number(int plane, int corner) const {
+    return 1 + mesh_.nodes() + plane % mesh_.sectors * tied() + corner;
+  }
+  /// Of a corner of an element of the sector.
+  int corner_number(int sector, int corner) const {
+    const int n = mesh_.nodes_per_sector(), plane = sector + corner / (n + tied());
+    const int own = corner % (n + tied());
+    return own < n ? node_number(plane, own) : tied_number(plane, own - n);
+  }
+  int tire_nodes() const { return mesh_.nodes() + mesh_.sectors * tied(); }
   int element_number(int sector, int element) const {
     return 1 + sector * static_cast<int>(mesh_.elements.size()) + element;
   }
@@ -64,10 +76,16 @@ class DeckWriter {
     for (int s = 0; s < mesh_.sectors; ++s)
       for (int i = 0; i < mesh_.nodes_per_sector(); ++i)
         node(node_number(s, i), mesh_.frame(s) * mesh_.X.col(i));
+    for (int s = 0; s < mesh_.sectors; ++s)
+      for (int i = 0; i < tied(); ++i) {
+        const fe_tire::Corners::Tied& at = corners_.tied[i];
+        const Eigen::Vector3d lower = mesh_.X.col(at.lower), upper = mesh_.X.col(at.upper);
+        node(tied_number(s, i), mesh_.frame(s) * (lower + at.at * (upper - lower)));
+      }
     if (!run_.ground) return;
     print("*NODE,NSET=GROUND\n");
     const double top = -run_.ground->radius, x = kGroundLength, y = kGroundWidth;
-    int number = mesh_.nodes();
+    int number = tire_nodes();
     for (const double z : {top - kGroundDepth, top})
       for (const auto& [sx, sy] : {std::pair{-1, 1}, {-1, -1}, {1, -1}, {1, 1}})
         node(++number, {sx * x, sy * y, z});
@@ -84,13 +102,31 @@ class DeckWriter {
     for (int s = 0; s < mesh_.sectors; ++s)
       for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {
         print("{}", element_number(s, e));
-        for (int node : mesh_.elements[e].node) print(",{}", node_number(s, node));
+        for (int corner : corners_.of_element[e]) print(",{}", corner_number(s, corner));
         print("\n");
       }
     if (!run_.ground) return;
     print("*ELEMENT,TYPE=C3D8,ELSET=GROUNDBLOCK\n{}", ground_element());
-    for (int i = 1; i <= 8; ++i) print(",{}", mesh_.nodes() + i);
+    for (int i = 1; i <= 8; ++i) print(",{}", tire_nodes() + i);
     print("\n");
+  }
+
+  /// Corners between two nodes stay on the straight line between them.
+  void ties() {
+    for (int s = 0; s < mesh_.sectors; ++s)
+      for (int i = 0; i < tied(); ++i) {
+        const fe_tire::Corners::Tied& at = corners_.tied[i];
+        for (int k = 1; k <= 3; ++k)
+          print("*EQUATION\n3\n{},{},1.,{},{},{:.12g},{},{},{:.12g}\n",
+                tied_number(s, i),
+                k,
+                node_number(s, at.lower),
+                k,
+                at.at - 1.0,
+                node_number(s, at.upper),
+                k,
+                -at.at);
+      }
   }
 
   int ground_element() const { return mesh_.element_count() + 1; }
@@ -218,6 +254,7 @@ class DeckWriter {
 
   std::ostream& out_;
   const fe_tire::Mesh& mesh_;
+  const fe_tire::Corners corners_;
   const fe_tire::Materials& materials_;
   const CcxRun& run_;
 };

@@ -13,6 +13,7 @@
 namespace latsch::formats {
 namespace {
 
+using fe_tire::Corners;
 using fe_tire::Mesh;
 
 constexpr int kHexahedron = 12, kVertex = 1;  // VTK's cell types
@@ -89,17 +90,24 @@ class VtuWriter {
   long cells_;
 };
 
-/// Values of all nodes; what has three components is a vector and turns into the wheel frame.
-Eigen::MatrixXd on_ring(const Mesh& mesh, const Eigen::MatrixXd& values) {
+/// Values of all nodes, behind them those of all corners between two of them; what has three
+/// components is a vector and turns into the wheel frame.
+Eigen::MatrixXd on_ring(const Mesh& mesh, const Corners& corners, const Eigen::MatrixXd& values) {
   const int n = mesh.nodes_per_sector();
   assert(values.cols() == n || values.cols() == mesh.nodes());
-  Eigen::MatrixXd result(values.rows(), mesh.nodes());
+  const auto tied = static_cast<Eigen::Index>(corners.tied.size());
+  Eigen::MatrixXd result(values.rows(), mesh.nodes() + mesh.sectors * tied);
   for (int s = 0; s < mesh.sectors; ++s) {
     const auto own = values.middleCols(values.cols() == n ? 0 : s * n, n);
     if (values.rows() == 3)
       result.middleCols(s * n, n) = mesh.frame(s) * own;
     else
       result.middleCols(s * n, n) = own;
+    for (Eigen::Index i = 0; i < tied; ++i) {
+      const Corners::Tied& at = corners.tied[i];
+      result.col(mesh.nodes() + s * tied + i) =
+          (1.0 - at.at) * result.col(s * n + at.lower) + at.at * result.col(s * n + at.upper);
+    }
   }
   return result;
 }
@@ -118,28 +126,35 @@ std::string region_comment(const Mesh& mesh) {
 
 void write_tire_vtu(std::ostream& out, const Mesh& mesh, const std::vector<VtuField>& fields) {
   const int n = mesh.nodes_per_sector(), per_sector = static_cast<int>(mesh.elements.size());
-  VtuWriter file(out, mesh.nodes(), mesh.element_count(), region_comment(mesh));
+  const Corners corners = corners_of(mesh);
+  const int tied = static_cast<int>(corners.tied.size());
+  VtuWriter file(
+      out, mesh.nodes() + mesh.sectors * tied, mesh.element_count(), region_comment(mesh));
   const auto element = [&](long i) -> const fe_tire::Element& {
     return mesh.elements[i % per_sector];
   };
 
   file.open("Points");
-  file.numbers("points", on_ring(mesh, mesh.X));
+  file.numbers("points", on_ring(mesh, corners, mesh.X));
   file.close("Points");
 
   file.open("Cells");
   file.integers("connectivity", [&](long i, fmt::memory_buffer& line) {
     const long sector = i / per_sector;
-    for (int node : element(i).node)
-      fmt::format_to(
-          std::back_inserter(line), "{} ", (sector + node / n) % mesh.sectors * n + node % n);
+    for (int corner : corners.of_element[i % per_sector]) {
+      const long plane = (sector + corner / (n + tied)) % mesh.sectors, own = corner % (n + tied);
+      fmt::format_to(std::back_inserter(line),
+                     "{} ",
+                     own < n ? plane * n + own : mesh.nodes() + plane * tied + own - n);
+    }
   });
   file.integers("offsets", [](long i) { return 8 * (i + 1); });
   file.integers("types", [](long) { return kHexahedron; });
   file.close("Cells");
 
   file.open("PointData");
-  for (const VtuField& field : fields) file.numbers(field.name, on_ring(mesh, field.values));
+  for (const VtuField& field : fields)
+    file.numbers(field.name, on_ring(mesh, corners, field.values));
   file.close("PointData");
 
   file.open("CellData");
@@ -150,13 +165,13 @@ void write_tire_vtu(std::ostream& out, const Mesh& mesh, const std::vector<VtuFi
   file.finish();
 }
 
-void write_patch_vtu(std::ostream& out, const fe_tire::LoadPoint& point) {
-  const auto& points = point.patch.points;
+void write_patch_vtu(std::ostream& out, const fe_tire::Standing& standing) {
+  const auto& points = standing.patch.points;
   const auto count = static_cast<Eigen::Index>(points.size());
   Eigen::MatrixXd x(3, count), pressure(1, count), shear(3, count), area(1, count),
       sticks(1, count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    x.col(i) << points[i].x, points[i].y, -point.loaded_radius;
+    x.col(i) << points[i].x, points[i].y, -standing.loaded_radius;
     pressure(0, i) = points[i].pressure;
     shear.col(i) << points[i].shear_x, points[i].shear_y, 0.0;
     area(0, i) = points[i].area;
@@ -186,8 +201,8 @@ void write_tire_vtu(const std::filesystem::path& file,
   write_file(file, [&](std::ostream& out) { write_tire_vtu(out, mesh, fields); });
 }
 
-void write_patch_vtu(const std::filesystem::path& file, const fe_tire::LoadPoint& point) {
-  write_file(file, [&](std::ostream& out) { write_patch_vtu(out, point); });
+void write_patch_vtu(const std::filesystem::path& file, const fe_tire::Standing& standing) {
+  write_file(file, [&](std::ostream& out) { write_patch_vtu(out, standing); });
 }
 
 }  // namespace latsch::formats

@@ -31,7 +31,7 @@ void write_tire_vtu(const std::filesystem::path& file,
 
 /// The integration points in contact as single vertices on the ground, with pressure, shear, area
 /// and sticking.
-void write_patch_vtu(std::ostream& out, const fe_tire::LoadPoint& point);
-void write_patch_vtu(const std::filesystem::path& file, const fe_tire::LoadPoint& point);
+void write_patch_vtu(std::ostream& out, const fe_tire::Standing& standing);
+void write_patch_vtu(const std::filesystem::path& file, const fe_tire::Standing& standing);
 
 }  // namespace latsch::formats

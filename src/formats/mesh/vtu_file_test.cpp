@@ -52,7 +52,7 @@ assert sum(values('inner')) == 29 * 60 and set(values('region')) == {0, 1, 2}
 }
 
 TEST(VtuFile, ContactPatchIsVerticesOnTheGround) {
-  fe_tire::LoadPoint point;
+  fe_tire::Standing point;
   point.loaded_radius = 0.295;
   point.patch.points = {{0.01, 0.02, 3e5, 1e4, -2e4, 1e-5, true},
                         {0.03, 0.0, 2e5, 0, 0, 1e-5, false}};

@@ -64,7 +64,7 @@ StVenantKirchhoff smear(const Hyperelastic& rubber,
 
 }  // namespace
 
-Materials build_materials(const TireDescription& tire, int refinement) {
+Materials build_materials(const TireDescription& tire, Refinement refinement) {
   const SectionPlan plan(tire);
   const Contour line(tire.section.contour);
   const double r_crown = line.point(0.0).r;
@@ -89,10 +89,11 @@ Materials build_materials(const TireDescription& tire, int refinement) {
     return materials;
   }
   // Smeared cords lie along the wall where they are: a refined column has a direction of its own.
-  for (int i = 0; i < refinement * plan.columns(); ++i) {
-    const Column column = column_of(tire, line, i, refinement * plan.columns());
-    const auto cords = cords_of(i / refinement, column.r);
-    const Rubber& rubber = tire.rubbers[tire.regions[plan.region(i / refinement, 0)].rubber];
+  const int split = refinement.along;
+  for (int i = 0; i < split * plan.columns(); ++i) {
+    const Column column = column_of(tire, line, i, split * plan.columns());
+    const auto cords = cords_of(i / split, column.r);
+    const Rubber& rubber = tire.rubbers[tire.regions[plan.region(i / split, 0)].rubber];
     double density = rubber.density;
     for (const CordLayer& c : cords) density += c.density * c.thickness / column.thickness;
     materials.solids.push_back({smear(rubber.law, column, cords), density});

@@ -12,69 +12,114 @@ namespace {
 
 class MeshBuilder {
  public:
-  MeshBuilder(const TireDescription& tire, int refinement)
-      : tire_(tire), section_(tire.section), r_(refinement), plan_(tire), line_(section_.contour) {}
+  MeshBuilder(const TireDescription& tire, Refinement refinement)
+      : tire_(tire), section_(tire.section), r_(refinement), plan_(tire), line_(section_.contour) {
+    const auto crown = section_.crown_columns();
+    crown_ = crown ? *crown * r_.along : columns();
+    for (int i = 0; i <= columns(); ++i) first_node_.push_back(first_node_.back() + rows_at(i) + 1);
+  }
 
   Mesh build() const {
     Mesh mesh;
-    mesh.sectors = r_ * section_.sectors;
-    mesh.theta = section_.sector_planes(r_);
+    mesh.sectors = r_.around * section_.sectors;
+    mesh.theta = section_.sector_planes(r_.around);
     for (const RubberRegion& region : tire_.regions) mesh.region_names.push_back(region.name);
     place_nodes(mesh);
-    for (int i = 0; i < columns(); ++i)
-      for (int k = 0; k < rows(); ++k) mesh.elements.push_back(element(i, k));
+    for (int i = 0; i < columns(); ++i) {
+      const int rows = std::max(rows_at(i), rows_at(i + 1));
+      for (int k = 0; k < rows; ++k) mesh.elements.push_back(element(i, k, rows));
+    }
     clamp(mesh);
     choose_sensors(mesh);
     return mesh;
   }
 
  private:
-  int columns() const { return r_ * plan_.columns(); }
-  int rows() const { return r_ * plan_.rows(); }
-  double s(double i) const { return section_.station(i / r_); }
-  int node(int i, int k) const { return i * (rows() + 1) + k; }
+  int columns() const { return r_.along * plan_.columns(); }
+  double s(double i) const { return section_.station(i / r_.along); }
+  /// Rows of elements that end at station i. The sidewall has one outside the reference line.
+  int rows_at(int i) const {
+    const bool sidewall = std::abs(i - 0.5 * columns()) > crown_ - 0.5;
+    return r_.through * (sidewall ? section_.rows_inside + 1 : plan_.rows());
+  }
+  int node(int i, int k) const { return first_node_[i] + k; }
+  int top(int i) const { return node(i, rows_at(i)); }
 
-  /// Distance of the face below row k from the reference line at s, positive outward.
-  double face(double s, int k) const {
-    const double q = std::abs(s);
-    const int inside = r_ * section_.rows_inside, outside = r_ * section_.rows_outside;
-    if (k <= inside) return section_.inside.at(q) * (double(k) / inside - 1.0);
-    return section_.outside.at(q) * (k - inside) / outside;
+  /// Row k of `rows`, fractions too, in those of the unrefined crown.
+  double parent_row(double k, int rows) const {
+    const double row = k / r_.through, inside = section_.rows_inside;
+    const int outside = rows / r_.through - section_.rows_inside;
+    if (row <= inside) return row;
+    return inside + (row - inside) * (plan_.rows() - section_.rows_inside) / outside;
+  }
+  /// Distance of the face below row k of `rows` from the reference line at s, positive outward.
+  double face(double s, int k, int rows) const {
+    return section_.face(std::abs(s), parent_row(k, rows));
   }
 
   void place_nodes(Mesh& mesh) const {
-    mesh.X.resize(3, (columns() + 1) * (rows() + 1));
+    mesh.X.resize(3, first_node_.back());
     for (int i = 0; i <= columns(); ++i)
-      for (int k = 0; k <= rows(); ++k) {
-        const MeridianPoint p = line_.offset(s(i), face(s(i), k));
+      for (int k = 0; k <= rows_at(i); ++k) {
+        const MeridianPoint p = line_.offset(s(i), face(s(i), k, rows_at(i)));
         mesh.X.col(node(i, k)) << 0.0, p.y, -p.r;
       }
   }
 
-  Element element(int i, int k) const {
-    const int n = (columns() + 1) * (rows() + 1);
+  /// Nodes of station i below and above row k of `rows`; where fewer rows end there, those between
+  /// which the row ends, and where.
+  struct RowEnd {
+    int lower, upper;
+    double from = 0.0, to = 1.0;
+  };
+  RowEnd row_end(int i, int k, int rows) const {
+    const int inside = r_.through * section_.rows_inside;
+    if (rows_at(i) == rows || k < inside) return {node(i, k), node(i, k + 1)};
+    const int part = (rows - inside) / (rows_at(i) - inside);
+    const int row = inside + (k - inside) / part, place = (k - inside) % part;
+    return {node(i, row), node(i, row + 1), double(place) / part, double(place + 1) / part};
+  }
+
+  Element element(int i, int k, int rows) const {
+    const int n = first_node_.back();
     Element e;
-    for (int top = 0; top < 2; ++top) {
-      e.node[4 * top + 0] = node(i, k + top);
-      e.node[4 * top + 1] = node(i, k + top) + n;
-      e.node[4 * top + 2] = node(i + 1, k + top) + n;
-      e.node[4 * top + 3] = node(i + 1, k + top);
+    const RowEnd ends[2] = {row_end(i, k, rows), row_end(i + 1, k, rows)};
+    e.node = {ends[0].lower,
+              ends[0].lower + n,
+              ends[1].lower + n,
+              ends[1].lower,
+              ends[0].upper,
+              ends[0].upper + n,
+              ends[1].upper + n,
+              ends[1].upper};
+    for (int side : {0, 1}) {
+      if (ends[side].to - ends[side].from < 1.0) {
+        e.tie = {side == 0 ? -1 : 1, ends[side].from, ends[side].to};
+      }
     }
-    const int column = i / r_, row = k / r_;
+    const int column = i / r_.along, row = static_cast<int>(parent_row(k + 0.5, rows));
     e.solid = plan_.solid(column, row, i);
     e.region = plan_.region(column, row);
     e.inner = k == 0;
-    e.layer_rows = r_ * (plan_.inside(row) ? section_.rows_inside : section_.rows_outside);
-    e.tread = k == rows() - 1 && std::abs(plan_.middle(column)) < section_.tread_to;
-    if (tire_.cord_model == CordModel::rebar) e.rebars = rebars(i, k);
+    e.layer_rows = r_.through * (plan_.inside(row) ? section_.rows_inside
+                                                   : rows / r_.through - section_.rows_inside);
+    e.tread = k == rows - 1 && std::abs(plan_.middle(column)) < section_.tread_to;
+    if (rows < r_.through * plan_.rows()) e.wall = thickness(i);
+    if (tire_.cord_model == CordModel::rebar) e.rebars = rebars(i, k, rows);
     return e;
   }
 
-  std::vector<RebarPlacement> rebars(int i, int k) const {
+  /// Of the wall in the middle of a column, m.
+  double thickness(int i) const {
+    const double q = std::abs(s(i + 0.5));
+    return section_.inside.at(q) + section_.outside.at(q);
+  }
+
+  std::vector<RebarPlacement> rebars(int i, int k, int rows) const {
     const double middle = s(i + 0.5);
-    const double lower = face(middle, k), upper = face(middle, k + 1);
+    const double lower = face(middle, k, rows), upper = face(middle, k + 1, rows);
     std::vector<RebarPlacement> found;
-    for (const auto& [ply, layer] : plan_.plies(i / r_)) {
+    for (const auto& [ply, layer] : plan_.plies(i / r_.along)) {
       const double d = tire_.plies[ply].offset.at(std::abs(middle));
       const bool lowest = k == 0 && d == lower;  // a ply on a face belongs to the element inside it
       if (lowest || (lower < d && d <= upper))
@@ -84,11 +129,12 @@ class MeshBuilder {
   }
 
   void clamp(Mesh& mesh) const {
-    const int reference_line = r_ * section_.rows_inside;
+    const int reference_line = r_.through * section_.rows_inside;
     const int first = section_.clamp == BeadClamp::outside ? reference_line : 0;
-    const int last = section_.clamp == BeadClamp::inside ? reference_line : rows();
-    for (int i : {0, columns()})
+    for (int i : {0, columns()}) {
+      const int last = section_.clamp == BeadClamp::inside ? reference_line : rows_at(i);
       for (int k = first; k <= last; ++k) mesh.clamped.push_back(node(i, k));
+    }
   }
 
   /// Outer nodes at the crown, at both edges of the tread and at both widest places.
@@ -98,12 +144,12 @@ class MeshBuilder {
       for (int i = 1; i <= columns(); ++i) {
         if (std::abs(s(i) - target) < std::abs(s(found) - target)) found = i;
       }
-      return node(found, rows());
+      return top(found);
     };
-    int left = node(0, rows()), right = left;
+    int left = top(0), right = left;
     for (int i = 0; i <= columns(); ++i) {
-      if (mesh.X(1, node(i, rows())) > mesh.X(1, left)) left = node(i, rows());
-      if (mesh.X(1, node(i, rows())) < mesh.X(1, right)) right = node(i, rows());
+      if (mesh.X(1, top(i)) > mesh.X(1, left)) left = top(i);
+      if (mesh.X(1, top(i)) < mesh.X(1, right)) right = top(i);
     }
     mesh.sensors = {
         left, nearest(-section_.tread_to), nearest(0.0), nearest(section_.tread_to), right};
@@ -111,15 +157,17 @@ class MeshBuilder {
 
   const TireDescription& tire_;
   const Section& section_;
-  int r_;
+  Refinement r_;
   SectionPlan plan_;
   Contour line_;
+  double crown_ = 0.0;  // columns from the crown to where rows of the sidewall begin
+  std::vector<int> first_node_ = {0};
 };
 
 }  // namespace
 
-Mesh build_mesh(const TireDescription& tire, int refinement) {
-  assert(refinement >= 1);
+Mesh build_mesh(const TireDescription& tire, Refinement refinement) {
+  assert(refinement.around >= 1 && refinement.along >= 1 && refinement.through >= 1);
   Mesh mesh = MeshBuilder(tire, refinement).build();
   try {
     check(mesh);

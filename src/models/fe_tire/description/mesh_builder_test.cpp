@@ -91,6 +91,24 @@ TEST(MeshBuilder, VolumeOfACylinderIsThatOfItsPolygon) {
   EXPECT_NEAR(swept_volume(tire.section) * std::sin(angle) / angle, polygon, 1e-9 * polygon);
 }
 
+// Where many rows end on the straight edge of two, elements neither gap nor overlap: the same
+// volume as with two rows everywhere, for faces inside the wall move none of its surface.
+TEST(MeshBuilder, RowsThatEndInTheSidewallLeaveTheVolume) {
+  TireDescription tire = reference_tire_b();
+  tire.cord_model = CordModel::rebar;
+  for (int refinement : {1, 2, 3}) {
+    tire.section.faces.clear();
+    const Mesh two = build_mesh(tire, refinement);
+    tire.section.faces = {{{0.0}, {-0.6e-3}}, {{0.0}, {0.6e-3}}, {{0.0}, {1.7e-3}}};
+    tire.section.faces_to = 0.46;
+    const Mesh many = build_mesh(tire, refinement);
+    EXPECT_TRUE(
+        std::ranges::any_of(many.elements, [](const Element& e) { return e.tie.eta != 0; }));
+    // Faces of the elements are bilinear, and twisted ones cut a little off: second order.
+    EXPECT_NEAR(volume(many), volume(two), 1e-4 / refinement / refinement * volume(two));
+  }
+}
+
 // Nodes lie on the true contour, so the volume approaches that of the swept section with order 2.
 TEST(MeshBuilder, VolumeConvergesToTheSweptSectionWithOrderTwo) {
   for (TireDescription tire : {reference_tire_a(), reference_tire_b()}) {

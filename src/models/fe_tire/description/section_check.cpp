@@ -11,6 +11,10 @@ namespace {
 
 constexpr int kSamples = 200;  // along the wall, bead to bead
 
+/// Between two plies there is at least the rubber they are coated with; thinner rows would make a
+/// tangent that is badly conditioned.
+constexpr double kThinnestRow = 1e-4;  // m
+
 double cross(MeridianPoint a, MeridianPoint b, MeridianPoint c) {
   return (b.y - a.y) * (c.r - a.r) - (b.r - a.r) * (c.y - a.y);
 }
@@ -63,6 +67,23 @@ std::string ply_conflict(const Section& section, const CordPly& ply) {
           1e3 * offset,
           -1e3 * in,
           1e3 * out);
+  }
+  return {};
+}
+
+std::string row_conflict(const Section& section) {
+  for (int i = 0; i <= kSamples; ++i) {
+    const double q = double(i) / kSamples;
+    for (int k = 0; k < section.rows(); ++k) {
+      const double thickness = section.face(q, k + 1) - section.face(q, k);
+      if (thickness < kThinnestRow)
+        return fmt::format(
+            "makes a row of elements {:.2f} mm thick at position {:.2f}, expected layers from "
+            "inside to outside, at least {} mm apart and as far from the faces of the wall",
+            1e3 * thickness,
+            q,
+            1e3 * kThinnestRow);
+    }
   }
   return {};
 }

@@ -15,6 +15,10 @@ std::string wall_conflict(const Section& section);
 /// The ply leaves the wall somewhere along its extent.
 std::string ply_conflict(const Section& section, const CordPly& ply);
 
+/// Plies on which rows of elements meet are not in order, or too near to each other or to a face of
+/// the wall.
+std::string row_conflict(const Section& section);
+
 /// Largest radius and width of the outer face, m.
 struct OuterSize {
   double radius = 0.0, width = 0.0;

@@ -15,7 +15,7 @@ class SectionPlan {
   explicit SectionPlan(const TireDescription& tire);
 
   int columns() const { return tire_.section.meridional; }
-  int rows() const { return tire_.section.rows_inside + tire_.section.rows_outside; }
+  int rows() const { return tire_.section.rows(); }
   bool inside(int row) const { return row < tire_.section.rows_inside; }
   /// s in [-1, 1] of the column's middle; |s| is its position along the wall.
   double middle(int column) const {

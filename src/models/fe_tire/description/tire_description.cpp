@@ -32,7 +32,70 @@ double elements_before(const SpacingProfile& spacing, double q) {
   return count;
 }
 
+/// Columns from the crown to position q.
+double columns_before(const Section& section, double q) {
+  const double part = section.spacing.position.empty() ? q
+                                                       : elements_before(section.spacing, q) /
+                                                             elements_before(section.spacing, 1);
+  return 0.5 * section.meridional * part;
+}
+
+/// Columns from the crown, as `spacing` alone has them, to where column `count` ends after the
+/// nearest ends of columns have moved to `ends`, those between two of them in proportion. An end
+/// whose nearest column already ends at another one, or at crown or bead, moves none.
+double moved_to_ends(const Section& section, double count) {
+  const double half = 0.5 * section.meridional, first = half - std::floor(half);
+  double from = 0.0, moved_from = 0.0;
+  for (std::size_t i = 0; i <= section.ends.size(); ++i) {
+    double to = half, moved_to = half;
+    if (i < section.ends.size()) {
+      moved_to = columns_before(section, section.ends[i]);
+      to = first + std::round(moved_to - first);
+      if (to <= from || to >= half) continue;
+    }
+    if (count <= to) return moved_from + (moved_to - moved_from) * (count - from) / (to - from);
+    from = to;
+    moved_from = moved_to;
+  }
+  return count;
+}
+
+/// Of the wall's half length: over which faces go from the plies to their places in the sidewall.
+constexpr double kFaceTransition = 0.08;
+constexpr double kSamePosition = 1e-9;
+
 }  // namespace
+
+double Section::face(double q, double k) const {
+  const double in = -inside.at(q), out = outside.at(q);
+  const int between = rows_between();
+  const double base = first_face_to_bead ? faces[0].at(q) : 0.0;
+  const double past = faces.empty() ? 1.0 : std::clamp((q - faces_to) / kFaceTransition, 0.0, 1.0);
+  const auto on_ply = [&](int j) {
+    const double sidewall = base + (out - base) * j / (between + rows_outside);
+    if (past == 1.0) return sidewall;
+    return faces[j].at(q) + past * (sidewall - faces[j].at(q));
+  };
+  const double first = on_ply(0), above = k - rows_inside;
+  if (above < 0.0) return in + (first - in) * k / rows_inside;
+  if (above >= between) {
+    const double last = on_ply(between);
+    return last + (out - last) * (above - between) / rows_outside;
+  }
+  const int j = static_cast<int>(above);
+  const double lower = on_ply(j);
+  return above > j ? lower + (above - j) * (on_ply(j + 1) - lower) : lower;
+}
+
+std::optional<double> Section::crown_columns() const {
+  if (faces.empty()) return std::nullopt;
+  const double half = 0.5 * meridional;
+  for (double columns = half - std::floor(half); columns < half; columns += 1.0) {
+    const double q = std::abs(station(half + columns));
+    if (q >= faces_to + kFaceTransition - kSamePosition) return columns;
+  }
+  return std::nullopt;
+}
 
 std::vector<double> Section::sector_planes(int refinement) const {
   if (sector_zones.empty()) return {};
@@ -54,12 +117,13 @@ std::vector<double> Section::sector_planes(int refinement) const {
 
 double Section::station(double column) const {
   const double s = 2.0 * column / meridional - 1.0;
-  if (spacing.position.empty()) return s;
-  const double wanted = std::abs(s) * elements_before(spacing, 1.0);
+  const double wanted = moved_to_ends(*this, 0.5 * meridional * std::abs(s));
+  if (spacing.position.empty()) return std::copysign(wanted / (0.5 * meridional), s);
+  const double before = wanted / (0.5 * meridional) * elements_before(spacing, 1.0);
   double low = 0.0, high = 1.0;
   for (int i = 0; i < 60; ++i) {  // monotone: bisection to the last bit
     const double middle = 0.5 * (low + high);
-    (elements_before(spacing, middle) < wanted ? low : high) = middle;
+    (elements_before(spacing, middle) < before ? low : high) = middle;
   }
   return std::copysign(high, s);
 }

@@ -7,6 +7,7 @@
 // sides.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,25 @@ struct Section {
   BeadClamp clamp = BeadClamp::whole;
   int meridional = 29, rows_inside = 1, rows_outside = 1, sectors = 60;  // elements
   SpacingProfile spacing;
+  /// Offsets of the plies on which rows of elements meet, from inside to outside: rows_inside rows
+  /// lie below the first, one between two neighbors, rows_outside above the last. None: rows meet
+  /// on the reference line. Behind `faces_to`, where the last of them ends that ends before the
+  /// bead, faces go over into equal parts of the wall outside the first one and end there: the
+  /// sidewall has one row outside it. The first face is the reference line there, or its ply if
+  /// that reaches the bead.
+  std::vector<WallProfile> faces;
+  bool first_face_to_bead = false;
+  double faces_to = 0.0;
+  /// Columns from the crown to where all rows but those of the sidewall end; none where the plies
+  /// reach the bead.
+  std::optional<double> crown_columns() const;
+  /// Positions, ascending, where columns end exactly, the nearest ones moved there: where plies and
+  /// rubbers end.
+  std::vector<double> ends;
+  int rows() const { return rows_inside + rows_between() + rows_outside; }
+  int rows_between() const { return faces.empty() ? 0 : static_cast<int>(faces.size()) - 1; }
+  /// Offset at position q of the face below row k (0 to rows(), fractions too), m.
+  double face(double q, double k) const;
   /// Narrow sectors belong where the contact ends. The sectors not named here share the rest of the
   /// ring; none named: all equally wide.
   std::vector<SectorZone> sector_zones;
@@ -118,13 +138,20 @@ struct TireDescription {
 /// Reads and checks a tire file; throws InputError naming file, line, found and expected.
 TireDescription read_tire(const Node& root);
 
-/// HEX8 mesh of the description. `refinement` r splits every element r x r x r with nodes on the
-/// true contour; materials, clamped and tread boundary stay those of the unrefined element.
-/// Throws InputError naming the element where the section folds over.
-Mesh build_mesh(const TireDescription& tire, int refinement = 1);
+/// Into how many every element is split around the circumference, along and through the wall.
+struct Refinement {
+  int around = 1, along = 1, through = 1;
+  Refinement(int around, int along, int through) : around(around), along(along), through(through) {}
+  Refinement(int all = 1) : Refinement(all, all, all) {}  // NOLINT: a number is a refinement
+};
+
+/// HEX8 mesh of the description. A refinement has its nodes on the true contour; materials, clamped
+/// and tread boundary stay those of the unrefined element. Throws InputError naming the element
+/// where the section folds over.
+Mesh build_mesh(const TireDescription& tire, Refinement refinement = 1);
 
 /// The materials in the numbering of build_mesh with the same refinement; cheap, for every trial.
-Materials build_materials(const TireDescription& tire, int refinement = 1);
+Materials build_materials(const TireDescription& tire, Refinement refinement = 1);
 
 /// Whether both give the same mesh, so that what was prepared for one serves the other.
 bool same_mesh(const TireDescription& a, const TireDescription& b);

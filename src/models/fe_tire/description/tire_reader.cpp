@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "base/text.h"
 #include "models/fe_tire/description/section_check.h"
@@ -240,6 +241,37 @@ CordPly read_ply(const Node& node, const Section& section) {
   return ply;
 }
 
+/// The plies on which rows of elements meet; columns then end where plies and rubbers end.
+void read_faces(const Node& mesh, TireDescription& tire) {
+  constexpr const char* kKey = "faces";
+  if (!mesh.has(kKey)) return;
+  if (tire.cord_model == CordModel::smeared) {
+    mesh.reject(kKey, "stands beside cords = \"smeared\", which has no plies to lie on");
+  }
+  for (const std::string& name : mesh.texts(kKey)) {
+    const auto ply = std::ranges::find(tire.plies, name, &CordPly::name);
+    if (ply == tire.plies.end()) {
+      mesh.reject(kKey, "names " + in_quotes(name) + ", expected the name of a layer");
+    }
+    tire.section.faces.push_back(ply->offset);
+    const double to = ply->extent.to;
+    if (tire.section.faces.size() == 1) tire.section.first_face_to_bead = to == 1.0;
+    if (to < 1.0) tire.section.faces_to = std::max(tire.section.faces_to, to);
+  }
+  if (tire.section.faces_to == 0.0) tire.section.faces_to = 1.0;
+  if (const std::string conflict = row_conflict(tire.section); !conflict.empty()) {
+    mesh.reject(kKey, conflict);
+  }
+  std::set<double> ends;
+  for (const CordPly& ply : tire.plies) ends.insert({ply.extent.from, ply.extent.to});
+  for (const RubberRegion& region : tire.regions) {
+    ends.insert({region.extent.from, region.extent.to});
+  }
+  ends.erase(0.0);
+  ends.erase(1.0);
+  tire.section.ends.assign(ends.begin(), ends.end());
+}
+
 /// Every region and every layer must own an element, every element one region.
 void check_plan(const Node& root, const TireDescription& tire) {
   const SectionPlan plan(tire);
@@ -286,6 +318,7 @@ TireDescription read_tire(const Node& root) {
     tire.regions.push_back(read_region(node, tire.rubbers));
   for (const Node& node : root.named_tables("layer"))
     tire.plies.push_back(read_ply(node, tire.section));
+  read_faces(mesh, tire);
   root.close();
   check_size(root, tire);
   check_plan(root, tire);

@@ -31,6 +31,7 @@ struct ElementLaw {
   double D[6][6] = {};
   double relaxation = 0.0;  // Pa, stiffens the solid-shell's gradients of the thickness strain
   std::vector<CordSheet> cords;
+  EdgeTie tie;
 };
 
 /// The shape must outlive the law. Throws InputError for more than kCordLayers layers.

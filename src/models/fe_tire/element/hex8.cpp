@@ -35,6 +35,7 @@ ElementLaw element_law(const HexShape& shape, const Materials& materials, const 
   }
   ElementLaw law;
   law.shape = &shape;
+  law.tie = element.tie;
   law.cords = cord_sheets(shape, materials, element);
   const Solid& solid = materials.solids[element.solid];
   if (const auto* rubber = std::get_if<Hyperelastic>(&solid.law)) {
@@ -75,7 +76,17 @@ Matrix8 mass(const HexShape& shape, const Materials& materials, const Element& e
     const Vector8 N = shape_functions(point * kXi[q], point * kEta[q], kGauss * kZeta[q]);
     M.noalias() += density * shape.dV[q] * N * N.transpose();
   }
-  return M;
+  if (element.tie.eta == 0) return M;
+  Matrix8 T = Matrix8::Identity();  // corners from nodes
+  for (const auto& [lower, upper] : element.tie.pairs()) {
+    T.row(lower) *= 0.0;
+    T.row(upper) *= 0.0;
+    T(lower, lower) = 1.0 - element.tie.lower;
+    T(lower, upper) = element.tie.lower;
+    T(upper, lower) = 1.0 - element.tie.upper;
+    T(upper, upper) = element.tie.upper;
+  }
+  return T.transpose() * M * T;
 }
 
 }  // namespace latsch::fe_tire

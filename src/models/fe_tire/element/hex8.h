@@ -24,8 +24,8 @@ enum class ElementKind {
 /// Everything about an element that does not change with the displacement: gradients, weights,
 /// strain operators. Built once a mesh for every element of a sector.
 struct HexShape;  // hex8_shape.h, a plain value of fixed size
-/// From the reference coordinates [3 x 8], m, of the element's nodes.
-HexShape make_shape(ElementKind kind, const Matrix38& X);
+/// From the reference coordinates [3 x 8], m, of the element's corners; `wall`: Element::wall.
+HexShape make_shape(ElementKind kind, const Matrix38& X, double wall = 0.0);
 
 /// Enhanced strain parameters an element kind keeps between evaluations (a warm start only, not
 /// history).

@@ -21,12 +21,10 @@ void copy_lane(const double (&from)[rows][ElementBatch::kLanes],
   for (std::size_t k = 0; k < rows; ++k) to[k][lane] = from[k][lane];
 }
 
-}  // namespace
-
-unsigned evaluate(const ElementLaw& law,
-                  const ElementSurroundings& surroundings,
-                  bool stiffness,
-                  ElementBatch& batch) {
+unsigned evaluate_corners(const ElementLaw& law,
+                          const ElementSurroundings& surroundings,
+                          bool stiffness,
+                          ElementBatch& batch) {
   const auto kernel = LATSCH_KERNEL(evaluate_batch);
   // Lanes without an element hold the first one's, so that there is nothing in them to fail.
   for (int lane = batch.count; lane < ElementBatch::kLanes; ++lane) {
@@ -53,6 +51,75 @@ unsigned evaluate(const ElementLaw& law,
     }
   }
   return valid | now;
+}
+
+/// From places of nodes to those of tied corners.
+void place_corners(const EdgeTie& tie, double (&u)[24][ElementBatch::kLanes]) {
+  for (const auto& [lower, upper] : tie.pairs()) {
+    for (int i = 0; i < 3; ++i) {
+      for (int lane = 0; lane < ElementBatch::kLanes; ++lane) {
+        double &a = u[3 * lower + i][lane], &b = u[3 * upper + i][lane];
+        const double from = a, way = b - a;
+        a = from + tie.lower * way;
+        b = from + tie.upper * way;
+      }
+    }
+  }
+}
+
+/// From forces on tied corners to those on nodes; `at(k)` are the lanes of unknown k.
+template <class At>
+void gather_corners(const EdgeTie& tie, At at) {
+  for (const auto& [lower, upper] : tie.pairs()) {
+    for (int i = 0; i < 3; ++i) {
+      double *a = at(3 * lower + i), *b = at(3 * upper + i);
+      for (int lane = 0; lane < ElementBatch::kLanes; ++lane) {
+        const double f = a[lane], g = b[lane];
+        a[lane] = (1.0 - tie.lower) * f + (1.0 - tie.upper) * g;
+        b[lane] = tie.lower * f + tie.upper * g;
+      }
+    }
+  }
+}
+
+/// K of the nodes from that of the corners, T^T K T.
+void gather_corners(const EdgeTie& tie,
+                    double (&packed)[ElementBatch::kEntries][ElementBatch::kLanes]) {
+  constexpr int kLanes = ElementBatch::kLanes;
+  static thread_local double K[24][24][kLanes];
+  const auto place = [](int row, int column) {
+    return row >= column ? ElementBatch::entry(row, column) : ElementBatch::entry(column, row);
+  };
+  for (int row = 0; row < 24; ++row) {
+    for (int column = 0; column < 24; ++column) {
+      std::copy_n(packed[place(row, column)], kLanes, K[row][column]);
+    }
+  }
+  for (int row = 0; row < 24; ++row) gather_corners(tie, [&](int k) { return K[row][k]; });
+  for (int column = 0; column < 24; ++column)
+    gather_corners(tie, [&](int k) { return K[k][column]; });
+  for (int row = 0; row < 24; ++row) {
+    for (int column = 0; column <= row; ++column) {
+      std::copy_n(K[row][column], kLanes, packed[place(row, column)]);
+    }
+  }
+}
+
+}  // namespace
+
+unsigned evaluate(const ElementLaw& law,
+                  const ElementSurroundings& surroundings,
+                  bool stiffness,
+                  ElementBatch& batch) {
+  if (law.tie.eta == 0) return evaluate_corners(law, surroundings, stiffness, batch);
+  double nodes[24][ElementBatch::kLanes];
+  std::copy_n(&batch.u[0][0], 24 * ElementBatch::kLanes, &nodes[0][0]);
+  place_corners(law.tie, batch.u);
+  const unsigned valid = evaluate_corners(law, surroundings, stiffness, batch);
+  std::copy_n(&nodes[0][0], 24 * ElementBatch::kLanes, &batch.u[0][0]);
+  gather_corners(law.tie, [&](int k) { return batch.f[k]; });
+  if (stiffness) gather_corners(law.tie, batch.K);
+  return valid;
 }
 
 void ElementBatch::set(int lane,

@@ -35,7 +35,7 @@ Eigen::Matrix3d cylindrical_triad(const Eigen::Vector3d& X) {
   return R;
 }
 
-HexShape make_shape(ElementKind kind, const Matrix38& X) {
+HexShape make_shape(ElementKind kind, const Matrix38& X, double wall) {
   HexShape shape;
   shape.kind = kind;
   shape.X = X;
@@ -50,7 +50,7 @@ HexShape make_shape(ElementKind kind, const Matrix38& X) {
       for (int a = 0; a < 8; ++a) shape.dN[q][i][a] = dN(i, a);
     }
   }
-  if (kind == ElementKind::solid_shell) shape.solid_shell = make_solid_shell_shape(X);
+  if (kind == ElementKind::solid_shell) shape.solid_shell = make_solid_shell_shape(X, wall);
   return shape;
 }
 

@@ -66,6 +66,17 @@ Vector6 unit_strain(const Eigen::Vector3d& m, const Eigen::Vector3d& n) {
   return v;
 }
 
+/// Strain (engineering) with its shear angle between the unit vectors m and n scaled.
+Matrix6 scaled_shear(const Eigen::Vector3d& m, const Eigen::Vector3d& n, double scale) {
+  Vector6 angle, of_unit_angle;  // 2 m.E.n of a strain; a strain of angle 1 and no other
+  for (int k = 0; k < 6; ++k) {
+    const int i = kRow[k], j = kColumn[k];
+    of_unit_angle[k] = i == j ? m[i] * n[i] : m[i] * n[j] + m[j] * n[i];
+    angle[k] = (i == j ? 2.0 : 1.0) * of_unit_angle[k];
+  }
+  return Matrix6::Identity() + (scale - 1.0) * of_unit_angle * angle.transpose();
+}
+
 /// Mean over the parent cube of the squares the convected normal strains keep, in the order of
 /// kSquares: E_11 has those of z_12 and z_13, E_22 those of z_12 and z_23.
 Eigen::Matrix<double, 6, kSquareCount> mean_of_squares() {
@@ -95,7 +106,12 @@ Eigen::Matrix3d set_axes(SolidShellShape& s, const Eigen::Matrix3d& J0, const Ei
 
 }  // namespace
 
-SolidShellShape make_solid_shell_shape(const Matrix38& X) {
+double bending_of_shear(double h, double t) {
+  // G t h^2 / 12 D with D = E' t^3 / 12; of incompressible rubber E' = E / (1 - nu^2) = 4 G.
+  return t > 0.0 ? 1.0 / (1.0 + 0.25 * (h / t) * (h / t)) : 1.0;
+}
+
+SolidShellShape make_solid_shell_shape(const Matrix38& X, double wall) {
   SolidShellShape s = {};
   const Eigen::Matrix<double, 7, 8> h = solid_shell::modal_matrix();
   const Eigen::Matrix3d R = cylindrical_triad(X.rowwise().mean());
@@ -129,9 +145,13 @@ SolidShellShape make_solid_shell_shape(const Matrix38& X) {
                           (Vector6() << 1.0, 1.0, 1.0, 0.5, 0.5, 0.5).finished());
     s.e0[e] += g_m.dot(g_n);
   }
+  const Eigen::Matrix3d J0 = X * parent_gradients(0.0, 0.0, 0.0).transpose();
+  const Eigen::Matrix3d axes = set_axes(s, J0, R);
+  const Matrix6 shear =
+      scaled_shear(axes.col(1), axes.col(2), std::sqrt(bending_of_shear(s.length, wall)));
   for (int q = 0; q < 8; ++q) {
     const Vector8 N = shape_functions(kGauss * kXi[q], kGauss * kEta[q], kGauss * kZeta[q]);
-    const Matrix6 turn = strain_transform(R.transpose() * cylindrical_triad(X * N));
+    const Matrix6 turn = strain_transform(R.transpose() * cylindrical_triad(X * N)) * shear;
     const ModeOperator fluctuation = A[q] - mean;
     Eigen::Matrix<double, 6, SolidShellShape::kColumns, Eigen::RowMajor> P;
     P.leftCols<6>() = turn * (Matrix6::Identity() - fluctuation.leftCols<12>() * H);
@@ -142,7 +162,6 @@ SolidShellShape make_solid_shell_shape(const Matrix38& X) {
   }
 
   const Eigen::Matrix<double, 4, 8> gamma = h.bottomRows<4>() - G.rightCols<4>().transpose() * b;
-  const Eigen::Matrix3d J0 = X * parent_gradients(0.0, 0.0, 0.0).transpose();
   const Eigen::Matrix<double, 6, kSquareCount> w =
       strain_transform(J0.inverse() * R) * mean_of_squares();
   // In the modal vectors, whose products with each other are 1/8 or nothing.
@@ -150,7 +169,7 @@ SolidShellShape make_solid_shell_shape(const Matrix38& X) {
   const ModalVectors modal_b = 8.0 * h * b.transpose();
   Eigen::Map<ModalVectors>(&s.b[0][0]) = modal_b;
   Eigen::Map<ModalVectors>(&s.gamma[0][0]) = 8.0 * h * gamma.topRows<3>().transpose();
-  Eigen::Map<ModalVectors>(&s.along[0][0]) = modal_b * set_axes(s, J0, R);
+  Eigen::Map<ModalVectors>(&s.along[0][0]) = modal_b * axes;
   for (int r = 0; r < 6; ++r) {
     for (int k = 0; k < kSquareCount; ++k) s.w[r][k] = w(r, k);
   }

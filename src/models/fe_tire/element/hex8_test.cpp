@@ -59,7 +59,7 @@ Materials materials() {
 }
 
 Element element(int solid, bool cords) {
-  Element e{.node = {0, 1, 2, 3, 4, 5, 6, 7}, .solid = solid, .rebars = {}};
+  Element e{.node = {0, 1, 2, 3, 4, 5, 6, 7}, .solid = solid, .rebars = {}, .tie = {}};
   if (cords) e.rebars = {{0, 0.3}};
   return e;
 }
@@ -99,6 +99,35 @@ class Hex8 : public testing::TestWithParam<Case> {
   Element e = element(GetParam().solid, GetParam().cords);
   HexShape shape = make_shape(GetParam().kind, distorted_element());
 };
+
+// Corners tied to the line between two nodes: the element is the free one at the corners' places,
+// and the forces on the nodes do the work of those on the corners. Exact but for rounding.
+TEST_P(Hex8, TiedCornersAreTheFreeElementWithTheSameWork) {
+  Matrix24 T = Matrix24::Identity();  // corners from nodes
+  for (int upper : {6, 7}) {
+    const int lower = upper == 6 ? 2 : 3;
+    for (int i = 0; i < 3; ++i) {
+      const int l = 3 * lower + i, u = 3 * upper + i;
+      T(l, l) = 0.75;
+      T(l, u) = 0.25;
+      T(u, l) = 0.4;
+      T(u, u) = 0.6;
+    }
+  }
+  const Matrix38 nodes = random_displacement(2e-4);
+  const Vector24 corners = T * nodes.reshaped();
+  Vector24 f, f_free;
+  Matrix24 K, K_free;
+  std::vector<double> alpha(internal_parameters(GetParam().kind) + 1, 0.0), alpha_free = alpha;
+  ASSERT_TRUE(
+      evaluate(shape, m, e, Matrix38(corners.reshaped(3, 8)), alpha_free.data(), f_free, &K_free));
+  Element tied = e;
+  tied.tie = {.eta = 1, .lower = 0.25, .upper = 0.6};
+  ASSERT_TRUE(evaluate(shape, m, tied, nodes, alpha.data(), f, &K));
+  EXPECT_LT((f - T.transpose() * f_free).norm(), 1e-12 * f_free.norm());
+  EXPECT_LT((K - T.transpose() * K_free * T).norm(), 1e-12 * K_free.norm());
+  EXPECT_NEAR(mass(shape, m, tied).sum(), mass(shape, m, e).sum(), 1e-12 * mass(shape, m, e).sum());
+}
 
 // Richardson extrapolation of two central differences: error O(h^4), 1e-8 leaves room for rounding.
 TEST_P(Hex8, TangentIsTheDerivativeOfTheForce) {

@@ -99,7 +99,49 @@ Eigen::Matrix<double, 3, 8> Mesh::coordinates(const Element& element, int sector
     else
       x.col(a) = R * X.col(node - n);
   }
+  if (element.tie.eta != 0) {
+    for (const auto& [lower, upper] : element.tie.pairs()) {
+      const Eigen::Vector3d from = x.col(lower), way = x.col(upper) - from;
+      x.col(lower) = from + element.tie.lower * way;
+      x.col(upper) = from + element.tie.upper * way;
+    }
+  }
   return x;
+}
+
+Corners corners_of(const Mesh& mesh) {
+  const int n = mesh.nodes_per_sector();
+  Corners corners;
+  const auto number_of = [&](const Corners::Tied& corner) {
+    if (corner.at == 0.0) return corner.lower;
+    if (corner.at == 1.0) return corner.upper;
+    const auto known = std::ranges::find(corners.tied, corner);
+    const auto index = known - corners.tied.begin();
+    if (known == corners.tied.end()) corners.tied.push_back(corner);
+    return n + static_cast<int>(index);
+  };
+  std::vector<std::array<bool, 8>> on_next;
+  for (const Element& element : mesh.elements) {
+    std::array<int, 8>& own = corners.of_element.emplace_back();
+    std::array<bool, 8>& next = on_next.emplace_back();
+    for (int a = 0; a < 8; ++a) {
+      own[a] = element.node[a] % n;
+      next[a] = element.node[a] >= n;
+    }
+    if (element.tie.eta == 0) continue;
+    for (const auto& [lower, upper] : element.tie.pairs()) {
+      const int from = own[lower], to = own[upper];
+      own[lower] = number_of({from, to, element.tie.lower});
+      own[upper] = number_of({from, to, element.tie.upper});
+    }
+  }
+  const int of_plane = n + static_cast<int>(corners.tied.size());
+  for (std::size_t e = 0; e < on_next.size(); ++e) {
+    for (int a = 0; a < 8; ++a) {
+      if (on_next[e][a]) corners.of_element[e][a] += of_plane;
+    }
+  }
+  return corners;
 }
 
 double Mesh::outer_radius() const {

@@ -22,6 +22,19 @@ struct RebarPlacement {
   double zeta = 0.0;  // [-1, 1]
 };
 
+/// Where many rows meet few, an element of the many has corners that are no nodes but lie on the
+/// line between the two nodes in whose places they stand: the neighbor's edge stays straight and
+/// nothing opens. Its forces and stiffness are those of the nodes (hex8_batch.h).
+struct EdgeTie {
+  int eta = 0;                      // side of the tied corners, -1 or +1; 0: all corners are nodes
+  double lower = 0.0, upper = 1.0;  // where they lie, from the lower (0) to the upper node (1)
+  /// Rows of node numbers in an element: lower and upper node of both planes.
+  std::array<std::array<int, 2>, 2> pairs() const {
+    if (eta < 0) return {{{0, 4}, {1, 5}}};
+    return {{{3, 7}, {2, 6}}};
+  }
+};
+
 /// Local axes: xi around the circumference, eta from the +y bead over the crown to the -y bead,
 /// zeta outward. Nodes 0-3 lie on the inner face (zeta = -1), 4-7 on the outer face, both
 /// counterclockwise seen from outside (order of CalculiX' C3D8): (-,-) (+,-) (+,+) (-,+) in
@@ -35,7 +48,11 @@ struct Element {
   /// Elements through the thickness of the layer it belongs to; 0: not a layer of a wall. Composite
   /// layers correct their transverse shear by it, see layer_stiffness.
   int layer_rows = 0;
+  /// Thickness of a wall that bends as one, m; 0: none, or one whose layers slide. Elements of such
+  /// a wall correct their shear along eta by it, see bending_of_shear in hex8_solid_shell.h.
+  double wall = 0.0;
   std::vector<RebarPlacement> rebars;
+  EdgeTie tie;
 };
 
 struct Mesh {
@@ -60,13 +77,28 @@ struct Mesh {
   Eigen::Matrix3d sector_rotation(int sector = 0) const;
   /// Frame of sector s: turns a vector of that frame into the wheel frame.
   Eigen::Matrix3d frame(int sector) const;
-  /// Reference coordinates of an element's nodes in its sector's frame [3 x 8], m.
+  /// Reference coordinates of an element's corners in its sector's frame [3 x 8], m.
   Eigen::Matrix<double, 3, 8> coordinates(const Element& element, int sector = 0) const;
   /// The same tire in sectors all equally wide.
   Mesh evenly_divided() const;
   /// Largest undeformed radius of a tread node, m.
   double outer_radius() const;
 };
+
+/// Corners of elements for programs and pictures that know nodes alone: to the nodes of a plane those
+/// corners are added that tied elements have between two of them.
+struct Corners {
+  struct Tied {
+    int lower, upper;  // nodes of the plane
+    double at;         // from the lower (0) to the upper one (1)
+    bool operator==(const Tied&) const = default;
+  };
+  std::vector<Tied> tied;
+  /// Of every element: corners of its plane, numbered from 0, the tied ones behind the nodes; those
+  /// of the next plane follow.
+  std::vector<std::array<int, 8>> of_element;
+};
+Corners corners_of(const Mesh& mesh);
 
 /// Throws InputError naming element and reason for an inverted or degenerate element, an unused
 /// node, an index out of range.

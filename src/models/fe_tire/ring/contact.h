@@ -1,88 +1,124 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid flat ground under the tread: penalty in the normal direction, Coulomb friction in the
-// plane.
+// Tread on rigid ground: penalty in the normal direction, Coulomb friction along the ground.
 //
-// At every Gauss point (2x2) of a tread face, with the height g of the point over the ground and dA
-// its reference area,
+// At every point of the tread's surface (tread_surface.h) with the distance g to the ground, its
+// normal n and the reference area dA,
 //   normal traction     p = -epsilon g            where g < 0, otherwise none               (C.1)
-//   tangential trial    t = -epsilon_t (x_t - a)  from the anchor a the point sticks to     (C.2)
+//   tangential trial    t = -epsilon_t (1 - n n^T) (x - a)  from the anchor a it sticks to   (C.2)
 //   Coulomb             |t| <= mu p; beyond it the point slips: t = mu p t / |t|, a follows (C.3)
-// Per reference area the normal part has the potential 1/2 epsilon g^2, so its tangent is exact and
-// symmetric; in slip the unsymmetric coupling of t with p is left out of the tangent (not out of
-// the force), which keeps it positive. A point that comes down within a load step is free to slide
-// until the end of that step; there it gets its anchor: the motion before first touch must not load
-// it. Fine steps make that error small.
+// in the ground's axes: the ground carries the anchors along. A point that comes down within a step
+// is anchored where it touched, on the straight way from where it was at the step's start,
+//   a = x_0 + s (x - x_0),   s = g_0 / (g_0 - g),                                           (C.4)
+// so that how a way is divided into steps matters to second order only.
 #pragma once
 
 #include <Eigen/Core>
 #include <vector>
 
-#include "models/fe_tire/element/pressure.h"
-#include "models/fe_tire/ring/fe_tire.h"
-#include "models/fe_tire/ring/ring_unknowns.h"
+#include "models/fe_tire/ring/ground.h"
+#include "models/fe_tire/ring/tread_surface.h"
+#include "numerics/sparse/symmetric_matrix.h"
 
 namespace latsch::fe_tire {
 
-class GroundContact {
- public:
-  struct Face {
-    int element;
-    std::array<Eigen::Vector4d, 4> N;  // shape functions at the 4 Gauss points
-    std::array<double, 4> dA;          // reference area, m^2
-  };
+/// What a point of the tread remembers of the ground.
+struct Anchor {
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  // m, ground's axes
+  bool holds = false;                            // in contact
+  bool slid = false;                             // in the step that ended with the last equilibrium
+  bool operator==(const Anchor&) const = default;
+};
 
-  GroundContact(const RingUnknowns& unknowns, const Ground& ground);
-
-  const Ground& ground() const { return ground_; }
-  /// Tread faces of a sector, in the order of its elements.
-  const std::vector<Face>& faces(int sector) const { return faces_[ring_.width(sector)]; }
-
-  /// Height of the ground in the wheel frame, m (negative: below the wheel center).
-  void set_height(double z) { height_ = z; }
-  double height() const { return height_; }
-
-  /// Adds forces (internal-force sign: minus what the ground does to the tire) and tangent of a
-  /// tread element of displacement u to f and K, in its sector's frame. All points in contact stick
-  /// where `stuck`.
-  void add(int sector, int element, const Matrix38& u, bool stuck, Vector24& f, Matrix24* K) const;
-
-  /// The same for f and K in the frames of their nodes.
-  void add_turned(
-      int sector, int element, const Matrix38& u, bool stuck, Vector24& f, Matrix24* K) const;
-
-  /// Takes the state x as an equilibrium: anchors follow, new points in contact get theirs.
-  void settle(const Eigen::VectorXd& x);
-
-  /// The contact patch (of the whole ring) and the vertical force on the tire [N] in state x.
-  ContactPatch patch(const Eigen::VectorXd& x, double* Fz) const;
-
- private:
+/// Where tread and ground touch; ground's axes.
+struct ContactPatch {
+  double length = 0.0, width = 0.0;  // m, extent along x and y
+  double area = 0.0;                 // m^2
   struct Point {
-    Eigen::Vector2d anchor = Eigen::Vector2d::Zero();
-    bool anchored = false;
-    bool slid = false;  // in the step that ended with the last equilibrium
-  };
-  struct Traction {
-    double p;               // normal, Pa per reference area
-    Eigen::Vector2d t;      // tangential
-    Eigen::Matrix2d dt_dx;  // minus the symmetric tangent of t
+    double x, y;              // m, from the point below the wheel center
+    double pressure;          // Pa
+    double shear_x, shear_y;  // Pa, on the tire
+    double area;              // m^2 of this integration point
     bool sticks;
   };
-
-  Traction traction(const Eigen::Vector3d& x, const Point& point, bool stuck) const;
-  Matrix34 world_face(int sector, int element, const Matrix38& u) const;
-  Face face_of(int sector, int element) const;
-  bool touches(int sector, int element, const Matrix38& u) const;
-  int point_index(int sector, int face, int q) const;
-
-  const RingUnknowns& unknowns_;
-  const Ring& ring_;
-  Ground ground_;
-  double height_ = 0.0;
-  std::vector<std::vector<Face>> faces_;  // tread faces of a sector, by its width
-  std::vector<int> face_of_element_;      // -1: no tread face
-  std::vector<Eigen::Matrix3d> frames_;
-  std::vector<Point> points_;
+  std::vector<Point> points;
 };
+
+class TreadContact {
+ public:
+  /// A point in contact, wheel frame.
+  struct Touch {
+    int point;                  // of the surface
+    Eigen::Vector3d force;      // N, on the tire
+    Eigen::Matrix3d stiffness;  // N/m: minus the change of the force, its symmetric part
+    Eigen::Matrix3d coupling;   // N/m: what is left of it, of sliding friction with pressure
+  };
+
+  TreadContact(const TreadSurface& tread, const Ground& ground);
+
+  const TreadSurface& tread() const { return tread_; }
+  const Ground& ground() const { return ground_; }
+  bool has_friction() const { return ground_.mu > 0.0; }
+  /// Whether forces depend on the heights of the tread's nodes over flat, level ground alone.
+  bool is_by_height() const { return !has_friction() && !ground_.bar && pose_.camber == 0.0; }
+
+  /// The equilibrium that the next steps start from.
+  void start(const GroundPose& pose, const Eigen::VectorXd& x, std::vector<Anchor> anchors);
+  /// The ground moves on; anchors stay those of the start.
+  void move(const GroundPose& pose);
+  const GroundPose& pose() const { return pose_; }
+
+  /// Points in contact while the tread's nodes are displaced by u (TreadSurface::displacements).
+  std::vector<Touch> touches(const Eigen::Matrix3Xd& u) const;
+  /// The same points, all of them sticking where there is friction: for small motions about x.
+  std::vector<Touch> stuck(const Eigen::VectorXd& x) const;
+  /// Anchors of the equilibrium x that the step has ended with.
+  std::vector<Anchor> anchors(const Eigen::VectorXd& x) const;
+
+  /// The contact patch (of the whole ring) in the state x, an equilibrium whose anchors are those
+  /// of the start.
+  ContactPatch patch(const Eigen::VectorXd& x) const;
+  /// Force (N) and moment about the wheel center (N m) on the tire there, of the whole ring, in the
+  /// ground's axes but its yaw: z along its normal, x where the wheel heads.
+  struct Sum {
+    Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = force;
+  };
+  Sum sum(const Eigen::VectorXd& x) const;
+  /// Whether a part of the tread that is no part of the surface is in the ground.
+  bool misses(const Eigen::VectorXd& x) const;
+
+ private:
+  struct Traction {
+    double p;                  // Pa per reference area
+    Eigen::Vector3d t;         // ground's axes, likewise
+    Eigen::Matrix3d dt;        // minus the symmetric tangent of t by x
+    Eigen::Vector3d coupling;  // minus the derivative of t along the normal
+    bool sticks;
+  };
+  Traction traction(const Eigen::Vector3d& q,
+                    const PosedGround::Distance& at,
+                    const Anchor& anchor,
+                    double share) const;
+  Anchor anchor_of(int point, const Eigen::Vector3d& q, double g, double* share) const;
+  Touch touch_of(int point, const PosedGround::Distance& at, const Traction& on) const;
+
+  const TreadSurface& tread_;
+  Ground ground_;
+  GroundPose pose_;
+  PosedGround posed_;
+  std::vector<Anchor> anchors_;
+  Eigen::Matrix3Xd start_;  // of the points, ground's axes; with friction
+  std::vector<double> start_g_;
+};
+
+/// f of the unknowns of `tread`, internal sign: minus what the ground does to the tire.
+void add_forces(const TreadSurface& tread,
+                const std::vector<TreadContact::Touch>& touches,
+                Eigen::VectorXd& f);
+/// The symmetric tangent, in the numbering of `tread` (of even or odd motions); its points are the
+/// elements of K's pattern from `first_point` on.
+void add_stiffness(const TreadSurface& tread,
+                   const std::vector<TreadContact::Touch>& touches,
+                   int first_point,
+                   numerics::SymmetricMatrix& K);
 
 }  // namespace latsch::fe_tire

@@ -23,33 +23,31 @@ constexpr double kSlopeDecrease = 0.8;  // accepted |d . f(x - s d)| relative to
 
 }  // namespace
 
-EquilibriumSolver::EquilibriumSolver(const RingUnknowns& unknowns, const SolverSettings& settings)
+EquilibriumSolver::EquilibriumSolver(const RingUnknowns& unknowns,
+                                     const TreadSurface& tread,
+                                     const SolverSettings& settings)
     : settings_(settings),
-      assembly_(unknowns),
-      window_(unknowns),
+      assembly_(unknowns, &tread),
+      tread_(tread),
       K_(*assembly_.pattern()),
-      tire_(*assembly_.pattern(), window_),
+      tire_(*assembly_.pattern(), tread),
       cg_(unknowns.size()),
       f_(unknowns.size()),
       d_(unknowns.size()) {}
 
-bool EquilibriumSolver::solves_contact(const GroundContact* contact) const {
-  return contact != nullptr && contact->ground().mu == 0.0 && !window_.empty();
-}
-
 std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
                                                 RingState& state,
                                                 double pressure,
-                                                const GroundContact* contact,
+                                                const TreadContact* contact,
                                                 const std::string& step) {
   elements_ = &elements;
   contact_ = contact;
   pressure_ = pressure;
   shift_ = 0.0;
-  ground_apart_ = solves_contact(contact);
+  has_factor_ = has_factor_ && tire_.serves(contact);
   RingState now = state;
   // What the ground has moved by, the factor of the last equilibrium answers as well as a new one.
-  if (!assemble(now, !(ground_apart_ && has_factor_))) {
+  if (!assemble(now, !has_factor_)) {
     return failure(step, "the start is inverted");
   }
   previous_ = 10.0 * f_.norm();
@@ -83,30 +81,31 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
 /// and processors whose sums differ then agree in the digits results show.
 void EquilibriumSolver::polish(RingState& state) {
   const double norm = f_.norm();
-  if (norm <= kPolished * settings_.tolerance * reference_ || !has_factor_ || !start(state)) return;
+  if (norm <= kPolished * settings_.tolerance * reference_ || !has_factor_ || slides()) return;
+  if (!start(state)) return;
   if (!correct(kCoarsest, true)) return;
   trial_.x = state.x - d_;
   trial_.alpha = state.alpha;
   if (assemble(trial_, false) && f_.norm() < norm) std::swap(state, trial_);
 }
 
+bool EquilibriumSolver::slides() const { return contact_ && contact_->has_friction(); }
+
 bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
   failed_element_ = -1;
   has_tangent_ = with_tangent;
-  if (with_tangent) ++counts_.assemblies;
-  return assembly_.assemble(*elements_,
-                            state,
-                            pressure_,
-                            contact_,
-                            f_,
-                            with_tangent ? &K_ : nullptr,
-                            &failed_element_,
-                            ground_apart_ ? &window_ : nullptr);
+  if (with_tangent) ++counts_->assemblies;
+  if (!assembly_.assemble(
+          *elements_, state, pressure_, f_, with_tangent ? &K_ : nullptr, &failed_element_)) {
+    return false;
+  }
+  if (contact_) add_forces(tread_, contact_->touches(tread_.displacements(state.x)), f_);
+  return true;
 }
 
 bool EquilibriumSolver::factorize() {
-  ++counts_.factorizations;
-  has_factor_ = tire_.factorize(K_, ground_apart_);
+  ++counts_->factorizations;
+  has_factor_ = tire_.factorize(K_, contact_);
   last_cg_iterations_ = 0;
   return has_factor_;
 }
@@ -121,27 +120,26 @@ bool EquilibriumSolver::renew_factor(const RingState& state, double tolerance) {
     if (!(shift < kLargestShift * largest)) return false;
     K_.add_to_diagonal(shift);
     shift_ = shift;
-    ++counts_.shifts;
+    ++counts_->shifts;
     shift *= 4.0;
   }
   correct(tolerance, false);  // even where it stops early, what it has is a direction of descent
   return true;
 }
 
-/// A first direction: with the ground apart that of the factor's own tangent, otherwise none.
+/// A first direction, on the ground as it is, by the tangent of the factor.
 bool EquilibriumSolver::start(const RingState& state) {
-  if (!ground_apart_) {
-    d_.setZero();
-    return true;
-  }
-  ++counts_.solves;
-  return tire_.step(*contact_, state.x, f_, d_);
+  ++counts_->solves;
+  return tire_.step(contact_, state.x, f_, d_);
 }
 
 /// False where the tangent does not exist or has no factor.
 bool EquilibriumSolver::find_direction(RingState& state, double tolerance) {
+  // Where points slide the tangent is not symmetric: conjugate gradients do not know that part, and
+  // a step by an old factor would be corrected without it.
   const bool is_factor_of_use =
-      has_factor_ && (!has_tangent_ || last_cg_iterations_ <= kIterationsOfAStaleFactor);
+      has_factor_ && !slides() &&
+      (!has_tangent_ || last_cg_iterations_ <= kIterationsOfAStaleFactor);
   if (is_factor_of_use && start(state) && (!has_tangent_ || correct(tolerance, true))) return true;
   if (!has_tangent_ && !assemble(state, true)) return false;
   return renew_factor(state, tolerance);
@@ -150,7 +148,7 @@ bool EquilibriumSolver::find_direction(RingState& state, double tolerance) {
 /// Brings the direction to the tolerance with the current tangent, by conjugate gradients on what
 /// is left.
 bool EquilibriumSolver::correct(double tolerance, bool may_give_up) {
-  r_ = ground_apart_ ? tire_.residual(K_, d_) : f_;
+  r_ = tire_.residual(K_, d_);
   const double wanted = tolerance * f_.norm(), norm = r_.norm();
   last_cg_iterations_ = 0;
   if (norm <= wanted) return true;
@@ -160,12 +158,12 @@ bool EquilibriumSolver::correct(double tolerance, bool may_give_up) {
     tire_.multiply(K_, v, Kv);
   };
   const auto precondition = [this](Eigen::VectorXd& v) {
-    ++counts_.solves;
+    ++counts_->solves;
     tire_.precondition(v);
   };
   const numerics::CgOutcome cg =
       cg_.solve(multiply, precondition, r_, wanted / norm, kIterationsWorthAFactor, e_);
-  counts_.cg_iterations += cg.iterations;
+  counts_->cg_iterations += cg.iterations;
   last_cg_iterations_ = cg.iterations;
   const bool converged = cg.end == numerics::CgOutcome::End::converged;
   if (converged || !may_give_up) d_ += e_;

@@ -3,7 +3,7 @@
 //
 // A factorization of the tangent costs some fourteen solves with it. So one factor serves several
 // Newton iterations and load steps: it gives a first direction, the ground apart and exact where
-// that can be (linear_tire.h), and is the preconditioner of conjugate gradients on the current
+// (linear_tire.h), and is the preconditioner of conjugate gradients on the current
 // tangent; it is renewed when they slow down:
 //
 //   while |f(x)| > tolerance:
@@ -21,6 +21,7 @@
 #include "base/result.h"
 #include "models/fe_tire/ring/linear_tire.h"
 #include "models/fe_tire/ring/ring_assembly.h"
+#include "models/fe_tire/ring/solver_settings.h"
 #include "numerics/sparse/conjugate_gradients.h"
 #include "numerics/sparse/factorization.h"
 
@@ -28,14 +29,16 @@ namespace latsch::fe_tire {
 
 class EquilibriumSolver {
  public:
-  EquilibriumSolver(const RingUnknowns& unknowns, const SolverSettings& settings);
+  EquilibriumSolver(const RingUnknowns& unknowns,
+                    const TreadSurface& tread,
+                    const SolverSettings& settings);
 
   /// Brings `state` into equilibrium under pressure and contact (may be null). A Failure names
   /// `step`, the residual and the worst element; `state` then is as it was.
   std::optional<Failure> solve(const RingElements& elements,
                                RingState& state,
                                double pressure,
-                               const GroundContact* contact,
+                               const TreadContact* contact,
                                const std::string& step);
 
   /// Force norm that `tolerance` is relative to: that of the pressure on the undeformed tire, N.
@@ -46,13 +49,11 @@ class EquilibriumSolver {
 
   const RingAssembly& assembly() const { return assembly_; }
   const numerics::Factorization& factor() const { return tire_.factor(); }
-  /// Whether it solves this contact exactly at every iteration (linear_tire.h): then an equilibrium
-  /// is best looked for from the last one as it is.
-  bool solves_contact(const GroundContact* contact) const;
-
-  SolverCounts& counts() { return counts_; }
+  /// Where its work is counted from now on; it has to outlive the solver.
+  void count_in(SolverCounts& counts) { counts_ = &counts; }
 
  private:
+  bool slides() const;
   void polish(RingState& state);
   bool assemble(RingState& state, bool with_tangent);
   bool renew_factor(const RingState& state, double tolerance);
@@ -66,20 +67,20 @@ class EquilibriumSolver {
 
   SolverSettings settings_;
   RingAssembly assembly_;
-  ContactWindow window_;
+  const TreadSurface& tread_;
   numerics::SymmetricMatrix K_;
   LinearTire tire_;
   numerics::ConjugateGradients cg_;
-  SolverCounts counts_;
+  SolverCounts own_counts_;
+  SolverCounts* counts_ = &own_counts_;
 
   // The equilibrium being solved.
   const RingElements* elements_ = nullptr;
-  const GroundContact* contact_ = nullptr;
+  const TreadContact* contact_ = nullptr;
   double pressure_ = 0.0;
   double reference_ = 0.0;
   double shift_ = 0.0;     // on the diagonal of its last indefinite tangent, N/m
   double previous_ = 0.0;  // norm of the residual one iteration before
-  bool ground_apart_ = false;
   bool has_factor_ = false;
   bool has_tangent_ = false;  // K_ is that of f_
   int last_cg_iterations_ = 0;

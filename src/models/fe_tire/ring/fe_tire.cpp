@@ -1,111 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/fe_tire/ring/fe_tire.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "models/fe_tire/description/tire_description.h"
-#include "models/fe_tire/ring/contact.h"
-#include "models/fe_tire/ring/equilibrium.h"
+#include "models/fe_tire/ring/fe_tire_impl.h"
 #include "models/fe_tire/ring/inflation.h"
 #include "models/fe_tire/ring/loading.h"
 #include "models/fe_tire/ring/mode_label.h"
 #include "models/fe_tire/ring/modes.h"
-#include "models/fe_tire/ring/ring.h"
-#include "models/fe_tire/ring/ring_elements.h"
-#include "models/fe_tire/ring/ring_unknowns.h"
 #include "models/fe_tire/ring/sector.h"
 
 namespace latsch::fe_tire {
-
-/// All that depends on the mesh and on whether the half turn is a symmetry. Even states carry the
-/// loading; even and odd ones together all loaded modes. Without the symmetry `even` is the whole
-/// ring and `odd` is empty.
-struct Systems {
-  RingUnknowns unknowns;
-  EquilibriumSolver solver;
-  std::optional<RingUnknowns> odd_unknowns;
-  std::optional<RingAssembly> odd;
-  // Of tangents for modes, even and odd ones in turn: they have the same pattern.
-  numerics::SymmetricMatrix tangent;
-  numerics::Factorization factor;
-
-  Systems(const Ring& ring,
-          const SolverSettings& settings,
-          const std::optional<std::vector<int>>& mirror)
-      : unknowns(ring,
-                 mirror ? RingSymmetry::even : RingSymmetry::none,
-                 mirror ? *mirror : std::vector<int>()),
-        solver(unknowns, settings),
-        tangent(*solver.assembly().pattern()),
-        factor(*solver.assembly().pattern(),
-               numerics::Precision::full,
-               solver.factor().elimination()) {
-    if (!mirror) return;
-    odd_unknowns.emplace(ring, RingSymmetry::odd, *mirror);
-    odd.emplace(*odd_unknowns, solver.assembly().pattern());
-  }
-};
-
-struct FeTire::Impl {
-  Ring ring;                 // pressed on the ground
-  std::optional<Ring> even;  // all sectors equally wide, where those of `ring` are not
-  SolverSettings settings;
-
-  Impl(Mesh mesh, const Materials& materials, const SolverSettings& s)
-      : ring(std::move(mesh), s.element), settings(s) {
-    if (ring.widths() > 1) even.emplace(ring.mesh().evenly_divided(), s.element);
-    set(materials);
-  }
-
-  void set(const Materials& materials) {
-    elements_.emplace(ring, materials);
-    if (even) even_elements_.emplace(*even, materials);
-    is_symmetry_known_ = false;
-  }
-
-  const RingElements& elements() const { return *elements_; }
-
-  /// Symbolic work, for whoever needs more than one sector; done again only where new materials
-  /// make or break the symmetry.
-  Systems& systems() {
-    if (is_symmetry_known_) return *systems_;
-    const auto mirror = find_mirror(ring.mesh(), elements().materials());
-    if (!systems_ || systems_->odd.has_value() != mirror.has_value()) {
-      SolverCounts before = counts();
-      systems_ = std::make_unique<Systems>(ring, settings, mirror);
-      ++before.analyses;
-      systems_->solver.counts() = before;
-    }
-    is_symmetry_known_ = true;
-    return *systems_;
-  }
-
-  SolverCounts counts() const { return systems_ ? systems_->solver.counts() : SolverCounts{}; }
-  void reset_counts() {
-    if (systems_) systems_->solver.counts() = {};
-  }
-
-  /// What inflation and unloaded modes see: one sector stands for the ring.
-  const Ring& even_ring() const { return even ? *even : ring; }
-  const RingElements& even_elements() const { return even ? *even_elements_ : *elements_; }
-
-  /// The inflated state in all sectors that are assembled.
-  RingState replicate(const Inflated& inflated) {
-    const RingUnknowns& unknowns = systems().unknowns;
-    const int S = ring.sectors();
-    return {unknowns.compress(inflated.u.replicate(1, S)),
-            inflated.alpha.replicate(unknowns.sectors(), 1)};
-  }
-
-  Result<std::vector<Mode>> modes_at(const Loaded& loaded, int count);
-  Result<std::vector<Mode>> modes_of(const RingAssembly& assembly, const Loaded& loaded, int count);
-
- private:
-  std::optional<RingElements> elements_, even_elements_;  // of `ring`, of `even`
-  std::unique_ptr<Systems> systems_;
-  bool is_symmetry_known_ = false;
-};
 
 namespace {
 
@@ -121,10 +31,38 @@ double pressure_force(const RingElements& elements, double pressure) {
   return (with - without).norm() * std::sqrt(static_cast<double>(ring.sectors()));
 }
 
-Failure unstable() {
+constexpr int kMostWindows = 4;
+
+/// "deflection 25 mm", and what else of a pose is not zero.
+std::string in_words(const GroundPose& pose, const Inflated& inflated) {
+  std::string text = fmt::format("deflection {:.4g} mm", (inflated.radius - pose.height) * 1e3);
+  const auto add = [&text](const char* name, double value, const char* unit) {
+    if (value != 0.0) text += fmt::format(", {} {:.4g} {}", name, value, unit);
+  };
+  constexpr double kDegree = 180.0 / std::numbers::pi;
+  add("x", pose.x * 1e3, "mm");
+  add("y", pose.y * 1e3, "mm");
+  add("camber", pose.camber * kDegree, "deg");
+  add("yaw", pose.yaw * kDegree, "deg");
+  return text;
+}
+
+Failure of_other_materials() {
   return Failure{
-      "modes: the equilibrium is not stable (its tangent is not positive definite): the tire "
-      "buckles; check pressure, thicknesses and moduli"};
+      "the state is that of a tire of other materials, which the half turn left as it was; load it "
+      "again"};
+}
+
+Failure unstable(const std::string& where) {
+  return Failure{where +
+                 ": the equilibrium is not stable (its tangent is not positive definite): the tire "
+                 "buckles; check pressure, thicknesses and moduli"};
+}
+
+/// Whether tangents about them are the same, of a tire whose materials did not change.
+bool same_tangent(const TireState& a, const TireState& b) {
+  return a.pose == b.pose && a.ground == b.ground && a.inflated->pressure == b.inflated->pressure &&
+         a.u == b.u && a.alpha == b.alpha && a.anchors == b.anchors;
 }
 
 }  // namespace
@@ -141,8 +79,8 @@ FeTire& FeTire::operator=(FeTire&&) noexcept = default;
 
 const Mesh& FeTire::mesh() const { return impl_->ring.mesh(); }
 const Materials& FeTire::materials() const { return impl_->elements().materials(); }
-SolverCounts FeTire::counts() const { return impl_->counts(); }
-void FeTire::reset_counts() { impl_->reset_counts(); }
+SolverCounts FeTire::counts() const { return impl_->counts; }
+void FeTire::reset_counts() { impl_->counts = {}; }
 
 void FeTire::set(Materials materials) { impl_->set(materials); }
 
@@ -151,31 +89,93 @@ Result<Inflated> FeTire::inflate(double pressure) {
   if (tire.ring.sectors() > 1) {
     return inflate_sector(tire.even_elements(), pressure, tire.settings);
   }
-  return inflate_ring(
-      tire.systems().solver, tire.elements(), pressure, pressure_force(tire.elements(), pressure));
+  return inflate_ring(tire.systems(false, 0).solver,
+                      tire.elements(),
+                      pressure,
+                      pressure_force(tire.elements(), pressure));
 }
 
-Result<Loaded> FeTire::load(const Inflated& inflated,
-                            const std::vector<double>& deflections,
-                            const Ground& ground) {
+TireState FeTire::over(const Inflated& inflated, const Ground& ground, Poses poses) {
   Impl& tire = *impl_;
-  EquilibriumSolver& solver = tire.systems().solver;
-  solver.set_reference(pressure_force(tire.even_elements(), inflated.pressure));
-  // Start every load case from scratch, so that its result does not depend on what was solved
-  // before.
-  solver.forget_factor();
-  GroundContact contact(tire.systems().unknowns, ground);
-  RingState state = tire.replicate(inflated);
-  Result<std::vector<LoadPoint>> curve =
-      load_steps(solver, tire.elements(), inflated, deflections, ground.mu > 0.0, contact, state);
-  if (!curve) return curve.failure();
-  Loaded loaded;
-  loaded.inflated = inflated;
-  loaded.ground = ground;
-  loaded.curve = std::move(*curve);
-  loaded.u = tire.systems().unknowns.expand(state.x);
-  loaded.alpha = std::move(state.alpha);
-  return loaded;
+  const int S = tire.ring.sectors();
+  TireState state;
+  state.inflated = std::make_shared<const Inflated>(inflated);
+  state.ground = ground;
+  state.pose = below(inflated, 0.0);
+  state.is_halved = poses == Poses::below && tire.mirror().has_value();
+  state.u = inflated.u.replicate(1, S);
+  state.alpha = inflated.alpha.replicate(state.is_halved ? S / 2 : S, 1);
+  return state;
+}
+
+Result<std::vector<TireState>> FeTire::advance(const TireState& from,
+                                               const std::vector<GroundPose>& poses) {
+  Impl& tire = *impl_;
+  std::vector<TireState> states;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    // A factor is taken along the way, not from whatever was solved before it.
+    const TireState& last = states.empty() ? from : states.back();
+    if (k == 0) tire.systems(last.is_halved, last.window).solver.forget_factor();
+    const std::string name = fmt::format("load step {} of {} ({} at {:.4g} bar)",
+                                         k + 1,
+                                         poses.size(),
+                                         in_words(poses[k], *from.inflated),
+                                         from.inflated->pressure / 1e5);
+    Result<TireState> next = tire.move(last, poses[k], name);
+    if (!next) return next.failure();
+    states.push_back(std::move(*next));
+  }
+  if (states.empty()) return states;
+  const TireState& last = states.back();
+  if (auto failure = tire.factorize(tire.systems(last.is_halved, last.window), last)) {
+    return *failure;
+  }
+  return states;
+}
+
+Result<std::vector<TireState>> FeTire::press(const Inflated& inflated,
+                                             const Ground& ground,
+                                             const std::vector<double>& deflections) {
+  std::vector<GroundPose> poses;
+  for (const double deflection : deflections) poses.push_back(below(inflated, deflection));
+  return advance(over(inflated, ground), poses);
+}
+
+/// Where something touches that is not in the window, the step is done again with a wider one.
+Result<TireState> FeTire::Impl::move(const TireState& from,
+                                     const GroundPose& pose,
+                                     const std::string& name) {
+  if (from.is_halved && !pose.is_below())
+    return Failure{name + ": the state is half a ring, whose ground stays below the wheel center"};
+  if (from.is_halved && !mirror()) return of_other_materials();
+  for (int window = from.window;; ++window) {
+    Systems& all = systems(from.is_halved, window);
+    if (window > from.window) all.solver.forget_factor();
+    all.solver.set_reference(pressure_force(even_elements(), from.inflated->pressure));
+    TreadContact contact(all.tread, from.ground);
+    Placed placed{from.pose, {all.unknowns.compress(from.u), from.alpha}, from.anchors};
+    if (auto failure = move_ground(
+            all.solver, elements(), from.inflated->pressure, contact, pose, name, placed)) {
+      return *failure;
+    }
+    if (contact.misses(placed.state.x) && from.anchors.empty() && window < kMostWindows) continue;
+    TireState state = from;
+    state.pose = pose;
+    state.window = window;
+    state.u = all.unknowns.expand(placed.state.x);
+    state.alpha = std::move(placed.state.alpha);
+    state.anchors = std::move(placed.anchors);
+    return state;
+  }
+}
+
+Standing FeTire::stand(const TireState& state) {
+  Systems& all = impl_->systems(state.is_halved, state.window);
+  TreadContact contact(all.tread, state.ground);
+  const Eigen::VectorXd x = all.unknowns.compress(state.u);
+  contact.start(state.pose, x, state.anchors);
+  const TreadContact::Sum sum = contact.sum(x);
+  return {state.deflection(), state.pose.height, sum.force, sum.moment, contact.patch(x)};
 }
 
 Result<std::vector<Mode>> FeTire::modes(const Inflated& inflated, int count) {
@@ -196,23 +196,23 @@ Result<std::vector<Mode>> FeTire::modes_full(const Inflated& inflated, int count
   Eigen::VectorXd f;
   numerics::SymmetricMatrix K(*assembly.pattern());
   int worst = 0;
-  if (!assembly.assemble(tire.even_elements(), state, inflated.pressure, nullptr, f, &K, &worst)) {
+  if (!assembly.assemble(tire.even_elements(), state, inflated.pressure, f, &K, &worst)) {
     return no_tangent(whole.ring(), worst);
   }
   numerics::Factorization factor(*assembly.pattern());
-  if (!factor.factorize(K).definite()) return unstable();
+  if (!factor.factorize(K).definite()) return unstable("modes");
   return ring_modes(assembly, factor, assembly.mass(tire.even_elements()), count);
 }
 
-Result<std::vector<Mode>> FeTire::modes(const Loaded& loaded, int count) {
+Result<std::vector<Mode>> FeTire::modes(const TireState& state, int count) {
   Impl& tire = *impl_;
-  Result<std::vector<Mode>> modes = tire.modes_at(loaded, count);
+  Result<std::vector<Mode>> modes = tire.modes_at(state, count);
   if (!modes) return modes;
   for (Mode& mode : *modes) mode.phase = phase_of(tire.ring.mesh(), mode.shape);
   if (tire.ring.sectors() > 1) {
     // Half as many again: some of the unloaded modes that the loaded ones resemble lie higher.
     const auto unloaded =
-        harmonic_modes(tire.even_elements(), tire.ring.mesh(), loaded.inflated, count + count / 2);
+        harmonic_modes(tire.even_elements(), tire.ring.mesh(), *state.inflated, count + count / 2);
     if (!unloaded) return unloaded.failure();
     name_after(*unloaded, nodal_masses(tire.elements()), *modes);
   }
@@ -223,13 +223,18 @@ double FeTire::total_mass() const { return nodal_masses(impl_->even_elements()).
 
 /// Modes of even and odd states together, the lowest `count`. Each kind is asked for somewhat more
 /// than its half; where one may hold more of the lowest than it was asked for, again.
-Result<std::vector<Mode>> FeTire::Impl::modes_at(const Loaded& loaded, int count) {
-  const RingAssembly& even = systems().solver.assembly();
-  if (!systems().odd) return modes_of(even, loaded, count);
+Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int count) {
+  if (state.is_halved && !mirror()) return of_other_materials();
+  Systems& all = systems(state.is_halved, state.window);
+  const RingAssembly& even = all.solver.assembly();
+  if (auto failure = factorize(all, state)) return *failure;
+  const numerics::SymmetricMatrix mass = even.mass(elements());
+  if (!all.odd) return ring_modes(even, all.factor, mass, count);
+  const numerics::SymmetricMatrix odd_mass = all.odd->mass(elements());
   for (int each = count / 2 + 3;; each = std::min(count, 2 * each)) {
-    auto modes = modes_of(even, loaded, each);
+    auto modes = ring_modes(even, all.factor, mass, each);
     if (!modes) return modes;
-    auto odd = modes_of(*systems().odd, loaded, each);
+    auto odd = ring_modes(*all.odd, *all.odd_factor, odd_mass, each);
     if (!odd) return odd;
     const double sure = std::min(modes->back().frequency, odd->back().frequency);
     modes->insert(modes->end(), odd->begin(), odd->end());
@@ -241,33 +246,40 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const Loaded& loaded, int count
   }
 }
 
-Result<std::vector<Mode>> FeTire::Impl::modes_of(const RingAssembly& assembly,
-                                                 const Loaded& loaded,
-                                                 int count) {
-  // The state is even; odd unknowns hold only what may vibrate about it. So elements see the state
-  // of the even numbering, and the tangent is gathered in the numbering asked for.
-  Systems& all = systems();
-  RingState state{all.unknowns.compress(loaded.u), loaded.alpha};
-  if (state.alpha.size() != all.solver.assembly().zero_state().alpha.size()) {
-    return Failure{
-        "modes: the tire was loaded with other materials (or another symmetry of them); "
-        "load it again"};
+std::optional<Failure> FeTire::Impl::factorize(Systems& all, const TireState& at) {
+  if (all.factored && same_tangent(*all.factored, at)) return std::nullopt;
+  all.factored.reset();
+  if (auto failure = factorize(all, all.solver.assembly(), all.tread, at, all.factor)) {
+    return failure;
   }
-  GroundContact contact(all.unknowns, loaded.ground);
-  contact.set_height(-loaded.curve.back().loaded_radius);
+  if (all.odd) {
+    if (auto failure = factorize(all, *all.odd, *all.odd_tread, at, *all.odd_factor)) {
+      return failure;
+    }
+  }
+  all.factored = at;
+  return std::nullopt;
+}
+
+/// The state is even; odd unknowns hold only what may vibrate about it. So elements and ground see
+/// the state of the even numbering, and the tangent is gathered in the numbering asked for.
+std::optional<Failure> FeTire::Impl::factorize(Systems& all,
+                                               const RingAssembly& assembly,
+                                               const TreadSurface& tread,
+                                               const TireState& at,
+                                               numerics::Factorization& factor) {
+  RingState state{all.unknowns.compress(at.u), at.alpha};
   int worst = 0;
-  if (!all.solver.assembly().assemble_tangent(elements(),
-                                              state,
-                                              loaded.inflated.pressure,
-                                              &contact,
-                                              assembly.unknowns(),
-                                              all.tangent,
-                                              &worst)) {
+  if (!all.solver.assembly().assemble_tangent(
+          elements(), state, at.inflated->pressure, assembly.unknowns(), all.tangent, &worst)) {
     return no_tangent(all.unknowns.ring(), worst);
   }
-  ++all.solver.counts().factorizations;
-  if (!all.factor.factorize(all.tangent).definite()) return unstable();
-  return ring_modes(assembly, all.factor, assembly.mass(elements()), count);
+  TreadContact contact(all.tread, at.ground);
+  contact.start(at.pose, state.x, at.anchors);
+  add_stiffness(tread, contact.stuck(state.x), all.solver.assembly().first_point(), all.tangent);
+  ++counts.factorizations;
+  if (!factor.factorize(all.tangent).definite()) return unstable(in_words(at.pose, *at.inflated));
+  return std::nullopt;
 }
 
 }  // namespace latsch::fe_tire

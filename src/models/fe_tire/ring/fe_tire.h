@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The finite-element tire: inflate it, press it on the ground, compute its modes.
+// The finite-element tire: inflate it, stand it on the ground, move the ground, compute its modes.
 //
 //   FeTire tire(mesh, materials);
 //   auto inflated = tire.inflate(2.6e5);
-//   auto loaded   = tire.load(*inflated, {0.005, 0.010, 0.025}, ground);
-//   auto modes    = tire.modes(*loaded, 20);
+//   auto states   = tire.press(*inflated, ground, {0.005, 0.010, 0.025});
+//   double Fz     = tire.stand(states->back()).force.z();
+//   auto modes    = tire.modes(states->back(), 20);
 //
-// The symbolic work (sparsity, ordering) depends on the mesh alone and is done once, when first
-// more than a sector is needed; set() changes only the values.
+// A state is a value: copied, kept, gone on from as often as wanted. What follows from one depends
+// on it and the poses alone. The symbolic work (sparsity, ordering) depends on the mesh alone and
+// is done once, when first more than a sector is needed; set() changes only the values.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,14 +22,11 @@
 #include "models/fe_tire/element/hex8.h"
 #include "models/fe_tire/element/materials.h"
 #include "models/fe_tire/element/mesh.h"
+#include "models/fe_tire/ring/contact.h"
+#include "models/fe_tire/ring/ground.h"
+#include "models/fe_tire/ring/solver_settings.h"
 
 namespace latsch::fe_tire {
-
-/// Rigid flat ground, normal +z, penalty contact and Coulomb friction.
-struct Ground {
-  double stiffness = 2.0e10;  // normal penalty, Pa/m
-  double mu = 0.0;            // friction coefficient; 0: frictionless
-};
 
 /// Equilibrium of the inflated tire; the same in every sector. Rim clamped.
 struct Inflated {
@@ -38,35 +37,32 @@ struct Inflated {
   double radius = 0.0;    // m, distance of the lowest tread point from the wheel center
 };
 
-/// Where tire and ground touch.
-struct ContactPatch {
-  double length = 0.0, width = 0.0;  // m, extent along x and y
-  double area = 0.0;                 // m^2
-  struct Point {
-    double x, y;              // m, wheel frame
-    double pressure;          // Pa
-    double shear_x, shear_y;  // Pa, on the tire
-    double area;              // m^2 of this integration point
-    bool sticks;
-  };
-  std::vector<Point> points;
+/// Equilibrium on the ground, or over it. Rim clamped.
+struct TireState {
+  std::shared_ptr<const Inflated> inflated;  // what it was before it touched
+  Ground ground;
+  GroundPose pose;
+  /// Whether poses stay below the wheel center (GroundPose::is_below) and half the ring stands for
+  /// all of it.
+  bool is_halved = false;
+  int window = 0;         // how far up the tread may touch: TreadSurface's half angle grows with it
+  Eigen::Matrix3Xd u;     // [3 x nodes], sector frames, m
+  Eigen::VectorXd alpha;  // internal parameters there, of the elements solved for: part of the
+                          // state, found only from near it
+  std::vector<Anchor> anchors;  // of friction; none without
+
+  /// m, from first touch of the inflated tire on flat ground.
+  double deflection() const { return inflated->radius - pose.height; }
 };
 
-/// Equilibrium at one deflection.
-struct LoadPoint {
+/// What a rig sees of a state.
+struct Standing {
   double deflection = 0.0;     // m, from first touch of the inflated tire
   double loaded_radius = 0.0;  // m, wheel center to ground
-  double Fz = 0.0;             // N, on the tire, upward
+  // Of the ground on the tire, in axes that stand on the ground and head as the wheel does.
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   // N
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // N m, about the wheel center
   ContactPatch patch;
-};
-
-struct Loaded {
-  Inflated inflated;
-  Ground ground;
-  std::vector<LoadPoint> curve;  // one a requested deflection, in the order solved
-  Eigen::Matrix3Xd u;            // [3 x nodes], sector frames, m, at the last deflection
-  Eigen::VectorXd alpha;  // internal parameters there, of the elements solved for (half the ring
-                          // where it is symmetric): part of the state, found only from near it
 };
 
 enum class ModeType { torsional, lateral, radial, other };
@@ -83,18 +79,6 @@ struct Mode {
   Eigen::Matrix3Xd
       shape;  // [3 x nodes], sector frames, mass-normalized; unloaded pairs: two orthogonal members
   std::string label() const;  // "lateral n=1", "radial n=2 a", "radial n=3 (2)"
-};
-
-struct SolverSettings {
-  ElementKind element = ElementKind::solid_shell;
-  double tolerance = 1e-5;  // residual norm relative to the norm of the pressure load
-  int max_iterations = 40;  // Newton iterations a load step
-};
-
-/// What a trial cost: for benchmarks and for the report.
-struct SolverCounts {
-  int analyses = 0;  // symbolic ones, of the ring
-  int assemblies = 0, factorizations = 0, cg_iterations = 0, solves = 0, shifts = 0;
 };
 
 struct TireDescription;
@@ -114,18 +98,32 @@ class FeTire {
   void set(Materials materials);
 
   Result<Inflated> inflate(double pressure);
-  /// Presses the tire on the ground, in the order given; every deflection is an equilibrium (m,
-  /// from first touch).
-  Result<Loaded> load(const Inflated& inflated,
-                      const std::vector<double>& deflections,
-                      const Ground& ground);
+
+  /// The inflated tire over this ground, just touching it. `poses`: whether the ground will stay
+  /// below the wheel center; then half the ring stands for all of it where its symmetry allows.
+  enum class Poses { below, any };
+  TireState over(const Inflated& inflated, const Ground& ground, Poses poses = Poses::below);
+  /// Where the ground is at a deflection, m, from first touch of the inflated tire.
+  static GroundPose below(const Inflated& inflated, double deflection) {
+    return {.height = inflated.radius - deflection};
+  }
+  /// Moves the ground from pose to pose and finds the equilibrium in each of them. With friction the
+  /// way is part of the answer. Failure names pose, residual and worst element; it is one too where
+  /// the last equilibrium is not stable.
+  Result<std::vector<TireState>> advance(const TireState& from,
+                                         const std::vector<GroundPose>& poses);
+  /// The same straight down, to these deflections (m, from first touch) one after the other.
+  Result<std::vector<TireState>> press(const Inflated& inflated,
+                                       const Ground& ground,
+                                       const std::vector<double>& deflections);
+  Standing stand(const TireState& state);
 
   /// The lowest `count` modes of the inflated, unloaded tire by circumferential harmonics.
   Result<std::vector<Mode>> modes(const Inflated& inflated, int count);
   /// The same by a full eigen-solve over the whole ring, for comparison.
   Result<std::vector<Mode>> modes_full(const Inflated& inflated, int count);
-  /// Modes of the loaded state; points in contact stay in contact, with friction they stick.
-  Result<std::vector<Mode>> modes(const Loaded& loaded, int count);
+  /// Modes about the state; points in contact stay in contact, with friction they stick.
+  Result<std::vector<Mode>> modes(const TireState& state, int count);
 
   double total_mass() const;  // kg
   SolverCounts counts() const;

@@ -18,8 +18,8 @@ TireDescription coarse(TireDescription tire) {
   return tire;
 }
 
-// (L.1) with the forces of the ground as the elements' assembly knows them, which sees neither the
-// window nor heights; for half a ring and for a whole one.
+// (L.1) with the forces of the ground as the residual knows them, which sees nothing condensed; for
+// half a ring and for a whole one, without friction by heights, with it and on a cleat by nodes.
 TEST(LinearTire, AnswersTheGroundExactly) {
   const TireDescription description = coarse(reference_tire_b());
   const Materials materials = build_materials(description);
@@ -30,56 +30,60 @@ TEST(LinearTire, AnswersTheGroundExactly) {
   const RingElements elements(ring, materials);
   const auto mirror = find_mirror(ring.mesh(), materials);
   ASSERT_TRUE(mirror);
+  const Ground flat, rough{.mu = 0.6},
+      cleat{.bar = Bar{.height = 4e-3, .length = 0.03, .bevel = 2e-3, .angle = 0.4}};
   for (const RingSymmetry symmetry : {RingSymmetry::even, RingSymmetry::none}) {
-    const RingUnknowns unknowns(ring, symmetry, *mirror);
-    const RingAssembly assembly(unknowns);
-    const ContactWindow window(unknowns);
-    GroundContact contact(unknowns, Ground{});
-    contact.set_height(-inflated->radius + 0.008);
-    RingState state{unknowns.compress(inflated->u.replicate(1, ring.sectors())),
-                    inflated->alpha.replicate(unknowns.sectors(), 1)};
-    numerics::SymmetricMatrix K(*assembly.pattern());
-    Eigen::VectorXd f, d;
-    ASSERT_TRUE(assembly.assemble(elements, state, kInflation, &contact, f, &K, nullptr, &window));
-    LinearTire linear(*assembly.pattern(), window);
-    ASSERT_TRUE(linear.factorize(K, true));
-    ASSERT_TRUE(linear.step(contact, state.x, f, d));
+    for (const Ground& ground : {flat, rough, cleat}) {
+      const RingUnknowns unknowns(ring, symmetry, *mirror);
+      const TreadSurface tread(unknowns, TreadShape::smooth, 0.4);
+      const RingAssembly assembly(unknowns, &tread);
+      TreadContact contact(tread, ground);
+      RingState state{unknowns.compress(inflated->u.replicate(1, ring.sectors())),
+                      inflated->alpha.replicate(unknowns.sectors(), 1)};
+      contact.start(FeTire::below(*inflated, -5e-3), state.x, {});
+      contact.move(FeTire::below(*inflated, 0.008));
+      numerics::SymmetricMatrix K(*assembly.pattern());
+      Eigen::VectorXd g, d;
+      ASSERT_TRUE(assembly.assemble(elements, state, kInflation, g, &K, nullptr));
+      const auto of_ground = [&](const Eigen::VectorXd& x) {
+        Eigen::VectorXd c = Eigen::VectorXd::Zero(x.size());
+        add_forces(tread, contact.touches(tread.displacements(x)), c);
+        return c;
+      };
+      LinearTire linear(*assembly.pattern(), tread);
+      ASSERT_TRUE(linear.factorize(K, &contact));
+      ASSERT_TRUE(linear.step(&contact, state.x, g + of_ground(state.x), d));
 
-    const auto ground = [&](const Eigen::VectorXd& x) {
-      RingState at{x, state.alpha}, again = at;
-      Eigen::VectorXd with, without;
-      EXPECT_TRUE(assembly.assemble(elements, at, kInflation, &contact, with, nullptr, nullptr));
-      EXPECT_TRUE(
-          assembly.assemble(elements, again, kInflation, nullptr, without, nullptr, nullptr));
-      return Eigen::VectorXd(with - without);
-    };
-    const Eigen::VectorXd before = ground(state.x), after = ground(state.x - d);
-    Eigen::VectorXd Kd(d.size());
-    K.multiply(d.data(), Kd.data());
-    // Points came down: the ground is another one than where the step began.
-    EXPECT_GT((after - before).norm(), 0.5 * after.norm());
-    EXPECT_LT((f - before - Kd + after).norm(), 1e-4 * after.norm());
-    EXPECT_LT(linear.residual(K, d).norm(), 1e-4 * after.norm());
+      const Eigen::VectorXd before = of_ground(state.x), after = of_ground(state.x - d);
+      Eigen::VectorXd Kd(d.size());
+      K.multiply(d.data(), Kd.data());
+      // Points came down: the ground is another one than where the step began.
+      EXPECT_GT((after - before).norm(), 0.5 * after.norm());
+      EXPECT_LT((g - Kd + after).norm(), 1e-4 * after.norm());
+      EXPECT_LT(linear.residual(K, d).norm(), 1e-4 * after.norm());
+    }
   }
 }
 
-// A coefficient of friction of 1e-12 is none, but its ground stands in the tangent, point by point,
-// as Newton's method alone would have it. Every equilibrium is polished: whichever way led there,
-// the forces agree in more digits than are shown.
-TEST(LinearTire, EquilibriaAreThoseOfNewtonsMethodAlone) {
+// By nodes in place of heights: a coefficient of friction of 1e-12 is none, but another way leads
+// there. Every equilibrium is polished, so the forces agree in more digits than are shown.
+TEST(LinearTire, EquilibriaAreTheSameByNodesAndByHeights) {
   for (const TireDescription& description :
        {coarse(reference_tire_a()), coarse(reference_tire_b())}) {
     FeTire tire(description);
     const auto inflated = tire.inflate(kInflation);
     ASSERT_TRUE(inflated);
     const std::vector<double> deflections = {0.005, 0.01, 0.015, 0.02, 0.025};
-    const auto apart = tire.load(*inflated, deflections, Ground{});
-    const auto within = tire.load(*inflated, deflections, Ground{2.0e10, 1e-12});
-    ASSERT_TRUE(apart && within);
+    const auto by_heights = tire.press(*inflated, Ground{}, deflections);
+    const auto by_nodes = tire.press(*inflated, Ground{.mu = 1e-12}, deflections);
+    ASSERT_TRUE(by_heights) << by_heights.failure().reason;
+    ASSERT_TRUE(by_nodes) << by_nodes.failure().reason;
     for (std::size_t k = 0; k < deflections.size(); ++k) {
-      EXPECT_NEAR(apart->curve[k].Fz, within->curve[k].Fz, 1e-7 * within->curve[k].Fz) << k;
+      const double Fz = tire.stand((*by_nodes)[k]).force.z();
+      EXPECT_NEAR(tire.stand((*by_heights)[k]).force.z(), Fz, 1e-7 * Fz) << k;
     }
-    EXPECT_LT((apart->u - within->u).norm(), 1e-6 * within->u.norm());
+    EXPECT_LT((by_heights->back().u - by_nodes->back().u).norm(),
+              1e-6 * by_nodes->back().u.norm());
   }
 }
 
@@ -94,7 +98,7 @@ TEST(LinearTire, AnEquilibriumTakesAsManyPassesAsItsElementsNeed) {
     for (const std::vector<double>& deflections :
          {std::vector{0.001}, std::vector{0.008}, std::vector{0.005, 0.01, 0.015, 0.02, 0.025}}) {
       tire.reset_counts();
-      ASSERT_TRUE(tire.load(*inflated, deflections, Ground{}));
+      ASSERT_TRUE(tire.press(*inflated, Ground{}, deflections));
       EXPECT_LE(tire.counts().assemblies, 5 * static_cast<int>(deflections.size()));
       EXPECT_EQ(tire.counts().shifts, 0);
     }

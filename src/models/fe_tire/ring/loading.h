@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pressing the inflated tire on the ground, deflection by deflection.
+// Moving the ground under the tire, pose by pose.
 #pragma once
 
-#include <vector>
+#include <string>
 
 #include "base/result.h"
 #include "models/fe_tire/ring/contact.h"
@@ -10,16 +10,22 @@
 
 namespace latsch::fe_tire {
 
-/// Equilibria at the deflections given (m, from first touch), each started from a prediction out of
-/// the two before it. `state` begins as the inflated ring and ends as the last equilibrium;
-/// `contact` keeps the friction history. A step that does not converge is halved; the Failure names
-/// the deflection where that did not help either.
-Result<std::vector<LoadPoint>> load_steps(EquilibriumSolver& solver,
-                                          const RingElements& elements,
-                                          const Inflated& inflated,
-                                          const std::vector<double>& deflections,
-                                          bool friction,
-                                          GroundContact& contact,
-                                          RingState& state);
+/// An equilibrium of what is assembled.
+struct Placed {
+  GroundPose pose;
+  RingState state;
+  std::vector<Anchor> anchors;
+};
+
+/// Goes on from `placed` to the equilibrium at `pose`. With friction in steps: a point's way along
+/// the ground is straight in each of them. A step that does not converge is halved; the Failure
+/// names the pose where that did not help either, and `placed` then is as it was.
+std::optional<Failure> move_ground(EquilibriumSolver& solver,
+                                   const RingElements& elements,
+                                   double pressure,
+                                   TreadContact& contact,
+                                   const GroundPose& pose,
+                                   const std::string& name,
+                                   Placed& placed);
 
 }  // namespace latsch::fe_tire

@@ -61,7 +61,7 @@ Ring::Ring(Mesh mesh, ElementKind kind) : mesh_(std::move(mesh)) {
     Q_.push_back(mesh_.sector_rotation(sector));
     std::vector<HexShape>& shapes = shapes_.emplace_back();
     for (const Element& element : mesh_.elements) {
-      shapes.push_back(make_shape(kind, mesh_.coordinates(element, sector)));
+      shapes.push_back(make_shape(kind, mesh_.coordinates(element, sector), element.wall));
     }
   }
   alphas_ = internal_parameters(kind);

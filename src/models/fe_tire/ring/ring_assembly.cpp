@@ -18,14 +18,18 @@ double& diagonal(numerics::SymmetricMatrix& A, int dof) {
 
 }  // namespace
 
+RingAssembly::RingAssembly(const RingUnknowns& unknowns, const TreadSurface* tread)
+    : unknowns_(unknowns), ring_(unknowns.ring()) {
+  std::vector<std::vector<int>> lists = unknowns.connectivity();
+  if (tread) {
+    for (std::vector<int>& point : tread->connectivity()) lists.push_back(std::move(point));
+  }
+  pattern_ = std::make_shared<numerics::SymmetricPattern>(unknowns.size(), lists);
+}
+
 RingAssembly::RingAssembly(const RingUnknowns& unknowns,
                            std::shared_ptr<const numerics::SymmetricPattern> pattern)
-    : unknowns_(unknowns), ring_(unknowns.ring()), pattern_(std::move(pattern)) {
-  if (!pattern_) {
-    pattern_ =
-        std::make_shared<numerics::SymmetricPattern>(unknowns.size(), unknowns.connectivity());
-  }
-}
+    : unknowns_(unknowns), ring_(unknowns.ring()), pattern_(std::move(pattern)) {}
 
 RingState RingAssembly::zero_state() const {
   return {Eigen::VectorXd::Zero(unknowns_.size()),
@@ -36,37 +40,30 @@ RingState RingAssembly::zero_state() const {
 bool RingAssembly::assemble(const RingElements& elements,
                             RingState& state,
                             double pressure,
-                            const GroundContact* contact,
                             Eigen::VectorXd& f,
                             numerics::SymmetricMatrix* K,
-                            int* worst,
-                            const ContactWindow* window) const {
+                            int* worst) const {
   f.setZero(unknowns_.size());
-  return sum_elements(elements, state, pressure, contact, false, unknowns_, f, K, worst, window);
+  return sum_elements(elements, state, pressure, unknowns_, f, K, worst);
 }
 
 bool RingAssembly::assemble_tangent(const RingElements& elements,
                                     RingState& state,
                                     double pressure,
-                                    const GroundContact* contact,
                                     const RingUnknowns& vibration,
                                     numerics::SymmetricMatrix& K,
                                     int* worst) const {
   Eigen::VectorXd unused = Eigen::VectorXd::Zero(unknowns_.size());
-  return sum_elements(
-      elements, state, pressure, contact, true, vibration, unused, &K, worst, nullptr);
+  return sum_elements(elements, state, pressure, vibration, unused, &K, worst);
 }
 
 bool RingAssembly::sum_elements(const RingElements& elements,
                                 RingState& state,
                                 double pressure,
-                                const GroundContact* contact,
-                                bool stuck,
                                 const RingUnknowns& rows,
                                 Eigen::VectorXd& f,
                                 numerics::SymmetricMatrix* K,
-                                int* worst,
-                                const ContactWindow* window) const {
+                                int* worst) const {
   if (K) K->set_zero();
   const int per_sector = ring_.elements_per_sector(), alphas = ring_.alphas_per_element();
   ElementBatch batch;
@@ -76,11 +73,9 @@ bool RingAssembly::sum_elements(const RingElements& elements,
   for (const auto& [first, count] : elements.groups(unknowns_.sectors())) {
     batch.count = count;
     for (int e = 0; e < per_sector; ++e) {
-      std::array<Matrix38, ElementBatch::kLanes> u;
       for (int lane = 0; lane < count; ++lane) {
-        u[lane] = unknowns_.gather(first + lane, e, state.x);
         batch.set(
-            lane, u[lane], state.alpha.data() + ((first + lane) * per_sector + e) * alphas, alphas);
+            lane, unknowns_.gather(first + lane, e, state.x), state.alpha.data() + ((first + lane) * per_sector + e) * alphas, alphas);
       }
       const unsigned valid = elements.evaluate(first, e, pressure, K != nullptr, batch);
       for (int lane = 0; lane < count; ++lane) {
@@ -90,10 +85,6 @@ bool RingAssembly::sum_elements(const RingElements& elements,
           return false;
         }
         batch.take(lane, fe, Ke_wanted, state.alpha.data() + global * alphas, alphas);
-        if (contact) {
-          Matrix24* ground = window && window->holds(s) ? nullptr : Ke_wanted;
-          contact->add_turned(s, e, u[lane], stuck, fe, ground);
-        }
         rows.scatter(s, e, fe, Ke_wanted, f);
         if (K) K->add_element(global, Ke.data());
       }

@@ -6,10 +6,9 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "models/fe_tire/ring/contact.h"
-#include "models/fe_tire/ring/contact_window.h"
 #include "models/fe_tire/ring/ring_elements.h"
 #include "models/fe_tire/ring/ring_unknowns.h"
+#include "models/fe_tire/ring/tread_surface.h"
 #include "numerics/sparse/symmetric_matrix.h"
 
 namespace latsch::fe_tire {
@@ -22,34 +21,34 @@ struct RingState {
 
 class RingAssembly {
  public:
-  /// `pattern`: that of another assembly of the same ring (even and odd states share it), or none.
-  explicit RingAssembly(const RingUnknowns& unknowns,
-                        std::shared_ptr<const numerics::SymmetricPattern> pattern = nullptr);
+  /// The pattern has places for the ground under the points of `tread`, where there is one.
+  explicit RingAssembly(const RingUnknowns& unknowns, const TreadSurface* tread = nullptr);
+  /// On the pattern of another assembly of the same ring: even and odd states share it.
+  RingAssembly(const RingUnknowns& unknowns,
+               std::shared_ptr<const numerics::SymmetricPattern> pattern);
 
   const RingUnknowns& unknowns() const { return unknowns_; }
   const std::shared_ptr<const numerics::SymmetricPattern>& pattern() const { return pattern_; }
+  /// Where the points of the tread begin among the elements of the pattern.
+  int first_point() const { return ring_.elements_per_sector() * unknowns_.sectors(); }
   /// All zero, of the size that assemble() needs.
   RingState zero_state() const;
 
-  /// Forces f(x) = internal - pressure - ground, zero in equilibrium; K = df/dx (symmetric part)
-  /// where given, without the ground's share in the faces of `window` (may be null). Contact may be
-  /// null. False where an element fails; `worst` then is sector *
-  /// elements_per_sector + element.
+  /// Forces f(x) = internal - pressure, zero in equilibrium off the ground; K = df/dx (symmetric
+  /// part) where given. False where an element fails; `worst` then is sector * elements_per_sector +
+  /// element.
   bool assemble(const RingElements& elements,
                 RingState& state,
                 double pressure,
-                const GroundContact* contact,
                 Eigen::VectorXd& f,
                 numerics::SymmetricMatrix* K,
-                int* worst,
-                const ContactWindow* window = nullptr) const;
+                int* worst) const;
 
-  /// Tangent at `state` in the numbering `vibration` of the motions about it (even or odd ones),
-  /// all contact sticking. False as for assemble().
+  /// Tangent at `state` in the numbering `vibration` of the motions about it (even or odd ones).
+  /// False as for assemble().
   bool assemble_tangent(const RingElements& elements,
                         RingState& state,
                         double pressure,
-                        const GroundContact* contact,
                         const RingUnknowns& vibration,
                         numerics::SymmetricMatrix& K,
                         int* worst) const;
@@ -61,13 +60,10 @@ class RingAssembly {
   bool sum_elements(const RingElements& elements,
                     RingState& state,
                     double pressure,
-                    const GroundContact* contact,
-                    bool stuck,
                     const RingUnknowns& rows,
                     Eigen::VectorXd& f,
                     numerics::SymmetricMatrix* K,
-                    int* worst,
-                    const ContactWindow* window) const;
+                    int* worst) const;
 
   const RingUnknowns& unknowns_;
   const Ring& ring_;

@@ -62,6 +62,10 @@ bool same_layer(const CordLayer& a, const CordLayer& b) {
 
 bool same_element(const Element& a, const Element& b, const Materials& materials) {
   if (a.inner != b.inner || a.tread != b.tread || a.rebars.size() != b.rebars.size()) return false;
+  if (a.tie.eta != -b.tie.eta || !same(a.tie.lower, b.tie.lower) ||
+      !same(a.tie.upper, b.tie.upper) || !same(a.wall, b.wall)) {
+    return false;
+  }
   for (std::size_t k = 0; k < a.rebars.size(); ++k) {
     if (!same(a.rebars[k].zeta, b.rebars[k].zeta)) return false;
     if (!same_layer(materials.layers[a.rebars[k].layer], materials.layers[b.rebars[k].layer])) {
@@ -155,10 +159,12 @@ std::vector<std::vector<int>> RingUnknowns::connectivity() const {
   return lists;
 }
 
-int RingUnknowns::first_unknown(int sector, int element, int corner) const {
-  const int n = ring_.mesh().nodes_per_sector();
-  const int node = ring_.mesh().elements[element].node[corner];
-  return (node < n ? at(sector, node) : at(sector + 1, node - n)).first;
+RingUnknowns::NodeUnknowns RingUnknowns::of_node(int plane, int node) const {
+  if (plane < planes_) return at(plane, node);
+  NodeUnknowns image = at(ring_.sectors() - plane, mirror_[node]);
+  const double parity = symmetry_ == RingSymmetry::odd ? -1.0 : 1.0;
+  image.sign = parity * kTurn.cwiseProduct(image.sign);
+  return image;
 }
 
 Matrix38 RingUnknowns::gather(int sector, int element, const Eigen::VectorXd& x) const {

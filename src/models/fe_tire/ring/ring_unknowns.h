@@ -41,8 +41,12 @@ class RingUnknowns {
   /// Unknowns of each element's 24 displacements, -1 where the rim holds them; element index
   /// sector-major.
   std::vector<std::vector<int>> connectivity() const;
-  /// First of the three unknowns of a corner of an element, -1 where the rim holds it.
-  int first_unknown(int sector, int element, int corner) const;
+  struct NodeUnknowns {
+    int first = -1;  // of three consecutive unknowns; -1: held by the rim
+    Eigen::Vector3d sign = Eigen::Vector3d::Ones();
+  };
+  /// Of a node of the whole ring, planes 0 ... S-1: its displacement is sign x unknowns.
+  NodeUnknowns of_node(int plane, int section_node) const;
   /// Unknowns that symmetry holds at zero (on the axis of the half turn); they keep a place in the
   /// numbering.
   const std::vector<int>& held() const { return held_; }
@@ -58,10 +62,6 @@ class RingUnknowns {
   Eigen::VectorXd compress(const Eigen::Matrix3Xd& u) const;
 
  private:
-  struct NodeUnknowns {
-    int first = -1;  // of three consecutive unknowns; -1: held by the rim
-    Eigen::Vector3d sign = Eigen::Vector3d::Ones();
-  };
   const NodeUnknowns& at(int plane, int node) const;
   void number(const std::vector<int>& mirror);
 

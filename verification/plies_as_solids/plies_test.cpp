@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Belts that slide on the rubber between them, against the same section with every ply as a layer
+// of anisotropic solid elements, computed by CalculiX (README.md says how).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <sstream>
+
+#include "base/document.h"
+#include "models/fe_tire/description/tire_description.h"
+#include "models/fe_tire/ring/fe_tire.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+const std::filesystem::path kFolder = LATSCH_PLIES_AS_SOLIDS;
+
+/// Figures of plies of 0.4 mm, by quantity.
+std::map<std::string, double> figures(double angle_deg) {
+  std::ifstream file(kFolder / "figures.csv");
+  std::map<std::string, double> found;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream fields(line);
+    std::string angle, ply, column, quantity, value;
+    std::getline(fields, angle, ',');
+    std::getline(fields, ply, ',');
+    std::getline(fields, column, ',');
+    std::getline(fields, quantity, ',');
+    std::getline(fields, value, ',');
+    if (ply == "0.4" && std::stod(angle) == angle_deg) found[quantity] = std::stod(value);
+  }
+  return found;
+}
+
+class PliesAsSolids : public testing::TestWithParam<double> {};
+
+// 2 %: the reference's plies are 0.4 mm thick, which alone is 2 % of growth at 22 degrees.
+TEST_P(PliesAsSolids, GrowthAndTheModesOfWaveNumbersZeroAndOneAgreeWithinTwoPercent) {
+  TireDescription tire = read_tire(Document::read(kFolder / "tire.toml").root());
+  for (int belt : {1, 2}) {
+    double& angle = tire.plies[belt].cords.angle;
+    angle = std::copysign(GetParam() * std::numbers::pi / 180.0, angle);
+  }
+  const auto expected = figures(GetParam());
+  ASSERT_FALSE(expected.empty());
+  FeTire model(tire);
+  const auto inflated = model.inflate(tire.pressure);
+  ASSERT_TRUE(inflated);
+  EXPECT_NEAR(
+      1e3 * inflated->growth, expected.at("growth [mm]"), 0.02 * expected.at("growth [mm]"));
+  const auto modes = model.modes(*inflated, 20);
+  ASSERT_TRUE(modes);
+  for (const int n : {0, 1}) {
+    int rank = 0;
+    for (const Mode& mode : *modes) {
+      if (mode.n != n) continue;
+      // The reference names every mode of its complex problem twice, also those of n = 0.
+      const std::string name = "n=" + std::to_string(n) + " mode " +
+                               std::to_string(n == 0 ? 2 * rank + 1 : rank + 1) + " [Hz]";
+      ++rank;
+      const auto figure = expected.find(name);
+      if (figure == expected.end()) continue;
+      EXPECT_NEAR(mode.frequency, figure->second, 0.02 * figure->second) << name;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Belts, PliesAsSolids, testing::Values(22.0, 0.0));
+
+}  // namespace
+}  // namespace latsch::fe_tire
