@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "experiment/language/model_file.h"
 
 namespace latsch::experiment {
 
 const SpecimenKind& fe_tire_kind();
+const SpecimenKind& inp_tire_kind();
 const SpecimenKind& ring_tire_kind();
 const SpecimenKind& rigid_ring_kind();
 const SpecimenKind& magic_formula_kind();
@@ -19,6 +21,7 @@ extern const TestKind kDrumCleat, kSlipSweep, kRollingStiffness, kUniformity, kS
 
 const Language& language() {
   static const Language all = {{&fe_tire_kind(),
+                                &inp_tire_kind(),
                                 &ring_tire_kind(),
                                 &rigid_ring_kind(),
                                 &magic_formula_kind(),
@@ -61,7 +64,7 @@ const SpecimenKind* Language::find_kind(const std::string& name) const {
 }
 
 const SpecimenKind& Language::kind_of_file(const std::filesystem::path& file) const {
-  if (file.extension() != ".tir") {
+  if (is_document(file)) {
     const Document document = Document::read(file);
     if (document.root().has("kind"))
       return *find_kind(document.root().choice("kind", kind_names()));
@@ -70,7 +73,7 @@ const SpecimenKind& Language::kind_of_file(const std::filesystem::path& file) co
     if (kind->recognizes(file)) return *kind;
   throw InputError({file.string(), 0},
                    "does not say what model it is, expected kind = one of " +
-                       list_of(kind_names()) + ", or a .tir file");
+                       list_of(kind_names()) + ", or a .tir or .inp file");
 }
 
 std::unique_ptr<Test> Language::read_test(const std::filesystem::path& file,

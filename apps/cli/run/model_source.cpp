@@ -7,6 +7,7 @@
 #include "correlation/search/study_fit.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/best_trial.h"
+#include "experiment/language/model_file.h"
 
 namespace latsch::cli {
 namespace {
@@ -23,7 +24,7 @@ ModelSource study_source(const std::string& file, const experiment::Language& la
 }  // namespace
 
 bool is_study(const std::string& file) {
-  if (std::filesystem::path(file).extension() == ".tir") return false;
+  if (!experiment::is_document(file)) return false;
   const Node root = Document::read(file).root();
   return root.has("model") || root.has("simulator");
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/templates/meshed_tire.h"
 
+#include <filesystem>
+
 #include "cli/run/model_source.h"
+#include "experiment/kinds/inp_numbers.h"
 #include "experiment/language/capabilities.h"
 
 namespace latsch::cli {
@@ -16,12 +19,23 @@ void expect_mesh(const std::string& file, const experiment::SpecimenKind& kind) 
 
 }  // namespace
 
-fe_tire::TireDescription meshed_tire(const std::string& file,
-                                     const experiment::Language& language) {
+MeshedTire meshed_tire(const std::string& file, const experiment::Language& language) {
   if (!is_study(file)) expect_mesh(file, language.kind_of_file(file));
   const ModelSource source = model_source(file, language);
   expect_mesh(file, *source.kind);
-  return fe_tire::read_tire(source.numbers.root());
+  if (experiment::is_inp(source.numbers.file())) {
+    const formats::InpTire tire = experiment::inp_model(source.numbers).tire;
+    const std::string name = std::filesystem::path(source.numbers.file()).filename().string();
+    return {name, "", tire.pressure, tire.mesh, tire.materials, {.element = tire.element}, {}};
+  }
+  const fe_tire::TireDescription tire = fe_tire::read_tire(source.numbers.root());
+  return {tire.name,
+          tire.size,
+          tire.pressure,
+          fe_tire::build_mesh(tire),
+          fe_tire::build_materials(tire),
+          {.element = tire.element},
+          tire};
 }
 
 }  // namespace latsch::cli

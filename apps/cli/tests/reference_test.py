@@ -32,7 +32,7 @@ class Reference(unittest.TestCase):
         page, own = run.stdout.split("\n## Models and tests of this program\n")
         self.assertEqual(page, PAGE.read_text())
         self.assertRegex(own, r"\| `magic_formula` \| Magic Formula \| a \.tir file \|")
-        self.assertRegex(own, r"\| `footprint` \| .* \| fe_tire, ring_tire, rigid_ring, magic_formula \|")
+        self.assertRegex(own, r"\| `footprint` \| .* \| fe_tire, inp_tire, ring_tire, rigid_ring, magic_formula \|")
 
 
 if __name__ == "__main__":

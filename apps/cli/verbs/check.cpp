@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
 #include "cli/console/implausible.h"
@@ -21,6 +22,7 @@
 #include "correlation/target/study_trials.h"
 #include "evaluation/journal/journal.h"
 #include "evaluation/journal/local_file_system.h"
+#include "experiment/language/model_file.h"
 
 namespace latsch::cli {
 namespace {
@@ -184,7 +186,32 @@ int check_derivatives(const std::string& file, const experiment::Language& langu
   return all_agree ? kDone : kFailed;
 }
 
+/// A model alone, in a file of another program: what it is, what was assumed for it, the numbers a
+/// study may vary.
+void check_model(const std::string& file, const experiment::Language& language) {
+  const experiment::SpecimenKind& kind = language.kind_of_file(file);
+  const Document numbers = kind.read(file);
+  kind.check(numbers);
+  answer() = {{"model", file}, {"kind", kind.name()}};
+  say("{}, {}: {}\n\nNumbers a study may vary, by their path\n",
+      file,
+      kind.in_words(),
+      kind.describe(numbers));
+  for (const std::string& path : numbers.paths()) {
+    const double value = numbers.get(path);
+    const std::string unit = numbers.unit(path);
+    answer()["numbers"].push_back({{"path", path}, {"value", value}, {"unit", unit}});
+    say("  {:<40} {}{}\n", path, format_number(value, 6), unit == "1" ? "" : " " + unit);
+  }
+  for (const std::string& note : kind.notes(file)) warn(note, {file, 0});
+  say("\nEverything is in order. Next: a test of it, latsch test {} TEST, or a study with model = "
+      "\"{}\"\n",
+      file,
+      std::filesystem::path(file).filename().string());
+}
+
 void check(const std::string& file, const experiment::Language& language) {
+  if (!experiment::is_document(file)) return check_model(file, language);
   const Study study = correlation::read_study(file, language);
   reject_implausible(study);
   study.specimens->check(study);
@@ -223,13 +250,14 @@ void check(const std::string& file, const experiment::Language& language) {
 }  // namespace
 
 void add_check(CommandLine& app, Program& program) {
-  Verb verb = app.add_subcommand(
-      "check", "Reads a study, its model and its measurements, and says what it understood");
+  Verb verb = app.add_subcommand("check",
+                                 "Reads a study, its model and its measurements, or a model alone, "
+                                 "and says what it understood");
   verb.footer(
       "Examples:\n  latsch check studies/tire_b_twin/study.toml\n"
       "  latsch check studies/race_tire_mf/study.toml --derivatives");
   auto file = std::make_shared<std::string>();
-  verb.add_option("study", *file, "Study file (TOML)").required();
+  verb.add_option("study", *file, "Study file (TOML); a model alone: .inp, .tir").required();
   auto derivatives = std::make_shared<bool>(false);
   verb.add_flag(
       "--derivatives",

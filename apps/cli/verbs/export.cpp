@@ -36,7 +36,7 @@ struct State {
   double deflection = 0.0;  // 0: not on the ground
 };
 
-State state_of(const ExportOptions& options, const TireDescription& tire) {
+State state_of(const ExportOptions& options, const MeshedTire& tire) {
   State state;
   state.pressure =
       options.pressure.empty() ? tire.pressure : parse_option("--pressure", options.pressure, "Pa");
@@ -69,9 +69,9 @@ void write_patch(const fs::path& tire, const fe_tire::Standing& standing) {
   say_written(patch.string());
 }
 
-void write_vtu(const ExportOptions& options, const TireDescription& tire) {
+void write_vtu(const ExportOptions& options, const MeshedTire& tire) {
   const State state = state_of(options, tire);
-  fe_tire::FeTire model(tire);
+  fe_tire::FeTire model(tire.mesh, tire.materials, tire.settings);
   const auto inflated = required(model.inflate(state.pressure));
   std::vector<formats::VtuField> fields = {{"inflation", inflated.u}};
   if (state.deflection == 0.0) {
@@ -88,14 +88,17 @@ void write_vtu(const ExportOptions& options, const TireDescription& tire) {
   say_written(options.vtu);
 }
 
-void write_ccx(const ExportOptions& options, TireDescription tire) {
+void write_ccx(const ExportOptions& options, MeshedTire tire) {
   const State state = state_of(options, tire);
-  if (tire.cord_model == fe_tire::CordModel::rebar) {
+  if (tire.description && tire.description->cord_model == fe_tire::CordModel::rebar) {
     say("CalculiX has no rebars: the deck carries the cords smeared over their elements\n");
-    tire.cord_model = fe_tire::CordModel::smeared;
+    TireDescription smeared = *tire.description;
+    smeared.cord_model = fe_tire::CordModel::smeared;
+    tire.mesh = fe_tire::build_mesh(smeared);
+    tire.materials = fe_tire::build_materials(smeared);
   }
-  const auto mesh = fe_tire::build_mesh(tire);
-  const auto materials = fe_tire::build_materials(tire);
+  const fe_tire::Mesh& mesh = tire.mesh;
+  const fe_tire::Materials& materials = tire.materials;
   formats::CcxRun run;
   run.title = tire.name;
   run.pressure = state.pressure;
@@ -143,7 +146,7 @@ void export_files(const ExportOptions& options, const experiment::Language& lang
     write_model(options, source.kind->text(source.numbers));
   }
   if (!mesh) return;
-  const TireDescription tire = meshed_tire(options.file, language);
+  const MeshedTire tire = meshed_tire(options.file, language);
   if (!options.vtu.empty()) write_vtu(options, tire);
   if (!options.ccx.empty()) write_ccx(options, tire);
 }

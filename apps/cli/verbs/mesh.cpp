@@ -30,7 +30,7 @@ struct MeshOptions {
   bool convergence = false;
 };
 
-void print_counts(const TireDescription& tire, const fe_tire::Mesh& mesh, double mass) {
+void print_counts(const MeshedTire& tire, const fe_tire::Mesh& mesh, double mass) {
   std::map<int, int> elements_of_region;
   size_t rebars = 0;
   for (const fe_tire::Element& element : mesh.elements) {
@@ -48,7 +48,7 @@ void print_counts(const TireDescription& tire, const fe_tire::Mesh& mesh, double
   const auto line = [](const std::string& what, const std::string& value) {
     say("  {:<28} {}\n", what, value);
   };
-  say("{}, {}\n", tire.name, tire.size);
+  say("{}{}\n", tire.name, tire.size.empty() ? "" : ", " + tire.size);
   line("elements (HEX8)", std::to_string(mesh.element_count()));
   line("sectors", std::to_string(mesh.sectors));
   line("nodes", std::to_string(mesh.nodes()));
@@ -107,15 +107,20 @@ int print_convergence(const TireDescription& tire, const MeshOptions& options) {
 }
 
 int mesh(const MeshOptions& options, const experiment::Language& language) {
-  const TireDescription tire = meshed_tire(options.file, language);
-  const fe_tire::Mesh mesh = fe_tire::build_mesh(tire, options.refinement);
+  const MeshedTire tire = meshed_tire(options.file, language);
+  if (!tire.description && (options.refinement > 1 || options.convergence))
+    throw InputError({options.file, 0},
+                     "has a mesh of its owner, which cannot be refined: expected a tire described "
+                     "by its section for --refinement and --convergence");
+  const fe_tire::Mesh mesh =
+      tire.description ? fe_tire::build_mesh(*tire.description, options.refinement) : tire.mesh;
   fe_tire::check(mesh);
-  print_counts(tire, mesh, fe_tire::FeTire(mesh, fe_tire::build_materials(tire)).total_mass());
+  print_counts(tire, mesh, fe_tire::FeTire(mesh, tire.materials).total_mass());
   if (!options.vtu.empty()) {
     formats::write_tire_vtu(std::filesystem::path(options.vtu), mesh, {});
     say_written(options.vtu);
   }
-  return options.convergence ? print_convergence(tire, options) : kDone;
+  return options.convergence ? print_convergence(*tire.description, options) : kDone;
 }
 
 }  // namespace
@@ -130,7 +135,7 @@ void add_mesh(CommandLine& app, Program& program) {
       "      the same tire on finer meshes, extrapolated: the error a fit would hide in the "
       "moduli");
   auto options = std::make_shared<MeshOptions>();
-  verb.add_option("file", options->file, "Tire file or study file (TOML)").required();
+  verb.add_option("file", options->file, "Tire file (TOML, .inp) or study file").required();
   verb.add_option("--refinement", options->refinement, "Splits every element so often each way")
       .between(1, 8);
   verb.add_option("--vtu", options->vtu, "ParaView file to write");

@@ -10,6 +10,7 @@
 
 #include "base/document.h"
 #include "base/text.h"
+#include "experiment/kinds/inp_numbers.h"
 #include "formats/mesh/inp_deck.h"
 #include "formats/tables/csv_table.h"
 #include "formats/tables/mat_file.h"
@@ -125,16 +126,28 @@ ShownFile show_document(const std::filesystem::path& path) {
   return shown;
 }
 
+/// The deck, and where it is a tire the numbers a study may vary.
 ShownFile show_inp(const std::filesystem::path& path) {
   const formats::InpDeck deck = formats::read_inp(path);
   ShownFile shown;
-  shown.kind = "Finite-element deck (.inp), own units";
-  shown.facts.push_back(
-      fmt::format("{} nodes, {} elements", deck.nodes.size(), deck.elements.size()));
-  ShownTable table{"Materials", {"material", "density"}, {}};
-  for (const auto& [name, material] : deck.materials) {
-    table.rows.push_back(
-        {name, material.density ? format_number(*material.density, kDigits) : "-"});
+  shown.kind = "Finite-element deck (.inp)";
+  shown.facts.push_back(fmt::format("{} nodes, {} elements, {} surface elements",
+                                    deck.nodes.size(),
+                                    deck.elements.size(),
+                                    deck.surface_elements.size()));
+  ShownTable table{"Numbers, in SI", {"path", "value", "unit", "as written"}, {}};
+  try {
+    const Document numbers = experiment::read_inp_numbers(path);
+    for (const std::string& note : experiment::inp_notes(path)) shown.facts.push_back(note);
+    for (const formats::InpNumber& number : deck.numbers)
+      table.rows.push_back({number.path,
+                            format_number(numbers.get(number.path), kDigits),
+                            numbers.unit(number.path),
+                            format_number(number.value, kDigits)});
+  } catch (const InputError& error) {  // a deck of something else
+    shown.facts.push_back(std::string("no tire: ") + error.what());
+    for (const formats::InpNumber& number : deck.numbers)
+      table.rows.push_back({number.path, "", "", format_number(number.value, kDigits)});
   }
   shown.tables.push_back(std::move(table));
   return shown;

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include "experiment/kinds/fe_tire_pictures.h"
-#include "experiment/language/capabilities.h"
-#include "experiment/language/specimen.h"
-#include "experiment/rigs/tire_rig.h"
-#include "experiment/tests/modes.h"
+#include "experiment/kinds/fe_tire_specimen.h"
 #include "models/fe_tire/description/model_version.h"
 #include "models/fe_tire/description/tire_description.h"
 #include "models/fe_tire/ring/fe_tire.h"
@@ -17,45 +14,28 @@ namespace {
 using fe_tire::FeTire;
 using fe_tire::TireDescription;
 
-class FeTireSpecimen : public Specimen,
-                       public IsPressed,
-                       public Vibrates,
-                       public StandsOnGround,
-                       public HasFootprint,
-                       public TakesConditions {
+class DescribedTire : public FeTireSpecimen {
  public:
-  explicit FeTireSpecimen(TireDescription description)
-      : description_(std::move(description)),
-        tire_(description_),
-        rig_(std::make_unique<TireRig>(tire_, description_.pressure)) {}
+  DescribedTire(const TireDescription& description, const Document& numbers)
+      : FeTireSpecimen(FeTire(description), description.pressure, numbers, varied),
+        description_(description) {}
 
   /// The same with other materials: the symbolic work on the mesh is kept. False where the mesh is
   /// another one.
-  bool becomes(const TireDescription& description) {
+  bool becomes(const TireDescription& description, const Document& numbers) {
     if (!fe_tire::same_mesh(description_, description)) return false;
-    tire_.set(fe_tire::build_materials(description));
+    set(fe_tire::build_materials(description), description.pressure, numbers);
     description_ = description;
-    rig_ = std::make_unique<TireRig>(tire_, description_.pressure);
     return true;
   }
 
-  Result<Channels> press(const LoadDeflection& test) override { return rig_->run(test); }
-  Result<Channels> vibrate(const ModalTest& test) override { return rig_->run(test); }
-  Eigen::Matrix3Xd sensor_points() const override { return default_points(tire_.mesh()); }
-  Result<Channels> stand(const StandingTest& test) override {
-    return experiment::stand(tire_, description_.pressure, test);
-  }
-  Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) override {
-    fe_tire::Ground ground;
-    ground.mu = test.friction.value_or(0.0);
-    return experiment::footprints(
-        tire_, test.pressure.value_or(description_.pressure), ground, test);
+ private:
+  static fe_tire::VariedTire varied(const Document& numbers) {
+    const TireDescription tire = fe_tire::read_tire(numbers.root());
+    return {fe_tire::build_mesh(tire), fe_tire::build_materials(tire), tire.pressure};
   }
 
- private:
   TireDescription description_;
-  FeTire tire_;
-  std::unique_ptr<TireRig> rig_;
 };
 
 class FeTireKind : public SpecimenKind {
@@ -64,7 +44,7 @@ class FeTireKind : public SpecimenKind {
   std::string in_words() const override { return "finite-element tire"; }
   std::string file() const override { return "a TOML file with a section and plies"; }
   int version() const override { return fe_tire::kModelVersion; }
-  std::vector<std::string> abilities() const override { return abilities_of<FeTireSpecimen>(); }
+  std::vector<std::string> abilities() const override { return abilities_of<DescribedTire>(); }
 
   bool recognizes(const std::filesystem::path& file) const override {
     return file.extension() == ".toml" && Document::read(file).root().has("section");
@@ -77,9 +57,16 @@ class FeTireKind : public SpecimenKind {
   std::unique_ptr<Specimen> build(const Document& numbers,
                                   std::unique_ptr<Specimen> reuse) const override {
     const TireDescription description = fe_tire::read_tire(numbers.root());
-    auto* before = dynamic_cast<FeTireSpecimen*>(reuse.get());
-    if (before && before->becomes(description)) return reuse;
-    return std::make_unique<FeTireSpecimen>(description);
+    auto* before = dynamic_cast<DescribedTire*>(reuse.get());
+    if (before && before->becomes(description, numbers)) return reuse;
+    return std::make_unique<DescribedTire>(description, numbers);
+  }
+  /// All but where things begin and end, which makes another mesh of it.
+  bool knows_slopes_in(const std::string& path) const override {
+    const auto begins = [&path](const char* with) { return path.starts_with(with); };
+    if (path.ends_with(".from") || path.ends_with(".to")) return false;
+    return path == "pressure" || begins("rubber.") || begins("layer.") ||
+           begins("section.contour") || begins("section.thickness");
   }
   void check(const Document& numbers) const override {
     fe_tire::build_mesh(fe_tire::read_tire(numbers.root()));
@@ -97,14 +84,7 @@ class FeTireKind : public SpecimenKind {
                        mesh.sectors);
   }
   std::string remark(const Document& numbers, const Test& test) const override {
-    constexpr double kFar = 0.02;  // m between a measured point and the nearest of the model
-    const auto* modes = dynamic_cast<const ModesTest*>(&test);
-    if (!modes || modes->settings().points.cols() == 0) return "";
-    const auto mesh = fe_tire::build_mesh(fe_tire::read_tire(numbers.root()));
-    const double distance = nearest_sensors(mesh, modes->settings().points).largest_distance;
-    if (distance <= kFar) return "";
-    return fmt::format("a measured point lies {:.0f} mm from the outer surface of the model",
-                       distance * 1e3);
+    return far_points(fe_tire::build_mesh(fe_tire::read_tire(numbers.root())), test);
   }
   std::optional<Size> size(const Document& numbers) const override {
     const TireDescription tire = fe_tire::read_tire(numbers.root());

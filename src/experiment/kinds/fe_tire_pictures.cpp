@@ -95,24 +95,31 @@ std::vector<report::Layer> cord_layers(const fe_tire::TireDescription& descripti
 
 }  // namespace
 
+void add_pictures(fe_tire::FeTire& tire,
+                  double own_pressure,
+                  const std::vector<const Test*>& tests,
+                  report::TirePictures pictures,
+                  report::StudyReport& page) {
+  pictures.mesh = tire.mesh();
+  for (const Test* test : tests) {
+    const auto* modes = dynamic_cast<const ModesTest*>(test);
+    if (modes && pictures.modes.empty()) add_modes(tire, modes->settings(), own_pressure, pictures);
+  }
+  for (const Test* test : tests) {
+    if (const auto* load = dynamic_cast<const LoadDeflectionTest*>(test))
+      add_load(tire, load->settings(), own_pressure, pictures);
+  }
+  page.pictures = std::move(pictures);
+}
+
 void add_pictures(const fe_tire::TireDescription& description,
                   const std::vector<const Test*>& tests,
                   report::StudyReport& page) {
   page.tire = description.name + ", " + description.size;
   fe_tire::FeTire tire(description);
   report::TirePictures pictures;
-  pictures.mesh = tire.mesh();
   pictures.layers = cord_layers(description);
-  for (const Test* test : tests) {
-    const auto* modes = dynamic_cast<const ModesTest*>(test);
-    if (modes && pictures.modes.empty())
-      add_modes(tire, modes->settings(), description.pressure, pictures);
-  }
-  for (const Test* test : tests) {
-    if (const auto* load = dynamic_cast<const LoadDeflectionTest*>(test))
-      add_load(tire, load->settings(), description.pressure, pictures);
-  }
-  page.pictures = std::move(pictures);
+  add_pictures(tire, description.pressure, tests, std::move(pictures), page);
 }
 
 void add_mesh_error(const fe_tire::TireDescription& tire,

@@ -7,6 +7,7 @@
 
 #include "experiment/language/test.h"
 #include "models/fe_tire/description/tire_description.h"
+#include "models/fe_tire/ring/fe_tire.h"
 #include "report/report.h"
 
 namespace latsch::experiment {
@@ -15,6 +16,14 @@ namespace latsch::experiment {
 /// goes, modes as the first modal test sees them. What does not converge is left out.
 void add_pictures(const fe_tire::TireDescription& tire,
                   const std::vector<const Test*>& tests,
+                  report::StudyReport& page);
+
+/// The same of any mesh, its layers already in `pictures`; `own_pressure`, Pa: of tests that state
+/// none.
+void add_pictures(fe_tire::FeTire& tire,
+                  double own_pressure,
+                  const std::vector<const Test*>& tests,
+                  report::TirePictures pictures,
                   report::StudyReport& page);
 
 /// Adds growth and frequencies of the unloaded tire; where minutes are given, also force and

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
-#include <sstream>
 
+#include "base/file.h"
 #include "formats/mesh/inp_cards.h"
+#include "formats/mesh/inp_references.h"
 
 namespace latsch::formats {
 namespace {
@@ -27,7 +27,8 @@ class DeckReader {
   InpDeck read(const std::vector<InpCard>& cards) {
     for (const InpCard& card : cards) read_card(card);
     if (step_) throw InputError(step_->place, "*STEP is never closed, expected *END STEP");
-    check_references();
+    note_pressure();
+    check_references(deck_);
     return std::move(deck_);
   }
 
@@ -56,6 +57,11 @@ class DeckReader {
         {"STATIC", &DeckReader::statics},
         {"FREQUENCY", &DeckReader::frequency},
         {"DLOAD", &DeckReader::pressure},
+        {"DSLOAD", &DeckReader::surface_pressure},
+        {"NO COMPRESSION", &DeckReader::no_compression},
+        {"SURFACE SECTION", &DeckReader::surface_section},
+        {"REBAR LAYER", &DeckReader::rebar_layer},
+        {"EMBEDDED ELEMENT", &DeckReader::embedded},
         {"END STEP", &DeckReader::end_step},
     };
     // What a program is asked to print does not change the model.
@@ -75,9 +81,22 @@ class DeckReader {
     if (kOutput.count(card.keyword)) return;
     const auto handler = kHandlers.find(card.keyword);
     if (handler == kHandlers.end())
-      throw InputError(card.place,
-                       fmt::format("keyword *{} is not supported", card.keyword.substr(0, 60)));
+      throw InputError(
+          card.place,
+          fmt::format(
+              "keyword *{} is not supported{}", card.keyword.substr(0, 60), way_out(card.keyword)));
     (this->*handler->second)(card);
+  }
+
+  /// What a user can do about a keyword that other decks have.
+  static std::string way_out(const std::string& keyword) {
+    if (keyword == "PART" || keyword == "ASSEMBLY" || keyword == "INSTANCE")
+      return ": expected a deck without parts and assemblies";
+    if (keyword == "INCLUDE") return ": expected one file";
+    if (keyword == "REBAR" || keyword == "MEMBRANE SECTION")
+      return ": expected cords as *REBAR LAYER below a *SURFACE SECTION of elements SFM3D4 that "
+             "are an *EMBEDDED ELEMENT, or smeared as *ELASTIC";
+    return "";
   }
 
   // Nodes, elements, sets.
@@ -98,27 +117,48 @@ class DeckReader {
   }
 
   void element(const InpCard& card) {
-    if (const std::string& type = card.option("TYPE"); type != "C3D8")
+    static const std::set<std::string> kSolids = {
+        "C3D8", "C3D8I", "C3D8R", "C3D8H", "C3D8IH", "C3D8RH"};
+    const std::string& type = card.option("TYPE");
+    if (type == "SFM3D4" || type == "SFM3D4R") return surface_element(card);
+    if (!kSolids.count(type))
       throw InputError(card.place,
-                       fmt::format("element type {} is not supported, expected C3D8", type));
+                       fmt::format("element type {} is not supported, expected C3D8, C3D8I, C3D8R "
+                                   "(also with H) or, for layers of rebars, SFM3D4",
+                                   type.substr(0, 40)));
+    if (!deck_.element_type.empty() && deck_.element_type != type)
+      throw InputError(
+          card.place,
+          fmt::format("element type {} beside {}, expected one of them", type, deck_.element_type));
+    deck_.element_type = type;
+    add_elements(card, deck_.elements);
+  }
+
+  void surface_element(const InpCard& card) { add_elements(card, deck_.surface_elements); }
+
+  template <class Kind>
+  void add_elements(const InpCard& card, std::map<int, Kind>& elements) {
+    constexpr std::size_t kNodes = std::tuple_size_v<decltype(Kind::node)>;
     std::vector<int> added;
     for (std::size_t i = 0; i < card.lines.size();) {
-      InpElement element{0, {}, card.at(card.lines[i])};
-      std::vector<int> numbers;  // number and eight nodes, perhaps on several lines
-      for (; i < card.lines.size() && numbers.size() < 9; ++i)
+      Kind element{0, {}, card.at(card.lines[i])};
+      std::vector<int> numbers;  // number and nodes, perhaps on several lines
+      for (; i < card.lines.size() && numbers.size() < kNodes + 1; ++i)
         for (std::size_t k = 0; k < card.lines[i].fields.size(); ++k)
           numbers.push_back(card.integer(card.lines[i], k));
-      if (numbers.size() != 9)
+      if (numbers.size() != kNodes + 1)
         throw InputError(element.place,
-                         fmt::format("an element of {} nodes, expected 8",
-                                     static_cast<int>(numbers.size()) - 1));
+                         fmt::format("an element of {} nodes, expected {}",
+                                     static_cast<int>(numbers.size()) - 1,
+                                     kNodes));
       element.number = numbers[0];
       std::copy(numbers.begin() + 1, numbers.end(), element.node.begin());
-      if (std::set<int>(element.node.begin(), element.node.end()).size() != 8)
+      if (std::set<int>(element.node.begin(), element.node.end()).size() != kNodes)
         throw InputError(element.place,
                          fmt::format("element {} uses a node twice", element.number));
-      if (!deck_.elements.emplace(element.number, element).second)
+      if (deck_.elements.count(element.number) || deck_.surface_elements.count(element.number))
         throw InputError(element.place, fmt::format("element {} is defined twice", element.number));
+      elements.emplace(element.number, element);
       added.push_back(element.number);
     }
     if (card.has("ELSET")) append(deck_.element_sets[card.option("ELSET")], added, card.place);
@@ -196,81 +236,186 @@ class DeckReader {
     return *material_;
   }
 
-  static void expect_count(const InpCard& card,
-                           const std::vector<double>& values,
-                           std::size_t count) {
-    if (values.size() != count)
+  /// A number that can vary; gives back its place in the deck.
+  int note(const std::string& path,
+           InpQuantity quantity,
+           const InpCard& card,
+           const InpLine& line,
+           std::size_t field) {
+    InpNumber number{path, quantity, card.number(line, field), {{line.number, field, 1.0}}};
+    deck_.numbers.push_back(std::move(number));
+    return static_cast<int>(deck_.numbers.size()) - 1;
+  }
+
+  /// A name of the file as part of a path, in which dots part names.
+  static std::string in_path(std::string name) {
+    std::erase(name, '"');
+    for (char& c : name)
+      if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != ' ') c = '_';
+    return name;
+  }
+
+  struct Constant {
+    const char* name;
+    InpQuantity quantity;
+  };
+
+  /// The constants of the card, at one temperature: one more number is that.
+  void law(const InpCard& card, InpMaterial::Law law, const std::vector<Constant>& constants) {
+    InpMaterial& material = current_material(card);
+    if (material.law != InpMaterial::Law::none)
+      throw InputError(card.place, fmt::format("a second law of material {}", material.name));
+    std::vector<std::pair<const InpLine*, std::size_t>> fields;
+    for (const InpLine& line : card.lines)
+      for (std::size_t i = 0; i < line.fields.size(); ++i) fields.emplace_back(&line, i);
+    if (fields.size() != constants.size() && fields.size() != constants.size() + 1)
       throw InputError(card.place,
                        fmt::format("*{} has {} constants, expected {} at one temperature",
                                    card.keyword,
-                                   values.size(),
-                                   count));
+                                   fields.size(),
+                                   constants.size()));
+    material.law = law;
+    for (std::size_t i = 0; i < constants.size(); ++i)
+      material.constants.push_back(
+          note("material." + in_path(material.name) + "." + constants[i].name,
+               constants[i].quantity,
+               card,
+               *fields[i].first,
+               fields[i].second));
   }
 
   void hyperelastic(const InpCard& card) {
-    InpMaterial& material = current_material(card);
-    const std::vector<double> c = card.numbers();
-    if (card.has("NEO HOOKE")) {
-      expect_count(card, c, 2);
-      material.hyperelastic = {c[0], 0.0, c[1]};
-    } else if (card.has("MOONEY-RIVLIN")) {
-      expect_count(card, c, 3);
-      material.hyperelastic = {c[0], c[1], c[2]};
-    } else {
+    constexpr auto kStress = InpQuantity::stress;
+    constexpr Constant kC10{"C10", kStress}, kC01{"C01", kStress},
+        kD1{"D1", InpQuantity::compliance};
+    if (card.has("NEO HOOKE"))
+      law(card, InpMaterial::Law::neo_hooke, {kC10, kD1});
+    else if (card.has("MOONEY-RIVLIN"))
+      law(card, InpMaterial::Law::mooney_rivlin, {kC10, kC01, kD1});
+    else
       throw InputError(
           card.place,
           "this hyperelastic law is not supported, expected NEO HOOKE or MOONEY-RIVLIN");
-    }
-    if (!(material.hyperelastic->D1 > 0.0))
-      throw InputError(card.place,
-                       fmt::format("D1 is {}, expected more than 0 (the law is compressible)",
-                                   material.hyperelastic->D1));
-    if (!(material.hyperelastic->C10 > 0.0) || material.hyperelastic->C01 < 0.0)
-      throw InputError(card.place, "C10 and C01 give no positive shear modulus");
   }
 
   void elastic(const InpCard& card) {
-    InpMaterial& material = current_material(card);
+    const auto stresses = [](std::initializer_list<const char*> names) {
+      std::vector<Constant> constants;
+      for (const char* name : names) constants.push_back({name, InpQuantity::stress});
+      return constants;
+    };
     const std::string type = card.option("TYPE", "ISO");
     if (type == "ISO" || type == "ISOTROPIC") {
-      material.elastic = card.numbers();
-      expect_count(card, material.elastic, 2);
-      if (!(material.elastic[0] > 0.0) ||
-          !(material.elastic[1] > -1.0 && material.elastic[1] < 0.5))
-        throw InputError(card.place,
-                         fmt::format("E = {}, nu = {}, expected E > 0 and -1 < nu < 0.5",
-                                     material.elastic[0],
-                                     material.elastic[1]));
+      law(card,
+          InpMaterial::Law::isotropic,
+          {{"E", InpQuantity::stress}, {"nu", InpQuantity::ratio}});
+    } else if (type == "ENGINEERING CONSTANTS") {
+      auto constants = stresses({"E1", "E2", "E3", "nu12", "nu13", "nu23", "G12", "G13", "G23"});
+      for (std::size_t i = 3; i < 6; ++i) constants[i].quantity = InpQuantity::ratio;
+      law(card, InpMaterial::Law::engineering_constants, constants);
+    } else if (type == "ORTHO" || type == "ORTHOTROPIC") {
+      law(card,
+          InpMaterial::Law::orthotropic,
+          stresses(
+              {"D1111", "D1122", "D2222", "D1133", "D2233", "D3333", "D1212", "D1313", "D2323"}));
     } else if (type == "ANISO" || type == "ANISOTROPIC") {
-      material.anisotropic = card.numbers();
-      if (material.anisotropic.size() == 22) material.anisotropic.pop_back();  // a temperature
-      expect_count(card, material.anisotropic, 21);
+      law(card,
+          InpMaterial::Law::anisotropic,
+          stresses({"D1111", "D1122", "D2222", "D1133", "D2233", "D3333", "D1112",
+                    "D2212", "D3312", "D1212", "D1113", "D2213", "D3313", "D1213",
+                    "D1313", "D1123", "D2223", "D3323", "D1223", "D1323", "D2323"}));
     } else {
-      throw InputError(
-          card.place,
-          fmt::format("*ELASTIC, TYPE={} is not supported, expected ISO or ANISO", type));
+      throw InputError(card.place,
+                       fmt::format("*ELASTIC, TYPE={} is not supported, expected ISO, ENGINEERING "
+                                   "CONSTANTS, ORTHO or ANISO",
+                                   type.substr(0, 40)));
     }
   }
 
   void density(const InpCard& card) {
-    const std::vector<double> values = card.numbers();
-    expect_count(card, values, 1);
-    if (!(values[0] > 0.0))
-      throw InputError(card.place, fmt::format("density {}, expected more than 0", values[0]));
-    current_material(card).density = values[0];
+    InpMaterial& material = current_material(card);
+    std::size_t fields = 0;
+    for (const InpLine& line : card.lines) fields += line.fields.size();
+    if (card.lines.size() != 1 || fields > 2)
+      throw InputError(
+          card.place,
+          fmt::format("*DENSITY has {} constants, expected 1 at one temperature", fields));
+    material.density = note("material." + in_path(material.name) + ".density",
+                            InpQuantity::density,
+                            card,
+                            card.lines[0],
+                            0);
   }
 
+  void no_compression(const InpCard& card) { current_material(card).no_compression = true; }
+
   void orientation(const InpCard& card) {
-    const std::vector<double> v = card.numbers();
-    if (v.size() < 6)
+    if (card.lines.empty() || card.lines[0].fields.size() < 6)
       throw InputError(card.place,
-                       fmt::format("*ORIENTATION has {} numbers, expected two points", v.size()));
+                       fmt::format("*ORIENTATION has {} numbers, expected two points",
+                                   card.lines.empty() ? 0 : card.lines[0].fields.size()));
+    double v[6];
+    for (std::size_t i = 0; i < 6; ++i) v[i] = card.number(card.lines[0], i, 0.0);
+    const std::string& name = card.option("NAME");
     InpOrientation orientation{card.option("SYSTEM", "RECTANGULAR") == "CYLINDRICAL",
                                {v[0], v[1], v[2]},
-                               {v[3], v[4], v[5]}};
+                               {v[3], v[4], v[5]},
+                               1,
+                               -1,
+                               card.place};
     if (orientation.cylindrical && (orientation.b - orientation.a).norm() == 0.0)
       throw InputError(card.place, "both points of the axis are the same");
-    deck_.orientations[card.option("NAME")] = orientation;
+    if (card.lines.size() > 1) {
+      const InpLine& turned = card.lines[1];
+      orientation.axis = card.integer(turned, 0);
+      if (orientation.axis < 1 || orientation.axis > 3)
+        throw InputError(card.at(turned),
+                         fmt::format("axis {}, expected 1, 2 or 3", orientation.axis));
+      if (turned.fields.size() > 1)
+        orientation.angle =
+            note("orientation." + in_path(name) + ".angle", InpQuantity::angle, card, turned, 1);
+    }
+    deck_.orientations[name] = orientation;
+  }
+
+  // Layers of rebars.
+
+  void surface_section(const InpCard& card) {
+    if (card.has("DENSITY"))
+      throw InputError(card.place, "a surface with a mass of its own is not supported");
+    surface_section_ = card.option("ELSET");
+  }
+
+  void rebar_layer(const InpCard& card) {
+    if (surface_section_.empty())
+      throw InputError(card.place, "*REBAR LAYER stands before any *SURFACE SECTION");
+    if (const std::string geometry = card.option("GEOMETRY", "CONSTANT"); geometry != "CONSTANT")
+      throw InputError(
+          card.place,
+          fmt::format("GEOMETRY={} is not supported, expected CONSTANT", geometry.substr(0, 40)));
+    for (const InpLine& line : card.lines) {
+      InpRebars rebars;
+      rebars.name = card.text(line, 0);
+      rebars.elset = surface_section_;
+      rebars.material = card.text(line, 4);
+      rebars.orientation = card.option("ORIENTATION", "");
+      rebars.place = card.at(line);
+      std::string path = "layer." + in_path(rebars.name);
+      for (int i = 2; !layer_paths_.insert(path).second; ++i)
+        path = fmt::format("layer.{}_{}", in_path(rebars.name), i);
+      rebars.area = note(path + ".area", InpQuantity::area, card, line, 1);
+      rebars.spacing = note(path + ".spacing", InpQuantity::length, card, line, 2);
+      if (line.fields.size() > 5 && !line.fields[5].empty())
+        rebars.angle = note(path + ".angle", InpQuantity::angle, card, line, 5);
+      deck_.rebars.push_back(std::move(rebars));
+    }
+  }
+
+  void embedded(const InpCard& card) {
+    InpEmbedding embedding{card.option("HOST ELSET", ""), {}, card.place};
+    for (const InpLine& line : card.lines)
+      embedding.elsets.insert(embedding.elsets.end(), line.fields.begin(), line.fields.end());
+    deck_.embeddings.push_back(std::move(embedding));
   }
 
   void solid_section(const InpCard& card) {
@@ -381,7 +526,39 @@ class DeckReader {
   void pressure(const InpCard& card) {
     InpStep& step = current_step(card);
     for (const InpLine& line : card.lines)
-      step.pressures.push_back({faces(card, line, 'P'), card.number(line, 2)});
+      step.pressures.push_back(
+          {faces(card, line, 'P'), card.number(line, 2), {line.number, 2, 1.0}});
+  }
+
+  void surface_pressure(const InpCard& card) {
+    InpStep& step = current_step(card);
+    for (const InpLine& line : card.lines) {
+      if (card.text(line, 1) != "P")
+        throw InputError(card.at(line),
+                         fmt::format("load {} is not supported, expected a pressure P",
+                                     line.fields[1].substr(0, 20)));
+      for (const InpFaces& faces :
+           find(deck_.surfaces, card.text(line, 0), "SURFACE", card.at(line)))
+        step.pressures.push_back({faces, card.number(line, 2), {line.number, 2, 1.0}});
+    }
+  }
+
+  /// One number for all pressures: that of the last static step, the others in proportion.
+  void note_pressure() {
+    const InpPressure* last = nullptr;
+    for (const InpStep& step : deck_.steps)
+      if (step.kind == InpStep::Kind::statics && !step.pressures.empty())
+        last = &step.pressures.front();
+    if (!last || last->value == 0.0) return;
+    InpNumber number{"pressure", InpQuantity::stress, last->value, {}};
+    std::set<int> lines;  // a surface of several sets has one line
+    for (const InpStep& step : deck_.steps)
+      for (const InpPressure& pressure : step.pressures)
+        if (lines.insert(pressure.where.line).second)
+          number.where.push_back(
+              {pressure.where.line, pressure.where.field, pressure.value / last->value});
+    deck_.pressure = static_cast<int>(deck_.numbers.size());
+    deck_.numbers.push_back(std::move(number));
   }
 
   void end_step(const InpCard& card) {
@@ -390,67 +567,29 @@ class DeckReader {
     step_.reset();
   }
 
-  // What is named must exist.
-
-  void check_references() const {
-    for (const auto& [number, element] : deck_.elements)
-      for (int node : element.node)
-        if (!deck_.nodes.count(node))
-          throw InputError(
-              element.place,
-              fmt::format("element {} uses node {}, which is not defined", number, node));
-    for (const auto& [name, set] : deck_.node_sets) check_members(name, set, deck_.nodes, "node");
-    for (const auto& [name, set] : deck_.element_sets)
-      check_members(name, set, deck_.elements, "element");
-    for (const InpSection& section : deck_.sections) {
-      find(deck_.element_sets, section.elset, "ELSET", section.place);
-      find(deck_.materials, section.material, "MATERIAL", section.place);
-      if (!section.orientation.empty())
-        find(deck_.orientations, section.orientation, "ORIENTATION", section.place);
-    }
-    for (const InpContact& contact : deck_.contacts) {
-      find(deck_.interactions, contact.interaction, "SURFACE INTERACTION", contact.place);
-      find(deck_.surfaces, contact.slave, "SURFACE", contact.place);
-      find(deck_.surfaces, contact.master, "SURFACE", contact.place);
-    }
-  }
-
-  template <class Value>
-  void check_members(const std::string& name,
-                     const std::vector<int>& set,
-                     const std::map<int, Value>& defined,
-                     const char* kind) const {
-    for (int number : set)
-      if (!defined.count(number))
-        throw InputError(
-            {deck_.file, 0},
-            fmt::format("set \"{}\" holds {} {}, which is not defined", name, kind, number));
-  }
-
   InpDeck deck_;
   InpMaterial* material_ = nullptr;
   InpInteraction* interaction_ = nullptr;
   std::optional<InpStep> step_;
+  std::string surface_section_;
+  std::set<std::string> layer_paths_;
 };
 
 }  // namespace
 
 InpDeck parse_inp(std::string_view text, const std::string& file_name) {
-  return DeckReader(file_name).read(split_cards(text, file_name));
+  InpDeck deck = DeckReader(file_name).read(split_cards(text, file_name));
+  if (const auto stated = stated_units(text, file_name)) {
+    deck.units = *stated;
+    deck.are_units_stated = true;
+  } else {
+    deck.units = units_by_size(deck);
+  }
+  return deck;
 }
 
 InpDeck read_inp(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
-  if (error) throw InputError({file.string(), 0}, "cannot be read: " + error.message());
-  if (size > kLargestDeck)
-    throw InputError({file.string(), 0},
-                     fmt::format("has {} bytes, expected at most {}", size, kLargestDeck));
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream) throw InputError({file.string(), 0}, "cannot be read");
-  return parse_inp(text.view(), file.string());
+  return parse_inp(read_text_file(file, kLargestDeck), file.string());
 }
 
 }  // namespace latsch::formats

@@ -8,6 +8,7 @@
 #include "base/spoiled_text_testing.h"
 #include "formats/mesh/ccx_deck.h"
 #include "formats/mesh/inp_tire.h"
+#include "formats/mesh/rebar_deck_testing.h"
 #include "models/fe_tire/description/reference_tires.h"
 
 namespace latsch::formats {
@@ -25,27 +26,63 @@ std::string small_deck() {
   return out.str();
 }
 
-/// Whether it is a tire all the same.
+/// The same with its cords as layers of rebars in embedded surface elements.
+std::string rebar_deck() {
+  fe_tire::TireDescription tire = fe_tire::reference_tire_b();
+  tire.section.meridional = 5;
+  tire.section.sectors = 4;
+  tire.cord_model = fe_tire::CordModel::rebar;
+  fe_tire::Materials materials = build_materials(tire);
+  for (fe_tire::CordLayer& layer : materials.layers) layer.density = 1390.0;
+  CcxRun run;
+  run.pressure = 2.6e5;
+  return rebar_deck(build_mesh(tire), materials, run);
+}
+
+/// Whether it is a tire all the same; written back unchanged it is the same text.
 bool read(const std::string& text) {
   try {
-    tire_from(parse_inp(text, "spoiled.inp"));
+    const InpDeck deck = parse_inp(text, "spoiled.inp");
+    EXPECT_EQ(with_numbers_of(deck, text), text);
+    tire_from(deck);
     return true;
   } catch (const InputError&) {
     return false;
   }
 }
 
-TEST(InpSpoiled, BytesChangedLinesMovedOrCutAway) {
-  const std::string deck = small_deck();
-  constexpr int kDecks = 3000;
+void spoil(const std::string& deck, int decks) {
+  const std::vector<std::string> pieces = {"*",
+                                           ",",
+                                           "*NSET",
+                                           "*ELEMENT,TYPE=C3D8\n",
+                                           "*ELEMENT,TYPE=SFM3D4\n",
+                                           "*REBAR LAYER\n",
+                                           "*NO COMPRESSION\n",
+                                           "** units: mm, N\n",
+                                           "1e309",
+                                           "-1"};
+  EXPECT_TRUE(read(deck));
   int tires = 0;
-  for (int i = 0; i < kDecks; ++i) {
+  for (int i = 0; i < decks; ++i) {
     RandomStream random(1, i);
-    tires +=
-        read(spoiled(deck, {"*", ",", "*NSET", "*ELEMENT,TYPE=C3D8\n", "1e309", "-1"}, random));
+    tires += read(spoiled(deck, pieces, random));
   }
-  EXPECT_GT(tires, 0);       // some changes do no harm
-  EXPECT_LT(tires, kDecks);  // most do
+  EXPECT_GT(tires, 0);      // some changes do no harm
+  EXPECT_LT(tires, decks);  // most do
+}
+
+TEST(InpSpoiled, BytesChangedLinesMovedOrCutAway) { spoil(small_deck(), 2000); }
+
+TEST(InpSpoiled, TheSameOfLayersOfRebars) { spoil(rebar_deck(), 1000); }
+
+// Cut anywhere before the steps, where every card of the model is needed, it is no tire.
+TEST(InpSpoiled, ATruncatedDeckIsNoTire) {
+  for (const std::string& deck : {small_deck(), rebar_deck()}) {
+    const std::size_t steps = deck.find("*STEP");
+    for (std::size_t i = 0; i < 200; ++i) EXPECT_FALSE(read(deck.substr(0, steps * i / 200)));
+    EXPECT_FALSE(read(deck.substr(0, deck.find("*END STEP"))));
+  }
 }
 
 TEST(InpSpoiled, OptionsAndNumbersThatExplode) {

@@ -23,20 +23,23 @@ constexpr int kAllDirections = 7;
 
 class TireReader {
  public:
-  TireReader(const InpDeck& deck, const InpUnits& units) : deck_(deck), units_(units) {}
+  explicit TireReader(const InpDeck& deck) : deck_(deck), units_(deck.units) {}
 
   InpTire read() {
     take_held();
     separate_ground();
     place_frame();
     take_nodes_and_elements();
-    take_materials();
+    take_solids();
     take_faces();
     align();
+    take_rebars();
     take_supports();
     assemble();
     take_ground();
     for (const InpStep& step : deck_.steps) tire_.modes = std::max(tire_.modes, step.modes);
+    if (deck_.element_type == "C3D8") tire_.element = fe_tire::ElementKind::full_integration;
+    tire_.materials = materials_of(tire_, deck_);
     return std::move(tire_);
   }
 
@@ -92,18 +95,19 @@ class TireReader {
   void place_frame() {
     Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
     bool found = false;
-    for (const InpSection& section : deck_.sections) {
-      if (section.orientation.empty()) continue;
-      const InpOrientation& o = deck_.orientations.at(section.orientation);
-      if (!o.cylindrical) continue;
+    const auto take = [&](const std::string& name, const Place& place) {
+      if (name.empty()) return;
+      const InpOrientation& o = deck_.orientations.at(name);
+      if (!o.cylindrical) return;
       const Eigen::Vector3d direction = (o.b - o.a).normalized();
       if (found && ((direction - axis).norm() > 1e-9 || (o.a - center_).cross(axis).norm() > 1e-9))
-        throw InputError(section.place,
-                         "a second cylindrical axis, expected one: the tire's spin axis");
+        throw InputError(place, "a second cylindrical axis, expected one: the tire's spin axis");
       axis = direction;
       center_ = o.a;
       found = true;
-    }
+    };
+    for (const InpSection& section : deck_.sections) take(section.orientation, section.place);
+    for (const InpRebars& rebars : deck_.rebars) take(rebars.orientation, rebars.place);
     Eigen::Vector3d down = ground_point() - center_;
     down -= down.dot(axis) * axis;
     if (down.norm() < 1e-9) down = axis.unitOrthogonal();
@@ -149,7 +153,8 @@ class TireReader {
       elements_.push_back(element.node);
       used.insert(element.node.begin(), element.node.end());
     }
-    if (elements_.empty()) throw InputError({deck_.file, 0}, "there are no tire elements");
+    if (elements_.empty())
+      throw InputError({deck_.file, 0}, "has no elements of a tire, expected some of type C3D8");
     ring_.X.resize(3, static_cast<Eigen::Index>(used.size()));
     for (int number : used) {
       const int index = static_cast<int>(node_index_.size());
@@ -170,25 +175,20 @@ class TireReader {
     }
   }
 
-  void take_materials() {
-    std::map<std::string, int> solids;
+  void take_solids() {
     solid_.assign(elements_.size(), -1);
     for (const InpSection& section : deck_.sections) {
       const InpMaterial& material = deck_.materials.at(section.material);
+      const InpSolid solid{material.name, has_directions(material) ? section.orientation : ""};
       for (int number : deck_.element_sets.at(section.elset)) {
         const auto element = element_index_.find(number);
         if (element == element_index_.end()) continue;  // of the ground
-        const bool oriented =
-            !section.orientation.empty() && deck_.orientations.at(section.orientation).cylindrical;
-        if (!material.anisotropic.empty() && !oriented)
-          throw InputError(section.place,
-                           "an anisotropic material needs a cylindrical ORIENTATION");
-        const auto [solid, added] = solids.emplace(material.name, tire_.materials.solids.size());
-        if (added) {
-          tire_.materials.solids.push_back(solid_from(material, units_));
+        auto at = std::find(tire_.solids.begin(), tire_.solids.end(), solid);
+        if (at == tire_.solids.end()) {
           tire_.mesh.region_names.push_back(material.name);
+          at = tire_.solids.insert(at, solid);
         }
-        solid_[element->second] = solid->second;
+        solid_[element->second] = static_cast<int>(at - tire_.solids.begin());
       }
     }
     for (std::size_t e = 0; e < elements_.size(); ++e)
@@ -204,8 +204,6 @@ class TireReader {
     for (const InpStep& step : deck_.steps) {
       if (step.kind != InpStep::Kind::statics || step.pressures.empty()) continue;
       inner_.clear();
-      tire_.pressure =
-          step.pressures.front().value * units_.force / (units_.length * units_.length);
       for (const InpPressure& pressure : step.pressures) {
         if (pressure.value != step.pressures.front().value)
           throw InputError(pressure.faces.place,
@@ -213,6 +211,7 @@ class TireReader {
         add_faces(pressure.faces, true, inner_);
       }
     }
+    tire_.pressure = pressure_of(deck_);
     if (inner_.empty())
       throw InputError(
           {deck_.file, 0},
@@ -285,6 +284,26 @@ class TireReader {
                                      outward.sign < 0 ? "inner" : "outer"));
   }
 
+  void take_rebars() {
+    const InpHosts hosts{ring_.X, elements_, element_index_, node_index_};
+    placed_ = place_rebars(deck_, hosts, [&](int node) { return to_wheel(deck_.nodes.at(node)); });
+    tire_.layers = placed_.layers;
+  }
+
+  /// Solid, pressure and rebars as one number, the same for elements that are alike.
+  void take_kinds() {
+    constexpr double kDepths = 1e4;  // told apart, of half an element
+    std::map<std::vector<std::int64_t>, std::int64_t> kinds;
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      std::vector<std::int64_t> kind{solid_[e], inner_faces_.count(static_cast<int>(e)) ? 1 : 0};
+      for (const fe_tire::RebarPlacement& rebar : placed_.of_element[e]) {
+        kind.push_back(rebar.layer);
+        kind.push_back(std::llround(rebar.zeta * kDepths));
+      }
+      ring_.kind.push_back(kinds.emplace(kind, kinds.size()).first->second);
+    }
+  }
+
   void take_supports() {
     const auto check = [&](const InpSupport& support) {
       for (int node : support.nodes)
@@ -315,8 +334,7 @@ class TireReader {
 
   void assemble() {
     ring_.elements = elements_;
-    for (std::size_t e = 0; e < elements_.size(); ++e)
-      ring_.kind.push_back(2 * solid_[e] + (inner_faces_.count(static_cast<int>(e)) ? 1 : 0));
+    take_kinds();
     const Sector sector = find_sector(ring_);
     Mesh& mesh = tire_.mesh;
     mesh.sectors = sector.sectors;
@@ -332,6 +350,7 @@ class TireReader {
       element.node = sector.connectivity[i];
       element.solid = element.region = solid_[e];
       element.inner = inner_faces_.count(e) > 0;
+      element.rebars = placed_.of_element[static_cast<std::size_t>(e)];
       element.tread = sector.sectors > 1 ? near(treads, place(e)) : outer_faces_.count(e) > 0;
       mesh.elements.push_back(element);
     }
@@ -397,7 +416,7 @@ class TireReader {
   }
 
   const InpDeck& deck_;
-  const InpUnits& units_;
+  const InpUnits units_;
   InpTire tire_;
   Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d R_ = Eigen::Matrix3d::Identity();  // from the file's frame to the wheel's
@@ -409,17 +428,32 @@ class TireReader {
   std::vector<int> solid_;
   std::vector<KnownFace> inner_, outer_;
   FaceSet inner_faces_, outer_faces_;
+  InpPlacedRebars placed_;
   Ring ring_;
 };
 
 }  // namespace
 
-InpTire tire_from(const InpDeck& deck, const InpUnits& units) {
-  return TireReader(deck, units).read();
+InpTire tire_from(const InpDeck& deck) { return TireReader(deck).read(); }
+
+InpTire read_inp_tire(const std::filesystem::path& file) { return tire_from(read_inp(file)); }
+
+fe_tire::Materials materials_of(const InpTire& tire, const InpDeck& deck) {
+  fe_tire::Materials materials;
+  for (const InpSolid& solid : tire.solids)
+    materials.solids.push_back(
+        solid_from(deck,
+                   deck.materials.at(solid.material),
+                   solid.orientation.empty() ? nullptr : &deck.orientations.at(solid.orientation)));
+  for (const InpLayer& layer : tire.layers)
+    materials.layers.push_back(
+        layer_from(deck, deck.rebars[static_cast<std::size_t>(layer.rebars)], layer.sign));
+  return materials;
 }
 
-InpTire read_inp_tire(const std::filesystem::path& file, const InpUnits& units) {
-  return tire_from(read_inp(file), units);
+double pressure_of(const InpDeck& deck) {
+  if (deck.pressure < 0) return 0.0;
+  return to_si(deck.value(deck.pressure), InpQuantity::stress, deck.units);
 }
 
 }  // namespace latsch::formats

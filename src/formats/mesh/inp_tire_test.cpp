@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "formats/mesh/ccx_deck.h"
+#include "formats/mesh/inp_materials.h"
 #include "models/fe_tire/description/reference_tires.h"
 
 namespace latsch::formats {
@@ -135,7 +136,10 @@ TEST(InpTire, EveryOtherSectorOfAnotherRubberHalvesTheNumberOfSectors) {
   InpDeck deck = parse_inp(deck_of(tire), "small.inp");
   InpMaterial stiff = deck.materials.at("SOLID0");
   stiff.name = "STIFF";
-  stiff.hyperelastic->C10 *= 2.0;
+  InpNumber C10 = deck.numbers.at(stiff.constants[0]);
+  C10.value *= 2.0;
+  stiff.constants[0] = static_cast<int>(deck.numbers.size());
+  deck.numbers.push_back(C10);
   deck.materials["STIFF"] = stiff;
   const int per_sector = 9 * 2;
   for (int s = 0; s < 12; s += 2) deck.element_sets["ODD"].push_back(s * per_sector + 2);
@@ -158,11 +162,20 @@ TEST(InpTire, AHeldBodyWithoutContactIsNoPartOfTheTire) {
     EXPECT_TRUE(!element.tread || -read.mesh.coordinates(element).row(2).mean() > 0.28);
 }
 
-TEST(InpTire, UnitsAreConvertedAtTheDoor) {
+TEST(InpTire, UnitsAreThoseACommentStatesElseThoseOfTheSize) {
   const TireDescription tire = small_tire();
-  const InpTire si = tire_from(parse_inp(deck_of(tire), "small.inp"), {1.0, 1.0, 1.0});
-  EXPECT_NEAR(si.mesh.outer_radius(), 1e3 * build_mesh(tire).outer_radius(), 1e-9);
-  EXPECT_DOUBLE_EQ(si.pressure, 0.26);
+  const std::string deck = deck_of(tire);
+  EXPECT_EQ(parse_inp(deck, "mm.inp").units, InpUnits{});
+  const InpTire meters = tire_from(parse_inp("** units: m, N, kg\n" + deck, "m.inp"));
+  EXPECT_NEAR(meters.mesh.outer_radius(), 1e3 * build_mesh(tire).outer_radius(), 1e-9);
+  EXPECT_DOUBLE_EQ(meters.pressure, 0.26);
+  const InpTire kilo = tire_from(parse_inp("** UNITS: mm, kN, kg\n" + deck, "kN.inp"));
+  EXPECT_NEAR(kilo.mesh.outer_radius(), build_mesh(tire).outer_radius(), 1e-12);
+  EXPECT_DOUBLE_EQ(kilo.pressure, 0.26e9);
+  EXPECT_THROW(parse_inp("** units: mm, kg, N\n" + deck, "wrong.inp"), InputError);
+  EXPECT_THROW(parse_inp("** units: mm, N\n" + deck, "two.inp"), InputError);
+  EXPECT_EQ(units_of_size(0.32), (InpUnits{1.0, 1.0, 1.0}));
+  EXPECT_FALSE(units_of_size(13.0));  // inches?
 }
 
 /// The message for a deck in which every `from` is replaced by `to`.
@@ -180,12 +193,90 @@ std::string deck_complaint(const std::string& from, const std::string& to) {
   return "nothing";
 }
 
+// Its 24 numbers are those of two rubbers, one smeared composite and the pressure.
+TEST(InpTire, NumbersHaveTheNamesOfTheFile) {
+  const InpDeck deck = parse_inp(deck_of(small_tire()), "small.inp");
+  const auto find = [&](const std::string& path) -> const InpNumber* {
+    for (const InpNumber& number : deck.numbers)
+      if (number.path == path) return &number;
+    return nullptr;
+  };
+  ASSERT_TRUE(find("pressure"));
+  EXPECT_EQ(find("pressure")->value, 0.26);
+  // Inflation, load and, as CalculiX wants it, half of it in the frequency step.
+  ASSERT_EQ(find("pressure")->where.size(), 3u);
+  EXPECT_EQ(find("pressure")->where[2].times, 0.5);
+  EXPECT_TRUE(find("material.SOLID0.density"));
+  int laws = 0;
+  for (const auto& [name, material] : deck.materials) {
+    if (material.law == InpMaterial::Law::neo_hooke) {
+      ++laws;
+      EXPECT_TRUE(find("material." + name + ".C10"));
+      EXPECT_TRUE(find("material." + name + ".D1"));
+    }
+    if (material.law == InpMaterial::Law::anisotropic) {
+      ++laws;
+      EXPECT_TRUE(find("material." + name + ".D1111"));
+      EXPECT_TRUE(find("material." + name + ".D2323"));
+    }
+  }
+  EXPECT_GE(laws, 2);
+}
+
+TEST(InpTire, WrittenBackOnlyChangedNumbersAreOther) {
+  const std::string text = deck_of(small_tire());
+  InpDeck deck = parse_inp(text, "small.inp");
+  EXPECT_EQ(with_numbers_of(deck, text), text);
+  deck.numbers[static_cast<std::size_t>(deck.pressure)].value = 0.3;
+  InpNumber* C10 = nullptr;
+  for (InpNumber& number : deck.numbers)
+    if (number.path.ends_with(".C10")) C10 = &number;
+  ASSERT_TRUE(C10);
+  C10->value = 1.0 / 3.0;
+  const std::string changed = with_numbers_of(deck, text);
+  const InpDeck back = parse_inp(changed, "small.inp");
+  for (std::size_t i = 0; i < deck.numbers.size(); ++i)
+    EXPECT_DOUBLE_EQ(back.numbers[i].value, deck.numbers[i].value) << deck.numbers[i].path;
+  EXPECT_EQ(back.steps.back().pressures[0].value, 0.15);
+  std::istringstream a(text), b(changed);
+  int other = 0;
+  for (std::string one, two; std::getline(a, one) && std::getline(b, two);) other += one != two;
+  EXPECT_EQ(other, 4);  // three of the pressure
+}
+
+// What stands around a number stays: blanks, ends of lines of another system, lower case.
+TEST(InpTire, WrittenBackBlanksAndEndsOfLinesStay) {
+  const std::string text =
+      "*material, name=Soft\r\n*elastic\r\n  1.50 ,\t0.49\r\n*density\r\n1.1E-9,\r\n";
+  InpDeck deck = parse_inp(text, "soft.inp");
+  EXPECT_EQ(with_numbers_of(deck, text), text);
+  ASSERT_EQ(deck.numbers[0].path, "material.SOFT.E");
+  deck.numbers[0].value = 2.25;
+  std::string expected = text;
+  expected.replace(expected.find("1.50"), 4, "2.25");
+  EXPECT_EQ(with_numbers_of(deck, text), expected);
+}
+
+// A field of CalculiX has 20 characters.
+TEST(InpTire, WrittenNumbersFitIntoAField) {
+  const std::string text = "*MATERIAL,NAME=A\n*DENSITY\n1e-9\n";
+  InpDeck deck = parse_inp(text, "a.inp");
+  deck.numbers[0].value = -1.2345678901234567e-109;
+  const std::string written = with_numbers_of(deck, text);
+  const std::string field = written.substr(written.find("DENSITY\n") + 8);
+  EXPECT_LE(field.size(), 21u) << field;
+  EXPECT_NEAR(parse_inp(written, "a.inp").numbers[0].value, deck.numbers[0].value, 1e-121);
+}
+
 TEST(InpTire, ComplaintsNameLineAndReason) {
   const auto says = [](const std::string& text, const char* part) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
     EXPECT_EQ(text.rfind("bad.inp:", 0), 0u) << text;
   };
   says(deck_complaint("TYPE=C3D8", "TYPE=C3D20"), "element type C3D20 is not supported");
+  says(deck_complaint("TYPE=C3D8", "TYPE=T3D2"), "expected C3D8, C3D8I");
+  says(deck_complaint("*DENSITY", "*REBAR"), "*REBAR LAYER below a *SURFACE SECTION");
+  says(deck_complaint("*HEADING", "*PART,NAME=P\n*HEADING"), "without parts and assemblies");
   says(deck_complaint("*STATIC", "*DYNAMIC"), "*DYNAMIC");
   says(deck_complaint("*DENSITY", "*CONDUCTIVITY"), "*CONDUCTIVITY is not supported");
   says(deck_complaint("INNER,P1,0.26", "INNER,P7,0.26"), "face \"P7\"");

@@ -6,6 +6,6 @@
 
 namespace latsch::fe_tire {
 
-inline constexpr int kModelVersion = 5;
+inline constexpr int kModelVersion = 6;
 
 }  // namespace latsch::fe_tire

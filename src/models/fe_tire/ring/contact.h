@@ -26,6 +26,7 @@ struct Anchor {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  // m, ground's axes
   bool holds = false;                            // in contact
   bool slid = false;                             // in the step that ended with the last equilibrium
+  bool operator==(const Anchor&) const = default;
 };
 
 /// Where tread and ground touch; ground's axes.
@@ -98,9 +99,7 @@ class TreadContact {
                     const Anchor& anchor,
                     double share) const;
   Anchor anchor_of(int point, const Eigen::Vector3d& q, double g, double* share) const;
-  Touch touch_of(int point,
-                 const PosedGround::Distance& at,
-                 const Traction& on) const;
+  Touch touch_of(int point, const PosedGround::Distance& at, const Traction& on) const;
 
   const TreadSurface& tread_;
   Ground ground_;

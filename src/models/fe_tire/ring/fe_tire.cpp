@@ -53,10 +53,16 @@ Failure of_other_materials() {
       "again"};
 }
 
-Failure unstable() {
-  return Failure{
-      "modes: the equilibrium is not stable (its tangent is not positive definite): the tire "
-      "buckles; check pressure, thicknesses and moduli"};
+Failure unstable(const std::string& where) {
+  return Failure{where +
+                 ": the equilibrium is not stable (its tangent is not positive definite): the tire "
+                 "buckles; check pressure, thicknesses and moduli"};
+}
+
+/// Whether tangents about them are the same, of a tire whose materials did not change.
+bool same_tangent(const TireState& a, const TireState& b) {
+  return a.pose == b.pose && a.ground == b.ground && a.inflated->pressure == b.inflated->pressure &&
+         a.u == b.u && a.alpha == b.alpha && a.anchors == b.anchors;
 }
 
 }  // namespace
@@ -118,6 +124,11 @@ Result<std::vector<TireState>> FeTire::advance(const TireState& from,
     Result<TireState> next = tire.move(last, poses[k], name);
     if (!next) return next.failure();
     states.push_back(std::move(*next));
+  }
+  if (states.empty()) return states;
+  const TireState& last = states.back();
+  if (auto failure = tire.factorize(tire.systems(last.is_halved, last.window), last)) {
+    return *failure;
   }
   return states;
 }
@@ -189,7 +200,7 @@ Result<std::vector<Mode>> FeTire::modes_full(const Inflated& inflated, int count
     return no_tangent(whole.ring(), worst);
   }
   numerics::Factorization factor(*assembly.pattern());
-  if (!factor.factorize(K).definite()) return unstable();
+  if (!factor.factorize(K).definite()) return unstable("modes");
   return ring_modes(assembly, factor, assembly.mass(tire.even_elements()), count);
 }
 
@@ -216,11 +227,14 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
   if (state.is_halved && !mirror()) return of_other_materials();
   Systems& all = systems(state.is_halved, state.window);
   const RingAssembly& even = all.solver.assembly();
-  if (!all.odd) return modes_of(all, even, all.tread, state, count);
+  if (auto failure = factorize(all, state)) return *failure;
+  const numerics::SymmetricMatrix mass = even.mass(elements());
+  if (!all.odd) return ring_modes(even, all.factor, mass, count);
+  const numerics::SymmetricMatrix odd_mass = all.odd->mass(elements());
   for (int each = count / 2 + 3;; each = std::min(count, 2 * each)) {
-    auto modes = modes_of(all, even, all.tread, state, each);
+    auto modes = ring_modes(even, all.factor, mass, each);
     if (!modes) return modes;
-    auto odd = modes_of(all, *all.odd, *all.odd_tread, state, each);
+    auto odd = ring_modes(*all.odd, *all.odd_factor, odd_mass, each);
     if (!odd) return odd;
     const double sure = std::min(modes->back().frequency, odd->back().frequency);
     modes->insert(modes->end(), odd->begin(), odd->end());
@@ -232,37 +246,40 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
   }
 }
 
+std::optional<Failure> FeTire::Impl::factorize(Systems& all, const TireState& at) {
+  if (all.factored && same_tangent(*all.factored, at)) return std::nullopt;
+  all.factored.reset();
+  if (auto failure = factorize(all, all.solver.assembly(), all.tread, at, all.factor)) {
+    return failure;
+  }
+  if (all.odd) {
+    if (auto failure = factorize(all, *all.odd, *all.odd_tread, at, *all.odd_factor)) {
+      return failure;
+    }
+  }
+  all.factored = at;
+  return std::nullopt;
+}
+
 /// The state is even; odd unknowns hold only what may vibrate about it. So elements and ground see
 /// the state of the even numbering, and the tangent is gathered in the numbering asked for.
 std::optional<Failure> FeTire::Impl::factorize(Systems& all,
                                                const RingAssembly& assembly,
                                                const TreadSurface& tread,
-                                               const TireState& at) {
+                                               const TireState& at,
+                                               numerics::Factorization& factor) {
   RingState state{all.unknowns.compress(at.u), at.alpha};
   int worst = 0;
-  if (!all.solver.assembly().assemble_tangent(elements(),
-                                              state,
-                                              at.inflated->pressure,
-                                              assembly.unknowns(),
-                                              all.tangent,
-                                              &worst)) {
+  if (!all.solver.assembly().assemble_tangent(
+          elements(), state, at.inflated->pressure, assembly.unknowns(), all.tangent, &worst)) {
     return no_tangent(all.unknowns.ring(), worst);
   }
   TreadContact contact(all.tread, at.ground);
   contact.start(at.pose, state.x, at.anchors);
   add_stiffness(tread, contact.stuck(state.x), all.solver.assembly().first_point(), all.tangent);
   ++counts.factorizations;
-  if (!all.factor.factorize(all.tangent).definite()) return unstable();
+  if (!factor.factorize(all.tangent).definite()) return unstable(in_words(at.pose, *at.inflated));
   return std::nullopt;
-}
-
-Result<std::vector<Mode>> FeTire::Impl::modes_of(Systems& all,
-                                                 const RingAssembly& assembly,
-                                                 const TreadSurface& tread,
-                                                 const TireState& state,
-                                                 int count) {
-  if (auto failure = factorize(all, assembly, tread, state)) return *failure;
-  return ring_modes(assembly, all.factor, assembly.mass(elements()), count);
 }
 
 }  // namespace latsch::fe_tire

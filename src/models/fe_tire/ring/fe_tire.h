@@ -108,7 +108,8 @@ class FeTire {
     return {.height = inflated.radius - deflection};
   }
   /// Moves the ground from pose to pose and finds the equilibrium in each of them. With friction the
-  /// way is part of the answer. Failure names pose, residual and worst element.
+  /// way is part of the answer. Failure names pose, residual and worst element; it is one too where
+  /// the last equilibrium is not stable.
   Result<std::vector<TireState>> advance(const TireState& from,
                                          const std::vector<GroundPose>& poses);
   /// The same straight down, to these deflections (m, from first touch) one after the other.

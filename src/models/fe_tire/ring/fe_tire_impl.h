@@ -30,9 +30,11 @@ struct Systems {
   std::optional<TreadSurface> odd_tread;
   std::optional<RingAssembly> odd;
   double half_angle;  // rad, of the tread that may touch
-  // Of tangents for modes, even and odd ones in turn: they have the same pattern.
+  // Of tangents about `factored`, of even and odd motions: they have the same pattern.
   numerics::SymmetricMatrix tangent;
   numerics::Factorization factor;
+  std::optional<numerics::Factorization> odd_factor;
+  std::optional<TireState> factored;  // none: no state, or one whose tangents are not definite
 
   Systems(const Ring& ring,
           const SolverSettings& settings,
@@ -52,6 +54,7 @@ struct Systems {
     odd_unknowns.emplace(ring, RingSymmetry::odd, *mirror);
     odd_tread.emplace(*odd_unknowns, settings.tread_shape(), half_angle);
     odd.emplace(*odd_unknowns, solver.assembly().pattern());
+    odd_factor.emplace(*odd->pattern(), numerics::Precision::full, solver.factor().elimination());
   }
 };
 
@@ -71,6 +74,7 @@ struct FeTire::Impl {
     elements_.emplace(ring, materials);
     if (even) even_elements_.emplace(*even, materials);
     is_symmetry_known_ = false;
+    for (auto& [of, systems] : systems_) systems->factored.reset();
   }
 
   const RingElements& elements() const { return *elements_; }
@@ -80,10 +84,8 @@ struct FeTire::Impl {
   Systems& systems(bool halved, int window) {
     auto& systems = systems_[{halved, window}];
     if (!systems) {
-      systems = std::make_unique<Systems>(ring,
-                                          settings,
-                                          halved ? mirror() : std::nullopt,
-                                          kHalfAngle * std::pow(kWider, window));
+      systems = std::make_unique<Systems>(
+          ring, settings, halved ? mirror() : std::nullopt, kHalfAngle * std::pow(kWider, window));
       systems->solver.count_in(counts);
       ++counts.analyses;
     }
@@ -102,16 +104,15 @@ struct FeTire::Impl {
 
   Result<TireState> move(const TireState& from, const GroundPose& pose, const std::string& name);
   Result<std::vector<Mode>> modes_at(const TireState& state, int count);
-  /// The tangent about a state with its ground in the numbering of `assembly`, factorized.
+  /// The factors of the tangents about a state with its ground, of even and odd motions; those of
+  /// the state before, where it is the same. A Failure where the tire does not keep that state: a
+  /// motion about it gives energy. Newton's method finds such equilibria just as well.
+  std::optional<Failure> factorize(Systems& all, const TireState& state);
   std::optional<Failure> factorize(Systems& all,
                                    const RingAssembly& assembly,
                                    const TreadSurface& tread,
-                                   const TireState& state);
-  Result<std::vector<Mode>> modes_of(Systems& all,
-                                     const RingAssembly& assembly,
-                                     const TreadSurface& tread,
-                                     const TireState& state,
-                                     int count);
+                                   const TireState& state,
+                                   numerics::Factorization& factor);
 
  private:
   // rad to both sides: a circle cut there is pressed in by 8 % of its radius, a tire by half as much

@@ -98,6 +98,7 @@ struct TireSlopes::Impl {
   };
   std::vector<std::unique_ptr<Three>> varied;
   std::optional<std::pair<Eigen::Matrix3Xd, OfInflated>> inflated;  // of the state u
+  std::optional<numerics::Factorization> own_factor;
 
   Impl(FeTire::Impl& tire, std::vector<Variation> numbers)
       : base(tire), variations(std::move(numbers)) {
@@ -111,6 +112,8 @@ struct TireSlopes::Impl {
   }
 
   Result<OfInflated> solve_inflated(const Inflated& at);
+  /// Of the tangent about a state: that of its modes where they were asked for, or one of its own.
+  Result<const numerics::Factorization*> factor(Systems& all, const TireState& state);
   Result<OfState> solve_state(const TireState& state, Eigen::MatrixXd* by_variable);
   bool residual_changes(Systems& all, const TireState& state, Eigen::MatrixXd& r,
                         Eigen::VectorXd& force);
@@ -346,11 +349,26 @@ bool TireSlopes::Impl::residual_changes(Systems& all,
   return true;
 }
 
+Result<const numerics::Factorization*> TireSlopes::Impl::factor(Systems& all,
+                                                                const TireState& state) {
+  if (all.factored && all.factored->pose == state.pose && all.factored->u == state.u)
+    return &all.factor;
+  if (!own_factor)
+    own_factor.emplace(*all.solver.assembly().pattern(),
+                       numerics::Precision::full,
+                       all.solver.factor().elimination());
+  if (auto failure = base.factorize(all, all.solver.assembly(), all.tread, state, *own_factor))
+    return *failure;
+  return &*own_factor;
+}
+
 /// (S.2), and where asked for -K^-1 df/dp and, last, -K^-1 df/dh.
 Result<TireSlopes::OfState> TireSlopes::Impl::solve_state(const TireState& state,
                                                           Eigen::MatrixXd* by_variable) {
   Systems& all = base.systems(state.is_halved, state.window);
-  if (auto failure = base.factorize(all, all.solver.assembly(), all.tread, state)) return *failure;
+  const auto factor_of_state = factor(all, state);
+  if (!factor_of_state) return factor_of_state.failure();
+  const numerics::Factorization& factor = **factor_of_state;
   Eigen::MatrixXd r;
   OfState slopes;
   if (!residual_changes(all, state, r, slopes.force))
@@ -368,14 +386,14 @@ Result<TireSlopes::OfState> TireSlopes::Impl::solve_state(const TireState& state
   Eigen::VectorXd f_h = Eigen::VectorXd::Zero(x.size());
   add_forces(all.tread, by_height, f_h);
   Eigen::VectorXd w = f_h;
-  all.factor.solve(w);
+  factor.solve(w);
   const double multiplicity = all.tread.multiplicity();
   slopes.force += multiplicity * (r.transpose() * w);
   slopes.by_height = multiplicity * (w.dot(f_h) - stiffness);
   if (by_variable) {
     by_variable->resize(x.size(), count() + 1);
     by_variable->leftCols(count()) = -r;
-    all.factor.solve_columns(by_variable->leftCols(count()));
+    factor.solve_columns(by_variable->leftCols(count()));
     by_variable->col(count()) = -w;
   }
   return slopes;

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a deck names has to be in it.
+#pragma once
+
+#include "formats/mesh/inp_deck.h"
+
+namespace latsch::formats {
+
+/// Throws InputError naming the line of a name or number that is not defined.
+void check_references(const InpDeck& deck);
+
+}  // namespace latsch::formats
