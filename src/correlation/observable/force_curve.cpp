@@ -24,6 +24,7 @@ ComparedValues compared_forces(const std::string& test, const LoadDeflectionCurv
           .error_name = "dF",
           .asks = {test + "/force"},
           .rows = std::move(rows),
+          .passes_slopes = true,
           .unit = "N",
           .measured = measured.force,
           .scales = measured.force};
@@ -55,11 +56,12 @@ std::vector<double> ForceCurve::deviations(const MeasurementNoise& noise,
 
 Result<Comparison> ForceCurve::compare(const Channels& trial,
                                        const ObjectiveSettings& settings) const {
-  const std::vector<double>& simulated = channel(trial, "force");
-  if (simulated.size() != measured_.force.size()) {
+  const Channel* force = trial.find(test_ + "/force");
+  const SimulatedValues simulated{channel(trial, "force"), force->slopes};
+  if (simulated.values.size() != measured_.force.size()) {
     return Failure{fmt::format("channel \"{}/force\" has {} values, expected {} as measured",
                                test_,
-                               simulated.size(),
+                               simulated.values.size(),
                                measured_.force.size()),
                    Cause::bad_output};
   }

@@ -21,6 +21,7 @@ ComparedValues compared_modes(const std::string& test, const std::vector<ModeRec
                         .error_name = "df",
                         .asks = {test + "/frequency"},
                         .is_sweep = false,
+                        .passes_slopes = true,
                         .unit = "Hz"};
   for (const ModeRecord& mode : measured) {
     values.rows.push_back(mode.label());
@@ -59,7 +60,9 @@ std::vector<ModeRecord> ModeSet::simulated(const Channels& trial) const {
 
 Result<Comparison> ModeSet::compare(const Channels& trial,
                                     const ObjectiveSettings& settings) const {
-  return compare_modes(measured_, simulated(trial), settings);
+  const Channel* frequency = trial.find(test_ + "/frequency");
+  return compare_modes(
+      measured_, simulated(trial), settings, frequency ? frequency->slopes : std::vector<double>());
 }
 
 void ModeSet::draw(const ShownExperiment& shown, report::StudyReport& page) const {

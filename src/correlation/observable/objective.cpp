@@ -52,17 +52,25 @@ Comparison compare_values(const std::vector<double>& measured,
 }
 
 Comparison compare_forces(const std::vector<double>& measured,
-                          const std::vector<double>& simulated,
+                          const SimulatedValues& simulated,
                           const ObjectiveSettings& settings) {
-  assert(!measured.empty() && measured.size() == simulated.size());
+  const std::vector<double>& forces = simulated.values;
+  assert(!measured.empty() && measured.size() == forces.size());
+  const size_t rows = measured.size(), variables = simulated.slopes.size() / rows;
+  const bool of_root = settings.compared == Compared::root_force;
   Comparison comparison;
-  for (size_t j = 0; j < measured.size(); ++j) {
+  for (size_t j = 0; j < rows; ++j) {
     assert(measured[j] > 0.0);
-    comparison.errors.push_back(relative(measured[j], simulated[j]));  // (2)
-    const double root = std::sqrt(std::max(0.0, simulated[j]));
-    comparison.differences.push_back(settings.compared == Compared::root_force
-                                         ? relative(std::sqrt(measured[j]), root)
-                                         : comparison.errors.back());
+    comparison.errors.push_back(relative(measured[j], forces[j]));  // (2)
+    const double root = std::sqrt(std::max(0.0, forces[j]));
+    comparison.differences.push_back(of_root ? relative(std::sqrt(measured[j]), root)
+                                             : comparison.errors.back());
+    // A force of zero has no slope of its root: like one that lifts off, it does not change.
+    const double by_force = !of_root     ? -1.0 / measured[j]
+                            : root > 0.0 ? -0.5 / (std::sqrt(measured[j]) * root)
+                                         : 0.0;
+    for (size_t i = 0; i < variables; ++i)
+      comparison.slopes.push_back(by_force * simulated.slopes[i * rows + j]);
   }
   comparison.value = mean_power(comparison.differences, settings.exponent);
   summarize_errors(comparison);
@@ -71,14 +79,22 @@ Comparison compare_forces(const std::vector<double>& measured,
 
 Comparison compare_modes(const std::vector<ModeRecord>& measured,
                          const std::vector<ModeRecord>& simulated,
-                         const ObjectiveSettings& settings) {
+                         const ObjectiveSettings& settings,
+                         const std::vector<double>& slopes) {
   assert(!measured.empty());
   Comparison comparison;
+  const size_t modes = simulated.size(), variables = modes == 0 ? 0 : slopes.size() / modes;
+  comparison.slopes.assign(measured.size() * variables, 0.0);
   comparison.pairing = pair_modes(measured, simulated, settings.pairing);
   comparison.errors.assign(measured.size(), settings.missing_mode);
   for (const ModePair& pair : comparison.pairing.pairs) {
     comparison.errors[pair.measured] =
         relative(measured[pair.measured].frequency, simulated[pair.simulated].frequency);  // (1)
+    for (size_t i = 0; i < variables; ++i) {
+      comparison.slopes[static_cast<size_t>(pair.measured) * variables + i] =
+          -slopes[i * modes + static_cast<size_t>(pair.simulated)] /
+          measured[pair.measured].frequency;
+    }
   }
   comparison.differences = comparison.errors;
   comparison.value = mean_power(comparison.differences, settings.exponent);

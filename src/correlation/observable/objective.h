@@ -65,13 +65,16 @@ Comparison compare_values(const std::vector<double>& measured,
 
 /// Forces at the same deflections. Measured forces are positive, N.
 Comparison compare_forces(const std::vector<double>& measured,
-                          const std::vector<double>& simulated,
+                          const SimulatedValues& simulated,
                           const ObjectiveSettings& settings = {});
 
-/// Measured frequencies are positive, Hz.
+/// Measured frequencies are positive, Hz. `slopes` of the simulated ones as in Channel::slopes, where
+/// known: which mode is compared with which is held while it is differentiated, and a mode without a
+/// partner does not change.
 Comparison compare_modes(const std::vector<ModeRecord>& measured,
                          const std::vector<ModeRecord>& simulated,
-                         const ObjectiveSettings& settings = {});
+                         const ObjectiveSettings& settings = {},
+                         const std::vector<double>& slopes = {});
 
 /// d -> size loss(d / sigma) with its slopes; sigma empty: 1 for all.
 void scale_by_noise(Comparison& comparison,

@@ -20,12 +20,12 @@ ModeRecord mode(double frequency, int n, ModeType type, char phase = ' ') {
 double target_of_errors(double frequency, double force) {
   const Comparison modes = compare_modes({mode(100.0, 0, ModeType::lateral)},
                                          {mode(100.0 * (1.0 - frequency), 0, ModeType::lateral)});
-  const Comparison stiffness = compare_forces({1000.0}, {1000.0 * (1.0 - force)});
+  const Comparison stiffness = compare_forces({1000.0}, {{1000.0 * (1.0 - force)}});
   return target({modes, stiffness}, {1.0, 1.0});
 }
 
 TEST(CompareForces, IsEquationTwo) {
-  const Comparison c = compare_forces({1000.0, 2000.0}, {900.0, 2100.0});
+  const Comparison c = compare_forces({1000.0, 2000.0}, {{900.0, 2100.0}});
   ASSERT_EQ(c.errors.size(), 2u);
   EXPECT_NEAR(c.errors[0], 0.1, kRound);    // (1000 - 900) / 1000
   EXPECT_NEAR(c.errors[1], -0.05, kRound);  // (2000 - 2100) / 2000
@@ -36,7 +36,7 @@ TEST(CompareForces, IsEquationTwo) {
 TEST(CompareForces, WithTheExponentOfEquationThreeIsTheMeanRoot) {
   ObjectiveSettings settings;
   settings.exponent = 0.5;
-  const Comparison c = compare_forces({1000.0, 1000.0}, {980.0, 1020.0}, settings);
+  const Comparison c = compare_forces({1000.0, 1000.0}, {{980.0, 1020.0}}, settings);
   EXPECT_NEAR(c.value, std::sqrt(0.02), kRound);  // 14 % of a 2 % error
   EXPECT_NEAR(c.mean_error, 0.02, kRound);
 }
@@ -44,7 +44,7 @@ TEST(CompareForces, WithTheExponentOfEquationThreeIsTheMeanRoot) {
 TEST(CompareForces, AsRootsHalvesASmallError) {
   ObjectiveSettings settings;
   settings.compared = Compared::root_force;
-  const Comparison c = compare_forces({1000.0}, {810.0}, settings);
+  const Comparison c = compare_forces({1000.0}, {{810.0}}, settings);
   EXPECT_NEAR(c.value, 0.1, kRound);  // 1 - sqrt(0.81)
   EXPECT_NEAR(c.mean_error, 0.19, kRound);
 }
@@ -52,7 +52,7 @@ TEST(CompareForces, AsRootsHalvesASmallError) {
 TEST(CompareForces, TakesATireThatPullsForNoForce) {
   ObjectiveSettings settings;
   settings.compared = Compared::root_force;
-  EXPECT_NEAR(compare_forces({1000.0}, {-5.0}, settings).value, 1.0, kRound);
+  EXPECT_NEAR(compare_forces({1000.0}, {{-5.0}}, settings).value, 1.0, kRound);
 }
 
 TEST(CompareModes, IsEquationOneAfterReorderingSwappedModes) {
@@ -99,8 +99,8 @@ TEST(WeightedResiduals, TheirSquaresAreTheTargetOfSquares) {
   ObjectiveSettings roots = squares;
   roots.compared = Compared::root_force;
   const std::vector<Comparison> comparisons = {
-      compare_forces({1000.0, 2000.0, 500.0}, {900.0, 2100.0, 530.0}, squares),
-      compare_forces({1000.0, 4000.0}, {810.0, 4100.0}, roots)};
+      compare_forces({1000.0, 2000.0, 500.0}, {{900.0, 2100.0, 530.0}}, squares),
+      compare_forces({1000.0, 4000.0}, {{810.0, 4100.0}}, roots)};
   const std::vector<double> weights = {3.0, 0.5};
   double sum = 0.0;
   for (double r : weighted_residuals(comparisons, weights)) sum += r * r;

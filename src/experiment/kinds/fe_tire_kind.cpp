@@ -16,19 +16,25 @@ using fe_tire::TireDescription;
 
 class DescribedTire : public FeTireSpecimen {
  public:
-  explicit DescribedTire(const TireDescription& description)
-      : FeTireSpecimen(FeTire(description), description.pressure), description_(description) {}
+  DescribedTire(const TireDescription& description, const Document& numbers)
+      : FeTireSpecimen(FeTire(description), description.pressure, numbers, varied),
+        description_(description) {}
 
   /// The same with other materials: the symbolic work on the mesh is kept. False where the mesh is
   /// another one.
-  bool becomes(const TireDescription& description) {
+  bool becomes(const TireDescription& description, const Document& numbers) {
     if (!fe_tire::same_mesh(description_, description)) return false;
-    set(fe_tire::build_materials(description), description.pressure);
+    set(fe_tire::build_materials(description), description.pressure, numbers);
     description_ = description;
     return true;
   }
 
  private:
+  static fe_tire::VariedTire varied(const Document& numbers) {
+    const TireDescription tire = fe_tire::read_tire(numbers.root());
+    return {fe_tire::build_mesh(tire), fe_tire::build_materials(tire), tire.pressure};
+  }
+
   TireDescription description_;
 };
 
@@ -52,8 +58,15 @@ class FeTireKind : public SpecimenKind {
                                   std::unique_ptr<Specimen> reuse) const override {
     const TireDescription description = fe_tire::read_tire(numbers.root());
     auto* before = dynamic_cast<DescribedTire*>(reuse.get());
-    if (before && before->becomes(description)) return reuse;
-    return std::make_unique<DescribedTire>(description);
+    if (before && before->becomes(description, numbers)) return reuse;
+    return std::make_unique<DescribedTire>(description, numbers);
+  }
+  /// All but where things begin and end, which makes another mesh of it.
+  bool knows_slopes_in(const std::string& path) const override {
+    const auto begins = [&path](const char* with) { return path.starts_with(with); };
+    if (path.ends_with(".from") || path.ends_with(".to")) return false;
+    return path == "pressure" || begins("rubber.") || begins("layer.") ||
+           begins("section.contour") || begins("section.thickness");
   }
   void check(const Document& numbers) const override {
     fe_tire::build_mesh(fe_tire::read_tire(numbers.root()));

@@ -3,18 +3,51 @@
 
 #include <fmt/format.h>
 
+#include "experiment/kinds/fe_variations.h"
 #include "experiment/tests/modes.h"
 
 namespace latsch::experiment {
 
-FeTireSpecimen::FeTireSpecimen(fe_tire::FeTire tire, double pressure)
+FeTireSpecimen::FeTireSpecimen(fe_tire::FeTire tire,
+                               double pressure,
+                               Document numbers,
+                               Varied varied)
     : tire_(std::move(tire)),
       pressure_(pressure),
+      numbers_(std::move(numbers)),
+      varied_(std::move(varied)),
       rig_(std::make_unique<TireRig>(tire_, pressure)) {}
 
-void FeTireSpecimen::set(fe_tire::Materials materials, double pressure) {
+Result<Channels> FeTireSpecimen::press(const LoadDeflection& test, const Asked& asked) {
+  return run(test, asked);
+}
+Result<Channels> FeTireSpecimen::vibrate(const ModalTest& test, const Asked& asked) {
+  return run(test, asked);
+}
+
+template <class Test>
+Result<Channels> FeTireSpecimen::run(const Test& test, const Asked& asked) {
+  if (asked.paths.empty() || asked.channels.empty()) return rig_->run(test);
+  const auto slopes = slopes_in(asked.paths);
+  if (!slopes) return slopes.failure();
+  return rig_->run(test, **slopes);
+}
+
+/// Made once for all tests of a trial.
+Result<fe_tire::TireSlopes*> FeTireSpecimen::slopes_in(const std::vector<std::string>& paths) {
+  if (slopes_ && paths_ == paths) return slopes_.get();
+  auto variations = fe_variations(numbers_, paths, varied_);
+  if (!variations) return variations.failure();
+  slopes_ = std::make_unique<fe_tire::TireSlopes>(tire_, std::move(*variations));
+  paths_ = paths;
+  return slopes_.get();
+}
+
+void FeTireSpecimen::set(fe_tire::Materials materials, double pressure, Document numbers) {
+  slopes_.reset();
   tire_.set(std::move(materials));
   pressure_ = pressure;
+  numbers_ = std::move(numbers);
   rig_ = std::make_unique<TireRig>(tire_, pressure);
 }
 

@@ -2,14 +2,17 @@
 // The finite-element tire as a specimen, wherever its mesh is from.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
 #include "experiment/rigs/static_stiffness.h"
 #include "experiment/rigs/tire_rig.h"
 #include "models/fe_tire/ring/fe_tire.h"
+#include "models/fe_tire/ring/tire_slopes.h"
 
 namespace latsch::experiment {
 
@@ -20,11 +23,14 @@ class FeTireSpecimen : public Specimen,
                        public HasFootprint,
                        public TakesConditions {
  public:
-  /// `pressure`, Pa: of tests that state none.
-  FeTireSpecimen(fe_tire::FeTire tire, double pressure);
+  /// What a file of such numbers describes.
+  using Varied = std::function<fe_tire::VariedTire(const Document&)>;
 
-  Result<Channels> press(const LoadDeflection& test) override { return rig_->run(test); }
-  Result<Channels> vibrate(const ModalTest& test) override { return rig_->run(test); }
+  /// `pressure`, Pa: of tests that state none.
+  FeTireSpecimen(fe_tire::FeTire tire, double pressure, Document numbers, Varied varied);
+
+  Result<Channels> press(const LoadDeflection& test, const Asked& asked) override;
+  Result<Channels> vibrate(const ModalTest& test, const Asked& asked) override;
   Eigen::Matrix3Xd sensor_points() const override { return default_points(tire_.mesh()); }
   Result<Channels> stand(const StandingTest& test) override {
     return experiment::stand(tire_, pressure_, test);
@@ -33,12 +39,20 @@ class FeTireSpecimen : public Specimen,
 
  protected:
   /// The same mesh with other numbers: the symbolic work on it is kept.
-  void set(fe_tire::Materials materials, double pressure);
+  void set(fe_tire::Materials materials, double pressure, Document numbers);
 
  private:
+  template <class Test>
+  Result<Channels> run(const Test& test, const Asked& asked);
+  Result<fe_tire::TireSlopes*> slopes_in(const std::vector<std::string>& paths);
+
   fe_tire::FeTire tire_;
   double pressure_;
+  Document numbers_;
+  Varied varied_;
   std::unique_ptr<TireRig> rig_;
+  std::vector<std::string> paths_;  // of slopes_
+  std::unique_ptr<fe_tire::TireSlopes> slopes_;
 };
 
 /// What to mind where a modal test asks for points that are not on this mesh; empty: nothing.

@@ -17,17 +17,23 @@ fe_tire::FeTire tire_of(const formats::InpTire& tire) {
 
 class InpTireSpecimen : public FeTireSpecimen {
  public:
-  explicit InpTireSpecimen(InpModel model)
-      : FeTireSpecimen(tire_of(model.tire), model.tire.pressure), model_(std::move(model)) {}
+  InpTireSpecimen(InpModel model, const Document& numbers)
+      : FeTireSpecimen(tire_of(model.tire), model.tire.pressure, numbers, varied),
+        model_(std::move(model)) {}
 
   /// The same with other numbers of the same file; false where it is another file.
   bool becomes(const Document& numbers) {
     if (!take_numbers(model_, numbers)) return false;
-    set(model_.tire.materials, model_.tire.pressure);
+    set(model_.tire.materials, model_.tire.pressure, numbers);
     return true;
   }
 
  private:
+  static fe_tire::VariedTire varied(const Document& numbers) {
+    InpModel model = inp_model(numbers);
+    return {std::move(model.tire.mesh), std::move(model.tire.materials), model.tire.pressure};
+  }
+
   InpModel model_;
 };
 
@@ -53,11 +59,12 @@ class InpTireKind : public SpecimenKind {
   std::vector<std::string> notes(const std::filesystem::path& file) const override {
     return inp_notes(file);
   }
+  bool knows_slopes_in(const std::string&) const override { return true; }
   std::unique_ptr<Specimen> build(const Document& numbers,
                                   std::unique_ptr<Specimen> reuse) const override {
     auto* before = dynamic_cast<InpTireSpecimen*>(reuse.get());
     if (before && before->becomes(numbers)) return reuse;
-    return std::make_unique<InpTireSpecimen>(inp_model(numbers));
+    return std::make_unique<InpTireSpecimen>(inp_model(numbers), numbers);
   }
   void check(const Document& numbers) const override { inp_model(numbers); }
   std::string text(const Document& numbers) const override { return inp_text_of(numbers); }

@@ -16,7 +16,7 @@ class RingSpecimen : public RollingSpecimen, public Vibrates {
   std::unique_ptr<Tire> tire(const Inflation& pressure) const override {
     return std::make_unique<ring_tire::RingTire>(parameters_at(pressure));
   }
-  Result<Channels> vibrate(const ModalTest& test) override {
+  Result<Channels> vibrate(const ModalTest& test, const Asked&) override {
     ring_tire::RingTire tire(parameters_at(test.pressure));
     return experiment::run(tire, test);
   }

@@ -33,14 +33,16 @@ namespace latsch::experiment {
 struct IsPressed {
   static constexpr const char* kName = "is pressed on the ground";
   virtual ~IsPressed() = default;
-  virtual Result<Channels> press(const LoadDeflection& test) = 0;
+  /// With the slopes asked for, where they are known.
+  virtual Result<Channels> press(const LoadDeflection& test, const Asked& asked) = 0;
 };
 
 /// Vibrates with its rim held, off the ground or standing on it.
 struct Vibrates {
   static constexpr const char* kName = "vibrates";
   virtual ~Vibrates() = default;
-  virtual Result<Channels> vibrate(const ModalTest& test) = 0;
+  /// With the slopes asked for, where they are known.
+  virtual Result<Channels> vibrate(const ModalTest& test, const Asked& asked) = 0;
   /// m, wheel frame: where shapes are recorded when no laboratory prescribes it; none: nowhere.
   virtual Eigen::Matrix3Xd sensor_points() const { return {}; }
 };

@@ -94,42 +94,47 @@ Result<Channels> TireRig::run(const LoadDeflection& test) {
 }
 
 Result<Channels> TireRig::run(const ModalTest& test) {
+  const auto found = vibrate(test);
+  if (!found) return found.failure();
+  return channels_of(test, *found);
+}
+
+Result<TireRig::Vibrating> TireRig::vibrate(const ModalTest& test) {
   const auto& inflated = this->inflated(test.pressure.value_or(own_pressure_));
   if (!inflated) return inflated.failure();
-  if (!test.loaded()) return modal_channels(test, tire_.modes(*inflated, test.count));
+  Vibrating found;
+  if (test.loaded()) {
+    auto state = stand(test, *inflated);
+    if (!state) return state.failure();
+    found.state = std::move(*state);
+  }
+  auto modes =
+      found.state ? tire_.modes(*found.state, test.count) : tire_.modes(*inflated, test.count);
+  if (!modes) return modes.failure();
+  found.modes = std::move(*modes);
+  return found;
+}
+
+Result<TireState> TireRig::stand(const ModalTest& test, const Inflated& inflated) {
   StandingPose pose{.camber = test.camber};
   if (test.camber != 0.0) pose.poses = FeTire::Poses::any;
-  if (test.load) {
-    const auto state = load_to_force(
-        tire_, *inflated, *test.load, *test.load / kTypicalStiffness, test.ground, pose);
-    return state ? standing_channels(test, *state) : state.failure();
-  }
+  if (test.load)
+    return load_to_force(
+        tire_, inflated, *test.load, *test.load / kTypicalStiffness, test.ground, pose);
+  const std::vector<double> way = even_steps(*test.deflection);
   if (test.camber != 0.0) {
-    const auto states =
-        press_down(tire_, *inflated, test.ground, pose, even_steps(*test.deflection));
-    return states ? standing_channels(test, states->back()) : states.failure();
+    const auto states = press_down(tire_, inflated, test.ground, pose, way);
+    return states ? Result<TireState>(states->back()) : states.failure();
   }
-  const auto& states = pressed(even_steps(*test.deflection), test.ground);
-  return states ? standing_channels(test, states->back()) : states.failure();
+  const auto& states = pressed(way, test.ground);
+  return states ? Result<TireState>(states->back()) : states.failure();
 }
 
-Result<Channels> TireRig::standing_channels(const ModalTest& test, const TireState& state) {
-  auto channels = modal_channels(test, tire_.modes(state, test.count));
-  if (!channels) return channels;
-  const Standing standing = tire_.stand(state);
-  channels->add({"deflection", "m", {standing.deflection}});
-  channels->add({"loaded_radius", "m", {standing.loaded_radius}});
-  channels->add({"force", "N", {standing.force.z()}});
-  return channels;
-}
-
-Result<Channels> TireRig::modal_channels(const ModalTest& test,
-                                         const Result<std::vector<fe_tire::Mode>>& modes) const {
-  if (!modes) return modes.failure();
+Channels TireRig::channels_of(const ModalTest& test, const Vibrating& found) {
   const fe_tire::Mesh& mesh = tire_.mesh();
   const auto sensors = nearest_sensors(mesh, test.points).nodes;
   std::vector<ModeRecord> records;
-  for (const fe_tire::Mode& mode : *modes) {
+  for (const fe_tire::Mode& mode : found.modes) {
     ModeRecord record{mode.frequency, mode.n, mode.type, mode.phase, {}};
     record.shape.resize(3 * static_cast<Eigen::Index>(sensors.size()));
     for (size_t i = 0; i < sensors.size(); ++i) {
@@ -139,7 +144,73 @@ Result<Channels> TireRig::modal_channels(const ModalTest& test,
     }
     records.push_back(std::move(record));
   }
-  return to_channels(records);
+  Channels channels = to_channels(records);
+  if (!found.state) return channels;
+  const Standing standing = tire_.stand(*found.state);
+  channels.add({"deflection", "m", {standing.deflection}});
+  channels.add({"loaded_radius", "m", {standing.loaded_radius}});
+  channels.add({"force", "N", {standing.force.z()}});
+  return channels;
+}
+
+namespace {
+
+/// The channels with slopes [values x variables] in one of them.
+Channels with_slopes(const Channels& channels, const char* name, const Eigen::MatrixXd& slopes) {
+  Channels all;
+  for (Channel channel : channels.all()) {
+    if (channel.name == name)
+      channel.slopes.assign(slopes.data(), slopes.data() + slopes.size());
+    all.add(std::move(channel));
+  }
+  return all;
+}
+
+}  // namespace
+
+Result<Channels> TireRig::run(const LoadDeflection& test, fe_tire::TireSlopes& slopes) {
+  auto channels = run(test);
+  if (!channels) return channels;
+  const auto of_inflated = slopes.of_inflated(**inflated_);
+  if (!of_inflated) return of_inflated.failure();
+  const std::vector<double>& deflections = (*channels)["deflection"];
+  Eigen::MatrixXd force = Eigen::MatrixXd::Zero(std::ssize(deflections), slopes.variables());
+  for (std::size_t i = 0; i < deflections.size(); ++i) {
+    if (deflections[i] <= 0.0) continue;
+    const auto at = std::find(pressed_->way.begin(), pressed_->way.end(), deflections[i]);
+    const auto of_state = slopes.of_state((*pressed_->states)[at - pressed_->way.begin()]);
+    if (!of_state) return of_state.failure();
+    auto row = force.row(static_cast<Eigen::Index>(i));
+    row = of_state->force.transpose();
+    // A deflection counts from the inflated radius, a loaded radius is the height itself.
+    if (i < test.deflections.size())
+      row += of_state->by_height * of_inflated->radius.transpose();
+  }
+  return with_slopes(*channels, "force", force);
+}
+
+Result<Channels> TireRig::run(const ModalTest& test, fe_tire::TireSlopes& slopes) {
+  const auto found = vibrate(test);
+  if (!found) return found.failure();
+  const Channels channels = channels_of(test, *found);
+  if (!found->state) {
+    const auto of_modes = slopes.of_modes(**inflated_, found->modes);
+    if (!of_modes) return of_modes.failure();
+    return with_slopes(channels, "frequency", *of_modes);
+  }
+  Eigen::VectorXd height;
+  if (test.load) {
+    const auto of_state = slopes.of_state(*found->state);
+    if (!of_state) return of_state.failure();
+    height = -of_state->force / of_state->by_height;
+  } else {
+    const auto of_inflated = slopes.of_inflated(**inflated_);
+    if (!of_inflated) return of_inflated.failure();
+    height = of_inflated->radius;
+  }
+  const auto of_modes = slopes.of_modes(*found->state, found->modes, height);
+  if (!of_modes) return of_modes.failure();
+  return with_slopes(channels, "frequency", *of_modes);
 }
 
 namespace {

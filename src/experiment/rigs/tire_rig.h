@@ -19,6 +19,7 @@
 #include "experiment/rigs/load_case.h"
 #include "measurement/channels.h"
 #include "models/fe_tire/ring/fe_tire.h"
+#include "models/fe_tire/ring/tire_slopes.h"
 
 namespace latsch::experiment {
 
@@ -29,6 +30,9 @@ class TireRig {
 
   Result<Channels> run(const LoadDeflection& test);
   Result<Channels> run(const ModalTest& test);
+  /// The same with the slopes of loads or frequencies. Without friction and upright.
+  Result<Channels> run(const LoadDeflection& test, fe_tire::TireSlopes& slopes);
+  Result<Channels> run(const ModalTest& test, fe_tire::TireSlopes& slopes);
 
  private:
   struct Pressed {
@@ -40,9 +44,13 @@ class TireRig {
   const Result<fe_tire::Inflated>& inflated(double pressure);
   const Result<std::vector<fe_tire::TireState>>& pressed(const std::vector<double>& way,
                                                          const fe_tire::Ground& ground);
-  Result<Channels> standing_channels(const ModalTest& test, const fe_tire::TireState& state);
-  Result<Channels> modal_channels(const ModalTest& test,
-                                  const Result<std::vector<fe_tire::Mode>>& modes) const;
+  struct Vibrating {
+    std::optional<fe_tire::TireState> state;  // on the ground; none: in the air
+    std::vector<fe_tire::Mode> modes;
+  };
+  Result<Vibrating> vibrate(const ModalTest& test);
+  Result<fe_tire::TireState> stand(const ModalTest& test, const fe_tire::Inflated& inflated);
+  Channels channels_of(const ModalTest& test, const Vibrating& found);
 
   fe_tire::FeTire& tire_;
   double own_pressure_, pressure_ = 0.0;

@@ -102,7 +102,12 @@ std::optional<long> LoadDeflectionTest::samples() const {
 }
 
 Result<Channels> LoadDeflectionTest::run(Specimen& specimen) const {
-  if (auto* pressed = specimen.find<IsPressed>()) return pressed->press(test_);
+  return run_with_slopes(specimen, {});
+}
+
+Result<Channels> LoadDeflectionTest::run_with_slopes(Specimen& specimen,
+                                                     const Asked& asked) const {
+  if (auto* pressed = specimen.find<IsPressed>()) return pressed->press(test_, asked);
   return press_rolling(*specimen.find<Rolls>()->tire(test_.pressure), test_);
 }
 

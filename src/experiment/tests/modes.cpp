@@ -65,7 +65,11 @@ std::vector<std::string> ModesTest::needs() const {
 }
 
 Result<Channels> ModesTest::run(Specimen& specimen) const {
-  return specimen.find<Vibrates>()->vibrate(test_);
+  return run_with_slopes(specimen, {});
+}
+
+Result<Channels> ModesTest::run_with_slopes(Specimen& specimen, const Asked& asked) const {
+  return specimen.find<Vibrates>()->vibrate(test_, asked);
 }
 
 namespace {

@@ -130,6 +130,8 @@ class FeTire {
   void reset_counts();
 
  private:
+  friend class TireSlopes;
+  friend struct Varied;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -29,6 +29,7 @@ struct Systems {
   std::optional<RingUnknowns> odd_unknowns;
   std::optional<TreadSurface> odd_tread;
   std::optional<RingAssembly> odd;
+  double half_angle;  // rad, of the tread that may touch
   // Of tangents about `factored`, of even and odd motions: they have the same pattern.
   numerics::SymmetricMatrix tangent;
   numerics::Factorization factor;
@@ -38,12 +39,13 @@ struct Systems {
   Systems(const Ring& ring,
           const SolverSettings& settings,
           const std::optional<std::vector<int>>& mirror,
-          double half_angle)
+          double angle)
       : unknowns(ring,
                  mirror ? RingSymmetry::even : RingSymmetry::none,
                  mirror ? *mirror : std::vector<int>()),
-        tread(unknowns, settings.tread_shape(), half_angle),
+        tread(unknowns, settings.tread_shape(), angle),
         solver(unknowns, tread, settings),
+        half_angle(angle),
         tangent(*solver.assembly().pattern()),
         factor(*solver.assembly().pattern(),
                numerics::Precision::full,

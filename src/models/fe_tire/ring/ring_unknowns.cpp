@@ -198,6 +198,19 @@ void RingUnknowns::scatter(
   }
 }
 
+void RingUnknowns::add_forces(int sector,
+                              int element,
+                              const Vector24& f,
+                              Eigen::Ref<Eigen::VectorXd> sum) const {
+  const int n = ring_.mesh().nodes_per_sector();
+  for (int a = 0; a < 8; ++a) {
+    const int node = ring_.mesh().elements[element].node[a];
+    const NodeUnknowns& unknowns = node < n ? at(sector, node) : at(sector + 1, node - n);
+    if (unknowns.first < 0) continue;
+    sum.segment<3>(unknowns.first) += unknowns.sign.cwiseProduct(f.segment<3>(3 * a));
+  }
+}
+
 Eigen::Matrix3Xd RingUnknowns::expand(const Eigen::VectorXd& x) const {
   const int n = ring_.mesh().nodes_per_sector(), S = ring_.sectors();
   const double parity = symmetry_ == RingSymmetry::odd ? -1.0 : 1.0;

@@ -57,6 +57,12 @@ class RingUnknowns {
   /// their order and signs.
   void scatter(int sector, int element, Vector24& f, Matrix24* K, Eigen::VectorXd& sum) const;
 
+  /// Adds element forces, in the frames of their nodes, to a sum over the unknowns.
+  void add_forces(int sector,
+                  int element,
+                  const Vector24& f,
+                  Eigen::Ref<Eigen::VectorXd> sum) const;
+
   /// Displacements of all nodes of the ring [3 x nodes], sector frames; and back.
   Eigen::Matrix3Xd expand(const Eigen::VectorXd& x) const;
   Eigen::VectorXd compress(const Eigen::Matrix3Xd& u) const;

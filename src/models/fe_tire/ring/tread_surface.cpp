@@ -176,7 +176,7 @@ int TreadSurface::place_of(int plane, int node) {
   if (index >= 0) return index;
   const Mesh& mesh = unknowns_.ring().mesh();
   const RingUnknowns::NodeUnknowns unknowns = unknowns_.of_node(plane, node);
-  Place place{-1, mesh.frame(plane) * unknowns.sign.asDiagonal(), mesh.frame(plane) * mesh.X.col(node)};
+  Place place{-1, mesh.frame(plane) * unknowns.sign.asDiagonal(), mesh.frame(plane) * mesh.X.col(node), plane, node};
   if (unknowns.first >= 0) {
     const auto known = std::ranges::find(nodes_, unknowns.first / 3);
     place.node = static_cast<int>(known - nodes_.begin());
@@ -305,6 +305,18 @@ void TreadSurface::add_mean_point(int plane, int node, const Strip& strip) {
     ++point.weights;
   }
   points_.push_back(point);
+}
+
+Eigen::Vector3d TreadSurface::motion(int point, const Eigen::Matrix3Xd& shape) const {
+  const Mesh& mesh = unknowns_.ring().mesh();
+  Eigen::Vector3d motion = Eigen::Vector3d::Zero();
+  for (int k = 0; k < points_[point].weights; ++k) {
+    const Weight& weight = weights_[points_[point].first_weight + k];
+    const Place& place = places_[weight.place];
+    motion += weight.w * (mesh.frame(place.plane) *
+                          shape.col(place.plane * mesh.nodes_per_sector() + place.section_node));
+  }
+  return motion;
 }
 
 double TreadSurface::area(const Point& point, const Eigen::Matrix3Xd& positions) const {

@@ -40,6 +40,7 @@ class TreadSurface {
     int node;           // of nodes(), -1 where the rim holds it
     Eigen::Matrix3d T;  // turns a displacement of the node's unknowns into the wheel frame
     Eigen::Vector3d X;  // m, undeformed, wheel frame
+    int plane, section_node;
   };
   struct Weight {
     int place;
@@ -85,6 +86,8 @@ class TreadSurface {
     }
     return x;
   }
+  /// Motion of a point, wheel frame, by one of the whole ring [3 x nodes], sector frames.
+  Eigen::Vector3d motion(int point, const Eigen::Matrix3Xd& shape) const;
   /// m^2 that a sample stands for as it is.
   double area(const Point& point, const Eigen::Matrix3Xd& positions) const;
   /// Nodes of the tread outside of it [3 x any], in the wheel frame: whether something else touches.

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/kinds/fe_variations.h"
+
+#include <cmath>
+
+#include "base/text.h"
+
+namespace latsch::experiment {
+namespace {
+
+constexpr double kNear = 1e-6, kStep = 1e-4;  // of the number: tire_slopes.h
+
+/// What a step is a share of: the number, and where it is zero a usual one of its unit.
+double size_of(double value, const std::string& unit) {
+  if (value != 0.0) return std::abs(value);
+  if (unit == "m") return 1e-3;
+  if (unit == "Pa") return 1e6;
+  return 1.0;
+}
+
+}  // namespace
+
+Result<std::vector<fe_tire::Variation>> fe_variations(
+    const Document& numbers,
+    const std::vector<std::string>& paths,
+    const std::function<fe_tire::VariedTire(const Document&)>& tire) {
+  const fe_tire::VariedTire base = tire(numbers);
+  std::vector<fe_tire::Variation> variations;
+  for (const std::string& path : paths) {
+    const double value = numbers.get(path), size = size_of(value, numbers.unit(path));
+    const auto moved = [&](double by) {
+      Document other = numbers;
+      other.set(path, value + by);
+      return tire(other);
+    };
+    fe_tire::Variation variation{moved(kNear * size),
+                                 moved(-kStep * size),
+                                 moved(kStep * size),
+                                 kNear * size,
+                                 kStep * size,
+                                 path == "pressure"};
+    for (const auto* other : {&variation.near, &variation.below, &variation.above}) {
+      if (!fe_tire::same_topology(other->mesh, base.mesh) ||
+          other->materials.layers.size() != base.materials.layers.size())
+        return Failure{"slopes: a small change of " + in_quotes(path) +
+                       " makes another mesh; a search without derivatives can vary it"};
+    }
+    variations.push_back(std::move(variation));
+  }
+  return variations;
+}
+
+}  // namespace latsch::experiment
