@@ -64,7 +64,7 @@ void print_counts(const MeshedTire& tire, const fe_tire::Mesh& mesh, double mass
 void print_rows(const std::string& title, const std::vector<DiscretizationRow>& rows) {
   if (rows.empty()) return;
   for (const DiscretizationRow& row : rows) {
-    nlohmann::json found = {{"state", title},
+    nlohmann::ordered_json found = {{"state", title},
                             {"name", row.name},
                             {"unit", row.unit},
                             {"values", row.values},
