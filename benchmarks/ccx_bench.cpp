@@ -20,8 +20,8 @@
 #include "formats/mesh/ccx_deck.h"
 #include "formats/mesh/ccx_results.h"
 #include "formats/mesh/inp_tire.h"
+#include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/reference_tires.h"
-#include "models/fe_tire/ring/fe_tire.h"
 #include "table.h"
 
 namespace latsch::benchmarks {

@@ -17,8 +17,8 @@
 #include "base/scratch_folder_testing.h"
 #include "formats/mesh/ccx_deck.h"
 #include "formats/mesh/ccx_results.h"
+#include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/tire_description.h"
-#include "models/fe_tire/ring/fe_tire.h"
 #include "table.h"
 
 namespace latsch::benchmarks {

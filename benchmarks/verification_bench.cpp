@@ -18,10 +18,10 @@
 #include "base/file.h"
 #include "base/random.h"
 #include "cli/templates/sized_tire.h"
-#include "experiment/rigs/discretization.h"
+#include "experiment/rigs/fe_tire/discretization.h"
+#include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/reference_tires.h"
 #include "models/fe_tire/description/tire_description.h"
-#include "models/fe_tire/ring/fe_tire.h"
 #include "table.h"
 
 namespace latsch::benchmarks {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/element/mesh.h"
-#include "models/fe_tire/ring/fe_tire.h"
 #include "report/identifiability.h"
 #include "report/line_plot.h"
 
@@ -186,8 +186,8 @@ struct TirePictures {
     fe_tire::Standing standing;
   };
   std::optional<Loaded> loaded;
-  bool modes_loaded = false;              // state the modes belong to
-  std::vector<fe_tire::Mode> modes;       // at most about 12 are shown
+  bool modes_loaded = false;         // state the modes belong to
+  std::vector<fe_tire::Mode> modes;  // at most about 12 are shown
 };
 
 /// One limit of a suite of checks, as people read it.

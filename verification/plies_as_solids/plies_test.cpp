@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "base/document.h"
+#include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/tire_description.h"
-#include "models/fe_tire/ring/fe_tire.h"
 
 namespace latsch::fe_tire {
 namespace {

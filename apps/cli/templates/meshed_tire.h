@@ -7,8 +7,8 @@
 #include <string>
 
 #include "experiment/language.h"
+#include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/tire_description.h"
-#include "models/fe_tire/ring/fe_tire.h"
 
 namespace latsch::cli {
 

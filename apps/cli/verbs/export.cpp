@@ -14,8 +14,8 @@
 #include "correlation/target/twin.h"
 #include "formats/mesh/ccx_deck.h"
 #include "formats/mesh/vtu_file.h"
+#include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/tire_description.h"
-#include "models/fe_tire/ring/fe_tire.h"
 
 namespace latsch::cli {
 namespace {

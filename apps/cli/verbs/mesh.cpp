@@ -12,10 +12,10 @@
 #include "cli/console/parsed.h"
 #include "cli/templates/meshed_tire.h"
 #include "cli/verbs/verbs.h"
-#include "experiment/rigs/discretization.h"
+#include "experiment/rigs/fe_tire/discretization.h"
 #include "formats/mesh/vtu_file.h"
+#include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/tire_description.h"
-#include "models/fe_tire/ring/fe_tire.h"
 
 namespace latsch::cli {
 namespace {
@@ -65,10 +65,10 @@ void print_rows(const std::string& title, const std::vector<DiscretizationRow>& 
   if (rows.empty()) return;
   for (const DiscretizationRow& row : rows) {
     nlohmann::ordered_json found = {{"state", title},
-                            {"name", row.name},
-                            {"unit", row.unit},
-                            {"values", row.values},
-                            {"paired", row.paired}};
+                                    {"name", row.name},
+                                    {"unit", row.unit},
+                                    {"values", row.values},
+                                    {"paired", row.paired}};
     if (row.paired) {
       found["converged"] = row.converged;
       found["order"] = row.order;

@@ -68,9 +68,9 @@ Comparison compare_forces(const std::vector<double>& measured,
                           const SimulatedValues& simulated,
                           const ObjectiveSettings& settings = {});
 
-/// Measured frequencies are positive, Hz. `slopes` of the simulated ones as in Channel::slopes, where
-/// known: which mode is compared with which is held while it is differentiated, and a mode without a
-/// partner does not change.
+/// Measured frequencies are positive, Hz. `slopes` of the simulated ones as in Channel::slopes,
+/// where known: which mode is compared with which is held while it is differentiated, and a mode
+/// without a partner does not change.
 Comparison compare_modes(const std::vector<ModeRecord>& measured,
                          const std::vector<ModeRecord>& simulated,
                          const ObjectiveSettings& settings = {},

@@ -4,9 +4,9 @@
 
 #include "experiment/kinds/fe_tire_pictures.h"
 #include "experiment/kinds/fe_tire_specimen.h"
+#include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/model_version.h"
 #include "models/fe_tire/description/tire_description.h"
-#include "models/fe_tire/ring/fe_tire.h"
 
 namespace latsch::experiment {
 namespace {

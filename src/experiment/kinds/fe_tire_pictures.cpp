@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "experiment/rigs/deflection_for_load.h"
-#include "experiment/rigs/discretization.h"
+#include "experiment/rigs/fe_tire/deflection_for_load.h"
+#include "experiment/rigs/fe_tire/discretization.h"
 #include "experiment/tests/load_deflection.h"
 #include "experiment/tests/modes.h"
 #include "models/fe_tire/description/section_plan.h"
@@ -60,8 +60,8 @@ void add_modes(fe_tire::FeTire& tire,
     if (!standing) return;
     pictures.loaded = {standing->u, tire.stand(*standing)};
   }
-  auto modes = test.loaded() ? tire.modes(*standing, kShownModes)
-                             : tire.modes(*inflated, kShownModes);
+  auto modes =
+      test.loaded() ? tire.modes(*standing, kShownModes) : tire.modes(*inflated, kShownModes);
   if (!modes) return;
   pictures.modes = std::move(*modes);
   pictures.modes_loaded = test.loaded();

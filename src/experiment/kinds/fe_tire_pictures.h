@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "experiment/language/test.h"
+#include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/tire_description.h"
-#include "models/fe_tire/ring/fe_tire.h"
 #include "report/report.h"
 
 namespace latsch::experiment {

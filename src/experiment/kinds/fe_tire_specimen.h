@@ -9,10 +9,10 @@
 
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
+#include "experiment/rigs/fe_tire/tire_rig.h"
 #include "experiment/rigs/static_stiffness.h"
-#include "experiment/rigs/tire_rig.h"
-#include "models/fe_tire/ring/fe_tire.h"
-#include "models/fe_tire/ring/tire_slopes.h"
+#include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/analysis/tire_slopes.h"
 
 namespace latsch::experiment {
 

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "experiment/rigs/deflection_for_load.h"
 #include "experiment/rigs/drum_rig.h"
+#include "experiment/rigs/fe_tire/deflection_for_load.h"
 #include "models/road/plane_road.h"
 
 namespace latsch::experiment {

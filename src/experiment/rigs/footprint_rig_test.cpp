@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "models/fe_tire/analysis/ring_assembly.h"
 #include "models/fe_tire/description/reference_tires.h"
-#include "models/fe_tire/ring/ring_assembly.h"
 
 namespace latsch::experiment {
 namespace {
@@ -68,8 +68,7 @@ double unbalanced(const fe_tire::TireDescription& description, double deflection
   state.x = whole.compress(loaded->back().u);
   Eigen::VectorXd unbalanced;
   const fe_tire::RingElements elements(ring, tire.materials());
-  EXPECT_TRUE(assembly.assemble(
-      elements, state, kFootprintPressure, unbalanced, nullptr, nullptr));
+  EXPECT_TRUE(assembly.assemble(elements, state, kFootprintPressure, unbalanced, nullptr, nullptr));
   Eigen::Matrix3Xd rise(3, ring.mesh().nodes());
   const int n = ring.mesh().nodes_per_sector();
   for (int s = 0; s < ring.sectors(); ++s)

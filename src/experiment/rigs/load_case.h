@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiment/rigs/inflation.h"
-#include "models/fe_tire/ring/fe_tire.h"
+#include "models/fe_tire/analysis/fe_tire.h"
 
 namespace latsch::experiment {
 

@@ -13,7 +13,7 @@
 
 #include "measurement/channels.h"
 #include "measurement/mode_table.h"
-#include "models/fe_tire/ring/fe_tire.h"
+#include "models/fe_tire/analysis/fe_tire.h"
 
 namespace latsch::experiment {
 

@@ -10,8 +10,8 @@
 //   directions = ["vertical", "longitudinal", "lateral", "torsional"]  # default: all
 //   pressure = "2.6 bar"             # the tire's own unless given (inflation.h)
 //   camber = "2 deg"                 # about x, top to the right; default 0
-//   friction = 0.8                   # of a finite-element tire with the ground, 0 unless given; others
-//                                    # have theirs in their own files
+//   friction = 0.8                   # of a finite-element tire with the ground, 0 unless given;
+//                                    # others have theirs in their own files
 //   travel = "1 mm"                  # over which a stiffness is taken, this unless given
 //   twist = "1 mrad"                 # and the torsional one, 0.001 rad unless given
 //   [cleat]                          # on which deflections are pressed; none: flat ground
@@ -69,7 +69,7 @@ struct StandingTest {
   std::optional<Cleat> cleat = {};
   double load = 0.0;  // N
   std::vector<Direction> directions = {};
-  double camber = 0.0;                // rad
+  double camber = 0.0;                 // rad
   double travel = 1e-3, twist = 1e-3;  // m, rad: the patch hardly slides
   std::optional<double> friction = {};
   Inflation pressure = {};

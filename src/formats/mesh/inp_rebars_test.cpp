@@ -5,8 +5,8 @@
 
 #include "formats/mesh/inp_tire.h"
 #include "formats/mesh/rebar_deck_testing.h"
+#include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/reference_tires.h"
-#include "models/fe_tire/ring/fe_tire.h"
 
 namespace latsch::formats {
 namespace {

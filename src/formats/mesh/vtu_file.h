@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "models/fe_tire/ring/fe_tire.h"
+#include "models/fe_tire/analysis/fe_tire.h"
 
 namespace latsch::formats {
 

@@ -85,8 +85,8 @@ struct Mesh {
   double outer_radius() const;
 };
 
-/// Corners of elements for programs and pictures that know nodes alone: to the nodes of a plane those
-/// corners are added that tied elements have between two of them.
+/// Corners of elements for programs and pictures that know nodes alone: to the nodes of a plane
+/// those corners are added that tied elements have between two of them.
 struct Corners {
   struct Tied {
     int lower, upper;  // nodes of the plane

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/fe_tire/discretization.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "numerics/richardson.h"
+
+namespace latsch {
+
+using fe_tire::FeTire;
+using fe_tire::Inflated;
+using fe_tire::Mode;
+
+namespace {
+
+/// Modes under names that are unique: members of a pair that share a label are told apart by their
+/// rank.
+void add_modes(const std::vector<Mode>& modes, MeshQuantities& quantities) {
+  std::map<std::string, int> seen;
+  for (const Mode& mode : modes) {
+    const int rank = ++seen[mode.label()];
+    const std::string name = rank == 1 ? mode.label() : fmt::format("{} #{}", mode.label(), rank);
+    quantities.emplace_back(name, mode.frequency);
+  }
+}
+
+Result<MeshQuantities> unloaded_quantities(FeTire& tire,
+                                           const DiscretizationSettings& settings,
+                                           int count) {
+  const Result<Inflated> inflated = tire.inflate(settings.pressure);
+  if (!inflated) return inflated.failure();
+  const Result<std::vector<Mode>> modes = tire.modes(*inflated, count);
+  if (!modes) return modes.failure();
+  MeshQuantities quantities = {{"growth", inflated->growth}};
+  add_modes(*modes, quantities);
+  return quantities;
+}
+
+Result<MeshQuantities> loaded_quantities(FeTire& tire,
+                                         const DiscretizationSettings& settings,
+                                         int count) {
+  const Result<Inflated> inflated = tire.inflate(settings.pressure);
+  if (!inflated) return inflated.failure();
+  // At once: without friction an equilibrium knows no way to it, and steps that are asked for cost
+  // several times as much as those the loading finds necessary.
+  const auto pressed = tire.press(*inflated, settings.ground, {settings.deflection});
+  if (!pressed) return pressed.failure();
+  const Result<std::vector<Mode>> modes = tire.modes(pressed->back(), count);
+  if (!modes) return modes.failure();
+  MeshQuantities quantities = {{fmt::format("Fz at {:.4g} mm", settings.deflection * 1e3),
+                                tire.stand(pressed->back()).force.z()}};
+  add_modes(*modes, quantities);
+  return quantities;
+}
+
+std::string unit_of(const std::string& name) {
+  return name == "growth" ? "m" : name.starts_with("Fz") ? "N" : "Hz";
+}
+
+double* find(MeshQuantities& mesh, const std::string& name) {
+  const auto same = std::find_if(
+      mesh.begin(), mesh.end(), [&name](const auto& quantity) { return quantity.first == name; });
+  return same == mesh.end() ? nullptr : &same->second;
+}
+
+/// Modes of the other meshes under the names of the first one.
+void rename_as_first(std::vector<MeshQuantities>& meshes) {
+  constexpr double kNear = 0.025;
+  for (std::size_t m = 1; m < meshes.size(); ++m) {
+    for (const auto& [name, frequency] : meshes.front()) {
+      if (unit_of(name) != "Hz" || find(meshes[m], name)) continue;
+      std::pair<std::string, double>* nearest = nullptr;
+      for (auto& other : meshes[m]) {
+        if (unit_of(other.first) != "Hz" || find(meshes.front(), other.first)) continue;
+        const double distance = std::abs(other.second - frequency);
+        if (!nearest || distance < std::abs(nearest->second - frequency)) nearest = &other;
+      }
+      if (nearest && std::abs(nearest->second - frequency) < kNear * frequency) {
+        nearest->first = name;
+      }
+    }
+  }
+}
+
+using Measure = Result<MeshQuantities> (*)(FeTire&, const DiscretizationSettings&, int);
+
+Result<std::vector<DiscretizationRow>> refine(
+    const fe_tire::TireDescription& tire,
+    const DiscretizationSettings& settings,
+    const std::vector<int>& refinements,
+    Measure measure,
+    const std::string& what,
+    const std::function<void(const std::string&)>& progress) {
+  std::vector<MeshQuantities> meshes;
+  for (int r : refinements) {
+    FeTire model(fe_tire::build_mesh(tire, r),
+                 fe_tire::build_materials(tire, r),
+                 {.element = settings.element});
+    if (progress) {
+      progress(fmt::format("{}: {} x refined, {} elements, {} unknowns",
+                           what,
+                           r,
+                           model.mesh().element_count(),
+                           model.mesh().free_dofs()));
+    }
+    // The order of neighboring modes may change from mesh to mesh: look a little further on the
+    // finer ones.
+    Result<MeshQuantities> quantities =
+        measure(model, settings, r == refinements.front() ? settings.modes : settings.modes + 6);
+    if (!quantities) return quantities.failure();
+    meshes.push_back(std::move(*quantities));
+  }
+  return discretization_rows(refinements, std::move(meshes));
+}
+
+}  // namespace
+
+std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refinements,
+                                                   std::vector<MeshQuantities> meshes) {
+  assert(meshes.size() >= 3 && meshes.size() == refinements.size());
+  rename_as_first(meshes);
+  std::vector<DiscretizationRow> table;
+  for (const auto& [name, first] : meshes.front()) {
+    DiscretizationRow row;
+    row.name = name;
+    row.unit = unit_of(name);
+    for (MeshQuantities& mesh : meshes) {
+      if (const double* value = find(mesh, name)) row.values.push_back(*value);
+    }
+    if (row.values.size() != meshes.size()) {
+      row.values = {first};
+      row.converged = std::numeric_limits<double>::quiet_NaN();
+      row.paired = false;
+      table.push_back(std::move(row));
+      continue;
+    }
+    const std::size_t last = meshes.size() - 3;
+    std::array<double, 3> h, v;
+    for (std::size_t i = 0; i < 3; ++i) {
+      h[i] = 1.0 / refinements[last + i];
+      v[i] = row.values[last + i];
+    }
+    const numerics::Extrapolation limit = numerics::extrapolate(h, v);
+    row.converged = limit.value;
+    row.order = limit.observed ? limit.order : 0.0;
+    const double beyond = std::abs(limit.value - v[2]);
+    const double change = std::max(std::abs(v[2] - v[1]), std::abs(v[1] - v[0]));
+    row.uncertainty = limit.observed ? 0.25 * beyond : 3.0 * change;
+    table.push_back(std::move(row));
+  }
+  return table;
+}
+
+Result<DiscretizationStudy> study_discretization(
+    const fe_tire::TireDescription& tire,
+    const DiscretizationSettings& settings,
+    const std::function<void(const std::string&)>& progress) {
+  DiscretizationStudy study;
+  auto unloaded =
+      refine(tire, settings, settings.refinements, unloaded_quantities, "unloaded", progress);
+  if (!unloaded) return unloaded.failure();
+  study.unloaded = std::move(*unloaded);
+  if (settings.deflection <= 0.0) return study;
+  auto loaded =
+      refine(tire, settings, settings.loaded_refinements, loaded_quantities, "loaded", progress);
+  if (!loaded) return loaded.failure();
+  study.loaded = std::move(*loaded);
+  return study;
+}
+
+}  // namespace latsch

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/fe_tire/tire_rig.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "experiment/rigs/fe_tire/deflection_for_load.h"
+#include "experiment/rigs/mode_record.h"
+
+namespace latsch::experiment {
+namespace {
+
+using fe_tire::FeTire;
+using fe_tire::Inflated;
+using fe_tire::Standing;
+using fe_tire::TireState;
+
+constexpr double kTypicalStiffness = 2.0e5;  // N/m, a first guess of the deflection under a load
+constexpr int kEvenSteps = 5;
+
+/// Deflections of a way that no test states: even steps.
+std::vector<double> even_steps(double deflection) {
+  std::vector<double> steps;
+  for (int i = 1; i < kEvenSteps; ++i) steps.push_back(deflection * i / kEvenSteps);
+  steps.push_back(deflection);
+  return steps;
+}
+
+/// The way to the deepest of some deflections, through all that are on the ground.
+std::vector<double> way_through(std::vector<double> deflections) {
+  std::erase_if(deflections, [](double deflection) { return deflection <= 0.0; });
+  std::sort(deflections.begin(), deflections.end());
+  deflections.erase(std::unique(deflections.begin(), deflections.end()), deflections.end());
+  return deflections.size() == 1 ? even_steps(deflections.front()) : deflections;
+}
+
+}  // namespace
+
+const Result<Inflated>& TireRig::inflated(double pressure) {
+  if (!inflated_ || pressure_ != pressure) {
+    pressed_.reset();
+    pressure_ = pressure;
+    inflated_.emplace(tire_.inflate(pressure));
+  }
+  return *inflated_;
+}
+
+const Result<std::vector<TireState>>& TireRig::pressed(const std::vector<double>& way,
+                                                       const fe_tire::Ground& ground) {
+  const bool is_same = pressed_ && pressed_->way == way && pressed_->ground == ground;
+  if (!is_same) pressed_.emplace(Pressed{way, ground, tire_.press(**inflated_, ground, way)});
+  return pressed_->states;
+}
+
+Result<Channels> TireRig::run(const LoadDeflection& test) {
+  const auto& inflated = this->inflated(test.pressure.value_or(own_pressure_));
+  if (!inflated) return inflated.failure();
+  std::vector<double> deflections = test.deflections;
+  for (const double radius : test.loaded_radii) deflections.push_back(inflated->radius - radius);
+  const std::vector<double> way = way_through(deflections);
+  const auto* states = way.empty() ? nullptr : &pressed(way, test.ground);
+  if (states && !*states) return states->failure();
+
+  const auto standing_at = [&](double deflection) {
+    Standing none;
+    none.deflection = deflection;
+    none.loaded_radius = inflated->radius - deflection;
+    if (deflection <= 0.0) return none;
+    const auto at = std::find(way.begin(), way.end(), deflection);
+    assert(at != way.end());
+    return tire_.stand((**states)[at - way.begin()]);
+  };
+  Channels channels;
+  const char* names[] = {
+      "deflection", "loaded_radius", "force", "patch_length", "patch_width", "patch_area"};
+  const char* units[] = {"m", "m", "N", "m", "m", "m^2"};
+  std::array<std::vector<double>, 6> columns;
+  for (const double deflection : deflections) {
+    const Standing standing = standing_at(deflection);
+    const double row[] = {deflection,
+                          standing.loaded_radius,
+                          standing.force.z(),
+                          standing.patch.length,
+                          standing.patch.width,
+                          standing.patch.area};
+    for (size_t c = 0; c < columns.size(); ++c) columns[c].push_back(row[c]);
+  }
+  for (size_t c = 0; c < columns.size(); ++c) channels.add({names[c], units[c], columns[c]});
+  return channels;
+}
+
+Result<Channels> TireRig::run(const ModalTest& test) {
+  const auto found = vibrate(test);
+  if (!found) return found.failure();
+  return channels_of(test, *found);
+}
+
+Result<TireRig::Vibrating> TireRig::vibrate(const ModalTest& test) {
+  const auto& inflated = this->inflated(test.pressure.value_or(own_pressure_));
+  if (!inflated) return inflated.failure();
+  Vibrating found;
+  if (test.loaded()) {
+    auto state = stand(test, *inflated);
+    if (!state) return state.failure();
+    found.state = std::move(*state);
+  }
+  auto modes =
+      found.state ? tire_.modes(*found.state, test.count) : tire_.modes(*inflated, test.count);
+  if (!modes) return modes.failure();
+  found.modes = std::move(*modes);
+  return found;
+}
+
+Result<TireState> TireRig::stand(const ModalTest& test, const Inflated& inflated) {
+  StandingPose pose{.camber = test.camber};
+  if (test.camber != 0.0) pose.poses = FeTire::Poses::any;
+  if (test.load)
+    return load_to_force(
+        tire_, inflated, *test.load, *test.load / kTypicalStiffness, test.ground, pose);
+  const std::vector<double> way = even_steps(*test.deflection);
+  if (test.camber != 0.0) {
+    const auto states = press_down(tire_, inflated, test.ground, pose, way);
+    return states ? Result<TireState>(states->back()) : states.failure();
+  }
+  const auto& states = pressed(way, test.ground);
+  return states ? Result<TireState>(states->back()) : states.failure();
+}
+
+Channels TireRig::channels_of(const ModalTest& test, const Vibrating& found) {
+  const fe_tire::Mesh& mesh = tire_.mesh();
+  const auto sensors = nearest_sensors(mesh, test.points).nodes;
+  std::vector<ModeRecord> records;
+  for (const fe_tire::Mode& mode : found.modes) {
+    ModeRecord record{mode.frequency, mode.n, mode.type, mode.phase, {}};
+    record.shape.resize(3 * static_cast<Eigen::Index>(sensors.size()));
+    for (size_t i = 0; i < sensors.size(); ++i) {
+      const int sector = sensors[i] / mesh.nodes_per_sector();
+      record.shape.segment<3>(3 * static_cast<Eigen::Index>(i)) =
+          mesh.frame(sector) * mode.shape.col(sensors[i]);
+    }
+    records.push_back(std::move(record));
+  }
+  Channels channels = to_channels(records);
+  if (!found.state) return channels;
+  const Standing standing = tire_.stand(*found.state);
+  channels.add({"deflection", "m", {standing.deflection}});
+  channels.add({"loaded_radius", "m", {standing.loaded_radius}});
+  channels.add({"force", "N", {standing.force.z()}});
+  return channels;
+}
+
+namespace {
+
+/// The channels with slopes [values x variables] in one of them.
+Channels with_slopes(const Channels& channels, const char* name, const Eigen::MatrixXd& slopes) {
+  Channels all;
+  for (Channel channel : channels.all()) {
+    if (channel.name == name) channel.slopes.assign(slopes.data(), slopes.data() + slopes.size());
+    all.add(std::move(channel));
+  }
+  return all;
+}
+
+}  // namespace
+
+Result<Channels> TireRig::run(const LoadDeflection& test, fe_tire::TireSlopes& slopes) {
+  auto channels = run(test);
+  if (!channels) return channels;
+  const auto of_inflated = slopes.of_inflated(**inflated_);
+  if (!of_inflated) return of_inflated.failure();
+  const std::vector<double>& deflections = (*channels)["deflection"];
+  Eigen::MatrixXd force = Eigen::MatrixXd::Zero(std::ssize(deflections), slopes.variables());
+  for (std::size_t i = 0; i < deflections.size(); ++i) {
+    if (deflections[i] <= 0.0) continue;
+    const auto at = std::find(pressed_->way.begin(), pressed_->way.end(), deflections[i]);
+    const auto of_state = slopes.of_state((*pressed_->states)[at - pressed_->way.begin()]);
+    if (!of_state) return of_state.failure();
+    auto row = force.row(static_cast<Eigen::Index>(i));
+    row = of_state->force.transpose();
+    // A deflection counts from the inflated radius, a loaded radius is the height itself.
+    if (i < test.deflections.size()) row += of_state->by_height * of_inflated->radius.transpose();
+  }
+  return with_slopes(*channels, "force", force);
+}
+
+Result<Channels> TireRig::run(const ModalTest& test, fe_tire::TireSlopes& slopes) {
+  const auto found = vibrate(test);
+  if (!found) return found.failure();
+  const Channels channels = channels_of(test, *found);
+  if (!found->state) {
+    const auto of_modes = slopes.of_modes(**inflated_, found->modes);
+    if (!of_modes) return of_modes.failure();
+    return with_slopes(channels, "frequency", *of_modes);
+  }
+  Eigen::VectorXd height;
+  if (test.load) {
+    const auto of_state = slopes.of_state(*found->state);
+    if (!of_state) return of_state.failure();
+    height = -of_state->force / of_state->by_height;
+  } else {
+    const auto of_inflated = slopes.of_inflated(**inflated_);
+    if (!of_inflated) return of_inflated.failure();
+    height = of_inflated->radius;
+  }
+  const auto of_modes = slopes.of_modes(*found->state, found->modes, height);
+  if (!of_modes) return of_modes.failure();
+  return with_slopes(channels, "frequency", *of_modes);
+}
+
+namespace {
+
+/// The plane nearest to an angle from the contact, rad.
+int nearest_plane(const fe_tire::Mesh& mesh, double angle) {
+  int nearest = 0;
+  for (int s = 1; s < mesh.sectors; ++s) {
+    if (std::abs(mesh.angle(s) - angle) < std::abs(mesh.angle(nearest) - angle)) nearest = s;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+Eigen::Matrix3Xd default_points(const fe_tire::Mesh& mesh) {
+  constexpr int kAround = 24, kAcross = 3;
+  const int sensors = static_cast<int>(mesh.sensors.size());
+  const int across = std::min(kAcross, sensors), around = std::min(kAround, mesh.sectors);
+  Eigen::Matrix3Xd points(3, across * around);
+  for (int s = 0; s < around; ++s) {
+    const int sector = nearest_plane(mesh, 2.0 * std::numbers::pi * s / around);
+    for (int i = 0; i < across; ++i) {
+      const int sensor = mesh.sensors[(2 * i + 1) * sensors / (2 * across)];
+      points.col(s * across + i) = mesh.frame(sector) * mesh.X.col(sensor);
+    }
+  }
+  return points;
+}
+
+NearestSensors nearest_sensors(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd& points) {
+  NearestSensors nearest;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    double least = std::numeric_limits<double>::infinity();
+    int node = 0;
+    for (int sector = 0; sector < mesh.sectors; ++sector) {
+      const Eigen::Vector3d point = mesh.frame(sector).transpose() * points.col(i);
+      for (int sensor : mesh.sensors) {
+        const double distance = (mesh.X.col(sensor) - point).norm();
+        if (distance < least) {
+          least = distance;
+          node = sector * mesh.nodes_per_sector() + sensor;
+        }
+      }
+    }
+    nearest.nodes.push_back(node);
+    nearest.largest_distance = std::max(nearest.largest_distance, least);
+  }
+  return nearest;
+}
+
+}  // namespace latsch::experiment

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Virtual tire rig: drives the finite-element tire as the laboratory drove the specimen.
+//
+// Channels of a load-deflection test, one value a deflection in the order asked for: "deflection"
+// m, "loaded_radius" m, "force" N, "patch_length" m, "patch_width" m, "patch_area" m^2. A loaded
+// radius larger than the radius of the inflated tire is no contact: force and patch are 0. Channels
+// of a modal test: those of mode_record.h, and of a loaded one "deflection", "loaded_radius",
+// "force" (one value).
+//
+// A test goes its own way: a curve is pressed once through its deflections, ascending; a single
+// deflection is reached in five even steps. So its recording does not depend on other tests. The
+// inflated tire and the last way are kept: a test that goes exactly there finds the same bits.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "experiment/rigs/load_case.h"
+#include "measurement/channels.h"
+#include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/analysis/tire_slopes.h"
+
+namespace latsch::experiment {
+
+class TireRig {
+ public:
+  /// Refers to the tire. `own_pressure`, Pa: of tests that state none.
+  TireRig(fe_tire::FeTire& tire, double own_pressure) : tire_(tire), own_pressure_(own_pressure) {}
+
+  Result<Channels> run(const LoadDeflection& test);
+  Result<Channels> run(const ModalTest& test);
+  /// The same with the slopes of loads or frequencies. Without friction and upright.
+  Result<Channels> run(const LoadDeflection& test, fe_tire::TireSlopes& slopes);
+  Result<Channels> run(const ModalTest& test, fe_tire::TireSlopes& slopes);
+
+ private:
+  struct Pressed {
+    std::vector<double> way;  // deflections, m
+    fe_tire::Ground ground;
+    Result<std::vector<fe_tire::TireState>> states;  // at the deflections
+  };
+
+  const Result<fe_tire::Inflated>& inflated(double pressure);
+  const Result<std::vector<fe_tire::TireState>>& pressed(const std::vector<double>& way,
+                                                         const fe_tire::Ground& ground);
+  struct Vibrating {
+    std::optional<fe_tire::TireState> state;  // on the ground; none: in the air
+    std::vector<fe_tire::Mode> modes;
+  };
+  Result<Vibrating> vibrate(const ModalTest& test);
+  Result<fe_tire::TireState> stand(const ModalTest& test, const fe_tire::Inflated& inflated);
+  Channels channels_of(const ModalTest& test, const Vibrating& found);
+
+  fe_tire::FeTire& tire_;
+  double own_pressure_, pressure_ = 0.0;
+  std::optional<Result<fe_tire::Inflated>> inflated_;  // at pressure_
+  std::optional<Pressed> pressed_;                     // from inflated_
+};
+
+/// Points for shapes where no laboratory prescribes them: up to 3 sensors across the outer surface
+/// at up to 24 places around, [3 x points], m, wheel frame.
+Eigen::Matrix3Xd default_points(const fe_tire::Mesh& mesh);
+
+/// The node (of the whole ring) of the sensor nearest to every point, and how far off it is, m.
+struct NearestSensors {
+  std::vector<int> nodes;
+  double largest_distance = 0.0;
+};
+NearestSensors nearest_sensors(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd& points);
+
+}  // namespace latsch::experiment

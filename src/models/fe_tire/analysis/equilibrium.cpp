@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/analysis/equilibrium.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace latsch::fe_tire {
+namespace {
+
+// A factorization costs as much as about 13 conjugate-gradient iterations (measured on tires A and
+// B); to give up as early as that gained nothing over thirteen tires.
+constexpr int kIterationsWorthAFactor = 20;
+// A solve that needed this many is a sign that the next one will be too slow.
+constexpr int kIterationsOfAStaleFactor = 9;
+// Linear equations are solved to this share of the residual at least, and to that at most.
+constexpr double kCoarsest = 1e-2, kFinest = 1e-4;
+constexpr double kPolished = 1e-3;     // of the tolerance: nothing to gain below
+constexpr double kLargestShift = 1e3;  // relative to the diagonal
+constexpr int kMaxBacktracks = 10;
+constexpr double kSlopeDecrease = 0.8;  // accepted |d . f(x - s d)| relative to |d . f(x)|
+
+}  // namespace
+
+EquilibriumSolver::EquilibriumSolver(const RingUnknowns& unknowns,
+                                     const TreadSurface& tread,
+                                     const SolverSettings& settings)
+    : settings_(settings),
+      assembly_(unknowns, &tread),
+      tread_(tread),
+      K_(*assembly_.pattern()),
+      tire_(*assembly_.pattern(), tread),
+      cg_(unknowns.size()),
+      f_(unknowns.size()),
+      d_(unknowns.size()) {}
+
+std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
+                                                RingState& state,
+                                                double pressure,
+                                                const TreadContact* contact,
+                                                const std::string& step) {
+  elements_ = &elements;
+  contact_ = contact;
+  pressure_ = pressure;
+  shift_ = 0.0;
+  has_factor_ = has_factor_ && tire_.serves(contact);
+  RingState now = state;
+  // What the ground has moved by, the factor of the last equilibrium answers as well as a new one.
+  if (!assemble(now, !has_factor_)) {
+    return failure(step, "the start is inverted");
+  }
+  previous_ = 10.0 * f_.norm();
+  for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
+    const double norm = f_.norm();
+    if (norm <= settings_.tolerance * reference_) {
+      if (iteration > 0) polish(now);
+      state = std::move(now);
+      return std::nullopt;
+    }
+    if (iteration > 0 && !has_tangent_ && !assemble(now, true)) {
+      return failure(step, "its tangent does not exist");
+    }
+    const double ratio = norm / previous_;
+    // Solve only as exactly as Newton's own convergence deserves (Eisenstat and Walker 1996, choice
+    // 2).
+    if (!find_direction(now, std::clamp(0.5 * ratio * ratio, kFinest, kCoarsest))) {
+      return failure(step, "its tangent does not exist");
+    }
+    // Newton's method is of second order: where the residual would end, so does the search.
+    const bool ends = ratio * ratio * norm <= settings_.tolerance * reference_;
+    previous_ = norm;
+    if (!line_search(now, !ends)) {
+      return failure(step, "no step along Newton's direction reduces it");
+    }
+  }
+  return failure(step, fmt::format("not converged in {} iterations", settings_.max_iterations));
+}
+
+/// One more step with the last tangent there is, where it helps: it takes one pass of forces alone,
+/// and processors whose sums differ then agree in the digits results show.
+void EquilibriumSolver::polish(RingState& state) {
+  const double norm = f_.norm();
+  if (norm <= kPolished * settings_.tolerance * reference_ || !has_factor_ || slides()) return;
+  if (!start(state)) return;
+  if (!correct(kCoarsest, true)) return;
+  trial_.x = state.x - d_;
+  trial_.alpha = state.alpha;
+  if (assemble(trial_, false) && f_.norm() < norm) std::swap(state, trial_);
+}
+
+bool EquilibriumSolver::slides() const { return contact_ && contact_->has_friction(); }
+
+bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
+  failed_element_ = -1;
+  has_tangent_ = with_tangent;
+  if (with_tangent) ++counts_->assemblies;
+  if (!assembly_.assemble(
+          *elements_, state, pressure_, f_, with_tangent ? &K_ : nullptr, &failed_element_)) {
+    return false;
+  }
+  if (contact_) add_forces(tread_, contact_->touches(tread_.displacements(state.x)), f_);
+  return true;
+}
+
+bool EquilibriumSolver::factorize() {
+  ++counts_->factorizations;
+  has_factor_ = tire_.factorize(K_, contact_);
+  last_cg_iterations_ = 0;
+  return has_factor_;
+}
+
+/// A direction by a new factor. Shifts the tangent along its diagonal until it is positive; false
+/// where that leads nowhere, as with values that are not numbers.
+bool EquilibriumSolver::renew_factor(const RingState& state, double tolerance) {
+  const double largest = K_.diagonal().maxCoeff();
+  // What the last indefinite tangent of this equilibrium needed is where to begin with the next.
+  double shift = std::max(1e-5 * largest, 0.25 * shift_);
+  while (!factorize() || !start(state)) {
+    if (!(shift < kLargestShift * largest)) return false;
+    K_.add_to_diagonal(shift);
+    shift_ = shift;
+    ++counts_->shifts;
+    shift *= 4.0;
+  }
+  correct(tolerance, false);  // even where it stops early, what it has is a direction of descent
+  return true;
+}
+
+/// A first direction, on the ground as it is, by the tangent of the factor.
+bool EquilibriumSolver::start(const RingState& state) {
+  ++counts_->solves;
+  return tire_.step(contact_, state.x, f_, d_);
+}
+
+/// False where the tangent does not exist or has no factor.
+bool EquilibriumSolver::find_direction(RingState& state, double tolerance) {
+  // Where points slide the tangent is not symmetric: conjugate gradients do not know that part, and
+  // a step by an old factor would be corrected without it.
+  const bool is_factor_of_use = has_factor_ && !slides() &&
+                                (!has_tangent_ || last_cg_iterations_ <= kIterationsOfAStaleFactor);
+  if (is_factor_of_use && start(state) && (!has_tangent_ || correct(tolerance, true))) return true;
+  if (!has_tangent_ && !assemble(state, true)) return false;
+  return renew_factor(state, tolerance);
+}
+
+/// Brings the direction to the tolerance with the current tangent, by conjugate gradients on what
+/// is left.
+bool EquilibriumSolver::correct(double tolerance, bool may_give_up) {
+  r_ = tire_.residual(K_, d_);
+  const double wanted = tolerance * f_.norm(), norm = r_.norm();
+  last_cg_iterations_ = 0;
+  if (norm <= wanted) return true;
+  // A factor whose step leaves more than it found is of another structure.
+  if (may_give_up && norm > f_.norm()) return false;
+  const auto multiply = [this](const Eigen::VectorXd& v, Eigen::VectorXd& Kv) {
+    tire_.multiply(K_, v, Kv);
+  };
+  const auto precondition = [this](Eigen::VectorXd& v) {
+    ++counts_->solves;
+    tire_.precondition(v);
+  };
+  const numerics::CgOutcome cg =
+      cg_.solve(multiply, precondition, r_, wanted / norm, kIterationsWorthAFactor, e_);
+  counts_->cg_iterations += cg.iterations;
+  last_cg_iterations_ = cg.iterations;
+  const bool converged = cg.end == numerics::CgOutcome::End::converged;
+  if (converged || !may_give_up) d_ += e_;
+  return converged;
+}
+
+bool EquilibriumSolver::line_search(RingState& state, bool wants_tangent) {
+  const double norm = f_.norm(), slope = std::abs(d_.dot(f_));
+  double s = 1.0;
+  for (int back = 0; back <= kMaxBacktracks; ++back, s *= 0.5) {
+    trial_.x = state.x - s * d_;
+    trial_.alpha = state.alpha;
+    // The full step is taken nearly always: its tangent comes in the same pass.
+    const bool valid = assemble(trial_, wants_tangent && back == 0);
+    if (valid && (f_.norm() < norm || std::abs(d_.dot(f_)) <= kSlopeDecrease * slope)) {
+      std::swap(state, trial_);
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string EquilibriumSolver::worst_place() const {
+  const Ring& ring = assembly_.unknowns().ring();
+  int element = failed_element_;
+  if (element < 0) {
+    double largest = -1.0;
+    const std::vector<std::vector<int>> dofs = assembly_.unknowns().connectivity();
+    for (int e = 0; e < static_cast<int>(dofs.size()); ++e) {
+      double here = 0.0;
+      for (int dof : dofs[e]) {
+        if (dof >= 0) here = std::max(here, std::abs(f_[dof]));
+      }
+      if (here > largest) {
+        largest = here;
+        element = e;
+      }
+    }
+  }
+  return ring.place(element);
+}
+
+Failure EquilibriumSolver::failure(const std::string& step, const std::string& what) const {
+  return Failure{fmt::format("{}: {}; residual {:.3g} N, accepted {:.3g} N, {} at {}",
+                             step,
+                             what,
+                             f_.norm(),
+                             settings_.tolerance * reference_,
+                             failed_element_ >= 0 ? "inverted" : "largest",
+                             worst_place())};
+}
+
+}  // namespace latsch::fe_tire

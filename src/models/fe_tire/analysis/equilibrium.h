@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Newton's method on the ring with a factor that is allowed to grow stale.
+//
+// A factorization of the tangent costs some fourteen solves with it. So one factor serves several
+// Newton iterations and load steps: it gives a first direction, the ground apart and exact where
+// (linear_tire.h), and is the preconditioner of conjugate gradients on the current
+// tangent; it is renewed when they slow down:
+//
+//   while |f(x)| > tolerance:
+//     d   <- K(x)^-1 f(x), or the solution of (L.1), with a factor of K at an earlier state
+//     x   <- x - s d       with s from a line search on d . f
+//
+// The factor is kept in single precision: half the memory traffic, half the time. A tangent that is
+// not positive (long steps make such) is shifted along its diagonal until it is.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "base/result.h"
+#include "models/fe_tire/analysis/linear_tire.h"
+#include "models/fe_tire/analysis/ring_assembly.h"
+#include "models/fe_tire/analysis/solver_settings.h"
+#include "numerics/sparse/conjugate_gradients.h"
+#include "numerics/sparse/factorization.h"
+
+namespace latsch::fe_tire {
+
+class EquilibriumSolver {
+ public:
+  EquilibriumSolver(const RingUnknowns& unknowns,
+                    const TreadSurface& tread,
+                    const SolverSettings& settings);
+
+  /// Brings `state` into equilibrium under pressure and contact (may be null). A Failure names
+  /// `step`, the residual and the worst element; `state` then is as it was.
+  std::optional<Failure> solve(const RingElements& elements,
+                               RingState& state,
+                               double pressure,
+                               const TreadContact* contact,
+                               const std::string& step);
+
+  /// Force norm that `tolerance` is relative to: that of the pressure on the undeformed tire, N.
+  void set_reference(double force) { reference_ = force; }
+  /// The values of the tire changed: the factor is of another matrix (still a preconditioner, but a
+  /// poor one).
+  void forget_factor() { has_factor_ = false; }
+
+  const RingAssembly& assembly() const { return assembly_; }
+  const numerics::Factorization& factor() const { return tire_.factor(); }
+  /// Where its work is counted from now on; it has to outlive the solver.
+  void count_in(SolverCounts& counts) { counts_ = &counts; }
+
+ private:
+  bool slides() const;
+  void polish(RingState& state);
+  bool assemble(RingState& state, bool with_tangent);
+  bool renew_factor(const RingState& state, double tolerance);
+  bool factorize();
+  bool start(const RingState& state);
+  bool find_direction(RingState& state, double tolerance);
+  bool correct(double tolerance, bool may_give_up);
+  bool line_search(RingState& state, bool wants_tangent);
+  Failure failure(const std::string& step, const std::string& what) const;
+  std::string worst_place() const;
+
+  SolverSettings settings_;
+  RingAssembly assembly_;
+  const TreadSurface& tread_;
+  numerics::SymmetricMatrix K_;
+  LinearTire tire_;
+  numerics::ConjugateGradients cg_;
+  SolverCounts own_counts_;
+  SolverCounts* counts_ = &own_counts_;
+
+  // The equilibrium being solved.
+  const RingElements* elements_ = nullptr;
+  const TreadContact* contact_ = nullptr;
+  double pressure_ = 0.0;
+  double reference_ = 0.0;
+  double shift_ = 0.0;     // on the diagonal of its last indefinite tangent, N/m
+  double previous_ = 0.0;  // norm of the residual one iteration before
+  bool has_factor_ = false;
+  bool has_tangent_ = false;  // K_ is that of f_
+  int last_cg_iterations_ = 0;
+  int failed_element_ = -1;
+  Eigen::VectorXd f_, d_, r_, e_;
+  RingState trial_;
+};
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/analysis/fe_tire.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "models/fe_tire/analysis/fe_tire_impl.h"
+#include "models/fe_tire/analysis/inflation.h"
+#include "models/fe_tire/analysis/loading.h"
+#include "models/fe_tire/analysis/mode_label.h"
+#include "models/fe_tire/analysis/modes.h"
+#include "models/fe_tire/description/tire_description.h"
+#include "models/fe_tire/ring/sector.h"
+
+namespace latsch::fe_tire {
+
+namespace {
+
+/// Force norm of the pressure on the undeformed tire: what the solver's tolerance is relative to.
+double pressure_force(const RingElements& elements, double pressure) {
+  const Ring& ring = elements.ring();
+  Eigen::VectorXd alpha =
+      Eigen::VectorXd::Zero(ring.alphas_per_element() * ring.elements_per_sector());
+  const Eigen::VectorXd x = Eigen::VectorXd::Zero(ring.sector_unknowns());
+  Eigen::VectorXd with, without;
+  assemble_sector(elements, x, pressure, alpha, with, nullptr, nullptr);
+  assemble_sector(elements, x, 0.0, alpha, without, nullptr, nullptr);
+  return (with - without).norm() * std::sqrt(static_cast<double>(ring.sectors()));
+}
+
+constexpr int kMostWindows = 4;
+
+/// "deflection 25 mm", and what else of a pose is not zero.
+std::string in_words(const GroundPose& pose, const Inflated& inflated) {
+  std::string text = fmt::format("deflection {:.4g} mm", (inflated.radius - pose.height) * 1e3);
+  const auto add = [&text](const char* name, double value, const char* unit) {
+    if (value != 0.0) text += fmt::format(", {} {:.4g} {}", name, value, unit);
+  };
+  constexpr double kDegree = 180.0 / std::numbers::pi;
+  add("x", pose.x * 1e3, "mm");
+  add("y", pose.y * 1e3, "mm");
+  add("camber", pose.camber * kDegree, "deg");
+  add("yaw", pose.yaw * kDegree, "deg");
+  return text;
+}
+
+Failure of_other_materials() {
+  return Failure{
+      "the state is that of a tire of other materials, which the half turn left as it was; load it "
+      "again"};
+}
+
+Failure unstable(const std::string& where) {
+  return Failure{where +
+                 ": the equilibrium is not stable (its tangent is not positive definite): the tire "
+                 "buckles; check pressure, thicknesses and moduli"};
+}
+
+/// Whether tangents about them are the same, of a tire whose materials did not change.
+bool same_tangent(const TireState& a, const TireState& b) {
+  return a.pose == b.pose && a.ground == b.ground && a.inflated->pressure == b.inflated->pressure &&
+         a.u == b.u && a.alpha == b.alpha && a.anchors == b.anchors;
+}
+
+}  // namespace
+
+FeTire::FeTire(Mesh mesh, Materials materials, SolverSettings settings)
+    : impl_(std::make_unique<Impl>(std::move(mesh), materials, settings)) {}
+FeTire::FeTire(const TireDescription& description)
+    : FeTire(
+          build_mesh(description), build_materials(description), {.element = description.element}) {
+}
+FeTire::~FeTire() = default;
+FeTire::FeTire(FeTire&&) noexcept = default;
+FeTire& FeTire::operator=(FeTire&&) noexcept = default;
+
+const Mesh& FeTire::mesh() const { return impl_->ring.mesh(); }
+const Materials& FeTire::materials() const { return impl_->elements().materials(); }
+SolverCounts FeTire::counts() const { return impl_->counts; }
+void FeTire::reset_counts() { impl_->counts = {}; }
+
+void FeTire::set(Materials materials) { impl_->set(materials); }
+
+Result<Inflated> FeTire::inflate(double pressure) {
+  Impl& tire = *impl_;
+  if (tire.ring.sectors() > 1) {
+    return inflate_sector(tire.even_elements(), pressure, tire.settings);
+  }
+  return inflate_ring(tire.systems(false, 0).solver,
+                      tire.elements(),
+                      pressure,
+                      pressure_force(tire.elements(), pressure));
+}
+
+TireState FeTire::over(const Inflated& inflated, const Ground& ground, Poses poses) {
+  Impl& tire = *impl_;
+  const int S = tire.ring.sectors();
+  TireState state;
+  state.inflated = std::make_shared<const Inflated>(inflated);
+  state.ground = ground;
+  state.pose = below(inflated, 0.0);
+  state.is_halved = poses == Poses::below && tire.mirror().has_value();
+  state.u = inflated.u.replicate(1, S);
+  state.alpha = inflated.alpha.replicate(state.is_halved ? S / 2 : S, 1);
+  return state;
+}
+
+Result<std::vector<TireState>> FeTire::advance(const TireState& from,
+                                               const std::vector<GroundPose>& poses) {
+  Impl& tire = *impl_;
+  std::vector<TireState> states;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    // A factor is taken along the way, not from whatever was solved before it.
+    const TireState& last = states.empty() ? from : states.back();
+    if (k == 0) tire.systems(last.is_halved, last.window).solver.forget_factor();
+    const std::string name = fmt::format("load step {} of {} ({} at {:.4g} bar)",
+                                         k + 1,
+                                         poses.size(),
+                                         in_words(poses[k], *from.inflated),
+                                         from.inflated->pressure / 1e5);
+    Result<TireState> next = tire.move(last, poses[k], name);
+    if (!next) return next.failure();
+    states.push_back(std::move(*next));
+  }
+  if (states.empty()) return states;
+  const TireState& last = states.back();
+  if (auto failure = tire.factorize(tire.systems(last.is_halved, last.window), last)) {
+    return *failure;
+  }
+  return states;
+}
+
+Result<std::vector<TireState>> FeTire::press(const Inflated& inflated,
+                                             const Ground& ground,
+                                             const std::vector<double>& deflections) {
+  std::vector<GroundPose> poses;
+  for (const double deflection : deflections) poses.push_back(below(inflated, deflection));
+  return advance(over(inflated, ground), poses);
+}
+
+/// Where something touches that is not in the window, the step is done again with a wider one.
+Result<TireState> FeTire::Impl::move(const TireState& from,
+                                     const GroundPose& pose,
+                                     const std::string& name) {
+  if (from.is_halved && !pose.is_below())
+    return Failure{name + ": the state is half a ring, whose ground stays below the wheel center"};
+  if (from.is_halved && !mirror()) return of_other_materials();
+  for (int window = from.window;; ++window) {
+    Systems& all = systems(from.is_halved, window);
+    if (window > from.window) all.solver.forget_factor();
+    all.solver.set_reference(pressure_force(even_elements(), from.inflated->pressure));
+    TreadContact contact(all.tread, from.ground);
+    Placed placed{from.pose, {all.unknowns.compress(from.u), from.alpha}, from.anchors};
+    if (auto failure = move_ground(
+            all.solver, elements(), from.inflated->pressure, contact, pose, name, placed)) {
+      return *failure;
+    }
+    if (contact.misses(placed.state.x) && from.anchors.empty() && window < kMostWindows) continue;
+    TireState state = from;
+    state.pose = pose;
+    state.window = window;
+    state.u = all.unknowns.expand(placed.state.x);
+    state.alpha = std::move(placed.state.alpha);
+    state.anchors = std::move(placed.anchors);
+    return state;
+  }
+}
+
+Standing FeTire::stand(const TireState& state) {
+  Systems& all = impl_->systems(state.is_halved, state.window);
+  TreadContact contact(all.tread, state.ground);
+  const Eigen::VectorXd x = all.unknowns.compress(state.u);
+  contact.start(state.pose, x, state.anchors);
+  const TreadContact::Sum sum = contact.sum(x);
+  return {state.deflection(), state.pose.height, sum.force, sum.moment, contact.patch(x)};
+}
+
+Result<std::vector<Mode>> FeTire::modes(const Inflated& inflated, int count) {
+  Impl& tire = *impl_;
+  if (tire.ring.sectors() > 1) {
+    return harmonic_modes(tire.even_elements(), tire.ring.mesh(), inflated, count);
+  }
+  return modes_full(inflated, count);
+}
+
+Result<std::vector<Mode>> FeTire::modes_full(const Inflated& inflated, int count) {
+  Impl& tire = *impl_;
+  const RingUnknowns whole(tire.even_ring(), RingSymmetry::none, {});
+  const RingAssembly assembly(whole);
+  RingState state = assembly.zero_state();
+  state.x = whole.compress(inflated.u.replicate(1, tire.ring.sectors()));
+  state.alpha = inflated.alpha.replicate(tire.ring.sectors(), 1);
+  Eigen::VectorXd f;
+  numerics::SymmetricMatrix K(*assembly.pattern());
+  int worst = 0;
+  if (!assembly.assemble(tire.even_elements(), state, inflated.pressure, f, &K, &worst)) {
+    return no_tangent(whole.ring(), worst);
+  }
+  numerics::Factorization factor(*assembly.pattern());
+  if (!factor.factorize(K).definite()) return unstable("modes");
+  return ring_modes(assembly, factor, assembly.mass(tire.even_elements()), count);
+}
+
+Result<std::vector<Mode>> FeTire::modes(const TireState& state, int count) {
+  Impl& tire = *impl_;
+  Result<std::vector<Mode>> modes = tire.modes_at(state, count);
+  if (!modes) return modes;
+  for (Mode& mode : *modes) mode.phase = phase_of(tire.ring.mesh(), mode.shape);
+  if (tire.ring.sectors() > 1) {
+    // Half as many again: some of the unloaded modes that the loaded ones resemble lie higher.
+    const auto unloaded =
+        harmonic_modes(tire.even_elements(), tire.ring.mesh(), *state.inflated, count + count / 2);
+    if (!unloaded) return unloaded.failure();
+    name_after(*unloaded, nodal_masses(tire.elements()), *modes);
+  }
+  return modes;
+}
+
+double FeTire::total_mass() const { return nodal_masses(impl_->even_elements()).sum(); }
+
+/// Modes of even and odd states together, the lowest `count`. Each kind is asked for somewhat more
+/// than its half; where one may hold more of the lowest than it was asked for, again.
+Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int count) {
+  if (state.is_halved && !mirror()) return of_other_materials();
+  Systems& all = systems(state.is_halved, state.window);
+  const RingAssembly& even = all.solver.assembly();
+  if (auto failure = factorize(all, state)) return *failure;
+  const numerics::SymmetricMatrix mass = even.mass(elements());
+  if (!all.odd) return ring_modes(even, all.factor, mass, count);
+  const numerics::SymmetricMatrix odd_mass = all.odd->mass(elements());
+  for (int each = count / 2 + 3;; each = std::min(count, 2 * each)) {
+    auto modes = ring_modes(even, all.factor, mass, each);
+    if (!modes) return modes;
+    auto odd = ring_modes(*all.odd, *all.odd_factor, odd_mass, each);
+    if (!odd) return odd;
+    const double sure = std::min(modes->back().frequency, odd->back().frequency);
+    modes->insert(modes->end(), odd->begin(), odd->end());
+    std::stable_sort(modes->begin(), modes->end(), [](const Mode& a, const Mode& b) {
+      return a.frequency < b.frequency;
+    });
+    modes->resize(std::min<std::size_t>(modes->size(), count));
+    if (each >= count || modes->back().frequency <= sure) return modes;
+  }
+}
+
+std::optional<Failure> FeTire::Impl::factorize(Systems& all, const TireState& at) {
+  if (all.factored && same_tangent(*all.factored, at)) return std::nullopt;
+  all.factored.reset();
+  if (auto failure = factorize(all, all.solver.assembly(), all.tread, at, all.factor)) {
+    return failure;
+  }
+  if (all.odd) {
+    if (auto failure = factorize(all, *all.odd, *all.odd_tread, at, *all.odd_factor)) {
+      return failure;
+    }
+  }
+  all.factored = at;
+  return std::nullopt;
+}
+
+/// The state is even; odd unknowns hold only what may vibrate about it. So elements and ground see
+/// the state of the even numbering, and the tangent is gathered in the numbering asked for.
+std::optional<Failure> FeTire::Impl::factorize(Systems& all,
+                                               const RingAssembly& assembly,
+                                               const TreadSurface& tread,
+                                               const TireState& at,
+                                               numerics::Factorization& factor) {
+  RingState state{all.unknowns.compress(at.u), at.alpha};
+  int worst = 0;
+  if (!all.solver.assembly().assemble_tangent(
+          elements(), state, at.inflated->pressure, assembly.unknowns(), all.tangent, &worst)) {
+    return no_tangent(all.unknowns.ring(), worst);
+  }
+  TreadContact contact(all.tread, at.ground);
+  contact.start(at.pose, state.x, at.anchors);
+  add_stiffness(tread, contact.stuck(state.x), all.solver.assembly().first_point(), all.tangent);
+  ++counts.factorizations;
+  if (!factor.factorize(all.tangent).definite()) return unstable(in_words(at.pose, *at.inflated));
+  return std::nullopt;
+}
+
+}  // namespace latsch::fe_tire

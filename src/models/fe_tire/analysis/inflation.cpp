@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/analysis/inflation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "models/fe_tire/ring/sector.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+constexpr double kTolerance =
+    1e-10;  // cheap to reach here, and everything after builds on this state
+constexpr double kRoundOff =
+    1e-7;  // below this a residual that no longer falls is round-off of stiff walls
+constexpr int kFirstSteps = 4;  // cords go taut in the first step, while the tire is still soft
+constexpr int kMaxHalvings = 6;
+constexpr int kMaxBacktracks = 8;
+
+struct SectorState {
+  Eigen::VectorXd x, alpha;
+};
+
+/// d = K(0)^-1 f; K(0) is shifted until it is positive where it is not (taut cords under a poor
+/// predictor).
+Eigen::VectorXd newton_direction(const SectorBlocks& tangent, const Eigen::VectorXd& f) {
+  numerics::BandedHermitian K = tangent.harmonic(0);
+  double shift = 0.0, largest = 0.0;
+  for (int i = 0; i < K.size(); ++i) largest = std::max(largest, K(i, i).real());
+  numerics::BandedCholesky cholesky;
+  while (!cholesky.factorize(K)) {
+    const double next = shift == 0.0 ? 1e-5 * largest : 4.0 * shift;
+    for (int i = 0; i < K.size(); ++i) K(i, i) += next - shift;
+    shift = next;
+  }
+  Eigen::MatrixXcd d = f.cast<std::complex<double>>();
+  cholesky.solve(d);
+  return d.real();
+}
+
+/// One pressure step. True: `state` is the equilibrium. False: `state` is unchanged and `why` says
+/// what happened.
+bool newton(const RingElements& elements,
+            double pressure,
+            double reference,
+            int max_iterations,
+            SectorState& state,
+            std::string& why) {
+  SectorState now = state;
+  SectorBlocks tangent(elements.ring());
+  Eigen::VectorXd f;
+  int worst = 0;
+  if (!assemble_sector(elements, now.x, pressure, now.alpha, f, &tangent, &worst)) {
+    why = fmt::format("section element {} is inverted", worst);
+    return false;
+  }
+  double last = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < max_iterations; ++iteration) {
+    const bool stalled = f.norm() <= kRoundOff * reference && f.norm() > 0.5 * last;
+    if (f.norm() <= kTolerance * reference || stalled) {
+      state = now;
+      return true;
+    }
+    last = f.norm();
+    const Eigen::VectorXd d = newton_direction(tangent, f);
+    const double slope = std::abs(d.dot(f)), norm = f.norm();
+    double s = 1.0;
+    SectorState trial;
+    for (int back = 0;; ++back, s *= 0.5) {
+      trial = {now.x - s * d, now.alpha};
+      const bool valid =
+          assemble_sector(elements, trial.x, pressure, trial.alpha, f, &tangent, &worst);
+      if (valid && (f.norm() < norm || std::abs(d.dot(f)) < 0.9 * slope)) break;
+      if (back == kMaxBacktracks) {
+        if (norm <= kRoundOff * reference) {
+          state = now;
+          return true;
+        }
+        why = valid ? fmt::format("residual {:.3g} N a sector does not fall", norm)
+                    : fmt::format("section element {} is inverted", worst);
+        return false;
+      }
+    }
+    now = std::move(trial);
+  }
+  why = fmt::format("residual {:.3g} N a sector after {} iterations", f.norm(), max_iterations);
+  return false;
+}
+
+}  // namespace
+
+void measure_growth(const Mesh& mesh, Inflated& inflated) {
+  double outer = 0.0;
+  inflated.radius = 0.0;
+  for (const Element& element : mesh.elements) {
+    if (!element.tread) continue;
+    for (int a = 4; a < 8; ++a) {
+      const int node = element.node[a] % mesh.nodes_per_sector();
+      const Eigen::Vector3d X = mesh.X.col(node), x = X + inflated.u.col(node);
+      const double R = std::hypot(X.x(), X.z()), r = std::hypot(x.x(), x.z());
+      if (R > outer) {
+        outer = R;
+        inflated.growth = r - R;
+      }
+      inflated.radius = std::max(inflated.radius, r);
+    }
+  }
+}
+
+Result<Inflated> inflate_sector(const RingElements& elements,
+                                double pressure,
+                                const SolverSettings& settings) {
+  const Ring& ring = elements.ring();
+  SectorState state{Eigen::VectorXd::Zero(ring.sector_unknowns()),
+                    Eigen::VectorXd::Zero(ring.alphas_per_element() * ring.elements_per_sector())};
+  Eigen::VectorXd f, alpha = state.alpha;
+  int worst = 0;
+  if (!assemble_sector(elements, state.x, pressure, alpha, f, nullptr, &worst)) {
+    return Failure{fmt::format("inflation: section element {} is inverted before any load", worst)};
+  }
+  const double reference = f.norm();
+
+  double reached = 0.0, step = pressure / kFirstSteps;
+  int halvings = 0;
+  while (reached != pressure) {
+    const double next =
+        std::abs(pressure - reached) < 1.001 * std::abs(step) ? pressure : reached + step;
+    std::string why;
+    if (newton(elements, next, reference, settings.max_iterations, state, why)) {
+      reached = next;
+    } else if (++halvings > kMaxHalvings) {
+      return Failure{
+          fmt::format("inflation stopped at {:.4g} of {:.4g} bar: {}; a wall that buckles or cords "
+                      "that carry nothing do this: check pressure, thicknesses and moduli",
+                      reached / 1e5,
+                      pressure / 1e5,
+                      why)};
+    } else {
+      step *= 0.5;
+    }
+  }
+  Inflated inflated;
+  inflated.pressure = pressure;
+  inflated.u = ring.expand(state.x);
+  inflated.alpha = state.alpha;
+  measure_growth(ring.mesh(), inflated);
+  return inflated;
+}
+
+Result<Inflated> inflate_ring(EquilibriumSolver& solver,
+                              const RingElements& elements,
+                              double pressure,
+                              double reference) {
+  const RingUnknowns& unknowns = solver.assembly().unknowns();
+  RingState state = solver.assembly().zero_state();
+  solver.set_reference(reference);
+  solver.forget_factor();
+  for (int k = 1; k <= kFirstSteps; ++k) {
+    const double p = pressure * k / kFirstSteps;
+    const std::string step = fmt::format("inflation to {:.4g} bar", p / 1e5);
+    if (auto failure = solver.solve(elements, state, p, nullptr, step)) return *failure;
+  }
+  Inflated inflated;
+  inflated.pressure = pressure;
+  inflated.u = unknowns.expand(state.x);
+  inflated.alpha = state.alpha;
+  measure_growth(unknowns.ring().mesh(), inflated);
+  return inflated;
+}
+
+}  // namespace latsch::fe_tire

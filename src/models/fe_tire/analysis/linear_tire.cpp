@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/analysis/linear_tire.h"
+
+#include <Eigen/Geometry>
+#include <limits>
+
+#include "numerics/sparse/elimination.h"
+#include "numerics/sparse/front_algebra.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+// Points come down or lift off between iterations; where they repeat the solution is exact.
+constexpr int kMostContactChanges = 30;
+constexpr double kExact = 1e-8;  // relative to g: single precision is behind S
+// Of a step by nodes: how small a share of it is tried, and what it has to gain.
+constexpr double kSmallestShare = 1.0 / 300.0, kDecrease = 0.1;
+
+/// Two directions across `up`, then `up`: columns.
+Eigen::Matrix3d across_and_up(const Eigen::Vector3d& up) {
+  Eigen::Matrix3d Q;
+  Q.col(0) = up.unitOrthogonal();
+  Q.col(1) = up.cross(Q.col(0));
+  Q.col(2) = up;
+  return Q;
+}
+
+/// The vertical in the frames of the nodes' unknowns: of an image it is the same.
+std::vector<Eigen::Vector3d> verticals(const TreadSurface& tread) {
+  std::vector<Eigen::Vector3d> up(tread.nodes(), Eigen::Vector3d::UnitZ());
+  for (const TreadSurface::Place& place : tread.places()) {
+    // On the axis of the half turn the directions across it are held.
+    if (place.node >= 0) up[place.node] = place.T.row(2).normalized();
+  }
+  return up;
+}
+
+/// Adds a point in contact to forces and tangent by the nodes' heights.
+void add_heights(const TreadSurface& tread,
+                 const TreadContact::Touch& touch,
+                 Eigen::VectorXd& c,
+                 Eigen::MatrixXd* stiffness) {
+  const TreadSurface::Point& point = tread.points()[touch.point];
+  const TreadSurface::Weight* weights = tread.weights(point);
+  for (int i = 0; i < point.weights; ++i) {
+    const int a = tread.places()[weights[i].place].node;
+    if (a < 0) continue;
+    c[a] -= weights[i].w * touch.force.z();
+    for (int j = 0; stiffness && j < point.weights; ++j) {
+      const int b = tread.places()[weights[j].place].node;
+      if (b >= 0) (*stiffness)(a, b) += weights[i].w * weights[j].w * touch.stiffness(2, 2);
+    }
+  }
+}
+
+/// The same by the nodes' unknowns.
+void add_points(const TreadSurface& tread,
+                const TreadContact::Touch& touch,
+                Eigen::VectorXd& c,
+                Eigen::MatrixXd* stiffness,
+                Eigen::MatrixXd* coupling) {
+  const TreadSurface::Point& point = tread.points()[touch.point];
+  const TreadSurface::Weight* weights = tread.weights(point);
+  const bool slides = coupling && !touch.coupling.isZero(0.0);
+  if (slides && coupling->size() == 0) coupling->setZero(c.size(), c.size());
+  for (int j = 0; j < point.weights; ++j) {
+    const TreadSurface::Place& place = tread.places()[weights[j].place];
+    if (place.node < 0) continue;
+    c.segment<3>(3 * place.node) -= weights[j].w * (place.T.transpose() * touch.force);
+    if (!stiffness) continue;
+    const Eigen::Matrix3d turned = weights[j].w * touch.stiffness * place.T;
+    const Eigen::Matrix3d slid = weights[j].w * touch.coupling * place.T;
+    for (int i = 0; i < point.weights; ++i) {
+      const TreadSurface::Place& other = tread.places()[weights[i].place];
+      if (other.node < 0) continue;
+      stiffness->block<3, 3>(3 * other.node, 3 * place.node) +=
+          weights[i].w * (other.T.transpose() * turned);
+      if (slides) {
+        coupling->block<3, 3>(3 * other.node, 3 * place.node) +=
+            weights[i].w * (other.T.transpose() * slid);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+LinearTire::LinearTire(const numerics::SymmetricPattern& pattern, const TreadSurface& tread)
+    : tread_(tread),
+      factor_(pattern,
+              numerics::Precision::single,
+              std::make_shared<const numerics::Elimination>(
+                  numerics::eliminate(pattern, tread.block_rows()))),
+      n_(tread.nodes()) {
+  for (const Eigen::Vector3d& up : verticals(tread)) Q_.push_back(across_and_up(up));
+}
+
+bool LinearTire::factorize(const numerics::SymmetricMatrix& K, const TreadContact* contact) {
+  on_ground_ = contact != nullptr && n_ > 0;
+  if (!on_ground_) return factor_.factorize(K).definite();
+  if (!factor_.condense(K).definite()) return false;
+  kept_ = contact->is_by_height() ? 1 : 3;
+  if (kept_ == 1) return condense_to_heights();
+  S_ = factor_.condensed();
+  return true;
+}
+
+bool LinearTire::serves(const TreadContact* contact) const {
+  if (contact == nullptr || n_ == 0) return !on_ground_;
+  return on_ground_ && kept_ == (contact->is_by_height() ? 1 : 3);
+}
+
+/// Takes the nodes' unknowns across and along the vertical, and eliminates those across.
+bool LinearTire::condense_to_heights() {
+  const Eigen::MatrixXd interface = factor_.condensed();
+  A_.resize(3 * n_, 3 * n_);
+  const auto place = [this](int node, int k) { return k < 2 ? 2 * node + k : 2 * n_ + node; };
+  for (int b = 0; b < n_; ++b) {
+    for (int a = 0; a < n_; ++a) {
+      const Eigen::Matrix3d block = Q_[a].transpose() * interface.block<3, 3>(3 * a, 3 * b) * Q_[b];
+      for (int j = 0; j < 3; ++j) {
+        for (int i = 0; i < 3; ++i) A_(place(a, i), place(b, j)) = block(i, j);
+      }
+    }
+  }
+  const int across = 2 * n_, ld = 3 * n_;
+  if (!numerics::cholesky(across, A_.data(), ld)) return false;
+  S_.resize(n_, n_);
+  numerics::solve_right_transposed(n_, across, A_.data(), ld, A_.data() + across);
+  numerics::negative_square(n_, across, A_.data() + across, ld, S_.data());
+  S_ += A_.bottomRightCorner(n_, n_);
+  S_.triangularView<Eigen::StrictlyUpper>() = S_.transpose();
+  return true;
+}
+
+/// Forward elimination of a right-hand side; what is left of it at what is kept.
+Eigen::VectorXd LinearTire::reduce(Eigen::VectorXd& v) const {
+  factor_.reduce(v);
+  if (kept_ == 3) return at_nodes(v);
+  Eigen::VectorXd across(2 * n_), heights(n_), coupled(n_);
+  for (int a = 0; a < n_; ++a) {
+    const Eigen::Vector3d turned = Q_[a].transpose() * v.segment<3>(3 * tread_.block_rows()[a]);
+    across.segment<2>(2 * a) = turned.head<2>();
+    heights[a] = turned.z();
+  }
+  const int ld = 3 * n_;
+  numerics::solve_lower(2 * n_, 1, A_.data(), ld, across.data(), 2 * n_);
+  numerics::multiply(n_, 1, 2 * n_, A_.data() + 2 * n_, ld, across.data(), 2 * n_, coupled.data());
+  for (int a = 0; a < n_; ++a) {
+    v.segment<2>(3 * tread_.block_rows()[a]) = across.segment<2>(2 * a);
+  }
+  return heights - coupled;
+}
+
+/// Back substitution from what is kept.
+void LinearTire::expand(const Eigen::VectorXd& w, Eigen::VectorXd& v) const {
+  if (kept_ == 3) {
+    for (int a = 0; a < n_; ++a) {
+      v.segment<3>(3 * tread_.block_rows()[a]) = w.segment<3>(3 * a);
+    }
+    factor_.expand(v);
+    return;
+  }
+  Eigen::VectorXd across(2 * n_);
+  for (int a = 0; a < n_; ++a) {
+    across.segment<2>(2 * a) = v.segment<2>(3 * tread_.block_rows()[a]);
+  }
+  const int ld = 3 * n_;
+  numerics::subtract_transposed(
+      2 * n_, 1, n_, A_.data() + 2 * n_, ld, w.data(), across.data(), 2 * n_);
+  numerics::solve_lower_transposed(2 * n_, 1, A_.data(), ld, across.data(), 2 * n_);
+  for (int a = 0; a < n_; ++a) {
+    v.segment<3>(3 * tread_.block_rows()[a]) =
+        Q_[a] * Eigen::Vector3d(across[2 * a], across[2 * a + 1], w[a]);
+  }
+  factor_.expand(v);
+}
+
+/// What is kept of a vector of unknowns.
+Eigen::VectorXd LinearTire::at_nodes(const Eigen::VectorXd& v) const {
+  Eigen::VectorXd kept(kept_ * n_);
+  for (int a = 0; a < n_; ++a) {
+    const Eigen::Vector3d at = v.segment<3>(3 * tread_.block_rows()[a]);
+    if (kept_ == 1) {
+      kept[a] = Q_[a].col(2).dot(at);
+    } else {
+      kept.segment<3>(3 * a) = at;
+    }
+  }
+  return kept;
+}
+
+void LinearTire::add_at_nodes(double factor, const Eigen::VectorXd& w, Eigen::VectorXd& v) const {
+  for (int a = 0; a < n_; ++a) {
+    const Eigen::Vector3d turned =
+        kept_ == 1 ? Eigen::Vector3d(w[a] * Q_[a].col(2)) : Eigen::Vector3d(w.segment<3>(3 * a));
+    v.segment<3>(3 * tread_.block_rows()[a]) += factor * turned;
+  }
+}
+
+/// c(u - w), N, and its tangents by what is kept: the symmetric part, and the rest, empty where
+/// nothing slides.
+Eigen::VectorXd LinearTire::forces(const TreadContact& contact,
+                                   const Eigen::VectorXd& w,
+                                   Eigen::MatrixXd* stiffness,
+                                   Eigen::MatrixXd* coupling) const {
+  Eigen::Matrix3Xd u = u_;
+  for (int a = 0; a < n_; ++a) {
+    if (kept_ == 1) {
+      u.col(a) -= w[a] * Q_[a].col(2);
+    } else {
+      u.col(a) -= w.segment<3>(3 * a);
+    }
+  }
+  Eigen::VectorXd c = Eigen::VectorXd::Zero(kept_ * n_);
+  if (stiffness) stiffness->setZero(kept_ * n_, kept_ * n_);
+  if (coupling) coupling->resize(0, 0);
+  for (const TreadContact::Touch& touch : contact.touches(u)) {
+    if (kept_ == 1) {
+      add_heights(tread_, touch, c, stiffness);
+      continue;
+    }
+    add_points(tread_, touch, c, stiffness, coupling);
+  }
+  return c;
+}
+
+/// w with S w = g + c(u - w) by heights: C_ and L_ are those of its points in contact.
+bool LinearTire::touch_by_heights(const TreadContact& contact, const Eigen::VectorXd& g) {
+  w_.setZero(g.size());
+  for (int change = 0; change < kMostContactChanges; ++change) {
+    Eigen::MatrixXd stiffness;
+    c_ = forces(contact, w_, &stiffness, nullptr);
+    Eigen::VectorXd left = g + c_ - S_ * w_;
+    const bool same = change > 0 && stiffness == C_;
+    if (same && left.norm() <= kExact * (g.norm() + c_.norm())) return true;
+    if (!same && !factorize_contact(stiffness)) return false;
+    solve_contact(left);
+    w_ += left;
+  }
+  c_ = forces(contact, w_, nullptr, nullptr);
+  return true;  // the residual of the elements' forces judges it
+}
+
+/// The same by all directions. A point that slides may overshoot to the other side, so steps are
+/// halved where they leave more than they found.
+bool LinearTire::touch_by_nodes(const TreadContact& contact, const Eigen::VectorXd& g) {
+  w_.setZero(g.size());
+  numerics::Lu lu;
+  Eigen::MatrixXd stiffness, coupling;
+  for (int change = 0; change < kMostContactChanges; ++change) {
+    c_ = forces(contact, w_, &stiffness, &coupling);
+    const Eigen::VectorXd left = g + c_ - S_ * w_;
+    const double norm = left.norm();
+    if (change > 0 && norm <= kExact * (g.norm() + c_.norm())) break;
+    Eigen::MatrixXd step = left;
+    if (coupling.size() > 0) {
+      lu.factorize(S_ + stiffness + coupling);
+      lu.solve(step);
+    } else {
+      if (!factorize_contact(stiffness)) return false;
+      Eigen::VectorXd column = left;
+      solve_contact(column);
+      step = column;
+    }
+    const Eigen::VectorXd start = w_;
+    Eigen::VectorXd best = start + step.col(0);
+    double least = std::numeric_limits<double>::infinity();
+    for (double share = 1.0; share > kSmallestShare; share *= 0.5) {
+      const Eigen::VectorXd w = start + share * step.col(0);
+      const double now = (g + forces(contact, w, nullptr, nullptr) - S_ * w).norm();
+      if (now < least) {
+        least = now;
+        best = w;
+      }
+      if (now < (1.0 - kDecrease * share) * norm) break;
+    }
+    w_ = best;
+  }
+  c_ = forces(contact, w_, &stiffness, nullptr);
+  return factorize_contact(stiffness);  // the residual of the elements' forces judges it
+}
+
+/// Takes the tangent of the ground: L_ is the factor of the tire on it.
+bool LinearTire::factorize_contact(const Eigen::MatrixXd& stiffness) {
+  C_ = stiffness;
+  L_ = S_ + C_;
+  const int size = static_cast<int>(L_.rows());
+  return numerics::cholesky(size, L_.data(), size);
+}
+
+void LinearTire::solve_contact(Eigen::VectorXd& v) const {
+  const int size = static_cast<int>(L_.rows());
+  numerics::solve_lower(size, 1, L_.data(), size, v.data(), size);
+  numerics::solve_lower_transposed(size, 1, L_.data(), size, v.data(), size);
+}
+
+bool LinearTire::step(const TreadContact* contact,
+                      const Eigen::VectorXd& x,
+                      const Eigen::VectorXd& f,
+                      Eigen::VectorXd& d) {
+  d = g_ = f;
+  if (!on_ground_) {
+    factor_.solve(d);
+    return true;
+  }
+  u_ = tread_.displacements(x);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(kept_ * n_);
+  add_at_nodes(-1.0, forces(*contact, none, nullptr, nullptr), d);
+  g_ = d;
+  const Eigen::VectorXd reduced = reduce(d);
+  if (!(kept_ == 1 ? touch_by_heights(*contact, reduced) : touch_by_nodes(*contact, reduced)))
+    return false;
+  expand(w_, d);
+  return true;
+}
+
+Eigen::VectorXd LinearTire::residual(const numerics::SymmetricMatrix& K,
+                                     const Eigen::VectorXd& d) const {
+  Eigen::VectorXd Kd(d.size());
+  K.multiply(d.data(), Kd.data());
+  Eigen::VectorXd left = g_ - Kd;
+  if (on_ground_) add_at_nodes(1.0, c_, left);
+  return left;
+}
+
+void LinearTire::multiply(const numerics::SymmetricMatrix& K,
+                          const Eigen::VectorXd& v,
+                          Eigen::VectorXd& Kv) const {
+  K.multiply(v.data(), Kv.data());
+  if (on_ground_) add_at_nodes(1.0, C_ * at_nodes(v), Kv);
+}
+
+void LinearTire::precondition(Eigen::VectorXd& v) const {
+  if (!on_ground_) {
+    factor_.solve(v);
+    return;
+  }
+  Eigen::VectorXd w = reduce(v);
+  solve_contact(w);
+  expand(w, v);
+}
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/analysis/modes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "models/fe_tire/analysis/mode_label.h"
+#include "models/fe_tire/ring/sector.h"
+#include "numerics/sparse/lanczos.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+// Of Lanczos' inverted residual; the relative error of a frequency is its square.
+constexpr double kTolerance = 1e-5;
+// Vectors a step over the ring: solving them together is cheaper, but more of them are needed.
+constexpr int kRingBlock = 4;
+constexpr int kPerHarmonic = 3;  // modes of one circumferential number computed at first
+
+double to_hertz(double omega_squared) {
+  return std::sqrt(std::max(0.0, omega_squared)) / (2.0 * std::numbers::pi);
+}
+
+/// One mode of circumferential number n: its complex shape over the unknowns of a sector.
+struct HarmonicMode {
+  double frequency;
+  int n;
+  Eigen::VectorXcd phi;
+  Eigen::Vector3d energy;  // kinetic, by direction
+};
+
+Failure unfinished(const std::string& what, Eigen::Index found, int count, int solves) {
+  return Failure{
+      fmt::format("modes: Lanczos found {} of {} {} in {} solves", found, count, what, solves)};
+}
+
+/// The lowest modes of circumferential number n; a Failure where the harmonic tangent is not
+/// positive definite, or where not all of them are found.
+std::optional<Failure> solve_harmonic(const SectorBlocks& K,
+                                      const SectorBlocks& M,
+                                      int n,
+                                      int count,
+                                      std::vector<HarmonicMode>& modes) {
+  modes.clear();
+  numerics::BandedCholesky cholesky;
+  if (!cholesky.factorize(K.harmonic(n))) {
+    return Failure{fmt::format(
+        "modes: the inflated tire is not stable in circumferential number {}: it buckles; check "
+        "pressure, thicknesses and moduli",
+        n)};
+  }
+  const numerics::BandedHermitian mass = M.harmonic(n);
+  numerics::EigenProblem<std::complex<double>> problem;
+  problem.size = K.size();
+  problem.solve = [&](Eigen::Ref<Eigen::MatrixXcd> X) { cholesky.solve(X); };
+  problem.mass = [&](const Eigen::Ref<const Eigen::MatrixXcd>& X, Eigen::Ref<Eigen::MatrixXcd> Y) {
+    mass.multiply(X, Y);
+  };
+  numerics::LanczosSettings settings;
+  settings.count = std::min(count, K.size());
+  settings.tolerance = kTolerance;
+  settings.block = 1;
+  const auto pairs = numerics::lanczos(problem, settings);
+  if (!pairs.converged) {
+    const std::string what = fmt::format("modes of circumferential number {}", n);
+    return unfinished(what, pairs.values.size(), settings.count, pairs.solves);
+  }
+  Eigen::MatrixXcd M_phi(K.size(), 1);
+  for (int k = 0; k < pairs.values.size(); ++k) {
+    const Eigen::VectorXcd phi = pairs.vectors.col(k);
+    mass.multiply(phi, M_phi);
+    modes.push_back({to_hertz(pairs.values[k]), n, phi, kinetic_energy(phi, M_phi.col(0))});
+  }
+  return std::nullopt;
+}
+
+/// Modes of n = 0 and, where S is even, n = S / 2 are single; all others are pairs.
+bool single(int n, int sectors) { return n == 0 || 2 * n == sectors; }
+
+/// Real shape over the planes of `mesh`: the real or the imaginary part of phi exp(i n theta_s),
+/// mass-normalized.
+Eigen::Matrix3Xd unfold(const Ring& ring,
+                        const Mesh& mesh,
+                        const HarmonicMode& mode,
+                        bool imaginary) {
+  const int S = ring.sectors(), n = mesh.nodes_per_sector();
+  // phi has unit mass over one sector; a real part summed over all sectors has S / 2 of it, a
+  // single mode S.
+  const double scale = std::sqrt((single(mode.n, S) ? 1.0 : 2.0) / S);
+  const Eigen::Matrix3Xd real = ring.expand(mode.phi.real()), imag = ring.expand(mode.phi.imag());
+  Eigen::Matrix3Xd shape(3, S * n);
+  for (int s = 0; s < S; ++s) {
+    const double angle = mode.n * mesh.angle(s);
+    const double c = scale * std::cos(angle), d = scale * std::sin(angle);
+    if (imaginary) {
+      shape.middleCols(s * n, n) = d * real + c * imag;
+    } else {
+      shape.middleCols(s * n, n) = c * real - d * imag;
+    }
+  }
+  return shape;
+}
+
+/// A complex vector's phase is arbitrary: turn the largest entry onto the real axis, so that
+/// results repeat.
+void fix_phase(Eigen::VectorXcd& phi) {
+  int largest;
+  phi.cwiseAbs2().maxCoeff(&largest);
+  phi *= std::conj(phi[largest]) / std::abs(phi[largest]);
+}
+
+/// Frequency of the count-th lowest mode among those found, pairs counted twice; infinite where
+/// there are fewer.
+double cutoff(const std::vector<std::vector<HarmonicMode>>& by_n, int sectors, int count) {
+  std::vector<double> all;
+  for (const auto& modes : by_n) {
+    for (const HarmonicMode& mode : modes) {
+      all.insert(all.end(), single(mode.n, sectors) ? 1 : 2, mode.frequency);
+    }
+  }
+  if (static_cast<int>(all.size()) < count) return std::numeric_limits<double>::infinity();
+  std::nth_element(all.begin(), all.begin() + count - 1, all.end());
+  return all[count - 1];
+}
+
+/// Shapes and names of the lowest `count` modes.
+std::vector<Mode> named_modes(const Ring& ring,
+                              const Mesh& mesh,
+                              std::vector<HarmonicMode> found,
+                              int count) {
+  std::stable_sort(found.begin(), found.end(), [](const HarmonicMode& a, const HarmonicMode& b) {
+    return a.frequency < b.frequency;
+  });
+  std::vector<Mode> modes;
+  for (HarmonicMode& mode : found) {
+    fix_phase(mode.phi);
+    Mode result;
+    result.frequency = mode.frequency;
+    result.n = mode.n;
+    result.type = type_of(mode.n, mode.energy);
+    for (int member = 0; member < (single(mode.n, ring.sectors()) ? 1 : 2); ++member) {
+      if (static_cast<int>(modes.size()) == count) break;
+      result.shape = unfold(ring, mesh, mode, member == 1);
+      modes.push_back(result);
+    }
+  }
+  number_orders(modes);
+  return modes;
+}
+
+}  // namespace
+
+Failure no_tangent(const Ring& ring, int element) {
+  return Failure{
+      fmt::format("modes: the state has no tangent: {} is inverted or its law has no "
+                  "value there; check pressure, deflection, thicknesses and moduli",
+                  ring.place(element))};
+}
+
+Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
+                                         const Mesh& mesh,
+                                         const Inflated& inflated,
+                                         int count) {
+  const Ring& ring = elements.ring();
+  SectorBlocks K(ring);
+  Eigen::VectorXd f, alpha = inflated.alpha;
+  int worst = 0;
+  if (!assemble_sector(
+          elements, ring.compress(inflated.u), inflated.pressure, alpha, f, &K, &worst)) {
+    return no_tangent(ring, worst);
+  }
+  const SectorBlocks M = sector_mass(elements);
+  const int S = ring.sectors();
+
+  std::vector<std::vector<HarmonicMode>> by_n;
+  const auto solve = [&](int n, int modes) { return solve_harmonic(K, M, n, modes, by_n[n]); };
+  int beyond = 0;  // successive harmonics whose lowest mode lies above all that are wanted
+  for (int n = 0; n <= S / 2 && beyond < 2; ++n) {
+    by_n.emplace_back();
+    if (auto failure = solve(n, kPerHarmonic)) return *failure;
+    beyond = by_n[n].front().frequency > cutoff(by_n, S, count) ? beyond + 1 : 0;
+  }
+  // A harmonic of which every mode found is among the lowest may hold more of them.
+  for (int n = 0; n < static_cast<int>(by_n.size()); ++n) {
+    for (int known = kPerHarmonic;
+         known < K.size() && by_n[n].back().frequency < cutoff(by_n, S, count);
+         known *= 2) {
+      if (auto failure = solve(n, 2 * known)) return *failure;
+    }
+  }
+  std::vector<HarmonicMode> found;
+  for (const auto& modes : by_n) found.insert(found.end(), modes.begin(), modes.end());
+  return named_modes(ring, mesh, std::move(found), count);
+}
+
+Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
+                                     const numerics::Factorization& factor,
+                                     const numerics::SymmetricMatrix& M,
+                                     int count) {
+  numerics::EigenProblem<double> problem;
+  problem.size = M.size();
+  problem.solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_columns(X); };
+  problem.mass = [&](const Eigen::Ref<const Eigen::MatrixXd>& X, Eigen::Ref<Eigen::MatrixXd> Y) {
+    M.multiply(X, Y);
+  };
+  numerics::LanczosSettings settings;
+  settings.count = std::min(count, M.size());
+  settings.tolerance = kTolerance;
+  settings.block = kRingBlock;
+  const auto pairs = numerics::lanczos(problem, settings);
+  if (!pairs.converged) {
+    return unfinished("modes", pairs.values.size(), settings.count, pairs.solves);
+  }
+  const RingUnknowns& unknowns = assembly.unknowns();
+  std::vector<Mode> modes(pairs.values.size());
+  for (int k = 0; k < pairs.values.size(); ++k) {
+    modes[k].frequency = to_hertz(pairs.values[k]);
+    modes[k].shape = unknowns.expand(pairs.vectors.col(k)) / std::sqrt(unknowns.multiplicity());
+  }
+  return modes;
+}
+
+Eigen::VectorXd nodal_masses(const RingElements& elements) {
+  const Ring& ring = elements.ring();
+  const Mesh& mesh = ring.mesh();
+  const int n = mesh.nodes_per_sector(), S = ring.sectors();
+  // The masses of one sector of every width: its own plane's nodes, then the next plane's.
+  std::vector<Eigen::VectorXd> of_width(ring.widths());
+  Eigen::VectorXd masses = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(S) * n);
+  for (int s = 0; s < S; ++s) {
+    Eigen::VectorXd& sector = of_width[ring.width(s)];
+    if (sector.size() == 0) {
+      sector.setZero(2 * n);
+      for (int e = 0; e < ring.elements_per_sector(); ++e) {
+        const Matrix8 m = mass(ring.shape(s, e), elements.materials(), mesh.elements[e]);
+        for (int a = 0; a < 8; ++a) sector[mesh.elements[e].node[a]] += m.row(a).sum();
+      }
+    }
+    masses.segment(s * n, n) += sector.head(n);
+    masses.segment((s + 1) % S * n, n) += sector.tail(n);
+  }
+  return masses;
+}
+
+}  // namespace latsch::fe_tire

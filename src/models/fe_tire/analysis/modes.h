@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vibration modes of the tire: (K - omega^2 M) phi = 0 at an equilibrium, rim clamped.
+#pragma once
+
+#include <vector>
+
+#include "base/result.h"
+#include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/analysis/ring_assembly.h"
+#include "numerics/sparse/factorization.h"
+
+namespace latsch::fe_tire {
+
+/// What is said where a state has no tangent because an element (sector by sector) fails.
+Failure no_tangent(const Ring& ring, int element);
+
+/// Modes of the inflated ring by circumferential harmonics n = 0, 1, ...: one small Hermitian
+/// problem each, until no further n can hold one of the `count` lowest. A mode of n > 0 comes as an
+/// orthogonal pair. Sectors of the ring are equally wide; shapes are given on the planes of `mesh`,
+/// which is the same tire, however divided.
+Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
+                                         const Mesh& mesh,
+                                         const Inflated& inflated,
+                                         int count);
+
+/// The `count` lowest modes of the states that `assembly` can hold (all, even or odd ones), without
+/// names. `factor` holds the tangent. Shapes are mass-normalized over the whole ring.
+Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
+                                     const numerics::Factorization& factor,
+                                     const numerics::SymmetricMatrix& M,
+                                     int count);
+
+/// Mass of each node of the ring, kg: rows of the mass matrix summed.
+Eigen::VectorXd nodal_masses(const RingElements& elements);
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slopes of what a tire answers (loads, frequencies) in the numbers of its description: moduli,
+// densities, thicknesses, angles, spacings, pressure.
+//
+// At an equilibrium f(x; h, p) = 0 of the height h over frictionless ground, with the tangent K of
+// elements and ground,
+//   dx/dp = -K^-1 (df/dp + df/dh dh/dp)                                                       (S.1)
+//   dFz/dp = dFz/dp|x - dFz/dx K^-1 df/dp + dFz/dh dh/dp,   dFz/dx = -df/dh^T                 (S.2)
+// so the loads of all variables take one solution w = K^-1 df/dh a state. Of a mode with unit mass,
+//   d(omega^2)/dp = phi^T (dK/dp - omega^2 dM/dp) phi,   dK/dp along x + dx/dp                (S.3)
+// and a pair of equal frequency moves together, as symmetry holds it. [Haug, Choi & Komkov, Design
+// Sensitivity Analysis of Structural Systems, Academic Press 1986]
+//
+// Derivatives of an element's own forces and stiffness are differences over a small step of the
+// number, at a state that is held or moved along (S.1): nothing is solved again. Forces, in which
+// enhanced strains enter to second order, by a step of 1e-6; stiffness by central ones of 1e-4.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "base/result.h"
+#include "models/fe_tire/analysis/fe_tire.h"
+
+namespace latsch::fe_tire {
+
+/// The tire as it is with a number moved.
+struct VariedTire {
+  Mesh mesh;
+  Materials materials;
+  double pressure = 0.0;  // Pa, that of the tests at its own pressure
+};
+
+/// One number of the description, moved: by `near_step`, and by -step and step, in its own unit.
+struct Variation {
+  VariedTire near, below, above;
+  double near_step = 0.0, step = 0.0;
+  bool moves_pressure = false;
+};
+
+/// Whether two meshes differ in coordinates alone.
+bool same_topology(const Mesh& a, const Mesh& b);
+
+class TireSlopes {
+ public:
+  /// The meshes of all variations have the tire's topology. The tire must outlive them.
+  TireSlopes(FeTire& tire, std::vector<Variation> variations);
+  ~TireSlopes();
+
+  int variables() const;
+
+  /// Of the inflated tire, a value a variable.
+  struct OfInflated {
+    Eigen::MatrixXd x;               // [sector unknowns x variables]
+    Eigen::VectorXd radius, growth;  // m/unit
+  };
+  Result<OfInflated> of_inflated(const Inflated& inflated);
+  /// Hz/unit [modes x variables] of modes of the inflated tire.
+  Result<Eigen::MatrixXd> of_modes(const Inflated& inflated, const std::vector<Mode>& modes);
+
+  /// Of a state on flat ground without friction.
+  struct OfState {
+    Eigen::VectorXd force;   // N/unit, at a height that is held
+    double by_height = 0.0;  // N/m
+  };
+  Result<OfState> of_state(const TireState& state);
+  /// Hz/unit [modes x variables] of modes about the state, while the height moves by `height`
+  /// (m/unit).
+  Result<Eigen::MatrixXd> of_modes(const TireState& state,
+                                   const std::vector<Mode>& modes,
+                                   const Eigen::VectorXd& height);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slopes against differences of whole trials, every one solved anew, extrapolated to a step of
+// zero.
+#include "models/fe_tire/analysis/tire_slopes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "models/fe_tire/description/reference_tires.h"
+#include "models/fe_tire/description/tire_description.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+constexpr double kInflation = 2.6e5;
+constexpr int kModes = 8;
+
+TireDescription small_tire() {
+  TireDescription tire = reference_tire_b();
+  tire.cord_model = CordModel::rebar;
+  tire.section.meridional = 13;
+  tire.section.sectors = 24;
+  return tire;
+}
+
+/// A number of the description.
+struct Number {
+  const char* name;
+  std::function<double&(TireDescription&)> of;
+  double size;  // what a step is a share of
+};
+
+std::vector<Number> numbers() {
+  return {
+      {"rubber C10", [](TireDescription& t) -> double& { return t.rubbers[0].law.C10; }, 3.7e6},
+      {"rubber K", [](TireDescription& t) -> double& { return t.rubbers[0].law.K; }, 3.7e8},
+      {"density", [](TireDescription& t) -> double& { return t.rubbers[0].density; }, 1150.0},
+      {"carcass E",
+       [](TireDescription& t) -> double& { return t.plies[0].cords.E_tension; },
+       3.6e8},
+      {"belt E", [](TireDescription& t) -> double& { return t.plies[1].cords.E_tension; }, 5e9},
+      {"belt angle", [](TireDescription& t) -> double& { return t.plies[1].cords.angle; }, 0.4},
+      {"belt thickness",
+       [](TireDescription& t) -> double& { return t.plies[1].cords.thickness; },
+       1e-3},
+      {"tread thickness",
+       [](TireDescription& t) -> double& { return t.section.outside.length[0]; },
+       9e-3},
+      {"crown radius", [](TireDescription& t) -> double& { return t.section.contour[0].r; }, 5e-3},
+      {"pressure", [](TireDescription& t) -> double& { return t.pressure; }, kInflation},
+  };
+}
+
+TireDescription moved(const Number& number, double step) {
+  TireDescription tire = small_tire();
+  tire.pressure = kInflation;
+  number.of(tire) += step;
+  return tire;
+}
+
+VariedTire varied(const Number& number, double step) {
+  const TireDescription tire = moved(number, step);
+  return {build_mesh(tire), build_materials(tire), tire.pressure};
+}
+
+std::vector<Variation> variations() {
+  std::vector<Variation> all;
+  for (const Number& number : numbers()) {
+    const double near = 1e-6 * number.size, step = 1e-4 * number.size;
+    all.push_back({varied(number, near),
+                   varied(number, -step),
+                   varied(number, step),
+                   near,
+                   step,
+                   std::string(number.name) == "pressure"});
+  }
+  return all;
+}
+
+/// Solved until nothing is left that differences would enlarge.
+FeTire exact(const TireDescription& tire) {
+  SolverSettings settings;
+  settings.tolerance = 1e-10;
+  return FeTire(build_mesh(tire), build_materials(tire), settings);
+}
+
+/// radius, growth, loads at two deflections, frequencies free and loaded.
+Eigen::VectorXd answers(const TireDescription& description) {
+  FeTire tire = exact(description);
+  const auto inflated = tire.inflate(description.pressure);
+  EXPECT_TRUE(inflated);
+  const auto states = tire.press(*inflated, Ground{}, {0.008, 0.016});
+  EXPECT_TRUE(states);
+  const auto free = tire.modes(*inflated, kModes), loaded = tire.modes(states->back(), kModes);
+  EXPECT_TRUE(free && loaded);
+  Eigen::VectorXd all(4 + 2 * kModes);
+  all.head<4>() << inflated->radius, inflated->growth, tire.stand((*states)[0]).force.z(),
+      tire.stand((*states)[1]).force.z();
+  for (int k = 0; k < kModes; ++k) {
+    all[4 + k] = (*free)[k].frequency;
+    all[4 + kModes + k] = (*loaded)[k].frequency;
+  }
+  return all;
+}
+
+/// Of an error h^4: central differences of two steps.
+Eigen::VectorXd differences(const Number& number) {
+  const auto central = [&](double share) {
+    const double h = share * number.size;
+    return Eigen::VectorXd((answers(moved(number, h)) - answers(moved(number, -h))) / (2.0 * h));
+  };
+  constexpr double kStep = 5e-4;
+  return (4.0 * central(0.5 * kStep) - central(kStep)) / 3.0;
+}
+
+TEST(TireSlopes, AreThoseOfWholeTrials) {
+  const TireDescription description = moved(numbers()[0], 0.0);
+  FeTire tire = exact(description);
+  TireSlopes slopes(tire, variations());
+  const auto inflated = tire.inflate(kInflation);
+  ASSERT_TRUE(inflated);
+  const auto states = tire.press(*inflated, Ground{}, {0.008, 0.016});
+  ASSERT_TRUE(states);
+  const auto free = tire.modes(*inflated, kModes), loaded = tire.modes(states->back(), kModes);
+  ASSERT_TRUE(free && loaded);
+
+  const auto of_inflated = slopes.of_inflated(*inflated);
+  ASSERT_TRUE(of_inflated);
+  Eigen::MatrixXd found(4 + 2 * kModes, slopes.variables());
+  found.row(0) = of_inflated->radius;
+  found.row(1) = of_inflated->growth;
+  for (int k = 0; k < 2; ++k) {
+    const auto of_state = slopes.of_state((*states)[k]);
+    ASSERT_TRUE(of_state);
+    // A deflection that is held counts from the inflated radius.
+    found.row(2 + k) = of_state->force + of_state->by_height * of_inflated->radius;
+  }
+  const auto of_free = slopes.of_modes(*inflated, *free);
+  const auto of_loaded = slopes.of_modes(states->back(), *loaded, of_inflated->radius);
+  ASSERT_TRUE(of_free && of_loaded);
+  found.middleRows(4, kModes) = *of_free;
+  found.bottomRows(kModes) = *of_loaded;
+
+  const Eigen::VectorXd values = answers(description);
+  for (int k = 0; k < slopes.variables(); ++k) {
+    const Number number = numbers()[k];
+    const Eigen::VectorXd expected = differences(number);
+    for (int i = 0; i < found.rows(); ++i) {
+      // In proportion to what a change by its own size makes, or to the value itself.
+      const double size = std::max(std::abs(expected[i]), 1e-2 * std::abs(values[i]) / number.size);
+      EXPECT_NEAR(found(i, k), expected[i], 1e-6 * size) << number.name << ", answer " << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace latsch::fe_tire

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part of the tread that may touch the ground: points that follow its nodes.
+//
+// Faces of the mesh are flat, a tread is not: on facets contact comes sector by sector, and length
+// and pressures of a footprint jump. So a smooth surface is laid through the nodes, as they are
+// displaced, by Hermite's cubics around the circumference and across,
+//   x(u, v) = sum_i sum_j W_i(u) V_j(v) x_ij,   i, j: the four planes and four nodes around a face
+// with slopes of the parabola through each node and its two neighbors (one-sided at the tread's
+// edges): continuous tangents, exact on circles to fourth order in the sectors' width, flat where
+// the ground has made it flat. The ground sees its means around the nodes (N_a: bilinear),
+//   x_a = int N_a x dA / int N_a dA
+//   (T.1)
+// as in mortar methods: as many pressures as nodes can answer, where more would fight each other.
+// Forces go to the nodes by the same weights, so they are the gradient of an energy.
+//   [Wriggers, Computational Contact Mechanics, Springer 2006: smoothing, mortar methods;
+//   Puso & Laursen 2004, CMAME 193: a mortar segment-to-segment contact method]
+// Facets, each with 2x2 points, are there for comparison with programs that see them, and for
+// meshes without sectors.
+//
+// What lies farther than the half angle from the lowest place is no part of it.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "models/fe_tire/ring/ring_unknowns.h"
+
+namespace latsch::fe_tire {
+
+enum class TreadShape { facets, smooth };
+
+class TreadSurface {
+ public:
+  TreadSurface(const RingUnknowns& unknowns, TreadShape shape, double half_angle);
+
+  /// A node of the mesh, or its image where half the ring stands for all of it.
+  struct Place {
+    int node;           // of nodes(), -1 where the rim holds it
+    Eigen::Matrix3d T;  // turns a displacement of the node's unknowns into the wheel frame
+    Eigen::Vector3d X;  // m, undeformed, wheel frame
+    int plane, section_node;
+  };
+  struct Weight {
+    int place;
+    double w, by_u, by_v;  // and its derivatives along the face
+  };
+  /// A point that follows the surface.
+  struct Point {
+    int first_weight, weights;  // of weights()
+    double share;               // of the parameters' square, of a sample
+    double dA;                  // m^2 of the undeformed surface
+  };
+  static constexpr int kSamples = 8;  // of the surface along each side of a face
+
+  bool empty() const { return nodes_.empty(); }
+  int nodes() const { return static_cast<int>(nodes_.size()); }
+  /// Of every node: its three unknowns are 3 block_row, ...
+  const std::vector<int>& block_rows() const { return nodes_; }
+  const std::vector<Place>& places() const { return places_; }
+  const std::vector<Point>& points() const { return points_; }
+  const std::vector<Point>& samples() const { return samples_; }
+  /// Samples one behind the other from -x to x, and one beside the other across.
+  std::vector<std::vector<int>> lines_around() const;
+  std::vector<std::vector<int>> lines_across() const;
+  /// Of a point or sample.
+  const Weight* weights(const Point& point) const { return &weights_[point.first_weight]; }
+  /// How many times what is here the whole ring has.
+  double multiplicity() const { return unknowns_.multiplicity(); }
+
+  /// Unknowns that contact couples in every point, as connectivity() of the ring's elements.
+  std::vector<std::vector<int>> connectivity() const;
+  /// Nodes that move a point, in the order of its rows there.
+  std::vector<int> nodes_of(const Point& point) const;
+
+  /// Displacements of the nodes in x [3 x nodes], in the frames of their unknowns.
+  Eigen::Matrix3Xd displacements(const Eigen::VectorXd& x) const;
+  /// Places in the wheel frame [3 x places], m.
+  Eigen::Matrix3Xd positions(const Eigen::Matrix3Xd& displacements) const;
+  Eigen::Vector3d at(const Point& point, const Eigen::Matrix3Xd& positions) const {
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    for (int k = 0; k < point.weights; ++k) {
+      const Weight& weight = weights_[point.first_weight + k];
+      x += weight.w * positions.col(weight.place);
+    }
+    return x;
+  }
+  /// Motion of a point, wheel frame, by one of the whole ring [3 x nodes], sector frames.
+  Eigen::Vector3d motion(int point, const Eigen::Matrix3Xd& shape) const;
+  /// m^2 that a sample stands for as it is.
+  double area(const Point& point, const Eigen::Matrix3Xd& positions) const;
+  /// Nodes of the tread outside of it [3 x any], in the wheel frame: whether something else
+  /// touches.
+  Eigen::Matrix3Xd beyond(const Eigen::VectorXd& x) const;
+
+ private:
+  struct Strip;
+  struct Face {
+    std::array<int, 4> corner;  // places, counterclockwise from u = v = -1
+    int first_sample;           // of kSamples rows along u
+  };
+  static std::vector<Strip> strips_of(const Mesh& mesh);
+  /// Weights of up to sixteen places and their derivatives along the face.
+  struct Tangents {
+    std::array<double, 16> value, by_u, by_v;
+  };
+  using Grid = std::vector<int>;  // places, -1: none
+  using Weights = std::function<Tangents(double u, double v)>;
+  int place_of(int plane, int node);
+  void add_facet(const std::array<std::pair<int, int>, 4>& corners);
+  std::pair<Grid, Weights> smooth_face(int sector, int face, const Strip& strip);
+  void add_mean_point(int plane, int node, const Strip& strip);
+  void add_samples(const std::array<int, 4>& corner, const Grid& grid, const Weights& weights_at);
+  std::vector<std::vector<int>> rows_of_faces(std::array<int, 2> back,
+                                              std::array<int, 2> front) const;
+  Point point_at(const Grid& grid, const Tangents& at, double share);
+
+  const RingUnknowns& unknowns_;
+  TreadShape shape_;
+  std::vector<int> nodes_;
+  std::vector<Place> places_;
+  std::vector<std::vector<int>> place_index_;  // by plane and node, while it is built
+  std::vector<Weight> weights_;
+  std::vector<Point> points_, samples_;
+  std::vector<Face> faces_;
+  std::vector<std::pair<int, int>> beyond_;  // plane, node
+};
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tread's surface on the meshes that are shipped, whose rows meet on plies and end at tied
+// corners.
+#include "models/fe_tire/contact/tread_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+
+#include "base/document.h"
+#include "models/fe_tire/description/tire_description.h"
+#include "models/fe_tire/ring/ring.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+constexpr double kWindow = 0.4;  // rad, to both sides of the lowest place
+
+/// Of the flat faces of the tread with an edge in the window, m^2.
+double area_of_facets(const Mesh& mesh) {
+  const auto is_near = [&](int plane) {
+    const double angle = mesh.angle(plane);
+    return std::min(angle, 2.0 * std::numbers::pi - angle) < kWindow;
+  };
+  double area = 0.0;
+  for (int s = 0; s < mesh.sectors; ++s) {
+    for (const Element& element : mesh.elements) {
+      if (!element.tread || (!is_near(s) && !is_near(s + 1))) continue;
+      const auto X = mesh.coordinates(element, s);
+      const Eigen::Vector3d one = X.col(6) - X.col(4), other = X.col(7) - X.col(5);
+      area += 0.5 * one.cross(other).norm();
+    }
+  }
+  return area;
+}
+
+// A smooth surface through the nodes bulges out of the facets: with sectors of 3 deg the arc is
+// (0.052 rad)^2 / 24 = 0.011 % longer than its chords, across the tread's shoulders a few times
+// that.
+TEST(TreadSurface, OfShippedTiresCoversTheTreadOfHalfTheRing) {
+  for (const char* name : {"passenger_205_55R16", "passenger_225_50R16", "passenger_235_45R20"}) {
+    const TireDescription tire =
+        read_tire(Document::read(std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires" /
+                                 (std::string(name) + ".toml"))
+                      .root());
+    const Mesh mesh = build_mesh(tire);
+    ASSERT_TRUE(
+        std::ranges::any_of(mesh.elements, [](const Element& e) { return e.tie.eta != 0; }));
+    const auto mirror = find_mirror(mesh, build_materials(tire));
+    ASSERT_TRUE(mirror) << name;
+    const Ring ring(mesh, tire.element);
+    const RingUnknowns even(ring, RingSymmetry::even, *mirror);
+    const TreadSurface tread(even, TreadShape::smooth, kWindow);
+    double area = 0.0;
+    for (const TreadSurface::Point& sample : tread.samples()) area += sample.dA;
+    const double facets = area_of_facets(mesh);
+    EXPECT_NEAR(tread.multiplicity() * area, facets, 2e-3 * facets) << name;
+    EXPECT_GE(tread.multiplicity() * area, facets) << name;
+  }
+}
+
+// A half turn takes a tied edge to the other side of the wall; one tied elsewhere has no image.
+TEST(TreadSurface, AnEdgeTiedElsewhereIsNoImage) {
+  const TireDescription tire =
+      read_tire(Document::read(LATSCH_SOURCE_DIR "/studies/tires/passenger_225_50R16.toml").root());
+  Mesh mesh = build_mesh(tire);
+  const Materials materials = build_materials(tire);
+  ASSERT_TRUE(find_mirror(mesh, materials));
+  const auto tied =
+      std::ranges::find_if(mesh.elements, [](const Element& e) { return e.tie.eta != 0; });
+  tied->tie.upper = 0.5 * (tied->tie.lower + tied->tie.upper);
+  EXPECT_FALSE(find_mirror(mesh, materials));
+}
+
+}  // namespace
+}  // namespace latsch::fe_tire
