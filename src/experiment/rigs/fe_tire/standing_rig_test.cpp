@@ -18,7 +18,7 @@ using fe_tire::GroundPose;
 
 constexpr double kInflation = 2.6e5;
 
-FeTire coarse_tire() {
+FeTire small_tire() {
   fe_tire::TireDescription tire = fe_tire::reference_tire_b();
   tire.section.meridional = 13;
   tire.section.sectors = 40;
@@ -37,7 +37,7 @@ Channels stand_under_load(FeTire& tire, std::vector<Direction> directions, doubl
 }
 
 TEST(StandingFeTire, PulledFarItSlidesAtTheLimitOfFriction) {
-  FeTire tire = coarse_tire();
+  FeTire tire = small_tire();
   const auto inflated = tire.inflate(kInflation);
   ASSERT_TRUE(inflated);
   const auto start = tire.over(*inflated, Ground{.mu = 0.5}, FeTire::Poses::any);
@@ -62,7 +62,7 @@ TEST(StandingFeTire, PulledFarItSlidesAtTheLimitOfFriction) {
 }
 
 TEST(StandingFeTire, BothSidesAreAlikeAndTurningDoesNotNeedTheWholeRing) {
-  FeTire tire = coarse_tire();
+  FeTire tire = small_tire();
   const auto inflated = tire.inflate(kInflation);
   ASSERT_TRUE(inflated);
   const Ground ground{.mu = 0.9};
@@ -87,7 +87,7 @@ TEST(StandingFeTire, BothSidesAreAlikeAndTurningDoesNotNeedTheWholeRing) {
 }
 
 TEST(StandingFeTire, StiffnessesAreOfTheSizeOfATires) {
-  FeTire tire = coarse_tire();
+  FeTire tire = small_tire();
   const Channels upright = stand_under_load(
       tire,
       {Direction::vertical, Direction::longitudinal, Direction::lateral, Direction::torsional});
@@ -105,7 +105,7 @@ TEST(StandingFeTire, StiffnessesAreOfTheSizeOfATires) {
 }
 
 TEST(StandingFeTire, APlankLongerThanThePatchIsGroundThatIsHigher) {
-  FeTire tire = coarse_tire();
+  FeTire tire = small_tire();
   const std::vector<double> deflections = {0.004, 0.012};
   const auto flat = stand(tire, kInflation, {.deflections = deflections});
   const auto plank = stand(
@@ -126,7 +126,7 @@ TEST(StandingFeTire, APlankLongerThanThePatchIsGroundThatIsHigher) {
 }
 
 TEST(StandingFeTire, WithoutFrictionItIsNotPulled) {
-  FeTire tire = coarse_tire();
+  FeTire tire = small_tire();
   EXPECT_THROW(stand(tire, kInflation, {.load = 3000.0, .directions = {Direction::lateral}}),
                InputError);
 }
