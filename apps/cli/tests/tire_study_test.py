@@ -119,7 +119,7 @@ bounds = 0.4
         self.assert_says(self.latsch("run", self.study), "9 finished trials are reused")
 
     def test_a_fit_ends_with_intervals_and_identify_adds_verdicts_and_resumes(self):
-        edit(self.study, ("step_tolerance = .*", "step_tolerance = 0.1"))
+        # A search that ends farther from the minimum finds a better trial beside its end, and identify goes there.
         text = self.latsch("run", self.study)
         self.assertRegex(text, r"carcass +[0-9.]+ GPa +95 %: .*GPa")
         trials = trials_of(self.folder / "study.latsch")

@@ -189,9 +189,9 @@ TEST(TireReader, ComplaintsNameFileLineFoundAndExpected) {
        {"layer.belt_1.offset", "outside the wall"});
   says(complaint("offset = \"0.6 mm\"", "offsets = [[0.5, \"-2 mm\"], [0.4, \"0 mm\"]]"),
        {"layer.belt_1.offsets", "0.4 after 0.5"});
-  says(complaint("[[10, \"3 deg\"]", "[[30, \"3 deg\"]"),
+  says(complaint("[[8, \"2 deg\"]", "[[30, \"3 deg\"]"),
        {"mesh.sector_zones", "[30, 3 deg]", "from 1 to 29"});
-  says(complaint("[[10, \"3 deg\"]", "[[10, \"16 deg\"]"),
+  says(complaint("[[8, \"2 deg\"]", "[[10, \"16 deg\"]"),
        {"mesh.sector_zones", "leaves -10 of 180 deg", "14 other sectors"});
   says(complaint("sectors = 60", "sectors = 61"), {"mesh.sector_zones", "even number", "61"});
   says(complaint("\"belt_1\", \"belt_2\"]", "\"belt_3\"]"), {"mesh.faces", "belt_3"});
