@@ -192,7 +192,7 @@ TEST(TireReader, ComplaintsNameFileLineFoundAndExpected) {
   says(complaint("[[8, \"2 deg\"]", "[[30, \"3 deg\"]"),
        {"mesh.sector_zones", "[30, 3 deg]", "from 1 to 29"});
   says(complaint("[[8, \"2 deg\"]", "[[10, \"16 deg\"]"),
-       {"mesh.sector_zones", "leaves -10 of 180 deg", "14 other sectors"});
+       {"mesh.sector_zones", "leaves -12 of 180 deg", "12 other sectors"});
   says(complaint("sectors = 60", "sectors = 61"), {"mesh.sector_zones", "even number", "61"});
   says(complaint("\"belt_1\", \"belt_2\"]", "\"belt_3\"]"), {"mesh.faces", "belt_3"});
   says(complaint("\"belt_1\", \"belt_2\"]", "\"belt_2\", \"belt_1\"]"), {"mesh.faces", "-1.10 mm"});
