@@ -64,6 +64,7 @@ Fit fit(const correlation::Study& study, int workers) {
     Journal journal = Journal::open(folder / "fit.latsch", correlation::identity(study));
     ProcessOptions options;
     options.arguments = {program().string(), "worker", study.file.string()};
+    if (study.asks_slopes) options.arguments.emplace_back("--slopes");
     options.workers = workers;
     options.timeout = study.run.timeout;
     ProcessExecutor executor(options);
