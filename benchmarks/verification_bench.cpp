@@ -4,8 +4,8 @@
 // Tires with the default element: all that are shipped with cords as rebars and three sizes drawn
 // at random, inflated; A and B also pressed 25 mm on the ground; with smeared cords, inflated and,
 // tire B, pressed 10 mm. Every mesh is refined in all three directions with nodes on the true
-// contour and the same physical boundary; the last three are extrapolated. Takes some 20 minutes
-// and 5 GB.
+// contour and the same physical boundary; the last three are extrapolated. Takes more than 20
+// minutes; tire A pressed, refined three times (922,590 unknowns), more than 20 GB.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
