@@ -42,8 +42,10 @@ Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
   if (points_.size() <= kFew || !(end() > begin())) return;
   const auto parts = points_.size() - 1;  // of points at even distances each has one
   parts_per_meter_ = static_cast<double>(parts) / (end() - begin());
+  even_ = true;
   for (std::size_t i = 0; i < parts; ++i) {
     const double s = begin() + static_cast<double>(i) / parts_per_meter_;
+    even_ = even_ && std::abs(points_[i].s - s) * parts_per_meter_ < 0.25;
     const auto first = std::lower_bound(
         points_.begin(), points_.end(), s, [](const Point& p, double at) { return p.s < at; });
     first_in_.push_back(static_cast<int>(first - points_.begin()));

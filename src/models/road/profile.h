@@ -66,6 +66,7 @@ class Profile {
   std::vector<double> slopes_;        // from each point to the next; 0 of flanks
   std::vector<Extremes> of_several_;  // of z, of sixteen points each
   std::vector<int> first_in_;  // the first point from each of equal parts on, one a point; or none
+  bool even_ = false;          // points at even distances: that of a part is that of its number
   double parts_per_meter_ = 0.0;
   double reach_ = 0.0;
 };
@@ -79,10 +80,8 @@ class Profile::Walk {
     right_ = profile_->first_from(s, right_);
     return profile_->at(s, right_);
   }
-  double area(double s) {
-    right_ = profile_->first_from(s, right_);
-    return profile_->area(s, right_);
-  }
+  /// That of s, which was the last place asked for.
+  double area_to(double s) const { return profile_->area(s, right_); }
 
  private:
   const Profile* profile_;
@@ -98,7 +97,8 @@ inline Profile::Place Profile::first_from(double s) const {
     if (!(s > begin())) return from;
     if (s > end()) return to;
     const auto part = static_cast<std::size_t>((s - begin()) * parts_per_meter_);
-    from += first_in_[std::min(part, first_in_.size() - 1)];
+    const std::size_t of = std::min(part, first_in_.size() - 1);
+    from += even_ ? static_cast<int>(of) : first_in_[of];
     while (from != points_.begin() && !((from - 1)->s < s)) --from;
     constexpr int kNear = 4;
     for (int i = 0; i < kNear; ++i, ++from)

@@ -2,6 +2,7 @@
 #include "models/road/profile_road.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -38,14 +39,16 @@ ProfileRoad::Place ProfileRoad::locate(const Eigen::Vector2d& local) const {
     s -= number_at(s) * settings_.pitch;
   }
   Place place{settings_.along.at(s), {1.0, 0.0}, true};
-  place.on_obstacle = s >= settings_.along.begin() && s <= settings_.along.end();
-  if (settings_.across) {
-    const double t = local.y();
-    place.across = settings_.across->at(t);
-    place.on_obstacle =
-        place.on_obstacle && t >= settings_.across->begin() && t <= settings_.across->end();
-  }
+  if (settings_.across) place.across = settings_.across->at(local.y());
+  place.on_obstacle = is_on_obstacle(s, local.y());
   return place;
+}
+
+bool ProfileRoad::is_on_obstacle(double s, double t) const {
+  const auto holds = [](const Profile& profile, double at) {
+    return at >= profile.begin() && at <= profile.end();
+  };
+  return holds(settings_.along, s) && (!settings_.across || holds(*settings_.across, t));
 }
 
 double ProfileRoad::height_at(const Eigen::Vector2d& local) const {
@@ -135,77 +138,100 @@ GroundPoint ProfileRoad::at(double x, double y, double time) const {
   return ground;
 }
 
-/// Place after place along the row; the walks stay where they are asked.
+/// Places in order: border, middle, border ... First where they are, then what is there, so that no
+/// look-up waits for another.
+struct ProfileRoad::RowPlaces {
+  static constexpr int kPieces = 16;  // of a row at once
+  template <class Value>
+  using Of = std::array<Value, 2 * kPieces + 1>;
+
+  std::size_t count;
+  Of<double> s, t, number;  // s from the begin of its repetition
+  Of<Profile::Value> along, across;
+  Of<double> height;
+  Of<double> area;  // of along, where it is level across
+  bool level;       // the factor across is the same at all of them and between
+};
+
 void ProfileRoad::below(const GroundRow& row, double time, const RowGround& ground) const {
-  const double shift = settings_.belt.distance(time) - settings_.origin.x();
-  const Eigen::Vector3d velocity(-settings_.belt.speed(time), 0.0, 0.0);
-  const double begin = settings_.along.begin(), end = settings_.along.end();
-  Profile::Walk along(settings_.along);
-  std::optional<Profile::Walk> across;
-  if (settings_.across) across.emplace(*settings_.across);
-  const bool level = is_level_across(row, time);
-  struct Here {
-    double s, number, height;
-    Profile::Value along, across;
-    bool on_obstacle;
-  };
-  const auto see = [&](double x, double y) {
-    const double forward = x + shift, left = y - settings_.origin.y();
-    Here here{.s = forward * cos_ + left * sin_,
-              .number = 0.0,
-              .height = 0.0,
-              .along = {},
-              .across = {1.0, 0.0},
-              .on_obstacle = true};
-    if (settings_.pitch > 0.0) {
-      here.number = number_at(here.s);
-      here.s -= here.number * settings_.pitch;
-    }
-    here.along = along.at(here.s);
-    here.on_obstacle = here.s >= begin && here.s <= end;
-    if (across) {
-      const double t = left * cos_ - forward * sin_;
-      here.across = across->at(t);
-      here.on_obstacle =
-          here.on_obstacle && t >= settings_.across->begin() && t <= settings_.across->end();
-    }
-    here.height = here.along.height * here.across.height;
-    return here;
-  };
-  Here from = see(row.border_x[0], row.border_y[0]);
-  double area = level ? along.area(from.s) : 0.0;
-  ground.border_height[0] = from.height;
-  for (int j = 0; j < row.count; ++j) {
-    const Here middle = see(row.x[j], row.y[j]), to = see(row.border_x[j + 1], row.border_y[j + 1]);
-    const double area_to = level ? along.area(to.s) : 0.0, way = to.s - from.s;
-    ground.border_height[j + 1] = to.height;
-    ground.height[j] = ground.mean[j] = middle.height;
-    if (!is_straight(from.height, middle.height, to.height))
-      ground.mean[j] = level && to.number == from.number && std::abs(way) >= kShortest
-                           ? from.across.height * (area_to - area) / way
-                           : mean_height({row.border_x[j], row.border_y[j]},
-                                         {row.border_x[j + 1], row.border_y[j + 1]},
-                                         time);
-    const double by_s = middle.along.slope * middle.across.height;  // dz/ds
-    const double by_t = middle.along.height * middle.across.slope;  // dz/dt
-    ground.slope[0][j] = by_s * cos_ - by_t * sin_;
-    ground.slope[1][j] = by_s * sin_ + by_t * cos_;
-    ground.friction[j] = middle.on_obstacle ? settings_.obstacle_friction : settings_.friction;
-    for (int i = 0; i < 3; ++i) ground.velocity[i][j] = velocity[i];
-    from = to;
-    area = area_to;
+  RowPlaces places;
+  for (int first = 0; first < row.count; first += RowPlaces::kPieces) {
+    const int end = std::min(row.count, first + RowPlaces::kPieces);
+    place(row, first, end, time, places);
+    look_up(places);
+    describe(row, first, end, time, places, ground);
   }
 }
 
-/// Whether the factor across is the same at all borders of a row and between them.
-bool ProfileRoad::is_level_across(const GroundRow& row, double time) const {
-  if (!settings_.across) return true;
+void ProfileRoad::place(
+    const GroundRow& row, int first, int end, double time, RowPlaces& places) const {
   const double shift = settings_.belt.distance(time) - settings_.origin.x();
-  Span t{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (int j = 0; j <= row.count; ++j)
-    t.add((row.border_y[j] - settings_.origin.y()) * cos_ - (row.border_x[j] + shift) * sin_);
-  return settings_.across->points_between(t.from, t.to).empty() &&
-         settings_.across->at(t.from).slope == 0.0;
+  places.count = static_cast<std::size_t>(2 * (end - first) + 1);
+  for (std::size_t i = 0; i < places.count; ++i) {
+    const std::size_t j = static_cast<std::size_t>(first) + i / 2;
+    const bool border = i % 2 == 0;
+    const double forward = (border ? row.border_x : row.x)[j] + shift;
+    const double left = (border ? row.border_y : row.y)[j] - settings_.origin.y();
+    const double s = forward * cos_ + left * sin_;
+    places.t[i] = left * cos_ - forward * sin_;
+    places.number[i] = settings_.pitch > 0.0 ? number_at(s) : 0.0;
+    places.s[i] = s - places.number[i] * settings_.pitch;
+  }
+}
+
+void ProfileRoad::look_up(RowPlaces& places) const {
+  const std::size_t n = places.count;
+  places.level = true;
+  if (settings_.across) {
+    const auto [low, high] = std::minmax_element(places.t.begin(), places.t.begin() + n);
+    const Profile::Value value = settings_.across->at(*low);
+    places.level = value.slope == 0.0 && settings_.across->points_between(*low, *high).empty();
+    if (places.level) {
+      std::fill_n(places.across.begin(), n, value);
+    } else {
+      Profile::Walk across(*settings_.across);
+      for (std::size_t i = 0; i < n; ++i) places.across[i] = across.at(places.t[i]);
+    }
+  } else {
+    std::fill_n(places.across.begin(), n, Profile::Value{1.0, 0.0});
+  }
+  Profile::Walk along(settings_.along);
+  for (std::size_t i = 0; i < n; ++i) {
+    places.along[i] = along.at(places.s[i]);
+    places.height[i] = places.along[i].height * places.across[i].height;
+    if (places.level) places.area[i] = along.area_to(places.s[i]);
+  }
+}
+
+void ProfileRoad::describe(const GroundRow& row,
+                           int first,
+                           int end,
+                           double time,
+                           const RowPlaces& places,
+                           const RowGround& ground) const {
+  const auto& [count, s, t, number, along, across, height, area, level] = places;
+  const double speed = settings_.belt.speed(time);
+  ground.border_height[first] = height[0];
+  for (int j = first; j < end; ++j) {
+    const auto from = static_cast<std::size_t>(2 * (j - first)), middle = from + 1, to = from + 2;
+    ground.border_height[j + 1] = height[to];
+    ground.height[j] = ground.mean[j] = height[middle];
+    const double way = s[to] - s[from];
+    if (!is_straight(height[from], height[middle], height[to]))
+      ground.mean[j] = level && number[to] == number[from] && std::abs(way) >= kShortest
+                           ? across[from].height * (area[to] - area[from]) / way
+                           : mean_height({row.border_x[j], row.border_y[j]},
+                                         {row.border_x[j + 1], row.border_y[j + 1]},
+                                         time);
+    const double by_s = along[middle].slope * across[middle].height;  // dz/ds
+    const double by_t = along[middle].height * across[middle].slope;  // dz/dt
+    ground.slope[0][j] = by_s * cos_ - by_t * sin_;
+    ground.slope[1][j] = by_s * sin_ + by_t * cos_;
+    ground.friction[j] =
+        is_on_obstacle(s[middle], t[middle]) ? settings_.obstacle_friction : settings_.friction;
+    ground.velocity[0][j] = -speed;
+    ground.velocity[1][j] = ground.velocity[2][j] = 0.0;
+  }
 }
 
 /// A plane where the whole box is beside the sections or on one straight piece, as long as what

@@ -58,13 +58,23 @@ class ProfileRoad final : public Road {
     }
   };
   GroundBounds bounds_between(Span s, Span t) const;
-  bool is_level_across(const GroundRow& row, double time) const;
+  struct RowPlaces;
+  /// Where the pieces [first, end) of a row and their borders are, what is there, what that means.
+  void place(const GroundRow& row, int first, int end, double time, RowPlaces& places) const;
+  void look_up(RowPlaces& places) const;
+  void describe(const GroundRow& row,
+                int first,
+                int end,
+                double time,
+                const RowPlaces& places,
+                const RowGround& ground) const;
   /// s and t of a place.
   Eigen::Vector2d local(double x, double y, double time) const;
   double number_at(double s) const;
   /// The mean height by the area below one repetition, where the way stays on it and the section
   /// across is level there.
   std::optional<double> mean_along(const Eigen::Vector2d& begin, const Eigen::Vector2d& way) const;
+  bool is_on_obstacle(double s, double t) const;
   Place locate(const Eigen::Vector2d& local) const;
   double height_at(const Eigen::Vector2d& local) const;
 

@@ -84,10 +84,9 @@ std::unique_ptr<const road::Road> road_of(const KerbTest& test, const car::Car& 
     return std::make_unique<road::PlacedRoad>(
         filed.road, -filed.heading, Eigen::Vector3d(axle - start.x(), -start.y(), -z));
   }
-  return std::make_unique<road::PlacedRoad>(
-      std::make_unique<road::ProfileRoad>(road::kerb_road(*test.kerb)),
-      0.0,
-      Eigen::Vector3d(axle, 0.0, 0.0));
+  road::Kerb kerb = *test.kerb;
+  kerb.start.x() += axle;
+  return std::make_unique<road::ProfileRoad>(road::kerb_road(kerb));
 }
 
 namespace {
