@@ -112,7 +112,7 @@ class CarKind : public SpecimenKind {
   std::string name() const override { return "car"; }
   std::string in_words() const override { return "car"; }
   std::string file() const override { return "a TOML file with kind = \"car\""; }
-  int version() const override { return 1; }
+  int version() const override { return 2; }
   std::vector<std::string> abilities() const override { return abilities_of<CarSpecimen>(); }
 
   bool recognizes(const std::filesystem::path&) const override { return false; }

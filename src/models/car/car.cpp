@@ -234,7 +234,44 @@ void Car::add_guide(const Motion& motion,
   wrenches.push_back(wrench);
 }
 
-Result<Rest> Car::stand(const LineTires& tires, const CarInputs& inputs, const Rest& from) {
+void Car::add_air(const Motion& motion, double speed, std::vector<Wrench>& wrenches) const {
+  if (!parameters_.aero) return;
+  const AeroMap& air = *parameters_.aero;
+  const Pose& pose = motion.poses[at(parts_.chassis)];
+  const Vector3d rest = mechanism_->bodies()[at(parts_.chassis)].origin;
+  const auto arm = [&](double x, double z) -> Vector3d {
+    return pose.turn * (Vector3d(x, 0.0, z) - rest);
+  };
+  const std::array<Vector3d, 2> arms = {
+      arm(parameters_.front.corner.wheel_center.x(), air.floor_front),
+      arm(parameters_.rear.corner.wheel_center.x(), air.floor_rear)};
+  std::array<Vector6d, 2> by_height;  // of a height by the chassis' motion; of a lift, what it does
+  for (std::size_t i = 0; i < 2; ++i)
+    by_height[i] << Vector3d::UnitZ(), arms[i].cross(Vector3d::UnitZ());
+  const auto c = air.at(pose.place.z() + arms[0].z(), pose.place.z() + arms[1].z());
+  const double q = 0.5 * air.density * speed * speed * air.area;
+  Wrench wrench{.body = parts_.chassis};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const Vector3d force(0.0, 0.0, -q * c.downforce[row]);
+    wrench.value += -q * c.downforce[row] * by_height[i];
+    for (std::size_t j = 0; j < 2; ++j)
+      wrench.slopes -= q * c.by_height(row, static_cast<Eigen::Index>(j)) * by_height[i] *
+                       by_height[j].transpose();
+    wrench.slopes.bottomRightCorner<3, 3>() += multibody::cross(force) * multibody::cross(arms[i]);
+  }
+  const Vector3d drag(-q * air.drag, 0.0, 0.0), at_drag = arm(rest.x(), air.drag_height);
+  wrench.value.head<3>() += drag;
+  wrench.value.tail<3>() += at_drag.cross(drag);
+  wrench.slopes.bottomRightCorner<3, 3>() += multibody::cross(drag) * multibody::cross(at_drag);
+  if (speed != 0.0) wrench.slopes.col(0) += motion.share * (2.0 / speed) * wrench.value;
+  wrenches.push_back(wrench);
+}
+
+Result<Rest> Car::stand(const LineTires& tires,
+                        double speed,
+                        const CarInputs& inputs,
+                        const Rest& from) {
   const multibody::Outside outside = [&](const Motion& motion, std::vector<Wrench>& wrenches) {
     for (int corner = 0; corner < kCorners; ++corner) {
       const CornerParts& parts = parts_.corners[at(corner)];
@@ -254,6 +291,7 @@ Result<Rest> Car::stand(const LineTires& tires, const CarInputs& inputs, const R
     }
     const GuidePoint start = inputs.guide.value_or(GuidePoint{0.0, 0.0, 0.0});
     add_guide(motion, {0.0, 0.0, start.y}, wrenches);
+    add_air(motion, speed, wrenches);
   };
   const std::array<double, kDrivers> drivers = {inputs.rack};
   return statics_->solve({.loads = inputs.loads, .drivers = drivers, .outside = &outside}, from);
@@ -313,7 +351,7 @@ Result<Rest> Car::settle_on_tires(CarState& state,
   }
   double worst = 0.0;
   for (int i = 0; i < kMost; ++i) {
-    auto stood = stand(lines, inputs, rest);
+    auto stood = stand(lines, state.speed, inputs, rest);
     if (!stood) return stood;
     rest = std::move(*stood);
     worst = 0.0;
@@ -365,7 +403,7 @@ Result<Rest> Car::roll_in(CarState& state,
   }
   for (int round = 0; round < RollIn::kRounds; ++round) {
     if (round >= RollIn::kHeld) {
-      auto stood = stand(lines, inputs, rest);
+      auto stood = stand(lines, state.speed, inputs, rest);
       if (!stood) return stood;
       rest = std::move(*stood);
     }
@@ -499,6 +537,7 @@ void Car::add_wheels(const CarState& state,
     driven += inputs.drive[at(corner)];
   }
   add_guide(motion, guide, wrenches);
+  if (motion.rates) add_air(motion, (*motion.rates)[6 * parts_.chassis], wrenches);
   if (driven != 0.0) {
     Wrench reaction{.body = parts_.chassis_rear};
     reaction.value.tail<3>() = -driven * motion.poses[at(parts_.chassis_rear)].turn.col(1);

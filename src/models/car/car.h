@@ -122,6 +122,11 @@ class Car {
                  const GuidePoint& point,
                  std::vector<multibody::Wrench>& wrenches) const;
 
+  /// What air does to the chassis at a forward speed, with its slopes; nothing without a map.
+  void add_air(const multibody::Motion& motion,
+               double speed,
+               std::vector<multibody::Wrench>& wrenches) const;
+
   multibody::Equilibrium& statics() { return *statics_; }
 
  private:
@@ -133,6 +138,7 @@ class Car {
   };
   using LineTires = std::array<LineTire, kCorners>;
   Result<multibody::Rest> stand(const LineTires& tires,
+                                double speed,
                                 const CarInputs& inputs,
                                 const multibody::Rest& from);
   /// Static equilibrium on tires that are pressed down, at rest or spinning.

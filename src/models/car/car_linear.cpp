@@ -150,6 +150,7 @@ Result<LinearCar> linearize(const Car& car,
   const multibody::Outside outside = [&](const Motion& motion, std::vector<Wrench>& wrenches) {
     add_tires(car, wheels, motion, wrenches);
     car.add_guide(motion, start, wrenches);
+    car.add_air(motion, state.speed, wrenches);
   };
   const std::array<double, kDrivers> drivers = {inputs.rack};
   const multibody::Rest rest{state.bodies.poses, state.bodies.memories};

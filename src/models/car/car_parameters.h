@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "models/car/aero_map.h"
 #include "models/multibody/force_part.h"
 #include "models/multibody/mechanism.h"
 #include "models/multibody/rod_masses.h"
@@ -78,7 +79,8 @@ struct Chassis {
 struct CarParameters {
   Chassis chassis;
   Axle front, rear;
-  double gravity = 9.80665;  // m/s^2
+  std::optional<AeroMap> aero;  // none: no air
+  double gravity = 9.80665;     // m/s^2
 
   /// What is wrong with it, naming the part, or empty.
   std::string fault() const;

@@ -118,6 +118,31 @@ Axle read_axle(const Node& root, const std::string& name) {
   return axle;
 }
 
+std::optional<AeroMap> read_aero(const Node& root) {
+  const auto node = root.find_table("aero");
+  if (!node) return std::nullopt;
+  AeroMap aero;
+  aero.area = node->quantity("area", "m^2", Range::positive());
+  aero.density = node->quantity("density", "kg/m^3", Range::positive(), aero.density);
+  aero.drag = node->quantity("drag", "1", Range::not_negative(), 0.0);
+  aero.drag_height = node->quantity("drag_height", "m", Range::not_negative(), 0.0);
+  if (node->has("floor")) {
+    const auto floor = node->quantities("floor", "m");
+    if (floor.size() != 2) node->reject("floor", "expected two values, front and rear");
+    aero.floor_front = floor[0];
+    aero.floor_rear = floor[1];
+  }
+  std::vector<AeroMap::Row> rows;
+  for (const auto& row : node->rows("map", {"m", "m", "1", "1"}))
+    rows.push_back({row[0], row[1], row[2], row[3]});
+  if (const std::string fault = AeroMap::fault(rows); !fault.empty()) node->reject("map", fault);
+  if (rows.size() > 1 && !node->has("floor"))
+    node->reject("map", "depends on heights of the floor: floor is missing");
+  aero.set_rows(rows);
+  node->close();
+  return aero;
+}
+
 std::optional<SpringTireParameters> read_spring_tire(const Node& root, const std::string& name) {
   const auto tire = root.table(name).find_table("spring_tire");
   if (!tire) return std::nullopt;
@@ -138,6 +163,7 @@ CarFile read_car(const Node& root) {
   file.parameters.front.steered = true;
   file.parameters.gravity =
       root.quantity("gravity", "m/s^2", Range::not_negative(), file.parameters.gravity);
+  file.parameters.aero = read_aero(root);
   file.front_spring_tire = read_spring_tire(root, "front");
   file.rear_spring_tire = read_spring_tire(root, "rear");
   if (const auto driver = root.find_table("driver")) {

@@ -35,6 +35,15 @@
 //   [front.third]                        # on the sum of both sides: the same keys
 //   [front.anti_roll_bar]                # between rocker_arb_link and arb_link_blade
 //   stiffness = "80 N/mm"                # of the difference of the links' travels
+//   [aero]                               # none: no air
+//   area = "1.2 m^2"
+//   density = "1.2 kg/m^3"
+//   floor = ["30 mm", "40 mm"]           # height of the floor at the axles in the car as drawn
+//   map = [["20 mm", "30 mm", 1.4, 1.7], ...]   # of a front and a rear height of the floor the
+//                                        # coefficients of downforce at the axles; one row:
+//                                        # constant
+//   drag = 0.9
+//   drag_height = "0.3 m"
 //   [driver]
 //   line = "0 mm"                        # to the left of the line that is asked of him
 //   [front.spring_tire]                  # in the place of front_tire: a vertical spring

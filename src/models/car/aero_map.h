@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Downforce and drag of a car's body over its ride heights, as a wind tunnel tells them:
+//
+//   F_f = q A C_f(h_f, h_r),   F_r = q A C_r(h_f, h_r),   D = q A C_D,      q = ρ v² / 2
+//
+// h: height of the floor over the plane z = 0 at the two axles, in the middle of the car; a kerb
+// below it is not seen. Between the heights of the map the coefficients are bilinear, beyond them
+// they stay. Downforce acts straight down at the axles, drag backward at a stated height. Air that
+// needs time to follow is not here. With a chassis that twists all acts on its front half: points
+// in the middle of the car are where both halves agree.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace latsch::car {
+
+struct AeroMap {
+  /// A height of each axle and the coefficients of downforce there.
+  struct Row {
+    double front_height, rear_height;  // m
+    double front, rear;                // C_f, C_r; downforce positive
+  };
+  struct Coefficients {
+    Eigen::Vector2d downforce;  // front, rear
+    Eigen::Matrix2d by_height;  // 1/m; rows: coefficients, columns: front and rear height
+  };
+
+  double density = 1.2;                      // kg/m^3
+  double area = 1.0;                         // m^2
+  double drag = 0.0;                         // C_D
+  double drag_height = 0.0;                  // m, in the car as drawn
+  double floor_front = 0.0, floor_rear = 0;  // m, in the car as drawn
+
+  /// Rows of a whole grid, in any order; one row: constant coefficients.
+  void set_rows(const std::vector<Row>& rows);
+  /// What is wrong with such rows, or empty.
+  static std::string fault(const std::vector<Row>& rows);
+
+  Coefficients at(double front_height, double rear_height) const;
+
+ private:
+  std::vector<double> front_heights_ = {0.0}, rear_heights_ = {0.0};
+  Eigen::MatrixXd front_ = Eigen::MatrixXd::Zero(1, 1), rear_ = front_;  // front heights a row
+};
+
+}  // namespace latsch::car
