@@ -8,7 +8,7 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr double kNear = 1e-6, kStep = 1e-4;  // of the number: tire_slopes.h
+constexpr double kStep = 1e-4;  // of the number: tire_slopes.h
 
 /// What a step is a share of: the number, and where it is zero a usual one of its unit.
 double size_of(double value, const std::string& unit) {
@@ -33,13 +33,9 @@ Result<std::vector<fe_tire::Variation>> fe_variations(
       other.set(path, value + by);
       return tire(other);
     };
-    fe_tire::Variation variation{moved(kNear * size),
-                                 moved(-kStep * size),
-                                 moved(kStep * size),
-                                 kNear * size,
-                                 kStep * size,
-                                 path == "pressure"};
-    for (const auto* other : {&variation.near, &variation.below, &variation.above}) {
+    fe_tire::Variation variation{
+        moved(-kStep * size), moved(kStep * size), kStep * size, path == "pressure"};
+    for (const auto* other : {&variation.below, &variation.above}) {
       if (!fe_tire::same_topology(other->mesh, base.mesh) ||
           other->materials.layers.size() != base.materials.layers.size())
         return Failure{"slopes: a small change of " + in_quotes(path) +
