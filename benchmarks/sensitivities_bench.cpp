@@ -120,11 +120,6 @@ Eigen::MatrixXd slopes_of(const Trial& trial, bool loaded_modes, TireSlopes& slo
   return all;
 }
 
-VariedTire described(const Document& numbers) {
-  const TireDescription tire = read_tire(numbers.root());
-  return {build_mesh(tire), build_materials(tire), tire.pressure};
-}
-
 void time_row(Table& table, const Case& of, const Document& numbers) {
   std::vector<double> shares;
   double plain = 0.0;
@@ -134,7 +129,8 @@ void time_row(Table& table, const Case& of, const Document& numbers) {
     FeTire tire(description);
     const Trial trial = run(tire, description.pressure, of.loaded_modes);
     const double between = cpu_seconds();
-    TireSlopes slopes(tire, take(experiment::fe_variations(numbers, of.paths, described)));
+    TireSlopes slopes(
+        tire, take(experiment::fe_variations(numbers, of.paths, experiment::described_tires())));
     slopes_of(trial, of.loaded_modes, slopes);
     plain = between - start;
     shares.push_back((cpu_seconds() - between) / plain);
@@ -166,7 +162,7 @@ Eigen::VectorXd differences(const Case& of, const Document& numbers, const std::
     };
     return Eigen::VectorXd((moved(h) - moved(-h)) / (2.0 * h));
   };
-  constexpr double kStep = 5e-4;
+  constexpr double kStep = 3e-3;  // smaller ones show what a trial is solved to
   return (4.0 * central(0.5 * kStep) - central(kStep)) / 3.0;
 }
 
@@ -178,7 +174,8 @@ void error_rows(Table& table, const Case& of, const Document& numbers) {
   settings.tolerance = 1e-10;
   FeTire tire(build_mesh(description), build_materials(description), settings);
   const Trial trial = run(tire, description.pressure, of.loaded_modes);
-  TireSlopes slopes(tire, take(experiment::fe_variations(numbers, of.paths, described)));
+  TireSlopes slopes(
+      tire, take(experiment::fe_variations(numbers, of.paths, experiment::described_tires())));
   const Eigen::MatrixXd found = slopes_of(trial, of.loaded_modes, slopes);
   double largest = 0.0;
   for (std::size_t k = 0; k < of.paths.size(); ++k) {
@@ -201,9 +198,11 @@ void error_rows(Table& table, const Case& of, const Document& numbers) {
             largest <= kError);
 }
 
-int bench() {
+/// Of one of the tires alone where it is named.
+int bench(const std::string& name) {
   Table table("sensitivities");
   for (const Case& of : cases()) {
+    if (!name.empty() && name != of.name) continue;
     const Document numbers =
         Document::read(std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires" / of.file);
     time_row(table, of, numbers);
@@ -215,4 +214,7 @@ int bench() {
 }  // namespace
 }  // namespace latsch::benchmarks
 
-int main() { return latsch::benchmarks::guarded(latsch::benchmarks::bench); }
+int main(int count, char** arguments) {
+  const std::string name = count > 1 ? arguments[1] : "";
+  return latsch::benchmarks::guarded([&] { return latsch::benchmarks::bench(name); });
+}

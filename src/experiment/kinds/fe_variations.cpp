@@ -2,8 +2,11 @@
 #include "experiment/kinds/fe_variations.h"
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "base/text.h"
+#include "models/fe_tire/description/tire_description.h"
 
 namespace latsch::experiment {
 namespace {
@@ -19,6 +22,18 @@ double size_of(double value, const std::string& unit) {
 }
 
 }  // namespace
+
+std::function<fe_tire::VariedTire(const Document&)> described_tires() {
+  using fe_tire::TireDescription;
+  return [built = std::optional<std::pair<TireDescription, fe_tire::Mesh>>()](
+             const Document& numbers) mutable -> fe_tire::VariedTire {
+    const TireDescription tire = fe_tire::read_tire(numbers.root());
+    if (!built) built.emplace(tire, fe_tire::build_mesh(tire));
+    return {fe_tire::same_mesh(tire, built->first) ? built->second : fe_tire::build_mesh(tire),
+            fe_tire::build_materials(tire),
+            tire.pressure};
+  };
+}
 
 Result<std::vector<fe_tire::Variation>> fe_variations(
     const Document& numbers,

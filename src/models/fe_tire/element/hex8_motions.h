@@ -50,7 +50,8 @@ struct VariedElement {
   bool solid = true, cords = true, gas = true;
 };
 
-/// L of every varied element (all of one section element) and motion, sums[(varied * motions + motion)][lane].
+/// L of every varied element (all of one section element) and motion,
+/// sums[varied * motions + motion][lane].
 void sum_motions(std::span<const VariedElement> varied,
                  unsigned open_edges,
                  ElementBatch& batch,
