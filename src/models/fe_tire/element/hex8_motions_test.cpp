@@ -12,10 +12,9 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr int kLanes = ElementBatch::kLanes;
-constexpr double kPressure = 2.5e5;
+constexpr double kGasPressure = 2.5e5;
 
-Matrix38 corners() {
+Matrix38 corners_of_belt() {
   Matrix38 X;
   for (int a = 0; a < 8; ++a) {
     const double r = 0.3 + 4e-3 * kZeta[a] + 1e-3 * kEta[a], theta = 0.03 * kXi[a];
@@ -24,19 +23,19 @@ Matrix38 corners() {
   return X;
 }
 
-Matrix38 wave(double size, double seed) {
+Matrix38 motion_field(double size, double seed) {
   Matrix38 u;
   for (int k = 0; k < 24; ++k) u.data()[k] = size * std::sin(seed + 1.7 * k + 0.3 * k * k);
   return u;
 }
 
-struct Case {
+struct MovedElement {
   HexShape shape;
   Materials materials;
   Element element;
-  Matrix38 u = wave(3e-4, 0.4), phi = wave(1.0, 1.1), zeta = wave(1.0, 2.3);
+  Matrix38 u = motion_field(3e-4, 0.4), phi = motion_field(1.0, 1.1), zeta = motion_field(1.0, 2.3);
 
-  explicit Case(ElementKind kind) : shape(make_shape(kind, corners())) {
+  explicit MovedElement(ElementKind kind) : shape(make_shape(kind, corners_of_belt())) {
     materials.solids = {{Hyperelastic{1e6, 2e5, 5e7}, 1100.0}};
     materials.layers = {{.E_tension = 2e9,
                          .E_compression = 2e8,
@@ -55,7 +54,7 @@ struct Case {
     batch.count = 1;
     const std::array<double, 8> none{};
     batch.set(0, place, none.data(), alphas());
-    EXPECT_EQ(evaluate(of, {.pressure = kPressure}, true, batch), 1u);
+    EXPECT_EQ(evaluate(of, {.pressure = kGasPressure}, true, batch), 1u);
     return batch;
   }
   ElementMotion motion() const {
@@ -68,15 +67,13 @@ struct Case {
   }
 };
 
-using Vector = Eigen::Matrix<double, 24, 1>;
-
-Vector times(const ElementBatch& batch, const Matrix38& phi, Vector* f = nullptr) {
+Vector24 stiffness_times(const ElementBatch& batch, const Matrix38& phi, Vector24* f = nullptr) {
   Vector24 force;
   Matrix24 K;
   std::array<double, 8> enhanced{};
   batch.take(0, force, &K, enhanced.data(), 8);
   if (f) *f = force;
-  return K * Vector::Map(phi.data());
+  return K * Vector24::Map(phi.data());
 }
 
 class ElementMotions : public testing::TestWithParam<ElementKind> {};
@@ -84,19 +81,19 @@ class ElementMotions : public testing::TestWithParam<ElementKind> {};
 TEST_P(ElementMotions, CurvatureIsTheChangeOfStiffness) {
   for (const KernelSet set : kernel_sets()) {
     const WithKernelSet with(set);
-    const Case of(GetParam());
+    const MovedElement of(GetParam());
     const ElementLaw law = of.law();
     ElementBatch batch = of.at(law, of.u);
     std::vector<ElementMotion> motions = {of.motion()};
-    ElementSurroundings around{.pressure = kPressure};
+    ElementSurroundings around{.pressure = kGasPressure};
     ASSERT_TRUE(add_curvatures(law, around, batch, motions));
     constexpr double h = 2e-6;  // m
     const auto change = [&](double step) {
-      return Vector((times(of.at(law, of.u + step * of.phi), of.phi) -
-                     times(of.at(law, of.u - step * of.phi), of.phi)) /
-                    (2.0 * step));
+      return Vector24((stiffness_times(of.at(law, of.u + step * of.phi), of.phi) -
+                       stiffness_times(of.at(law, of.u - step * of.phi), of.phi)) /
+                      (2.0 * step));
     };
-    const Vector expected = (4.0 * change(0.5 * h) - change(h)) / 3.0;
+    const Vector24 expected = (4.0 * change(0.5 * h) - change(h)) / 3.0;
     for (int k = 0; k < 24; ++k) {
       EXPECT_NEAR(motions[0].curvature[k][0], expected[k], 1e-7 * expected.norm())
           << name(set) << ", unknown " << k;
@@ -106,10 +103,10 @@ TEST_P(ElementMotions, CurvatureIsTheChangeOfStiffness) {
 
 // With alpha in equilibrium and the place held, d/dp (phi.K phi + zeta.f) is dL/dp of (M.4).
 TEST_P(ElementMotions, SlopesInNumbersAreThoseOfForcesAndStiffness) {
-  const Case of(GetParam());
+  const MovedElement of(GetParam());
   const ElementLaw law = of.law();
   const auto moved = [&](int number, double share) {
-    Case other(GetParam());
+    MovedElement other(GetParam());
     auto& rubber = std::get<Hyperelastic>(other.materials.solids[0].law);
     double* const numbers[] = {&rubber.C10,
                                &rubber.C01,
@@ -123,13 +120,13 @@ TEST_P(ElementMotions, SlopesInNumbersAreThoseOfForcesAndStiffness) {
   for (int number = 0; number < 6; ++number) {
     ElementBatch batch = of.at(law, of.u);
     std::vector<ElementMotion> motions = {of.motion()};
-    ASSERT_TRUE(add_curvatures(law, {.pressure = kPressure}, batch, motions));
+    ASSERT_TRUE(add_curvatures(law, {.pressure = kGasPressure}, batch, motions));
     ASSERT_TRUE(follow_along(law, batch, motions));
     const auto slope = [&](double h) {
-      const Case below = moved(number, -h), above = moved(number, h);
+      const MovedElement below = moved(number, -h), above = moved(number, h);
       const ElementLaw laws[] = {below.law(), above.law()};
-      const VariedElement varied[] = {{&laws[0], kPressure}, {&laws[1], kPressure}};
-      alignas(64) double sums[2][kLanes];
+      const VariedElement varied[] = {{&laws[0], kGasPressure}, {&laws[1], kGasPressure}};
+      alignas(64) double sums[2][ElementBatch::kLanes];
       sum_motions(varied, 0, batch, motions, sums);
       return (sums[1][0] - sums[0][0]) / (2.0 * h);
     };
@@ -137,9 +134,9 @@ TEST_P(ElementMotions, SlopesInNumbersAreThoseOfForcesAndStiffness) {
       double sides[2];
       for (const bool up : {false, true}) {
         const ElementLaw other = moved(number, up ? h : -h).law();
-        Vector f;
-        const Vector Kphi = times(of.at(other, of.u), of.phi, &f);
-        sides[up] = Kphi.dot(Vector::Map(of.phi.data())) + f.dot(Vector::Map(of.zeta.data()));
+        Vector24 f;
+        const Vector24 Kphi = stiffness_times(of.at(other, of.u), of.phi, &f);
+        sides[up] = Kphi.dot(Vector24::Map(of.phi.data())) + f.dot(Vector24::Map(of.zeta.data()));
       }
       return (sides[1] - sides[0]) / (2.0 * h);
     };
