@@ -289,6 +289,24 @@ struct VariedTread {
 
 Failure beside() { return Failure{"slopes: an element fails beside the state"}; }
 
+/// Forces of the tread of a varied tire in the points that touch in the state itself: which do is
+/// held, or a point that just touches would come off within a step. Flat ground below the wheel.
+std::vector<TreadContact::Touch> forces_where(const std::vector<TreadContact::Touch>& touching,
+                                              const TreadSurface& tread,
+                                              const TireState& state,
+                                              const Eigen::VectorXd& x) {
+  const Eigen::Matrix3Xd positions = tread.positions(tread.displacements(x));
+  std::vector<TreadContact::Touch> touches = touching;
+  for (TreadContact::Touch& touch : touches) {
+    const TreadSurface::Point& point = tread.points()[touch.point];
+    const double stiffness = state.ground.stiffness * point.dA;
+    const double distance = tread.at(point, positions).z() + state.pose.height;
+    touch.stiffness = stiffness * Eigen::Vector3d::UnitZ() * Eigen::RowVector3d::UnitZ();
+    touch.force = -stiffness * distance * Eigen::Vector3d::UnitZ();
+  }
+  return touches;
+}
+
 double vertical(const std::vector<TreadContact::Touch>& touches, double multiplicity) {
   double force = 0.0;
   for (const TreadContact::Touch& touch : touches) force += touch.force.z();
@@ -356,6 +374,9 @@ Result<TireSlopes::OfState> TireSlopes::of_state(const TireState& state) {
   RingMotions motions(all.unknowns, impl.base.elements(), x, state.alpha, pressure, no_modes);
   Eigen::MatrixXd sums;
   if (!motions.slopes(w, impl.moved_numbers(pressure), sums)) return beside();
+  TreadContact contact(all.tread, state.ground);
+  contact.start(state.pose, x, state.anchors);
+  const auto touching = contact.stuck(x);
   OfState slopes;
   slopes.force = multiplicity * sums.row(0).transpose();
   slopes.by_height = multiplicity * (w.col(0).dot(f_h) - stiffness);
@@ -364,9 +385,7 @@ Result<TireSlopes::OfState> TireSlopes::of_state(const TireState& state) {
       const Varied& tire = side < 0.0 ? impl.varied[k]->below : impl.varied[k]->above;
       if (tire.same_shape) continue;
       const VariedTread other(tire, all, impl.base.settings, impl.base.mirror(), state.is_halved);
-      TreadContact contact(*other.tread, state.ground);
-      contact.start(state.pose, x, state.anchors);
-      const auto touches = contact.touches(other.tread->displacements(x));
+      const auto touches = forces_where(touching, *other.tread, state, x);
       Eigen::VectorXd c = Eigen::VectorXd::Zero(x.size());
       add_forces(*other.tread, touches, c);
       slopes.force[k] += side / (2.0 * impl.variations[k].step) *
@@ -408,17 +427,19 @@ Result<Eigen::MatrixXd> TireSlopes::Impl::of_some_modes(const TireState& state,
   if (!motions.slopes(z, moved_numbers(pressure), changes)) return beside();
   const Eigen::VectorXd f_h = by_height(all, state).first;
   changes += (z.transpose() * f_h) * height.transpose();
+  TreadContact contact(all.tread, state.ground);
+  contact.start(state.pose, x, state.anchors);
+  const auto touching = contact.stuck(x);
   for (int k = 0; k < count(); ++k) {
     for (const double side : {-1.0, 1.0}) {
       const Varied& tire = side < 0.0 ? varied[k]->below : varied[k]->above;
       if (tire.same_shape) continue;
       const VariedTread other(tire, all, base.settings, base.mirror(), state.is_halved);
-      TreadContact contact(*other.tread, state.ground);
-      contact.start(state.pose, x, state.anchors);
+      const auto touches = forces_where(touching, *other.tread, state, x);
       Eigen::VectorXd c = Eigen::VectorXd::Zero(x.size());
-      add_forces(*other.tread, contact.touches(other.tread->displacements(x)), c);
+      add_forces(*other.tread, touches, c);
       Eigen::VectorXd sums = z.transpose() * c;
-      for (const TreadContact::Touch& touch : contact.stuck(x)) {
+      for (const TreadContact::Touch& touch : touches) {
         for (std::size_t i = 0; i < modes.size(); ++i) {
           const Eigen::Vector3d motion = other.tread->motion(touch.point, modes[i].shape);
           sums[static_cast<Eigen::Index>(i)] += motion.dot(touch.stiffness * motion);
