@@ -4,6 +4,7 @@
 
 #include "experiment/kinds/fe_tire_pictures.h"
 #include "experiment/kinds/fe_tire_specimen.h"
+#include "experiment/kinds/fe_variations.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/model_version.h"
 #include "models/fe_tire/description/tire_description.h"
@@ -17,7 +18,7 @@ using fe_tire::TireDescription;
 class DescribedTire : public FeTireSpecimen {
  public:
   DescribedTire(const TireDescription& description, const Document& numbers)
-      : FeTireSpecimen(FeTire(description), description.pressure, numbers, varied),
+      : FeTireSpecimen(FeTire(description), description.pressure, numbers, described_tires()),
         description_(description) {}
 
   /// The same with other materials: the symbolic work on the mesh is kept. False where the mesh is
@@ -30,11 +31,6 @@ class DescribedTire : public FeTireSpecimen {
   }
 
  private:
-  static fe_tire::VariedTire varied(const Document& numbers) {
-    const TireDescription tire = fe_tire::read_tire(numbers.root());
-    return {fe_tire::build_mesh(tire), fe_tire::build_materials(tire), tire.pressure};
-  }
-
   TireDescription description_;
 };
 

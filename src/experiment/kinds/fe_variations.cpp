@@ -2,13 +2,16 @@
 #include "experiment/kinds/fe_variations.h"
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "base/text.h"
+#include "models/fe_tire/description/tire_description.h"
 
 namespace latsch::experiment {
 namespace {
 
-constexpr double kNear = 1e-6, kStep = 1e-4;  // of the number: tire_slopes.h
+constexpr double kStep = 1e-4;  // of the number: tire_slopes.h
 
 /// What a step is a share of: the number, and where it is zero a usual one of its unit.
 double size_of(double value, const std::string& unit) {
@@ -19,6 +22,18 @@ double size_of(double value, const std::string& unit) {
 }
 
 }  // namespace
+
+std::function<fe_tire::VariedTire(const Document&)> described_tires() {
+  using fe_tire::TireDescription;
+  return [built = std::optional<std::pair<TireDescription, fe_tire::Mesh>>()](
+             const Document& numbers) mutable -> fe_tire::VariedTire {
+    const TireDescription tire = fe_tire::read_tire(numbers.root());
+    if (!built) built.emplace(tire, fe_tire::build_mesh(tire));
+    return {fe_tire::same_mesh(tire, built->first) ? built->second : fe_tire::build_mesh(tire),
+            fe_tire::build_materials(tire),
+            tire.pressure};
+  };
+}
 
 Result<std::vector<fe_tire::Variation>> fe_variations(
     const Document& numbers,
@@ -33,13 +48,9 @@ Result<std::vector<fe_tire::Variation>> fe_variations(
       other.set(path, value + by);
       return tire(other);
     };
-    fe_tire::Variation variation{moved(kNear * size),
-                                 moved(-kStep * size),
-                                 moved(kStep * size),
-                                 kNear * size,
-                                 kStep * size,
-                                 path == "pressure"};
-    for (const auto* other : {&variation.near, &variation.below, &variation.above}) {
+    fe_tire::Variation variation{
+        moved(-kStep * size), moved(kStep * size), kStep * size, path == "pressure"};
+    for (const auto* other : {&variation.below, &variation.above}) {
       if (!fe_tire::same_topology(other->mesh, base.mesh) ||
           other->materials.layers.size() != base.materials.layers.size())
         return Failure{"slopes: a small change of " + in_quotes(path) +

@@ -13,6 +13,9 @@
 
 namespace latsch::experiment {
 
+/// What makes the tire of a file of sections and plies; a mesh is built once for all that have it.
+std::function<fe_tire::VariedTire(const Document&)> described_tires();
+
 /// Of the numbers at these paths, each by a small share of itself; `tire` makes the tire of a file.
 /// A Failure names the path by which the mesh becomes another one.
 Result<std::vector<fe_tire::Variation>> fe_variations(

@@ -9,6 +9,7 @@
 #include "models/fe_tire/analysis/fe_tire_impl.h"
 #include "models/fe_tire/analysis/inflation.h"
 #include "models/fe_tire/analysis/modes.h"
+#include "models/fe_tire/analysis/ring_motions.h"
 #include "models/fe_tire/ring/sector.h"
 
 namespace latsch::fe_tire {
@@ -50,7 +51,7 @@ struct Varied {
   bool same_shape;
   std::optional<Ring> own_ring, own_even;  // where its shape is another one
   std::optional<RingElements> elements, even_elements;
-  std::vector<bool> differs;  // an element of the section in its stress
+  std::vector<MovedNumber::Parts> parts;  // of the section's elements that differ
 
   Varied(const Varied&) = delete;  // elements refer to their ring
   Varied(const VariedTire& varied, const FeTire::Impl& base) : tire(varied) {
@@ -64,14 +65,21 @@ struct Varied {
     elements.emplace(same_shape ? base.ring : *own_ring, varied.materials);
     if (base.even) even_elements.emplace(same_shape ? *base.even : *own_even, varied.materials);
     const Materials& materials = base.elements().materials();
+    const bool masses = !same_mass(base);
     for (const Element& element : mesh.elements) {
-      bool same = same_shape &&
-                  same_law(varied.materials.solids[element.solid], materials.solids[element.solid]);
+      MovedNumber::Parts& here = parts.emplace_back();
+      const Solid &solid = varied.materials.solids[element.solid],
+                  &other = materials.solids[element.solid];
+      here.solid = !same_shape || !same_law(solid, other);
+      here.cords = here.gas = !same_shape;
+      here.mass = masses && (!same_shape || solid.density != other.density);
       for (const RebarPlacement& rebar : element.rebars) {
-        same =
-            same && same_cords(varied.materials.layers[rebar.layer], materials.layers[rebar.layer]);
+        const CordLayer &cords = varied.materials.layers[rebar.layer],
+                        &others = materials.layers[rebar.layer];
+        here.cords = here.cords || !same_cords(cords, others);
+        here.mass =
+            here.mass || cords.density * cords.thickness != others.density * others.thickness;
       }
-      differs.push_back(!same);
     }
   }
 
@@ -92,18 +100,22 @@ struct Varied {
 struct TireSlopes::Impl {
   FeTire::Impl& base;
   std::vector<Variation> variations;
-  struct Three {
-    Varied near, below, above;
-    Three(const Variation& v, const FeTire::Impl& base)
-        : near(v.near, base), below(v.below, base), above(v.above, base) {}
+  struct Two {
+    Varied below, above;
+    Two(const Variation& v, const FeTire::Impl& base) : below(v.below, base), above(v.above, base) {
+      if (!v.moves_pressure) return;
+      for (std::size_t e = 0; e < below.parts.size(); ++e) {
+        below.parts[e].gas = base.ring.mesh().elements[e].inner;
+      }
+    }
   };
-  std::vector<std::unique_ptr<Three>> varied;
+  std::vector<std::unique_ptr<Two>> varied;
   std::optional<std::pair<Eigen::Matrix3Xd, OfInflated>> inflated;  // of the state u
   std::optional<numerics::Factorization> own_factor;
 
   Impl(FeTire::Impl& tire, std::vector<Variation> numbers)
       : base(tire), variations(std::move(numbers)) {
-    for (const Variation& v : variations) varied.push_back(std::make_unique<Three>(v, base));
+    for (const Variation& v : variations) varied.push_back(std::make_unique<Two>(v, base));
   }
   int count() const { return static_cast<int>(variations.size()); }
 
@@ -115,11 +127,12 @@ struct TireSlopes::Impl {
   Result<OfInflated> solve_inflated(const Inflated& at);
   /// Of the tangent about a state: that of its modes where they were asked for, or one of its own.
   Result<const numerics::Factorization*> factor(Systems& all, const TireState& state);
-  Result<OfState> solve_state(const TireState& state, Eigen::MatrixXd* by_variable);
-  bool residual_changes(Systems& all,
-                        const TireState& state,
-                        Eigen::MatrixXd& r,
-                        Eigen::VectorXd& force);
+  Result<Eigen::MatrixXd> of_some_modes(const TireState& state,
+                                        const std::vector<Mode>& modes,
+                                        const Eigen::VectorXd& height);
+  std::vector<MovedNumber> moved_numbers(double pressure) const;
+  /// Of the height: df/dh and -dFz/dh|x, of what is assembled.
+  std::pair<Eigen::VectorXd, double> by_height(Systems& all, const TireState& state) const;
 };
 
 TireSlopes::TireSlopes(FeTire& tire, std::vector<Variation> variations)
@@ -155,25 +168,27 @@ Result<TireSlopes::OfInflated> TireSlopes::Impl::solve_inflated(const Inflated& 
   slopes.radius.resize(count());
   slopes.growth.resize(count());
   for (int k = 0; k < count(); ++k) {
-    const Varied& near = varied[k]->near;
-    Eigen::VectorXd moved, enhanced = at.alpha;
-    if (!assemble_sector(near.even(),
-                         x,
-                         pressure_of(k, near.tire, at.pressure),
-                         enhanced,
-                         moved,
-                         nullptr,
-                         &worst)) {
-      return no_tangent(ring, worst);
-    }
-    Eigen::MatrixXcd d = ((f - moved) / variations[k].near_step).cast<std::complex<double>>();
+    const Varied &below = varied[k]->below, &above = varied[k]->above;
+    const double way = 2.0 * variations[k].step;
+    const auto forces = [&](const Varied& tire, Eigen::VectorXd& moved) {
+      Eigen::VectorXd enhanced = at.alpha;
+      const double p = pressure_of(k, tire.tire, at.pressure);
+      return assemble_sector(tire.even(), x, p, enhanced, moved, nullptr, &worst);
+    };
+    Eigen::VectorXd f_below, f_above;
+    if (!forces(below, f_below) || !forces(above, f_above)) return no_tangent(ring, worst);
+    Eigen::MatrixXcd d = ((f_below - f_above) / way).cast<std::complex<double>>();
     cholesky.solve(d);
     slopes.x.col(k) = d.real();
-    Inflated next = at;
-    next.u = ring.expand(x + variations[k].near_step * slopes.x.col(k));
-    measure_growth(near.even().ring().mesh(), next);
-    slopes.radius[k] = (next.radius - at.radius) / variations[k].near_step;
-    slopes.growth[k] = (next.growth - at.growth) / variations[k].near_step;
+    const auto moved = [&](const Varied& tire, double side) {
+      Inflated next = at;
+      next.u = ring.expand(x + side * variations[k].step * slopes.x.col(k));
+      measure_growth(tire.even().ring().mesh(), next);
+      return next;
+    };
+    const Inflated under = moved(below, -1.0), over = moved(above, 1.0);
+    slopes.radius[k] = (over.radius - under.radius) / way;
+    slopes.growth[k] = (over.growth - under.growth) / way;
   }
   return slopes;
 }
@@ -272,6 +287,26 @@ struct VariedTread {
   }
 };
 
+Failure beside() { return Failure{"slopes: an element fails beside the state"}; }
+
+/// Forces of the tread of a varied tire in the points that touch in the state itself: which do is
+/// held, or a point that just touches would come off within a step. Flat ground below the wheel.
+std::vector<TreadContact::Touch> forces_where(const std::vector<TreadContact::Touch>& touching,
+                                              const TreadSurface& tread,
+                                              const TireState& state,
+                                              const Eigen::VectorXd& x) {
+  const Eigen::Matrix3Xd positions = tread.positions(tread.displacements(x));
+  std::vector<TreadContact::Touch> touches = touching;
+  for (TreadContact::Touch& touch : touches) {
+    const TreadSurface::Point& point = tread.points()[touch.point];
+    const double stiffness = state.ground.stiffness * point.dA;
+    const double distance = tread.at(point, positions).z() + state.pose.height;
+    touch.stiffness = stiffness * Eigen::Vector3d::UnitZ() * Eigen::RowVector3d::UnitZ();
+    touch.force = -stiffness * distance * Eigen::Vector3d::UnitZ();
+  }
+  return touches;
+}
+
 double vertical(const std::vector<TreadContact::Touch>& touches, double multiplicity) {
   double force = 0.0;
   for (const TreadContact::Touch& touch : touches) force += touch.force.z();
@@ -280,76 +315,35 @@ double vertical(const std::vector<TreadContact::Touch>& touches, double multipli
 
 }  // namespace
 
-/// df/dp of every variable at a height that is held, and dFz/dp likewise.
-bool TireSlopes::Impl::residual_changes(Systems& all,
-                                        const TireState& state,
-                                        Eigen::MatrixXd& r,
-                                        Eigen::VectorXd& force) {
-  const RingUnknowns& unknowns = all.unknowns;
-  const Eigen::VectorXd x = unknowns.compress(state.u);
-  const int per_sector = base.ring.elements_per_sector(), alphas = base.ring.alphas_per_element();
-  r.setZero(unknowns.size(), count());
-  force.setZero(count());
-  ElementBatch batch;
-  for (const auto& [first, lanes] : base.elements().groups(unknowns.sectors())) {
-    for (int e = 0; e < per_sector; ++e) {
-      std::array<Vector24, ElementBatch::kLanes> own;
-      const auto forces = [&](const RingElements& elements,
-                              double pressure,
-                              std::array<Vector24, ElementBatch::kLanes>& f) {
-        batch.count = lanes;
-        for (int lane = 0; lane < lanes; ++lane) {
-          batch.set(lane,
-                    unknowns.gather(first + lane, e, x),
-                    state.alpha.data() + ((first + lane) * per_sector + e) * alphas,
-                    alphas);
-        }
-        const unsigned valid = elements.evaluate(first, e, pressure, false, batch);
-        for (int lane = 0; lane < lanes; ++lane) {
-          if (!(valid >> lane & 1)) return false;
-          std::array<double, 8> enhanced{};
-          batch.take(lane, f[lane], nullptr, enhanced.data(), alphas);
-        }
-        return true;
-      };
-      bool is_known = false;
-      for (int k = 0; k < count(); ++k) {
-        const Varied& near = varied[k]->near;
-        const bool is_inner = base.ring.mesh().elements[e].inner;
-        if (!near.differs[e] && !(variations[k].moves_pressure && is_inner)) continue;
-        if (!is_known && !forces(base.elements(), state.inflated->pressure, own)) return false;
-        is_known = true;
-        std::array<Vector24, ElementBatch::kLanes> moved;
-        const double pressure = pressure_of(k, near.tire, state.inflated->pressure);
-        if (!forces(*near.elements, pressure, moved)) return false;
-        for (int lane = 0; lane < lanes; ++lane) {
-          const Vector24 change = (moved[lane] - own[lane]) / variations[k].near_step;
-          unknowns.add_forces(first + lane, e, change, r.col(k));
-        }
-      }
-    }
-  }
-  TreadContact contact(all.tread, state.ground);
-  contact.start(state.pose, x, state.anchors);
-  const auto u = all.tread.displacements(x);
-  const auto touches = contact.touches(u);
-  Eigen::VectorXd c = Eigen::VectorXd::Zero(x.size());
-  add_forces(all.tread, touches, c);
+std::vector<MovedNumber> TireSlopes::Impl::moved_numbers(double pressure) const {
+  std::vector<MovedNumber> numbers;
   for (int k = 0; k < count(); ++k) {
-    const Varied& near = varied[k]->near;
-    if (near.same_shape) continue;
-    const VariedTread other(near, all, base.settings, base.mirror(), state.is_halved);
-    TreadContact moved(*other.tread, state.ground);
-    moved.start(state.pose, x, state.anchors);
-    const auto now = moved.touches(u);
-    Eigen::VectorXd c_now = Eigen::VectorXd::Zero(x.size());
-    add_forces(*other.tread, now, c_now);
-    r.col(k) += (c_now - c) / variations[k].near_step;
-    const double multiplicity = all.tread.multiplicity();
-    force[k] =
-        (vertical(now, multiplicity) - vertical(touches, multiplicity)) / variations[k].near_step;
+    const Varied &below = varied[k]->below, &above = varied[k]->above;
+    numbers.push_back({&*below.elements,
+                       &*above.elements,
+                       pressure_of(k, below.tire, pressure),
+                       pressure_of(k, above.tire, pressure),
+                       2.0 * variations[k].step,
+                       &below.parts});
   }
-  return true;
+  return numbers;
+}
+
+std::pair<Eigen::VectorXd, double> TireSlopes::Impl::by_height(Systems& all,
+                                                               const TireState& state) const {
+  TreadContact contact(all.tread, state.ground);
+  const Eigen::VectorXd x = all.unknowns.compress(state.u);
+  contact.start(state.pose, x, state.anchors);
+  // A wheel that is higher: every point in contact is as much farther from the ground.
+  std::vector<TreadContact::Touch> touches = contact.stuck(x);
+  double stiffness = 0.0;
+  for (TreadContact::Touch& touch : touches) {
+    touch.force = -touch.stiffness.col(2);
+    stiffness += touch.stiffness(2, 2);
+  }
+  Eigen::VectorXd f_h = Eigen::VectorXd::Zero(x.size());
+  add_forces(all.tread, touches, f_h);
+  return {std::move(f_h), stiffness};
 }
 
 Result<const numerics::Factorization*> TireSlopes::Impl::factor(Systems& all,
@@ -365,169 +359,100 @@ Result<const numerics::Factorization*> TireSlopes::Impl::factor(Systems& all,
   return &*own_factor;
 }
 
-/// (S.2), and where asked for -K^-1 df/dp and, last, -K^-1 df/dh.
-Result<TireSlopes::OfState> TireSlopes::Impl::solve_state(const TireState& state,
-                                                          Eigen::MatrixXd* by_variable) {
-  Systems& all = base.systems(state.is_halved, state.window);
-  const auto factor_of_state = factor(all, state);
-  if (!factor_of_state) return factor_of_state.failure();
-  const numerics::Factorization& factor = **factor_of_state;
-  Eigen::MatrixXd r;
-  OfState slopes;
-  if (!residual_changes(all, state, r, slopes.force))
-    return Failure{"slopes: an element fails beside the state"};
-  TreadContact contact(all.tread, state.ground);
+/// (S.2): Fz is -df/dh along w.
+Result<TireSlopes::OfState> TireSlopes::of_state(const TireState& state) {
+  Impl& impl = *impl_;
+  Systems& all = impl.base.systems(state.is_halved, state.window);
+  const auto factor = impl.factor(all, state);
+  if (!factor) return factor.failure();
+  const auto [f_h, stiffness] = impl.by_height(all, state);
+  Eigen::MatrixXd w = f_h;
+  (*factor)->solve(w.col(0));
   const Eigen::VectorXd x = all.unknowns.compress(state.u);
+  const double pressure = state.inflated->pressure, multiplicity = all.tread.multiplicity();
+  const std::vector<Mode> no_modes;
+  RingMotions motions(all.unknowns, impl.base.elements(), x, state.alpha, pressure, no_modes);
+  Eigen::MatrixXd sums;
+  if (!motions.slopes(w, impl.moved_numbers(pressure), sums)) return beside();
+  TreadContact contact(all.tread, state.ground);
   contact.start(state.pose, x, state.anchors);
-  // A wheel that is higher: every point in contact is as much farther from the ground.
-  std::vector<TreadContact::Touch> by_height = contact.stuck(x);
-  double stiffness = 0.0;
-  for (TreadContact::Touch& touch : by_height) {
-    touch.force = -touch.stiffness.col(2);
-    stiffness += touch.stiffness(2, 2);
-  }
-  Eigen::VectorXd f_h = Eigen::VectorXd::Zero(x.size());
-  add_forces(all.tread, by_height, f_h);
-  Eigen::VectorXd w = f_h;
-  factor.solve(w);
-  const double multiplicity = all.tread.multiplicity();
-  slopes.force += multiplicity * (r.transpose() * w);
-  slopes.by_height = multiplicity * (w.dot(f_h) - stiffness);
-  if (by_variable) {
-    by_variable->resize(x.size(), count() + 1);
-    by_variable->leftCols(count()) = -r;
-    factor.solve_columns(by_variable->leftCols(count()));
-    by_variable->col(count()) = -w;
+  const auto touching = contact.stuck(x);
+  OfState slopes;
+  slopes.force = multiplicity * sums.row(0).transpose();
+  slopes.by_height = multiplicity * (w.col(0).dot(f_h) - stiffness);
+  for (int k = 0; k < impl.count(); ++k) {
+    for (const double side : {-1.0, 1.0}) {
+      const Varied& tire = side < 0.0 ? impl.varied[k]->below : impl.varied[k]->above;
+      if (tire.same_shape) continue;
+      const VariedTread other(tire, all, impl.base.settings, impl.base.mirror(), state.is_halved);
+      const auto touches = forces_where(touching, *other.tread, state, x);
+      Eigen::VectorXd c = Eigen::VectorXd::Zero(x.size());
+      add_forces(*other.tread, touches, c);
+      slopes.force[k] += side / (2.0 * impl.variations[k].step) *
+                         (multiplicity * w.col(0).dot(c) + vertical(touches, multiplicity));
+    }
   }
   return slopes;
 }
 
-Result<TireSlopes::OfState> TireSlopes::of_state(const TireState& state) {
-  return impl_->solve_state(state, nullptr);
-}
-
-namespace {
-
-/// Sums of phi^T (K - omega^2 M) phi of every mode over what is assembled of a varied tire.
-class ModeSums {
- public:
-  ModeSums(const RingUnknowns& unknowns, const std::vector<Mode>& modes)
-      : unknowns_(unknowns), ring_(unknowns.ring()), modes_(modes) {}
-
-  /// In the state x, alpha. False where an element fails.
-  bool add(const RingElements& elements,
-           bool with_mass,
-           double pressure,
-           const Eigen::VectorXd& x,
-           const Eigen::VectorXd& alpha,
-           double factor,
-           Eigen::VectorXd& sums) const {
-    const int per_sector = ring_.elements_per_sector(), alphas = ring_.alphas_per_element();
-    ElementBatch batch;
-    Vector24 f;
-    Matrix24 K;
-    std::array<double, 8> enhanced{};
-    Eigen::MatrixXd shapes(24, modes_.size()), product(24, modes_.size());
-    for (const auto& [first, lanes] : elements.groups(unknowns_.sectors())) {
-      for (int e = 0; e < per_sector; ++e) {
-        batch.count = lanes;
-        for (int lane = 0; lane < lanes; ++lane) {
-          batch.set(lane,
-                    unknowns_.gather(first + lane, e, x),
-                    alpha.data() + ((first + lane) * per_sector + e) * alphas,
-                    alphas);
-        }
-        const unsigned valid = elements.evaluate(first, e, pressure, true, batch);
-        Matrix24 M = Matrix24::Zero();
-        for (int lane = 0; lane < lanes; ++lane) {
-          if (!(valid >> lane & 1)) return false;
-          batch.take(lane, f, &K, enhanced.data(), alphas);
-          gather(first + lane, e, shapes);
-          product.noalias() = K * shapes;
-          sums += factor * product.cwiseProduct(shapes).colwise().sum().transpose();
-          if (!with_mass) continue;
-          M = element_mass(elements.ring(), elements.materials(), first + lane, e);
-          Vector24 none = Vector24::Zero();
-          elements.ring().turn_to_node_frames(first + lane, e, none, &M);
-          product.noalias() = M * shapes;
-          for (std::size_t i = 0; i < modes_.size(); ++i) {
-            const double omega = 2.0 * std::numbers::pi * modes_[i].frequency;
-            const auto at = static_cast<Eigen::Index>(i);
-            sums[at] -= factor * omega * omega * product.col(at).dot(shapes.col(at));
-          }
-        }
-      }
-    }
-    return true;
-  }
-
- private:
-  /// Shapes of the modes at an element's nodes, in the frames of the nodes [24 x modes].
-  void gather(int sector, int e, Eigen::MatrixXd& shapes) const {
-    const Mesh& mesh = ring_.mesh();
-    const int n = mesh.nodes_per_sector();
-    for (int a = 0; a < 8; ++a) {
-      const int node = mesh.elements[e].node[a];
-      const int column = ((sector + node / n) % mesh.sectors) * n + node % n;
-      for (std::size_t i = 0; i < modes_.size(); ++i) {
-        shapes.block<3, 1>(3 * a, static_cast<Eigen::Index>(i)) = modes_[i].shape.col(column);
-      }
-    }
-  }
-
-  const RingUnknowns& unknowns_;
-  const Ring& ring_;
-  const std::vector<Mode>& modes_;
-};
-
-}  // namespace
-
+/// (S.3): g dx/dp of all numbers is -z (df/dp + df/dh dh/dp).
 Result<Eigen::MatrixXd> TireSlopes::of_modes(const TireState& state,
                                              const std::vector<Mode>& modes,
                                              const Eigen::VectorXd& height) {
-  Impl& impl = *impl_;
-  Systems& all = impl.base.systems(state.is_halved, state.window);
-  Eigen::MatrixXd by_variable;
-  const auto at = impl.solve_state(state, &by_variable);
-  if (!at) return at.failure();
-  const Eigen::VectorXd x = all.unknowns.compress(state.u);
-  const double multiplicity = all.tread.multiplicity();
-  const ModeSums sums(all.unknowns, modes);
-  Eigen::MatrixXd slopes(modes.size(), impl.count());
-  for (int k = 0; k < impl.count(); ++k) {
-    const double step = impl.variations[k].step;
-    const Eigen::VectorXd along = by_variable.col(k) + height[k] * by_variable.rightCols<1>();
-    Eigen::VectorXd change = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(modes.size()));
-    for (const double side : {-1.0, 1.0}) {
-      const Varied& tire = side < 0.0 ? impl.varied[k]->below : impl.varied[k]->above;
-      const double pressure = impl.pressure_of(k, tire.tire, state.inflated->pressure);
-      if (!sums.add(*tire.elements,
-                    !tire.same_mass(impl.base),
-                    pressure,
-                    x + side * step * along,
-                    state.alpha,
-                    side * multiplicity,
-                    change)) {
-        return Failure{"slopes: an element fails beside the state"};
-      }
-      if (tire.same_shape) continue;
-      const VariedTread other(tire, all, impl.base.settings, impl.base.mirror(), state.is_halved);
-      TreadContact contact(*other.tread, state.ground);
-      contact.start(state.pose, x, state.anchors);
-      for (const TreadContact::Touch& touch : contact.stuck(x)) {
-        for (std::size_t i = 0; i < modes.size(); ++i) {
-          const Eigen::Vector3d motion = other.tread->motion(touch.point, modes[i].shape);
-          change[static_cast<Eigen::Index>(i)] +=
-              side * multiplicity * motion.dot(touch.stiffness * motion);
-        }
-      }
-    }
-    for (std::size_t i = 0; i < modes.size(); ++i) {
-      slopes(static_cast<Eigen::Index>(i), k) =
-          to_hertz_slope(change[static_cast<Eigen::Index>(i)] / (2.0 * step), modes[i].frequency);
-    }
+  Eigen::MatrixXd slopes(std::ssize(modes), impl_->count());
+  for (std::size_t first = 0; first < modes.size(); first += ElementMotion::kMost) {
+    const auto last = std::min<std::size_t>(modes.size(), first + ElementMotion::kMost);
+    const std::vector<Mode> some(modes.begin() + static_cast<std::ptrdiff_t>(first),
+                                 modes.begin() + static_cast<std::ptrdiff_t>(last));
+    const auto found = impl_->of_some_modes(state, some, height);
+    if (!found) return found;
+    slopes.middleRows(static_cast<Eigen::Index>(first), found->rows()) = *found;
   }
   return slopes;
+}
+
+Result<Eigen::MatrixXd> TireSlopes::Impl::of_some_modes(const TireState& state,
+                                                        const std::vector<Mode>& modes,
+                                                        const Eigen::VectorXd& height) {
+  Systems& all = base.systems(state.is_halved, state.window);
+  const auto factor_of_state = factor(all, state);
+  if (!factor_of_state) return factor_of_state.failure();
+  const Eigen::VectorXd x = all.unknowns.compress(state.u);
+  const double pressure = state.inflated->pressure, multiplicity = all.tread.multiplicity();
+  RingMotions motions(all.unknowns, base.elements(), x, state.alpha, pressure, modes);
+  Eigen::MatrixXd z, changes;
+  if (!motions.curvatures(z)) return beside();
+  (*factor_of_state)->solve_columns(z);
+  z = -z;
+  if (!motions.slopes(z, moved_numbers(pressure), changes)) return beside();
+  const Eigen::VectorXd f_h = by_height(all, state).first;
+  changes += (z.transpose() * f_h) * height.transpose();
+  TreadContact contact(all.tread, state.ground);
+  contact.start(state.pose, x, state.anchors);
+  const auto touching = contact.stuck(x);
+  for (int k = 0; k < count(); ++k) {
+    for (const double side : {-1.0, 1.0}) {
+      const Varied& tire = side < 0.0 ? varied[k]->below : varied[k]->above;
+      if (tire.same_shape) continue;
+      const VariedTread other(tire, all, base.settings, base.mirror(), state.is_halved);
+      const auto touches = forces_where(touching, *other.tread, state, x);
+      Eigen::VectorXd c = Eigen::VectorXd::Zero(x.size());
+      add_forces(*other.tread, touches, c);
+      Eigen::VectorXd sums = z.transpose() * c;
+      for (const TreadContact::Touch& touch : touches) {
+        for (std::size_t i = 0; i < modes.size(); ++i) {
+          const Eigen::Vector3d motion = other.tread->motion(touch.point, modes[i].shape);
+          sums[static_cast<Eigen::Index>(i)] += motion.dot(touch.stiffness * motion);
+        }
+      }
+      changes.col(k) += side / (2.0 * variations[k].step) * sums;
+    }
+  }
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    auto row = changes.row(static_cast<Eigen::Index>(i));
+    row *= to_hertz_slope(multiplicity, modes[i].frequency);
+  }
+  return changes;
 }
 
 }  // namespace latsch::fe_tire

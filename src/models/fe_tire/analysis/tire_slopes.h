@@ -7,13 +7,15 @@
 //   dx/dp = -K^-1 (df/dp + df/dh dh/dp)                                                       (S.1)
 //   dFz/dp = dFz/dp|x - dFz/dx K^-1 df/dp + dFz/dh dh/dp,   dFz/dx = -df/dh^T                 (S.2)
 // so the loads of all variables take one solution w = K^-1 df/dh a state. Of a mode with unit mass,
-//   d(omega^2)/dp = phi^T (dK/dp - omega^2 dM/dp) phi,   dK/dp along x + dx/dp                (S.3)
-// and a pair of equal frequency moves together, as symmetry holds it. [Haug, Choi & Komkov, Design
-// Sensitivity Analysis of Structural Systems, Academic Press 1986]
+//   d(omega^2)/dp = phi^T (dK/dp - omega^2 dM/dp) phi + g dx/dp,   g = phi^T dK/dx phi        (S.3)
+// where g dx/dp takes one solution z = K^-1 g a mode, of however many variables; and a pair of
+// equal frequency moves together, as symmetry holds it. [Haug, Choi & Komkov, Design Sensitivity
+// Analysis of Structural Systems, Academic Press 1986]
 //
-// Derivatives of an element's own forces and stiffness are differences over a small step of the
-// number, at a state that is held or moved along (S.1): nothing is solved again. Forces, in which
-// enhanced strains enter to second order, by a step of 1e-6; stiffness by central ones of 1e-4.
+// So everything about a state is a derivative of the elements' energy along motions w, phi, z that
+// are held (hex8_motions.h). Numbers move it by central differences of it: exact for moduli and
+// pressure, in which it is linear, to 1e-8 of the number's own curvature for others. Of the
+// inflated tire, one sector, (S.1) is solved and stiffness is moved along it, by the same steps.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,10 +34,10 @@ struct VariedTire {
   double pressure = 0.0;  // Pa, that of the tests at its own pressure
 };
 
-/// One number of the description, moved: by `near_step`, and by -step and step, in its own unit.
+/// One number of the description, moved by -step and step, in its own unit.
 struct Variation {
-  VariedTire near, below, above;
-  double near_step = 0.0, step = 0.0;
+  VariedTire below, above;
+  double step = 0.0;
   bool moves_pressure = false;
 };
 

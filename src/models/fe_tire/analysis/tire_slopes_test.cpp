@@ -68,11 +68,9 @@ VariedTire varied(const Number& number, double step) {
 std::vector<Variation> variations() {
   std::vector<Variation> all;
   for (const Number& number : numbers()) {
-    const double near = 1e-6 * number.size, step = 1e-4 * number.size;
-    all.push_back({varied(number, near),
-                   varied(number, -step),
+    const double step = 1e-4 * number.size;
+    all.push_back({varied(number, -step),
                    varied(number, step),
-                   near,
                    step,
                    std::string(number.name) == "pressure"});
   }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "models/fe_tire/element/cord_law.h"
+#include "models/fe_tire/element/hex8_motions.h"
 #include "models/fe_tire/element/hex8_solid_shell_modes.h"
 #include "models/fe_tire/element/pressure.h"
 
@@ -21,16 +22,20 @@ void copy_lane(const double (&from)[rows][ElementBatch::kLanes],
   for (std::size_t k = 0; k < rows; ++k) to[k][lane] = from[k][lane];
 }
 
+/// Lanes without an element hold the first one's, so that there is nothing in them to fail.
+void fill_lanes(ElementBatch& batch) {
+  for (int lane = batch.count; lane < ElementBatch::kLanes; ++lane) {
+    for (auto& u : batch.u) u[lane] = u[0];
+    for (auto& alpha : batch.alpha) alpha[lane] = alpha[0];
+  }
+}
+
 unsigned evaluate_corners(const ElementLaw& law,
                           const ElementSurroundings& surroundings,
                           bool stiffness,
                           ElementBatch& batch) {
   const auto kernel = LATSCH_KERNEL(evaluate_batch);
-  // Lanes without an element hold the first one's, so that there is nothing in them to fail.
-  for (int lane = batch.count; lane < ElementBatch::kLanes; ++lane) {
-    for (auto& u : batch.u) u[lane] = u[0];
-    for (auto& alpha : batch.alpha) alpha[lane] = alpha[0];
-  }
+  fill_lanes(batch);
   const unsigned all = (1u << batch.count) - 1;
   double start[8][ElementBatch::kLanes];
   std::copy_n(&batch.alpha[0][0], 8 * ElementBatch::kLanes, &start[0][0]);
@@ -120,6 +125,74 @@ unsigned evaluate(const ElementLaw& law,
   gather_corners(law.tie, [&](int k) { return batch.f[k]; });
   if (stiffness) gather_corners(law.tie, batch.K);
   return valid;
+}
+
+namespace {
+
+/// Runs `kernel` while batch and motions stand at corners.
+template <class Kernel>
+auto at_corners(const EdgeTie& tie,
+                ElementBatch& batch,
+                std::span<ElementMotion> motions,
+                const Kernel& kernel) {
+  fill_lanes(batch);
+  if (tie.eta == 0) return kernel();
+  double nodes[24][ElementBatch::kLanes];
+  std::copy_n(&batch.u[0][0], 24 * ElementBatch::kLanes, &nodes[0][0]);
+  static thread_local std::vector<ElementMotion> of_nodes;
+  of_nodes.assign(motions.begin(), motions.end());
+  place_corners(tie, batch.u);
+  for (ElementMotion& motion : motions) {
+    place_corners(tie, motion.mode);
+    place_corners(tie, motion.along);
+  }
+  const auto result = kernel();
+  std::copy_n(&nodes[0][0], 24 * ElementBatch::kLanes, &batch.u[0][0]);
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    std::copy_n(&of_nodes[i].mode[0][0], 24 * ElementBatch::kLanes, &motions[i].mode[0][0]);
+    std::copy_n(&of_nodes[i].along[0][0], 24 * ElementBatch::kLanes, &motions[i].along[0][0]);
+  }
+  return result;
+}
+
+}  // namespace
+
+bool add_curvatures(const ElementLaw& law,
+                    const ElementSurroundings& surroundings,
+                    ElementBatch& batch,
+                    std::span<ElementMotion> motions) {
+  const bool done = at_corners(law.tie, batch, motions, [&] {
+    return LATSCH_KERNEL(curve_batch)(law, surroundings, batch, motions);
+  });
+  if (law.tie.eta == 0) return done;
+  for (ElementMotion& motion : motions)
+    gather_corners(law.tie, [&](int k) { return motion.curvature[k]; });
+  return done;
+}
+
+bool follow_along(const ElementLaw& law, ElementBatch& batch, std::span<ElementMotion> motions) {
+  return at_corners(
+      law.tie, batch, motions, [&] { return LATSCH_KERNEL(follow_batch)(law, batch, motions); });
+}
+
+void sum_motions(std::span<const VariedElement> varied,
+                 unsigned open_edges,
+                 ElementBatch& batch,
+                 std::span<ElementMotion> motions,
+                 double (*sums)[ElementBatch::kLanes]) {
+  const auto same_tie = [](const VariedElement& a, const VariedElement& b) {
+    return a.law->tie == b.law->tie;
+  };
+  while (!varied.empty()) {  // where rows meet others may be what varies
+    std::size_t count = 1;
+    while (count < varied.size() && same_tie(varied[count], varied.front())) ++count;
+    at_corners(varied.front().law->tie, batch, motions, [&] {
+      LATSCH_KERNEL(sum_motions_batch)(varied.first(count), open_edges, batch, motions, sums);
+      return true;
+    });
+    sums += count * motions.size();
+    varied = varied.subspan(count);
+  }
 }
 
 void ElementBatch::set(int lane,

@@ -33,6 +33,7 @@ struct EdgeTie {
     if (eta < 0) return {{{0, 4}, {1, 5}}};
     return {{{3, 7}, {2, 6}}};
   }
+  bool operator==(const EdgeTie&) const = default;
 };
 
 /// Local axes: xi around the circumference, eta from the +y bead over the crown to the -y bead,

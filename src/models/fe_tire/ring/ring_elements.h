@@ -19,6 +19,14 @@ class RingElements {
   const Ring& ring() const { return ring_; }
   const Materials& materials() const { return materials_; }
 
+  /// Of the elements `element` of sectors as wide as `sector`; surroundings without pressure.
+  const ElementLaw& law(int sector, int element) const {
+    return laws_[ring_.width(sector)][element];
+  }
+  const ElementSurroundings& surroundings(int sector, int element) const {
+    return surroundings_[ring_.width(sector)][element];
+  }
+
   /// Successive sectors of one width, at most ElementBatch::kLanes of them.
   struct Sectors {
     int first, count;

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/analysis/ring_motions.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numbers>
+
+namespace latsch::fe_tire {
+namespace {
+
+constexpr int kLanes = ElementBatch::kLanes;
+constexpr int kAlphas = 8 * kLanes;
+
+void set_lane(int lane, const Matrix38& u, double (&to)[24][kLanes]) {
+  for (int k = 0; k < 24; ++k) to[k][lane] = u.data()[k];
+}
+
+}  // namespace
+
+RingMotions::RingMotions(const RingUnknowns& unknowns,
+                         const RingElements& elements,
+                         const Eigen::VectorXd& x,
+                         const Eigen::VectorXd& alpha,
+                         double pressure,
+                         const std::vector<Mode>& modes)
+    : unknowns_(unknowns),
+      elements_(elements),
+      ring_(elements.ring()),
+      x_(x),
+      alpha_(alpha),
+      pressure_(pressure),
+      modes_(modes) {
+  assert(std::ssize(modes) <= ElementMotion::kMost);
+}
+
+void RingMotions::set_batch(int first, int count, int element, ElementBatch& batch) const {
+  const int per_sector = ring_.elements_per_sector(), alphas = ring_.alphas_per_element();
+  batch.count = count;
+  for (int lane = 0; lane < count; ++lane) {
+    batch.set(lane,
+              unknowns_.gather(first + lane, element, x_),
+              alpha_.data() + ((first + lane) * per_sector + element) * alphas,
+              alphas);
+  }
+}
+
+void RingMotions::set_modes(int first,
+                            int count,
+                            int element,
+                            std::vector<ElementMotion>& motions) const {
+  const Mesh& mesh = ring_.mesh();
+  const int n = mesh.nodes_per_sector();
+  for (int lane = 0; lane < count; ++lane) {
+    std::array<int, 8> columns;
+    for (int a = 0; a < 8; ++a) {
+      const int node = mesh.elements[element].node[a];
+      columns[a] = ((first + lane + node / n) % mesh.sectors) * n + node % n;
+    }
+    for (std::size_t i = 0; i < modes_.size(); ++i) {
+      Matrix38 phi;
+      for (int a = 0; a < 8; ++a) phi.col(a) = modes_[i].shape.col(columns[a]);
+      set_lane(lane, ring_.in_element_frame(first + lane, element, phi), motions[i].mode);
+    }
+  }
+}
+
+bool RingMotions::curvatures(Eigen::MatrixXd& g) {
+  const int per_sector = ring_.elements_per_sector();
+  const auto groups = elements_.groups(unknowns_.sectors());
+  g.setZero(unknowns_.size(), std::ssize(modes_));
+  alphas_.resize(groups.size() * per_sector * modes_.size() * 2 * kAlphas);
+  double* alphas = alphas_.data();
+  ElementBatch batch;
+  std::vector<ElementMotion> motions(modes_.size());
+  for (const auto& [first, count] : groups) {
+    for (int e = 0; e < per_sector; ++e) {
+      set_batch(first, count, e, batch);
+      set_modes(first, count, e, motions);
+      ElementSurroundings around = elements_.surroundings(first, e);
+      if (ring_.mesh().elements[e].inner) around.pressure = pressure_;
+      if (!add_curvatures(elements_.law(first, e), around, batch, motions)) return false;
+      for (std::size_t i = 0; i < motions.size(); ++i) {
+        alphas = std::copy_n(&motions[i].mode_alpha[0][0], kAlphas, alphas);
+        alphas = std::copy_n(&motions[i].second_alpha[0][0], kAlphas, alphas);
+        for (int lane = 0; lane < count; ++lane) {
+          Vector24 f;
+          for (int k = 0; k < 24; ++k) f[k] = motions[i].curvature[k][lane];
+          unknowns_.add_forces(first + lane, e, f, g.col(static_cast<Eigen::Index>(i)));
+        }
+      }
+    }
+  }
+  return true;
+}
+
+bool RingMotions::slopes(const Eigen::MatrixXd& along,
+                         const std::vector<MovedNumber>& numbers,
+                         Eigen::MatrixXd& sums) {
+  const int per_sector = ring_.elements_per_sector();
+  const auto count_of_motions = static_cast<std::size_t>(along.cols());
+  assert(modes_.empty() || modes_.size() == count_of_motions);
+  sums.setZero(along.cols(), std::ssize(numbers));
+  const double* alphas = alphas_.data();
+  ElementBatch batch;
+  std::vector<ElementMotion> motions(count_of_motions);
+  for (ElementMotion& motion : motions) motion.has_mode = !modes_.empty();
+  std::vector<Eigen::VectorXd> zeta;
+  for (Eigen::Index i = 0; i < along.cols(); ++i) zeta.emplace_back(along.col(i));
+  std::vector<VariedElement> varied;
+  std::vector<Eigen::Index> of;
+  std::vector<double> result;
+  for (const auto& [first, count] : elements_.groups(unknowns_.sectors())) {
+    for (int e = 0; e < per_sector; ++e) {
+      const double* here = alphas;
+      if (!modes_.empty()) alphas += modes_.size() * 2 * kAlphas;
+      varied.clear();
+      of.clear();
+      bool feels_mass = false;
+      for (std::size_t k = 0; k < numbers.size(); ++k) {
+        const MovedNumber::Parts& parts = (*numbers[k].parts)[e];
+        feels_mass = feels_mass || parts.mass;
+        if (!parts.any()) continue;
+        const bool inner = ring_.mesh().elements[e].inner;
+        for (const bool up : {false, true}) {
+          const RingElements& other = *(up ? numbers[k].above : numbers[k].below);
+          const double p = up ? numbers[k].pressure_above : numbers[k].pressure_below;
+          varied.push_back({&other.law(first, e),
+                            inner ? p : 0.0,
+                            parts.solid,
+                            parts.cords,
+                            parts.gas && inner});
+        }
+        of.push_back(static_cast<Eigen::Index>(k));
+      }
+      if (varied.empty() && (modes_.empty() || !feels_mass)) continue;
+      if (!modes_.empty()) {
+        set_modes(first, count, e, motions);
+        for (ElementMotion& motion : motions) {
+          std::copy_n(here, kAlphas, &motion.mode_alpha[0][0]);
+          std::copy_n(here + kAlphas, kAlphas, &motion.second_alpha[0][0]);
+          here += 2 * kAlphas;
+        }
+        if (feels_mass) add_masses(first, count, e, numbers, motions, sums);
+      }
+      if (varied.empty()) continue;
+      set_batch(first, count, e, batch);
+      for (std::size_t i = 0; i < count_of_motions; ++i) {
+        for (int lane = 0; lane < count; ++lane)
+          set_lane(lane, unknowns_.gather(first + lane, e, zeta[i]), motions[i].along);
+      }
+      if (!follow_along(elements_.law(first, e), batch, motions)) return false;
+      result.resize(varied.size() * count_of_motions * kLanes);
+      auto* lanes = reinterpret_cast<double(*)[kLanes]>(result.data());
+      sum_motions(varied, elements_.surroundings(first, e).open_edges, batch, motions, lanes);
+      for (std::size_t v = 0; v < of.size(); ++v) {
+        for (std::size_t i = 0; i < count_of_motions; ++i) {
+          const double* below = lanes[2 * v * count_of_motions + i];
+          const double* above = lanes[(2 * v + 1) * count_of_motions + i];
+          double sum = 0.0;
+          for (int lane = 0; lane < count; ++lane) sum += above[lane] - below[lane];
+          sums(static_cast<Eigen::Index>(i), of[v]) += sum / numbers[of[v]].way;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+void RingMotions::add_masses(int first,
+                             int count,
+                             int element,
+                             const std::vector<MovedNumber>& numbers,
+                             const std::vector<ElementMotion>& motions,
+                             Eigen::MatrixXd& sums) const {
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (!(*numbers[k].parts)[element].mass) continue;
+    const auto of = [&](const RingElements& tire) {
+      return mass(tire.ring().shape(first, element),
+                  tire.materials(),
+                  tire.ring().mesh().elements[element]);
+    };
+    const Matrix8 dM = (of(*numbers[k].above) - of(*numbers[k].below)) / numbers[k].way;
+    for (std::size_t i = 0; i < modes_.size(); ++i) {
+      const double omega = 2.0 * std::numbers::pi * modes_[i].frequency;
+      double sum = 0.0;
+      for (int a = 0; a < 8; ++a) {
+        for (int b = 0; b < 8; ++b) {
+          double product = 0.0;
+          for (int c = 0; c < 3; ++c) {
+            const double *u = motions[i].mode[3 * a + c], *v = motions[i].mode[3 * b + c];
+            for (int lane = 0; lane < count; ++lane) product += u[lane] * v[lane];
+          }
+          sum += dM(a, b) * product;
+        }
+      }
+      sums(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) -= omega * omega * sum;
+    }
+  }
+}
+
+}  // namespace latsch::fe_tire

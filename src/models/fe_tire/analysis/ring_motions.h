@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Motions of the ring about a state, element by element: sums of (M.3) and (M.4) of hex8_motions.h
+// over the sectors that are assembled.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/element/hex8_motions.h"
+#include "models/fe_tire/ring/ring_elements.h"
+#include "models/fe_tire/ring/ring_unknowns.h"
+
+namespace latsch::fe_tire {
+
+/// A tire with a number moved to one side, of which `step` is the way from the other side.
+struct MovedNumber {
+  const RingElements *below, *above;
+  double pressure_below, pressure_above;  // Pa
+  double way;                             // in the number's unit
+  /// Parts of a section's elements in which it is felt.
+  struct Parts {
+    bool solid, cords, gas, mass;
+    bool any() const { return solid || cords || gas; }
+  };
+  const std::vector<Parts>* parts;
+};
+
+class RingMotions {
+ public:
+  /// Refers to all of them. `pressure`, Pa; `modes`, at most ElementMotion::kMost, none: loads.
+  RingMotions(const RingUnknowns& unknowns,
+              const RingElements& elements,
+              const Eigen::VectorXd& x,
+              const Eigen::VectorXd& alpha,
+              double pressure,
+              const std::vector<Mode>& modes);
+
+  /// D3W[phi, phi, .] of every mode [unknowns x modes]. False where an element has no state.
+  bool curvatures(Eigen::MatrixXd& g);
+
+  /// d/dp of D2W[phi~, phi~] - omega^2 phi.M phi + DW[along~] of every motion and number
+  /// [motions x numbers], motions held; `along` [unknowns x motions], a column a mode or, without
+  /// modes, any number of them. After curvatures(). False likewise.
+  bool slopes(const Eigen::MatrixXd& along,
+              const std::vector<MovedNumber>& numbers,
+              Eigen::MatrixXd& sums);
+
+ private:
+  void set_batch(int first, int count, int element, ElementBatch& batch) const;
+  void set_modes(int first, int count, int element, std::vector<ElementMotion>& motions) const;
+  void add_masses(int first,
+                  int count,
+                  int element,
+                  const std::vector<MovedNumber>& numbers,
+                  const std::vector<ElementMotion>& motions,
+                  Eigen::MatrixXd& sums) const;
+
+  const RingUnknowns& unknowns_;
+  const RingElements& elements_;
+  const Ring& ring_;
+  const Eigen::VectorXd &x_, &alpha_;
+  double pressure_;
+  const std::vector<Mode>& modes_;
+  std::vector<double> alphas_;  // a_phi and a_2 of every group, element and mode
+};
+
+}  // namespace latsch::fe_tire
