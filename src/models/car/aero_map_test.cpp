@@ -15,8 +15,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// C_f = 1 + 20 (30 mm - h_f) + 4 h_r, C_r = 1.4 + 10 (40 mm - h_r) - 3 h_f + 50 h_f h_r: what a bilinear
-/// map holds exactly.
+/// What a bilinear map holds exactly:
+///   C_f = 1 + 20 (30 mm - h_f) + 4 h_r,   C_r = 1.4 + 10 (40 mm - h_r) - 3 h_f + 50 h_f h_r
 Vector2d coefficients(double f, double r) {
   return {1.0 + 20.0 * (0.03 - f) + 4.0 * r, 1.4 + 10.0 * (0.04 - r) - 3.0 * f + 50.0 * f * r};
 }
