@@ -37,8 +37,8 @@ TEST(DoeExtent, AValleyReachesThroughTheRangeOfBothVariables) {
   EXPECT_DOUBLE_EQ(found->share[1], 1.0);
 }
 
-// Only a = 2 and its neighbors, one step of 1 away, are below 1; b = 10 alone: a step of it is half a
-// decade.
+// Only a = 2 and its neighbors, one step of 1 away, are below 1; b = 10 alone: a step of it is half
+// a decade.
 TEST(DoeExtent, ASingleMinimumReachesAsFarAsTheLevel) {
   const DesignSpace space = two_variables();
   const auto trials =
