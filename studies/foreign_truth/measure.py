@@ -161,7 +161,7 @@ def main():
         write_modes(kind, "standing_", deck, folder)
 
     computed(PRESSURES[0], False, lambda deck, folder: write_modes(kind, "free_", deck, folder))
-    if kind == "quadratic":  # contact of quadratic elements takes half an hour
+    if kind == "quadratic":  # contact of quadratic elements takes long
         return
     computed(PRESSURES[0], True, write_standing)
     for pressure in PRESSURES[1:]:
