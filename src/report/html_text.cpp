@@ -78,6 +78,12 @@ std::string percent(double ratio, int decimals) {
   return fixed(100.0 * ratio, decimals) + " %";
 }
 
+std::string target_percent(double target) {
+  constexpr double kShown = 1e-3;
+  if (!(target > 0.0 && target < kShown)) return percent(target);
+  return significant(100.0 * target, 2) + " %";
+}
+
 std::string signed_percent(double ratio, int decimals) {
   return fmt::format("{}{}", ratio > 0.0 ? "+" : "", percent(ratio, decimals));
 }

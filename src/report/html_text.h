@@ -18,6 +18,8 @@ std::string fixed(double value, int decimals);
 std::string significant(double value, int digits);
 /// "1.23 %" of a ratio; signed: "+1.23 %".
 std::string percent(double ratio, int decimals = 2);
+/// Of a target, which may be a mean of squares: where two decimals show nothing of it, two digits.
+std::string target_percent(double target);
 std::string signed_percent(double ratio, int decimals = 2);
 /// "0.8 s", "2 min 05 s", "3 h 12 min".
 std::string duration(double seconds);

@@ -156,7 +156,7 @@ std::string basins(const Basins& basins) {
     html += "<th class=\"n\">" + escape(name) + "</th>";
   html += "<th class=\"n\">Points that lead there</th></tr></thead><tbody>\n";
   for (const BasinRow& row : basins.rows) {
-    html += fmt::format("<tr><td class=\"n\">{}</td>", percent(row.target));
+    html += fmt::format("<tr><td class=\"n\">{}</td>", target_percent(row.target));
     for (const std::string& value : row.values) {
       html += fmt::format("<td class=\"n\">{}</td>", escape(typeset_unit(value)));
     }

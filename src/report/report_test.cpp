@@ -430,6 +430,9 @@ TEST(HtmlText, NumbersAreReadable) {
   EXPECT_EQ(signed_percent(-0.0123), "−1.23 %");
   EXPECT_EQ(signed_percent(0.0123), "+1.23 %");
   EXPECT_EQ(percent(std::numeric_limits<double>::quiet_NaN()), "–");
+  EXPECT_EQ(target_percent(0.0123), "1.23 %");
+  EXPECT_EQ(target_percent(1.46e-5), "0.0015 %");  // a mean of squares
+  EXPECT_EQ(target_percent(0.0), "0.00 %");
   EXPECT_EQ(duration(125.0), "2 min 05 s");
   EXPECT_EQ(typeset_unit("N/mm^2"), "N/mm²");
   EXPECT_DOUBLE_EQ(in_unit(22.3e6, "N/mm^2"), 22.3);

@@ -249,7 +249,7 @@ void SurfacePlot::mark_points() {
                 describe(m.i, m.j));
     const bool right = at.x() > 0.75 * kSurfaceRight;
     svg_.text({right ? at.x() - 12 : at.x() + 12, at.y() + 16},
-              (lowest ? "lowest " : "local ") + percent(m.target),
+              (lowest ? "lowest " : "local ") + target_percent(m.target),
               right ? Anchor::end : Anchor::start,
               "on-field");
     lowest = false;

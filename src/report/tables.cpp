@@ -97,8 +97,8 @@ std::string key_numbers(const StudyReport& report) {
   std::string html = "<div class=\"key\">";
   std::string about = report.target_in_words;
   if (report.initial_target)
-    about += (about.empty() ? "" : "; ") + percent(*report.initial_target) + " at the start";
-  html += key(percent(report.target), "Target", about);
+    about += (about.empty() ? "" : "; ") + target_percent(*report.initial_target) + " at the start";
+  html += key(target_percent(report.target), "Target", about);
   if (const auto dF = mean_error(report, is_force))
     html += key(percent(*dF), "Mean |ΔF|", kind + "forces");
   if (const auto df = mean_error(report, is_frequency))
@@ -180,7 +180,7 @@ std::string experiment_table(const StudyReport& report) {
         initial ? number_cell(row.initial_mean_error ? percent(*row.initial_mean_error) : "") : "",
         number_cell(percent(row.mean_error), true),
         number_cell(percent(row.largest_error)),
-        number_cell(percent(row.value)));
+        number_cell(target_percent(row.value)));
   }
   html += "</tbody></table></div>";
   if (!report.target_definition.empty()) {

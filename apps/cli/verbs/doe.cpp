@@ -9,6 +9,7 @@
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
 #include "cli/console/implausible.h"
+#include "cli/console/parsed.h"
 #include "cli/console/tables.h"
 #include "cli/run/interrupt.h"
 #include "cli/run/trials.h"
@@ -16,6 +17,7 @@
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/doe_basins.h"
 #include "correlation/analysis/doe_effects.h"
+#include "correlation/analysis/doe_extent.h"
 #include "correlation/target/best_trial.h"
 #include "evaluation/schedule/retried_failures.h"
 
@@ -27,6 +29,8 @@ using correlation::Study;
 using correlation::StudyDesign;
 
 constexpr size_t kShownPoints = 5;
+constexpr double kNear = 2.0;     // targets up to so many times the least, unless a level is given
+constexpr double kWhole = 0.999;  // share of a variable's range that counts as all of it
 
 /// The study's design, or a grid of so many levels of every variable.
 StudyDesign design_of(const Study& study, int levels) {
@@ -80,6 +84,30 @@ void print_basins(const Study& study, const StudyDesign& design, const Journal& 
   if (!found->doubt.empty()) say("Too coarse to trust: {}.\n", found->doubt);
 }
 
+/// How long a valley is: the box around the points whose target is at most the level.
+void print_extent(const DesignSpace& space, const std::vector<RatedTrial>& points, double level) {
+  const auto found = correlation::doe_extent(space, points, level);
+  if (!found) {
+    say("\nNo point has a target of at most {:.4g} %\n", 100.0 * level);
+    return;
+  }
+  answer()["extent"] = {{"level", level},
+                        {"points", found->points},
+                        {"lower", answer_of(space, found->lower)},
+                        {"upper", answer_of(space, found->upper)},
+                        {"share", found->share}};
+  say("\nTargets of at most {:.4g} %: {} point{}, from\n",
+      100.0 * level,
+      found->points,
+      found->points == 1 ? "" : "s");
+  print_point(space, found->lower);
+  say("to\n");
+  print_point(space, found->upper);
+  for (int i = 0; i < space.size(); ++i)
+    if (found->share[i] > kWhole)
+      say("{} reaches through its whole range: the target does not tell it\n", space[i].name);
+}
+
 void print_effects(const Study& study, const StudyDesign& design, const Journal& journal) {
   const auto effects =
       correlation::doe_effects(study, design, correlation::rated_trials(study, journal));
@@ -127,6 +155,7 @@ int doe(const std::string& file,
         const experiment::Language& language,
         int levels,
         int workers,
+        double level,
         bool retries_failed) {
   Study study = correlation::read_study(file, language);
   study.asks_slopes = false;  // no search goes by them
@@ -179,6 +208,7 @@ int doe(const std::string& file,
     print_point(study.space, points[i].point);
   }
   print_basins(study, design, journal);
+  print_extent(study.space, points, level > 0.0 ? level : kNear * points.front().target);
   print_effects(study, design, journal);
   workers_of_study.end();
   return write_report(study, journal);
@@ -203,12 +233,22 @@ void add_doe(CommandLine& app, Program& program) {
       .between(2, 1000);
   verb.add_option("--workers", *workers, "Worker processes, instead of the study's")
       .between(1, 1024);
+  auto level = std::make_shared<std::string>();
+  verb.add_option("--level",
+                  *level,
+                  "Says how far points reach whose target is at most this, as \"2 %\"; twice the "
+                  "least target unless given");
   auto retries_failed = std::make_shared<bool>(false);
   verb.add_flag("--retry-failed",
                 *retries_failed,
                 "Tries the points that failed so far again, once their cause is mended");
   verb.callback([=, &program] {
-    program.exit_code = doe(*file, program.language, *levels, *workers, *retries_failed);
+    program.exit_code = doe(*file,
+                            program.language,
+                            *levels,
+                            *workers,
+                            level->empty() ? 0.0 : parse_option("level", '"' + *level + '"', "1"),
+                            *retries_failed);
   });
 }
 
