@@ -15,10 +15,10 @@
 namespace latsch::correlation {
 
 struct DoeExtent {
-  double level = 0.0;         // of the target
-  int points = 0;             // at most there
-  DesignPoint lower, upper;   // the box around them
-  std::vector<double> share;  // of each variable's range that the box takes, on its scale
+  double level = 0.0;                  // of the target
+  int points = 0;                      // at most there
+  DesignPoint lower = {}, upper = {};  // the box around them
+  std::vector<double> share = {};      // of each variable's range that the box takes, on its scale
 };
 
 /// Of the points among the trials that fulfill the constraints; nullopt where none is at most
