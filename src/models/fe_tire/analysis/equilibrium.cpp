@@ -18,6 +18,7 @@ constexpr int kIterationsOfAStaleFactor = 9;
 constexpr double kCoarsest = 1e-2, kFinest = 1e-4;
 constexpr double kPolished = 1e-3;     // of the tolerance: nothing to gain below
 constexpr double kLargestShift = 1e3;  // relative to the diagonal
+constexpr double kSlow = 0.1, kClose = 100.0;
 constexpr int kMaxBacktracks = 10;
 constexpr double kSlopeDecrease = 0.8;  // accepted |d . f(x - s d)| relative to |d . f(x)|
 
@@ -46,6 +47,7 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
   shift_ = 0.0;
   has_factor_ = has_factor_ && tire_.serves(contact);
   RingState now = state;
+  knows_tangent_ = false;
   // What the ground has moved by, the factor of the last equilibrium answers as well as a new one.
   if (!assemble(now, !has_factor_)) {
     return failure(step, "the start is inverted");
@@ -58,17 +60,19 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
       state = std::move(now);
       return std::nullopt;
     }
-    if (iteration > 0 && !has_tangent_ && !assemble(now, true)) {
+    const double ratio = norm / previous_;
+    const bool is_close = knows_tangent_ && !slides() && ratio < kSlow &&
+                          norm <= kClose * settings_.tolerance * reference_;
+    if (iteration > 0 && !has_tangent_ && !is_close && !assemble(now, true)) {
       return failure(step, "its tangent does not exist");
     }
-    const double ratio = norm / previous_;
     // Solve only as exactly as Newton's own convergence deserves (Eisenstat and Walker 1996, choice
     // 2).
     if (!find_direction(now, std::clamp(0.5 * ratio * ratio, kFinest, kCoarsest))) {
       return failure(step, "its tangent does not exist");
     }
     // Newton's method is of second order: where the residual would end, so does the search.
-    const bool ends = ratio * ratio * norm <= settings_.tolerance * reference_;
+    const bool ends = is_close || ratio * ratio * norm <= kClose * settings_.tolerance * reference_;
     previous_ = norm;
     if (!line_search(now, !ends)) {
       return failure(step, "no step along Newton's direction reduces it");
@@ -94,6 +98,7 @@ bool EquilibriumSolver::slides() const { return contact_ && contact_->has_fricti
 bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
   failed_element_ = -1;
   has_tangent_ = with_tangent;
+  knows_tangent_ = knows_tangent_ || with_tangent;
   if (with_tangent) ++counts_->assemblies;
   if (!assembly_.assemble(
           *elements_, state, pressure_, f_, with_tangent ? &K_ : nullptr, &failed_element_)) {
@@ -139,7 +144,8 @@ bool EquilibriumSolver::find_direction(RingState& state, double tolerance) {
   // a step by an old factor would be corrected without it.
   const bool is_factor_of_use = has_factor_ && !slides() &&
                                 (!has_tangent_ || last_cg_iterations_ <= kIterationsOfAStaleFactor);
-  if (is_factor_of_use && start(state) && (!has_tangent_ || correct(tolerance, true))) return true;
+  if (is_factor_of_use && start(state) && (!knows_tangent_ || correct(tolerance, true)))
+    return true;
   if (!has_tangent_ && !assemble(state, true)) return false;
   return renew_factor(state, tolerance);
 }

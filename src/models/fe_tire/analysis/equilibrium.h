@@ -82,7 +82,8 @@ class EquilibriumSolver {
   double shift_ = 0.0;     // on the diagonal of its last indefinite tangent, N/m
   double previous_ = 0.0;  // norm of the residual one iteration before
   bool has_factor_ = false;
-  bool has_tangent_ = false;  // K_ is that of f_
+  bool has_tangent_ = false;    // K_ is that of f_
+  bool knows_tangent_ = false;  // K_ is that of a state of this equilibrium's search
   int last_cg_iterations_ = 0;
   int failed_element_ = -1;
   Eigen::VectorXd f_, d_, r_, e_;

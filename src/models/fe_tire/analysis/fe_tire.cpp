@@ -249,11 +249,18 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
 std::optional<Failure> FeTire::Impl::factorize(Systems& all, const TireState& at) {
   if (all.factored && same_tangent(*all.factored, at)) return std::nullopt;
   all.factored.reset();
-  if (auto failure = factorize(all, all.solver.assembly(), all.tread, at, all.factor)) {
-    return failure;
+  RingState state{all.unknowns.compress(at.u), at.alpha};
+  std::vector<RingAssembly::Vibration> tangents{{&all.unknowns, &all.tangent}};
+  if (all.odd) tangents.push_back({&*all.odd_unknowns, &*all.odd_tangent});
+  int worst = 0;
+  if (!all.solver.assembly().assemble_tangents(
+          elements(), state, at.inflated->pressure, tangents, &worst)) {
+    return no_tangent(all.unknowns.ring(), worst);
   }
+  if (auto failure = factorize(all, all.tread, at, state, all.tangent, all.factor)) return failure;
   if (all.odd) {
-    if (auto failure = factorize(all, *all.odd, *all.odd_tread, at, *all.odd_factor)) {
+    if (auto failure =
+            factorize(all, *all.odd_tread, at, state, *all.odd_tangent, *all.odd_factor)) {
       return failure;
     }
   }
@@ -274,11 +281,20 @@ std::optional<Failure> FeTire::Impl::factorize(Systems& all,
           elements(), state, at.inflated->pressure, assembly.unknowns(), all.tangent, &worst)) {
     return no_tangent(all.unknowns.ring(), worst);
   }
+  return factorize(all, tread, at, state, all.tangent, factor);
+}
+
+std::optional<Failure> FeTire::Impl::factorize(Systems& all,
+                                               const TreadSurface& tread,
+                                               const TireState& at,
+                                               const RingState& state,
+                                               numerics::SymmetricMatrix& tangent,
+                                               numerics::Factorization& factor) {
   TreadContact contact(all.tread, at.ground);
   contact.start(at.pose, state.x, at.anchors);
-  add_stiffness(tread, contact.stuck(state.x), all.solver.assembly().first_point(), all.tangent);
+  add_stiffness(tread, contact.stuck(state.x), all.solver.assembly().first_point(), tangent);
   ++counts.factorizations;
-  if (!factor.factorize(all.tangent).definite()) return unstable(in_words(at.pose, *at.inflated));
+  if (!factor.factorize(tangent).definite()) return unstable(in_words(at.pose, *at.inflated));
   return std::nullopt;
 }
 

@@ -32,6 +32,7 @@ struct Systems {
   double half_angle;  // rad, of the tread that may touch
   // Of tangents about `factored`, of even and odd motions: they have the same pattern.
   numerics::SymmetricMatrix tangent;
+  std::optional<numerics::SymmetricMatrix> odd_tangent;
   numerics::Factorization factor;
   std::optional<numerics::Factorization> odd_factor;
   std::optional<TireState> factored;  // none: no state, or one whose tangents are not definite
@@ -47,14 +48,13 @@ struct Systems {
         solver(unknowns, tread, settings),
         half_angle(angle),
         tangent(*solver.assembly().pattern()),
-        factor(*solver.assembly().pattern(),
-               numerics::Precision::full,
-               solver.factor().elimination()) {
+        factor(*solver.assembly().pattern(), numerics::Precision::refined) {
     if (!mirror) return;
     odd_unknowns.emplace(ring, RingSymmetry::odd, *mirror);
     odd_tread.emplace(*odd_unknowns, settings.tread_shape(), half_angle);
     odd.emplace(*odd_unknowns, solver.assembly().pattern());
-    odd_factor.emplace(*odd->pattern(), numerics::Precision::full, solver.factor().elimination());
+    odd_tangent.emplace(*odd->pattern());
+    odd_factor.emplace(*odd->pattern(), numerics::Precision::refined, factor.elimination());
   }
 };
 
@@ -112,6 +112,13 @@ struct FeTire::Impl {
                                    const RingAssembly& assembly,
                                    const TreadSurface& tread,
                                    const TireState& state,
+                                   numerics::Factorization& factor);
+  /// The same of a tangent without the ground.
+  std::optional<Failure> factorize(Systems& all,
+                                   const TreadSurface& tread,
+                                   const TireState& at,
+                                   const RingState& state,
+                                   numerics::SymmetricMatrix& tangent,
                                    numerics::Factorization& factor);
 
  private:
