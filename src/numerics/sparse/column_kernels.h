@@ -115,21 +115,20 @@ inline __attribute__((always_inline)) void eliminate_one(
   L += static_cast<size_t>(j) * ld;
   float y[width];
   for (int k = 0; k < width; ++k) {
-    float x = v[j + k];
-    for (int m = 0; m < k; ++m) x += L[static_cast<size_t>(m) * ld + j + k] * y[m];
-    x /= L[static_cast<size_t>(k) * ld + j + k];
-    v[j + k] = x;
-    y[k] = -x;
+    double x = v[j + k];  // of the triangle in double: an unknown is rounded once
+    for (int m = 0; m < k; ++m) x += double{L[static_cast<size_t>(m) * ld + j + k]} * y[m];
+    v[j + k] = static_cast<float>(x / L[static_cast<size_t>(k) * ld + j + k]);
+    y[k] = -v[j + k];
   }
   for (int i = j + width; i < rows; i += 8) {
     fetch<width>(L + static_cast<size_t>(width) * ld + i, ld);
     Floats8* to = reinterpret_cast<Floats8*>(v + i);
-    Floats8 sum = *to;
+    Floats8 sum{};  // added at once: v is rounded once for all of them
     for (int k = 0; k < width; ++k) {
       const float* column = L + static_cast<size_t>(k) * ld + i;
       sum = mul_add(sum, y[k], *reinterpret_cast<const Floats8*>(column));
     }
-    *to = sum;
+    *to = *to + sum;
   }
 }
 
@@ -151,9 +150,10 @@ inline __attribute__((always_inline)) void substitute_one(
   for (int k = width - 1; k >= 0; --k) {
     const Floats8& s = sums[k];
     const float* column = L + static_cast<size_t>(k) * ld + j;
-    float x = v[j + k] - (((s[0] + s[4]) + (s[1] + s[5])) + ((s[2] + s[6]) + (s[3] + s[7])));
-    for (int m = k + 1; m < width; ++m) x -= column[m] * v[j + m];
-    v[j + k] = x / column[k];
+    double x = v[j + k];
+    x -= ((s[0] + s[4]) + (s[1] + s[5])) + ((s[2] + s[6]) + (s[3] + s[7]));
+    for (int m = k + 1; m < width; ++m) x -= double{column[m]} * v[j + m];
+    v[j + k] = static_cast<float>(x / column[k]);
   }
 }
 

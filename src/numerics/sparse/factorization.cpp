@@ -21,7 +21,8 @@ struct Factorization::Impl {
   bool ready = false;
   virtual ~Impl() = default;
   virtual FactorStatus factorize(const SymmetricMatrix& A, bool but_interface) = 0;
-  virtual void solve(Eigen::Ref<Eigen::MatrixXd> X) = 0;
+  /// `enough`: of a residual relative to its column, where solutions are refined.
+  virtual void solve(Eigen::Ref<Eigen::MatrixXd> X, double enough) = 0;
   virtual Eigen::MatrixXd condensed() const = 0;
   virtual void reduce(Eigen::Ref<Eigen::VectorXd> x) = 0;
   virtual void expand(Eigen::Ref<Eigen::VectorXd> x) = 0;
@@ -73,7 +74,7 @@ class Multifrontal final : public Factorization::Impl {
  public:
   Multifrontal(const SymmetricPattern& pattern, std::shared_ptr<const Elimination> order);
   FactorStatus factorize(const SymmetricMatrix& A, bool but_interface) override;
-  void solve(Eigen::Ref<Eigen::MatrixXd> X) override;
+  void solve(Eigen::Ref<Eigen::MatrixXd> X, double enough) override;
   Eigen::MatrixXd condensed() const override;
   void reduce(Eigen::Ref<Eigen::VectorXd> x) override;
   void expand(Eigen::Ref<Eigen::VectorXd> x) override;
@@ -401,7 +402,7 @@ void Multifrontal<float>::solve_together(Eigen::Ref<Eigen::MatrixXd> X) {
 }
 
 template <class Real>
-void Multifrontal<Real>::solve(Eigen::Ref<Eigen::MatrixXd> X) {
+void Multifrontal<Real>::solve(Eigen::Ref<Eigen::MatrixXd> X, double) {
   assert(ready && X.rows() == size_);
   if constexpr (std::is_same_v<Real, float>) {
     for (Eigen::Index first = 0; X.cols() > 1 && first < X.cols(); first += kSolvedTogether) {
@@ -496,12 +497,12 @@ class Refined final : public Factorization::Impl {
     return status;
   }
 
-  void solve(Eigen::Ref<Eigen::MatrixXd> X) override {
+  void solve(Eigen::Ref<Eigen::MatrixXd> X, double enough) override {
     assert(ready);
-    if (full_) return full_->solve(X);
+    if (full_) return full_->solve(X, enough);
     const Eigen::MatrixXd B = X;
-    const Eigen::RowVectorXd wanted = kRefined * B.colwise().norm();
-    single_.solve(X);
+    const Eigen::RowVectorXd wanted = std::max(enough, kRounding) * B.colwise().norm();
+    single_.solve(X, 0.0);
     Eigen::MatrixXd left(B.rows(), B.cols());
     Eigen::RowVectorXd before =
         Eigen::RowVectorXd::Constant(B.cols(), std::numeric_limits<double>::infinity());
@@ -510,7 +511,7 @@ class Refined final : public Factorization::Impl {
       left = B - left;
       const Eigen::RowVectorXd norm = left.colwise().norm();
       if ((norm.array() <= wanted.array()).all() || (norm.array() >= before.array()).all()) return;
-      single_.solve(left);
+      single_.solve(left, 0.0);
       X += left;
       before = norm;
     }
@@ -521,8 +522,8 @@ class Refined final : public Factorization::Impl {
   void expand(Eigen::Ref<Eigen::VectorXd> x) override { single_.expand(x); }
 
  private:
-  static constexpr double kRefined = 1e-6;  // of the right-hand side
-  static constexpr int kMostRefinements = 4;
+  static constexpr double kRounding = 1e-15;
+  static constexpr int kMostRefinements = 6;
   const SymmetricPattern& pattern_;
   Multifrontal<float> single_;
   std::optional<Multifrontal<double>> full_;
@@ -559,10 +560,10 @@ Eigen::MatrixXd Factorization::condensed() const { return impl_->condensed(); }
 void Factorization::reduce(Eigen::Ref<Eigen::VectorXd> x) const { impl_->reduce(x); }
 void Factorization::expand(Eigen::Ref<Eigen::VectorXd> x) const { impl_->expand(x); }
 void Factorization::solve(Eigen::Ref<Eigen::VectorXd> x) const {
-  impl_->solve(Eigen::Map<Eigen::MatrixXd>(x.data(), x.size(), 1));
+  impl_->solve(Eigen::Map<Eigen::MatrixXd>(x.data(), x.size(), 1), 0.0);
 }
-void Factorization::solve_columns(Eigen::Ref<Eigen::MatrixXd> X) const {
-  impl_->solve(std::move(X));
+void Factorization::solve_columns(Eigen::Ref<Eigen::MatrixXd> X, double enough) const {
+  impl_->solve(std::move(X), enough);
 }
 const std::shared_ptr<const Elimination>& Factorization::elimination() const {
   return impl_->elimination;

@@ -64,8 +64,9 @@ class Factorization {
 
   /// x <- A^-1 x, in place.
   void solve(Eigen::Ref<Eigen::VectorXd> x) const;
-  /// Every column of X, in place; many columns together are cheaper than one by one.
-  void solve_columns(Eigen::Ref<Eigen::MatrixXd> X) const;
+  /// Every column of X, in place; many columns together are cheaper than one by one. Refined ones
+  /// until what is left is `enough` of the right-hand side, or rounding.
+  void solve_columns(Eigen::Ref<Eigen::MatrixXd> X, double enough = 0.0) const;
 
   // With an interface of m unknowns (Elimination::interface), A = [A_ii A_ic; A_ci A_cc] may be
   // factorized but for it:

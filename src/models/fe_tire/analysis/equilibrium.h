@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Newton's method on the ring with a factor that is allowed to grow stale.
 //
-// A factorization of the tangent costs some fourteen solves with it. So one factor serves several
+// A factorization of the tangent costs some twenty solves with it. So one factor serves several
 // Newton iterations and load steps: it gives a first direction, the ground apart and exact where
 // (linear_tire.h), and is the preconditioner of conjugate gradients on the current
 // tangent; it is renewed when they slow down:

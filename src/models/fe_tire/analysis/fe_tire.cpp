@@ -32,6 +32,7 @@ double pressure_force(const RingElements& elements, double pressure) {
 }
 
 constexpr int kMostWindows = 4;
+constexpr double kExactness = 0.1;  // of the solutions behind modes, of the tolerance of states
 
 /// "deflection 25 mm", and what else of a pose is not zero.
 std::string in_words(const GroundPose& pose, const Inflated& inflated) {
@@ -103,6 +104,7 @@ TireState FeTire::over(const Inflated& inflated, const Ground& ground, Poses pos
   state.ground = ground;
   state.pose = below(inflated, 0.0);
   state.is_halved = poses == Poses::below && tire.mirror().has_value();
+  state.window = Impl::first_window(ground);
   state.u = inflated.u.replicate(1, S);
   state.alpha = inflated.alpha.replicate(state.is_halved ? S / 2 : S, 1);
   return state;
@@ -229,12 +231,14 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
   const RingAssembly& even = all.solver.assembly();
   if (auto failure = factorize(all, state)) return *failure;
   const numerics::SymmetricMatrix mass = even.mass(elements());
-  if (!all.odd) return ring_modes(even, all.factor, mass, count);
+  // It makes 1e-8 of a frequency at the default tolerance.
+  const double enough = kExactness * settings.tolerance;
+  if (!all.odd) return ring_modes(even, all.factor, mass, count, enough);
   const numerics::SymmetricMatrix odd_mass = all.odd->mass(elements());
   for (int each = count / 2 + 3;; each = std::min(count, 2 * each)) {
-    auto modes = ring_modes(even, all.factor, mass, each);
+    auto modes = ring_modes(even, all.factor, mass, each, enough);
     if (!modes) return modes;
-    auto odd = ring_modes(*all.odd, *all.odd_factor, odd_mass, each);
+    auto odd = ring_modes(*all.odd, *all.odd_factor, odd_mass, each, enough);
     if (!odd) return odd;
     const double sure = std::min(modes->back().frequency, odd->back().frequency);
     modes->insert(modes->end(), odd->begin(), odd->end());
