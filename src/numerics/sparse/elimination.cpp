@@ -133,6 +133,20 @@ std::vector<int> postorder(const std::vector<int>& parent, const Lists& columns,
   return position;
 }
 
+/// The same columns and parents in another order that has parents after their children. The rows of
+/// a column are its ancestors: those stay in order.
+void renumber(const std::vector<int>& after, Lists& columns, std::vector<int>& parent) {
+  Lists moved(columns.size());
+  std::vector<int> of_moved(parent.size(), -1);
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    for (int& row : columns[j]) row = after[row];
+    moved[after[j]] = std::move(columns[j]);
+    if (parent[j] >= 0) of_moved[after[j]] = after[parent[j]];
+  }
+  columns = std::move(moved);
+  parent = std::move(of_moved);
+}
+
 /// Columns one after the other whose rows are the same.
 std::vector<Front> fundamental_fronts(const std::vector<int>& parent,
                                       const Lists& columns,
@@ -205,8 +219,7 @@ Elimination eliminate(const SymmetricPattern& pattern, const std::vector<int>& i
   std::vector<int> parent = fill(columns);
   const std::vector<int> after = postorder(parent, columns, last);
   for (int& position : result.position) position = after[position];
-  columns = lower_columns(pattern, result.position, last);
-  parent = fill(columns);
+  renumber(after, columns, parent);
   result.fronts = joined(
       fundamental_fronts(parent, columns, last), pattern.block_size(), pattern.block_rows() - last);
   find_parents(result.fronts, pattern.block_rows());

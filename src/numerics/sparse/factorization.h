@@ -43,6 +43,8 @@ struct FactorStatus {
 enum class Precision {
   full,    // double
   single,  // float inside, double outside: a preconditioner; definite is what the rounded matrix is
+  refined,  // single, and solutions are refined to double with the matrix itself, of which it keeps
+            // a copy: the pattern has to outlive it. Where the rounded matrix is not definite, full
 };
 
 class Factorization {
@@ -62,8 +64,9 @@ class Factorization {
 
   /// x <- A^-1 x, in place.
   void solve(Eigen::Ref<Eigen::VectorXd> x) const;
-  /// Every column of X, in place; many columns together are cheaper than one by one.
-  void solve_columns(Eigen::Ref<Eigen::MatrixXd> X) const;
+  /// Every column of X, in place; many columns together are cheaper than one by one. Refined ones
+  /// until what is left is `enough` of the right-hand side, or rounding.
+  void solve_columns(Eigen::Ref<Eigen::MatrixXd> X, double enough = 0.0) const;
 
   // With an interface of m unknowns (Elimination::interface), A = [A_ii A_ic; A_ci A_cc] may be
   // factorized but for it:

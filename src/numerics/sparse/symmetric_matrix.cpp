@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "numerics/sparse/columns_together.h"
+
 namespace latsch::numerics {
 namespace {
 
@@ -100,6 +102,10 @@ void SymmetricMatrix::multiply(const double* x, double* y) const {
 
 void SymmetricMatrix::multiply(const Eigen::Ref<const Eigen::MatrixXd>& X,
                                Eigen::Ref<Eigen::MatrixXd> Y) const {
+  if (pattern_->block_size() == 3 && X.cols() > 1) {
+    multiply_columns(*pattern_, values_.data(), X, Y);
+    return;
+  }
   for (Eigen::Index k = 0; k < X.cols(); ++k) multiply(X.col(k).data(), Y.col(k).data());
 }
 

@@ -9,15 +9,22 @@
 namespace latsch::fe_tire {
 namespace {
 
-// A factorization costs as much as about 13 conjugate-gradient iterations (measured on tires A and
-// B); to give up as early as that gained nothing over thirteen tires.
+// A factorization costs as much as some twenty conjugate-gradient iterations (measured on tires A
+// and B).
 constexpr int kIterationsWorthAFactor = 20;
 // A solve that needed this many is a sign that the next one will be too slow.
 constexpr int kIterationsOfAStaleFactor = 9;
 // Linear equations are solved to this share of the residual at least, and to that at most.
 constexpr double kCoarsest = 1e-2, kFinest = 1e-4;
-constexpr double kPolished = 1e-3;     // of the tolerance: nothing to gain below
+// Of the tolerance: nothing to gain below, nor much below the second.
+constexpr double kPolished = 1e-3, kPolishedAgain = 1e-2;
+constexpr int kMostPolishing = 3;
 constexpr double kLargestShift = 1e3;  // relative to the diagonal
+// From this many times the tolerance on the last tangent there is leads to the end, if the residual
+// falls so fast: cords that go slack or taut hold it up earlier.
+constexpr double kClose = 100.0, kSlow = 0.1;
+// To tolerances below this Newton's method goes all the way: what is left then is far less.
+constexpr double kExact = 1e-7;
 constexpr int kMaxBacktracks = 10;
 constexpr double kSlopeDecrease = 0.8;  // accepted |d . f(x - s d)| relative to |d . f(x)|
 
@@ -46,10 +53,13 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
   shift_ = 0.0;
   has_factor_ = has_factor_ && tire_.serves(contact);
   RingState now = state;
+  knows_tangent_ = false;
   // What the ground has moved by, the factor of the last equilibrium answers as well as a new one.
   if (!assemble(now, !has_factor_)) {
     return failure(step, "the start is inverted");
   }
+  const double close =
+      (settings_.tolerance < kExact || slides() ? 1.0 : kClose) * settings_.tolerance * reference_;
   previous_ = 10.0 * f_.norm();
   for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
     const double norm = f_.norm();
@@ -58,17 +68,19 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
       state = std::move(now);
       return std::nullopt;
     }
-    if (iteration > 0 && !has_tangent_ && !assemble(now, true)) {
+    const double ratio = norm / previous_;
+    const bool is_close = knows_tangent_ && !slides() && ratio < kSlow && norm <= close &&
+                          settings_.tolerance >= kExact;
+    if (iteration > 0 && !has_tangent_ && !is_close && !assemble(now, true)) {
       return failure(step, "its tangent does not exist");
     }
-    const double ratio = norm / previous_;
     // Solve only as exactly as Newton's own convergence deserves (Eisenstat and Walker 1996, choice
     // 2).
     if (!find_direction(now, std::clamp(0.5 * ratio * ratio, kFinest, kCoarsest))) {
       return failure(step, "its tangent does not exist");
     }
-    // Newton's method is of second order: where the residual would end, so does the search.
-    const bool ends = ratio * ratio * norm <= settings_.tolerance * reference_;
+    // Newton's method is of second order: where the residual would be close, no tangent is made.
+    const bool ends = is_close || ratio * ratio * norm <= close;
     previous_ = norm;
     if (!line_search(now, !ends)) {
       return failure(step, "no step along Newton's direction reduces it");
@@ -77,16 +89,20 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
   return failure(step, fmt::format("not converged in {} iterations", settings_.max_iterations));
 }
 
-/// One more step with the last tangent there is, where it helps: it takes one pass of forces alone,
+/// Further steps with the last tangent there is, where they help: they take a pass of forces alone,
 /// and processors whose sums differ then agree in the digits results show.
 void EquilibriumSolver::polish(RingState& state) {
-  const double norm = f_.norm();
-  if (norm <= kPolished * settings_.tolerance * reference_ || !has_factor_ || slides()) return;
-  if (!start(state)) return;
-  if (!correct(kCoarsest, true)) return;
-  trial_.x = state.x - d_;
-  trial_.alpha = state.alpha;
-  if (assemble(trial_, false) && f_.norm() < norm) std::swap(state, trial_);
+  if (!has_factor_ || slides()) return;
+  double enough = kPolished;
+  for (int pass = 0; pass < kMostPolishing; ++pass, enough = kPolishedAgain) {
+    const double norm = f_.norm();
+    if (norm <= enough * settings_.tolerance * reference_ || !start(state)) return;
+    if (!correct(kCoarsest, true)) return;
+    trial_.x = state.x - d_;
+    trial_.alpha = state.alpha;
+    if (!assemble(trial_, false) || !(f_.norm() < norm)) return;
+    std::swap(state, trial_);
+  }
 }
 
 bool EquilibriumSolver::slides() const { return contact_ && contact_->has_friction(); }
@@ -94,6 +110,7 @@ bool EquilibriumSolver::slides() const { return contact_ && contact_->has_fricti
 bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
   failed_element_ = -1;
   has_tangent_ = with_tangent;
+  knows_tangent_ = knows_tangent_ || with_tangent;
   if (with_tangent) ++counts_->assemblies;
   if (!assembly_.assemble(
           *elements_, state, pressure_, f_, with_tangent ? &K_ : nullptr, &failed_element_)) {
@@ -139,7 +156,8 @@ bool EquilibriumSolver::find_direction(RingState& state, double tolerance) {
   // a step by an old factor would be corrected without it.
   const bool is_factor_of_use = has_factor_ && !slides() &&
                                 (!has_tangent_ || last_cg_iterations_ <= kIterationsOfAStaleFactor);
-  if (is_factor_of_use && start(state) && (!has_tangent_ || correct(tolerance, true))) return true;
+  if (is_factor_of_use && start(state) && (!knows_tangent_ || correct(tolerance, true)))
+    return true;
   if (!has_tangent_ && !assemble(state, true)) return false;
   return renew_factor(state, tolerance);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Newton's method on the ring with a factor that is allowed to grow stale.
 //
-// A factorization of the tangent costs some fourteen solves with it. So one factor serves several
+// A factorization of the tangent costs some twenty solves with it. So one factor serves several
 // Newton iterations and load steps: it gives a first direction, the ground apart and exact where
 // (linear_tire.h), and is the preconditioner of conjugate gradients on the current
 // tangent; it is renewed when they slow down:
@@ -82,7 +82,8 @@ class EquilibriumSolver {
   double shift_ = 0.0;     // on the diagonal of its last indefinite tangent, N/m
   double previous_ = 0.0;  // norm of the residual one iteration before
   bool has_factor_ = false;
-  bool has_tangent_ = false;  // K_ is that of f_
+  bool has_tangent_ = false;    // K_ is that of f_
+  bool knows_tangent_ = false;  // K_ is that of a state of this equilibrium's search
   int last_cg_iterations_ = 0;
   int failed_element_ = -1;
   Eigen::VectorXd f_, d_, r_, e_;

@@ -32,6 +32,7 @@ double pressure_force(const RingElements& elements, double pressure) {
 }
 
 constexpr int kMostWindows = 4;
+constexpr double kExactness = 0.1;  // of the solutions behind modes, of the tolerance of states
 
 /// "deflection 25 mm", and what else of a pose is not zero.
 std::string in_words(const GroundPose& pose, const Inflated& inflated) {
@@ -103,6 +104,7 @@ TireState FeTire::over(const Inflated& inflated, const Ground& ground, Poses pos
   state.ground = ground;
   state.pose = below(inflated, 0.0);
   state.is_halved = poses == Poses::below && tire.mirror().has_value();
+  state.window = Impl::first_window(ground);
   state.u = inflated.u.replicate(1, S);
   state.alpha = inflated.alpha.replicate(state.is_halved ? S / 2 : S, 1);
   return state;
@@ -229,12 +231,14 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
   const RingAssembly& even = all.solver.assembly();
   if (auto failure = factorize(all, state)) return *failure;
   const numerics::SymmetricMatrix mass = even.mass(elements());
-  if (!all.odd) return ring_modes(even, all.factor, mass, count);
+  // It makes 1e-8 of a frequency at the default tolerance.
+  const double enough = kExactness * settings.tolerance;
+  if (!all.odd) return ring_modes(even, all.factor, mass, count, enough);
   const numerics::SymmetricMatrix odd_mass = all.odd->mass(elements());
   for (int each = count / 2 + 3;; each = std::min(count, 2 * each)) {
-    auto modes = ring_modes(even, all.factor, mass, each);
+    auto modes = ring_modes(even, all.factor, mass, each, enough);
     if (!modes) return modes;
-    auto odd = ring_modes(*all.odd, *all.odd_factor, odd_mass, each);
+    auto odd = ring_modes(*all.odd, *all.odd_factor, odd_mass, each, enough);
     if (!odd) return odd;
     const double sure = std::min(modes->back().frequency, odd->back().frequency);
     modes->insert(modes->end(), odd->begin(), odd->end());
@@ -249,11 +253,18 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
 std::optional<Failure> FeTire::Impl::factorize(Systems& all, const TireState& at) {
   if (all.factored && same_tangent(*all.factored, at)) return std::nullopt;
   all.factored.reset();
-  if (auto failure = factorize(all, all.solver.assembly(), all.tread, at, all.factor)) {
-    return failure;
+  RingState state{all.unknowns.compress(at.u), at.alpha};
+  std::vector<RingAssembly::Vibration> tangents{{&all.unknowns, &all.tangent}};
+  if (all.odd) tangents.push_back({&*all.odd_unknowns, &*all.odd_tangent});
+  int worst = 0;
+  if (!all.solver.assembly().assemble_tangents(
+          elements(), state, at.inflated->pressure, tangents, &worst)) {
+    return no_tangent(all.unknowns.ring(), worst);
   }
+  if (auto failure = factorize(all, all.tread, at, state, all.tangent, all.factor)) return failure;
   if (all.odd) {
-    if (auto failure = factorize(all, *all.odd, *all.odd_tread, at, *all.odd_factor)) {
+    if (auto failure =
+            factorize(all, *all.odd_tread, at, state, *all.odd_tangent, *all.odd_factor)) {
       return failure;
     }
   }
@@ -274,11 +285,20 @@ std::optional<Failure> FeTire::Impl::factorize(Systems& all,
           elements(), state, at.inflated->pressure, assembly.unknowns(), all.tangent, &worst)) {
     return no_tangent(all.unknowns.ring(), worst);
   }
+  return factorize(all, tread, at, state, all.tangent, factor);
+}
+
+std::optional<Failure> FeTire::Impl::factorize(Systems& all,
+                                               const TreadSurface& tread,
+                                               const TireState& at,
+                                               const RingState& state,
+                                               numerics::SymmetricMatrix& tangent,
+                                               numerics::Factorization& factor) {
   TreadContact contact(all.tread, at.ground);
   contact.start(at.pose, state.x, at.anchors);
-  add_stiffness(tread, contact.stuck(state.x), all.solver.assembly().first_point(), all.tangent);
+  add_stiffness(tread, contact.stuck(state.x), all.solver.assembly().first_point(), tangent);
   ++counts.factorizations;
-  if (!factor.factorize(all.tangent).definite()) return unstable(in_words(at.pose, *at.inflated));
+  if (!factor.factorize(tangent).definite()) return unstable(in_words(at.pose, *at.inflated));
   return std::nullopt;
 }
 

@@ -32,6 +32,7 @@ struct Systems {
   double half_angle;  // rad, of the tread that may touch
   // Of tangents about `factored`, of even and odd motions: they have the same pattern.
   numerics::SymmetricMatrix tangent;
+  std::optional<numerics::SymmetricMatrix> odd_tangent;
   numerics::Factorization factor;
   std::optional<numerics::Factorization> odd_factor;
   std::optional<TireState> factored;  // none: no state, or one whose tangents are not definite
@@ -47,14 +48,13 @@ struct Systems {
         solver(unknowns, tread, settings),
         half_angle(angle),
         tangent(*solver.assembly().pattern()),
-        factor(*solver.assembly().pattern(),
-               numerics::Precision::full,
-               solver.factor().elimination()) {
+        factor(*solver.assembly().pattern(), numerics::Precision::refined) {
     if (!mirror) return;
     odd_unknowns.emplace(ring, RingSymmetry::odd, *mirror);
     odd_tread.emplace(*odd_unknowns, settings.tread_shape(), half_angle);
     odd.emplace(*odd_unknowns, solver.assembly().pattern());
-    odd_factor.emplace(*odd->pattern(), numerics::Precision::full, solver.factor().elimination());
+    odd_tangent.emplace(*odd->pattern());
+    odd_factor.emplace(*odd->pattern(), numerics::Precision::refined, factor.elimination());
   }
 };
 
@@ -85,7 +85,7 @@ struct FeTire::Impl {
     auto& systems = systems_[{halved, window}];
     if (!systems) {
       systems = std::make_unique<Systems>(
-          ring, settings, halved ? mirror() : std::nullopt, kHalfAngle * std::pow(kWider, window));
+          ring, settings, halved ? mirror() : std::nullopt, half_angle(window));
       systems->solver.count_in(counts);
       ++counts.analyses;
     }
@@ -102,6 +102,8 @@ struct FeTire::Impl {
   const Ring& even_ring() const { return even ? *even : ring; }
   const RingElements& even_elements() const { return even ? *even_elements_ : *elements_; }
 
+  /// Where the way is part of the answer the window stays as it is, and a bar stands out.
+  static int first_window(const Ground& ground) { return ground.mu > 0.0 || ground.bar ? 1 : 0; }
   Result<TireState> move(const TireState& from, const GroundPose& pose, const std::string& name);
   Result<std::vector<Mode>> modes_at(const TireState& state, int count);
   /// The factors of the tangents about a state with its ground, of even and odd motions; those of
@@ -113,11 +115,21 @@ struct FeTire::Impl {
                                    const TreadSurface& tread,
                                    const TireState& state,
                                    numerics::Factorization& factor);
+  /// The same of a tangent without the ground.
+  std::optional<Failure> factorize(Systems& all,
+                                   const TreadSurface& tread,
+                                   const TireState& at,
+                                   const RingState& state,
+                                   numerics::SymmetricMatrix& tangent,
+                                   numerics::Factorization& factor);
 
  private:
-  // rad to both sides: a circle cut there is pressed in by 8 % of its radius, a tire by half as
-  // much again. Deeper ones need a wider window.
-  static constexpr double kHalfAngle = 0.4, kWider = 1.5;
+  // rad to both sides. A tire touches flat ground 0.22 rad up at 8 % of its radius, half as far as
+  // a circle is cut there. What is touched beyond needs a wider window.
+  static constexpr double kHalfAngle = 0.3, kHalfAngleOfWays = 0.4, kWider = 1.5;
+  static double half_angle(int window) {
+    return window == 0 ? kHalfAngle : kHalfAngleOfWays * std::pow(kWider, window - 1);
+  }
   std::optional<RingElements> elements_, even_elements_;  // of `ring`, of `even`
   std::map<std::pair<bool, int>, std::unique_ptr<Systems>> systems_;
   std::optional<std::vector<int>> mirror_;

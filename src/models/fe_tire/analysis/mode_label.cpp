@@ -9,6 +9,8 @@
 #include <numeric>
 #include <utility>
 
+#include "numerics/dense/dense_products.h"
+
 namespace latsch::fe_tire {
 namespace {
 
@@ -109,14 +111,23 @@ char phase_of(const Mesh& mesh, const Eigen::Matrix3Xd& shape) {
 void name_after(const std::vector<Mode>& unloaded,
                 const Eigen::VectorXd& nodal_mass,
                 std::vector<Mode>& loaded) {
-  for (Mode& mode : loaded) {
+  const Eigen::Index size = 3 * nodal_mass.size();
+  Eigen::MatrixXd groups(size, unloaded.size()), momenta(size, loaded.size());
+  for (std::size_t j = 0; j < unloaded.size(); ++j) groups.col(j) = unloaded[j].shape.reshaped();
+  for (std::size_t i = 0; i < loaded.size(); ++i) {
+    auto momentum = momenta.col(i).reshaped(3, nodal_mass.size());
+    momentum = loaded[i].shape;
+    momentum.array().rowwise() *= nodal_mass.transpose().array();
+  }
+  const Eigen::MatrixXd overlaps = numerics::overlaps<double>(groups, momenta);
+  for (std::size_t i = 0; i < loaded.size(); ++i) {
+    Mode& mode = loaded[i];
     std::map<std::tuple<int, ModeType, int>, double> energy;
     double largest = 0.0;
-    for (const Mode& group : unloaded) {
-      const double overlap =
-          mode.shape.cwiseProduct(group.shape).colwise().sum().dot(nodal_mass.transpose());
+    for (std::size_t j = 0; j < unloaded.size(); ++j) {
+      const Mode& group = unloaded[j];
       double& share = energy[{group.n, group.type, group.order}];
-      share += overlap * overlap;
+      share += overlaps(j, i) * overlaps(j, i);
       if (share > largest) {
         largest = share;
         mode.n = group.n;

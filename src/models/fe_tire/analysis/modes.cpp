@@ -18,8 +18,8 @@ namespace {
 
 // Of Lanczos' inverted residual; the relative error of a frequency is its square.
 constexpr double kTolerance = 1e-5;
-// Vectors a step over the ring: solving them together is cheaper, but more of them are needed.
-constexpr int kRingBlock = 4;
+// Vectors a step over the ring: as many as are solved together at the price of one.
+constexpr int kRingBlock = 8;
 constexpr int kPerHarmonic = 3;  // modes of one circumferential number computed at first
 
 double to_hertz(double omega_squared) {
@@ -201,10 +201,11 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
 Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      const numerics::Factorization& factor,
                                      const numerics::SymmetricMatrix& M,
-                                     int count) {
+                                     int count,
+                                     double enough) {
   numerics::EigenProblem<double> problem;
   problem.size = M.size();
-  problem.solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_columns(X); };
+  problem.solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_columns(X, enough); };
   problem.mass = [&](const Eigen::Ref<const Eigen::MatrixXd>& X, Eigen::Ref<Eigen::MatrixXd> Y) {
     M.multiply(X, Y);
   };

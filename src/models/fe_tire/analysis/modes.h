@@ -24,11 +24,13 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
                                          int count);
 
 /// The `count` lowest modes of the states that `assembly` can hold (all, even or odd ones), without
-/// names. `factor` holds the tangent. Shapes are mass-normalized over the whole ring.
+/// names. `factor` holds the tangent; its solutions are refined to `enough`. Shapes are mass-normalized over
+/// the whole ring.
 Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      const numerics::Factorization& factor,
                                      const numerics::SymmetricMatrix& M,
-                                     int count);
+                                     int count,
+                                     double enough = 0.0);
 
 /// Mass of each node of the ring, kg: rows of the mass matrix summed.
 Eigen::VectorXd nodal_masses(const RingElements& elements);

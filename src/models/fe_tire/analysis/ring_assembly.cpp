@@ -43,8 +43,9 @@ bool RingAssembly::assemble(const RingElements& elements,
                             Eigen::VectorXd& f,
                             numerics::SymmetricMatrix* K,
                             int* worst) const {
-  f.setZero(unknowns_.size());
-  return sum_elements(elements, state, pressure, unknowns_, f, K, worst);
+  std::vector<Vibration> tangents;
+  if (K) tangents.push_back({&unknowns_, K});
+  return sum_elements(elements, state, pressure, &f, tangents, worst);
 }
 
 bool RingAssembly::assemble_tangent(const RingElements& elements,
@@ -53,23 +54,30 @@ bool RingAssembly::assemble_tangent(const RingElements& elements,
                                     const RingUnknowns& vibration,
                                     numerics::SymmetricMatrix& K,
                                     int* worst) const {
-  Eigen::VectorXd unused = Eigen::VectorXd::Zero(unknowns_.size());
-  return sum_elements(elements, state, pressure, vibration, unused, &K, worst);
+  return sum_elements(elements, state, pressure, nullptr, {{&vibration, &K}}, worst);
+}
+
+bool RingAssembly::assemble_tangents(const RingElements& elements,
+                                     RingState& state,
+                                     double pressure,
+                                     const std::vector<Vibration>& vibrations,
+                                     int* worst) const {
+  return sum_elements(elements, state, pressure, nullptr, vibrations, worst);
 }
 
 bool RingAssembly::sum_elements(const RingElements& elements,
                                 RingState& state,
                                 double pressure,
-                                const RingUnknowns& rows,
-                                Eigen::VectorXd& f,
-                                numerics::SymmetricMatrix* K,
+                                Eigen::VectorXd* f,
+                                const std::vector<Vibration>& tangents,
                                 int* worst) const {
-  if (K) K->set_zero();
+  if (f) f->setZero(unknowns_.size());
+  for (const Vibration& tangent : tangents) tangent.K->set_zero();
   const int per_sector = ring_.elements_per_sector(), alphas = ring_.alphas_per_element();
+  const bool stiffness = !tangents.empty();
   ElementBatch batch;
   Vector24 fe;
-  Matrix24 Ke;
-  Matrix24* Ke_wanted = K ? &Ke : nullptr;
+  Matrix24 Ke, copy;
   for (const auto& [first, count] : elements.groups(unknowns_.sectors())) {
     batch.count = count;
     for (int e = 0; e < per_sector; ++e) {
@@ -79,21 +87,27 @@ bool RingAssembly::sum_elements(const RingElements& elements,
                   state.alpha.data() + ((first + lane) * per_sector + e) * alphas,
                   alphas);
       }
-      const unsigned valid = elements.evaluate(first, e, pressure, K != nullptr, batch);
+      const unsigned valid = elements.evaluate(first, e, pressure, stiffness, batch);
       for (int lane = 0; lane < count; ++lane) {
         const int s = first + lane, global = s * per_sector + e;
         if (!(valid >> lane & 1)) {
           if (worst) *worst = global;
           return false;
         }
-        batch.take(lane, fe, Ke_wanted, state.alpha.data() + global * alphas, alphas);
-        rows.scatter(s, e, fe, Ke_wanted, f);
-        if (K) K->add_element(global, Ke.data());
+        batch.take(
+            lane, fe, stiffness ? &Ke : nullptr, state.alpha.data() + global * alphas, alphas);
+        if (f) unknowns_.add_forces(s, e, fe, *f);
+        for (std::size_t k = 0; k < tangents.size(); ++k) {
+          const bool is_last = k + 1 == tangents.size();
+          Matrix24& own = is_last ? Ke : (copy = Ke);
+          tangents[k].unknowns->bring_in_order(s, e, own);
+          tangents[k].K->add_element(global, own.data());
+        }
       }
     }
   }
-  if (K) {
-    for (int dof : rows.held()) diagonal(*K, dof) += kHeldStiffness;
+  for (const Vibration& tangent : tangents) {
+    for (int dof : tangent.unknowns->held()) diagonal(*tangent.K, dof) += kHeldStiffness;
   }
   return true;
 }
@@ -101,7 +115,6 @@ bool RingAssembly::sum_elements(const RingElements& elements,
 numerics::SymmetricMatrix RingAssembly::mass(const RingElements& elements) const {
   numerics::SymmetricMatrix M(*pattern_);
   Vector24 no_force = Vector24::Zero();
-  Eigen::VectorXd unused = Eigen::VectorXd::Zero(unknowns_.size());
   std::vector<std::vector<Matrix24>> of_width(ring_.widths());
   for (int s = 0, global = 0; s < unknowns_.sectors(); ++s) {
     std::vector<Matrix24>& masses = of_width[ring_.width(s)];
@@ -111,7 +124,7 @@ numerics::SymmetricMatrix RingAssembly::mass(const RingElements& elements) const
         ring_.turn_to_node_frames(s, e, no_force, &masses.back());
       }
       Matrix24 Me = masses[e];
-      unknowns_.scatter(s, e, no_force, &Me, unused);
+      unknowns_.bring_in_order(s, e, Me);
       M.add_element(global, Me.data());
     }
   }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <vector>
 
 #include "models/fe_tire/contact/tread_surface.h"
 #include "models/fe_tire/ring/ring_elements.h"
@@ -52,6 +53,17 @@ class RingAssembly {
                         const RingUnknowns& vibration,
                         numerics::SymmetricMatrix& K,
                         int* worst) const;
+  /// A tangent and the numbering it is wanted in.
+  struct Vibration {
+    const RingUnknowns* unknowns;
+    numerics::SymmetricMatrix* K;
+  };
+  /// The same of several numberings; the elements' tangents are the same.
+  bool assemble_tangents(const RingElements& elements,
+                         RingState& state,
+                         double pressure,
+                         const std::vector<Vibration>& vibrations,
+                         int* worst) const;
 
   /// Consistent mass matrix, kg.
   numerics::SymmetricMatrix mass(const RingElements& elements) const;
@@ -60,9 +72,8 @@ class RingAssembly {
   bool sum_elements(const RingElements& elements,
                     RingState& state,
                     double pressure,
-                    const RingUnknowns& rows,
-                    Eigen::VectorXd& f,
-                    numerics::SymmetricMatrix* K,
+                    Eigen::VectorXd* f,
+                    const std::vector<Vibration>& tangents,
                     int* worst) const;
 
   const RingUnknowns& unknowns_;

@@ -6,6 +6,6 @@
 
 namespace latsch::fe_tire {
 
-inline constexpr int kModelVersion = 7;
+inline constexpr int kModelVersion = 8;
 
 }  // namespace latsch::fe_tire

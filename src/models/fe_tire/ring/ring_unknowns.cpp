@@ -182,18 +182,17 @@ Matrix38 RingUnknowns::gather(int sector, int element, const Eigen::VectorXd& x)
   return ring_.in_element_frame(sector, element, u);
 }
 
-void RingUnknowns::scatter(
-    int sector, int element, Vector24& f, Matrix24* K, Eigen::VectorXd& sum) const {
+void RingUnknowns::bring_in_order(int sector, int element, Matrix24& K) const {
+  // Only the planes of the half turn's axis have images of their own.
+  if (symmetry_ == RingSymmetry::none || (sector > 0 && sector + 1 < sectors_)) return;
   const int n = ring_.mesh().nodes_per_sector();
   for (int a = 0; a < 8; ++a) {
     const int node = ring_.mesh().elements[element].node[a];
     const NodeUnknowns& unknowns = node < n ? at(sector, node) : at(sector + 1, node - n);
-    if (unknowns.first < 0) continue;
-    sum.segment<3>(unknowns.first) += unknowns.sign.cwiseProduct(f.segment<3>(3 * a));
-    if (!K || unknowns.sign == Eigen::Vector3d::Ones()) continue;
+    if (unknowns.first < 0 || unknowns.sign == Eigen::Vector3d::Ones()) continue;
     for (int k = 0; k < 3; ++k) {
-      K->row(3 * a + k) *= unknowns.sign[k];
-      K->col(3 * a + k) *= unknowns.sign[k];
+      K.row(3 * a + k) *= unknowns.sign[k];
+      K.col(3 * a + k) *= unknowns.sign[k];
     }
   }
 }

@@ -53,9 +53,9 @@ class RingUnknowns {
 
   /// Element displacements [3 x 8] in its sector's frame.
   Matrix38 gather(int sector, int element, const Eigen::VectorXd& x) const;
-  /// Adds element forces, in the frames of their nodes, to those of the unknowns, and brings K to
-  /// their order and signs.
-  void scatter(int sector, int element, Vector24& f, Matrix24* K, Eigen::VectorXd& sum) const;
+  /// Brings the stiffness of an element, in the frames of its nodes, to the order and signs of the
+  /// unknowns.
+  void bring_in_order(int sector, int element, Matrix24& K) const;
 
   /// Adds element forces, in the frames of their nodes, to a sum over the unknowns.
   void add_forces(int sector,
