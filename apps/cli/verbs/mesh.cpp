@@ -3,7 +3,6 @@
 // converged tire.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -62,11 +61,7 @@ void print_counts(const MeshedTire& tire, const fe_tire::Mesh& mesh, double mass
   }
 }
 
-std::size_t width_of(const std::string& mesh) { return std::max<std::size_t>(10, mesh.size()); }
-
-void print_rows(const std::string& title,
-                const std::vector<std::string>& meshes,
-                const std::vector<DiscretizationRow>& rows) {
+void print_rows(const std::string& title, const std::vector<DiscretizationRow>& rows) {
   if (rows.empty()) return;
   for (const DiscretizationRow& row : rows) {
     nlohmann::ordered_json found = {{"state", title},
@@ -83,15 +78,14 @@ void print_rows(const std::string& title,
     }
     answer()["convergence"].push_back(found);
   }
-  answer()["meshes"][title] = meshes;
+  const std::size_t meshes = rows.front().values.size();
   say("\n{:<24}", title);
-  for (const std::string& name : meshes) say(" {:>{}}", name, width_of(name));
-  say(" {:>11} {:>6} {:>20}\n", "converged", "order", "error of 1 x");
+  for (size_t i = 0; i < meshes; ++i) say(" {:>10}", fmt::format("mesh {}", i + 1));
+  say(" {:>11} {:>6} {:>20}\n", "converged", "order", "error of mesh 1");
   bool asymptotic = true;
   for (const DiscretizationRow& row : rows) {
     say("{:<24}", fmt::format("{} [{}]", row.name, row.unit));
-    for (std::size_t i = 0; i < row.values.size(); ++i)
-      say(" {:>{}.5g}", row.values[i], width_of(meshes[i]));
+    for (double value : row.values) say(" {:>10.5g}", value);
     if (!row.paired) {
       say("  not found on every mesh\n");
       continue;
@@ -129,8 +123,8 @@ int print_convergence(const TireDescription& tire, const MeshOptions& options) {
     complain(study.failure().reason);
     return kFailed;
   }
-  print_rows("Inflated", study->unloaded_meshes, study->unloaded);
-  print_rows("On the ground", study->loaded_meshes, study->loaded);
+  print_rows("Inflated", study->unloaded);
+  print_rows("On the ground", study->loaded);
   return kDone;
 }
 

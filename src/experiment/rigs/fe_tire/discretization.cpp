@@ -91,28 +91,34 @@ void rename_as_first(std::vector<MeshQuantities>& meshes) {
 
 using Measure = Result<MeshQuantities> (*)(FeTire&, const DiscretizationSettings&, int);
 
-struct Study {
-  const fe_tire::TireDescription& tire;
-  const DiscretizationSettings& settings;
-  const std::function<void(const std::string&)>& progress;
-
-  Result<MeshQuantities> on(const fe_tire::Refinement& refinement,
-                            const std::string& mesh,
-                            Measure measure,
-                            bool first) const {
-    FeTire model(fe_tire::build_mesh(tire, refinement),
-                 fe_tire::build_materials(tire, refinement),
+Result<std::vector<DiscretizationRow>> refine(
+    const fe_tire::TireDescription& tire,
+    const DiscretizationSettings& settings,
+    const std::vector<int>& refinements,
+    Measure measure,
+    const std::string& what,
+    const std::function<void(const std::string&)>& progress) {
+  std::vector<MeshQuantities> meshes;
+  for (int r : refinements) {
+    FeTire model(fe_tire::build_mesh(tire, r),
+                 fe_tire::build_materials(tire, r),
                  {.element = settings.element});
-    if (progress)
-      progress(fmt::format("{}, {} elements, {} unknowns",
-                           mesh,
+    if (progress) {
+      progress(fmt::format("{}: {} x refined, {} elements, {} unknowns",
+                           what,
+                           r,
                            model.mesh().element_count(),
                            model.mesh().free_dofs()));
+    }
     // The order of neighboring modes may change from mesh to mesh: look a little further on the
     // finer ones.
-    return measure(model, settings, first ? settings.modes : settings.modes + 6);
+    Result<MeshQuantities> quantities =
+        measure(model, settings, r == refinements.front() ? settings.modes : settings.modes + 6);
+    if (!quantities) return quantities.failure();
+    meshes.push_back(std::move(*quantities));
   }
-};
+  return discretization_rows(refinements, std::move(meshes));
+}
 
 }  // namespace
 
@@ -152,86 +158,20 @@ std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refin
   return table;
 }
 
-std::vector<DiscretizationRow> sum_of_directions(const std::vector<DiscretizationRow>& one,
-                                                 const std::vector<DiscretizationRow>& other) {
-  assert(one.size() == other.size());
-  std::vector<DiscretizationRow> table = one;
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    DiscretizationRow& row = table[i];
-    const DiscretizationRow& second = other[i];
-    assert(row.name == second.name && row.values.front() == second.values.front());
-    const double first = row.values.front();
-    if (!row.paired || !second.paired) {
-      row = {.name = row.name,
-             .unit = row.unit,
-             .values = {first},
-             .converged = std::numeric_limits<double>::quiet_NaN(),
-             .paired = false};
-      continue;
-    }
-    if (std::abs(second.converged - first) > std::abs(row.converged - first))
-      row.order = second.order;
-    row.values.insert(row.values.end(), second.values.begin() + 1, second.values.end());
-    row.converged += second.converged - first;
-    row.uncertainty += second.uncertainty;
-  }
-  return table;
-}
-
-namespace {
-
-std::string times(int refinement, const char* direction = "") {
-  return fmt::format("{} x{}", refinement, refinement == 1 ? "" : direction);
-}
-
-Result<bool> study_unloaded(const Study& of, DiscretizationStudy& study) {
-  std::vector<MeshQuantities> meshes;
-  for (const int r : of.settings.refinements) {
-    study.unloaded_meshes.push_back(times(r));
-    auto quantities =
-        of.on(r, "unloaded: " + times(r) + " refined", unloaded_quantities, meshes.empty());
-    if (!quantities) return quantities.failure();
-    meshes.push_back(std::move(*quantities));
-  }
-  study.unloaded = discretization_rows(of.settings.refinements, std::move(meshes));
-  return true;
-}
-
-Result<bool> study_loaded(const Study& of, DiscretizationStudy& study) {
-  const std::vector<int>& refinements = of.settings.loaded_refinements;
-  assert(refinements.front() == 1);
-  auto first = of.on(1, "on the ground: as it is", loaded_quantities, true);
-  if (!first) return first.failure();
-  study.loaded_meshes = {times(1)};
-  std::vector<std::vector<DiscretizationRow>> directions;
-  for (const char* direction : {" around", " in the section"}) {
-    std::vector<MeshQuantities> meshes = {*first};
-    for (auto r = refinements.begin() + 1; r != refinements.end(); ++r) {
-      study.loaded_meshes.push_back(times(*r, direction));
-      const fe_tire::Refinement refinement =
-          directions.empty() ? fe_tire::Refinement(*r, 1, 1) : fe_tire::Refinement(1, *r, *r);
-      auto quantities =
-          of.on(refinement, "on the ground: " + times(*r, direction), loaded_quantities, false);
-      if (!quantities) return quantities.failure();
-      meshes.push_back(std::move(*quantities));
-    }
-    directions.push_back(discretization_rows(refinements, std::move(meshes)));
-  }
-  study.loaded = sum_of_directions(directions[0], directions[1]);
-  return true;
-}
-
-}  // namespace
-
 Result<DiscretizationStudy> study_discretization(
     const fe_tire::TireDescription& tire,
     const DiscretizationSettings& settings,
     const std::function<void(const std::string&)>& progress) {
-  const Study of{tire, settings, progress};
   DiscretizationStudy study;
-  if (const auto done = study_unloaded(of, study); !done) return done.failure();
+  auto unloaded =
+      refine(tire, settings, settings.refinements, unloaded_quantities, "unloaded", progress);
+  if (!unloaded) return unloaded.failure();
+  study.unloaded = std::move(*unloaded);
   if (settings.deflection <= 0.0) return study;
-  if (const auto done = study_loaded(of, study); !done) return done.failure();
+  auto loaded =
+      refine(tire, settings, settings.loaded_refinements, loaded_quantities, "loaded", progress);
+  if (!loaded) return loaded.failure();
+  study.loaded = std::move(*loaded);
   return study;
 }
 

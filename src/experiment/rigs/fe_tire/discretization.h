@@ -3,9 +3,7 @@
 // extrapolated.
 //
 // A fit absorbs the error of its mesh into the moduli without a word; this study puts a number on
-// it. Inflation and unloaded modes are problems of one sector: meshes are refined in all
-// directions. The ring on the ground is refined around and in the section apart, and both errors
-// are added up: all directions at once would be 27 times the unknowns where this is 9.
+// it.
 #pragma once
 
 #include <functional>
@@ -27,17 +25,17 @@ struct DiscretizationSettings {
   int modes = 20;
   std::vector<int> refinements = {
       1, 2, 3, 4};  // of inflation and unloaded modes: cheap, one sector
-  std::vector<int> loaded_refinements = {1, 2, 3};  // of the loaded ring, in each direction
+  std::vector<int> loaded_refinements = {
+      1, 2, 3};  // of the loaded ring; the last three are extrapolated
 };
 
 /// One quantity on all meshes.
 struct DiscretizationRow {
   std::string name;            // "Fz at 25 mm", "radial n=2"
   std::string unit;            // SI
-  std::vector<double> values;  // one a mesh; of the first alone where `paired` is false
+  std::vector<double> values;  // one a refinement; of the first alone where `paired` is false
   double converged = 0.0;      // extrapolated
-  double order = 0.0;          // observed, 0 where the values show none; of several directions that
-                               // of the one with the largest error
+  double order = 0.0;          // observed, 0 where the values show none
   /// How far `converged` itself may be off: a quarter of what it lies beyond the finest mesh, and
   /// where no order is observed three times the largest change between the last meshes, for the
   /// changes to come may be larger (safety factors 1.25 and 3 of [Roache 1994, J. Fluids Eng.
@@ -52,9 +50,8 @@ struct DiscretizationRow {
 };
 
 struct DiscretizationStudy {
-  std::vector<DiscretizationRow> unloaded;                  // growth, then modes by label
-  std::vector<DiscretizationRow> loaded;                    // Fz, then modes by label
-  std::vector<std::string> unloaded_meshes, loaded_meshes;  // "2 x", "2 x around": of the values
+  std::vector<DiscretizationRow> unloaded;  // growth, then modes by label
+  std::vector<DiscretizationRow> loaded;    // Fz, then modes by label
 };
 
 /// What was measured on one mesh, by name and in order: "growth" in m, "Fz ..." in N, all others
@@ -67,10 +64,6 @@ using MeshQuantities = std::vector<std::pair<std::string, double>>;
 /// within 2.5 %. At least three meshes.
 std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refinements,
                                                    std::vector<MeshQuantities> meshes);
-
-/// Of rows of two directions with the same first mesh: what each is off, added up.
-std::vector<DiscretizationRow> sum_of_directions(const std::vector<DiscretizationRow>& one,
-                                                 const std::vector<DiscretizationRow>& other);
 
 /// `progress` is told each mesh before it is computed.
 Result<DiscretizationStudy> study_discretization(

@@ -103,32 +103,5 @@ TEST(Discretization, WhereChangesGrowNothingIsAsymptoticAndTheLimitIsWithinTheUn
   EXPECT_LT(std::abs(rows[0].converged - 1.3308e-3), rows[0].uncertainty);
 }
 
-// f = 100 + 3 h² in one direction and 2 h² in the other, h = 1 on the first mesh.
-TEST(Discretization, ErrorsOfTwoDirectionsAddUp) {
-  const auto direction = [](double own, double of_the_other) {
-    std::vector<MeshQuantities> meshes;
-    for (const double h : {1.0, 0.5, 1.0 / 3.0})
-      meshes.push_back({{"Fz at 25 mm", 100.0 + of_the_other + own * h * h}});
-    return discretization_rows({1, 2, 3}, meshes);
-  };
-  const auto rows = sum_of_directions(direction(3.0, 2.0), direction(2.0, 3.0));
-  ASSERT_EQ(rows.size(), 1u);
-  EXPECT_NEAR(rows[0].converged, 100.0, 1e-6);
-  EXPECT_NEAR(rows[0].error(), 0.05, 1e-8);
-  EXPECT_NEAR(rows[0].order, 2.0, 1e-6);
-  EXPECT_EQ(rows[0].values.size(), 5u);
-}
-
-TEST(Discretization, AModeThatOneDirectionLosesIsLost) {
-  const auto found = discretization_rows(
-                 {1, 2, 3},
-                 {{{"radial n=2", 80.0}}, {{"radial n=2", 79.0}}, {{"radial n=2", 78.8}}}),
-             lost = discretization_rows(
-                 {1, 2, 3},
-                 {{{"radial n=2", 80.0}}, {{"radial n=2", 79.0}}, {{"lateral n=1", 50.0}}});
-  EXPECT_FALSE(sum_of_directions(found, lost)[0].paired);
-  EXPECT_FALSE(sum_of_directions(lost, found)[0].paired);
-}
-
 }  // namespace
 }  // namespace latsch
