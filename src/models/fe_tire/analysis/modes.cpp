@@ -16,8 +16,6 @@
 namespace latsch::fe_tire {
 namespace {
 
-// Of Lanczos' inverted residual; the relative error of a frequency is its square.
-constexpr double kTolerance = 1e-5;
 // Vectors a step over the ring: solving them together is cheaper, but more of them are needed.
 constexpr int kRingBlock = 4;
 constexpr int kPerHarmonic = 3;  // modes of one circumferential number computed at first
@@ -45,6 +43,7 @@ std::optional<Failure> solve_harmonic(const SectorBlocks& K,
                                       const SectorBlocks& M,
                                       int n,
                                       int count,
+                                      double tolerance,
                                       std::vector<HarmonicMode>& modes) {
   modes.clear();
   numerics::BandedCholesky cholesky;
@@ -63,7 +62,7 @@ std::optional<Failure> solve_harmonic(const SectorBlocks& K,
   };
   numerics::LanczosSettings settings;
   settings.count = std::min(count, K.size());
-  settings.tolerance = kTolerance;
+  settings.tolerance = tolerance;
   settings.block = 1;
   const auto pairs = numerics::lanczos(problem, settings);
   if (!pairs.converged) {
@@ -165,7 +164,8 @@ Failure no_tangent(const Ring& ring, int element) {
 Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
                                          const Mesh& mesh,
                                          const Inflated& inflated,
-                                         int count) {
+                                         int count,
+                                         double tolerance) {
   const Ring& ring = elements.ring();
   SectorBlocks K(ring);
   Eigen::VectorXd f, alpha = inflated.alpha;
@@ -178,7 +178,9 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
   const int S = ring.sectors();
 
   std::vector<std::vector<HarmonicMode>> by_n;
-  const auto solve = [&](int n, int modes) { return solve_harmonic(K, M, n, modes, by_n[n]); };
+  const auto solve = [&](int n, int modes) {
+    return solve_harmonic(K, M, n, modes, tolerance, by_n[n]);
+  };
   int beyond = 0;  // successive harmonics whose lowest mode lies above all that are wanted
   for (int n = 0; n <= S / 2 && beyond < 2; ++n) {
     by_n.emplace_back();
@@ -198,10 +200,14 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
   return named_modes(ring, mesh, std::move(found), count);
 }
 
-Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
-                                     const numerics::Factorization& factor,
-                                     const numerics::SymmetricMatrix& M,
-                                     int count) {
+namespace {
+
+/// Modes of the ring, of unknowns; `start` as that of lanczos().
+Result<numerics::EigenPairs<double>> ring_pairs(const numerics::Factorization& factor,
+                                                const numerics::SymmetricMatrix& M,
+                                                int count,
+                                                double tolerance,
+                                                const Eigen::MatrixXd& start) {
   numerics::EigenProblem<double> problem;
   problem.size = M.size();
   problem.solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_columns(X); };
@@ -210,19 +216,39 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
   };
   numerics::LanczosSettings settings;
   settings.count = std::min(count, M.size());
-  settings.tolerance = kTolerance;
+  settings.tolerance = tolerance;
   settings.block = kRingBlock;
-  const auto pairs = numerics::lanczos(problem, settings);
-  if (!pairs.converged) {
+  auto pairs = numerics::lanczos(problem, settings, start);
+  if (!pairs.converged)
     return unfinished("modes", pairs.values.size(), settings.count, pairs.solves);
-  }
+  return pairs;
+}
+
+}  // namespace
+
+Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
+                                     const numerics::Factorization& factor,
+                                     const numerics::SymmetricMatrix& M,
+                                     int count,
+                                     double tolerance) {
+  const auto pairs = ring_pairs(factor, M, count, tolerance, {});
+  if (!pairs) return pairs.failure();
   const RingUnknowns& unknowns = assembly.unknowns();
-  std::vector<Mode> modes(pairs.values.size());
-  for (int k = 0; k < pairs.values.size(); ++k) {
-    modes[k].frequency = to_hertz(pairs.values[k]);
-    modes[k].shape = unknowns.expand(pairs.vectors.col(k)) / std::sqrt(unknowns.multiplicity());
+  std::vector<Mode> modes(pairs->values.size());
+  for (int k = 0; k < pairs->values.size(); ++k) {
+    modes[k].frequency = to_hertz(pairs->values[k]);
+    modes[k].shape = unknowns.expand(pairs->vectors.col(k)) / std::sqrt(unknowns.multiplicity());
   }
   return modes;
+}
+
+Result<Eigen::MatrixXd> sharpened(const Eigen::MatrixXd& vectors,
+                                  const numerics::Factorization& factor,
+                                  const numerics::SymmetricMatrix& M,
+                                  double tolerance) {
+  auto pairs = ring_pairs(factor, M, static_cast<int>(vectors.cols()), tolerance, vectors);
+  if (!pairs) return pairs.failure();
+  return std::move(pairs->vectors);
 }
 
 Eigen::VectorXd nodal_masses(const RingElements& elements) {
