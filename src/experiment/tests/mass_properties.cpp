@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mass and moments of inertia of a tire: rubber, cords and bead, neither rim nor air.
+// Mass and moments of inertia of a tire: rubber and cords, neither rim nor air.
 //
 //   kind = "mass_properties"
 //   pressure = "2.6 bar"             # as inflated, which widens it by some 0.1 to 1 %: the tire's
