@@ -147,6 +147,7 @@ void time_row(Table& table, const Case& of, const Document& numbers) {
 Trial exact(const TireDescription& description, bool loaded_modes) {
   SolverSettings settings{.element = description.element};
   settings.tolerance = 1e-10;
+  settings.mode_tolerance = 1e-9;
   FeTire tire(build_mesh(description), build_materials(description), settings);
   return run(tire, description.pressure, loaded_modes);
 }

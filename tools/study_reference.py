@@ -33,6 +33,7 @@ SECTIONS = [
     ("pressure of a test", "inflation"),
     ("[cleat] of a test", "cleat"),
     ('Test "footprint": where it touches the ground', "footprint_rig"),
+    ('Test "mass_properties": mass, moments of inertia', "mass_properties"),
     ('Test "steady_states": a table of states', "steady_states"),
     ('Test "slip_history": slips as recorded, lagging', "slip_history"),
     ('Test "kc": a corner under loads', "kc"),

@@ -17,7 +17,7 @@ const SpecimenKind& suspension_kind();
 const SpecimenKind& car_kind();
 extern const TestKind kDrumCleat, kSlipSweep, kRollingStiffness, kUniformity, kStaticStiffness,
     kFootprint, kModes, kSteadyStates, kSlipHistory, kLoadDeflection, kKc, kKinematics, kFourPost,
-    kKerb, kAxleKc;
+    kKerb, kAxleKc, kMassProperties;
 
 const Language& language() {
   static const Language all = {{&fe_tire_kind(),
@@ -41,7 +41,8 @@ const Language& language() {
                                 &kKinematics,
                                 &kFourPost,
                                 &kKerb,
-                                &kAxleKc}};
+                                &kAxleKc,
+                                &kMassProperties}};
   return all;
 }
 

@@ -24,6 +24,9 @@ Result<Channels> FeTireSpecimen::press(const LoadDeflection& test, const Asked& 
 Result<Channels> FeTireSpecimen::vibrate(const ModalTest& test, const Asked& asked) {
   return run(test, asked);
 }
+Result<Channels> FeTireSpecimen::weigh(const MassTest& test, const Asked& asked) {
+  return run(test, asked);
+}
 
 template <class Test>
 Result<Channels> FeTireSpecimen::run(const Test& test, const Asked& asked) {

@@ -20,6 +20,7 @@ class FeTireSpecimen : public Specimen,
                        public IsPressed,
                        public Vibrates,
                        public StandsOnGround,
+                       public IsWeighed,
                        public HasFootprint,
                        public TakesConditions {
  public:
@@ -35,6 +36,7 @@ class FeTireSpecimen : public Specimen,
   Result<Channels> stand(const StandingTest& test) override {
     return experiment::stand(tire_, pressure_, test);
   }
+  Result<Channels> weigh(const MassTest& test, const Asked& asked) override;
   Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) override;
 
  protected:

@@ -54,6 +54,14 @@ struct StandsOnGround {
   virtual Result<Channels> stand(const StandingTest& test) = 0;
 };
 
+/// Has a mass and moments of inertia of its own.
+struct IsWeighed {
+  static constexpr const char* kName = "is weighed";
+  virtual ~IsWeighed() = default;
+  /// With the slopes asked for, where they are known.
+  virtual Result<Channels> weigh(const MassTest& test, const Asked& asked) = 0;
+};
+
 struct HasFootprint {
   static constexpr const char* kName = "leaves a footprint";
   virtual ~HasFootprint() = default;
@@ -141,6 +149,7 @@ std::vector<std::string> abilities_of() {
   add(static_cast<IsPressed*>(nullptr));
   add(static_cast<Vibrates*>(nullptr));
   add(static_cast<StandsOnGround*>(nullptr));
+  add(static_cast<IsWeighed*>(nullptr));
   add(static_cast<HasFootprint*>(nullptr));
   add(static_cast<Rolls*>(nullptr));
   add(static_cast<HasSteadyStates*>(nullptr));

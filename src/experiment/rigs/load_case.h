@@ -35,4 +35,9 @@ struct ModalTest {
   bool loaded() const { return deflection || load; }
 };
 
+/// Mass and moments of inertia, off the rim but as inflated on it.
+struct MassTest {
+  Inflation pressure = {};
+};
+
 }  // namespace latsch::experiment

@@ -211,6 +211,27 @@ Result<Channels> TireRig::run(const ModalTest& test, fe_tire::TireSlopes& slopes
   return with_slopes(channels, "frequency", *of_modes);
 }
 
+Result<Channels> TireRig::run(const MassTest& test) {
+  const auto& inflated = this->inflated(test.pressure.value_or(own_pressure_));
+  if (!inflated) return inflated.failure();
+  const fe_tire::MassProperties of = tire_.mass_properties(*inflated);
+  Channels channels;
+  channels.add({"mass", "kg", {of.mass}});
+  channels.add({"spin_inertia", "kg m^2", {of.spin_inertia}});
+  channels.add({"diametral_inertia", "kg m^2", {of.diametral_inertia}});
+  return channels;
+}
+
+Result<Channels> TireRig::run(const MassTest& test, fe_tire::TireSlopes& slopes) {
+  const auto channels = run(test);
+  if (!channels) return channels;
+  const auto of = slopes.of_mass(**inflated_);
+  if (!of) return of.failure();
+  Channels all = with_slopes(*channels, "mass", of->mass);
+  all = with_slopes(all, "spin_inertia", of->spin_inertia);
+  return with_slopes(all, "diametral_inertia", of->diametral_inertia);
+}
+
 namespace {
 
 /// The plane nearest to an angle from the contact, rad.

@@ -5,7 +5,7 @@
 // m, "loaded_radius" m, "force" N, "patch_length" m, "patch_width" m, "patch_area" m^2. A loaded
 // radius larger than the radius of the inflated tire is no contact: force and patch are 0. Channels
 // of a modal test: those of mode_record.h, and of a loaded one "deflection", "loaded_radius",
-// "force" (one value).
+// "force" (one value). Of a mass test: "mass" kg, "spin_inertia" and "diametral_inertia" kg m^2.
 //
 // A test goes its own way: a curve is pressed once through its deflections, ascending; a single
 // deflection is reached in five even steps. So its recording does not depend on other tests. The
@@ -30,9 +30,12 @@ class TireRig {
 
   Result<Channels> run(const LoadDeflection& test);
   Result<Channels> run(const ModalTest& test);
-  /// The same with the slopes of loads or frequencies. Without friction and upright.
+  Result<Channels> run(const MassTest& test);
+  /// The same with the slopes of loads, frequencies, or mass and inertias. Without friction and
+  /// upright.
   Result<Channels> run(const LoadDeflection& test, fe_tire::TireSlopes& slopes);
   Result<Channels> run(const ModalTest& test, fe_tire::TireSlopes& slopes);
+  Result<Channels> run(const MassTest& test, fe_tire::TireSlopes& slopes);
 
  private:
   struct Pressed {

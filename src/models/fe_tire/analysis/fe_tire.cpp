@@ -183,7 +183,8 @@ Standing FeTire::stand(const TireState& state) {
 Result<std::vector<Mode>> FeTire::modes(const Inflated& inflated, int count) {
   Impl& tire = *impl_;
   if (tire.ring.sectors() > 1) {
-    return harmonic_modes(tire.even_elements(), tire.ring.mesh(), inflated, count);
+    return harmonic_modes(
+        tire.even_elements(), tire.ring.mesh(), inflated, count, tire.settings.mode_tolerance);
   }
   return modes_full(inflated, count);
 }
@@ -203,7 +204,8 @@ Result<std::vector<Mode>> FeTire::modes_full(const Inflated& inflated, int count
   }
   numerics::Factorization factor(*assembly.pattern());
   if (!factor.factorize(K).definite()) return unstable("modes");
-  return ring_modes(assembly, factor, assembly.mass(tire.even_elements()), count);
+  return ring_modes(
+      assembly, factor, assembly.mass(tire.even_elements()), count, tire.settings.mode_tolerance);
 }
 
 Result<std::vector<Mode>> FeTire::modes(const TireState& state, int count) {
@@ -213,8 +215,11 @@ Result<std::vector<Mode>> FeTire::modes(const TireState& state, int count) {
   for (Mode& mode : *modes) mode.phase = phase_of(tire.ring.mesh(), mode.shape);
   if (tire.ring.sectors() > 1) {
     // Half as many again: some of the unloaded modes that the loaded ones resemble lie higher.
-    const auto unloaded =
-        harmonic_modes(tire.even_elements(), tire.ring.mesh(), *state.inflated, count + count / 2);
+    const auto unloaded = harmonic_modes(tire.even_elements(),
+                                         tire.ring.mesh(),
+                                         *state.inflated,
+                                         count + count / 2,
+                                         tire.settings.mode_tolerance);
     if (!unloaded) return unloaded.failure();
     name_after(*unloaded, nodal_masses(tire.elements()), *modes);
   }
@@ -222,6 +227,9 @@ Result<std::vector<Mode>> FeTire::modes(const TireState& state, int count) {
 }
 
 double FeTire::total_mass() const { return nodal_masses(impl_->even_elements()).sum(); }
+MassProperties FeTire::mass_properties(const Inflated& inflated) const {
+  return fe_tire::mass_properties(impl_->even_elements(), inflated.u);
+}
 
 /// Modes of even and odd states together, the lowest `count`. Each kind is asked for somewhat more
 /// than its half; where one may hold more of the lowest than it was asked for, again.
@@ -231,14 +239,15 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
   const RingAssembly& even = all.solver.assembly();
   if (auto failure = factorize(all, state)) return *failure;
   const numerics::SymmetricMatrix mass = even.mass(elements());
+  const double tolerance = settings.mode_tolerance;
   // It makes 1e-8 of a frequency at the default tolerance.
   const double enough = kExactness * settings.tolerance;
-  if (!all.odd) return ring_modes(even, all.factor, mass, count, enough);
+  if (!all.odd) return ring_modes(even, all.factor, mass, count, tolerance, enough);
   const numerics::SymmetricMatrix odd_mass = all.odd->mass(elements());
   for (int each = count / 2 + 3;; each = std::min(count, 2 * each)) {
-    auto modes = ring_modes(even, all.factor, mass, each, enough);
+    auto modes = ring_modes(even, all.factor, mass, each, tolerance, enough);
     if (!modes) return modes;
-    auto odd = ring_modes(*all.odd, *all.odd_factor, odd_mass, each, enough);
+    auto odd = ring_modes(*all.odd, *all.odd_factor, odd_mass, each, tolerance, enough);
     if (!odd) return odd;
     const double sure = std::min(modes->back().frequency, odd->back().frequency);
     modes->insert(modes->end(), odd->begin(), odd->end());

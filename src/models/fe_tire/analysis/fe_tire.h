@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "models/fe_tire/analysis/mass_properties.h"
 #include "models/fe_tire/analysis/solver_settings.h"
 #include "models/fe_tire/contact/contact.h"
 #include "models/fe_tire/contact/ground.h"
@@ -126,6 +127,7 @@ class FeTire {
   Result<std::vector<Mode>> modes(const TireState& state, int count);
 
   double total_mass() const;  // kg
+  MassProperties mass_properties(const Inflated& inflated) const;
   SolverCounts counts() const;
   void reset_counts();
 

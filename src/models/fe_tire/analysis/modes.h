@@ -17,11 +17,12 @@ Failure no_tangent(const Ring& ring, int element);
 /// Modes of the inflated ring by circumferential harmonics n = 0, 1, ...: one small Hermitian
 /// problem each, until no further n can hold one of the `count` lowest. A mode of n > 0 comes as an
 /// orthogonal pair. Sectors of the ring are equally wide; shapes are given on the planes of `mesh`,
-/// which is the same tire, however divided.
+/// which is the same tire, however divided. `tolerance`: SolverSettings::mode_tolerance.
 Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
                                          const Mesh& mesh,
                                          const Inflated& inflated,
-                                         int count);
+                                         int count,
+                                         double tolerance);
 
 /// The `count` lowest modes of the states that `assembly` can hold (all, even or odd ones), without
 /// names. `factor` holds the tangent; its solutions are refined to `enough`. Shapes are mass-normalized over
@@ -30,7 +31,14 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      const numerics::Factorization& factor,
                                      const numerics::SymmetricMatrix& M,
                                      int count,
+                                     double tolerance,
                                      double enough = 0.0);
+/// The same nearer to the solution: `vectors`, M-orthonormal columns, the lowest first, that are
+/// near modes. Each comes back as the mode of its place; so they are all the lowest.
+Result<Eigen::MatrixXd> sharpened(const Eigen::MatrixXd& vectors,
+                                  const numerics::Factorization& factor,
+                                  const numerics::SymmetricMatrix& M,
+                                  double tolerance);
 
 /// Mass of each node of the ring, kg: rows of the mass matrix summed.
 Eigen::VectorXd nodal_masses(const RingElements& elements);

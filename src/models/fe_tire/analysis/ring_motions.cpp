@@ -93,74 +93,92 @@ bool RingMotions::curvatures(Eigen::MatrixXd& g) {
   return true;
 }
 
+void RingMotions::find_felt(int sector,
+                            int element,
+                            const std::vector<MovedNumber>& numbers,
+                            Felt& felt) const {
+  felt = {};
+  const bool inner = ring_.mesh().elements[element].inner;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const MovedNumber& number = numbers[k];
+    const MovedNumber::Parts& parts = (*number.parts)[element];
+    felt.mass = felt.mass || (parts.mass && !modes_.empty());
+    if (!parts.any()) continue;
+    const auto add = [&](const RingElements& other, double pressure) {
+      felt.elements.push_back({&other.law(sector, element),
+                               inner ? pressure : 0.0,
+                               parts.solid,
+                               parts.cords,
+                               parts.gas && inner});
+    };
+    add(*number.below, number.pressure_below);
+    add(*number.above, number.pressure_above);
+    felt.numbers.push_back(k);
+  }
+}
+
+const double* RingMotions::recall_alphas(const double* alphas,
+                                         std::vector<ElementMotion>& motions) const {
+  if (modes_.empty()) return alphas;
+  for (ElementMotion& motion : motions) {
+    std::copy_n(alphas, kAlphas, &motion.mode_alpha[0][0]);
+    std::copy_n(alphas + kAlphas, kAlphas, &motion.second_alpha[0][0]);
+    alphas += 2 * kAlphas;
+  }
+  return alphas;
+}
+
 bool RingMotions::slopes(const Eigen::MatrixXd& along,
                          const std::vector<MovedNumber>& numbers,
                          Eigen::MatrixXd& sums) {
-  const int per_sector = ring_.elements_per_sector();
-  const auto count_of_motions = static_cast<std::size_t>(along.cols());
-  assert(modes_.empty() || modes_.size() == count_of_motions);
+  assert(modes_.empty() || std::ssize(modes_) == along.cols());
   sums.setZero(along.cols(), std::ssize(numbers));
   const double* alphas = alphas_.data();
-  ElementBatch batch;
-  std::vector<ElementMotion> motions(count_of_motions);
+  std::vector<ElementMotion> motions(static_cast<std::size_t>(along.cols()));
   for (ElementMotion& motion : motions) motion.has_mode = !modes_.empty();
   std::vector<Eigen::VectorXd> zeta;
   for (Eigen::Index i = 0; i < along.cols(); ++i) zeta.emplace_back(along.col(i));
-  std::vector<VariedElement> varied;
-  std::vector<Eigen::Index> of;
-  std::vector<double> result;
+  Felt felt;
   for (const auto& [first, count] : elements_.groups(unknowns_.sectors())) {
-    for (int e = 0; e < per_sector; ++e) {
-      const double* here = alphas;
-      if (!modes_.empty()) alphas += modes_.size() * 2 * kAlphas;
-      varied.clear();
-      of.clear();
-      bool feels_mass = false;
-      for (std::size_t k = 0; k < numbers.size(); ++k) {
-        const MovedNumber::Parts& parts = (*numbers[k].parts)[e];
-        feels_mass = feels_mass || parts.mass;
-        if (!parts.any()) continue;
-        const bool inner = ring_.mesh().elements[e].inner;
-        for (const bool up : {false, true}) {
-          const RingElements& other = *(up ? numbers[k].above : numbers[k].below);
-          const double p = up ? numbers[k].pressure_above : numbers[k].pressure_below;
-          varied.push_back({&other.law(first, e),
-                            inner ? p : 0.0,
-                            parts.solid,
-                            parts.cords,
-                            parts.gas && inner});
-        }
-        of.push_back(static_cast<Eigen::Index>(k));
-      }
-      if (varied.empty() && (modes_.empty() || !feels_mass)) continue;
-      if (!modes_.empty()) {
-        set_modes(first, count, e, motions);
-        for (ElementMotion& motion : motions) {
-          std::copy_n(here, kAlphas, &motion.mode_alpha[0][0]);
-          std::copy_n(here + kAlphas, kAlphas, &motion.second_alpha[0][0]);
-          here += 2 * kAlphas;
-        }
-        if (feels_mass) add_masses(first, count, e, numbers, motions, sums);
-      }
-      if (varied.empty()) continue;
-      set_batch(first, count, e, batch);
-      for (std::size_t i = 0; i < count_of_motions; ++i) {
+    for (int e = 0; e < ring_.elements_per_sector(); ++e) {
+      find_felt(first, e, numbers, felt);
+      alphas = recall_alphas(alphas, motions);
+      if (felt.elements.empty() && !felt.mass) continue;
+      if (!modes_.empty()) set_modes(first, count, e, motions);
+      if (felt.mass) add_masses(first, count, e, numbers, motions, sums);
+      if (felt.elements.empty()) continue;
+      for (std::size_t i = 0; i < motions.size(); ++i) {
         for (int lane = 0; lane < count; ++lane)
           set_lane(lane, unknowns_.gather(first + lane, e, zeta[i]), motions[i].along);
       }
-      if (!follow_along(elements_.law(first, e), batch, motions)) return false;
-      result.resize(varied.size() * count_of_motions * kLanes);
-      auto* lanes = reinterpret_cast<double(*)[kLanes]>(result.data());
-      sum_motions(varied, elements_.surroundings(first, e).open_edges, batch, motions, lanes);
-      for (std::size_t v = 0; v < of.size(); ++v) {
-        for (std::size_t i = 0; i < count_of_motions; ++i) {
-          const double* below = lanes[2 * v * count_of_motions + i];
-          const double* above = lanes[(2 * v + 1) * count_of_motions + i];
-          double sum = 0.0;
-          for (int lane = 0; lane < count; ++lane) sum += above[lane] - below[lane];
-          sums(static_cast<Eigen::Index>(i), of[v]) += sum / numbers[of[v]].way;
-        }
-      }
+      if (!add_differences(first, count, e, felt, numbers, motions, sums)) return false;
+    }
+  }
+  return true;
+}
+
+bool RingMotions::add_differences(int first,
+                                  int count,
+                                  int element,
+                                  const Felt& felt,
+                                  const std::vector<MovedNumber>& numbers,
+                                  std::vector<ElementMotion>& motions,
+                                  Eigen::MatrixXd& sums) const {
+  ElementBatch batch;
+  set_batch(first, count, element, batch);
+  if (!follow_along(elements_.law(first, element), batch, motions)) return false;
+  std::vector<double> results(felt.elements.size() * motions.size() * kLanes);
+  auto* lanes = reinterpret_cast<double(*)[kLanes]>(results.data());
+  const auto& open_edges = elements_.surroundings(first, element).open_edges;
+  sum_motions(felt.elements, open_edges, batch, motions, lanes);
+  for (std::size_t v = 0; v < felt.numbers.size(); ++v) {
+    const std::size_t k = felt.numbers[v];
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      const double* below = lanes[2 * v * motions.size() + i];
+      const double* above = lanes[(2 * v + 1) * motions.size() + i];
+      double sum = 0.0;
+      for (int lane = 0; lane < count; ++lane) sum += above[lane] - below[lane];
+      sums(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) += sum / numbers[k].way;
     }
   }
   return true;

@@ -49,6 +49,25 @@ class RingMotions {
  private:
   void set_batch(int first, int count, int element, ElementBatch& batch) const;
   void set_modes(int first, int count, int element, std::vector<ElementMotion>& motions) const;
+  /// The numbers that an element feels, each as two elements, below and above.
+  struct Felt {
+    std::vector<VariedElement> elements;
+    std::vector<std::size_t> numbers;
+    bool mass = false;  // by modes
+  };
+  void find_felt(int sector,
+                 int element,
+                 const std::vector<MovedNumber>& numbers,
+                 Felt& felt) const;
+  /// From where those of the element stand, and gives back where those of the next one do.
+  const double* recall_alphas(const double* alphas, std::vector<ElementMotion>& motions) const;
+  bool add_differences(int first,
+                       int count,
+                       int element,
+                       const Felt& felt,
+                       const std::vector<MovedNumber>& numbers,
+                       std::vector<ElementMotion>& motions,
+                       Eigen::MatrixXd& sums) const;
   void add_masses(int first,
                   int count,
                   int element,

@@ -15,7 +15,11 @@
 // So everything about a state is a derivative of the elements' energy along motions w, phi, z that
 // are held (hex8_motions.h). Numbers move it by central differences of it: exact for moduli and
 // pressure, in which it is linear, to 1e-8 of the number's own curvature for others. Of the
-// inflated tire, one sector, (S.1) is solved and stiffness is moved along it, by the same steps.
+// inflated tire, one sector, (S.1) is solved; stiffness, mass and where it is are moved along it,
+// by the same steps.
+//
+// An error of a shape is one of its slopes, while that of a frequency is its square: shapes are
+// solved on until slopes hold 1e-6, which plain trials do not pay for.
 #pragma once
 
 #include <Eigen/Core>
@@ -58,6 +62,11 @@ class TireSlopes {
     Eigen::VectorXd radius, growth;  // m/unit
   };
   Result<OfInflated> of_inflated(const Inflated& inflated);
+  /// Of its mass properties, kg/unit and kg m^2/unit, a value a variable.
+  struct OfMass {
+    Eigen::VectorXd mass, spin_inertia, diametral_inertia;
+  };
+  Result<OfMass> of_mass(const Inflated& inflated);
   /// Hz/unit [modes x variables] of modes of the inflated tire.
   Result<Eigen::MatrixXd> of_modes(const Inflated& inflated, const std::vector<Mode>& modes);
 

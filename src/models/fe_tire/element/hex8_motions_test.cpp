@@ -146,7 +146,9 @@ TEST_P(ElementMotions, SlopesInNumbersAreThoseOfForcesAndStiffness) {
     const double found = slope(1e-4);
     EXPECT_NEAR(found, expected, 1e-6 * std::abs(expected)) << number;
     // Moduli: linear, exact over any step.
-    if (number < 4) EXPECT_NEAR(slope(0.1), found, 1e-9 * std::abs(found)) << number;
+    if (number < 4) {
+      EXPECT_NEAR(slope(0.1), found, 1e-9 * std::abs(found)) << number;
+    }
   }
 }
 

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slopes of loads and modes of states on the ground, (S.2) and (S.3) of tire_slopes.h.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "models/fe_tire/analysis/modes.h"
+#include "models/fe_tire/analysis/tire_slopes.h"
+#include "models/fe_tire/analysis/tire_slopes_impl.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+using Touches = std::vector<TreadContact::Touch>;
+
+/// The ground under a state, seen by the tread of a varied tire; what differs from the base's.
+struct VariedTread {
+  std::optional<RingUnknowns> unknowns;
+  std::optional<TreadSurface> own;
+  const TreadSurface* tread;
+
+  VariedTread(const Varied& varied,
+              const Systems& all,
+              const SolverSettings& settings,
+              const std::optional<std::vector<int>>& mirror,
+              bool halved)
+      : tread(&all.tread) {
+    if (varied.same_shape) return;
+    unknowns.emplace(varied.ring(),
+                     halved ? RingSymmetry::even : RingSymmetry::none,
+                     halved ? *mirror : std::vector<int>());
+    own.emplace(*unknowns, settings.tread_shape(), all.half_angle);
+    tread = &*own;
+  }
+};
+
+Failure beside() { return Failure{"slopes: an element fails beside the state"}; }
+
+/// Forces of the tread of a varied tire in the points that touch in the state itself: which do is
+/// held, or a point that just touches would come off within a step. Flat ground below the wheel.
+Touches forces_where(const Touches& touching,
+                     const TreadSurface& tread,
+                     const TireState& state,
+                     const Eigen::VectorXd& x) {
+  const Eigen::Matrix3Xd positions = tread.positions(tread.displacements(x));
+  Touches touches = touching;
+  for (TreadContact::Touch& touch : touches) {
+    const TreadSurface::Point& point = tread.points()[touch.point];
+    const double stiffness = state.ground.stiffness * point.dA;
+    const double distance = tread.at(point, positions).z() + state.pose.height;
+    touch.stiffness = stiffness * Eigen::Vector3d::UnitZ() * Eigen::RowVector3d::UnitZ();
+    touch.force = -stiffness * distance * Eigen::Vector3d::UnitZ();
+  }
+  return touches;
+}
+
+double vertical(const Touches& touches) {
+  double force = 0.0;
+  for (const TreadContact::Touch& touch : touches) force += touch.force.z();
+  return force;
+}
+
+/// phi K phi of the ground.
+double ground_stiffness(const TreadSurface& tread,
+                        const Touches& touches,
+                        const Eigen::Matrix3Xd& shape) {
+  double sum = 0.0;
+  for (const TreadContact::Touch& touch : touches) {
+    const Eigen::Vector3d motion = tread.motion(touch.point, shape);
+    sum += motion.dot(touch.stiffness * motion);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<MovedNumber> TireSlopes::Impl::moved_numbers(double pressure) const {
+  std::vector<MovedNumber> numbers;
+  for (int k = 0; k < count(); ++k) {
+    const Varied &below = varied[k]->below, &above = varied[k]->above;
+    numbers.push_back({&*below.elements,
+                       &*above.elements,
+                       pressure_of(k, below.tire, pressure),
+                       pressure_of(k, above.tire, pressure),
+                       2.0 * variations[k].step,
+                       &below.parts});
+  }
+  return numbers;
+}
+
+std::pair<Eigen::VectorXd, double> TireSlopes::Impl::by_height(Systems& all,
+                                                               const TireState& state) const {
+  TreadContact contact(all.tread, state.ground);
+  const Eigen::VectorXd x = all.unknowns.compress(state.u);
+  contact.start(state.pose, x, state.anchors);
+  // A wheel that is higher: every point in contact is as much farther from the ground.
+  std::vector<TreadContact::Touch> touches = contact.stuck(x);
+  double stiffness = 0.0;
+  for (TreadContact::Touch& touch : touches) {
+    touch.force = -touch.stiffness.col(2);
+    stiffness += touch.stiffness(2, 2);
+  }
+  Eigen::VectorXd f_h = Eigen::VectorXd::Zero(x.size());
+  add_forces(all.tread, touches, f_h);
+  return {std::move(f_h), stiffness};
+}
+
+Result<const numerics::Factorization*> TireSlopes::Impl::factor(Systems& all,
+                                                                const TireState& state) {
+  if (all.factored && all.factored->pose == state.pose && all.factored->u == state.u)
+    return &all.factor;
+  if (!own_factor)
+    own_factor.emplace(*all.solver.assembly().pattern(),
+                       numerics::Precision::full,
+                       all.solver.factor().elimination());
+  if (auto failure = base.factorize(all, all.solver.assembly(), all.tread, state, *own_factor))
+    return *failure;
+  return &*own_factor;
+}
+
+/// Of number k, whose varied tires may have a tread of another shape.
+void TireSlopes::Impl::add_tread(Systems& all,
+                                 const TireState& state,
+                                 const TouchChange& change,
+                                 Eigen::MatrixXd& sums) {
+  const Eigen::VectorXd x = all.unknowns.compress(state.u);
+  TreadContact contact(all.tread, state.ground);
+  contact.start(state.pose, x, state.anchors);
+  const auto touching = contact.stuck(x);
+  for (int k = 0; k < count(); ++k) {
+    for (const double side : {-1.0, 1.0}) {
+      const Varied& tire = side < 0.0 ? varied[k]->below : varied[k]->above;
+      if (tire.same_shape) continue;
+      const VariedTread other(tire, all, base.settings, base.mirror(), state.is_halved);
+      const auto touches = forces_where(touching, *other.tread, state, x);
+      Eigen::VectorXd forces = Eigen::VectorXd::Zero(x.size());
+      add_forces(*other.tread, touches, forces);
+      sums.col(k) += side / (2.0 * variations[k].step) * change(*other.tread, touches, forces);
+    }
+  }
+}
+
+/// (S.2): Fz is -df/dh along w.
+Result<TireSlopes::OfState> TireSlopes::of_state(const TireState& state) {
+  Impl& impl = *impl_;
+  Systems& all = impl.base.systems(state.is_halved, state.window);
+  const auto factor = impl.factor(all, state);
+  if (!factor) return factor.failure();
+  const auto [f_h, stiffness] = impl.by_height(all, state);
+  Eigen::MatrixXd w = f_h;
+  (*factor)->solve(w.col(0));
+  const Eigen::VectorXd x = all.unknowns.compress(state.u);
+  const double pressure = state.inflated->pressure, multiplicity = all.tread.multiplicity();
+  const std::vector<Mode> no_modes;
+  RingMotions motions(all.unknowns, impl.base.elements(), x, state.alpha, pressure, no_modes);
+  Eigen::MatrixXd sums;
+  if (!motions.slopes(w, impl.moved_numbers(pressure), sums)) return beside();
+  const auto along_w = [&](const TreadSurface&, const Touches& touches, const Eigen::VectorXd& f) {
+    return Eigen::VectorXd::Constant(1, w.col(0).dot(f) + vertical(touches));
+  };
+  impl.add_tread(all, state, along_w, sums);
+  OfState slopes;
+  slopes.force = multiplicity * sums.row(0).transpose();
+  slopes.by_height = multiplicity * (w.col(0).dot(f_h) - stiffness);
+  return slopes;
+}
+
+/// (S.3): g dx/dp of all numbers is -z (df/dp + df/dh dh/dp).
+Result<Eigen::MatrixXd> TireSlopes::of_modes(const TireState& state,
+                                             const std::vector<Mode>& modes,
+                                             const Eigen::VectorXd& height) {
+  const auto sharp = impl_->sharpened_modes(state, modes);
+  if (!sharp) return sharp.failure();
+  Eigen::MatrixXd slopes(std::ssize(modes), impl_->count());
+  for (std::size_t first = 0; first < modes.size(); first += ElementMotion::kMost) {
+    const auto last = std::min<std::size_t>(modes.size(), first + ElementMotion::kMost);
+    const std::vector<Mode> some(sharp->begin() + static_cast<std::ptrdiff_t>(first),
+                                 sharp->begin() + static_cast<std::ptrdiff_t>(last));
+    const auto found = impl_->of_some_modes(state, some, height);
+    if (!found) return found;
+    slopes.middleRows(static_cast<Eigen::Index>(first), found->rows()) = *found;
+  }
+  return slopes;
+}
+
+namespace {
+
+/// Sharpens those of the modes that are motions of these unknowns; what comes back as another mode
+/// stays as it was.
+std::optional<Failure> sharpen(const RingAssembly& assembly,
+                               const numerics::Factorization& factor,
+                               const RingElements& elements,
+                               std::vector<Mode>& modes) {
+  constexpr double kHalf = 0.5, kSame = 0.99;
+  const RingUnknowns& unknowns = assembly.unknowns();
+  const double scale = std::sqrt(unknowns.multiplicity());
+  std::vector<Mode*> own;
+  Eigen::MatrixXd vectors(unknowns.size(), std::ssize(modes));
+  for (Mode& mode : modes) {
+    const Eigen::VectorXd phi = unknowns.compress(mode.shape);
+    if ((unknowns.expand(phi) - mode.shape).norm() > kHalf * mode.shape.norm()) continue;
+    vectors.col(std::ssize(own)) = scale * phi;
+    own.push_back(&mode);
+  }
+  if (own.empty()) return std::nullopt;
+  vectors.conservativeResize(Eigen::NoChange, std::ssize(own));
+  const numerics::SymmetricMatrix M = assembly.mass(elements);
+  const auto sharp = sharpened(vectors, factor, M, kSharp);
+  if (!sharp) return sharp.failure();
+  Eigen::MatrixXd M_sharp(sharp->rows(), sharp->cols());
+  M.multiply(*sharp, M_sharp);
+  const Eigen::MatrixXd overlaps = (vectors.transpose() * M_sharp).cwiseAbs();
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    Eigen::Index same = 0;
+    if (overlaps.row(static_cast<Eigen::Index>(i)).maxCoeff(&same) < kSame) continue;
+    own[i]->shape = unknowns.expand(sharp->col(same)) / scale;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<std::vector<Mode>> TireSlopes::Impl::sharpened_modes(const TireState& state,
+                                                            std::vector<Mode> modes) {
+  if (base.settings.mode_tolerance <= kSharp) return modes;
+  Systems& all = base.systems(state.is_halved, state.window);
+  if (auto failure = base.factorize(all, state)) return *failure;
+  if (auto failure = sharpen(all.solver.assembly(), all.factor, base.elements(), modes))
+    return *failure;
+  if (!all.odd) return modes;
+  if (auto failure = sharpen(*all.odd, *all.odd_factor, base.elements(), modes)) return *failure;
+  return modes;
+}
+
+Result<Eigen::MatrixXd> TireSlopes::Impl::of_some_modes(const TireState& state,
+                                                        const std::vector<Mode>& modes,
+                                                        const Eigen::VectorXd& height) {
+  Systems& all = base.systems(state.is_halved, state.window);
+  const auto factor_of_state = factor(all, state);
+  if (!factor_of_state) return factor_of_state.failure();
+  const Eigen::VectorXd x = all.unknowns.compress(state.u);
+  const double pressure = state.inflated->pressure, multiplicity = all.tread.multiplicity();
+  RingMotions motions(all.unknowns, base.elements(), x, state.alpha, pressure, modes);
+  Eigen::MatrixXd z, changes;
+  if (!motions.curvatures(z)) return beside();
+  (*factor_of_state)->solve_columns(z);
+  z = -z;
+  if (!motions.slopes(z, moved_numbers(pressure), changes)) return beside();
+  const Eigen::VectorXd f_h = by_height(all, state).first;
+  changes += (z.transpose() * f_h) * height.transpose();
+  const auto of_tread =
+      [&](const TreadSurface& tread, const Touches& touches, const Eigen::VectorXd& f) {
+        Eigen::VectorXd sums = z.transpose() * f;
+        for (std::size_t i = 0; i < modes.size(); ++i)
+          sums[static_cast<Eigen::Index>(i)] += ground_stiffness(tread, touches, modes[i].shape);
+        return sums;
+      };
+  add_tread(all, state, of_tread, changes);
+  for (std::size_t i = 0; i < modes.size(); ++i)
+    changes.row(static_cast<Eigen::Index>(i)) *= to_hertz_slope(multiplicity, modes[i].frequency);
+  return changes;
+}
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// What slopes are made of inside: those of the inflated tire, one sector (tire_slopes.cpp), and
+// those of states on the ground (loaded_slopes.cpp).
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "models/fe_tire/analysis/fe_tire_impl.h"
+#include "models/fe_tire/analysis/ring_motions.h"
+#include "models/fe_tire/analysis/tire_slopes.h"
+#include "models/fe_tire/analysis/varied_tire.h"
+
+namespace latsch::fe_tire {
+
+struct TireSlopes::Impl {
+  FeTire::Impl& base;
+  std::vector<Variation> variations;
+  std::vector<std::unique_ptr<VariedPair>> varied;
+  std::optional<std::pair<Eigen::Matrix3Xd, OfInflated>> inflated;  // of the state u
+  std::optional<numerics::Factorization> own_factor;
+
+  Impl(FeTire::Impl& tire, std::vector<Variation> numbers)
+      : base(tire), variations(std::move(numbers)) {
+    for (const Variation& v : variations) varied.push_back(std::make_unique<VariedPair>(v, base));
+  }
+  int count() const { return static_cast<int>(variations.size()); }
+
+  /// Pa of a varied tire where the tire itself is under `pressure`.
+  double pressure_of(int k, const VariedTire& tire, double pressure) const {
+    return variations[k].moves_pressure ? tire.pressure : pressure;
+  }
+
+  Result<OfInflated> solve_inflated(const Inflated& at);
+  std::pair<Inflated, Inflated> moved_inflated(const Inflated& at,
+                                               const Eigen::VectorXd& x_slope,
+                                               int k) const;
+  /// Of the tangent about a state: that of its modes where they were asked for, or one of its own.
+  Result<const numerics::Factorization*> factor(Systems& all, const TireState& state);
+  /// The same modes, their shapes to kSharp.
+  Result<std::vector<Mode>> sharpened_modes(const TireState& state, std::vector<Mode> modes);
+  Result<Eigen::MatrixXd> of_some_modes(const TireState& state,
+                                        const std::vector<Mode>& modes,
+                                        const Eigen::VectorXd& height);
+  std::vector<MovedNumber> moved_numbers(double pressure) const;
+  /// What the tread of a varied tire of another shape adds to the sums, of the points that touch:
+  /// `change` gives it of them and their forces [motions].
+  using TouchChange = std::function<Eigen::VectorXd(const TreadSurface& tread,
+                                                    const std::vector<TreadContact::Touch>& touches,
+                                                    const Eigen::VectorXd& forces)>;
+  void add_tread(Systems& all,
+                 const TireState& state,
+                 const TouchChange& change,
+                 Eigen::MatrixXd& sums);
+  /// Of the height: df/dh and -dFz/dh|x, of what is assembled.
+  std::pair<Eigen::VectorXd, double> by_height(Systems& all, const TireState& state) const;
+};
+
+/// SolverSettings::mode_tolerance of shapes that slopes are taken of.
+inline constexpr double kSharp = 1e-7;
+
+/// Hz a unit of a number, of rad^2/s^2 a unit.
+double to_hertz_slope(double omega_squared_slope, double frequency);
+
+}  // namespace latsch::fe_tire

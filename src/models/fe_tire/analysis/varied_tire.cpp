@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/analysis/varied_tire.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace latsch::fe_tire {
+namespace {
+
+bool same_rebars(const Element& a, const Element& b) {
+  return std::ranges::equal(a.rebars, b.rebars, [](const auto& one, const auto& other) {
+    return one.layer == other.layer && one.zeta == other.zeta;
+  });
+}
+
+bool same_law(const Solid& a, const Solid& b) {
+  if (a.law.index() != b.law.index()) return false;
+  if (const auto* rubber = std::get_if<Hyperelastic>(&a.law)) {
+    const auto& other = std::get<Hyperelastic>(b.law);
+    return rubber->C10 == other.C10 && rubber->C01 == other.C01 && rubber->K == other.K;
+  }
+  return std::get<StVenantKirchhoff>(a.law).D == std::get<StVenantKirchhoff>(b.law).D;
+}
+
+bool same_cords(const CordLayer& a, const CordLayer& b) {
+  return a.E_tension == b.E_tension && a.E_compression == b.E_compression &&
+         a.thickness == b.thickness && a.angle == b.angle && a.pretension == b.pretension;
+}
+
+bool same_densities(const Materials& a, const Materials& b) {
+  const auto same_density = [](const Solid& one, const Solid& other) {
+    return one.density == other.density;
+  };
+  const auto same_area = [](const CordLayer& one, const CordLayer& other) {
+    return one.density == other.density && one.thickness == other.thickness;
+  };
+  return std::ranges::equal(a.solids, b.solids, same_density) &&
+         std::ranges::equal(a.layers, b.layers, same_area);
+}
+
+MovedNumber::Parts parts_that_differ(const Element& element,
+                                     const Materials& varied,
+                                     const Materials& base,
+                                     bool same_shape) {
+  MovedNumber::Parts parts{};
+  const Solid &solid = varied.solids[element.solid], &other = base.solids[element.solid];
+  parts.solid = !same_shape || !same_law(solid, other);
+  parts.cords = parts.gas = !same_shape;
+  parts.mass = !same_shape || solid.density != other.density;
+  for (const RebarPlacement& rebar : element.rebars) {
+    const CordLayer &cords = varied.layers[rebar.layer], &others = base.layers[rebar.layer];
+    parts.cords = parts.cords || !same_cords(cords, others);
+    parts.mass = parts.mass || cords.density * cords.thickness != others.density * others.thickness;
+  }
+  return parts;
+}
+
+}  // namespace
+
+bool same_topology(const Mesh& a, const Mesh& b) {
+  return a.sectors == b.sectors && a.X.cols() == b.X.cols() && a.clamped == b.clamped &&
+         std::ranges::equal(a.elements, b.elements, [](const Element& x, const Element& y) {
+           return x.node == y.node && x.solid == y.solid && x.inner == y.inner &&
+                  x.tread == y.tread && x.rebars.size() == y.rebars.size();
+         });
+}
+
+Varied::Varied(const VariedTire& varied, const Base& base) : tire(varied) {
+  const Mesh& mesh = base.ring.mesh();
+  const Materials& materials = base.elements().materials();
+  same_shape = varied.mesh.X == mesh.X && varied.mesh.theta == mesh.theta &&
+               std::ranges::equal(varied.mesh.elements, mesh.elements, same_rebars);
+  same_mass = same_shape && same_densities(varied.materials, materials);
+  if (!same_shape) {
+    own_ring.emplace(varied.mesh, base.settings.element);
+    if (base.even) own_even.emplace(varied.mesh.evenly_divided(), base.settings.element);
+  }
+  elements.emplace(same_shape ? base.ring : *own_ring, varied.materials);
+  if (base.even) even_elements.emplace(same_shape ? *base.even : *own_even, varied.materials);
+  for (const Element& element : mesh.elements)
+    parts.push_back(parts_that_differ(element, varied.materials, materials, same_shape));
+}
+
+VariedPair::VariedPair(const Variation& variation, const Varied::Base& base)
+    : below(variation.below, base), above(variation.above, base) {
+  if (!variation.moves_pressure) return;
+  for (std::size_t e = 0; e < below.parts.size(); ++e)
+    below.parts[e].gas = base.ring.mesh().elements[e].inner;
+}
+
+}  // namespace latsch::fe_tire
