@@ -302,7 +302,7 @@ TEST(LevenbergMarquardtSteps, AreTheSameAmongConstraintsThatDoNotMatter) {
 
 // A valley that winds, y = sin(6 x) / 2, whose floor falls by 0.18 in all, below a noise that
 // nothing explains: 400 values of 1. It starts high above the floor and ends on it: nothing but the
-// floor's fall is left, a tenth of a deviation, and not worth a way.
+// floor's fall is left, less than half a deviation, and not worth a way.
 TEST(LevenbergMarquardt, LeavesAValleyWhoseFloorFallsLessThanNoise) {
   const DesignSpace space({{.name = "x", .lower = -3.0, .upper = 3.0, .initial = -2.2},
                            {.name = "y", .lower = -3.0, .upper = 3.0, .initial = 1.0}});

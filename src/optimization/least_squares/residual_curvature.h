@@ -9,8 +9,8 @@
 //   T[s, q] = (J - J_0) q                        a secant
 //   c       = 1/2 a^2 T[s, s] + a T[s, q]        without T[q, q], which nobody knows       (2)
 //
-// (1) is exact for residuals cubic along s, (2) for quadratic ones up to the term it lacks: good for
-// steps that go on along the way that led to u, or back.
+// (1) is exact for residuals cubic along s, (2) for quadratic ones up to the term it lacks: good
+// for steps that go on along the way that led to u, or back.
 #pragma once
 
 #include <Eigen/Core>
