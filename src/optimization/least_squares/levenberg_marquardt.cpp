@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "optimization/least_squares/levenberg_marquardt_step.h"
+#include "optimization/least_squares/residual_curvature.h"
 #include "optimization/problem/option_check.h"
 #include "optimization/problem/pending_points.h"
 #include "optimization/problem/point_vector.h"
@@ -24,6 +25,9 @@ constexpr double kAfterFailure = 0.25;      // of the step
 constexpr double kWorthReturning = 0.1;     // of what the step had promised
 constexpr double kSteepDescent = 0.1;       // f after a step, of f before: no valley's floor
 constexpr double kExpansionOnReturn = 10.0, kRadiusOnReturn = 4.0;  // of the step
+constexpr double kAlong = 0.8;         // cosine to a way along which curvature is known
+constexpr double kMostTurn = 0.375;    // by curvature, of a step [Transtrum & Sethna, alpha = 0.75]
+constexpr double kWorthBending = 0.1;  // of what the straight step promises
 constexpr double kLeastCut = 0.1, kMostCut = 0.5;
 constexpr double kPromisesNothing = 1e-10;  // of f, by a step in the radius
 constexpr double kPromisesMuch = 1e-6;      // of f
@@ -42,11 +46,8 @@ enum class LevenbergMarquardtEnding {
 };
 
 /// What is known of a point.
-struct Linear {
-  Eigen::VectorXd u;
+struct Linear : Slopes {
   DesignPoint point;
-  Eigen::VectorXd r;
-  Eigen::MatrixXd J;  // dr/du
   double f = 0.0;
 };
 
@@ -56,8 +57,9 @@ struct Attempt {
   DesignPoint point;
   int starts = 0;
   std::optional<LevenbergMarquardtStep> step = std::nullopt;
-  int returns = 0;        // since that step led up
-  double f_astray = 0.0;  // where it led
+  Eigen::VectorXd goal = {};  // r at its end, by the linear model
+  int returns = 0;            // since that step led up
+  double f_astray = 0.0;      // where it led
 };
 
 void check(const LevenbergMarquardtOptions& options) {
@@ -78,6 +80,7 @@ struct LevenbergMarquardt::State {
   LevenbergMarquardtOptions options;
 
   Linear x;                       // the best point
+  std::optional<Slopes> along;    // where it was before, or where a step from it led astray
   std::optional<Linear> foreign;  // the best point of others
   Eigen::VectorXd D;              // no entries: before the first success
   double radius = 0.0;            // Delta
@@ -120,6 +123,7 @@ struct LevenbergMarquardt::State {
   /// At the first point, or that of others.
   void begin(Linear known) {
     const bool is_first = D.size() == 0;
+    along.reset();
     move_to(std::move(known));
     if (!is_first) return;
     radius = options.initial_step * D.norm();
@@ -142,13 +146,23 @@ struct LevenbergMarquardt::State {
     if (tried.returns >= options.most_returns || !is_in_valley() || (foreign && foreign->f < x.f) ||
         (x.f - at.f) / step.promised > kTaken)
       return false;
-    const LevenbergMarquardtStep back =
-        LevenbergMarquardtSteps(at.r, at.J, D, at.u, region).within(step.length);
-    if (!(x.f - (at.f - back.promised) > kWorthReturning * step.promised)) return false;
+    const LevenbergMarquardtStep back = return_from(at, step, tried.goal);
+    const double f_back = (at.r + at.J * back.p).squaredNorm();
+    if (!(x.f - f_back > kWorthReturning * step.promised)) return false;
     const Eigen::VectorXd u = region.nearest(at.u + back.p);
     const double f_astray = tried.returns == 0 ? at.f : tried.f_astray;
-    wanted.push_back({u, point_at(u), 0, step, tried.returns + 1, f_astray});
+    wanted.push_back({u, point_at(u), 0, step, tried.goal, tried.returns + 1, f_astray});
     return true;
+  }
+
+  /// To what the linear model had promised of the residuals, not beyond: one that is free to go on
+  /// along the valley leaves its floor again.
+  LevenbergMarquardtStep return_from(const Linear& at,
+                                     const LevenbergMarquardtStep& step,
+                                     const Eigen::VectorXd& goal) const {
+    const LevenbergMarquardtSteps steps(at.r - goal, at.J, D, at.u, region);
+    const LevenbergMarquardtStep back = steps.damped(step.mu);
+    return back.length > step.length ? steps.within(step.length) : back;
   }
 
   /// What a step with the returns behind it has brought.
@@ -179,7 +193,11 @@ struct LevenbergMarquardt::State {
     } else if (gain > kGainToExpand || step.mu == 0.0) {
       radius = kExpansionOfRadius * step.length;
     }
-    if (!(gain > kTaken)) return;
+    if (!(gain > kTaken)) {
+      if (known && tried.returns == 0) along = std::move(*known);
+      return;
+    }
+    along = std::move(x);
     move_to(std::move(*known));
     reached.push_back(x.f);
   }
@@ -190,6 +208,20 @@ struct LevenbergMarquardt::State {
     const double little = options.progress_tolerance * x.f;
     return reached.size() > kSteps && reached[reached.size() - 1 - kSteps] - x.f < little &&
            steps.most_promised() < 0.5 * little;
+  }
+
+  /// The step as the curvature of the residuals along it has it, where that is known.
+  LevenbergMarquardtStep bend(const LevenbergMarquardtStep& step) const {
+    if (!along) return step;
+    const Eigen::VectorXd s = x.u - along->u;
+    if (!(std::abs(s.dot(step.p)) > kAlong * s.norm() * step.p.norm())) return step;
+    const Eigen::VectorXd r = x.r + residual_curvature(x, *along, step.p);
+    LevenbergMarquardtStep bent = LevenbergMarquardtSteps(r, x.J, D, x.u, region).damped(step.mu);
+    bent.promised = x.f - (r + x.J * bent.p).squaredNorm();
+    bent.slope = x.r.dot(x.J * bent.p);
+    const bool is_trusted = (bent.p - step.p).norm() <= kMostTurn * step.p.norm() &&
+                            bent.promised > kWorthBending * step.promised && bent.slope < 0.0;
+    return is_trusted ? bent : step;
   }
 
   void next_step() {
@@ -212,8 +244,9 @@ struct LevenbergMarquardt::State {
       const bool promises_much = steps.promised_by_one() > kPromisesMuch * x.f;
       end = has_failed ? End::edge : promises_much ? End::rough : End::flat;
     } else {
-      const Eigen::VectorXd u = region.nearest(x.u + step.p);
-      wanted.push_back({u, point_at(u), 0, step});
+      const LevenbergMarquardtStep bent = bend(step);
+      const Eigen::VectorXd u = region.nearest(x.u + bent.p);
+      wanted.push_back({u, point_at(u), 0, bent, x.r + x.J * step.p});
     }
   }
 
@@ -250,14 +283,14 @@ struct LevenbergMarquardt::State {
     const bool is_odd = D.size() > 0 && r.size() != x.r.size();
     Eigen::MatrixXd J = space.unit_jacobian(point, *outcome);
     if (is_odd || J.size() == 0 || !std::isfinite(r.squaredNorm())) return std::nullopt;
-    return Linear{u, point, r, std::move(J), r.squaredNorm()};
+    return Linear{{u, r, std::move(J)}, point, r.squaredNorm()};
   }
 
   /// As the linear model has it.
   std::optional<Linear> expected(const Attempt& attempt) const {
     if (!attempt.step) return std::nullopt;
     const Eigen::VectorXd r = x.r + x.J * attempt.step->p;
-    return Linear{attempt.u, attempt.point, r, x.J, r.squaredNorm()};
+    return Linear{{attempt.u, r, x.J}, attempt.point, r.squaredNorm()};
   }
 };
 

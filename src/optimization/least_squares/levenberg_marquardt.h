@@ -14,9 +14,14 @@
 //   radius    a gain below 1/4 shortens Delta to the least value of the parabola through f(u), its
 //             slope and f(u + p), 1/10 to 1/2 of it; one above 3/4, or of a full step, makes it
 //             twice |p|.
+//   bend      Where residuals and slopes at another point along the way are known, so is how the
+//             residuals curve along p (residual_curvature.h): p becomes the damped step, of the
+//             same mu, from r and that curvature. It is Transtrum's and Sethna's geodesic
+//             acceleration without an evaluation for it, up to the turn that they allow.
 //   return    In a narrow bent valley a step along its floor ends high on its side, where J is
-//             known as well: a few steps from there, each as long as the first at most, may
-//             lead down to the floor again, far along it. Where they end counts as u + p, with a
+//             known as well: a few steps from there, each as long as the first at most, lead to
+//             the residuals that the linear model had at the end of p: back to the floor, across
+//             the valley, and no further along it. Where they end counts as u + p, with a
 //             radius of 4 or 10 |p| on success. A watchdog's way [Chamberlain, Powell, Lemaréchal
 //             & Pedersen, Math. Program. Study 16 (1982) 1]; only where the step before has left
 //             f above a tenth of what it was, and as long as the slopes there promise an end

@@ -44,6 +44,8 @@ class LevenbergMarquardtSteps {
   /// The longest one, mu = 0.
   const LevenbergMarquardtStep& full() const { return full_; }
   LevenbergMarquardtStep within(double radius) const;
+  /// (1) for a mu.
+  LevenbergMarquardtStep damped(double mu) const;
   /// No step inside the bounds promises more: that of the variables not held, without bounds.
   double most_promised() const { return most_promised_; }
   /// What a move of one variable that is not held promises, the best of them, at least: where J
@@ -51,7 +53,6 @@ class LevenbergMarquardtSteps {
   double promised_by_one() const { return promised_by_one_; }
 
  private:
-  LevenbergMarquardtStep damped(double mu) const;
   double promised(const Eigen::VectorXd& y) const;
   Eigen::VectorXd solve_free(const Eigen::VectorXd& y,
                              const std::vector<int>& free,

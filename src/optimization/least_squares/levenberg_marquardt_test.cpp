@@ -112,7 +112,8 @@ int returns(const Search& found) {
 }
 
 // A step p along the tangent ends p^2/2 off the floor, so it pays only to p^3 = 8 kNarrow^2 phi:
-// 0.13 at phi = 3, where the end is 3 away. Returns make longer ones good: a third less in all.
+// 0.13 at phi = 3, where the end is 3 away. Steps that bend go further; returns make still longer
+// ones good: a quarter less in all.
 TEST(LevenbergMarquardt, ReturnsToTheFloorOfABentValley) {
   int evaluations[2] = {}, returned[2] = {};
   for (const double start : {1.0, 1.5, 2.0, 2.5, 3.0}) {
@@ -129,7 +130,7 @@ TEST(LevenbergMarquardt, ReturnsToTheFloorOfABentValley) {
   }
   EXPECT_EQ(returned[0], 0);
   EXPECT_GT(returned[1], 0);
-  EXPECT_LT(3 * evaluations[1], 2 * evaluations[0]);  // with what the returns themselves cost
+  EXPECT_LT(4 * evaluations[1], 3 * evaluations[0]);  // with what the returns themselves cost
 }
 
 // Rosenbrock's with x0 <= 1/2: x1 = x0^2 makes the first residual 0, and 1 - x0 is least at the
@@ -299,16 +300,16 @@ TEST(LevenbergMarquardtSteps, AreTheSameAmongConstraintsThatDoNotMatter) {
   }
 }
 
-// Rosenbrock's valley, whose floor falls by 1 in all, below a noise that nothing explains: 400
-// values of 1. What is left of the floor is then less than a hundredth of a deviation, and not
-// worth a way.
+// A valley that winds, y = sin(6 x) / 2, whose floor falls by 0.18 in all, below a noise that
+// nothing explains: 400 values of 1. It starts high above the floor and ends on it: nothing but the
+// floor's fall is left, less than half a deviation, and not worth a way.
 TEST(LevenbergMarquardt, LeavesAValleyWhoseFloorFallsLessThanNoise) {
-  const DesignSpace space({{.name = "x", .lower = -3.0, .upper = 3.0, .initial = -1.2},
+  const DesignSpace space({{.name = "x", .lower = -3.0, .upper = 3.0, .initial = -2.2},
                            {.name = "y", .lower = -3.0, .upper = 3.0, .initial = 1.0}});
   const auto valley = [](const DesignPoint& p) {
     const double x = p.values[0], y = p.values[1];
-    Score score{.residuals = {100.0 * (y - x * x), 0.1 * (1.0 - x)},
-                .jacobian = {-200.0 * x, 100.0, -0.1, 0.0}};
+    Score score{.residuals = {1e4 * (y - 0.5 * std::sin(6.0 * x)), 0.1 * (2.0 - x)},
+                .jacobian = {-3e4 * std::cos(6.0 * x), 1e4, -0.1, 0.0}};
     for (int i = 0; i < 400; ++i) {
       score.residuals.push_back(1.0);
       score.jacobian.insert(score.jacobian.end(), {0.0, 0.0});
@@ -331,7 +332,7 @@ TEST(LevenbergMarquardt, LeavesAValleyWhoseFloorFallsLessThanNoise) {
   };
   const auto whole = run(0.0), short_of_noise = run(1.0 / 402.0);
   EXPECT_LT(2 * short_of_noise.first, whole.first);
-  EXPECT_LT(short_of_noise.second - whole.second, 0.1);
+  EXPECT_LT(short_of_noise.second - whole.second, 0.18);
 }
 
 // A step of Gauss and Newton that bounds cut off may lead uphill although it is short: a shorter
