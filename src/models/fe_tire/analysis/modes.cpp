@@ -16,143 +16,141 @@
 namespace latsch::fe_tire {
 namespace {
 
-namespace {
+// Vectors a step over the ring: as many as are solved together at the price of one.
+constexpr int kRingBlock = 8;
+constexpr int kPerHarmonic = 3;  // modes of one circumferential number computed at first
 
-/// Modes of the ring, of unknowns; `start` as that of lanczos(), `enough` as that of ring_modes().
-Result<numerics::EigenPairs<double>> ring_pairs(const numerics::Factorization& factor,
-                                                const numerics::SymmetricMatrix& M,
-                                                int count,
-                                                double tolerance,
-                                                double enough,
-                                                const Eigen::MatrixXd& start) {
-  constexpr int kPerHarmonic = 3;  // modes of one circumferential number computed at first
+double to_hertz(double omega_squared) {
+  return std::sqrt(std::max(0.0, omega_squared)) / (2.0 * std::numbers::pi);
+}
 
-  double to_hertz(double omega_squared) {
-    return std::sqrt(std::max(0.0, omega_squared)) / (2.0 * std::numbers::pi);
+/// One mode of circumferential number n: its complex shape over the unknowns of a sector.
+struct HarmonicMode {
+  double frequency;
+  int n;
+  Eigen::VectorXcd phi;
+  Eigen::Vector3d energy;  // kinetic, by direction
+};
+
+Failure unfinished(const std::string& what, Eigen::Index found, int count, int solves) {
+  return Failure{
+      fmt::format("modes: Lanczos found {} of {} {} in {} solves", found, count, what, solves)};
+}
+
+/// The lowest modes of circumferential number n; a Failure where the harmonic tangent is not
+/// positive definite, or where not all of them are found.
+std::optional<Failure> solve_harmonic(const SectorBlocks& K,
+                                      const SectorBlocks& M,
+                                      int n,
+                                      int count,
+                                      double tolerance,
+                                      std::vector<HarmonicMode>& modes) {
+  modes.clear();
+  numerics::BandedCholesky cholesky;
+  if (!cholesky.factorize(K.harmonic(n))) {
+    return Failure{fmt::format(
+        "modes: the inflated tire is not stable in circumferential number {}: it buckles; check "
+        "pressure, thicknesses and moduli",
+        n)};
   }
-
-  /// One mode of circumferential number n: its complex shape over the unknowns of a sector.
-  struct HarmonicMode {
-    double frequency;
-    int n;
-    Eigen::VectorXcd phi;
-    Eigen::Vector3d energy;  // kinetic, by direction
+  const numerics::BandedHermitian mass = M.harmonic(n);
+  numerics::EigenProblem<std::complex<double>> problem;
+  problem.size = K.size();
+  problem.solve = [&](Eigen::Ref<Eigen::MatrixXcd> X) { cholesky.solve(X); };
+  problem.mass = [&](const Eigen::Ref<const Eigen::MatrixXcd>& X, Eigen::Ref<Eigen::MatrixXcd> Y) {
+    mass.multiply(X, Y);
   };
-
-  Failure unfinished(const std::string& what, Eigen::Index found, int count, int solves) {
-    return Failure{
-        fmt::format("modes: Lanczos found {} of {} {} in {} solves", found, count, what, solves)};
+  numerics::LanczosSettings settings;
+  settings.count = std::min(count, K.size());
+  settings.tolerance = tolerance;
+  settings.block = 1;
+  const auto pairs = numerics::lanczos(problem, settings);
+  if (!pairs.converged) {
+    const std::string what = fmt::format("modes of circumferential number {}", n);
+    return unfinished(what, pairs.values.size(), settings.count, pairs.solves);
   }
-
-  /// The lowest modes of circumferential number n; a Failure where the harmonic tangent is not
-  /// positive definite, or where not all of them are found.
-  std::optional<Failure> solve_harmonic(const SectorBlocks& K,
-                                        const SectorBlocks& M,
-                                        int n,
-                                        int count,
-                                        double tolerance,
-                                        std::vector<HarmonicMode>& modes) {
-    modes.clear();
-    numerics::BandedCholesky cholesky;
-    if (!cholesky.factorize(K.harmonic(n))) {
-      return Failure{fmt::format(
-          "modes: the inflated tire is not stable in circumferential number {}: it buckles; check "
-          "pressure, thicknesses and moduli",
-          n)};
-    }
-    const numerics::BandedHermitian mass = M.harmonic(n);
-    numerics::EigenProblem<std::complex<double>> problem;
-    problem.size = K.size();
-    problem.solve = [&](Eigen::Ref<Eigen::MatrixXcd> X) { cholesky.solve(X); };
-    problem.mass = [&](const Eigen::Ref<const Eigen::MatrixXcd>& X,
-                       Eigen::Ref<Eigen::MatrixXcd> Y) { mass.multiply(X, Y); };
-    numerics::LanczosSettings settings;
-    settings.count = std::min(count, K.size());
-    settings.tolerance = tolerance;
-    settings.block = 1;
-    const auto pairs = numerics::lanczos(problem, settings);
-    if (!pairs.converged) {
-      const std::string what = fmt::format("modes of circumferential number {}", n);
-      return unfinished(what, pairs.values.size(), settings.count, pairs.solves);
-    }
-    Eigen::MatrixXcd M_phi(K.size(), 1);
-    for (int k = 0; k < pairs.values.size(); ++k) {
-      const Eigen::VectorXcd phi = pairs.vectors.col(k);
-      mass.multiply(phi, M_phi);
-      modes.push_back({to_hertz(pairs.values[k]), n, phi, kinetic_energy(phi, M_phi.col(0))});
-    }
-    return std::nullopt;
+  Eigen::MatrixXcd M_phi(K.size(), 1);
+  for (int k = 0; k < pairs.values.size(); ++k) {
+    const Eigen::VectorXcd phi = pairs.vectors.col(k);
+    mass.multiply(phi, M_phi);
+    modes.push_back({to_hertz(pairs.values[k]), n, phi, kinetic_energy(phi, M_phi.col(0))});
   }
+  return std::nullopt;
+}
 
-  /// Modes of n = 0 and, where S is even, n = S / 2 are single; all others are pairs.
-  bool single(int n, int sectors) { return n == 0 || 2 * n == sectors; }
+/// Modes of n = 0 and, where S is even, n = S / 2 are single; all others are pairs.
+bool single(int n, int sectors) { return n == 0 || 2 * n == sectors; }
 
-  /// Real shape over the planes of `mesh`: the real or the imaginary part of phi exp(i n theta_s),
-  /// mass-normalized.
-  Eigen::Matrix3Xd unfold(
-      const Ring& ring, const Mesh& mesh, const HarmonicMode& mode, bool imaginary) {
-    const int S = ring.sectors(), n = mesh.nodes_per_sector();
-    // phi has unit mass over one sector; a real part summed over all sectors has S / 2 of it, a
-    // single mode S.
-    const double scale = std::sqrt((single(mode.n, S) ? 1.0 : 2.0) / S);
-    const Eigen::Matrix3Xd real = ring.expand(mode.phi.real()), imag = ring.expand(mode.phi.imag());
-    Eigen::Matrix3Xd shape(3, S * n);
-    for (int s = 0; s < S; ++s) {
-      const double angle = mode.n * mesh.angle(s);
-      const double c = scale * std::cos(angle), d = scale * std::sin(angle);
-      if (imaginary) {
-        shape.middleCols(s * n, n) = d * real + c * imag;
-      } else {
-        shape.middleCols(s * n, n) = c * real - d * imag;
-      }
+/// Real shape over the planes of `mesh`: the real or the imaginary part of phi exp(i n theta_s),
+/// mass-normalized.
+Eigen::Matrix3Xd unfold(const Ring& ring,
+                        const Mesh& mesh,
+                        const HarmonicMode& mode,
+                        bool imaginary) {
+  const int S = ring.sectors(), n = mesh.nodes_per_sector();
+  // phi has unit mass over one sector; a real part summed over all sectors has S / 2 of it, a
+  // single mode S.
+  const double scale = std::sqrt((single(mode.n, S) ? 1.0 : 2.0) / S);
+  const Eigen::Matrix3Xd real = ring.expand(mode.phi.real()), imag = ring.expand(mode.phi.imag());
+  Eigen::Matrix3Xd shape(3, S * n);
+  for (int s = 0; s < S; ++s) {
+    const double angle = mode.n * mesh.angle(s);
+    const double c = scale * std::cos(angle), d = scale * std::sin(angle);
+    if (imaginary) {
+      shape.middleCols(s * n, n) = d * real + c * imag;
+    } else {
+      shape.middleCols(s * n, n) = c * real - d * imag;
     }
-    return shape;
   }
+  return shape;
+}
 
-  /// A complex vector's phase is arbitrary: turn the largest entry onto the real axis, so that
-  /// results repeat.
-  void fix_phase(Eigen::VectorXcd & phi) {
-    int largest;
-    phi.cwiseAbs2().maxCoeff(&largest);
-    phi *= std::conj(phi[largest]) / std::abs(phi[largest]);
-  }
+/// A complex vector's phase is arbitrary: turn the largest entry onto the real axis, so that
+/// results repeat.
+void fix_phase(Eigen::VectorXcd& phi) {
+  int largest;
+  phi.cwiseAbs2().maxCoeff(&largest);
+  phi *= std::conj(phi[largest]) / std::abs(phi[largest]);
+}
 
-  /// Frequency of the count-th lowest mode among those found, pairs counted twice; infinite where
-  /// there are fewer.
-  double cutoff(const std::vector<std::vector<HarmonicMode>>& by_n, int sectors, int count) {
-    std::vector<double> all;
-    for (const auto& modes : by_n) {
-      for (const HarmonicMode& mode : modes) {
-        all.insert(all.end(), single(mode.n, sectors) ? 1 : 2, mode.frequency);
-      }
+/// Frequency of the count-th lowest mode among those found, pairs counted twice; infinite where
+/// there are fewer.
+double cutoff(const std::vector<std::vector<HarmonicMode>>& by_n, int sectors, int count) {
+  std::vector<double> all;
+  for (const auto& modes : by_n) {
+    for (const HarmonicMode& mode : modes) {
+      all.insert(all.end(), single(mode.n, sectors) ? 1 : 2, mode.frequency);
     }
-    if (static_cast<int>(all.size()) < count) return std::numeric_limits<double>::infinity();
-    std::nth_element(all.begin(), all.begin() + count - 1, all.end());
-    return all[count - 1];
   }
+  if (static_cast<int>(all.size()) < count) return std::numeric_limits<double>::infinity();
+  std::nth_element(all.begin(), all.begin() + count - 1, all.end());
+  return all[count - 1];
+}
 
-  /// Shapes and names of the lowest `count` modes.
-  std::vector<Mode> named_modes(
-      const Ring& ring, const Mesh& mesh, std::vector<HarmonicMode> found, int count) {
-    std::stable_sort(found.begin(), found.end(), [](const HarmonicMode& a, const HarmonicMode& b) {
-      return a.frequency < b.frequency;
-    });
-    std::vector<Mode> modes;
-    for (HarmonicMode& mode : found) {
-      fix_phase(mode.phi);
-      Mode result;
-      result.frequency = mode.frequency;
-      result.n = mode.n;
-      result.type = type_of(mode.n, mode.energy);
-      for (int member = 0; member < (single(mode.n, ring.sectors()) ? 1 : 2); ++member) {
-        if (static_cast<int>(modes.size()) == count) break;
-        result.shape = unfold(ring, mesh, mode, member == 1);
-        modes.push_back(result);
-      }
+/// Shapes and names of the lowest `count` modes.
+std::vector<Mode> named_modes(const Ring& ring,
+                              const Mesh& mesh,
+                              std::vector<HarmonicMode> found,
+                              int count) {
+  std::stable_sort(found.begin(), found.end(), [](const HarmonicMode& a, const HarmonicMode& b) {
+    return a.frequency < b.frequency;
+  });
+  std::vector<Mode> modes;
+  for (HarmonicMode& mode : found) {
+    fix_phase(mode.phi);
+    Mode result;
+    result.frequency = mode.frequency;
+    result.n = mode.n;
+    result.type = type_of(mode.n, mode.energy);
+    for (int member = 0; member < (single(mode.n, ring.sectors()) ? 1 : 2); ++member) {
+      if (static_cast<int>(modes.size()) == count) break;
+      result.shape = unfold(ring, mesh, mode, member == 1);
+      modes.push_back(result);
     }
-    number_orders(modes);
-    return modes;
   }
+  number_orders(modes);
+  return modes;
+}
 
 }  // namespace
 
@@ -202,22 +200,15 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
   return named_modes(ring, mesh, std::move(found), count);
 }
 
-<<<<<<< HEAD
-Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
-                                     const numerics::Factorization& factor,
-                                     const numerics::SymmetricMatrix& M,
-                                     int count,
-                                     double enough) {
-=======
 namespace {
 
-/// Modes of the ring, of unknowns; `start` as that of lanczos().
+/// Modes of the ring, of unknowns; `start` as that of lanczos(), `enough` as that of ring_modes().
 Result<numerics::EigenPairs<double>> ring_pairs(const numerics::Factorization& factor,
                                                 const numerics::SymmetricMatrix& M,
                                                 int count,
                                                 double tolerance,
+                                                double enough,
                                                 const Eigen::MatrixXd& start) {
->>>>>>> mass
   numerics::EigenProblem<double> problem;
   problem.size = M.size();
   problem.solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_columns(X, enough); };
