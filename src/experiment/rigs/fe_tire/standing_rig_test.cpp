@@ -18,10 +18,10 @@ using fe_tire::GroundPose;
 
 constexpr double kInflation = 2.6e5;
 
-FeTire small_tire() {
+FeTire small_tire(int sectors = 40) {
   fe_tire::TireDescription tire = fe_tire::reference_tire_b();
   tire.section.meridional = 13;
-  tire.section.sectors = 40;
+  tire.section.sectors = sectors;
   return FeTire(tire);
 }
 
@@ -104,8 +104,9 @@ TEST(StandingFeTire, StiffnessesAreOfTheSizeOfATires) {
   EXPECT_NE(value(left, "vertical"), vertical);
 }
 
+// Of 40 sectors one row of nodes touches, and a bar below it is as good as level ground.
 TEST(StandingFeTire, APlankLongerThanThePatchIsGroundThatIsHigher) {
-  FeTire tire = small_tire();
+  FeTire tire = small_tire(120);
   const std::vector<double> deflections = {0.004, 0.012};
   const auto flat = stand(tire, kInflation, {.deflections = deflections});
   const auto plank = stand(
@@ -120,7 +121,7 @@ TEST(StandingFeTire, APlankLongerThanThePatchIsGroundThatIsHigher) {
   for (std::size_t k = 0; k < deflections.size(); ++k) {
     const double Fz = (*flat)["force"][k];
     EXPECT_NEAR((*plank)["force"][k], Fz, 1e-6 * Fz);
-    EXPECT_LT((*bar)["force"][k], Fz);
+    EXPECT_LT((*bar)["force"][k], 0.995 * Fz);
     EXPECT_GT((*bar)["force"][k], 0.3 * Fz);
   }
 }

@@ -25,8 +25,8 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
                                          double tolerance);
 
 /// The `count` lowest modes of the states that `assembly` can hold (all, even or odd ones), without
-/// names. `factor` holds the tangent; its solutions are refined to `enough`. Shapes are mass-normalized over
-/// the whole ring.
+/// names. `factor` holds the tangent; its solutions are refined to `enough`. Shapes are
+/// mass-normalized over the whole ring.
 Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      const numerics::Factorization& factor,
                                      const numerics::SymmetricMatrix& M,
