@@ -75,6 +75,16 @@ class OnRoads(Cars):
         self.write_grid("round.crg", "$ROAD_CRG_OPTS\nborder_mode_u = 3\n$\n")
         self.run_on(self.filed("round.crg", start='["18.5 m", "0 m"]'))
 
+    # On a level road: q A (C_f + C_r) more than the weight, of constant coefficients.
+    def test_air_presses_it_down(self):
+        still = self.run_on("", code=None)
+        with open(self.car, "a") as file:
+            file.write('\n[aero]\narea = "1.5 m^2"\ndensity = "1.2 kg/m^3"\nmap = [["0 mm", "0 mm", 1.0, 1.4]]\n')
+        fast, q = self.run_on("", code=None), 0.5 * 1.2 * 30.0**2
+        more = {axle: sum(fast[f"Fz_{axle}{side}"][-1] - still[f"Fz_{axle}{side}"][-1] for side in "LR") for axle in "FR"}
+        self.assertAlmostEqual(more["F"], q * 1.5 * 1.0, delta=0.01 * q)
+        self.assertAlmostEqual(more["R"], q * 1.5 * 1.4, delta=0.01 * q)
+
     def test_roads_that_cannot_be(self):
         self.write_grid("track.crg", "")
         for road, words in ((self.filed("none.crg"), "none.crg"), (self.filed("track.crg", start='["1 m"]'), "expected x and y"),
@@ -216,6 +226,17 @@ class Refused(Cars):
     def test_a_load_beyond_what_it_bears(self):
         text = self.complaint(('mass = "220 kg"', 'mass = "220 t"'), code=FAILED)
         self.assertRegex(text, "the car does not stand under its weight of 2.158e.06 N: .* is turned most")
+
+    def test_air_that_cannot_be(self):
+        rows = '["20 mm", "30 mm", 1.4, 1.7], ["40 mm", "30 mm", 1.2, 1.6], ["20 mm", "50 mm", 1.5, 1.8]'
+        for keys, words in ((f'flor = ["1 mm", "2 mm"]\nmap = [{rows}, ["40 mm", "50 mm", 1, 1]]', 'unknown key "aero.flor", did you mean "floor"?'),
+                            (f"map = [{rows}]", "aero.map has no row of the heights 0.04 m and 0.05 m"),
+                            (f'map = [{rows}, ["40 mm", "50 mm", 1, 1]]', "floor is missing"),
+                            ("map = []", "aero.map"), ('floor = ["1 mm"]\nmap = [["0 mm", "0 mm", 1, 1]]', "aero.floor expected two values")):
+            original = self.car.read_text()
+            self.car.write_text(original + f'\n[aero]\narea = "1.2 m^2"\n{keys}\n')
+            self.assertIn(words, self.latsch("test", self.car, SHORT, code=WRONG_INPUT))
+            self.car.write_text(original)
 
     def test_keys_that_are_unknown(self):
         self.assertIn('unknown key "chassis.mas", did you mean "mass"?', self.complaint((r"\[chassis\]", '[chassis]\nmas = "3 kg"')))

@@ -136,10 +136,10 @@ std::optional<AeroMap> read_aero(const Node& root) {
   for (const auto& row : node->rows("map", {"m", "m", "1", "1"}))
     rows.push_back({row[0], row[1], row[2], row[3]});
   if (const std::string fault = AeroMap::fault(rows); !fault.empty()) node->reject("map", fault);
+  node->close();
   if (rows.size() > 1 && !node->has("floor"))
     node->reject("map", "depends on heights of the floor: floor is missing");
   aero.set_rows(rows);
-  node->close();
   return aero;
 }
 

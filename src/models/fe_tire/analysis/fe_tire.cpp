@@ -240,7 +240,7 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
   if (auto failure = factorize(all, state)) return *failure;
   const numerics::SymmetricMatrix mass = even.mass(elements());
   const double tolerance = settings.mode_tolerance;
-  // It makes 1e-8 of a frequency at the default tolerance.
+  // It makes some 2e-8 of a frequency at the default tolerance.
   const double enough = kExactness * settings.tolerance;
   if (!all.odd) return ring_modes(even, all.factor, mass, count, tolerance, enough);
   const numerics::SymmetricMatrix odd_mass = all.odd->mass(elements());
