@@ -25,14 +25,20 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
                                          double tolerance);
 
 /// The `count` lowest modes of the states that `assembly` can hold (all, even or odd ones), without
-/// names. `factor` holds the tangent; its solutions are refined to `enough`. Shapes are
-/// mass-normalized over the whole ring.
+/// names. `factor` holds the tangent. Shapes are mass-normalized over the whole ring.
 Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      const numerics::Factorization& factor,
                                      const numerics::SymmetricMatrix& M,
                                      int count,
-                                     double tolerance,
-                                     double enough = 0.0);
+                                     double tolerance);
+/// The same of a state on the ground. `factor` is a refined one: Lanczos' method finds the modes
+/// with its rough solutions, Ritz pairs of the tangent itself make them exact (ritz_pairs.h); where
+/// that does not succeed, solutions are refined.
+Result<std::vector<Mode>> loaded_ring_modes(const RingAssembly& assembly,
+                                            const numerics::Factorization& factor,
+                                            const numerics::SymmetricMatrix& M,
+                                            int count,
+                                            const SolverSettings& settings);
 /// The same nearer to the solution: `vectors`, M-orthonormal columns, the lowest first, that are
 /// near modes. Each comes back as the mode of its place; so they are all the lowest.
 Result<Eigen::MatrixXd> sharpened(const Eigen::MatrixXd& vectors,
