@@ -11,6 +11,9 @@
 namespace latsch::fe_tire {
 namespace {
 
+/// What is left of equations, of their right-hand sides.
+constexpr double kExactly = 1e-10;
+
 using Touches = std::vector<TreadContact::Touch>;
 
 /// The ground under a state, seen by the tread of a varied tire; what differs from the base's.
@@ -33,8 +36,6 @@ struct VariedTread {
     tread = &*own;
   }
 };
-
-Failure beside() { return Failure{"slopes: an element fails beside the state"}; }
 
 /// Forces of the tread of a varied tire in the points that touch in the state itself: which do is
 /// held, or a point that just touches would come off within a step. Flat ground below the wheel.
@@ -74,12 +75,15 @@ double ground_stiffness(const TreadSurface& tread,
 
 }  // namespace
 
-std::vector<MovedNumber> TireSlopes::Impl::moved_numbers(double pressure) const {
+std::vector<MovedNumber> TireSlopes::Impl::moved_numbers(OfRing of, double pressure) const {
+  const auto elements = [&](const Varied& tire) {
+    return of == OfRing::even ? &tire.even() : &*tire.elements;
+  };
   std::vector<MovedNumber> numbers;
   for (int k = 0; k < count(); ++k) {
     const Varied &below = varied[k]->below, &above = varied[k]->above;
-    numbers.push_back({&*below.elements,
-                       &*above.elements,
+    numbers.push_back({elements(below),
+                       elements(above),
                        pressure_of(k, below.tire, pressure),
                        pressure_of(k, above.tire, pressure),
                        2.0 * variations[k].step,
@@ -109,13 +113,15 @@ Result<const numerics::Factorization*> TireSlopes::Impl::factor(Systems& all,
                                                                 const TireState& state) {
   if (all.factored && all.factored->pose == state.pose && all.factored->u == state.u)
     return &all.factor;
-  if (!own_factor)
-    own_factor.emplace(*all.solver.assembly().pattern(),
-                       numerics::Precision::full,
-                       all.solver.factor().elimination());
-  if (auto failure = base.factorize(all, all.solver.assembly(), all.tread, state, *own_factor))
+  auto own = own_factors.find(&all);
+  if (own == own_factors.end()) {
+    numerics::Factorization made(
+        *all.solver.assembly().pattern(), numerics::Precision::refined, all.factor.elimination());
+    own = own_factors.emplace(&all, std::move(made)).first;
+  }
+  if (auto failure = base.factorize(all, all.solver.assembly(), all.tread, state, own->second))
     return *failure;
-  return &*own_factor;
+  return &own->second;
 }
 
 /// Of number k, whose varied tires may have a tread of another shape.
@@ -148,13 +154,14 @@ Result<TireSlopes::OfState> TireSlopes::of_state(const TireState& state) {
   if (!factor) return factor.failure();
   const auto [f_h, stiffness] = impl.by_height(all, state);
   Eigen::MatrixXd w = f_h;
-  (*factor)->solve(w.col(0));
+  (*factor)->solve_columns(w, kExactly);
   const Eigen::VectorXd x = all.unknowns.compress(state.u);
   const double pressure = state.inflated->pressure, multiplicity = all.tread.multiplicity();
   const std::vector<Mode> no_modes;
   RingMotions motions(all.unknowns, impl.base.elements(), x, state.alpha, pressure, no_modes);
   Eigen::MatrixXd sums;
-  if (!motions.slopes(w, impl.moved_numbers(pressure), sums)) return beside();
+  if (!motions.slopes(w, impl.moved_numbers(Impl::OfRing::pressed, pressure), sums))
+    return beside_state();
   const auto along_w = [&](const TreadSurface&, const Touches& touches, const Eigen::VectorXd& f) {
     return Eigen::VectorXd::Constant(1, w.col(0).dot(f) + vertical(touches));
   };
@@ -205,7 +212,7 @@ std::optional<Failure> sharpen(const RingAssembly& assembly,
   if (own.empty()) return std::nullopt;
   vectors.conservativeResize(Eigen::NoChange, std::ssize(own));
   const numerics::SymmetricMatrix M = assembly.mass(elements);
-  const auto sharp = sharpened(vectors, factor, M, kSharp);
+  const auto sharp = sharpened(vectors, factor, M, kSharp, kExactly);
   if (!sharp) return sharp.failure();
   Eigen::MatrixXd M_sharp(sharp->rows(), sharp->cols());
   M.multiply(*sharp, M_sharp);
@@ -242,10 +249,11 @@ Result<Eigen::MatrixXd> TireSlopes::Impl::of_some_modes(const TireState& state,
   const double pressure = state.inflated->pressure, multiplicity = all.tread.multiplicity();
   RingMotions motions(all.unknowns, base.elements(), x, state.alpha, pressure, modes);
   Eigen::MatrixXd z, changes;
-  if (!motions.curvatures(z)) return beside();
-  (*factor_of_state)->solve_columns(z);
+  if (!motions.curvatures(z)) return beside_state();
+  (*factor_of_state)->solve_columns(z, kExactly);
   z = -z;
-  if (!motions.slopes(z, moved_numbers(pressure), changes)) return beside();
+  if (!motions.slopes(z, moved_numbers(Impl::OfRing::pressed, pressure), changes))
+    return beside_state();
   const Eigen::VectorXd f_h = by_height(all, state).first;
   changes += (z.transpose() * f_h) * height.transpose();
   const auto of_tread =

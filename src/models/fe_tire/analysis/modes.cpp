@@ -247,8 +247,9 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
 Result<Eigen::MatrixXd> sharpened(const Eigen::MatrixXd& vectors,
                                   const numerics::Factorization& factor,
                                   const numerics::SymmetricMatrix& M,
-                                  double tolerance) {
-  auto pairs = ring_pairs(factor, M, static_cast<int>(vectors.cols()), tolerance, 0.0, vectors);
+                                  double tolerance,
+                                  double enough) {
+  auto pairs = ring_pairs(factor, M, static_cast<int>(vectors.cols()), tolerance, enough, vectors);
   if (!pairs) return pairs.failure();
   return std::move(pairs->vectors);
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "models/fe_tire/analysis/fe_tire_impl.h"
-#include "models/fe_tire/analysis/ring_motions.h"
+#include "models/fe_tire/analysis/moved_numbers.h"
 #include "models/fe_tire/analysis/tire_slopes.h"
 
 namespace latsch::fe_tire {
