@@ -281,22 +281,21 @@ std::optional<Failure> FeTire::Impl::factorize(Systems& all, const TireState& at
   return std::nullopt;
 }
 
-/// The state is even; odd unknowns hold only what may vibrate about it. So elements and ground see
-/// the state of the even numbering, and the tangent is gathered in the numbering asked for.
 std::optional<Failure> FeTire::Impl::factorize(Systems& all,
-                                               const RingAssembly& assembly,
-                                               const TreadSurface& tread,
                                                const TireState& at,
+                                               numerics::SymmetricMatrix& tangent,
                                                numerics::Factorization& factor) {
   RingState state{all.unknowns.compress(at.u), at.alpha};
   int worst = 0;
   if (!all.solver.assembly().assemble_tangent(
-          elements(), state, at.inflated->pressure, assembly.unknowns(), all.tangent, &worst)) {
+          elements(), state, at.inflated->pressure, all.unknowns, tangent, &worst)) {
     return no_tangent(all.unknowns.ring(), worst);
   }
-  return factorize(all, tread, at, state, all.tangent, factor);
+  return factorize(all, all.tread, at, state, tangent, factor);
 }
 
+/// The state is even; odd unknowns hold only what may vibrate about it. So elements and ground see
+/// the state of the even numbering, and the tangent is gathered in the numbering asked for.
 std::optional<Failure> FeTire::Impl::factorize(Systems& all,
                                                const TreadSurface& tread,
                                                const TireState& at,

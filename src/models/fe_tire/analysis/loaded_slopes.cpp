@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "models/fe_tire/analysis/modes.h"
+#include "models/fe_tire/analysis/sharpened_modes.h"
 #include "models/fe_tire/analysis/tire_slopes.h"
 #include "models/fe_tire/analysis/tire_slopes_impl.h"
 
@@ -113,15 +113,16 @@ Result<const numerics::Factorization*> TireSlopes::Impl::factor(Systems& all,
                                                                 const TireState& state) {
   if (all.factored && all.factored->pose == state.pose && all.factored->u == state.u)
     return &all.factor;
-  auto own = own_factors.find(&all);
-  if (own == own_factors.end()) {
-    numerics::Factorization made(
-        *all.solver.assembly().pattern(), numerics::Precision::refined, all.factor.elimination());
-    own = own_factors.emplace(&all, std::move(made)).first;
+  auto own = own_tangents.find(&all);
+  if (own == own_tangents.end()) {
+    const auto& pattern = *all.solver.assembly().pattern();
+    Tangent made{
+        numerics::SymmetricMatrix(pattern),
+        numerics::Factorization(pattern, numerics::Precision::refined, all.factor.elimination())};
+    own = own_tangents.emplace(&all, std::move(made)).first;
   }
-  if (auto failure = base.factorize(all, all.solver.assembly(), all.tread, state, own->second))
-    return *failure;
-  return &own->second;
+  if (auto failure = base.factorize(all, state, own->second.K, own->second.factor)) return *failure;
+  return &own->second.factor;
 }
 
 /// Of number k, whose varied tires may have a tread of another shape.
@@ -195,6 +196,7 @@ namespace {
 /// Sharpens those of the modes that are motions of these unknowns; what comes back as another mode
 /// stays as it was.
 std::optional<Failure> sharpen(const RingAssembly& assembly,
+                               const numerics::SymmetricMatrix& tangent,
                                const numerics::Factorization& factor,
                                const RingElements& elements,
                                std::vector<Mode>& modes) {
@@ -212,7 +214,7 @@ std::optional<Failure> sharpen(const RingAssembly& assembly,
   if (own.empty()) return std::nullopt;
   vectors.conservativeResize(Eigen::NoChange, std::ssize(own));
   const numerics::SymmetricMatrix M = assembly.mass(elements);
-  const auto sharp = sharpened(vectors, factor, M, kSharp, kExactly);
+  const auto sharp = sharpened(vectors, tangent, factor, M, kSharp);
   if (!sharp) return sharp.failure();
   Eigen::MatrixXd M_sharp(sharp->rows(), sharp->cols());
   M.multiply(*sharp, M_sharp);
@@ -232,10 +234,12 @@ Result<std::vector<Mode>> TireSlopes::Impl::sharpened_modes(const TireState& sta
   if (base.settings.mode_tolerance <= kSharp) return modes;
   Systems& all = base.systems(state.is_halved, state.window);
   if (auto failure = base.factorize(all, state)) return *failure;
-  if (auto failure = sharpen(all.solver.assembly(), all.factor, base.elements(), modes))
+  if (auto failure =
+          sharpen(all.solver.assembly(), all.tangent, all.factor, base.elements(), modes))
     return *failure;
   if (!all.odd) return modes;
-  if (auto failure = sharpen(*all.odd, *all.odd_factor, base.elements(), modes)) return *failure;
+  if (auto failure = sharpen(*all.odd, *all.odd_tangent, *all.odd_factor, base.elements(), modes))
+    return *failure;
   return modes;
 }
 

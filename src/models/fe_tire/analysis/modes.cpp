@@ -202,13 +202,12 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
 
 namespace {
 
-/// Modes of the ring, of unknowns; `start` as that of lanczos(), `enough` as that of ring_modes().
+/// Modes of the ring, of unknowns; `enough` as that of ring_modes().
 Result<numerics::EigenPairs<double>> ring_pairs(const numerics::Factorization& factor,
                                                 const numerics::SymmetricMatrix& M,
                                                 int count,
                                                 double tolerance,
-                                                double enough,
-                                                const Eigen::MatrixXd& start) {
+                                                double enough) {
   numerics::EigenProblem<double> problem;
   problem.size = M.size();
   problem.solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_columns(X, enough); };
@@ -219,7 +218,7 @@ Result<numerics::EigenPairs<double>> ring_pairs(const numerics::Factorization& f
   settings.count = std::min(count, M.size());
   settings.tolerance = tolerance;
   settings.block = kRingBlock;
-  auto pairs = numerics::lanczos(problem, settings, start);
+  auto pairs = numerics::lanczos(problem, settings);
   if (!pairs.converged)
     return unfinished("modes", pairs.values.size(), settings.count, pairs.solves);
   return pairs;
@@ -233,7 +232,7 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      int count,
                                      double tolerance,
                                      double enough) {
-  const auto pairs = ring_pairs(factor, M, count, tolerance, enough, {});
+  const auto pairs = ring_pairs(factor, M, count, tolerance, enough);
   if (!pairs) return pairs.failure();
   const RingUnknowns& unknowns = assembly.unknowns();
   std::vector<Mode> modes(pairs->values.size());
@@ -242,16 +241,6 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
     modes[k].shape = unknowns.expand(pairs->vectors.col(k)) / std::sqrt(unknowns.multiplicity());
   }
   return modes;
-}
-
-Result<Eigen::MatrixXd> sharpened(const Eigen::MatrixXd& vectors,
-                                  const numerics::Factorization& factor,
-                                  const numerics::SymmetricMatrix& M,
-                                  double tolerance,
-                                  double enough) {
-  auto pairs = ring_pairs(factor, M, static_cast<int>(vectors.cols()), tolerance, enough, vectors);
-  if (!pairs) return pairs.failure();
-  return std::move(pairs->vectors);
 }
 
 Eigen::VectorXd nodal_masses(const RingElements& elements) {

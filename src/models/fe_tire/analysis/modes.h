@@ -33,15 +33,6 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      int count,
                                      double tolerance,
                                      double enough = 0.0);
-/// The same nearer to the solution: `vectors`, M-orthonormal columns, the lowest first, that are
-/// near modes. Each comes back as the mode of its place; so they are all the lowest. `enough` as
-/// that of ring_modes().
-Result<Eigen::MatrixXd> sharpened(const Eigen::MatrixXd& vectors,
-                                  const numerics::Factorization& factor,
-                                  const numerics::SymmetricMatrix& M,
-                                  double tolerance,
-                                  double enough);
-
 /// Mass of each node of the ring, kg: rows of the mass matrix summed.
 Eigen::VectorXd nodal_masses(const RingElements& elements);
 

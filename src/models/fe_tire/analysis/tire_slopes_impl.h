@@ -31,7 +31,11 @@ struct TireSlopes::Impl {
     OfInflated slopes;
   };
   std::optional<AtInflated> inflated;
-  std::map<const Systems*, numerics::Factorization> own_factors;
+  struct Tangent {
+    numerics::SymmetricMatrix K;
+    numerics::Factorization factor;
+  };
+  std::map<const Systems*, Tangent> own_tangents;  // of the last state that needed one
 
   Impl(FeTire::Impl& tire, std::vector<Variation> numbers)
       : base(tire), variations(std::move(numbers)) {
@@ -75,7 +79,7 @@ struct TireSlopes::Impl {
 };
 
 /// SolverSettings::mode_tolerance of shapes that slopes are taken of.
-inline constexpr double kSharp = 1e-7;
+inline constexpr double kSharp = 1e-8;
 
 /// What is said where an element has no state while a number moves.
 Failure beside_state();
