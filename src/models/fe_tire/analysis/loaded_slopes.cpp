@@ -2,6 +2,7 @@
 // Slopes of loads and modes of states on the ground, (S.2) and (S.3) of tire_slopes.h.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "models/fe_tire/analysis/sharpened_modes.h"
@@ -15,27 +16,6 @@ namespace {
 constexpr double kExactly = 1e-10;
 
 using Touches = std::vector<TreadContact::Touch>;
-
-/// The ground under a state, seen by the tread of a varied tire; what differs from the base's.
-struct VariedTread {
-  std::optional<RingUnknowns> unknowns;
-  std::optional<TreadSurface> own;
-  const TreadSurface* tread;
-
-  VariedTread(const Varied& varied,
-              const Systems& all,
-              const SolverSettings& settings,
-              const std::optional<std::vector<int>>& mirror,
-              bool halved)
-      : tread(&all.tread) {
-    if (varied.same_shape) return;
-    unknowns.emplace(varied.ring(),
-                     halved ? RingSymmetry::even : RingSymmetry::none,
-                     halved ? *mirror : std::vector<int>());
-    own.emplace(*unknowns, settings.tread_shape(), all.half_angle);
-    tread = &*own;
-  }
-};
 
 /// Forces of the tread of a varied tire in the points that touch in the state itself: which do is
 /// held, or a point that just touches would come off within a step. Flat ground below the wheel.
@@ -125,7 +105,15 @@ Result<const numerics::Factorization*> TireSlopes::Impl::factor(Systems& all,
   return &own->second.factor;
 }
 
-/// Of number k, whose varied tires may have a tread of another shape.
+/// Made once for all states.
+const TreadSurface& TireSlopes::Impl::tread_of(const Varied& tire,
+                                               const Systems& all,
+                                               bool is_halved) {
+  std::unique_ptr<VariedTread>& tread = varied_treads[{&tire, &all}];
+  if (!tread) tread = std::make_unique<VariedTread>(tire, all, base, is_halved);
+  return tread->surface;
+}
+
 void TireSlopes::Impl::add_tread(Systems& all,
                                  const TireState& state,
                                  const TouchChange& change,
@@ -138,11 +126,11 @@ void TireSlopes::Impl::add_tread(Systems& all,
     for (const double side : {-1.0, 1.0}) {
       const Varied& tire = side < 0.0 ? varied[k]->below : varied[k]->above;
       if (tire.same_shape) continue;
-      const VariedTread other(tire, all, base.settings, base.mirror(), state.is_halved);
-      const auto touches = forces_where(touching, *other.tread, state, x);
+      const TreadSurface& tread = tread_of(tire, all, state.is_halved);
+      const auto touches = forces_where(touching, tread, state, x);
       Eigen::VectorXd forces = Eigen::VectorXd::Zero(x.size());
-      add_forces(*other.tread, touches, forces);
-      sums.col(k) += side / (2.0 * variations[k].step) * change(*other.tread, touches, forces);
+      add_forces(tread, touches, forces);
+      sums.col(k) += side / (2.0 * variations[k].step) * change(tread, touches, forces);
     }
   }
 }

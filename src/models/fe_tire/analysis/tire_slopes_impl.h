@@ -36,6 +36,7 @@ struct TireSlopes::Impl {
     numerics::Factorization factor;
   };
   std::map<const Systems*, Tangent> own_tangents;  // of the last state that needed one
+  std::map<std::pair<const Varied*, const Systems*>, std::unique_ptr<VariedTread>> varied_treads;
 
   Impl(FeTire::Impl& tire, std::vector<Variation> numbers)
       : base(tire), variations(std::move(numbers)) {
@@ -70,6 +71,7 @@ struct TireSlopes::Impl {
   using TouchChange = std::function<Eigen::VectorXd(const TreadSurface& tread,
                                                     const std::vector<TreadContact::Touch>& touches,
                                                     const Eigen::VectorXd& forces)>;
+  const TreadSurface& tread_of(const Varied& tire, const Systems& all, bool is_halved);
   void add_tread(Systems& all,
                  const TireState& state,
                  const TouchChange& change,

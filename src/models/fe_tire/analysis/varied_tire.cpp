@@ -81,6 +81,15 @@ Varied::Varied(const VariedTire& varied, const Base& base) : tire(varied) {
     parts.push_back(parts_that_differ(element, varied.materials, materials, same_shape));
 }
 
+VariedTread::VariedTread(const Varied& varied,
+                         const Systems& all,
+                         Varied::Base& base,
+                         bool is_halved)
+    : unknowns(varied.ring(),
+               is_halved ? RingSymmetry::even : RingSymmetry::none,
+               is_halved ? *base.mirror() : std::vector<int>()),
+      surface(unknowns, base.settings.tread_shape(), all.half_angle) {}
+
 VariedPair::VariedPair(const Variation& variation, const Varied::Base& base)
     : below(variation.below, base), above(variation.above, base) {
   if (!variation.moves_pressure) return;

@@ -28,6 +28,15 @@ struct Varied {
   const Ring& ring() const { return elements->ring(); }
 };
 
+/// The tread of a varied tire of another shape, on the unknowns of the tire's own.
+struct VariedTread {
+  RingUnknowns unknowns;
+  TreadSurface surface;
+
+  VariedTread(const VariedTread&) = delete;  // the surface refers to its unknowns
+  VariedTread(const Varied& varied, const Systems& all, Varied::Base& base, bool is_halved);
+};
+
 /// A number moved to both sides.
 struct VariedPair {
   Varied below, above;
