@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "models/fe_tire/analysis/fe_tire_impl.h"
-#include "models/fe_tire/analysis/moved_numbers.h"
-#include "models/fe_tire/analysis/tire_slopes.h"
+#include "models/fe_tire/slopes/moved_numbers.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
 
 namespace latsch::fe_tire {
 

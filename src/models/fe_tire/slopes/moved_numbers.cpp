@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/analysis/moved_numbers.h"
+#include "models/fe_tire/slopes/moved_numbers.h"
 
 namespace latsch::fe_tire {
 namespace {

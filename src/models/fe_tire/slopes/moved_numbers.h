@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves with a number of the tire's description in the sums of (M.4) of hex8_motions.h, element
-// by element: differences between the tire with the number on either side, of those parts of an
-// element that feel it.
+// What moves with a number of the tire's description in the sums of (M.4) of hex8_motions.h,
+// element by element: differences between the tire with the number on either side, of those parts
+// of an element that feel it.
 #pragma once
 
 #include <functional>

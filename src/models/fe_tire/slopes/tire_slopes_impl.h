@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "models/fe_tire/analysis/fe_tire_impl.h"
-#include "models/fe_tire/analysis/ring_motions.h"
-#include "models/fe_tire/analysis/sector_motions.h"
-#include "models/fe_tire/analysis/tire_slopes.h"
-#include "models/fe_tire/analysis/varied_tire.h"
+#include "models/fe_tire/slopes/ring_motions.h"
+#include "models/fe_tire/slopes/sector_motions.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
+#include "models/fe_tire/slopes/varied_tire.h"
 #include "numerics/sparse/banded_hermitian.h"
 
 namespace latsch::fe_tire {

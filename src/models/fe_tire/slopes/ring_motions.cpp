@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/analysis/ring_motions.h"
+#include "models/fe_tire/slopes/ring_motions.h"
 
 #include <algorithm>
 #include <cassert>

@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
-#include "models/fe_tire/analysis/sharpened_modes.h"
-#include "models/fe_tire/analysis/tire_slopes.h"
-#include "models/fe_tire/analysis/tire_slopes_impl.h"
+#include "models/fe_tire/slopes/sharpened_modes.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
+#include "models/fe_tire/slopes/tire_slopes_impl.h"
 
 namespace latsch::fe_tire {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/analysis/sharpened_modes.h"
+#include "models/fe_tire/slopes/sharpened_modes.h"
 
 #include <fmt/format.h>
 

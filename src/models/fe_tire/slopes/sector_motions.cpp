@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/analysis/sector_motions.h"
+#include "models/fe_tire/slopes/sector_motions.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/analysis/varied_tire.h"
+#include "models/fe_tire/slopes/varied_tire.h"
 
 #include <algorithm>
 #include <variant>

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "models/fe_tire/analysis/fe_tire.h"
-#include "models/fe_tire/analysis/moved_numbers.h"
+#include "models/fe_tire/slopes/moved_numbers.h"
 
 namespace latsch::fe_tire {
 

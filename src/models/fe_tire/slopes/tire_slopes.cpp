@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/analysis/tire_slopes.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "models/fe_tire/analysis/inflation.h"
 #include "models/fe_tire/analysis/modes.h"
-#include "models/fe_tire/analysis/tire_slopes_impl.h"
+#include "models/fe_tire/slopes/tire_slopes_impl.h"
 #include "models/fe_tire/ring/sector.h"
 
 namespace latsch::fe_tire {
