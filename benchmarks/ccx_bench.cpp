@@ -8,7 +8,6 @@
 // shipped tires, default element and cords as rebars on half as many unknowns again, are measured
 // beside the same run of CalculiX, which has no rebars.
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -17,6 +16,7 @@
 
 #include "base/document.h"
 #include "base/scratch_folder_testing.h"
+#include "cpu_time.h"
 #include "formats/mesh/ccx_deck.h"
 #include "formats/mesh/ccx_results.h"
 #include "formats/mesh/inp_tire.h"
@@ -34,15 +34,6 @@ constexpr double kTravel = 0.025;  // m
 constexpr int kModes = 20;
 constexpr double kClear = 2e-3;  // m, from the undeformed tire to the ground
 constexpr double kRatio = 30.0;  // CPU of CalculiX to ours
-
-double cpu_seconds(int who) {
-  rusage usage{};
-  getrusage(who, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 template <class T>
 T take(Result<T> result) {
@@ -138,7 +129,7 @@ TireDescription shipped(const std::string& file) {
 
 /// CPU seconds of a trial of a tire as it is shipped, mesh and symbolic work included.
 double seconds_as_shipped(const TireDescription& description, bool loaded_modes) {
-  const double start = cpu_seconds(RUSAGE_SELF);
+  const double start = cpu_seconds();
   FeTire tire(description);
   run_trial(tire,
             description.pressure,
@@ -146,7 +137,7 @@ double seconds_as_shipped(const TireDescription& description, bool loaded_modes)
             kTravel,
             loaded_modes,
             Ground{}.stiffness);
-  return cpu_seconds(RUSAGE_SELF) - start;
+  return cpu_seconds() - start;
 }
 
 /// On one thread, the deck tire.inp; whether it finished.
@@ -166,16 +157,16 @@ void race(Table& table,
           bool loaded_modes) {
   const ScratchFolder folder;
 
-  const double start = cpu_seconds(RUSAGE_SELF);
+  const double start = cpu_seconds();
   const Mesh mesh = build_mesh(description);
   const Materials materials = build_materials(description);
   FeTire tire(mesh, materials, comparison());
-  const double prepared = cpu_seconds(RUSAGE_SELF);
+  const double prepared = cpu_seconds();
   const double ground_radius = mesh.outer_radius() + kClear;
   const Ground ground;
   const Trial ours =
       run_trial(tire, description.pressure, ground_radius, kTravel, loaded_modes, ground.stiffness);
-  const double finished = cpu_seconds(RUSAGE_SELF);
+  const double finished = cpu_seconds();
 
   formats::CcxRun run;
   run.title = description.name;

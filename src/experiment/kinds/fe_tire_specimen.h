@@ -12,7 +12,7 @@
 #include "experiment/rigs/fe_tire/tire_rig.h"
 #include "experiment/rigs/static_stiffness.h"
 #include "models/fe_tire/analysis/fe_tire.h"
-#include "models/fe_tire/analysis/tire_slopes.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
 
 namespace latsch::experiment {
 

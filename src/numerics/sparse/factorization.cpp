@@ -27,7 +27,6 @@ struct Factorization::Impl {
   virtual void reduce(Eigen::Ref<Eigen::VectorXd> x) = 0;
   virtual void expand(Eigen::Ref<Eigen::VectorXd> x) = 0;
   virtual void solve_roughly(Eigen::Ref<Eigen::MatrixXd> X) { solve(X, 0.0); }
-  virtual const SymmetricMatrix* matrix() const { return nullptr; }
   std::shared_ptr<const Elimination> elimination;
 };
 
@@ -533,7 +532,6 @@ class Refined final : public Factorization::Impl {
   void solve_roughly(Eigen::Ref<Eigen::MatrixXd> X) override {
     full_ ? full_->solve(X, 0.0) : single_.solve(X, 0.0);
   }
-  const SymmetricMatrix* matrix() const override { return A_ ? &*A_ : nullptr; }
   Eigen::MatrixXd condensed() const override { return single_.condensed(); }
   void reduce(Eigen::Ref<Eigen::VectorXd> x) override { single_.reduce(x); }
   void expand(Eigen::Ref<Eigen::VectorXd> x) override { single_.expand(x); }
@@ -584,10 +582,6 @@ void Factorization::solve_columns(Eigen::Ref<Eigen::MatrixXd> X, double enough) 
 }
 void Factorization::solve_roughly(Eigen::Ref<Eigen::MatrixXd> X) const {
   impl_->solve_roughly(std::move(X));
-}
-const SymmetricMatrix& Factorization::matrix() const {
-  assert(impl_->matrix());
-  return *impl_->matrix();
 }
 const std::shared_ptr<const Elimination>& Factorization::elimination() const {
   return impl_->elimination;

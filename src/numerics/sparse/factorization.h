@@ -70,8 +70,6 @@ class Factorization {
 
   /// The same as solve_columns(), as the factor in its own precision has it: a preconditioner.
   void solve_roughly(Eigen::Ref<Eigen::MatrixXd> X) const;
-  /// The last matrix factorized. Of a refined one.
-  const SymmetricMatrix& matrix() const;
 
   // With an interface of m unknowns (Elimination::interface), A = [A_ii A_ic; A_ci A_cc] may be
   // factorized but for it:

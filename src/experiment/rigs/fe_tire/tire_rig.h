@@ -19,7 +19,7 @@
 #include "experiment/rigs/load_case.h"
 #include "measurement/channels.h"
 #include "models/fe_tire/analysis/fe_tire.h"
-#include "models/fe_tire/analysis/tire_slopes.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
 
 namespace latsch::experiment {
 

@@ -238,12 +238,13 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
   const RingAssembly& even = all.solver.assembly();
   if (auto failure = factorize(all, state)) return *failure;
   const numerics::SymmetricMatrix mass = even.mass(elements());
-  if (!all.odd) return loaded_ring_modes(even, all.factor, mass, count, settings);
+  if (!all.odd) return loaded_ring_modes(even, all.tangent, all.factor, mass, count, settings);
   const numerics::SymmetricMatrix odd_mass = all.odd->mass(elements());
   for (int each = count / 2 + 3;; each = std::min(count, 2 * each)) {
-    auto modes = loaded_ring_modes(even, all.factor, mass, each, settings);
+    auto modes = loaded_ring_modes(even, all.tangent, all.factor, mass, each, settings);
     if (!modes) return modes;
-    auto odd = loaded_ring_modes(*all.odd, *all.odd_factor, odd_mass, each, settings);
+    auto odd =
+        loaded_ring_modes(*all.odd, *all.odd_tangent, *all.odd_factor, odd_mass, each, settings);
     if (!odd) return odd;
     const double sure = std::min(modes->back().frequency, odd->back().frequency);
     modes->insert(modes->end(), odd->begin(), odd->end());
@@ -277,22 +278,21 @@ std::optional<Failure> FeTire::Impl::factorize(Systems& all, const TireState& at
   return std::nullopt;
 }
 
-/// The state is even; odd unknowns hold only what may vibrate about it. So elements and ground see
-/// the state of the even numbering, and the tangent is gathered in the numbering asked for.
 std::optional<Failure> FeTire::Impl::factorize(Systems& all,
-                                               const RingAssembly& assembly,
-                                               const TreadSurface& tread,
                                                const TireState& at,
+                                               numerics::SymmetricMatrix& tangent,
                                                numerics::Factorization& factor) {
   RingState state{all.unknowns.compress(at.u), at.alpha};
   int worst = 0;
   if (!all.solver.assembly().assemble_tangent(
-          elements(), state, at.inflated->pressure, assembly.unknowns(), all.tangent, &worst)) {
+          elements(), state, at.inflated->pressure, all.unknowns, tangent, &worst)) {
     return no_tangent(all.unknowns.ring(), worst);
   }
-  return factorize(all, tread, at, state, all.tangent, factor);
+  return factorize(all, all.tread, at, state, tangent, factor);
 }
 
+/// The state is even; odd unknowns hold only what may vibrate about it. So elements and ground see
+/// the state of the even numbering, and the tangent is gathered in the numbering asked for.
 std::optional<Failure> FeTire::Impl::factorize(Systems& all,
                                                const TreadSurface& tread,
                                                const TireState& at,

@@ -11,8 +11,8 @@
 
 #include "models/fe_tire/analysis/mode_label.h"
 #include "models/fe_tire/ring/sector.h"
+#include "numerics/sparse/davidson.h"
 #include "numerics/sparse/lanczos.h"
-#include "numerics/sparse/ritz_pairs.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -22,9 +22,9 @@ constexpr int kRingBlock = 8;
 // Of Lanczos' method with rough solutions, as SolverSettings::mode_tolerance: not below what single
 // precision lets the operator err.
 constexpr double kNear = 1e-3;
-// Change of an eigenvalue in the last step that makes it exact, of the tolerance of states: the
-// error left is smaller by an order at least (5e-9 of a frequency of tire B at the default).
-constexpr double kOfEigenvalues = 1e-2;
+// Corrections by Davidson's method, of SolverSettings::mode_tolerance: frequencies of tire B then err
+// by 3e-10 of themselves.
+constexpr double kOfLoaded = 3.0;
 constexpr int kPerHarmonic = 3;  // modes of one circumferential number computed at first
 
 double to_hertz(double omega_squared) {
@@ -209,13 +209,12 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
 
 namespace {
 
-/// Modes of the ring, of unknowns; `start` as that of lanczos().
+/// Modes of the ring, of unknowns.
 Result<numerics::EigenPairs<double>> ring_pairs(
     const std::function<void(Eigen::Ref<Eigen::MatrixXd>)>& solve,
     const numerics::SymmetricMatrix& M,
     int count,
-    double tolerance,
-    const Eigen::MatrixXd& start) {
+    double tolerance) {
   numerics::EigenProblem<double> problem;
   problem.size = M.size();
   problem.solve = solve;
@@ -226,7 +225,7 @@ Result<numerics::EigenPairs<double>> ring_pairs(
   settings.count = std::min(count, M.size());
   settings.tolerance = tolerance;
   settings.block = kRingBlock;
-  auto pairs = numerics::lanczos(problem, settings, start);
+  auto pairs = numerics::lanczos(problem, settings);
   if (!pairs.converged)
     return unfinished("modes", pairs.values.size(), settings.count, pairs.solves);
   return pairs;
@@ -251,34 +250,25 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      int count,
                                      double tolerance) {
   const auto solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_columns(X); };
-  const auto pairs = ring_pairs(solve, M, count, tolerance, {});
+  const auto pairs = ring_pairs(solve, M, count, tolerance);
   if (!pairs) return pairs.failure();
   return modes_of(assembly, *pairs);
 }
 
 Result<std::vector<Mode>> loaded_ring_modes(const RingAssembly& assembly,
+                                            const numerics::SymmetricMatrix& K,
                                             const numerics::Factorization& factor,
                                             const numerics::SymmetricMatrix& M,
                                             int count,
                                             const SolverSettings& settings) {
   const auto solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_roughly(X); };
-  const auto near = ring_pairs(solve, M, count, kNear, {});
+  const auto near = ring_pairs(solve, M, count, kNear);
   if (near) {
-    const auto pairs = numerics::ritz_pairs(
-        factor.matrix(), M, solve, near->vectors, kOfEigenvalues * settings.tolerance);
+    const auto pairs =
+        numerics::davidson(K, M, solve, near->vectors, kOfLoaded * settings.mode_tolerance);
     if (pairs.converged) return modes_of(assembly, pairs);
   }
   return ring_modes(assembly, factor, M, count, settings.mode_tolerance);
-}
-
-Result<Eigen::MatrixXd> sharpened(const Eigen::MatrixXd& vectors,
-                                  const numerics::Factorization& factor,
-                                  const numerics::SymmetricMatrix& M,
-                                  double tolerance) {
-  const auto solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_columns(X); };
-  auto pairs = ring_pairs(solve, M, static_cast<int>(vectors.cols()), tolerance, vectors);
-  if (!pairs) return pairs.failure();
-  return std::move(pairs->vectors);
 }
 
 Eigen::VectorXd nodal_masses(const RingElements& elements) {

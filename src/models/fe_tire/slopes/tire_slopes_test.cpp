@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Slopes against differences of whole trials, every one solved anew, extrapolated to a step of
 // zero.
-#include "models/fe_tire/analysis/tire_slopes.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
 
 #include <gtest/gtest.h>
 
