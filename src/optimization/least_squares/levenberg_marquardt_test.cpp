@@ -237,6 +237,18 @@ TEST(LevenbergMarquardt, SaysWhereDerivativesAreWrong) {
   EXPECT_THAT(found.ending, testing::HasSubstr("these are wrong"));
 }
 
+// Trials solved to 3e-6: a target of zero ends in their scatter, of which derivatives know nothing.
+TEST(LevenbergMarquardt, SaysThatNothingButScatterIsLeft) {
+  const LevenbergMarquardtOptions fine{.step_tolerance = 1e-9};
+  const Search found =
+      search(LevenbergMarquardt(space_of({0, 1}, {{-5, 5}}), fine), [](const Values& x) {
+        const double scatter = 3e-6 * std::sin(1e9 * (x[0] + x[1]));
+        return score_of({x[0] - 2 + scatter, x[1] - 2, 0.3 * scatter}, {1, 0, 0, 1, 0, 0});
+      });
+  EXPECT_LT(found.f, 1e-10);
+  EXPECT_THAT(found.ending, testing::HasSubstr("nothing left"));
+}
+
 TEST(LevenbergMarquardt, GoesTheSameWayWhateverTheLookAhead) {
   const LevenbergMarquardtOptions options{.initial_step = 0.02};
   const DesignSpace space = space_of({-1.2, 1}, {{-5, 5}});
