@@ -290,13 +290,6 @@ struct LevenbergMarquardt::State {
     if (is_odd || J.size() == 0 || !std::isfinite(r.squaredNorm())) return std::nullopt;
     return Linear{{u, r, std::move(J)}, point, r.squaredNorm()};
   }
-
-  /// As the linear model has it.
-  std::optional<Linear> expected(const Attempt& attempt) const {
-    if (!attempt.step) return std::nullopt;
-    const Eigen::VectorXd r = x.r + x.J * attempt.step->p;
-    return Linear{{attempt.u, r, x.J}, attempt.point, r.squaredNorm()};
-  }
 };
 
 LevenbergMarquardt::LevenbergMarquardt(const DesignSpace& space,
@@ -311,15 +304,12 @@ std::vector<DesignPoint> LevenbergMarquardt::propose(int count) const {
   assert(count >= 1);
   Plan plan(count);
   plan.add(state_->wanted);
-  for (const bool succeeds : {true, false}) {
-    if (plan.is_full()) break;
-    State future = *state_;
-    while (!plan.is_full() && !future.wanted.empty()) {
-      const Attempt first = *future.wanted.take(future.wanted.front().point);
-      if (succeeds && !first.step) break;
-      future.take(first, succeeds ? future.expected(first) : std::nullopt);
-      plan.add(future.wanted);
-    }
+  // What follows a trial that succeeds depends on its numbers: no guess of them would be met. What
+  // follows a failure does not, and is worth a worker's time where failures have been seen.
+  for (State future = *state_; state_->has_failed && !plan.is_full() && !future.wanted.empty();) {
+    const Attempt first = *future.wanted.take(future.wanted.front().point);
+    future.take(first, std::nullopt);
+    plan.add(future.wanted);
   }
   return plan.points();
 }
