@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Footprint and load of shipped tires from the first millimeter on, against refined meshes
 //
-// Length, width, area and peak pressure of the patch, and Fz, of every shipped tire with the default
-// element on its own mesh. The judge is the same tire with every element split in two along the
-// section and, in the first of its zones of sectors, which holds the contact, around; tire A's
-// around alone: split along the section too, Newton's method does not converge in its first
-// millimeter. A mesh shows pressures as means over what a node stands for, a finer one over less: so
-// peaks are compared as sensors of 15 mm see them, on which both have several. Chosen on the
-// 205/55R16 and the race tire, which is pressed to 10 mm: beyond, it stands on its tread's edges. B
-// and A were looked at afterwards. Then friction: 2.5 mm steps as shipped against steps of a tenth.
+// Length, width, area and peak pressure of the patch, and Fz, of every shipped tire with the
+// default element on its own mesh. The judge is the same tire with every element split in two
+// along the section and, in the first of its zones of sectors, which holds the contact, around;
+// tire A's around alone: split along the section too, Newton's method does not converge in its
+// first millimeter. A mesh shows pressures as means over what a node stands for, a finer one over
+// less: so peaks are compared as sensors of 15 mm see them, on which both have several. Chosen on
+// the 205/55R16 and the race tire, which is pressed to 10 mm: beyond, it stands on its tread's
+// edges. B and A were looked at afterwards. Then friction: 2.5 mm steps as shipped against steps
+// of a tenth.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 //   x_a = int N_a x dA / int N_a dA + n_a c_a / 2                                             (T.1)
 // as in mortar methods: as many pressures as nodes can answer, where more would fight each other.
 // The mean of an arc lies behind the place that touches first, by its sag
-//   c_a = n_a . (X_a - int N_a X dA / int N_a dA)                                              (T.2)
+//   c_a = n_a . (X_a - int N_a X dA / int N_a dA)                                             (T.2)
 // (undeformed, n_a its normal, X_a the node), that of a part the ground has made flat does not: at
 // the edge of a patch, where it matters, it is something between, of which c_a / 2 errs least.
 // Across, it counts up to as much as around: at shoulders faces are too long to know their arc.
