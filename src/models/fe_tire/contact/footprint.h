@@ -24,8 +24,8 @@ struct FootprintSize {
 };
 
 /// Of all the ring. `at`: every sample of the tread in axes of the ground, x along the road, z the
-/// distance from it; `area`, m^2, what it stands for. `rest`, m: how far from the ground they may be
-/// in the patch.
+/// distance from it; `area`, m^2, what it stands for. `rest`, m: how far from the ground they may
+/// be in the patch.
 FootprintSize footprint_size(const TreadSurface& tread,
                              const Eigen::Matrix3Xd& at,
                              const Eigen::VectorXd& area,

@@ -35,8 +35,8 @@ struct Tread {
 };
 
 // A cylinder of radius R pressed on a half-space: the gap beside the patch from -a to a is
-// (F.1) a^2 / (2 R) [Johnson 1985, section 4.2]. Between samples 1.3 mm apart the root of the gap is
-// taken as linear, which shifts an edge by some hundredths of that.
+// (F.1) a^2 / (2 R) [Johnson 1985, section 4.2]. Between samples 1.3 mm apart the root of the gap
+// is taken as linear, which shifts an edge by some hundredths of that.
 TEST(FootprintSize, FindsTheEdgesOfALineContact) {
   const Tread tread("passenger_205_55R16.toml");
   const Eigen::Matrix3Xd positions = tread.undeformed();
