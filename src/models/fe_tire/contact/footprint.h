@@ -2,7 +2,7 @@
 // Length, width and area of a footprint, finer than the elements that leave it.
 //
 // Beside a patch from -a to a around its middle the gap between a cylinder and the ground grows as
-//   g(s) ~ f(s / a),   f(t) = t sqrt(t^2 - 1) - arcosh t                                       (F.1)
+//   g(s) ~ f(s / a),   f(t) = t sqrt(t^2 - 1) - arcosh t                                      (F.1)
 // [Johnson, Contact Mechanics, Cambridge 1985, section 4.2: of a line contact], first as the power
 // 3/2 of the way from the edge, as at any free edge, then as the square. So along lines of samples
 // around the tire and across, the edge is where (F.1) has it that passes two heights where the
