@@ -93,7 +93,7 @@ Eigen::VectorXd answers(const TireDescription& description) {
   FeTire tire = at_rest(description, 1e-9);
   const auto inflated = tire.inflate(description.pressure);
   EXPECT_TRUE(inflated);
-  const auto states = tire.press(*inflated, Ground{}, {0.008, 0.016});
+  const auto states = tire.press(*inflated, Ground{}, {0.008, 0.015});
   EXPECT_TRUE(states);
   const auto free = tire.modes(*inflated, kModes), loaded = tire.modes(states->back(), kModes);
   EXPECT_TRUE(free && loaded);
@@ -125,7 +125,7 @@ TEST(TireSlopes, AreThoseOfWholeTrials) {
   TireSlopes slopes(tire, variations());
   const auto inflated = tire.inflate(kInflation);
   ASSERT_TRUE(inflated);
-  const auto states = tire.press(*inflated, Ground{}, {0.008, 0.016});
+  const auto states = tire.press(*inflated, Ground{}, {0.008, 0.015});
   ASSERT_TRUE(states);
   const auto free = tire.modes(*inflated, kModes), loaded = tire.modes(states->back(), kModes);
   ASSERT_TRUE(free && loaded);
