@@ -5,8 +5,8 @@
 //   ./bench.sh sensitivities all [TIRE [PATH]]  all numbers, of one tire, one of its numbers
 //
 // A trial inflates, presses the tire in five steps and finds 20 modes: of the loaded tire, of tire
-// A of the unloaded one, as in its study. Slopes are those of the five loads and of all modes in ten
-// numbers of the tire's file; their time is that beyond the trial.
+// A of the unloaded one, as in its study. Slopes are those of the five loads and of all modes in
+// ten numbers of the tire's file; their time is that beyond the trial.
 //
 // Differences are those of whole trials, every one solved to the last digits, extrapolated to a
 // step of zero with an estimate of their own error (extrapolated_slope.h); what trials are off is
