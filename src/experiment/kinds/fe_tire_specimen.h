@@ -33,9 +33,7 @@ class FeTireSpecimen : public Specimen,
   Result<Channels> press(const LoadDeflection& test, const Asked& asked) override;
   Result<Channels> vibrate(const ModalTest& test, const Asked& asked) override;
   Eigen::Matrix3Xd sensor_points() const override { return default_points(tire_.mesh()); }
-  Result<Channels> stand(const StandingTest& test) override {
-    return experiment::stand(tire_, pressure_, test);
-  }
+  Result<Channels> stand(const StandingTest& test, const Asked& asked) override;
   Result<Channels> weigh(const MassTest& test, const Asked& asked) override;
   Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) override;
 

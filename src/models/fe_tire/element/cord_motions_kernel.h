@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derivatives of cords' strains and forces (hex8_cords.h) along a motion: strains are quadratic forms
-// of places, their points' W against Gram's matrices of motions.
+// Derivatives of cords' strains and forces (hex8_cords.h) along a motion: strains are quadratic
+// forms of places, their points' W against Gram's matrices of motions.
 //
 // Read once a kernel set, by hex8_kernels.h alone.
 #if defined(LATSCH_FE_TIRE_CORD_MOTIONS) == defined(LATSCH_KERNEL_TOGGLE)

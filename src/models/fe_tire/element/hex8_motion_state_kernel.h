@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An element's state and the enhanced strains that follow a motion about it: (M.1) of hex8_motions.h.
+// An element's state and the enhanced strains that follow a motion about it: (M.1) of
+// hex8_motions.h.
 //
 // Read once a kernel set, by hex8_kernels.h alone.
 #if defined(LATSCH_FE_TIRE_HEX8_MOTION_STATE) == defined(LATSCH_KERNEL_TOGGLE)

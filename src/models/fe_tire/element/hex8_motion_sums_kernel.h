@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums (M.4) of hex8_motions.h over elements with other numbers, in both elements: strains are those
-// of the state and of its motions, held, and are found once for all numbers of one shape.
+// Sums (M.4) of hex8_motions.h over elements with other numbers, in both elements: strains are
+// those of the state and of its motions, held, and are found once for all numbers of one shape.
 //
 // Read once a kernel set, by hex8_kernels.h alone.
 #if defined(LATSCH_FE_TIRE_HEX8_MOTION_SUMS) == defined(LATSCH_KERNEL_TOGGLE)

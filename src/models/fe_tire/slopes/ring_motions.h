@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "models/fe_tire/analysis/fe_tire.h"
-#include "models/fe_tire/slopes/moved_numbers.h"
 #include "models/fe_tire/element/hex8_motions.h"
 #include "models/fe_tire/ring/ring_elements.h"
 #include "models/fe_tire/ring/ring_unknowns.h"
+#include "models/fe_tire/slopes/moved_numbers.h"
 
 namespace latsch::fe_tire {
 

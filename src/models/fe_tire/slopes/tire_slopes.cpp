@@ -8,8 +8,8 @@
 
 #include "models/fe_tire/analysis/inflation.h"
 #include "models/fe_tire/analysis/modes.h"
-#include "models/fe_tire/slopes/tire_slopes_impl.h"
 #include "models/fe_tire/ring/sector.h"
+#include "models/fe_tire/slopes/tire_slopes_impl.h"
 
 namespace latsch::fe_tire {
 

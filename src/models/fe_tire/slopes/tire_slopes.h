@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes of what a tire answers (loads, frequencies) in the numbers of its description: moduli,
-// densities, thicknesses, angles, spacings, pressure.
+// Slopes of what a tire answers (loads, frequencies, its patch) in the numbers of its description:
+// moduli, densities, thicknesses, angles, spacings, pressure.
 //
 // At an equilibrium f(x; h, p) = 0 of the height h over frictionless ground, with the tangent K of
 // elements and ground,
@@ -79,6 +79,15 @@ class TireSlopes {
     double by_height = 0.0;  // N/m
   };
   Result<OfState> of_state(const TireState& state);
+  /// m/unit: how the height of the wheel moves while the load is held.
+  static Eigen::VectorXd height_under_load(const OfState& of) { return -of.force / of.by_height; }
+  /// Of the patch of such a state, m/unit and m^2/unit, while the height moves by `height`
+  /// (m/unit): the state is moved, (S.1), and the patch measured on both sides. Where another line
+  /// of the tread becomes the longest or the widest, a slope is that of one side.
+  struct OfPatch {
+    Eigen::VectorXd length, width, area;
+  };
+  Result<OfPatch> of_patch(const TireState& state, const Eigen::VectorXd& height);
   /// Hz/unit [modes x variables] of modes about the state, while the height moves by `height`
   /// (m/unit).
   Result<Eigen::MatrixXd> of_modes(const TireState& state,

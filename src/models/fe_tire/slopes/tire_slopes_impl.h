@@ -76,6 +76,17 @@ struct TireSlopes::Impl {
                  const TireState& state,
                  const TouchChange& change,
                  Eigen::MatrixXd& sums);
+  /// dx/dp of (S.1) of a state on the ground [unknowns x variables].
+  Result<Eigen::MatrixXd> moved_state(Systems& all,
+                                      const TireState& state,
+                                      const Eigen::VectorXd& height);
+  /// The patch with number k moved to a side, -1 or 1, the state along with it to first order.
+  ContactPatch patch_beside(Systems& all,
+                            const TireState& state,
+                            const Eigen::VectorXd& x,
+                            double height,
+                            int k,
+                            double side);
   /// Of the height: df/dh and -dFz/dh|x, of what is assembled.
   std::pair<Eigen::VectorXd, double> by_height(Systems& all, const TireState& state) const;
 };

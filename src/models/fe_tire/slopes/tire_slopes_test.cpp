@@ -164,5 +164,64 @@ TEST(TireSlopes, AreThoseOfWholeTrials) {
   }
 }
 
+/// The deflection that carries a load, by Newton's method on exact slopes.
+TireState carrying(FeTire& tire, TireSlopes& slopes, double pressure, double load) {
+  const auto inflated = tire.inflate(pressure);
+  auto states = tire.press(*inflated, Ground{}, {0.008, 0.016});
+  EXPECT_TRUE(states);
+  TireState state = states->back();
+  for (int i = 0; i < 20; ++i) {
+    const double left = load - tire.stand(state).force.z();
+    if (std::abs(left) < 1e-9 * load) break;
+    const auto of_state = slopes.of_state(state);
+    EXPECT_TRUE(of_state);
+    const double height = state.pose.height + left / of_state->by_height;
+    states = tire.press(*inflated, Ground{}, {0.008, inflated->radius - height});
+    EXPECT_TRUE(states);
+    state = states->back();
+  }
+  return state;
+}
+
+constexpr double kLoad = 3000.0;  // N
+
+/// Deflection, length, width and area under the load.
+Eigen::Vector4d under_load(const TireDescription& description) {
+  FeTire tire = at_rest(description, 1e-5);
+  TireSlopes slopes(tire, {});
+  const TireState state = carrying(tire, slopes, description.pressure, kLoad);
+  const Standing standing = tire.stand(state);
+  return {standing.deflection, standing.patch.length, standing.patch.width, standing.patch.area};
+}
+
+TEST(TireSlopes, OfDeflectionAndPatchUnderALoadAreThoseOfWholeTrials) {
+  const TireDescription description = moved(numbers()[0], 0.0);
+  FeTire tire = at_rest(description, 1e-5);
+  TireSlopes slopes(tire, variations());
+  const TireState state = carrying(tire, slopes, kInflation, kLoad);
+  const auto of_inflated = slopes.of_inflated(*state.inflated);
+  const auto of_state = slopes.of_state(state);
+  ASSERT_TRUE(of_inflated && of_state);
+  const Eigen::VectorXd height = TireSlopes::height_under_load(*of_state);
+  const auto of_patch = slopes.of_patch(state, height);
+  ASSERT_TRUE(of_patch);
+  const Eigen::VectorXd deflection = of_inflated->radius - height;
+  const Eigen::Vector4d values = under_load(description);
+  for (int k = 0; k < slopes.variables(); ++k) {
+    const Number number = numbers()[k];
+    if (std::string(number.name) == "density") continue;  // carries nothing
+    const double h = 2e-4 * number.size;
+    const Eigen::Vector4d expected =
+        (under_load(moved(number, h)) - under_load(moved(number, -h))) / (2.0 * h);
+    const Eigen::Vector4d found{
+        deflection[k], of_patch->length[k], of_patch->width[k], of_patch->area[k]};
+    for (int i = 0; i < 4; ++i) {
+      // Steps of central differences leave 1e-5; the patch bends more.
+      const double size = std::max(std::abs(expected[i]), 1e-2 * values[i] / number.size);
+      EXPECT_NEAR(found[i], expected[i], (i == 0 ? 1e-5 : 1e-3) * size) << number.name << ' ' << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace latsch::fe_tire
