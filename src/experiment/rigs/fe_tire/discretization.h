@@ -71,11 +71,12 @@ Remainder remainder(const std::vector<int>& refinements,
                     const std::vector<DiscretizationRow>& rows,
                     int refinement);
 
-/// Rows of the quantities of the first mesh; `paired` are those that all meshes have. On the ground
-/// a mode is a mixture of wave numbers, and the one it is named by may differ between meshes: a
-/// mode without a namesake is the nearest in frequency of those nothing is named by, if one is
-/// within 2.5 %. At least three meshes, or the unrefined and another one with the remainder of that;
-/// the limit is then between those of first and second order, and uncertain by the farther one.
+/// Rows of the quantities of the first mesh; `paired` are those that all meshes have. On the
+/// ground a mode is a mixture of wave numbers, and the one it is named by may differ between
+/// meshes: a mode without a namesake is the nearest in frequency of those nothing is named by, if
+/// one is within 2.5 %. At least three meshes, or the unrefined and another one with the remainder
+/// of that; the limit is then between those of first and second order, and uncertain by the
+/// farther one.
 std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refinements,
                                                    std::vector<MeshQuantities> meshes,
                                                    const Remainder& left = {});
