@@ -22,8 +22,8 @@ constexpr int kRingBlock = 8;
 // Of Lanczos' method with rough solutions, as SolverSettings::mode_tolerance: not below what single
 // precision lets the operator err.
 constexpr double kNear = 1e-3;
-// Corrections by Davidson's method, of SolverSettings::mode_tolerance: frequencies of tire B then err
-// by 3e-10 of themselves.
+// Corrections by Davidson's method, of SolverSettings::mode_tolerance: frequencies of tire B then
+// err by 3e-10 of themselves.
 constexpr double kOfLoaded = 3.0;
 constexpr int kPerHarmonic = 3;  // modes of one circumferential number computed at first
 

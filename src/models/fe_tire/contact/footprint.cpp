@@ -88,6 +88,32 @@ std::vector<Run> runs_of(const Line& line, bool halved) {
   return runs;
 }
 
+/// m^2 of the strip of samples that a run covers, its width between samples linear: continuous
+/// where samples come into the run.
+double covered(const Line& line, const Eigen::VectorXd& area, const Run& run) {
+  const int last = line.size() - 1;
+  const auto width = [&](int k) {
+    const int before = std::max(k - 1, 0), after = std::min(k + 1, last);
+    const double along = std::abs(line.place(after) - line.place(before)) / (after - before);
+    return area[line.samples[k]] / along;
+  };
+  const auto [from, to] = std::minmax(run.from, run.to);
+  const double begin = std::min(line.place(0), line.place(last));
+  const double end = std::max(line.place(0), line.place(last));
+  const bool forward = line.place(last) > line.place(0);
+  double sum = width(forward ? 0 : last) * std::max(std::min(begin, to) - from, 0.0) +
+               width(forward ? last : 0) * std::max(to - std::max(end, from), 0.0);
+  for (int k = 0; k < last; ++k) {
+    const double x = line.place(k), dx = line.place(k + 1) - x;
+    const double low = std::max(std::min(x, x + dx), from);
+    const double high = std::min(std::max(x, x + dx), to);
+    if (!(high > low)) continue;
+    const double share = (0.5 * (low + high) - x) / dx;
+    sum += (high - low) * ((1.0 - share) * width(k) + share * width(k + 1));
+  }
+  return sum;
+}
+
 struct Extent {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   void add(double at) {
@@ -120,13 +146,7 @@ FootprintSize footprint_size(const TreadSurface& tread,
     const Line line{samples, at, 0, near};
     for (const Run& run : runs_of(line, halved)) {
       along.add(run);
-      double covered = 0.0, touching = 0.0;  // m, m^2
-      for (int k = run.first; k <= run.last; ++k) {
-        const int before = std::max(k - 1, 0), after = std::min(k + 1, line.size() - 1);
-        covered += std::abs(line.place(after) - line.place(before)) / (after - before);
-        touching += area[samples[k]];
-      }
-      size.area += touching * std::max(run.length, 0.0) / covered;
+      if (run.length > 0.0) size.area += covered(line, area, run);
     }
   }
   for (const std::vector<int>& samples : tread.lines_across()) {

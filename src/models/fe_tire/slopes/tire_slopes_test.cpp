@@ -210,9 +210,13 @@ TEST(TireSlopes, OfDeflectionAndPatchUnderALoadAreThoseOfWholeTrials) {
   for (int k = 0; k < slopes.variables(); ++k) {
     const Number number = numbers()[k];
     if (std::string(number.name) == "density") continue;  // carries nothing
-    const double h = 2e-4 * number.size;
-    const Eigen::Vector4d expected =
-        (under_load(moved(number, h)) - under_load(moved(number, -h))) / (2.0 * h);
+    const auto differences = [&](double h) {
+      return Eigen::Vector4d((under_load(moved(number, h)) - under_load(moved(number, -h))) /
+                             (2.0 * h));
+    };
+    // Runs of samples that touch come and go: the patch is smooth in pieces, and steps stay in one.
+    Eigen::Vector4d expected = differences(2e-5 * number.size);
+    expected[0] = differences(2e-4 * number.size)[0];
     const Eigen::Vector4d found{
         deflection[k], of_patch->length[k], of_patch->width[k], of_patch->area[k]};
     for (int i = 0; i < 4; ++i) {
