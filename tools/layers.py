@@ -26,7 +26,7 @@ BELOW = {
 # module's own folder is used by none of them and uses what it likes. Tests look into any room.
 ROOMS = {
     "numerics": ["kernels", "dense", "sparse", "signals"],
-    "models/fe_tire": ["element", "description", "ring", "contact", "analysis"],
+    "models/fe_tire": ["element", "description", "ring", "contact", "analysis", "slopes"],
     "models/ring_tire": ["description", "belt", "tread", "step", "ring"],
     "optimization": ["problem", "region", "direct_search", "least_squares", "trust_region", "sqp", "design", "strategy",
                      "identifiability"],

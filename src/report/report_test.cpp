@@ -80,7 +80,7 @@ TirePictures pictures() {
   point.patch = {.length = 0.1, .width = 0.12, .area = 0.01, .points = {}};
   for (double x : {-0.03, 0.0, 0.03}) {
     for (double y : {-0.04, 0.0, 0.04})
-      point.patch.points.push_back({x, y, 3e5, 0.0, 0.0, 1.2e-3, true});
+      point.patch.points.push_back({x, y, 3e5, 0.0, 0.0, 1.2e-3, 0.03, true});
   }
   loaded.standing = point;
   p.loaded = loaded;

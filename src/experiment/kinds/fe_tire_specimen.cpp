@@ -24,6 +24,13 @@ Result<Channels> FeTireSpecimen::press(const LoadDeflection& test, const Asked& 
 Result<Channels> FeTireSpecimen::vibrate(const ModalTest& test, const Asked& asked) {
   return run(test, asked);
 }
+Result<Channels> FeTireSpecimen::stand(const StandingTest& test, const Asked& asked) {
+  if (asked.paths.empty() || asked.channels.empty())
+    return experiment::stand(tire_, pressure_, test);
+  const auto slopes = slopes_in(asked.paths);
+  if (!slopes) return slopes.failure();
+  return experiment::stand(tire_, pressure_, test, *slopes);
+}
 Result<Channels> FeTireSpecimen::weigh(const MassTest& test, const Asked& asked) {
   return run(test, asked);
 }
@@ -33,7 +40,7 @@ Result<Channels> FeTireSpecimen::run(const Test& test, const Asked& asked) {
   if (asked.paths.empty() || asked.channels.empty()) return rig_->run(test);
   const auto slopes = slopes_in(asked.paths);
   if (!slopes) return slopes.failure();
-  return rig_->run(test, **slopes);
+  return rig_->run(test, **slopes, asked.channels);
 }
 
 /// Made once for all tests of a trial.

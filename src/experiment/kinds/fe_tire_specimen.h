@@ -12,7 +12,7 @@
 #include "experiment/rigs/fe_tire/tire_rig.h"
 #include "experiment/rigs/static_stiffness.h"
 #include "models/fe_tire/analysis/fe_tire.h"
-#include "models/fe_tire/analysis/tire_slopes.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
 
 namespace latsch::experiment {
 
@@ -33,9 +33,7 @@ class FeTireSpecimen : public Specimen,
   Result<Channels> press(const LoadDeflection& test, const Asked& asked) override;
   Result<Channels> vibrate(const ModalTest& test, const Asked& asked) override;
   Eigen::Matrix3Xd sensor_points() const override { return default_points(tire_.mesh()); }
-  Result<Channels> stand(const StandingTest& test) override {
-    return experiment::stand(tire_, pressure_, test);
-  }
+  Result<Channels> stand(const StandingTest& test, const Asked& asked) override;
   Result<Channels> weigh(const MassTest& test, const Asked& asked) override;
   Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) override;
 

@@ -11,7 +11,7 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr double kStep = 1e-4;  // of the number: tire_slopes.h
+constexpr double kStep = 1e-5;  // of the number: tire_slopes.h
 
 /// What a step is a share of: the number, and where it is zero a usual one of its unit.
 double size_of(double value, const std::string& unit) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The numbers of a tire's file moved a little, one at a time: what its slopes are taken of
-// (models/fe_tire/analysis/tire_slopes.h).
+// (models/fe_tire/slopes/tire_slopes.h).
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 #include "base/document.h"
 #include "base/result.h"
-#include "models/fe_tire/analysis/tire_slopes.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
 
 namespace latsch::experiment {
 

@@ -51,7 +51,8 @@ struct Vibrates {
 struct StandsOnGround {
   static constexpr const char* kName = "stands on the ground";
   virtual ~StandsOnGround() = default;
-  virtual Result<Channels> stand(const StandingTest& test) = 0;
+  /// With the slopes asked for, where they are known.
+  virtual Result<Channels> stand(const StandingTest& test, const Asked& asked) = 0;
 };
 
 /// Has a mass and moments of inertia of its own.

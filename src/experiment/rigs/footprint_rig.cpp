@@ -11,13 +11,13 @@
 namespace latsch::experiment {
 namespace {
 
-/// Each contact point as a square of the area it stands for.
+/// Each contact point as the rectangle it stands for.
 Footprint footprint_of(const fe_tire::Standing& standing) {
   const fe_tire::ContactPatch& patch = standing.patch;
   Footprint print{patch.length, patch.width, patch.area, standing.force.z(), {}};
   for (const auto& at : patch.points) {
-    const double side = std::sqrt(at.area);
-    print.elements.push_back({at.x, at.y, side, side, at.pressure, at.shear_x, at.shear_y});
+    print.elements.push_back(
+        {at.x, at.y, at.length, at.area / at.length, at.pressure, at.shear_x, at.shear_y});
   }
   return print;
 }

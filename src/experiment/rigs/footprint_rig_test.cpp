@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/analysis/ring_assembly.h"
 #include "models/fe_tire/description/reference_tires.h"
 

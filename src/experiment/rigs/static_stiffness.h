@@ -36,7 +36,8 @@
 
 namespace latsch::fe_tire {
 class FeTire;
-}
+class TireSlopes;
+}  // namespace latsch::fe_tire
 
 namespace latsch::experiment {
 
@@ -81,6 +82,10 @@ Channels standing_channels(const StandingTest& test,
                            const std::vector<double>& stiffnesses);
 Result<Channels> stand(Tire& tire, const StandingTest& test);
 /// The finite-element tire, from equilibrium to equilibrium. InputError where it would slide away.
-Result<Channels> stand(fe_tire::FeTire& tire, double own_pressure, const StandingTest& test);
+/// With `slopes` those of all channels: upright on flat ground without friction.
+Result<Channels> stand(fe_tire::FeTire& tire,
+                       double own_pressure,
+                       const StandingTest& test,
+                       fe_tire::TireSlopes* slopes = nullptr);
 
 }  // namespace latsch::experiment

@@ -82,8 +82,16 @@ class StaticStiffnessTest : public Test {
     return Reach{*least, *most};
   }
 
-  Result<Channels> run(Specimen& specimen) const override {
-    if (auto* held = specimen.find<StandsOnGround>()) return held->stand(test_);
+  Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
+  /// Upright on flat ground without friction.
+  bool tells_slopes() const override {
+    const auto is_vertical = [](Direction direction) { return direction == Direction::vertical; };
+    return !test_.cleat && test_.camber == 0.0 && test_.friction.value_or(0.0) == 0.0 &&
+           std::ranges::all_of(test_.directions, is_vertical);
+  }
+  Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
+    if (auto* held = specimen.find<StandsOnGround>())
+      return held->stand(test_, tells_slopes() ? asked : Asked{});
     return stand(*specimen.find<Rolls>()->tire(test_.pressure), test_);
   }
 
@@ -115,7 +123,8 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
   test.pressure = read_pressure(root, source.measured);
   test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
   if (test.camber != 0.0 && !test.deflections.empty())
-    root.reject("camber", "is for stiffnesses under a load: deflections are those of an upright tire");
+    root.reject("camber",
+                "is for stiffnesses under a load: deflections are those of an upright tire");
   if (root.has("friction"))
     test.friction = root.quantity("friction", "1", Range::between(0.0, 5.0));
   test.travel = root.quantity("travel", "m", Range::positive(), test.travel);

@@ -54,8 +54,8 @@ assert sum(values('inner')) == 29 * 60 and set(values('region')) == {0, 1, 2}
 TEST(VtuFile, ContactPatchIsVerticesOnTheGround) {
   fe_tire::Standing point;
   point.loaded_radius = 0.295;
-  point.patch.points = {{0.01, 0.02, 3e5, 1e4, -2e4, 1e-5, true},
-                        {0.03, 0.0, 2e5, 0, 0, 1e-5, false}};
+  point.patch.points = {{0.01, 0.02, 3e5, 1e4, -2e4, 1e-5, 3e-3, true},
+                        {0.03, 0.0, 2e5, 0, 0, 1e-5, 3e-3, false}};
   const auto file = std::filesystem::path(testing::TempDir()) / "patch.vtu";
   write_patch_vtu(file, point);
   EXPECT_EQ(python_says(file, R"(

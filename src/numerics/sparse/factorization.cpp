@@ -2,9 +2,9 @@
 #include "numerics/sparse/factorization.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -26,6 +26,7 @@ struct Factorization::Impl {
   virtual Eigen::MatrixXd condensed() const = 0;
   virtual void reduce(Eigen::Ref<Eigen::VectorXd> x) = 0;
   virtual void expand(Eigen::Ref<Eigen::VectorXd> x) = 0;
+  virtual void solve_roughly(Eigen::Ref<Eigen::MatrixXd> X) { solve(X, 0.0); }
   std::shared_ptr<const Elimination> elimination;
 };
 
@@ -44,6 +45,7 @@ struct FrontPlan {
   int parent;
   size_t panel;                // where its columns of the factor start
   size_t first_entry;          // of the matrix, see Entry; the next front's is the end
+  int stack;                   // on which its update waits
   std::vector<Run> in_vector;  // rows below the pivots, in the order of elimination
   std::vector<Run> in_parent;  // the same, in the parent's front
 
@@ -96,6 +98,9 @@ class Multifrontal final : public Factorization::Impl {
   size_t inside() const { return fronts_.size() - (elimination->interface > 0 ? 1 : 0); }
 
   Real* panel(const FrontPlan& front) { return factor_.get() + front.panel; }
+  const Real* update_of(int front) const {
+    return stacks_[fronts_[front].stack].get() + stacked_[front];
+  }
 
   int size_, block_;
   std::vector<int> position_;  // of every unknown
@@ -103,9 +108,12 @@ class Multifrontal final : public Factorization::Impl {
   std::vector<std::vector<int>> children_;
   std::vector<Entry> entries_;
   LargeArray<Real> factor_;
-  LargeArray<Real> stack_;            // updates that wait for their parents, the last on top
-  std::vector<size_t> stacked_;       // where the update of a front starts there
-  size_t top_ = 0;                    // of the stack
+  // Updates that wait for their parents, the last on top: of fronts an even number of steps from
+  // the last, of all others. So an update comes to lie on its stack while its children's are taken
+  // from the other one.
+  std::array<LargeArray<Real>, 2> stacks_;
+  std::array<size_t, 2> top_{};
+  std::vector<size_t> stacked_;       // where the update of a front starts on its stack
   std::vector<Real> vector_, below_;  // right-hand sides, and their rows below one front
 };
 
@@ -125,7 +133,12 @@ template <class Real>
 void Multifrontal<Real>::plan(const Elimination& order) {
   const std::vector<Front>& fronts = order.fronts;
   children_.resize(fronts.size());
-  size_t panels = 0, stack = 0, highest = 0;
+  std::vector<int> stack_of(fronts.size());
+  for (size_t s = fronts.size(); s-- > 0;) {
+    stack_of[s] = fronts[s].parent < 0 ? 0 : 1 - stack_of[fronts[s].parent];
+  }
+  size_t panels = 0;
+  std::array<size_t, 2> heights{}, highest{};
   for (int s = 0; s < static_cast<int>(fronts.size()); ++s) {
     const Front& front = fronts[s];
     FrontPlan plan{front.first * block_,
@@ -134,6 +147,7 @@ void Multifrontal<Real>::plan(const Elimination& order) {
                    front.parent,
                    panels,
                    0,
+                   stack_of[s],
                    runs(front.below, block_),
                    {}};
     if (front.parent >= 0) {
@@ -150,19 +164,18 @@ void Multifrontal<Real>::plan(const Elimination& order) {
       plan.in_parent = runs(places, block_);
     }
     panels += static_cast<size_t>(plan.pivots) * plan.rows;
-    // The update is made above those of the children, then takes their place.
-    const size_t update = static_cast<size_t>(plan.below()) * plan.below();
-    highest = std::max(highest, stack + update);
+    size_t& height = heights[plan.stack];
+    height += static_cast<size_t>(plan.below()) * plan.below();
+    highest[plan.stack] = std::max(highest[plan.stack], height);
     for (int child : children_[s]) {
-      const size_t its = fronts_[child].below();
-      stack -= its * its;
+      heights[1 - plan.stack] -=
+          static_cast<size_t>(fronts_[child].below()) * fronts_[child].below();
     }
-    stack += update;
     fronts_.push_back(std::move(plan));
   }
   factor_ = large_array<Real>(panels + kRoom);
   std::fill_n(factor_.get() + panels, kRoom, Real(0));
-  stack_ = large_array<Real>(highest);
+  for (int i = 0; i < 2; ++i) stacks_[i] = large_array<Real>(highest[i]);
   stacked_.resize(fronts_.size());
 }
 
@@ -244,7 +257,7 @@ void Multifrontal<Real>::add_update(const FrontPlan& child,
 template <class Real>
 void Multifrontal<Real>::take_updates(int s) {
   for (int child : children_[s]) {
-    add_update(fronts_[child], stack_.get() + stacked_[child], true, panel(fronts_[s]));
+    add_update(fronts_[child], update_of(child), true, panel(fronts_[s]));
   }
 }
 
@@ -255,19 +268,18 @@ bool Multifrontal<Real>::eliminate_front(int s) {
   take_updates(s);
   if (!cholesky(plan.pivots, L, plan.rows)) return false;
   const int u = plan.below();
-  Real* update = stack_.get() + top_;
-  const size_t length = static_cast<size_t>(u) * u;
+  size_t& top = top_[plan.stack];
+  Real* update = stacks_[plan.stack].get() + top;
   if (u > 0) {
     solve_right_transposed(u, plan.pivots, L, plan.rows, L + plan.pivots);
     negative_square(u, plan.pivots, L + plan.pivots, plan.rows, update);
   }
   for (int child : children_[s]) {
-    add_update(fronts_[child], stack_.get() + stacked_[child], false, update);
+    add_update(fronts_[child], update_of(child), false, update);
   }
-  const size_t place = children_[s].empty() ? top_ : stacked_[children_[s].front()];
-  if (place != top_) std::memmove(stack_.get() + place, update, length * sizeof(Real));
-  stacked_[s] = place;
-  top_ = place + length;
+  if (!children_[s].empty()) top_[1 - plan.stack] = stacked_[children_[s].front()];
+  stacked_[s] = top;
+  top += static_cast<size_t>(u) * u;
   return true;
 }
 
@@ -281,7 +293,7 @@ FactorStatus Multifrontal<Real>::factorize(const SymmetricMatrix& A, bool but_in
     status.reason = "the matrix holds values that are not numbers";
     return status;
   }
-  top_ = 0;
+  top_ = {};
   for (int s = 0; s < static_cast<int>(fronts_.size()); ++s) {
     enter(A, s);
     if (but_interface && s == static_cast<int>(inside())) {
@@ -517,6 +529,9 @@ class Refined final : public Factorization::Impl {
     }
   }
 
+  void solve_roughly(Eigen::Ref<Eigen::MatrixXd> X) override {
+    full_ ? full_->solve(X, 0.0) : single_.solve(X, 0.0);
+  }
   Eigen::MatrixXd condensed() const override { return single_.condensed(); }
   void reduce(Eigen::Ref<Eigen::VectorXd> x) override { single_.reduce(x); }
   void expand(Eigen::Ref<Eigen::VectorXd> x) override { single_.expand(x); }
@@ -564,6 +579,9 @@ void Factorization::solve(Eigen::Ref<Eigen::VectorXd> x) const {
 }
 void Factorization::solve_columns(Eigen::Ref<Eigen::MatrixXd> X, double enough) const {
   impl_->solve(std::move(X), enough);
+}
+void Factorization::solve_roughly(Eigen::Ref<Eigen::MatrixXd> X) const {
+  impl_->solve_roughly(std::move(X));
 }
 const std::shared_ptr<const Elimination>& Factorization::elimination() const {
   return impl_->elimination;

@@ -68,6 +68,9 @@ class Factorization {
   /// until what is left is `enough` of the right-hand side, or rounding.
   void solve_columns(Eigen::Ref<Eigen::MatrixXd> X, double enough = 0.0) const;
 
+  /// The same as solve_columns(), as the factor in its own precision has it: a preconditioner.
+  void solve_roughly(Eigen::Ref<Eigen::MatrixXd> X) const;
+
   // With an interface of m unknowns (Elimination::interface), A = [A_ii A_ic; A_ci A_cc] may be
   // factorized but for it:
   //   S = A_cc - A_ci A_ii^-1 A_ic

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "numerics/dense/self_adjoint_eigen.h"
@@ -12,14 +13,6 @@
 
 namespace latsch::numerics {
 namespace {
-
-Eigen::MatrixXd dense(const SymmetricMatrix& A) {
-  Eigen::MatrixXd D(A.size(), A.size());
-  for (int i = 0; i < A.size(); ++i) {
-    for (int j = 0; j < A.size(); ++j) D(i, j) = A.coefficient(i, j);
-  }
-  return D;
-}
 
 TEST(Factorization, SolvesAsADenseSolverDoes) {
   const Lattice lattice({5, 3, 4}, 3);

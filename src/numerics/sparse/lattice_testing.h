@@ -12,6 +12,14 @@
 
 namespace latsch::numerics {
 
+inline Eigen::MatrixXd dense(const SymmetricMatrix& A) {
+  Eigen::MatrixXd D(A.size(), A.size());
+  for (int i = 0; i < A.size(); ++i) {
+    for (int j = 0; j < A.size(); ++j) D(i, j) = A.coefficient(i, j);
+  }
+  return D;
+}
+
 class Lattice {
  public:
   /// elements: number along each direction; per_node unknowns at a node; held_ends clamps the two

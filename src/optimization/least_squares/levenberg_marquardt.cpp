@@ -32,6 +32,7 @@ constexpr double kLeastCut = 0.1, kMostCut = 0.5;
 constexpr double kPromisesNothing = 1e-10;  // of f, by a step in the radius
 constexpr double kPromisesMuch = 1e-6;      // of f
 constexpr double kNothingIsLeft = 1e-20;    // of the first f: ten digits of the residuals
+constexpr double kRoundingIsLeft = 1e-10;   // of the first f: five digits, where steps fail
 constexpr double kExhaustedStep = 0.01;     // of the tolerance: a radius so short finds nothing
 
 enum class LevenbergMarquardtEnding {
@@ -41,6 +42,7 @@ enum class LevenbergMarquardtEnding {
   nothing_left,
   slow,
   edge,
+  rounding,
   rough,
   hopeless
 };
@@ -242,7 +244,10 @@ struct LevenbergMarquardt::State {
     } else if (!(step.promised > kPromisesNothing * x.f) ||
                length(step) < kExhaustedStep * options.step_tolerance) {
       const bool promises_much = steps.promised_by_one() > kPromisesMuch * x.f;
-      end = has_failed ? End::edge : promises_much ? End::rough : End::flat;
+      end = has_failed                         ? End::edge
+            : !promises_much                   ? End::flat
+            : x.f <= kRoundingIsLeft * f_first ? End::rounding
+                                               : End::rough;
     } else {
       const LevenbergMarquardtStep bent = bend(step);
       const Eigen::VectorXd u = region.nearest(x.u + bent.p);
@@ -285,13 +290,6 @@ struct LevenbergMarquardt::State {
     if (is_odd || J.size() == 0 || !std::isfinite(r.squaredNorm())) return std::nullopt;
     return Linear{{u, r, std::move(J)}, point, r.squaredNorm()};
   }
-
-  /// As the linear model has it.
-  std::optional<Linear> expected(const Attempt& attempt) const {
-    if (!attempt.step) return std::nullopt;
-    const Eigen::VectorXd r = x.r + x.J * attempt.step->p;
-    return Linear{{attempt.u, r, x.J}, attempt.point, r.squaredNorm()};
-  }
 };
 
 LevenbergMarquardt::LevenbergMarquardt(const DesignSpace& space,
@@ -306,15 +304,12 @@ std::vector<DesignPoint> LevenbergMarquardt::propose(int count) const {
   assert(count >= 1);
   Plan plan(count);
   plan.add(state_->wanted);
-  for (const bool succeeds : {true, false}) {
-    if (plan.is_full()) break;
-    State future = *state_;
-    while (!plan.is_full() && !future.wanted.empty()) {
-      const Attempt first = *future.wanted.take(future.wanted.front().point);
-      if (succeeds && !first.step) break;
-      future.take(first, succeeds ? future.expected(first) : std::nullopt);
-      plan.add(future.wanted);
-    }
+  // What follows a trial that succeeds depends on its numbers: no guess of them would be met. What
+  // follows a failure does not, and is worth a worker's time where failures have been seen.
+  for (State future = *state_; state_->has_failed && !plan.is_full() && !future.wanted.empty();) {
+    const Attempt first = *future.wanted.take(future.wanted.front().point);
+    future.take(first, std::nullopt);
+    plan.add(future.wanted);
   }
   return plan.points();
 }
@@ -340,6 +335,8 @@ std::string LevenbergMarquardt::ending() const {
              "value's noise is worth, and the slopes promise no more";
     case LevenbergMarquardtEnding::edge:
       return "at the edge of failed trials: steps that would gain fail";
+    case LevenbergMarquardtEnding::rounding:
+      return "with next to nothing left: less of the residuals than trials are solved to";
     case LevenbergMarquardtEnding::rough:
       return "where steps, however short, do not bring what the derivatives promise: these are "
              "wrong or the residuals are not smooth";

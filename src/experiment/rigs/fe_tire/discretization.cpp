@@ -91,7 +91,7 @@ void rename_as_first(std::vector<MeshQuantities>& meshes) {
 
 using Measure = Result<MeshQuantities> (*)(FeTire&, const DiscretizationSettings&, int);
 
-Result<std::vector<DiscretizationRow>> refine(
+Result<std::vector<MeshQuantities>> refine(
     const fe_tire::TireDescription& tire,
     const DiscretizationSettings& settings,
     const std::vector<int>& refinements,
@@ -117,14 +117,45 @@ Result<std::vector<DiscretizationRow>> refine(
     if (!quantities) return quantities.failure();
     meshes.push_back(std::move(*quantities));
   }
-  return discretization_rows(refinements, std::move(meshes));
+  return meshes;
+}
+
+/// The limit of the last three meshes, and how far it may be off.
+void extrapolate(const std::vector<int>& refinements, DiscretizationRow& row) {
+  const std::size_t last = row.values.size() - 3;
+  std::array<double, 3> h, v;
+  for (std::size_t i = 0; i < 3; ++i) {
+    h[i] = 1.0 / refinements[last + i];
+    v[i] = row.values[last + i];
+  }
+  const numerics::Extrapolation limit = numerics::extrapolate(h, v);
+  row.converged = limit.value;
+  row.order = limit.observed ? limit.order : 0.0;
+  const double beyond = std::abs(limit.value - v[2]);
+  const double change = std::max(std::abs(v[2] - v[1]), std::abs(v[1] - v[0]));
+  row.uncertainty = limit.observed ? 0.25 * beyond : 3.0 * change;
+}
+
+/// Of an order p, refined r times: 1 / (r^p - 1) of the way from the unrefined mesh is left.
+double remainder_of(double order, int refinement) {
+  return 1.0 / (std::pow(refinement, order) - 1.0);
+}
+
+/// The limit of the unrefined and another mesh.
+void extrapolate(int refinement, const Remainder& left, DiscretizationRow& row) {
+  const double way = row.values[1] - row.values[0];
+  row.converged = row.values[1] + left.part * way;
+  row.order = left.observed ? std::log1p(1.0 / left.part) / std::log(refinement) : 0.0;
+  row.uncertainty = std::abs(way) * std::max(remainder_of(1.0, refinement) - left.part,
+                                             left.part - remainder_of(2.0, refinement));
 }
 
 }  // namespace
 
 std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refinements,
-                                                   std::vector<MeshQuantities> meshes) {
-  assert(meshes.size() >= 3 && meshes.size() == refinements.size());
+                                                   std::vector<MeshQuantities> meshes,
+                                                   const Remainder& left) {
+  assert(meshes.size() >= 2 && meshes.size() == refinements.size());
   rename_as_first(meshes);
   std::vector<DiscretizationRow> table;
   for (const auto& [name, first] : meshes.front()) {
@@ -141,21 +172,31 @@ std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refin
       table.push_back(std::move(row));
       continue;
     }
-    const std::size_t last = meshes.size() - 3;
-    std::array<double, 3> h, v;
-    for (std::size_t i = 0; i < 3; ++i) {
-      h[i] = 1.0 / refinements[last + i];
-      v[i] = row.values[last + i];
+    if (meshes.size() == 2) {
+      extrapolate(refinements[1], left, row);
+    } else {
+      extrapolate(refinements, row);
     }
-    const numerics::Extrapolation limit = numerics::extrapolate(h, v);
-    row.converged = limit.value;
-    row.order = limit.observed ? limit.order : 0.0;
-    const double beyond = std::abs(limit.value - v[2]);
-    const double change = std::max(std::abs(v[2] - v[1]), std::abs(v[1] - v[0]));
-    row.uncertainty = limit.observed ? 0.25 * beyond : 3.0 * change;
     table.push_back(std::move(row));
   }
   return table;
+}
+
+Remainder remainder(const std::vector<int>& refinements,
+                    const std::vector<DiscretizationRow>& rows,
+                    int refinement) {
+  const auto at = std::ranges::find(refinements, refinement) - refinements.begin();
+  std::vector<double> parts;
+  for (const DiscretizationRow& row : rows) {
+    if (row.unit != "Hz" || !row.asymptotic() || at == std::ssize(refinements)) continue;
+    const double way = row.values[at] - row.values[0];
+    if (way != 0.0) parts.push_back((row.converged - row.values[at]) / way);
+  }
+  const double first = remainder_of(1.0, refinement), second = remainder_of(2.0, refinement);
+  if (parts.empty()) return {second, false};
+  const auto middle = parts.begin() + std::ssize(parts) / 2;
+  std::ranges::nth_element(parts, middle);
+  return {std::clamp(*middle, second, first), true};
 }
 
 Result<DiscretizationStudy> study_discretization(
@@ -166,12 +207,15 @@ Result<DiscretizationStudy> study_discretization(
   auto unloaded =
       refine(tire, settings, settings.refinements, unloaded_quantities, "unloaded", progress);
   if (!unloaded) return unloaded.failure();
-  study.unloaded = std::move(*unloaded);
+  study.unloaded = discretization_rows(settings.refinements, std::move(*unloaded));
   if (settings.deflection <= 0.0) return study;
-  auto loaded =
-      refine(tire, settings, settings.loaded_refinements, loaded_quantities, "loaded", progress);
+  const std::vector<int>& refinements = settings.loaded_refinements;
+  auto loaded = refine(tire, settings, refinements, loaded_quantities, "loaded", progress);
   if (!loaded) return loaded.failure();
-  study.loaded = std::move(*loaded);
+  study.loaded =
+      discretization_rows(refinements,
+                          std::move(*loaded),
+                          remainder(settings.refinements, study.unloaded, refinements.back()));
   return study;
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace latsch {
 namespace {
 
@@ -101,6 +103,37 @@ TEST(Discretization, WhereChangesGrowNothingIsAsymptoticAndTheLimitIsWithinTheUn
       {1, 2, 4}, {{{"growth", 1.1954e-3}}, {{"growth", 1.2143e-3}}, {{"growth", 1.2572e-3}}});
   EXPECT_FALSE(rows[0].asymptotic());
   EXPECT_LT(std::abs(rows[0].converged - 1.3308e-3), rows[0].uncertainty);
+}
+
+// v(h) = v0 + c h^p for every mode, p = 1.5: what h = 1/2 leaves is seen on h = 1/2, 1/3, 1/4 and
+// serves a ring of which h = 1 and 1/2 alone are known.
+TEST(Discretization, TwoMeshesAreExtrapolatedByWhatTheUnloadedOnesLeave) {
+  const auto at = [](double v0, double c, int r) { return v0 + c * std::pow(r, -1.5); };
+  std::vector<MeshQuantities> meshes;
+  for (int r : {1, 2, 3, 4}) {
+    meshes.push_back({{"growth", 1e-3}, {"radial n=1", at(70.0, 0.7, r)}});
+  }
+  const Remainder left = remainder({1, 2, 3, 4}, discretization_rows({1, 2, 3, 4}, meshes), 2);
+  ASSERT_TRUE(left.observed);
+  EXPECT_NEAR(left.part, 1.0 / (std::pow(2.0, 1.5) - 1.0), 1e-6);
+  const auto rows = discretization_rows(
+      {1, 2},
+      {{{"Fz at 25 mm", at(7000.0, 60.0, 1)}}, {{"Fz at 25 mm", at(7000.0, 60.0, 2)}}},
+      left);
+  EXPECT_NEAR(rows[0].converged, 7000.0, 1e-3);
+  EXPECT_NEAR(rows[0].order, 1.5, 1e-5);
+  // Were the order 1, the limit would be v(1/2) + (v(1/2) - v(1)).
+  const double first = 2.0 * at(7000.0, 60.0, 2) - at(7000.0, 60.0, 1);
+  EXPECT_NEAR(rows[0].uncertainty, std::abs(first - 7000.0), 1e-3);
+}
+
+TEST(Discretization, WhereNoOrderIsSeenTwoMeshesAreExtrapolatedWithTheSecondAndSaySo) {
+  const Remainder left = remainder({1, 2, 3}, {}, 2);
+  EXPECT_FALSE(left.observed);
+  const auto rows = discretization_rows({1, 2}, {{{"n", 104.0}}, {{"n", 101.0}}}, left);
+  EXPECT_NEAR(rows[0].converged, 100.0, 1e-9);
+  EXPECT_FALSE(rows[0].asymptotic());
+  EXPECT_NEAR(rows[0].uncertainty, 2.0, 1e-9);  // order 1: 98
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 // The finite-element tire standing (static_stiffness.h): equilibria, one after the other.
 #include <cmath>
 
+#include "experiment/rigs/fe_tire/channel_slopes.h"
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
 #include "experiment/rigs/static_stiffness.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
 
 namespace latsch::experiment {
 namespace {
@@ -48,7 +50,16 @@ double reaction(const fe_tire::Standing& standing, Direction direction) {
   return standing.moment.z();
 }
 
-Result<double> stiffness(FeTire& tire, const TireState& start, Direction direction, double travel) {
+/// The states a stiffness is taken between.
+struct Ends {
+  TireState first, last;
+  double way;  // m or rad
+};
+
+Result<Ends> moved_to_ends(FeTire& tire,
+                           const TireState& start,
+                           Direction direction,
+                           double travel) {
   // Without friction up and down are one path; with it only down goes on from the load.
   const bool both_ways = direction == Direction::vertical && start.ground.mu == 0.0;
   const double from = both_ways ? -travel : 0.0;
@@ -58,9 +69,28 @@ Result<double> stiffness(FeTire& tire, const TireState& start, Direction directi
   }
   const auto states = tire.advance(start, poses);
   if (!states) return states.failure();
-  const TireState& first = both_ways ? states->front() : start;
-  const double before = reaction(tire.stand(first), direction);
-  return (before - reaction(tire.stand(states->back()), direction)) / (travel - from);
+  return Ends{both_ways ? states->front() : start, states->back(), travel - from};
+}
+
+double stiffness(FeTire& tire, const Ends& ends, Direction direction) {
+  const double before = reaction(tire.stand(ends.first), direction);
+  return (before - reaction(tire.stand(ends.last), direction)) / ends.way;
+}
+
+/// Slopes of the vertical stiffness under a load that is held: the wheel at both ends moves as it
+/// does under the load.
+Result<Eigen::RowVectorXd> slopes_of_stiffness(fe_tire::TireSlopes& slopes,
+                                               const TireState& loaded,
+                                               const Ends& ends) {
+  const auto under_load = slopes.of_state(loaded);
+  const auto first = slopes.of_state(ends.first), last = slopes.of_state(ends.last);
+  for (const auto* of : {&under_load, &first, &last})
+    if (!*of) return of->failure();
+  const Eigen::VectorXd height = fe_tire::TireSlopes::height_under_load(*under_load);
+  const auto force = [&](const fe_tire::TireSlopes::OfState& of) {
+    return Eigen::VectorXd(of.force + of.by_height * height);
+  };
+  return Eigen::RowVectorXd(((force(*last) - force(*first)) / ends.way).transpose());
 }
 
 fe_tire::Ground ground_of(const StandingTest& test) {
@@ -77,7 +107,10 @@ fe_tire::Ground ground_of(const StandingTest& test) {
 
 }  // namespace
 
-Result<Channels> stand(FeTire& tire, double own_pressure, const StandingTest& test) {
+Result<Channels> stand(FeTire& tire,
+                       double own_pressure,
+                       const StandingTest& test,
+                       fe_tire::TireSlopes* slopes) {
   const fe_tire::Ground ground = ground_of(test);
   bool sideways = false;
   for (const Direction direction : test.directions)
@@ -90,6 +123,9 @@ Result<Channels> stand(FeTire& tire, double own_pressure, const StandingTest& te
   if (!inflated) return inflated.failure();
 
   std::vector<double> forces, stiffnesses;
+  const int variables = slopes ? slopes->variables() : 0;
+  Eigen::MatrixXd of_force(std::ssize(test.deflections), variables);
+  ChannelSlopes all;
   for (const double deflection : test.deflections) {
     std::vector<GroundPose> poses;
     for (int k = 1; k <= kSteps; ++k) {
@@ -100,9 +136,22 @@ Result<Channels> stand(FeTire& tire, double own_pressure, const StandingTest& te
     if (test.cleat) start.pose.height += test.cleat->height;
     const auto states = tire.advance(start, poses);
     if (!states) return states.failure();
+    if (slopes) {
+      const auto of_inflated = slopes->of_inflated(*inflated);
+      const auto of_state = slopes->of_state(states->back());
+      if (!of_inflated) return of_inflated.failure();
+      if (!of_state) return of_state.failure();
+      of_force.row(std::ssize(forces)) =
+          of_state->force + of_state->by_height * of_inflated->radius;
+    }
     forces.push_back(tire.stand(states->back()).force.z());
   }
-  if (test.directions.empty()) return standing_channels(test, forces, stiffnesses);
+  if (slopes && !test.deflections.empty()) {
+    all.emplace_back("force", of_force);
+    all.emplace_back("deflection", Eigen::MatrixXd::Zero(of_force.rows(), variables));
+  }
+  if (test.directions.empty())
+    return with_slopes(standing_channels(test, forces, stiffnesses), all);
 
   StandingPose pose{.camber = test.camber};
   if (sideways || test.camber != 0.0) pose.poses = FeTire::Poses::any;
@@ -111,11 +160,15 @@ Result<Channels> stand(FeTire& tire, double own_pressure, const StandingTest& te
   if (!loaded) return loaded.failure();
   for (const Direction direction : test.directions) {
     const double travel = direction == Direction::torsional ? test.twist : test.travel;
-    const auto found = stiffness(tire, *loaded, direction, travel);
-    if (!found) return found.failure();
-    stiffnesses.push_back(*found);
+    const auto ends = moved_to_ends(tire, *loaded, direction, travel);
+    if (!ends) return ends.failure();
+    stiffnesses.push_back(stiffness(tire, *ends, direction));
+    if (!slopes) continue;
+    const auto of = slopes_of_stiffness(*slopes, *loaded, *ends);
+    if (!of) return of.failure();
+    all.emplace_back(name_of(direction), *of);
   }
-  return standing_channels(test, forces, stiffnesses);
+  return with_slopes(standing_channels(test, forces, stiffnesses), all);
 }
 
 }  // namespace latsch::experiment

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "experiment/rigs/fe_tire/channel_slopes.h"
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
 #include "experiment/rigs/mode_record.h"
 
@@ -153,62 +154,88 @@ Channels TireRig::channels_of(const ModalTest& test, const Vibrating& found) {
   return channels;
 }
 
-namespace {
-
-/// The channels with slopes [values x variables] in one of them.
-Channels with_slopes(const Channels& channels, const char* name, const Eigen::MatrixXd& slopes) {
-  Channels all;
-  for (Channel channel : channels.all()) {
-    if (channel.name == name) channel.slopes.assign(slopes.data(), slopes.data() + slopes.size());
-    all.add(std::move(channel));
-  }
-  return all;
-}
-
-}  // namespace
-
-Result<Channels> TireRig::run(const LoadDeflection& test, fe_tire::TireSlopes& slopes) {
+Result<Channels> TireRig::run(const LoadDeflection& test,
+                              fe_tire::TireSlopes& slopes,
+                              const Asked& asked) {
   auto channels = run(test);
   if (!channels) return channels;
   const auto of_inflated = slopes.of_inflated(**inflated_);
   if (!of_inflated) return of_inflated.failure();
+  const Eigen::RowVectorXd radius = of_inflated->radius;
   const std::vector<double>& deflections = (*channels)["deflection"];
-  Eigen::MatrixXd force = Eigen::MatrixXd::Zero(std::ssize(deflections), slopes.variables());
+  const bool wants_patch = any_asked(asked, {"patch_length", "patch_width", "patch_area"});
+  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(std::ssize(deflections), slopes.variables());
+  Eigen::MatrixXd deflection = zero, height = zero, force = zero;
+  Eigen::MatrixXd length = zero, width = zero, area = zero;
   for (std::size_t i = 0; i < deflections.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    // A deflection counts from the inflated radius, a loaded radius is the height itself.
+    (i < test.deflections.size() ? height : deflection).row(row) = radius;
     if (deflections[i] <= 0.0) continue;
     const auto at = std::find(pressed_->way.begin(), pressed_->way.end(), deflections[i]);
-    const auto of_state = slopes.of_state((*pressed_->states)[at - pressed_->way.begin()]);
+    const TireState& state = (*pressed_->states)[at - pressed_->way.begin()];
+    const auto of_state = slopes.of_state(state);
     if (!of_state) return of_state.failure();
-    auto row = force.row(static_cast<Eigen::Index>(i));
-    row = of_state->force.transpose();
-    // A deflection counts from the inflated radius, a loaded radius is the height itself.
-    if (i < test.deflections.size()) row += of_state->by_height * of_inflated->radius.transpose();
+    force.row(row) = of_state->force.transpose() + of_state->by_height * height.row(row);
+    if (!wants_patch) continue;
+    const auto of_patch = slopes.of_patch(state, height.row(row));
+    if (!of_patch) return of_patch.failure();
+    length.row(row) = of_patch->length;
+    width.row(row) = of_patch->width;
+    area.row(row) = of_patch->area;
   }
-  return with_slopes(*channels, "force", force);
+  ChannelSlopes all = {{"deflection", deflection}, {"loaded_radius", height}, {"force", force}};
+  if (wants_patch) {
+    all.insert(all.end(), {{"patch_length", length}, {"patch_width", width}, {"patch_area", area}});
+  }
+  return with_slopes(*channels, all);
 }
 
-Result<Channels> TireRig::run(const ModalTest& test, fe_tire::TireSlopes& slopes) {
+/// A unit of every number.
+struct TireRig::StandSlopes {
+  Eigen::VectorXd height, deflection, force;  // m, m, N
+};
+
+Result<TireRig::StandSlopes> TireRig::slopes_of_stand(const ModalTest& test,
+                                                      const TireState& state,
+                                                      fe_tire::TireSlopes& slopes,
+                                                      const Asked& asked) {
+  const auto of_inflated = slopes.of_inflated(**inflated_);
+  if (!of_inflated) return of_inflated.failure();
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(slopes.variables());
+  StandSlopes found{of_inflated->radius, zero, zero};
+  if (!test.load && !any_asked(asked, {"force"})) return found;
+  const auto of_state = slopes.of_state(state);
+  if (!of_state) return of_state.failure();
+  if (test.load) {
+    found.height = fe_tire::TireSlopes::height_under_load(*of_state);
+    found.deflection = of_inflated->radius - found.height;
+  } else {
+    found.force = of_state->force + of_state->by_height * found.height;
+  }
+  return found;
+}
+
+Result<Channels> TireRig::run(const ModalTest& test,
+                              fe_tire::TireSlopes& slopes,
+                              const Asked& asked) {
   const auto found = vibrate(test);
   if (!found) return found.failure();
   const Channels channels = channels_of(test, *found);
   if (!found->state) {
     const auto of_modes = slopes.of_modes(**inflated_, found->modes);
     if (!of_modes) return of_modes.failure();
-    return with_slopes(channels, "frequency", *of_modes);
+    return with_slopes(channels, {{"frequency", *of_modes}});
   }
-  Eigen::VectorXd height;
-  if (test.load) {
-    const auto of_state = slopes.of_state(*found->state);
-    if (!of_state) return of_state.failure();
-    height = -of_state->force / of_state->by_height;
-  } else {
-    const auto of_inflated = slopes.of_inflated(**inflated_);
-    if (!of_inflated) return of_inflated.failure();
-    height = of_inflated->radius;
-  }
-  const auto of_modes = slopes.of_modes(*found->state, found->modes, height);
+  const auto stand = slopes_of_stand(test, *found->state, slopes, asked);
+  if (!stand) return stand.failure();
+  const auto of_modes = slopes.of_modes(*found->state, found->modes, stand->height);
   if (!of_modes) return of_modes.failure();
-  return with_slopes(channels, "frequency", *of_modes);
+  ChannelSlopes all = {{"frequency", *of_modes},
+                       {"deflection", stand->deflection.transpose()},
+                       {"loaded_radius", stand->height.transpose()}};
+  if (any_asked(asked, {"force"})) all.emplace_back("force", stand->force.transpose());
+  return with_slopes(channels, all);
 }
 
 Result<Channels> TireRig::run(const MassTest& test) {
@@ -222,14 +249,15 @@ Result<Channels> TireRig::run(const MassTest& test) {
   return channels;
 }
 
-Result<Channels> TireRig::run(const MassTest& test, fe_tire::TireSlopes& slopes) {
+Result<Channels> TireRig::run(const MassTest& test, fe_tire::TireSlopes& slopes, const Asked&) {
   const auto channels = run(test);
   if (!channels) return channels;
   const auto of = slopes.of_mass(**inflated_);
   if (!of) return of.failure();
-  Channels all = with_slopes(*channels, "mass", of->mass);
-  all = with_slopes(all, "spin_inertia", of->spin_inertia);
-  return with_slopes(all, "diametral_inertia", of->diametral_inertia);
+  return with_slopes(*channels,
+                     {{"mass", of->mass.transpose()},
+                      {"spin_inertia", of->spin_inertia.transpose()},
+                      {"diametral_inertia", of->diametral_inertia.transpose()}});
 }
 
 namespace {

@@ -13,13 +13,14 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "experiment/rigs/load_case.h"
 #include "measurement/channels.h"
 #include "models/fe_tire/analysis/fe_tire.h"
-#include "models/fe_tire/analysis/tire_slopes.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
 
 namespace latsch::experiment {
 
@@ -31,11 +32,12 @@ class TireRig {
   Result<Channels> run(const LoadDeflection& test);
   Result<Channels> run(const ModalTest& test);
   Result<Channels> run(const MassTest& test);
-  /// The same with the slopes of loads, frequencies, or mass and inertias. Without friction and
-  /// upright.
-  Result<Channels> run(const LoadDeflection& test, fe_tire::TireSlopes& slopes);
-  Result<Channels> run(const ModalTest& test, fe_tire::TireSlopes& slopes);
-  Result<Channels> run(const MassTest& test, fe_tire::TireSlopes& slopes);
+  /// The same with slopes: of all channels but shapes, those of a patch and of what a modal test
+  /// stands at where they are `asked` for. Without friction and upright.
+  using Asked = std::vector<std::string>;
+  Result<Channels> run(const LoadDeflection& test, fe_tire::TireSlopes& slopes, const Asked& asked);
+  Result<Channels> run(const ModalTest& test, fe_tire::TireSlopes& slopes, const Asked& asked);
+  Result<Channels> run(const MassTest& test, fe_tire::TireSlopes& slopes, const Asked& asked);
 
  private:
   struct Pressed {
@@ -54,6 +56,11 @@ class TireRig {
   Result<Vibrating> vibrate(const ModalTest& test);
   Result<fe_tire::TireState> stand(const ModalTest& test, const fe_tire::Inflated& inflated);
   Channels channels_of(const ModalTest& test, const Vibrating& found);
+  struct StandSlopes;  // of the state of a modal test
+  Result<StandSlopes> slopes_of_stand(const ModalTest& test,
+                                      const fe_tire::TireState& state,
+                                      fe_tire::TireSlopes& slopes,
+                                      const Asked& asked);
 
   fe_tire::FeTire& tire_;
   double own_pressure_, pressure_ = 0.0;

@@ -32,7 +32,6 @@ double pressure_force(const RingElements& elements, double pressure) {
 }
 
 constexpr int kMostWindows = 4;
-constexpr double kExactness = 0.1;  // of the solutions behind modes, of the tolerance of states
 
 /// "deflection 25 mm", and what else of a pose is not zero.
 std::string in_words(const GroundPose& pose, const Inflated& inflated) {
@@ -239,15 +238,13 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
   const RingAssembly& even = all.solver.assembly();
   if (auto failure = factorize(all, state)) return *failure;
   const numerics::SymmetricMatrix mass = even.mass(elements());
-  const double tolerance = settings.mode_tolerance;
-  // It makes some 2e-8 of a frequency at the default tolerance.
-  const double enough = kExactness * settings.tolerance;
-  if (!all.odd) return ring_modes(even, all.factor, mass, count, tolerance, enough);
+  if (!all.odd) return loaded_ring_modes(even, all.tangent, all.factor, mass, count, settings);
   const numerics::SymmetricMatrix odd_mass = all.odd->mass(elements());
   for (int each = count / 2 + 3;; each = std::min(count, 2 * each)) {
-    auto modes = ring_modes(even, all.factor, mass, each, tolerance, enough);
+    auto modes = loaded_ring_modes(even, all.tangent, all.factor, mass, each, settings);
     if (!modes) return modes;
-    auto odd = ring_modes(*all.odd, *all.odd_factor, odd_mass, each, tolerance, enough);
+    auto odd =
+        loaded_ring_modes(*all.odd, *all.odd_tangent, *all.odd_factor, odd_mass, each, settings);
     if (!odd) return odd;
     const double sure = std::min(modes->back().frequency, odd->back().frequency);
     modes->insert(modes->end(), odd->begin(), odd->end());
@@ -281,22 +278,21 @@ std::optional<Failure> FeTire::Impl::factorize(Systems& all, const TireState& at
   return std::nullopt;
 }
 
-/// The state is even; odd unknowns hold only what may vibrate about it. So elements and ground see
-/// the state of the even numbering, and the tangent is gathered in the numbering asked for.
 std::optional<Failure> FeTire::Impl::factorize(Systems& all,
-                                               const RingAssembly& assembly,
-                                               const TreadSurface& tread,
                                                const TireState& at,
+                                               numerics::SymmetricMatrix& tangent,
                                                numerics::Factorization& factor) {
   RingState state{all.unknowns.compress(at.u), at.alpha};
   int worst = 0;
   if (!all.solver.assembly().assemble_tangent(
-          elements(), state, at.inflated->pressure, assembly.unknowns(), all.tangent, &worst)) {
+          elements(), state, at.inflated->pressure, all.unknowns, tangent, &worst)) {
     return no_tangent(all.unknowns.ring(), worst);
   }
-  return factorize(all, tread, at, state, all.tangent, factor);
+  return factorize(all, all.tread, at, state, tangent, factor);
 }
 
+/// The state is even; odd unknowns hold only what may vibrate about it. So elements and ground see
+/// the state of the even numbering, and the tangent is gathered in the numbering asked for.
 std::optional<Failure> FeTire::Impl::factorize(Systems& all,
                                                const TreadSurface& tread,
                                                const TireState& at,

@@ -34,7 +34,7 @@ struct Inflated {
   double pressure = 0.0;  // Pa
   Eigen::Matrix3Xd u;     // [3 x nodes_per_sector], sector frame, m  (S = 1: the whole mesh)
   Eigen::VectorXd alpha;  // internal parameters of one sector's elements
-  double growth = 0.0;    // m, radial displacement of the outermost tread node
+  double growth = 0.0;    // m, radial displacement of the tread node nearest to the middle plane
   double radius = 0.0;    // m, distance of the lowest tread point from the wheel center
 };
 

@@ -110,10 +110,10 @@ struct FeTire::Impl {
   /// the state before, where it is the same. A Failure where the tire does not keep that state: a
   /// motion about it gives energy. Newton's method finds such equilibria just as well.
   std::optional<Failure> factorize(Systems& all, const TireState& state);
+  /// The tangent of even motions alone, and its factor, wherever they are wanted.
   std::optional<Failure> factorize(Systems& all,
-                                   const RingAssembly& assembly,
-                                   const TreadSurface& tread,
                                    const TireState& state,
+                                   numerics::SymmetricMatrix& tangent,
                                    numerics::Factorization& factor);
   /// The same of a tangent without the ground.
   std::optional<Failure> factorize(Systems& all,

@@ -93,7 +93,9 @@ bool newton(const RingElements& elements,
 }  // namespace
 
 void measure_growth(const Mesh& mesh, Inflated& inflated) {
-  double outer = 0.0;
+  constexpr double kSameDistance = 1e-6;  // of the outer radius: nodes of both halves of the tread
+  const double same = kSameDistance * mesh.outer_radius();
+  double nearest = std::numeric_limits<double>::infinity(), outer = 0.0;
   inflated.radius = 0.0;
   for (const Element& element : mesh.elements) {
     if (!element.tread) continue;
@@ -101,7 +103,9 @@ void measure_growth(const Mesh& mesh, Inflated& inflated) {
       const int node = element.node[a] % mesh.nodes_per_sector();
       const Eigen::Vector3d X = mesh.X.col(node), x = X + inflated.u.col(node);
       const double R = std::hypot(X.x(), X.z()), r = std::hypot(x.x(), x.z());
-      if (R > outer) {
+      const double distance = std::abs(X.y());
+      if (distance < nearest - same || (distance < nearest + same && R > outer)) {
+        nearest = distance;
         outer = R;
         inflated.growth = r - R;
       }

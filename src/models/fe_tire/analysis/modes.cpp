@@ -11,6 +11,7 @@
 
 #include "models/fe_tire/analysis/mode_label.h"
 #include "models/fe_tire/ring/sector.h"
+#include "numerics/sparse/davidson.h"
 #include "numerics/sparse/lanczos.h"
 
 namespace latsch::fe_tire {
@@ -18,6 +19,12 @@ namespace {
 
 // Vectors a step over the ring: as many as are solved together at the price of one.
 constexpr int kRingBlock = 8;
+// Of Lanczos' method with rough solutions, as SolverSettings::mode_tolerance: not below what single
+// precision lets the operator err.
+constexpr double kNear = 1e-3;
+// Corrections by Davidson's method, of SolverSettings::mode_tolerance: frequencies of tire B then
+// err by 3e-10 of themselves.
+constexpr double kOfLoaded = 3.0;
 constexpr int kPerHarmonic = 3;  // modes of one circumferential number computed at first
 
 double to_hertz(double omega_squared) {
@@ -202,16 +209,15 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
 
 namespace {
 
-/// Modes of the ring, of unknowns; `start` as that of lanczos(), `enough` as that of ring_modes().
-Result<numerics::EigenPairs<double>> ring_pairs(const numerics::Factorization& factor,
-                                                const numerics::SymmetricMatrix& M,
-                                                int count,
-                                                double tolerance,
-                                                double enough,
-                                                const Eigen::MatrixXd& start) {
+/// Modes of the ring, of unknowns.
+Result<numerics::EigenPairs<double>> ring_pairs(
+    const std::function<void(Eigen::Ref<Eigen::MatrixXd>)>& solve,
+    const numerics::SymmetricMatrix& M,
+    int count,
+    double tolerance) {
   numerics::EigenProblem<double> problem;
   problem.size = M.size();
-  problem.solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_columns(X, enough); };
+  problem.solve = solve;
   problem.mass = [&](const Eigen::Ref<const Eigen::MatrixXd>& X, Eigen::Ref<Eigen::MatrixXd> Y) {
     M.multiply(X, Y);
   };
@@ -219,10 +225,21 @@ Result<numerics::EigenPairs<double>> ring_pairs(const numerics::Factorization& f
   settings.count = std::min(count, M.size());
   settings.tolerance = tolerance;
   settings.block = kRingBlock;
-  auto pairs = numerics::lanczos(problem, settings, start);
+  auto pairs = numerics::lanczos(problem, settings);
   if (!pairs.converged)
     return unfinished("modes", pairs.values.size(), settings.count, pairs.solves);
   return pairs;
+}
+
+std::vector<Mode> modes_of(const RingAssembly& assembly,
+                           const numerics::EigenPairs<double>& pairs) {
+  const RingUnknowns& unknowns = assembly.unknowns();
+  std::vector<Mode> modes(pairs.values.size());
+  for (int k = 0; k < pairs.values.size(); ++k) {
+    modes[k].frequency = to_hertz(pairs.values[k]);
+    modes[k].shape = unknowns.expand(pairs.vectors.col(k)) / std::sqrt(unknowns.multiplicity());
+  }
+  return modes;
 }
 
 }  // namespace
@@ -231,26 +248,27 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      const numerics::Factorization& factor,
                                      const numerics::SymmetricMatrix& M,
                                      int count,
-                                     double tolerance,
-                                     double enough) {
-  const auto pairs = ring_pairs(factor, M, count, tolerance, enough, {});
+                                     double tolerance) {
+  const auto solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_columns(X); };
+  const auto pairs = ring_pairs(solve, M, count, tolerance);
   if (!pairs) return pairs.failure();
-  const RingUnknowns& unknowns = assembly.unknowns();
-  std::vector<Mode> modes(pairs->values.size());
-  for (int k = 0; k < pairs->values.size(); ++k) {
-    modes[k].frequency = to_hertz(pairs->values[k]);
-    modes[k].shape = unknowns.expand(pairs->vectors.col(k)) / std::sqrt(unknowns.multiplicity());
-  }
-  return modes;
+  return modes_of(assembly, *pairs);
 }
 
-Result<Eigen::MatrixXd> sharpened(const Eigen::MatrixXd& vectors,
-                                  const numerics::Factorization& factor,
-                                  const numerics::SymmetricMatrix& M,
-                                  double tolerance) {
-  auto pairs = ring_pairs(factor, M, static_cast<int>(vectors.cols()), tolerance, 0.0, vectors);
-  if (!pairs) return pairs.failure();
-  return std::move(pairs->vectors);
+Result<std::vector<Mode>> loaded_ring_modes(const RingAssembly& assembly,
+                                            const numerics::SymmetricMatrix& K,
+                                            const numerics::Factorization& factor,
+                                            const numerics::SymmetricMatrix& M,
+                                            int count,
+                                            const SolverSettings& settings) {
+  const auto solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_roughly(X); };
+  const auto near = ring_pairs(solve, M, count, kNear);
+  if (near) {
+    const auto pairs =
+        numerics::davidson(K, M, solve, near->vectors, kOfLoaded * settings.mode_tolerance);
+    if (pairs.converged) return modes_of(assembly, pairs);
+  }
+  return ring_modes(assembly, factor, M, count, settings.mode_tolerance);
 }
 
 Eigen::VectorXd nodal_masses(const RingElements& elements) {

@@ -25,21 +25,21 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
                                          double tolerance);
 
 /// The `count` lowest modes of the states that `assembly` can hold (all, even or odd ones), without
-/// names. `factor` holds the tangent; its solutions are refined to `enough`. Shapes are
-/// mass-normalized over the whole ring.
+/// names. `factor` holds the tangent. Shapes are mass-normalized over the whole ring.
 Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      const numerics::Factorization& factor,
                                      const numerics::SymmetricMatrix& M,
                                      int count,
-                                     double tolerance,
-                                     double enough = 0.0);
-/// The same nearer to the solution: `vectors`, M-orthonormal columns, the lowest first, that are
-/// near modes. Each comes back as the mode of its place; so they are all the lowest.
-Result<Eigen::MatrixXd> sharpened(const Eigen::MatrixXd& vectors,
-                                  const numerics::Factorization& factor,
-                                  const numerics::SymmetricMatrix& M,
-                                  double tolerance);
-
+                                     double tolerance);
+/// The same of a state on the ground with the tangent K and its factor, a refined one: Lanczos'
+/// method finds the modes with rough solutions, Davidson's makes them those of K; where that does
+/// not succeed, solutions are refined.
+Result<std::vector<Mode>> loaded_ring_modes(const RingAssembly& assembly,
+                                            const numerics::SymmetricMatrix& K,
+                                            const numerics::Factorization& factor,
+                                            const numerics::SymmetricMatrix& M,
+                                            int count,
+                                            const SolverSettings& settings);
 /// Mass of each node of the ring, kg: rows of the mass matrix summed.
 Eigen::VectorXd nodal_masses(const RingElements& elements);
 

@@ -13,16 +13,6 @@ namespace {
 // The ground resists sliding before slip as stiffly, by half, as it resists penetration.
 constexpr double kTangentialShare = 0.5;
 
-/// Images under the half turn about the vertical.
-void add_images(ContactPatch& patch) {
-  const std::size_t computed = patch.points.size();
-  for (std::size_t k = 0; k < computed; ++k) {
-    ContactPatch::Point image = patch.points[k];
-    for (double* value : {&image.x, &image.y, &image.shear_x, &image.shear_y}) *value = -*value;
-    patch.points.push_back(image);
-  }
-}
-
 }  // namespace
 
 TreadContact::TreadContact(const TreadSurface& tread, const Ground& ground)
@@ -147,6 +137,7 @@ std::vector<Anchor> TreadContact::anchors(const Eigen::VectorXd& x) const {
 
 ContactPatch TreadContact::patch(const Eigen::VectorXd& x) const {
   ContactPatch patch;
+  double rest = 0.0;
   const Eigen::Matrix3Xd positions = tread_.positions(tread_.displacements(x));
   const PosedGround level(ground_, {pose_.height, 0.0, 0.0, pose_.camber, 0.0});
   const auto& samples = tread_.samples();
@@ -158,10 +149,6 @@ ContactPatch TreadContact::patch(const Eigen::VectorXd& x) const {
     over(2, k) = posed_.distance(posed_.in_ground(p)).g;
     area[k] = tread_.area(samples[k], positions);
   }
-  const FootprintSize size = footprint_size(tread_, over, area);
-  patch.length = size.length;
-  patch.width = size.width;
-  patch.area = size.area;
   for (int k = 0; k < static_cast<int>(tread_.points().size()); ++k) {
     const Eigen::Vector3d p = tread_.at(tread_.points()[k], positions);
     const Eigen::Vector3d q = posed_.in_ground(p);
@@ -173,15 +160,26 @@ ContactPatch TreadContact::patch(const Eigen::VectorXd& x) const {
     const Eigen::Vector3d shear =
         level.in_ground(posed_.to_wheel(on.t)) - level.in_ground(Eigen::Vector3d::Zero());
     const Eigen::Vector3d here = level.in_ground(p);
+    // What is half of an image's is shown once.
+    const TreadSurface::Point& point = tread_.points()[k];
+    rest = std::max(rest, point.offset.norm());
     patch.points.push_back({here.x(),
                             here.y(),
                             on.p,
                             shear.x(),
                             shear.y(),
-                            tread_.points()[k].dA,
+                            (point.is_own_image ? 2.0 : 1.0) * point.dA,
+                            point.around,
                             has_friction() && !anchor.slid});
+    if (tread_.multiplicity() == 1.0 || point.is_own_image) continue;
+    ContactPatch::Point image = patch.points.back();
+    for (double* value : {&image.x, &image.y, &image.shear_x, &image.shear_y}) *value = -*value;
+    patch.points.push_back(image);
   }
-  if (tread_.multiplicity() > 1.0) add_images(patch);
+  const FootprintSize size = footprint_size(tread_, over, area, rest);
+  patch.length = size.length;
+  patch.width = size.width;
+  patch.area = size.area;
   return patch;
 }
 

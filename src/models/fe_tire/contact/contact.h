@@ -37,7 +37,8 @@ struct ContactPatch {
     double x, y;              // m, from the point below the wheel center
     double pressure;          // Pa
     double shear_x, shear_y;  // Pa, on the tire
-    double area;              // m^2 of this integration point
+    double area;              // m^2 that it stands for
+    double length;            // m of it along the road
     bool sticks;
   };
   std::vector<Point> points;

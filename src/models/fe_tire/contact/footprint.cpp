@@ -9,21 +9,38 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kNear = 5e-5, kFar = 2e-4;  // m, heights g_1 and g_2 of (F.1)
+constexpr double kNear = 3e-4;       // m, the lower one of the heights where (F.1) is met
+constexpr double kRatio = 4.0;       // of the other one to it
+constexpr double kBeyondRest = 4.0;  // the lower one is at least so many of how far samples rest
+
+/// Half the length of the patch by (F.1): g(s_2) / g(s_1) = ratio. Zero where the gap grows slower
+/// than any patch would have it.
+double half_length(double s_1, double s_2, double ratio) {
+  const auto f = [](double t) { return t * std::sqrt(t * t - 1.0) - std::acosh(t); };
+  if (s_2 * s_2 >= ratio * s_1 * s_1) return 0.0;
+  double low = 0.0, high = s_1;  // the ratio grows from (s_2 / s_1)^2 to infinity between them
+  for (int k = 0; k < 40; ++k) {
+    const double a = 0.5 * (low + high);
+    (f(s_2 / a) < ratio * f(s_1 / a) ? low : high) = a;
+  }
+  return low;
+}
 
 /// Samples one after the other along x (axis 0) or y (axis 1).
 struct Line {
   const std::vector<int>& samples;
   const Eigen::Matrix3Xd& at;
   int axis;
+  double near;  // m
 
   int size() const { return static_cast<int>(samples.size()); }
   double place(int k) const { return at(axis, samples[k]); }
   double root(int k) const { return std::sqrt(std::max(at(2, samples[k]), 0.0)); }
-  bool touches(int k) const { return at(2, samples[k]) < kNear; }
+  bool touches(int k) const { return at(2, samples[k]) < near; }
 
-  /// Where the root passes a value beyond k; nullopt where the line ends or comes down before.
-  std::optional<double> passes(double value, int k, int step) const {
+  /// Where the height is passed beyond k; nullopt where the line ends or comes down before.
+  std::optional<double> passes(double height, int k, int step) const {
+    const double value = std::sqrt(height);
     for (int next = k + step; next >= 0 && next < size(); k = next, next += step) {
       if (root(next) < root(k)) return std::nullopt;
       if (root(next) < value) continue;
@@ -31,15 +48,6 @@ struct Line {
       return place(k) + share * (place(next) - place(k));
     }
     return std::nullopt;
-  }
-  /// The edge beyond the last sample that touches.
-  double edge(int last, int step) const {
-    const auto near = passes(std::sqrt(kNear), last, step);
-    if (!near) return place(last);
-    const auto far = passes(std::sqrt(kFar), last, step);
-    if (!far) return *near;
-    constexpr double kRatio = 1.0;  // sqrt(g_1) / (sqrt(g_2) - sqrt(g_1)), as g_2 = 4 g_1
-    return *near - kRatio * (*far - *near);
   }
 };
 
@@ -50,18 +58,60 @@ struct Run {
   double length;    // m; not positive where the edges meet before they leave something
 };
 
-std::vector<Run> runs_of(const Line& line) {
+Run run_of(const Line& line, int first, int last, bool from_middle) {
+  const auto near = [&](int k, int step) { return line.passes(line.near, k, step); };
+  const double from = from_middle ? 0.0 : near(first, -1).value_or(line.place(first));
+  const double to = near(last, 1).value_or(line.place(last));
+  const double middle = from_middle ? 0.0 : 0.5 * (from + to);
+  const auto edge = [&](double at, int k, int step) {
+    const auto far = line.passes(kRatio * line.near, k, step);
+    if (!near(k, step) || !far) return at;
+    const double half = half_length(std::abs(at - middle), std::abs(*far - middle), kRatio);
+    return middle + std::copysign(half, at - middle);
+  };
+  Run run{first, last, from_middle ? 0.0 : edge(from, first, -1), edge(to, last, 1), 0.0};
+  const double forward = line.place(line.size() - 1) > line.place(0) ? 1.0 : -1.0;
+  run.length = forward * (run.to - run.from);
+  return run;
+}
+
+/// `halved`: the line begins at the middle of what it is half of, half a sample before the first.
+std::vector<Run> runs_of(const Line& line, bool halved) {
   std::vector<Run> runs;
   for (int k = 0; k < line.size(); ++k) {
     if (!line.touches(k)) continue;
     int last = k;
     while (last + 1 < line.size() && line.touches(last + 1)) ++last;
-    const double from = line.edge(k, -1), to = line.edge(last, 1);
-    const double forward = line.place(line.size() - 1) > line.place(0) ? 1.0 : -1.0;
-    runs.push_back({k, last, from, to, forward * (to - from)});
+    runs.push_back(run_of(line, k, last, halved && k == 0));
     k = last;
   }
   return runs;
+}
+
+/// m^2 of the strip of samples that a run covers, its width between samples linear: continuous
+/// where samples come into the run.
+double covered(const Line& line, const Eigen::VectorXd& area, const Run& run) {
+  const int last = line.size() - 1;
+  const auto width = [&](int k) {
+    const int before = std::max(k - 1, 0), after = std::min(k + 1, last);
+    const double along = std::abs(line.place(after) - line.place(before)) / (after - before);
+    return area[line.samples[k]] / along;
+  };
+  const auto [from, to] = std::minmax(run.from, run.to);
+  const double begin = std::min(line.place(0), line.place(last));
+  const double end = std::max(line.place(0), line.place(last));
+  const bool forward = line.place(last) > line.place(0);
+  double sum = width(forward ? 0 : last) * std::max(std::min(begin, to) - from, 0.0) +
+               width(forward ? last : 0) * std::max(to - std::max(end, from), 0.0);
+  for (int k = 0; k < last; ++k) {
+    const double x = line.place(k), dx = line.place(k + 1) - x;
+    const double low = std::max(std::min(x, x + dx), from);
+    const double high = std::min(std::max(x, x + dx), to);
+    if (!(high > low)) continue;
+    const double share = (0.5 * (low + high) - x) / dx;
+    sum += (high - low) * ((1.0 - share) * width(k) + share * width(k + 1));
+  }
+  return sum;
 }
 
 struct Extent {
@@ -86,30 +136,23 @@ struct Extent {
 
 FootprintSize footprint_size(const TreadSurface& tread,
                              const Eigen::Matrix3Xd& at,
-                             const Eigen::VectorXd& area) {
+                             const Eigen::VectorXd& area,
+                             double rest) {
   FootprintSize size;
   Extent along, across;
+  const bool halved = tread.multiplicity() > 1.0;
+  const double near = std::max(kNear, kBeyondRest * rest);
   for (const std::vector<int>& samples : tread.lines_around()) {
-    const Line line{samples, at, 0};
-    for (const Run& run : runs_of(line)) {
+    const Line line{samples, at, 0, near};
+    for (const Run& run : runs_of(line, halved)) {
       along.add(run);
-      double covered = 0.0, touching = 0.0;  // m, m^2
-      for (int k = run.first; k <= run.last; ++k) {
-        const int before = std::max(k - 1, 0), after = std::min(k + 1, line.size() - 1);
-        covered += std::abs(line.place(after) - line.place(before)) / (after - before);
-        touching += area[samples[k]];
-      }
-      // A half ring's lines begin at its middle, half a sample before the first one.
-      const bool from_middle = tread.multiplicity() > 1.0 && run.first == 0;
-      const double from = from_middle ? 0.0 : run.from;
-      size.area += touching * std::max(run.to - from, 0.0) / covered;
+      if (run.length > 0.0) size.area += covered(line, area, run);
     }
   }
   for (const std::vector<int>& samples : tread.lines_across()) {
-    const Line line{samples, at, 1};
-    for (const Run& run : runs_of(line)) across.add(run);
+    const Line line{samples, at, 1, near};
+    for (const Run& run : runs_of(line, false)) across.add(run);
   }
-  const bool halved = tread.multiplicity() > 1.0;
   size.area *= tread.multiplicity();
   size.length = along.length(halved);
   size.width = across.length(halved);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Length, width and area of a footprint, finer than the elements that leave it.
 //
-// A free surface leaves the ground with a horizontal tangent: beside the contact its height grows
-// as the square of the way, g = c (s - s_0)^2. So along lines of samples around the tire and
-// across, the edge s_0 is where the root of the height goes to zero, extrapolated from where it
-// passes two heights that lie above what penalty and interpolation leave in the patch,
-//   s_0 = s_1 - (s_2 - s_1) sqrt(g_1) / (sqrt(g_2) - sqrt(g_1))                               (F.1)
-// Where the surface ends or comes down again before the second of them, the first is the edge.
+// Beside a patch from -a to a around its middle the gap between a cylinder and the ground grows as
+//   g(s) ~ f(s / a),   f(t) = t sqrt(t^2 - 1) - arcosh t                                      (F.1)
+// [Johnson, Contact Mechanics, Cambridge 1985, section 4.2: of a line contact], first as the power
+// 3/2 of the way from the edge, as at any free edge, then as the square. So along lines of samples
+// around the tire and across, the edge is where (F.1) has it that passes two heights where the
+// surface does. Both lie above what penalty, interpolation and the offset of (T.1) leave in the
+// patch. Where the surface ends or comes down again before the second of them, the first is the
+// edge.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,9 +24,11 @@ struct FootprintSize {
 };
 
 /// Of all the ring. `at`: every sample of the tread in axes of the ground, x along the road, z the
-/// distance from it; `area`, m^2, what it stands for.
+/// distance from it; `area`, m^2, what it stands for. `rest`, m: how far from the ground they may
+/// be in the patch.
 FootprintSize footprint_size(const TreadSurface& tread,
                              const Eigen::Matrix3Xd& at,
-                             const Eigen::VectorXd& area);
+                             const Eigen::VectorXd& area,
+                             double rest);
 
 }  // namespace latsch::fe_tire

@@ -192,7 +192,7 @@ int TreadSurface::place_of(int plane, int node) {
 }
 
 TreadSurface::Point TreadSurface::point_at(const Grid& grid, const Tangents& at, double share) {
-  Point point{static_cast<int>(weights_.size()), 0, share, 0.0};
+  Point point{static_cast<int>(weights_.size()), 0, share, 0.0, 0.0};
   Eigen::Vector3d along = Eigen::Vector3d::Zero(), across = along;
   for (std::size_t k = 0; k < grid.size(); ++k) {
     if (grid[k] < 0) continue;
@@ -202,6 +202,7 @@ TreadSurface::Point TreadSurface::point_at(const Grid& grid, const Tangents& at,
     ++point.weights;
   }
   point.dA = along.cross(across).norm() * share;
+  point.around = along.norm() * std::sqrt(share);
   return point;
 }
 
@@ -273,6 +274,41 @@ std::pair<TreadSurface::Grid, TreadSurface::Weights> TreadSurface::smooth_face(i
           }};
 }
 
+/// rad
+double TreadSurface::width(int sector) const {
+  const Mesh& mesh = unknowns_.ring().mesh();
+  if (sector + 1 == mesh.sectors) return 2.0 * std::numbers::pi - mesh.angle(sector);
+  return mesh.angle(sector + 1) - mesh.angle(sector);
+}
+
+/// What (T.1) adds at a node whose undeformed mean it has, by (T.2).
+Eigen::Vector3d TreadSurface::offset_of(int plane,
+                                        int node,
+                                        const Strip& strip,
+                                        const Eigen::Vector3d& mean) {
+  const int S = unknowns_.ring().mesh().sectors, before = (plane - 1 + S) % S;
+  Eigen::Vector3d along = Eigen::Vector3d::Zero(), across = along;
+  for (const int sector : {before, plane}) {
+    for (const int face : {node - 1, node}) {
+      if (face < 0 || face >= static_cast<int>(strip.span.size())) continue;
+      const auto [grid, weights_at] = smooth_face(sector, face, strip);
+      const Tangents at = weights_at(sector == plane ? -1.0 : 1.0, face == node ? -1.0 : 1.0);
+      for (std::size_t k = 0; k < grid.size(); ++k) {
+        if (grid[k] < 0) continue;
+        along += at.by_u[k] * places_[grid[k]].X;
+        across += at.by_v[k] * places_[grid[k]].X;
+      }
+    }
+  }
+  const Eigen::Vector3d n = along.cross(across).normalized();
+  const Eigen::Vector3d X = places_[place_of(plane, strip.nodes[node])].X;
+  const double h0 = width(before), h1 = width(plane);
+  const Eigen::Vector3d radial(X.x(), 0.0, X.z());
+  const double around = n.dot(radial) * (h0 * h0 * h0 + h1 * h1 * h1) / (12.0 * (h0 + h1));
+  const double all = n.dot(X - mean);
+  return 0.5 * n * (around + std::clamp(all - around, -around, around));
+}
+
 /// (T.1) of a node of a strip, by three Gauss points along each side of the faces around it. Where
 /// half the ring stands for all of it, half of a node on its own image's plane belongs to the
 /// image.
@@ -305,10 +341,18 @@ void TreadSurface::add_mean_point(int plane, int node, const Strip& strip) {
   }
   const bool is_own_image =
       unknowns_.multiplicity() > 1.0 && (plane == 0 || plane == unknowns_.sectors());
-  Point point{static_cast<int>(weights_.size()), 0, 0.0, is_own_image ? 0.5 * area : area};
+  Eigen::Vector3d undeformed = Eigen::Vector3d::Zero();
+  for (const auto& [place, weight] : mean) undeformed += weight / area * places_[place].X;
+  const double radius = std::hypot(undeformed.x(), undeformed.z());
+  const Point point{static_cast<int>(weights_.size()),
+                    static_cast<int>(mean.size()),
+                    0.0,
+                    is_own_image ? 0.5 * area : area,
+                    0.5 * radius * (width((plane - 1 + S) % S) + width(plane)),
+                    offset_of(plane, node, strip, undeformed),
+                    is_own_image};
   for (const auto& [place, weight] : mean) {
     weights_.push_back({place, weight / area, 0.0, 0.0});
-    ++point.weights;
   }
   points_.push_back(point);
 }

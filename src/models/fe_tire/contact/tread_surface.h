@@ -8,9 +8,13 @@
 // with slopes of the parabola through each node and its two neighbors (one-sided at the tread's
 // edges): continuous tangents, exact on circles to fourth order in the sectors' width, flat where
 // the ground has made it flat. The ground sees its means around the nodes (N_a: bilinear),
-//   x_a = int N_a x dA / int N_a dA
-//   (T.1)
+//   x_a = int N_a x dA / int N_a dA + n_a c_a / 2                                             (T.1)
 // as in mortar methods: as many pressures as nodes can answer, where more would fight each other.
+// The mean of an arc lies behind the place that touches first, by its sag
+//   c_a = n_a . (X_a - int N_a X dA / int N_a dA)                                             (T.2)
+// (undeformed, n_a its normal, X_a the node), that of a part the ground has made flat does not: at
+// the edge of a patch, where it matters, it is something between, of which c_a / 2 errs least.
+// Across, it counts up to as much as around: at shoulders faces are too long to know their arc.
 // Forces go to the nodes by the same weights, so they are the gradient of an energy.
 //   [Wriggers, Computational Contact Mechanics, Springer 2006: smoothing, mortar methods;
 //   Puso & Laursen 2004, CMAME 193: a mortar segment-to-segment contact method]
@@ -49,9 +53,12 @@ class TreadSurface {
   };
   /// A point that follows the surface.
   struct Point {
-    int first_weight, weights;  // of weights()
-    double share;               // of the parameters' square, of a sample
-    double dA;                  // m^2 of the undeformed surface
+    int first_weight, weights;                         // of weights()
+    double share;                                      // of the parameters' square, of a sample
+    double dA;                                         // m^2 of the undeformed surface
+    double around;                                     // m of it around the tire
+    Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // m, wheel frame: what (T.1) adds
+    bool is_own_image = false;                         // half of it is that of the image
   };
   static constexpr int kSamples = 8;  // of the surface along each side of a face
 
@@ -80,7 +87,7 @@ class TreadSurface {
   /// Places in the wheel frame [3 x places], m.
   Eigen::Matrix3Xd positions(const Eigen::Matrix3Xd& displacements) const;
   Eigen::Vector3d at(const Point& point, const Eigen::Matrix3Xd& positions) const {
-    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    Eigen::Vector3d x = point.offset;
     for (int k = 0; k < point.weights; ++k) {
       const Weight& weight = weights_[point.first_weight + k];
       x += weight.w * positions.col(weight.place);
@@ -112,6 +119,8 @@ class TreadSurface {
   void add_facet(const std::array<std::pair<int, int>, 4>& corners);
   std::pair<Grid, Weights> smooth_face(int sector, int face, const Strip& strip);
   void add_mean_point(int plane, int node, const Strip& strip);
+  double width(int sector) const;
+  Eigen::Vector3d offset_of(int plane, int node, const Strip& strip, const Eigen::Vector3d& mean);
   void add_samples(const std::array<int, 4>& corner, const Grid& grid, const Weights& weights_at);
   std::vector<std::vector<int>> rows_of_faces(std::array<int, 2> back,
                                               std::array<int, 2> front) const;

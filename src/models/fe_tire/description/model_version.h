@@ -6,6 +6,6 @@
 
 namespace latsch::fe_tire {
 
-inline constexpr int kModelVersion = 8;
+inline constexpr int kModelVersion = 9;
 
 }  // namespace latsch::fe_tire

@@ -32,6 +32,13 @@ double elements_before(const SpacingProfile& spacing, double q) {
   return count;
 }
 
+double length_at(const SpacingProfile& spacing, double q) {
+  std::size_t i = 0;
+  while (i + 2 < spacing.position.size() && q > spacing.position[i + 1]) ++i;
+  const double a = spacing.position[i], b = spacing.position[i + 1];
+  return spacing.length[i] + (spacing.length[i + 1] - spacing.length[i]) * (q - a) / (b - a);
+}
+
 /// Columns from the crown to position q.
 double columns_before(const Section& section, double q) {
   const double part = section.spacing.position.empty() ? q
@@ -120,12 +127,16 @@ double Section::station(double column) const {
   const double wanted = moved_to_ends(*this, 0.5 * meridional * std::abs(s));
   if (spacing.position.empty()) return std::copysign(wanted / (0.5 * meridional), s);
   const double before = wanted / (0.5 * meridional) * elements_before(spacing, 1.0);
-  double low = 0.0, high = 1.0;
-  for (int i = 0; i < 60; ++i) {  // monotone: bisection to the last bit
-    const double middle = 0.5 * (low + high);
-    (elements_before(spacing, middle) < before ? low : high) = middle;
+  double low = 0.0, high = 1.0, q = wanted / (0.5 * meridional);
+  for (int i = 0; i < 60 && high - low > 1e-16; ++i) {  // Newton's method, kept between the two
+    const double left = before - elements_before(spacing, q);
+    if (left == 0.0) break;
+    (left > 0.0 ? low : high) = q;
+    const double next = q + left * length_at(spacing, q), last = q;
+    q = next > low && next < high ? next : 0.5 * (low + high);
+    if (std::abs(q - last) <= 1e-16) break;
   }
-  return std::copysign(high, s);
+  return std::copysign(q, s);
 }
 
 }  // namespace latsch::fe_tire

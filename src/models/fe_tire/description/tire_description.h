@@ -105,7 +105,7 @@ struct Section {
   /// reach the bead.
   std::optional<double> crown_columns() const;
   /// Positions, ascending, where columns end exactly, the nearest ones moved there: where plies and
-  /// rubbers end.
+  /// rubbers end. None where columns are all alike.
   std::vector<double> ends;
   int rows() const { return rows_inside + rows_between() + rows_outside; }
   int rows_between() const { return faces.empty() ? 0 : static_cast<int>(faces.size()) - 1; }

@@ -241,7 +241,7 @@ CordPly read_ply(const Node& node, const Section& section) {
   return ply;
 }
 
-/// The plies on which rows of elements meet; columns then end where plies and rubbers end.
+/// The plies on which rows of elements meet.
 void read_faces(const Node& mesh, TireDescription& tire) {
   constexpr const char* kKey = "faces";
   if (!mesh.has(kKey)) return;
@@ -262,6 +262,11 @@ void read_faces(const Node& mesh, TireDescription& tire) {
   if (const std::string conflict = row_conflict(tire.section); !conflict.empty()) {
     mesh.reject(kKey, conflict);
   }
+}
+
+/// Columns end where plies and rubbers end, unless they are all alike.
+void place_ends(TireDescription& tire) {
+  if (tire.section.faces.empty() && tire.section.spacing.position.empty()) return;
   std::set<double> ends;
   for (const CordPly& ply : tire.plies) ends.insert({ply.extent.from, ply.extent.to});
   for (const RubberRegion& region : tire.regions) {
@@ -319,6 +324,7 @@ TireDescription read_tire(const Node& root) {
   for (const Node& node : root.named_tables("layer"))
     tire.plies.push_back(read_ply(node, tire.section));
   read_faces(mesh, tire);
+  place_ends(tire);
   root.close();
   check_size(root, tire);
   check_plan(root, tire);

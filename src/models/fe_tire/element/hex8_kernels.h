@@ -135,4 +135,5 @@ double rubber_at(const Hyperelastic& law, const double* E, double* S, double (*D
 
 }  // namespace latsch::fe_tire::LATSCH_KERNELS
 
-#include "models/fe_tire/element/hex8_motions_kernel.h"
+#include "models/fe_tire/element/hex8_curvatures_kernel.h"
+#include "models/fe_tire/element/hex8_motion_sums_kernel.h"

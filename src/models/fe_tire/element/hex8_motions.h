@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Derivatives of an element's energy W(u, alpha; p) along motions of it, with enhanced strains that
-// follow: what slopes of a tire's answers in its numbers p are made of (analysis/tire_slopes.h).
+// follow: what slopes of a tire's answers in its numbers p are made of (slopes/tire_slopes.h).
 //
 // Of a mode phi and another motion zeta, with A = W_aa of the enhanced strains alpha:
 //   a_phi = -A^-1 W_au phi,   a_zeta = -A^-1 W_au zeta                                        (M.1)

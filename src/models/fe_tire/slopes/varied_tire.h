@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "models/fe_tire/analysis/fe_tire_impl.h"
-#include "models/fe_tire/analysis/ring_motions.h"
-#include "models/fe_tire/analysis/tire_slopes.h"
+#include "models/fe_tire/slopes/moved_numbers.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
 
 namespace latsch::fe_tire {
 
@@ -26,6 +26,15 @@ struct Varied {
 
   const RingElements& even() const { return even_elements ? *even_elements : *elements; }
   const Ring& ring() const { return elements->ring(); }
+};
+
+/// The tread of a varied tire of another shape, on the unknowns of the tire's own.
+struct VariedTread {
+  RingUnknowns unknowns;
+  TreadSurface surface;
+
+  VariedTread(const VariedTread&) = delete;  // the surface refers to its unknowns
+  VariedTread(const Varied& varied, const Systems& all, Varied::Base& base, bool is_halved);
 };
 
 /// A number moved to both sides.

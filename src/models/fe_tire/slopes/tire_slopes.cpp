@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/analysis/tire_slopes.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "models/fe_tire/analysis/inflation.h"
 #include "models/fe_tire/analysis/modes.h"
-#include "models/fe_tire/analysis/tire_slopes_impl.h"
 #include "models/fe_tire/ring/sector.h"
+#include "models/fe_tire/slopes/tire_slopes_impl.h"
 
 namespace latsch::fe_tire {
 
@@ -19,20 +21,22 @@ double to_hertz_slope(double omega_squared_slope, double frequency) {
   return omega_squared_slope / (8.0 * std::numbers::pi * std::numbers::pi * frequency);
 }
 
+Failure beside_state() { return Failure{"slopes: an element fails beside the state"}; }
+
 int TireSlopes::variables() const { return impl_->count(); }
 
 Result<TireSlopes::OfInflated> TireSlopes::of_inflated(const Inflated& inflated) {
   Impl& all = *impl_;
-  if (!all.inflated || all.inflated->first != inflated.u) {
+  if (!all.inflated || all.inflated->u != inflated.u) {
     auto found = all.solve_inflated(inflated);
     if (!found) return found.failure();
-    all.inflated.emplace(inflated.u, *std::move(found));
+    all.inflated = *std::move(found);
   }
-  return all.inflated->second;
+  return all.inflated->slopes;
 }
 
 /// (S.1) on one sector.
-Result<TireSlopes::OfInflated> TireSlopes::Impl::solve_inflated(const Inflated& at) {
+Result<TireSlopes::Impl::AtInflated> TireSlopes::Impl::solve_inflated(const Inflated& at) {
   const RingElements& elements = base.even_elements();
   const Ring& ring = elements.ring();
   const Eigen::VectorXd x = ring.compress(at.u);
@@ -41,10 +45,12 @@ Result<TireSlopes::OfInflated> TireSlopes::Impl::solve_inflated(const Inflated& 
   int worst = 0;
   if (!assemble_sector(elements, x, at.pressure, alpha, f, &K, &worst))
     return no_tangent(ring, worst);
-  numerics::BandedCholesky cholesky;
-  if (!cholesky.factorize(K.harmonic(0))) return Failure{"slopes: the inflated tire is not stable"};
-  OfInflated slopes{
-      Eigen::MatrixXd(x.size(), count()), Eigen::VectorXd(count()), Eigen::VectorXd(count())};
+  AtInflated found{
+      at.u,
+      {},
+      {Eigen::MatrixXd(x.size(), count()), Eigen::VectorXd(count()), Eigen::VectorXd(count())}};
+  OfInflated& slopes = found.slopes;
+  if (!found.K.factorize(K.harmonic(0))) return Failure{"slopes: the inflated tire is not stable"};
   for (int k = 0; k < count(); ++k) {
     const double way = 2.0 * variations[k].step;
     const auto forces = [&](const Varied& tire, Eigen::VectorXd& moved) {
@@ -56,13 +62,13 @@ Result<TireSlopes::OfInflated> TireSlopes::Impl::solve_inflated(const Inflated& 
     if (!forces(varied[k]->below, f_below) || !forces(varied[k]->above, f_above))
       return no_tangent(ring, worst);
     Eigen::MatrixXcd d = ((f_below - f_above) / way).cast<std::complex<double>>();
-    cholesky.solve(d);
+    found.K.solve(d);
     slopes.x.col(k) = d.real();
     const auto [below, above] = moved_inflated(at, slopes.x.col(k), k);
     slopes.radius[k] = (above.radius - below.radius) / way;
     slopes.growth[k] = (above.growth - below.growth) / way;
   }
-  return slopes;
+  return found;
 }
 
 /// The varied tires inflated, to the first order.
@@ -106,8 +112,8 @@ Eigen::VectorXcd sector_shape(const Ring& even, const Mesh& mesh, const Mode& mo
   const int n = mesh.nodes_per_sector();
   const Eigen::VectorXd first = even.compress(mode.shape.leftCols(n));
   const double angle = mode.n * mesh.angle(1), c = std::cos(angle), s = std::sin(angle);
-  const Eigen::VectorXd second = even.compress(mode.shape.middleCols(n, n));
   if (std::abs(s) < 1e-9) return first.cast<std::complex<double>>();
+  const Eigen::VectorXd second = even.compress(mode.shape.middleCols(n, n));
   const Eigen::VectorXd imaginary = (c * first - second) / s;
   Eigen::VectorXcd phi(first.size());
   phi.real() = first;
@@ -134,11 +140,16 @@ const Mode& nearest(const std::vector<Mode>& modes, const Mode& mode) {
   return *found;
 }
 
-/// Shapes over a sector to kSharp, each of unit mass there.
-Result<std::vector<Eigen::VectorXcd>> sharp_shapes(const Varied::Base& base,
-                                                   const Inflated& at,
-                                                   const std::vector<Mode>& modes,
-                                                   const SectorBlocks& M) {
+/// Whether b is the other member of a's pair.
+bool are_pair(const Mode& a, const Mode& b) {
+  return a.n > 0 && a.n == b.n && a.frequency == b.frequency;
+}
+
+/// Shapes over a sector to kSharp, a pair's once; `of_mode`: whose is that of a mode.
+Result<std::vector<HarmonicShape>> sharp_shapes(const Varied::Base& base,
+                                                const Inflated& at,
+                                                const std::vector<Mode>& modes,
+                                                std::vector<Eigen::Index>& of_mode) {
   const Ring& ring = base.even_elements().ring();
   const Mesh& mesh = base.ring.mesh();
   std::vector<Mode> sharp;
@@ -148,51 +159,52 @@ Result<std::vector<Eigen::VectorXcd>> sharp_shapes(const Varied::Base& base,
     if (!found) return found.failure();
     sharp = std::move(*found);
   }
-  std::vector<Eigen::VectorXcd> shapes;
-  for (const Mode& mode : modes) {
-    const Eigen::VectorXcd phi = sector_shape(ring, mesh, nearest(sharp, mode));
-    shapes.emplace_back(phi / std::sqrt(quadratic(M.harmonic(mode.n), phi)));
+  const SectorBlocks M = sector_mass(base.even_elements());
+  std::vector<HarmonicShape> shapes;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (i == 0 || !are_pair(modes[i - 1], modes[i])) {
+      const Eigen::VectorXcd phi = sector_shape(ring, mesh, nearest(sharp, modes[i]));
+      const double mass = quadratic(M.harmonic(modes[i].n), phi);
+      shapes.push_back({modes[i].n, modes[i].frequency, phi / std::sqrt(mass)});
+    }
+    of_mode.push_back(std::ssize(shapes) - 1);
   }
   return shapes;
 }
 
 }  // namespace
 
+/// (S.3) on one sector.
 Result<Eigen::MatrixXd> TireSlopes::of_modes(const Inflated& at, const std::vector<Mode>& modes) {
   Impl& all = *impl_;
-  const auto inflated = of_inflated(at);
-  if (!inflated) return inflated.failure();
-  const Ring& ring = all.base.even_elements().ring();
-  const Eigen::VectorXd x = ring.compress(at.u);
-  const SectorBlocks M = sector_mass(all.base.even_elements());
-  const auto shapes = sharp_shapes(all.base, at, modes, M);
+  if (const auto of_x = of_inflated(at); !of_x) return of_x.failure();
+  std::vector<Eigen::Index> of_mode;
+  const auto shapes = sharp_shapes(all.base, at, modes, of_mode);
   if (!shapes) return shapes.failure();
-  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(std::ssize(modes), all.count());
-  for (int k = 0; k < all.count(); ++k) {
-    const double step = all.variations[k].step;
-    for (const double side : {-1.0, 1.0}) {
-      const Varied& tire = side < 0.0 ? all.varied[k]->below : all.varied[k]->above;
-      SectorBlocks K(ring);
-      Eigen::VectorXd f, alpha = at.alpha;
-      int worst = 0;
-      const double p = all.pressure_of(k, tire.tire, at.pressure);
-      const Eigen::VectorXd moved = x + side * step * inflated->x.col(k);
-      // Forces first: what they leave of alpha, the difference of two tangents would enlarge.
-      if (!assemble_sector(tire.even(), moved, p, alpha, f, nullptr, &worst) ||
-          !assemble_sector(tire.even(), moved, p, alpha, f, &K, &worst))
-        return no_tangent(ring, worst);
-      const SectorBlocks mass = tire.same_mass ? M : sector_mass(tire.even());
-      for (std::size_t i = 0; i < modes.size(); ++i) {
-        const double omega = 2.0 * std::numbers::pi * modes[i].frequency;
-        const Eigen::VectorXcd& phi = (*shapes)[i];
-        double now = quadratic(K.harmonic(modes[i].n), phi);
-        if (!tire.same_mass) now -= omega * omega * quadratic(mass.harmonic(modes[i].n), phi);
-        slopes(static_cast<Eigen::Index>(i), k) +=
-            to_hertz_slope(side * now / (2.0 * step), modes[i].frequency);
-      }
-    }
+  Eigen::MatrixXd changes(std::ssize(*shapes), all.count());
+  for (std::size_t first = 0; first < shapes->size(); first += SectorMotions::kMost) {
+    const std::span some =
+        std::span(*shapes).subspan(first, std::min(shapes->size() - first, SectorMotions::kMost));
+    const auto found = all.of_harmonic_modes(at, some);
+    if (!found) return found;
+    changes.middleRows(static_cast<Eigen::Index>(first), found->rows()) = *found;
   }
+  Eigen::MatrixXd slopes(std::ssize(modes), all.count());
+  for (Eigen::Index i = 0; i < slopes.rows(); ++i)
+    slopes.row(i) = to_hertz_slope(1.0, modes[i].frequency) * changes.row(of_mode[i]);
   return slopes;
+}
+
+Result<Eigen::MatrixXd> TireSlopes::Impl::of_harmonic_modes(const Inflated& at,
+                                                            std::span<const HarmonicShape> modes) {
+  SectorMotions motions(base.even_elements(), at, modes);
+  Eigen::MatrixXd g, changes;
+  if (!motions.curvatures(g)) return beside_state();
+  Eigen::MatrixXcd z = (-g).cast<std::complex<double>>();
+  inflated->K.solve(z);
+  if (!motions.slopes(z.real(), moved_numbers(OfRing::even, at.pressure), changes))
+    return beside_state();
+  return changes;
 }
 
 }  // namespace latsch::fe_tire

@@ -8,17 +8,14 @@
 // shipped tires, default element and cords as rebars on half as many unknowns again, are measured
 // beside the same run of CalculiX, which has no rebars.
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include "base/document.h"
-#include "base/scratch_folder_testing.h"
-#include "formats/mesh/ccx_deck.h"
-#include "formats/mesh/ccx_results.h"
+#include "calculix.h"
+#include "cpu_time.h"
 #include "formats/mesh/inp_tire.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/reference_tires.h"
@@ -34,15 +31,6 @@ constexpr double kTravel = 0.025;  // m
 constexpr int kModes = 20;
 constexpr double kClear = 2e-3;  // m, from the undeformed tire to the ground
 constexpr double kRatio = 30.0;  // CPU of CalculiX to ours
-
-double cpu_seconds(int who) {
-  rusage usage{};
-  getrusage(who, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 template <class T>
 T take(Result<T> result) {
@@ -138,7 +126,7 @@ TireDescription shipped(const std::string& file) {
 
 /// CPU seconds of a trial of a tire as it is shipped, mesh and symbolic work included.
 double seconds_as_shipped(const TireDescription& description, bool loaded_modes) {
-  const double start = cpu_seconds(RUSAGE_SELF);
+  const double start = cpu_seconds();
   FeTire tire(description);
   run_trial(tire,
             description.pressure,
@@ -146,16 +134,7 @@ double seconds_as_shipped(const TireDescription& description, bool loaded_modes)
             kTravel,
             loaded_modes,
             Ground{}.stiffness);
-  return cpu_seconds(RUSAGE_SELF) - start;
-}
-
-/// On one thread, the deck tire.inp; whether it finished.
-bool run_calculix(const ScratchFolder& folder) {
-  const std::string command = fmt::format(
-      "cd '{}' && OMP_NUM_THREADS=1 CCX_NPROC_EQUATION_SOLVER=1 CCX_NPROC_RESULTS=1 ccx -i tire > "
-      "tire.log 2>&1",
-      folder.path().string());
-  return std::system(command.c_str()) == 0;
+  return cpu_seconds() - start;
 }
 
 /// One tire in both programs, and as it is shipped.
@@ -164,33 +143,28 @@ void race(Table& table,
           const TireDescription& description,
           const std::string& file,
           bool loaded_modes) {
-  const ScratchFolder folder;
-
-  const double start = cpu_seconds(RUSAGE_SELF);
+  const double start = cpu_seconds();
   const Mesh mesh = build_mesh(description);
   const Materials materials = build_materials(description);
   FeTire tire(mesh, materials, comparison());
-  const double prepared = cpu_seconds(RUSAGE_SELF);
+  const double prepared = cpu_seconds();
   const double ground_radius = mesh.outer_radius() + kClear;
   const Ground ground;
   const Trial ours =
       run_trial(tire, description.pressure, ground_radius, kTravel, loaded_modes, ground.stiffness);
-  const double finished = cpu_seconds(RUSAGE_SELF);
+  const double finished = cpu_seconds();
 
-  formats::CcxRun run;
-  run.title = description.name;
-  run.pressure = description.pressure;
-  run.ground = formats::CcxGround{ground_radius, kTravel, ground.stiffness, 0.0};
-  run.modes = kModes;
-  run.loaded_modes = loaded_modes;
-  formats::write_ccx_deck(folder / "tire.inp", mesh, materials, run);
-  const double children = cpu_seconds(RUSAGE_CHILDREN);
-  if (!run_calculix(folder)) {
+  const auto calculix = run_calculix(
+      mesh,
+      materials,
+      calculix_trial(
+          description.name, mesh, description.pressure, kClear, kTravel, kModes, loaded_modes));
+  if (!calculix) {
     table.row(name + ": CalculiX", "did not finish", "finish", false);
     return;
   }
-  const double theirs = cpu_seconds(RUSAGE_CHILDREN) - children;
-  const formats::CcxResults expected = formats::read_ccx_results(folder / "tire.dat");
+  const double theirs = calculix->cpu_seconds;
+  const formats::CcxResults& expected = calculix->results;
 
   const int crown =
       1 + mesh.sensors[2];  // number in the deck; it lies at the bottom, outward is -y
@@ -227,7 +201,6 @@ void race(Table& table,
 /// Rows that meet on plies and end at tied corners, equations between nodes in the deck: tire B's
 /// shipped section in 24 sectors, cords smeared, comparison element, off the ground.
 void compare_ties(Table& table) {
-  const ScratchFolder folder;
   TireDescription description = shipped("passenger_225_50R16.toml");
   description.section.sectors = 24;
   description.section.sector_zones.clear();
@@ -240,12 +213,12 @@ void compare_ties(Table& table) {
   run.pressure = description.pressure;
   run.modes = kModes;
   run.loaded_modes = false;
-  formats::write_ccx_deck(folder / "tire.inp", mesh, materials, run);
-  if (!run_calculix(folder)) {
+  const auto calculix = run_calculix(mesh, materials, run);
+  if (!calculix) {
     table.row("tied rows: CalculiX", "did not finish", "finish", false);
     return;
   }
-  const formats::CcxResults expected = formats::read_ccx_results(folder / "tire.dat");
+  const formats::CcxResults& expected = calculix->results;
   compare_row(
       table,
       "tied rows: crown growth, both programs now",
@@ -262,7 +235,7 @@ void compare_ties(Table& table) {
 int run() {
   Table table("ccx");
   compare_decks(table);
-  if (std::system("command -v ccx > /dev/null 2>&1") != 0) {
+  if (!has_calculix()) {
     table.note("CPU time against CalculiX", "skipped: no ccx on the path");
   } else {
     compare_ties(table);

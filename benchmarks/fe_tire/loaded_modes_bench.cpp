@@ -14,9 +14,7 @@
 #include <cstdlib>
 
 #include "base/document.h"
-#include "base/scratch_folder_testing.h"
-#include "formats/mesh/ccx_deck.h"
-#include "formats/mesh/ccx_results.h"
+#include "calculix.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/tire_description.h"
 #include "table.h"
@@ -73,17 +71,13 @@ Answer answer_of(FeTire& tire, double deflection) {
 }
 
 Answer answer_of_calculix(const TireDescription& tire, double radius, double deflection) {
-  const ScratchFolder folder;
   formats::CcxRun run;
   run.pressure = kPressure;
   run.modes = kModes;
   run.ground = formats::CcxGround{radius, deflection};
-  formats::write_ccx_deck(folder / "tire.inp", build_mesh(tire), build_materials(tire), run);
-  const std::string command = fmt::format(
-      "cd '{}' && OMP_NUM_THREADS=1 ccx -i tire > tire.log 2>&1", folder.path().string());
-  if (std::system(command.c_str()) != 0) throw std::runtime_error("CalculiX did not finish");
-  const formats::CcxResults results = formats::read_ccx_results(folder / "tire.dat");
-  return {results.total_force.at("GROUND").y(), 0, 0, results.frequencies};
+  const auto calculix = run_calculix(build_mesh(tire), build_materials(tire), run);
+  if (!calculix) throw std::runtime_error("CalculiX did not finish");
+  return {calculix->results.total_force.at("GROUND").y(), 0, 0, calculix->results.frequencies};
 }
 
 double largest_difference(const Answer& a, const Answer& b) {

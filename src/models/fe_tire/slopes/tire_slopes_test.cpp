@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Slopes against differences of whole trials, every one solved anew, extrapolated to a step of
 // zero.
-#include "models/fe_tire/analysis/tire_slopes.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
 
 #include <gtest/gtest.h>
 
@@ -93,7 +93,7 @@ Eigen::VectorXd answers(const TireDescription& description) {
   FeTire tire = at_rest(description, 1e-9);
   const auto inflated = tire.inflate(description.pressure);
   EXPECT_TRUE(inflated);
-  const auto states = tire.press(*inflated, Ground{}, {0.008, 0.016});
+  const auto states = tire.press(*inflated, Ground{}, {0.008, 0.015});
   EXPECT_TRUE(states);
   const auto free = tire.modes(*inflated, kModes), loaded = tire.modes(states->back(), kModes);
   EXPECT_TRUE(free && loaded);
@@ -125,7 +125,7 @@ TEST(TireSlopes, AreThoseOfWholeTrials) {
   TireSlopes slopes(tire, variations());
   const auto inflated = tire.inflate(kInflation);
   ASSERT_TRUE(inflated);
-  const auto states = tire.press(*inflated, Ground{}, {0.008, 0.016});
+  const auto states = tire.press(*inflated, Ground{}, {0.008, 0.015});
   ASSERT_TRUE(states);
   const auto free = tire.modes(*inflated, kModes), loaded = tire.modes(states->back(), kModes);
   ASSERT_TRUE(free && loaded);
@@ -160,6 +160,69 @@ TEST(TireSlopes, AreThoseOfWholeTrials) {
       // In proportion to what a change by its own size makes, or to the value itself.
       const double size = std::max(std::abs(expected[i]), 1e-2 * std::abs(values[i]) / number.size);
       EXPECT_NEAR(found(i, k), expected[i], 2e-6 * size) << number.name << ", answer " << i;
+    }
+  }
+}
+
+/// The deflection that carries a load, by Newton's method on exact slopes.
+TireState carrying(FeTire& tire, TireSlopes& slopes, double pressure, double load) {
+  const auto inflated = tire.inflate(pressure);
+  auto states = tire.press(*inflated, Ground{}, {0.008, 0.016});
+  EXPECT_TRUE(states);
+  TireState state = states->back();
+  for (int i = 0; i < 20; ++i) {
+    const double left = load - tire.stand(state).force.z();
+    if (std::abs(left) < 1e-9 * load) break;
+    const auto of_state = slopes.of_state(state);
+    EXPECT_TRUE(of_state);
+    const double height = state.pose.height + left / of_state->by_height;
+    states = tire.press(*inflated, Ground{}, {0.008, inflated->radius - height});
+    EXPECT_TRUE(states);
+    state = states->back();
+  }
+  return state;
+}
+
+constexpr double kLoad = 3000.0;  // N
+
+/// Deflection, length, width and area under the load.
+Eigen::Vector4d under_load(const TireDescription& description) {
+  FeTire tire = at_rest(description, 1e-5);
+  TireSlopes slopes(tire, {});
+  const TireState state = carrying(tire, slopes, description.pressure, kLoad);
+  const Standing standing = tire.stand(state);
+  return {standing.deflection, standing.patch.length, standing.patch.width, standing.patch.area};
+}
+
+TEST(TireSlopes, OfDeflectionAndPatchUnderALoadAreThoseOfWholeTrials) {
+  const TireDescription description = moved(numbers()[0], 0.0);
+  FeTire tire = at_rest(description, 1e-5);
+  TireSlopes slopes(tire, variations());
+  const TireState state = carrying(tire, slopes, kInflation, kLoad);
+  const auto of_inflated = slopes.of_inflated(*state.inflated);
+  const auto of_state = slopes.of_state(state);
+  ASSERT_TRUE(of_inflated && of_state);
+  const Eigen::VectorXd height = TireSlopes::height_under_load(*of_state);
+  const auto of_patch = slopes.of_patch(state, height);
+  ASSERT_TRUE(of_patch);
+  const Eigen::VectorXd deflection = of_inflated->radius - height;
+  const Eigen::Vector4d values = under_load(description);
+  for (int k = 0; k < slopes.variables(); ++k) {
+    const Number number = numbers()[k];
+    if (std::string(number.name) == "density") continue;  // carries nothing
+    const auto differences = [&](double h) {
+      return Eigen::Vector4d((under_load(moved(number, h)) - under_load(moved(number, -h))) /
+                             (2.0 * h));
+    };
+    // Runs of samples that touch come and go: the patch is smooth in pieces, and steps stay in one.
+    Eigen::Vector4d expected = differences(2e-5 * number.size);
+    expected[0] = differences(2e-4 * number.size)[0];
+    const Eigen::Vector4d found{
+        deflection[k], of_patch->length[k], of_patch->width[k], of_patch->area[k]};
+    for (int i = 0; i < 4; ++i) {
+      // Steps of central differences leave 1e-5; the patch bends more.
+      const double size = std::max(std::abs(expected[i]), 1e-2 * values[i] / number.size);
+      EXPECT_NEAR(found[i], expected[i], (i == 0 ? 1e-5 : 1e-3) * size) << number.name << ' ' << i;
     }
   }
 }

@@ -5,15 +5,19 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "models/fe_tire/analysis/fe_tire_impl.h"
-#include "models/fe_tire/analysis/ring_motions.h"
-#include "models/fe_tire/analysis/tire_slopes.h"
-#include "models/fe_tire/analysis/varied_tire.h"
+#include "models/fe_tire/slopes/ring_motions.h"
+#include "models/fe_tire/slopes/sector_motions.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
+#include "models/fe_tire/slopes/varied_tire.h"
+#include "numerics/sparse/banded_hermitian.h"
 
 namespace latsch::fe_tire {
 
@@ -21,8 +25,18 @@ struct TireSlopes::Impl {
   FeTire::Impl& base;
   std::vector<Variation> variations;
   std::vector<std::unique_ptr<VariedPair>> varied;
-  std::optional<std::pair<Eigen::Matrix3Xd, OfInflated>> inflated;  // of the state u
-  std::optional<numerics::Factorization> own_factor;
+  struct AtInflated {
+    Eigen::Matrix3Xd u;  // of the state
+    numerics::BandedCholesky K;
+    OfInflated slopes;
+  };
+  std::optional<AtInflated> inflated;
+  struct Tangent {
+    numerics::SymmetricMatrix K;
+    numerics::Factorization factor;
+  };
+  std::map<const Systems*, Tangent> own_tangents;  // of the last state that needed one
+  std::map<std::pair<const Varied*, const Systems*>, std::unique_ptr<VariedTread>> varied_treads;
 
   Impl(FeTire::Impl& tire, std::vector<Variation> numbers)
       : base(tire), variations(std::move(numbers)) {
@@ -35,7 +49,10 @@ struct TireSlopes::Impl {
     return variations[k].moves_pressure ? tire.pressure : pressure;
   }
 
-  Result<OfInflated> solve_inflated(const Inflated& at);
+  Result<AtInflated> solve_inflated(const Inflated& at);
+  /// rad^2/s^2 a unit [modes x variables] of at most SectorMotions::kMost; after of_inflated().
+  Result<Eigen::MatrixXd> of_harmonic_modes(const Inflated& at,
+                                            std::span<const HarmonicShape> modes);
   std::pair<Inflated, Inflated> moved_inflated(const Inflated& at,
                                                const Eigen::VectorXd& x_slope,
                                                int k) const;
@@ -46,22 +63,39 @@ struct TireSlopes::Impl {
   Result<Eigen::MatrixXd> of_some_modes(const TireState& state,
                                         const std::vector<Mode>& modes,
                                         const Eigen::VectorXd& height);
-  std::vector<MovedNumber> moved_numbers(double pressure) const;
+  /// With the elements of the ring, or of that of equally wide sectors.
+  enum class OfRing { pressed, even };
+  std::vector<MovedNumber> moved_numbers(OfRing of, double pressure) const;
   /// What the tread of a varied tire of another shape adds to the sums, of the points that touch:
   /// `change` gives it of them and their forces [motions].
   using TouchChange = std::function<Eigen::VectorXd(const TreadSurface& tread,
                                                     const std::vector<TreadContact::Touch>& touches,
                                                     const Eigen::VectorXd& forces)>;
+  const TreadSurface& tread_of(const Varied& tire, const Systems& all, bool is_halved);
   void add_tread(Systems& all,
                  const TireState& state,
                  const TouchChange& change,
                  Eigen::MatrixXd& sums);
+  /// dx/dp of (S.1) of a state on the ground [unknowns x variables].
+  Result<Eigen::MatrixXd> moved_state(Systems& all,
+                                      const TireState& state,
+                                      const Eigen::VectorXd& height);
+  /// The patch with number k moved to a side, -1 or 1, the state along with it to first order.
+  ContactPatch patch_beside(Systems& all,
+                            const TireState& state,
+                            const Eigen::VectorXd& x,
+                            double height,
+                            int k,
+                            double side);
   /// Of the height: df/dh and -dFz/dh|x, of what is assembled.
   std::pair<Eigen::VectorXd, double> by_height(Systems& all, const TireState& state) const;
 };
 
 /// SolverSettings::mode_tolerance of shapes that slopes are taken of.
-inline constexpr double kSharp = 1e-7;
+inline constexpr double kSharp = 1e-8;
+
+/// What is said where an element has no state while a number moves.
+Failure beside_state();
 
 /// Hz a unit of a number, of rad^2/s^2 a unit.
 double to_hertz_slope(double omega_squared_slope, double frequency);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/analysis/ring_motions.h"
+#include "models/fe_tire/slopes/ring_motions.h"
 
 #include <algorithm>
 #include <cassert>
 #include <numbers>
+#include <numeric>
 
 namespace latsch::fe_tire {
 namespace {
@@ -93,30 +94,6 @@ bool RingMotions::curvatures(Eigen::MatrixXd& g) {
   return true;
 }
 
-void RingMotions::find_felt(int sector,
-                            int element,
-                            const std::vector<MovedNumber>& numbers,
-                            Felt& felt) const {
-  felt = {};
-  const bool inner = ring_.mesh().elements[element].inner;
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    const MovedNumber& number = numbers[k];
-    const MovedNumber::Parts& parts = (*number.parts)[element];
-    felt.mass = felt.mass || (parts.mass && !modes_.empty());
-    if (!parts.any()) continue;
-    const auto add = [&](const RingElements& other, double pressure) {
-      felt.elements.push_back({&other.law(sector, element),
-                               inner ? pressure : 0.0,
-                               parts.solid,
-                               parts.cords,
-                               parts.gas && inner});
-    };
-    add(*number.below, number.pressure_below);
-    add(*number.above, number.pressure_above);
-    felt.numbers.push_back(k);
-  }
-}
-
 const double* RingMotions::recall_alphas(const double* alphas,
                                          std::vector<ElementMotion>& motions) const {
   if (modes_.empty()) return alphas;
@@ -138,14 +115,15 @@ bool RingMotions::slopes(const Eigen::MatrixXd& along,
   for (ElementMotion& motion : motions) motion.has_mode = !modes_.empty();
   std::vector<Eigen::VectorXd> zeta;
   for (Eigen::Index i = 0; i < along.cols(); ++i) zeta.emplace_back(along.col(i));
-  Felt felt;
+  FeltNumbers felt;
   for (const auto& [first, count] : elements_.groups(unknowns_.sectors())) {
     for (int e = 0; e < ring_.elements_per_sector(); ++e) {
-      find_felt(first, e, numbers, felt);
+      felt.find(first, e, numbers);
       alphas = recall_alphas(alphas, motions);
-      if (felt.elements.empty() && !felt.mass) continue;
+      const bool has_mass = !modes_.empty() && !felt.masses.empty();
+      if (felt.elements.empty() && !has_mass) continue;
       if (!modes_.empty()) set_modes(first, count, e, motions);
-      if (felt.mass) add_masses(first, count, e, numbers, motions, sums);
+      if (has_mass) add_masses(first, count, e, felt, numbers, motions, sums);
       if (felt.elements.empty()) continue;
       for (std::size_t i = 0; i < motions.size(); ++i) {
         for (int lane = 0; lane < count; ++lane)
@@ -160,60 +138,34 @@ bool RingMotions::slopes(const Eigen::MatrixXd& along,
 bool RingMotions::add_differences(int first,
                                   int count,
                                   int element,
-                                  const Felt& felt,
+                                  const FeltNumbers& felt,
                                   const std::vector<MovedNumber>& numbers,
                                   std::vector<ElementMotion>& motions,
                                   Eigen::MatrixXd& sums) const {
   ElementBatch batch;
   set_batch(first, count, element, batch);
-  if (!follow_along(elements_.law(first, element), batch, motions)) return false;
-  std::vector<double> results(felt.elements.size() * motions.size() * kLanes);
-  auto* lanes = reinterpret_cast<double(*)[kLanes]>(results.data());
-  const auto& open_edges = elements_.surroundings(first, element).open_edges;
-  sum_motions(felt.elements, open_edges, batch, motions, lanes);
-  for (std::size_t v = 0; v < felt.numbers.size(); ++v) {
-    const std::size_t k = felt.numbers[v];
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-      const double* below = lanes[2 * v * motions.size() + i];
-      const double* above = lanes[(2 * v + 1) * motions.size() + i];
-      double sum = 0.0;
-      for (int lane = 0; lane < count; ++lane) sum += above[lane] - below[lane];
-      sums(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) += sum / numbers[k].way;
-    }
-  }
-  return true;
+  const auto add = [&](std::size_t i, std::size_t k, const double(&lanes)[kLanes]) {
+    sums(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) +=
+        std::accumulate(lanes, lanes + count, 0.0);
+  };
+  const unsigned open_edges = elements_.surroundings(first, element).open_edges;
+  return sum_differences(
+      elements_.law(first, element), open_edges, felt, numbers, batch, motions, add);
 }
 
 void RingMotions::add_masses(int first,
                              int count,
                              int element,
+                             const FeltNumbers& felt,
                              const std::vector<MovedNumber>& numbers,
                              const std::vector<ElementMotion>& motions,
                              Eigen::MatrixXd& sums) const {
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    if (!(*numbers[k].parts)[element].mass) continue;
-    const auto of = [&](const RingElements& tire) {
-      return mass(tire.ring().shape(first, element),
-                  tire.materials(),
-                  tire.ring().mesh().elements[element]);
-    };
-    const Matrix8 dM = (of(*numbers[k].above) - of(*numbers[k].below)) / numbers[k].way;
-    for (std::size_t i = 0; i < modes_.size(); ++i) {
-      const double omega = 2.0 * std::numbers::pi * modes_[i].frequency;
-      double sum = 0.0;
-      for (int a = 0; a < 8; ++a) {
-        for (int b = 0; b < 8; ++b) {
-          double product = 0.0;
-          for (int c = 0; c < 3; ++c) {
-            const double *u = motions[i].mode[3 * a + c], *v = motions[i].mode[3 * b + c];
-            for (int lane = 0; lane < count; ++lane) product += u[lane] * v[lane];
-          }
-          sum += dM(a, b) * product;
-        }
-      }
-      sums(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) -= omega * omega * sum;
-    }
-  }
+  const auto add = [&](std::size_t i, std::size_t k, const double(&lanes)[kLanes]) {
+    const double omega = 2.0 * std::numbers::pi * modes_[i].frequency;
+    sums(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) -=
+        omega * omega * std::accumulate(lanes, lanes + count, 0.0);
+  };
+  sum_masses(first, element, felt, numbers, motions, add);
 }
 
 }  // namespace latsch::fe_tire

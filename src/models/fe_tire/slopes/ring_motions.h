@@ -10,21 +10,9 @@
 #include "models/fe_tire/element/hex8_motions.h"
 #include "models/fe_tire/ring/ring_elements.h"
 #include "models/fe_tire/ring/ring_unknowns.h"
+#include "models/fe_tire/slopes/moved_numbers.h"
 
 namespace latsch::fe_tire {
-
-/// A tire with a number moved to one side, of which `step` is the way from the other side.
-struct MovedNumber {
-  const RingElements *below, *above;
-  double pressure_below, pressure_above;  // Pa
-  double way;                             // in the number's unit
-  /// Parts of a section's elements in which it is felt.
-  struct Parts {
-    bool solid, cords, gas, mass;
-    bool any() const { return solid || cords || gas; }
-  };
-  const std::vector<Parts>* parts;
-};
 
 class RingMotions {
  public:
@@ -49,28 +37,19 @@ class RingMotions {
  private:
   void set_batch(int first, int count, int element, ElementBatch& batch) const;
   void set_modes(int first, int count, int element, std::vector<ElementMotion>& motions) const;
-  /// The numbers that an element feels, each as two elements, below and above.
-  struct Felt {
-    std::vector<VariedElement> elements;
-    std::vector<std::size_t> numbers;
-    bool mass = false;  // by modes
-  };
-  void find_felt(int sector,
-                 int element,
-                 const std::vector<MovedNumber>& numbers,
-                 Felt& felt) const;
   /// From where those of the element stand, and gives back where those of the next one do.
   const double* recall_alphas(const double* alphas, std::vector<ElementMotion>& motions) const;
   bool add_differences(int first,
                        int count,
                        int element,
-                       const Felt& felt,
+                       const FeltNumbers& felt,
                        const std::vector<MovedNumber>& numbers,
                        std::vector<ElementMotion>& motions,
                        Eigen::MatrixXd& sums) const;
   void add_masses(int first,
                   int count,
                   int element,
+                  const FeltNumbers& felt,
                   const std::vector<MovedNumber>& numbers,
                   const std::vector<ElementMotion>& motions,
                   Eigen::MatrixXd& sums) const;

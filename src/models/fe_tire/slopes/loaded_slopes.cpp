@@ -2,39 +2,20 @@
 // Slopes of loads and modes of states on the ground, (S.2) and (S.3) of tire_slopes.h.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 
-#include "models/fe_tire/analysis/modes.h"
-#include "models/fe_tire/analysis/tire_slopes.h"
-#include "models/fe_tire/analysis/tire_slopes_impl.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
+#include "models/fe_tire/slopes/tire_slopes_impl.h"
+#include "numerics/sparse/davidson.h"
 
 namespace latsch::fe_tire {
 namespace {
 
+/// What is left of equations, of their right-hand sides.
+constexpr double kExactly = 1e-10;
+
 using Touches = std::vector<TreadContact::Touch>;
-
-/// The ground under a state, seen by the tread of a varied tire; what differs from the base's.
-struct VariedTread {
-  std::optional<RingUnknowns> unknowns;
-  std::optional<TreadSurface> own;
-  const TreadSurface* tread;
-
-  VariedTread(const Varied& varied,
-              const Systems& all,
-              const SolverSettings& settings,
-              const std::optional<std::vector<int>>& mirror,
-              bool halved)
-      : tread(&all.tread) {
-    if (varied.same_shape) return;
-    unknowns.emplace(varied.ring(),
-                     halved ? RingSymmetry::even : RingSymmetry::none,
-                     halved ? *mirror : std::vector<int>());
-    own.emplace(*unknowns, settings.tread_shape(), all.half_angle);
-    tread = &*own;
-  }
-};
-
-Failure beside() { return Failure{"slopes: an element fails beside the state"}; }
 
 /// Forces of the tread of a varied tire in the points that touch in the state itself: which do is
 /// held, or a point that just touches would come off within a step. Flat ground below the wheel.
@@ -74,12 +55,15 @@ double ground_stiffness(const TreadSurface& tread,
 
 }  // namespace
 
-std::vector<MovedNumber> TireSlopes::Impl::moved_numbers(double pressure) const {
+std::vector<MovedNumber> TireSlopes::Impl::moved_numbers(OfRing of, double pressure) const {
+  const auto elements = [&](const Varied& tire) {
+    return of == OfRing::even ? &tire.even() : &*tire.elements;
+  };
   std::vector<MovedNumber> numbers;
   for (int k = 0; k < count(); ++k) {
     const Varied &below = varied[k]->below, &above = varied[k]->above;
-    numbers.push_back({&*below.elements,
-                       &*above.elements,
+    numbers.push_back({elements(below),
+                       elements(above),
                        pressure_of(k, below.tire, pressure),
                        pressure_of(k, above.tire, pressure),
                        2.0 * variations[k].step,
@@ -109,16 +93,27 @@ Result<const numerics::Factorization*> TireSlopes::Impl::factor(Systems& all,
                                                                 const TireState& state) {
   if (all.factored && all.factored->pose == state.pose && all.factored->u == state.u)
     return &all.factor;
-  if (!own_factor)
-    own_factor.emplace(*all.solver.assembly().pattern(),
-                       numerics::Precision::full,
-                       all.solver.factor().elimination());
-  if (auto failure = base.factorize(all, all.solver.assembly(), all.tread, state, *own_factor))
-    return *failure;
-  return &*own_factor;
+  auto own = own_tangents.find(&all);
+  if (own == own_tangents.end()) {
+    const auto& pattern = *all.solver.assembly().pattern();
+    Tangent made{
+        numerics::SymmetricMatrix(pattern),
+        numerics::Factorization(pattern, numerics::Precision::refined, all.factor.elimination())};
+    own = own_tangents.emplace(&all, std::move(made)).first;
+  }
+  if (auto failure = base.factorize(all, state, own->second.K, own->second.factor)) return *failure;
+  return &own->second.factor;
 }
 
-/// Of number k, whose varied tires may have a tread of another shape.
+/// Made once for all states.
+const TreadSurface& TireSlopes::Impl::tread_of(const Varied& tire,
+                                               const Systems& all,
+                                               bool is_halved) {
+  std::unique_ptr<VariedTread>& tread = varied_treads[{&tire, &all}];
+  if (!tread) tread = std::make_unique<VariedTread>(tire, all, base, is_halved);
+  return tread->surface;
+}
+
 void TireSlopes::Impl::add_tread(Systems& all,
                                  const TireState& state,
                                  const TouchChange& change,
@@ -131,11 +126,11 @@ void TireSlopes::Impl::add_tread(Systems& all,
     for (const double side : {-1.0, 1.0}) {
       const Varied& tire = side < 0.0 ? varied[k]->below : varied[k]->above;
       if (tire.same_shape) continue;
-      const VariedTread other(tire, all, base.settings, base.mirror(), state.is_halved);
-      const auto touches = forces_where(touching, *other.tread, state, x);
+      const TreadSurface& tread = tread_of(tire, all, state.is_halved);
+      const auto touches = forces_where(touching, tread, state, x);
       Eigen::VectorXd forces = Eigen::VectorXd::Zero(x.size());
-      add_forces(*other.tread, touches, forces);
-      sums.col(k) += side / (2.0 * variations[k].step) * change(*other.tread, touches, forces);
+      add_forces(tread, touches, forces);
+      sums.col(k) += side / (2.0 * variations[k].step) * change(tread, touches, forces);
     }
   }
 }
@@ -148,13 +143,14 @@ Result<TireSlopes::OfState> TireSlopes::of_state(const TireState& state) {
   if (!factor) return factor.failure();
   const auto [f_h, stiffness] = impl.by_height(all, state);
   Eigen::MatrixXd w = f_h;
-  (*factor)->solve(w.col(0));
+  (*factor)->solve_columns(w, kExactly);
   const Eigen::VectorXd x = all.unknowns.compress(state.u);
   const double pressure = state.inflated->pressure, multiplicity = all.tread.multiplicity();
   const std::vector<Mode> no_modes;
   RingMotions motions(all.unknowns, impl.base.elements(), x, state.alpha, pressure, no_modes);
   Eigen::MatrixXd sums;
-  if (!motions.slopes(w, impl.moved_numbers(pressure), sums)) return beside();
+  if (!motions.slopes(w, impl.moved_numbers(Impl::OfRing::pressed, pressure), sums))
+    return beside_state();
   const auto along_w = [&](const TreadSurface&, const Touches& touches, const Eigen::VectorXd& f) {
     return Eigen::VectorXd::Constant(1, w.col(0).dot(f) + vertical(touches));
   };
@@ -188,6 +184,7 @@ namespace {
 /// Sharpens those of the modes that are motions of these unknowns; what comes back as another mode
 /// stays as it was.
 std::optional<Failure> sharpen(const RingAssembly& assembly,
+                               const numerics::SymmetricMatrix& tangent,
                                const numerics::Factorization& factor,
                                const RingElements& elements,
                                std::vector<Mode>& modes) {
@@ -205,15 +202,17 @@ std::optional<Failure> sharpen(const RingAssembly& assembly,
   if (own.empty()) return std::nullopt;
   vectors.conservativeResize(Eigen::NoChange, std::ssize(own));
   const numerics::SymmetricMatrix M = assembly.mass(elements);
-  const auto sharp = sharpened(vectors, factor, M, kSharp);
-  if (!sharp) return sharp.failure();
-  Eigen::MatrixXd M_sharp(sharp->rows(), sharp->cols());
-  M.multiply(*sharp, M_sharp);
+  const auto solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_roughly(X); };
+  const auto pairs = numerics::davidson(tangent, M, solve, vectors, kSharp);
+  if (!pairs.converged) return Failure{"slopes: shapes of modes do not converge"};
+  const Eigen::MatrixXd& sharp = pairs.vectors;
+  Eigen::MatrixXd M_sharp(sharp.rows(), sharp.cols());
+  M.multiply(sharp, M_sharp);
   const Eigen::MatrixXd overlaps = (vectors.transpose() * M_sharp).cwiseAbs();
   for (std::size_t i = 0; i < own.size(); ++i) {
     Eigen::Index same = 0;
     if (overlaps.row(static_cast<Eigen::Index>(i)).maxCoeff(&same) < kSame) continue;
-    own[i]->shape = unknowns.expand(sharp->col(same)) / scale;
+    own[i]->shape = unknowns.expand(sharp.col(same)) / scale;
   }
   return std::nullopt;
 }
@@ -225,10 +224,12 @@ Result<std::vector<Mode>> TireSlopes::Impl::sharpened_modes(const TireState& sta
   if (base.settings.mode_tolerance <= kSharp) return modes;
   Systems& all = base.systems(state.is_halved, state.window);
   if (auto failure = base.factorize(all, state)) return *failure;
-  if (auto failure = sharpen(all.solver.assembly(), all.factor, base.elements(), modes))
+  if (auto failure =
+          sharpen(all.solver.assembly(), all.tangent, all.factor, base.elements(), modes))
     return *failure;
   if (!all.odd) return modes;
-  if (auto failure = sharpen(*all.odd, *all.odd_factor, base.elements(), modes)) return *failure;
+  if (auto failure = sharpen(*all.odd, *all.odd_tangent, *all.odd_factor, base.elements(), modes))
+    return *failure;
   return modes;
 }
 
@@ -242,10 +243,11 @@ Result<Eigen::MatrixXd> TireSlopes::Impl::of_some_modes(const TireState& state,
   const double pressure = state.inflated->pressure, multiplicity = all.tread.multiplicity();
   RingMotions motions(all.unknowns, base.elements(), x, state.alpha, pressure, modes);
   Eigen::MatrixXd z, changes;
-  if (!motions.curvatures(z)) return beside();
-  (*factor_of_state)->solve_columns(z);
+  if (!motions.curvatures(z)) return beside_state();
+  (*factor_of_state)->solve_columns(z, kExactly);
   z = -z;
-  if (!motions.slopes(z, moved_numbers(pressure), changes)) return beside();
+  if (!motions.slopes(z, moved_numbers(Impl::OfRing::pressed, pressure), changes))
+    return beside_state();
   const Eigen::VectorXd f_h = by_height(all, state).first;
   changes += (z.transpose() * f_h) * height.transpose();
   const auto of_tread =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes of what a tire answers (loads, frequencies) in the numbers of its description: moduli,
-// densities, thicknesses, angles, spacings, pressure.
+// Slopes of what a tire answers (loads, frequencies, its patch) in the numbers of its description:
+// moduli, densities, thicknesses, angles, spacings, pressure.
 //
 // At an equilibrium f(x; h, p) = 0 of the height h over frictionless ground, with the tangent K of
 // elements and ground,
@@ -13,10 +13,13 @@
 // Analysis of Structural Systems, Academic Press 1986]
 //
 // So everything about a state is a derivative of the elements' energy along motions w, phi, z that
-// are held (hex8_motions.h). Numbers move it by central differences of it: exact for moduli and
-// pressure, in which it is linear, to 1e-8 of the number's own curvature for others. Of the
-// inflated tire, one sector, (S.1) is solved; stiffness, mass and where it is are moved along it,
-// by the same steps.
+// are held (hex8_motions.h), on the ring or, where all sectors are the same, on one of them.
+// Numbers move it by central differences of it: exact for moduli and pressure, in which it is
+// linear. Others need small steps: the law of cords that are going taut bends within strains of
+// 1e-4 (cord_law.h), and steps of 1e-4 of an angle left 1e-5 in modes of a tire that has such. Of
+// the inflated tire (S.1) is solved for all numbers; masses and where it is are moved along it.
+// Matrices are never differenced: rounding in them, which stiff belts make large, would be divided
+// by the step.
 //
 // An error of a shape is one of its slopes, while that of a frequency is its square: shapes are
 // solved on until slopes hold 1e-6, which plain trials do not pay for.
@@ -76,6 +79,15 @@ class TireSlopes {
     double by_height = 0.0;  // N/m
   };
   Result<OfState> of_state(const TireState& state);
+  /// m/unit: how the height of the wheel moves while the load is held.
+  static Eigen::VectorXd height_under_load(const OfState& of) { return -of.force / of.by_height; }
+  /// Of the patch of such a state, m/unit and m^2/unit, while the height moves by `height`
+  /// (m/unit): the state is moved, (S.1), and the patch measured on both sides. Where another line
+  /// of the tread becomes the longest or the widest, a slope is that of one side.
+  struct OfPatch {
+    Eigen::VectorXd length, width, area;
+  };
+  Result<OfPatch> of_patch(const TireState& state, const Eigen::VectorXd& height);
   /// Hz/unit [modes x variables] of modes about the state, while the height moves by `height`
   /// (m/unit).
   Result<Eigen::MatrixXd> of_modes(const TireState& state,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/analysis/varied_tire.h"
+#include "models/fe_tire/slopes/varied_tire.h"
 
 #include <algorithm>
 #include <variant>
@@ -80,6 +80,15 @@ Varied::Varied(const VariedTire& varied, const Base& base) : tire(varied) {
   for (const Element& element : mesh.elements)
     parts.push_back(parts_that_differ(element, varied.materials, materials, same_shape));
 }
+
+VariedTread::VariedTread(const Varied& varied,
+                         const Systems& all,
+                         Varied::Base& base,
+                         bool is_halved)
+    : unknowns(varied.ring(),
+               is_halved ? RingSymmetry::even : RingSymmetry::none,
+               is_halved ? *base.mirror() : std::vector<int>()),
+      surface(unknowns, base.settings.tread_shape(), all.half_angle) {}
 
 VariedPair::VariedPair(const Variation& variation, const Varied::Base& base)
     : below(variation.below, base), above(variation.above, base) {

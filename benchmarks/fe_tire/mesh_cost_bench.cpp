@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// CPU time of a trial of the finite-element tire against the size of its mesh
+//
+// Tire B as shipped (inflated, pressed 25 mm in five steps, 20 modes there) with two and four times
+// its sectors, and with twice the elements along and through the wall. Nested dissection of a ring
+// costs as many times more as it has more sectors; what touches the ground is a dense matrix, whose
+// share grows.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include "base/document.h"
+#include "cpu_time.h"
+#include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/description/tire_description.h"
+#include "table.h"
+
+namespace latsch::benchmarks {
+namespace {
+
+using namespace fe_tire;
+
+constexpr double kTravel = 0.025;  // m
+constexpr int kModes = 20, kSteps = 5;
+constexpr double kReach = 1.2;  // exponent in the sectors
+
+template <class T>
+T take(Result<T> result) {
+  if (!result) throw std::runtime_error(result.failure().reason);
+  return *std::move(result);
+}
+
+struct Trial {
+  int unknowns = 0;
+  double seconds = 0.0;  // CPU, the tire made included
+};
+
+Trial run_trial(const TireDescription& description, const Refinement& refinement) {
+  const double start = cpu_seconds();
+  SolverSettings settings;
+  settings.element = description.element;
+  FeTire tire(
+      build_mesh(description, refinement), build_materials(description, refinement), settings);
+  const Inflated inflated = take(tire.inflate(description.pressure));
+  std::vector<double> deflections;
+  for (int i = 1; i <= kSteps; ++i) deflections.push_back(kTravel * i / kSteps);
+  const TireState loaded = take(tire.press(inflated, Ground{}, deflections)).back();
+  take(tire.modes(loaded, kModes));
+  return {tire.mesh().free_dofs(), cpu_seconds() - start};
+}
+
+}  // namespace
+
+int run() {
+  Table table("mesh_cost");
+  const auto file =
+      std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires/passenger_225_50R16.toml";
+  const TireDescription tire = read_tire(Document::read(file).root());
+  const auto trial = [&](const std::string& what, const Refinement& refinement) {
+    const Trial result = run_trial(tire, refinement);
+    table.note(what, fmt::format("{} unknowns, {:.2f} s CPU", result.unknowns, result.seconds));
+    return result;
+  };
+  const Trial shipped = trial("as shipped", 1);
+  const Trial twice = trial("twice the sectors", {2, 1, 1});
+  const Trial four = trial("four times the sectors", {4, 1, 1});
+  const Trial section = trial("twice the elements along and through the wall", {1, 2, 2});
+  const double exponent = std::log2(twice.seconds / shipped.seconds);
+  table.row("exponent in the sectors",
+            fmt::format("{:.2f}", exponent),
+            fmt::format("<= {:.1f}", kReach),
+            exponent <= kReach);
+  table.note("the same from twice to four times",
+             fmt::format("{:.2f}", std::log2(four.seconds / twice.seconds)));
+  table.note("exponent in the unknowns of the section",
+             fmt::format("{:.2f}",
+                         std::log(section.seconds / shipped.seconds) /
+                             std::log(static_cast<double>(section.unknowns) / shipped.unknowns)));
+  return table.exit_code();
+}
+
+}  // namespace latsch::benchmarks
+
+int main() { return latsch::benchmarks::guarded(latsch::benchmarks::run); }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "extrapolated_slope.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace latsch::benchmarks {
+namespace {
+
+std::vector<StepValues> values(const std::function<double(double)>& f, double first, int count) {
+  std::vector<StepValues> all;
+  for (int k = 0; k < count; ++k) {
+    const double h = std::ldexp(first, -k);
+    all.push_back({h, f(-h), f(h)});
+  }
+  return all;
+}
+
+// exp'(0) = 1; five halvings of 0.1 leave h^10 of it, below rounding over the step.
+TEST(ExtrapolatedSlope, IsThatOfASmoothFunctionWithinItsError) {
+  const auto f = [](double h) { return std::exp(h); };
+  const auto slope = extrapolated_slope(values(f, 0.1, 5), 1.0, 1e-16);
+  ASSERT_TRUE(slope);
+  EXPECT_FALSE(slope->one_sided);
+  EXPECT_NEAR(slope->value, 1.0, 1e-12);
+  EXPECT_LE(std::abs(slope->value - 1.0), slope->error);
+  EXPECT_LT(slope->error, 1e-10);
+}
+
+// Noise of 1e-9 at steps around 1e-3 makes 1e-6 of the slope, and the estimate says so.
+TEST(ExtrapolatedSlope, KnowsTheNoiseOfItsValues) {
+  int call = 0;
+  const auto f = [&](double h) { return std::exp(h) + (call++ % 3 - 1) * 1e-9; };
+  const auto slope = extrapolated_slope(values(f, 2e-3, 5), 1.0, 1e-9);
+  ASSERT_TRUE(slope);
+  EXPECT_LE(std::abs(slope->value - 1.0), slope->error);
+  EXPECT_GT(slope->error, 3e-7);
+  EXPECT_LT(slope->error, 1e-5);
+}
+
+// |h| + h^2 has the slope 1 to the right of its kink.
+TEST(ExtrapolatedSlope, IsThatOfTheSideThatIsKnown) {
+  auto steps = values([](double h) { return std::abs(h) + h * h; }, 1e-2, 5);
+  for (StepValues& step : steps) step.below.reset();
+  const auto slope = extrapolated_slope(steps, 0.0, 1e-18);
+  ASSERT_TRUE(slope);
+  EXPECT_TRUE(slope->one_sided);
+  EXPECT_NEAR(slope->value, 1.0, 1e-12);
+}
+
+TEST(ExtrapolatedSlope, NeedsThreeSteps) {
+  EXPECT_FALSE(extrapolated_slope(values([](double h) { return h; }, 1e-2, 2), 0.0, 0.0));
+}
+
+}  // namespace
+}  // namespace latsch::benchmarks

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edges of a patch, and what the ground feels of an arc, against closed forms.
+#include "models/fe_tire/contact/footprint.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/document.h"
+#include "models/fe_tire/description/tire_description.h"
+#include "models/fe_tire/ring/ring.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+struct Tread {
+  TireDescription tire;
+  Mesh mesh;
+  Ring ring;
+  RingUnknowns unknowns;
+  TreadSurface surface;
+
+  explicit Tread(const char* name)
+      : tire(read_tire(
+            Document::read(std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires" / name)
+                .root())),
+        mesh(build_mesh(tire)),
+        ring(mesh, tire.element),
+        unknowns(ring, RingSymmetry::even, *find_mirror(mesh, build_materials(tire))),
+        surface(unknowns, TreadShape::smooth, 0.4) {}
+
+  Eigen::Matrix3Xd undeformed() const {
+    return surface.positions(Eigen::Matrix3Xd::Zero(3, surface.nodes()));
+  }
+};
+
+// A cylinder of radius R pressed on a half-space: the gap beside the patch from -a to a is
+// (F.1) a^2 / (2 R) [Johnson 1985, section 4.2]. Between samples 1.3 mm apart the root of the gap
+// is taken as linear, which shifts an edge by some hundredths of that.
+TEST(FootprintSize, FindsTheEdgesOfALineContact) {
+  const Tread tread("passenger_205_55R16.toml");
+  const Eigen::Matrix3Xd positions = tread.undeformed();
+  constexpr double kRadius = 0.31;  // m
+  for (const double a : {0.008, 0.02, 0.045, 0.07}) {
+    Eigen::Matrix3Xd at(3, tread.surface.samples().size());
+    Eigen::VectorXd area(at.cols());
+    for (Eigen::Index k = 0; k < at.cols(); ++k) {
+      const auto& sample = tread.surface.samples()[k];
+      at.col(k) = tread.surface.at(sample, positions);
+      const double t = std::max(std::abs(at(0, k)) / a, 1.0);
+      at(2, k) = a * a / (2.0 * kRadius) * (t * std::sqrt(t * t - 1.0) - std::acosh(t));
+      area[k] = sample.dA;
+    }
+    const FootprintSize size = footprint_size(tread.surface, at, area, 0.0);
+    EXPECT_NEAR(size.length, 2.0 * a, 2e-4) << a;
+  }
+}
+
+// On the crown of the race tire, flat to 1 % across, a sector of h = 3 deg has the sag R h^2 / 12:
+// the mean of a parabola weighted by hats over two sectors. Half of it is left.
+TEST(TreadSurface, PointsOfAnArcLieHalfItsSagBehindIt) {
+  const Tread tread("race_16x7.5-10.toml");
+  const Eigen::Matrix3Xd positions = tread.undeformed();
+  const double h = tread.mesh.angle(1) - tread.mesh.angle(0);
+  int found = 0;
+  for (const TreadSurface::Point& point : tread.surface.points()) {
+    const Eigen::Vector3d x = tread.surface.at(point, positions);
+    if (std::abs(x.y()) > 1e-3 || std::abs(std::atan2(x.x(), -x.z())) > 5.0 * h) continue;
+    double radius = 0.0;  // of the node
+    for (int k = 0; k < point.weights; ++k) {
+      const auto& place = tread.surface.places()[tread.surface.weights(point)[k].place];
+      if ((place.X - x).norm() < 1e-3) radius = std::hypot(place.X.x(), place.X.z());
+    }
+    const double behind = radius - std::hypot(x.x(), x.z());
+    EXPECT_NEAR(behind, 0.5 * radius * h * h / 12.0, 0.1 * radius * h * h / 12.0);
+    ++found;
+  }
+  EXPECT_GE(found, 4);
+}
+
+}  // namespace
+}  // namespace latsch::fe_tire

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Equations (M.1) to (M.3) of hex8_motions.h, in both elements.
+//
+// Derivatives of strains along a motion are written out; stresses S, S', S'' follow from them by
+// the law's tangent D and its own derivative along a strain.
+//
+// Read once a kernel set, by hex8_kernels.h alone.
+#if defined(LATSCH_FE_TIRE_HEX8_CURVATURES) == defined(LATSCH_KERNEL_TOGGLE)
+#ifdef LATSCH_FE_TIRE_HEX8_CURVATURES
+#undef LATSCH_FE_TIRE_HEX8_CURVATURES
+#else
+#define LATSCH_FE_TIRE_HEX8_CURVATURES
+#endif
+
+#include "models/fe_tire/element/full_integration_motions_kernel.h"
+#include "models/fe_tire/element/hex8_motion_state_kernel.h"
+#include "models/fe_tire/element/pressure_kernel.h"
+
+namespace latsch::fe_tire::LATSCH_KERNELS {
+
+/// (M.1) to (M.3) of the solid-shell.
+void curve_solid_shell(const ElementLaw& law,
+                       const MotionState& state,
+                       const Cords& cords,
+                       const Kinematics& m,
+                       V* alpha1,
+                       V* alpha2,
+                       ModalSums& sums) {
+  const SolidShellShape& s = law.shape->solid_shell;
+  V c1[kSquareCount], g1[kStrains], g2[kStrains], t[3][kStrains];
+  V e1[ElementLaw::kCordLayers][4], e2[ElementLaw::kCordLayers][4];
+  first_response(s, state, cords, m, c1, g1, e1, alpha1);
+  second_strains(s, state.k, m, c1, g2);
+  for (int j = 0; j < kEnhanced; ++j) alpha2[j] = 0.0;
+  for (int l = 0; l < cords.count(); ++l) {
+    const CordSheet& sheet = cords.laws[l];
+    V y[3][3], G[6];
+    vectors_of(m.x, sheet.zeta, y);
+    gram(y, y, G);
+    for (int q = 0; q < 4; ++q) {
+      const CordSheet::Point& point = sheet.points[q];
+      e2[l][q] = times_gram(point, G);
+      e1[l][q] += point.p[0] * alpha1[0] + point.p[1] * alpha1[1];
+      const V S =
+          point.dV * (bend_of(sheet.layer, cords.sheets[l].points[q].e) * (e1[l][q] * e1[l][q]));
+      alpha2[0] += point.p[0] * S;
+      alpha2[1] += point.p[1] * S;
+    }
+  }
+  for (int n = 0; n < kStrains; ++n) {
+    t[0][n] = state.t[n];
+    V first = 0.0, second = 0.0;
+    for (int c = 0; c < kStrains; ++c) {
+      first += state.D[n][c] * g1[c];
+      second += state.D[n][c] * g2[c];
+    }
+    for (int j = 0; j < kEnhanced; ++j) first += state.Da[j][n] * alpha1[j];
+    t[1][n] = first;
+    t[2][n] = second;
+  }
+  for (int q = 0; q < kPoints && !law.linear; ++q) {
+    V E1[6], S[6];
+    for (int r = 0; r < 6; ++r) {
+      V sum = s.P[q][r][0] * g1[0];
+      for (int j = 1; j < kStrains; ++j) sum += s.P[q][r][j] * g1[j];
+      for (int j = 0; j < kEnhanced; ++j) sum += s.P[q][r][kStrains + j] * alpha1[j];
+      E1[r] = sum;
+    }
+    second_stress(law.rubber, state.rubber[q], E1, S);
+    for (int r = 0; r < 6; ++r) {
+      const V dS = law.shape->dV[q] * S[r];
+      for (int j = 0; j < kStrains; ++j) t[2][j] += s.P[q][r][j] * dS;
+      for (int j = 0; j < kEnhanced; ++j) alpha2[j] += s.P[q][r][kStrains + j] * dS;
+    }
+  }
+  respond(state, cords, g2, e2, alpha2);
+  for (int n = 0; n < kStrains; ++n) {
+    for (int j = 0; j < kEnhanced; ++j) t[2][n] += state.Da[j][n] * alpha2[j];
+  }
+  for (int l = 0; l < cords.count(); ++l) {
+    for (int q = 0; q < 4; ++q) {
+      const double* p = cords.laws[l].points[q].p;
+      e2[l][q] += p[0] * alpha2[0] + p[1] * alpha2[1];
+    }
+  }
+  add_second_forces(s, state.k, m, c1, t, sums);
+  add_second_forces(cords, m, e1, e2, sums);
+}
+
+bool curve_register(const ElementLaw& law,
+                    const ElementSurroundings& around,
+                    int first,
+                    const ElementBatch& batch,
+                    std::span<ElementMotion> motions) {
+  static constexpr double kNowhere[24] = {};
+  Cords cords(law.cords);
+  MotionState state;
+  if (!every(set_state(law, first, batch, state, cords))) return false;
+  if (law.shape->kind == ElementKind::solid_shell) {
+    for (int l = 0; l < cords.count(); ++l) {  // strains with those of alpha
+      for (int q = 0; q < 4; ++q) {
+        const double* p = cords.laws[l].points[q].p;
+        V& e = cords.sheets[l].points[q].e;
+        e += p[0] * state.alpha[0] + p[1] * state.alpha[1];
+      }
+    }
+  }
+  for (ElementMotion& motion : motions) {
+    V phi[24], alpha1[kEnhanced], alpha2[kEnhanced];
+    for (int j = 0; j < kEnhanced; ++j) alpha1[j] = alpha2[j] = 0.0;
+    Kinematics m;
+    motion_of(*law.shape, motion.mode, first, phi, m);
+    ModalSums modal;
+    modal.set_zero(false);
+    NodalSums sums;
+    if (law.shape->kind == ElementKind::solid_shell) {
+      curve_solid_shell(law, state, cords, m, alpha1, alpha2, modal);
+    } else {
+      V e1[ElementLaw::kCordLayers][4], e2[ElementLaw::kCordLayers][4];
+      for (int l = 0; l < cords.count(); ++l) {
+        V y[3][3], G1[6], G2[6];
+        vectors_of(m.x, cords.laws[l].zeta, y);
+        gram(y, cords.sheets[l].y, G1);
+        gram(y, y, G2);
+        for (int q = 0; q < 4; ++q) {
+          e1[l][q] = times_gram(cords.laws[l].points[q], G1);
+          e2[l][q] = times_gram(cords.laws[l].points[q], G2);
+        }
+      }
+      add_second_forces(cords, m, e1, e2, modal);
+    }
+    to_nodes(modal, sums);
+    if (law.shape->kind == ElementKind::full_integration) {
+      curve_full_integration(law, state.x, phi, sums);
+    }
+    // The gas' energy is of third order in the places: its forces' second derivative is twice the
+    // forces at the motion in their place.
+    if (around.pressure != 0.0)
+      add_pressure(kNowhere, phi, around.open_edges, 2.0 * around.pressure, false, sums);
+    if (around.turned != 0) turn(around, false, sums);
+    for (int n = 0; n < 24; ++n) sums.f[n].save(motion.curvature[n] + first);
+    for (int j = 0; j < kEnhanced; ++j) {
+      alpha1[j].save(motion.mode_alpha[j] + first);
+      alpha2[j].save(motion.second_alpha[j] + first);
+    }
+  }
+  return true;
+}
+
+bool curve_batch(const ElementLaw& law,
+                 const ElementSurroundings& around,
+                 const ElementBatch& batch,
+                 std::span<ElementMotion> motions) {
+  for (int first = 0; first < batch.count; first += V::kWidth) {
+    if (!curve_register(law, around, first, batch, motions)) return false;
+  }
+  return true;
+}
+
+bool follow_batch(const ElementLaw& law,
+                  const ElementBatch& batch,
+                  std::span<ElementMotion> motions) {
+  for (int first = 0; first < batch.count; first += V::kWidth) {
+    Cords cords(law.cords);
+    MotionState state;
+    if (!every(set_state(law, first, batch, state, cords))) return false;
+    for (ElementMotion& motion : motions) {
+      V zeta[24], alpha[kEnhanced], c1[kSquareCount], g[kStrains], e[ElementLaw::kCordLayers][4];
+      for (int j = 0; j < kEnhanced; ++j) alpha[j] = 0.0;
+      Kinematics m;
+      motion_of(*law.shape, motion.along, first, zeta, m);
+      if (law.shape->kind == ElementKind::solid_shell)
+        first_response(law.shape->solid_shell, state, cords, m, c1, g, e, alpha);
+      for (int j = 0; j < kEnhanced; ++j) {
+        if (motion.has_mode) alpha[j] += load(motion.second_alpha[j] + first);
+        alpha[j].save(motion.along_alpha[j] + first);
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace latsch::fe_tire::LATSCH_KERNELS
+#endif

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// An element's state and the enhanced strains that follow a motion about it: (M.1) of
+// hex8_motions.h.
+//
+// Read once a kernel set, by hex8_kernels.h alone.
+#if defined(LATSCH_FE_TIRE_HEX8_MOTION_STATE) == defined(LATSCH_KERNEL_TOGGLE)
+#ifdef LATSCH_FE_TIRE_HEX8_MOTION_STATE
+#undef LATSCH_FE_TIRE_HEX8_MOTION_STATE
+#else
+#define LATSCH_FE_TIRE_HEX8_MOTION_STATE
+#endif
+
+#include "models/fe_tire/element/cord_motions_kernel.h"
+#include "models/fe_tire/element/hex8_strain_motions_kernel.h"
+#include "models/fe_tire/element/rubber_motions_kernel.h"
+
+namespace latsch::fe_tire::LATSCH_KERNELS {
+
+/// An element's state, and what all motions about it share.
+struct MotionState {
+  Kinematics k;
+  V x[24], alpha[kEnhanced], E[kPoints][6];
+  V t[kStrains], D[kStrains][kStrains], Da[kEnhanced][kStrains];
+  Inner inner;
+  RubberPoint rubber[kPoints];
+};
+
+/// False where the element has no state. `cords` receive theirs.
+Mask set_state(
+    const ElementLaw& law, int first, const ElementBatch& batch, MotionState& state, Cords& cords) {
+  const HexShape& shape = *law.shape;
+  const SolidShellShape& s = shape.solid_shell;
+  for (int n = 0; n < 24; ++n) state.x[n] = load(batch.u[n] + first) + shape.X.data()[n];
+  for (int j = 0; j < kEnhanced; ++j) state.alpha[j] = load(batch.alpha[j] + first);
+  modal_vectors(state.x, state.k.x);
+  follow(state.k.x, cords);
+  if (shape.kind == ElementKind::full_integration) {
+    stretch(cords, 0.0, 0.0);
+    return V(1.0) > V(0.0);
+  }
+  Mask valid = follow(s, state.k);
+  V g[kStrains];
+  generalized_strains(s, state.k, g);
+  valid = valid & solve_alpha(law, g, cords, state.alpha, state.inner);
+  stretch(cords, state.alpha[0], state.alpha[1]);
+  for (int j = 0; j < kStrains; ++j) state.t[j] = 0.0;
+  for (int q = 0; q < kPoints; ++q) {
+    for (int r = 0; r < 6; ++r) {
+      V sum = s.P[q][r][0] * g[0];
+      for (int j = 1; j < kStrains; ++j) sum += s.P[q][r][j] * g[j];
+      for (int j = 0; j < kEnhanced; ++j) sum += s.P[q][r][kStrains + j] * state.alpha[j];
+      state.E[q][r] = sum;
+      for (int j = 0; j < kStrains; ++j) state.t[j] += s.P[q][r][j] * state.inner.S[q][r];
+    }
+    if (!law.linear) prepare(law.rubber, state.E[q], state.rubber[q]);
+  }
+  tangents(s, state.inner, state.D, state.Da);
+  return valid;
+}
+
+/// Response of alpha to derivatives g of the generalized strains and e of the cords' (M.1): the
+/// terms that stand in `response` already are moved with it.
+LATSCH_INLINE void respond(
+    const MotionState& state, const Cords& cords, const V* g, const V (*e)[4], V* response) {
+  for (int j = 0; j < kEnhanced; ++j) {
+    for (int n = 0; n < kStrains; ++n) response[j] += state.Da[j][n] * g[n];
+  }
+  for (int l = 0; l < cords.count(); ++l) {
+    for (int q = 0; q < 4; ++q) {
+      const CordSheet::Point& point = cords.laws[l].points[q];
+      const V S = point.dV * (cords.sheets[l].points[q].tangent * e[l][q]);
+      response[0] += point.p[0] * S;
+      response[1] += point.p[1] * S;
+    }
+  }
+  solve(state.inner.A, response);
+  for (int j = 0; j < kEnhanced; ++j) response[j] = -response[j];
+}
+
+/// First derivatives along a motion: of generalized strains, cords' strains, alpha.
+LATSCH_INLINE void first_response(const SolidShellShape& s,
+                                  const MotionState& state,
+                                  const Cords& cords,
+                                  const Kinematics& m,
+                                  V* c1,
+                                  V* g,
+                                  V (*e)[4],
+                                  V* alpha) {
+  first_strains(s, state.k, m, c1, g);
+  for (int l = 0; l < cords.count(); ++l) {
+    V y[3][3], G[6];
+    vectors_of(m.x, cords.laws[l].zeta, y);
+    gram(y, cords.sheets[l].y, G);
+    for (int q = 0; q < 4; ++q) e[l][q] = times_gram(cords.laws[l].points[q], G);
+  }
+  for (int j = 0; j < kEnhanced; ++j) alpha[j] = 0.0;
+  respond(state, cords, g, e, alpha);
+}
+
+LATSCH_INLINE void motion_of(const HexShape& shape,
+                             const double (*at)[ElementBatch::kLanes],
+                             int first,
+                             V* x,
+                             Kinematics& m) {
+  for (int n = 0; n < 24; ++n) x[n] = load(at[n] + first);
+  modal_vectors(x, m.x);
+  if (shape.kind == ElementKind::solid_shell) follow(shape.solid_shell, m);
+}
+
+}  // namespace latsch::fe_tire::LATSCH_KERNELS
+#endif
