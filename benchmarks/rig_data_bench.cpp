@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -21,6 +20,7 @@
 #include "correlation/rig_data/rig_processing.h"
 #include "correlation/rig_data/rig_report.h"
 #include "correlation/rig_data/rig_tables.h"
+#include "cpu_time.h"
 #include "formats/tables/recording.h"
 #include "numerics/signals/butterworth.h"
 #include "numerics/signals/time_delay.h"
@@ -238,8 +238,6 @@ void find_rig(Table& table) {
                fmt::format("{:.2f} to {:.2f} N^2/Hz", one.dummy.psd, one.filtered.psd));
   }
 }
-
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Ten minutes, ten channels, 2 kHz: three plateaus of 196 s, every channel averaged.
 void process_ten_minutes(Table& table) {

@@ -11,13 +11,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 
 #include "base/scratch_folder_testing.h"
 #include "compliant_cars.h"
 #include "correlation/analysis/identifiability.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/target/study_trials.h"
+#include "cpu_time.h"
 #include "evaluation/executors/inline_executor.h"
 #include "optimization/identifiability/prediction_band.h"
 #include "optimization/problem/point_vector.h"
@@ -28,6 +28,7 @@ namespace {
 using namespace latsch;
 using benchmarks::CompliantCar;
 using benchmarks::CompliantCars;
+using benchmarks::cpu_seconds;
 using correlation::Study;
 using correlation::StudyExperiment;
 
@@ -50,13 +51,6 @@ struct FittedCar {
   std::size_t steps = 0;
 };
 
-/// Of all threads: what other programs on the machine do is no part of it.
-double cpu_time() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -73,13 +67,13 @@ FittedCar fit_of(const CompliantCar& car) {
   const Study& study = car.study;
   FittedCar result;
   const auto start = std::chrono::steady_clock::now();
-  const double cpu_start = cpu_time();
+  const double cpu_start = cpu_seconds();
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
   InlineExecutor executor(correlation::evaluator(study));
   RunOptions options;
   options.max_steps = study.max_steps;
   const Run run = correlation::fit(study, executor, journal, options).run;
-  result.time = cpu_time() - cpu_start;
+  result.time = cpu_seconds() - cpu_start;
   result.wall_time = seconds_since(start);
   result.steps = run.steps.size();
   const auto what = correlation::identify(

@@ -6,13 +6,13 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <stdexcept>
 #include <thread>
 
 #include "base/random.h"
 #include "correlation/comparison/comparison_effects.h"
+#include "cpu_time.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/rigs/car/kerb_rig.h"
 #include "models/road/plane_road.h"
@@ -22,6 +22,7 @@
 namespace {
 
 using namespace latsch;
+using benchmarks::cpu_seconds;
 using benchmarks::Table;
 using car::Car;
 
@@ -53,12 +54,6 @@ experiment::KerbTest long_kerb(double speed, double line) {
   test.loaders->points << 1.55, 1.55, 0.0, 0.4, -0.4, 0.0, 0.3, 0.3, 0.3;
   test.downforce = {2.8e3, 2.8e3, 5.6e3};
   return test;
-}
-
-double cpu_seconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 /// Whether a tire that carries load has an area at every sample. One that leaves the road may

@@ -36,8 +36,8 @@
 // too few or too many: each shortens Delta to a quarter of the step. A start that fails is moved
 // toward the middle of the region.
 //
-// One point at a time: idle workers get the step that follows if the linear model is right, and
-// shorter steps. A point of others is taken over, where it is better, when an own one comes in; for
+// One point at a time: idle workers get the shorter steps that follow failures, once there have
+// been some. A point of others is taken over, where it is better, when an own one comes in; for
 // that it needs its Jacobian.
 //
 // Convergence is quadratic where the residuals vanish at the end, else linear, the faster the less

@@ -20,8 +20,8 @@ struct SolverSettings {
   }
   double tolerance = 1e-5;  // residual norm relative to the norm of the pressure load
   int max_iterations = 40;  // Newton iterations a load step
-  /// Of Lanczos' inverted residual; the relative error of a frequency is its square over the
-  /// relative gap to the next one, that of a shape is itself over that gap.
+  /// Of the inverted residual, thrice it of loaded modes; a frequency errs, relatively, by its
+  /// square over the relative gap to the next one, a shape by itself over that gap.
   double mode_tolerance = 1e-5;
 };
 

@@ -89,13 +89,13 @@ std::vector<Run> runs_of(const Line& line, bool halved) {
 }
 
 /// m^2 of the strip of samples that a run covers, its width between samples linear: continuous
-/// where samples come into the run.
+/// where samples come into the run. A sample whose neighbors are where it is has no width.
 double covered(const Line& line, const Eigen::VectorXd& area, const Run& run) {
   const int last = line.size() - 1;
   const auto width = [&](int k) {
     const int before = std::max(k - 1, 0), after = std::min(k + 1, last);
     const double along = std::abs(line.place(after) - line.place(before)) / (after - before);
-    return area[line.samples[k]] / along;
+    return along > 0.0 ? area[line.samples[k]] / along : 0.0;
   };
   const auto [from, to] = std::minmax(run.from, run.to);
   const double begin = std::min(line.place(0), line.place(last));
@@ -149,6 +149,7 @@ FootprintSize footprint_size(const TreadSurface& tread,
       if (run.length > 0.0) size.area += covered(line, area, run);
     }
   }
+  if (along.length(halved) == 0.0) return {};  // near the ground, but no patch would leave the gap
   for (const std::vector<int>& samples : tread.lines_across()) {
     const Line line{samples, at, 1, near};
     for (const Run& run : runs_of(line, false)) across.add(run);

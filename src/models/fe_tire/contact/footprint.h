@@ -8,7 +8,7 @@
 // around the tire and across, the edge is where (F.1) has it that passes two heights where the
 // surface does. Both lie above what penalty, interpolation and the offset of (T.1) leave in the
 // patch. Where the surface ends or comes down again before the second of them, the first is the
-// edge.
+// edge. No line around that has a length, no patch: a gap that grows slower than (F.1) is none.
 #pragma once
 
 #include <Eigen/Core>

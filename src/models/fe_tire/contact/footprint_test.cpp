@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "base/document.h"
 #include "models/fe_tire/description/tire_description.h"
@@ -34,26 +35,61 @@ struct Tread {
   }
 };
 
-// A cylinder of radius R pressed on a half-space: the gap beside the patch from -a to a is
-// (F.1) a^2 / (2 R) [Johnson 1985, section 4.2]. Between samples 1.3 mm apart the root of the gap
-// is taken as linear, which shifts an edge by some hundredths of that.
-TEST(FootprintSize, FindsTheEdgesOfALineContact) {
-  const Tread tread("passenger_205_55R16.toml");
-  const Eigen::Matrix3Xd positions = tread.undeformed();
-  constexpr double kRadius = 0.31;  // m
-  for (const double a : {0.008, 0.02, 0.045, 0.07}) {
-    Eigen::Matrix3Xd at(3, tread.surface.samples().size());
-    Eigen::VectorXd area(at.cols());
+constexpr double kRadius = 0.31;  // m
+
+/// The tread's samples above a ground from which they are `gap` of their places along it away.
+struct Above {
+  Eigen::Matrix3Xd at;
+  Eigen::VectorXd area;
+
+  Above(const Tread& tread, const std::function<double(double x)>& gap)
+      : at(3, tread.surface.samples().size()), area(at.cols()) {
+    const Eigen::Matrix3Xd positions = tread.undeformed();
     for (Eigen::Index k = 0; k < at.cols(); ++k) {
       const auto& sample = tread.surface.samples()[k];
       at.col(k) = tread.surface.at(sample, positions);
-      const double t = std::max(std::abs(at(0, k)) / a, 1.0);
-      at(2, k) = a * a / (2.0 * kRadius) * (t * std::sqrt(t * t - 1.0) - std::acosh(t));
+      at(2, k) = gap(at(0, k));
       area[k] = sample.dA;
     }
-    const FootprintSize size = footprint_size(tread.surface, at, area, 0.0);
+  }
+};
+
+/// (F.1) a^2 / (2 R) of a cylinder of radius R on a half-space [Johnson 1985, section 4.2].
+std::function<double(double)> line_contact(double a) {
+  return [a](double x) {
+    const double t = std::max(std::abs(x) / a, 1.0);
+    return a * a / (2.0 * kRadius) * (t * std::sqrt(t * t - 1.0) - std::acosh(t));
+  };
+}
+
+// Between samples 1.3 mm apart the root of the gap is taken as linear, which shifts an edge by some
+// hundredths of that.
+TEST(FootprintSize, FindsTheEdgesOfALineContact) {
+  const Tread tread("passenger_205_55R16.toml");
+  for (const double a : {0.008, 0.02, 0.045, 0.07}) {
+    const Above above(tread, line_contact(a));
+    const FootprintSize size = footprint_size(tread.surface, above.at, above.area, 0.0);
     EXPECT_NEAR(size.length, 2.0 * a, 2e-4) << a;
   }
+}
+
+TEST(FootprintSize, IsNothingOfATreadThatComesNearTheGroundAndDoesNotTouch) {
+  const Tread tread("passenger_205_55R16.toml");
+  const Above above(tread, [](double x) { return 1e-4 + x * x / (2.0 * kRadius); });
+  const FootprintSize size = footprint_size(tread.surface, above.at, above.area, 0.0);
+  EXPECT_EQ(size.length, 0.0);
+  EXPECT_EQ(size.width, 0.0);
+  EXPECT_EQ(size.area, 0.0);
+}
+
+// Away from the patch a tread may be upright, sample above sample.
+TEST(FootprintSize, DoesNotMindSamplesInOnePlace) {
+  const Tread tread("passenger_205_55R16.toml");
+  Above above(tread, line_contact(0.045));
+  const double area = footprint_size(tread.surface, above.at, above.area, 0.0).area;
+  for (const std::vector<int>& line : tread.surface.lines_around())
+    above.at(0, line.back()) = above.at(0, line[line.size() - 2]);
+  EXPECT_EQ(footprint_size(tread.surface, above.at, above.area, 0.0).area, area);
 }
 
 // On the crown of the race tire, flat to 1 % across, a sector of h = 3 deg has the sag R h^2 / 12:

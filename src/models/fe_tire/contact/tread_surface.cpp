@@ -306,7 +306,8 @@ Eigen::Vector3d TreadSurface::offset_of(int plane,
   const Eigen::Vector3d radial(X.x(), 0.0, X.z());
   const double around = n.dot(radial) * (h0 * h0 * h0 + h1 * h1 * h1) / (12.0 * (h0 + h1));
   const double all = n.dot(X - mean);
-  return 0.5 * n * (around + std::clamp(all - around, -around, around));
+  const double most = std::abs(around);  // below the widest place n points to the axis
+  return 0.5 * n * (around + std::clamp(all - around, -most, most));
 }
 
 /// (T.1) of a node of a strip, by three Gauss points along each side of the faces around it. Where

@@ -27,17 +27,6 @@ bool same_cords(const CordLayer& a, const CordLayer& b) {
          a.thickness == b.thickness && a.angle == b.angle && a.pretension == b.pretension;
 }
 
-bool same_densities(const Materials& a, const Materials& b) {
-  const auto same_density = [](const Solid& one, const Solid& other) {
-    return one.density == other.density;
-  };
-  const auto same_area = [](const CordLayer& one, const CordLayer& other) {
-    return one.density == other.density && one.thickness == other.thickness;
-  };
-  return std::ranges::equal(a.solids, b.solids, same_density) &&
-         std::ranges::equal(a.layers, b.layers, same_area);
-}
-
 MovedNumber::Parts parts_that_differ(const Element& element,
                                      const Materials& varied,
                                      const Materials& base,
@@ -70,7 +59,6 @@ Varied::Varied(const VariedTire& varied, const Base& base) : tire(varied) {
   const Materials& materials = base.elements().materials();
   same_shape = varied.mesh.X == mesh.X && varied.mesh.theta == mesh.theta &&
                std::ranges::equal(varied.mesh.elements, mesh.elements, same_rebars);
-  same_mass = same_shape && same_densities(varied.materials, materials);
   if (!same_shape) {
     own_ring.emplace(varied.mesh, base.settings.element);
     if (base.even) own_even.emplace(varied.mesh.evenly_divided(), base.settings.element);

@@ -16,10 +16,10 @@ namespace latsch::fe_tire {
 struct Varied {
   using Base = FeTire::Impl;
   const VariedTire& tire;
-  bool same_shape, same_mass;
+  bool same_shape;
   std::optional<Ring> own_ring, own_even;  // where its shape is another one
   std::optional<RingElements> elements, even_elements;
-  std::vector<MovedNumber::Parts> parts;  // of the section's elements that differ
+  std::vector<MovedNumber::Parts> parts;  // that differ, of the section's elements
 
   Varied(const Varied&) = delete;  // elements refer to their ring
   Varied(const VariedTire& varied, const Base& base);
