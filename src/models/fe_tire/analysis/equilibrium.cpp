@@ -112,10 +112,11 @@ bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
   has_tangent_ = with_tangent;
   knows_tangent_ = knows_tangent_ || with_tangent;
   if (with_tangent) ++counts_->assemblies;
-  if (!assembly_.assemble(
-          *elements_, state, pressure_, f_, with_tangent ? &K_ : nullptr, &failed_element_)) {
-    return false;
-  }
+  const bool valid =
+      with_tangent
+          ? assembly_.assemble_roughly(*elements_, state, pressure_, f_, K_, &failed_element_)
+          : assembly_.assemble(*elements_, state, pressure_, f_, nullptr, &failed_element_);
+  if (!valid) return false;
   if (contact_) add_forces(tread_, contact_->touches(tread_.displacements(state.x)), f_);
   return true;
 }

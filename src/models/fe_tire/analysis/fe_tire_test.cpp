@@ -331,9 +331,9 @@ RimForces rim_forces(const Ring& ring, const Materials& materials, const TireSta
       }
       Vector24 f, wall;
       batch.set(0, u, nullptr, 0);
-      EXPECT_EQ(elements.evaluate(s, e, loaded.inflated->pressure, false, batch), 1u);
+      EXPECT_EQ(elements.evaluate(s, e, loaded.inflated->pressure, Stiffness::none, batch), 1u);
       batch.take(0, f, nullptr, nullptr, 0);
-      EXPECT_EQ(elements.evaluate(s, e, 0.0, false, batch), 1u);
+      EXPECT_EQ(elements.evaluate(s, e, 0.0, Stiffness::none, batch), 1u);
       batch.take(0, wall, nullptr, nullptr, 0);
       for (int a = 0; a < 8; ++a) {  // each in its node's frame
         const int node = mesh.elements[e].node[a] % n;

@@ -43,9 +43,17 @@ bool RingAssembly::assemble(const RingElements& elements,
                             Eigen::VectorXd& f,
                             numerics::SymmetricMatrix* K,
                             int* worst) const {
-  std::vector<Vibration> tangents;
-  if (K) tangents.push_back({&unknowns_, K});
-  return sum_elements(elements, state, pressure, &f, tangents, worst);
+  if (K == nullptr) return sum_elements(elements, state, pressure, &f, Stiffness::none, {}, worst);
+  return sum_elements(elements, state, pressure, &f, Stiffness::exact, {{&unknowns_, K}}, worst);
+}
+
+bool RingAssembly::assemble_roughly(const RingElements& elements,
+                                    RingState& state,
+                                    double pressure,
+                                    Eigen::VectorXd& f,
+                                    numerics::SymmetricMatrix& K,
+                                    int* worst) const {
+  return sum_elements(elements, state, pressure, &f, Stiffness::rough, {{&unknowns_, &K}}, worst);
 }
 
 bool RingAssembly::assemble_tangent(const RingElements& elements,
@@ -54,7 +62,8 @@ bool RingAssembly::assemble_tangent(const RingElements& elements,
                                     const RingUnknowns& vibration,
                                     numerics::SymmetricMatrix& K,
                                     int* worst) const {
-  return sum_elements(elements, state, pressure, nullptr, {{&vibration, &K}}, worst);
+  return sum_elements(
+      elements, state, pressure, nullptr, Stiffness::exact, {{&vibration, &K}}, worst);
 }
 
 bool RingAssembly::assemble_tangents(const RingElements& elements,
@@ -62,19 +71,20 @@ bool RingAssembly::assemble_tangents(const RingElements& elements,
                                      double pressure,
                                      const std::vector<Vibration>& vibrations,
                                      int* worst) const {
-  return sum_elements(elements, state, pressure, nullptr, vibrations, worst);
+  return sum_elements(elements, state, pressure, nullptr, Stiffness::exact, vibrations, worst);
 }
 
 bool RingAssembly::sum_elements(const RingElements& elements,
                                 RingState& state,
                                 double pressure,
                                 Eigen::VectorXd* f,
+                                Stiffness stiffness,
                                 const std::vector<Vibration>& tangents,
                                 int* worst) const {
   if (f) f->setZero(unknowns_.size());
   for (const Vibration& tangent : tangents) tangent.K->set_zero();
   const int per_sector = ring_.elements_per_sector(), alphas = ring_.alphas_per_element();
-  const bool stiffness = !tangents.empty();
+  const bool is_wanted = stiffness != Stiffness::none;
   ElementBatch batch;
   Vector24 fe;
   Matrix24 Ke, copy;
@@ -95,7 +105,7 @@ bool RingAssembly::sum_elements(const RingElements& elements,
           return false;
         }
         batch.take(
-            lane, fe, stiffness ? &Ke : nullptr, state.alpha.data() + global * alphas, alphas);
+            lane, fe, is_wanted ? &Ke : nullptr, state.alpha.data() + global * alphas, alphas);
         if (f) unknowns_.add_forces(s, e, fe, *f);
         for (std::size_t k = 0; k < tangents.size(); ++k) {
           const bool is_last = k + 1 == tangents.size();

@@ -44,6 +44,14 @@ class RingAssembly {
                 Eigen::VectorXd& f,
                 numerics::SymmetricMatrix* K,
                 int* worst) const;
+  /// The same with elements' stiffness in single precision: forces are exact, K is what a step of
+  /// Newton's method needs.
+  bool assemble_roughly(const RingElements& elements,
+                        RingState& state,
+                        double pressure,
+                        Eigen::VectorXd& f,
+                        numerics::SymmetricMatrix& K,
+                        int* worst) const;
 
   /// Tangent at `state` in the numbering `vibration` of the motions about it (even or odd ones).
   /// False as for assemble().
@@ -73,6 +81,7 @@ class RingAssembly {
                     RingState& state,
                     double pressure,
                     Eigen::VectorXd* f,
+                    Stiffness stiffness,
                     const std::vector<Vibration>& tangents,
                     int* worst) const;
 

@@ -63,7 +63,8 @@ bool evaluate(const HexShape& shape,
   batch.count = 1;
   const int alphas = internal_parameters(shape.kind);
   batch.set(0, u, alpha, alphas);
-  if (!evaluate(element_law(shape, materials, element), {}, K != nullptr, batch)) return false;
+  const Stiffness stiffness = K != nullptr ? Stiffness::exact : Stiffness::none;
+  if (!evaluate(element_law(shape, materials, element), {}, stiffness, batch)) return false;
   batch.take(0, f, K, alpha, alphas);
   return true;
 }

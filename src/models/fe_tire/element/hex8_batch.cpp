@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <span>
+#include <type_traits>
 
 #include "models/fe_tire/element/cord_law.h"
 #include "models/fe_tire/element/hex8_motions.h"
@@ -15,10 +16,10 @@
 namespace latsch::fe_tire {
 namespace {
 
-template <std::size_t rows>
-void copy_lane(const double (&from)[rows][ElementBatch::kLanes],
+template <class Number, std::size_t rows>
+void copy_lane(const Number (&from)[rows][ElementBatch::kLanes],
                int lane,
-               double (&to)[rows][ElementBatch::kLanes]) {
+               Number (&to)[rows][ElementBatch::kLanes]) {
   for (std::size_t k = 0; k < rows; ++k) to[k][lane] = from[k][lane];
 }
 
@@ -32,25 +33,25 @@ void fill_lanes(ElementBatch& batch) {
 
 unsigned evaluate_corners(const ElementLaw& law,
                           const ElementSurroundings& surroundings,
-                          bool stiffness,
                           ElementBatch& batch) {
   const auto kernel = LATSCH_KERNEL(evaluate_batch);
   fill_lanes(batch);
   const unsigned all = (1u << batch.count) - 1;
   double start[8][ElementBatch::kLanes];
   std::copy_n(&batch.alpha[0][0], 8 * ElementBatch::kLanes, &start[0][0]);
-  const unsigned valid = kernel(law, surroundings, stiffness, batch) & all;
+  const unsigned valid = kernel(law, surroundings, batch) & all;
   if (valid == all) return valid;
   // The old alpha may not suit the new place: the others begin again without.
   ElementBatch again = batch;
   std::fill_n(&again.alpha[0][0], 8 * ElementBatch::kLanes, 0.0);
-  const unsigned now = kernel(law, surroundings, stiffness, again) & all & ~valid;
+  const unsigned now = kernel(law, surroundings, again) & all & ~valid;
   for (int lane = 0; lane < batch.count; ++lane) {
     if (valid >> lane & 1) continue;
     if (now >> lane & 1) {
       copy_lane(again.alpha, lane, batch.alpha);
       copy_lane(again.f, lane, batch.f);
-      if (stiffness) copy_lane(again.K, lane, batch.K);
+      if (batch.stiffness == Stiffness::exact) copy_lane(again.K, lane, batch.K);
+      if (batch.stiffness == Stiffness::rough) copy_lane(again.rough_K, lane, batch.rough_K);
     } else {
       copy_lane(start, lane, batch.alpha);
     }
@@ -77,21 +78,25 @@ template <class At>
 void gather_corners(const EdgeTie& tie, At at) {
   for (const auto& [lower, upper] : tie.pairs()) {
     for (int i = 0; i < 3; ++i) {
-      double *a = at(3 * lower + i), *b = at(3 * upper + i);
+      auto *a = at(3 * lower + i), *b = at(3 * upper + i);
+      using Number = std::remove_pointer_t<decltype(a)>;
+      const auto from_lower = static_cast<Number>(tie.lower);
+      const auto from_upper = static_cast<Number>(tie.upper);
       for (int lane = 0; lane < ElementBatch::kLanes; ++lane) {
-        const double f = a[lane], g = b[lane];
-        a[lane] = (1.0 - tie.lower) * f + (1.0 - tie.upper) * g;
-        b[lane] = tie.lower * f + tie.upper * g;
+        const Number f = a[lane], g = b[lane];
+        a[lane] = (1 - from_lower) * f + (1 - from_upper) * g;
+        b[lane] = from_lower * f + from_upper * g;
       }
     }
   }
 }
 
 /// K of the nodes from that of the corners, T^T K T.
+template <class Number>
 void gather_corners(const EdgeTie& tie,
-                    double (&packed)[ElementBatch::kEntries][ElementBatch::kLanes]) {
+                    Number (&packed)[ElementBatch::kEntries][ElementBatch::kLanes]) {
   constexpr int kLanes = ElementBatch::kLanes;
-  static thread_local double K[24][24][kLanes];
+  static thread_local Number K[24][24][kLanes];
   const auto place = [](int row, int column) {
     return row >= column ? ElementBatch::entry(row, column) : ElementBatch::entry(column, row);
   };
@@ -114,16 +119,20 @@ void gather_corners(const EdgeTie& tie,
 
 unsigned evaluate(const ElementLaw& law,
                   const ElementSurroundings& surroundings,
-                  bool stiffness,
+                  Stiffness stiffness,
                   ElementBatch& batch) {
-  if (law.tie.eta == 0) return evaluate_corners(law, surroundings, stiffness, batch);
+  const bool is_comparison = law.shape->kind == ElementKind::full_integration;
+  batch.stiffness =
+      stiffness == Stiffness::rough && is_comparison ? Stiffness::exact : stiffness;
+  if (law.tie.eta == 0) return evaluate_corners(law, surroundings, batch);
   double nodes[24][ElementBatch::kLanes];
   std::copy_n(&batch.u[0][0], 24 * ElementBatch::kLanes, &nodes[0][0]);
   place_corners(law.tie, batch.u);
-  const unsigned valid = evaluate_corners(law, surroundings, stiffness, batch);
+  const unsigned valid = evaluate_corners(law, surroundings, batch);
   std::copy_n(&nodes[0][0], 24 * ElementBatch::kLanes, &batch.u[0][0]);
   gather_corners(law.tie, [&](int k) { return batch.f[k]; });
-  if (stiffness) gather_corners(law.tie, batch.K);
+  if (batch.stiffness == Stiffness::exact) gather_corners(law.tie, batch.K);
+  if (batch.stiffness == Stiffness::rough) gather_corners(law.tie, batch.rough_K);
   return valid;
 }
 
@@ -204,15 +213,19 @@ void ElementBatch::set(int lane,
 }
 
 void ElementBatch::take(
-    int lane, Vector24& force, Matrix24* stiffness, double* enhanced, int alphas) const {
+    int lane, Vector24& force, Matrix24* tangent, double* enhanced, int alphas) const {
   for (int j = 0; j < alphas; ++j) enhanced[j] = alpha[j][lane];
   for (int k = 0; k < 24; ++k) force[k] = f[k][lane];
-  if (stiffness == nullptr) return;
-  for (int row = 0; row < 24; ++row) {
-    for (int column = 0; column <= row; ++column) {
-      (*stiffness)(row, column) = (*stiffness)(column, row) = K[entry(row, column)][lane];
+  if (tangent == nullptr) return;
+  const auto take_from = [&](const auto& packed) {
+    for (int row = 0; row < 24; ++row) {
+      for (int column = 0; column <= row; ++column) {
+        (*tangent)(row, column) = (*tangent)(column, row) =
+            packed[entry(row, column)][lane];
+      }
     }
-  }
+  };
+  stiffness == Stiffness::rough ? take_from(rough_K) : take_from(K);
 }
 
 void add_pressure(const Matrix34& x, double p, Vector12& f, Matrix12* K) {

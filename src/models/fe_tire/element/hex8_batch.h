@@ -9,6 +9,10 @@
 
 namespace latsch::fe_tire {
 
+/// What is wanted of it: in double precision, or in single, which a step of Newton's method may
+/// stand on and nothing that is shown. Comparison elements have it exact always.
+enum class Stiffness { none, exact, rough };
+
 struct ElementBatch {
   static constexpr int kLanes = 8;
   static constexpr int kEntries = 24 * 25 / 2;
@@ -19,12 +23,14 @@ struct ElementBatch {
   alignas(64) double u[24][kLanes];        // m, displacements in the sector's frame
   alignas(64) double alpha[8][kLanes];     // enhanced strains, solved from the values given
   alignas(64) double f[24][kLanes];        // N
+  Stiffness stiffness = Stiffness::none;   // which of the two is, or is to be, there
   alignas(64) double K[kEntries][kLanes];  // N/m
+  alignas(64) float rough_K[kEntries][kLanes];
 
   /// Places of element `lane`, and the first `alphas` enhanced strains, others 0.
   void set(int lane, const Matrix38& displacements, const double* enhanced, int alphas);
   /// What came out of it: f, K with both triangles, enhanced strains.
-  void take(int lane, Vector24& force, Matrix24* stiffness, double* enhanced, int alphas) const;
+  void take(int lane, Vector24& force, Matrix24* tangent, double* enhanced, int alphas) const;
 };
 
 /// What acts on an element besides its own stress, and where its forces are wanted.
@@ -42,7 +48,7 @@ struct ElementSurroundings {
 /// numbers are then void).
 unsigned evaluate(const ElementLaw& law,
                   const ElementSurroundings& surroundings,
-                  bool stiffness,
+                  Stiffness stiffness,
                   ElementBatch& batch);
 
 /// The rubber law of the elements at one strain (rubber_law.h): S and D = dS/dE in Pa, and det C,

@@ -19,7 +19,8 @@ namespace latsch::fe_tire::LATSCH_KERNELS {
 inline constexpr int kInPlane[3] = {solid_shell::k1, solid_shell::k2, solid_shell::k12};
 inline constexpr int kThrough[3] = {solid_shell::k13, solid_shell::k23, solid_shell::k123};
 
-struct Cords {
+template <class V>
+struct CordsOf {
   struct Point {
     V e, S, tangent;  // strain of the displacements; Pa, of the whole strain
   };
@@ -30,9 +31,11 @@ struct Cords {
   const std::vector<CordSheet>& laws;
   Sheet sheets[ElementLaw::kCordLayers];  // as many as there are laws
 
-  explicit Cords(const std::vector<CordSheet>& given) : laws(given) {}
+  explicit CordsOf(const std::vector<CordSheet>& given) : laws(given) {}
   int count() const { return static_cast<int>(laws.size()); }
 };
+
+using Cords = CordsOf<V>;
 
 /// Sets y and e at the modal vectors x[m][i].
 LATSCH_INLINE void follow(const V (*x)[3], Cords& cords) {
@@ -81,6 +84,7 @@ LATSCH_INLINE void stretch(Cords& cords, const V& alpha_0, const V& alpha_1) {
 }
 
 /// de / dy_m of a point.
+template <class V>
 LATSCH_INLINE void strain_operator(const CordSheet::Point& law, const V (*y)[3], V (*b)[3]) {
   for (int m = 0; m < 3; ++m) {
     for (int i = 0; i < 3; ++i) {
@@ -97,7 +101,7 @@ void add_forces(const Cords& cords, ModalSums& sums) {
     for (V& v : std::span(&f[0][0], 9)) v = 0.0;
     for (int q = 0; q < 4; ++q) {
       V b[3][3];
-      strain_operator(law.points[q], sheet.y, b);
+      strain_operator<V>(law.points[q], sheet.y, b);
       const V S = law.points[q].dV * sheet.points[q].S;
       for (int m = 0; m < 3; ++m) {
         for (int i = 0; i < 3; ++i) f[m][i] += S * b[m][i];
@@ -113,6 +117,7 @@ void add_forces(const Cords& cords, ModalSums& sums) {
 }
 
 /// Adds a layer's stiffness between y_m and y_n in directions (i, j) to that of the modal vectors.
+template <class V>
 LATSCH_INLINE void add_pair(const V& k, double zeta, int m, int n, bool whole, V (*K)[kModes]) {
   const V k_zeta = zeta * k;
   const auto add = [&](int row, int column, const V& value) {
@@ -128,15 +133,16 @@ LATSCH_INLINE void add_pair(const V& k, double zeta, int m, int n, bool whole, V
 
 /// `coupling` [alpha][direction][modal vector], where given, receives the stiffness between
 /// alpha_0, alpha_1 and the element.
-void add_stiffness(const Cords& cords, ModalSums& sums, V (*coupling)[3][kModes]) {
+template <class V>
+void add_stiffness(const CordsOf<V>& cords, ModalSumsOf<V>& sums, V (*coupling)[3][kModes]) {
   for (int k = 0; k < cords.count(); ++k) {
     const CordSheet& law = cords.laws[k];
-    const Cords::Sheet& sheet = cords.sheets[k];
+    const typename CordsOf<V>::Sheet& sheet = cords.sheets[k];
     V b[4][3][3], kb[4][3][3], stress[3][3];
     for (V& v : std::span(&stress[0][0], 9)) v = 0.0;
     for (int q = 0; q < 4; ++q) {
       const CordSheet::Point& point = law.points[q];
-      strain_operator(point, sheet.y, b[q]);
+      strain_operator<V>(point, sheet.y, b[q]);
       const V tangent = point.dV * sheet.points[q].tangent, S = point.dV * sheet.points[q].S;
       for (int m = 0; m < 3; ++m) {
         for (int i = 0; i < 3; ++i) kb[q][m][i] = tangent * b[q][m][i];

@@ -137,7 +137,7 @@ bool curve_register(const ElementLaw& law,
     // forces at the motion in their place.
     if (around.pressure != 0.0)
       add_pressure(kNowhere, phi, around.open_edges, 2.0 * around.pressure, false, sums);
-    if (around.turned != 0) turn(around, false, sums);
+    if (around.turned != 0) turn_forces(around, sums);
     for (int n = 0; n < 24; ++n) sums.f[n].save(motion.curvature[n] + first);
     for (int j = 0; j < kEnhanced; ++j) {
       alpha1[j].save(motion.mode_alpha[j] + first);

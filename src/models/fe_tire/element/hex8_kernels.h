@@ -5,71 +5,148 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-/// Turns forces and stiffness of the nodes `around.turned` by Q^T.
-void turn(const ElementSurroundings& around, bool stiffness, NodalSums& sums) {
-  const double c = around.cosine, s = around.sine;
-  const auto turn_pair = [&](V& x, V& z) {
-    const V turned_x = c * x - s * z;
-    z = s * x + c * z;
-    x = turned_x;
-  };
+template <class V>
+LATSCH_INLINE void turn_pair(const ElementSurroundings& around, V& x, V& z) {
+  const V c = around.cosine, s = around.sine;
+  const V turned_x = c * x - s * z;
+  z = s * x + c * z;
+  x = turned_x;
+}
+
+/// Turns forces of the nodes `around.turned` by Q^T.
+template <class V>
+LATSCH_INLINE void turn_forces(const ElementSurroundings& around, NodalSumsOf<V>& sums) {
+  for (int a = 0; a < 8; ++a) {
+    if (around.turned >> a & 1) turn_pair<V>(around, sums.f[3 * a], sums.f[3 * a + 2]);
+  }
+}
+
+/// The same of stiffness.
+template <class V>
+void turn_stiffness(const ElementSurroundings& around, NodalSumsOf<V>& sums) {
   const auto at = [&](int row, int column) -> V& {
     return sums
         .K[row >= column ? ElementBatch::entry(row, column) : ElementBatch::entry(column, row)];
   };
+  const auto turn = [&](V& x, V& z) { turn_pair<V>(around, x, z); };
   for (int a = 0; a < 8; ++a) {
     if (!(around.turned >> a & 1)) continue;
     const int x = 3 * a, z = 3 * a + 2;
-    turn_pair(sums.f[x], sums.f[z]);
-    if (!stiffness) continue;
     for (int column = 0; column < 24; ++column) {
-      if (column != x && column != z) turn_pair(at(x, column), at(z, column));
+      if (column != x && column != z) turn(at(x, column), at(z, column));
     }
     V xx = at(x, x), xz = at(z, x), zx = xz, zz = at(z, z);
-    turn_pair(xx, zx);
-    turn_pair(xz, zz);
-    turn_pair(xx, xz);
-    turn_pair(zx, zz);
+    turn(xx, zx);
+    turn(xz, zz);
+    turn(xx, xz);
+    turn(zx, zz);
     at(x, x) = xx;
     at(z, x) = xz;
     at(z, z) = zz;
   }
 }
 
-unsigned evaluate_register(const ElementLaw& law,
-                           const ElementSurroundings& around,
-                           bool stiffness,
-                           int first,
-                           ElementBatch& batch) {
+/// A solid-shell and where it is, from which its stiffness follows.
+template <class V>
+struct ElementState {
+  V x[24];
+  SolidShellState<V> shell;
+  CordsOf<V> cords;
+
+  explicit ElementState(const ElementLaw& law) : cords(law.cords) {}
+};
+
+/// Takes lanes `first` ... of a register.
+LATSCH_INLINE void round(const ElementState<V>& from, int first, ElementState<F>& to) {
+  round(from.x, first, to.x);
+  round(from.shell, first, to.shell);
+  for (int k = 0; k < from.cords.count(); ++k) {
+    round(from.cords.sheets[k], first, to.cords.sheets[k]);
+  }
+}
+
+/// Stiffness of a solid-shell under pressure.
+template <class V>
+void find_stiffness(const ElementLaw& law,
+                    const Operators<V>& operators,
+                    const ElementSurroundings& around,
+                    const ElementState<V>& state,
+                    NodalSumsOf<V>& sums) {
+  ModalSumsOf<V> modal;
+  modal.set_zero(true);
+  const SolidShellState<V>& shell = state.shell;
+  add_stiffness<V>(operators, shell.k, shell.inner, shell.t, state.cords, modal);
+  stiffness_to_nodes<V>(modal, sums);
+  for (V& f : sums.f) f = 0.0;
+  if (around.pressure != 0.0) {
+    add_pressure<V>(
+        law.shape->X.data(), state.x, around.open_edges, around.pressure, true, sums);
+  }
+  if (around.turned != 0) turn_stiffness<V>(around, sums);
+}
+
+/// Forces, and stiffness where it is to be exact; `rough`, where given, receives the state.
+unsigned evaluate_solid_shell(const ElementLaw& law,
+                              const ElementSurroundings& around,
+                              int first,
+                              ElementBatch& batch,
+                              ElementState<F>* rough) {
   const HexShape& shape = *law.shape;
-  V x[24], alpha[kEnhanced];
-  for (int k = 0; k < 24; ++k) x[k] = load(batch.u[k] + first) + shape.X.data()[k];
+  ElementState<V> state(law);
+  V alpha[kEnhanced];
+  for (int k = 0; k < 24; ++k) state.x[k] = load(batch.u[k] + first) + shape.X.data()[k];
   for (int j = 0; j < kEnhanced; ++j) alpha[j] = load(batch.alpha[j] + first);
-  Kinematics k;
-  modal_vectors(x, k.x);
+  modal_vectors(state.x, state.shell.k.x);
+  follow(state.shell.k.x, state.cords);
+  ModalSums modal;
+  modal.set_zero(false);
+  NodalSums sums;
+  const Mask valid = add_solid_shell_forces(law, state.shell, state.cords, alpha, modal);
+  to_nodes(modal, sums);
+  if (around.pressure != 0.0) {
+    add_pressure(shape.X.data(), state.x, around.open_edges, around.pressure, false, sums);
+  }
+  if (around.turned != 0) turn_forces(around, sums);
+  for (int j = 0; j < kEnhanced; ++j) alpha[j].save(batch.alpha[j] + first);
+  for (int n = 0; n < 24; ++n) sums.f[n].save(batch.f[n] + first);
+  if (batch.stiffness == Stiffness::exact) {
+    find_stiffness<V>(law, shape.solid_shell, around, state, sums);
+    for (int n = 0; n < ElementBatch::kEntries; ++n) sums.K[n].save(batch.K[n] + first);
+  }
+  if (rough != nullptr) {
+    const int next = first + V::kWidth, end = next < batch.count ? next : ElementBatch::kLanes;
+    for (int lane = first; lane < end; lane += V::kWidth) round(state, lane, *rough);
+  }
+  return lanes_of(valid) << first;
+}
+
+unsigned evaluate_comparison(const ElementLaw& law,
+                             const ElementSurroundings& around,
+                             int first,
+                             ElementBatch& batch) {
+  const HexShape& shape = *law.shape;
+  const bool stiffness = batch.stiffness != Stiffness::none;
+  V x[24], modes[kModes][3];
+  for (int k = 0; k < 24; ++k) x[k] = load(batch.u[k] + first) + shape.X.data()[k];
+  modal_vectors(x, modes);
   Cords cords(law.cords);
-  follow(k.x, cords);
+  follow(modes, cords);
+  stretch(cords, 0.0, 0.0);
   ModalSums modal;
   modal.set_zero(stiffness);
+  add_forces(cords, modal);
+  if (stiffness) add_stiffness<V>(cords, modal, nullptr);
   NodalSums sums;
-  Mask valid;
-  if (shape.kind == ElementKind::solid_shell) {
-    valid = add_solid_shell(law, stiffness, k, cords, alpha, modal);
-  } else {
-    stretch(cords, 0.0, 0.0);
-    add_forces(cords, modal);
-    if (stiffness) add_stiffness(cords, modal, nullptr);
-  }
   to_nodes(modal, sums);
   if (stiffness) stiffness_to_nodes(modal, sums);
-  if (shape.kind == ElementKind::full_integration) {
-    valid = add_full_integration(law, stiffness, x, sums);
-  }
+  const Mask valid = add_full_integration(law, stiffness, x, sums);
   if (around.pressure != 0.0) {
     add_pressure(shape.X.data(), x, around.open_edges, around.pressure, stiffness, sums);
   }
-  if (around.turned != 0) turn(around, stiffness, sums);
-  for (int j = 0; j < kEnhanced; ++j) alpha[j].save(batch.alpha[j] + first);
+  if (around.turned != 0) {
+    turn_forces(around, sums);
+    if (stiffness) turn_stiffness(around, sums);
+  }
   for (int n = 0; n < 24; ++n) sums.f[n].save(batch.f[n] + first);
   for (int n = 0; stiffness && n < ElementBatch::kEntries; ++n) sums.K[n].save(batch.K[n] + first);
   return lanes_of(valid) << first;
@@ -77,12 +154,23 @@ unsigned evaluate_register(const ElementLaw& law,
 
 unsigned evaluate_batch(const ElementLaw& law,
                         const ElementSurroundings& around,
-                        bool stiffness,
                         ElementBatch& batch) {
   unsigned valid = 0;
-  for (int first = 0; first < batch.count; first += V::kWidth) {
-    valid |= evaluate_register(law, around, stiffness, first, batch);
+  if (law.shape->kind == ElementKind::full_integration) {
+    for (int first = 0; first < batch.count; first += V::kWidth) {
+      valid |= evaluate_comparison(law, around, first, batch);
+    }
+    return valid;
   }
+  ElementState<F> rough(law);
+  const bool is_rough = batch.stiffness == Stiffness::rough;
+  for (int first = 0; first < batch.count; first += V::kWidth) {
+    valid |= evaluate_solid_shell(law, around, first, batch, is_rough ? &rough : nullptr);
+  }
+  if (!is_rough) return valid;
+  NodalSumsOf<F> sums;
+  find_stiffness<F>(law, law.shape->rough, around, rough, sums);
+  for (int n = 0; n < ElementBatch::kEntries; ++n) sums.K[n].save(batch.rough_K[n]);
   return valid;
 }
 

@@ -14,6 +14,7 @@
 #define LATSCH_FE_TIRE_HEX8_LANES
 #endif
 
+#include "numerics/kernels/kernel_floats.h"
 #include "numerics/kernels/kernel_registers.h"
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
@@ -26,8 +27,31 @@ using V = latsch::LATSCH_KERNELS::Register4;
 using V = latsch::LATSCH_KERNELS::Register2;
 #endif
 using Mask = V::Mask;
+/// All lanes of a batch, for what may be rough.
+using F = latsch::LATSCH_KERNELS::Floats8;
+static_assert(F::kWidth == ElementBatch::kLanes);
 
 LATSCH_INLINE V load(const double* p) { return V::load(p); }
+
+/// Rounds the lanes of v to floats.
+LATSCH_INLINE void round(const V& v, float* p) {
+#if LATSCH_KERNEL_WIDTH == 8
+  _mm256_storeu_ps(p, _mm512_maskz_cvtpd_ps(V::kEvery, v.v));
+#elif LATSCH_KERNEL_WIDTH == 4
+  _mm_storeu_ps(p, _mm256_cvtpd_ps(v.v));
+#else
+  for (int lane = 0; lane < V::kWidth; ++lane) p[lane] = static_cast<float>(v.v[lane]);
+#endif
+}
+/// Arrays and what consists of V: its lanes `first` ... of the same of F.
+template <class Exact, class Rough>
+LATSCH_INLINE void round(const Exact& from, int first, Rough& to) {
+  constexpr std::size_t kCount = sizeof(Exact) / sizeof(V);
+  static_assert(kCount * sizeof(V) == sizeof(Exact) && kCount * sizeof(F) == sizeof(Rough));
+  const V* v = reinterpret_cast<const V*>(&from);
+  float* p = reinterpret_cast<float*>(&to) + first;
+  for (std::size_t k = 0; k < kCount; ++k) round(v[k], p + k * F::kWidth);
+}
 
 /// Bits of the lanes where the mask holds.
 LATSCH_INLINE unsigned lanes_of(const Mask& mask) {

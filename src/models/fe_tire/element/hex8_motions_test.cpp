@@ -55,7 +55,7 @@ struct MovedElement {
     batch.count = 1;
     const std::array<double, 8> none{};
     batch.set(0, place, none.data(), alphas());
-    EXPECT_EQ(evaluate(of, {.pressure = kGasPressure}, true, batch), 1u);
+    EXPECT_EQ(evaluate(of, {.pressure = kGasPressure}, Stiffness::exact, batch), 1u);
     return batch;
   }
   ElementMotion motion() const {

@@ -50,7 +50,10 @@ HexShape make_shape(ElementKind kind, const Matrix38& X, double wall) {
       for (int a = 0; a < 8; ++a) shape.dN[q][i][a] = dN(i, a);
     }
   }
-  if (kind == ElementKind::solid_shell) shape.solid_shell = make_solid_shell_shape(X, wall);
+  if (kind == ElementKind::solid_shell) {
+    shape.solid_shell = make_solid_shell_shape(X, wall);
+    shape.rough = rounded(shape.solid_shell);
+  }
   return shape;
 }
 

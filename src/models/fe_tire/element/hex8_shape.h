@@ -24,21 +24,25 @@ using Vector8 = Eigen::Matrix<double, 8, 1>;
 
 /// Strain operators of the solid-shell, see hex8_solid_shell.h for the letters. Vectors of the
 /// nodes are written in the modal vectors h_m (hex8_solid_shell_modes.h): v = sum_m v[m] h_m.
-struct SolidShellShape {
+template <class Number>
+struct SolidShellOperators {
   static constexpr int kModes = 7;
   static constexpr int kStrains = 18;  // E_c (6) and e (12), the generalized strains
   static constexpr int kEnhanced = 8;  // alpha
   static constexpr int kSquares = 7;   // see solid_shell::kSquares
   static constexpr int kColumns = kStrains + kEnhanced;
 
-  double b[kModes][3];       // 1/m, mean gradients of the shape functions in the center's triad
-  double gamma[kModes][3];   // hourglass vectors, z_j = sum_m x_m gamma[m][j]
-  double along[kModes][3];   // F a_j = sum_m x_m along[m][j], a_j: unit vectors along xi, across it
+  Number b[kModes][3];       // 1/m, mean gradients of the shape functions in the center's triad
+  Number gamma[kModes][3];   // hourglass vectors, z_j = sum_m x_m gamma[m][j]
+  Number along[kModes][3];   // F a_j = sum_m x_m along[m][j], a_j: unit vectors along xi, across it
                              // and normal to both
-  double w[6][kSquares];     // 1/m^2, what the squares of z_m along the axes add to E_c
-  double e0[12];             // m^2, reference values of e
-  double P[8][6][kColumns];  // E[point][r] = sum_j P[point][r][j] (E_c, e, alpha)_j
-  double volume;             // m^3
+  Number w[6][kSquares];     // 1/m^2, what the squares of z_m along the axes add to E_c
+  Number P[8][6][kColumns];  // E[point][r] = sum_j P[point][r][j] (E_c, e, alpha)_j
+};
+
+struct SolidShellShape : SolidShellOperators<double> {
+  double e0[12];  // m^2, reference values of e
+  double volume;  // m^3
   double L2[2];              // m^2, |X_1|^2 and |X_2|^2
   /// Dyads (Voigt, of stress) of the element's axes meridional 2 and normal 3 in the center's
   /// triad.
@@ -51,7 +55,9 @@ struct HexShape {
   Matrix38 X;                   // m
   std::array<double, 8> dV;     // m^3, volume of a Gauss point; not positive where inverted
   double dN[8][3][8];           // 1/m, [point][direction][node], gradients in the point's triad
-  SolidShellShape solid_shell;  // only filled for that kind
+  // Only filled for that kind; the operators again in single precision, for rough tangents.
+  SolidShellShape solid_shell;
+  SolidShellOperators<float> rough;
 };
 
 /// Shape functions at a point of the parent cube.

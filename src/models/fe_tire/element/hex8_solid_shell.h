@@ -9,6 +9,7 @@ namespace latsch::fe_tire {
 
 /// `wall`: Element::wall.
 SolidShellShape make_solid_shell_shape(const Matrix38& X, double wall = 0.0);
+SolidShellOperators<float> rounded(const SolidShellOperators<double>& operators);
 
 /// What is left of the shear stiffness along eta in an element of length h of a rubber wall of
 /// thickness t: a straight element has one curvature, a wall under a shear force one that changes

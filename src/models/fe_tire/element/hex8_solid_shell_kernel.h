@@ -64,11 +64,18 @@ inline constexpr double kLastStep = 1e-6;        // strain; the step after one t
 inline constexpr int kInnerIterations = 15;
 
 /// Where the element is: F = [f_1 f_2 f_3], hourglass vectors z_m (not z_123) and their c.
-struct Kinematics {
+template <class V>
+struct KinematicsOf {
   V F[3][3];  // [column][i]
   V x[kModes][3];
   V z[3][3], d[3][3], c[kSquareCount];  // equation (4); d_j = F a_j
 };
+
+using Kinematics = KinematicsOf<V>;
+
+/// Numbers of the shape that go with V.
+template <class V>
+using Operators = SolidShellOperators<typename V::Constant>;
 
 /// False where the mean deformation turns the element inside out.
 LATSCH_INLINE Mask follow(const SolidShellShape& s, Kinematics& k) {
@@ -109,7 +116,8 @@ LATSCH_INLINE void generalized_strains(const SolidShellShape& s, const Kinematic
 }
 
 /// dc = Dc dx, [square][direction][modal vector].
-void hourglass_operator(const SolidShellShape& s, const Kinematics& k, V (*Dc)[3][kModes]) {
+template <class V>
+void hourglass_operator(const Operators<V>& s, const KinematicsOf<V>& k, V (*Dc)[3][kModes]) {
   for (int q = 0; q < kSquareCount; ++q) {
     const auto [z, j] = kSquares[q];
     for (int i = 0; i < 3; ++i) {
@@ -121,8 +129,9 @@ void hourglass_operator(const SolidShellShape& s, const Kinematics& k, V (*Dc)[3
 }
 
 /// dE_c = B dx; de is as short as equation (3).
-void strain_operator(const SolidShellShape& s,
-                     const Kinematics& k,
+template <class V>
+void strain_operator(const Operators<V>& s,
+                     const KinematicsOf<V>& k,
                      const V (*Dc)[3][kModes],
                      V (*B)[3][kModes]) {
   using voigt::kColumn, voigt::kRow;
@@ -179,12 +188,13 @@ void add_forces(const SolidShellShape& s, const Kinematics& k, const V* t, Modal
 
 /// Second derivative of the generalized strains times their stresses t: TDc is what the squares
 /// have of it, T Dc^T Dc; the rest, the same in all directions, is added here.
-void add_stress_stiffness(const SolidShellShape& s,
-                          const Kinematics& k,
+template <class V>
+void add_stress_stiffness(const Operators<V>& s,
+                          const KinematicsOf<V>& k,
                           const V (*Dc)[3][kModes],
                           const V* t,
                           V (*TDc)[3][kModes],
-                          ModalSums& sums) {
+                          ModalSumsOf<V>& sums) {
   V v[3][kModes], H[kModes][kModes];
   for (V& entry : std::span(&v[0][0], 3 * kModes)) entry = 0.0;
   for (int q = 0; q < kSquareCount; ++q) {
@@ -199,7 +209,7 @@ void add_stress_stiffness(const SolidShellShape& s,
     }
   }
   for (int n = 0; n < kModes; ++n) {
-    const double* b = s.b[n];
+    const auto* b = s.b[n];
     const V u[3] = {b[0] * t[0] + (b[1] * t[3] + b[2] * t[5]),
                     b[0] * t[3] + (b[1] * t[1] + b[2] * t[4]),
                     b[0] * t[5] + (b[1] * t[4] + b[2] * t[2])};
@@ -248,10 +258,13 @@ LATSCH_INLINE void solve(const V (*A)[kEnhanced], V* x) {
 }
 
 /// Stresses and tangents at the points, times dV.
-struct Inner {
+template <class V>
+struct InnerOf {
   V S[8][6], D[8][6][6];
   V A[kEnhanced][kEnhanced];  // factors of the tangent of alpha
 };
+
+using Inner = InnerOf<V>;
 
 /// S and D at the strain E, times dV; false where det C <= 0.
 LATSCH_INLINE Mask stress(const ElementLaw& law, double dV, const V* E, V* S, V (*D)[6]) {
@@ -295,16 +308,16 @@ Mask stress_at(const ElementLaw& law, const V (*compatible)[6], const V* alpha, 
 }
 
 /// DP[p][c] = sum over r of D P, the columns first_column ... of P.
-template <int columns>
-LATSCH_INLINE void times_P(const SolidShellShape& s,
-                           const Inner& inner,
+template <int columns, class V>
+LATSCH_INLINE void times_P(const Operators<V>& s,
+                           const InnerOf<V>& inner,
                            int first_column,
                            V (*DP)[columns]) {
   for (int q = 0; q < 8; ++q) {
     for (int r = 0; r < 6; r += 2) {
       V acc[2][columns];
       for (int c = 0; c < columns; ++c) {
-        const double P = s.P[q][0][first_column + c];
+        const V P = s.P[q][0][first_column + c];
         acc[0][c] = P * inner.D[q][r][0];
         acc[1][c] = P * inner.D[q][r + 1][0];
       }
@@ -325,12 +338,12 @@ LATSCH_INLINE void times_P(const SolidShellShape& s,
 }
 
 /// sum_p P[p][row + r] DP[p][c] for `rows` rows of P^T D P.
-template <int rows, int columns, class Store>
-LATSCH_INLINE void times_P_transposed(const SolidShellShape& s,
+template <int rows, int columns, class V, class Store>
+LATSCH_INLINE void times_P_transposed(const Operators<V>& s,
                                       int row,
                                       const V (*DP)[columns],
                                       const Store& store) {
-  const double* P = &s.P[0][0][0] + row;
+  const auto* P = &s.P[0][0][0] + row;
   V acc[rows][columns];
   for (int r = 0; r < rows; ++r) {
     for (int c = 0; c < columns; ++c) acc[r][c] = P[r] * DP[0][c];
@@ -350,12 +363,13 @@ LATSCH_INLINE void times_P_transposed(const SolidShellShape& s,
 }
 
 /// The tangent of alpha, P_alpha^T D P_alpha, its lower triangle.
-void tangent_of_alpha(const SolidShellShape& s, const Inner& inner, V (*A)[kEnhanced]) {
+template <class V>
+void tangent_of_alpha(const Operators<V>& s, const InnerOf<V>& inner, V (*A)[kEnhanced]) {
   for (int column = 0; column < kEnhanced; column += 2) {
     V DP[48][2];
-    times_P<2>(s, inner, kStrains + column, DP);
+    times_P<2, V>(s, inner, kStrains + column, DP);
     for (int row = column & 4; row < kEnhanced; row += 4) {
-      times_P_transposed<4, 2>(s, kStrains + row, DP, [&](int r, int c, const V& value) {
+      times_P_transposed<4, 2, V>(s, kStrains + row, DP, [&](int r, int c, const V& value) {
         A[row + r][column + c] = value;
       });
     }
@@ -422,7 +436,7 @@ solve_alpha(const ElementLaw& law, const V* g, Cords& cords, V* alpha, Inner& in
   V step[kEnhanced];
   for (int iteration = 0; iteration < kInnerIterations; ++iteration) {
     valid = valid & stress_at(law, compatible, alpha, inner);
-    tangent_of_alpha(s, inner, inner.A);
+    tangent_of_alpha<V>(s, inner, inner.A);
     residual_of_alpha(s, inner, step);
     for (int i = 0; i < kEnhanced; ++i) {
       inner.A[i][i] += relaxed[i];
@@ -456,18 +470,22 @@ solve_alpha(const ElementLaw& law, const V* g, Cords& cords, V* alpha, Inner& in
 }
 
 /// Tangents of the generalized strains, D, and between alpha and them, Da.
-void tangents(const SolidShellShape& s, const Inner& inner, V (*D)[kStrains], V (*Da)[kStrains]) {
+template <class V>
+void tangents(const Operators<V>& s,
+              const InnerOf<V>& inner,
+              V (*D)[kStrains],
+              V (*Da)[kStrains]) {
   for (int column = 0; column < kStrains; column += 3) {
     V DP[48][3];
-    times_P<3>(s, inner, column, DP);
+    times_P<3, V>(s, inner, column, DP);
     for (int row = 0; row < column + 3; row += 3) {
-      times_P_transposed<3, 3>(s, row, DP, [&](int r, int c, const V& value) {
+      times_P_transposed<3, 3, V>(s, row, DP, [&](int r, int c, const V& value) {
         D[row + r][column + c] = value;
         D[column + c][row + r] = value;
       });
     }
     for (int row = 0; row < kEnhanced; row += 4) {
-      times_P_transposed<4, 3>(s, kStrains + row, DP, [&](int r, int c, const V& value) {
+      times_P_transposed<4, 3, V>(s, kStrains + row, DP, [&](int r, int c, const V& value) {
         Da[row + r][column + c] = value;
       });
     }
@@ -475,6 +493,7 @@ void tangents(const SolidShellShape& s, const Inner& inner, V (*D)[kStrains], V 
 }
 
 /// rows x (B, d(e)/dx), `rows` being tangents of generalized strains.
+template <class V>
 void times_B(const V (*rows)[kStrains],
              int count,
              const V (*B)[3][kModes],
@@ -498,7 +517,8 @@ void times_B(const V (*rows)[kStrains],
 }
 
 /// K += (de/dx)^T DB of the rows of e.
-void add_pairs(const V (*x)[3], const V (*DB)[3][kModes], ModalSums& sums) {
+template <class V>
+void add_pairs(const V (*x)[3], const V (*DB)[3][kModes], ModalSumsOf<V>& sums) {
   for (int block = 0; block < 6; ++block) {
     const int i = voigt::kRow[block], j = voigt::kColumn[block];
     for (const auto& [e, m, n] : kPairs) {
@@ -513,7 +533,8 @@ void add_pairs(const V (*x)[3], const V (*DB)[3][kModes], ModalSums& sums) {
 
 /// K_a <- L^-1 K_a and scaled = -(D of L D L^T)^-1 of it: what condensing alpha takes from K is
 /// the product of the two.
-void condense(const Inner& inner, V (*Ka)[3][kModes], V (*scaled)[3][kModes]) {
+template <class V>
+void condense(const InnerOf<V>& inner, V (*Ka)[3][kModes], V (*scaled)[3][kModes]) {
   for (int k = 0; k < kEnhanced; ++k) {
     const V inverse = -1.0 / inner.A[k][k];
     for (int i = 0; i < 3; ++i) {
@@ -528,52 +549,58 @@ void condense(const Inner& inner, V (*Ka)[3][kModes], V (*scaled)[3][kModes]) {
 }
 
 /// Adds stiffness of solid and cords; t are the stresses of the generalized strains.
-void add_stiffness(const SolidShellShape& s,
-                   const Kinematics& k,
-                   const Inner& inner,
+template <class V>
+void add_stiffness(const Operators<V>& s,
+                   const KinematicsOf<V>& k,
+                   const InnerOf<V>& inner,
                    const V* t,
-                   const Cords& cords,
-                   ModalSums& sums) {
+                   const CordsOf<V>& cords,
+                   ModalSumsOf<V>& sums) {
   // Rows of one long product: E_c, squares, alpha.
   constexpr int kSquareRow = 6, kAlphaRow = kSquareRow + kSquareCount,
                 kRows = kAlphaRow + kEnhanced;
   V left[kRows][3][kModes], right[kRows][3][kModes], DB[kStrains][3][kModes];
   V D[kStrains][kStrains], Da[kEnhanced][kStrains];
-  hourglass_operator(s, k, left + kSquareRow);
-  strain_operator(s, k, left + kSquareRow, left);
-  tangents(s, inner, D, Da);
-  times_B(D, kStrains, left, k.x, DB);
-  times_B(Da, kEnhanced, left, k.x, left + kAlphaRow);
+  hourglass_operator<V>(s, k, left + kSquareRow);
+  strain_operator<V>(s, k, left + kSquareRow, left);
+  tangents<V>(s, inner, D, Da);
+  times_B<V>(D, kStrains, left, k.x, DB);
+  times_B<V>(Da, kEnhanced, left, k.x, left + kAlphaRow);
   std::memcpy(right, DB, 6 * sizeof DB[0]);
-  add_stiffness(cords, sums, left + kAlphaRow);
-  condense(inner, left + kAlphaRow, right + kAlphaRow);
-  add_stress_stiffness(s, k, left + kSquareRow, t, right + kSquareRow, sums);
-  add_product(left, right, kRows, sums);
-  add_pairs(k.x, DB, sums);
+  add_stiffness<V>(cords, sums, left + kAlphaRow);
+  condense<V>(inner, left + kAlphaRow, right + kAlphaRow);
+  add_stress_stiffness<V>(s, k, left + kSquareRow, t, right + kSquareRow, sums);
+  add_product<V>(left, right, kRows, sums);
+  add_pairs<V>(k.x, DB, sums);
 }
 
-/// Adds forces and, where asked for, stiffness of solid and cords at the modal vectors in k.x;
-/// alpha is solved from the values given. Where it fails, the sums are void.
-Mask add_solid_shell(
-    const ElementLaw& law, bool stiffness, Kinematics& k, Cords& cords, V* alpha, ModalSums& sums) {
+/// What forces and stiffness of an element are made of.
+template <class V>
+struct SolidShellState {
+  KinematicsOf<V> k;
+  InnerOf<V> inner;
+  V t[kStrains];  // stresses of the generalized strains
+};
+
+/// Adds forces of solid and cords at the modal vectors in state.k.x; alpha is solved from the
+/// values given. Where it fails, sums and state are void.
+Mask add_solid_shell_forces(
+    const ElementLaw& law, SolidShellState<V>& state, Cords& cords, V* alpha, ModalSums& sums) {
   const SolidShellShape& s = law.shape->solid_shell;
-  const Mask upright = follow(s, k);
+  const Mask upright = follow(s, state.k);
   V g[kStrains];
-  generalized_strains(s, k, g);
-  Inner inner;
-  const Mask solved = solve_alpha(law, g, cords, alpha, inner);
-  if (!any(upright & solved)) return upright & solved;
-  V t[kStrains];
-  for (V& entry : t) entry = 0.0;
+  generalized_strains(s, state.k, g);
+  const Mask valid = upright & solve_alpha(law, g, cords, alpha, state.inner);
+  if (!any(valid)) return valid;
+  for (V& entry : state.t) entry = 0.0;
   for (int q = 0; q < 8; ++q) {
     for (int r = 0; r < 6; ++r) {
-      for (int j = 0; j < kStrains; ++j) t[j] += s.P[q][r][j] * inner.S[q][r];
+      for (int j = 0; j < kStrains; ++j) state.t[j] += s.P[q][r][j] * state.inner.S[q][r];
     }
   }
-  add_forces(s, k, t, sums);
+  add_forces(s, state.k, state.t, sums);
   add_forces(cords, sums);
-  if (stiffness) add_stiffness(s, k, inner, t, cords, sums);
-  return upright & solved;
+  return valid;
 }
 
 }  // namespace latsch::fe_tire::LATSCH_KERNELS

@@ -176,6 +176,22 @@ SolidShellShape make_solid_shell_shape(const Matrix38& X, double wall) {
   return s;
 }
 
+SolidShellOperators<float> rounded(const SolidShellOperators<double>& operators) {
+  SolidShellOperators<float> result;
+  const auto round = [](const auto& from, auto& to) {
+    constexpr std::size_t kCount = sizeof from / sizeof(double);
+    static_assert(kCount == sizeof to / sizeof(float));
+    const double* first = reinterpret_cast<const double*>(&from);
+    std::copy_n(first, kCount, reinterpret_cast<float*>(&to));
+  };
+  round(operators.b, result.b);
+  round(operators.gamma, result.gamma);
+  round(operators.along, result.along);
+  round(operators.w, result.w);
+  round(operators.P, result.P);
+  return result;
+}
+
 Matrix6 layer_stiffness(const Matrix6& D, const SolidShellShape& shape, int layer_rows) {
   if (layer_rows < 1) return D;
   const double D22 = shape.d22.dot(D * shape.d22), D33 = shape.d33.dot(D * shape.d33);

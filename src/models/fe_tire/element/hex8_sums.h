@@ -23,7 +23,8 @@ inline constexpr int kModes = SolidShellShape::kModes;
 
 /// By direction and modal vector; blocks of the pairs of directions (i, j), j >= i, in Voigt order,
 /// of blocks (i, i) the entries n >= m are kept.
-struct ModalSums {
+template <class V>
+struct ModalSumsOf {
   V f[3][kModes];
   V K[6][kModes][kModes];
 
@@ -35,10 +36,14 @@ struct ModalSums {
 };
 
 /// By node: entry [entry(3 a + i, 3 b + j)].
-struct NodalSums {
+template <class V>
+struct NodalSumsOf {
   V f[24];
   V K[ElementBatch::kEntries];
 };
+
+using ModalSums = ModalSumsOf<V>;
+using NodalSums = NodalSumsOf<V>;
 
 /// Bit k of a node: on the side -1 of parent direction k. Modal vectors count alike: bit 0 for xi,
 /// 1 for eta, 2 for zeta.
@@ -46,6 +51,7 @@ inline constexpr int kSideOfNode[8] = {7, 6, 4, 5, 3, 2, 0, 1};
 inline constexpr int kPlaceOfMode[kModes] = {1, 2, 4, 3, 6, 5, 7};
 
 /// Sums and differences along the three directions.
+template <class V>
 LATSCH_INLINE void transform(V* v) {
   for (int step = 1; step < 8; step *= 2) {
     for (int k = 0; k < 8; ++k) {
@@ -58,6 +64,7 @@ LATSCH_INLINE void transform(V* v) {
 }
 
 /// Modal vectors of the nodes' positions x[3 a + i].
+template <class V>
 LATSCH_INLINE void modal_vectors(const V* x, V (*modal)[3]) {
   for (int i = 0; i < 3; ++i) {
     V v[8];
@@ -67,7 +74,8 @@ LATSCH_INLINE void modal_vectors(const V* x, V (*modal)[3]) {
   }
 }
 
-LATSCH_INLINE void to_nodes(const ModalSums& modal, NodalSums& sums) {
+template <class V>
+LATSCH_INLINE void to_nodes(const ModalSumsOf<V>& modal, NodalSumsOf<V>& sums) {
   for (int i = 0; i < 3; ++i) {
     V v[8];
     v[0] = 0.0;
@@ -78,7 +86,8 @@ LATSCH_INLINE void to_nodes(const ModalSums& modal, NodalSums& sums) {
 }
 
 /// A block (i, j) of the stiffness; `whole`: i != j.
-LATSCH_INLINE void block_to_nodes(const V (*block)[kModes], int i, int j, NodalSums& sums) {
+template <class V>
+LATSCH_INLINE void block_to_nodes(const V (*block)[kModes], int i, int j, NodalSumsOf<V>& sums) {
   const bool whole = i != j;
   V rows[8][8];  // [node place of the column][mode place of the row]
   for (V& v : rows[0]) v = 0.0;
@@ -105,14 +114,15 @@ LATSCH_INLINE void block_to_nodes(const V (*block)[kModes], int i, int j, NodalS
   }
 }
 
-void stiffness_to_nodes(const ModalSums& modal, NodalSums& sums) {
+template <class V>
+void stiffness_to_nodes(const ModalSumsOf<V>& modal, NodalSumsOf<V>& sums) {
   for (int block = 0; block < 6; ++block) {
-    block_to_nodes(modal.K[block], voigt::kRow[block], voigt::kColumn[block], sums);
+    block_to_nodes<V>(modal.K[block], voigt::kRow[block], voigt::kColumn[block], sums);
   }
 }
 
 /// A block of a product: acc[r][c] += sum_k L[k][first_row + r] R[k][first_column + c].
-template <int rows, int columns>
+template <int rows, int columns, class V>
 LATSCH_INLINE void tile(
     const V* left, int left_stride, const V* right, int right_stride, int count, V (*sum)[kModes]) {
   V acc[rows][columns];
@@ -133,18 +143,22 @@ LATSCH_INLINE void tile(
 }
 
 /// K += sum_k L_k^T R_k; L and R are [row k][direction][modal vector].
-void add_product(const V (*L)[3][kModes], const V (*R)[3][kModes], int count, ModalSums& sums) {
+template <class V>
+void add_product(const V (*L)[3][kModes],
+                 const V (*R)[3][kModes],
+                 int count,
+                 ModalSumsOf<V>& sums) {
   constexpr int stride = 3 * kModes;
   for (int block = 0; block < 6; ++block) {
     const int i = voigt::kRow[block], j = voigt::kColumn[block];
     const V *left = L[0][i], *right = R[0][j];
     V(*K)[kModes] = sums.K[block];
-    tile<4, 3>(left, stride, right, stride, count, K);
-    tile<4, 2>(left, stride, right + 3, stride, count, (V(*)[kModes])(K[0] + 3));
-    tile<4, 2>(left, stride, right + 5, stride, count, (V(*)[kModes])(K[0] + 5));
-    if (i != j) tile<3, 3>(left + 4, stride, right, stride, count, K + 4);
-    tile<3, 2>(left + 4, stride, right + 3, stride, count, (V(*)[kModes])(K[4] + 3));
-    tile<3, 2>(left + 4, stride, right + 5, stride, count, (V(*)[kModes])(K[4] + 5));
+    tile<4, 3, V>(left, stride, right, stride, count, K);
+    tile<4, 2, V>(left, stride, right + 3, stride, count, (V(*)[kModes])(K[0] + 3));
+    tile<4, 2, V>(left, stride, right + 5, stride, count, (V(*)[kModes])(K[0] + 5));
+    if (i != j) tile<3, 3, V>(left + 4, stride, right, stride, count, K + 4);
+    tile<3, 2, V>(left + 4, stride, right + 3, stride, count, (V(*)[kModes])(K[4] + 3));
+    tile<3, 2, V>(left + 4, stride, right + 5, stride, count, (V(*)[kModes])(K[4] + 5));
   }
 }
 

@@ -42,7 +42,7 @@ std::vector<RingElements::Sectors> RingElements::groups(int count) const {
 }
 
 unsigned RingElements::evaluate(
-    int sector, int element, double pressure, bool stiffness, ElementBatch& batch) const {
+    int sector, int element, double pressure, Stiffness stiffness, ElementBatch& batch) const {
   const int width = ring_.width(sector);
   ElementSurroundings around = surroundings_[width][element];
   if (ring_.mesh().elements[element].inner) around.pressure = pressure;

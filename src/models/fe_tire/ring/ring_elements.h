@@ -38,7 +38,7 @@ class RingElements {
   /// `sector`, in the frames of their nodes; pressure (Pa) acts on inner faces. Displacements stand
   /// in the batch. Bits of the lanes that succeeded, see evaluate() of a batch.
   unsigned evaluate(
-      int sector, int element, double pressure, bool stiffness, ElementBatch& batch) const;
+      int sector, int element, double pressure, Stiffness stiffness, ElementBatch& batch) const;
 
  private:
   const Ring& ring_;

@@ -78,12 +78,13 @@ bool assemble_sector(const RingElements& elements,
   if (tangent) tangent->set_zero();
   ElementBatch batch;
   batch.count = 1;
+  const Stiffness stiffness = tangent ? Stiffness::exact : Stiffness::none;
   Vector24 fe;
   Matrix24 Ke;
   for (int e = 0; e < ring.elements_per_sector(); ++e) {
     double* alpha_e = alpha.data() + e * alphas;
     batch.set(0, ring.gather_axisymmetric(e, x), alpha_e, alphas);
-    if (elements.evaluate(0, e, pressure, tangent != nullptr, batch) == 0) {
+    if (elements.evaluate(0, e, pressure, stiffness, batch) == 0) {
       if (worst) *worst = e;
       return false;
     }
