@@ -2,6 +2,9 @@
 // Memory of many megabytes that is written before it is read: not filled with zeros, and on large
 // pages where the system gives them (Linux: it is asked), so that walking through it does not end
 // at every fourth kilobyte.
+//
+// What is given back is kept for whoever asks next, up to a limit: the system would clear every
+// page of it again, which costs as much as using it once.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +13,21 @@
 namespace latsch::numerics {
 
 struct FreeLargeArray {
+  std::size_t bytes = 0;
   void operator()(void* memory) const;
 };
 
 template <class Number>
 using LargeArray = std::unique_ptr<Number[], FreeLargeArray>;
 
-void* large_memory(std::size_t bytes);
+/// Memory of `bytes`, which grows to what there is of it.
+void* large_memory(std::size_t& bytes);
 
 template <class Number>
 LargeArray<Number> large_array(std::size_t size) {
-  return LargeArray<Number>(static_cast<Number*>(large_memory(size * sizeof(Number))));
+  std::size_t bytes = size * sizeof(Number);
+  void* memory = large_memory(bytes);
+  return LargeArray<Number>(static_cast<Number*>(memory), FreeLargeArray{bytes});
 }
 
 }  // namespace latsch::numerics

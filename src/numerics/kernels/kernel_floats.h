@@ -75,18 +75,10 @@ struct Floats8 : Arithmetic<Floats8> {
     std::memcpy(p + 4, &hi, sizeof hi);
   }
   LATSCH_INLINE static Self negated(const Self& x) { return {-x.lo, -x.hi}; }
-  LATSCH_INLINE static Self add(const Self& x, const Self& y) {
-    return {x.lo + y.lo, x.hi + y.hi};
-  }
-  LATSCH_INLINE static Self sub(const Self& x, const Self& y) {
-    return {x.lo - y.lo, x.hi - y.hi};
-  }
-  LATSCH_INLINE static Self mul(const Self& x, const Self& y) {
-    return {x.lo * y.lo, x.hi * y.hi};
-  }
-  LATSCH_INLINE static Self div(const Self& x, const Self& y) {
-    return {x.lo / y.lo, x.hi / y.hi};
-  }
+  LATSCH_INLINE static Self add(const Self& x, const Self& y) { return {x.lo + y.lo, x.hi + y.hi}; }
+  LATSCH_INLINE static Self sub(const Self& x, const Self& y) { return {x.lo - y.lo, x.hi - y.hi}; }
+  LATSCH_INLINE static Self mul(const Self& x, const Self& y) { return {x.lo * y.lo, x.hi * y.hi}; }
+  LATSCH_INLINE static Self div(const Self& x, const Self& y) { return {x.lo / y.lo, x.hi / y.hi}; }
   LATSCH_INLINE static Self mul_add(const Self& x, const Self& y, const Self& z) {
     return {x.lo * y.lo + z.lo, x.hi * y.hi + z.hi};
   }

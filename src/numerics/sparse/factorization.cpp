@@ -27,6 +27,7 @@ struct Factorization::Impl {
   virtual void reduce(Eigen::Ref<Eigen::VectorXd> x) = 0;
   virtual void expand(Eigen::Ref<Eigen::VectorXd> x) = 0;
   virtual void solve_roughly(Eigen::Ref<Eigen::MatrixXd> X) { solve(X, 0.0); }
+  virtual void release() = 0;
   std::shared_ptr<const Elimination> elimination;
 };
 
@@ -80,8 +81,13 @@ class Multifrontal final : public Factorization::Impl {
   Eigen::MatrixXd condensed() const override;
   void reduce(Eigen::Ref<Eigen::VectorXd> x) override;
   void expand(Eigen::Ref<Eigen::VectorXd> x) override;
+  void release() override {
+    ready = false;
+    factor_.reset();
+  }
 
  private:
+  FactorStatus eliminate_all(const SymmetricMatrix& A, bool but_interface);
   void plan(const Elimination& order);
   void list_entries(const SymmetricPattern& pattern, const Elimination& order);
   void enter(const SymmetricMatrix& A, int front);
@@ -107,11 +113,13 @@ class Multifrontal final : public Factorization::Impl {
   std::vector<FrontPlan> fronts_;
   std::vector<std::vector<int>> children_;
   std::vector<Entry> entries_;
+  size_t panels_ = 0;  // numbers of the factor
   LargeArray<Real> factor_;
   // Updates that wait for their parents, the last on top: of fronts an even number of steps from
   // the last, of all others. So an update comes to lie on its stack while its children's are taken
-  // from the other one.
+  // from the other one. There are stacks only while it factorizes.
   std::array<LargeArray<Real>, 2> stacks_;
+  std::array<size_t, 2> highest_{};
   std::array<size_t, 2> top_{};
   std::vector<size_t> stacked_;       // where the update of a front starts on its stack
   std::vector<Real> vector_, below_;  // right-hand sides, and their rows below one front
@@ -173,9 +181,8 @@ void Multifrontal<Real>::plan(const Elimination& order) {
     }
     fronts_.push_back(std::move(plan));
   }
-  factor_ = large_array<Real>(panels + kRoom);
-  std::fill_n(factor_.get() + panels, kRoom, Real(0));
-  for (int i = 0; i < 2; ++i) stacks_[i] = large_array<Real>(highest[i]);
+  panels_ = panels;
+  highest_ = highest;
   stacked_.resize(fronts_.size());
 }
 
@@ -286,13 +293,26 @@ bool Multifrontal<Real>::eliminate_front(int s) {
 template <class Real>
 FactorStatus Multifrontal<Real>::factorize(const SymmetricMatrix& A, bool but_interface) {
   ready = false;
-  FactorStatus status;
-  double sum = 0.0;
-  for (double value : A.values()) sum += std::abs(value);
-  if (!std::isfinite(sum)) {
+  const Eigen::Map<const Eigen::ArrayXd> values(A.values().data(),
+                                                static_cast<Eigen::Index>(A.values().size()));
+  if (!std::isfinite(values.abs().sum())) {
+    FactorStatus status;
     status.reason = "the matrix holds values that are not numbers";
     return status;
   }
+  if (!factor_) {
+    factor_ = large_array<Real>(panels_ + kRoom);
+    std::fill_n(factor_.get() + panels_, kRoom, Real(0));
+  }
+  for (int i = 0; i < 2; ++i) stacks_[i] = large_array<Real>(highest_[i]);
+  const FactorStatus status = eliminate_all(A, but_interface);
+  for (LargeArray<Real>& stack : stacks_) stack.reset();
+  return status;
+}
+
+template <class Real>
+FactorStatus Multifrontal<Real>::eliminate_all(const SymmetricMatrix& A, bool but_interface) {
+  FactorStatus status;
   top_ = {};
   for (int s = 0; s < static_cast<int>(fronts_.size()); ++s) {
     enter(A, s);
@@ -535,6 +555,12 @@ class Refined final : public Factorization::Impl {
   Eigen::MatrixXd condensed() const override { return single_.condensed(); }
   void reduce(Eigen::Ref<Eigen::VectorXd> x) override { single_.reduce(x); }
   void expand(Eigen::Ref<Eigen::VectorXd> x) override { single_.expand(x); }
+  void release() override {
+    ready = false;
+    single_.release();
+    full_.reset();
+    A_.reset();
+  }
 
  private:
   static constexpr double kRounding = 1e-15;
@@ -570,6 +596,7 @@ Factorization& Factorization::operator=(Factorization&&) noexcept = default;
 FactorStatus Factorization::factorize(const SymmetricMatrix& A) {
   return impl_->factorize(A, false);
 }
+void Factorization::release() { impl_->release(); }
 FactorStatus Factorization::condense(const SymmetricMatrix& A) { return impl_->factorize(A, true); }
 Eigen::MatrixXd Factorization::condensed() const { return impl_->condensed(); }
 void Factorization::reduce(Eigen::Ref<Eigen::VectorXd> x) const { impl_->reduce(x); }

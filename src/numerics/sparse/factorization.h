@@ -61,6 +61,8 @@ class Factorization {
   Factorization& operator=(Factorization&&) noexcept;
 
   FactorStatus factorize(const SymmetricMatrix& A);
+  /// Gives the factor's memory back, until the next one.
+  void release();
 
   /// x <- A^-1 x, in place.
   void solve(Eigen::Ref<Eigen::VectorXd> x) const;

@@ -47,17 +47,13 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
                                                 double pressure,
                                                 const TreadContact* contact,
                                                 const std::string& step) {
-  elements_ = &elements;
   contact_ = contact;
-  pressure_ = pressure;
   shift_ = 0.0;
+  failed_element_ = -1;
   has_factor_ = has_factor_ && tire_.serves(contact);
   RingState now = state;
   knows_tangent_ = false;
-  // What the ground has moved by, the factor of the last equilibrium answers as well as a new one.
-  if (!assemble(now, !has_factor_)) {
-    return failure(step, "the start is inverted");
-  }
+  if (!begin(now, elements, pressure)) return failure(step, "the start is inverted");
   const double close =
       (settings_.tolerance < kExact || slides() ? 1.0 : kClose) * settings_.tolerance * reference_;
   previous_ = 10.0 * f_.norm();
@@ -107,6 +103,20 @@ void EquilibriumSolver::polish(RingState& state) {
 
 bool EquilibriumSolver::slides() const { return contact_ && contact_->has_friction(); }
 
+/// What the ground has moved by, the factor of the last equilibrium answers as well as a new one; and
+/// where that is the state last seen, its elements' forces are known.
+bool EquilibriumSolver::begin(RingState& state, const RingElements& elements, double pressure) {
+  const bool is_known = has_factor_ && elements_ == &elements && pressure_ == pressure &&
+                        known_.x == state.x && known_.alpha == state.alpha;
+  elements_ = &elements;
+  pressure_ = pressure;
+  if (!is_known) return assemble(state, !has_factor_);
+  has_tangent_ = false;
+  f_ = g_;
+  add_contact(state);
+  return true;
+}
+
 bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
   failed_element_ = -1;
   has_tangent_ = with_tangent;
@@ -117,8 +127,14 @@ bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
           ? assembly_.assemble_roughly(*elements_, state, pressure_, f_, K_, &failed_element_)
           : assembly_.assemble(*elements_, state, pressure_, f_, nullptr, &failed_element_);
   if (!valid) return false;
-  if (contact_) add_forces(tread_, contact_->touches(tread_.displacements(state.x)), f_);
+  g_ = f_;
+  known_ = state;
+  add_contact(state);
   return true;
+}
+
+void EquilibriumSolver::add_contact(const RingState& state) {
+  if (contact_) add_forces(tread_, contact_->touches(tread_.displacements(state.x)), f_);
 }
 
 bool EquilibriumSolver::factorize() {

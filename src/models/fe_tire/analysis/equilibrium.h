@@ -46,6 +46,13 @@ class EquilibriumSolver {
   /// The values of the tire changed: the factor is of another matrix (still a preconditioner, but a
   /// poor one).
   void forget_factor() { has_factor_ = false; }
+  /// Gives the factor's memory back.
+  void release() {
+    forget_factor();
+    tire_.release();
+  }
+  /// The elements are others: so are their forces at the state last seen.
+  void forget_forces() { elements_ = nullptr; }
 
   const RingAssembly& assembly() const { return assembly_; }
   const numerics::Factorization& factor() const { return tire_.factor(); }
@@ -56,6 +63,8 @@ class EquilibriumSolver {
   bool slides() const;
   void polish(RingState& state);
   bool assemble(RingState& state, bool with_tangent);
+  bool begin(RingState& state, const RingElements& elements, double pressure);
+  void add_contact(const RingState& state);
   bool renew_factor(const RingState& state, double tolerance);
   bool factorize();
   bool start(const RingState& state);
@@ -88,6 +97,9 @@ class EquilibriumSolver {
   int failed_element_ = -1;
   Eigen::VectorXd f_, d_, r_, e_;
   RingState trial_;
+  // Elements' and pressure's forces, and the state that they are of.
+  Eigen::VectorXd g_;
+  RingState known_;
 };
 
 }  // namespace latsch::fe_tire

@@ -128,9 +128,9 @@ Result<std::vector<TireState>> FeTire::advance(const TireState& from,
   }
   if (states.empty()) return states;
   const TireState& last = states.back();
-  if (auto failure = tire.factorize(tire.systems(last.is_halved, last.window), last)) {
-    return *failure;
-  }
+  Systems& all = tire.systems(last.is_halved, last.window);
+  all.solver.release();  // to the factors of the last state
+  if (auto failure = tire.factorize(all, last)) return *failure;
   return states;
 }
 

@@ -74,7 +74,10 @@ struct FeTire::Impl {
     elements_.emplace(ring, materials);
     if (even) even_elements_.emplace(*even, materials);
     is_symmetry_known_ = false;
-    for (auto& [of, systems] : systems_) systems->factored.reset();
+    for (auto& [of, systems] : systems_) {
+      systems->factored.reset();
+      systems->solver.forget_forces();
+    }
   }
 
   const RingElements& elements() const { return *elements_; }

@@ -34,6 +34,8 @@ class LinearTire {
   /// there is none. False where K (with the nodes that the ground feels held) is not positive
   /// definite.
   bool factorize(const numerics::SymmetricMatrix& K, const TreadContact* contact);
+  /// Gives the factor's memory back.
+  void release() { factor_.release(); }
   /// Whether the factor serves this contact.
   bool serves(const TreadContact* contact) const;
 

@@ -122,8 +122,7 @@ unsigned evaluate(const ElementLaw& law,
                   Stiffness stiffness,
                   ElementBatch& batch) {
   const bool is_comparison = law.shape->kind == ElementKind::full_integration;
-  batch.stiffness =
-      stiffness == Stiffness::rough && is_comparison ? Stiffness::exact : stiffness;
+  batch.stiffness = stiffness == Stiffness::rough && is_comparison ? Stiffness::exact : stiffness;
   if (law.tie.eta == 0) return evaluate_corners(law, surroundings, batch);
   double nodes[24][ElementBatch::kLanes];
   std::copy_n(&batch.u[0][0], 24 * ElementBatch::kLanes, &nodes[0][0]);
@@ -220,8 +219,7 @@ void ElementBatch::take(
   const auto take_from = [&](const auto& packed) {
     for (int row = 0; row < 24; ++row) {
       for (int column = 0; column <= row; ++column) {
-        (*tangent)(row, column) = (*tangent)(column, row) =
-            packed[entry(row, column)][lane];
+        (*tangent)(row, column) = (*tangent)(column, row) = packed[entry(row, column)][lane];
       }
     }
   };

@@ -79,8 +79,7 @@ void find_stiffness(const ElementLaw& law,
   stiffness_to_nodes<V>(modal, sums);
   for (V& f : sums.f) f = 0.0;
   if (around.pressure != 0.0) {
-    add_pressure<V>(
-        law.shape->X.data(), state.x, around.open_edges, around.pressure, true, sums);
+    add_pressure<V>(law.shape->X.data(), state.x, around.open_edges, around.pressure, true, sums);
   }
   if (around.turned != 0) turn_stiffness<V>(around, sums);
 }

@@ -43,7 +43,7 @@ struct SolidShellOperators {
 struct SolidShellShape : SolidShellOperators<double> {
   double e0[12];  // m^2, reference values of e
   double volume;  // m^3
-  double L2[2];              // m^2, |X_1|^2 and |X_2|^2
+  double L2[2];   // m^2, |X_1|^2 and |X_2|^2
   /// Dyads (Voigt, of stress) of the element's axes meridional 2 and normal 3 in the center's
   /// triad.
   Vector6 d22, d33, d23, d13;
@@ -52,9 +52,9 @@ struct SolidShellShape : SolidShellOperators<double> {
 
 struct HexShape {
   ElementKind kind = ElementKind::full_integration;
-  Matrix38 X;                   // m
-  std::array<double, 8> dV;     // m^3, volume of a Gauss point; not positive where inverted
-  double dN[8][3][8];           // 1/m, [point][direction][node], gradients in the point's triad
+  Matrix38 X;                // m
+  std::array<double, 8> dV;  // m^3, volume of a Gauss point; not positive where inverted
+  double dN[8][3][8];        // 1/m, [point][direction][node], gradients in the point's triad
   // Only filled for that kind; the operators again in single precision, for rough tangents.
   SolidShellShape solid_shell;
   SolidShellOperators<float> rough;

@@ -58,7 +58,7 @@ inline constexpr int kEnhanced = SolidShellShape::kEnhanced;
 inline constexpr int kSquareCount = SolidShellShape::kSquares;
 inline constexpr int kStrains = SolidShellShape::kStrains;
 inline constexpr int kColumns = SolidShellShape::kColumns;
-inline constexpr double kInnerTolerance = 1e-9;  // strain; what is left of alpha enters f
+inline constexpr double kInnerTolerance = 1e-7;  // strain; what is left of alpha enters f
                                                  // quadratically
 inline constexpr double kLastStep = 1e-6;        // strain; the step after one this small meets it
 inline constexpr int kInnerIterations = 15;
@@ -471,10 +471,7 @@ solve_alpha(const ElementLaw& law, const V* g, Cords& cords, V* alpha, Inner& in
 
 /// Tangents of the generalized strains, D, and between alpha and them, Da.
 template <class V>
-void tangents(const Operators<V>& s,
-              const InnerOf<V>& inner,
-              V (*D)[kStrains],
-              V (*Da)[kStrains]) {
+void tangents(const Operators<V>& s, const InnerOf<V>& inner, V (*D)[kStrains], V (*Da)[kStrains]) {
   for (int column = 0; column < kStrains; column += 3) {
     V DP[48][3];
     times_P<3, V>(s, inner, column, DP);
