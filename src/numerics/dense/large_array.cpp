@@ -19,16 +19,11 @@ constexpr std::size_t kSmallestKept = 2 * kPage;         // less is the allocato
 constexpr std::size_t kMostKept = std::size_t{1} << 28;  // bytes in all
 constexpr std::size_t kMostWasted = 2;  // times what is asked for: larger memory is not given
 
-struct Memory {
-  void* start;
-  std::size_t bytes;
-};
-
 /// What was given back, the oldest first.
 class Kept {
  public:
   /// The smallest that has at least `bytes`, and not far more; {nullptr, 0} where there is none.
-  Memory take(std::size_t bytes) {
+  LargeMemory take(std::size_t bytes) {
     const std::lock_guard lock(mutex_);
     auto best = all_.end();
     for (auto memory = all_.begin(); memory != all_.end(); ++memory) {
@@ -36,13 +31,13 @@ class Kept {
       if (fits && (best == all_.end() || memory->bytes < best->bytes)) best = memory;
     }
     if (best == all_.end()) return {nullptr, 0};
-    const Memory found = *best;
+    const LargeMemory found = *best;
     all_.erase(best);
     bytes_ -= found.bytes;
     return found;
   }
 
-  void put(const Memory& memory) {
+  void put(const LargeMemory& memory) {
     const std::lock_guard lock(mutex_);
     all_.push_back(memory);
     bytes_ += memory.bytes;
@@ -55,7 +50,7 @@ class Kept {
 
  private:
   std::mutex mutex_;
-  std::vector<Memory> all_;
+  std::vector<LargeMemory> all_;
   std::size_t bytes_ = 0;
 };
 
@@ -67,21 +62,19 @@ Kept& kept() {
 
 }  // namespace
 
-void* large_memory(std::size_t& bytes) {
+LargeMemory large_memory(std::size_t bytes) {
   if (bytes >= kSmallestKept) {
-    if (const Memory found = kept().take(bytes); found.start != nullptr) {
-      bytes = found.bytes;
-      return found.start;
-    }
+    const LargeMemory found = kept().take(bytes);
+    if (found.start != nullptr) return found;
   }
   const std::size_t step = bytes >= kSmallestKept ? kPage : kLine;
-  bytes = (bytes + step) / step * step;
-  void* memory = std::aligned_alloc(step, bytes);
+  const std::size_t size = (bytes + step) / step * step;
+  void* memory = std::aligned_alloc(step, size);
   if (memory == nullptr) throw std::bad_alloc();
 #ifdef __linux__
-  if (step == kPage) madvise(memory, bytes, MADV_HUGEPAGE);  // a wish
+  if (step == kPage) madvise(memory, size, MADV_HUGEPAGE);  // a wish
 #endif
-  return memory;
+  return {memory, size};
 }
 
 void FreeLargeArray::operator()(void* memory) const {

@@ -20,14 +20,17 @@ struct FreeLargeArray {
 template <class Number>
 using LargeArray = std::unique_ptr<Number[], FreeLargeArray>;
 
-/// Memory of `bytes`, which grows to what there is of it.
-void* large_memory(std::size_t& bytes);
+struct LargeMemory {
+  void* start;
+  std::size_t bytes;  // what there is of it
+};
+/// At least `bytes`.
+LargeMemory large_memory(std::size_t bytes);
 
 template <class Number>
 LargeArray<Number> large_array(std::size_t size) {
-  std::size_t bytes = size * sizeof(Number);
-  void* memory = large_memory(bytes);
-  return LargeArray<Number>(static_cast<Number*>(memory), FreeLargeArray{bytes});
+  const auto [start, bytes] = large_memory(size * sizeof(Number));
+  return LargeArray<Number>(static_cast<Number*>(start), FreeLargeArray{bytes});
 }
 
 }  // namespace latsch::numerics

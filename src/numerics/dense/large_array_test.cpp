@@ -21,6 +21,15 @@ TEST(LargeArray, HoldsWhatIsWrittenAndStandsWhereVectorsCanBeLoaded) {
   }
 }
 
+TEST(LargeArray, GivesAgainWhatWasGivenBackToWhomItFits) {
+  const std::size_t size = std::size_t{17} << 20;
+  const void* const first = large_array<float>(size).get();
+  const LargeArray<float> same = large_array<float>(size - 1000);
+  EXPECT_EQ(same.get(), first);
+  const LargeArray<float> other = large_array<float>(size);
+  EXPECT_NE(other.get(), first);
+}
+
 TEST(LargeArray, SaysThatThereIsNoSuchMemory) {
   EXPECT_THROW(large_memory(std::numeric_limits<std::size_t>::max() / 4), std::bad_alloc);
 }

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kTolerance =
     1e-10;  // cheap to reach here, and everything after builds on this state
+constexpr double kOnTheWay = 1e-3;  // of pressures on the way, which are a start for the next
 constexpr double kRoundOff =
     1e-7;  // below this a residual that no longer falls is round-off of stiff walls
 constexpr int kFirstSteps = 4;  // cords go taut in the first step, while the tire is still soft
@@ -45,6 +46,7 @@ Eigen::VectorXd newton_direction(const SectorBlocks& tangent, const Eigen::Vecto
 /// what happened.
 bool newton(const RingElements& elements,
             double pressure,
+            double tolerance,
             double reference,
             int max_iterations,
             SectorState& state,
@@ -60,7 +62,7 @@ bool newton(const RingElements& elements,
   double last = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < max_iterations; ++iteration) {
     const bool stalled = f.norm() <= kRoundOff * reference && f.norm() > 0.5 * last;
-    if (f.norm() <= kTolerance * reference || stalled) {
+    if (f.norm() <= tolerance * reference || stalled) {
       state = now;
       return true;
     }
@@ -133,7 +135,8 @@ Result<Inflated> inflate_sector(const RingElements& elements,
     const double next =
         std::abs(pressure - reached) < 1.001 * std::abs(step) ? pressure : reached + step;
     std::string why;
-    if (newton(elements, next, reference, settings.max_iterations, state, why)) {
+    const double tolerance = next == pressure ? kTolerance : kOnTheWay;
+    if (newton(elements, next, tolerance, reference, settings.max_iterations, state, why)) {
       reached = next;
     } else if (++halvings > kMaxHalvings) {
       return Failure{
