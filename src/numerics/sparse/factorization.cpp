@@ -520,7 +520,7 @@ class Refined final : public Factorization::Impl {
     assert(!but_interface);
     FactorStatus status = single_.factorize(A, but_interface);
     full_.reset();
-    A_ = A;
+    A_ = &A;
     if (status.outcome == FactorStatus::Outcome::not_positive) {
       full_.emplace(pattern_, elimination);
       status = full_->factorize(A, but_interface);
@@ -559,7 +559,7 @@ class Refined final : public Factorization::Impl {
     ready = false;
     single_.release();
     full_.reset();
-    A_.reset();
+    A_ = nullptr;
   }
 
  private:
@@ -568,7 +568,7 @@ class Refined final : public Factorization::Impl {
   const SymmetricPattern& pattern_;
   Multifrontal<float> single_;
   std::optional<Multifrontal<double>> full_;
-  std::optional<SymmetricMatrix> A_;
+  const SymmetricMatrix* A_ = nullptr;
 };
 
 std::unique_ptr<Factorization::Impl> make(const SymmetricPattern& pattern,

@@ -43,8 +43,8 @@ struct FactorStatus {
 enum class Precision {
   full,    // double
   single,  // float inside, double outside: a preconditioner; definite is what the rounded matrix is
-  refined,  // single, and solutions are refined to double with the matrix itself, of which it keeps
-            // a copy: the pattern has to outlive it. Where the rounded matrix is not definite, full
+  refined,  // single, and solutions are refined to double with the matrix itself, which has to stay
+            // as it is, and the pattern with it. Where the rounded matrix is not definite, full
 };
 
 class Factorization {

@@ -22,8 +22,8 @@ namespace {
 
 constexpr double kDependent =
     1e-12;  // a direction this small beside its vector is rounding, not new
-constexpr double kOrthogonal =
-    1e-10;  // largest overlap left after normalizing; otherwise once more
+// Largest overlap left after normalizing; otherwise once more: 1e-10, or of the tolerance.
+constexpr double kOrthogonal = 1e-10, kOrthogonalOfTolerance = 1e-5;
 constexpr double kNearEigenvector = 0.02;  // residual of a start vector that is worth its place
 constexpr int kSpareDirections = 20;       // basis beyond twice the wanted pairs before a restart
 constexpr int kKeptBeyondWanted = 6;  // Ritz vectors that survive a restart beside the wanted ones
@@ -124,7 +124,10 @@ typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::new_directions(Matrix W) {
     const double left =
         before ? overlaps<Scalar>(MV_.leftCols(before), W).cwiseAbs().maxCoeff() : 0.0;
     const double condition = norm.maxCoeff() / norm.minCoeff();
-    if (left < kOrthogonal && condition < 1e4) break;
+    if (left < std::max(kOrthogonal, kOrthogonalOfTolerance * settings_.tolerance) &&
+        condition < 1e4) {
+      break;
+    }
     smallest = 0.25;  // now normalized: whatever vanishes in the second pass was rounding
   }
   const auto needed = before + W.cols();
