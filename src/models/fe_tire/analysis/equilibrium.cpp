@@ -19,6 +19,8 @@ constexpr double kCoarsest = 1e-2, kFinest = 1e-4;
 // Of the tolerance: nothing to gain below, nor much below the second.
 constexpr double kPolished = 1e-3, kPolishedAgain = 1e-2;
 constexpr int kMostPolishing = 3;
+// Of what is left, solved so far: soft motions of the tire, on which its load stands, err by more.
+constexpr double kOfPolishing = 1e-3;
 constexpr double kLargestShift = 1e3;  // relative to the diagonal
 // From this many times the tolerance on the last tangent there is leads to the end, if the residual
 // falls so fast: cords that go slack or taut hold it up earlier.
@@ -93,7 +95,7 @@ void EquilibriumSolver::polish(RingState& state) {
   for (int pass = 0; pass < kMostPolishing; ++pass, enough = kPolishedAgain) {
     const double norm = f_.norm();
     if (norm <= enough * settings_.tolerance * reference_ || !start(state)) return;
-    if (!correct(kCoarsest, true)) return;
+    if (!correct(kOfPolishing, true)) return;
     trial_.x = state.x - d_;
     trial_.alpha = state.alpha;
     if (!assemble(trial_, false) || !(f_.norm() < norm)) return;
@@ -103,8 +105,8 @@ void EquilibriumSolver::polish(RingState& state) {
 
 bool EquilibriumSolver::slides() const { return contact_ && contact_->has_friction(); }
 
-/// What the ground has moved by, the factor of the last equilibrium answers as well as a new one; and
-/// where that is the state last seen, its elements' forces are known.
+/// What the ground has moved by, the factor of the last equilibrium answers as well as a new one;
+/// and where that is the state last seen, its elements' forces are known.
 bool EquilibriumSolver::begin(RingState& state, const RingElements& elements, double pressure) {
   const bool is_known = has_factor_ && elements_ == &elements && pressure_ == pressure &&
                         known_.x == state.x && known_.alpha == state.alpha;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <span>
-#include <type_traits>
 
 #include "models/fe_tire/element/cord_law.h"
 #include "models/fe_tire/element/hex8_motions.h"
@@ -16,10 +15,10 @@
 namespace latsch::fe_tire {
 namespace {
 
-template <class Number, std::size_t rows>
-void copy_lane(const Number (&from)[rows][ElementBatch::kLanes],
+template <std::size_t rows>
+void copy_lane(const double (&from)[rows][ElementBatch::kLanes],
                int lane,
-               Number (&to)[rows][ElementBatch::kLanes]) {
+               double (&to)[rows][ElementBatch::kLanes]) {
   for (std::size_t k = 0; k < rows; ++k) to[k][lane] = from[k][lane];
 }
 
@@ -50,8 +49,7 @@ unsigned evaluate_corners(const ElementLaw& law,
     if (now >> lane & 1) {
       copy_lane(again.alpha, lane, batch.alpha);
       copy_lane(again.f, lane, batch.f);
-      if (batch.stiffness == Stiffness::exact) copy_lane(again.K, lane, batch.K);
-      if (batch.stiffness == Stiffness::rough) copy_lane(again.rough_K, lane, batch.rough_K);
+      if (batch.stiffness != Stiffness::none) copy_lane(again.K, lane, batch.K);
     } else {
       copy_lane(start, lane, batch.alpha);
     }
@@ -78,25 +76,21 @@ template <class At>
 void gather_corners(const EdgeTie& tie, At at) {
   for (const auto& [lower, upper] : tie.pairs()) {
     for (int i = 0; i < 3; ++i) {
-      auto *a = at(3 * lower + i), *b = at(3 * upper + i);
-      using Number = std::remove_pointer_t<decltype(a)>;
-      const auto from_lower = static_cast<Number>(tie.lower);
-      const auto from_upper = static_cast<Number>(tie.upper);
+      double *a = at(3 * lower + i), *b = at(3 * upper + i);
       for (int lane = 0; lane < ElementBatch::kLanes; ++lane) {
-        const Number f = a[lane], g = b[lane];
-        a[lane] = (1 - from_lower) * f + (1 - from_upper) * g;
-        b[lane] = from_lower * f + from_upper * g;
+        const double f = a[lane], g = b[lane];
+        a[lane] = (1.0 - tie.lower) * f + (1.0 - tie.upper) * g;
+        b[lane] = tie.lower * f + tie.upper * g;
       }
     }
   }
 }
 
 /// K of the nodes from that of the corners, T^T K T.
-template <class Number>
 void gather_corners(const EdgeTie& tie,
-                    Number (&packed)[ElementBatch::kEntries][ElementBatch::kLanes]) {
+                    double (&packed)[ElementBatch::kEntries][ElementBatch::kLanes]) {
   constexpr int kLanes = ElementBatch::kLanes;
-  static thread_local Number K[24][24][kLanes];
+  static thread_local double K[24][24][kLanes];
   const auto place = [](int row, int column) {
     return row >= column ? ElementBatch::entry(row, column) : ElementBatch::entry(column, row);
   };
@@ -130,8 +124,7 @@ unsigned evaluate(const ElementLaw& law,
   const unsigned valid = evaluate_corners(law, surroundings, batch);
   std::copy_n(&nodes[0][0], 24 * ElementBatch::kLanes, &batch.u[0][0]);
   gather_corners(law.tie, [&](int k) { return batch.f[k]; });
-  if (batch.stiffness == Stiffness::exact) gather_corners(law.tie, batch.K);
-  if (batch.stiffness == Stiffness::rough) gather_corners(law.tie, batch.rough_K);
+  if (batch.stiffness != Stiffness::none) gather_corners(law.tie, batch.K);
   return valid;
 }
 
@@ -216,14 +209,11 @@ void ElementBatch::take(
   for (int j = 0; j < alphas; ++j) enhanced[j] = alpha[j][lane];
   for (int k = 0; k < 24; ++k) force[k] = f[k][lane];
   if (tangent == nullptr) return;
-  const auto take_from = [&](const auto& packed) {
-    for (int row = 0; row < 24; ++row) {
-      for (int column = 0; column <= row; ++column) {
-        (*tangent)(row, column) = (*tangent)(column, row) = packed[entry(row, column)][lane];
-      }
+  for (int row = 0; row < 24; ++row) {
+    for (int column = 0; column <= row; ++column) {
+      (*tangent)(row, column) = (*tangent)(column, row) = K[entry(row, column)][lane];
     }
-  };
-  stiffness == Stiffness::rough ? take_from(rough_K) : take_from(K);
+  }
 }
 
 void add_pressure(const Matrix34& x, double p, Vector12& f, Matrix12* K) {

@@ -9,8 +9,8 @@
 
 namespace latsch::fe_tire {
 
-/// What is wanted of it: in double precision, or in single, which a step of Newton's method may
-/// stand on and nothing that is shown. Comparison elements have it exact always.
+/// What is wanted of it: in double precision, or summed up in single, which a step of Newton's method
+/// may stand on and nothing that is shown. Comparison elements have it exact always.
 enum class Stiffness { none, exact, rough };
 
 struct ElementBatch {
@@ -23,9 +23,8 @@ struct ElementBatch {
   alignas(64) double u[24][kLanes];        // m, displacements in the sector's frame
   alignas(64) double alpha[8][kLanes];     // enhanced strains, solved from the values given
   alignas(64) double f[24][kLanes];        // N
-  Stiffness stiffness = Stiffness::none;   // which of the two is, or is to be, there
+  Stiffness stiffness = Stiffness::none;   // whether and how exact K is, or is to be
   alignas(64) double K[kEntries][kLanes];  // N/m
-  alignas(64) float rough_K[kEntries][kLanes];
 
   /// Places of element `lane`, and the first `alphas` enhanced strains, others 0.
   void set(int lane, const Matrix38& displacements, const double* enhanced, int alphas);

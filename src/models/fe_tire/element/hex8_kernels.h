@@ -5,7 +5,6 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-template <class V>
 LATSCH_INLINE void turn_pair(const ElementSurroundings& around, V& x, V& z) {
   const V c = around.cosine, s = around.sine;
   const V turned_x = c * x - s * z;
@@ -14,21 +13,19 @@ LATSCH_INLINE void turn_pair(const ElementSurroundings& around, V& x, V& z) {
 }
 
 /// Turns forces of the nodes `around.turned` by Q^T.
-template <class V>
-LATSCH_INLINE void turn_forces(const ElementSurroundings& around, NodalSumsOf<V>& sums) {
+LATSCH_INLINE void turn_forces(const ElementSurroundings& around, NodalSums& sums) {
   for (int a = 0; a < 8; ++a) {
-    if (around.turned >> a & 1) turn_pair<V>(around, sums.f[3 * a], sums.f[3 * a + 2]);
+    if (around.turned >> a & 1) turn_pair(around, sums.f[3 * a], sums.f[3 * a + 2]);
   }
 }
 
 /// The same of stiffness.
-template <class V>
-void turn_stiffness(const ElementSurroundings& around, NodalSumsOf<V>& sums) {
+void turn_stiffness(const ElementSurroundings& around, NodalSums& sums) {
   const auto at = [&](int row, int column) -> V& {
     return sums
         .K[row >= column ? ElementBatch::entry(row, column) : ElementBatch::entry(column, row)];
   };
-  const auto turn = [&](V& x, V& z) { turn_pair<V>(around, x, z); };
+  const auto turn = [&](V& x, V& z) { turn_pair(around, x, z); };
   for (int a = 0; a < 8; ++a) {
     if (!(around.turned >> a & 1)) continue;
     const int x = 3 * a, z = 3 * a + 2;
@@ -46,10 +43,9 @@ void turn_stiffness(const ElementSurroundings& around, NodalSumsOf<V>& sums) {
   }
 }
 
-/// A solid-shell and where it is, from which its stiffness follows.
+/// A solid-shell, from which its stiffness follows.
 template <class V>
 struct ElementState {
-  V x[24];
   SolidShellState<V> shell;
   CordsOf<V> cords;
 
@@ -58,30 +54,57 @@ struct ElementState {
 
 /// Takes lanes `first` ... of a register.
 LATSCH_INLINE void round(const ElementState<V>& from, int first, ElementState<F>& to) {
-  round(from.x, first, to.x);
   round(from.shell, first, to.shell);
   for (int k = 0; k < from.cords.count(); ++k) {
     round(from.cords.sheets[k], first, to.cords.sheets[k]);
   }
 }
 
-/// Stiffness of a solid-shell under pressure.
+/// Stiffness of the nodes from that of the modal vectors, that of the pressure with it.
+void finish_stiffness(const ElementLaw& law,
+                      const ElementSurroundings& around,
+                      const ModalSums& modal,
+                      int first,
+                      ElementBatch& batch) {
+  NodalSums sums;
+  stiffness_to_nodes(modal, sums);
+  if (around.pressure != 0.0) {
+    const double* X = law.shape->X.data();
+    V x[24];
+    for (int k = 0; k < 24; ++k) x[k] = load(batch.u[k] + first) + X[k];
+    for (V& f : sums.f) f = 0.0;
+    add_pressure(X, x, around.open_edges, around.pressure, true, sums);
+  }
+  if (around.turned != 0) turn_stiffness(around, sums);
+  for (int n = 0; n < ElementBatch::kEntries; ++n) sums.K[n].save(batch.K[n] + first);
+}
+
+/// Stiffness of solid and cords.
 template <class V>
-void find_stiffness(const ElementLaw& law,
-                    const Operators<V>& operators,
-                    const ElementSurroundings& around,
-                    const ElementState<V>& state,
-                    NodalSumsOf<V>& sums) {
-  ModalSumsOf<V> modal;
+LATSCH_INLINE void sum_stiffness(const Operators<V>& operators,
+                                 const ElementState<V>& state,
+                                 ModalSumsOf<V>& modal) {
   modal.set_zero(true);
   const SolidShellState<V>& shell = state.shell;
   add_stiffness<V>(operators, shell.k, shell.inner, shell.t, state.cords, modal);
-  stiffness_to_nodes<V>(modal, sums);
-  for (V& f : sums.f) f = 0.0;
-  if (around.pressure != 0.0) {
-    add_pressure<V>(law.shape->X.data(), state.x, around.open_edges, around.pressure, true, sums);
+}
+
+/// Only the sums by modal vectors are in single precision: of what comes to the nodes from there in
+/// double, a translation of the element feels nothing at all, as it has to be where the stiffness of
+/// a tire is many thousand times less than that of its elements.
+void find_rough_stiffness(const ElementLaw& law,
+                          const ElementSurroundings& around,
+                          const ElementState<F>& state,
+                          ElementBatch& batch) {
+  ModalSumsOf<F> rough;
+  sum_stiffness<F>(law.shape->rough, state, rough);
+  const float* const entries = reinterpret_cast<const float*>(rough.K);
+  for (int first = 0; first < batch.count; first += V::kWidth) {
+    ModalSums modal;
+    V* const to = &modal.K[0][0][0];
+    for (int k = 0; k < 6 * kModes * kModes; ++k) to[k] = widened(entries + k * F::kWidth + first);
+    finish_stiffness(law, around, modal, first, batch);
   }
-  if (around.turned != 0) turn_stiffness<V>(around, sums);
 }
 
 /// Forces, and stiffness where it is to be exact; `rough`, where given, receives the state.
@@ -92,10 +115,10 @@ unsigned evaluate_solid_shell(const ElementLaw& law,
                               ElementState<F>* rough) {
   const HexShape& shape = *law.shape;
   ElementState<V> state(law);
-  V alpha[kEnhanced];
-  for (int k = 0; k < 24; ++k) state.x[k] = load(batch.u[k] + first) + shape.X.data()[k];
+  V x[24], alpha[kEnhanced];
+  for (int k = 0; k < 24; ++k) x[k] = load(batch.u[k] + first) + shape.X.data()[k];
   for (int j = 0; j < kEnhanced; ++j) alpha[j] = load(batch.alpha[j] + first);
-  modal_vectors(state.x, state.shell.k.x);
+  modal_vectors(x, state.shell.k.x);
   follow(state.shell.k.x, state.cords);
   ModalSums modal;
   modal.set_zero(false);
@@ -103,14 +126,14 @@ unsigned evaluate_solid_shell(const ElementLaw& law,
   const Mask valid = add_solid_shell_forces(law, state.shell, state.cords, alpha, modal);
   to_nodes(modal, sums);
   if (around.pressure != 0.0) {
-    add_pressure(shape.X.data(), state.x, around.open_edges, around.pressure, false, sums);
+    add_pressure(shape.X.data(), x, around.open_edges, around.pressure, false, sums);
   }
   if (around.turned != 0) turn_forces(around, sums);
   for (int j = 0; j < kEnhanced; ++j) alpha[j].save(batch.alpha[j] + first);
   for (int n = 0; n < 24; ++n) sums.f[n].save(batch.f[n] + first);
   if (batch.stiffness == Stiffness::exact) {
-    find_stiffness<V>(law, shape.solid_shell, around, state, sums);
-    for (int n = 0; n < ElementBatch::kEntries; ++n) sums.K[n].save(batch.K[n] + first);
+    sum_stiffness<V>(shape.solid_shell, state, modal);
+    finish_stiffness(law, around, modal, first, batch);
   }
   if (rough != nullptr) {
     const int next = first + V::kWidth, end = next < batch.count ? next : ElementBatch::kLanes;
@@ -166,10 +189,7 @@ unsigned evaluate_batch(const ElementLaw& law,
   for (int first = 0; first < batch.count; first += V::kWidth) {
     valid |= evaluate_solid_shell(law, around, first, batch, is_rough ? &rough : nullptr);
   }
-  if (!is_rough) return valid;
-  NodalSumsOf<F> sums;
-  find_stiffness<F>(law, law.shape->rough, around, rough, sums);
-  for (int n = 0; n < ElementBatch::kEntries; ++n) sums.K[n].save(batch.rough_K[n]);
+  if (is_rough) find_rough_stiffness(law, around, rough, batch);
   return valid;
 }
 

@@ -43,6 +43,16 @@ LATSCH_INLINE void round(const V& v, float* p) {
   for (int lane = 0; lane < V::kWidth; ++lane) p[lane] = static_cast<float>(v.v[lane]);
 #endif
 }
+/// Floats of a register's lanes as doubles.
+LATSCH_INLINE V widened(const float* p) {
+#if LATSCH_KERNEL_WIDTH == 8
+  return _mm512_maskz_cvtps_pd(V::kEvery, _mm256_loadu_ps(p));
+#elif LATSCH_KERNEL_WIDTH == 4
+  return _mm256_cvtps_pd(_mm_loadu_ps(p));
+#else
+  return latsch::LATSCH_KERNELS::Doubles2{p[0], p[1]};
+#endif
+}
 /// Arrays and what consists of V: its lanes `first` ... of the same of F.
 template <class Exact, class Rough>
 LATSCH_INLINE void round(const Exact& from, int first, Rough& to) {

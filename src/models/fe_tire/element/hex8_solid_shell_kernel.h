@@ -58,7 +58,7 @@ inline constexpr int kEnhanced = SolidShellShape::kEnhanced;
 inline constexpr int kSquareCount = SolidShellShape::kSquares;
 inline constexpr int kStrains = SolidShellShape::kStrains;
 inline constexpr int kColumns = SolidShellShape::kColumns;
-inline constexpr double kInnerTolerance = 1e-7;  // strain; what is left of alpha enters f
+inline constexpr double kInnerTolerance = 1e-9;  // strain; what is left of alpha enters f
                                                  // quadratically
 inline constexpr double kLastStep = 1e-6;        // strain; the step after one this small meets it
 inline constexpr int kInnerIterations = 15;

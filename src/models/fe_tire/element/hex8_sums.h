@@ -35,15 +35,13 @@ struct ModalSumsOf {
   }
 };
 
+using ModalSums = ModalSumsOf<V>;
+
 /// By node: entry [entry(3 a + i, 3 b + j)].
-template <class V>
-struct NodalSumsOf {
+struct NodalSums {
   V f[24];
   V K[ElementBatch::kEntries];
 };
-
-using ModalSums = ModalSumsOf<V>;
-using NodalSums = NodalSumsOf<V>;
 
 /// Bit k of a node: on the side -1 of parent direction k. Modal vectors count alike: bit 0 for xi,
 /// 1 for eta, 2 for zeta.
@@ -51,7 +49,6 @@ inline constexpr int kSideOfNode[8] = {7, 6, 4, 5, 3, 2, 0, 1};
 inline constexpr int kPlaceOfMode[kModes] = {1, 2, 4, 3, 6, 5, 7};
 
 /// Sums and differences along the three directions.
-template <class V>
 LATSCH_INLINE void transform(V* v) {
   for (int step = 1; step < 8; step *= 2) {
     for (int k = 0; k < 8; ++k) {
@@ -64,7 +61,6 @@ LATSCH_INLINE void transform(V* v) {
 }
 
 /// Modal vectors of the nodes' positions x[3 a + i].
-template <class V>
 LATSCH_INLINE void modal_vectors(const V* x, V (*modal)[3]) {
   for (int i = 0; i < 3; ++i) {
     V v[8];
@@ -74,8 +70,7 @@ LATSCH_INLINE void modal_vectors(const V* x, V (*modal)[3]) {
   }
 }
 
-template <class V>
-LATSCH_INLINE void to_nodes(const ModalSumsOf<V>& modal, NodalSumsOf<V>& sums) {
+LATSCH_INLINE void to_nodes(const ModalSums& modal, NodalSums& sums) {
   for (int i = 0; i < 3; ++i) {
     V v[8];
     v[0] = 0.0;
@@ -86,8 +81,7 @@ LATSCH_INLINE void to_nodes(const ModalSumsOf<V>& modal, NodalSumsOf<V>& sums) {
 }
 
 /// A block (i, j) of the stiffness; `whole`: i != j.
-template <class V>
-LATSCH_INLINE void block_to_nodes(const V (*block)[kModes], int i, int j, NodalSumsOf<V>& sums) {
+LATSCH_INLINE void block_to_nodes(const V (*block)[kModes], int i, int j, NodalSums& sums) {
   const bool whole = i != j;
   V rows[8][8];  // [node place of the column][mode place of the row]
   for (V& v : rows[0]) v = 0.0;
@@ -114,10 +108,9 @@ LATSCH_INLINE void block_to_nodes(const V (*block)[kModes], int i, int j, NodalS
   }
 }
 
-template <class V>
-void stiffness_to_nodes(const ModalSumsOf<V>& modal, NodalSumsOf<V>& sums) {
+void stiffness_to_nodes(const ModalSums& modal, NodalSums& sums) {
   for (int block = 0; block < 6; ++block) {
-    block_to_nodes<V>(modal.K[block], voigt::kRow[block], voigt::kColumn[block], sums);
+    block_to_nodes(modal.K[block], voigt::kRow[block], voigt::kColumn[block], sums);
   }
 }
 

@@ -18,9 +18,8 @@
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
 /// Pressure p on the face x[3 a + i], whose corners are the nodes `node` of the sums or (-1) fixed.
-template <class V>
 LATSCH_INLINE void add_face_pressure(
-    const V* x, const int* node, double p, bool stiffness, NodalSumsOf<V>& sums) {
+    const V* x, const int* node, double p, bool stiffness, NodalSums& sums) {
   V w[6][3];  // K_ab = [w]x of the pairs b > a
   for (V& v : std::span(&w[0][0], 18)) v = 0.0;
   for (int q = 0; q < 4; ++q) {
@@ -71,15 +70,10 @@ LATSCH_INLINE void add_face_pressure(
 
 /// Pressure on the face of nodes 0-3 at x[3 a + i] and on the seals of its open edges (bit k: from
 /// node k to node k + 1): strips from where the edge is to where it is in the undeformed element X.
-template <class V>
-void add_pressure(const double* X,
-                  const V* x,
-                  unsigned open_edges,
-                  double p,
-                  bool stiffness,
-                  NodalSumsOf<V>& sums) {
+void add_pressure(
+    const double* X, const V* x, unsigned open_edges, double p, bool stiffness, NodalSums& sums) {
   constexpr int kFace[4] = {0, 1, 2, 3};
-  add_face_pressure<V>(x, kFace, p, stiffness, sums);
+  add_face_pressure(x, kFace, p, stiffness, sums);
   for (int k = 0; k < 4; ++k) {
     if (!(open_edges >> k & 1)) continue;
     const int a = k, b = (k + 1) % 4;
@@ -91,7 +85,7 @@ void add_pressure(const double* X,
       strip[6 + i] = X[3 * a + i];
       strip[9 + i] = X[3 * b + i];
     }
-    add_face_pressure<V>(strip, node, p, stiffness, sums);
+    add_face_pressure(strip, node, p, stiffness, sums);
   }
 }
 
