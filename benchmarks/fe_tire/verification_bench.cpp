@@ -2,10 +2,10 @@
 // Default element against extrapolated meshes; modes by harmonics against the full solve
 //
 // Tires with the default element: all that are shipped, with cords as rebars, inflated and pressed
-// on the ground; three sizes drawn at random, inflated; A and B with smeared cords,
-// inflated and, B, pressed. Every mesh is refined in all three directions with nodes on the true
-// contour and the same physical boundary. Inflation and unloaded modes are one sector's: refined 2,
-// 3 and 4 times and extrapolated. The loaded ring is refined twice and extrapolated by what its
+// on the ground; three sizes drawn at random, inflated; A and B with smeared cords, inflated and,
+// B, pressed. Every mesh is refined in all three directions with nodes on the true contour and the
+// same physical boundary. Inflation and unloaded modes are one sector's: refined 2, 3 and 4 times
+// and extrapolated. The loaded ring is refined twice and extrapolated by what its
 // unloaded modes have left there (Remainder); how right that is, a ring refined three times shows.
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tire that stands firm stands firm on finer meshes: inflated, every circumferential number holds,
-// up to one element's wave, and so does the way onto the ground. Columns alone are refined, which
+// A tire that stands firm does so on finer meshes: inflated, every circumferential number holds, up
+// to one element's wave, and so does the way onto the ground. Columns alone are refined, which
 // leaves elements up to ten times longer around than along the wall; below belts that narrow as
 // they grow the carcass is in compression (hex8_rebar.cpp, (3)).
 #include <gtest/gtest.h>
