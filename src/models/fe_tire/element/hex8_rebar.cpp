@@ -16,7 +16,8 @@
 //   e -= (a1 eta + a2 xi)^2 z . z / 2,  z = x_12 - s_1 x_1 - s_2 x_2                           (3)
 // Edges that lean in turn count as unsheared, so by the square alone they would shorten cords in
 // compression (a carcass below belts that narrow as they grow) and nothing would resist but E_11 of
-// elements that are long: they would buckle in turn, from a force of the order of E t (b/L)^2 on.
+// elements that are long: they would buckle in turn, from a force of the order of E t (b/L)^2 on, t
+// of the rubber that moves along.
 // In a warped surface z . z is not zero undeformed: there e is scaled to be so.
 // All of it is e = (sum W_mn y_m . y_n - 1) / 2 with y = (x_1, x_2, x_12).
 // Crossed plies of angle +-a want E_22 = -cot(a)^2 E_11 (six times, at 24 degrees). Where E_11
