@@ -6,6 +6,6 @@
 
 namespace latsch::fe_tire {
 
-inline constexpr int kModelVersion = 9;
+inline constexpr int kModelVersion = 10;
 
 }  // namespace latsch::fe_tire

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces and stiffness of the cord layers inside elements: equations (1) to (3) of hex8_rebar.cpp,
+// Forces and stiffness of the cord layers inside elements: equations (1) to (4) of hex8_rebar.cpp,
 // law of cord_law.h. A layer's y are modal vectors of the element:
 //   y_1 = x_1 + zeta x_13,  y_2 = x_2 + zeta x_23,  y_12 = x_12 + zeta x_123
 //

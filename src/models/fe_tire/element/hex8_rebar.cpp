@@ -11,12 +11,19 @@
 // it out:
 //   e -= c ((xi - <xi>) x_1 + (eta - <eta>) x_2) . (x_12 - s_1 x_1 - s_2 x_2),  c = a1 a2       (2)
 // with X_12 = s_1 X_1 + s_2 X_2 in the undeformed plane: nothing in a constant strain, and
-// nothing in the mean over the layer's area, so that patch tests hold.
+// nothing in the mean over the layer's area, so that patch tests hold. With the shear goes the
+// square of the hourglass vector,
+//   e -= (a1 eta + a2 xi)^2 z . z / 2,  z = x_12 - s_1 x_1 - s_2 x_2                           (3)
+// Edges that lean in turn count as unsheared, so by the square alone they would shorten cords in
+// compression (a carcass below belts that narrow as they grow) and nothing would resist but E_11 of
+// elements that are long: they would buckle in turn, from a force of the order of E t (b/L)^2 on, t
+// of the rubber that moves along.
+// In a warped surface z . z is not zero undeformed: there e is scaled to be so.
 // All of it is e = (sum W_mn y_m . y_n - 1) / 2 with y = (x_1, x_2, x_12).
 // Crossed plies of angle +-a want E_22 = -cot(a)^2 E_11 (six times, at 24 degrees). Where E_11
 // varies along eta the displacements cannot follow; the solid's enhanced strains can, so cords
 // see them,
-//   e += a1^2 L_1^2 (xi - <xi>) alpha_0 + a2^2 L_2^2 (eta - <eta>) alpha_1                      (3)
+//   e += a1^2 L_1^2 (xi - <xi>) alpha_0 + a2^2 L_2^2 (eta - <eta>) alpha_1                      (4)
 // and take part in the equilibrium of alpha.
 // The rubber the cords displace is not subtracted (its modulus is 1e-3 of theirs). No bending, no
 // slip.
@@ -96,7 +103,7 @@ Eigen::Vector2d set_points(const Surface& surface, double angle, CordSheet::Poin
   return mean / area;
 }
 
-/// Equations (2) and (3).
+/// Equations (2) to (4).
 void assume(const Surface& surface,
             double angle,
             const Eigen::Vector2d& mean,
@@ -110,6 +117,10 @@ void assume(const Surface& surface,
     const double xi = kGauss * kXi[q] - mean[0], eta = kGauss * kEta[q] - mean[1];
     const double p = center.a1 * center.a2 * xi, r = center.a1 * center.a2 * eta;
     auto& W = points[q].W;
+    const double square = W[2][2], z[3] = {-s[0], -s[1], 1.0};
+    for (int m = 0; m < 3; ++m) {
+      for (int n = 0; n < 3; ++n) W[m][n] -= square * z[m] * z[n];
+    }
     W[0][0] += 2.0 * p * s[0];
     W[1][1] += 2.0 * r * s[1];
     W[0][1] += p * s[1] + r * s[0];
@@ -118,6 +129,13 @@ void assume(const Surface& surface,
     W[2][0] -= p;
     W[1][2] -= r;
     W[2][1] -= r;
+    double undeformed = 0.0;
+    for (int m = 0; m < 3; ++m) {
+      for (int n = 0; n < 3; ++n) undeformed += W[m][n] * Y.col(m).dot(Y.col(n));
+    }
+    for (auto& row : W) {
+      for (double& value : row) value /= undeformed;
+    }
     points[q].p[0] = center.a1 * center.a1 * shape.L2[0] * xi;
     points[q].p[1] = center.a2 * center.a2 * shape.L2[1] * eta;
   }

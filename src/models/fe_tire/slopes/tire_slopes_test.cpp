@@ -80,7 +80,7 @@ std::vector<Variation> variations() {
 /// At rest to the last digits.
 FeTire at_rest(const TireDescription& tire, double mode_tolerance) {
   SolverSettings settings;
-  settings.tolerance = 1e-10;
+  settings.tolerance = 1e-11;
   settings.mode_tolerance = mode_tolerance;
   return FeTire(build_mesh(tire), build_materials(tire), settings);
 }
