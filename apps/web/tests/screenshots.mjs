@@ -20,7 +20,11 @@ for (const scheme of ['light', 'dark']) {
     await page.reload();
     await settled(page);
     await page.waitForTimeout(300);
-    await page.screenshot({ path: `${folder}/${name}_${scheme}.png`, fullPage: true });
+    const height = await page.evaluate(() => document.documentElement.scrollHeight);
+    await page.setViewportSize({ width: 1440, height: Math.max(height, 900) }); // what is sticky stays at its end
+    await page.waitForTimeout(200);
+    await page.screenshot({ path: `${folder}/${name}_${scheme}.png` });
+    await page.setViewportSize({ width: 1440, height: 900 });
     for (const words of [...(await violations(page)), ...page.errors.splice(0)]) console.log(`${name} ${scheme}: ${words}`);
   }
   await page.context().close();

@@ -11,6 +11,9 @@ import { dirname, join } from 'node:path';
 
 const kMaterials = ['meshbasic', 'meshlambert'];
 
+// Chunks that the renderer puts before the shader of every material.
+const kOfEvery = ['colorspace_pars_fragment', 'tonemapping_pars_fragment'];
+
 const kEmpty = {
   'renderers/webxr/WebXRManager.js': `
     import { EventDispatcher } from '../../core/EventDispatcher.js';
@@ -19,8 +22,8 @@ const kEmpty = {
       setAnimationLoop() {} dispose() {} getCamera() { return null; } hasDepthSensing() { return false; }
       getDepthSensingMesh() { return null; } getEnvironmentBlendMode() {}
     }`,
-  'renderers/webgl/WebGLCubeUVMaps.js': 'export const WebGLCubeUVMaps = () => ({ get: (texture) => texture, dispose() {} });',
-  'renderers/webgl/WebGLCubeMaps.js': 'export const WebGLCubeMaps = () => ({ get: (texture) => texture, dispose() {} });',
+  'renderers/webgl/WebGLCubeUVMaps.js': 'export function WebGLCubeUVMaps() { this.get = (texture) => texture; this.dispose = () => {}; }',
+  'renderers/webgl/WebGLCubeMaps.js': 'export function WebGLCubeMaps() { this.get = (texture) => texture; this.dispose = () => {}; }',
   'renderers/webgl/WebGLShadowMap.js': 'export function WebGLShadowMap() { this.enabled = false; this.render = () => {}; }',
   'renderers/webgl/WebGLBackground.js': `
     import { Color } from '../../math/Color.js';
@@ -41,7 +44,7 @@ const textOf = (file) => readFileSync(file, 'utf8');
 
 /** Names of the chunks that the materials' shaders include, and what those include. */
 function reached() {
-  const found = new Set();
+  const found = new Set(kOfEvery);
   const visit = (text) => {
     for (const [, name] of text.matchAll(/#include <(\w+)>/g)) {
       if (found.has(name)) continue;

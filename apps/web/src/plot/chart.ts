@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A plot: axes, grid, cursor and selection are uPlot's, the marks are drawn by marks.ts into its canvas. Dragging
-// zooms, a double click shows all; the nearest point to the cursor is told to whoever probes.
+// zooms, a double click shows all; the nearest point to the cursor is told to whoever probes. On a
+// logarithmic axis uPlot is told decimal logarithms: its own logarithmic axes show whole decades.
 
 import uPlot from 'uplot';
 
@@ -9,6 +10,7 @@ import { number } from '../lib/numbers';
 import { color } from '../lib/theme.svelte';
 import { drawMark, type Mark, type Place } from './marks';
 import { fullRange, type Range } from './ranges';
+import { logTicks } from './ticks';
 
 export interface Axis {
   title: string;
@@ -91,8 +93,9 @@ export class Chart {
 
   probe(probed: Probed | null): void {
     this.#probed = probed;
-    const x = probed ? this.#plot.valToPos(probed.mark.x[probed.index] ?? NaN, 'x') : NaN;
-    const y = probed ? this.#plot.valToPos(probed.mark.y[probed.index] ?? NaN, 'y') : NaN;
+    const place = this.#place();
+    const x = probed ? (place.x(probed.mark.x[probed.index]) - place.left) / place.ratio : NaN;
+    const y = probed ? (place.y(probed.mark.y[probed.index]) - place.top) / place.ratio : NaN;
     const isSeen = Number.isFinite(x) && Number.isFinite(y) && probed?.mark.kind !== 'edge';
     this.#dot.hidden = !isSeen;
     if (isSeen) this.#dot.style.transform = `translate(${x}px, ${y}px)`;
@@ -104,21 +107,20 @@ export class Chart {
     const across = this.#zoom?.x ?? x.range ?? fullRange(marks, 'x', !!x.isLog, false);
     const along = this.#zoom?.y ?? y.range ?? fullRange(marks, 'y', !!y.isLog, !!y.withZero);
     this.#plot.batch(() => {
-      this.#plot.setScale('x', { min: across[0], max: across[1] });
-      this.#plot.setScale('y', { min: along[0], max: along[1] });
+      this.#plot.setScale('x', inScale(across, x.isLog));
+      this.#plot.setScale('y', inScale(along, y.isLog));
       this.#plot.redraw(false, true);
     });
   }
 
   #settings(width: number): uPlot.Options {
     const { x, y, height } = this.#options;
-    const scale = (isLog: boolean | undefined): uPlot.Scale => ({ time: false, auto: false, distr: isLog ? 3 : 1 });
     return {
       width,
       height,
       padding: [10, 14, 0, 0],
       legend: { show: false },
-      scales: { x: scale(x.isLog), y: scale(y.isLog) },
+      scales: { x: { time: false, auto: false }, y: { auto: false } },
       axes: [this.#axis(x, false), this.#axis(y, true)],
       series: [{}, { show: true }],
       cursor: {
@@ -143,29 +145,30 @@ export class Chart {
     const ticks = axis.ticks ?? ((value: number) => number(value));
     return {
       label: axis.title,
-      labelSize: 22,
-      labelGap: 2,
-      size: isUpright ? 62 : 34,
+      labelSize: 20,
+      labelGap: 0,
+      size: isUpright ? 58 : 27,
       gap: 5,
+      ...(isUpright && this.#options.height < 160 ? { space: 16 } : {}),
+      ...(axis.isLog ? { splits: (_: uPlot, __: number, least: number, greatest: number) => logTicks(least, greatest) } : {}),
       stroke: () => color('--soft'),
       font: '12px system-ui, "DejaVu Sans", sans-serif',
       labelFont: '12px system-ui, "DejaVu Sans", sans-serif',
       grid: { stroke: () => color('--grid'), width: 1 },
       ticks: { stroke: () => color('--grid'), width: 1, size: 5 },
-      values: (_, splits) => splits.map((value) => (value === null ? '' : ticks(value))),
+      values: (_, splits) => splits.map((value) => (value === null ? '' : ticks(axis.isLog ? 10 ** value : value))),
     };
   }
 
   #place(): Place {
     const { left, top, width, height } = this.#plot.bbox;
     const way = (key: 'x' | 'y', isLog: boolean | undefined, from: number, over: number) => {
-      const { min = 0, max = 1 } = this.#plot.scales[key]!;
-      const [least, greatest] = isLog ? [Math.log(min!), Math.log(max!)] : [min!, max!];
-      const slope = over / (greatest - least);
+      const { min: least = 0, max: greatest = 1 } = this.#plot.scales[key]!;
+      const slope = over / (greatest! - least!);
       return (value: Value | undefined): number => {
         if (value === null || value === undefined) return NaN;
-        if (isLog) return value > 0 ? from + (Math.log(value) - least) * slope : NaN;
-        return from + (value - least) * slope;
+        if (isLog) return value > 0 ? from + (Math.log10(value) - least!) * slope : NaN;
+        return from + (value - least!) * slope;
       };
     };
     const { x, y } = this.#options;
@@ -205,7 +208,7 @@ export class Chart {
     const { left, top, width, height } = this.#plot.select;
     if (width < 4 && height < 4) return;
     const ends = (key: 'x' | 'y', from: number, over: number): Range => {
-      const [a, b] = [this.#plot.posToVal(from, key), this.#plot.posToVal(from + over, key)];
+      const [a, b] = [this.#value(from, key), this.#value(from + over, key)];
       return a < b ? [a, b] : [b, a];
     };
     const inner = this.#plot.over;
@@ -219,8 +222,17 @@ export class Chart {
 
   #shown(key: 'x' | 'y'): Range {
     const { min, max } = this.#plot.scales[key]!;
-    return [min!, max!];
+    return this.#options[key].isLog ? [10 ** min!, 10 ** max!] : [min!, max!];
   }
+
+  #value(position: number, key: 'x' | 'y'): number {
+    const value = this.#plot.posToVal(position, key);
+    return this.#options[key].isLog ? 10 ** value : value;
+  }
+}
+
+function inScale([least, greatest]: Range, isLog: boolean | undefined): { min: number; max: number } {
+  return isLog ? { min: Math.log10(least), max: Math.log10(greatest) } : { min: least, max: greatest };
 }
 
 /** The nearest point within reach; of cells the one below the cursor. Marks drawn later come first. */

@@ -13,6 +13,7 @@ export interface Mark {
   upper?: readonly Value[];
   dash?: number[];
   width?: number;
+  alpha?: number;
   size?: number; // of points, CSS pixels
   shape?: 'square' | 'ring' | 'cross' | 'star';
   labels?: readonly string[];
@@ -185,7 +186,9 @@ const kDraw: Record<Mark['kind'], Draw> = { line, steps: line, points, band, cel
 export function drawMark(context: CanvasRenderingContext2D, mark: Mark, place: Place, color: string): void {
   context.strokeStyle = color;
   context.fillStyle = color;
+  context.globalAlpha = mark.alpha ?? 1;
   kDraw[mark.kind](context, mark, place);
+  context.globalAlpha = 1;
   if (!mark.labels) return;
   context.font = `600 ${12 * place.ratio}px system-ui, sans-serif`;
   context.textBaseline = 'middle';
