@@ -133,7 +133,7 @@ TEST(Admission, WantsTheTokenAsBearerOrCookie) {
     EXPECT_EQ(status(loopback().refuse_untrusted(head)), 200) << text;
   }
   for (const std::string& text : {"latsch_8422=" + kToken,
-                                  "latsch_8421=",
+                                  std::string("latsch_8421="),
                                   "xlatsch_8421=" + kToken,
                                   "latsch_8421 " + kToken}) {
     head.cookie = text;

@@ -82,7 +82,9 @@ bool has_tag(std::string_view list, std::string_view etag) {
   return false;
 }
 
-bool is_one_line(std::string_view text) { return text.find_first_of("\r\n") == text.npos; }
+[[maybe_unused]] bool is_one_line(std::string_view text) {
+  return text.find_first_of("\r\n") == text.npos;
+}
 
 }  // namespace
 

@@ -140,7 +140,7 @@ inline void Connection::read_request() {
   head_ = {};
   parser_.emplace();
   parser_->header_limit(static_cast<std::uint32_t>(limits_.head));
-  parser_->body_limit(limits_.body);
+  parser_->body_limit(std::numeric_limits<std::uint64_t>::max());  // first who asks, then how much
   http::async_read_header(
       socket_, buffer_, *parser_, [self = shared_from_this()](error_code error, std::size_t) {
         self->read_head_done(error);
@@ -168,6 +168,9 @@ inline void Connection::read_head_done(error_code error) {
 }
 
 inline void Connection::read_body() {
+  if (parser_->content_length().value_or(0) > limits_.body)
+    return refuse_unreadable(http::error::body_limit);
+  parser_->body_limit(limits_.body);
   is_until(limits_.request);
   const auto read = [self = shared_from_this()] {
     http::async_read(
