@@ -20,33 +20,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "studio/http/message.h"
+
 namespace latsch::studio {
-
-/// What a handler is asked. Decoded, valid UTF-8 without zeros; the path has no "." or ".."; a POST
-/// said that its body is JSON, which the handler has to check.
-struct Request {
-  std::string method;  // GET or POST; HEAD comes as GET
-  std::string path;
-  std::map<std::string, std::string> query;
-  std::string body;
-  std::stop_token stop;  // the server ends: a long handler may throw or answer anything
-};
-
-struct Response {
-  int status = 200;
-  std::string type = "application/json";
-  std::string body;
-};
-
-/// {"error": ..., "hint": ...}; what is no UTF-8 in them is replaced.
-Response error_response(int status, std::string_view error, std::string_view hint);
 
 /// A file of the page, in memory as long as the server. "/" is answered by the asset "/" or
 /// "/index.html".
