@@ -41,15 +41,13 @@ struct JournalFollower::Impl {
   std::int64_t total = 0;   // rows at the last look
   std::int64_t marks_seen = -1;
 
-  bool close() {
-    const bool had_trials = number > 0;
+  void close() {
     database.reset();
     opened.reset();
     identity.clear();
     marks.clear();
     number = total = 0;
     marks_seen = -1;
-    return had_trials;
   }
 
   void open() {
@@ -83,7 +81,11 @@ struct JournalFollower::Impl {
 
   News read(long most, const std::function<void(const Trial&)>& visit) {
     News news;
-    if (opened && file_at(file) != opened) news.begins_anew = close();
+    if (opened && file_at(file) != opened) {
+      close();
+      news.begins_anew = news.has_more = true;
+      return news;
+    }
     if (!database) {
       if (!file_at(file)) return news;
       open();

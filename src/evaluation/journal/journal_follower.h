@@ -27,7 +27,8 @@ class JournalFollower {
   JournalFollower& operator=(JournalFollower&&) noexcept;
 
   struct News {
-    bool begins_anew = false;  // what was handed on before is of a journal that is gone
+    bool begins_anew = false;  // what was handed on before is of a journal that is gone; the next
+                               // call hands on from the beginning of what is there now
     long trials = 0;           // handed on now
     bool has_more = false;     // `most` was reached
     bool has_marks = false;    // marks() are others than before
