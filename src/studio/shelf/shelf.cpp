@@ -70,6 +70,7 @@ Shelf::Shelf(fs::path root, const experiment::Language& language, Notice notice)
     const std::string id = file.filename().string();
     studies_.emplace(id, std::make_shared<ShelvedStudy>(id, file, language_));
   }
+  search();  // so that whoever asks next finds them
   watching_ = std::thread([this] { watch(); });
   replaying_ = std::thread([this] { find_endings(); });
 }

@@ -80,22 +80,22 @@ std::vector<double> even_samples(const std::vector<double>& t,
 }
 
 Json psd(const report::MeasuredCurve& curve) {
-  constexpr std::size_t kLeast = 64;  // samples that make a spectrum worth a look
-  if (!is_of_time(curve.x_name) || curve.x_measured.size() < kLeast ||
-      curve.x_simulated.size() < kLeast)
+  constexpr std::size_t kLeastSamples = 64;  // samples that make a spectrum worth a look
+  if (!is_of_time(curve.x_name) || curve.x_measured.size() < kLeastSamples ||
+      curve.x_simulated.size() < kLeastSamples)
     return nullptr;
   const double span = curve.x_measured.back() - curve.x_measured.front();
   if (!(span > 0.0)) return nullptr;
   const double rate = static_cast<double>(curve.x_measured.size() - 1) / span;
   const auto density = [&](const std::vector<double>& t, const std::vector<double>& y) {
     const auto even = even_samples(t, y, rate);
-    if (even.size() < kLeast) return numerics::Density{};
+    if (even.size() < kLeastSamples) return numerics::Density{};
     return numerics::power_density(
         even,
         rate,
         numerics::welch_settings(numerics::Convention::scipy,
                                  static_cast<int>(even.size()),
-                                 static_cast<int>(std::max(kLeast, even.size() / 4))));
+                                 static_cast<int>(std::max(kLeastSamples, even.size() / 4))));
   };
   const auto measured = density(curve.x_measured, curve.y_measured);
   const auto simulated = density(curve.x_simulated, curve.y_simulated);

@@ -17,12 +17,12 @@ namespace {
 
 using correlation::Study;
 
-constexpr double kNoWeight = 1e-6;  // of the largest
+constexpr double kNextToNoWeight = 1e-6;  // of the largest
 constexpr double kAtBound = 1e-3;   // of the range
 constexpr double kMissed = 0.1;     // an error worth a remark
 
 std::string weight_flag(double weight, double largest) {
-  return weight < kNoWeight * largest ? "weight about zero: it does not count" : "";
+  return weight < kNextToNoWeight * largest ? "weight about zero: it does not count" : "";
 }
 
 struct Row {

@@ -17,7 +17,7 @@ namespace {
 
 using correlation::Study;
 
-constexpr std::size_t kKept = 4;
+constexpr std::size_t kBodiesKept = 4;
 
 using Body = std::shared_ptr<const report::StudyReport>;
 
@@ -39,7 +39,7 @@ Body drawn_body(const std::shared_ptr<const Study>& study, const DesignPoint& po
   for (const auto& test : study->tests) tests.push_back(test.test.get());
   auto page = std::make_shared<report::StudyReport>();
   kind->draw_body(correlation::at(study->model, study->space, point), tests, *page);
-  if (kept.size() == kKept) kept.erase(kept.begin());
+  if (kept.size() == kBodiesKept) kept.erase(kept.begin());
   kept.push_back({study, point.bits(), page});
   return page;
 }
