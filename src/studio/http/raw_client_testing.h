@@ -107,6 +107,9 @@ class RawClient {
     return result;
   }
 
+  /// Says that nothing more will be sent.
+  void end_sending() { ::shutdown(fd_, SHUT_WR); }
+
   const std::string& received() const { return received_; }
   std::string take(std::size_t bytes) {
     std::string taken = received_.substr(0, bytes);
@@ -134,7 +137,7 @@ class RawClient {
 };
 
 /// One request on a connection of its own.
-inline Reply exchange(std::uint16_t port, std::string_view request) {
+inline Reply reply_to(std::uint16_t port, std::string_view request) {
   RawClient client(port);
   client.send(request);
   return client.reply(RawClient::kPatience, !request.starts_with("HEAD "));

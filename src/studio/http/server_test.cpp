@@ -56,11 +56,11 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 TEST(Server, HandsOverWhatWasAskedDecoded) {
   Server server(options(), echo);
-  EXPECT_EQ(exchange(server.port(), trusted("GET /api/a%20b?study=x%2Fy.toml&w=1+2")).body,
+  EXPECT_EQ(reply_to(server.port(), trusted("GET /api/a%20b?study=x%2Fy.toml&w=1+2")).body,
             "GET /api/a b study=x/y.toml w=1 2 ");
-  EXPECT_EQ(exchange(server.port(), trusted("POST /api/save", kJson, "{\"a\": 1}")).body,
+  EXPECT_EQ(reply_to(server.port(), trusted("POST /api/save", kJson, "{\"a\": 1}")).body,
             "POST /api/save {\"a\": 1}");
-  const Reply head = exchange(server.port(), trusted("HEAD /api/home"));
+  const Reply head = reply_to(server.port(), trusted("HEAD /api/home"));
   EXPECT_EQ(head.status, 200);
   EXPECT_EQ(head.field("Content-Length"), "14");  // of what GET answers
   EXPECT_EQ(head.field("Cache-Control"), "no-store");
@@ -93,16 +93,16 @@ TEST(Server, AddressLeadsToTheCookieAndTheCookieToThePage) {
   with_page.assets = {{"/index.html", "text/html; charset=utf-8", "<p>page</p>", false, "\"1\""}};
   Server server(with_page, echo);
   EXPECT_EQ(server.address(), fmt::format("http://127.0.0.1:{}/?token={}", server.port(), kToken));
-  const Reply opened = exchange(server.port(), request("GET /?token=" + kToken));
+  const Reply opened = reply_to(server.port(), request("GET /?token=" + kToken));
   EXPECT_EQ(opened.status, 303);
   EXPECT_EQ(opened.field("Location"), "/");
   const std::string cookie = opened.field("Set-Cookie");
   EXPECT_EQ(cookie,
             fmt::format("latsch_{}={}; Path=/; HttpOnly; SameSite=Strict", server.port(), kToken));
   const std::string kept = "Cookie: " + cookie.substr(0, cookie.find(';')) + "\r\n";
-  EXPECT_EQ(exchange(server.port(), request("GET /", kept)).body, "<p>page</p>");
-  EXPECT_EQ(exchange(server.port(), request("GET /api/x", kept)).body, "GET /api/x ");
-  EXPECT_EQ(exchange(server.port(), request("GET /?token=" + std::string(32, '0'), kept)).status,
+  EXPECT_EQ(reply_to(server.port(), request("GET /", kept)).body, "<p>page</p>");
+  EXPECT_EQ(reply_to(server.port(), request("GET /api/x", kept)).body, "GET /api/x ");
+  EXPECT_EQ(reply_to(server.port(), request("GET /?token=" + std::string(32, '0'), kept)).status,
             401);
 }
 
@@ -110,7 +110,7 @@ TEST(Server, AddressLeadsToTheCookieAndTheCookieToThePage) {
 TEST(Server, AddressOpenedFromAnotherPageLeadsThereByAPageOfItsOwn) {
   Server server(options(), echo);
   const Reply opened =
-      exchange(server.port(),
+      reply_to(server.port(),
                request("GET /?token=" + kToken,
                        "Sec-Fetch-Site: cross-site\r\nSec-Fetch-Mode: navigate\r\n"));
   EXPECT_EQ(opened.status, 200);
@@ -134,7 +134,7 @@ TEST(Server, EveryAnswerHasTheFieldsForSafetyAndNoneOfCors) {
                                   request("OPTIONS /api/save", "Origin: http://localhost:1\r\n"),
                                   request("GET /?token=" + kToken),
                                   std::string("nonsense\r\n\r\n")}) {
-    const Reply reply = exchange(server.port(), text);
+    const Reply reply = reply_to(server.port(), text);
     EXPECT_THAT(reply.field("Content-Security-Policy"),
                 HasSubstr("default-src 'none'; script-src 'self'"));
     EXPECT_THAT(reply.field("Content-Security-Policy"), HasSubstr("frame-ancestors 'none'"));
@@ -152,7 +152,7 @@ TEST(Server, RefusesBeforeItRoutes) {
     ++asked;
     return {};
   });
-  const auto status = [&](const std::string& text) { return exchange(server.port(), text).status; };
+  const auto status = [&](const std::string& text) { return reply_to(server.port(), text).status; };
   const std::string bearer = "Authorization: Bearer " + kToken + "\r\n";
   EXPECT_EQ(status("GET / HTTP/1.1\r\nHost: evil.example\r\n" + bearer + "\r\n"), 421);
   EXPECT_EQ(status("GET / HTTP/1.1\r\n" + bearer + "\r\n"), 421);
@@ -176,10 +176,10 @@ TEST(Server, RefusesBeforeItRoutes) {
 
 TEST(Server, TellsAPersonInPlainTextAndAScriptInJson) {
   Server server(options(), echo);
-  const Reply script = exchange(server.port(), request("GET /"));
+  const Reply script = reply_to(server.port(), request("GET /"));
   EXPECT_EQ(script.field("Content-Type"), "application/json");
   EXPECT_THAT(script.body, HasSubstr("{\"error\": \"the request shows no token"));
-  const Reply person = exchange(server.port(), request("GET /", "Accept: text/html,*/*\r\n"));
+  const Reply person = reply_to(server.port(), request("GET /", "Accept: text/html,*/*\r\n"));
   EXPECT_EQ(person.field("Content-Type"), "text/plain; charset=utf-8");
   EXPECT_THAT(person.body, HasSubstr("open the address that latsch printed"));
 }
@@ -188,17 +188,17 @@ TEST(Server, TellsAPersonInPlainTextAndAScriptInJson) {
 TEST(Server, RefusesALongBodyOrHeadAtOnce) {
   Server server(options(), echo);
   EXPECT_EQ(
-      exchange(server.port(), trusted("POST /a", kJson + "Content-Length: 1000000000\r\n")).status,
+      reply_to(server.port(), trusted("POST /a", kJson + "Content-Length: 1000000000\r\n")).status,
       413);
   EXPECT_EQ(
-      exchange(server.port(), trusted("GET /a", "X: " + std::string(20000, 'x') + "\r\n")).status,
+      reply_to(server.port(), trusted("GET /a", "X: " + std::string(20000, 'x') + "\r\n")).status,
       431);
   RawClient chunked(server.port());
   chunked.send(trusted("POST /a", kJson + "Transfer-Encoding: chunked\r\n") + "40000000\r\n");
   chunked.send(std::string(2 << 20, 'x'));
   EXPECT_EQ(chunked.reply().status, 413);
   const std::string most(1 << 20, 'x');
-  EXPECT_EQ(exchange(server.port(), trusted("POST /a", kJson, most)).body.size(), most.size() + 8);
+  EXPECT_EQ(reply_to(server.port(), trusted("POST /a", kJson, most)).body.size(), most.size() + 8);
 }
 
 TEST(Server, AnswersAlsoWhoStillSends) {
@@ -219,11 +219,11 @@ TEST(Server, WhatAHandlerThrowsIsAnAnswer) {
     if (request.path == "/fault") throw std::logic_error("secret");
     throw 42;
   });
-  const Reply input = exchange(server.port(), trusted("GET /input"));
+  const Reply input = reply_to(server.port(), trusted("GET /input"));
   EXPECT_EQ(input.status, 400);
   EXPECT_EQ(input.body, R"({"error": "a.toml:4: \"mass\" is \"1\u0001\"", "hint": ""})");
   for (const char* path : {"/fault", "/number"}) {
-    const Reply fault = exchange(server.port(), trusted(std::string("GET ") + path));
+    const Reply fault = reply_to(server.port(), trusted(std::string("GET ") + path));
     EXPECT_EQ(fault.status, 500);
     EXPECT_THAT(fault.body, Not(HasSubstr("secret")));
     EXPECT_THAT(reported, HasSubstr(path));
@@ -236,27 +236,27 @@ TEST(Server, PageIsAnsweredFromMemoryByItsTag) {
   with_page.assets = {{"/index.html", "text/html; charset=utf-8", "<p>", false, "\"h\""},
                       {"/page.js", "text/javascript", zipped, true, "\"j\""}};
   Server server(with_page, echo);
-  EXPECT_EQ(exchange(server.port(), trusted("GET /index.html")).body, "<p>");
-  const Reply script = exchange(server.port(), trusted("GET /page.js?v=1"));
+  EXPECT_EQ(reply_to(server.port(), trusted("GET /index.html")).body, "<p>");
+  const Reply script = reply_to(server.port(), trusted("GET /page.js?v=1"));
   EXPECT_EQ(script.body, zipped);
   EXPECT_EQ(script.field("Content-Encoding"), "gzip");
   EXPECT_EQ(script.field("Content-Type"), "text/javascript");
   EXPECT_EQ(script.field("ETag"), "\"j\"");
   EXPECT_EQ(script.field("Cache-Control"), "no-cache");
   for (const char* tags : {"\"j\"", "W/\"j\"", "\"a\", \"j\"", "*"}) {
-    const Reply same = exchange(
+    const Reply same = reply_to(
         server.port(), trusted("GET /page.js", fmt::format("If-None-Match: {}\r\n", tags)));
     EXPECT_EQ(same.status, 304) << tags;
     EXPECT_EQ(same.field("ETag"), "\"j\"");
   }
-  EXPECT_EQ(exchange(server.port(), trusted("GET /page.js", "If-None-Match: \"h\"\r\n")).status,
+  EXPECT_EQ(reply_to(server.port(), trusted("GET /page.js", "If-None-Match: \"h\"\r\n")).status,
             200);
-  EXPECT_EQ(exchange(server.port(), trusted("GET /page.css")).body, "GET /page.css ");
+  EXPECT_EQ(reply_to(server.port(), trusted("GET /page.css")).body, "GET /page.css ");
 }
 
 TEST(Server, WithoutAPageSaysSo) {
   Server server(options(), echo);
-  const Reply reply = exchange(server.port(), trusted("GET /"));
+  const Reply reply = reply_to(server.port(), trusted("GET /"));
   EXPECT_EQ(reply.status, 200);
   EXPECT_THAT(reply.body, HasSubstr("built without Node"));
 }
@@ -294,7 +294,7 @@ TEST(Server, SlowHandlersDelayNeitherPingsNorEvents) {
   one.send(trusted("GET /slow"));
   other.send(trusted("GET /slow"));
   both_begun.wait();
-  EXPECT_EQ(exchange(server.port(), trusted("GET /api/ping")).body, "{}");
+  EXPECT_EQ(reply_to(server.port(), trusted("GET /api/ping")).body, "{}");
   events.send(trusted("GET /events"));
   EXPECT_TRUE(events.read_to("event: alive\ndata: {}\n\n"));
   server.publish("", "home", "{}");
@@ -383,7 +383,7 @@ TEST(Server, SlowOnesMakeRoomForNewOnes) {
     slow.emplace_back(server.port());
     slow.back().send("GET / HTTP/1.1\r\nHo");
   }
-  EXPECT_EQ(exchange(server.port(), trusted("GET /b")).body, "GET /b ");
+  EXPECT_EQ(reply_to(server.port(), trusted("GET /b")).body, "GET /b ");
   EXPECT_TRUE(slow.front().is_ended());
   kept.send(trusted("GET /c"));  // who showed the token stays longest
   EXPECT_EQ(kept.reply().body, "GET /c ");
@@ -434,7 +434,7 @@ TEST(Server, ClientsThatGoAwayInTheMiddleLeaveItAsItWas) {
     RawClient(server.port()).send(trusted("GET /api/ping") + "GET");
     RawClient(server.port()).send(trusted("POST /a", kJson + "Content-Length: 10\r\n"));
   }
-  EXPECT_EQ(exchange(server.port(), trusted("GET /api/ping")).body, "{}");
+  EXPECT_EQ(reply_to(server.port(), trusted("GET /api/ping")).body, "{}");
 }
 
 TEST(Server, EndsAllConnectionsAndTellsItsHandlers) {
@@ -474,7 +474,7 @@ TEST(Server, ProgramsStartedMeanwhileInheritNoSocket) {
   RawClient events(server.port());
   events.send(trusted("GET /events"));
   ASSERT_TRUE(events.read_to("retry"));
-  const std::string listing = exchange(server.port(), trusted("GET /a")).body;
+  const std::string listing = reply_to(server.port(), trusted("GET /a")).body;
   EXPECT_THAT(listing, HasSubstr("pipe:"));
   EXPECT_THAT(listing, Not(HasSubstr("socket:")));
   EXPECT_THAT(listing, Not(HasSubstr("eventpoll")));
