@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/study/study_stages.h"
@@ -132,6 +133,10 @@ ShelvedStudy::Changes ShelvedStudy::refresh(long most_trials) {
   }
   const auto holder = journal_holder(study_->run.journal);
   changes.of_state = holder.has_value() != holder_.has_value();
+  if (holder && (!holder_ || holder->words != holder_->words)) {
+    run_seen_at_ = steady_clock()();
+    run_seen_rows_ = static_cast<long>(table_->rows().size());
+  }
   holder_ = holder;
   const std::string fault_before = journal_error_;
   try {
@@ -192,13 +197,18 @@ ShelvedStudy::Sight ShelvedStudy::sight() const {
   } else if (ending_ && ending_->has_ended) {
     state = StudyState::ended;
   }
-  return {state,
-          error_.empty() ? journal_error_ : error_,
-          study_,
-          table_.get(),
-          holder_,
-          changed_,
-          ending_ ? ending_->words : ""};
+  Sight sight{.state = state,
+              .error = error_.empty() ? journal_error_ : error_,
+              .study = study_,
+              .table = table_.get(),
+              .holder = holder_,
+              .changed = changed_,
+              .ending = ending_ ? ending_->words : ""};
+  if (holder_) {
+    sight.run_seconds = steady_clock()() - run_seen_at_;
+    sight.run_trials = static_cast<long>(table_->rows().size()) - run_seen_rows_;
+  }
+  return sight;
 }
 
 }  // namespace latsch::studio

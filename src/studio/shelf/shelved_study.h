@@ -55,7 +55,10 @@ class ShelvedStudy {
     const TrialTable* table;  // nullptr: broken
     std::optional<JournalHolder> holder;
     std::filesystem::file_time_type changed;  // of file and journal the later
-    std::string ending;                       // why its search ended; empty: it has not, or unknown
+    /// Since the run that goes on was first seen; rows of it.
+    double run_seconds = 0.0;
+    long run_trials = 0;
+    std::string ending;  // why its search ended; empty: it has not, or unknown
   };
   template <class Look>
   auto look(Look&& look) const {
@@ -82,6 +85,8 @@ class ShelvedStudy {
   std::shared_ptr<const correlation::Study> study_;  // the stage that is shown, with its noise
   std::unique_ptr<TrialTable> table_;
   std::optional<JournalHolder> holder_;
+  double run_seen_at_ = 0.0;  // s, of the steady clock
+  long run_seen_rows_ = 0;
   struct Ending {
     std::size_t rows = 0;  // of the table it was found with
     int edition = 0;

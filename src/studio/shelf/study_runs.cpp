@@ -120,7 +120,7 @@ void StudyRuns::start(const ShelvedStudy& study, const Asked& asked) {
                      fmt::format("cannot be started: {}; may {} be written?",
                                  std::strerror(error),
                                  run_log(study.file()).string()));
-  started_[study.id()] = {process, std::nullopt};
+  started_[study.id()] = {process, asked.verb};
 }
 
 void StudyRuns::stop(const ShelvedStudy& study) {
@@ -152,6 +152,7 @@ StudyRuns::Run StudyRuns::of(const ShelvedStudy& study) {
     run.is_ours = true;
     run.is_alive = !ours->second.exit_code;
     run.exit_code = ours->second.exit_code;
+    run.verb = ours->second.verb;
   }
   if (fs::exists(run_log(study.file()))) run.log = last_lines(run_log(study.file()));
   return run;

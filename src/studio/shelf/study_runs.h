@@ -39,6 +39,7 @@ class StudyRuns {
     bool is_ours = false;  // was started from this page
     bool is_alive = false;
     std::optional<int> exit_code;
+    RunVerb verb = RunVerb::run;   // of one of ours
     std::vector<std::string> log;  // last lines
   };
   Run of(const ShelvedStudy& study);
@@ -46,7 +47,8 @@ class StudyRuns {
  private:
   struct Process {
     int id = 0;
-    std::optional<int> exit_code;
+    RunVerb verb = RunVerb::run;
+    std::optional<int> exit_code = {};
   };
   void reap();
 

@@ -122,8 +122,16 @@ double seconds_since(std::filesystem::file_time_type time) {
       .count();
 }
 
+/// Points of the design that are still to come; nullopt where nobody knows how many there will be:
+/// a search ends where it has found something.
+std::optional<double> trials_to_come(const Sight& sight, const StudyRuns::Run& run) {
+  if (!run.is_alive || run.verb != RunVerb::doe || !sight.study->doe) return std::nullopt;
+  const auto points = plan(*sight.study->doe, sight.study->space).points.size();
+  return std::max(0.0, static_cast<double>(points) - static_cast<double>(sight.table->total()));
+}
+
 /// Of a run that goes on, or of the last one that this page started.
-Json run(const ShelvedStudy& shelved, const Sight& sight, const StudyRuns::Run& run) {
+Json run_of(const ShelvedStudy& shelved, const Sight& sight, const StudyRuns::Run& run) {
   if (!sight.holder && !run.is_ours) return nullptr;
   Json view{{"workers", sight.study->run.workers},
             {"is_ours", run.is_ours},
@@ -131,14 +139,19 @@ Json run(const ShelvedStudy& shelved, const Sight& sight, const StudyRuns::Run& 
             {"exit_code", run.exit_code ? Json(*run.exit_code) : Json(nullptr)},
             {"message", sight.holder ? sight.holder->words : std::string()},
             {"log_file", run_log(shelved.file()).filename().string()},
-            {"log", run.log}};
-  view["elapsed"] = view["rate"] = view["eta"] = nullptr;
+            {"log", run.log},
+            {"elapsed", nullptr},
+            {"rate", nullptr},
+            {"eta", nullptr}};
   if (!sight.holder) return view;
   std::error_code none;
   const auto since =
       std::filesystem::last_write_time(sight.study->run.journal.string() + ".lock", none);
-  if (none) return view;
-  view["elapsed"] = finite(seconds_since(since));
+  if (!none) view["elapsed"] = finite(seconds_since(since));
+  if (sight.run_trials < 2 || !(sight.run_seconds > 0.0)) return view;
+  const double rate = static_cast<double>(sight.run_trials) / sight.run_seconds;
+  view["rate"] = finite(rate);  // trials a second
+  if (const auto left = trials_to_come(sight, run)) view["eta"] = finite(*left / rate);
   return view;
 }
 
@@ -187,7 +200,7 @@ Json study_view(const ShelvedStudy& shelved, StudyRuns& runs) {
                          {"ending", sight.ending}};
     view["has_design"] = study.doe.has_value();
     view["workers"] = study.run.workers;
-    view["run"] = run(shelved, sight, last_run);
+    view["run"] = run_of(shelved, sight, last_run);
     view["trials"] = table.total();
     view["read"] = table.rows().size();
     view["succeeded"] = static_cast<long>(table.rows().size()) - table.failed();
