@@ -6,6 +6,8 @@
 # apt: zlib1g-dev libmatio-dev
 # Packages of co-simulation units (FMI) are ZIP files:
 # apt: libzip-dev
+# The studio's server: Boost.Beast and Asio, headers alone:
+# apt: libboost-dev
 # For runs on the ranks of an MPI job; the program is built without it where it is not there:
 # apt: libopenmpi-dev openmpi-bin
 # Tests and benchmarks compare with these independent programs; the product does not use them:
@@ -24,6 +26,7 @@ find_package(tomlplusplus REQUIRED)
 find_package(SQLiteCpp REQUIRED)
 find_package(Threads REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(Boost 1.74 REQUIRED)
 if(LATSCH_TESTS)
   find_package(GTest REQUIRED)
 endif()

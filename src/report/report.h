@@ -14,6 +14,7 @@
 #include "models/fe_tire/element/mesh.h"
 #include "report/identifiability.h"
 #include "report/line_plot.h"
+#include "report/scene.h"
 
 namespace latsch::report {
 
@@ -226,6 +227,7 @@ struct StudyReport {
   bool is_of_design = false;  // the found point is the best trial of a design, no fit
   std::vector<DiscretizationError> discretization;
   std::optional<TirePictures> pictures;
+  std::optional<Scene> scene;  // of what is no finite-element tire
 };
 
 /// The page, UTF-8. Needs nothing else to be shown; names may hold any characters.

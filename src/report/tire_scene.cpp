@@ -55,9 +55,9 @@ std::vector<std::array<int, 4>> surface_faces(const fe_tire::Mesh& mesh) {
   return faces;
 }
 
-class Scene {
+class PackedSurface {
  public:
-  explicit Scene(const fe_tire::Mesh& mesh) : mesh_(mesh) {
+  explicit PackedSurface(const fe_tire::Mesh& mesh) : mesh_(mesh) {
     std::map<int, int> number;
     for (const auto& face : surface_faces(mesh)) {
       for (int node : face) {
@@ -132,7 +132,7 @@ int shown_modes(const TirePictures& pictures) {
 }
 
 std::string scene_json(const TirePictures& pictures) {
-  const Scene scene(pictures.mesh);
+  const PackedSurface scene(pictures.mesh);
   if (!scene.fits()) return "";
   const Eigen::Matrix3Xd X = scene.points();
   Eigen::Matrix3Xd inflated = Eigen::Matrix3Xd::Zero(3, X.cols()), loaded = inflated;
