@@ -25,7 +25,6 @@
 #include "report/surface_plot.h"
 #include "report/svg_plot.h"
 #include "report/tables.h"
-#include "report/tire_scene.h"
 
 namespace latsch::report {
 namespace {
@@ -412,13 +411,6 @@ TEST(SurfacePlot, DrawsFailedFlatAndSmallGrids) {
   EXPECT_EQ(surface_plot(s).find("nan"), std::string::npos);
   s.target.setConstant(std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(surface_plot(s).find("nan"), std::string::npos);
-}
-
-TEST(TireScene, Base64IsThatOfTheStandard) {  // RFC 4648, section 10
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
 }
 
 TEST(HtmlText, NumbersAreReadable) {
