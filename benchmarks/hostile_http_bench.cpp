@@ -85,24 +85,31 @@ class Attack {
 
   /// Each of these is answered with 4xx.
   void refused(const std::string& what, const std::vector<std::string>& requests) {
-    std::vector<Reply> replies;
-    for (const std::string& request : requests)
-      replies.push_back(reply_to(server_.port(), request));
-    row(what, replies);
+    repeated(what, [&] {
+      std::vector<Reply> replies;
+      for (const std::string& request : requests)
+        replies.push_back(reply_to(server_.port(), request));
+      return replies;
+    });
   }
 
-  /// One row: how many of the replies are 4xx, and with which numbers.
-  void row(const std::string& what, const std::vector<Reply>& replies) {
-    std::map<int, int> count;
-    long refused = 0;
-    for (const Reply& reply : replies) {
-      seen_.add(reply);
-      ++count[reply.status];
-      refused += reply.status >= 400 && reply.status < 500 ? 1 : 0;
-    }
-    std::string text = fmt::format("{} of {}:", refused, replies.size());
+  /// One row: the same again and again for a second; how many of the replies are 4xx, which they
+  /// are.
+  void repeated(const std::string& what, const std::function<std::vector<Reply>()>& attack) {
+    std::map<int, long> count;
+    long all = 0, refused = 0;
+    const auto until = std::chrono::steady_clock::now() + 1s;
+    do {
+      for (const Reply& reply : attack()) {
+        seen_.add(reply);
+        ++all;
+        ++count[reply.status];
+        refused += reply.status >= 400 && reply.status < 500 ? 1 : 0;
+      }
+    } while (std::chrono::steady_clock::now() < until);
+    std::string text = fmt::format("{} of {}:", refused, all);
     for (const auto& [status, number] : count) text += fmt::format(" {}", status);
-    table_.row(what, text, "all 4xx", refused == static_cast<long>(replies.size()));
+    table_.row(what, text, "all 4xx", refused == all);
     ping_note(what);
   }
 
@@ -143,29 +150,37 @@ void endless(const AttackedServer& server, Attack& attack) {
   const std::string piece(1 << 20, 'x');
   const std::string length = fmt::format("Content-Length: {}\r\n", kGigabyte);
   const std::string chunked = "Transfer-Encoding: chunked\r\n";
-  std::vector<Reply> replies;
-  for (const auto& beginning :
-       {server.trusted("POST /api/check", kJson + length),
-        server.request("POST /api/check", kJson + length),
-        server.trusted("GET /api/home", length),
-        server.trusted("POST /api/check", kJson + chunked) + "40000000\r\n",
-        server.trusted("POST /api/check", kJson + "Content-Length: 99999999999999999999\r\n")})
-    replies.push_back(reply_to_endless(server.port(), beginning, kGigabyte, piece));
-  attack.row("a body of 1 GB", replies);
-  replies.clear();
-  for (const auto& [beginning, more] :
-       std::vector<std::pair<std::string, std::string>>{{"GET / HTTP/1.1\r\nX: ", piece},
-                                                        {"GET /", piece},
-                                                        {std::string(), piece},
-                                                        {"GET / HTTP/1.1\r\n", "X: y\r\n"},
-                                                        {"GET / HTTP/1.1\r\nCookie: ", "a=b; "}})
-    replies.push_back(reply_to_endless(server.port(), beginning, kGigabyte, more));
-  attack.row("a head without end", replies);
-  RawClient dripping(server.port());
-  dripping.send("GET / HTTP/1.1\r\nX: ");
-  while (!dripping.read_bytes(1, 100ms) && dripping.send("x") == 1) {
-  }
-  attack.row("a head of ten bytes a second", {dripping.reply(1s)});
+  const std::vector<std::string> bodies = {
+      server.trusted("POST /api/check", kJson + length),
+      server.request("POST /api/check", kJson + length),
+      server.trusted("GET /api/home", length),
+      server.trusted("POST /api/check", kJson + chunked) + "40000000\r\n",
+      server.trusted("POST /api/check", kJson + "Content-Length: 99999999999999999999\r\n")};
+  attack.repeated("a body of 1 GB", [&] {
+    std::vector<Reply> replies;
+    for (const std::string& body : bodies)
+      replies.push_back(reply_to_endless(server.port(), body, kGigabyte, piece));
+    return replies;
+  });
+  const std::vector<std::pair<std::string, std::string>> heads = {
+      {"GET / HTTP/1.1\r\nX: ", piece},
+      {"GET /", piece},
+      {std::string(), piece},
+      {"GET / HTTP/1.1\r\n", "X: y\r\n"},
+      {"GET / HTTP/1.1\r\nCookie: ", "a=b; "}};
+  attack.repeated("a head without end", [&] {
+    std::vector<Reply> replies;
+    for (const auto& [beginning, more] : heads)
+      replies.push_back(reply_to_endless(server.port(), beginning, kGigabyte, more));
+    return replies;
+  });
+  attack.repeated("a head of ten bytes a second", [&]() -> std::vector<Reply> {
+    RawClient dripping(server.port());
+    dripping.send("GET / HTTP/1.1\r\nX: ");
+    while (!dripping.read_bytes(1, 100ms) && dripping.send("x") == 1) {
+    }
+    return {dripping.reply(1s)};
+  });
 }
 
 /// A thousand at once that never end their request, opened anew as fast as the server ends them.
@@ -289,6 +304,10 @@ int attack(const std::vector<std::string>& command) {
   Seen seen;
   Pings pings(server);
   Attack attack(server, pings, table, seen);
+  std::this_thread::sleep_for(1s);
+  const std::vector<double> calm = pings.take();
+  table.note("pings before the attacks",
+             fmt::format("{}, p99 {:.1f} ms", calm.size(), 1e3 * quantile(calm, 0.99)));
   attack.refused("wrong Host", wrong_hosts(server));
   attack.refused("wrong Origin", wrong_origins(server));
   attack.refused("no token or a wrong one", without_token(server));

@@ -230,7 +230,10 @@ struct StudyReport {
   std::optional<Scene> scene;  // of what is no finite-element tire
 };
 
-/// The page, UTF-8. Needs nothing else to be shown; names may hold any characters.
-std::string html(const StudyReport& report);
+struct LivePage;
+
+/// The page, UTF-8. Needs nothing else to be shown; names may hold any characters. With `live`
+/// (live_page.h) it opens as views that answer the pointer, and prints as what it is without them.
+std::string html(const StudyReport& report, const LivePage* live = nullptr);
 
 }  // namespace latsch::report

@@ -12,7 +12,6 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <cstring>
-#include <set>
 #include <thread>
 
 #include "base/error.h"
@@ -28,6 +27,7 @@ namespace {
 using net::ip::tcp;
 
 constexpr std::chrono::milliseconds kSweep{200};  // between two looks for overdue connections
+constexpr std::chrono::milliseconds kGather{20};  // events of a burst go out in one write a client
 constexpr std::size_t kMostPublished = 8 << 20;   // bytes that wait for the thread of the sockets
 constexpr int kAcceptedAtOnce = 32;               // then the others have their turn
 constexpr int kBacklog = 4096;
@@ -114,9 +114,9 @@ class Server::Impl final : public ConnectionOwner {
   tcp::acceptor acceptor_{io_};
   std::uint16_t port_;
   Admission admission_;
-  net::steady_timer sweep_timer_{io_}, alive_timer_{io_}, accept_timer_{io_};
+  net::steady_timer sweep_timer_{io_}, alive_timer_{io_}, accept_timer_{io_}, publish_timer_{io_};
 
-  std::set<std::shared_ptr<Connection>> connections_;
+  std::vector<std::shared_ptr<Connection>> connections_;  // in no order
   std::vector<std::shared_ptr<EventClient>> event_clients_;
   EventOutbox published_{kMostPublished};
   std::stop_source stop_;
@@ -288,7 +288,9 @@ void Server::Impl::forget(const Connection& connection) {
   const auto found = std::find_if(connections_.begin(), connections_.end(), [&](const auto& each) {
     return each.get() == &connection;
   });
-  if (found != connections_.end()) connections_.erase(found);
+  if (found == connections_.end()) return;
+  std::swap(*found, connections_.back());
+  connections_.pop_back();
 }
 
 // Clients that come and go.
@@ -330,7 +332,7 @@ void Server::Impl::accept_client(int fd) {
   if (connections_.size() >= options_.limits.connections && !make_room()) return;
   socket.set_option(tcp::no_delay(true), error);
   const auto connection = std::make_shared<Connection>(std::move(socket), *this, options_.limits);
-  connections_.insert(connection);
+  connections_.push_back(connection);
   connection->read_request();
 }
 
@@ -375,8 +377,13 @@ void Server::Impl::follow(tcp::socket socket, const Target& target) {
 }
 
 void Server::Impl::publish(std::string_view topic, EventText text) {
-  if (published_.put({std::string(topic), std::move(text)}))
-    net::post(io_, [this] { send_published(); });
+  if (!published_.put({std::string(topic), std::move(text)})) return;
+  net::post(io_, [this] {
+    publish_timer_.expires_after(kGather);
+    publish_timer_.async_wait([this](error_code error) {
+      if (!error) send_published();
+    });
+  });
 }
 
 void Server::Impl::send_published() {

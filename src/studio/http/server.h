@@ -42,9 +42,9 @@ struct Asset {
 /// What one client may take. Times are generous for a person's browser and short for what never
 /// ends a request.
 struct ServerLimits {
-  std::size_t body = 1 << 20;    // bytes of a request's body
-  std::size_t head = 16 << 10;   // bytes of its first line and fields
-  std::size_t connections = 96;  // beyond: the slowest makes room for the newest
+  std::size_t body = 1 << 20;     // bytes of a request's body
+  std::size_t head = 16 << 10;    // bytes of its first line and fields
+  std::size_t connections = 384;  // beyond: the slowest makes room for the newest
   std::size_t event_clients = 256;
   std::size_t waiting = 128;                 // requests that wait for a handler's thread
   std::size_t unread_events = 256 << 10;     // bytes a client of events may lag behind

@@ -131,7 +131,7 @@ ShelvedStudy::Changes ShelvedStudy::refresh(long most_trials) {
       changes.of_study = true;
     }
   }
-  const auto holder = journal_holder(study_->run.journal);
+  const auto holder = ignores_runs_ ? std::nullopt : journal_holder(study_->run.journal);
   changes.of_state = holder.has_value() != holder_.has_value();
   if (holder && (!holder_ || holder->words != holder_->words)) {
     run_seen_at_ = steady_clock()();

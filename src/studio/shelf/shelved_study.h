@@ -40,6 +40,8 @@ class ShelvedStudy {
   };
   /// Looks at the files and reads at most so many new trials.
   Changes refresh(long most_trials);
+  /// From now on it counts as run by nobody: for a report at the end of its own run.
+  void ignore_runs() { ignores_runs_ = true; }
   /// Whether refresh() has read less than there is.
   bool has_more() const;
   /// Replays the search on the journal, where nobody has since it last grew: whether it has ended,
@@ -77,7 +79,7 @@ class ShelvedStudy {
   const experiment::Language& language_;
 
   mutable std::mutex mutex_;
-  bool is_read_ = false;
+  bool is_read_ = false, ignores_runs_ = false;
   std::string error_, journal_error_;
   std::map<std::filesystem::path, std::filesystem::file_time_type> read_at_;  // what was read when
   std::filesystem::file_time_type changed_ = std::filesystem::file_time_type::min();
