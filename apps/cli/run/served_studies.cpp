@@ -13,6 +13,7 @@
 #include "numerics/kernels/kernel_set.h"
 #include "studio/http/server.h"
 #include "studio/studio.h"
+#include "web/web_assets.h"
 
 extern char** environ;
 
@@ -32,6 +33,7 @@ ServedStudies::ServedStudies(const ServeOptions& options, const experiment::Lang
   server.listen = options.listen;
   server.port = static_cast<std::uint16_t>(options.port);
   server.threads = 4;
+  server.assets = studio::web_assets();
   server.report = [](std::string_view what) { warn("a request failed: " + std::string(what)); };
   const studio::StudioOptions about{options.root,
                                     std::filesystem::read_symlink("/proc/self/exe"),

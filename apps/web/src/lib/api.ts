@@ -81,6 +81,8 @@ export const api = {
   identifiability: (study: string, signal?: AbortSignal) =>
     ask<Contract.Identifiability>('the identifiability', 'identifiability', { study }, signal),
   model: (study: string, signal?: AbortSignal) => ask<Contract.Model>('the model', 'model', { study }, signal),
+  section: (study: string, trial: string, signal?: AbortSignal) =>
+    ask<Contract.Section | null>('the cross-section', 'section', { study, trial }, signal),
   file: (study: string, signal?: AbortSignal) => ask<Contract.StudyFile>('the study file', 'file', { study }, signal),
   compare: (study: string, other: string, signal?: AbortSignal) =>
     ask<Contract.Compared>('both studies', 'compare', { study, other }, signal),

@@ -3,6 +3,8 @@
 // them, targets and errors are ratios, null is what is not known or not finite.
 
 export type Value = number | null;
+/** A number, or a text with its unit as the report words it: "22.3 N/mm^2", "9.8 .. 10.3 N/mm^2", "at least 4 bar". */
+export type Told = Value | string | readonly Value[];
 export type Scale = 'linear' | 'logarithmic';
 export type StudyState = 'new' | 'running' | 'stopped' | 'ended' | 'reading' | 'broken';
 export type Verb = 'run' | 'resume' | 'doe' | 'identify';
@@ -16,7 +18,8 @@ export interface HomeStudy {
   best: Value;
   variables: number;
   changed: number;
-  error: string | null;
+  reading: boolean;
+  error: string;
 }
 
 export interface Home {
@@ -59,7 +62,9 @@ export interface FailureGroup {
 
 export interface Run {
   workers: number;
-  started: number;
+  is_starting: boolean;
+  exit_code: Value;
+  log_file: string;
   elapsed: Value;
   rate: Value;
   eta: Value;
@@ -73,17 +78,20 @@ export interface Study {
   title: string;
   file: string;
   model: { file: string; kind: string };
-  optimizer: { method: string; reason: string };
+  optimizer: { method: string; reason: string; ending: string };
   state: StudyState;
+  error: string;
+  has_design: boolean;
+  workers: number;
   run: Run | null;
   trials: number;
   succeeded: number;
   failed: number;
   best: { trial: number; target: Value; words: string; violation: Value; values: Value[]; shown: string[] } | null;
-  initial: { target: Value } | null;
+  initial: { trial: number; target: Value } | null;
   variables: Variable[];
   experiments: Experiment[];
-  constraints: unknown[];
+  constraints: string[];
   failures: FailureGroup[];
   warnings: string[];
 }
@@ -104,8 +112,8 @@ export interface TrialRow {
   target: Value;
   violation: Value;
   values: Value[];
-  reason: string | null;
-  cause: string | null;
+  reason: string; // "" of a trial that succeeded
+  cause: string;
   seconds: Value;
 }
 
@@ -125,7 +133,7 @@ export interface TrialExperiment {
 }
 
 export interface Trial extends TrialRow {
-  hint: string | null;
+  hint: string;
   experiments: TrialExperiment[];
 }
 
@@ -147,8 +155,9 @@ export interface Curve {
   simulated: XY;
   initial: XY | null;
   errors: Value[];
-  band: { x: Value[]; lower: Value[]; upper: Value[]; inside: Value } | null;
-  psd: { x: Value[]; measured: Value[]; simulated: Value[] } | null;
+  errors_x?: Value[]; // as x unless given
+  band: { x: Value[]; lower: Value[]; upper: Value[]; inside: Told } | null;
+  psd: { unit: string; measured: XY; simulated: XY } | null;
 }
 
 export interface ModePair {
@@ -208,7 +217,7 @@ export interface Surface {
   x: SurfaceAxis;
   y: SurfaceAxis;
   target: Value[][];
-  held: unknown;
+  held: string;
   found: [Value, Value] | null;
   initial: [Value, Value] | null;
 }
@@ -226,8 +235,8 @@ export interface Minima {
   design: string;
   variables: string[];
   count: number;
-  rows: { target: Value; points: number; values: Value[] }[];
-  doubt: string | null;
+  rows: { target: Value; points: number; values: Told[] }[];
+  doubt: string;
 }
 
 export interface Target {
@@ -260,7 +269,7 @@ export interface Kpis {
     optimized: Value;
     lower: Value;
     upper: Value;
-    interval: unknown;
+    interval: Told;
     flag: string;
   }[];
   target: { initial: Value; optimized: Value };
@@ -274,22 +283,22 @@ export interface Profile {
   rise: Value[];
   found: Value;
   verdict: string;
-  interval: unknown;
+  interval: Told;
 }
 
 export interface Identifiability {
   known: boolean;
   why_not: string | null;
-  variables: { name: string; value: Value; interval: unknown; shift: Value }[];
+  variables: { name: string; value: Told; interval: Told; shift: Told }[];
   deviations: Value[];
-  directions: unknown[];
+  directions: string[];
   correlation: Value[][];
   profiles: Profile[];
-  bands: { experiment: string; fitted: boolean; widest: Value; inside: Value; remarks: string[] | string }[];
-  gains: { measurement: string; shrinkage: Value; helps: string | null }[];
+  bands: { experiment: string; fitted: boolean; widest: Told; inside: Told; remarks: string[] }[];
+  gains: { measurement: string; shrinkage: Value; helps: string }[];
   left_out: { name: string; fitted: Value; predicted: Value }[];
   remarks: string[];
-  missed: unknown[];
+  missed: string[];
   residuals: Value;
   priors: Value;
 }
@@ -299,7 +308,7 @@ export interface ModelNumber {
   value: Value;
   unit: string;
   line: number | null;
-  variable: string | null;
+  variable: string; // "" where it does not vary
 }
 
 export interface Outline {
@@ -311,9 +320,16 @@ export interface Outline {
 export interface Model {
   file: string;
   kind: string;
+  description: string | string[];
   numbers: ModelNumber[];
-  section: { polygons: Outline[]; cords: Outline[] } | null;
   has_scene: boolean;
+}
+
+export interface Section {
+  title: string;
+  unit: string;
+  polygons: Outline[];
+  cords: Outline[];
 }
 
 export interface StudyFile {
@@ -324,7 +340,7 @@ export interface StudyFile {
 export interface CheckMessage {
   text: string;
   line: number | null;
-  hint: string | null;
+  is_wrong: boolean; // else a remark
 }
 
 export interface Check {
@@ -340,8 +356,8 @@ export interface Edit {
 }
 
 export interface Compared {
-  studies: { title: string; best: Value; target: Value }[];
-  variables: { name: string; unit: string; values: Value[]; intervals: unknown[] }[];
+  studies: { study: string; title: string; target: Value }[];
+  variables: { name: string; unit: string; values: Value[]; intervals: Told[] }[];
   experiments: { name: string; errors: Value[] }[];
   convergence: { trial: number[]; best: Value[] }[];
 }
@@ -349,7 +365,9 @@ export interface Compared {
 export interface TrialEvent {
   study: string;
   total: number;
-  rows: { trial: number; target: Value; best: Value }[];
+  best: { trial: number; target: Value } | null;
+  is_many: boolean; // more than one event holds: to be asked for
+  rows: { trial: number; target: Value }[];
 }
 
 export interface RunEvent {

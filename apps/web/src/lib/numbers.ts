@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers, units and times as they are read.
 
-import type { Value } from './contract';
+import type { Told, Value } from './contract';
 
 const kMinus = '−';
 const kNone = '–';
@@ -68,30 +68,19 @@ export function ago(secondsSinceEpoch: number): string {
   return seconds < 5 ? 'just now' : `${duration(seconds)} ago`;
 }
 
-/** An interval in whatever form it is told: [lower, upper], {lower, upper}, half its width. */
-export function interval(told: unknown, units = ''): string {
-  const ends = intervalEnds(told);
-  if (!ends) return typeof told === 'string' && told ? told : kNone;
-  if (ends[0] === null && ends[1] === null) return kNone;
-  return `${number(ends[0])} … ${quantity(ends[1], units)}`;
+/** A number or what the program has worded already. */
+export function told(what: Told | undefined, units = ''): string {
+  if (typeof what === 'string') return what ? unit(what.replace(' .. ', ' … ')) : kNone;
+  if (Array.isArray(what)) return what.every((end) => end === null) ? kNone : `${number(what[0])} … ${quantity(what[1], units)}`;
+  return quantity(what as Value | undefined, units);
 }
 
-export function intervalEnds(told: unknown, middle: Value = null): [Value, Value] | null {
-  if (Array.isArray(told) && told.length === 2) return [told[0] as Value, told[1] as Value];
-  if (typeof told === 'number' && middle !== null) return [middle - told, middle + told];
-  if (told && typeof told === 'object' && 'lower' in told && 'upper' in told) {
-    return [told.lower as Value, told.upper as Value];
-  }
-  return null;
-}
-
-/** Words of whatever is told: a text, a list of them, an object of them. */
-export function words(told: unknown): string {
-  if (told === null || told === undefined) return '';
-  if (typeof told === 'number') return number(told);
-  if (typeof told !== 'object') return String(told);
-  if (Array.isArray(told)) return told.map(words).filter(Boolean).join(', ');
-  return Object.entries(told)
-    .map(([key, value]) => `${key} ${words(value)}`)
-    .join(', ');
+/** Ends of an interval: of [lower, upper], of "9.8 .. 10.3 N/mm^2", of "at least 9.8 N/mm^2"; null where it has none. */
+export function intervalEnds(what: Told): [Value, Value] | null {
+  if (Array.isArray(what)) return [what[0] ?? null, what[1] ?? null];
+  if (typeof what !== 'string') return null;
+  const sides = /^at (least|most) (\S+)/.exec(what);
+  if (sides) return sides[1] === 'least' ? [Number(sides[2]), null] : [null, Number(sides[2])];
+  const both = /^(\S+) \.\. (\S+)/.exec(what);
+  return both ? [Number(both[1]), Number(both[2])] : null;
 }

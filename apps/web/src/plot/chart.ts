@@ -240,7 +240,7 @@ function nearest(marks: readonly Mark[], place: Place, atX: number, atY: number,
   let best: Probed | null = null;
   let least = reach * reach;
   for (const mark of [...marks].reverse()) {
-    if (mark.isQuiet || mark.kind === 'cells' || mark.kind === 'vertical') continue;
+    if (mark.isQuiet || mark.kind === 'cells' || mark.kind === 'vertical' || mark.kind === 'horizontal') continue;
     for (let k = 0; k < mark.x.length; ++k) {
       const dx = place.x(mark.x[k]) - atX;
       if (!(Math.abs(dx) <= reach)) continue;

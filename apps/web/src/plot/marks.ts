@@ -5,7 +5,7 @@
 import type { Value } from '../lib/contract';
 
 export interface Mark {
-  kind: 'line' | 'steps' | 'points' | 'band' | 'cells' | 'edge' | 'vertical' | 'stems';
+  kind: 'line' | 'steps' | 'points' | 'band' | 'cells' | 'edge' | 'vertical' | 'horizontal' | 'stems';
   name: string;
   color: string; // "--found": a color of app.css
   x: readonly Value[];
@@ -171,6 +171,19 @@ const vertical: Draw = (context, mark, place) => {
   context.setLineDash([]);
 };
 
+const horizontal: Draw = (context, mark, place) => {
+  context.lineWidth = place.ratio;
+  context.setLineDash([2 * place.ratio, 3 * place.ratio]);
+  context.beginPath();
+  for (const value of mark.y) {
+    const y = place.y(value);
+    context.moveTo(place.left, y);
+    context.lineTo(place.left + place.width, y);
+  }
+  context.stroke();
+  context.setLineDash([]);
+};
+
 const stems: Draw = (context, mark, place) => {
   const zero = place.y(0);
   const width = Math.max((mark.width ?? 2) * place.ratio, 1);
@@ -181,7 +194,7 @@ const stems: Draw = (context, mark, place) => {
   }
 };
 
-const kDraw: Record<Mark['kind'], Draw> = { line, steps: line, points, band, cells, edge, vertical, stems };
+const kDraw: Record<Mark['kind'], Draw> = { line, steps: line, points, band, cells, edge, vertical, horizontal, stems };
 
 export function drawMark(context: CanvasRenderingContext2D, mark: Mark, place: Place, color: string): void {
   context.strokeStyle = color;

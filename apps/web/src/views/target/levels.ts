@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The values of a surface of the target as colors and heights: on a logarithmic scale where it spans more than a decade.
 
-import type { Surface, Value } from '../../lib/contract';
+import type { Surface, Told, Value } from '../../lib/contract';
 
 export interface Levels {
   least: number;
@@ -26,8 +26,15 @@ export function spansDecade(surface: Surface): boolean {
 }
 
 /** Where a minimum of the design lies on a surface: its values of the two variables. */
-export function placesOf(surface: Surface, variables: readonly string[], rows: readonly { values: Value[] }[]): [Value, Value][] {
+export function placesOf(surface: Surface, variables: readonly string[], rows: readonly { values: Told[] }[]): [Value, Value][] {
   const [i, j] = [variables.indexOf(surface.x.name), variables.indexOf(surface.y.name)];
   if (i < 0 || j < 0) return [];
-  return rows.map((row) => [row.values[i] ?? null, row.values[j] ?? null]);
+  return rows.map((row) => [numberIn(row.values[i]), numberIn(row.values[j])]);
+}
+
+/** 22.3 of 22.3 and of "22.3 N/mm^2". */
+function numberIn(told: Told | undefined): Value {
+  if (typeof told === 'number') return told;
+  const value = typeof told === 'string' ? Number.parseFloat(told) : NaN;
+  return Number.isFinite(value) ? value : null;
 }
