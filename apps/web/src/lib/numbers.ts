@@ -19,7 +19,9 @@ export function number(value: Value | undefined, digits = 4): string {
   const size = Math.abs(value);
   if (size >= 1e6 || size < 1e-4) {
     const [mantissa, exponent] = value.toExponential(Math.max(digits - 2, 1)).split('e');
-    return `${mantissa!.replace(/\.?0+$/, '').replace('-', kMinus)}·10${raised(String(Number(exponent)))}`;
+    const power = `10${raised(String(Number(exponent)))}`;
+    const short = mantissa!.replace(/\.?0+$/, '').replace('-', kMinus);
+    return short === '1' ? power : `${short}·${power}`;
   }
   const places = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
   const text = value.toFixed(Math.min(places, 12));
@@ -83,4 +85,10 @@ export function intervalEnds(what: Told): [Value, Value] | null {
   if (sides) return sides[1] === 'least' ? [Number(sides[2]), null] : [null, Number(sides[2])];
   const both = /^(\S+) \.\. (\S+)/.exec(what);
   return both ? [Number(both[1]), Number(both[2])] : null;
+}
+
+/** The end of a long path, which tells one file from another. */
+export function shortPath(path: string): string {
+  const parts = path.split('/');
+  return parts.length > 3 ? `…/${parts.slice(-2).join('/')}` : path;
 }

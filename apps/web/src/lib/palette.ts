@@ -21,9 +21,10 @@ export function css([r, g, b]: Rgb): string {
   return `rgb(${r} ${g} ${b})`;
 }
 
-/** Black or white, whichever is read better on this color. */
-export function inkOn([r, g, b]: Rgb): string {
-  return 0.299 * r + 0.587 * g + 0.114 * b > 140 ? '#101418' : '#ffffff';
+/** Black or white, whichever has the higher contrast on this color (WCAG 2.1, relative luminance). */
+export function inkOn(color: Rgb): string {
+  const [r, g, b] = color.map((byte) => (byte <= 10 ? byte / 3294 : ((byte / 255 + 0.055) / 1.055) ** 2.4)) as Rgb;
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.179 ? '#000000' : '#ffffff';
 }
 
 /** From -1 (blue) through the paper to 1 (vermilion), for correlations; `paper` is the color between. */

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wider than its place scrolls, by keys too: then it can be focused.
+// What is larger than its place scrolls, by keys too: then it can be focused.
 
 export function scrollable(node: HTMLElement): { destroy: () => void } {
   const look = () => {
-    if (node.scrollWidth > node.clientWidth) node.tabIndex = 0;
+    if (node.scrollWidth > node.clientWidth || node.scrollHeight > node.clientHeight + 1) node.tabIndex = 0;
     else node.removeAttribute('tabindex');
   };
   const observer = new ResizeObserver(look);

@@ -150,7 +150,7 @@ export class Chart {
       size: isUpright ? 58 : 27,
       gap: 5,
       ...(isUpright && this.#options.height < 160 ? { space: 16 } : {}),
-      ...(axis.isLog ? { splits: (_: uPlot, __: number, least: number, greatest: number) => logTicks(least, greatest) } : {}),
+      ...(axis.isLog ? { splits: (plot: uPlot, _: number, least: number, greatest: number) => logTicks(least, greatest, room(plot, isUpright)) } : {}),
       stroke: () => color('--soft'),
       font: '12px system-ui, "DejaVu Sans", sans-serif',
       labelFont: '12px system-ui, "DejaVu Sans", sans-serif',
@@ -229,6 +229,12 @@ export class Chart {
     const value = this.#plot.posToVal(position, key);
     return this.#options[key].isLog ? 10 ** value : value;
   }
+}
+
+/** How many ticks there is room for. */
+function room(plot: uPlot, isUpright: boolean): number {
+  const [length, each] = isUpright ? [plot.bbox.height, 26] : [plot.bbox.width, 52];
+  return Math.max(Math.floor(length / devicePixelRatio / each), 3);
 }
 
 function inScale([least, greatest]: Range, isLog: boolean | undefined): { min: number; max: number } {

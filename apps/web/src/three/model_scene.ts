@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mesh on the stage: its parts in colors of their own or all in those of a field, displaced, swinging in a mode.
+// A mesh on the stage: its parts in colors of their own or all in those of a field, displaced, swinging in a mode. What
+// has edges alone, a suspension, is drawn as rods.
 
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, type Object3D, PlaneGeometry, SRGBColorSpace } from 'three';
+import { BufferAttribute, BufferGeometry, Color, CylinderGeometry, DoubleSide, DynamicDrawUsage, LineBasicMaterial, InstancedMesh, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, type Object3D, PlaneGeometry, Quaternion, SRGBColorSpace, Vector3 } from 'three';
 
 import { viridis } from '../lib/palette';
 import { extentOf, fieldRange, type SceneData, type SceneFrame, type SceneMesh } from './scene_data';
@@ -26,6 +27,8 @@ export class ModelScene {
   readonly frame: SceneFrame;
   readonly source: SceneMesh;
   #positions: BufferAttribute;
+  #rods: InstancedMesh | null = null;
+  #thickness: number;
   #shown: Shown;
 
   constructor(data: SceneData, shown: Shown, ink: string) {
@@ -37,7 +40,9 @@ export class ModelScene {
     this.range = this.frame.field && shown.hasField ? fieldRange(this.frame.field.values) : null;
     this.mesh = this.#solid();
     this.objects.push(this.mesh);
-    if (shown.hasEdges && this.source.edges.length) this.objects.push(this.#edges(ink));
+    this.#thickness = 0.007 * extentOf(this.source.points).radius;
+    if (!this.source.triangles.length) this.objects.push(this.#makeRods());
+    else if (shown.hasEdges && this.source.edges.length) this.objects.push(this.#edges(ink));
     if (this.frame.ground !== null) this.objects.push(this.#ground(ink));
     this.place(0);
   }
@@ -55,6 +60,7 @@ export class ModelScene {
     }
     this.#positions.needsUpdate = true;
     this.mesh.geometry.boundingSphere = null;
+    if (this.#rods) this.#placeRods(this.#rods);
   }
 
   partOf(triangle: number): string {
@@ -85,6 +91,41 @@ export class ModelScene {
       color.setRGB(r / 255, g / 255, b / 255, SRGBColorSpace).toArray(colors, 3 * k);
     }
     return new BufferAttribute(colors, 3);
+  }
+
+  /** What the probe looks for: the solid, or the rods. */
+  get body(): Mesh {
+    return this.#rods ?? this.mesh;
+  }
+
+  /** The nearer end of a rod to a point in space. */
+  endOf(rod: number, at: Vector3): number {
+    const [a, b] = [this.source.edges[2 * rod]!, this.source.edges[2 * rod + 1]!];
+    const distance = (k: number) => at.distanceToSquared(new Vector3().fromBufferAttribute(this.#positions, k));
+    return distance(a) < distance(b) ? a : b;
+  }
+
+  #makeRods(): InstancedMesh {
+    const count = this.source.edges.length / 2;
+    this.#rods = new InstancedMesh(new CylinderGeometry(1, 1, 1, 8), new MeshLambertMaterial({ color: partColor(0) }), count);
+    this.#rods.frustumCulled = false;
+    return this.#rods;
+  }
+
+  #placeRods(rods: InstancedMesh): void {
+    const [a, b, along, turn] = [new Vector3(), new Vector3(), new Vector3(), new Quaternion()];
+    const up = new Vector3(0, 1, 0);
+    for (let k = 0; k < rods.count; ++k) {
+      a.fromBufferAttribute(this.#positions, this.source.edges[2 * k]!);
+      b.fromBufferAttribute(this.#positions, this.source.edges[2 * k + 1]!);
+      along.subVectors(b, a);
+      const length = Math.max(along.length(), 1e-6);
+      turn.setFromUnitVectors(up, along.divideScalar(length));
+      a.add(b).multiplyScalar(0.5);
+      rods.setMatrixAt(k, new Matrix4().compose(a, turn, new Vector3(this.#thickness, length, this.#thickness)));
+    }
+    rods.instanceMatrix.needsUpdate = true;
+    rods.boundingSphere = null;
   }
 
   #edges(ink: string): LineSegments {

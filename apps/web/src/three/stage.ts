@@ -16,6 +16,7 @@ export interface Hit {
   point: Vector3;
   corners: [number, number, number]; // indices of the triangle's points
   nearest: number;
+  instance: number | undefined; // of instanced ones
 }
 
 export class Stage {
@@ -90,7 +91,7 @@ export class Stage {
     const local = object.worldToLocal(found.point.clone());
     const distance = (k: number) => new Vector3().fromBufferAttribute(places, k).distanceToSquared(local);
     const nearest = corners.reduce((best, k) => (distance(k) < distance(best) ? k : best));
-    return { point: found.point, corners, nearest };
+    return { point: found.point, corners, nearest, instance: found.instanceId };
   }
 
   clear(objects: readonly Object3D[]): void {
