@@ -26,7 +26,6 @@ Rank rank_of(const PartedTarget::Weighting& weighting, const TargetParts& parts)
 
 TrialTable::TrialTable(const correlation::Study& study)
     : space_(study.space),
-      journal_(study.run.journal),
       target_(study),
       own_weights_(target_.weighting(target_.weights())),
       follower_(study.run.journal) {}
@@ -93,12 +92,16 @@ std::optional<std::size_t> TrialTable::best(const PartedTarget::Weighting& weigh
   return best;
 }
 
-Result<Channels> TrialTable::channels(std::size_t row) const {
-  if (row == kept_best_) return kept_best_channels_;
-  if (row == initial_) return initial_channels_;
+const Channels* TrialTable::kept_channels(std::size_t row) const {
+  if (row == kept_best_) return &kept_best_channels_;
+  if (row == initial_) return &initial_channels_;
+  return nullptr;
+}
+
+Result<Channels> read_channels(const std::filesystem::path& journal, std::size_t row) {
   Result<Channels> found = Failure{"trial " + std::to_string(row + 1) + " is not in the journal"};
   std::size_t place = 0;
-  JournalFollower(journal_).read(static_cast<long>(row) + 1, [&](const Trial& trial) {
+  JournalFollower(journal).read(static_cast<long>(row) + 1, [&](const Trial& trial) {
     if (place++ == row) found = trial.outcome.result;
   });
   return found;

@@ -58,14 +58,13 @@ class TrialTable {
   /// Where the initial point was tried.
   std::optional<std::size_t> initial() const { return initial_; }
 
-  /// Of a row that succeeded; reads the journal unless it is the best or the initial one.
-  Result<Channels> channels(std::size_t row) const;
+  /// Of the best and of the initial row; nullptr: read_channels() has them.
+  const Channels* kept_channels(std::size_t row) const;
 
  private:
   void take(const Trial& trial);
 
   DesignSpace space_;
-  std::filesystem::path journal_;
   correlation::PartedTarget target_;
   correlation::PartedTarget::Weighting own_weights_;
   JournalFollower follower_;
@@ -80,6 +79,9 @@ class TrialTable {
   std::optional<std::size_t> kept_best_, initial_;
   Channels kept_best_channels_, initial_channels_;
 };
+
+/// Of any row that succeeded, from its journal: as long as it takes to read all rows before it.
+Result<Channels> read_channels(const std::filesystem::path& journal, std::size_t row);
 
 /// Whether a trial is better than another one.
 struct Rank {

@@ -53,7 +53,8 @@ Result<Channels> with_predicted(const std::shared_ptr<const Study>& study,
 }  // namespace
 
 RecordedTrial recorded_trial(const ShelvedStudy& shelved, const std::string& trial) {
-  return shelved.look([&](const ShelvedStudy::Sight& sight) {
+  bool is_kept = false;
+  RecordedTrial recorded = shelved.look([&](const ShelvedStudy::Sight& sight) {
     if (!sight.study) throw InputError(shelved.id() + " cannot be read: " + sight.error);
     const TrialTable& table = *sight.table;
     const std::size_t place = place_of(sight, trial);
@@ -61,18 +62,24 @@ RecordedTrial recorded_trial(const ShelvedStudy& shelved, const std::string& tri
     if (!row.parts)
       throw InputError("trial " + std::to_string(place + 1) +
                        " failed: " + table.reasons()[static_cast<std::size_t>(row.reason)]);
-    RecordedTrial recorded{sight.study, static_cast<long>(place + 1), row.point, {}, {}, {}};
-    auto channels = table.channels(place);
-    if (!channels) throw InputError(channels.failure().reason);
-    recorded.channels = std::move(*channels);
-    if (const auto initial = table.initial(); initial && *initial != place) {
-      if (auto at_start = table.channels(*initial)) {
-        recorded.initial_trial = static_cast<long>(*initial + 1);
-        recorded.initial = std::move(*at_start);
-      }
+    RecordedTrial found{sight.study, static_cast<long>(place + 1), row.point, {}, {}, {}};
+    if (const Channels* kept = table.kept_channels(place)) {
+      is_kept = true;
+      found.channels = *kept;
     }
-    return recorded;
+    if (const auto initial = table.initial(); initial && *initial != place) {
+      found.initial_trial = static_cast<long>(*initial + 1);
+      found.initial = *table.kept_channels(*initial);
+    }
+    return found;
   });
+  if (is_kept) return recorded;
+  // Nobody who follows the journal has to wait for it.
+  auto channels =
+      read_channels(recorded.study->run.journal, static_cast<std::size_t>(recorded.trial - 1));
+  if (!channels) throw InputError(channels.failure().reason);
+  recorded.channels = std::move(*channels);
+  return recorded;
 }
 
 Drawn draw(const RecordedTrial& recorded) {
