@@ -16,6 +16,12 @@
 # apt: libsimbody-dev
 # ./bench.sh slurm starts a Slurm of one node with these (7 MB; no daemon of theirs has to run):
 # apt: slurmctld slurmd slurm-client munge
+# The page of the studio is built by npm (apps/web); installed where the commands are missing: another Node than Debian's has
+# packages that exclude Debian's npm. Latsch is built without the page where there is none.
+# apt-command: node nodejs
+# apt-command: npm npm
+# Its tests run in this browser:
+# apt: chromium
 # A file system in user space for the test of a journal on one:
 # apt: bindfs
 find_package(fmt REQUIRED)

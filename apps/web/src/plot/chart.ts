@@ -149,7 +149,7 @@ export class Chart {
       label: axis.title,
       labelSize: 20,
       labelGap: 0,
-      size: isUpright ? 58 : 27,
+      size: isUpright ? (_, values) => Math.max(58, 14 + 7.4 * Math.max(...(values ?? []).map((value) => value.length))) : 27,
       gap: 5,
       ...(isUpright && this.#options.height < 160 ? { space: 16 } : {}),
       ...(axis.isWhole ? { incrs: kWhole } : {}),

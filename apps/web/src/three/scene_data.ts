@@ -85,8 +85,8 @@ export function fieldRange(values: Float32Array): [number, number] {
   return Number.isFinite(least) ? [least, greatest] : [0, 1];
 }
 
-/** Half the diagonal of what the points span, and its middle. */
-export function extentOf(points: Float32Array): { center: [number, number, number]; radius: number } {
+/** What the points span along each axis, half its diagonal, and its middle. */
+export function extentOf(points: Float32Array): { center: [number, number, number]; radius: number; sizes: number[] } {
   const least = [Infinity, Infinity, Infinity];
   const greatest = [-Infinity, -Infinity, -Infinity];
   for (let k = 0; k < points.length; ++k) {
@@ -95,6 +95,6 @@ export function extentOf(points: Float32Array): { center: [number, number, numbe
     if (points[k]! > greatest[axis]!) greatest[axis] = points[k]!;
   }
   const center = least.map((low, axis) => (low + greatest[axis]!) / 2) as [number, number, number];
-  const radius = Math.hypot(...least.map((low, axis) => (greatest[axis]! - low) / 2));
-  return { center, radius: radius || 1 };
+  const sizes = least.map((low, axis) => greatest[axis]! - low);
+  return { center, radius: Math.hypot(...sizes) / 2 || 1, sizes };
 }
