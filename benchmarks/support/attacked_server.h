@@ -17,8 +17,8 @@ namespace latsch::benchmarks {
 
 class AttackedServer {
  public:
-  /// Starts the program and waits until it prints http://HOST:PORT/?token=TOKEN. It may have as many
-  /// files open as a login may by default, 1,024. Throws std::runtime_error.
+  /// Starts the program and waits until it prints http://HOST:PORT/?token=TOKEN. It may have as
+  /// many files open as a login may by default, 1,024. Throws std::runtime_error.
   explicit AttackedServer(const std::vector<std::string>& command);
   ~AttackedServer();
   AttackedServer(const AttackedServer&) = delete;
