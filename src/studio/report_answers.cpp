@@ -8,8 +8,8 @@
 #include <functional>
 #include <stdexcept>
 
-#include "base/base64.h"
 #include "base/error.h"
+#include "studio/base64.h"
 #include "studio/shelf/study_file.h"
 #include "studio/views/scene_buffer.h"
 #include "studio/views/views.h"
