@@ -20,7 +20,7 @@ namespace {
 constexpr long kConvergencePoints = 3000;
 constexpr long kRows = 100;
 
-/// Positions and fields of a scene to 1/64 of their unit: nobody sees more, and equal bits compress.
+/// Positions of a scene to 1/64 of their unit: nobody sees more, and equal bits compress.
 std::string rounded(std::string scene) {
   constexpr float kSteps = 64.0F;
   std::uint32_t head = 0;
