@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of three.js what the page draws: meshes and lines with MeshLambertMaterial, MeshBasicMaterial and LineBasicMaterial. Its renderer
-// imports the shaders of every material, virtual reality and maps of an environment; a bundler cannot know that they are
-// never reached. Here shaders that the three materials do not include become empty texts, those modules empty classes,
+// imports the shaders of every material, virtual reality, textures and maps of an environment; a bundler cannot know that
+// they are never reached. Here shaders that the three materials do not include become empty texts, those modules empty classes,
 // and the other shaders lose comments and blanks: a fifth of its size. A material beyond the three needs a word in
 // kMaterials; without it its program does not compile, which the browser's console says.
 
@@ -24,6 +24,8 @@ const kEmpty = {
     }`,
   'renderers/webgl/WebGLCubeUVMaps.js': 'export function WebGLCubeUVMaps() { this.get = (texture) => texture; this.dispose = () => {}; }',
   'renderers/webgl/WebGLCubeMaps.js': 'export function WebGLCubeMaps() { this.get = (texture) => texture; this.dispose = () => {}; }',
+  'renderers/webgl/WebGLTextures.js': 'export function WebGLTextures() { this.resetTextureUnits = () => {}; }',
+  'renderers/webgl/WebGLMorphtargets.js': 'export function WebGLMorphtargets() { this.update = () => {}; }',
   'renderers/webgl/WebGLShadowMap.js': 'export function WebGLShadowMap() { this.enabled = false; this.render = () => {}; }',
   'renderers/webgl/WebGLBackground.js': `
     import { Color } from '../../math/Color.js';

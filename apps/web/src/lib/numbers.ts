@@ -42,6 +42,7 @@ export function count(value: number): string {
 
 /** N/mm^2 as N/mm², N m as N m. */
 export function unit(text: string): string {
+  if (text === '1') return '';
   return text.replace(/\^(-?\d+)/g, (_, exponent: string) => raised(exponent)).replaceAll('*', '·');
 }
 

@@ -7,9 +7,11 @@ import { live } from './live.svelte';
 import { Resource } from './resource.svelte';
 
 const kPause = 1000; // ms between two readings
+const kPatience = 4000; // ms until a run that says nothing is asked for its last lines
 
 export class OpenStudy {
   answer = new Resource<Study>('the study');
+  readAt = $state(Date.now());
   #timer: ReturnType<typeof setTimeout> | undefined;
   #last = 0;
 
@@ -21,7 +23,9 @@ export class OpenStudy {
 
   read(): Promise<void> {
     this.#last = Date.now();
-    return this.answer.load((signal) => api.study(this.name, signal));
+    return this.answer.load((signal) => api.study(this.name, signal)).then(() => {
+      this.readAt = Date.now();
+    });
   }
 
   /** Follows events until the returned function is called. */
@@ -35,9 +39,14 @@ export class OpenStudy {
         void this.read();
       }, Math.max(0, this.#last + kPause - Date.now()));
     };
+    const patience = setInterval(() => {
+      const state = this.study?.state;
+      if ((state === 'running' || state === 'reading') && Date.now() - this.#last > kPatience) void this.read();
+    }, kPatience);
     const ends = [live.on('trials', soon), live.on('run', soon), live.on('home', soon), live.on('again', soon)];
     return () => {
       clearTimeout(this.#timer);
+      clearInterval(patience);
       for (const end of ends) end();
     };
   }

@@ -17,6 +17,7 @@ export interface Axis {
   isLog?: boolean;
   withZero?: boolean;
   range?: Range;
+  isWhole?: boolean; // numbers of things: no ticks between
   ticks?: (value: number) => string;
 }
 
@@ -39,6 +40,7 @@ export interface ChartOptions {
   onzoom: (zoom: Zoom | null) => void;
 }
 
+const kWhole = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6];
 const kReach = 30; // CSS pixels from the cursor to a point that is probed
 
 export class Chart {
@@ -150,6 +152,7 @@ export class Chart {
       size: isUpright ? 58 : 27,
       gap: 5,
       ...(isUpright && this.#options.height < 160 ? { space: 16 } : {}),
+      ...(axis.isWhole ? { incrs: kWhole } : {}),
       ...(axis.isLog ? { splits: (plot: uPlot, _: number, least: number, greatest: number) => logTicks(least, greatest, room(plot, isUpright)) } : {}),
       stroke: () => color('--soft'),
       font: '12px system-ui, "DejaVu Sans", sans-serif',

@@ -5,12 +5,8 @@
 import { BufferAttribute, BufferGeometry, Color, CylinderGeometry, DoubleSide, DynamicDrawUsage, LineBasicMaterial, InstancedMesh, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, type Object3D, PlaneGeometry, Quaternion, SRGBColorSpace, Vector3 } from 'three';
 
 import { viridis } from '../lib/palette';
+import { partColor } from '../lib/part_colors';
 import { extentOf, fieldRange, type SceneData, type SceneFrame, type SceneMesh } from './scene_data';
-
-/** Muted colors of Okabe and Ito for parts, as the report has them. */
-export const kPartColors = ['#8fb3d1', '#e2b48f', '#93c9b4', '#dbb3cb', '#ecd49b', '#b5dcf0', '#bdbdbd'];
-
-export const partColor = (k: number) => kPartColors[k % kPartColors.length]!;
 
 export interface Shown {
   frame: number;
@@ -73,7 +69,7 @@ export class ModelScene {
     geometry.setIndex(new BufferAttribute(this.source.triangles, 1));
     const side = { side: DoubleSide, flatShading: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
     if (this.range) geometry.setAttribute('color', this.#colors(this.range));
-    const materials = this.source.parts.map((_, k) => new MeshLambertMaterial(this.range ? { ...side, vertexColors: true } : { ...side, color: partColor(k) }));
+    const materials = this.source.parts.map(({ name }) => new MeshLambertMaterial(this.range ? { ...side, vertexColors: true } : { ...side, color: partColor(name) }));
     this.source.parts.forEach((part, k) => {
       if (!this.#shown.hidden.has(part.name)) geometry.addGroup(3 * part.first, 3 * part.count, k);
     });
@@ -107,7 +103,7 @@ export class ModelScene {
 
   #makeRods(): InstancedMesh {
     const count = this.source.edges.length / 2;
-    this.#rods = new InstancedMesh(new CylinderGeometry(1, 1, 1, 8), new MeshLambertMaterial({ color: partColor(0) }), count);
+    this.#rods = new InstancedMesh(new CylinderGeometry(1, 1, 1, 8), new MeshLambertMaterial({ color: partColor(this.source.name) }), count);
     this.#rods.frustumCulled = false;
     return this.#rods;
   }
