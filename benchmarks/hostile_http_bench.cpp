@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The studio's server under attack: 4xx, little memory, soon answered pings, nothing else readable
 //
-//   ./bench.sh hostile_http [PROGRAM ARGUMENT...]
+//   ./bench.sh hostile_http [--alone]
 //
-// The server runs in a process of its own. Without arguments that is this program with the server
-// of src/studio/http and a handler of a few lines that publishes a hundred events a second. With
-// them it is PROGRAM, to which the folder with a study is given as the last argument and which has
-// to print its address:
-//
-//   ./bench.sh hostile_http build/release/bin/latsch serve
+// `latsch serve` runs in a process of its own, over a folder with a study and beside files that are
+// none of its business. With --alone it is the server of src/studio/http by itself, with a handler
+// of a few lines, which publishes a hundred events a second.
 //
 // All the time a person's page asks for /api/ping a hundred times a second, on a connection that is
 // kept and on new ones. Memory is the peak of the server's process over that after a few dozen
@@ -21,6 +18,7 @@
 #include <cstring>
 #include <functional>
 #include <iostream>
+#include <map>
 
 #include "attacked_server.h"
 #include "base/file.h"
@@ -48,8 +46,9 @@ constexpr int kSlow = 1000, kEventClients = 200, kSpoiled = 20000;
 constexpr std::uint64_t kSeed = 20260;
 const std::string kSecret = "nobody may read this";
 
-/// Until somebody sends SIGTERM.
+/// Until somebody sends SIGTERM or the benchmark is gone.
 int serve() {
+  const pid_t benchmark = ::getppid();
   sigset_t end;
   ::sigemptyset(&end);
   ::sigaddset(&end, SIGTERM);
@@ -60,9 +59,11 @@ int serve() {
   });
   std::cout << server.address() << std::endl;
   const timespec pause{0, 10'000'000};
-  for (long i = 0; ::sigtimedwait(&end, nullptr, &pause) != SIGTERM; ++i)
-    server.publish(
-        "", "trials", fmt::format(R"({{"total": {}, "x": "{}"}})", i, std::string(500, 'x')));
+  const std::string filling(500, 'x');
+  for (long i = 0; ::sigtimedwait(&end, nullptr, &pause) != SIGTERM; ++i) {
+    if (::getppid() != benchmark) break;
+    server.publish("", "trials", fmt::format(R"({{"total": {}, "x": "{}"}})", i, filling));
+  }
   return 0;
 }
 
@@ -289,16 +290,19 @@ void usual_requests(const AttackedServer& server) {
   }
 }
 
-int attack(const std::vector<std::string>& command) {
+std::vector<std::string> latsch_serve(const std::filesystem::path& folder) {
+  const auto latsch = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "latsch";
+  return {latsch.string(), "serve", "--no-browser", folder.string()};
+}
+
+int attack(bool is_alone) {
   const ScratchFolder scratch;
   std::filesystem::create_directory(scratch / "studies");
   write_small_study(scratch / "studies", 0.0);
   write_text_file(scratch / "secret.toml", "title = \"" + kSecret + "\"\n");
-  std::vector<std::string> with_folder = command;
-  with_folder.push_back((scratch / "studies").string());
-  AttackedServer server(with_folder);
-
-  Table table("hostile_http");
+  AttackedServer server(is_alone ? std::vector<std::string>{"/proc/self/exe", "--serve"}
+                                 : latsch_serve(scratch / "studies"));
+  Table table(is_alone ? "hostile_http, the server alone" : "hostile_http, latsch serve");
   usual_requests(server);
   const double before = server.peak_memory();
   Seen seen;
@@ -353,7 +357,6 @@ int main(int argc, char** argv) {
   ::getrlimit(RLIMIT_NOFILE, &files);
   files.rlim_cur = files.rlim_max;  // a thousand sockets of ours
   ::setrlimit(RLIMIT_NOFILE, &files);
-  std::vector<std::string> command(argv + 1, argv + argc);
-  if (command.empty()) command = {"/proc/self/exe", "--serve"};
-  return guarded([&] { return attack(command); });
+  const bool is_alone = argc > 1 && std::strcmp(argv[1], "--alone") == 0;
+  return guarded([&] { return attack(is_alone); });
 }

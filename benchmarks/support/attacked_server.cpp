@@ -56,7 +56,10 @@ AttackedServer::AttackedServer(const std::vector<std::string>& command) {
   while (!std::regex_search(printed, found, address)) {
     char bytes[512];
     const ssize_t count = ::read(output_, bytes, sizeof bytes);
-    if (count <= 0) throw std::runtime_error("the server printed no address, but: " + printed);
+    if (count <= 0) {
+      terminate();
+      throw std::runtime_error("the server printed no address, but: " + printed);
+    }
     printed.append(bytes, static_cast<std::size_t>(count));
   }
   port_ = static_cast<std::uint16_t>(std::stoi(found[1]));

@@ -17,8 +17,8 @@ namespace latsch::benchmarks {
 
 class AttackedServer {
  public:
-  /// Starts the program and waits for the line of its output that has http://HOST:PORT/?token=TOKEN.
-  /// It has as many files as a login has by default, 1,024. Throws std::runtime_error.
+  /// Starts the program and waits until it prints http://HOST:PORT/?token=TOKEN. It may have as
+  /// many files open as a login may by default, 1,024. Throws std::runtime_error.
   explicit AttackedServer(const std::vector<std::string>& command);
   ~AttackedServer();
   AttackedServer(const AttackedServer&) = delete;
@@ -48,7 +48,7 @@ class AttackedServer {
   std::string token_;
 };
 
-/// Asks for /api/ping a hundred times a second, in turns on a new connection and on one that is kept.
+/// Asks for /api/ping a hundred times a second, in turns on a new connection and on a kept one.
 class Pings {
  public:
   explicit Pings(const AttackedServer& server);

@@ -279,7 +279,7 @@ std::vector<Chapter> chapters(const StudyReport& report) {
   return all;
 }
 
-std::string header(const StudyReport& report, const std::vector<Chapter>& all) {
+std::string header(const StudyReport& report, const std::vector<Chapter>& all, bool is_live) {
   std::string line;
   for (const std::string& part : {report.tire, report.study_file, report.date}) {
     if (!part.empty()) line += (line.empty() ? "" : " · ") + escape(part);
@@ -287,6 +287,7 @@ std::string header(const StudyReport& report, const std::vector<Chapter>& all) {
   std::string html = fmt::format("<header><h1>{}</h1><p>{}</p><nav>", escape(report.title), line);
   for (const Chapter& chapter : all)
     html += fmt::format("<a href=\"#{}\">{}</a>", chapter.id, chapter.title);
+  if (is_live) html += "<a href=\"#/study\">Views that answer</a>";
   html += "</nav></header>\n" + key_numbers(report);
   for (const std::string& remark : report.remarks) html += fmt::format("<p>{}</p>", escape(remark));
   return html;
@@ -297,7 +298,7 @@ std::string header(const StudyReport& report, const std::vector<Chapter>& all) {
 std::string html(const StudyReport& report, const LivePage* live) {
   const std::vector<Chapter> all = chapters(report);
   std::string page = live ? live_page_begin(report.title, *live) : page_begin(report.title);
-  page += header(report, all);
+  page += header(report, all, live != nullptr);
   for (const Chapter& chapter : all) {
     page += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}\n</section>\n",
                         chapter.id,

@@ -8,9 +8,10 @@
 #include <functional>
 #include <stdexcept>
 
-#include "base/base64.h"
 #include "base/error.h"
+#include "studio/base64.h"
 #include "studio/shelf/study_file.h"
+#include "studio/views/scene_buffer.h"
 #include "studio/views/views.h"
 
 namespace latsch::studio {
@@ -19,7 +20,7 @@ namespace {
 constexpr long kConvergencePoints = 3000;
 constexpr long kRows = 100;
 
-/// Positions and fields of a scene to 1/64 of their unit: nobody sees more, and equal bits compress.
+/// Positions of a scene to 1/64 of their unit: nobody sees more, and equal bits compress.
 std::string rounded(std::string scene) {
   constexpr float kSteps = 64.0F;
   std::uint32_t head = 0;
@@ -64,7 +65,8 @@ std::string gzip(const std::string& bytes) {
 }  // namespace
 
 std::string report_answers(const std::filesystem::path& file,
-                           const experiment::Language& language) {
+                           const experiment::Language& language,
+                           const report::StudyReport& drawn) {
   ShelvedStudy study(file.filename().string(), std::filesystem::absolute(file), language);
   study.ignore_runs();
   constexpr long kAll = 1'000'000'000;
@@ -87,13 +89,17 @@ std::string report_answers(const std::filesystem::path& file,
   hold("kpis", [&] { return kpi_view(study, ""); });
   hold("identifiability", [&] { return identifiability_view(study); });
   hold("model", [&] { return model_view(study); });
-  hold("section", [&] { return section_view(study, "best"); });
   hold("file", [&] {
     const StudyText text = read_study_text(file);
     return Json{{"text", text.text}, {"version", text.version}};
   });
+  const std::string title = "best trial";
+  if (drawn.pictures) answers["section"] = section_of(*drawn.pictures, title);
   hold("scene", [&] {
-    return Json{{"gzip_base64", base64(gzip(rounded(scene_view(study, "best"))))}};
+    const std::string scene = drawn.pictures
+                                  ? scene_buffer(report::scene_of(*drawn.pictures), title)
+                                  : scene_view(study, "best");
+    return Json{{"gzip_base64", base64(gzip(rounded(scene)))}};
   });
   return answers.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

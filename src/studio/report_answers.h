@@ -7,10 +7,13 @@
 #include <string>
 
 #include "experiment/language.h"
+#include "report/report.h"
 
 namespace latsch::studio {
 
+/// `drawn`: the report's own pictures, which are not computed again.
 std::string report_answers(const std::filesystem::path& study,
-                           const experiment::Language& language);
+                           const experiment::Language& language,
+                           const report::StudyReport& drawn);
 
 }  // namespace latsch::studio

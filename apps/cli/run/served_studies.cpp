@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <mutex>
 #include <utility>
 
 #include "cli/console/console.h"
@@ -19,10 +20,11 @@ extern char** environ;
 
 namespace latsch::cli {
 
-/// Studio and server know each other: what is published before the server is there has no listener.
+/// Studio and server know each other: what is published while there is no server has no listener.
 struct ServedStudies::Parts {
   std::unique_ptr<studio::Studio> studio;
-  std::atomic<studio::Server*> published_to = nullptr;
+  std::mutex publishing;  // of what follows; it never takes long
+  studio::Server* published_to = nullptr;
   std::unique_ptr<studio::Server> server;
 };
 
@@ -41,18 +43,23 @@ ServedStudies::ServedStudies(const ServeOptions& options, const experiment::Lang
                                     !server.assets.empty()};
   parts.studio = std::make_unique<studio::Studio>(
       about, language, [&parts](auto topic, auto event, auto json) {
-        if (studio::Server* to = parts.published_to) to->publish(topic, event, json);
+        const std::lock_guard lock(parts.publishing);
+        if (parts.published_to) parts.published_to->publish(topic, event, json);
       });
   parts.server = std::make_unique<studio::Server>(
       std::move(server),
       [&parts](const studio::Request& request) { return parts.studio->answer(request); });
+  const std::lock_guard lock(parts.publishing);
   parts.published_to = parts.server.get();
 }
 
 ServedStudies::~ServedStudies() {
-  // The server's handlers ask the studio, the studio's threads tell the server: first nobody is told
-  // any more, then the threads end, then the sockets.
-  parts_->published_to = nullptr;
+  // The server's handlers ask the studio, the studio's threads tell the server: first nobody is
+  // told any more, then the sockets and handlers end, then the threads.
+  {
+    const std::lock_guard lock(parts_->publishing);
+    parts_->published_to = nullptr;
+  }
   parts_->server.reset();
   parts_->studio.reset();
 }

@@ -240,7 +240,7 @@ int fit(const Asked& asked, const experiment::Language& language) {
                                                              : correlation::Depth::at_the_point;
       if (!print_values(study, shown, depth, workers, executor, journal)) return kFailed;
       workers.end();
-      return write_report(study, journal);
+      return write_report(study, journal, language);
     }
     say("Best of {} steps: target {:.4f} %\nThe search ended {}\n",
         fitted.run.steps.size(),

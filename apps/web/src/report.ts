@@ -8,5 +8,7 @@ import './app.css';
 import { mount } from 'svelte';
 
 import App from './App.svelte';
+import { beginPrinted } from './lib/printed';
 
+beginPrinted();
 mount(App, { target: document.getElementById('studio')! });

@@ -26,8 +26,16 @@ if(NOT EXISTS ${installed})
   else()
     set(which --omit=dev)
   endif()
-  run_in_page("Installing what the page is built with (npm ci)"
-              ${NPM} ci ${which} --ignore-scripts --no-audit --no-fund --loglevel=error)
+  execute_process(COMMAND ${NPM} ci ${which} --ignore-scripts --no-audit --no-fund --loglevel=error --fetch-retries=1
+                  WORKING_DIRECTORY ${PAGE} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output TIMEOUT 600)
+  if(NOT result EQUAL 0)  # no network: not a fault of the tree, and everything but the page can be built
+    message("${output}")
+    message(WARNING "No page: what it is built with could not be installed (npm ci). latsch is built without the page of "
+                    "latsch serve; touch apps/web/package.json to try again.")
+    file(WRITE ${GENERATED} "#include \"web/web_assets.h\"\n\n"
+         "std::vector<latsch::studio::Asset> latsch::studio::web_assets() { return {}; }\n")
+    return()
+  endif()
   file(GLOB old ${PAGE}/installed_*)
   if(old)
     file(REMOVE ${old})

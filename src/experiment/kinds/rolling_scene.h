@@ -7,8 +7,8 @@
 
 namespace latsch::experiment {
 
-/// Standing upright on flat ground at three depths, the deepest a tenth of its radius; what finds no
-/// equilibrium is left out. A tire without a belt is its circle.
+/// Standing upright on flat ground at three depths, the deepest a tenth of its radius; what finds
+/// no equilibrium is left out. A tire without a belt is its circle.
 report::Scene rolling_scene(Tire& tire);
 
 }  // namespace latsch::experiment

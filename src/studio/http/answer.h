@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // An answer as bytes: status line, the fields every answer has for safety, body.
 //
-//   Content-Security-Policy        scripts, styles, data from this server only, no frames around
-//                                  it; styles that scripts set (element.style) are no matter of
-//                                  it [CSP 3, 6.1.14], style attributes written as text are
+//   Content-Security-Policy        scripts, styles, pictures, data from this server only, no frame
+//                                  around it. What scripts set by element.style is allowed, as
+//                                  Svelte and uPlot do, style attributes in text are not
 //   X-Content-Type-Options         a type is what it is said to be
 //   Referrer-Policy                the first address has the token: it is told to nobody
 //   Cross-Origin-Resource-Policy   other pages may not embed what is answered

@@ -14,7 +14,7 @@
 
 namespace latsch::studio {
 
-/// As server-sent events write it [HTML, 9.2.6]: a line of the event, one a line of its data.
+/// As server-sent events write it [HTML, 9.2.5]: a line of the event, one a line of its data.
 std::string event_text(std::string_view event, std::string_view data);
 
 using EventText = std::shared_ptr<const std::string>;

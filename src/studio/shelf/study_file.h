@@ -28,9 +28,9 @@ struct Edit {
   EditedValue value;
 };
 
-/// The text with one edit: a value that stands there is replaced, a key that does not is added below
-/// its table's head, a table that does not is added at the end. Throws InputError where the place
-/// holds a list or a table, which have to be edited as text, and for names that are none.
+/// The text with one edit: a value that stands there is replaced, a key that does not is added
+/// below its table's head, a table that does not is added at the end. Throws InputError where the
+/// place holds a list or a table, which have to be edited as text, and for names that are none.
 std::string edited(const std::string& text, const std::string& file_name, const Edit& edit);
 
 /// Thrown where the file is another one than the page has seen.

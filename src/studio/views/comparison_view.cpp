@@ -13,6 +13,7 @@
 #include "numerics/signals/welch.h"
 #include "report/report.h"
 #include "studio/views/json_values.h"
+#include "studio/views/kept_identifiability.h"
 #include "studio/views/recorded_trial.h"
 #include "studio/views/views.h"
 
@@ -210,7 +211,8 @@ Json value_of(const report::MeasuredValue& value) {
 
 Json comparison_view(const ShelvedStudy& shelved, const std::string& trial) {
   const RecordedTrial recorded = recorded_trial(shelved, trial);
-  const Drawn drawn = draw(recorded);
+  const KeptIdentifiability kept = kept_identifiability(shelved);
+  const Drawn drawn = draw(recorded, kept.what.get());
   Json view{{"trial", recorded.trial},
             {"initial", recorded.initial_trial ? Json(*recorded.initial_trial) : Json(nullptr)},
             {"curves", Json::array()},

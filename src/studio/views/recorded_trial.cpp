@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "base/error.h"
+#include "correlation/analysis/prediction_bands.h"
 #include "correlation/study/study_experiment.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/study_trials.h"
@@ -82,11 +83,34 @@ RecordedTrial recorded_trial(const ShelvedStudy& shelved, const std::string& tri
   return recorded;
 }
 
-Drawn draw(const RecordedTrial& recorded) {
+namespace {
+
+/// One for every experiment, or none.
+std::vector<correlation::ExperimentBand> bands_of(const RecordedTrial& recorded,
+                                                  const correlation::Identifiability* what) {
   const Study& study = *recorded.study;
+  if (!what || what->best != recorded.point) return {};
+  std::vector<correlation::KnownTrial> others;
+  if (correlation::has_predictions(study) && study.specimens->may_repeat()) {
+    auto all = with_predicted(recorded.study, recorded.point);
+    if (all) others.push_back({recorded.point, std::move(*all)});
+  }
+  return correlation::prediction_bands(study, *what, Journal::read(study.run.journal), others);
+}
+
+}  // namespace
+
+Drawn draw(const RecordedTrial& recorded, const correlation::Identifiability* what) {
+  const Study& study = *recorded.study;
+  const auto bands = bands_of(recorded, what);
   Drawn drawn;
-  std::optional<Result<Channels>> all, all_initial;
-  for (const auto& experiment : study.experiments) {
+  std::optional<Result<Channels>> all;
+  for (std::size_t e = 0; e < study.experiments.size(); ++e) {
+    const auto& experiment = study.experiments[e];
+    const bool has_band = e < bands.size() && bands[e].is_known();
+    const report::Band band =
+        has_band ? report::Band{bands[e].lower, bands[e].upper, inside_text(bands[e])}
+                 : report::Band{};
     const Channels* found = &recorded.channels;
     const Channels* initial = recorded.initial ? &*recorded.initial : nullptr;
     if (!experiment.fitted) {
@@ -124,7 +148,7 @@ Drawn draw(const RecordedTrial& recorded) {
                                  *comparison,
                                  initial,
                                  at_start ? &*at_start : nullptr,
-                                 nullptr,
+                                 has_band ? &band : nullptr,
                                  experiment.objective.weight},
                                 drawn.page);
   }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "correlation/analysis/identifiability.h"
 #include "report/report.h"
 #include "studio/shelf/shelved_study.h"
 
@@ -32,7 +33,8 @@ struct Drawn {
 };
 
 /// Every experiment at that trial beside the initial point. Those that are only predicted are
-/// simulated, where the model may be: as long as a trial takes.
-Drawn draw(const RecordedTrial& recorded);
+/// simulated, where the model may be: as long as a trial takes. With `what`, where it belongs to
+/// that point, also how uncertain the computed values are.
+Drawn draw(const RecordedTrial& recorded, const correlation::Identifiability* what = nullptr);
 
 }  // namespace latsch::studio

@@ -2,7 +2,7 @@
 // The answers of a report, which stand in its page: <script type="application/json" id="answers">. An object from
 // requests to answers. A request is its path without /api/ and its parameters in the order of docs/studio.md, without
 // the study: "study", "trial?trial=12". One with parameters that the page does not hold is answered by the path alone.
-// A scene is {"base64": "..."}.
+// A scene is {"gzip_base64": "..."}.
 
 type Answers = Record<string, unknown>;
 
@@ -24,9 +24,10 @@ export function heldAnswer(path: string, query: Record<string, unknown>): unknow
   return held[words ? `${path}?${words}` : path] ?? held[path];
 }
 
-export function bytesOf(base64: string): ArrayBuffer {
-  const text = atob(base64);
+export async function bytesOf(gzipped: string): Promise<ArrayBuffer> {
+  const text = atob(gzipped);
   const bytes = new Uint8Array(text.length);
   for (let k = 0; k < text.length; ++k) bytes[k] = text.charCodeAt(k);
-  return bytes.buffer;
+  const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Response(unpacked).arrayBuffer();
 }

@@ -89,8 +89,8 @@ export const api = {
 
   async scene(study: string, trial: string, signal?: AbortSignal): Promise<ArrayBuffer> {
     if (isReport) {
-      const held = await ask<{ base64: string }>('the scene', 'scene', { study, trial });
-      return bytesOf(held.base64);
+      const held = await ask<{ gzip_base64: string }>('the scene', 'scene', { study, trial });
+      return bytesOf(held.gzip_base64);
     }
     const response = await send('the scene of the model', addressOf('scene', { study, trial }), { signal });
     return response.arrayBuffer();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "base/base64.h"
+#include "studio/base64.h"
 
 #include <gtest/gtest.h>
 
-namespace latsch {
+namespace latsch::studio {
 namespace {
 
 TEST(Base64, IsThatOfTheStandard) {  // RFC 4648, section 10
@@ -14,4 +14,4 @@ TEST(Base64, IsThatOfTheStandard) {  // RFC 4648, section 10
 }
 
 }  // namespace
-}  // namespace latsch
+}  // namespace latsch::studio

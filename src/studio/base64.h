@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-namespace latsch {
+namespace latsch::studio {
 
 std::string base64(std::string_view bytes);
 
-}  // namespace latsch
+}  // namespace latsch::studio

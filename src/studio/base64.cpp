@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "base/base64.h"
+#include "studio/base64.h"
 
 #include <cstdint>
 
-namespace latsch {
+namespace latsch::studio {
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits =
@@ -21,4 +21,4 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-}  // namespace latsch
+}  // namespace latsch::studio
