@@ -73,7 +73,7 @@ export function ago(secondsSinceEpoch: number): string {
 
 /** A number or what the program has worded already. */
 export function told(what: Told | undefined, units = ''): string {
-  if (typeof what === 'string') return what ? unit(what.replace(' .. ', ' … ')) : kNone;
+  if (typeof what === 'string') return what ? unit(what.replace(' .. ', ' … ').replaceAll('+- ', '± ')) : kNone;
   if (Array.isArray(what)) return what.every((end) => end === null) ? kNone : `${number(what[0])} … ${quantity(what[1], units)}`;
   return quantity(what as Value | undefined, units);
 }

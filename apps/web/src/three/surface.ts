@@ -82,10 +82,10 @@ export function labels(surface: Surface, levels: Levels): Label[] {
   return [
     ...ticks(surface.x, (x) => [x, -1.13, 0]),
     ...ticks(surface.y, (y) => [1.13, y, 0]),
-    { text: named(surface.x.name, surface.x.unit), at: [0, -1.4, 0], isStrong: true },
-    { text: named(surface.y.name, surface.y.unit), at: [1.4, 0, 0], isStrong: true },
-    { text: `${number(levels.least * 100, 3)} %`, at: [-1.14, -1.14, 0] },
-    { text: `${number(levels.greatest * 100, 3)} %`, at: [-1.14, -1.14, 1] },
+    { text: named(surface.x.name, surface.x.unit), at: [0, -1.52, 0], isStrong: true },
+    { text: named(surface.y.name, surface.y.unit), at: [1.52, 0, 0], isStrong: true },
+    { text: `${number(levels.least * 100, 3)} %`, at: [-1.24, -1, 0.05] },
+    { text: `${number(levels.greatest * 100, 3)} %`, at: [-1.24, -1, 1] },
   ];
 }
 
