@@ -34,7 +34,7 @@ export class Stage {
     readonly host: HTMLElement,
     onprobe: (x: number, y: number) => void,
   ) {
-    this.#renderer = new WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
+    this.#renderer = new WebGLRenderer({ antialias: true, alpha: true });
     this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     host.append(this.#renderer.domElement);
     const light = new DirectionalLight('#ffffff', 1.1);
