@@ -135,7 +135,7 @@ export class ModelScene {
 
   #ground(ink: string): Mesh {
     const { center, radius } = extentOf(this.source.points);
-    const plane = new Mesh(new PlaneGeometry(2.4 * radius, 2.4 * radius), new MeshBasicMaterial({ color: ink, transparent: true, opacity: 0.12, side: DoubleSide, depthWrite: false }));
+    const plane = new Mesh(new PlaneGeometry(2.4 * radius, 2.4 * radius), new MeshBasicMaterial({ color: ink, transparent: true, opacity: 0.12, side: DoubleSide, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 4, polygonOffsetUnits: 4 }));
     plane.position.set(center[0], center[1], this.frame.ground!);
     return plane;
   }
