@@ -19,6 +19,7 @@ const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 /** The program until it has printed its address. */
 function serve(...words) {
   const child = spawn(latsch, words, { stdio: ['ignore', 'pipe', 'inherit'] });
+  process.on('exit', () => child.kill('SIGINT'));
   const address = new Promise((found, failed) => {
     let text = '';
     child.stdout.on('data', (part) => {
@@ -90,7 +91,7 @@ async function faults(browser, address, studies) {
     await page.goto(address);
     const look = async (hash) => {
       await page.goto(`${origin}/${hash}`);
-      await settled(page);
+      await settled(page).catch((error) => { throw new Error(`${hash}: ${error.message}`); });
       const words = await violations(page);
       for (const one of words) console.error(`${scheme} ${hash}: ${one}`);
       found.axe += words.length;
@@ -137,6 +138,5 @@ await report.goto(`file://${join(folder, 'some', 'study.html')}`);
 await settled(report);
 tell('report_open_ms', Date.now() - opened);
 tell('report_bytes', statSync(join(folder, 'some', 'study.html')).size);
-tell('report_axe', (await violations(report)).length);
-tell('report_console', report.errors.length);
+tell('report_faults', (await violations(report)).length + report.errors.length);
 await browser.close();

@@ -29,8 +29,8 @@ Json profile_of(const report::ProfileCurve& profile) {
           {"interval", profile.interval}};
 }
 
-Json of_page(const report::Identifiability& page) {
-  Json view{{"known", true}, {"why_not", ""}};
+Json of_page(const report::Identifiability& page, const std::string& why_not) {
+  Json view{{"known", why_not.empty()}, {"why_not", why_not}};
   view["variables"] = Json::array();
   for (std::size_t i = 0; i < page.variables.size(); ++i)
     view["variables"].push_back({{"name", page.variables[i]},
@@ -69,10 +69,12 @@ Json of_page(const report::Identifiability& page) {
 
 Json identifiability_view(const ShelvedStudy& shelved) {
   const KeptIdentifiability kept = kept_identifiability(shelved);
-  if (!kept.what) return {{"known", false}, {"why_not", kept.why_not}};
+  if (!kept.what) return of_page({}, kept.why_not);
   const Journal journal = Journal::read(kept.study->run.journal);
-  return of_page(correlation::identifiability_page(
-      *kept.study, *kept.what, correlation::prediction_bands(*kept.study, *kept.what, journal)));
+  return of_page(
+      correlation::identifiability_page(
+          *kept.study, *kept.what, correlation::prediction_bands(*kept.study, *kept.what, journal)),
+      "");
 }
 
 }  // namespace latsch::studio
