@@ -4,9 +4,11 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <thread>
 
 #include "bindings/arrays.h"
 #include "bindings/bindings.h"
@@ -20,6 +22,7 @@
 #include "correlation/target/best_trial.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/journal/asked_trials.h"
+#include "evaluation/journal/journal_lock.h"
 
 namespace latsch::python {
 namespace {
@@ -32,11 +35,22 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 /// A study and its journal, which need not be there yet.
 using SharedStudy = std::shared_ptr<const Study>;
 
-Journal journal_of(const Study& study) {
-  if (!std::filesystem::exists(study.run.journal))
-    throw InputError({study.run.journal.string(), 0},
-                     "does not exist: the study has no trials yet; start it with run()");
-  return Journal::read(study.run.journal, correlation::identity(study));
+// A run that has just begun holds a journal that is none yet, for some milliseconds.
+constexpr int kMostReads = 10;
+constexpr std::chrono::milliseconds kBetweenReads{50};
+
+/// nullopt before the first run.
+std::optional<Journal> journal_of(const Study& study) {
+  const std::filesystem::path& file = study.run.journal;
+  for (int read = 1;; ++read) {
+    if (!std::filesystem::exists(file)) return std::nullopt;
+    try {
+      return Journal::read(file, correlation::identity(study));
+    } catch (const InputError&) {
+      if (read == kMostReads || !journal_holder(file)) throw;
+      std::this_thread::sleep_for(kBetweenReads);
+    }
+  }
 }
 
 /// The columns of a journal, a row a trial.
@@ -64,7 +78,9 @@ struct Trials {
 };
 
 Trials trials_of(const Study& as_written, const std::vector<std::string>& names, bool all) {
-  const Journal journal = journal_of(as_written);
+  const std::optional<Journal> read = journal_of(as_written);
+  if (!read) return {};
+  const Journal& journal = *read;
   const Study study = correlation::with_estimated_noise(as_written, journal);
   const Objective target = correlation::objective(study);
   const AskedTrials asked(journal.marks());
@@ -186,8 +202,9 @@ py::object best_of(const Study& as_written) {
   std::optional<correlation::RatedTrial> best;
   {
     const py::gil_scoped_release others;
-    const Journal journal = journal_of(as_written);
-    best = correlation::best_trial(correlation::with_estimated_noise(as_written, journal), journal);
+    if (const auto journal = journal_of(as_written))
+      best = correlation::best_trial(correlation::with_estimated_noise(as_written, *journal),
+                                     *journal);
   }
   if (!best) return py::none();
   return py::make_tuple(array(best->point.values), best->target, best->violation);

@@ -15,6 +15,7 @@ import signal
 import subprocess
 import sys
 import threading
+import warnings
 
 from latsch import _latsch
 from latsch._errors import Failure, InputError
@@ -64,8 +65,8 @@ class Study(_latsch._Study):
     """A study as read: `file`, `title`, `journal`; `space` and `variables`; `experiments`; `method` of its search.
 
     score(point, slopes=None): a trial here and now, without journal: a Score with residuals and, where the model knows
-    them, their jacobian. target(point, channels): the Score of channels that are known, a dict as a Recording is. model(point=None): the Model
-    as written, or at a point.
+    them, their jacobian. target(point, channels): the Score of channels that are known, a dict as a Recording is.
+    model(point=None): the Model as written, or at a point.
     """
 
     def simulate(self, point):
@@ -73,7 +74,7 @@ class Study(_latsch._Study):
         values, units, _ = self._simulate(point)
         return Recording(values, units)
 
-    def run(self, workers=None, *, anew=False, progress=True, intervals=None):
+    def run(self, workers=None, *, anew=False, progress=True):
         """Fits, by a process `latsch run`; what its journal has is not computed again.
 
         workers: processes; the study's own number unless given. anew: begins with an empty journal. progress: True shows
@@ -119,6 +120,8 @@ def _listener(progress, said):
     def listen(line):
         said.append(line)
         del said[:-20]
+        if line.startswith("latsch: "):
+            return  # a warning or what is raised: it stands in the answer as well
         if callable(progress):
             progress(line)
         elif progress:
@@ -164,6 +167,8 @@ def _result(output, said):
         answer = json.loads(output)
     except ValueError:
         raise Failure("latsch ended without an answer: " + "; ".join(said), "transient") from None
+    for warning in answer.get("warnings", []):
+        warnings.warn(warning["message"], stacklevel=4)
     if answer["exit_code"] == 0:
         return answer.get("result", {})
     error = answer.get("error", {"message": "the run was interrupted"})
