@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// NumPy arrays and what the libraries have in their place. Arrays are copied: a turn of an optimizer
-// copies some dozen numbers.
+// NumPy arrays and what the libraries have in their place. Arrays are copied: a turn of an
+// optimizer copies some dozen numbers.
 #pragma once
 
 #include <pybind11/numpy.h>

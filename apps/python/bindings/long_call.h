@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A call that may take minutes: it runs in a thread of its own, without the interpreter's lock, while
-// the calling thread looks for signals. So other threads of Python go on, and Ctrl-C is answered at
-// once although a simulation knows no way to stop: it is left to its end, and its result is dropped.
-// A recording that comes in blocks ends with the next of them. What `work` touches has to be its own
-// (captured by value), and no object of Python.
+// A call that may take minutes: it runs in a thread of its own, without the interpreter's lock,
+// while the calling thread looks for signals. So other threads of Python go on, and Ctrl-C is
+// answered at once although a simulation knows no way to stop: it is left to its end, and its
+// result is dropped. A recording that comes in blocks ends with the next of them. What `work`
+// touches has to be its own (captured by value), and no object of Python.
 //
 // A process that ends while such a leftover still computes does so by _exit, once Python is closed:
 // no destructor pulls memory away from under it.

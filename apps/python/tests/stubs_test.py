@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The stubs name what is there, nothing else, with the arguments it takes; everything public says what it is; the examples run."""
 import ast
+import importlib.metadata
 import inspect
 import os
 import pathlib
@@ -83,7 +84,20 @@ class Examples(unittest.TestCase):
                 self.assertIn(says[example.stem], run.stdout)
 
 
+    def test_the_page_prints_what_it_says(self):
+        page = (ROOT / "docs/python.md").read_text()
+        program = page.split("```python\n")[1].split("```")[0]
+        run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, cwd=ROOT)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("prints\n\n" + "".join(f"    {line}\n" for line in run.stdout.splitlines()), page)
+
+
 class Import(unittest.TestCase):
+    def test_its_version_is_the_programs(self):
+        program = subprocess.run([LATSCH, "--version"], capture_output=True, text=True, check=True).stdout.split()[1]
+        self.assertEqual(latsch.__version__, program)
+        self.assertEqual(importlib.metadata.version("latsch"), program)
+
     def test_it_loads_no_numpy(self):
         script = "import sys, latsch; sys.exit('numpy' in sys.modules)"
         self.assertEqual(subprocess.run([sys.executable, "-c", script]).returncode, 0)
