@@ -159,17 +159,38 @@ void bind_confidence(py::module_& module) {
           [](const C& c) { return intervals(c.space, c.found.intervals); },
           "Array (n, 2): lower and upper end, infinite (0 on a logarithmic scale) where nothing "
           "holds them.")
-      .def_property_readonly("sigma", [](const C& c) { return c.found.sigma; })
-      .def_property_readonly("t", [](const C& c) { return c.found.t; })
-      .def_property_readonly("excess", [](const C& c) { return c.found.excess; })
-      .def_property_readonly("covariance", [](const C& c) { return array(c.found.covariance); })
-      .def_property_readonly("correlation", [](const C& c) { return array(c.found.correlation); })
-      .def_property_readonly("singular_values",
-                             [](const C& c) { return array(c.found.singular_values); })
-      .def_property_readonly("directions", [](const C& c) { return array(c.found.directions); })
-      .def_property_readonly("deviations",
-                             [](const C& c) { return array(c.found.direction_deviations); })
-      .def_property_readonly("thresholds", [](const C& c) { return array(c.found.thresholds); })
+      .def_property_readonly(
+          "sigma",
+          [](const C& c) { return c.found.sigma; },
+          "Standard deviation of a residual; NaN where none are left to tell it.")
+      .def_property_readonly(
+          "t", [](const C& c) { return c.found.t; }, "Student's quantile, two-sided.")
+      .def_property_readonly(
+          "excess",
+          [](const C& c) { return c.found.excess; },
+          "The spread of the residuals over a stated sigma, where that cannot be chance; else 1.")
+      .def_property_readonly(
+          "covariance",
+          [](const C& c) { return array(c.found.covariance); },
+          "Array (n, n), in ranges; 0 of held variables.")
+      .def_property_readonly(
+          "correlation", [](const C& c) { return array(c.found.correlation); }, "Array (n, n).")
+      .def_property_readonly(
+          "singular_values",
+          [](const C& c) { return array(c.found.singular_values); },
+          "Array (n,), descending: how strongly the data hold a direction.")
+      .def_property_readonly(
+          "directions",
+          [](const C& c) { return array(c.found.directions); },
+          "Array (n, n): a column of the unit cube each.")
+      .def_property_readonly(
+          "deviations",
+          [](const C& c) { return array(c.found.direction_deviations); },
+          "Array (n,): standard deviation along each direction, in ranges; infinite where flat.")
+      .def_property_readonly(
+          "thresholds",
+          [](const C& c) { return array(c.found.thresholds); },
+          "Array (n,): the rise of the sum of squares at the ends of each interval.")
       .def_property_readonly(
           "held",
           [](const C& c) {
@@ -200,7 +221,11 @@ void bind_profile(py::module_& module) {
   using P = SpacedProfile;
   py::class_<P>(module, "Profile", "How well the data are explained with one variable held.")
       .def_property_readonly("variable", [](const P& p) { return p.space[p.found.variable].name; })
-      .def_property_readonly("verdict", [](const P& p) { return name(p.found.verdict); })
+      .def_property_readonly(
+          "verdict",
+          [](const P& p) { return name(p.found.verdict); },
+          "\"identifiable\", \"one-sided\", \"flat\", \"several minima\" or \"not evaluable "
+          "beyond\".")
       .def_property_readonly("in_words", [](const P& p) { return in_words(p.found); })
       .def_property_readonly(
           "interval",
@@ -288,11 +313,14 @@ void bind_identifiability(py::module_& module) {
                              [](const I& i) {
                                return SpacedConfidence{i.space(), i.found().confidence()};
                              })
-      .def_property_readonly("profiles", [](const I& i) {
-        std::vector<SpacedProfile> all;
-        for (const Profile& p : i.found().profiles()) all.push_back({i.space(), p});
-        return all;
-      });
+      .def_property_readonly(
+          "profiles",
+          [](const I& i) {
+            std::vector<SpacedProfile> all;
+            for (const Profile& p : i.found().profiles()) all.push_back({i.space(), p});
+            return all;
+          },
+          "One a variable, when done and asked for.");
 }
 
 }  // namespace latsch::python

@@ -185,7 +185,8 @@ void bind_score(py::module_& module) {
            py::arg("equations") = std::vector<double>{},
            py::arg("stand_ins") = 0)
       .def_readonly("value", &Score::value)
-      .def_property_readonly("residuals", [](const Score& s) { return array(s.residuals); })
+      .def_property_readonly(
+          "residuals", [](const Score& s) { return array(s.residuals); }, "Array (m,).")
       .def_property_readonly(
           "jacobian",
           [](const Score& s) -> py::object {

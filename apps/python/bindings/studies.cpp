@@ -256,7 +256,8 @@ void bind_studies(py::module_& module) {
           [](const Read& s) { return std::string(name(correlation::method_of(*s.study).method)); })
       .def_property_readonly(
           "reason_without_slopes",
-          [](const Read& s) { return correlation::reason_without_slopes(*s.study).value_or(""); })
+          [](const Read& s) { return correlation::reason_without_slopes(*s.study).value_or(""); },
+          "Why trials bring no derivatives; empty where they do.")
       .def(
           "target",
           [](const Read& s, const Array& at, const py::dict& channels) {
@@ -279,7 +280,8 @@ void bind_studies(py::module_& module) {
       .def(
           "model",
           [](const Read& s, const py::object& at) { return model_at(*s.study, at); },
-          py::arg("point") = py::none())
+          py::arg("point") = py::none(),
+          "The Model as written, or with the variables at a point (n,).")
       .def("_best", [](const Read& s) { return best_of(*s.study); })
       .def("_trials", [](const Read& s, const std::vector<std::string>& names, bool all) {
         const Trials trials = long_call<Trials>([study = s.study, names, all](const Abandonment&) {
